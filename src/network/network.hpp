@@ -1,0 +1,85 @@
+// Networks of springs and dampers between two terminals, as trees of elements, series and parallel
+// combinations, and graphs for what is neither (a bridge).
+#pragma once
+
+#include <compare>
+#include <functional>
+#include <map>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace vcrit {
+
+/// The name of a number: a scalar ("k0"), or entry 1..N of an array ("k[3]"; entry 0: a scalar).
+struct Symbol {
+  std::string name;
+  int entry = 0;
+  friend auto operator<=>(const Symbol&, const Symbol&) = default;
+};
+
+/// "k0" or "k[3]".
+std::string to_text(const Symbol& symbol);
+
+using Values = std::map<Symbol, double>;
+
+/// spring: K = k.  damper: K = c s.  maxwell: K = k tau s/(1 + tau s), a spring k in series with a
+/// damper k tau, given by its relaxation time.
+enum class ElementKind { spring, damper, maxwell };
+
+struct Element {
+  ElementKind kind = ElementKind::spring;
+  Symbol coefficient;  ///< k (N/m) of a spring or Maxwell branch, c (N s/m) of a damper
+  Symbol time;         ///< tau (s), Maxwell branch only
+  friend bool operator==(const Element&, const Element&) = default;
+};
+
+struct Network;
+
+struct Series {
+  std::vector<Network> parts;
+};
+
+struct Parallel {
+  std::vector<Network> parts;
+};
+
+/// Ends of one edge of a graph, as indices into Graph::nodes.
+struct Wire {
+  int from = 0;
+  int to = 0;
+  friend bool operator==(const Wire&, const Wire&) = default;
+};
+
+/// Any wiring: edge i is parts[i] between wires[i].from and wires[i].to. Nodes 0 and 1 are the
+/// terminals; the others are massless inner nodes. Holds no edge without load (see graph.hpp).
+struct Graph {
+  std::vector<std::string> nodes;
+  std::vector<Network> parts;
+  std::vector<Wire> wires;
+};
+
+struct Network {
+  std::variant<Element, Series, Parallel, Graph> form;
+};
+
+bool operator==(const Series&, const Series&);
+bool operator==(const Parallel&, const Parallel&);
+bool operator==(const Graph&, const Graph&);
+bool operator==(const Network&, const Network&);
+
+Network spring(Symbol k);
+Network damper(Symbol c);
+Network maxwell(Symbol k, Symbol tau);
+/// One part stands for itself; nested combinations of the same kind are flattened.
+Network series(std::vector<Network> parts);
+Network parallel(std::vector<Network> parts);
+
+/// Calls `visit` for every element, in the order of writing.
+void for_each_element(const Network& network, const std::function<void(const Element&)>& visit);
+
+/// The symbols of all elements, each once, in the order of writing.
+std::vector<Symbol> symbols_of(const Network& network);
+
+}  // namespace vcrit

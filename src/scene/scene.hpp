@@ -1,0 +1,67 @@
+// A scene: what is there, read from one TOML file. What a scene does not name is not in it: without
+// [drive] the drive is rigid, without [body] (or with a rigid drive, whose far end moves uniformly)
+// there is no mass from here on.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "base/errors.hpp"
+#include "network/network.hpp"
+
+namespace vcrit {
+
+/// A number of the scene, in SI units; without a value it is a symbol.
+struct Quantity {
+  Symbol symbol;
+  std::optional<double> value;
+};
+
+/// Isotropic contact: K_t = ratio K_n.
+struct Isotropic {
+  enum class By { poisson, ratio };
+  By by = By::ratio;
+  Quantity quantity;  ///< Poisson's ratio nu, ratio = 2(1 - nu)/(2 - nu), or the ratio itself
+};
+
+struct Scene {
+  std::string file;   ///< as the user named it
+  std::string title;
+  std::string text;   ///< the file's content
+  Network normal;                                ///< K_n
+  std::variant<Isotropic, Network> tangential;   ///< K_t; equal networks have become Isotropic, ratio 1
+  std::optional<Network> drive;                  ///< K_d; rigid without
+  std::optional<Quantity> mass;                  ///< m (kg); only under a drive that is not rigid
+  Quantity coefficient, angular_frequency, amplitude, indentation;  ///< mu0, omega, du_z, u_z0
+  std::vector<std::pair<Symbol, std::optional<double>>> elements;   ///< of the networks, in order of writing
+  std::map<std::string, int> arrays;             ///< length of each array among the elements
+  std::vector<std::string> warnings;
+};
+
+/// The values of --set, by name ("k0", "k[3]", "mu0", "frequency", ...); a number in SI or with a unit.
+using Settings = std::vector<std::pair<std::string, std::string>>;
+
+/// Throws InputError.
+Scene read_scene(const std::string& file, const Settings& settings = {});
+/// The same from text; `file` only names it in messages.
+Scene parse_scene(const std::string& text, const std::string& file, const Settings& settings = {});
+
+/// K_t/K_n of an isotropic contact. Throws InputError if it has no value.
+double tangential_ratio(const Isotropic& isotropic);
+
+/// All values of the scene (elements and quantities) by symbol. Throws InputError naming every
+/// missing one at once.
+Values values_of(const Scene& scene);
+
+/// The tangential network as such: with an isotropic contact, the normal one and a factor.
+struct ScaledNetwork {
+  const Network* network;
+  double factor;
+};
+ScaledNetwork tangential_network(const Scene& scene);
+
+}  // namespace vcrit
