@@ -1,0 +1,19 @@
+// Where Eq. 24 applies: the body does not jump (3), the contact stays closed (4), (35) and can carry
+// its mean load at all; and how fast a fluid-like path creeps under the mean friction force.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scene/scene.hpp"
+
+namespace vcrit {
+
+/// Why the scene is not admissible, one sentence a reason; empty when it is.
+std::vector<std::string> inadmissible_reasons(const Scene& scene);
+
+/// mu0 <F_n> (1/eta_t + 1/eta_d) in m/s: what the drive must run faster than the contact point;
+/// 0 where both networks carry a static load.
+double creep_velocity(const Scene& scene);
+
+}  // namespace vcrit

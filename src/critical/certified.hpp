@@ -1,0 +1,20 @@
+// Eq. 24 correctly rounded: balls of adaptive precision around the scene's doubles, until they round
+// to one double.
+#pragma once
+
+#include <string>
+
+#include "scene/scene.hpp"
+
+namespace vcrit {
+
+struct CertifiedVelocity {
+  double value = 0;                 ///< m/s; infinite at resonance and above the largest double
+  double relative_error_bound = 0;  ///< of `value`; 0 for exact answers, infinite for an overflow
+  std::string reason;               ///< why the value is infinite, else empty
+};
+
+/// Throws ModelError for 0/0 (resonance and antiresonance at once).
+CertifiedVelocity certified_critical_velocity(const Scene& scene);
+
+}  // namespace vcrit

@@ -1,0 +1,27 @@
+// What the simulator knows of a scene: relaxation forms, inertia, friction and the normal force.
+#pragma once
+
+#include <complex>
+#include <optional>
+
+#include "scene/scene.hpp"
+#include "stiffness/relaxation.hpp"
+
+namespace vcrit::simulation {
+
+/// A body drawn through the drive with its contact below; what the scene lacks is absent.
+struct System {
+  Relaxation contact;               ///< tangential network between body and contact point
+  std::optional<Relaxation> drive;  ///< rigid without
+  std::optional<double> mass;       ///< kg, only with a drive
+  double omega = 0;                 ///< rad/s
+  double friction = 0;              ///< mu0
+  double mean_normal_force = 0;     ///< N
+  std::complex<double> normal_force_amplitude;  ///< N; F_n(t) = mean + Re[amplitude e^{i omega t}] > 0
+};
+
+/// Throws InputError for missing values, ModelError unless the normal force stays positive and the
+/// normal network carries the mean load.
+System system_of(const Scene& scene);
+
+}  // namespace vcrit::simulation

@@ -1,0 +1,17 @@
+// The evaluator library generated for one scene.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "scene/scene.hpp"
+
+namespace vcrit::symbolic {
+
+/// The header NAME.hpp as text; `name` is a C++ namespace. Throws InputError if it cannot be one.
+std::string emit_header(const Scene& scene, const std::string& name);
+
+/// Writes DIR/NAME.hpp, DIR/CMakeLists.txt and DIR/test_NAME.cpp, each beside its place and renamed.
+void generate(const Scene& scene, const std::filesystem::path& directory, const std::string& name);
+
+}  // namespace vcrit::symbolic
