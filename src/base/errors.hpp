@@ -34,8 +34,7 @@ class ModelError : public std::runtime_error {
 /// A broken promise inside the program; never the user's fault.
 class Bug : public std::logic_error {
  public:
-  explicit Bug(const std::string& what,
-               std::source_location at = std::source_location::current());
+  explicit Bug(const std::string& what, std::source_location at = std::source_location::current());
 };
 
 /// Throws Bug unless `holds`.

@@ -1,5 +1,5 @@
-// Where Eq. 24 applies: the body does not jump (3), the contact stays closed (4), (35) and can carry
-// its mean load at all; and how fast a fluid-like path creeps under the mean friction force.
+// Where Eq. 24 applies: the body does not jump (3), the contact stays closed (4), (35) and can
+// carry its mean load at all; and how fast a fluid-like path creeps under the mean friction force.
 #pragma once
 
 #include <string>

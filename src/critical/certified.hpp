@@ -1,5 +1,5 @@
-// Eq. 24 correctly rounded: balls of adaptive precision around the scene's doubles, until they round
-// to one double.
+// Eq. 24 correctly rounded: balls of adaptive precision around the scene's doubles, until they
+// round to one double.
 #pragma once
 
 #include <string>

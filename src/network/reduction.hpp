@@ -38,9 +38,15 @@ typename Algebra::Value evaluate(const Reduction& reduction, Algebra& algebra) {
   values.reserve(reduction.steps.size());
   for (const Step& step : reduction.steps) {
     switch (step.kind) {
-      case Step::Kind::element: values.push_back(algebra.element(step.element)); break;
-      case Step::Kind::parallel: values.push_back(algebra.parallel(values[step.a], values[step.b])); break;
-      case Step::Kind::series: values.push_back(algebra.series(values[step.a], values[step.b])); break;
+      case Step::Kind::element:
+        values.push_back(algebra.element(step.element));
+        break;
+      case Step::Kind::parallel:
+        values.push_back(algebra.parallel(values[step.a], values[step.b]));
+        break;
+      case Step::Kind::series:
+        values.push_back(algebra.series(values[step.a], values[step.b]));
+        break;
       case Step::Kind::mesh:
         values.push_back(algebra.mesh(values[step.a], values[step.b], values[step.total]));
         break;

@@ -29,20 +29,23 @@ struct Isotropic {
 };
 
 struct Scene {
-  std::string file;   ///< as the user named it
+  std::string file;  ///< as the user named it
   std::string title;
-  std::string text;   ///< the file's content
-  Network normal;                                ///< K_n
-  std::variant<Isotropic, Network> tangential;   ///< K_t; equal networks have become Isotropic, ratio 1
-  std::optional<Network> drive;                  ///< K_d; rigid without
-  std::optional<Quantity> mass;                  ///< m (kg); only under a drive that is not rigid
+  std::string text;  ///< the file's content
+  Network normal;    ///< K_n
+  std::variant<Isotropic, Network>
+      tangential;                ///< K_t; equal networks have become Isotropic, ratio 1
+  std::optional<Network> drive;  ///< K_d; rigid without
+  std::optional<Quantity> mass;  ///< m (kg); only under a drive that is not rigid
   Quantity coefficient, angular_frequency, amplitude, indentation;  ///< mu0, omega, du_z, u_z0
-  std::vector<std::pair<Symbol, std::optional<double>>> elements;   ///< of the networks, in order of writing
-  std::map<std::string, int> arrays;             ///< length of each array among the elements
+  std::vector<std::pair<Symbol, std::optional<double>>>
+      elements;                       ///< of the networks, in order of writing
+  std::map<std::string, int> arrays;  ///< length of each array among the elements
   std::vector<std::string> warnings;
 };
 
-/// The values of --set, by name ("k0", "k[3]", "mu0", "frequency", ...); a number in SI or with a unit.
+/// The values of --set, by name ("k0", "k[3]", "mu0", "frequency", ...); a number in SI or with a
+/// unit.
 using Settings = std::vector<std::pair<std::string, std::string>>;
 
 /// Throws InputError.

@@ -33,12 +33,13 @@ struct SteadyState {
   double friction_ratio = 0;        ///< mu_macro/mu0 = <F>/(mu0 <F_n>)
   double friction_ratio_error = 0;  ///< estimate of its absolute error
   Regime regime = Regime::sliding;
-  std::optional<int> periods;       ///< length of the steady cycle in oscillation periods
-  std::vector<Event> events;        ///< of one cycle, by time
-  std::vector<CyclePoint> cycle;    ///< `samples` points over one oscillation period
+  std::optional<int> periods;     ///< length of the steady cycle in oscillation periods
+  std::vector<Event> events;      ///< of one cycle, by time
+  std::vector<CyclePoint> cycle;  ///< `samples` points over one oscillation period
 };
 
-/// velocity: mean velocity of the drive, m/s, > 0. Throws ModelError where no steady state is found.
+/// velocity: mean velocity of the drive, m/s, > 0. Throws ModelError where no steady state is
+/// found.
 SteadyState steady_state(const System& system, double velocity, Start start = Start::sliding,
                          int samples = 0);
 

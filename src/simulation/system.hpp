@@ -17,7 +17,8 @@ struct System {
   double omega = 0;                 ///< rad/s
   double friction = 0;              ///< mu0
   double mean_normal_force = 0;     ///< N
-  std::complex<double> normal_force_amplitude;  ///< N; F_n(t) = mean + Re[amplitude e^{i omega t}] > 0
+  std::complex<double>
+      normal_force_amplitude;  ///< N; F_n(t) = mean + Re[amplitude e^{i omega t}] > 0
 };
 
 /// Throws InputError for missing values, ModelError unless the normal force stays positive and the

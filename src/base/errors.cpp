@@ -1,0 +1,26 @@
+#include "base/errors.hpp"
+
+#include <fmt/format.h>
+
+namespace vcrit {
+
+std::string to_text(const Place& place) {
+  std::string text = place.file;
+  if (place.line > 0) text += fmt::format(":{}", place.line);
+  if (place.line > 0 && place.column > 0) text += fmt::format(":{}", place.column);
+  return text;
+}
+
+InputError::InputError(const Place& place, const std::string& found, const std::string& expected)
+    : std::runtime_error(
+          fmt::format("{}: found {}; expected {}", to_text(place), found, expected)) {}
+
+Bug::Bug(const std::string& what, std::source_location at)
+    : std::logic_error(
+          fmt::format("bug in vcrit ({}, line {}): {}", at.function_name(), at.line(), what)) {}
+
+void ensure(bool holds, const char* what, std::source_location at) {
+  if (!holds) throw Bug(what, at);
+}
+
+}  // namespace vcrit

@@ -1,0 +1,18 @@
+// Names from scenes end up in generated code: which of them are safe there.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace vcrit {
+
+/// Why `name` cannot be a name in generated code ("is a keyword of C++", ...); nothing if it can.
+std::optional<std::string> unsafe_as_identifier(std::string_view name);
+
+/// The candidate most like `name`, if one is close enough to be what was meant.
+std::optional<std::string> nearest(std::string_view name,
+                                   const std::vector<std::string>& candidates);
+
+}  // namespace vcrit

@@ -1,0 +1,118 @@
+#include "base/units.hpp"
+
+#include <fmt/format.h>
+#include <udunits2.h>
+
+#include <array>
+#include <cmath>
+#include <memory>
+#include <mutex>
+
+#include "base/numbers.hpp"
+
+namespace vcrit {
+
+namespace {
+
+struct UnitDeleter {
+  void operator()(ut_unit* unit) const { ut_free(unit); }
+};
+using Unit = std::unique_ptr<ut_unit, UnitDeleter>;
+
+struct DimensionText {
+  const char* name;
+  const char* unit;
+};
+
+constexpr std::array<DimensionText, 9> dimensions{{{"a plain number", "1"},
+                                                   {"a stiffness", "N/m"},
+                                                   {"a damping coefficient", "N.s/m"},
+                                                   {"a time", "s"},
+                                                   {"a mass", "kg"},
+                                                   {"a length", "m"},
+                                                   {"a velocity", "m/s"},
+                                                   {"a frequency", "Hz"},
+                                                   {"an angular frequency", "rad/s"}}};
+
+const DimensionText& text_of(Dimension dimension) {
+  return dimensions.at(static_cast<std::size_t>(dimension));
+}
+
+// udunits keeps global state for messages and is not thread-safe.
+std::mutex& units_mutex() {
+  static std::mutex mutex;
+  return mutex;
+}
+
+ut_system* units() {
+  static ut_system* const system = [] {
+    ut_set_error_message_handler(ut_ignore);
+    return ut_read_xml(nullptr);
+  }();
+  if (system == nullptr) throw Bug("the database of udunits cannot be read");
+  return system;
+}
+
+Unit parse_unit(const std::string& text) { return Unit(ut_parse(units(), text.c_str(), UT_UTF8)); }
+
+// udunits takes the radian for a pure number, so that Hz and rad/s would convert into one another.
+bool names_radians(std::string_view unit) { return unit.find("rad") != unit.npos; }
+bool names_degrees(std::string_view unit) {
+  return unit.find("deg") != unit.npos || unit.find("°") != unit.npos;
+}
+
+bool angular(std::string_view unit) { return names_radians(unit) || names_degrees(unit); }
+
+std::string_view trimmed(std::string_view text) {
+  const auto first = text.find_first_not_of(" \t");
+  if (first == text.npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+double convert(double number, std::string_view unit, Dimension dimension, const Place& place,
+               std::string_view whole) {
+  const std::string found = fmt::format("\"{}\"", whole);
+  const auto refuse = [&](const std::string& why) {
+    throw InputError(place, fmt::format("{} ({})", found, why), describe(dimension));
+  };
+  const std::scoped_lock lock(units_mutex());
+  const Unit from = parse_unit(std::string(unit));
+  if (!from) refuse(fmt::format("\"{}\" is no unit", unit));
+  const Unit to = parse_unit(text_of(dimension).unit);
+  if (!ut_are_convertible(from.get(), to.get())) refuse("a unit of another dimension");
+  if (dimension == Dimension::frequency && angular(unit))
+    refuse("an angular frequency, not cycles a second");
+  if (dimension == Dimension::angular_frequency && !angular(unit))
+    refuse("a frequency, not an angle a second");
+  const std::unique_ptr<cv_converter, void (*)(cv_converter*)> converter(
+      ut_get_converter(from.get(), to.get()), cv_free);
+  if (!converter) refuse("a unit that cannot be converted");
+  return cv_convert_double(converter.get(), number);
+}
+
+}  // namespace
+
+std::string describe(Dimension dimension) {
+  const DimensionText& text = text_of(dimension);
+  if (dimension == Dimension::none) return text.name;
+  return fmt::format("{} in {}", text.name, text.unit);
+}
+
+double parse_quantity(std::string_view text, Dimension dimension, const Place& place) {
+  const std::string_view whole = trimmed(text);
+  const auto end = std::min(whole.find_first_not_of("0123456789.+-eE"), whole.size());
+  // "3e" of "3 eV" never occurs with the blank, but "2e" of "2eV" does: the longest number wins.
+  auto digits = end;
+  while (digits > 0 && !to_double(whole.substr(0, digits))) --digits;
+  if (digits == 0)
+    throw InputError(place, fmt::format("\"{}\"", text),
+                     "a number and a unit: " + describe(dimension));
+  const double number = *to_double(whole.substr(0, digits));
+  const std::string_view unit = trimmed(whole.substr(digits));
+  const double value = unit.empty() ? number : convert(number, unit, dimension, place, whole);
+  if (!std::isfinite(value))
+    throw InputError(place, fmt::format("\"{}\", which is not finite", text), describe(dimension));
+  return value;
+}
+
+}  // namespace vcrit

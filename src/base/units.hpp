@@ -1,0 +1,31 @@
+// Quantities with units, converted to SI by udunits.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "base/errors.hpp"
+
+namespace vcrit {
+
+/// What a number measures, by its SI unit.
+enum class Dimension {
+  none,              ///< 1
+  stiffness,         ///< N/m
+  damping,           ///< N s/m
+  time,              ///< s
+  mass,              ///< kg
+  length,            ///< m
+  velocity,          ///< m/s
+  frequency,         ///< Hz, cycles a second: "20 kHz" is 20000
+  angular_frequency  ///< rad/s; a frequency in Hz is refused, and the other way round
+};
+
+/// "a stiffness in N/m", for messages.
+std::string describe(Dimension dimension);
+
+/// `text` is a number (SI) or a number and a unit ("8 N/um"). Returns the value in SI.
+/// Throws InputError for bad syntax, unknown units and units of another dimension.
+double parse_quantity(std::string_view text, Dimension dimension, const Place& place);
+
+}  // namespace vcrit

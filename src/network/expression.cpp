@@ -1,0 +1,203 @@
+#include "network/expression.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+
+#include "base/identifiers.hpp"
+#include "network/catalogue.hpp"
+
+namespace vcrit {
+
+namespace {
+
+constexpr int deepest_nesting = 500;
+constexpr int most_branches = 100000;
+
+class Parser {
+ public:
+  Parser(std::string_view text, const Place& place, const Surroundings& around)
+      : text_(text), place_(place), around_(around) {}
+
+  Network whole() {
+    Network network = parallel_chain();
+    if (peek() == ')') refuse("\")\" without an opening parenthesis", "the end or an operator");
+    if (peek() != '\0') refuse(found(), "\"|\" (parallel), \"-\" (series) or the end");
+    return network;
+  }
+
+ private:
+  Network parallel_chain() {
+    std::vector<Network> parts{series_chain()};
+    while (accept('|')) parts.push_back(series_chain());
+    return parallel(std::move(parts));
+  }
+
+  Network series_chain() {
+    std::vector<Network> parts{operand()};
+    while (accept('-')) parts.push_back(operand());
+    return series(std::move(parts));
+  }
+
+  Network operand() {
+    if (peek() == '(') return group();
+    const Place at = here();
+    const std::string name = identifier("an element, a network or \"(\"");
+    if (peek() == '(') return call(name, at);
+    if (auto network = around_.named_network(name, at)) return std::move(*network);
+    return element(name, at);
+  }
+
+  Network group() {
+    const Place opening = here();
+    if (++depth_ > deepest_nesting)
+      refuse("deeper nesting",
+             fmt::format("at most {} parentheses in one another", deepest_nesting));
+    accept('(');
+    Network network = parallel_chain();
+    close(opening);
+    --depth_;
+    return network;
+  }
+
+  static Network element(const std::string& name, const Place& at) {
+    if (name.front() == 'k') return spring({name});
+    if (name.front() == 'c') return damper({name});
+    throw InputError(at, fmt::format("element \"{}\" of unknown kind", name),
+                     fmt::format("a name that begins with k (spring) or c (damper), spring({0}) or "
+                                 "damper({0}), or a network of that name",
+                                 name));
+  }
+
+  Network call(const std::string& name, const Place& at) {
+    const Rheology& rheology = named_rheology(name, at);
+    const Place opening = here();
+    accept('(');
+    std::vector<std::string> names;
+    std::optional<int> branches;
+    do {
+      if (rheology.has_arrays() && names.size() == rheology.arguments.size() && !branches)
+        branches = count();
+      else
+        names.push_back(identifier("the name of an element"));
+    } while (accept(','));
+    close(opening);
+    if (names.size() != rheology.arguments.size())
+      throw InputError(at, fmt::format("{} with {} names", name, names.size()),
+                       rheology.signature());
+    return rheology.build(names, rheology.has_arrays() ? length(rheology, names, branches, at) : 0);
+  }
+
+  static const Rheology& named_rheology(const std::string& name, const Place& at) {
+    std::vector<std::string> known;
+    for (const Rheology& rheology : catalogue()) {
+      if (rheology.name == name) return rheology;
+      known.push_back(rheology.name);
+    }
+    const auto meant = nearest(name, known);
+    throw InputError(
+        at, fmt::format("unknown rheology \"{}\"", name),
+        meant ? fmt::format("\"{}\"", *meant) : fmt::format("one of {}", fmt::join(known, ", ")));
+  }
+
+  // All arrays of one call have one length: the one written, or that of the arrays in [elements].
+  int length(const Rheology& rheology, const std::vector<std::string>& names,
+             std::optional<int> branches, const Place& at) const {
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      if (rheology.arguments[i].second != Rheology::Argument::array) continue;
+      const auto known = around_.array_length(names[i]);
+      if (known && branches && *known != *branches)
+        throw InputError(at, fmt::format("array \"{}\" of {} entries", names[i], *known),
+                         fmt::format("{} entries, as many as the branches of {}", *branches,
+                                     rheology.signature()));
+      if (known) branches = known;
+    }
+    if (!branches)
+      throw InputError(at, fmt::format("{} without a number of branches", rheology.name),
+                       "arrays in [elements], or the number of branches as the last argument");
+    return *branches;
+  }
+
+  int count() {
+    peek();
+    const Place at = here();
+    int value = 0;
+    const auto [end, error] =
+        std::from_chars(text_.data() + position_, text_.data() + text_.size(), value);
+    if (error != std::errc{} || value < 1 || value > most_branches)
+      throw InputError(at, found(),
+                       fmt::format("a number of branches from 1 to {}", most_branches));
+    position_ = static_cast<std::size_t>(end - text_.data());
+    return value;
+  }
+
+  std::string identifier(const std::string& expected) {
+    peek();
+    const Place at = here();
+    std::size_t end = position_;
+    const auto word = [](char c) {
+      return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+    };
+    while (end < text_.size() && word(text_[end])) ++end;
+    if (end == position_) refuse(found(), expected);
+    std::string name(text_.substr(position_, end - position_));
+    if (const auto why = unsafe_as_identifier(name))
+      throw InputError(at, fmt::format("name \"{}\", which {}", name, *why), "another name");
+    position_ = end;
+    return name;
+  }
+
+  void close(const Place& opening) {
+    if (accept(')')) return;
+    if (peek() == '\0')
+      throw InputError(
+          opening,
+          fmt::format("\"(\" at column {} without its closing parenthesis", opening.column),
+          "\")\" before the end");
+    refuse(found(), "\")\" or an operator");
+  }
+
+  char peek() {
+    while (position_ < text_.size() &&
+           (text_[position_] == ' ' || text_[position_] == '\t' || text_[position_] == '\n'))
+      ++position_;
+    return position_ < text_.size() ? text_[position_] : '\0';
+  }
+
+  bool accept(char c) {
+    if (peek() != c) return false;
+    ++position_;
+    return true;
+  }
+
+  std::string found() {
+    const char c = peek();
+    return c == '\0' ? "the end of the network" : fmt::format("\"{}\"", text_.substr(position_, 1));
+  }
+
+  Place here() {
+    peek();
+    return {place_.file, place_.line, place_.column + static_cast<int>(position_)};
+  }
+
+  [[noreturn]] void refuse(const std::string& what, const std::string& expected) {
+    const Place at = here();
+    throw InputError(at, fmt::format("{} at column {} of \"{}\"", what, at.column, text_),
+                     expected);
+  }
+
+  std::string_view text_;
+  Place place_;
+  const Surroundings& around_;
+  std::size_t position_ = 0;
+  int depth_ = 0;
+};
+
+}  // namespace
+
+Network parse_expression(std::string_view text, const Place& place, const Surroundings& around) {
+  return Parser(text, place, around).whole();
+}
+
+}  // namespace vcrit

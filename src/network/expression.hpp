@@ -1,0 +1,27 @@
+// Networks as one writes them: "k0 | (k1 - c1)" with | parallel, - series (which binds tighter),
+// parentheses, names of springs (k...) and dampers (c...), named networks, and the catalogue's
+// rheologies as calls: "kelvin(k, c)".
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "base/errors.hpp"
+#include "network/network.hpp"
+
+namespace vcrit {
+
+/// What an expression's names may refer to besides elements.
+struct Surroundings {
+  /// The network of that name, if there is one; may throw InputError (cycles).
+  std::function<std::optional<Network>(const std::string& name, const Place&)> named_network;
+  /// The length of the array of that name, if there is one.
+  std::function<std::optional<int>(const std::string& name)> array_length;
+};
+
+/// `place` is where the first character of `text` stands. Throws InputError with the column.
+Network parse_expression(std::string_view text, const Place& place, const Surroundings& around);
+
+}  // namespace vcrit

@@ -1,0 +1,103 @@
+#include "network/graph.hpp"
+
+#include <boost/graph/adjacency_list.hpp>
+#include <boost/graph/biconnected_components.hpp>
+#include <set>
+#include <utility>
+
+namespace vcrit {
+
+namespace {
+
+using EdgeIndex = boost::property<boost::edge_index_t, std::size_t>;
+using BoostGraph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS,
+                                         boost::no_property, EdgeIndex>;
+
+// An edge carries load if it lies on a simple path between the terminals: if it shares a
+// biconnected component with an edge added from terminal to terminal.
+std::vector<bool> carries_load(const Graph& graph) {
+  const std::size_t closing = graph.wires.size();
+  BoostGraph g(graph.nodes.size());
+  boost::add_edge(0, 1, EdgeIndex(closing), g);
+  for (std::size_t i = 0; i < graph.wires.size(); ++i)
+    boost::add_edge(static_cast<std::size_t>(graph.wires[i].from),
+                    static_cast<std::size_t>(graph.wires[i].to), EdgeIndex(i), g);
+  std::vector<std::size_t> component(closing + 1);
+  boost::biconnected_components(
+      g, boost::make_iterator_property_map(component.begin(), boost::get(boost::edge_index, g)));
+  std::vector<bool> carries(closing);
+  for (std::size_t i = 0; i < closing; ++i)
+    carries[i] = component[i] == component[closing] && graph.wires[i].from != graph.wires[i].to;
+  return carries;
+}
+
+std::optional<Network> without_parts(const Series& series, const auto& absent) {
+  std::vector<Network> left;
+  for (const Network& part : series.parts) {
+    auto kept = without(part, absent);
+    if (!kept) return std::nullopt;
+    left.push_back(std::move(*kept));
+  }
+  return vcrit::series(std::move(left));
+}
+
+std::optional<Network> without_parts(const Parallel& parallel, const auto& absent) {
+  std::vector<Network> left;
+  for (const Network& part : parallel.parts)
+    if (auto kept = without(part, absent)) left.push_back(std::move(*kept));
+  if (left.empty()) return std::nullopt;
+  return vcrit::parallel(std::move(left));
+}
+
+std::optional<Network> without_parts(const Graph& graph, const auto& absent) {
+  Graph left{graph.nodes, {}, {}};
+  for (std::size_t i = 0; i < graph.parts.size(); ++i)
+    if (auto kept = without(graph.parts[i], absent)) {
+      left.parts.push_back(std::move(*kept));
+      left.wires.push_back(graph.wires[i]);
+    }
+  auto loaded = load_carrying(left);
+  if (!loaded) return std::nullopt;
+  return Network{std::move(loaded->graph)};
+}
+
+std::optional<Network> without_parts(const Element& element, const auto& absent) {
+  if (absent(element)) return std::nullopt;
+  return Network{element};
+}
+
+}  // namespace
+
+std::optional<LoadedGraph> load_carrying(const Graph& graph) {
+  const std::vector<bool> carries = carries_load(graph);
+  LoadedGraph loaded{{{graph.nodes[0], graph.nodes[1]}, {}, {}}, {}};
+  std::vector<int> renamed(graph.nodes.size(), -1);
+  renamed[0] = 0;
+  renamed[1] = 1;
+  const auto keep_node = [&](int node) {
+    int& name = renamed[static_cast<std::size_t>(node)];
+    if (name < 0) {
+      name = static_cast<int>(loaded.graph.nodes.size());
+      loaded.graph.nodes.push_back(graph.nodes[static_cast<std::size_t>(node)]);
+    }
+    return name;
+  };
+  for (std::size_t i = 0; i < graph.wires.size(); ++i) {
+    if (!carries[i]) {
+      loaded.left_out.push_back(i);
+      continue;
+    }
+    loaded.graph.parts.push_back(graph.parts[i]);
+    const int from = keep_node(graph.wires[i].from);
+    loaded.graph.wires.push_back({from, keep_node(graph.wires[i].to)});
+  }
+  if (loaded.graph.wires.empty()) return std::nullopt;
+  return loaded;
+}
+
+std::optional<Network> without(const Network& network,
+                               const std::function<bool(const Element&)>& absent) {
+  return std::visit([&](const auto& form) { return without_parts(form, absent); }, network.form);
+}
+
+}  // namespace vcrit

@@ -1,0 +1,25 @@
+// Which edges of a graph carry load between its terminals, and networks with elements left out.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "network/network.hpp"
+
+namespace vcrit {
+
+struct LoadedGraph {
+  Graph graph;  ///< only edges on a path between the terminals, only their nodes
+  std::vector<std::size_t> left_out;  ///< indices of the edges that carry no load, in the old graph
+};
+
+/// Nothing if the terminals are not connected.
+std::optional<LoadedGraph> load_carrying(const Graph& graph);
+
+/// The network with the elements for which `absent` holds taken out (each an open gap); nothing if
+/// no path is left between the terminals.
+std::optional<Network> without(const Network& network,
+                               const std::function<bool(const Element&)>& absent);
+
+}  // namespace vcrit

@@ -1,0 +1,70 @@
+#include "network/network.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+namespace vcrit {
+
+namespace {
+
+template <class Combination>
+Network combine(std::vector<Network> parts) {
+  Combination whole;
+  for (Network& part : parts) {
+    if (auto* same = std::get_if<Combination>(&part.form))
+      std::move(same->parts.begin(), same->parts.end(), std::back_inserter(whole.parts));
+    else
+      whole.parts.push_back(std::move(part));
+  }
+  if (whole.parts.size() == 1) return std::move(whole.parts.front());
+  return {std::move(whole)};
+}
+
+}  // namespace
+
+std::string to_text(const Symbol& symbol) {
+  return symbol.entry == 0 ? symbol.name : fmt::format("{}[{}]", symbol.name, symbol.entry);
+}
+
+bool operator==(const Series& a, const Series& b) { return a.parts == b.parts; }
+bool operator==(const Parallel& a, const Parallel& b) { return a.parts == b.parts; }
+bool operator==(const Graph& a, const Graph& b) {
+  return a.nodes == b.nodes && a.wires == b.wires && a.parts == b.parts;
+}
+bool operator==(const Network& a, const Network& b) { return a.form == b.form; }
+
+Network spring(Symbol k) { return {Element{ElementKind::spring, std::move(k), {}}}; }
+Network damper(Symbol c) { return {Element{ElementKind::damper, std::move(c), {}}}; }
+Network maxwell(Symbol k, Symbol tau) {
+  return {Element{ElementKind::maxwell, std::move(k), std::move(tau)}};
+}
+
+Network series(std::vector<Network> parts) { return combine<Series>(std::move(parts)); }
+Network parallel(std::vector<Network> parts) { return combine<Parallel>(std::move(parts)); }
+
+void for_each_element(const Network& network, const std::function<void(const Element&)>& visit) {
+  if (const auto* element = std::get_if<Element>(&network.form)) return visit(*element);
+  const auto visit_parts = [&](const std::vector<Network>& parts) {
+    for (const Network& part : parts) for_each_element(part, visit);
+  };
+  if (const auto* s = std::get_if<Series>(&network.form)) visit_parts(s->parts);
+  if (const auto* p = std::get_if<Parallel>(&network.form)) visit_parts(p->parts);
+  if (const auto* g = std::get_if<Graph>(&network.form)) visit_parts(g->parts);
+}
+
+std::vector<Symbol> symbols_of(const Network& network) {
+  std::vector<Symbol> symbols;
+  std::set<Symbol> seen;
+  const auto add = [&](const Symbol& symbol) {
+    if (!symbol.name.empty() && seen.insert(symbol).second) symbols.push_back(symbol);
+  };
+  for_each_element(network, [&](const Element& element) {
+    add(element.coefficient);
+    add(element.time);
+  });
+  return symbols;
+}
+
+}  // namespace vcrit
