@@ -55,13 +55,14 @@ ut_system* units() {
 
 Unit parse_unit(const std::string& text) { return Unit(ut_parse(units(), text.c_str(), UT_UTF8)); }
 
-// udunits takes the radian for a pure number, so that Hz and rad/s would convert into one another.
-bool names_radians(std::string_view unit) { return unit.find("rad") != unit.npos; }
-bool names_degrees(std::string_view unit) {
-  return unit.find("deg") != unit.npos || unit.find("°") != unit.npos;
+// udunits takes the radian for a pure number, so that Hz and rad/s (or rpm) would convert into one
+// another; only the unit's definition tells them apart.
+bool angular(const ut_unit* unit) {
+  std::array<char, 256> definition{};
+  const int length =
+      ut_format(unit, definition.data(), definition.size() - 1, UT_ASCII | UT_DEFINITION);
+  return length > 0 && std::string_view(definition.data()).find("rad") != std::string_view::npos;
 }
-
-bool angular(std::string_view unit) { return names_radians(unit) || names_degrees(unit); }
 
 std::string_view trimmed(std::string_view text) {
   const auto first = text.find_first_not_of(" \t");
@@ -80,9 +81,9 @@ double convert(double number, std::string_view unit, Dimension dimension, const 
   if (!from) refuse(fmt::format("\"{}\" is no unit", unit));
   const Unit to = parse_unit(text_of(dimension).unit);
   if (!ut_are_convertible(from.get(), to.get())) refuse("a unit of another dimension");
-  if (dimension == Dimension::frequency && angular(unit))
+  if (dimension == Dimension::frequency && angular(from.get()))
     refuse("an angular frequency, not cycles a second");
-  if (dimension == Dimension::angular_frequency && !angular(unit))
+  if (dimension == Dimension::angular_frequency && !angular(from.get()))
     refuse("a frequency, not an angle a second");
   const std::unique_ptr<cv_converter, void (*)(cv_converter*)> converter(
       ut_get_converter(from.get(), to.get()), cv_free);

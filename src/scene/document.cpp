@@ -1,0 +1,101 @@
+#include "scene/document.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <sstream>
+#include <utility>
+#include <vector>
+
+#include "base/identifiers.hpp"
+
+namespace vcrit::document {
+
+namespace {
+
+const toml::table* as_table(const toml::node* node, const std::string& name,
+                            const std::string& file) {
+  if (node == nullptr) return nullptr;
+  if (!node->is_table())
+    throw InputError(place_of(*node, file), fmt::format("{} = {}", name, describe(*node)),
+                     fmt::format("a table [{}]", name));
+  return node->as_table();
+}
+
+[[noreturn]] void refuse_key(const Place& place, const std::string& key, const std::string& section,
+                             const std::vector<std::string>& known) {
+  const auto meant = nearest(key, known);
+  throw InputError(
+      place,
+      fmt::format("unknown key \"{}\"{}", key, section.empty() ? "" : " in [" + section + "]"),
+      meant ? fmt::format("\"{}\"", *meant) : fmt::format("one of {}", fmt::join(known, ", ")));
+}
+
+}  // namespace
+
+Place place_of(const toml::node& node, const std::string& file) {
+  const auto& begin = node.source().begin;
+  return {file, static_cast<int>(begin.line), static_cast<int>(begin.column)};
+}
+
+toml::table parse(const std::string& text, const std::string& file) {
+  try {
+    return toml::parse(text, file);
+  } catch (const toml::parse_error& error) {
+    const auto& begin = error.source().begin;
+    throw InputError({file, static_cast<int>(begin.line), static_cast<int>(begin.column)},
+                     fmt::format("no TOML ({})", error.description()), "a scene in TOML");
+  }
+}
+
+std::string describe(const toml::node& node) {
+  if (node.is_table()) return "a table";
+  if (node.is_array()) return "an array";
+  std::ostringstream out;
+  node.visit([&](const auto& value) { out << value; });
+  std::string text = out.str();
+  if (node.is_string()) text = fmt::format("\"{}\"", node.ref<std::string>());
+  return text;
+}
+
+Section::Section(const toml::node* node, std::string name, std::string file,
+                 std::initializer_list<const char*> keys)
+    : table_(as_table(node, name, file)), name_(std::move(name)), file_(std::move(file)) {
+  if (table_ == nullptr) return;
+  const std::vector<std::string> known(keys.begin(), keys.end());
+  for (const auto& [key, value] : *table_) {
+    if (std::find(known.begin(), known.end(), key.str()) != known.end()) continue;
+    const auto& begin = key.source().begin;
+    refuse_key({file_, static_cast<int>(begin.line), static_cast<int>(begin.column)},
+               std::string(key.str()), name_, known);
+  }
+}
+
+const toml::node* Section::find(std::string_view key) const {
+  return table_ == nullptr ? nullptr : table_->get(key);
+}
+
+std::string Section::text(std::string_view key) const {
+  const toml::node* node = find(key);
+  if (node == nullptr)
+    throw InputError(place(key), fmt::format("no \"{}\" in [{}]", key, name_),
+                     fmt::format("{} = \"...\"", key));
+  if (!node->is_string())
+    throw InputError(place(key), fmt::format("{} = {}", key, describe(*node)), "a text in quotes");
+  return node->ref<std::string>();
+}
+
+Place Section::place(std::string_view key) const {
+  if (const toml::node* node = find(key)) return place(*node);
+  return table_ == nullptr ? Place{file_} : place(*table_);
+}
+
+Place Section::place(const toml::node& node) const { return place_of(node, file_); }
+
+const toml::table* table(const toml::table& document, const std::string& name,
+                         const std::string& file) {
+  return as_table(document.get(name), name, file);
+}
+
+}  // namespace vcrit::document

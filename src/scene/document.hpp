@@ -1,0 +1,47 @@
+// The TOML file as the scene reader sees it: tables whose every key is known, with the place of
+// all.
+#pragma once
+
+#include <toml++/toml.h>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+
+#include "base/errors.hpp"
+
+namespace vcrit::document {
+
+/// Throws InputError with line and column where the text is no TOML.
+toml::table parse(const std::string& text, const std::string& file);
+
+/// What stands there, for messages: `"8 N/um"`, `12`, "an array".
+std::string describe(const toml::node& node);
+
+/// One table of the file. A table that is not there has no keys.
+class Section {
+ public:
+  /// `name` as in the file ("contact"; "" for the top level). Throws InputError for keys that are
+  /// not among `keys`, naming the nearest one.
+  Section(const toml::node* node, std::string name, std::string file,
+          std::initializer_list<const char*> keys);
+
+  bool exists() const { return table_ != nullptr; }
+  const toml::node* find(std::string_view key) const;
+  /// The string under that key; throws InputError if it is something else or not there.
+  std::string text(std::string_view key) const;
+  /// Of the value under that key, or of the section where there is none.
+  Place place(std::string_view key) const;
+  Place place(const toml::node& node) const;
+
+ private:
+  const toml::table* table_ = nullptr;
+  std::string name_, file_;
+};
+
+/// The table of that name, whatever its keys. Throws InputError if it is no table.
+const toml::table* table(const toml::table& document, const std::string& name,
+                         const std::string& file);
+
+Place place_of(const toml::node& node, const std::string& file);
+
+}  // namespace vcrit::document

@@ -1,0 +1,181 @@
+#include "scene/networks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "base/identifiers.hpp"
+#include "network/expression.hpp"
+#include "network/graph.hpp"
+#include "scene/document.hpp"
+
+namespace vcrit {
+
+namespace {
+
+// Named networks may use one another, so that a short file could ask for an endless network.
+constexpr std::size_t most_elements = 1'000'000;
+
+using document::describe;
+using document::place_of;
+
+const char* kind_name(const ElementUse& use) {
+  if (use.dimension == Dimension::time) return "relaxation times";
+  const bool stiffness = use.dimension == Dimension::stiffness;
+  if (use.length > 0) return stiffness ? "an array of stiffnesses" : "an array of dampers";
+  return stiffness ? "a spring" : "a damper";
+}
+
+}  // namespace
+
+Networks::Networks(const toml::table& document, std::string file)
+    : file_(std::move(file)),
+      named_(document::table(document, "networks", file_)),
+      elements_(document::table(document, "elements", file_)) {
+  if (named_ == nullptr) return;
+  for (const auto& [key, value] : *named_) {
+    const std::string name(key.str());
+    const Place place = place_of(value, file_);
+    if (const auto why = unsafe_as_identifier(name))
+      throw InputError(place, fmt::format("network \"{}\", a name that {}", name, *why),
+                       "another name");
+    if (elements_ != nullptr && elements_->contains(name))
+      throw InputError(place, fmt::format("\"{}\" as a network and as an element", name),
+                       "one of the two");
+  }
+}
+
+Network Networks::read(const std::string& text, const Place& place) {
+  const Surroundings around{
+      [this](const std::string& name, const Place& at) { return named(name, at); },
+      [this](const std::string& name) -> std::optional<int> {
+        const toml::node* node = elements_ == nullptr ? nullptr : elements_->get(name);
+        if (node == nullptr || !node->is_array()) return std::nullopt;
+        return static_cast<int>(node->as_array()->size());
+      }};
+  // The place is that of the opening quote.
+  Network network = parse_expression(text, {place.file, place.line, place.column + 1}, around);
+  note_uses(network, place);
+  return network;
+}
+
+void Networks::read_unused() {
+  if (named_ == nullptr) return;
+  for (const auto& [key, value] : *named_) {
+    const std::string name(key.str());
+    if (known_.contains(name)) continue;
+    named(name, place_of(value, file_));
+    warnings_.push_back(fmt::format("{}: network \"{}\" is not used by this scene",
+                                    to_text(place_of(value, file_)), name));
+  }
+}
+
+std::optional<Network> Networks::named(const std::string& name, const Place& place) {
+  const toml::node* node = named_ == nullptr ? nullptr : named_->get(name);
+  if (node == nullptr) return std::nullopt;
+  auto known = known_.find(name);
+  if (known == known_.end()) {
+    if (!being_read_.insert(name).second)
+      throw InputError(place, fmt::format("network \"{}\" inside itself", name),
+                       "networks that do not contain themselves");
+    known = known_.emplace(name, read_named(name, *node)).first;
+    being_read_.erase(name);
+  }
+  count(known->second, place);
+  return known->second;
+}
+
+Network Networks::read_named(const std::string& name, const toml::node& node) {
+  if (node.is_string()) return read(node.ref<std::string>(), place_of(node, file_));
+  if (node.is_table()) return read_graph(name, *node.as_table());
+  throw InputError(place_of(node, file_), fmt::format("network \"{}\" = {}", name, describe(node)),
+                   "a network in quotes, or a table with terminals and edges");
+}
+
+Network Networks::read_graph(const std::string& name, const toml::table& table) {
+  const document::Section section(&table, "networks." + name, file_, {"terminals", "edges"});
+  const toml::node* terminals = section.find("terminals");
+  const toml::node* edges = section.find("edges");
+  const std::string expected_terminals = "terminals = [\"a\", \"b\"], two different nodes";
+  if (terminals == nullptr || !terminals->is_array() || terminals->as_array()->size() != 2)
+    throw InputError(section.place("terminals"), "no two terminals", expected_terminals);
+  if (edges == nullptr || !edges->is_array() || edges->as_array()->empty())
+    throw InputError(section.place("edges"), "no edges", "edges = [[\"k1\", \"a\", \"b\"], ...]");
+
+  Graph graph;
+  for (const toml::node& terminal : *terminals->as_array()) read_node(terminal, "terminals", graph);
+  if (graph.nodes.size() != 2)
+    throw InputError(section.place("terminals"), "one node twice", expected_terminals);
+  for (const toml::node& edge : *edges->as_array()) read_edge(edge, graph);
+
+  auto loaded = load_carrying(graph);
+  if (!loaded)
+    throw InputError(
+        section.place("edges"),
+        fmt::format("terminals \"{}\" and \"{}\" of network \"{}\" without a connection",
+                    graph.nodes[0], graph.nodes[1], name),
+        "a path of edges between them");
+  for (const std::size_t i : loaded->left_out)
+    warnings_.push_back(
+        fmt::format("{}: edge {} of network \"{}\" (\"{}\" to \"{}\") carries no load "
+                    "and is left out",
+                    to_text(section.place(*edges->as_array()->get(i))), i + 1, name,
+                    graph.nodes[static_cast<std::size_t>(graph.wires[i].from)],
+                    graph.nodes[static_cast<std::size_t>(graph.wires[i].to)]));
+  return {std::move(loaded->graph)};
+}
+
+void Networks::read_edge(const toml::node& node, Graph& graph) {
+  const toml::array* edge = node.as_array();
+  const Place place = place_of(node, file_);
+  const std::string expected = "[\"network\", \"node\", \"node\"]";
+  if (edge == nullptr || edge->size() != 3 || !edge->get(0)->is_string())
+    throw InputError(place,
+                     fmt::format("edge {}", edge == nullptr ? describe(node) : "of another form"),
+                     expected);
+  const int from = read_node(*edge->get(1), expected, graph);
+  graph.wires.push_back({from, read_node(*edge->get(2), expected, graph)});
+  const toml::node& network = *edge->get(0);
+  graph.parts.push_back(read(network.ref<std::string>(), place_of(network, file_)));
+}
+
+int Networks::read_node(const toml::node& node, const std::string& expected, Graph& graph) const {
+  if (!node.is_string())
+    throw InputError(place_of(node, file_), describe(node),
+                     "the name of a node in quotes: " + expected);
+  const auto& name = node.ref<std::string>();
+  const auto known = std::find(graph.nodes.begin(), graph.nodes.end(), name);
+  const auto index = static_cast<int>(known - graph.nodes.begin());
+  if (known == graph.nodes.end()) graph.nodes.push_back(name);
+  return index;
+}
+
+void Networks::count(const Network& network, const Place& place) {
+  for_each_element(network, [this](const Element&) { ++elements_used_; });
+  if (elements_used_ > most_elements)
+    throw InputError(place, fmt::format("more than {} elements", most_elements),
+                     "a smaller network");
+}
+
+void Networks::note_uses(const Network& network, const Place& place) {
+  for_each_element(network, [&](const Element& element) {
+    note_use(element.coefficient,
+             element.kind == ElementKind::damper ? Dimension::damping : Dimension::stiffness,
+             place);
+    if (element.kind == ElementKind::maxwell) note_use(element.time, Dimension::time, place);
+  });
+}
+
+void Networks::note_use(const Symbol& symbol, Dimension dimension, const Place& place) {
+  const ElementUse use{dimension, symbol.entry, place};
+  const auto [known, is_new] = uses_.try_emplace(symbol.name, use);
+  ElementUse& first = known->second;
+  if (is_new) return;
+  if (first.dimension != dimension || (first.length > 0) != (symbol.entry > 0))
+    throw InputError(place, fmt::format("\"{}\" as {}", symbol.name, kind_name(use)),
+                     fmt::format("{}, as at {}", kind_name(first), to_text(first.place)));
+  first.length = std::max(first.length, symbol.entry);
+}
+
+}  // namespace vcrit

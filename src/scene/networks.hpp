@@ -1,0 +1,57 @@
+// The networks of one scene file: expressions, named networks and graphs, resolved into trees, and
+// what kind of number each of their elements is.
+#pragma once
+
+#include <toml++/toml.h>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/units.hpp"
+#include "network/network.hpp"
+
+namespace vcrit {
+
+/// How the networks use a name of [elements].
+struct ElementUse {
+  Dimension dimension = Dimension::stiffness;
+  int length = 0;  ///< entries of an array, 0 for a scalar
+  Place place;     ///< of the network that uses it
+};
+
+class Networks {
+ public:
+  Networks(const toml::table& document, std::string file);
+
+  /// The network written as `text` at `place` (of the opening quote). Throws InputError.
+  Network read(const std::string& text, const Place& place);
+  /// Reads the named networks that nothing has used yet, for their errors.
+  void read_unused();
+
+  const std::map<std::string, ElementUse>& uses() const { return uses_; }
+  const std::vector<std::string>& warnings() const { return warnings_; }
+
+ private:
+  std::optional<Network> named(const std::string& name, const Place& place);
+  Network read_named(const std::string& name, const toml::node& node);
+  Network read_graph(const std::string& name, const toml::table& table);
+  int read_node(const toml::node& node, const std::string& edge, Graph& graph) const;
+  void read_edge(const toml::node& node, Graph& graph);
+  void note_uses(const Network& network, const Place& place);
+  void note_use(const Symbol& symbol, Dimension dimension, const Place& place);
+  void count(const Network& network, const Place& place);
+
+  std::string file_;
+  const toml::table* named_;     // [networks]
+  const toml::table* elements_;  // [elements], for the length of its arrays
+  std::map<std::string, Network> known_;
+  std::set<std::string> being_read_;
+  std::map<std::string, ElementUse> uses_;
+  std::vector<std::string> warnings_;
+  std::size_t elements_used_ = 0;
+};
+
+}  // namespace vcrit

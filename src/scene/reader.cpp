@@ -1,0 +1,310 @@
+// The scene format: sections, quantities with units, elements, and what of it is left out.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+#include "base/files.hpp"
+#include "base/identifiers.hpp"
+#include "base/units.hpp"
+#include "network/graph.hpp"
+#include "scene/document.hpp"
+#include "scene/networks.hpp"
+#include "scene/scene.hpp"
+#include "scene/settings.hpp"
+
+namespace vcrit {
+
+namespace {
+
+using document::describe;
+using document::Section;
+
+/// What a quantity's value must satisfy.
+struct Range {
+  bool (*holds)(double);
+  const char* expected;
+};
+constexpr Range nonnegative{[](double v) { return std::isfinite(v) && v >= 0; },
+                            "a finite value of at least 0"};
+constexpr Range positive{[](double v) { return std::isfinite(v) && v > 0; },
+                         "a finite value above 0"};
+constexpr Range poisson_range{[](double v) { return v > -1 && v <= 0.5; },
+                              "a Poisson's ratio above -1, up to 0.5"};
+
+double checked(double value, const Range& range, const std::string& name, const Place& place) {
+  if (range.holds(value)) return value;
+  throw InputError(place, fmt::format("{} = {}", name, value), range.expected);
+}
+
+/// A number, a text with a unit, or a bare name, which has no value.
+std::optional<double> number(const toml::node& node, Dimension dimension, const std::string& name,
+                             const Place& place) {
+  if (node.is_number()) return *node.value<double>();
+  if (!node.is_string())
+    throw InputError(place, fmt::format("{} = {}", name, describe(node)),
+                     vcrit::describe(dimension));
+  const auto& text = node.ref<std::string>();
+  const auto word = [](char c) {
+    return c == '_' || std::isalnum(static_cast<unsigned char>(c)) != 0;
+  };
+  const bool bare = !text.empty() && std::isalpha(static_cast<unsigned char>(text.front())) != 0 &&
+                    std::all_of(text.begin(), text.end(), word) && text != "inf" && text != "nan";
+  if (bare) return std::nullopt;
+  return parse_quantity(text, dimension, place);
+}
+
+class Reader {
+ public:
+  Reader(const std::string& text, const std::string& file, const Settings& settings)
+      : document_(document::parse(text, file)),
+        file_(file),
+        networks_(document_, file),
+        settings_(settings) {
+    scene_.file = file;
+    scene_.text = text;
+  }
+
+  Scene read() {
+    const Section top(
+        &document_, "", file_,
+        {"title", "contact", "drive", "body", "oscillation", "friction", "elements", "networks"});
+    if (top.find("title") != nullptr) scene_.title = top.text("title");
+    read_contact();
+    read_drive();
+    networks_.read_unused();
+    read_body();
+    read_oscillation();
+    read_friction();
+    read_elements();
+    settings_.refuse_untaken();
+    leave_out_zeros();
+    collect_elements();
+    std::copy(networks_.warnings().begin(), networks_.warnings().end(),
+              std::back_inserter(scene_.warnings));
+    return std::move(scene_);
+  }
+
+ private:
+  Network network(const Section& section, const char* key) {
+    return networks_.read(section.text(key), section.place(key));
+  }
+
+  void read_contact() {
+    const Section contact =
+        section("contact", {"normal", "poisson", "tangential_ratio", "tangential"});
+    if (!contact.exists()) throw InputError({file_}, "no [contact]", "a section [contact]");
+    scene_.normal = network(contact, "normal");
+    const auto given = std::count_if(ways_.begin(), ways_.end(),
+                                     [&](const char* key) { return contact.find(key) != nullptr; });
+    if (given != 1)
+      throw InputError(contact.place(""), fmt::format("{} of {}", given, fmt::join(ways_, ", ")),
+                       "exactly one of them in [contact]");
+    if (contact.find("tangential") != nullptr) {
+      scene_.tangential = network(contact, "tangential");
+      return;
+    }
+    const bool poisson = contact.find("poisson") != nullptr;
+    const char* key = poisson ? "poisson" : "tangential_ratio";
+    const std::string symbol = ratio_symbol(contact, key);
+    const Quantity ratio =
+        quantity(contact, key, symbol, Dimension::none, poisson ? poisson_range : positive);
+    scene_.tangential = Isotropic{poisson ? Isotropic::By::poisson : Isotropic::By::ratio, ratio};
+  }
+
+  // A ratio without a value keeps the name it was given; the other quantities have canonical
+  // symbols.
+  static std::string ratio_symbol(const Section& section, const char* key) {
+    const toml::node* node = section.find(key);
+    if (!node->is_string() || number(*node, Dimension::none, key, section.place(key))) return key;
+    const auto& name = node->ref<std::string>();
+    if (const auto why = unsafe_as_identifier(name))
+      throw InputError(section.place(key), fmt::format("name \"{}\", which {}", name, *why),
+                       "another name");
+    return name;
+  }
+
+  void read_drive() {
+    const Section drive = section("drive", {"network"});
+    if (drive.exists()) scene_.drive = network(drive, "network");
+  }
+
+  void read_body() {
+    const Section body = section("body", {"mass"});
+    if (!body.exists()) return;
+    if (body.find("mass") == nullptr)
+      throw InputError(body.place(""), "[body] without mass",
+                       "mass = \"5 g\", or no section [body]");
+    const Quantity mass = quantity(body, "mass", "m", Dimension::mass, nonnegative);
+    if (mass.value == 0.0) return;
+    if (scene_.drive)
+      scene_.mass = mass;
+    else
+      scene_.warnings.push_back(
+          fmt::format("{}: under a rigid drive the mass has no effect and is left out",
+                      to_text(body.place("mass"))));
+  }
+
+  void read_oscillation() {
+    const Section oscillation =
+        section("oscillation", {"frequency", "angular_frequency", "amplitude", "indentation"});
+    if (oscillation.find("frequency") != nullptr &&
+        oscillation.find("angular_frequency") != nullptr)
+      throw InputError(oscillation.place("angular_frequency"), "frequency and angular_frequency",
+                       "one of the two");
+    Quantity omega =
+        quantity(oscillation, "angular_frequency", "omega", Dimension::angular_frequency, positive);
+    const Quantity frequency =
+        quantity(oscillation, "frequency", "frequency", Dimension::frequency, positive);
+    if (!omega.value && frequency.value) omega.value = 2 * std::numbers::pi * *frequency.value;
+    scene_.angular_frequency = omega;
+    scene_.amplitude = quantity(oscillation, "amplitude", "du_z", Dimension::length, nonnegative);
+    scene_.indentation =
+        quantity(oscillation, "indentation", "u_z0", Dimension::length, nonnegative);
+  }
+
+  void read_friction() {
+    const Section friction = section("friction", {"coefficient"});
+    scene_.coefficient = quantity(friction, "coefficient", "mu0", Dimension::none, nonnegative);
+  }
+
+  Section section(const char* name, std::initializer_list<const char*> keys) const {
+    return {document_.get(name), name, file_, keys};
+  }
+
+  /// The value under `key`, unless --set gives one for the key or for the symbol.
+  Quantity quantity(const Section& section, const char* key, const char* symbol,
+                    Dimension dimension, const Range& range) {
+    Quantity quantity{{symbol}, std::nullopt};
+    for (const std::string& name : {std::string(key), symbol})
+      if (const auto value = settings_.take(name, dimension); value && !quantity.value)
+        quantity.value = checked(*value, range, name, OverridingValues::place(name));
+    const toml::node* node = section.find(key);
+    if (node == nullptr) return quantity;
+    const auto value = number(*node, dimension, key, section.place(key));
+    if (value) checked(*value, range, key, section.place(key));
+    if (!quantity.value) quantity.value = value;
+    return quantity;
+  }
+
+  void read_elements() {
+    const toml::table* elements = document::table(document_, "elements", file_);
+    for (const auto& [name, use] : networks_.uses()) {
+      refuse_clash(name, use.place);
+      read_element(name, use, elements == nullptr ? nullptr : elements->get(name));
+    }
+    if (elements == nullptr) return;
+    for (const auto& [key, value] : *elements)
+      if (!networks_.uses().contains(std::string(key.str())))
+        scene_.warnings.push_back(fmt::format("{}: element \"{}\" is in no network of this scene",
+                                              to_text(document::place_of(value, file_)),
+                                              std::string(key.str())));
+  }
+
+  void refuse_clash(const std::string& name, const Place& place) const {
+    std::set<std::string> taken{"mu0", "omega", "du_z", "u_z0", "m"};
+    if (const auto* isotropic = std::get_if<Isotropic>(&scene_.tangential))
+      taken.insert(isotropic->quantity.symbol.name);
+    if (taken.contains(name))
+      throw InputError(
+          place, fmt::format("\"{}\" as an element", name),
+          fmt::format("another name: it is a quantity of the scene ({})", fmt::join(taken, ", ")));
+  }
+
+  void read_element(const std::string& name, const ElementUse& use, const toml::node* node) {
+    if (use.length > 0) return read_array(name, use, node);
+    const auto set = settings_.take(name, use.dimension);
+    if (set) values_[{name}] = checked(*set, nonnegative, name, OverridingValues::place(name));
+    if (node == nullptr) return;
+    const Place place = document::place_of(*node, file_);
+    const auto value = number(*node, use.dimension, name, place);
+    if (value && !set) values_[{name}] = checked(*value, nonnegative, name, place);
+  }
+
+  void read_array(const std::string& name, const ElementUse& use, const toml::node* node) {
+    scene_.arrays[name] = use.length;
+    if (node != nullptr && !node->is_array())
+      throw InputError(document::place_of(*node, file_),
+                       fmt::format("{} = {}", name, describe(*node)),
+                       fmt::format("an array of {} entries", use.length));
+    for (int entry = 1; entry <= use.length; ++entry) {
+      const Symbol symbol{name, entry};
+      const std::string label = to_text(symbol);
+      const auto set = settings_.take(label, use.dimension);
+      if (set) values_[symbol] = checked(*set, nonnegative, label, OverridingValues::place(label));
+      if (node == nullptr) continue;
+      const toml::node& item = *node->as_array()->get(static_cast<std::size_t>(entry - 1));
+      const Place place = document::place_of(item, file_);
+      const auto value = number(item, use.dimension, label, place);
+      if (value && !set) values_[symbol] = checked(*value, nonnegative, label, place);
+    }
+  }
+
+  bool is_zero(const Symbol& symbol) const {
+    const auto value = values_.find(symbol);
+    return value != values_.end() && value->second == 0;
+  }
+
+  Network without_zeros(const Network& network, const std::string& role) const {
+    auto left = without(network, [this](const Element& element) {
+      return is_zero(element.coefficient) ||
+             (element.kind == ElementKind::maxwell && is_zero(element.time));
+    });
+    if (!left)
+      throw InputError({file_},
+                       fmt::format("a {} network that elements of value 0 cut in two", role),
+                       "a path of elements above 0 between its terminals");
+    return std::move(*left);
+  }
+
+  void leave_out_zeros() {
+    scene_.normal = without_zeros(scene_.normal, "normal");
+    if (auto* tangential = std::get_if<Network>(&scene_.tangential)) {
+      *tangential = without_zeros(*tangential, "tangential");
+      // Equal networks are an isotropic contact: the rheology cancels wherever it can.
+      if (*tangential == scene_.normal)
+        scene_.tangential = Isotropic{Isotropic::By::ratio, {{"tangential_ratio"}, 1.0}};
+    }
+    if (scene_.drive) scene_.drive = without_zeros(*scene_.drive, "drive");
+  }
+
+  void collect_elements() {
+    std::set<Symbol> seen;
+    const auto add = [&](const Network& network) {
+      for (const Symbol& symbol : symbols_of(network)) {
+        if (!seen.insert(symbol).second) continue;
+        const auto value = values_.find(symbol);
+        scene_.elements.emplace_back(
+            symbol, value == values_.end() ? std::nullopt : std::optional(value->second));
+      }
+    };
+    add(scene_.normal);
+    if (const auto* tangential = std::get_if<Network>(&scene_.tangential)) add(*tangential);
+    if (scene_.drive) add(*scene_.drive);
+  }
+
+  static constexpr std::array<const char*, 3> ways_{"poisson", "tangential_ratio", "tangential"};
+  toml::table document_;
+  std::string file_;
+  Networks networks_;
+  OverridingValues settings_;
+  Values values_;
+  Scene scene_;
+};
+
+}  // namespace
+
+Scene parse_scene(const std::string& text, const std::string& file, const Settings& settings) {
+  return Reader(text, file, settings).read();
+}
+
+Scene read_scene(const std::string& file, const Settings& settings) {
+  return parse_scene(read_file(file), file, settings);
+}
+
+}  // namespace vcrit

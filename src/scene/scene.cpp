@@ -1,0 +1,51 @@
+#include "scene/scene.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace vcrit {
+
+namespace {
+
+void refuse_missing(const Scene& scene, const std::vector<std::string>& missing) {
+  if (missing.empty()) return;
+  throw InputError({scene.file}, fmt::format("no value for {}", fmt::join(missing, ", ")),
+                   "a number for each, in the scene or by --set NAME=VALUE");
+}
+
+}  // namespace
+
+double tangential_ratio(const Isotropic& isotropic) {
+  if (!isotropic.quantity.value) throw Bug("a tangential ratio without a value");
+  const double value = *isotropic.quantity.value;
+  return isotropic.by == Isotropic::By::poisson ? 2 * (1 - value) / (2 - value) : value;
+}
+
+Values values_of(const Scene& scene) {
+  Values values;
+  std::vector<std::string> missing;
+  const auto add = [&](const Symbol& symbol, const std::optional<double>& value) {
+    if (value)
+      values[symbol] = *value;
+    else
+      missing.push_back(to_text(symbol));
+  };
+  for (const auto& [symbol, value] : scene.elements) add(symbol, value);
+  const auto* isotropic = std::get_if<Isotropic>(&scene.tangential);
+  if (isotropic != nullptr && !isotropic->quantity.symbol.name.empty())
+    add(isotropic->quantity.symbol, isotropic->quantity.value);
+  for (const Quantity* quantity :
+       {&scene.coefficient, &scene.angular_frequency, &scene.amplitude, &scene.indentation})
+    add(quantity->symbol, quantity->value);
+  if (scene.mass) add(scene.mass->symbol, scene.mass->value);
+  refuse_missing(scene, missing);
+  return values;
+}
+
+ScaledNetwork tangential_network(const Scene& scene) {
+  if (const auto* isotropic = std::get_if<Isotropic>(&scene.tangential))
+    return {&scene.normal, tangential_ratio(*isotropic)};
+  return {&std::get<Network>(scene.tangential), 1};
+}
+
+}  // namespace vcrit

@@ -1,0 +1,30 @@
+// The values of --set, taken by name while the scene is read; what nobody took is an error.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+
+#include "base/units.hpp"
+#include "scene/scene.hpp"
+
+namespace vcrit {
+
+class OverridingValues {
+ public:
+  explicit OverridingValues(const Settings& settings);
+
+  /// The value set for `name`, in SI. Throws InputError if it is no quantity of that dimension.
+  std::optional<double> take(const std::string& name, Dimension dimension);
+  /// Where the setting of `name` stands, for messages.
+  static Place place(const std::string& name);
+  /// Throws InputError for names that the scene does not have.
+  void refuse_untaken() const;
+
+ private:
+  std::map<std::string, std::string> settings_;
+  std::set<std::string> known_;
+};
+
+}  // namespace vcrit
