@@ -178,7 +178,7 @@ class Reader {
   }
 
   /// The value under `key`, unless --set gives one for the key or for the symbol.
-  Quantity quantity(const Section& section, const char* key, const char* symbol,
+  Quantity quantity(const Section& section, const char* key, const std::string& symbol,
                     Dimension dimension, const Range& range) {
     Quantity quantity{{symbol}, std::nullopt};
     for (const std::string& name : {std::string(key), symbol})
