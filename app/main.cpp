@@ -1,0 +1,49 @@
+// The program `vcrit`: commands, and what each kind of error means for the exit status.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+
+#include "base/errors.hpp"
+#include "commands.hpp"
+
+namespace {
+
+enum Status { done = 0, input_wrong = 2, outside_the_model = 3, bug = 70 };
+
+int complain(const std::exception& error, Status status) {
+  fmt::print(stderr, "vcrit: {}\n", error.what());
+  return status;
+}
+
+int run(int argc, char** argv) {
+  CLI::App program{"Up to which sliding velocity can normal oscillation reduce friction?", "vcrit"};
+  program.require_subcommand(1);
+  int status = done;
+  vcrit::app::add_derive(program);
+  vcrit::app::add_eval(program);
+  vcrit::app::add_generate(program);
+  vcrit::app::add_simulate(program);
+  vcrit::app::add_critical(program, status);
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return program.exit(error) == 0 ? done : input_wrong;
+  }
+  return status;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const vcrit::InputError& error) {
+    return complain(error, input_wrong);
+  } catch (const vcrit::ModelError& error) {
+    return complain(error, outside_the_model);
+  } catch (const std::exception& error) {
+    return complain(error, bug);
+  }
+}

@@ -1,0 +1,16 @@
+// The commands of the program, one file each. Each function registers its command with a callback
+// that prints the result on stdout and may set the exit status.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace vcrit::app {
+
+void add_derive(CLI::App& program);
+void add_eval(CLI::App& program);
+void add_generate(CLI::App& program);
+void add_simulate(CLI::App& program);
+void add_critical(CLI::App& program, int& status);
+void add_validate(CLI::App& program, int& status);
+
+}  // namespace vcrit::app

@@ -1,0 +1,49 @@
+#include "options.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdio>
+
+namespace vcrit::app {
+
+namespace {
+
+Settings split(const std::vector<std::string>& texts) {
+  Settings settings;
+  for (const std::string& text : texts) {
+    const auto equals = text.find('=');
+    if (equals == text.npos || equals == 0)
+      throw InputError({"--set"}, fmt::format("\"{}\"", text), "NAME=VALUE");
+    settings.emplace_back(text.substr(0, equals), text.substr(equals + 1));
+  }
+  return settings;
+}
+
+}  // namespace
+
+void SceneOptions::add_to(CLI::App& command) {
+  command.add_option("SCENE", file, "scene file (TOML)")->required();
+  // One value an option, so that a scene may follow.
+  command
+      .add_option("--set", settings,
+                  "give or replace a value: k0=8e6, \"frequency=25 kHz\", k[3]=1e5")
+      ->type_name("NAME=VALUE")
+      ->allow_extra_args(false);
+}
+
+Scene SceneOptions::read() const {
+  Scene scene = read_scene(file, split(settings));
+  for (const std::string& warning : scene.warnings)
+    fmt::print(stderr, "vcrit: warning: {}\n", warning);
+  return scene;
+}
+
+nlohmann::ordered_json number(double value) {
+  if (std::isinf(value)) return value > 0 ? "inf" : "-inf";
+  return value;
+}
+
+void print(const nlohmann::ordered_json& object) { fmt::print("{}\n", object.dump(2)); }
+
+}  // namespace vcrit::app

@@ -1,0 +1,105 @@
+// vcrit simulate: the steady stick-slip motion at one speed.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <map>
+#include <memory>
+#include <optional>
+
+#include "base/units.hpp"
+#include "commands.hpp"
+#include "critical/certified.hpp"
+#include "options.hpp"
+#include "simulation/steady_state.hpp"
+
+namespace vcrit::app {
+
+namespace {
+
+using simulation::Start;
+using simulation::SteadyState;
+
+struct Options {
+  SceneOptions scene;
+  std::string velocity;
+  std::optional<double> velocity_ratio;
+  std::string method = "exact";
+  std::string start = "sliding";
+  bool json = false;
+};
+
+struct Speed {
+  double velocity, ratio;
+};
+
+Speed speed_of(const Options& options, const Scene& scene) {
+  const double critical = certified_critical_velocity(scene).value;
+  const double velocity =
+      options.velocity_ratio
+          ? *options.velocity_ratio * critical
+          : parse_quantity(options.velocity, Dimension::velocity, {"--velocity"});
+  if (!(velocity > 0 && std::isfinite(velocity)))
+    throw InputError({options.velocity_ratio ? "--velocity-ratio" : "--velocity"},
+                     fmt::format("a speed of {} m/s", velocity), "a finite speed above 0");
+  return {velocity, velocity / critical};
+}
+
+void print_json(const Speed& speed, const SteadyState& steady, const std::string& method) {
+  nlohmann::ordered_json events = nlohmann::ordered_json::array();
+  for (const simulation::Event& event : steady.events)
+    events.push_back({{"phase", event.phase}, {"to", to_text(event.to)}});
+  nlohmann::ordered_json periods = nullptr;
+  if (steady.periods) periods = *steady.periods;
+  print({{"velocity", speed.velocity},
+         {"velocity_ratio", number(speed.ratio)},
+         {"friction_ratio", steady.friction_ratio},
+         {"friction_ratio_error", number(steady.friction_ratio_error)},
+         {"regime", to_text(steady.regime)},
+         {"method", method},
+         {"periods", periods},
+         {"events", events}});
+}
+
+void print_text(const Speed& speed, const SteadyState& steady) {
+  fmt::print("velocity        {} m/s ({:.6g} v*)\n", speed.velocity, speed.ratio);
+  fmt::print("friction ratio  {} (error about {:.1g})\n", steady.friction_ratio,
+             steady.friction_ratio_error);
+  fmt::print("regime          {}\n", to_text(steady.regime));
+  for (const simulation::Event& event : steady.events)
+    fmt::print("  at phase {:<20.15g} to {}\n", event.phase, to_text(event.to));
+}
+
+void simulate(const Options& options) {
+  const Scene scene = options.scene.read();
+  const simulation::System system = simulation::system_of(scene);
+  const Speed speed = speed_of(options, scene);
+  const Start start = options.start == "rest" ? Start::rest : Start::sliding;
+  const SteadyState steady = simulation::steady_state(system, speed.velocity, start);
+  if (options.json)
+    print_json(speed, steady, options.method);
+  else
+    print_text(speed, steady);
+}
+
+}  // namespace
+
+void add_simulate(CLI::App& program) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = program.add_subcommand("simulate", "Simulate stick-slip at one speed");
+  options->scene.add_to(*command);
+  CLI::Option_group* speed = command->add_option_group("speed");
+  speed->add_option("--velocity", options->velocity,
+                    "mean velocity of the drive: 0.02 or \"20 mm/s\"");
+  speed->add_option("--velocity-ratio", options->velocity_ratio, "the same in units of v*");
+  speed->require_option(1);
+  command->add_option("--method", options->method)
+      ->check(CLI::IsMember({"exact"}))
+      ->capture_default_str();
+  command->add_option("--start", options->start, "where the motion comes from")
+      ->check(CLI::IsMember({"sliding", "rest"}))
+      ->capture_default_str();
+  command->add_flag("--json", options->json, "print one JSON object");
+  command->callback([options] { simulate(*options); });
+}
+
+}  // namespace vcrit::app

@@ -1,0 +1,214 @@
+#include "critical/certified.hpp"
+
+#include <acb.h>
+#include <arb.h>
+
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "network/reduction.hpp"
+
+namespace vcrit {
+
+namespace {
+
+/// A ball that frees itself.
+class Ball {
+ public:
+  Ball() { acb_init(z_); }
+  explicit Ball(double value) : Ball() { acb_set_d(z_, value); }
+  Ball(const Ball& other) : Ball() { acb_set(z_, other.z_); }
+  Ball(Ball&& other) noexcept : Ball() { acb_swap(z_, other.z_); }
+  Ball& operator=(Ball other) noexcept {
+    acb_swap(z_, other.z_);
+    return *this;
+  }
+  ~Ball() { acb_clear(z_); }
+  acb_ptr get() { return z_; }
+  acb_srcptr get() const { return z_; }
+
+ private:
+  acb_t z_;
+};
+
+/// Ball arithmetic of one precision.
+struct Arithmetic {
+  slong precision;
+
+  Ball add(const Ball& a, const Ball& b) const {
+    Ball c;
+    acb_add(c.get(), a.get(), b.get(), precision);
+    return c;
+  }
+  Ball subtract(const Ball& a, const Ball& b) const {
+    Ball c;
+    acb_sub(c.get(), a.get(), b.get(), precision);
+    return c;
+  }
+  Ball multiply(const Ball& a, const Ball& b) const {
+    Ball c;
+    acb_mul(c.get(), a.get(), b.get(), precision);
+    return c;
+  }
+  Ball divide(const Ball& a, const Ball& b) const {
+    Ball c;
+    acb_div(c.get(), a.get(), b.get(), precision);
+    return c;
+  }
+  Ball times_i(const Ball& a) const {
+    Ball c;
+    acb_mul_onei(c.get(), a.get());
+    return c;
+  }
+  Ball modulus(const Ball& a) const {
+    Ball c;
+    acb_abs(acb_realref(c.get()), a.get(), precision);
+    return c;
+  }
+};
+
+/// The arithmetic with a scene's numbers, as the algebra that a reduction runs in.
+struct Balls : Arithmetic {
+  using Value = Ball;
+  const Values& values;
+  Ball omega;
+
+  Ball of(const Symbol& symbol) const { return Ball(values.at(symbol)); }
+
+  Ball element(const Element& e) const {
+    const Ball coefficient = of(e.coefficient);
+    if (e.kind == ElementKind::spring) return coefficient;
+    if (e.kind == ElementKind::damper) return times_i(multiply(coefficient, omega));
+    const Ball x = times_i(multiply(omega, of(e.time)));
+    return divide(multiply(coefficient, x), add(Ball(1), x));
+  }
+  Ball parallel(const Ball& a, const Ball& b) const { return add(a, b); }
+  Ball series(const Ball& a, const Ball& b) const { return mesh(a, b, add(a, b)); }
+  Ball mesh(const Ball& a, const Ball& b, const Ball& total) const {
+    return divide(multiply(a, b), total);
+  }
+};
+
+/// Eq. 24 as prefactor |numerator|/|denominator|, each a ball.
+struct Quotient {
+  Ball prefactor, numerator, denominator;
+};
+
+Ball ratio_ball(const Isotropic& isotropic, const Arithmetic& balls) {
+  const Ball value(*isotropic.quantity.value);
+  if (isotropic.by == Isotropic::By::ratio) return value;
+  const Ball above = balls.multiply(Ball(2), balls.subtract(Ball(1), value));
+  return balls.divide(above, balls.subtract(Ball(2), value));
+}
+
+class Evaluation {
+ public:
+  explicit Evaluation(const Scene& scene)
+      : scene_(scene), values_(values_of(scene)), normal_(reduce(scene.normal)) {
+    if (const auto* tangential = std::get_if<Network>(&scene.tangential))
+      tangential_ = reduce(*tangential);
+    if (scene.drive) drive_ = reduce(*scene.drive);
+  }
+
+  Quotient at(slong precision) const {
+    Balls balls{{precision}, values_, Ball(values_.at(scene_.angular_frequency.symbol))};
+    const Ball outer =
+        balls.multiply(balls.of(scene_.coefficient.symbol), balls.of(scene_.amplitude.symbol));
+    Quotient q{balls.multiply(outer, balls.omega), Ball(1), Ball(1)};
+    if (tangential_) {
+      const Ball normal = evaluate(normal_, balls), tangential = evaluate(*tangential_, balls);
+      q.prefactor = balls.multiply(q.prefactor, balls.modulus(balls.divide(normal, tangential)));
+      if (drive_) put_drive(q, tangential, balls);
+    } else {
+      const Ball ratio = ratio_ball(std::get<Isotropic>(scene_.tangential), balls);
+      q.prefactor = balls.divide(q.prefactor, ratio);
+      if (drive_) put_drive(q, balls.multiply(ratio, evaluate(normal_, balls)), balls);
+    }
+    return q;
+  }
+
+  // Enough bits to tell an exact zero of K_d - m omega^2 (or with K_t) from a tiny number: both are
+  // quotients of integers after scaling; every operation on doubles adds at most their whole range.
+  slong most_precision() const {
+    const std::size_t steps = normal_.steps.size() + (tangential_ ? tangential_->steps.size() : 0) +
+                              (drive_ ? drive_->steps.size() : 0);
+    return static_cast<slong>(2200 * (steps + 4));
+  }
+
+ private:
+  void put_drive(Quotient& q, const Ball& tangential, Balls& balls) const {
+    q.denominator = evaluate(*drive_, balls);
+    if (scene_.mass)
+      q.denominator = balls.subtract(
+          q.denominator,
+          balls.multiply(balls.of(scene_.mass->symbol), balls.multiply(balls.omega, balls.omega)));
+    q.numerator = balls.add(tangential, q.denominator);
+  }
+
+  const Scene& scene_;
+  Values values_;
+  Reduction normal_;
+  std::optional<Reduction> tangential_, drive_;
+};
+
+/// The double that every number of the real ball rounds to, if there is one.
+std::optional<double> unique_double(const Ball& ball) {
+  arf_t lower, upper;
+  arf_init(lower);
+  arf_init(upper);
+  arb_get_lbound_arf(lower, acb_realref(ball.get()), 2 * 53 + 64);
+  arb_get_ubound_arf(upper, acb_realref(ball.get()), 2 * 53 + 64);
+  const double low = arf_get_d(lower, ARF_RND_NEAR), high = arf_get_d(upper, ARF_RND_NEAR);
+  arf_clear(lower);
+  arf_clear(upper);
+  return low == high ? std::optional(low) : std::nullopt;
+}
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+// Relative error of a correctly rounded double; a subnormal one is known to half its last place
+// only.
+double rounding_bound(double value) {
+  constexpr double half_ulp = std::numeric_limits<double>::epsilon() / 2;
+  if (value >= std::numeric_limits<double>::min()) return half_ulp;
+  return value == 0 ? 1 : std::numeric_limits<double>::denorm_min() / 2 / value;
+}
+
+bool may_be_zero(const Ball& ball) { return acb_contains_zero(ball.get()) != 0; }
+
+CertifiedVelocity exact_zeros(bool prefactor, bool numerator, bool denominator) {
+  if (denominator && (numerator || prefactor))
+    throw ModelError(
+        "v* is 0/0: the drive is at resonance (K_d = m omega^2) where the numerator of Eq. 24 "
+        "vanishes too");
+  if (denominator) return {infinite, 0, "resonance: K_d = m omega^2, so that v* is infinite"};
+  return {0, 0, {}};
+}
+
+}  // namespace
+
+CertifiedVelocity certified_critical_velocity(const Scene& scene) {
+  const Evaluation evaluation(scene);
+  const slong most = evaluation.most_precision();
+  for (slong precision = 128;; precision = std::min(2 * precision, most)) {
+    const Quotient q = evaluation.at(precision);
+    const Arithmetic balls{precision};
+    const Ball quotient = balls.divide(balls.modulus(q.numerator), balls.modulus(q.denominator));
+    if (const auto value = unique_double(balls.multiply(q.prefactor, quotient));
+        value && !may_be_zero(q.numerator) && !may_be_zero(q.prefactor)) {
+      if (std::isinf(*value)) return {infinite, infinite, "v* is above the largest double"};
+      return {*value, rounding_bound(*value), {}};
+    }
+    const bool zero =
+        may_be_zero(q.prefactor) || may_be_zero(q.numerator) || may_be_zero(q.denominator);
+    if (precision == most && zero)
+      return exact_zeros(may_be_zero(q.prefactor), may_be_zero(q.numerator),
+                         may_be_zero(q.denominator));
+    ensure(precision < most,
+           "a nonzero critical velocity rounds uniquely within the precision of its operands");
+  }
+}
+
+}  // namespace vcrit
