@@ -1,0 +1,53 @@
+// Whole files: written or not written, never half.
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <boost/test/unit_test.hpp>
+#include <filesystem>
+#include <string>
+
+#include "base/errors.hpp"
+#include "base/files.hpp"
+#include "base/numbers.hpp"
+
+using namespace vcrit;
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Folder {
+  fs::path path = fs::temp_directory_path() / ("vcrit_files_" + std::to_string(::getpid()));
+  Folder() { fs::create_directories(path); }
+  ~Folder() { fs::remove_all(path); }
+};
+
+}  // namespace
+
+BOOST_FIXTURE_TEST_CASE(what_is_written_is_read, Folder) {
+  write_file(path / "new" / "file.txt", "one\ntwo\0three");
+  BOOST_TEST(read_file(path / "new" / "file.txt") == "one\ntwo");
+  write_file(path / "new" / "file.txt", "again");
+  BOOST_TEST(read_file(path / "new" / "file.txt") == "again");
+  BOOST_TEST(std::distance(fs::directory_iterator(path / "new"), {}) == 1);
+}
+
+BOOST_FIXTURE_TEST_CASE(a_place_that_cannot_be_written_is_named_and_left_clean, Folder) {
+  fs::create_directories(path / "taken" / "inside");
+  BOOST_CHECK_THROW(write_file(path / "taken", "text"), InputError);
+  BOOST_TEST(std::distance(fs::directory_iterator(path), {}) == 1);
+  write_file(path / "file", "text");
+  BOOST_CHECK_THROW(write_file(path / "file" / "below", "text"), InputError);
+}
+
+BOOST_FIXTURE_TEST_CASE(a_missing_file_is_wrong_input, Folder) {
+  BOOST_CHECK_THROW(read_file(path / "none"), InputError);
+  BOOST_CHECK_THROW(read_file(path), InputError);
+}
+
+BOOST_AUTO_TEST_CASE(numbers_read_back_to_the_same_double) {
+  for (const double value : {0.1, 1e-310, 5e-324, 1.7976931348623157e308, 1.0 / 3, 2e6})
+    BOOST_TEST(to_double(to_text(value)).value() == value);
+  BOOST_TEST(!to_double("1,5").has_value());
+  BOOST_TEST(!to_double("1.5x").has_value());
+  BOOST_TEST(!to_double("").has_value());
+}

@@ -1,0 +1,74 @@
+// Quantities with units against conversions done by hand.
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <string>
+
+#include "base/units.hpp"
+
+using namespace vcrit;
+
+namespace {
+
+const Place place{"scene.toml", 3, 8};
+
+std::string message(const std::string& text, Dimension dimension) {
+  try {
+    parse_quantity(text, dimension, place);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+bool has(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+// A conversion is one multiplication by a factor that is itself rounded: two units in the last
+// place.
+bool near(double value, double expected) {
+  return std::abs(value - expected) <= 4.5e-16 * expected;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(units_convert_to_si) {
+  BOOST_TEST(near(parse_quantity("8 N/um", Dimension::stiffness, place), 8e6));
+  BOOST_TEST(near(parse_quantity("30 N.s/m", Dimension::damping, place), 30));
+  BOOST_TEST(near(parse_quantity("30 N s/m", Dimension::damping, place), 30));
+  BOOST_TEST(near(parse_quantity("0.5 kN/mm", Dimension::stiffness, place), 5e5));
+  BOOST_TEST(near(parse_quantity("5 g", Dimension::mass, place), 5e-3));
+  BOOST_TEST(near(parse_quantity("0.1 um", Dimension::length, place), 1e-7));
+  BOOST_TEST(near(parse_quantity("0.1 µm", Dimension::length, place), 1e-7));
+  BOOST_TEST(near(parse_quantity("20 kHz", Dimension::frequency, place), 2e4));
+  BOOST_TEST(near(parse_quantity("1.2e5 rad/s", Dimension::angular_frequency, place), 1.2e5));
+  BOOST_TEST(near(parse_quantity("20 mm/s", Dimension::velocity, place), 0.02));
+  BOOST_TEST(near(parse_quantity("3 ms", Dimension::time, place), 3e-3));
+  BOOST_TEST(near(parse_quantity("2e3N/m", Dimension::stiffness, place), 2e3));
+}
+
+BOOST_AUTO_TEST_CASE(bare_numbers_are_si) {
+  BOOST_TEST(parse_quantity(" 1.5e6 ", Dimension::stiffness, place) == 1.5e6);
+  BOOST_TEST(parse_quantity("-2", Dimension::none, place) == -2);
+}
+
+BOOST_AUTO_TEST_CASE(a_unit_of_another_dimension_is_refused) {
+  const std::string text = message("8 N.s/m", Dimension::stiffness);
+  BOOST_TEST(has(text, "scene.toml:3:8"));
+  BOOST_TEST(has(text, "8 N.s/m"));
+  BOOST_TEST(has(text, "a stiffness in N/m"));
+}
+
+BOOST_AUTO_TEST_CASE(frequency_and_angular_frequency_are_kept_apart) {
+  BOOST_TEST(has(message("1.2e5 rad/s", Dimension::frequency), "angular frequency"));
+  BOOST_TEST(has(message("3000 rpm", Dimension::frequency), "angular frequency"));
+  BOOST_TEST(has(message("20 kHz", Dimension::angular_frequency), "a frequency"));
+  BOOST_TEST(has(message("20 1/s", Dimension::angular_frequency), "a frequency"));
+}
+
+BOOST_AUTO_TEST_CASE(nonsense_is_refused) {
+  BOOST_TEST(has(message("8 N/fathomless", Dimension::stiffness), "is no unit"));
+  BOOST_TEST(has(message("eight N/m", Dimension::stiffness), "a number and a unit"));
+  BOOST_TEST(has(message("", Dimension::stiffness), "a number and a unit"));
+  BOOST_TEST(has(message("1e308 N/um", Dimension::stiffness), "not finite"));
+}

@@ -1,0 +1,100 @@
+// Eq. 24 correctly rounded, against references made elsewhere and against nodal analysis.
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <map>
+#include <sstream>
+
+#include "critical/certified.hpp"
+#include "critical/critical_velocity.hpp"
+#include "support/nodal.hpp"
+#include "support/random_scene.hpp"
+#include "support/reference_scene.hpp"
+
+using namespace vcrit;
+
+BOOST_AUTO_TEST_CASE(every_reference_row_is_correct_to_the_last_bit) {
+  int compared = 0, no_scene = 0;
+  for (const test::ReferenceRow& row : test::extreme_rows()) {
+    if (!row.scene) {
+      ++no_scene;
+      continue;
+    }
+    BOOST_TEST_CONTEXT("row " << row.id << " " << row.network_class << " " << row.kind) {
+      const CertifiedVelocity velocity = certified_critical_velocity(*row.scene);
+      const double expected =
+          row.status == "pole" ? std::numeric_limits<double>::infinity() : row.velocity;
+      BOOST_TEST(velocity.value == expected);
+      BOOST_TEST(std::isinf(expected) == !velocity.reason.empty());
+      ++compared;
+    }
+  }
+  BOOST_TEST(compared + no_scene == 247);
+  BOOST_TEST(no_scene == 5);  // rows whose elements are all 0 in one network
+}
+
+BOOST_AUTO_TEST_CASE(random_scenes_round_like_nodal_analysis_at_250_digits) {
+  test::RandomScenes random(20, 6);
+  for (int i = 0; i < 300; ++i) {
+    const Scene scene = random.scene(12);
+    const CertifiedVelocity velocity = certified_critical_velocity(scene);
+    const test::Real expected = test::critical_velocity_by_nodes(scene);
+    BOOST_TEST_CONTEXT("scene " << i) {
+      BOOST_TEST(velocity.value == static_cast<double>(expected));
+      BOOST_TEST(velocity.relative_error_bound == std::numeric_limits<double>::epsilon() / 2);
+    }
+  }
+}
+
+// Series-parallel doubles lose at most 2 C u, C below 10 an element (docs/physics.md), and the sums
+// with the inertia up to their own cancellation; 12 elements a network are well inside 2e-14 where
+// neither sum cancels to below a tenth.
+BOOST_AUTO_TEST_CASE(doubles_agree_away_from_resonance) {
+  test::RandomScenes random(21, 4);
+  int compared = 0;
+  for (int i = 0; i < 500; ++i) {
+    const Scene scene = random.scene(12);
+    if (scene.mass) continue;
+    const double expected = certified_critical_velocity(scene).value;
+    BOOST_TEST_CONTEXT("scene " << i) {
+      BOOST_TEST(std::abs(critical_velocity(scene) - expected) <= 2e-14 * expected);
+    }
+    ++compared;
+  }
+  BOOST_TEST(compared > 200);
+}
+
+namespace {
+
+Scene undamped_drive(double mass) {
+  return parse_scene(
+      "[contact]\nnormal = \"kn\"\ntangential = \"kt\"\n[drive]\nnetwork = \"kd\"\n"
+      "[body]\nmass = " +
+          std::to_string(mass) +
+          "\n"
+          "[oscillation]\nangular_frequency = 2.0\namplitude = 1\nindentation = 2\n"
+          "[friction]\ncoefficient = 0.5\n[elements]\nkn = 3\nkt = 4\nkd = 8\n",
+      "drive.toml");
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(resonance_is_infinite_with_its_reason) {
+  const CertifiedVelocity velocity = certified_critical_velocity(undamped_drive(2));  // 8 - 2 * 2^2
+  BOOST_TEST(std::isinf(velocity.value));
+  BOOST_TEST(velocity.reason.find("resonance") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(antiresonance_is_zero) {
+  const CertifiedVelocity velocity =
+      certified_critical_velocity(undamped_drive(3));  // 4 + 8 - 3 * 2^2
+  BOOST_TEST(velocity.value == 0);
+  BOOST_TEST(velocity.relative_error_bound == 0);
+}
+
+BOOST_AUTO_TEST_CASE(zero_by_zero_is_outside_the_model) {
+  Scene scene = undamped_drive(2);
+  scene.coefficient.value = 0.0;
+  BOOST_CHECK_THROW(certified_critical_velocity(scene), ModelError);
+}

@@ -1,0 +1,252 @@
+#!/usr/bin/env python3
+"""Writes scenes_expected.csv: what every scene in scenes/ must evaluate to, at 50 digits.
+
+It shares nothing with the program: scenes are read by Python's own TOML parser, every network is
+laid out as a graph of springs and dampers and solved by nodal analysis (Gaussian elimination on the
+nodal stiffness matrix in 250-digit complex arithmetic), and Eq. (24), (3), (4) and the creep velocity
+are written down here once more. Columns:
+
+  scene, critical_velocity (m/s, 50 digits), admissible (true/false),
+  creep_velocity (m/s, 50 digits: mu0 <F_n> (1/eta_t + 1/eta_d), 0 where all paths carry a static load)
+
+Needs mpmath; run it as  tests/data/scenes_expected.py > tests/data/scenes_expected.csv
+"""
+
+import re
+import sys
+import tomllib
+from pathlib import Path
+
+from mpmath import mp, mpc, mpf, nstr, pi
+
+mp.dps = 250
+SCENES = Path(__file__).resolve().parents[2] / "scenes"
+
+UNITS = {
+    "N/um": "1e6", "N/m": "1", "N.s/m": "1", "kg": "1", "g": "1e-3", "mg": "1e-6",
+    "kHz": "1e3", "Hz": "1", "rad/s": "1", "um": "1e-6", "nm": "1e-9", "m": "1", "s": "1", "us": "1e-6",
+}
+
+
+def exact(number):
+    """The double that a program gets from this number, as an exact mpf."""
+    return mpf(float(number))
+
+
+def quantity(value):
+    """A TOML value as SI: a bare number, or 'NUMBER UNIT' read and scaled in decimal."""
+    if isinstance(value, str):
+        number, unit = value.split()
+        return exact(mpf(number) * mpf(UNITS[unit]))
+    return exact(value)
+
+
+class Layout:
+    """Springs and dampers between nodes; node 0 and node 1 are the terminals."""
+
+    def __init__(self):
+        self.edges = []  # (function of s, node, node)
+        self.nodes = 2
+
+    def node(self):
+        self.nodes += 1
+        return self.nodes - 1
+
+    def stiffness(self, s):
+        """K(s) between the terminals: unit displacement of node 0 against node 1."""
+        n = self.nodes
+        a = [[mpc(0)] * n for _ in range(n)]
+        for k, i, j in self.edges:
+            value = k(s)
+            a[i][i] += value
+            a[j][j] += value
+            a[i][j] -= value
+            a[j][i] -= value
+        for pivot in range(n - 1, 1, -1):  # eliminate the inner nodes
+            for i in range(pivot):
+                factor = a[i][pivot] / a[pivot][pivot]
+                for j in range(pivot):
+                    a[i][j] -= factor * a[pivot][j]
+        return a[0][0]
+
+
+class Reader:
+    """Expressions of a scene's networks, written into a layout."""
+
+    def __init__(self, elements, networks):
+        self.elements = elements
+        self.networks = networks
+
+    def spring(self, name):
+        k = quantity(self.elements[name])
+        return lambda s: mpc(k)
+
+    def damper(self, name):
+        c = quantity(self.elements[name])
+        return lambda s: c * s
+
+    def element(self, name):
+        return self.spring(name) if name.startswith("k") else self.damper(name)
+
+    def network(self, text):
+        layout = Layout()
+        self.place(self.parse(text), layout, 0, 1)
+        return layout
+
+    # Grammar: parallel := series ('|' series)*, series := part ('-' part)*.
+    def parse(self, text):
+        tokens = re.findall(r"[A-Za-z_]\w*|[|\-(),]", text)
+
+        def parallel():
+            parts = [series()]
+            while tokens and tokens[0] == "|":
+                tokens.pop(0)
+                parts.append(series())
+            return ("parallel", parts)
+
+        def series():
+            parts = [part()]
+            while tokens and tokens[0] == "-":
+                tokens.pop(0)
+                parts.append(part())
+            return ("series", parts)
+
+        def part():
+            token = tokens.pop(0)
+            if token == "(":
+                inner = parallel()
+                assert tokens.pop(0) == ")"
+                return inner
+            if tokens and tokens[0] == "(":
+                tokens.pop(0)
+                arguments = []
+                while tokens[0] != ")":
+                    if tokens[0] != ",":
+                        arguments.append(tokens[0])
+                    tokens.pop(0)
+                tokens.pop(0)
+                return ("named", token, arguments)
+            return ("name", token)
+
+        tree = parallel()
+        assert not tokens, tokens
+        return tree
+
+    def place(self, tree, layout, a, b):
+        kind = tree[0]
+        if kind == "parallel":
+            for part in tree[1]:
+                self.place(part, layout, a, b)
+        elif kind == "series":
+            ends = [a] + [layout.node() for _ in tree[1][1:]] + [b]
+            for part, left, right in zip(tree[1], ends, ends[1:]):
+                self.place(part, layout, left, right)
+        elif kind == "named":
+            self.named(tree[1], tree[2], layout, a, b)
+        elif tree[1] in self.networks:
+            self.graph(self.networks[tree[1]], layout, a, b)
+        else:
+            layout.edges.append((self.element(tree[1]), a, b))
+
+    def named(self, name, p, layout, a, b):
+        def spring(k, i, j):
+            layout.edges.append((self.spring(k), i, j))
+
+        def damper(c, i, j):
+            layout.edges.append((self.damper(c), i, j))
+
+        if name == "kelvin":
+            spring(p[0], a, b)
+            damper(p[1], a, b)
+        elif name == "zener":
+            middle = layout.node()
+            spring(p[0], a, b)
+            spring(p[1], a, middle)
+            damper(p[2], middle, b)
+        elif name == "burgers":  # a Maxwell element in series with a Kelvin element
+            first, second = layout.node(), layout.node()
+            spring(p[0], a, first)
+            damper(p[1], first, second)
+            spring(p[2], second, b)
+            damper(p[3], second, b)
+        elif name == "prony":
+            spring(p[0], a, b)
+            for k, tau in zip(self.elements[p[1]], self.elements[p[2]]):
+                middle = layout.node()
+                layout.edges.append(((lambda s, k=exact(k): mpc(k)), a, middle))
+                layout.edges.append(((lambda s, c=exact(k) * exact(tau): c * s), middle, b))
+        else:
+            raise ValueError(name)
+
+    def graph(self, graph, layout, a, b):
+        nodes = dict(zip(graph["terminals"], (a, b)))
+        for name, left, right in graph["edges"]:
+            for end in (left, right):
+                if end not in nodes:
+                    nodes[end] = layout.node()
+            layout.edges.append((self.element(name), nodes[left], nodes[right]))
+
+
+# K(s) = k + c s + ... at a frequency so low that the next terms are beyond 50 digits, while the 250
+# digits of the arithmetic still carry both the stiff elements and c s, about 80 decades apart.
+SLOW = mpf(10) ** -70
+
+
+def static_stiffness(layout):
+    k = layout.stiffness(mpc(0, SLOW)).real
+    return k if k > mpf(10) ** -30 else mpf(0)
+
+
+def viscosity(layout):
+    """eta of a network that carries no static load: K(s) ~ eta s."""
+    return layout.stiffness(mpc(0, SLOW)).imag / SLOW
+
+
+def evaluate(scene):
+    reader = Reader(scene["elements"], scene.get("networks", {}))
+    contact, oscillation = scene["contact"], scene["oscillation"]
+    omega = 2 * pi * quantity(oscillation["frequency"])
+    s = mpc(0, omega)
+    du, u0 = quantity(oscillation["amplitude"]), quantity(oscillation["indentation"])
+    mu = quantity(scene["friction"]["coefficient"])
+
+    normal = reader.network(contact["normal"])
+    kn = normal.stiffness(s)
+    kn0 = static_stiffness(normal)
+    if "tangential" in contact:
+        tangential, factor = reader.network(contact["tangential"]), mpf(1)
+    elif "poisson" in contact:
+        nu = quantity(contact["poisson"])
+        tangential, factor = normal, 2 * (1 - nu) / (2 - nu)
+    else:
+        tangential, factor = normal, quantity(contact["tangential_ratio"])
+    kt = factor * tangential.stiffness(s)
+
+    velocity = mu * omega * du * abs(kn) / abs(kt)
+    drive = None
+    if "drive" in scene:
+        drive = reader.network(scene["drive"]["network"])
+        inertia = quantity(scene["body"]["mass"]) * omega**2 if "body" in scene else mpf(0)
+        kd = drive.stiffness(s)
+        assert abs(kd - inertia) > 0.05 * max(abs(kd), inertia), "too near resonance"
+        assert abs(kt + kd - inertia) > 0.05 * inertia, "too near antiresonance"
+        velocity *= abs(kt + kd - inertia) / abs(kd - inertia)
+
+    creep = mpf(0)
+    if static_stiffness(tangential) == 0:
+        creep += 1 / (factor * viscosity(tangential))
+    if drive is not None and static_stiffness(drive) == 0:
+        creep += 1 / viscosity(drive)
+    creep *= mu * kn0 * u0
+    return velocity, du < u0 and du * abs(kn) < kn0 * u0, creep
+
+
+def main():
+    print("scene,critical_velocity,admissible,creep_velocity")
+    for file in sorted(SCENES.glob("*.toml")):
+        velocity, admissible, creep = evaluate(tomllib.loads(file.read_text()))
+        print(f"{file.name},{nstr(velocity, 50)},{str(admissible).lower()},{nstr(creep, 50)}")
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,112 @@
+"""The include graph of the project and the arrows in it that are not allowed.
+
+The rooms stand in one order and a file may include only files of its own room or of an earlier one;
+three rules beyond the order are written down below. Quoted includes are the project's own files,
+looked up beside the including file and then from the roots, as the compiler does.
+"""
+
+import re
+from pathlib import Path
+
+# Earliest first; the folder of each room.
+ROOMS = [
+    "src/base",
+    "src/network",
+    "src/scene",
+    "src/stiffness",
+    "src/critical",
+    "src/simulation",
+    "symbolic/derivation",
+    "symbolic/emit",
+    "validation",
+    "validation/report",
+    "app",
+]
+
+ROOTS = ["src", "symbolic", "validation", "app"]
+
+# Simulation is the independent witness of Eq. (24): it must not know the formula, nor the formula it.
+FORBIDDEN = {
+    ("src/simulation", "src/critical"),
+    ("symbolic/derivation", "src/simulation"),
+    ("symbolic/emit", "src/simulation"),
+}
+
+# Computer algebra stays out of the numeric library and the program.
+ALGEBRA = re.compile(r"(ginac|cln)/")
+ALGEBRA_ROOTS = {"symbolic", "validation"}
+
+INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^">]+)[">]', re.MULTILINE)
+
+
+def sources(root):
+    for folder in ROOTS:
+        for file in sorted((root / folder).rglob("*")):
+            if file.suffix in {".hpp", ".cpp", ".h", ".ipp"} and "node_modules" not in file.parts:
+                yield file
+
+
+def room_of(path):
+    """The innermost room that a path (relative, as text) lies in; None outside all rooms."""
+    inside = [room for room in ROOMS if path.startswith(room + "/")]
+    return max(inside, key=len, default=None)
+
+
+class IncludeGraph:
+    """edges: file -> files it includes, as paths relative to the root; problems: what is wrong."""
+
+    def __init__(self, root):
+        self.root = Path(root)
+        self.edges = {}
+        self.problems = []
+        for file in sources(self.root):
+            self._read(file)
+        self._find_cycles()
+
+    def _read(self, file):
+        name = file.relative_to(self.root).as_posix()
+        self.edges[name] = []
+        if room_of(name) is None:
+            self.problems.append(f"{name} is in no room")
+        for bracket, included in INCLUDE.findall(file.read_text()):
+            if ALGEBRA.match(included) and name.split("/")[0] not in ALGEBRA_ROOTS:
+                self.problems.append(f"{name} includes {included}: computer algebra has no place here")
+            if bracket == '"':
+                self._arrow(file, name, included)
+
+    def _arrow(self, file, name, included):
+        for folder in [file.parent] + [self.root / folder for folder in ROOTS]:
+            if (folder / included).is_file():
+                target = (folder / included).resolve().relative_to(self.root.resolve()).as_posix()
+                self.edges[name].append(target)
+                self._check(name, target)
+                return
+        self.problems.append(f"{name} includes {included}, which is not there")
+
+    def _check(self, name, target):
+        here, there = room_of(name), room_of(target)
+        if here is None or there is None:
+            self.problems.append(f"{name} includes {target}: not an arrow between rooms")
+        elif ROOMS.index(there) > ROOMS.index(here):
+            self.problems.append(f"{name} includes {target}: {there} comes after {here}")
+        elif (here, there) in FORBIDDEN:
+            self.problems.append(f"{name} includes {target}: {here} must not know {there}")
+
+    def _find_cycles(self):
+        done, path = set(), []
+
+        def visit(name):
+            if name in path:
+                cycle = path[path.index(name):] + [name]
+                self.problems.append("cycle: " + " -> ".join(cycle))
+                return
+            if name in done:
+                return
+            path.append(name)
+            for target in self.edges.get(name, []):
+                visit(target)
+            path.pop()
+            done.add(name)
+
+        for name in self.edges:
+            visit(name)

@@ -1,0 +1,96 @@
+"""No include runs from an earlier room to a later one; and the check does see those that would."""
+
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+from include_graph import ROOMS, IncludeGraph
+
+PROJECT = Path(sys.argv.pop(1))
+
+
+class TheProject(unittest.TestCase):
+    def test_has_no_wrong_arrow(self):
+        self.assertEqual(IncludeGraph(PROJECT).problems, [])
+
+    def test_was_really_read(self):
+        graph = IncludeGraph(PROJECT)
+        arrows = {(source, target) for source, targets in graph.edges.items() for target in targets}
+        self.assertIn(("src/scene/scene.hpp", "src/network/network.hpp"), arrows)
+        rooms = {str(Path(file).parent) for file in graph.edges}
+        self.assertEqual(set(ROOMS) - rooms, set(), "rooms without a source file")
+
+
+class APlantedTree(unittest.TestCase):
+    """Small trees, right but for one file."""
+
+    GOOD = {
+        "src/base/errors.hpp": "#pragma once\n",
+        "src/scene/scene.hpp": '#include "base/errors.hpp"\n',
+        "src/critical/critical.hpp": '#include "scene/scene.hpp"\n',
+        "src/simulation/system.hpp": '#include "scene/scene.hpp"\n',
+        "symbolic/derivation/derivation.hpp": '#include <ginac/ginac.h>\n#include "scene/scene.hpp"\n',
+        "symbolic/emit/generate.hpp": '#include "derivation/derivation.hpp"\n',
+        "validation/agreement.hpp": '#include "simulation/system.hpp"\n#include "critical/critical.hpp"\n',
+        "validation/report/report.hpp": '#include "agreement.hpp"\n',
+        "app/main.cpp": '#include "report/report.hpp"\n',
+    }
+
+    def problems(self, **changes):
+        with tempfile.TemporaryDirectory() as folder:
+            for name, text in (self.GOOD | changes.pop("files", {})).items():
+                file = Path(folder) / name
+                file.parent.mkdir(parents=True, exist_ok=True)
+                file.write_text(text)
+            return IncludeGraph(folder).problems
+
+    def assert_found(self, name, text, expected):
+        found = self.problems(files={name: text})
+        self.assertEqual(len(found), 1, found)
+        self.assertIn(expected, found[0])
+        self.assertIn(name, found[0])
+
+    def test_is_right_as_it_stands(self):
+        self.assertEqual(self.problems(), [])
+
+    def test_base_may_not_know_the_scene(self):
+        self.assert_found("src/base/wrong.cpp", '#include "scene/scene.hpp"\n', "comes after")
+
+    def test_simulation_may_not_know_the_formula(self):
+        self.assert_found("src/simulation/wrong.cpp", '#include "critical/critical.hpp"\n', "must not know")
+
+    def test_the_formula_may_not_know_simulation(self):
+        self.assert_found("src/critical/wrong.cpp", '#include "simulation/system.hpp"\n', "comes after")
+
+    def test_the_derivation_may_not_know_simulation(self):
+        name, text = "symbolic/derivation/wrong.cpp", '#include "simulation/system.hpp"\n'
+        self.assert_found(name, text, "must not know")
+
+    def test_the_derivation_may_not_know_the_emitter(self):
+        name, text = "symbolic/derivation/wrong.cpp", '#include "emit/generate.hpp"\n'
+        self.assert_found(name, text, "comes after")
+
+    def test_the_library_may_not_use_algebra(self):
+        self.assert_found("src/critical/wrong.cpp", "#include <ginac/ginac.h>\n", "algebra")
+
+    def test_a_relative_path_does_not_hide_the_arrow(self):
+        self.assert_found("src/base/wrong.hpp", ' # include "../scene/scene.hpp"\n', "comes after")
+
+    def test_a_missing_file_is_named(self):
+        self.assert_found("src/base/wrong.hpp", '#include "base/nothing.hpp"\n', "not there")
+
+    def test_a_file_outside_the_rooms_is_named(self):
+        self.assert_found("src/wrong.hpp", "#pragma once\n", "in no room")
+
+    def test_a_cycle_inside_a_room_is_found(self):
+        files = {
+            "src/base/one.hpp": '#include "base/two.hpp"\n',
+            "src/base/two.hpp": '#include "one.hpp"\n',
+        }
+        found = self.problems(files=files)
+        self.assertEqual(found, ["cycle: src/base/one.hpp -> src/base/two.hpp -> src/base/one.hpp"])
+
+
+if __name__ == "__main__":
+    unittest.main()

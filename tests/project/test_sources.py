@@ -1,0 +1,78 @@
+"""What holds for every source file: no unfinished work left behind, none too long to read."""
+
+import re
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+PROJECT = Path(sys.argv.pop(1))
+FOLDERS = ["src", "symbolic", "validation", "app", "cmake", "scenes", "docs", "tests", ".ci"]
+SUFFIXES = {".cpp", ".hpp", ".h", ".py", ".txt", ".cmake", ".toml", ".md", ".js", ".mjs", ".css", ".html"}
+UNFINISHED = re.compile(r"\b(TO" + r"DO|FIX" + r"ME|X" + r"XX)\b")
+LONGEST = 400
+
+
+def files(root):
+    for folder in FOLDERS:
+        for file in sorted((root / folder).rglob("*")):
+            if file.is_file() and file.suffix in SUFFIXES and "node_modules" not in file.parts:
+                yield file
+
+
+def unfinished(root):
+    return [
+        f"{file.relative_to(root)}:{number}: {line.strip()}"
+        for file in files(root)
+        for number, line in enumerate(file.read_text().splitlines(), 1)
+        if UNFINISHED.search(line)
+    ]
+
+
+def too_long(root):
+    return [
+        f"{file.relative_to(root)}: {lines} lines"
+        for file in files(root)
+        if file.suffix in {".cpp", ".hpp", ".h", ".py", ".js", ".mjs", ".css"}
+        and (lines := len(file.read_text().splitlines())) > LONGEST
+    ]
+
+
+def without_opening_comment(root):
+    return [
+        str(file.relative_to(root))
+        for file in files(root)
+        if file.suffix in {".hpp", ".cpp"}
+        and file.parts[len(root.parts)] != "tests"
+        and not file.with_suffix(".hpp").exists()
+        and not file.read_text().startswith("// ")
+    ]
+
+
+class Sources(unittest.TestCase):
+    def test_are_finished(self):
+        self.assertEqual(unfinished(PROJECT), [])
+
+    def test_can_be_read_in_a_sitting(self):
+        self.assertEqual(too_long(PROJECT), [])
+
+    def test_say_what_they_are_for(self):
+        self.assertEqual(without_opening_comment(PROJECT), [])
+
+    def test_are_found_at_all(self):
+        self.assertGreater(sum(1 for _ in files(PROJECT)), 50)
+
+
+class APlantedTree(unittest.TestCase):
+    def test_shows_what_is_wrong(self):
+        with tempfile.TemporaryDirectory() as folder:
+            root = Path(folder)
+            (root / "src").mkdir()
+            (root / "src/long.cpp").write_text("// Long.\n" * (LONGEST + 1))
+            (root / "src/open.hpp").write_text("int f();  // TO" + "DO: more\n")
+            self.assertEqual(too_long(root), [f"src/long.cpp: {LONGEST + 1} lines"])
+            self.assertEqual(unfinished(root), ["src/open.hpp:1: int f();  // TO" + "DO: more"])
+
+
+if __name__ == "__main__":
+    unittest.main()

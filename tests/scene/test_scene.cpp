@@ -1,0 +1,231 @@
+// Scenes: what is read, what is left out, and one clear message for what is wrong.
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "network/expression.hpp"
+#include "scene/scene.hpp"
+
+using namespace vcrit;
+
+namespace {
+
+const std::string oscillation =
+    "[oscillation]\nfrequency = \"20 kHz\"\namplitude = \"0.1 um\"\nindentation = \"0.5 um\"\n";
+const std::string friction = "[friction]\ncoefficient = 0.3\n";
+
+Scene scene(const std::string& text, const Settings& settings = {}) {
+  return parse_scene(text, "s.toml", settings);
+}
+
+std::string message(const std::string& text, const Settings& settings = {}) {
+  try {
+    values_of(scene(text, settings));
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+bool has(const std::string& text, const std::string& part) {
+  if (text.find(part) != std::string::npos) return true;
+  BOOST_TEST_MESSAGE("not in: " << text);
+  return false;
+}
+
+bool warns(const Scene& s, const std::string& part) {
+  for (const std::string& warning : s.warnings)
+    if (warning.find(part) != std::string::npos) return true;
+  return false;
+}
+
+Network k(const std::string& name) { return spring({name}); }
+Network c(const std::string& name) { return damper({name}); }
+
+const std::string kelvin = "[contact]\nnormal = \"kn | cn\"\ntangential = \"kt | ct\"\n";
+const std::string kelvin_values = "[elements]\nkn = 4e6\ncn = 10\nkt = \"3 N/um\"\nct = 7\n";
+const std::string bridge =
+    "[contact]\nnormal = \"bridge\"\npoisson = 0.3\n[networks.bridge]\nterminals = [\"a\", "
+    "\"b\"]\n";
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_full_scene) {
+  const Scene s = scene(
+      "title = \"Zener\"\n[contact]\nnormal = \"k0 | (k1 - c1)\"\npoisson = 0.3\n"
+      "[drive]\nnetwork = \"kd\"\n[body]\nmass = \"5 g\"\n" +
+      oscillation + friction +
+      "[elements]\nk0 = \"8 N/um\"\nk1 = \"4 N/um\"\nc1 = \"30 N.s/m\"\nkd = \"2 N/um\"\n");
+  BOOST_TEST(s.title == "Zener");
+  BOOST_CHECK(s.normal == parallel({k("k0"), series({k("k1"), c("c1")})}));
+  BOOST_CHECK(s.drive.value() == k("kd"));
+  const Values values = values_of(s);
+  // Conversions round twice at most: 4 units in the last place leave room.
+  const auto near = [](double a, double b) { return std::abs(a - b) <= 4.5e-16 * b; };
+  BOOST_TEST(near(values.at({"m"}), 5e-3));
+  BOOST_TEST(near(values.at({"omega"}), 2 * std::numbers::pi * 2e4));
+  BOOST_TEST(near(values.at({"k1"}), 4e6));
+  BOOST_TEST(near(values.at({"u_z0"}), 5e-7));
+  BOOST_TEST(values.at({"mu0"}) == 0.3);
+  BOOST_TEST(near(tangential_ratio(std::get<Isotropic>(s.tangential)), 14.0 / 17));
+  BOOST_TEST(s.warnings.empty());
+}
+
+BOOST_AUTO_TEST_CASE(what_is_not_named_is_not_there) {
+  const Scene s = scene(kelvin + oscillation + friction + kelvin_values);
+  BOOST_TEST(!s.drive.has_value());
+  BOOST_TEST(!s.mass.has_value());
+  BOOST_TEST(values_of(s).count({"m"}) == 0);
+}
+
+BOOST_AUTO_TEST_CASE(a_mass_under_a_rigid_drive_is_left_out) {
+  const Scene s = scene(kelvin + "[body]\nmass = 1\n" + oscillation + friction + kelvin_values);
+  BOOST_TEST(!s.mass.has_value());
+  BOOST_TEST(warns(s, "rigid drive"));
+  BOOST_TEST(!scene(kelvin + "[drive]\nnetwork = \"kd\"\n[body]\nmass = 0\n").mass.has_value());
+}
+
+BOOST_AUTO_TEST_CASE(equal_networks_are_isotropic) {
+  const Scene s = scene("[contact]\nnormal = \"k | c\"\ntangential = \"kelvin(k, c)\"\n");
+  BOOST_TEST(tangential_ratio(std::get<Isotropic>(s.tangential)) == 1);
+}
+
+BOOST_AUTO_TEST_CASE(symbols_need_no_value_until_a_number_is_asked_for) {
+  const Scene s = scene(kelvin + "[drive]\nnetwork = \"kd\"\n[body]\nmass = \"m\"\n");
+  BOOST_TEST(s.elements.size() == 5);
+  for (const auto& [symbol, value] : s.elements) BOOST_TEST(!value.has_value());
+  const std::string text = message(kelvin + "[drive]\nnetwork = \"kd\"\n[body]\nmass = \"m\"\n");
+  BOOST_TEST(has(text, "kn, cn, kt, ct, kd, mu0, omega, du_z, u_z0, m"));
+}
+
+BOOST_AUTO_TEST_CASE(a_ratio_may_be_a_symbol) {
+  const Scene s = scene("[contact]\nnormal = \"kn\"\npoisson = \"nu\"\n");
+  BOOST_TEST(std::get<Isotropic>(s.tangential).quantity.symbol.name == "nu");
+  BOOST_TEST(
+      values_of(scene("[contact]\nnormal = \"kn\"\npoisson = \"nu\"\n" + oscillation + friction,
+                      {{"nu", "0.25"}, {"kn", "1"}}))
+          .at({"nu"}) == 0.25);
+}
+
+BOOST_AUTO_TEST_CASE(set_replaces_and_completes) {
+  const std::string text = kelvin + oscillation + friction + kelvin_values;
+  BOOST_TEST(values_of(scene(text, {{"kn", "5 N/um"}})).at({"kn"}) == 5e6);
+  BOOST_TEST(values_of(scene(text, {{"omega", "100"}})).at({"omega"}) == 100);
+  BOOST_TEST(values_of(scene(text, {{"frequency", "10"}})).at({"omega"}) == 20 * std::numbers::pi);
+  BOOST_TEST(values_of(scene(text, {{"amplitude", "1 mm"}})).at({"du_z"}) == 1e-3);
+  BOOST_TEST(has(message(text, {{"kk", "1"}}), "--set kk: found \"kk\""));
+  BOOST_TEST(has(message(text, {{"kn", "1 s"}}), "a stiffness in N/m"));
+  BOOST_TEST(has(message(text, {{"kn", "-1"}}), "at least 0"));
+}
+
+BOOST_AUTO_TEST_CASE(arrays_of_a_prony_series) {
+  const std::string text = "[contact]\nnormal = \"prony(k0, k, tau)\"\ntangential_ratio = 0.8\n" +
+                           oscillation + friction +
+                           "[elements]\nk0 = 1\nk = [2, \"3 N/mm\", 0]\ntau = [\"1 ms\", 2, 3]\n";
+  const Scene s = scene(text);
+  BOOST_TEST(s.arrays.at("k") == 3);
+  BOOST_TEST(values_of(s).at({"k", 2}) == 3000);
+  BOOST_TEST(values_of(s).count({"k", 3}) == 0);  // a branch of stiffness 0 is left out
+  BOOST_TEST(values_of(scene(text, {{"k[1]", "7"}})).at({"k", 1}) == 7);
+  BOOST_TEST(
+      scene("[contact]\nnormal = \"prony(k0, k, tau, 10)\"\npoisson = 0.3\n").elements.size() ==
+      21);
+}
+
+BOOST_AUTO_TEST_CASE(zeros_are_left_out) {
+  const std::string zener = "[contact]\nnormal = \"k0 | (k1 - c1)\"\npoisson = 0.3\n";
+  BOOST_CHECK(scene(zener + "[elements]\nc1 = 0\n").normal == k("k0"));
+  BOOST_CHECK(scene(zener + "[elements]\nk0 = 0.0\n").normal == series({k("k1"), c("c1")}));
+  BOOST_TEST(has(message(zener + "[elements]\nk0 = 0\nk1 = 0\n"),
+                 "a normal network that elements of value 0 cut"));
+}
+
+BOOST_AUTO_TEST_CASE(graphs_and_named_networks) {
+  const Scene s =
+      scene(bridge +
+            "edges = [[\"k1\", \"a\", \"1\"], [\"c1\", \"a\", \"2\"], [\"k2\", \"1\", \"2\"], "
+            "[\"c2\", \"1\", \"b\"], [\"k3\", \"2\", \"b\"]]\n");
+  BOOST_TEST(std::get<Graph>(s.normal.form).wires.size() == 5);
+  const Scene named = scene(
+      "[contact]\nnormal = \"foot | k9\"\npoisson = 0.3\n[networks]\nfoot = \"toe - c1\"\n"
+      "toe = \"k1 | k2\"\n");
+  BOOST_CHECK(named.normal == parallel({series({parallel({k("k1"), k("k2")}), c("c1")}), k("k9")}));
+}
+
+BOOST_AUTO_TEST_CASE(a_dangling_branch_is_left_out_with_a_warning) {
+  const Scene s = scene(bridge + "edges = [[\"k1\", \"a\", \"b\"],\n [\"c7\", \"a\", \"x\"]]\n");
+  BOOST_TEST(warns(s, "s.toml:7:"));
+  BOOST_TEST(warns(s, "carries no load"));
+  BOOST_TEST(s.elements.size() == 1);
+}
+
+BOOST_AUTO_TEST_CASE(wrong_graphs) {
+  BOOST_TEST(has(message(bridge + "edges = [[\"k1\", \"a\", \"1\"], [\"k2\", \"2\", \"b\"]]\n"),
+                 "without a connection"));
+  BOOST_TEST(
+      has(message(bridge + "edges = [[\"k1\", \"a\"]]\n"), "[\"network\", \"node\", \"node\"]"));
+  BOOST_TEST(has(message(bridge), "no edges"));
+  BOOST_TEST(has(
+      message("[contact]\nnormal = \"x\"\npoisson = 0.3\n[networks]\nx = \"y\"\ny = \"x | k\"\n"),
+      "inside itself"));
+}
+
+BOOST_AUTO_TEST_CASE(a_network_that_doubles_at_each_name_is_refused_in_time) {
+  std::string text = "[contact]\nnormal = \"n30\"\npoisson = 0.3\n[networks]\nn0 = \"k | k\"\n";
+  for (int i = 1; i <= 30; ++i)
+    text += "n" + std::to_string(i) + " = \"n" + std::to_string(i - 1) + " | n" +
+            std::to_string(i - 1) + "\"\n";
+  BOOST_TEST(has(message(text), "more than 1000000 elements"));
+}
+
+BOOST_AUTO_TEST_CASE(unknown_keys_name_the_nearest) {
+  BOOST_TEST(has(message("[contact]\nnorml = \"k\"\npoisson = 0.3\n"),
+                 "s.toml:2:1: found unknown key \"norml\" in [contact]; expected \"normal\""));
+  BOOST_TEST(has(message("[contakt]\nnormal = \"k\"\n"), "expected \"contact\""));
+  BOOST_TEST(warns(scene("[contact]\nnormal = \"k1\"\npoisson = 0.3\n[elements]\nk2 = 1\n"),
+                   "\"k2\" is in no network"));
+}
+
+BOOST_AUTO_TEST_CASE(units_and_ranges) {
+  const auto with_oscillation = [](const std::string& line) {
+    return message(kelvin + friction + kelvin_values + "[oscillation]\n" + line +
+                   "\namplitude = 1e-7\nindentation = 1e-6\n");
+  };
+  BOOST_TEST(has(with_oscillation("frequency = \"1.2e5 rad/s\""),
+                 "an angular frequency, not cycles a second"));
+  BOOST_TEST(has(with_oscillation("angular_frequency = \"20 kHz\""),
+                 "a frequency, not an angle a second"));
+  BOOST_TEST(has(with_oscillation("frequency = 1\nangular_frequency = 2"), "one of the two"));
+  BOOST_TEST(has(with_oscillation("frequency = 0"), "above 0"));
+  BOOST_TEST(has(with_oscillation("frequency = -5"), "above 0"));
+  BOOST_TEST(has(message(kelvin + oscillation + friction + "[elements]\nkn = \"3 N.s/m\"\n"),
+                 "s.toml:11:6: found \"3 N.s/m\""));
+  BOOST_TEST(has(message(kelvin + "[elements]\nkn = -3\n"),
+                 "kn = -3; expected a finite value of at least 0"));
+  BOOST_TEST(has(message(kelvin + "[elements]\nkn = inf\n"), "expected a finite value"));
+  BOOST_TEST(has(message(kelvin + "[elements]\nkn = nan\n"), "expected a finite value"));
+  BOOST_TEST(has(message(kelvin + "[elements]\nkn = [1]\n"), "an array"));
+  BOOST_TEST(has(message("[contact]\nnormal = \"kn\"\npoisson = 0.7\n"), "Poisson"));
+}
+
+BOOST_AUTO_TEST_CASE(contacts_need_exactly_one_tangential_network) {
+  BOOST_TEST(has(message("[contact]\nnormal = \"k\"\n"), "exactly one"));
+  BOOST_TEST(has(message("[contact]\nnormal = \"k\"\npoisson = 0.3\ntangential = \"kt\"\n"),
+                 "exactly one"));
+  BOOST_TEST(has(message("[contact]\npoisson = 0.3\n"), "no \"normal\""));
+  BOOST_TEST(has(message("title = \"x\"\n"), "no [contact]"));
+  BOOST_TEST(has(message("[contact\n"), "no TOML"));
+}
+
+BOOST_AUTO_TEST_CASE(one_name_is_one_kind_of_number) {
+  BOOST_TEST(has(message("[contact]\nnormal = \"spring(a)\"\ntangential = \"damper(a)\"\n"),
+                 "s.toml:3:14: found \"a\" as a damper; expected a spring, as at s.toml:2:10"));
+  BOOST_TEST(has(message("[contact]\nnormal = \"k1 | prony(k0, k1, tau, 2)\"\npoisson = 0.3\n"),
+                 "\"k1\" as an array of stiffnesses"));
+  BOOST_TEST(has(message("[contact]\nnormal = \"spring(m)\"\npoisson = 0.3\n"),
+                 "a quantity of the scene"));
+  BOOST_TEST(has(message("[contact]\nnormal = \"kn\"\npoisson = 0.3\n[networks]\nkn = "
+                         "\"k1\"\n[elements]\nkn = 1\n"),
+                 "as a network and as an element"));
+}
