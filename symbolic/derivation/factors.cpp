@@ -24,6 +24,10 @@ bool is_positive_symbol(const ex& expression) {
   return GiNaC::is_a<GiNaC::symbol>(expression) && expression.info(GiNaC::info_flags::positive);
 }
 
+bool is_ratio(const ex& symbol) {
+  return symbol.info(GiNaC::info_flags::real) && !is_positive_symbol(symbol);
+}
+
 /// Even and odd part of a polynomial in s = i omega: f = even + i omega odd.
 struct Parts {
   ex even, odd;
@@ -97,14 +101,25 @@ void Factors::multiply(const ex& polynomial, int exponent) {
     coefficient_ = 0;
     return;
   }
-  for (const auto& [name, symbol] : symbols_in(rest)) {
+  const auto symbols = symbols_in(rest);
+  for (const auto& [name, symbol] : symbols) {
     const int low = rest.ldegree(symbol);
     if (low == 0) continue;
     rest = (rest / GiNaC::pow(symbol, low)).expand();
     auto& entry = monomial_.try_emplace(name, symbol, 0).first->second;
     entry.second += exponent * low;
   }
-  put(rest, exponent);
+  if (std::none_of(symbols.begin(), symbols.end(),
+                   [](const auto& e) { return is_ratio(e.second); }))
+    return put(rest, exponent);
+  // What depends on Poisson's ratio alone, 1 - nu, comes out of (1 - nu)(k - m omega^2).
+  for (const auto& [name, symbol] : symbols) {
+    if (is_ratio(symbol)) continue;
+    const ex content = rest.content(symbol);
+    if (GiNaC::is_a<GiNaC::numeric>(content) || !GiNaC::divide(rest, content, rest)) continue;
+    put(content.expand(), exponent);
+  }
+  put(rest.expand(), exponent);
 }
 
 void Factors::put(ex polynomial, int exponent) {
