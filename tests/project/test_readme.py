@@ -2,6 +2,9 @@
 
 A fenced block after the line  <!-- run: vcrit ARGUMENTS -->  is that command's standard output, run in
 the project's folder; one after  <!-- file: PATH -->  is that file.
+
+    test_readme.py PROJECT PROGRAM            compares
+    test_readme.py PROJECT PROGRAM --update   writes what is printed now into the README
 """
 
 import re
@@ -12,12 +15,13 @@ import unittest
 from pathlib import Path
 
 PROJECT, PROGRAM = Path(sys.argv.pop(1)), sys.argv.pop(1)
-BLOCK = re.compile(r"^<!-- (run|file): (.+?) -->\n+```\w*\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+PAGE = PROJECT / "README.md"
+BLOCK = re.compile(r"^(<!-- (run|file): (.+?) -->\n+```\w*\n)(.*?)^```$", re.MULTILINE | re.DOTALL)
 MARKER = re.compile(r"^<!-- (?:run|file): ", re.MULTILINE)
 
 
 def blocks(page):
-    return BLOCK.findall(page)
+    return [block[1:] for block in BLOCK.findall(page)]
 
 
 def actual(kind, what):
@@ -30,9 +34,16 @@ def actual(kind, what):
     return run.stdout
 
 
+def update():
+    def renewed(block):
+        return block[1] + actual(block[2], block[3]) + "```"
+
+    PAGE.write_text(BLOCK.sub(renewed, PAGE.read_text()))
+
+
 class Readme(unittest.TestCase):
     maxDiff = None
-    page = (PROJECT / "README.md").read_text()
+    page = PAGE.read_text()
 
     def test_shows_what_is_really_printed(self):
         for kind, what, shown in blocks(self.page):
@@ -49,4 +60,4 @@ class Readme(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    update() if "--update" in sys.argv else unittest.main()

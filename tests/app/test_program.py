@@ -1,0 +1,181 @@
+"""The program as a user meets it: JSON keys, exit statuses, what goes to stdout and what to stderr."""
+
+import json
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+PROJECT, PROGRAM = Path(sys.argv.pop(1)), sys.argv.pop(1)
+KELVIN = "scenes/kelvin.toml"
+
+
+def run(*arguments, folder=PROJECT):
+    return subprocess.run([PROGRAM, *arguments], cwd=folder, capture_output=True, text=True, timeout=120)
+
+
+class Commands(unittest.TestCase):
+    def object(self, *arguments, status=0):
+        result = run(*arguments, "--json")
+        self.assertEqual(result.returncode, status, result.stderr)
+        return json.loads(result.stdout)
+
+    def test_eval_has_its_keys(self):
+        self.assertEqual(
+            set(self.object("eval", KELVIN)),
+            {"critical_velocity", "relative_error_bound", "admissible", "reasons", "drive_velocity"})
+
+    def test_simulate_has_its_keys(self):
+        result = self.object("simulate", KELVIN, "--velocity-ratio", "0.5")
+        self.assertLessEqual(
+            {"velocity", "velocity_ratio", "friction_ratio", "friction_ratio_error", "regime", "method",
+             "periods", "events"}, set(result))
+        self.assertEqual(result["velocity_ratio"], 0.5)
+        self.assertIn(result["regime"], ["stick-slip", "stick-slip-backslip"])
+        self.assertLess(0, result["friction_ratio"])
+        self.assertLess(result["friction_ratio"], 1)
+        for event in result["events"]:
+            self.assertIn(event["to"], ["slip", "stick", "backslip"])
+            self.assertTrue(0 <= event["phase"] < 6.283185307179587)
+
+    def test_simulate_above_the_critical_velocity_is_pure_sliding(self):
+        result = self.object("simulate", KELVIN, "--velocity-ratio", "1.01")
+        self.assertEqual(result["regime"], "sliding")
+        self.assertEqual(result["friction_ratio"], 1)
+        self.assertEqual(result["events"], [])
+
+    def test_a_speed_with_a_unit_is_the_same_speed(self):
+        plain = self.object("simulate", KELVIN, "--velocity", "0.002")
+        self.assertEqual(self.object("simulate", KELVIN, "--velocity", "2 mm/s"), plain)
+
+    def test_both_starts_end_at_the_same_friction(self):
+        for scene in ["kelvin", "zener", "bridge"]:
+            ratios = [self.object("simulate", f"scenes/{scene}.toml", "--velocity-ratio", "0.3", "--start", start)
+                      for start in ["sliding", "rest"]]
+            # One steady value (the distance of two motions never grows), found twice to its own error.
+            allowed = sum(r["friction_ratio_error"] for r in ratios)
+            self.assertLessEqual(abs(ratios[0]["friction_ratio"] - ratios[1]["friction_ratio"]), allowed)
+            self.assertLess(allowed, 1e-9)
+
+    def test_critical_agrees_on_every_admissible_scene(self):
+        for scene in sorted((PROJECT / "scenes").glob("*.toml")):
+            if scene.name == "inadmissible.toml":
+                continue
+            with self.subTest(scene=scene.name):
+                result = self.object("critical", f"scenes/{scene.name}")
+                self.assertLess(abs(result["simulated"] - result["formula"]) / result["formula"], 1e-9)
+                self.assertLess(result["relative_difference"], 1e-9)
+
+    def test_set_changes_the_scene(self):
+        value = self.object("eval", KELVIN)["critical_velocity"]
+        doubled = self.object("eval", KELVIN, "--set", "amplitude=0.2 um")["critical_velocity"]
+        # v* is linear in du_z; the two amplitudes are rounded on their own.
+        self.assertAlmostEqual(doubled / value, 2, delta=1e-14)
+
+    def test_an_infinite_value_has_its_reason(self):
+        result = self.object("eval", "scenes/elastic_drive.toml", "--set", "omega=1000", "--set", "m=2",
+                             "--set", "kd=2e6")
+        self.assertEqual(result["critical_velocity"], "inf")
+        self.assertIn("resonance", result["reasons"][0])
+
+    def test_generate_writes_a_library(self):
+        with tempfile.TemporaryDirectory() as folder:
+            result = run("generate", KELVIN, "--out", f"{folder}/lib", "--name", "kelvin_contact")
+            self.assertEqual(result.returncode, 0, result.stderr)
+            header = Path(folder, "lib", "kelvin_contact.hpp").read_text()
+            self.assertIn("namespace kelvin_contact", header)
+            self.assertTrue(Path(folder, "lib", "CMakeLists.txt").exists())
+
+    def test_a_massless_rigid_scene_has_neither_mass_nor_drive(self):
+        with tempfile.TemporaryDirectory() as folder:
+            run("generate", "scenes/kelvin_rigid.toml", "--out", folder, "--name", "kelvin_rigid")
+            header = Path(folder, "kelvin_rigid.hpp").read_text()
+        parameters = header[header.index("struct Parameters"):].split("};")[0]
+        for absent in [r"\bm\b", r"\bk_?d\b", "mass", "drive"]:
+            self.assertNotRegex(parameters, absent)
+
+
+class Mistakes(unittest.TestCase):
+    def refused(self, *arguments, status=2, folder=PROJECT):
+        result = run(*arguments, folder=folder)
+        self.assertEqual(result.returncode, status, result.stderr)
+        self.assertEqual(result.stdout, "")
+        # Warnings may come first; the error itself is one line.
+        errors = [line for line in result.stderr.splitlines() if "warning:" not in line]
+        self.assertEqual(len(errors), 1, result.stderr)
+        return errors[0]
+
+    def scene(self, text, *command):
+        with tempfile.TemporaryDirectory() as folder:
+            Path(folder, "s.toml").write_text(text)
+            before = sorted(Path(folder).rglob("*"))
+            error = self.refused(*(command or ("eval",)), "s.toml", *self.extra(command), folder=folder)
+            self.assertEqual(sorted(Path(folder).rglob("*")), before, "nothing is written")
+            return error
+
+    @staticmethod
+    def extra(command):
+        return ("--out", "out") if command in (("generate",), ("validate",)) else ()
+
+    def test_errors_name_file_line_found_and_expected(self):
+        error = self.scene('[contact]\nnormal = "k0 | (k1 - c1"\npoisson = 0.3\n')
+        self.assertIn("s.toml:2:16", error)
+        self.assertIn("found", error)
+        self.assertIn("expected", error)
+
+    def test_every_command_refuses_a_wrong_scene_and_writes_nothing(self):
+        for command in ["derive", "eval", "generate", "critical", "validate"]:
+            with self.subTest(command=command):
+                self.assertIn("norml", self.scene('[contact]\nnorml = "k"\npoisson = 0.3\n', command))
+
+    def test_missing_values_are_named_at_once(self):
+        error = self.scene('[contact]\nnormal = "kn | cn"\npoisson = 0.3\n')
+        for name in ["kn", "cn", "mu0", "omega", "du_z", "u_z0"]:
+            self.assertIn(name, error)
+
+    def test_a_missing_file(self):
+        self.assertIn("none.toml", self.refused("eval", "none.toml"))
+
+    def test_names_that_cannot_be_generated(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for name in ["class", "../evil", "a b", "std", "x;y"]:
+                with self.subTest(name=name):
+                    self.refused("generate", str(PROJECT / KELVIN), "--out", "out", "--name", name, folder=folder)
+                    self.assertEqual(list(Path(folder).iterdir()), [])
+
+    def test_wrong_usage_ends_with_2(self):
+        for arguments in [[], ["nothing"], ["eval"], ["eval", KELVIN, "--wrong"], ["simulate", KELVIN],
+                          ["simulate", KELVIN, "--velocity", "1", "--velocity-ratio", "1"],
+                          ["derive", KELVIN, "--format", "pdf"], ["simulate", KELVIN, "--velocity", "-1"],
+                          ["simulate", KELVIN, "--velocity", "3 kg"], ["eval", KELVIN, "--set", "kn"]]:
+            with self.subTest(arguments=arguments):
+                result = run(*arguments)
+                self.assertEqual(result.returncode, 2)
+                self.assertEqual(result.stdout, "")
+
+    def test_outside_the_model_ends_with_3(self):
+        for command in [["simulate", "--velocity", "0.01"], ["critical"]]:
+            self.refused(command[0], "scenes/inadmissible.toml", *command[1:], status=3)
+
+    def test_zero_by_zero_ends_with_3(self):
+        self.refused("eval", "scenes/elastic_drive.toml", "--set", "omega=1000", "--set", "m=2", "--set",
+                     "kd=2e6", "--set", "mu0=0", status=3)
+
+
+class Help(unittest.TestCase):
+    def test_every_command_has_help(self):
+        for command in ["derive", "eval", "generate", "simulate", "critical", "validate"]:
+            result = run(command, "--help")
+            self.assertEqual(result.returncode, 0)
+            self.assertIn("SCENE", result.stdout)
+
+    def test_the_version_names_the_parts(self):
+        result = run("--version")
+        self.assertEqual(result.returncode, 0)
+        for part in ["vcrit", "GiNaC", "Eigen", "GSL", "Arb"]:
+            self.assertIn(part, result.stdout)
+
+
+if __name__ == "__main__":
+    unittest.main()
