@@ -15,12 +15,11 @@ InputError::InputError(const Place& place, const std::string& found, const std::
     : std::runtime_error(
           fmt::format("{}: found {}; expected {}", to_text(place), found, expected)) {}
 
-Bug::Bug(const std::string& what, std::source_location at)
-    : std::logic_error(
-          fmt::format("bug in vcrit ({}, line {}): {}", at.function_name(), at.line(), what)) {}
+Bug::Bug(const std::string& what, const char* function, int line)
+    : std::logic_error(fmt::format("bug in vcrit ({}, line {}): {}", function, line, what)) {}
 
-void ensure(bool holds, const char* what, std::source_location at) {
-  if (!holds) throw Bug(what, at);
+void ensure(bool holds, const char* what, const char* function, int line) {
+  if (!holds) throw Bug(what, function, line);
 }
 
 }  // namespace vcrit

@@ -3,7 +3,6 @@
 // (exit status 3), or the program itself has a bug.
 #pragma once
 
-#include <source_location>
 #include <stdexcept>
 #include <string>
 
@@ -31,14 +30,15 @@ class ModelError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A broken promise inside the program; never the user's fault.
+/// A broken promise inside the program; never the user's fault. (clang 14 has no source_location.)
 class Bug : public std::logic_error {
  public:
-  explicit Bug(const std::string& what, std::source_location at = std::source_location::current());
+  explicit Bug(const std::string& what, const char* function = __builtin_FUNCTION(),
+               int line = __builtin_LINE());
 };
 
 /// Throws Bug unless `holds`.
-void ensure(bool holds, const char* what,
-            std::source_location at = std::source_location::current());
+void ensure(bool holds, const char* what, const char* function = __builtin_FUNCTION(),
+            int line = __builtin_LINE());
 
 }  // namespace vcrit
