@@ -15,6 +15,8 @@ std::string to_text(const GiNaC::ex& expression);
 std::string to_latex(const GiNaC::ex& expression);
 /// Presentation MathML, <math>...</math>.
 std::string to_mathml(const GiNaC::ex& expression);
+/// The equation left = right.
+std::string to_mathml(const Line& line);
 
 /// What `vcrit derive` prints; the same bytes in every run.
 std::string print(const Scene& scene, Format format, bool with_limits);

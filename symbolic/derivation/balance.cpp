@@ -1,0 +1,126 @@
+#include "derivation/balance.hpp"
+
+#include "derivation/factors.hpp"
+#include "derivation/symbols.hpp"
+
+namespace vcrit::symbolic {
+
+namespace {
+
+using GiNaC::ex;
+
+ex at_i_omega(const ex& expression) { return expression.subs(laplace() == GiNaC::I * omega()); }
+
+/// Names of the derivation. x: body, y: contact point (oscillating parts), f_n: normal force.
+struct Names {
+  ex t = quantity("t"), s = laplace(), A = quantity("A"), B = quantity("B");
+  ex K_n = quantity("K_n"), K_t = quantity("K_t"), K_d = quantity("K_d");
+  ex m = symbol({"m"}), mu0 = symbol({"mu0"}), du_z = symbol({"du_z"});
+  ex x = quantity("x"), y = quantity("y"), acceleration = quantity("x''"), f_n = quantity("f_n");
+  ex wave = GiNaC::exp(s * t);
+};
+
+const Names& names() {
+  static const Names all;
+  return all;
+}
+
+/// Forces on body and contact point, each 0 in sum.
+struct Equations {
+  ex body, contact;
+};
+
+Equations equations(const Surrounding& there, const ex& x, const ex& acceleration, const ex& y,
+                    const ex& f_n) {
+  const Names& n = names();
+  const ex contact_force = n.K_t * (x - y);
+  ex body = contact_force;
+  if (there.mass) body += n.m * acceleration;
+  if (there.drive) body += n.K_d * x;
+  return {body, contact_force - n.mu0 * f_n};
+}
+
+class Writer {
+ public:
+  explicit Writer(const Surrounding& there) : there_(there) {}
+
+  Balance solve() {
+    write_motion();
+    write_ansatz();
+    const ex x = there_.drive ? ex(n_.A * n_.wave) : ex(0);
+    const ex y = n_.B * n_.wave;
+    const Equations wave = equations(there_, x, x.diff(time(), 2), y, n_.du_z * n_.K_n * n_.wave);
+    const Equations amplitude{(wave.body / n_.wave).expand(), (wave.contact / n_.wave).expand()};
+    write_amplitudes(amplitude);
+    const ex B = amplitudes(amplitude);
+    return {std::move(lines_), B};
+  }
+
+ private:
+  static const GiNaC::symbol& time() { return GiNaC::ex_to<GiNaC::symbol>(names().t); }
+  void write(const std::string& words, const ex& left, const ex& right) {
+    lines_.push_back({words, at_i_omega(left), at_i_omega(right)});
+  }
+
+  void write_motion() {
+    const ex x = there_.drive ? n_.x : ex(0);
+    const Equations motion = equations(there_, x, n_.acceleration, n_.y, n_.f_n);
+    if (there_.drive)
+      write(
+          "Equation of motion of the body, oscillating parts (x: body, y: contact point; a network "
+          "acts as K(d/dt))",
+          motion.body, 0);
+    write(there_.drive ? "The contact point is massless: contact force and friction balance"
+                       : "The drive is rigid, so that the body does not oscillate; the contact "
+                         "point (displacement y) is massless: contact force and friction balance "
+                         "(a network acts as K(d/dt))",
+          motion.contact + n_.mu0 * n_.f_n, n_.mu0 * n_.f_n);
+  }
+
+  void write_ansatz() {
+    if (there_.drive) write("Harmonic motion of the body", n_.x, n_.A * n_.wave);
+    write("Harmonic motion of the contact point", n_.y, n_.B * n_.wave);
+    write("Oscillation of the normal force (9)", n_.f_n, n_.du_z * n_.K_n * n_.wave);
+  }
+
+  void write_amplitudes(const Equations& amplitude) {
+    if (there_.drive)
+      write("Balance of the body, contact force replaced by friction (13)",
+            (amplitude.body - amplitude.contact).expand().collect(n_.A), 0);
+    write(there_.drive ? "Balance of the contact point (19)"
+                       : "Balance of the contact point (19), with A = 0",
+          amplitude.contact.collect(n_.K_t), 0);
+  }
+
+  /// Solves for the amplitudes and returns B.
+  ex amplitudes(const Equations& amplitude) {
+    GiNaC::lst equations{amplitude.contact == 0}, unknowns{n_.B};
+    if (there_.drive) {
+      equations.append(amplitude.body == 0);
+      unknowns.append(n_.A);
+    }
+    const ex solution = GiNaC::lsolve(equations, unknowns);
+    if (there_.drive)
+      write("Solved for the amplitude of the body", n_.A, tidy(n_.A.subs(solution)));
+    const ex B = tidy(n_.B.subs(solution));
+    write("Solved for the amplitude of the contact point", n_.B, B);
+    return B;
+  }
+
+  static ex tidy(const ex& rational) {
+    Factors factors;
+    factors.multiply_rational(rational);
+    factors.cancel();
+    return factors.value();
+  }
+
+  const Names& n_ = names();
+  Surrounding there_;
+  std::vector<Line> lines_;
+};
+
+}  // namespace
+
+Balance solve_balance(const Surrounding& surrounding) { return Writer(surrounding).solve(); }
+
+}  // namespace vcrit::symbolic

@@ -1,0 +1,26 @@
+// The harmonic balance of body and contact point: equations of motion, harmonic ansatz, (13) and
+// (19), solved for the amplitudes by GiNaC.
+#pragma once
+
+#include <ginac/ginac.h>
+
+#include <vector>
+
+#include "derivation/derivation.hpp"
+
+namespace vcrit::symbolic {
+
+/// What is there besides the contact. The stiffnesses are the quantities K_n, K_t, K_d of s.
+struct Surrounding {
+  bool drive = false;
+  bool mass = false;  ///< only with a drive
+};
+
+struct Balance {
+  std::vector<Line> lines;
+  GiNaC::ex contact_amplitude;  ///< B, a rational function of K_n, K_t, K_d, s and the symbols
+};
+
+Balance solve_balance(const Surrounding& surrounding);
+
+}  // namespace vcrit::symbolic

@@ -1,0 +1,195 @@
+#include "derivation/factors.hpp"
+
+#include <algorithm>
+
+#include "base/errors.hpp"
+#include "derivation/form.hpp"
+#include "derivation/symbols.hpp"
+
+namespace vcrit::symbolic {
+
+namespace {
+
+using GiNaC::ex;
+
+std::map<std::string, ex> symbols_in(const ex& expression) {
+  std::map<std::string, ex> found;
+  for (auto it = expression.preorder_begin(); it != expression.preorder_end(); ++it)
+    if (GiNaC::is_a<GiNaC::symbol>(*it))
+      found.emplace(GiNaC::ex_to<GiNaC::symbol>(*it).get_name(), *it);
+  return found;
+}
+
+bool is_positive_symbol(const ex& expression) {
+  return GiNaC::is_a<GiNaC::symbol>(expression) && expression.info(GiNaC::info_flags::positive);
+}
+
+bool is_ratio(const ex& symbol) {
+  return symbol.info(GiNaC::info_flags::real) && !is_positive_symbol(symbol);
+}
+
+/// Even and odd part of a polynomial in s = i omega: f = even + i omega odd.
+struct Parts {
+  ex even, odd;
+};
+
+Parts parts_at_i_omega(const ex& f) {
+  Parts parts;
+  const ex s = laplace(), w = omega();
+  for (int n = 0; n <= f.degree(s); ++n) {
+    const ex term = f.coeff(s, n) * (n / 2 % 2 == 0 ? 1 : -1);
+    if (n % 2 == 0)
+      parts.even += term * GiNaC::pow(w, n);
+    else
+      parts.odd += term * GiNaC::pow(w, n - 1);
+  }
+  return {parts.even.expand(), parts.odd.expand()};
+}
+
+bool all_terms_positive(const ex& f) {
+  if (!GiNaC::is_a<GiNaC::add>(f)) return !leads_with_minus(f);
+  return std::all_of(f.begin(), f.end(), [](const ex& term) { return !leads_with_minus(term); });
+}
+
+/// Whether a real polynomial is positive for all positive symbols because every coefficient is. A
+/// real symbol is a Poisson's ratio: what is linear in it is positive if both ends of (-1, 1/2]
+/// are.
+bool is_positive(const ex& f) {
+  for (const auto& [name, symbol] : symbols_in(f)) {
+    if (is_positive_symbol(symbol)) continue;
+    if (f.degree(symbol) > 1) return false;
+    return is_positive(f.subs(symbol == -1).expand()) &&
+           is_positive(f.subs(symbol == GiNaC::numeric(1, 2)).expand());
+  }
+  return all_terms_positive(f);
+}
+
+bool is_complex(const ex& f) {
+  const auto symbols = symbols_in(f);
+  return std::any_of(symbols.begin(), symbols.end(), [](const auto& entry) {
+    return !entry.second.is_equal(laplace()) && !entry.second.info(GiNaC::info_flags::real);
+  });
+}
+
+ex squared(const ex& polynomial) {
+  Factors factors;
+  factors.multiply(polynomial, 1);
+  return GiNaC::pow(factors.value(), 2);
+}
+
+/// |f|, or |f|^2 where f is complex.
+struct Modulus {
+  bool is_square = false;
+  ex value;
+};
+
+Modulus modulus_of(const ex& f) {
+  if (is_complex(f)) return {false, GiNaC::abs(f.subs(laplace() == GiNaC::I * omega()))};
+  const Parts parts = parts_at_i_omega(f);
+  if (!parts.odd.is_zero() && !parts.even.is_zero())
+    return {true, squared(parts.even) + GiNaC::pow(omega(), 2) * squared(parts.odd)};
+  const ex real = parts.odd.is_zero() ? parts.even : (omega() * parts.odd).expand();
+  return {false, is_positive(real) ? real : ex(GiNaC::abs(real))};
+}
+
+}  // namespace
+
+void Factors::multiply(const ex& polynomial, int exponent) {
+  ex rest = polynomial.expand();
+  ensure(exponent > 0 || !rest.is_zero(), "no division by zero");
+  if (rest.is_zero()) {
+    coefficient_ = 0;
+    return;
+  }
+  const auto symbols = symbols_in(rest);
+  for (const auto& [name, symbol] : symbols) {
+    const int low = rest.ldegree(symbol);
+    if (low == 0) continue;
+    rest = (rest / GiNaC::pow(symbol, low)).expand();
+    auto& entry = monomial_.try_emplace(name, symbol, 0).first->second;
+    entry.second += exponent * low;
+  }
+  if (std::none_of(symbols.begin(), symbols.end(),
+                   [](const auto& e) { return is_ratio(e.second); }))
+    return put(rest, exponent);
+  // What depends on Poisson's ratio alone, 1 - nu, comes out of (1 - nu)(k - m omega^2).
+  for (const auto& [name, symbol] : symbols) {
+    if (is_ratio(symbol)) continue;
+    const ex content = rest.content(symbol);
+    if (GiNaC::is_a<GiNaC::numeric>(content) || !GiNaC::divide(rest, content, rest)) continue;
+    put(content.expand(), exponent);
+  }
+  put(rest.expand(), exponent);
+}
+
+void Factors::put(ex polynomial, int exponent) {
+  GiNaC::numeric content = polynomial.integer_content();
+  if (leads_with_minus(polynomial)) content = -content;
+  coefficient_ *= GiNaC::pow(content, GiNaC::numeric(exponent));
+  polynomial = (polynomial / content).expand();
+  if (!polynomial.is_equal(1)) (exponent > 0 ? over_ : under_).push_back(polynomial);
+}
+
+void Factors::multiply_rational(const ex& function) {
+  const ex fraction = function.normal().numer_denom();
+  multiply(fraction.op(0), 1);
+  multiply(fraction.op(1), -1);
+}
+
+void Factors::cancel() {
+  const std::vector<ex> over = std::move(over_);
+  std::vector<ex> under = std::move(under_);
+  over_.clear();
+  under_.clear();
+  for (ex above : over) {
+    for (ex& below : under) {
+      ex above_left, below_left;
+      const ex common = GiNaC::gcd(above, below, &above_left, &below_left);
+      if (GiNaC::is_a<GiNaC::numeric>(common)) continue;
+      above = above_left.expand();
+      below = below_left.expand();
+    }
+    multiply(above, 1);
+  }
+  for (const ex& below : under) multiply(below, -1);
+}
+
+std::vector<std::pair<ex, int>> Factors::parts() const {
+  std::vector<std::pair<ex, int>> result;
+  for (const auto& [name, entry] : monomial_)
+    if (entry.second != 0) result.push_back(entry);
+  for (const ex& f : over_) result.emplace_back(f, 1);
+  for (const ex& f : under_) result.emplace_back(f, -1);
+  return result;
+}
+
+ex Factors::value() const {
+  ex result = coefficient_;
+  for (const auto& [factor, exponent] : parts()) result *= GiNaC::pow(factor, exponent);
+  return result;
+}
+
+ex Factors::modulus() const {
+  ex plain = GiNaC::abs(coefficient_), over_root = 1, under_root = 1;
+  for (const auto& [name, entry] : monomial_) {
+    const auto& [symbol, exponent] = entry;
+    const ex size = symbol.is_equal(laplace())   ? omega()
+                    : is_positive_symbol(symbol) ? symbol
+                                                 : ex(GiNaC::abs(symbol));
+    plain *= GiNaC::pow(size, exponent);
+  }
+  for (const ex& f : over_) {
+    const Modulus m = modulus_of(f);
+    (m.is_square ? over_root : plain) *= m.value;
+  }
+  for (const ex& f : under_) {
+    const Modulus m = modulus_of(f);
+    if (m.is_square)
+      under_root *= m.value;
+    else
+      plain /= m.value;
+  }
+  return plain * GiNaC::sqrt(over_root / under_root);
+}
+
+}  // namespace vcrit::symbolic

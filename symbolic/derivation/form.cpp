@@ -1,0 +1,232 @@
+#include "derivation/form.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <tuple>
+
+#include "base/errors.hpp"
+#include "derivation/dialect.hpp"
+
+namespace vcrit::symbolic {
+
+namespace {
+
+Form number(const GiNaC::numeric& value) {
+  std::ostringstream digits;
+  digits << value;
+  return {Form::Kind::number, digits.str(), {}, {}, {}, 1};
+}
+
+Form named(const std::string& name) { return {Form::Kind::name, name, {}, {}, {}, 1}; }
+
+/// The power of omega (or s) in a term, by which sums are ordered first.
+int degree(const Form& form) {
+  const auto total = [](const std::vector<Form>& factors) {
+    int sum = 0;
+    for (const Form& factor : factors) sum += degree(factor);
+    return sum;
+  };
+  switch (form.kind) {
+    case Form::Kind::name:
+      return form.text == "omega" || form.text == "s" ? 1 : 0;
+    case Form::Kind::power:
+      return form.exponent * degree(form.over[0]);
+    case Form::Kind::product:
+      return total(form.over) - total(form.under);
+    default:
+      return 0;
+  }
+}
+
+bool holds_sum(const Form& form) {
+  const auto any = [](const std::vector<Form>& forms) {
+    return std::any_of(forms.begin(), forms.end(), holds_sum);
+  };
+  return form.kind == Form::Kind::sum || any(form.over) || any(form.under);
+}
+
+std::string key(const Form& form) { return text_dialect().print({false, form}); }
+
+void sort_terms(std::vector<Signed>& terms) {
+  using Key = std::tuple<int, bool, std::string>;
+  std::vector<std::pair<Key, Signed>> keyed;
+  for (Signed& term : terms) {
+    Key rank{degree(term.form), holds_sum(term.form), key(term.form)};
+    keyed.emplace_back(std::move(rank), std::move(term));
+  }
+  std::sort(keyed.begin(), keyed.end(), [](const auto& a, const auto& b) {
+    const auto& [degree_a, sum_a, text_a] = a.first;
+    const auto& [degree_b, sum_b, text_b] = b.first;
+    if (std::tie(degree_a, sum_a) != std::tie(degree_b, sum_b))
+      return std::tie(degree_a, sum_a) < std::tie(degree_b, sum_b);
+    return natural_less(text_a, text_b);
+  });
+  for (std::size_t i = 0; i < terms.size(); ++i) terms[i] = std::move(keyed[i].second);
+}
+
+/// Where a factor stands in its product: numbers, i, then what a reader expects first. The physical
+/// prefactor mu0 omega du_z keeps its order; elsewhere omega stands behind the elements.
+int rank(const Form& form, bool prefactor) {
+  static const std::map<std::string, int> names{{"i", -9}, {"mu0", -3}, {"du_z", -1}, {"x", 2},
+                                                {"y", 2},  {"A", 2},    {"B", 2},     {"omega", 3},
+                                                {"s", 4},  {"t", 5}};
+  switch (form.kind) {
+    case Form::Kind::number:
+      return -10;
+    case Form::Kind::power:
+      return rank(form.over[0], prefactor);
+    case Form::Kind::sum:
+    case Form::Kind::product:
+      return 6;
+    case Form::Kind::call: {
+      const bool of_name = form.terms[0].form.kind == Form::Kind::name;
+      return form.text != "abs" ? 9 : of_name ? 7 : 8;
+    }
+    case Form::Kind::root:
+      return 10;
+    case Form::Kind::name:
+      break;
+  }
+  if (prefactor && form.text == "omega") return -2;
+  if (form.text.starts_with("K_")) return 1;
+  const auto found = names.find(form.text);
+  return found == names.end() ? 0 : found->second;
+}
+
+void sort_factors(std::vector<Form>& factors) {
+  const bool prefactor =
+      std::any_of(factors.begin(), factors.end(), [](const Form& f) { return f.text == "mu0"; });
+  std::vector<std::tuple<int, std::string, Form>> keyed;
+  for (Form& factor : factors)
+    keyed.emplace_back(rank(factor, prefactor), key(factor), std::move(factor));
+  std::sort(keyed.begin(), keyed.end(), [](const auto& a, const auto& b) {
+    if (std::get<0>(a) != std::get<0>(b)) return std::get<0>(a) < std::get<0>(b);
+    return natural_less(std::get<1>(a), std::get<1>(b));
+  });
+  for (std::size_t i = 0; i < factors.size(); ++i) factors[i] = std::move(std::get<2>(keyed[i]));
+}
+
+/// A sum whose first term is negative, turned round.
+Signed lead_positive(Signed expression) {
+  if (expression.form.kind != Form::Kind::sum || !expression.form.terms.front().minus)
+    return expression;
+  for (Signed& term : expression.form.terms) term.minus = !term.minus;
+  return {!expression.minus, std::move(expression.form)};
+}
+
+Signed sum_form(const GiNaC::ex& sum) {
+  Form form{Form::Kind::sum, "", {}, {}, {}, 1};
+  for (const GiNaC::ex& term : sum) form.terms.push_back(form_of(term));
+  sort_terms(form.terms);
+  return {false, std::move(form)};
+}
+
+/// Collects the factors of a product above and below the bar.
+class ProductForm {
+ public:
+  void multiply(const GiNaC::ex& factor) {
+    if (GiNaC::is_a<GiNaC::numeric>(factor))
+      coefficient_ *= GiNaC::ex_to<GiNaC::numeric>(factor);
+    else if (GiNaC::is_a<GiNaC::power>(factor))
+      power(factor.op(0), GiNaC::ex_to<GiNaC::numeric>(factor.op(1)));
+    else
+      put(lead_positive(form_of(factor)), 1);
+  }
+
+  Signed result() {
+    take_coefficient();
+    sort_factors(over_);
+    sort_factors(under_);
+    if (under_.empty() && over_.empty()) return {minus_, number(1)};
+    if (under_.empty() && over_.size() == 1) return {minus_, std::move(over_.front())};
+    return {minus_, {Form::Kind::product, "", std::move(over_), std::move(under_), {}, 1}};
+  }
+
+ private:
+  void power(const GiNaC::ex& base, const GiNaC::numeric& exponent) {
+    if (exponent.is_integer()) return put(lead_positive(form_of(base)), exponent.to_int());
+    const GiNaC::numeric twice = exponent * 2;
+    ensure(twice.is_integer(), "only square roots occur");
+    const Form root{Form::Kind::root, "", {lead_positive(form_of(base)).form}, {}, {}, 1};
+    put({false, root}, twice.to_int());
+  }
+
+  void put(Signed factor, int exponent) {
+    if (exponent % 2 != 0 && factor.minus) minus_ = !minus_;
+    std::vector<Form>& place = exponent > 0 ? over_ : under_;
+    const int size = std::abs(exponent);
+    if (size == 1)
+      place.push_back(std::move(factor.form));
+    else
+      place.push_back({Form::Kind::power, "", {std::move(factor.form)}, {}, {}, size});
+  }
+
+  void take_coefficient() {
+    GiNaC::numeric size = coefficient_;
+    if (!size.is_real()) {
+      ensure(size.real().is_zero(), "coefficients are real or imaginary");
+      size = size.imag();
+      over_.push_back(named("i"));
+    }
+    if (size.is_negative()) minus_ = !minus_;
+    size = GiNaC::abs(size);
+    // A fraction stands in front, unless there is something else below the bar anyway.
+    if (under_.empty() && !size.is_integer()) return over_.push_back(number(size));
+    if (!size.numer().is_equal(1)) over_.push_back(number(size.numer()));
+    if (!size.denom().is_equal(1)) under_.push_back(number(size.denom()));
+  }
+
+  GiNaC::numeric coefficient_ = 1;
+  std::vector<Form> over_, under_;
+  bool minus_ = false;
+};
+
+Signed call_form(const GiNaC::ex& call) {
+  const std::string name = GiNaC::ex_to<GiNaC::function>(call).get_name();
+  Signed argument = form_of(call.op(0));
+  if (name == "abs") argument = {false, lead_positive(std::move(argument)).form};
+  return {false, {Form::Kind::call, name, {}, {}, {std::move(argument)}, 1}};
+}
+
+}  // namespace
+
+Signed form_of(const GiNaC::ex& expression) {
+  if (GiNaC::is_a<GiNaC::symbol>(expression))
+    return {false, named(GiNaC::ex_to<GiNaC::symbol>(expression).get_name())};
+  if (GiNaC::is_a<GiNaC::add>(expression)) return sum_form(expression);
+  if (GiNaC::is_a<GiNaC::function>(expression)) return call_form(expression);
+  if (expression.is_zero()) return {false, number(0)};
+  ProductForm product;
+  if (GiNaC::is_a<GiNaC::mul>(expression))
+    for (const GiNaC::ex& factor : expression) product.multiply(factor);
+  else
+    product.multiply(expression);
+  return product.result();
+}
+
+bool leads_with_minus(const GiNaC::ex& expression) {
+  const Signed form = form_of(expression);
+  return form.form.kind == Form::Kind::sum ? form.form.terms.front().minus : form.minus;
+}
+
+bool natural_less(const std::string& a, const std::string& b) {
+  const auto digit = [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; };
+  std::size_t i = 0, j = 0;
+  while (i < a.size() && j < b.size()) {
+    if (!digit(a[i]) || !digit(b[j])) {
+      if (a[i] != b[j]) return a[i] < b[j];
+      ++i, ++j;
+      continue;
+    }
+    std::size_t end_a = i, end_b = j;
+    while (end_a < a.size() && digit(a[end_a])) ++end_a;
+    while (end_b < b.size() && digit(b[end_b])) ++end_b;
+    if (end_a - i != end_b - j) return end_a - i < end_b - j;
+    if (const int order = a.compare(i, end_a - i, b, j, end_b - j); order != 0) return order < 0;
+    i = end_a, j = end_b;
+  }
+  return a.size() - i < b.size() - j;
+}
+
+}  // namespace vcrit::symbolic

@@ -1,0 +1,82 @@
+// Formulas in LaTeX's mathematics mode, with nothing but standard commands.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cctype>
+
+#include "derivation/dialect.hpp"
+#include "derivation/notation.hpp"
+
+namespace vcrit::symbolic {
+
+namespace {
+
+std::string index_part(const std::string& part) {
+  const auto letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
+  if (is_greek(part)) return "\\" + part;
+  const bool word = part.size() > 2 && std::count_if(part.begin(), part.end(), letter) > 2;
+  return word ? "\\mathrm{" + part + "}" : part;
+}
+
+class Latex : public Dialect {
+  std::string number(const std::string& digits) const override {
+    const std::size_t bar = digits.find('/');
+    if (bar == std::string::npos) return digits;
+    return "\\frac{" + digits.substr(0, bar) + "}{" + digits.substr(bar + 1) + "}";
+  }
+  std::string name(const std::string& text) const override {
+    const Notation n = notation(text);
+    std::string result = is_greek(n.base)    ? "\\" + n.base
+                         : n.base.size() > 1 ? "\\mathrm{" + n.base + "}"
+                                             : n.base;
+    const auto dots = std::count(n.above.begin(), n.above.end(), '\'');
+    if (dots > 0) result = (dots == 1 ? "\\dot{" : "\\ddot{") + result + "}";
+    if (!n.index.empty()) {
+      std::vector<std::string> parts;
+      for (const std::string& part : n.index) parts.push_back(index_part(part));
+      result += fmt::format("_{{{}}}", fmt::join(parts, ","));
+    }
+    if (n.above == "*") result += "^{*}";
+    return n.before.empty() ? result : "\\" + n.before + " " + result;
+  }
+  std::string negative(const std::string& term) const override { return "-" + term; }
+  std::string added(const std::string& left, bool minus, const std::string& right) const override {
+    return left + (minus ? " - " : " + ") + right;
+  }
+  std::string product(const std::vector<std::string>& factors) const override {
+    return factors.empty() ? "1" : fmt::format("{}", fmt::join(factors, " "));
+  }
+  Piece fraction(const std::vector<Piece>& over, const std::vector<Piece>& under) const override {
+    return {fmt::format("\\frac{{{}}}{{{}}}", product(factors(over, true)),
+                        product(factors(under, true))),
+            Piece::Tightness::product};
+  }
+  std::string power(const std::string& base, int exponent) const override {
+    // A base that carries an exponent of its own (v^*) does not occur here.
+    return fmt::format("{}^{{{}}}", base, exponent);
+  }
+  std::string root(const std::string& argument) const override {
+    return "\\sqrt{" + argument + "}";
+  }
+  std::string call(const std::string& function, const std::string& argument) const override {
+    if (function == "abs") return "\\left|" + argument + "\\right|";
+    if (function == "exp") return "e^{" + argument + "}";
+    return "\\operatorname{" + function + "}" + wrapped(argument);
+  }
+  std::string wrapped(const std::string& text) const override {
+    return "\\left(" + text + "\\right)";
+  }
+  std::string equal(const std::string& left, const std::string& right) const override {
+    return left + " = " + right;
+  }
+};
+
+}  // namespace
+
+const Dialect& latex_dialect() {
+  static const Latex dialect;
+  return dialect;
+}
+
+}  // namespace vcrit::symbolic

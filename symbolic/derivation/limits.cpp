@@ -1,0 +1,159 @@
+// The limits and special cases of v* that a scene has.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <map>
+
+#include "derivation/dialect.hpp"
+#include "derivation/model.hpp"
+#include "derivation/print.hpp"
+#include "derivation/shape.hpp"
+#include "derivation/symbols.hpp"
+
+namespace vcrit::symbolic {
+
+namespace {
+
+using GiNaC::ex;
+
+/// Dampers that go to a limit together: one, or all entries of an array.
+struct Group {
+  ex label;
+  std::vector<Symbol> symbols;
+};
+
+/// Whether the symbol sets how fast something relaxes: a damper, or a Maxwell branch's time.
+std::map<Symbol, bool> dissipates(const Scene& scene) {
+  std::map<Symbol, bool> result;
+  const auto add = [&result](const Element& element) {
+    result[element.coefficient] = element.kind == ElementKind::damper;
+    if (element.kind == ElementKind::maxwell) result[element.time] = true;
+  };
+  for_each_element(scene.normal, add);
+  if (const auto* tangential = std::get_if<Network>(&scene.tangential))
+    for_each_element(*tangential, add);
+  if (scene.drive) for_each_element(*scene.drive, add);
+  return result;
+}
+
+/// The groups of dampers among `parameters`, in the order of writing.
+std::vector<Group> damper_groups(const Scene& scene, const std::vector<Symbol>& parameters) {
+  const std::map<Symbol, bool> is_damper = dissipates(scene);
+  std::vector<Group> groups;
+  for (const Symbol& parameter : parameters) {
+    const auto found = is_damper.find(parameter);
+    if (found == is_damper.end() || !found->second) continue;
+    const ex label = symbol({parameter.name});
+    const auto same = std::find_if(groups.begin(), groups.end(),
+                                   [&](const Group& g) { return g.label.is_equal(label); });
+    if (same == groups.end())
+      groups.push_back({label, {parameter}});
+    else
+      same->symbols.push_back(parameter);
+  }
+  return groups;
+}
+
+ex drive_label(const Network& drive) {
+  const auto* element = std::get_if<Element>(&drive.form);
+  return element != nullptr && element->kind == ElementKind::spring ? symbol(element->coefficient)
+                                                                    : quantity("K_d");
+}
+
+class Collector {
+ public:
+  explicit Collector(const Scene& scene)
+      : scene_(scene),
+        model_(scene),
+        own_(derive(scene)),
+        dampers_(damper_groups(scene, own_.parameters)) {}
+
+  std::vector<Limit> collect() {
+    single_limits();
+    all_dampers_to_zero();
+    same_shape();
+    return std::move(limits_);
+  }
+
+ private:
+  /// A limit's name in one dialect: "cn, ct -> 0".
+  static std::string arrow(const Dialect& dialect, const std::vector<ex>& what, bool infinite) {
+    std::vector<std::string> names;
+    for (const ex& each : what) names.push_back(dialect.print(form_of(each)));
+    const bool latex = &dialect == &latex_dialect();
+    return fmt::format("{} {} {}", fmt::join(names, ", "), latex ? "\\to" : "->",
+                       infinite ? (latex ? "\\infty" : "infinity") : "0");
+  }
+
+  void add(const Change& change, const std::string& name, const std::string& latex_name) {
+    const std::optional<Formula> formula = model_.formula(change);
+    if (!formula) return;
+    limits_.push_back(
+        {name, latex_name, formula->equation, formula->velocity, formula->definitions});
+  }
+  void add(const Change& change, const std::vector<ex>& what, bool infinite) {
+    add(change, arrow(text_dialect(), what, infinite), arrow(latex_dialect(), what, infinite));
+  }
+
+  bool has_drive() const { return scene_.drive && depends_on_drive(); }
+  // v* of an isotropic contact under the very same network as a drive is a constant.
+  bool depends_on_drive() const { return own_.parameters.size() > 3; }
+
+  void single_limits() {
+    if (has_drive()) add({{}, true, false, {}}, {drive_label(*scene_.drive)}, true);
+    if (scene_.mass) add({{}, false, true, {}}, {symbol({"m"})}, false);
+    for (const Group& group : dampers_)
+      for (const bool infinite : {false, true}) {
+        Change change;
+        for (const Symbol& symbol : group.symbols) change.rates[symbol] = infinite ? 1 : -1;
+        add(change, {group.label}, infinite);
+      }
+  }
+
+  void all_dampers_to_zero() {
+    Change change;
+    std::vector<ex> labels;
+    for (const Group& group : dampers_) {
+      labels.push_back(group.label);
+      for (const Symbol& symbol : group.symbols) change.rates[symbol] = -1;
+    }
+    if (labels.empty()) return;
+    if (labels.size() > 1) add(change, labels, false);
+    if (!has_drive()) return;
+    change.rigid = true;
+    const std::vector<ex> drive{drive_label(*scene_.drive)};
+    add(change, arrow(text_dialect(), labels, false) + ", " + arrow(text_dialect(), drive, true),
+        arrow(latex_dialect(), labels, false) + ",\\ " + arrow(latex_dialect(), drive, true));
+  }
+
+  void same_shape() {
+    const auto* tangential = std::get_if<Network>(&scene_.tangential);
+    if (tangential == nullptr) return;
+    const std::optional<ex> ratio = ratio_of_same_shape(scene_.normal, *tangential);
+    if (!ratio) return;
+    const ex k_t = quantity("K_t"), k_n = *ratio * quantity("K_n");
+    const std::string name = "isotropic contact, " + equation(text_dialect(), k_t, k_n);
+    const std::string latex = "\\text{isotropic contact, } " + equation(latex_dialect(), k_t, k_n);
+    add({{}, false, false, ratio}, name, latex);
+    if (!has_drive()) return;
+    const std::vector<ex> drive{drive_label(*scene_.drive)};
+    add({{}, true, false, ratio}, name + ", " + arrow(text_dialect(), drive, true),
+        latex + ",\\ " + arrow(latex_dialect(), drive, true));
+  }
+  static std::string equation(const Dialect& dialect, const ex& left, const ex& right) {
+    return dialect.equation(form_of(left), form_of(right));
+  }
+
+  const Scene& scene_;
+  Model model_;
+  Derivation own_;
+  std::vector<Group> dampers_;
+  std::vector<Limit> limits_;
+};
+
+}  // namespace
+
+std::vector<Limit> limits(const Scene& scene) { return Collector(scene).collect(); }
+
+}  // namespace vcrit::symbolic

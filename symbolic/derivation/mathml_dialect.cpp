@@ -1,0 +1,97 @@
+// Formulas in presentation MathML, which browsers set without help.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+
+#include "derivation/dialect.hpp"
+#include "derivation/notation.hpp"
+
+namespace vcrit::symbolic {
+
+namespace {
+
+/// The characters of the greek letters; "Delta" is the only capital that occurs.
+std::string letter(const std::string& word) {
+  static const std::map<std::string, std::string> characters{
+      {"alpha", "α"}, {"beta", "β"}, {"gamma", "γ"}, {"delta", "δ"}, {"epsilon", "ε"},
+      {"zeta", "ζ"},  {"eta", "η"},  {"theta", "θ"}, {"kappa", "κ"}, {"lambda", "λ"},
+      {"mu", "μ"},    {"nu", "ν"},   {"xi", "ξ"},    {"rho", "ρ"},   {"sigma", "σ"},
+      {"tau", "τ"},   {"phi", "φ"},  {"chi", "χ"},   {"psi", "ψ"},   {"omega", "ω"},
+      {"Delta", "Δ"}};
+  const auto found = characters.find(word);
+  return found == characters.end() ? word : found->second;
+}
+
+std::string index_part(const std::string& part) {
+  const bool digits = std::isdigit(static_cast<unsigned char>(part.front())) != 0;
+  return digits ? "<mn>" + part + "</mn>" : "<mi>" + letter(part) + "</mi>";
+}
+
+class MathMl : public Dialect {
+  std::string number(const std::string& digits) const override {
+    const std::size_t bar = digits.find('/');
+    if (bar == std::string::npos) return "<mn>" + digits + "</mn>";
+    return "<mfrac>" + number(digits.substr(0, bar)) + number(digits.substr(bar + 1)) + "</mfrac>";
+  }
+  std::string name(const std::string& text) const override {
+    const Notation n = notation(text);
+    std::string result = "<mi>" + letter(n.base) + "</mi>";
+    const auto dots = std::count(n.above.begin(), n.above.end(), '\'');
+    if (dots > 0)
+      result = fmt::format("<mover accent=\"true\">{}<mo>{}</mo></mover>", result,
+                           dots == 1 ? "˙" : "¨");
+    std::vector<std::string> parts;
+    for (const std::string& part : n.index) parts.push_back(index_part(part));
+    const std::string index = fmt::format("{}", fmt::join(parts, "<mo>,</mo>"));
+    const bool star = n.above == "*";
+    if (!index.empty() && !star)
+      result = fmt::format("<msub>{}<mrow>{}</mrow></msub>", result, index);
+    if (star) result = fmt::format("<msup>{}<mo>*</mo></msup>", result);
+    if (n.before.empty()) return result;
+    return fmt::format("<mrow><mi mathvariant=\"normal\">{}</mi>{}</mrow>", letter(n.before),
+                       result);
+  }
+  std::string negative(const std::string& term) const override { return "<mo>−</mo>" + term; }
+  std::string added(const std::string& left, bool minus, const std::string& right) const override {
+    return left + (minus ? "<mo>−</mo>" : "<mo>+</mo>") + right;
+  }
+  std::string product(const std::vector<std::string>& factors) const override {
+    return factors.empty() ? "<mn>1</mn>"
+                           : fmt::format("{}", fmt::join(factors, "<mo>&#x2062;</mo>"));
+  }
+  Piece fraction(const std::vector<Piece>& over, const std::vector<Piece>& under) const override {
+    return {fmt::format("<mfrac><mrow>{}</mrow><mrow>{}</mrow></mfrac>",
+                        product(factors(over, true)), product(factors(under, true))),
+            Piece::Tightness::product};
+  }
+  std::string power(const std::string& base, int exponent) const override {
+    return fmt::format("<msup><mrow>{}</mrow><mn>{}</mn></msup>", base, exponent);
+  }
+  std::string root(const std::string& argument) const override {
+    return "<msqrt><mrow>" + argument + "</mrow></msqrt>";
+  }
+  std::string call(const std::string& function, const std::string& argument) const override {
+    if (function == "abs")
+      return "<mrow><mo fence=\"true\">|</mo>" + argument + "<mo fence=\"true\">|</mo></mrow>";
+    if (function == "exp") return "<msup><mi>e</mi><mrow>" + argument + "</mrow></msup>";
+    return "<mi>" + function + "</mi>" + wrapped(argument);
+  }
+  std::string wrapped(const std::string& text) const override {
+    return "<mrow><mo>(</mo>" + text + "<mo>)</mo></mrow>";
+  }
+  std::string equal(const std::string& left, const std::string& right) const override {
+    return left + "<mo>=</mo>" + right;
+  }
+};
+
+}  // namespace
+
+const Dialect& mathml_dialect() {
+  static const MathMl dialect;
+  return dialect;
+}
+
+}  // namespace vcrit::symbolic

@@ -1,0 +1,195 @@
+#include "derivation/model.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "base/errors.hpp"
+#include "derivation/factors.hpp"
+#include "derivation/symbols.hpp"
+
+namespace vcrit::symbolic {
+
+namespace {
+
+using GiNaC::ex;
+
+// Formulas with more terms in one polynomial than this are not multiplied out: nobody reads them.
+constexpr double readable_terms = 24;
+
+// "First the dampers to zero, then the drive to rigid": a rate that beats every other.
+constexpr int much_faster = 1000;
+
+/// The leading part of a polynomial whose symbols go with the given powers.
+Leading<ex> leading_part(const ex& polynomial, const std::map<std::string, int>& powers) {
+  const ex expanded = polynomial.expand();
+  const auto power_of = [&](const ex& term) {
+    int power = 0;
+    for (const auto& [name, rate] : powers)
+      power += rate * term.degree(name == "m" ? symbol({name}) : quantity(name));
+    return power;
+  };
+  if (!GiNaC::is_a<GiNaC::add>(expanded)) return {power_of(expanded), expanded};
+  Leading<ex> leading{std::numeric_limits<int>::min(), 0};
+  for (const ex& term : expanded) {
+    const int power = power_of(term);
+    if (power > leading.power) leading = {power, 0};
+    if (power == leading.power) leading.value += term;
+  }
+  return leading;
+}
+
+bool has(const ex& expression, const std::string& name) { return expression.has(quantity(name)); }
+
+bool is_constant(const Fraction& k) {
+  return !k.numerator.has(laplace()) && !k.denominator.has(laplace());
+}
+
+bool is_kelvin(const Fraction& k) {
+  return !k.denominator.has(laplace()) && k.numerator.degree(laplace()) == 1 &&
+         k.numerator.ldegree(laplace()) == 0;
+}
+
+}  // namespace
+
+ex isotropic_ratio(const Isotropic& isotropic) {
+  const bool poisson = isotropic.by == Isotropic::By::poisson;
+  const Quantity& given = isotropic.quantity;
+  const ex number = given.value ? ex(exact_decimal(*given.value))
+                    : poisson   ? poisson_ratio(given.symbol)
+                                : symbol(given.symbol);
+  return poisson ? 2 * (1 - number) / (2 - number) : number;
+}
+
+Model::Model(const Scene& scene)
+    : surrounding_{scene.drive.has_value(), scene.mass.has_value()},
+      balance_(solve_balance(surrounding_)) {
+  networks_.push_back({"K_n", reduce(scene.normal)});
+  if (const auto* isotropic = std::get_if<Isotropic>(&scene.tangential)) {
+    isotropic_ = true;
+    const char* words = isotropic->by == Isotropic::By::poisson
+                            ? "Isotropic contact, K_t/K_n = 2(1 - nu)/(2 - nu) (Mindlin)"
+                            : "Isotropic contact";
+    identities_.push_back({words, quantity("K_t"), isotropic_ratio(*isotropic) * quantity("K_n")});
+  } else {
+    networks_.push_back({"K_t", reduce(std::get<Network>(scene.tangential))});
+  }
+  if (!scene.drive) return;
+  const char* words = "The drive is the same network";
+  if (*scene.drive == scene.normal)
+    identities_.push_back({words, quantity("K_d"), quantity("K_n")});
+  else if (!isotropic_ && *scene.drive == std::get<Network>(scene.tangential))
+    identities_.push_back({words, quantity("K_d"), quantity("K_t")});
+  else
+    networks_.push_back({"K_d", reduce(*scene.drive)});
+}
+
+ex Model::amplitude(const Change& change) const {
+  ex amplitude = balance_.contact_amplitude;
+  if (change.ratio) amplitude = amplitude.subs(quantity("K_t") == *change.ratio * quantity("K_n"));
+  for (const Line& identity : identities_)
+    amplitude = amplitude.subs(identity.left == identity.right);
+  Factors factors;
+  factors.multiply_rational(amplitude);
+  factors.cancel();
+  return factors.value();
+}
+
+bool Model::is_small(const ex& amplitude, const Change& change) const {
+  std::map<std::string, TermCount> counts;
+  double largest = 0, sum = 0, product = 1;
+  for (const auto& [name, reduction] : networks_) {
+    if (!has(amplitude, name)) continue;
+    const TermCount count = term_count(reduction, change.rates).value;
+    largest = std::max({largest, count.numerator, count.denominator});
+    // K_t + K_d - m omega^2 over one denominator.
+    sum = sum * count.denominator + product * count.numerator;
+    product *= count.denominator;
+  }
+  const bool joint = surrounding_.drive && !change.rigid;
+  return std::max(largest, joint ? sum + (surrounding_.mass ? product : 0) : 0) <= readable_terms;
+}
+
+std::optional<Formula> Model::formula(const Change& change) const {
+  std::map<std::string, int> powers;
+  for (const auto& [name, reduction] : networks_)
+    powers[name] = term_count(reduction, change.rates).power;
+  if (powers["K_n"] != 0 || powers["K_t"] < 0 || powers["K_d"] < 0) return std::nullopt;
+  if (change.rigid) powers["K_d"] += much_faster;
+  if (change.massless) powers["m"] = -1;
+
+  const ex amplitude = this->amplitude(change);
+  Factors whole;
+  whole.multiply_rational(amplitude);
+  Factors leading;
+  leading.multiply_rational(whole.coefficient());
+  int power = 0;
+  for (const auto& [factor, exponent] : whole.parts()) {
+    const Leading<ex> part = leading_part(factor, powers);
+    power += exponent * part.power;
+    for (int i = 0; i < std::abs(exponent); ++i)
+      leading.multiply(part.value, exponent > 0 ? 1 : -1);
+  }
+  ensure(power == 0, "a limit of v* is finite and not zero");
+  leading.cancel();
+  return is_small(leading.value(), change) ? multiplied_out(leading, change)
+                                           : nested_in(leading, change);
+}
+
+Formula Model::multiplied_out(const Factors& amplitude, const Change& change) const {
+  std::map<std::string, Fraction> fractions;
+  GiNaC::exmap put;
+  for (const auto& [name, reduction] : networks_) {
+    const Fraction k = fractions[name] = fraction(reduction, change.rates).value;
+    put[quantity(name)] = k.numerator / k.denominator;
+  }
+  Factors whole;
+  whole.multiply_rational(amplitude.coefficient());
+  for (const auto& [factor, exponent] : amplitude.parts())
+    whole.multiply_rational(GiNaC::pow(factor.subs(put), exponent));
+  whole.cancel();
+  return {omega() * whole.modulus(), {}, equation(fractions, change)};
+}
+
+Formula Model::nested_in(const Factors& amplitude, const Change& change) const {
+  Formula formula{omega() * amplitude.modulus(), {}, ""};
+  for (const auto& [name, reduction] : networks_) {
+    if (!has(formula.velocity, name)) continue;
+    const ex k = nested(reduction, change.rates, formula.definitions).value;
+    formula.definitions.push_back({"", quantity(name), k});
+  }
+  return formula;
+}
+
+std::string Model::equation(const std::map<std::string, Fraction>& networks,
+                            const Change& change) const {
+  const bool isotropic = isotropic_ || change.ratio;
+  const auto both = [&](bool (*holds)(const Fraction&)) {
+    return holds(networks.at("K_n")) && (isotropic || holds(networks.at("K_t")));
+  };
+  if (change.rigid || !surrounding_.drive) return both(is_constant) ? "(31)" : "";
+  const auto drive = networks.find("K_d");
+  const bool elastic_with_mass = surrounding_.mass && !change.massless && drive != networks.end() &&
+                                 is_constant(drive->second);
+  if (!elastic_with_mass) return "";
+  if (both(is_constant)) return "(30)";
+  if (!both(is_kelvin)) return "";
+  return isotropic ? "(29)" : "(27)";
+}
+
+ex Model::stiffness(const Part& part) const {
+  const Reduction& reduction = part.reduction;
+  const TermCount count = term_count(reduction, {}).value;
+  std::vector<Line> definitions;
+  ex k;
+  if (std::max(count.numerator, count.denominator) <= readable_terms) {
+    const Fraction whole = fraction(reduction, {}).value;
+    k = whole.numerator / whole.denominator;
+  } else {
+    k = nested(reduction, {}, definitions).value;
+    for (auto line = definitions.rbegin(); line != definitions.rend(); ++line)
+      k = k.subs(line->left == line->right);
+  }
+  return k.subs(laplace() == GiNaC::I * omega());
+}
+
+}  // namespace vcrit::symbolic

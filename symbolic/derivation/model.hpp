@@ -1,0 +1,71 @@
+// A scene prepared for derivation, and its formula in a limit or without one.
+#pragma once
+
+#include <ginac/ginac.h>
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "derivation/balance.hpp"
+#include "derivation/factors.hpp"
+#include "derivation/stiffness_forms.hpp"
+#include "network/reduction.hpp"
+#include "scene/scene.hpp"
+
+namespace vcrit::symbolic {
+
+/// What is changed before the formula is made.
+struct Change {
+  Rates rates;
+  bool rigid = false;              ///< the drive, after everything in `rates`
+  bool massless = false;           ///< m to 0
+  std::optional<GiNaC::ex> ratio;  ///< K_t = ratio K_n
+};
+
+struct Formula {
+  GiNaC::ex velocity;
+  std::vector<Line> definitions;  ///< empty where velocity is multiplied out
+  std::string equation;           ///< number in the paper, if it is one of its special cases
+};
+
+/// One of the networks, "K_n", "K_t" or "K_d".
+struct Part {
+  std::string name;
+  Reduction reduction;
+};
+
+class Model {
+ public:
+  explicit Model(const Scene& scene);
+
+  const Balance& balance() const { return balance_; }
+  /// The amplitude B after isotropy and equal networks have been put in.
+  GiNaC::ex amplitude(const Change& change) const;
+  /// Nothing where the limit cuts a network in two or makes the normal network rigid.
+  std::optional<Formula> formula(const Change& change) const;
+  /// "K_t = r K_n" and "K_d = K_n", as far as they hold in the scene.
+  const std::vector<Line>& identities() const { return identities_; }
+  /// K_n, K_t and K_d, in this order, as far as they have a network of their own.
+  const std::vector<Part>& networks() const { return networks_; }
+  /// The part's stiffness at s = i omega, multiplied out where it is small.
+  GiNaC::ex stiffness(const Part& part) const;
+
+ private:
+  bool is_small(const GiNaC::ex& amplitude, const Change& change) const;
+  Formula multiplied_out(const Factors& amplitude, const Change& change) const;
+  Formula nested_in(const Factors& amplitude, const Change& change) const;
+  std::string equation(const std::map<std::string, Fraction>& networks, const Change& change) const;
+
+  Surrounding surrounding_;
+  Balance balance_;
+  std::vector<Part> networks_;
+  std::vector<Line> identities_;
+  bool isotropic_ = false;
+};
+
+/// K_t/K_n of an isotropic contact: an exact fraction, or a formula in its symbol.
+GiNaC::ex isotropic_ratio(const Isotropic& isotropic);
+
+}  // namespace vcrit::symbolic

@@ -1,0 +1,21 @@
+// How a name is set in mathematics: greek letters, indices (k0 -> k with index 0, mu0, u_z0, k[3]).
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace vcrit::symbolic {
+
+/// A name taken apart. `base` is one letter, the English name of a greek one, or a long word.
+struct Notation {
+  std::string before;  ///< "Delta" in front of du_z, else empty
+  std::string base;
+  std::vector<std::string> index;  ///< parts of the lower index
+  std::string above;               ///< "*" of v*, dots of derivatives
+};
+
+Notation notation(const std::string& name);
+
+bool is_greek(const std::string& word);
+
+}  // namespace vcrit::symbolic

@@ -1,0 +1,52 @@
+#include "derivation/symbols.hpp"
+
+#include <cmath>
+#include <map>
+
+#include "base/errors.hpp"
+#include "base/numbers.hpp"
+
+namespace vcrit::symbolic {
+
+GiNaC::ex symbol(const Symbol& symbol) {
+  static std::map<std::string, GiNaC::possymbol> known;
+  const std::string name = to_text(symbol);
+  return known.try_emplace(name, name).first->second;
+}
+
+GiNaC::ex poisson_ratio(const Symbol& symbol) {
+  static std::map<std::string, GiNaC::realsymbol> known;
+  const std::string name = to_text(symbol);
+  return known.try_emplace(name, name).first->second;
+}
+
+GiNaC::ex quantity(const std::string& name) {
+  static std::map<std::string, GiNaC::symbol> known;
+  return known.try_emplace(name, name).first->second;
+}
+
+GiNaC::ex omega() { return symbol({"omega"}); }
+GiNaC::ex laplace() { return quantity("s"); }
+
+GiNaC::numeric exact_decimal(double value) {
+  ensure(std::isfinite(value), "only finite numbers have a fraction");
+  const std::string text = to_text(value);
+  const std::size_t e = text.find('e');
+  std::string digits = text.substr(0, e);
+  long exponent = e == std::string::npos ? 0 : std::stol(text.substr(e + 1));
+  if (const std::size_t point = digits.find('.'); point != std::string::npos) {
+    exponent -= static_cast<long>(digits.size() - point - 1);
+    digits.erase(point, 1);
+  }
+  return GiNaC::numeric(digits.c_str()) * GiNaC::pow(GiNaC::numeric(10), GiNaC::numeric(exponent));
+}
+
+GiNaC::numeric exact_binary(double value) {
+  ensure(std::isfinite(value), "only finite numbers have a fraction");
+  int exponent = 0;
+  const double mantissa = std::ldexp(std::frexp(value, &exponent), 53);
+  return GiNaC::numeric(static_cast<long>(mantissa)) *
+         GiNaC::pow(GiNaC::numeric(2), GiNaC::numeric(exponent - 53));
+}
+
+}  // namespace vcrit::symbolic

@@ -1,0 +1,47 @@
+// Formulas as plain text that most programs read: k_n*(k_t + k_d - m*omega^2)/k_t.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "derivation/dialect.hpp"
+
+namespace vcrit::symbolic {
+
+namespace {
+
+class Text : public Dialect {
+  std::string number(const std::string& digits) const override { return digits; }
+  std::string name(const std::string& text) const override { return text; }
+  std::string negative(const std::string& term) const override { return "-" + term; }
+  std::string added(const std::string& left, bool minus, const std::string& right) const override {
+    return left + (minus ? " - " : " + ") + right;
+  }
+  std::string product(const std::vector<std::string>& factors) const override {
+    return factors.empty() ? "1" : fmt::format("{}", fmt::join(factors, "*"));
+  }
+  Piece fraction(const std::vector<Piece>& over, const std::vector<Piece>& under) const override {
+    const bool lone = under.size() == 1 && under[0].tightness == Piece::Tightness::atom;
+    const std::string below = product(factors(under, true));
+    return {product(factors(over, false)) + "/" + (lone ? below : wrapped(below)),
+            Piece::Tightness::product};
+  }
+  std::string power(const std::string& base, int exponent) const override {
+    return fmt::format("{}^{}", base, exponent);
+  }
+  std::string root(const std::string& argument) const override { return "sqrt(" + argument + ")"; }
+  std::string call(const std::string& function, const std::string& argument) const override {
+    return function + "(" + argument + ")";
+  }
+  std::string wrapped(const std::string& text) const override { return "(" + text + ")"; }
+  std::string equal(const std::string& left, const std::string& right) const override {
+    return left + " = " + right;
+  }
+};
+
+}  // namespace
+
+const Dialect& text_dialect() {
+  static const Text dialect;
+  return dialect;
+}
+
+}  // namespace vcrit::symbolic
