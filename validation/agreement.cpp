@@ -72,7 +72,7 @@ Comparison in_doubles(const SceneReport& report, const char* key, const char* na
   comparison.found = found;
   comparison.tolerance = 32 * unit_roundoff * report.condition;
   comparison.reason = fmt::format(
-      "plain doubles: 32 units of rounding 2^-53, times the condition number {:.3g} of Eq. 24 here",
+      "doubles: 32 roundings of 2⁻⁵³, times the condition number {:.3g} of Eq. 24 here",
       report.condition);
   if (std::isfinite(report.condition)) return comparison;
   return not_run(comparison, "exactly at (anti)resonance doubles promise nothing");
@@ -86,8 +86,8 @@ void compare_derived(SceneReport& report, const symbolic::Derivation& derivation
   Comparison comparison = velocity_comparison(report, "derived", "derived formula, 50 digits");
   comparison.tolerance = unit_roundoff * (2 + report.condition);
   comparison.reason = fmt::format(
-      "both are rounded once, and a ratio given as a decimal is exact in one and a "
-      "double in the other: one more, times the condition number {:.3g}",
+      "each is rounded once; a decimal ratio is exact in one and a double in the other: one more, "
+      "times the condition number {:.3g}",
       report.condition);
   if (!is_speed(report.critical_velocity)) {
     report.comparisons.push_back(not_run(comparison, "v* is infinite or 0: no relative error"));
@@ -139,12 +139,21 @@ void compare_generated(SceneReport& report, const symbolic::Derivation& derivati
   }
 }
 
+std::vector<Equation> equations_of(const std::vector<symbolic::Line>& lines) {
+  std::vector<Equation> equations;
+  for (const symbolic::Line& line : lines)
+    equations.push_back({line.words, formula_of(line.left), formula_of(line.right)});
+  return equations;
+}
+
 void derive_all(SceneReport& report, const symbolic::Derivation& derivation) {
   report.formula = formula_of(derivation.critical_velocity);
-  for (const symbolic::Line& line : derivation.lines)
-    report.derivation.push_back({line.words, formula_of(line.left), formula_of(line.right)});
+  report.equation = derivation.equation;
+  report.definitions = equations_of(derivation.definitions);
+  report.derivation = equations_of(derivation.lines);
   for (const symbolic::Limit& limit : symbolic::limits(report.scene))
-    report.limits.push_back({limit.name, limit.equation, formula_of(limit.result)});
+    report.limits.push_back(
+        {limit.name, limit.equation, formula_of(limit.result), equations_of(limit.definitions)});
 }
 
 /// Elastic networks, a rigid drive: the case with a closed form.
@@ -162,9 +171,7 @@ Comparison simulated_velocity(const SceneReport& report,
   Comparison comparison = velocity_comparison(report, "simulation", "stick-slip simulation");
   comparison.found = threshold.contact_velocity;
   comparison.tolerance = 1e-9;
-  comparison.reason =
-      "lowest speed of pure sliding, from the minimum of the simulated contact velocity; leaves "
-      "the motion in closed form six digits to lose near resonance";
+  comparison.reason = "motion in closed form, in doubles: leaves six digits to lose near resonance";
   return comparison;
 }
 

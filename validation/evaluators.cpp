@@ -29,24 +29,6 @@ class Precision {
 constexpr long digits = 50;
 constexpr std::chrono::seconds run_limit{10};
 
-std::map<std::string, double> by_name(const Values& values) {
-  std::map<std::string, double> named;
-  for (const auto& [symbol, value] : values) named[to_text(symbol)] = value;
-  return named;
-}
-
-GiNaC::exmap substitutions(const GiNaC::ex& formula, const Values& values) {
-  const auto named = by_name(values);
-  GiNaC::exmap substitutions;
-  for (auto part = formula.preorder_begin(); part != formula.preorder_end(); ++part)
-    if (GiNaC::is_a<GiNaC::symbol>(*part)) {
-      const std::string name = GiNaC::ex_to<GiNaC::symbol>(*part).get_name();
-      if (const auto value = named.find(name); value != named.end())
-        substitutions[*part] = GiNaC::numeric(value->second);
-    }
-  return substitutions;
-}
-
 std::string member(const Symbol& symbol) {
   return symbol.entry == 0 ? symbol.name : fmt::format("{}[{}]", symbol.name, symbol.entry - 1);
 }
@@ -77,14 +59,12 @@ std::string run_or_throw(const ProgramResult& result, const char* what) {
 
 double derived_velocity(const symbolic::Derivation& derivation, const Values& values) {
   const Precision precision(digits);
-  const GiNaC::ex& formula = derivation.critical_velocity;
-  const GiNaC::ex value = formula.subs(substitutions(formula, values)).evalf();
-  if (!GiNaC::is_a<GiNaC::numeric>(value) || !GiNaC::ex_to<GiNaC::numeric>(value).is_real()) {
-    std::ostringstream text;
-    text << value;
-    throw std::runtime_error("the derived formula gave no real number: " + text.str());
-  }
-  return GiNaC::ex_to<GiNaC::numeric>(value).to_double();
+  std::map<Symbol, GiNaC::numeric> numbers;
+  for (const auto& [symbol, value] : values) numbers[symbol] = GiNaC::numeric(value);
+  const GiNaC::numeric velocity =
+      symbolic::value_at(derivation.critical_velocity, derivation.definitions, numbers);
+  if (!velocity.is_real()) throw std::runtime_error("the derived formula gave no real number");
+  return velocity.to_double();
 }
 
 std::string asking_program(const std::vector<Symbol>& parameters, const Values& values) {

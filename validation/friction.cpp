@@ -18,8 +18,7 @@ constexpr int samples = 400;
 
 // The simulator's promise for steady values, twice: the two starts may err in opposite directions.
 constexpr double curve_tolerance = 2e-9;
-constexpr const char* curve_reason =
-    "each steady value is promised to 1e-9 of the full friction, and both may be off";
+constexpr const char* curve_reason = "each steady value is promised to 10⁻⁹, and both may be off";
 
 // Stick of the elastic contact ends where the spring force reaches the friction bound.
 double end_of_stick(double tau1, double ratio) {
@@ -48,7 +47,7 @@ const CurvePoint* worst_point(const std::vector<CurvePoint>& curve, Value differ
 }
 
 std::string at(const CurvePoint& point) {
-  return fmt::format("worst at {:.4g} of the lowest speed of pure sliding", point.ratio);
+  return fmt::format("worst at {:.4g} of the sliding threshold", point.ratio);
 }
 
 Comparison curve_comparison(const char* key, const char* name, const char* reference) {

@@ -40,7 +40,8 @@ struct Formula {
   std::string mathml, latex, text;
 };
 
-struct DerivationLine {
+/// left = right, and the words that lead to it.
+struct Equation {
   std::string words;
   Formula left, right;
 };
@@ -48,6 +49,7 @@ struct DerivationLine {
 struct LimitLine {
   std::string name, equation;  ///< see symbolic::Limit
   Formula result;
+  std::vector<Equation> definitions;  ///< of names in `result`
 };
 
 /// One number of the scene.
@@ -89,7 +91,9 @@ struct SceneReport {
   double creep_velocity = 0;         ///< m/s, 0 unless a network on the path creeps
   std::vector<ValueLine> values;
   Formula formula;
-  std::vector<DerivationLine> derivation;
+  std::string equation;               ///< number of the formula in the paper
+  std::vector<Equation> definitions;  ///< of names in `formula`
+  std::vector<Equation> derivation;
   std::vector<LimitLine> limits;
   std::string compiler;  ///< that compiled the generated evaluator, with version; else empty
   std::vector<Comparison> comparisons;

@@ -72,7 +72,7 @@ inline Comparison comparison(const std::string& key, double expected) {
 
 inline CurvePoint curve_point(double ratio, double velocity) {
   const double friction = ratio < 1 ? 1 - 0.4 * (1 - ratio) * (1 - ratio) : 1;
-  return {ratio, ratio * velocity, friction,  friction, 1e-12, ratio < 1 ? "stick-slip" : "sliding",
+  return {ratio, ratio * velocity, friction, friction, 1e-12, ratio < 1 ? "stick-slip" : "sliding",
           {}};
 }
 
@@ -96,7 +96,7 @@ inline SceneReport scene_report(const std::string& text, const std::string& file
   report.condition = 6;
   report.formula = formula("F");
   report.derivation = {{"The balance of the contact point:", formula("L"), formula("R")}};
-  report.limits = {{"c -> 0", "(30)", formula("Z")}};
+  report.limits = {{"c -> 0", "(30)", formula("Z"), {}}};
   report.values = {{{"kn", 0}, formula("kn"), 11.5e6, "N/m", "spring"}};
   report.comparisons = {comparison("formula", 0.0045779), comparison("simulation", 0.0045779)};
   for (int i = 1; i <= 28; ++i)

@@ -14,7 +14,7 @@ namespace {
 using nlohmann::ordered_json;
 
 // Legible on white and on near-black alike.
-const char* const accent = "#1c7f99";
+const char* const accent = "#2090ad";
 const char* const second = "#d07a28";
 const char* const neutral = "#8a8f98";
 constexpr double period = 2 * std::numbers::pi;

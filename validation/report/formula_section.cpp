@@ -24,21 +24,51 @@ std::string copyable(const std::string& latex) {
       escape(latex));
 }
 
+std::string equation(const Equation& line) { return equation(line.left.mathml, line.right.mathml); }
+
+std::string numbered(const std::string& number) {
+  return number.empty() ? "" : fmt::format("<small>Eq. {}</small>", escape(number));
+}
+
+std::string definitions(const std::vector<Equation>& lines) {
+  if (lines.empty()) return {};
+  std::string rows;
+  for (const Equation& line : lines) rows += equation(line);
+  return "<p class=\"where\">with <math><mi>s</mi><mo>=</mo><mi>i</mi><mi>ω</mi></math> and</p>" +
+         rows + "\n";
+}
+
+std::string latex_of(const SceneReport& report) {
+  std::string text = "v^* = " + report.formula.latex;
+  for (const Equation& line : report.definitions)
+    text += "\n" + line.left.latex + " = " + line.right.latex;
+  return text;
+}
+
 std::string derivation(const SceneReport& report) {
   if (report.derivation.empty()) return {};
   std::string steps;
-  for (const DerivationLine& line : report.derivation)
-    steps += fmt::format("<li><p>{}</p>{}</li>\n", escape(line.words),
-                         equation(line.left.mathml, line.right.mathml));
+  for (const Equation& line : report.derivation)
+    steps += fmt::format("<li><p>{}</p>{}</li>\n", escape(line.words), equation(line));
   return "<details class=\"derivation\" open><summary>Derivation</summary><ol>\n" + steps +
          "</ol></details>\n";
 }
 
+/// "kd -> infinity" with the characters that a page has for it.
+std::string set_limit(std::string name) {
+  const auto replace = [&](const std::string& from, const std::string& to) {
+    for (auto at = name.find(from); at != name.npos; at = name.find(from, at + to.size()))
+      name.replace(at, from.size(), to);
+  };
+  replace("->", "→");
+  replace("infinity", "∞");
+  return escape(name);
+}
+
 std::string limit(const LimitLine& line) {
-  const std::string number =
-      line.equation.empty() ? "" : fmt::format(" <small>Eq. {}</small>", escape(line.equation));
-  return fmt::format("<tr><th scope=\"row\">{}{}</th><td>{}</td></tr>\n", escape(line.name), number,
-                     equation(velocity, line.result.mathml));
+  return fmt::format("<tr><th scope=\"row\">{}{}</th><td>{}{}</td></tr>\n", set_limit(line.name),
+                     numbered(line.equation), equation(velocity, line.result.mathml),
+                     definitions(line.definitions));
 }
 
 std::string limits(const SceneReport& report) {
@@ -52,8 +82,9 @@ std::string limits(const SceneReport& report) {
 
 std::string formula_section(const SceneReport& report) {
   if (report.formula.mathml.empty()) return {};
-  return "<h3>The formula</h3>\n" + equation(velocity, report.formula.mathml) +
-         copyable("v^* = " + report.formula.latex) + derivation(report) + limits(report);
+  return "<h3>The formula</h3>\n" + numbered(report.equation) +
+         equation(velocity, report.formula.mathml) + definitions(report.definitions) +
+         copyable(latex_of(report)) + derivation(report) + limits(report);
 }
 
 std::string values_section(const SceneReport& report) {

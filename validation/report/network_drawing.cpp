@@ -94,8 +94,8 @@ std::string dot(const Point& at) {
   return fmt::format(R"(<circle class="node" cx="{:.1f}" cy="{:.1f}" r="3.2"/>)", at.x, at.y);
 }
 
-/// The label of a single element beside its edge, upright whatever the edge's direction, on the side
-/// away from the line between the terminals.
+/// The label of a single element beside its edge, upright whatever the edge's direction, on the
+/// side away from the line between the terminals.
 std::string edge_label(const Element& element, const Point& middle, double angle) {
   const double side = middle.y > 1 ? -1 : 1, away = side > 0 ? 20 : 22;
   const double x = middle.x + side * away * std::sin(angle);

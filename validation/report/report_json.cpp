@@ -33,12 +33,10 @@ ordered_json json(const Formula& formula) {
   return {{"text", formula.text}, {"latex", formula.latex}};
 }
 
-ordered_json json(const DerivationLine& line) {
-  return {{"words", line.words}, {"left", json(line.left)}, {"right", json(line.right)}};
-}
-
-ordered_json json(const LimitLine& limit) {
-  return {{"name", limit.name}, {"equation", limit.equation}, {"result", json(limit.result)}};
+ordered_json json(const Equation& equation) {
+  ordered_json object{{"left", json(equation.left)}, {"right", json(equation.right)}};
+  if (!equation.words.empty()) object["words"] = equation.words;
+  return object;
 }
 
 ordered_json json(const ValueLine& line) {
@@ -71,12 +69,20 @@ ordered_json json(const simulation::Event& event) {
 }
 
 ordered_json json(const SceneReport& report);
+ordered_json json(const LimitLine& limit);
 
 template <class Item>
 ordered_json list(const std::vector<Item>& items) {
   ordered_json array = ordered_json::array();
   for (const Item& item : items) array.push_back(json(item));
   return array;
+}
+
+ordered_json json(const LimitLine& limit) {
+  return {{"name", limit.name},
+          {"equation", limit.equation},
+          {"result", json(limit.result)},
+          {"definitions", list(limit.definitions)}};
 }
 
 ordered_json json(const Cycle& cycle) {
@@ -119,6 +125,8 @@ ordered_json json(const SceneReport& report) {
                       {"comparisons", list(report.comparisons)},
                       {"values", list(report.values)},
                       {"formula", json(report.formula)},
+                      {"equation", report.equation},
+                      {"definitions", list(report.definitions)},
                       {"derivation", list(report.derivation)},
                       {"limits", list(report.limits)}};
   if (!report.compiler.empty()) object["compiler"] = report.compiler;

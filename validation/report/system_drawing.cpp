@@ -48,10 +48,9 @@ std::string ground(double length) {
 
 /// The contact point on the substrate, with the coefficient of friction.
 Drawing contact_point(const Symbol& coefficient) {
-  const std::string name =
-      coefficient.name == "mu0"
-          ? italic("μ") + R"(<tspan class="index" dy="4">0</tspan>)"
-          : label(coefficient);
+  const std::string name = coefficient.name == "mu0"
+                               ? italic("μ") + R"(<tspan class="index" dy="4">0</tspan>)"
+                               : label(coefficient);
   return {52, 14, 52,
           R"(<path class="solid" d="M12 -9H44V9H12z"/>)" + line(44, 0, 52, 0) +
               moved(0, 9, ground(56)) + text(28, 40, name)};
@@ -80,17 +79,15 @@ Drawing arrow(const std::string& name) {
 }
 
 Drawing oscillation() {
-  const std::string name = italic("u") + R"(<tspan class="index" dy="4">z</tspan>)" +
-                           R"(<tspan dy="-4">(t)</tspan>)";
+  const std::string name =
+      italic("u") + R"(<tspan class="index" dy="4">z</tspan>)" + R"(<tspan dy="-4">(t)</tspan>)";
   return {76, 30, 30,
           R"(<path class="heavy" d="M6 -20V20"/>)" + line(0, 0, 6, 0) +
               R"(<path class="arrow" d="M16 0H66M24 -5L15 0L24 5M58 -5L67 0L58 5"/>)" +
               text(42, -11, name)};
 }
 
-std::string speed() {
-  return italic("v") + R"(<tspan class="index" dy="4">0</tspan>)";
-}
+std::string speed() { return italic("v") + R"(<tspan class="index" dy="4">0</tspan>)"; }
 
 /// An isotropic contact: the normal network within brackets, with the ratio in front.
 Drawing times(double factor, const Drawing& network) {
