@@ -14,14 +14,12 @@ ContactModes contact_modes(const Relaxation& contact) {
   modes.branch_rates = branches.rates;
   modes.branch_stiffness = Vector::Map(branches.weights.data(), n);
   modes.unit_fluidity = Vector::Map(units.weights.data(), m);
-  modes.to_units = Matrix(m, n);
   modes.to_branches = Matrix(n, m);
   for (Index j = 0; j < m; ++j) {
     const OffsetRate& rate = units.rates[static_cast<std::size_t>(j)];
     modes.unit_rates.push_back(rate.value());
     for (Index i = 0; i < n; ++i) {
       const double distance = rate.minus(branches.rates[static_cast<std::size_t>(i)]);
-      modes.to_units(j, i) = modes.unit_fluidity(j) / distance;
       modes.to_branches(i, j) = modes.branch_stiffness(i) * (rate.value() / distance);
     }
   }

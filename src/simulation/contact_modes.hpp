@@ -4,9 +4,9 @@
 // drowns:
 //   rho_i = d(force of branch i)/dt,   rho_i' = k_i e'' - a_i rho_i,     a_0 = 0 the spring,
 //   r_j   = d(strain of unit j)/dt,    r_j'   = psi_j F' - beta_j r_j,
-// with e' = J_g F' + phi F + sum_j r_j. Where the contact point stands still, before and after,
-//   r_j = psi_j sum_i rho_i/(beta_j - a_i),   rho_i = k_i (J_g F' + sum_j beta_j r_j/(beta_j -
-//   a_i)).
+// with e' = J_g F' + phi F + sum_j r_j, and rho_i = k_i (J_g F' + sum_j beta_j r_j/(beta_j - a_i)).
+// The way back, r_j = psi_j sum_i rho_i/(beta_j - a_i), is never taken: for slow units it is a
+// small difference of large terms. In stick the r_j are carried along instead, driven by F'.
 #pragma once
 
 #include <vector>
@@ -24,7 +24,6 @@ struct ContactModes {
   Vector branch_stiffness;           ///< k_i
   std::vector<double> unit_rates;    ///< beta_j
   Vector unit_fluidity;              ///< psi_j
-  Matrix to_units;                   ///< psi_j/(beta_j - a_i)
   Matrix to_branches;                ///< k_i beta_j/(beta_j - a_i)
 };
 

@@ -158,10 +158,10 @@ void Model::set_sliding() {
   creep += body->fluidity;
 }
 
-Matrix Model::rates(const Matrix& x) const {
-  const Index states = body_states();
-  Matrix y(x.rows() - 1, x.cols());
-  y.bottomRows(y.rows() - states) = x.bottomRows(y.rows() - states);
+Matrix Model::rates(const Matrix& x, bool stuck) const {
+  const Index states = body_states(), own = stuck ? branches() : units();
+  Matrix y(states + own, x.cols());
+  y.bottomRows(own) = x.middleRows(level_states(), own);
   if (!body) return y;
   const auto& drive = body->drive;
   y.row(0) = -x.row(0) - drive.direct * x.row(1);
@@ -173,7 +173,5 @@ Matrix Model::rates(const Matrix& x) const {
   y.row(0) /= body->mass;
   return y;
 }
-
-double Model::acceleration(const Vector& x) const { return body ? rates(x)(0, 0) : 0; }
 
 }  // namespace vcrit::simulation

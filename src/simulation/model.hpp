@@ -4,6 +4,7 @@
 // without a mass, contact and drive are one network in series, and nothing else moves.
 //
 //   state  x = (F | u, g_1..g_M | contact),   rates  y = (u', g_1'..g_M' | contact)
+//   contact: r in slip; rho and r in stick, of which y has rho alone
 //
 // F force of the contact on the contact point, u body velocity less drive velocity, g_j the drive's
 // branch forces taken negative (g_j' = k_j u - a_j g_j), contact as in contact_modes.hpp.
@@ -48,22 +49,18 @@ struct Model {
   double creep = 0;
 
   Index body_states() const;  ///< u, g_j
+  Index branches() const { return contact.branch_stiffness.size(); }
+  Index units() const { return contact.unit_fluidity.size(); }
   Index level_states() const { return 1 + body_states(); }
-  Index slip_states() const {
-    return level_states() + static_cast<Index>(contact.unit_rates.size());
-  }
-  Index stick_states() const {
-    return level_states() + static_cast<Index>(contact.branch_rates.size());
-  }
+  Index slip_states() const { return level_states() + units(); }
+  Index stick_states() const { return level_states() + branches() + units(); }
 
   double bound(double t) const { return 1 + amplitude * std::cos(t); }
   double bound_rate(double t) const { return -amplitude * std::sin(t); }
   double bound_curvature(double t) const { return -amplitude * std::cos(t); }
 
   /// y from x, or changes of y from changes of x, column by column.
-  Matrix rates(const Matrix& x) const;
-  /// Body acceleration of a state, 0 without a body.
-  double acceleration(const Vector& x) const;
+  Matrix rates(const Matrix& x, bool stuck) const;
 
  private:
   void set_stick();

@@ -17,15 +17,12 @@ Index states(const Model& model, Motion motion) {
   return direction(motion) == 0 ? model.stick_states() : model.slip_states();
 }
 
-Index contact_states(const Model& model, const State& state) {
-  return state.x.size() - model.level_states();
-}
-
 namespace {
 
 double body_velocity(const Model& model, const Vector& x) { return model.body ? x(1) : 0; }
 
-Eigen::VectorXd forced(const Model& model, int side, double t) {
+// The sinusoidal part of y in slip.
+Vector forced(const Model& model, int side, double t) {
   return side * (model.sliding_rates * std::exp(1i * t)).real();
 }
 
@@ -34,43 +31,57 @@ Eigen::VectorXd forced(const Model& model, int side, double t) {
 Piece::Piece(const Model& model, double velocity, State start)
     : model_(&model), velocity_(velocity), start_(std::move(start)) {
   ensure(start_.x.size() == states(model, start_.motion), "a state has the size of its motion");
-  Vector y = model.rates(start_.x);
+  Vector y = model.rates(start_.x, stuck());
   const int side = direction(start_.motion);
   if (side != 0) y -= forced(model, side, start_.time);
   modes_ = phase().modes.to_modes * y;
 }
 
-const Phase& Piece::phase() const {
-  return start_.motion == Motion::stick ? model_->stick : model_->slip;
+// x after the free motion of the given modes: levels by their integrals, own contact states from
+// the modes, and in stick the units driven by F'.
+Matrix Piece::moved(const Matrix& x, const Matrix& modes, double duration) const {
+  const Index levels = model_->level_states();
+  const Index own = stuck() ? model_->branches() : model_->units();
+  const Spectrum& spectrum = phase().modes.spectrum;
+  Matrix result = x;
+  result.topRows(levels) += phase().levels * spectrum.integrated(1, duration, modes);
+  result.middleRows(levels, own) =
+      phase().modes.from_modes.bottomRows(own) * spectrum.integrated(0, duration, modes);
+  if (!stuck()) return result;
+  for (Index j = 0; j < model_->units(); ++j) {
+    const double rate = model_->contact.unit_rates[static_cast<std::size_t>(j)];
+    auto unit = result.row(levels + own + j);
+    unit =
+        unit * std::exp(-rate * duration) +
+        model_->contact.unit_fluidity(j) * spectrum.filtered(phase().event, modes, rate, duration);
+  }
+  return result;
 }
 
 State Piece::after(double duration) const {
-  const Index levels = model_->level_states();
-  const Spectrum& spectrum = phase().modes.spectrum;
-  State state = start_;
-  state.time += duration;
-  state.entered = 0;
-  state.x.head(levels) += phase().levels * spectrum.integrated(1, duration, modes_);
-  const Index contact = contact_states(*model_, state);
-  state.x.tail(contact) =
-      phase().modes.from_modes.bottomRows(contact) * spectrum.integrated(0, duration, modes_);
+  State state{start_.motion, start_.time + duration, moved(start_.x, modes_, duration), 0};
   const int side = direction(start_.motion);
   if (side == 0) return state;
-  state.x(0) = side * model_->bound(state.time);
   const std::complex<double> turned = std::exp(1i * state.time) - std::exp(1i * start_.time);
-  const Index body = model_->body_states();
+  const Index body = model_->body_states(), units = model_->units();
+  state.x(0) = side * model_->bound(state.time);
   state.x.segment(1, body) += side * (model_->sliding_rates.head(body) * (turned / 1i)).real();
-  state.x.tail(contact) += forced(*model_, side, state.time).tail(contact);
+  state.x.tail(units) += forced(*model_, side, state.time).tail(units);
   return state;
 }
 
-double Piece::impulse(double duration) const {
+Vector Piece::integrals(double duration) const {
+  const Index levels = model_->level_states(), body = model_->body_states();
+  Vector result = start_.x.head(levels) * duration +
+                  phase().levels * phase().modes.spectrum.integrated(2, duration, modes_);
   const int side = direction(start_.motion);
-  if (side != 0)
-    return side * (duration +
-                   model_->amplitude * (std::sin(start_.time + duration) - std::sin(start_.time)));
-  return start_.x(0) * duration +
-         phase().event.dot(phase().modes.spectrum.integrated(2, duration, modes_));
+  if (side == 0) return result;
+  const double end = start_.time + duration;
+  result(0) = side * (duration + model_->amplitude * (std::sin(end) - std::sin(start_.time)));
+  const std::complex<double> begin = std::exp(1i * start_.time);
+  const std::complex<double> twice = begin + 1i * duration * begin - std::exp(1i * end);
+  result.tail(body) += side * (model_->sliding_rates.head(body) * twice).real();
+  return result;
 }
 
 double Piece::force(double duration) const { return after(duration).x(0); }
@@ -80,7 +91,7 @@ double Piece::contact_velocity(double duration) const {
 }
 
 std::optional<Piece::Event> Piece::next_event(double horizon) const {
-  if (start_.motion != Motion::stick) return slip_end(horizon);
+  if (!stuck()) return slip_end(horizon);
   const int first = start_.entered == 0 ? 1 : start_.entered;
   std::optional<Event> event;
   for (const int side : {first, -first}) {
@@ -117,19 +128,12 @@ std::optional<double> Piece::stick_end(int side, double horizon) const {
   return zero && *zero < horizon ? zero : std::nullopt;
 }
 
-Matrix Piece::carried(const Matrix& dx, double duration, Eigen::RowVectorXd& impulse) const {
+Matrix Piece::carried(const Matrix& dx, double duration, Matrix& integrals) const {
   const Index levels = model_->level_states();
-  const Spectrum& spectrum = phase().modes.spectrum;
-  const Matrix z = phase().modes.to_modes * model_->rates(dx);
-  Matrix result = dx;
-  result.topRows(levels) += phase().levels * spectrum.integrated(1, duration, z);
-  const Index contact = dx.rows() - levels;
-  result.bottomRows(contact) =
-      phase().modes.from_modes.bottomRows(contact) * spectrum.integrated(0, duration, z);
-  if (start_.motion == Motion::stick)
-    impulse +=
-        dx.row(0) * duration + phase().event.transpose() * spectrum.integrated(2, duration, z);
-  return result;
+  const Matrix modes = phase().modes.to_modes * model_->rates(dx, stuck());
+  integrals += dx.topRows(levels) * duration +
+               phase().levels * phase().modes.spectrum.integrated(2, duration, modes);
+  return moved(dx, modes, duration);
 }
 
 double contact_velocity(const Model& model, double velocity, const State& state) {
@@ -137,7 +141,7 @@ double contact_velocity(const Model& model, double velocity, const State& state)
   if (side == 0) return 0;
   return velocity + body_velocity(model, state.x) - model.contact.fluidity * state.x(0) -
          side * model.contact.glassy * model.bound_rate(state.time) -
-         state.x.tail(contact_states(model, state)).sum();
+         state.x.tail(model.units()).sum();
 }
 
 }  // namespace vcrit::simulation

@@ -31,8 +31,8 @@ class Piece {
   const State& start() const { return start_; }
   /// The same motion, `duration` later.
   State after(double duration) const;
-  /// Time integral of F over the first `duration`.
-  double impulse(double duration) const;
+  /// Time integrals of the levels F, u, g_j over the first `duration`.
+  Vector integrals(double duration) const;
   double contact_velocity(double duration) const;
   double force(double duration) const;
 
@@ -44,11 +44,13 @@ class Piece {
   std::optional<Event> next_event(double horizon) const;
 
   /// Changes dx of the start, at fixed time and column by column, carried on by `duration`; adds
-  /// the changes of the impulse to `impulse`.
-  Matrix carried(const Matrix& dx, double duration, Eigen::RowVectorXd& impulse) const;
+  /// the changes of the levels' integrals to `integrals`.
+  Matrix carried(const Matrix& dx, double duration, Matrix& integrals) const;
 
  private:
-  const Phase& phase() const;
+  bool stuck() const { return start_.motion == Motion::stick; }
+  const Phase& phase() const { return stuck() ? model_->stick : model_->slip; }
+  Matrix moved(const Matrix& x, const Matrix& modes, double duration) const;
   std::optional<Event> slip_end(double horizon) const;
   std::optional<double> stick_end(int side, double horizon) const;
 
@@ -58,9 +60,8 @@ class Piece {
   Vector modes_;
 };
 
-/// How many numbers x has in a motion, and how many of them are the contact's.
+/// How many numbers x has in a motion.
 Index states(const Model& model, Motion motion);
-Index contact_states(const Model& model, const State& state);
 
 /// Contact velocity of a state; 0 in stick.
 double contact_velocity(const Model& model, double velocity, const State& state);

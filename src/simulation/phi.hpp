@@ -45,6 +45,18 @@ inline PairNumber phi(int k, PairNumber z) {
   return value;
 }
 
+/// (e^{r t} - e^{s t})/(r - s), the integral of e^{r x} e^{s (t - x)} over x from 0 to t.
+inline double convolution(double r, double s, double t) {
+  const double x = (r - s) * t;
+  if (std::abs(x) < 1) return t * std::exp(s * t) * phi(1, x);
+  return (std::exp(r * t) - std::exp(s * t)) / (r - s);
+}
+inline PairNumber convolution(PairNumber r, double s, double t) {
+  const PairNumber x = (r - s) * t;
+  if (size(x) < 1) return phi(1, x) * (t * std::exp(s * t));
+  return (exp(r * t) - std::exp(s * t)) / (r - s);
+}
+
 /// The k-fold integral of e^{s t} from 0 to t.
 inline double integral(int k, double s, double t) { return std::pow(t, k) * phi(k, s * t); }
 inline PairNumber integral(int k, PairNumber s, double t) { return phi(k, s * t) * std::pow(t, k); }

@@ -9,6 +9,16 @@ Modes uncoupled(const std::vector<double>& rates) {
   return {{rates, {}}, Matrix::Identity(n, n), Matrix::Identity(n, n)};
 }
 
+Eigen::RowVectorXd Spectrum::filtered(const Vector& row, const Matrix& z, double rate,
+                                      double t) const {
+  Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(z.cols());
+  for (Index i = 0; i < singles(); ++i)
+    sum += row(i) * convolution(-rates[static_cast<std::size_t>(i)], -rate, t) * z.row(i);
+  if (!pair) return sum;
+  const PairNumber factor = weight(row) * convolution(pair->exponent(), -rate, t);
+  return sum + factor.a * z.row(singles() + 1) + factor.b * z.row(singles());
+}
+
 // The singles of b come between the singles and the pair of a.
 Modes beside(const Modes& a, const Modes& b) {
   ensure(!b.spectrum.pair, "only one of two systems has a pair of modes");

@@ -37,6 +37,9 @@ struct Spectrum {
     return {row(singles() + 1), row(singles()), pair->q};
   }
 
+  /// For each column z: the integral of row * z(x) * e^{-rate (t - x)} over x from 0 to t.
+  Eigen::RowVectorXd filtered(const Vector& row, const Matrix& z, double rate, double t) const;
+
   /// The k-fold integral over the time t of each column of modal coordinates.
   template <class Coordinates>
   Coordinates integrated(int k, double t, Coordinates z) const {

@@ -10,7 +10,7 @@ State sliding_start(const Model& model) {
   State state{Motion::slip, -std::arg(model.sliding_velocity), Vector::Zero(model.slip_states()),
               0};
   const std::complex<double> turn = std::exp(1i * state.time);
-  const Index body = model.body_states(), contact = contact_states(model, state);
+  const Index body = model.body_states(), contact = model.units();
   state.x(0) = model.bound(state.time);
   state.x.tail(contact) = (model.sliding_rates.tail(contact) * turn).real();
   state.x.segment(1, body) = (model.sliding_rates.head(body) * (turn / 1i)).real();
@@ -30,12 +30,13 @@ State rest_start(const Model& model, double velocity) {
   State state{Motion::stick, 0, Vector::Zero(model.stick_states()), 0};
   state.x(0) = model.contact.damper * top;
   if (model.body) state.x(1) = -velocity;
-  state.x.tail(contact_states(model, state)) = model.contact.branch_stiffness * top;
+  state.x.segment(model.level_states(), model.branches()) = model.contact.branch_stiffness * top;
+  state.x.tail(model.units()) = model.contact.unit_fluidity * state.x(0);
   if (state.x(0) < model.bound(0)) return state;
   State slip{Motion::slip, 0, Vector::Zero(model.slip_states()), 0};
   slip.x.head(model.level_states()) = state.x.head(model.level_states());
   slip.x(0) = model.bound(0);
-  slip.x.tail(contact_states(model, slip)) = model.contact.unit_fluidity * model.bound(0);
+  slip.x.tail(model.units()) = model.contact.unit_fluidity * model.bound(0);
   return slip;
 }
 

@@ -56,23 +56,61 @@ class Search {
     return state_.motion == Motion::slip;
   }
 
-  // The period map from the stroboscope on, with its derivative.
+  // The period map from the stroboscope on: what is left to close the cycle, and minus its
+  // derivative.
   struct Mapped {
     Trace trace;
     Vector residual;
+    Matrix derivative;
+    double size = 0;  ///< of the residual, in units of its rounding error
     bool usable = false;
-    double norm() const { return residual.size() == 0 ? 0 : residual.lpNorm<Eigen::Infinity>(); }
   };
 
   Mapped mapped(const State& state) const {
     if (contact_velocity(model_, velocity_, state) <= 0) return {};
-    const Index n = state.x.size();
-    Matrix changes = Matrix::Zero(n, n - 1);
-    changes.bottomRows(n - 1).setIdentity();
-    Mapped result{trace(model_, velocity_, state, period, changes), {}, false};
+    const Index n = state.x.size() - 1;
+    Matrix changes = Matrix::Zero(n + 1, n);
+    changes.bottomRows(n).setIdentity();
+    Mapped result{trace(model_, velocity_, state, period, changes), {}, {}, 0, false};
     result.usable = result.trace.end.motion == Motion::slip;
-    if (result.usable) result.residual = result.trace.end.x.tail(n - 1) - state.x.tail(n - 1);
+    if (!result.usable) return result;
+    result.residual = result.trace.end.x.tail(n) - state.x.tail(n);
+    result.derivative = Matrix::Identity(n, n) - result.trace.changes.bottomRows(n);
+    close_slow_branches(result);
+    if (n > 0) result.size = result.residual.cwiseQuotient(rounding(state)).cwiseAbs().maxCoeff();
     return result;
+  }
+
+  // A branch of the drive that relaxes over many periods changes by k_j X - a_j G_j in one, X and
+  // G_j the integrals of u and g_j. The first part is nearly all of it and belongs to the whole
+  // drive; taken off in multiples of the slowest branch's change, the rest keeps its relative
+  // accuracy.
+  void close_slow_branches(Mapped& map) const {
+    for (Index j = 1; j + 1 < model_.body_states(); ++j) {
+      const auto branch = static_cast<std::size_t>(j);
+      const PoleSum& drive = model_.body->drive;
+      if (drive.rates[branch] >= 1) return;
+      const double slow = drive.rates[branch];
+      const double other = drive.weights[branch] / drive.weights[0] * drive.rates[0];
+      map.residual(1 + j) = other * map.trace.integrals(2) - slow * map.trace.integrals(2 + j);
+      map.derivative.row(1 + j) =
+          slow * map.trace.integral_changes.row(2 + j) - other * map.trace.integral_changes.row(2);
+    }
+  }
+
+  // A few rounding errors of each residual over one period.
+  Vector rounding(const State& state) const {
+    const Index n = state.x.size() - 1, body = model_.body_states();
+    Vector size = state.x.tail(n).cwiseAbs();
+    if (body > 0) size(0) += velocity_ + std::abs(model_.sliding_velocity);
+    for (Index j = 0; j + 1 < body; ++j) {
+      const double rate = model_.body->drive.rates[static_cast<std::size_t>(j)];
+      size(1 + j) = (1 + size(1 + j)) * (j > 0 ? std::min(1.0, period * rate) : 1.0);
+    }
+    for (Index j = 0; j < model_.units(); ++j)
+      size(body + j) += model_.contact.unit_fluidity(j) /
+                        (1 + model_.contact.unit_rates[static_cast<std::size_t>(j)]);
+    return 4 * epsilon * size;
   }
 
   State corrected(const State& state, const Vector& step) const {
@@ -84,16 +122,13 @@ class Search {
   std::optional<SteadyCycle> newton() {
     Mapped now = mapped(state_);
     for (int i = 0; i < 40 && now.usable; ++i) {
-      const Index n = now.residual.size();
-      const Matrix derivative = Matrix::Identity(n, n) - now.trace.changes.bottomRows(n);
-      const Eigen::FullPivLU<Matrix> solver(derivative);
-      const Vector step = n == 0 ? Vector() : Vector(solver.solve(now.residual));
-      if (n == 0 || now.norm() <= floor(state_)) return finished(now, solver, step);
+      if (now.residual.size() == 0) return SteadyCycle{now.trace, ratio(now), 4 * epsilon, true};
+      const Eigen::FullPivLU<Matrix> solver(now.derivative);
+      const Vector step = solver.solve(now.residual);
       if (!step.allFinite()) return std::nullopt;
-      if (!advance(now, step)) {
-        if (now.norm() <= 1e3 * floor(state_)) return finished(now, solver, step);
-        return std::nullopt;
-      }
+      if (now.size <= 1) return finished(now, solver, step);
+      if (!advance(now, step))
+        return now.size <= 1e3 ? std::optional(finished(now, solver, step)) : std::nullopt;
     }
     return std::nullopt;
   }
@@ -103,7 +138,7 @@ class Search {
     for (double share = 1; share > 0.05; share /= 2) {
       const State next = corrected(state_, share * step);
       Mapped trial = mapped(next);
-      if (!trial.usable || trial.norm() >= (1 - 0.25 * share) * now.norm()) continue;
+      if (!trial.usable || trial.size >= (1 - 0.25 * share) * now.size) continue;
       state_ = next;
       now = std::move(trial);
       return true;
@@ -111,21 +146,16 @@ class Search {
     return false;
   }
 
-  double floor(const State& state) const {
-    return 4 * epsilon * (velocity_ + 1 + state.x.lpNorm<Eigen::Infinity>());
-  }
+  static double ratio(const Mapped& now) { return now.trace.impulse() / period; }
 
   // The error left: what one more Newton step would change, and the rounding of one period as the
   // steady state amplifies it.
   SteadyCycle finished(const Mapped& now, const Eigen::FullPivLU<Matrix>& solver,
                        const Vector& step) const {
-    SteadyCycle cycle{now.trace, now.trace.impulse / period, 4 * epsilon, true};
-    if (step.size() == 0) return cycle;
-    const Vector gradient = now.trace.impulse_changes.transpose();
+    const Vector gradient = now.trace.integral_changes.row(0).transpose();
     const Vector gain = solver.transpose().solve(gradient);
-    cycle.error +=
-        (std::abs(gradient.dot(step)) + gain.lpNorm<1>() * floor(state_)) / period;
-    return cycle;
+    const double left = std::abs(gradient.dot(step)) + gain.cwiseAbs().dot(rounding(state_));
+    return {now.trace, ratio(now), 4 * epsilon + left / period, true};
   }
 
   // Where no closed cycle is found: the mean over a long window, uncertain by what it still drifts.
@@ -135,7 +165,7 @@ class Search {
     for (int i = 0; i < 2 * cycles; ++i) {
       cycle.period = plain(state_, period);
       state_ = cycle.period.end;
-      halves[i / cycles] += cycle.period.impulse / period / cycles;
+      halves[i / cycles] += cycle.period.impulse() / period / cycles;
     }
     cycle.ratio = 0.5 * (halves[0] + halves[1]);
     cycle.error = std::abs(halves[1] - halves[0]) + 1.0 / cycles;

@@ -6,9 +6,22 @@ namespace vcrit::simulation {
 
 namespace {
 
-// How the contact's part of x goes over, less what depends on time alone.
-const Matrix& contact_map(const Model& model, const State& before) {
-  return before.motion == Motion::stick ? model.contact.to_units : model.contact.to_branches;
+// How x goes over, less what depends on time alone: slip has the levels and units, stick also the
+// branches between them.
+Matrix carried_over(const Model& model, const Matrix& before, Motion to) {
+  const Index levels = model.level_states(), units = model.units();
+  Matrix after(states(model, to), before.cols());
+  after.topRows(levels) = before.topRows(levels);
+  after.bottomRows(units) = before.bottomRows(units);
+  if (to == Motion::stick)
+    after.middleRows(levels, model.branches()) =
+        model.contact.to_branches * before.bottomRows(units);
+  return after;
+}
+
+// The part of a stick's branches that depends on the time of its beginning, by F'.
+Vector branches_by_force(const Model& model) {
+  return model.contact.branch_stiffness * model.contact.glassy;
 }
 
 int slip_side(const State& before, const State& after) {
@@ -20,7 +33,7 @@ double acceleration(const Model& model, const State& slip, const Vector& rate) {
   const double body = model.body ? rate(1) : 0;
   return body - model.contact.fluidity * rate(0) -
          direction(slip.motion) * model.contact.glassy * model.bound_curvature(slip.time) -
-         rate.tail(contact_states(model, slip)).sum();
+         rate.tail(model.units()).sum();
 }
 
 // Changes of the event's time: it is where w = 0 in slip, where side F = b in stick.
@@ -30,7 +43,7 @@ Eigen::RowVectorXd time_changes(const Model& model, const State& before, const S
     const int side = slip_side(before, after);
     return -side * dx.row(0) / (side * rate(0) - model.bound_rate(before.time));
   }
-  Eigen::RowVectorXd velocity = -dx.bottomRows(contact_states(model, before)).colwise().sum();
+  Eigen::RowVectorXd velocity = -dx.bottomRows(model.units()).colwise().sum();
   if (model.body) velocity += dx.row(1);
   return -velocity / acceleration(model, before, rate);
 }
@@ -38,34 +51,35 @@ Eigen::RowVectorXd time_changes(const Model& model, const State& before, const S
 }  // namespace
 
 Vector rate_of(const Model& model, const State& state) {
-  const Vector y = model.rates(state.x);
-  const Index body = model.body_states(), contact = contact_states(model, state);
-  const double body_acceleration = model.body ? y(0) : 0;
   const bool stuck = state.motion == Motion::stick;
+  const Vector y = model.rates(state.x, stuck);
+  const Index levels = model.level_states(), branches = model.branches(), units = model.units();
   const ContactModes& modes = model.contact;
-  const Vector decay = Vector::Map((stuck ? modes.branch_rates : modes.unit_rates).data(), contact);
+  const double body_acceleration = model.body ? y(0) : 0;
   Vector rate(state.x.size());
-  rate(0) = stuck ? y.tail(contact).sum() + modes.damper * body_acceleration
+  rate(0) = stuck ? y.tail(branches).sum() + modes.damper * body_acceleration
                   : direction(state.motion) * model.bound_rate(state.time);
-  rate.segment(1, body) = y.head(body);
-  rate.tail(contact) = (stuck ? Vector(modes.branch_stiffness * body_acceleration)
-                              : Vector(modes.unit_fluidity * rate(0))) -
-                       decay.cwiseProduct(state.x.tail(contact));
+  rate.segment(1, levels - 1) = y.head(levels - 1);
+  const auto decay = [&](const std::vector<double>& rates, Index first) {
+    const auto n = static_cast<Index>(rates.size());
+    return Vector(Vector::Map(rates.data(), n).cwiseProduct(state.x.segment(first, n)));
+  };
+  if (stuck)
+    rate.segment(levels, branches) =
+        modes.branch_stiffness * body_acceleration - decay(modes.branch_rates, levels);
+  rate.tail(units) =
+      modes.unit_fluidity * rate(0) - decay(modes.unit_rates, state.x.size() - units);
   return rate;
 }
 
 State switched(const Model& model, const State& before, Motion to) {
   ensure((before.motion == Motion::stick) != (to == Motion::stick), "stick and slip take turns");
-  State after{to, before.time, Vector(states(model, to)), 0};
+  State after{to, before.time, carried_over(model, before.x, to), 0};
   after.entered = slip_side(before, after);
-  const Index levels = model.level_states();
-  after.x.head(levels) = before.x.head(levels);
   after.x(0) = after.entered * model.bound(before.time);
-  Vector contact = contact_map(model, before) * before.x.tail(contact_states(model, before));
   if (to == Motion::stick)
-    contact += model.contact.branch_stiffness *
-               (model.contact.glassy * after.entered * model.bound_rate(before.time));
-  after.x.tail(contact.size()) = contact;
+    after.x.segment(model.level_states(), model.branches()) +=
+        branches_by_force(model) * (after.entered * model.bound_rate(before.time));
   return after;
 }
 
@@ -73,16 +87,10 @@ Matrix switched_changes(const Model& model, const State& before, const State& af
                         const Matrix& dx) {
   const Vector rate_before = rate_of(model, before), rate_after = rate_of(model, after);
   const Eigen::RowVectorXd dt = time_changes(model, before, after, rate_before, dx);
-  const Matrix moved = dx + rate_before * dt;
-  const Index levels = model.level_states();
-  Matrix result(after.x.size(), dx.cols());
-  result.topRows(levels) = moved.topRows(levels);
-  result.bottomRows(after.x.size() - levels) =
-      contact_map(model, before) * moved.bottomRows(before.x.size() - levels);
+  Matrix result = carried_over(model, dx + rate_before * dt, after.motion);
   if (after.motion == Motion::stick)
-    result.bottomRows(after.x.size() - levels) +=
-        model.contact.branch_stiffness *
-        (model.contact.glassy * after.entered * model.bound_curvature(after.time)) * dt;
+    result.middleRows(model.level_states(), model.branches()) +=
+        branches_by_force(model) * (after.entered * model.bound_curvature(after.time)) * dt;
   result.row(0) = after.entered * model.bound_rate(after.time) * dt;
   return result - rate_after * dt;
 }

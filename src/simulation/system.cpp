@@ -10,15 +10,15 @@ namespace {
 
 void require_admissible(const System& system, double amplitude, double indentation) {
   if (!(amplitude < indentation))
-    throw ModelError(fmt::format(
-        "the amplitude du_z = {} m is not below the indentation u_z0 = {} m (3)", amplitude,
-        indentation));
+    throw ModelError(
+        fmt::format("the amplitude du_z = {} m is not below the indentation u_z0 = {} m (3)",
+                    amplitude, indentation));
   if (!(system.mean_normal_force > 0))
     throw ModelError("the normal network carries no static load: K_n(0) = 0");
   if (!(std::abs(system.normal_force_amplitude) < system.mean_normal_force))
-    throw ModelError(fmt::format(
-        "the contact opens: F_n oscillates by {:.6g} N about a mean of {:.6g} N (4)",
-        std::abs(system.normal_force_amplitude), system.mean_normal_force));
+    throw ModelError(
+        fmt::format("the contact opens: F_n oscillates by {:.6g} N about a mean of {:.6g} N (4)",
+                    std::abs(system.normal_force_amplitude), system.mean_normal_force));
   if (!(system.friction > 0)) throw ModelError("with mu0 = 0 there is no friction to compare with");
 }
 

@@ -20,7 +20,8 @@ constexpr double touch = 1e-9;
 
 Trace trace(const Model& model, double velocity, const State& start, double duration,
             const Matrix& changes) {
-  Trace result{{}, start, 0, changes, Eigen::RowVectorXd::Zero(changes.cols())};
+  const Index levels = model.level_states();
+  Trace result{{}, start, Vector::Zero(levels), changes, Matrix::Zero(levels, changes.cols())};
   const double end = start.time + duration;
   bool stood = false;
   while (result.end.time < end) {
@@ -36,9 +37,9 @@ Trace trace(const Model& model, double velocity, const State& start, double dura
     if (event) length = event->duration;
     stood = length == 0;
     result.parts.push_back({piece, length});
-    result.impulse += piece.impulse(length);
+    result.integrals += piece.integrals(length);
     if (changes.cols() > 0)
-      result.changes = piece.carried(result.changes, length, result.impulse_changes);
+      result.changes = piece.carried(result.changes, length, result.integral_changes);
     const State before = piece.after(length);
     result.end = event ? switched(model, before, event->to) : before;
     if (!event && length == end - piece.start().time) result.end.time = end;

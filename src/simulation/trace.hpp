@@ -14,12 +14,14 @@ struct Trace {
   };
   std::vector<Part> parts;
   State end;
-  double impulse = 0;  ///< time integral of F
+  Vector integrals;  ///< time integrals of the levels F, u, g_j
 
-  /// Derivatives of `end` (at fixed time) and of the impulse, by the columns of the start's
+  /// Derivatives of `end` (at fixed time) and of the integrals, by the columns of the start's
   /// changes.
   Matrix changes;
-  Eigen::RowVectorXd impulse_changes;
+  Matrix integral_changes;
+
+  double impulse() const { return integrals(0); }
 };
 
 /// The motion from `start` over `duration`. `changes`: of the start, at fixed time, or no columns.
