@@ -74,8 +74,8 @@ struct EventFunction::Cubic {
   }
 };
 
-EventFunction::EventFunction(int order, double value, double slope)
-    : order_(order), value_(value), slope_(slope) {
+EventFunction::EventFunction(int order, double value, double size)
+    : order_(order), value_(value), size_(size) {
   ensure(order == 1 || order == 2, "event functions are integrals of order 1 or 2");
 }
 
@@ -97,7 +97,7 @@ void EventFunction::add_sinusoid(std::complex<double> amplitude) {
 }
 
 EventFunction::Point EventFunction::at(double t) const {
-  Point p{t, value_ + slope_ * t, slope_, 0, std::abs(value_) + std::abs(slope_ * t)};
+  Point p{t, value_, 0, 0, size_};
   const auto add = [&](double value, double slope, double curvature) {
     p.value += value;
     p.slope += slope;

@@ -1,8 +1,7 @@
 // A function of time whose first zero is an event: start values and the `order`-fold integral from
 // t = 0 of a sum of decaying modes and one sinusoid,
-//   f(t) = f_0 (+ f_1 t) + I^order [ sum_i A_i e^{-r_i t} + pair + Re(H e^{it}) ].
-// With the value (and slope) at the start put in as exact numbers, a stick that begins with f = 0
-// or f = f' = 0 is resolved however short it is.
+//   f(t) = f_0 + I^order [ sum_i A_i e^{-r_i t} + pair + Re(H e^{it}) ],   order 1 or 2.
+// With f = 0 or f = f' = 0 at the start as exact numbers, a stick is resolved however short it is.
 #pragma once
 
 #include <array>
@@ -16,8 +15,9 @@ namespace vcrit::simulation {
 
 class EventFunction {
  public:
-  /// order 1: f = value + ..., order 2: f = value + slope t + ...
-  EventFunction(int order, double value, double slope = 0);
+  /// order 1: f = value + ..., order 2: f = value + 0 t + ...; `size` of what was added to make the
+  /// value tells its rounding error.
+  EventFunction(int order, double value, double size);
 
   /// Adds factor * row * (modes z), differentiated in time `derivative` times (0 or 1).
   void add_modes(const Spectrum& spectrum, const Vector& row, const Vector& z, double factor,
@@ -53,7 +53,7 @@ class EventFunction {
   bool bound_pairs(Cubic& bound, double t, double h) const;
 
   int order_;
-  double value_, slope_;
+  double value_, size_;
   std::vector<Decay> decays_;
   std::vector<Pair> pairs_;
 };

@@ -106,7 +106,8 @@ std::optional<Piece::Event> Piece::slip_end(double horizon) const {
   const int side = direction(start_.motion);
   const double velocity = simulation::contact_velocity(*model_, velocity_, start_);
   const bool leaving = start_.entered != 0 && (model_->contact.damper > 0 || side * velocity <= 0);
-  EventFunction f(1, leaving ? 0 : -side * velocity);
+  const double size = velocity_ + start_.x.cwiseAbs().sum() + model_->contact.glassy;
+  EventFunction f(1, leaving ? 0 : -side * velocity, leaving ? 0 : size);
   f.add_modes(phase().modes.spectrum, phase().event, modes_, -side);
   f.add_sinusoid(-(1i * model_->sliding_velocity) * std::exp(1i * start_.time));
   const auto zero = first_zero(f, horizon, leaving);
@@ -121,7 +122,7 @@ std::optional<double> Piece::stick_end(int side, double horizon) const {
   const std::complex<double> bound = model_->amplitude * std::exp(1i * start_.time);
   const int order = entered && model_->contact.damper == 0 ? 2 : 1;
   const double gap = side * start_.x(0) - model_->bound(start_.time);
-  EventFunction f(order, entered ? 0 : std::min(gap, 0.0));
+  EventFunction f(order, entered ? 0 : std::min(gap, 0.0), entered ? 0 : std::abs(start_.x(0)));
   f.add_modes(phase().modes.spectrum, phase().event, modes_, side, order - 1);
   f.add_sinusoid(order == 2 ? bound : -1i * bound);
   const auto zero = first_zero(f, horizon, entered);

@@ -6,7 +6,7 @@ namespace vcrit::simulation {
 
 using namespace std::complex_literals;
 
-State sliding_start(const Model& model) {
+State sliding_start(const Model& model, double velocity) {
   State state{Motion::slip, -std::arg(model.sliding_velocity), Vector::Zero(model.slip_states()),
               0};
   const std::complex<double> turn = std::exp(1i * state.time);
@@ -14,7 +14,8 @@ State sliding_start(const Model& model) {
   state.x(0) = model.bound(state.time);
   state.x.tail(contact) = (model.sliding_rates.tail(contact) * turn).real();
   state.x.segment(1, body) = (model.sliding_rates.head(body) * (turn / 1i)).real();
-  if (!model.body) return state;
+  if (!model.body)
+    return contact_velocity(model, velocity, state) > 0 ? state : rest_start(model, velocity);
   state.x(1) -= model.body->fluidity;
   for (Index j = 0; j + 1 < body; ++j) {
     const auto branch = static_cast<std::size_t>(j);
@@ -22,6 +23,9 @@ State sliding_start(const Model& model) {
     state.x(2 + j) -=
         rate == 0 ? 1 : model.body->drive.weights[branch] * model.body->fluidity / rate;
   }
+  // Under a drive that creeps faster than it moves, the body starts ahead of it.
+  const double slip = contact_velocity(model, velocity, state);
+  if (slip <= 0) state.x(1) += std::abs(model.sliding_velocity) - slip;
   return state;
 }
 

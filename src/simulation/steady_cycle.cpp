@@ -122,7 +122,7 @@ class Search {
   std::optional<SteadyCycle> newton() {
     Mapped now = mapped(state_);
     for (int i = 0; i < 40 && now.usable; ++i) {
-      if (now.residual.size() == 0) return SteadyCycle{now.trace, ratio(now), 4 * epsilon, true};
+      if (now.residual.size() == 0) return SteadyCycle{now.trace, ratio(now), summing(now), true};
       const Eigen::FullPivLU<Matrix> solver(now.derivative);
       const Vector step = solver.solve(now.residual);
       if (!step.allFinite()) return std::nullopt;
@@ -148,6 +148,11 @@ class Search {
 
   static double ratio(const Mapped& now) { return now.trace.impulse() / period; }
 
+  // Rounding of the mean itself, a few errors for each part that it is made of.
+  static double summing(const Mapped& now) {
+    return 4 * epsilon * static_cast<double>(now.trace.parts.size());
+  }
+
   // The error left: what one more Newton step would change, and the rounding of one period as the
   // steady state amplifies it.
   SteadyCycle finished(const Mapped& now, const Eigen::FullPivLU<Matrix>& solver,
@@ -155,7 +160,7 @@ class Search {
     const Vector gradient = now.trace.integral_changes.row(0).transpose();
     const Vector gain = solver.transpose().solve(gradient);
     const double left = std::abs(gradient.dot(step)) + gain.cwiseAbs().dot(rounding(state_));
-    return {now.trace, ratio(now), 4 * epsilon + left / period, true};
+    return {now.trace, ratio(now), summing(now) + left / period, true};
   }
 
   // Where no closed cycle is found: the mean over a long window, uncertain by what it still drifts.

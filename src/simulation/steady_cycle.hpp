@@ -18,9 +18,9 @@ struct SteadyCycle {
 /// velocity: drive velocity without dimension, below the sliding threshold and above stick.
 SteadyCycle steady_cycle(const Model& model, double velocity, State start);
 
-/// Steady forward sliding at its fastest moment (whether the contact ever slows to 0 or not), and a
-/// body at rest on an undeformed contact.
-State sliding_start(const Model& model);
+/// Forward sliding as near to steady sliding as the drive allows, at its fastest moment (whether
+/// the contact ever slows to 0 or not), and a body at rest on an undeformed contact.
+State sliding_start(const Model& model, double velocity);
 State rest_start(const Model& model, double velocity);
 
 }  // namespace vcrit::simulation

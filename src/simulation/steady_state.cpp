@@ -56,9 +56,9 @@ class Answer {
     if (velocity_ >= threshold + model_.creep) return sliding();
     // A path that creeps carries F = eta v in stick; the bound may never be reached.
     if (model_.creep * (1 - model_.amplitude) >= velocity_) return stick();
-    return cycle(steady_cycle(
-        model_, velocity_,
-        start == Start::sliding ? sliding_start(model_) : rest_start(model_, velocity_)));
+    return cycle(steady_cycle(model_, velocity_,
+                              start == Start::sliding ? sliding_start(model_, velocity_)
+                                                      : rest_start(model_, velocity_)));
   }
 
  private:
