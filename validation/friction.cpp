@@ -14,7 +14,7 @@ namespace {
 
 using simulation::Start;
 constexpr double pi = std::numbers::pi;
-constexpr int samples = 400;
+constexpr int samples = 240;
 
 // The simulator's promise for steady values, twice: the two starts may err in opposite directions.
 constexpr double curve_tolerance = 2e-9;
