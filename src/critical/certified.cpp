@@ -21,7 +21,11 @@ class Ball {
   explicit Ball(double value) : Ball() { acb_set_d(z_, value); }
   Ball(const Ball& other) : Ball() { acb_set(z_, other.z_); }
   Ball(Ball&& other) noexcept : Ball() { acb_swap(z_, other.z_); }
-  Ball& operator=(Ball other) noexcept {
+  Ball& operator=(const Ball& other) {
+    acb_set(z_, other.z_);
+    return *this;
+  }
+  Ball& operator=(Ball&& other) noexcept {
     acb_swap(z_, other.z_);
     return *this;
   }
@@ -30,7 +34,7 @@ class Ball {
   acb_srcptr get() const { return z_; }
 
  private:
-  acb_t z_;
+  acb_t z_{};
 };
 
 /// Ball arithmetic of one precision.
@@ -78,7 +82,7 @@ struct Balls : Arithmetic {
   Ball of(const Symbol& symbol) const { return Ball(values.at(symbol)); }
 
   Ball element(const Element& e) const {
-    const Ball coefficient = of(e.coefficient);
+    Ball coefficient = of(e.coefficient);
     if (e.kind == ElementKind::spring) return coefficient;
     if (e.kind == ElementKind::damper) return times_i(multiply(coefficient, omega));
     const Ball x = times_i(multiply(omega, of(e.time)));
@@ -97,7 +101,7 @@ struct Quotient {
 };
 
 Ball ratio_ball(const Isotropic& isotropic, const Arithmetic& balls) {
-  const Ball value(*isotropic.quantity.value);
+  Ball value(*isotropic.quantity.value);
   if (isotropic.by == Isotropic::By::ratio) return value;
   const Ball above = balls.multiply(Ball(2), balls.subtract(Ball(1), value));
   return balls.divide(above, balls.subtract(Ball(2), value));

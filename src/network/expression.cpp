@@ -17,8 +17,8 @@ constexpr int most_branches = 100000;
 
 class Parser {
  public:
-  Parser(std::string_view text, const Place& place, const Surroundings& around)
-      : text_(text), place_(place), around_(around) {}
+  Parser(std::string_view text, Place place, const Surroundings& around)
+      : text_(text), place_(std::move(place)), around_(around) {}
 
   Network whole() {
     Network network = parallel_chain();

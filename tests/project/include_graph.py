@@ -2,7 +2,8 @@
 
 The rooms stand in one order and a file may include only files of its own room or of an earlier one;
 three rules beyond the order are written down below. Quoted includes are the project's own files,
-looked up beside the including file and then from the roots, as the compiler does.
+looked up beside the including file and then from the roots, as the compiler does; a file that the
+build writes stands as its template NAME.in.
 """
 
 import re
@@ -76,11 +77,12 @@ class IncludeGraph:
 
     def _arrow(self, file, name, included):
         for folder in [file.parent] + [self.root / folder for folder in ROOTS]:
-            if (folder / included).is_file():
-                target = (folder / included).resolve().relative_to(self.root.resolve()).as_posix()
-                self.edges[name].append(target)
-                self._check(name, target)
-                return
+            for candidate in (folder / included, folder / f"{included}.in"):
+                if candidate.is_file():
+                    target = candidate.resolve().relative_to(self.root.resolve()).as_posix()
+                    self.edges[name].append(target)
+                    self._check(name, target)
+                    return
         self.problems.append(f"{name} includes {included}, which is not there")
 
     def _check(self, name, target):

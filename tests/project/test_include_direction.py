@@ -54,6 +54,13 @@ class APlantedTree(unittest.TestCase):
     def test_is_right_as_it_stands(self):
         self.assertEqual(self.problems(), [])
 
+    def test_may_include_what_the_build_writes(self):
+        files = {
+            "validation/report/assets.cpp": '#include "assets.inc"\n',
+            "validation/report/assets.inc.in": "int assets;\n",
+        }
+        self.assertEqual(self.problems(files=files), [])
+
     def test_base_may_not_know_the_scene(self):
         self.assert_found("src/base/wrong.cpp", '#include "scene/scene.hpp"\n', "comes after")
 

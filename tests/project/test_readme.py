@@ -1,62 +1,67 @@
 """What the README shows is what the program prints, to the byte.
 
-A fenced block after the line  <!-- run: vcrit ARGUMENTS -->  is that command's standard output, run in
-the project's folder; one after  <!-- file: PATH -->  is that file.
+In its console blocks, lines after "$ " are commands, run in the project's folder, and the lines up to
+the next one are what each prints on standard output.
 
     test_readme.py PROJECT PROGRAM            compares
     test_readme.py PROJECT PROGRAM --update   writes what is printed now into the README
 """
 
+import os
 import re
-import shlex
 import subprocess
 import sys
 import unittest
 from pathlib import Path
 
-PROJECT, PROGRAM = Path(sys.argv.pop(1)), sys.argv.pop(1)
+PROJECT, PROGRAM = Path(sys.argv.pop(1)), Path(sys.argv.pop(1))
 PAGE = PROJECT / "README.md"
-BLOCK = re.compile(r"^(<!-- (run|file): (.+?) -->\n+```\w*\n)(.*?)^```$", re.MULTILINE | re.DOTALL)
-MARKER = re.compile(r"^<!-- (?:run|file): ", re.MULTILINE)
+BLOCK = re.compile(r"(?<=^```console\n)(.*?)(?=^```$)", re.MULTILINE | re.DOTALL)
+COMMAND = re.compile(r"^\$ (.*)\n", re.MULTILINE)
 
 
-def blocks(page):
-    return [block[1:] for block in BLOCK.findall(page)]
+def commands(block):
+    """The commands of a block, in order."""
+    return COMMAND.findall(block)
 
 
-def actual(kind, what):
-    if kind == "file":
-        return (PROJECT / what).read_text()
-    command = shlex.split(what)
-    assert command[0] == "vcrit", what
-    run = subprocess.run([PROGRAM] + command[1:], cwd=PROJECT, capture_output=True, text=True, timeout=60)
-    assert run.returncode == 0, f"{what} ended with {run.returncode}: {run.stderr}"
+def printed(command):
+    path = f"{PROGRAM.resolve().parent}:{os.environ.get('PATH', '')}"
+    run = subprocess.run(
+        ["bash", "-o", "pipefail", "-c", command],
+        cwd=PROJECT, env=os.environ | {"PATH": path}, capture_output=True, text=True, timeout=60,
+    )
+    if run.returncode != 0:
+        raise RuntimeError(f"{command} ended with {run.returncode}: {run.stderr}")
     return run.stdout
 
 
-def update():
-    def renewed(block):
-        return block[1] + actual(block[2], block[3]) + "```"
+def session(block):
+    """The block as it would be written today."""
+    return "".join(f"$ {command}\n{printed(command)}" for command in commands(block))
 
-    PAGE.write_text(BLOCK.sub(renewed, PAGE.read_text()))
+
+def update():
+    PAGE.write_text(BLOCK.sub(lambda block: session(block[0]), PAGE.read_text()))
 
 
 class Readme(unittest.TestCase):
     maxDiff = None
-    page = PAGE.read_text()
+    blocks = BLOCK.findall(PAGE.read_text())
 
     def test_shows_what_is_really_printed(self):
-        for kind, what, shown in blocks(self.page):
-            with self.subTest(what=what):
-                self.assertEqual(shown, actual(kind, what))
-
-    def test_every_marker_has_its_block(self):
-        self.assertEqual(len(blocks(self.page)), len(MARKER.findall(self.page)))
+        for block in self.blocks:
+            with self.subTest(commands=commands(block)):
+                self.assertEqual(block, session(block))
 
     def test_shows_a_scene_its_value_and_its_formula(self):
-        shown = [f"{kind} {what.split(' scenes/')[0]}" for kind, what, _ in blocks(self.page)]
-        for needed in ["run vcrit eval", "run vcrit derive"]:
-            self.assertIn(needed, shown)
+        shown = [command for block in self.blocks for command in commands(block)]
+        for needed in ["cat scenes/", "vcrit eval scenes/", "vcrit derive scenes/"]:
+            self.assertTrue(any(command.startswith(needed) for command in shown), needed)
+
+    def test_every_line_belongs_to_a_command(self):
+        for block in self.blocks:
+            self.assertTrue(block.startswith("$ "), block)
 
 
 if __name__ == "__main__":

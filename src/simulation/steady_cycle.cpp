@@ -1,0 +1,192 @@
+#include "simulation/steady_cycle.hpp"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "base/errors.hpp"
+
+namespace vcrit::simulation {
+
+namespace {
+
+constexpr double period = 2 * std::numbers::pi;
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+class Search {
+ public:
+  Search(const Model& model, double velocity, State start)
+      : model_(model), velocity_(velocity), state_(std::move(start)) {}
+
+  SteadyCycle run() {
+    load();
+    int cycles = 3;
+    for (int attempt = 0; attempt < most_attempts; ++attempt) {
+      for (int i = 0; i < cycles; ++i) last_ = plain(state_, period), state_ = last_.end;
+      if (stroboscope()) {
+        if (auto cycle = newton()) return *cycle;
+      }
+      if (cycles < 1000) cycles *= 2;
+    }
+    return window(1000);
+  }
+
+ private:
+  static constexpr int most_attempts = 12;
+
+  Trace plain(const State& state, double duration) const {
+    return trace(model_, velocity_, state, duration, Matrix(state.x.size(), 0));
+  }
+
+  // From rest, the drive may pull for many periods before anything slips.
+  void load() { state_ = next_event_state(model_, velocity_, state_, 1e12); }
+
+  // Puts the state into the middle of the last period's longest forward slip.
+  bool stroboscope() {
+    double longest = 0, middle = 0;
+    for (const Trace::Part& part : last_.parts) {
+      if (part.piece.start().motion != Motion::slip || part.duration <= longest) continue;
+      longest = part.duration;
+      middle = part.piece.start().time + 0.5 * part.duration;
+    }
+    if (longest == 0) return false;
+    const double wait = middle + period - state_.time;
+    state_ = plain(state_, wait > period ? wait - period : wait).end;
+    state_.time -= period * std::floor(state_.time / period);
+    return state_.motion == Motion::slip;
+  }
+
+  // The period map from the stroboscope on: what is left to close the cycle, and minus its
+  // derivative.
+  struct Mapped {
+    Trace trace;
+    Vector residual;
+    Matrix derivative;
+    double size = 0;  ///< of the residual, in units of its rounding error
+    bool usable = false;
+  };
+
+  Mapped mapped(const State& state) const {
+    if (contact_velocity(model_, velocity_, state) <= 0) return {};
+    const Index n = state.x.size() - 1;
+    Matrix changes = Matrix::Zero(n + 1, n);
+    changes.bottomRows(n).setIdentity();
+    Mapped result{trace(model_, velocity_, state, period, changes), {}, {}, 0, false};
+    result.usable = result.trace.end.motion == Motion::slip;
+    if (!result.usable) return result;
+    result.residual = result.trace.end.x.tail(n) - state.x.tail(n);
+    result.derivative = Matrix::Identity(n, n) - result.trace.changes.bottomRows(n);
+    close_slow_branches(result);
+    if (n > 0) result.size = result.residual.cwiseQuotient(rounding(state)).cwiseAbs().maxCoeff();
+    return result;
+  }
+
+  // A branch of the drive that relaxes over many periods changes by k_j X - a_j G_j in one, X and
+  // G_j the integrals of u and g_j. The first part is nearly all of it and belongs to the whole
+  // drive; taken off in multiples of the slowest branch's change, the rest keeps its relative
+  // accuracy.
+  void close_slow_branches(Mapped& map) const {
+    for (Index j = 1; j + 1 < model_.body_states(); ++j) {
+      const auto branch = static_cast<std::size_t>(j);
+      const PoleSum& drive = model_.body->drive;
+      if (drive.rates[branch] >= 1) return;
+      const double slow = drive.rates[branch];
+      const double other = drive.weights[branch] / drive.weights[0] * drive.rates[0];
+      map.residual(1 + j) = other * map.trace.integrals(2) - slow * map.trace.integrals(2 + j);
+      map.derivative.row(1 + j) =
+          slow * map.trace.integral_changes.row(2 + j) - other * map.trace.integral_changes.row(2);
+    }
+  }
+
+  // A few rounding errors of each residual over one period.
+  Vector rounding(const State& state) const {
+    const Index n = state.x.size() - 1, body = model_.body_states();
+    Vector size = state.x.tail(n).cwiseAbs();
+    if (body > 0) size(0) += velocity_ + std::abs(model_.sliding_velocity);
+    for (Index j = 0; j + 1 < body; ++j) {
+      const double rate = model_.body->drive.rates[static_cast<std::size_t>(j)];
+      size(1 + j) = (1 + size(1 + j)) * (j > 0 ? std::min(1.0, period * rate) : 1.0);
+    }
+    for (Index j = 0; j < model_.units(); ++j)
+      size(body + j) += model_.contact.unit_fluidity(j) /
+                        (1 + model_.contact.unit_rates[static_cast<std::size_t>(j)]);
+    return 4 * epsilon * size;
+  }
+
+  State corrected(const State& state, const Vector& step) const {
+    State next = state;
+    next.x.tail(step.size()) += step;
+    return next;
+  }
+
+  std::optional<SteadyCycle> newton() {
+    Mapped now = mapped(state_);
+    for (int i = 0; i < 40 && now.usable; ++i) {
+      if (now.residual.size() == 0) return SteadyCycle{now.trace, ratio(now), summing(now), true};
+      const Eigen::FullPivLU<Matrix> solver(now.derivative);
+      const Vector step = solver.solve(now.residual);
+      if (!step.allFinite()) return std::nullopt;
+      if (now.size <= 1) return finished(now, solver, step);
+      if (!advance(now, step))
+        return now.size <= 1e3 ? std::optional(finished(now, solver, step)) : std::nullopt;
+    }
+    return std::nullopt;
+  }
+
+  // Takes the longest of the shortened steps that lowers the residual.
+  bool advance(Mapped& now, const Vector& step) {
+    for (double share = 1; share > 0.05; share /= 2) {
+      const State next = corrected(state_, share * step);
+      Mapped trial = mapped(next);
+      if (!trial.usable || trial.size >= (1 - 0.25 * share) * now.size) continue;
+      state_ = next;
+      now = std::move(trial);
+      return true;
+    }
+    return false;
+  }
+
+  static double ratio(const Mapped& now) { return now.trace.impulse() / period; }
+
+  // Rounding of the mean itself, a few errors for each part that it is made of.
+  static double summing(const Mapped& now) {
+    return 4 * epsilon * static_cast<double>(now.trace.parts.size());
+  }
+
+  // The error left: what one more Newton step would change, and the rounding of one period as the
+  // steady state amplifies it.
+  SteadyCycle finished(const Mapped& now, const Eigen::FullPivLU<Matrix>& solver,
+                       const Vector& step) const {
+    const Vector gradient = now.trace.integral_changes.row(0).transpose();
+    const Vector gain = solver.transpose().solve(gradient);
+    const double left = std::abs(gradient.dot(step)) + gain.cwiseAbs().dot(rounding(state_));
+    return {now.trace, ratio(now), summing(now) + left / period, true};
+  }
+
+  // Where no closed cycle is found: the mean over a long window, uncertain by what it still drifts.
+  SteadyCycle window(int cycles) {
+    SteadyCycle cycle;
+    double halves[2] = {0, 0};
+    for (int i = 0; i < 2 * cycles; ++i) {
+      cycle.period = plain(state_, period);
+      state_ = cycle.period.end;
+      halves[i / cycles] += cycle.period.impulse() / period / cycles;
+    }
+    cycle.ratio = 0.5 * (halves[0] + halves[1]);
+    cycle.error = std::abs(halves[1] - halves[0]) + 1.0 / cycles;
+    return cycle;
+  }
+
+  const Model& model_;
+  double velocity_;
+  State state_;
+  Trace last_;
+};
+
+}  // namespace
+
+SteadyCycle steady_cycle(const Model& model, double velocity, State start) {
+  return Search(model, velocity, std::move(start)).run();
+}
+
+}  // namespace vcrit::simulation
