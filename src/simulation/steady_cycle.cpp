@@ -47,17 +47,15 @@ class Search {
 
   // Puts the state into the middle of the last period's longest forward slip.
   bool stroboscope() {
-    double longest = 0, middle = 0;
-    for (const Trace::Part& part : last_.parts) {
-      if (part.piece.start().motion != Motion::slip || part.duration <= longest) continue;
-      longest = part.duration;
-      middle = part.piece.start().time + 0.5 * part.duration;
-    }
-    if (longest == 0) return false;
-    const double wait = middle + period - state_.time;
-    state_ = plain(state_, wait > period ? wait - period : wait).end;
+    const Trace::Part* longest = nullptr;
+    for (const Trace::Part& part : last_.parts)
+      if (part.piece.start().motion == Motion::slip &&
+          (!longest || part.duration > longest->duration))
+        longest = &part;
+    if (!longest) return false;
+    state_ = longest->piece.after(0.5 * longest->duration);
     state_.time -= period * std::floor(state_.time / period);
-    return state_.motion == Motion::slip;
+    return true;
   }
 
   // The period map from the stroboscope on: what is left to close the cycle, and minus its
@@ -77,10 +75,10 @@ class Search {
     const Index n = state.x.size() - 1;
     Matrix changes = Matrix::Zero(n + 1, n);
     changes.bottomRows(n).setIdentity();
-    Mapped result{
-        trace(model_, velocity_, state, period, changes), {}, {}, Matrix::Identity(n, n), 0, false};
+    Mapped result{trace(model_, velocity_, state, period, changes), {}, {}, {}, 0, false};
     result.usable = result.trace.end.motion == Motion::slip;
     if (!result.usable) return result;
+    result.identity = Matrix::Identity(n, n);
     result.residual = result.trace.end.x.tail(n) - state.x.tail(n);
     result.derivative = result.identity - result.trace.changes.bottomRows(n);
     close_slow_branches(result);
@@ -168,7 +166,6 @@ class Search {
   // The slip may have moved away from the stroboscope on the way.
   void centre(Mapped& now) {
     last_ = now.trace;
-    state_ = now.trace.end;
     if (stroboscope()) now = mapped(state_);
   }
 
