@@ -35,6 +35,9 @@ struct Derivation {
 /// stays nested, in terms of K_n, K_t, K_d and further inner quantities.
 Derivation derive(const Scene& scene);
 
+/// Symbols that go with T^rate as T grows without end: 1 to infinity, -1 to zero, absent: stay.
+using Rates = std::map<Symbol, int>;
+
 /// A limit or special case of v* that applies to the scene.
 struct Limit {
   std::string name;  ///< "kd -> infinity", say
@@ -42,11 +45,13 @@ struct Limit {
   std::string equation;  ///< number in the paper, "(31)", where it is one, else empty
   GiNaC::ex result;
   std::vector<Line> definitions;  ///< as in Derivation
+  Rates rates;                    ///< a way to approach it; empty where values alone do not
 };
 
 /// Drive to rigid, mass to 0, each damper to 0 and to infinity, all dampers to 0, then the drive to
 /// rigid, and the isotropic contact where both networks have one shape. Left out: limits that cut a
-/// network in two, and those in which the normal force grows without end.
+/// network in two, in which the normal force grows without end, or in which nothing is left that
+/// moves.
 std::vector<Limit> limits(const Scene& scene);
 
 /// A formula's value; `values` holds every parameter. Carries the digits of GiNaC::Digits.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "derivation/dialect.hpp"
 #include "derivation/model.hpp"
@@ -89,9 +90,35 @@ class Collector {
   void add(const Change& change, const std::string& name, const std::string& latex_name) {
     const std::optional<Formula> formula = model_.formula(change);
     if (!formula) return;
-    limits_.push_back(
-        {name, latex_name, formula->equation, formula->velocity, formula->definitions});
+    limits_.push_back({name, latex_name, formula->equation, formula->velocity, formula->definitions,
+                       rates(change)});
   }
+  // The drive grows fast enough to outrun its own dampers on their way to zero. Where it shares
+  // elements with the contact, values alone cannot make it rigid.
+  Rates rates(const Change& change) const {
+    if (change.ratio) return {};
+    Rates result = change.rates;
+    if (change.massless) result[scene_.mass->symbol] = -1;
+    if (!change.rigid) return result;
+    const std::set<Symbol> contact = contact_coefficients();
+    for (const Symbol& symbol : coefficients(*scene_.drive)) {
+      if (contact.contains(symbol)) return {};
+      result[symbol] += 4;
+    }
+    return result;
+  }
+  static std::set<Symbol> coefficients(const Network& network) {
+    std::set<Symbol> found;
+    for_each_element(network, [&](const Element& e) { found.insert(e.coefficient); });
+    return found;
+  }
+  std::set<Symbol> contact_coefficients() const {
+    std::set<Symbol> found = coefficients(scene_.normal);
+    if (const auto* tangential = std::get_if<Network>(&scene_.tangential))
+      found.merge(coefficients(*tangential));
+    return found;
+  }
+
   void add(const Change& change, const std::vector<ex>& what, bool infinite) {
     add(change, arrow(text_dialect(), what, infinite), arrow(latex_dialect(), what, infinite));
   }

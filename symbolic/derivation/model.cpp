@@ -129,7 +129,7 @@ std::optional<Formula> Model::formula(const Change& change) const {
     for (int i = 0; i < std::abs(exponent); ++i)
       leading.multiply(part.value, exponent > 0 ? 1 : -1);
   }
-  ensure(power == 0, "a limit of v* is finite and not zero");
+  if (power != 0) return std::nullopt;
   leading.cancel();
   return is_small(leading.value(), change) ? multiplied_out(leading, change)
                                            : nested_in(leading, change);

@@ -43,7 +43,8 @@ class Model {
   const Balance& balance() const { return balance_; }
   /// The amplitude B after isotropy and equal networks have been put in.
   GiNaC::ex amplitude(const Change& change) const;
-  /// Nothing where the limit cuts a network in two or makes the normal network rigid.
+  /// Nothing where the limit cuts a network in two, makes the normal network rigid, or leaves no
+  /// motion.
   std::optional<Formula> formula(const Change& change) const;
   /// "K_t = r K_n" and "K_d = K_n", as far as they hold in the scene.
   const std::vector<Line>& identities() const { return identities_; }

@@ -15,9 +15,6 @@
 
 namespace vcrit::symbolic {
 
-/// Elements that go with T^rate as T grows without end: 1 to infinity, -1 to zero, absent: stay.
-using Rates = std::map<Symbol, int>;
-
 /// value T^power is the leading term of K(s).
 template <class Value>
 struct Leading {

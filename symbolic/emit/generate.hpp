@@ -11,7 +11,15 @@ namespace vcrit::symbolic {
 /// The header NAME.hpp as text; `name` is a C++ namespace. Throws InputError if it cannot be one.
 std::string emit_header(const Scene& scene, const std::string& name);
 
-/// Writes DIR/NAME.hpp, DIR/CMakeLists.txt and DIR/test_NAME.cpp, each beside its place and renamed.
+/// The program test_NAME.cpp, which checks consequences of Eq. 24 on the generated functions, and
+/// their values where the scene has all numbers.
+std::string emit_test(const Scene& scene, const std::string& name);
+
+/// CMakeLists.txt, which builds and tests the library on its own.
+std::string emit_cmake(const std::string& name);
+
+/// Writes DIR/NAME.hpp, DIR/CMakeLists.txt and DIR/test_NAME.cpp, each beside its place and
+/// renamed.
 void generate(const Scene& scene, const std::filesystem::path& directory, const std::string& name);
 
 }  // namespace vcrit::symbolic

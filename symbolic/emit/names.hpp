@@ -1,0 +1,18 @@
+// Names in generated code.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "network/network.hpp"
+
+namespace vcrit::symbolic {
+
+/// Throws InputError unless `name` can be the namespace of a generated library and part of its
+/// files' names.
+void check_library_name(const std::string& name);
+
+/// Throws InputError if a member of Parameters cannot have the name of one of these symbols.
+void check_member_names(const std::vector<Symbol>& symbols, const std::string& file);
+
+}  // namespace vcrit::symbolic

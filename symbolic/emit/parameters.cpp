@@ -1,0 +1,62 @@
+#include "emit/parameters.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+namespace vcrit::symbolic {
+
+namespace {
+
+std::map<Symbol, std::string> element_comments(const Scene& scene) {
+  std::map<Symbol, std::string> comments;
+  const auto add = [&comments](const Element& element) {
+    const bool damper = element.kind == ElementKind::damper;
+    comments[element.coefficient] = damper ? "damper, N s/m" : "stiffness, N/m";
+    if (element.kind == ElementKind::maxwell) comments[element.time] = "relaxation time, s";
+  };
+  for_each_element(scene.normal, add);
+  if (const auto* tangential = std::get_if<Network>(&scene.tangential))
+    for_each_element(*tangential, add);
+  if (scene.drive) for_each_element(*scene.drive, add);
+  return comments;
+}
+
+}  // namespace
+
+ParameterList::ParameterList(const Scene& scene, const Derivation& derivation) {
+  const std::set<Symbol> always{{"mu0"}, {"omega"}, {"du_z"}};
+  for (const char* name : {"mu0", "omega", "du_z"})
+    add({name}, "coefficient of friction; angular frequency, rad/s; amplitude, m", scene);
+  std::map<Symbol, std::string> comments = element_comments(scene);
+  comments[{"m"}] = "mass, kg";
+  if (const auto* isotropic = std::get_if<Isotropic>(&scene.tangential)) {
+    const bool poisson = isotropic->by == Isotropic::By::poisson;
+    comments[isotropic->quantity.symbol] = poisson ? "Poisson's ratio" : "K_t/K_n of the contact";
+  }
+  for (const Symbol& symbol : derivation.parameters)
+    if (!always.contains(symbol)) add(symbol, comments.at(symbol), scene);
+}
+
+void ParameterList::add(const Symbol& symbol, const std::string& comment, const Scene& scene) {
+  known_.insert(symbol);
+  if (symbol.entry == 0) return members_.push_back({symbol.name, comment, 0});
+  const bool is_there = std::any_of(members_.begin(), members_.end(), [&](const Member& member) {
+    return member.name == symbol.name;
+  });
+  if (!is_there) members_.push_back({symbol.name, comment, scene.arrays.at(symbol.name)});
+}
+
+std::string ParameterList::reference(const Symbol& symbol) const {
+  if (!known_.contains(symbol)) return "1.0";
+  if (symbol.entry == 0) return "p." + symbol.name;
+  return fmt::format("p.{}[{}]", symbol.name, symbol.entry - 1);
+}
+
+bool ParameterList::has_arrays() const {
+  return std::any_of(members_.begin(), members_.end(),
+                     [](const Member& member) { return member.length > 0; });
+}
+
+}  // namespace vcrit::symbolic

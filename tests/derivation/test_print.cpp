@@ -1,0 +1,139 @@
+// How formulas are printed: order, signs, notation, dialects; and the same bytes in every run.
+#include <boost/test/unit_test.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include "derivation/form.hpp"
+#include "derivation/print.hpp"
+#include "derivation/scenes.hpp"
+#include "derivation/symbols.hpp"
+#include "support/program.hpp"
+
+using namespace vcrit;
+using namespace vcrit::symbolic;
+using GiNaC::ex;
+
+namespace {
+
+ex sym(const char* name) { return symbol({name}); }
+
+const ex k = sym("k0"), c = sym("c1"), w = sym("omega"), m = sym("m");
+
+/// Whether every tag of an XML text is closed in order.
+bool is_balanced(const std::string& xml) {
+  std::vector<std::string> open;
+  for (std::size_t at = xml.find('<'); at != std::string::npos; at = xml.find('<', at + 1)) {
+    const std::size_t end = xml.find('>', at);
+    if (end == std::string::npos) return false;
+    const std::string tag = xml.substr(at + 1, end - at - 1);
+    if (!tag.starts_with('/')) {
+      open.push_back(tag.substr(0, tag.find(' ')));
+      continue;
+    }
+    if (open.empty() || open.back() != tag.substr(1)) return false;
+    open.pop_back();
+  }
+  return open.empty();
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(sums_and_products_have_one_order) {
+  BOOST_TEST(to_text(w * w * m * -1 + k) == "k0 - m*omega^2");
+  BOOST_TEST(to_text(GiNaC::abs(m * w * w - k)) == "abs(k0 - m*omega^2)");
+  BOOST_TEST(to_text(1 / (m * w * w - k)) == "-1/(k0 - m*omega^2)");
+  BOOST_TEST(to_text(GiNaC::pow(m * w * w - k, -2)) == "1/(k0 - m*omega^2)^2");
+  BOOST_TEST(to_text(GiNaC::sqrt((k + c) / (k + m))) == "sqrt((c1 + k0)/(k0 + m))");
+  BOOST_TEST(to_text(sym("mu0") * w * sym("du_z") / k / (c + m)) == "mu0*omega*du_z/(k0*(c1 + m))");
+  BOOST_TEST(to_text(ex(GiNaC::numeric(14, 17)) * k) == "14/17*k0");
+  BOOST_TEST(to_text(-k / 3) == "-1/3*k0");
+  BOOST_TEST(to_text(GiNaC::I * w * c) == "i*c1*omega");
+  BOOST_TEST(to_text(1 / (1 / k + 1 / (c * laplace()))) == "1/(1/(c1*s) + 1/k0)");
+  BOOST_TEST(to_text(0) == "0");
+}
+
+BOOST_AUTO_TEST_CASE(names_are_ordered_as_people_count) {
+  BOOST_TEST(natural_less("k2", "k10"));
+  BOOST_TEST(natural_less("k[2]*c", "k[10]*c"));
+  BOOST_TEST(!natural_less("k10", "k2"));
+  BOOST_TEST(!natural_less("k2", "k2"));
+  BOOST_TEST(natural_less("k", "k1"));
+}
+
+BOOST_AUTO_TEST_CASE(notation_in_latex) {
+  const auto latex = [](const Symbol& s) { return to_latex(symbol(s)); };
+  BOOST_TEST(latex({"k0"}) == "k_{0}");
+  BOOST_TEST(latex({"k", 3}) == "k_{(3)}");
+  BOOST_TEST(latex({"tau", 12}) == "\\tau_{(12)}");
+  BOOST_TEST(latex({"mu0"}) == "\\mu_{0}");
+  BOOST_TEST(latex({"omega"}) == "\\omega");
+  BOOST_TEST(latex({"omega_d"}) == "\\omega_{d}");
+  BOOST_TEST(latex({"du_z"}) == "\\Delta u_{z}");
+  BOOST_TEST(latex({"u_z0"}) == "u_{z0}");
+  BOOST_TEST(latex({"nu"}) == "\\nu");
+  BOOST_TEST(latex({"kd"}) == "k_{d}");
+  BOOST_TEST(latex({"c_eta"}) == "c_{\\eta}");
+  BOOST_TEST(latex({"kspring"}) == "k_{\\mathrm{spring}}");
+  BOOST_TEST(latex({"ratio"}) == "\\mathrm{ratio}");
+}
+
+BOOST_AUTO_TEST_CASE(dialects) {
+  const ex formula = sym("mu0") * GiNaC::abs(k - m * w * w) / GiNaC::sqrt(k * k + c * c * w * w);
+  BOOST_TEST(to_text(formula) == "mu0*abs(k0 - m*omega^2)/sqrt(k0^2 + c1^2*omega^2)");
+  BOOST_TEST(to_latex(formula) ==
+             "\\frac{\\mu_{0} \\left|k_{0} - m \\omega^{2}\\right|}"
+             "{\\sqrt{k_{0}^{2} + c_{1}^{2} \\omega^{2}}}");
+  BOOST_TEST(to_mathml(w / k) ==
+             "<math xmlns=\"http://www.w3.org/1998/Math/MathML\" display=\"block\"><mrow><mfrac>"
+             "<mrow><mi>ω</mi></mrow><mrow><msub><mi>k</mi><mrow><mn>0</mn></mrow></msub></mrow>"
+             "</mfrac></mrow></math>");
+}
+
+BOOST_AUTO_TEST_CASE(mathml_is_well_formed) {
+  BOOST_TEST(!is_balanced("<a><b></a></b>"));
+  const Scene scene = test::kelvin_scene();
+  const Derivation derivation = derive(scene);
+  for (const Line& line : derivation.lines) BOOST_TEST(is_balanced(to_mathml(line)), line.words);
+  for (const Limit& limit : limits(scene)) BOOST_TEST(is_balanced(to_mathml(limit.result)));
+}
+
+BOOST_AUTO_TEST_CASE(text_shows_the_way_and_the_limits) {
+  const std::string text = print(test::kelvin_scene(), Format::text, true);
+  for (const char* line :
+       {"K_t*(x - y) = mu0*f_n", "x = A*exp(i*omega*t)", "mu0*du_z*K_n + A*(K_d - m*omega^2) = 0",
+        "K_t*(A - B)", "v* = omega*abs(B)", "(13)", "(19)", "(24)", "(29)", "(30)", "(31)"})
+    BOOST_TEST(text.find(line) != std::string::npos, line);
+  BOOST_TEST(print(test::kelvin_scene(), Format::text, false).find("(31)") == std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(json_has_the_promised_parts) {
+  const auto json = nlohmann::json::parse(print(test::kelvin_scene(), Format::json, true));
+  BOOST_TEST(json.at("title") == "test");
+  BOOST_TEST(json.at("parameters").size() == 9u);
+  BOOST_TEST(json.at("critical_velocity").at("text") ==
+             json.at("lines").back().at("text").get<std::string>().substr(5));
+  BOOST_TEST(json.at("limits").size() == 9u);
+  for (const auto& limit : json.at("limits"))
+    for (const char* key : {"name", "equation", "text", "latex"}) BOOST_TEST(limit.contains(key));
+}
+
+BOOST_AUTO_TEST_CASE(large_formulas_stay_nested_and_say_so) {
+  const Scene prony =
+      test::scene_of("normal = \"prony(k0, k, tau, 10)\"\npoisson = 0.3", "kd", "m");
+  const std::string text = print(prony, Format::text, true);
+  BOOST_TEST(text.find("left nested") != std::string::npos);
+  BOOST_TEST(text.find("k[10]*tau[10]*s/(1 + tau[10]*s)") != std::string::npos);
+  BOOST_TEST(text.size() < 6000u);
+}
+
+// GiNaC orders terms by addresses and hashes, which differ from run to run: ten processes.
+BOOST_AUTO_TEST_CASE(ten_runs_give_the_same_bytes) {
+  const test::PrivateFolder folder;
+  const test::Outcome first = test::run({VCRIT_PRINT_ALL}, folder.path());
+  BOOST_REQUIRE(first.status == 0);
+  BOOST_TEST(first.output.size() > 10000u);
+  for (int i = 1; i < 10; ++i) {
+    const test::Outcome other = test::run({VCRIT_PRINT_ALL}, folder.path());
+    BOOST_TEST((other.output == first.output), "run " << i);
+  }
+}
