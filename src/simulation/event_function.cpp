@@ -202,8 +202,7 @@ class March {
       }
       here = f_.at(std::min(end_, here.time + step));
     }
-    ensure(false, "the march to an event ends");
-    return std::nullopt;
+    throw ModelError("too many oscillations before the next change of stick and slip");
   }
 
  private:

@@ -1,5 +1,6 @@
 #include "simulation/steady_cycle.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -11,6 +12,7 @@ namespace vcrit::simulation {
 namespace {
 
 constexpr double period = 2 * std::numbers::pi;
+constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 class Search {
@@ -33,6 +35,8 @@ class Search {
 
  private:
   static constexpr int most_attempts = 12;
+  static constexpr int most_steps = 200;
+  static constexpr double good_miss = 0.3;
 
   Trace plain(const State& state, double duration) const {
     return trace(model_, velocity_, state, duration, Matrix(state.x.size(), 0));
@@ -62,6 +66,8 @@ class Search {
     Trace trace;
     Vector residual;
     Matrix derivative;
+    Matrix identity;  ///< in the rows of the derivative
+    const State& start() const { return trace.parts.front().piece.start(); }
     double size = 0;  ///< of the residual, in units of its rounding error
     bool usable = false;
   };
@@ -71,13 +77,14 @@ class Search {
     const Index n = state.x.size() - 1;
     Matrix changes = Matrix::Zero(n + 1, n);
     changes.bottomRows(n).setIdentity();
-    Mapped result{trace(model_, velocity_, state, period, changes), {}, {}, 0, false};
+    Mapped result{
+        trace(model_, velocity_, state, period, changes), {}, {}, Matrix::Identity(n, n), 0, false};
     result.usable = result.trace.end.motion == Motion::slip;
     if (!result.usable) return result;
     result.residual = result.trace.end.x.tail(n) - state.x.tail(n);
-    result.derivative = Matrix::Identity(n, n) - result.trace.changes.bottomRows(n);
+    result.derivative = result.identity - result.trace.changes.bottomRows(n);
     close_slow_branches(result);
-    if (n > 0) result.size = result.residual.cwiseQuotient(rounding(state)).cwiseAbs().maxCoeff();
+    result.size = size(result.residual, state);
     return result;
   }
 
@@ -91,11 +98,18 @@ class Search {
       const PoleSum& drive = model_.body->drive;
       if (drive.rates[branch] >= 1) return;
       const double slow = drive.rates[branch];
-      const double other = drive.weights[branch] / drive.weights[0] * drive.rates[0];
+      const double share = drive.weights[branch] / drive.weights[0], other = share * drive.rates[0];
+      map.identity(1 + j, 1) = -share;
       map.residual(1 + j) = other * map.trace.integrals(2) - slow * map.trace.integrals(2 + j);
       map.derivative.row(1 + j) =
           slow * map.trace.integral_changes.row(2 + j) - other * map.trace.integral_changes.row(2);
     }
+  }
+
+  // In units of rounding errors.
+  double size(const Vector& residual, const State& state) const {
+    if (residual.size() == 0) return 0;
+    return residual.cwiseQuotient(rounding(state)).cwiseAbs().maxCoeff();
   }
 
   // A few rounding errors of each residual over one period.
@@ -119,31 +133,43 @@ class Search {
     return next;
   }
 
+  // Newton's method, damped where the map bends: with a weight d on the identity a step goes as far
+  // as 1/d plain cycles along slow directions, and d times the step is what the residual should be
+  // after it. As no cycle moves two motions apart, such steps lead to the fixed point from
+  // anywhere.
   std::optional<SteadyCycle> newton() {
     Mapped now = mapped(state_);
-    for (int i = 0; i < 40 && now.usable; ++i) {
+    double damping = 0;
+    for (int i = 0; i < most_steps && now.usable && damping < 10; ++i) {
       if (now.residual.size() == 0) return SteadyCycle{now.trace, ratio(now), summing(now), true};
-      const Eigen::FullPivLU<Matrix> solver(now.derivative);
+      const Eigen::FullPivLU<Matrix> solver(now.derivative + damping * now.identity);
       const Vector step = solver.solve(now.residual);
       if (!step.allFinite()) return std::nullopt;
-      if (now.size <= 1) return finished(now, solver, step);
-      if (!advance(now, step))
-        return now.size <= 1e3 ? std::optional(finished(now, solver, step)) : std::nullopt;
+      if (damping == 0 && now.size <= 1) return finished(now, solver, step);
+      Mapped trial = mapped(corrected(state_, step));
+      const Vector expected = damping * now.identity * step;
+      const double miss =
+          trial.usable ? size(trial.residual - expected, state_) / now.size : infinity;
+      if (miss <= good_miss) {
+        state_ = trial.start();
+        now = std::move(trial);
+        damping = damping < 1e-4 ? 0 : damping * std::max(0.1, std::sqrt(miss / good_miss));
+      } else if (damping == 0 && now.size <= 1e3) {
+        return finished(now, solver, step);
+      } else {
+        if (!trial.usable) centre(now);
+        damping =
+            damping == 0 ? 1e-4 : damping * std::clamp(std::sqrt(miss / good_miss), 2.0, 10.0);
+      }
     }
     return std::nullopt;
   }
 
-  // Takes the longest of the shortened steps that lowers the residual.
-  bool advance(Mapped& now, const Vector& step) {
-    for (double share = 1; share > 0.05; share /= 2) {
-      const State next = corrected(state_, share * step);
-      Mapped trial = mapped(next);
-      if (!trial.usable || trial.size >= (1 - 0.25 * share) * now.size) continue;
-      state_ = next;
-      now = std::move(trial);
-      return true;
-    }
-    return false;
+  // The slip may have moved away from the stroboscope on the way.
+  void centre(Mapped& now) {
+    last_ = now.trace;
+    state_ = now.trace.end;
+    if (stroboscope()) now = mapped(state_);
   }
 
   static double ratio(const Mapped& now) { return now.trace.impulse() / period; }

@@ -1,0 +1,100 @@
+// Drawings hold every element once, connect, and stay within their frame.
+#include "report/network_drawing.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+
+#include "report/graph_layout.hpp"
+#include "report/system_drawing.hpp"
+#include "validation/example_report.hpp"
+
+using namespace vcrit;
+using namespace vcrit::validation::report;
+namespace example = vcrit::validation::example;
+
+namespace {
+
+std::size_t occurrences(const std::string& text, const std::string& part) {
+  std::size_t count = 0;
+  for (auto at = text.find(part); at != text.npos; at = text.find(part, at + 1)) ++count;
+  return count;
+}
+
+constexpr const char* spring_mark = "class=\"spring\"";
+constexpr const char* damper_mark = "class=\"damper\"";
+
+Network k(const char* name) { return spring({name}); }
+Network c(const char* name) { return damper({name}); }
+
+Graph bridge() {
+  return {{"a", "b", "1", "2"},
+          {k("k1"), c("c1"), k("k2"), c("c2"), k("k3")},
+          {{0, 2}, {0, 3}, {2, 3}, {2, 1}, {3, 1}}};
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(every_element_is_drawn_once) {
+  const Network network =
+      parallel({k("k0"), series({k("k1"), c("c1")}), maxwell({"k", 2}, {"tau", 2})});
+  const Drawing drawing = draw(network);
+  BOOST_TEST(occurrences(drawing.svg, spring_mark) == 3u);  // the Maxwell branch has one of each
+  BOOST_TEST(occurrences(drawing.svg, damper_mark) == 2u);
+  BOOST_TEST(occurrences(drawing.svg, "<text") == 4u);
+}
+
+BOOST_AUTO_TEST_CASE(series_is_longer_and_parallel_is_higher) {
+  const Drawing one = draw(k("k1"));
+  const Drawing line = draw(series({k("k1"), k("k2")}));
+  const Drawing stack = draw(parallel({k("k1"), k("k2")}));
+  BOOST_TEST(line.width > 2 * one.width);
+  BOOST_TEST(line.above == one.above);
+  BOOST_TEST(stack.above + stack.below > 2 * (one.above + one.below) - 1);
+  BOOST_TEST(stack.width > one.width);
+}
+
+BOOST_AUTO_TEST_CASE(a_bridge_shows_all_edges_and_nodes) {
+  const Drawing drawing = draw({bridge()});
+  BOOST_TEST(occurrences(drawing.svg, spring_mark) == 3u);
+  BOOST_TEST(occurrences(drawing.svg, damper_mark) == 2u);
+  BOOST_TEST(occurrences(drawing.svg, "class=\"node\"") == 4u);
+}
+
+BOOST_AUTO_TEST_CASE(nodes_of_a_bridge_have_room_for_their_edges) {
+  const double spacing = 100;
+  const GraphLayout layout = lay_out(bridge(), spacing);
+  BOOST_TEST(layout.nodes[0].x == 0);
+  BOOST_TEST(layout.nodes[1].x == layout.width);
+  for (const Wire& wire : bridge().wires) {
+    const Point from = layout.nodes[static_cast<std::size_t>(wire.from)];
+    const Point to = layout.nodes[static_cast<std::size_t>(wire.to)];
+    BOOST_TEST(std::hypot(from.x - to.x, from.y - to.y) >= spacing);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_direct_edge_does_not_run_through_an_inner_node) {
+  const Graph graph{{"a", "b", "1"}, {k("k1"), k("k2"), k("k3")}, {{0, 2}, {2, 1}, {0, 1}}};
+  BOOST_TEST(std::abs(lay_out(graph, 100).nodes[2].y) > 20);
+}
+
+BOOST_AUTO_TEST_CASE(names_keep_their_indices) {
+  BOOST_TEST(label({"k0"}).find(">k<") != std::string::npos);
+  BOOST_TEST(label({"k0"}).find(">0<") != std::string::npos);
+  BOOST_TEST(label({"tau", 10}).find("τ") != std::string::npos);
+  BOOST_TEST(label({"tau", 10}).find(">10<") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(only_what_the_scene_has_is_drawn) {
+  const std::string all = draw_sliding(parse_scene(example::driven_scene, "all.toml"));
+  BOOST_TEST(all.find("drive") != std::string::npos);
+  BOOST_TEST(all.find("body") != std::string::npos);
+  const std::string rigid = draw_sliding(parse_scene(example::rigid_scene, "rigid.toml"));
+  BOOST_TEST(rigid.find("drive") == std::string::npos);
+  BOOST_TEST(rigid.find("body") == std::string::npos);
+  BOOST_TEST(occurrences(rigid, spring_mark) == 1u);
+}
+
+BOOST_AUTO_TEST_CASE(an_isotropic_contact_shows_its_ratio) {
+  const std::string svg = draw_sliding(parse_scene(example::driven_scene, "all.toml"));
+  BOOST_TEST(svg.find("0.8 ×") != std::string::npos);
+}

@@ -1,0 +1,90 @@
+// From scene files to the two files of a report.
+#include "report/validate.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <nlohmann/json.hpp>
+
+#include "base/errors.hpp"
+#include "base/files.hpp"
+#include "compiler.hpp"
+#include "validation/example_report.hpp"
+
+using namespace vcrit;
+using namespace vcrit::validation;
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+namespace {
+
+const std::string scenes = VCRIT_SCENES;
+
+report::Validation run(const std::vector<std::string>& files, const fs::path& directory) {
+  return report::validate(files, directory, [](std::size_t, std::size_t, const std::string&) {});
+}
+
+json comparison(const json& scene, const std::string& key) {
+  for (const json& one : scene["comparisons"])
+    if (one["key"] == key) return one;
+  BOOST_FAIL("no comparison " + key);
+  return {};
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_rigid_scene_passes_everything) {
+  const PrivateFolder folder;
+  const auto validation = run({scenes + "/elastic.toml"}, folder.path() / "new" / "out");
+  BOOST_TEST(validation.passed);
+  BOOST_TEST(validation.failed.empty());
+  BOOST_TEST(validation.not_run.empty());
+  BOOST_TEST(validation.page == folder.path() / "new" / "out" / "index.html");
+  const json scene =
+      json::parse(read_file(folder.path() / "new" / "out" / "report.json"))["scenes"][0];
+  for (const char* key :
+       {"formula", "derived", "generated", "generated_batch", "generated_fast",
+        "generated_certified", "simulation", "starts", "pure_sliding", "closed_form"})
+    BOOST_TEST(comparison(scene, key)["outcome"] == "passed", key);
+  BOOST_TEST(scene["friction_curve"].size() >= 40u);
+  BOOST_TEST(scene["cycle"]["points"].size() >= 100u);
+}
+
+BOOST_AUTO_TEST_CASE(a_scene_outside_the_model_is_not_simulated) {
+  const PrivateFolder folder;
+  const auto validation = run({scenes + "/inadmissible.toml"}, folder.path());
+  BOOST_TEST(validation.passed);
+  const json scene = json::parse(read_file(folder.path() / "report.json"))["scenes"][0];
+  BOOST_TEST(scene["admissible"] == false);
+  BOOST_TEST(!scene["reasons"].empty());
+  BOOST_TEST(!scene.contains("friction_curve"));
+  BOOST_TEST(comparison(scene, "formula")["outcome"] == "passed");
+}
+
+BOOST_AUTO_TEST_CASE(creep_is_compared_where_the_path_creeps) {
+  const PrivateFolder folder;
+  BOOST_TEST(run({scenes + "/burgers.toml"}, folder.path()).passed);
+  const json scene = json::parse(read_file(folder.path() / "report.json"))["scenes"][0];
+  BOOST_TEST(comparison(scene, "creep")["outcome"] == "passed");
+}
+
+BOOST_AUTO_TEST_CASE(wrong_input_leaves_nothing_behind) {
+  const PrivateFolder folder;
+  const fs::path out = folder.path() / "out", scene = folder.path() / "scene.toml";
+  write_file(scene, example::rigid_scene + "kx = -1\n");
+  BOOST_CHECK_THROW(run({scenes + "/elastic.toml", scene.string()}, out), InputError);
+  BOOST_TEST(!fs::exists(out));
+}
+
+BOOST_AUTO_TEST_CASE(missing_values_are_told_before_anything_is_computed) {
+  const PrivateFolder folder;
+  const fs::path out = folder.path() / "out", scene = folder.path() / "scene.toml";
+  std::string text = example::rigid_scene;
+  text.erase(text.find("kt = 9"));
+  write_file(scene, text);
+  bool began = false;
+  BOOST_CHECK_THROW(
+      report::validate({scenes + "/elastic.toml", scene.string()}, out,
+                       [&](std::size_t, std::size_t, const std::string&) { began = true; }),
+      InputError);
+  BOOST_TEST(!began);
+  BOOST_TEST(!fs::exists(out));
+}

@@ -1,0 +1,102 @@
+#include "evaluators.hpp"
+
+#include <fmt/format.h>
+
+#include <sstream>
+#include <stdexcept>
+
+#include "base/files.hpp"
+#include "base/numbers.hpp"
+#include "compiler.hpp"
+#include "emit/generate.hpp"
+
+namespace vcrit::validation {
+
+namespace {
+
+/// GiNaC's working precision is one global number.
+class Precision {
+ public:
+  explicit Precision(long digits) : before_(GiNaC::Digits) { GiNaC::Digits = digits; }
+  ~Precision() { GiNaC::Digits = before_; }
+  Precision(const Precision&) = delete;
+  Precision& operator=(const Precision&) = delete;
+
+ private:
+  long before_;
+};
+
+constexpr long digits = 50;
+constexpr std::chrono::seconds run_limit{10};
+
+std::string member(const Symbol& symbol) {
+  return symbol.entry == 0 ? symbol.name : fmt::format("{}[{}]", symbol.name, symbol.entry - 1);
+}
+
+GeneratedVelocities parse(const std::string& output) {
+  std::istringstream words(output);
+  const auto next = [&] {
+    std::string word;
+    words >> word;
+    const auto value = to_double(word);
+    if (!value) throw std::runtime_error("the generated program printed \"" + output + "\"");
+    return *value;
+  };
+  GeneratedVelocities velocities;
+  for (double* value : {&velocities.accurate, &velocities.batch, &velocities.fast,
+                        &velocities.certified, &velocities.certified_bound})
+    *value = next();
+  return velocities;
+}
+
+std::string run_or_throw(const ProgramResult& result, const char* what) {
+  if (result.succeeded()) return result.output;
+  const char* how = result.timed_out ? "took too long" : "failed";
+  throw std::runtime_error(fmt::format("{} {}: {}", what, how, result.output.substr(0, 400)));
+}
+
+}  // namespace
+
+double derived_velocity(const symbolic::Derivation& derivation, const Values& values) {
+  const Precision precision(digits);
+  std::map<Symbol, GiNaC::numeric> numbers;
+  for (const auto& [symbol, value] : values) numbers[symbol] = GiNaC::numeric(value);
+  const GiNaC::numeric velocity =
+      symbolic::value_at(derivation.critical_velocity, derivation.definitions, numbers);
+  if (!velocity.is_real()) throw std::runtime_error("the derived formula gave no real number");
+  return velocity.to_double();
+}
+
+std::string asking_program(const std::vector<Symbol>& parameters, const Values& values) {
+  std::string assignments;
+  for (const Symbol& symbol : parameters)
+    assignments += fmt::format("  p.{} = {:a};\n", member(symbol), values.at(symbol));
+  return fmt::format(R"(#include <cstdio>
+#include "scene.hpp"
+
+int main() {{
+  scene::Parameters p{{}};
+{}  const double omega = p.omega;
+  double batch = 0;
+  scene::critical_velocity(p, {{&omega, 1}}, {{&batch, 1}});
+  const auto certified = scene::critical_velocity_certified(p);
+  for (double v : {{scene::critical_velocity(p), batch, scene::fast::critical_velocity(p),
+                   certified.value, certified.relative_error_bound}})
+    std::printf("%.17g\n", v);
+}}
+)",
+                     assignments);
+}
+
+GeneratedVelocities generated_velocities(const Scene& scene, const symbolic::Derivation& derivation,
+                                         const Values& values,
+                                         const std::filesystem::path& compiler,
+                                         const std::filesystem::path& folder) {
+  symbolic::generate(scene, folder, "scene");
+  write_file(folder / "ask.cpp", asking_program(derivation.parameters, values));
+  run_or_throw(compile(compiler, folder, "ask.cpp", "ask"), "compiling the generated evaluator");
+  return parse(
+      run_or_throw(run_program({folder / "ask"}, folder, run_limit), "the generated evaluator"));
+}
+
+}  // namespace vcrit::validation

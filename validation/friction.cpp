@@ -1,0 +1,142 @@
+#include "friction.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace vcrit::validation {
+
+namespace {
+
+using simulation::Start;
+constexpr double pi = std::numbers::pi;
+constexpr int samples = 400;
+
+// The simulator's promise for steady values, twice: the two starts may err in opposite directions.
+constexpr double curve_tolerance = 2e-9;
+constexpr const char* curve_reason = "each steady value is promised to 10⁻⁹, and both may be off";
+
+// Stick of the elastic contact ends where the spring force reaches the friction bound.
+double end_of_stick(double tau1, double ratio) {
+  const auto excess = [&](double tau) {
+    return ratio * (tau - tau1) - (std::cos(tau) - std::cos(tau1));
+  };
+  // The excess falls from 0 at tau1, has its only minimum where sin tau = -ratio again, and then
+  // rises to 2 pi ratio a period after tau1.
+  const double minimum = 3 * pi - tau1;
+  std::uintmax_t steps = 200;
+  const auto root = boost::math::tools::toms748_solve(
+      excess, minimum, tau1 + 2 * pi, boost::math::tools::eps_tolerance<double>(52), steps);
+  return (root.first + root.second) / 2;
+}
+
+template <class Value>
+const CurvePoint* worst_point(const std::vector<CurvePoint>& curve, Value difference) {
+  const auto severity = [&](const CurvePoint& point) {
+    const double value = difference(point);
+    return std::isnan(value) ? std::numeric_limits<double>::infinity() : value;
+  };
+  const auto worst = std::max_element(
+      curve.begin(), curve.end(),
+      [&](const CurvePoint& a, const CurvePoint& b) { return severity(a) < severity(b); });
+  return worst == curve.end() ? nullptr : &*worst;
+}
+
+std::string at(const CurvePoint& point) {
+  return fmt::format("worst at {:.4g} of the sliding threshold", point.ratio);
+}
+
+Comparison curve_comparison(const char* key, const char* name, const char* reference) {
+  Comparison comparison;
+  comparison.key = key;
+  comparison.name = name;
+  comparison.reference = reference;
+  comparison.measure = Comparison::Measure::absolute;
+  comparison.tolerance = curve_tolerance;
+  comparison.reason = curve_reason;
+  return comparison;
+}
+
+}  // namespace
+
+std::vector<double> curve_ratios() {
+  std::vector<double> ratios{0.01, 0.02, 0.03};
+  for (int i = 2; i <= 36; ++i) ratios.push_back(i / 40.0);  // 0.05 to 0.9
+  for (double ratio : {0.92, 0.94, 0.96, 0.97, 0.98, 0.985, 0.99, 0.995, 0.998, 0.999})
+    ratios.push_back(ratio);
+  for (double ratio : {1.001, 1.01, 1.05, 1.1, 1.2, 1.3, 1.4}) ratios.push_back(ratio);
+  return ratios;
+}
+
+CurvePoint friction_at(const simulation::System& system, double threshold, double ratio) {
+  CurvePoint point;
+  point.ratio = ratio;
+  point.velocity = ratio * threshold;
+  const auto sliding = simulation::steady_state(system, point.velocity, Start::sliding);
+  const auto rest = simulation::steady_state(system, point.velocity, Start::rest);
+  point.from_sliding = sliding.friction_ratio;
+  point.from_rest = rest.friction_ratio;
+  point.error = std::max(sliding.friction_ratio_error, rest.friction_ratio_error);
+  point.regime = to_text(sliding.regime);
+  return point;
+}
+
+Cycle steady_cycle(const simulation::System& system, double threshold, double ratio) {
+  const auto steady = simulation::steady_state(system, ratio * threshold, Start::sliding, samples);
+  return {ratio,        ratio * threshold, steady.friction_ratio, to_text(steady.regime),
+          steady.cycle, steady.events};
+}
+
+double elastic_friction(double amplitude_ratio, double ratio) {
+  if (ratio >= 1) return 1;
+  const double tau1 = pi + std::asin(ratio);
+  const double tau2 = end_of_stick(tau1, ratio), stick = tau2 - tau1;
+  const double taken =
+      (std::sin(tau2) - std::sin(tau1) - stick * std::cos(tau1) - ratio * stick * stick / 2) /
+      (2 * pi);
+  return 1 - amplitude_ratio * taken;
+}
+
+Comparison compare_starts(const std::vector<CurvePoint>& curve) {
+  Comparison comparison =
+      curve_comparison("starts", "friction curve, started from rest", "started from sliding");
+  const auto apart = [](const CurvePoint& p) { return std::abs(p.from_rest - p.from_sliding); };
+  if (const CurvePoint* worst = worst_point(curve, apart)) {
+    comparison.expected = worst->from_sliding;
+    comparison.found = worst->from_rest;
+    comparison.detail = at(*worst);
+  }
+  return comparison;
+}
+
+Comparison compare_pure_sliding(const std::vector<CurvePoint>& curve) {
+  Comparison comparison =
+      curve_comparison("pure_sliding", "friction above the critical velocity", "full friction, 1");
+  comparison.expected = comparison.found = 1;
+  const auto apart = [](const CurvePoint& p) {
+    return p.ratio > 1 ? std::abs(p.from_sliding - 1) : -1;
+  };
+  if (const CurvePoint* worst = worst_point(curve, apart); worst != nullptr && worst->ratio > 1) {
+    comparison.found = worst->from_sliding;
+    comparison.detail = at(*worst);
+  }
+  return comparison;
+}
+
+Comparison compare_closed_form(const std::vector<CurvePoint>& curve) {
+  Comparison comparison = curve_comparison("closed_form", "friction curve by simulation",
+                                           "closed form, elastic contact");
+  const auto apart = [](const CurvePoint& p) { return std::abs(p.from_sliding - *p.closed_form); };
+  if (const CurvePoint* worst = worst_point(curve, apart)) {
+    comparison.expected = *worst->closed_form;
+    comparison.found = worst->from_sliding;
+    comparison.detail = at(*worst);
+  }
+  return comparison;
+}
+
+}  // namespace vcrit::validation

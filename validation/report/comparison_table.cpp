@@ -1,0 +1,79 @@
+#include "report/comparison_table.hpp"
+
+#include <fmt/format.h>
+
+#include "base/numbers.hpp"
+#include "report/html.hpp"
+#include "report/units.hpp"
+
+namespace vcrit::validation::report {
+
+namespace {
+
+std::string number(double value, const std::string& unit) {
+  const std::string text = vcrit::to_text(value);
+  return unit.empty() ? text : text + " " + unit;
+}
+
+const char* style_of(Comparison::Outcome outcome) {
+  switch (outcome) {
+    case Comparison::Outcome::passed:
+      return "passed";
+    case Comparison::Outcome::failed:
+      return "failed";
+    case Comparison::Outcome::not_run:
+      return "not-run";
+  }
+  throw Bug("an outcome without a style");
+}
+
+std::string cell(const char* heading, const std::string& content, const char* style = "") {
+  return fmt::format("<td data-label=\"{}\" class=\"{}\">{}</td>", heading, style, content);
+}
+
+std::string outcome_cell(const Comparison& comparison) {
+  const auto result = outcome(comparison);
+  return fmt::format("<td class=\"outcome\"><span class=\"badge {}\">{}</span></td>",
+                     style_of(result), validation::to_text(result));
+}
+
+std::string name_cell(const Comparison& comparison) {
+  return fmt::format("<th scope=\"row\">{}<small>against {}</small></th>", escape(comparison.name),
+                     escape(comparison.reference));
+}
+
+std::string without_numbers(const Comparison& comparison) {
+  return fmt::format("<tr>{}<td colspan=\"3\" class=\"detail\">{}</td>{}</tr>\n",
+                     name_cell(comparison), escape(comparison.detail), outcome_cell(comparison));
+}
+
+std::string with_numbers(const Comparison& comparison) {
+  const char* kind = comparison.measure == Comparison::Measure::relative ? "relative" : "absolute";
+  const std::string value =
+      fmt::format("{}<small>{}</small>", escape(number(comparison.found, comparison.unit)),
+                  escape(number(comparison.expected, comparison.unit)));
+  const std::string apart =
+      fmt::format("{}<small>{}{}</small>", magnitude(difference(comparison)), kind,
+                  comparison.detail.empty() ? "" : ", " + escape(comparison.detail));
+  const std::string allowed =
+      fmt::format("{}<small class=\"reason\">{}</small>", magnitude(comparison.tolerance),
+                  escape(comparison.reason));
+  return fmt::format("<tr>{}{}{}{}{}</tr>\n", name_cell(comparison),
+                     cell("Value, reference", value, "figures"), cell("Difference", apart),
+                     cell("Allowed", allowed), outcome_cell(comparison));
+}
+
+}  // namespace
+
+std::string comparison_table(const SceneReport& report) {
+  std::string rows;
+  for (const Comparison& comparison : report.comparisons)
+    rows += comparison.not_run || comparison.broken ? without_numbers(comparison)
+                                                    : with_numbers(comparison);
+  return "<h3>Agreement</h3>\n<table class=\"comparisons\"><thead><tr><th>What</th>"
+         "<th>Value<small>reference</small></th><th>Difference</th><th>Allowed</th><th></th></tr>"
+         "</thead><tbody>\n" +
+         rows + "</tbody></table>\n";
+}
+
+}  // namespace vcrit::validation::report

@@ -1,0 +1,110 @@
+#include "report/page.hpp"
+
+#include <fmt/format.h>
+
+#include "report/assets.hpp"
+#include "report/html.hpp"
+#include "report/scene_section.hpp"
+
+namespace vcrit::validation::report {
+
+namespace {
+
+std::string policy() {
+  std::string allowed;
+  for (const Script& script : scripts()) allowed += fmt::format(" '{}'", script.hash);
+  return fmt::format(
+      "default-src 'none'; script-src{}; style-src 'unsafe-inline'; img-src data: blob:; "
+      "base-uri 'none'; form-action 'none'",
+      allowed);
+}
+
+std::string head(const Contents& contents) {
+  const bool single = contents.scenes.size() == 1;
+  const std::string title =
+      single ? title_of(contents.scenes.front()) : std::string("Validation of critical velocities");
+  return fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta http-equiv=\"Content-Security-Policy\" content=\"{}\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+      "<meta name=\"color-scheme\" content=\"light dark\">\n"
+      "<title>{} · vcrit</title>\n<style>\n{}</style>\n</head>\n",
+      policy(), escape(title), style());
+}
+
+std::string summary(const Contents& contents) {
+  std::size_t made = 0, failures = 0, skipped = 0;
+  for (const SceneReport& report : contents.scenes) {
+    made += report.comparisons.size() - count(report, Comparison::Outcome::not_run);
+    failures += count(report, Comparison::Outcome::failed);
+    skipped += count(report, Comparison::Outcome::not_run);
+  }
+  const char* state = failures > 0 ? "failed" : skipped > 0 ? "not-run" : "passed";
+  std::string words = failures > 0 ? fmt::format("{} of {} comparisons failed", failures, made)
+                                   : fmt::format("{} comparisons passed", made);
+  if (skipped > 0) words += fmt::format(", {} not run", skipped);
+  return fmt::format("<p class=\"total {}\">{}.</p>\n", state, words);
+}
+
+std::string index_line(const SceneReport& report, std::size_t number) {
+  return fmt::format(
+      "<li class=\"{}\"><a href=\"#scene-{}\"><span class=\"name\">{}</span>"
+      "<span class=\"velocity\">{}</span><span class=\"state\">{}</span></a></li>\n",
+      state_class(report), number, escape(title_of(report)), escape(velocity_words(report)),
+      escape(state_words(report)));
+}
+
+std::string index(const Contents& contents) {
+  if (contents.scenes.size() < 2) return {};
+  std::string lines;
+  for (std::size_t i = 0; i < contents.scenes.size(); ++i)
+    lines += index_line(contents.scenes[i], i + 1);
+  return "<nav aria-label=\"Scenes\"><ol class=\"index\">\n" + lines + "</ol></nav>\n";
+}
+
+std::string machine_section(const Contents& contents) {
+  const Machine& machine = contents.machine;
+  const auto row = [](const std::string& name, const std::string& value) {
+    return fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td></tr>\n", escape(name),
+                       escape(value));
+  };
+  std::string rows = row("Processor", machine.processor) +
+                     row("Cores", std::to_string(machine.cores)) + row("System", machine.system) +
+                     row("vcrit", machine.program);
+  for (const auto& [name, version] : machine.versions) rows += row(name, version);
+  return fmt::format(
+      "<section class=\"machine\"><h2>How this page was made</h2>\n"
+      "<p>This command makes it again; the same numbers are in <code>report.json</code> beside "
+      "it.</p>\n<pre class=\"command\" tabindex=\"0\"><code>{}</code></pre>\n"
+      "<table class=\"plain\"><tbody>\n{}</tbody></table></section>\n",
+      escape(command(contents)), rows);
+}
+
+std::string opening(const Contents& contents) {
+  return fmt::format(
+      "<body>\n<a class=\"skip\" href=\"#content\">To the results</a>\n"
+      "<header class=\"page\"><p class=\"program\">vcrit {}</p>\n"
+      "<h1>Critical velocity, validated</h1>\n"
+      "<p class=\"lead\">Up to the critical velocity v*, normal oscillation lowers sliding "
+      "friction. Here its formula is derived, evaluated in several ways, and set against a "
+      "stick-slip simulation that does not know the formula.</p>\n{}</header>\n"
+      "<main id=\"content\">\n",
+      escape(contents.machine.program), summary(contents));
+}
+
+std::string all_scripts() {
+  std::string text;
+  for (const Script& script : scripts()) text += fmt::format("<script>{}</script>\n", script.text);
+  return text;
+}
+
+}  // namespace
+
+std::string page(const Contents& contents) {
+  std::string html = head(contents) + opening(contents) + index(contents);
+  for (std::size_t i = 0; i < contents.scenes.size(); ++i)
+    html += scene_section(contents.scenes[i], i + 1);
+  return html + machine_section(contents) + "</main>\n" + all_scripts() + "</body>\n</html>\n";
+}
+
+}  // namespace vcrit::validation::report

@@ -1,0 +1,160 @@
+#include "report/scene_section.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "report/charts.hpp"
+#include "report/comparison_table.hpp"
+#include "report/formula_section.hpp"
+#include "report/html.hpp"
+#include "report/system_drawing.hpp"
+#include "report/units.hpp"
+
+namespace vcrit::validation::report {
+
+namespace {
+
+bool simulated(const SceneReport& report) { return !report.curve.empty(); }
+
+std::string list(const std::vector<std::string>& items, const char* style) {
+  std::string lines;
+  for (const std::string& item : items) lines += "<li>" + escape(item) + "</li>\n";
+  return fmt::format("<ul class=\"{}\">\n{}</ul>\n", style, lines);
+}
+
+std::string tightest_words(const SceneReport& report) {
+  const Comparison* worst = tightest(report);
+  if (worst == nullptr) return {};
+  if (worst->broken) return fmt::format("{}: {}", worst->name, worst->detail);
+  return fmt::format("Nearest to its tolerance: {}, {} of {} allowed.", worst->name,
+                     magnitude(difference(*worst)), magnitude(worst->tolerance));
+}
+
+std::string verdict(const SceneReport& report) {
+  std::string html = fmt::format(
+      "<div class=\"verdict {}\"><p class=\"state\">{}</p><p class=\"velocity\">{}</p>"
+      "<p class=\"worst\">{}</p></div>\n",
+      state_class(report), escape(state_words(report)), escape(velocity_words(report)),
+      escape(tightest_words(report)));
+  if (!report.reasons.empty())
+    html +=
+        "<p>The scene is not admissible, so the formula's number is not the velocity of its "
+        "motion and nothing was simulated:</p>\n" +
+        list(report.reasons, "reasons");
+  if (!report.infinite_reason.empty()) html += "<p>" + escape(report.infinite_reason) + "</p>\n";
+  if (!report.scene.warnings.empty()) html += list(report.scene.warnings, "warnings");
+  return html;
+}
+
+std::string figure(const std::string& svg, const std::string& caption) {
+  return fmt::format(
+      "<figure><div class=\"scroll\" tabindex=\"0\">{}</div><figcaption>{}</figcaption></figure>\n",
+      svg, caption);
+}
+
+std::string drawings(const SceneReport& report) {
+  return "<h3>What is there</h3>\n<div class=\"drawings\">\n" +
+         figure(draw_sliding(report.scene), "Along the sliding direction.") +
+         figure(draw_normal(report.scene), "Along the normal, drawn lying.") + "</div>\n";
+}
+
+std::string chart(const nlohmann::ordered_json& spec, const std::string& description,
+                  const std::string& caption) {
+  return fmt::format(
+      "<figure><div class=\"chart\" role=\"group\" aria-label=\"{}\"></div>"
+      "<script type=\"application/json\">{}</script><figcaption>{}</figcaption></figure>\n",
+      escape(description), json_for_page(spec), caption);
+}
+
+std::string curve_rows(const SceneReport& report) {
+  std::string rows;
+  for (const CurvePoint& point : report.curve)
+    rows += fmt::format(
+        "<tr><td>{:.4g}</td><td>{}</td><td>{:.12f}</td><td>{:.12f}</td><td>{}</td></tr>\n",
+        point.ratio, quantity(point.velocity, "m/s"), point.from_sliding, point.from_rest,
+        escape(point.regime));
+  return rows;
+}
+
+std::string curve_table(const SceneReport& report) {
+  return fmt::format(
+      "<details class=\"data\"><summary>The numbers</summary><div class=\"scroll\" tabindex=\"0\">"
+      "<table class=\"numbers\"><thead><tr><th>{}</th><th>v₀</th><th>from sliding</th>"
+      "<th>from rest</th><th>motion</th></tr></thead><tbody>\n{}</tbody></table></div></details>\n",
+      speed_axis(report), curve_rows(report));
+}
+
+std::string friction_section(const SceneReport& report) {
+  if (!simulated(report)) return {};
+  const std::string creep =
+      report.creep_velocity > 0
+          ? fmt::format(
+                " The path creeps by {} under the mean friction force, so the far end must "
+                "run that much faster than the contact point.",
+                quantity(report.creep_velocity, "m/s"))
+          : "";
+  return "<h3>Friction against speed</h3>\n" +
+         chart(friction_chart(report), "Friction ratio over speed",
+               "Macroscopic over microscopic friction, simulated; at each speed the motion was "
+               "started from sliding and from rest." +
+                   creep) +
+         curve_table(report);
+}
+
+std::string cycle_section(const SceneReport& report) {
+  if (!report.cycle) return {};
+  const Cycle& cycle = *report.cycle;
+  const std::string caption = fmt::format(
+      "{} of the lowest speed of pure sliding, v₀ = {}: friction ratio {:.9f}, {}. Shaded: no "
+      "forward slip.",
+      cycle.ratio == 0.5 ? "Half" : fmt::format("{:.3g}", cycle.ratio),
+      quantity(cycle.velocity, "m/s"), cycle.friction_ratio, escape(cycle.regime));
+  return "<h3>One cycle</h3>\n" +
+         chart(force_chart(report), "Tangential force over one period",
+               "Force of the network on the contact point, between the friction bounds.") +
+         chart(velocity_chart(report), "Contact velocity over one period", caption);
+}
+
+std::string file_section(const SceneReport& report) {
+  return fmt::format(
+      "<h3>The scene file</h3>\n<p class=\"file\"><code>{}</code></p>\n"
+      "<pre class=\"scene-file\" tabindex=\"0\"><code>{}</code></pre>\n",
+      escape(report.scene.file), escape(report.scene.text));
+}
+
+}  // namespace
+
+std::string title_of(const SceneReport& report) {
+  return report.scene.title.empty() ? report.scene.file : report.scene.title;
+}
+
+const char* state_class(const SceneReport& report) {
+  if (!passed(report)) return "failed";
+  if (!report.reasons.empty()) return "outside";
+  return count(report, Comparison::Outcome::not_run) > 0 ? "not-run" : "passed";
+}
+
+std::string state_words(const SceneReport& report) {
+  const auto failures = count(report, Comparison::Outcome::failed);
+  const auto skipped = count(report, Comparison::Outcome::not_run);
+  const auto made = report.comparisons.size() - skipped;
+  std::string words = failures > 0 ? fmt::format("{} of {} comparisons failed", failures, made)
+                                   : fmt::format("{} comparisons passed", made);
+  if (skipped > 0) words += fmt::format(", {} not run", skipped);
+  return report.reasons.empty() ? words : "Outside the model: not simulated; " + words;
+}
+
+std::string velocity_words(const SceneReport& report) {
+  return "v* = " + quantity(report.critical_velocity, "m/s", 5);
+}
+
+std::string scene_section(const SceneReport& report, std::size_t number) {
+  return fmt::format("<section class=\"scene\" id=\"scene-{}\">\n<h2>{}</h2>\n", number,
+                     escape(title_of(report))) +
+         verdict(report) + drawings(report) + comparison_table(report) + friction_section(report) +
+         cycle_section(report) + formula_section(report) + values_section(report) +
+         file_section(report) + "</section>\n";
+}
+
+}  // namespace vcrit::validation::report

@@ -1,0 +1,143 @@
+#include "report/system_drawing.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "report/html.hpp"
+#include "report/network_drawing.hpp"
+
+namespace vcrit::validation::report {
+
+namespace {
+
+constexpr double margin = 8;
+std::string italic(const char* letter) {
+  return fmt::format(R"(<tspan class="letter">{}</tspan>)", letter);
+}
+
+/// Pieces side by side on one line.
+class Row {
+ public:
+  void add(const Drawing& piece) {
+    all_.svg += moved(all_.width, 0, piece.svg);
+    all_.width += piece.width;
+    all_.above = std::max(all_.above, piece.above);
+    all_.below = std::max(all_.below, piece.below);
+  }
+
+  std::string svg(const std::string& description) const {
+    const double width = all_.width + 2 * margin;
+    const double height = all_.above + all_.below + 2 * margin;
+    return fmt::format(
+        R"(<svg class="drawing" role="img" aria-label="{}" width="{:.0f}" height="{:.0f}" )"
+        R"(viewBox="{:.0f} {:.1f} {:.0f} {:.0f}">{}</svg>)",
+        escape(description), width, height, -margin, -all_.above - margin, width, height, all_.svg);
+  }
+
+ private:
+  Drawing all_;
+};
+
+/// A hatched edge from (0, 0) along +x; the hatching lies below it.
+std::string ground(double length) {
+  std::string svg = fmt::format(R"(<path class="heavy" d="M0 0H{:.0f}"/>)", length);
+  for (double x = 6; x <= length; x += 8) svg += line(x, 0, x - 6, 7);
+  return svg;
+}
+
+/// The contact point on the substrate, with the coefficient of friction.
+Drawing contact_point(const Symbol& coefficient) {
+  const std::string name = coefficient.name == "mu0"
+                               ? italic("μ") + R"(<tspan class="index" dy="4">0</tspan>)"
+                               : label(coefficient);
+  return {52, 14, 52,
+          R"(<path class="solid" d="M12 -9H44V9H12z"/>)" + line(44, 0, 52, 0) +
+              moved(0, 9, ground(56)) + text(28, 40, name)};
+}
+
+Drawing wall() {
+  return {18, 34, 34,
+          fmt::format(R"svg(<g transform="translate(8 -32) rotate(90)">{}</g>)svg", ground(64)) +
+              line(8, 0, 18, 0)};
+}
+
+Drawing body(const Symbol& mass) {
+  return {64, 28, 28,
+          line(0, 0, 6, 0) + R"(<path class="solid" d="M6 -26H58V26H6z"/>)" +
+              text(32, 5, label(mass)) + line(58, 0, 64, 0)};
+}
+
+Drawing joint() {
+  return {12, 10, 10, R"(<path class="heavy" d="M6 -10V10"/>)" + line(0, 0, 12, 0)};
+}
+
+Drawing arrow(const std::string& name) {
+  return {62, 26, 8,
+          line(0, 0, 16, 0) + R"(<path class="arrow" d="M16 0H52M44 -5L53 0L44 5"/>)" +
+              text(34, -11, name)};
+}
+
+Drawing oscillation() {
+  const std::string name =
+      italic("u") + R"(<tspan class="index" dy="4">z</tspan>)" + R"(<tspan dy="-4">(t)</tspan>)";
+  return {76, 30, 30,
+          R"(<path class="heavy" d="M6 -20V20"/>)" + line(0, 0, 6, 0) +
+              R"(<path class="arrow" d="M16 0H66M24 -5L15 0L24 5M58 -5L67 0L58 5"/>)" +
+              text(42, -11, name)};
+}
+
+std::string speed() { return italic("v") + R"(<tspan class="index" dy="4">0</tspan>)"; }
+
+/// An isotropic contact: the normal network within brackets, with the ratio in front.
+Drawing times(double factor, const Drawing& network) {
+  constexpr double before = 84, after = 26;
+  const double top = -network.above, bottom = network.below;
+  const auto bracket = [&](double x, int side) {
+    return fmt::format(R"(<path class="bracket" d="M{0:.1f} {1:.1f}H{2:.1f}V{3:.1f}H{0:.1f}"/>)",
+                       x + 6 * side, top, x, bottom);
+  };
+  const double end = before + network.width;
+  return {end + after, network.above, network.below,
+          line(0, 0, before, 0) + moved(before, 0, network.svg) + line(end, 0, end + after, 0) +
+              bracket(before - 10, 1) + bracket(end + 12, -1) +
+              text(before - 48, -8, fmt::format("{:.4g} ×", factor))};
+}
+
+Drawing tangential(const Scene& scene) {
+  const auto* isotropic = std::get_if<Isotropic>(&scene.tangential);
+  if (isotropic == nullptr) return draw(std::get<Network>(scene.tangential));
+  const double ratio = tangential_ratio(*isotropic);
+  return ratio == 1 ? draw(scene.normal) : times(ratio, draw(scene.normal));
+}
+
+}  // namespace
+
+std::string draw_sliding(const Scene& scene) {
+  Row row;
+  std::string description = "Substrate, contact point, tangential contact network";
+  row.add(contact_point(scene.coefficient.symbol));
+  row.add(tangential(scene));
+  if (scene.mass) {
+    row.add(body(scene.mass->symbol));
+    description += ", body";
+  } else if (scene.drive) {
+    row.add(joint());
+  }
+  if (scene.drive) {
+    row.add(draw(*scene.drive));
+    description += ", drive network";
+  }
+  row.add(arrow(speed()));
+  return row.svg(description + ", moved at constant velocity");
+}
+
+std::string draw_normal(const Scene& scene) {
+  Row row;
+  row.add(wall());
+  row.add(draw(scene.normal));
+  row.add(oscillation());
+  return row.svg("Substrate, normal contact network, imposed oscillation");
+}
+
+}  // namespace vcrit::validation::report

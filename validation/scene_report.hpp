@@ -1,0 +1,110 @@
+// What is known of one scene after everything has been compared with everything: plain data, with
+// no way to compute it and no way to show it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scene/scene.hpp"
+#include "simulation/steady_state.hpp"
+
+namespace vcrit::validation {
+
+/// Two numbers for one thing, and how far they may be apart.
+struct Comparison {
+  enum class Measure { relative, absolute };
+  enum class Outcome { passed, failed, not_run };
+
+  std::string key;        ///< one word, for report.json: "formula", "simulation", ...
+  std::string name;       ///< what is compared, for people
+  std::string reference;  ///< what it is compared with
+  std::string unit;       ///< of both numbers, empty for ratios
+  Measure measure = Measure::relative;
+  double expected = 0;  ///< by the reference
+  double found = 0;
+  double tolerance = 0;  ///< greatest difference that passes
+  std::string reason;    ///< why this tolerance
+  std::string detail;  ///< where the worst value was found; why it was not run or broke, else empty
+  bool not_run = false;  ///< nothing was compared, `detail` says why
+  bool broken = false;   ///< one side gave no number, `detail` says why: counts as failed
+};
+
+/// |found - expected|, over |expected| if relative; 0 for equal numbers, infinite for a NaN.
+double difference(const Comparison& comparison);
+Comparison::Outcome outcome(const Comparison& comparison);
+const char* to_text(Comparison::Outcome outcome);  ///< "passed", "failed", "not run"
+
+/// Mathematics as the page shows it and as it can be copied.
+struct Formula {
+  std::string mathml, latex, text;
+};
+
+/// left = right, and the words that lead to it.
+struct Equation {
+  std::string words;
+  Formula left, right;
+};
+
+struct LimitLine {
+  std::string name, equation;  ///< see symbolic::Limit
+  Formula result;
+  std::vector<Equation> definitions;  ///< of names in `result`
+};
+
+/// One number of the scene.
+struct ValueLine {
+  Symbol symbol;
+  Formula name;
+  double value = 0;     ///< SI
+  std::string unit;     ///< of it, empty for a ratio
+  std::string meaning;  ///< "spring", "angular frequency", ...
+};
+
+/// Steady friction at one speed, come to from sliding and from rest.
+struct CurvePoint {
+  double ratio = 0;                   ///< speed over the lowest speed of pure sliding
+  double velocity = 0;                ///< m/s
+  double from_sliding = 0;            ///< mu_macro/mu0
+  double from_rest = 0;               ///< mu_macro/mu0
+  double error = 0;                   ///< the simulator's estimate for both
+  std::string regime;                 ///< "stick-slip", ...
+  std::optional<double> closed_form;  ///< mu_macro/mu0 where physics has a closed form
+};
+
+/// One oscillation period of the steady motion.
+struct Cycle {
+  double ratio = 0, velocity = 0;  ///< as in CurvePoint
+  double friction_ratio = 0;
+  std::string regime;
+  std::vector<simulation::CyclePoint> points;
+  std::vector<simulation::Event> events;
+};
+
+struct SceneReport {
+  Scene scene;
+  std::vector<std::string> reasons;  ///< why the scene is not admissible; empty when it is
+  double critical_velocity = 0;      ///< m/s, certified; may be infinite
+  double relative_error_bound = 0;   ///< of it
+  std::string infinite_reason;       ///< why it is infinite, else empty
+  double condition = 0;              ///< condition number of Eq. 24 on its inputs
+  double creep_velocity = 0;         ///< m/s, 0 unless a network on the path creeps
+  std::vector<ValueLine> values;
+  Formula formula;
+  std::string equation;               ///< number of the formula in the paper
+  std::vector<Equation> definitions;  ///< of names in `formula`
+  std::vector<Equation> derivation;
+  std::vector<LimitLine> limits;
+  std::string compiler;  ///< that compiled the generated evaluator, with version; else empty
+  std::vector<Comparison> comparisons;
+  std::vector<CurvePoint> curve;  ///< by increasing speed; empty when nothing was simulated
+  std::optional<Cycle> cycle;
+};
+
+/// No comparison failed. Those not run neither pass nor fail: see count().
+bool passed(const SceneReport& report);
+std::size_t count(const SceneReport& report, Comparison::Outcome what);
+/// The comparison nearest to (or farthest beyond) its tolerance; none if none was run.
+const Comparison* tightest(const SceneReport& report);
+
+}  // namespace vcrit::validation

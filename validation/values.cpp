@@ -1,0 +1,63 @@
+#include "values.hpp"
+
+#include "derivation/print.hpp"
+#include "derivation/symbols.hpp"
+
+namespace vcrit::validation {
+
+namespace {
+
+struct Kind {
+  const char* unit;
+  const char* meaning;
+};
+
+void visit_elements(const Scene& scene, const std::function<void(const Element&)>& visit) {
+  for_each_element(scene.normal, visit);
+  if (const auto* tangential = std::get_if<Network>(&scene.tangential))
+    for_each_element(*tangential, visit);
+  if (scene.drive) for_each_element(*scene.drive, visit);
+}
+
+std::map<Symbol, Kind> kinds_of_elements(const Scene& scene) {
+  std::map<Symbol, Kind> kinds;
+  visit_elements(scene, [&](const Element& element) {
+    switch (element.kind) {
+      case ElementKind::spring:
+        kinds[element.coefficient] = {"N/m", "spring"};
+        break;
+      case ElementKind::damper:
+        kinds[element.coefficient] = {"N s/m", "damper"};
+        break;
+      case ElementKind::maxwell:
+        kinds[element.coefficient] = {"N/m", "spring of a Maxwell branch"};
+        kinds[element.time] = {"s", "relaxation time of a Maxwell branch"};
+        break;
+    }
+  });
+  return kinds;
+}
+
+}  // namespace
+
+std::vector<ValueLine> value_lines(const Scene& scene) {
+  const Values values = values_of(scene);
+  std::vector<ValueLine> lines;
+  const auto add = [&](const Symbol& symbol, const Kind& kind) {
+    const GiNaC::ex name = symbolic::symbol(symbol);
+    const Formula formula{symbolic::to_mathml(name), symbolic::to_latex(name),
+                          symbolic::to_text(name)};
+    lines.push_back({symbol, formula, values.at(symbol), kind.unit, kind.meaning});
+  };
+  add(scene.angular_frequency.symbol, {"rad/s", "angular frequency"});
+  add(scene.amplitude.symbol, {"m", "amplitude of the normal oscillation"});
+  add(scene.indentation.symbol, {"m", "mean indentation"});
+  add(scene.coefficient.symbol, {"", "coefficient of friction"});
+  if (scene.mass) add(scene.mass->symbol, {"kg", "mass of the body"});
+  const auto kinds = kinds_of_elements(scene);
+  for (const auto& [symbol, value] : scene.elements)
+    if (const auto kind = kinds.find(symbol); kind != kinds.end()) add(symbol, kind->second);
+  return lines;
+}
+
+}  // namespace vcrit::validation
