@@ -38,6 +38,10 @@ Leading<ex> leading_part(const ex& polynomial, const std::map<std::string, int>&
   return leading;
 }
 
+bool is_readable(const TermCount& count) {
+  return std::max(count.numerator, count.denominator) <= readable_terms;
+}
+
 bool has(const ex& expression, const std::string& name) { return expression.has(quantity(name)); }
 
 bool is_constant(const Fraction& k) {
@@ -139,6 +143,7 @@ Formula Model::multiplied_out(const Factors& amplitude, const Change& change) co
   std::map<std::string, Fraction> fractions;
   GiNaC::exmap put;
   for (const auto& [name, reduction] : networks_) {
+    if (!is_readable(term_count(reduction, change.rates).value)) continue;
     const Fraction k = fractions[name] = fraction(reduction, change.rates).value;
     put[quantity(name)] = k.numerator / k.denominator;
   }
@@ -163,8 +168,13 @@ Formula Model::nested_in(const Factors& amplitude, const Change& change) const {
 std::string Model::equation(const std::map<std::string, Fraction>& networks,
                             const Change& change) const {
   const bool isotropic = isotropic_ || change.ratio;
+  // A network too large to be multiplied out is none of the special cases.
+  const auto holds_for = [&](const char* name, bool (*holds)(const Fraction&)) {
+    const auto found = networks.find(name);
+    return found != networks.end() && holds(found->second);
+  };
   const auto both = [&](bool (*holds)(const Fraction&)) {
-    return holds(networks.at("K_n")) && (isotropic || holds(networks.at("K_t")));
+    return holds_for("K_n", holds) && (isotropic || holds_for("K_t", holds));
   };
   if (change.rigid || !surrounding_.drive) return both(is_constant) ? "(31)" : "";
   const auto drive = networks.find("K_d");
@@ -178,10 +188,9 @@ std::string Model::equation(const std::map<std::string, Fraction>& networks,
 
 ex Model::stiffness(const Part& part) const {
   const Reduction& reduction = part.reduction;
-  const TermCount count = term_count(reduction, {}).value;
   std::vector<Line> definitions;
   ex k;
-  if (std::max(count.numerator, count.denominator) <= readable_terms) {
+  if (is_readable(term_count(reduction, {}).value)) {
     const Fraction whole = fraction(reduction, {}).value;
     k = whole.numerator / whole.denominator;
   } else {

@@ -1,0 +1,137 @@
+// Generated headers, compiled together into one driver program and run on many parameter sets.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "base/files.hpp"
+#include "base/numbers.hpp"
+#include "derivation/derivation.hpp"
+#include "emit/generate.hpp"
+#include "emit/parameters.hpp"
+#include "support/nodal.hpp"
+#include "support/program.hpp"
+
+namespace vcrit::test {
+
+inline const std::vector<std::string> strict_flags{
+    "-std=c++20", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wshadow", "-Werror"};
+
+/// Those of the two compilers that are installed.
+inline std::vector<std::string> compilers(const PrivateFolder& folder) {
+  std::vector<std::string> found;
+  for (const char* name : {"g++", "clang++"})
+    if (run({name, "--version"}, folder.path()).status == 0) found.emplace_back(name);
+  return found;
+}
+
+/// One call of a generated library: the scene with all values, and what the functions gave.
+struct Call {
+  std::size_t library = 0;
+  Scene scene;
+  double value = 0, bound = 0, fast_value = 0, fast_bound = 0;
+};
+
+/// The scene's values in the order of the members of Parameters; entries of arrays that the scene
+/// leaves out are 0.
+inline std::vector<double> members(const Scene& scene, const Scene& generated_for) {
+  const symbolic::ParameterList parameters(generated_for, symbolic::derive(generated_for));
+  const Values values = values_of(scene);
+  std::vector<double> result;
+  for (const symbolic::Member& member : parameters.members())
+    for (int entry = member.length == 0 ? 0 : 1; entry <= member.length; ++entry) {
+      const auto value = values.find({member.name, entry});
+      result.push_back(value == values.end() ? 0.0 : value->second);
+    }
+  return result;
+}
+
+class Libraries {
+ public:
+  explicit Libraries(std::vector<Scene> scenes) : scenes_(std::move(scenes)) {
+    for (std::size_t i = 0; i < scenes_.size(); ++i)
+      write_file(header(i), symbolic::emit_header(scenes_[i], name(i)));
+    write_file(folder_.path() / "driver.cpp", driver());
+  }
+
+  const PrivateFolder& folder() const { return folder_; }
+  std::filesystem::path header(std::size_t i) const { return folder_.path() / (name(i) + ".hpp"); }
+  std::size_t size() const { return scenes_.size(); }
+  const Scene& scene(std::size_t i) const { return scenes_[i]; }
+
+  /// Compiles the driver; returns the compiler's complaints.
+  std::string compile(const std::string& compiler, const std::vector<std::string>& flags) const {
+    std::vector<std::string> command{compiler};
+    command.insert(command.end(), strict_flags.begin(), strict_flags.end());
+    command.insert(command.end(), flags.begin(), flags.end());
+    for (const char* word : {"-o", "driver", "driver.cpp"}) command.emplace_back(word);
+    for (std::string& word : command)
+      if (word == "driver" || word == "driver.cpp") word = (folder_.path() / word).string();
+    const Outcome outcome = run(command, folder_.path());
+    return outcome.status == 0 ? "" : outcome.output + " ";
+  }
+
+  /// Fills in the results.
+  void evaluate(std::vector<Call>& calls) const {
+    std::string input;
+    for (const Call& call : calls) {
+      input += std::to_string(call.library);
+      for (const double x : members(call.scene, scenes_[call.library]))
+        input += fmt::format(" {}", to_text(x));
+      input += "\n";
+    }
+    const std::string file = (folder_.path() / "input.txt").string();
+    write_file(file, input);
+    const Outcome outcome = run({(folder_.path() / "driver").string()}, folder_.path(), file);
+    if (outcome.status != 0) throw std::runtime_error("driver failed: " + outcome.output);
+    std::istringstream lines(outcome.output);
+    for (Call& call : calls)
+      for (double* result : {&call.value, &call.bound, &call.fast_value, &call.fast_bound}) {
+        std::string word;
+        lines >> word;
+        *result = std::strtod(word.c_str(), nullptr);
+      }
+  }
+
+ private:
+  static std::string name(std::size_t i) { return "scene_" + std::to_string(i); }
+
+  std::string driver() const {
+    std::string out;
+    for (std::size_t i = 0; i < scenes_.size(); ++i) out += "#include \"" + name(i) + ".hpp\"\n";
+    out +=
+        "#include <array>\n#include <cstdio>\n#include <cstdlib>\n#include <cstring>\n"
+        "template <class Parameters, class Accurate, class Fast>\n"
+        "void call(Accurate accurate, Fast fast) {\n"
+        "  std::array<double, sizeof(Parameters) / sizeof(double)> x{};\n"
+        "  char word[64];\n"
+        "  for (double& each : x) {\n"
+        "    if (std::scanf(\"%63s\", word) != 1) std::exit(1);\n"
+        "    each = std::strtod(word, nullptr);\n"
+        "  }\n"
+        "  Parameters p;\n"
+        "  std::memcpy(&p, x.data(), sizeof p);\n"
+        "  const auto a = accurate(p);\n"
+        "  const auto f = fast(p);\n"
+        "  std::printf(\"%a %a %a %a\\n\", a.value, a.relative_error_bound, f.value,\n"
+        "              f.relative_error_bound);\n"
+        "}\n"
+        "int main() {\n  int scene = 0;\n  while (std::scanf(\"%d\", &scene) == 1) {\n";
+    for (std::size_t i = 0; i < scenes_.size(); ++i)
+      out += fmt::format(
+          "    if (scene == {0})\n"
+          "      call<{1}::Parameters>({1}::critical_velocity_certified,\n"
+          "                            {1}::fast::critical_velocity_certified);\n",
+          i, name(i));
+    return out + "  }\n}\n";
+  }
+
+  PrivateFolder folder_;
+  std::vector<Scene> scenes_;
+};
+
+}  // namespace vcrit::test

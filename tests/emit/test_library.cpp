@@ -1,0 +1,72 @@
+// The generated library as a user meets it: its own test passes with both compilers, at all
+// optimisation levels, and its CMake project builds and tests it.
+#include <boost/test/unit_test.hpp>
+
+#include "derivation/scenes.hpp"
+#include "emit/library.hpp"
+
+using namespace vcrit;
+using test::scene_of;
+
+namespace {
+
+std::vector<Scene> scenes() {
+  return {read_scene(VCRIT_SCENES "/kelvin.toml"), read_scene(VCRIT_SCENES "/prony.toml"),
+          read_scene(VCRIT_SCENES "/bridge.toml"),
+          scene_of("normal = \"k0 | (k1 - c1)\"\npoisson = \"nu\"", "kd | cd", "m")};
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(its_own_test_passes) {
+  int number = 0;
+  for (const Scene& scene : scenes()) {
+    const test::PrivateFolder folder;
+    symbolic::generate(scene, folder.path(), "library");
+    const std::string program = (folder.path() / "program").string();
+    for (const std::string& compiler : test::compilers(folder))
+      for (const char* level : {"-O0", "-O3"}) {
+        std::vector<std::string> command{
+            compiler, level,   "-march=native",
+            "-o",     program, (folder.path() / "test_library.cpp").string()};
+        command.insert(command.end(), test::strict_flags.begin(), test::strict_flags.end());
+        const test::Outcome built = test::run(command, folder.path());
+        BOOST_REQUIRE_MESSAGE(built.status == 0, built.output);
+        const test::Outcome outcome = test::run({program}, folder.path());
+        BOOST_TEST(outcome.status == 0,
+                   "scene " << number << " " << compiler << " " << level << ": " << outcome.output);
+      }
+    ++number;
+  }
+}
+
+BOOST_AUTO_TEST_CASE(its_own_test_can_fail) {
+  const test::PrivateFolder folder;
+  symbolic::generate(read_scene(VCRIT_SCENES "/kelvin.toml"), folder.path(), "library");
+  const auto header = folder.path() / "library.hpp";
+  std::string text = test::contents(header);
+  // A sign in front of the inertia.
+  const std::string right = "(s.high - x.high)", wrong = "(s.high + x.high)";
+  BOOST_REQUIRE(text.find(right) != std::string::npos);
+  text.replace(text.find(right), right.size(), wrong);
+  write_file(header, text);
+  const std::string program = (folder.path() / "program").string();
+  const test::Outcome built = test::run({test::compilers(folder).front(), "-std=c++20", "-o",
+                                         program, (folder.path() / "test_library.cpp").string()},
+                                        folder.path());
+  BOOST_REQUIRE_MESSAGE(built.status == 0, built.output);
+  BOOST_TEST(test::run({program}, folder.path()).status == 1);
+}
+
+BOOST_AUTO_TEST_CASE(its_cmake_project_builds_and_tests) {
+  const test::PrivateFolder folder;
+  symbolic::generate(read_scene(VCRIT_SCENES "/kelvin.toml"), folder.path(), "kelvin");
+  const std::string source = folder.path().string(), build = (folder.path() / "build").string();
+  for (const std::vector<std::string>& step :
+       {std::vector<std::string>{"cmake", "-S", source, "-B", build},
+        {"cmake", "--build", build},
+        {"ctest", "--test-dir", build, "--no-tests=error"}}) {
+    const test::Outcome outcome = test::run(step, folder.path());
+    BOOST_REQUIRE_MESSAGE(outcome.status == 0, outcome.output);
+  }
+}
