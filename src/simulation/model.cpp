@@ -147,8 +147,17 @@ void Model::set_sliding() {
   }
   if (!body) return;
   std::complex<double> impedance = 1i * body->mass + body->drive.direct;
-  for (std::size_t j = 0; j < body->drive.rates.size(); ++j)
-    impedance += body->drive.weights[j] / (body->drive.rates[j] + 1i);
+  double size = body->mass + body->drive.direct;
+  for (std::size_t j = 0; j < body->drive.rates.size(); ++j) {
+    const std::complex<double> part = body->drive.weights[j] / (body->drive.rates[j] + 1i);
+    impedance += part;
+    size += std::abs(part);
+  }
+  resonance = size / std::abs(impedance);
+  if (impedance == 0.0) {
+    sliding_velocity = std::numeric_limits<double>::infinity();
+    return;
+  }
   const std::complex<double> velocity = -amplitude / impedance;
   sliding_velocity += velocity;
   sliding_rates(0) = 1i * velocity;

@@ -47,6 +47,9 @@ struct Model {
   Eigen::VectorXcd sliding_rates;
   std::complex<double> sliding_velocity;
   double creep = 0;
+  /// How many times the forces on the body are larger than their sum; infinite at an undamped
+  /// resonance of body and drive. As many times rounding errors grow.
+  double resonance = 1;
 
   Index body_states() const;  ///< u, g_j
   Index branches() const { return contact.branch_stiffness.size(); }

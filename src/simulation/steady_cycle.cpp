@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include "base/errors.hpp"
 
@@ -14,6 +15,35 @@ namespace {
 constexpr double period = 2 * std::numbers::pi;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+// The share of the residual by which a step may miss what was expected of it.
+constexpr double good_miss = 0.3;
+
+// How much Newton's steps are damped: less after a good one, unless it was just raised.
+struct Damping {
+  double value = 0;
+
+  void lower(double miss) {
+    if (raised_)
+      raised_ = false;
+    else if (value < least)
+      value = 0;
+    else
+      value *= std::max(0.03, std::sqrt(miss / good_miss));
+  }
+  void raise(double miss) {
+    if (value == 0)
+      value = std::exchange(first_, 10 * least);
+    else
+      value *= std::clamp(std::sqrt(miss / good_miss), 2.0, 10.0);
+    raised_ = true;
+  }
+
+ private:
+  static constexpr double least = 1e-9;
+  double first_ = 1e-4;
+  bool raised_ = false;
+};
 
 class Search {
  public:
@@ -30,13 +60,12 @@ class Search {
       }
       if (cycles < 1000) cycles *= 2;
     }
-    return window(1000);
+    throw ModelError("no steady state found: the motion still drifts after thousands of periods");
   }
 
  private:
   static constexpr int most_attempts = 12;
   static constexpr int most_steps = 200;
-  static constexpr double good_miss = 0.3;
 
   Trace plain(const State& state, double duration) const {
     return trace(model_, velocity_, state, duration, Matrix(state.x.size(), 0));
@@ -115,6 +144,7 @@ class Search {
     const Index n = state.x.size() - 1, body = model_.body_states();
     Vector size = state.x.tail(n).cwiseAbs();
     if (body > 0) size(0) += velocity_ + std::abs(model_.sliding_velocity);
+    size += model_.sliding_rates.cwiseAbs();
     for (Index j = 0; j + 1 < body; ++j) {
       const double rate = model_.body->drive.rates[static_cast<std::size_t>(j)];
       size(1 + j) = (1 + size(1 + j)) * (j > 0 ? std::min(1.0, period * rate) : 1.0);
@@ -137,27 +167,26 @@ class Search {
   // anywhere.
   std::optional<SteadyCycle> newton() {
     Mapped now = mapped(state_);
-    double damping = 0;
-    for (int i = 0; i < most_steps && now.usable && damping < 10; ++i) {
-      if (now.residual.size() == 0) return SteadyCycle{now.trace, ratio(now), summing(now), true};
-      const Eigen::FullPivLU<Matrix> solver(now.derivative + damping * now.identity);
+    Damping damping;
+    for (int i = 0; i < most_steps && now.usable && damping.value < 10; ++i) {
+      if (now.residual.size() == 0) return SteadyCycle{now.trace, ratio(now), summing(now)};
+      const Eigen::FullPivLU<Matrix> solver(now.derivative + damping.value * now.identity);
       const Vector step = solver.solve(now.residual);
       if (!step.allFinite()) return std::nullopt;
-      if (damping == 0 && now.size <= 1) return finished(now, solver, step);
+      if (damping.value == 0 && now.size <= 1) return finished(now, solver, step);
       Mapped trial = mapped(corrected(state_, step));
-      const Vector expected = damping * now.identity * step;
+      const Vector expected = damping.value * now.identity * step;
       const double miss =
           trial.usable ? size(trial.residual - expected, state_) / now.size : infinity;
       if (miss <= good_miss) {
         state_ = trial.start();
         now = std::move(trial);
-        damping = damping < 1e-4 ? 0 : damping * std::max(0.1, std::sqrt(miss / good_miss));
-      } else if (damping == 0 && now.size <= 1e3) {
+        damping.lower(miss);
+      } else if (damping.value == 0 && now.size <= 1e3) {
         return finished(now, solver, step);
       } else {
         if (!trial.usable) centre(now);
-        damping =
-            damping == 0 ? 1e-4 : damping * std::clamp(std::sqrt(miss / good_miss), 2.0, 10.0);
+        damping.raise(miss);
       }
     }
     return std::nullopt;
@@ -183,21 +212,7 @@ class Search {
     const Vector gradient = now.trace.integral_changes.row(0).transpose();
     const Vector gain = solver.transpose().solve(gradient);
     const double left = std::abs(gradient.dot(step)) + gain.cwiseAbs().dot(rounding(state_));
-    return {now.trace, ratio(now), summing(now) + left / period, true};
-  }
-
-  // Where no closed cycle is found: the mean over a long window, uncertain by what it still drifts.
-  SteadyCycle window(int cycles) {
-    SteadyCycle cycle;
-    double halves[2] = {0, 0};
-    for (int i = 0; i < 2 * cycles; ++i) {
-      cycle.period = plain(state_, period);
-      state_ = cycle.period.end;
-      halves[i / cycles] += cycle.period.impulse() / period / cycles;
-    }
-    cycle.ratio = 0.5 * (halves[0] + halves[1]);
-    cycle.error = std::abs(halves[1] - halves[0]) + 1.0 / cycles;
-    return cycle;
+    return {now.trace, ratio(now), summing(now) + left / period};
   }
 
   const Model& model_;

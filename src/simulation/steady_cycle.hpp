@@ -9,13 +9,13 @@
 namespace vcrit::simulation {
 
 struct SteadyCycle {
-  Trace period;         ///< one period from a state in slip on
-  double ratio = 0;     ///< <F>/(mu0 <F_n>)
-  double error = 0;     ///< estimate of its absolute error
-  bool closed = false;  ///< the motion repeats itself every period
+  Trace period;      ///< one period from a state in slip on
+  double ratio = 0;  ///< <F>/(mu0 <F_n>)
+  double error = 0;  ///< estimate of its absolute error
 };
 
 /// velocity: drive velocity without dimension, below the sliding threshold and above stick.
+/// Throws ModelError if no closed cycle is found.
 SteadyCycle steady_cycle(const Model& model, double velocity, State start);
 
 /// Forward sliding as near to steady sliding as the drive allows, at its fastest moment (whether

@@ -41,6 +41,9 @@ using namespace std::complex_literals;
 
 constexpr double turn = 2 * std::numbers::pi;
 
+// Where rounding errors would grow beyond it, no digits of the motion are left to speak of.
+constexpr double sharpest_resonance = 1e7;
+
 double wrapped(double angle) {
   const double result = angle - turn * std::floor(angle / turn);
   return result < turn ? result : 0;
@@ -54,6 +57,9 @@ class Answer {
   SteadyState find(Start start) const {
     const double threshold = std::abs(model_.sliding_velocity);
     if (velocity_ >= threshold + model_.creep) return sliding();
+    if (!(model_.resonance < sharpest_resonance))
+      throw ModelError(
+          "body and drive are in undamped resonance: the swing in slip grows without bound");
     // A path that creeps carries F = eta v in stick; the bound may never be reached.
     if (model_.creep * (1 - model_.amplitude) >= velocity_) return stick();
     return cycle(steady_cycle(model_, velocity_,
@@ -85,7 +91,7 @@ class Answer {
     SteadyState state;
     state.friction_ratio = found.ratio;
     state.friction_ratio_error = found.error;
-    if (found.closed) state.periods = 1;
+    state.periods = 1;
     state.events = events(found.period);
     state.regime = regime(state.events);
     for (int i = 0; i < samples_; ++i) state.cycle.push_back(sample(found.period, phase_of(i)));

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/errors.hpp"
 #include "random_systems.hpp"
 #include "reference_systems.hpp"
 
@@ -162,5 +163,89 @@ BOOST_AUTO_TEST_CASE(unit_of_time_leaves_the_ratio_alone) {
     const double velocity = 0.3 * sliding_threshold(system).drive_velocity;
     BOOST_TEST(steady_state(fast, 4 * velocity).friction_ratio ==
                steady_state(system, velocity).friction_ratio);
+  }
+}
+
+namespace {
+
+// Neither contact nor drive loses energy: what swings in slip or stick swings for ever.
+System undamped(double contact, double drive, double mass, double amplitude) {
+  System system = elastic(amplitude);
+  system.contact = spring(contact);
+  system.drive = spring(drive);
+  system.mass = mass;
+  return system;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(undamped_drives_reach_their_steady_state) {
+  constexpr unsigned seed = 5;
+  BOOST_TEST_MESSAGE("seed " << seed);
+  reference::RandomSystems random(seed, 1);
+  for (int i = 0; i < 100; ++i) {
+    const System system = undamped(random.logarithmic(0.1, 10), random.logarithmic(0.1, 10),
+                                   random.logarithmic(0.1, 10), random.uniform(0.05, 0.99));
+    const double v = sliding_threshold(system).drive_velocity;
+    const double below = v * random.logarithmic(0.02, 1);
+    const SteadyState slid = steady_state(system, below, Start::sliding);
+    const SteadyState rested = steady_state(system, below, Start::rest);
+    BOOST_TEST_CONTEXT("system " << i) {
+      BOOST_TEST(std::abs(slid.friction_ratio - rested.friction_ratio) <=
+                 slid.friction_ratio_error + rested.friction_ratio_error);
+      BOOST_TEST(slid.friction_ratio_error < 1e-9);
+      // A little above v* 20,000 cycles would leave 1e-9 of the transient; the value is at hand.
+      BOOST_TEST(steady_state(system, 1.05 * v, Start::rest).friction_ratio == 1.0);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(resonance_and_antiresonance) {
+  // K_d = m w^2: v* is infinite, below it the swing has no end.
+  const System resonant = undamped(1, 2, 2, 0.5);
+  BOOST_TEST(std::isinf(sliding_threshold(resonant).contact_velocity));
+  BOOST_CHECK_THROW(steady_state(resonant, 0.1), ModelError);
+  // K_t + K_d = m w^2: v* = 0, friction is not reduced at any speed.
+  const System antiresonant = undamped(1, 1, 2, 0.5);
+  BOOST_TEST(sliding_threshold(antiresonant).contact_velocity == 0.0);
+  BOOST_TEST(steady_state(antiresonant, 1e-6, Start::rest).friction_ratio == 1.0);
+}
+
+// The sampled cycle keeps Coulomb's law, and its mean force is the friction ratio.
+BOOST_AUTO_TEST_CASE(sampled_cycles_keep_the_law_of_friction) {
+  for (unsigned i = 0; i < 40; ++i) {
+    reference::RandomSystems systems(2000 + i, 1);
+    const System system = systems.system();
+    const double velocity = 0.5 * sliding_threshold(system).drive_velocity;
+    constexpr int samples = 20000;
+    const SteadyState state = steady_state(system, velocity, Start::sliding, samples);
+    const double unit = system.friction * system.mean_normal_force;
+    double sum = 0;
+    for (const CyclePoint& point : state.cycle) {
+      BOOST_TEST_REQUIRE(std::abs(point.force) <= point.friction_bound + 1e-13 * unit);
+      const double law = point.contact_velocity > 0 ? point.friction_bound : -point.friction_bound;
+      if (point.contact_velocity != 0)
+        BOOST_TEST_REQUIRE(std::abs(point.force - law) <= 1e-13 * unit);
+      sum += point.force / unit;
+    }
+    // The force is continuous, its slope may jump: the trapezoidal rule errs by (2 pi/n)^2/12 times
+    // the slope's total change in a period, itself below 100 here.
+    BOOST_TEST(std::abs(sum / samples - state.friction_ratio) <= 100 * 1e-8);
+  }
+}
+
+// Stick follows slip of either direction and the other way round; phases lie within one turn.
+BOOST_AUTO_TEST_CASE(events_take_turns) {
+  for (unsigned i = 0; i < 60; ++i) {
+    reference::RandomSystems systems(3000 + i, 3);
+    const System system = systems.system();
+    const SteadyState state =
+        steady_state(system, 0.2 * sliding_threshold(system).drive_velocity, Start::rest);
+    BOOST_TEST(state.events.size() % 2 == 0U);
+    for (std::size_t j = 0; j < state.events.size(); ++j) {
+      const Event &event = state.events[j], &next = state.events[(j + 1) % state.events.size()];
+      BOOST_TEST((event.phase >= 0 && event.phase < 2 * std::numbers::pi));
+      BOOST_TEST(((event.to == Motion::stick) != (next.to == Motion::stick)));
+    }
   }
 }
