@@ -28,7 +28,7 @@ std::map<Symbol, std::string> element_comments(const Scene& scene) {
 ParameterList::ParameterList(const Scene& scene, const Derivation& derivation) {
   const std::set<Symbol> always{{"mu0"}, {"omega"}, {"du_z"}};
   for (const char* name : {"mu0", "omega", "du_z"})
-    add({name}, "coefficient of friction; angular frequency, rad/s; amplitude, m", scene);
+    add({name}, "coefficient of friction; angular frequency, rad/s; amplitude in metres", scene);
   std::map<Symbol, std::string> comments = element_comments(scene);
   comments[{"m"}] = "mass, kg";
   if (const auto* isotropic = std::get_if<Isotropic>(&scene.tangential)) {
