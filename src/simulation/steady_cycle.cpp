@@ -22,7 +22,7 @@ class Search {
 
   SteadyCycle run() {
     load();
-    int cycles = 3;
+    int cycles = 2;
     for (int attempt = 0; attempt < most_attempts; ++attempt) {
       for (int i = 0; i < cycles; ++i) last_ = plain(state_, period), state_ = last_.end;
       if (stroboscope()) {
@@ -122,7 +122,7 @@ class Search {
     for (Index j = 0; j < model_.units(); ++j)
       size(body + j) += model_.contact.unit_fluidity(j) /
                         (1 + model_.contact.unit_rates[static_cast<std::size_t>(j)]);
-    return 4 * epsilon * size;
+    return 8 * epsilon * size;
   }
 
   State corrected(const State& state, const Vector& step) const {
@@ -173,7 +173,7 @@ class Search {
 
   // Rounding of the mean itself, a few errors for each part that it is made of.
   static double summing(const Mapped& now) {
-    return 4 * epsilon * static_cast<double>(now.trace.parts.size());
+    return 8 * epsilon * static_cast<double>(now.trace.parts.size());
   }
 
   // The error left: what one more Newton step would change, and the rounding of one period as the
