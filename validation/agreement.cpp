@@ -71,9 +71,9 @@ Comparison in_doubles(const SceneReport& report, const char* key, const char* na
   Comparison comparison = velocity_comparison(report, key, name);
   comparison.found = found;
   comparison.tolerance = 32 * unit_roundoff * report.condition;
-  comparison.reason = fmt::format(
-      "doubles: 32 roundings of 2⁻⁵³, times the condition number {:.3g} of Eq. 24 here",
-      report.condition);
+  comparison.reason =
+      fmt::format("doubles: 32 roundings of 2⁻⁵³, times the condition number {:.3g} of Eq. 24 here",
+                  report.condition);
   if (std::isfinite(report.condition)) return comparison;
   return not_run(comparison, "exactly at (anti)resonance doubles promise nothing");
 }

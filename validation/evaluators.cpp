@@ -71,9 +71,7 @@ std::string asking_program(const std::vector<Symbol>& parameters, const Values& 
   std::string assignments;
   for (const Symbol& symbol : parameters)
     assignments += fmt::format("  p.{} = {:a};\n", member(symbol), values.at(symbol));
-  return fmt::format(R"(#include <cstdio>
-#include "scene.hpp"
-
+  return "#include <cstdio>\n#include \"scene.hpp\"\n" + fmt::format(R"(
 int main() {{
   scene::Parameters p{{}};
 {}  const double omega = p.omega;
@@ -85,7 +83,7 @@ int main() {{
     std::printf("%.17g\n", v);
 }}
 )",
-                     assignments);
+                                                                     assignments);
 }
 
 GeneratedVelocities generated_velocities(const Scene& scene, const symbolic::Derivation& derivation,

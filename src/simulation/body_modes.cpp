@@ -9,8 +9,8 @@ namespace vcrit::simulation {
 
 namespace {
 
-// Two real rates closer than this share of their sum, with no pole between them, are treated as a
-// pair: the coefficients of separate modes would grow like the inverse of the share.
+// Two real rates closer than this share of their distances from the nearest pole, with no pole
+// between them, are a pair: the coefficients of separate modes would grow like the share's inverse.
 constexpr double close_share = 0.1;
 
 class BodyModes {
@@ -20,7 +20,7 @@ class BodyModes {
         holder_(holder),
         roots_(positive_roots({mass, holder.direct, holder.rates, holder.weights})) {
     if (roots_.size() + 1 == holder_.rates.size()) {
-      pair_ = first_guess();
+      first_guess();
       polish();
     } else {
       ensure(roots_.size() == holder_.rates.size() + 1,
@@ -32,7 +32,7 @@ class BodyModes {
   Modes modes() const {
     Modes result;
     for (const OffsetRate& root : roots_) result.spectrum.rates.push_back(root.value());
-    result.spectrum.pair = pair_;
+    if (pair_) result.spectrum.pair = ModePair{pair_->decay.value(), pair_->q};
     const Index n = result.spectrum.size();
     result.to_modes = result.from_modes = Matrix::Zero(n, n);
     for (Index i = 0; i < result.spectrum.singles(); ++i) single(result, i);
@@ -71,7 +71,7 @@ class BodyModes {
     };
     set(0, share * mass_, PairNumber{1, 0, pair_->q});
     for (std::size_t j = 0; j < poles(); ++j) {
-      const PairNumber receptance = inverse(pair_->exponent() + holder_.rates[j]);
+      const PairNumber receptance = inverse(above(holder_.rates[j]));
       set(static_cast<Index>(j) + 1, share * receptance * -1.0, receptance * holder_.weights[j]);
     }
   }
@@ -80,33 +80,34 @@ class BodyModes {
   PairNumber remaining_factor() const {
     PairNumber rho{mass_, 0, pair_->q};
     for (std::size_t i = 0; i < std::max(roots_.size(), poles()); ++i) {
-      if (i < roots_.size()) rho = rho * (pair_->exponent() + roots_[i].value());
-      if (i < poles()) rho = rho / (pair_->exponent() + holder_.rates[i]);
+      if (i < roots_.size()) rho = rho * PairNumber{roots_[i].minus(pair_->decay), 1, pair_->q};
+      if (i < poles()) rho = rho / (above(holder_.rates[i]));
     }
     return rho;
   }
 
   PairNumber characteristic() const {
-    PairNumber sum = pair_->exponent() * mass_ + holder_.direct;
+    PairNumber sum = PairNumber{-pair_->decay.value(), 1, pair_->q} * mass_ + holder_.direct;
     for (std::size_t j = 0; j < poles(); ++j)
-      sum = sum + inverse(pair_->exponent() + holder_.rates[j]) * holder_.weights[j];
+      sum = sum + inverse(above(holder_.rates[j])) * holder_.weights[j];
     return sum;
   }
 
-  // Bairstow's iteration: chi/rho = 2 dp sigma - dq. Well conditioned also where both modes meet.
+  // Bairstow's iteration: chi/rho = 2 dp sigma - dq. Well conditioned also where both modes meet,
+  // and a weak damping keeps its relative accuracy. It converges quadratically.
   void polish() {
-    for (int i = 0; i < 30; ++i) {
+    for (int i = 0; i < 12; ++i) {
       const PairNumber step = characteristic() / remaining_factor();
-      const double size = pair_->decay * pair_->decay + std::abs(pair_->q);
-      pair_->decay += step.b / 2;
+      const double decay = pair_->decay.value(), size = decay * decay + std::abs(pair_->q);
+      pair_->decay.offset += step.b / 2;
       pair_->q -= step.a;
-      if (std::abs(step.a) <= 4e-16 * size && step.b * step.b <= 1e-31 * size) break;
+      if (std::abs(step.a) <= 4e-16 * size && std::abs(step.b) <= 4e-16 * decay) break;
     }
   }
 
   // Product and sum of the two missing roots, from Vieta's formulas at the fast or at the slow end,
   // whichever cancels less.
-  ModePair first_guess() const {
+  void first_guess() {
     const bool held = holder_.rates.front() == 0;
     const std::size_t first = held ? 1 : 0;
     double linear = holder_.direct, inertia = mass_, fast = holder_.direct / mass_, slow = 0;
@@ -131,7 +132,14 @@ class BodyModes {
     }
     const bool fast_end = std::abs(fast) * slow_size >= std::abs(slow) * fast_size;
     const double decay = std::max(0.0, 0.5 * (fast_end ? fast : slow * product));
-    return {decay, decay * decay - product};
+    pair_ = Pair{near_pole(decay), decay * decay - product};
+  }
+
+  OffsetRate near_pole(double rate) const {
+    double reference = 0;
+    for (const double pole : holder_.rates)
+      if (std::abs(rate - pole) < std::abs(rate - reference)) reference = pole;
+    return {reference, rate - reference};
   }
 
   bool pole_between(const OffsetRate& low, const OffsetRate& high) const {
@@ -143,25 +151,34 @@ class BodyModes {
     std::size_t best = roots_.size();
     double least = close_share;
     for (std::size_t i = 0; i + 1 < roots_.size(); ++i) {
-      const double share =
-          roots_[i + 1].minus(roots_[i]) / (roots_[i].value() + roots_[i + 1].value());
-      if (share < least && !pole_between(roots_[i], roots_[i + 1])) {
+      const OffsetRate &low = roots_[i], &high = roots_[i + 1];
+      const double share = high.minus(low) / (std::abs(low.offset) + std::abs(high.offset));
+      if (share < least && !pole_between(low, high)) {
         least = share;
         best = i;
       }
     }
     if (best == roots_.size()) return;
     const double half = 0.5 * roots_[best + 1].minus(roots_[best]);
-    pair_ = ModePair{roots_[best].value() + half, half * half};
+    pair_ = Pair{{roots_[best].reference, roots_[best].offset + half}, half * half};
     roots_.erase(roots_.begin() + static_cast<std::ptrdiff_t>(best),
                  roots_.begin() + static_cast<std::ptrdiff_t>(best) + 2);
     polish();
   }
 
+  // s = -decay +- sqrt(q), the decay as an offset from the nearest pole like the single roots.
+  struct Pair {
+    OffsetRate decay;
+    double q;
+  };
+
+  // s + rate at the pair.
+  PairNumber above(double rate) const { return {-pair_->decay.minus(rate), 1, pair_->q}; }
+
   double mass_;
   const PoleSum& holder_;
   std::vector<OffsetRate> roots_;
-  std::optional<ModePair> pair_;
+  std::optional<Pair> pair_;
 };
 
 }  // namespace

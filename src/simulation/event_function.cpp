@@ -24,7 +24,7 @@ constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
 
 // Largest |sigma part of x e^{(-p + sigma) t}| over t >= 0.
 double largest(PairNumber x, PairNumber exponent) {
-  if (x.q < 0) return std::hypot(x.b, x.a / std::sqrt(-x.q));
+  if (x.q < 0) return std::sqrt(x.b * x.b - x.a * x.a / x.q);
   const double slow = -exponent.a - std::sqrt(x.q);  // > 0: both rates are real and positive
   return std::abs(x.b) + std::abs(x.a) * std::exp(-1.0) / slow;
 }
@@ -64,7 +64,7 @@ struct EventFunction::Cubic {
   }
   // Between a point below zero and one not below, on one monotone piece; from below.
   double crossing(double low, double high) const {
-    for (int i = 0; i < 100 && high - low > 1e-3 * (high - low + low); ++i) {
+    for (int i = 0; i < 100 && high - low > 1e-6 * high; ++i) {
       const double middle = 0.5 * (low + high);
       const double newton = middle - (*this)(middle) / slope(middle);
       ((*this)(middle) < 0 ? low : high) = middle;
@@ -84,19 +84,50 @@ void EventFunction::add_modes(const Spectrum& spectrum, const Vector& row, const
   for (Index i = 0; i < spectrum.singles(); ++i) {
     const double rate = spectrum.rates[static_cast<std::size_t>(i)];
     const double amplitude = factor * row(i) * z(i) * (derivative == 1 ? -rate : 1);
-    if (amplitude != 0) decays_.push_back({amplitude, rate});
+    if (amplitude != 0) decays_.push_back({amplitude, rate, amplitude});
   }
   if (!spectrum.pair) return;
+  const PairNumber exponent = spectrum.pair->exponent();
   PairNumber amplitude = spectrum.weight(row) * spectrum.amplitude(z) * factor;
-  if (derivative == 1) amplitude = amplitude * spectrum.pair->exponent();
-  pairs_.push_back({amplitude, spectrum.pair->exponent()});
+  if (derivative == 1) amplitude = amplitude * exponent;
+  pairs_.push_back({amplitude, exponent, inverse(exponent), size(exponent), amplitude});
 }
 
 void EventFunction::add_sinusoid(std::complex<double> amplitude) {
-  pairs_.push_back({{-amplitude.imag(), amplitude.real(), -1}, {0, 1, -1}});
+  const PairNumber pair{-amplitude.imag(), amplitude.real(), -1};
+  pairs_.push_back({pair, {0, 1, -1}, {0, -1, -1}, 1, pair});
 }
 
-EventFunction::Point EventFunction::at(double t) const {
+namespace {
+
+// e^{s t} and its first two integrals from 0.
+template <class Number>
+struct Integrals {
+  Number none, once, twice;
+};
+
+Integrals<double> integrals(double rate, double t) {
+  const double x = rate * t;
+  if (x < 0.5) {
+    const double twice = t * t * phi(2, -x), once = t - rate * twice;
+    return {1 - rate * once, once, twice};
+  }
+  const double none = std::exp(-x), once = (1 - none) / rate;
+  return {none, once, (t - once) / rate};
+}
+
+Integrals<PairNumber> integrals(PairNumber s, PairNumber inverse, double rate, double t) {
+  if (rate * t < 0.5) {
+    const PairNumber twice = phi(2, s * t) * (t * t), once = s * twice + t;
+    return {s * once + 1, once, twice};
+  }
+  const PairNumber none = exp(s * t), once = (none - 1) * inverse;
+  return {none, once, (once - t) * inverse};
+}
+
+}  // namespace
+
+EventFunction::Point EventFunction::move_to(double t) {
   Point p{t, value_, 0, 0, size_};
   const auto add = [&](double value, double slope, double curvature) {
     p.value += value;
@@ -104,64 +135,65 @@ EventFunction::Point EventFunction::at(double t) const {
     p.curvature += curvature;
     p.noise += std::abs(value);
   };
-  for (const Decay& d : decays_) {
-    const double now = d.amplitude * std::exp(-d.rate * t);
-    const double once = d.amplitude * integral(1, -d.rate, t);
+  for (Decay& d : decays_) {
+    const auto [none, once, twice] = integrals(d.rate, t);
+    d.now = d.amplitude * none;
     if (order_ == 1)
-      add(once, now, -d.rate * now);
+      add(d.amplitude * once, d.now, -d.rate * d.now);
     else
-      add(d.amplitude * integral(2, -d.rate, t), once, now);
+      add(d.amplitude * twice, d.amplitude * once, d.now);
   }
-  for (const Pair& pair : pairs_) {
-    const auto part = [&](int k) { return (pair.amplitude * integral(k, pair.exponent, t)).b; };
+  for (Pair& pair : pairs_) {
+    const auto [none, once, twice] = integrals(pair.exponent, pair.inverse, pair.rate, t);
+    pair.now = pair.amplitude * none;
     if (order_ == 1)
-      add(part(1), part(0), (pair.amplitude * pair.exponent * exp(pair.exponent * t)).b);
+      add((pair.amplitude * once).b, pair.now.b, (pair.now * pair.exponent).b);
     else
-      add(part(2), part(1), part(0));
+      add((pair.amplitude * twice).b, (pair.amplitude * once).b, pair.now.b);
   }
   p.noise *= rounding;
+  slope_ = p.slope;
   return p;
 }
 
 // Slow decays' cubic coefficients are exact but for the last; c1 of order 2 is the point's slope.
-bool EventFunction::bound_decays(Cubic& bound, double t, double h) const {
+bool EventFunction::bound_decays(Cubic& bound, double h) const {
   bool fast = false;
   for (const Decay& d : decays_) {
-    const double now = d.amplitude * std::exp(-d.rate * t), rate_h = d.rate * h;
+    const double rate_h = d.rate * h;
     if (rate_h > 1) {
       fast = true;
       if (order_ == 1)
-        (now > 0 ? bound.c0 : bound.c1) += now > 0 ? now / d.rate : now * 0.63 / rate_h;
-      else if (now > 0)
-        bound.c1 += now / d.rate;
+        (d.now > 0 ? bound.c0 : bound.c1) += d.now > 0 ? d.now / d.rate : d.now * 0.63 / rate_h;
+      else if (d.now > 0)
+        bound.c1 += d.now / d.rate;
       continue;
     }
-    const double second = order_ == 1 ? -d.rate * now : now;
+    const double second = order_ == 1 ? -d.rate * d.now : d.now;
     const double third = -d.rate * second;
-    if (order_ == 1) bound.c1 += now;
+    if (order_ == 1) bound.c1 += d.now;
     bound.c2 += second;
     bound.c3 += third > 0 ? third : third * (1 - rate_h);
   }
   return fast;
 }
 
-bool EventFunction::bound_pairs(Cubic& bound, double t, double h) const {
+bool EventFunction::bound_pairs(Cubic& bound, double h) const {
   bool fast = false;
   for (const Pair& pair : pairs_) {
-    const PairNumber now = pair.amplitude * exp(pair.exponent * t);
-    if (size(pair.exponent) * h <= 1) {
-      const PairNumber once = now * pair.exponent;
-      if (order_ == 1) bound.c1 += now.b;
-      bound.c2 += order_ == 1 ? once.b : now.b;
+    if (pair.rate * h <= 1) {
+      const PairNumber once = pair.now * pair.exponent;
+      if (order_ == 1) bound.c1 += pair.now.b;
+      bound.c2 += order_ == 1 ? once.b : pair.now.b;
       bound.c3 += largest(order_ == 1 ? once * pair.exponent : once, pair.exponent);
       continue;
     }
     fast = true;
-    const PairNumber back = now / pair.exponent;
+    const PairNumber back = pair.now * pair.inverse;
     if (order_ == 1) {
       bound.c0 += largest(back, pair.exponent) - back.b;
     } else {
-      const PairNumber twice = back / pair.exponent;
+      const PairNumber twice = back * pair.inverse;
       bound.c0 += largest(twice, pair.exponent) - twice.b;
       bound.c1 -= back.b;
     }
@@ -169,12 +201,12 @@ bool EventFunction::bound_pairs(Cubic& bound, double t, double h) const {
   return fast;
 }
 
-EventFunction::Safe EventFunction::safe_duration(const Point& from, double h) const {
+EventFunction::Safe EventFunction::safe_duration(double value, double h) const {
   Cubic bound;
-  bound.c0 = from.value;
-  if (order_ == 2) bound.c1 = from.slope;
-  const bool fast_decays = bound_decays(bound, from.time, h);
-  const bool fast_pairs = bound_pairs(bound, from.time, h);
+  bound.c0 = value;
+  if (order_ == 2) bound.c1 = slope_;
+  const bool fast_decays = bound_decays(bound, h);
+  const bool fast_pairs = bound_pairs(bound, h);
   return {bound.negative_until(h), fast_decays || fast_pairs};
 }
 
@@ -182,17 +214,18 @@ namespace {
 
 class March {
  public:
-  March(const EventFunction& f, double end, bool leaving) : f_(f), end_(end), leaving_(leaving) {}
+  March(EventFunction& f, double end, bool leaving, double first_step)
+      : f_(f), end_(end), leaving_(leaving), h_(first_step) {}
 
   std::optional<double> run() {
-    EventFunction::Point here = f_.at(0);
+    EventFunction::Point here = f_.move_to(0);
     if (leaving_) here.value = 0;
     for (int i = 0; i < most_steps; ++i) {
       if (here.time >= end_) return std::nullopt;
       const bool at_start = leaving_ && here.time == 0;
       if (!at_start && here.value >= -here.noise) {
         if (here.slope > 0 || here.curvature > 0) return polished(here);
-        here = f_.at(here.time + past(here));
+        here = f_.move_to(here.time + past(here));
         continue;
       }
       const double step = safe_step(here);
@@ -200,7 +233,7 @@ class March {
         if (!at_start) return polished(here);
         return 0.0;
       }
-      here = f_.at(std::min(end_, here.time + step));
+      here = f_.move_to(std::min(end_, here.time + step));
     }
     throw ModelError("too many oscillations before the next change of stick and slip");
   }
@@ -215,7 +248,7 @@ class March {
   // Intervals are narrowed while they hide fast terms and show little; they grow when all is safe.
   double safe_step(const EventFunction::Point& here) {
     while (true) {
-      const EventFunction::Safe safe = f_.safe_duration(here, h_);
+      const EventFunction::Safe safe = f_.safe_duration(here.value, h_);
       if (safe.duration >= h_) {
         const double whole = h_;
         h_ *= 2;
@@ -245,16 +278,16 @@ class March {
     return std::min(end_, small ? p.time + step : p.time);
   }
 
-  const EventFunction& f_;
+  EventFunction& f_;
   double end_;
   bool leaving_;
-  double h_ = 1;
+  double h_;
 };
 
 }  // namespace
 
-std::optional<double> first_zero(const EventFunction& f, double end, bool leaving) {
-  return March(f, end, leaving).run();
+std::optional<double> first_zero(EventFunction& f, double end, bool leaving, double first_step) {
+  return March(f, end, leaving, first_step).run();
 }
 
 }  // namespace vcrit::simulation

@@ -30,36 +30,42 @@ class EventFunction {
     double value = 0, slope = 0, curvature = 0;
     double noise = 0;  ///< bound on the rounding error of value
   };
-  Point at(double t) const;
+  /// f at t, which becomes the present point.
+  Point move_to(double t);
 
-  /// A duration h' <= h during which f stays negative after `from`, where it is negative (or where
-  /// it leaves 0 downwards); 0 if none can be shown. `finer` says that a smaller h may show more.
+  /// A duration up to h during which f stays negative after the present point, where its value is
+  /// `value` < 0 (or where it leaves 0 downwards); 0 if none can be shown. `finer` says that a
+  /// smaller h may show more.
   struct Safe {
     double duration = 0;
     bool finer = false;
   };
-  Safe safe_duration(const Point& from, double h) const;
+  Safe safe_duration(double value, double h) const;
 
  private:
   struct Decay {
-    double amplitude, rate;
+    double amplitude, rate, now;
   };
   struct Pair {
-    PairNumber amplitude, exponent;
+    PairNumber amplitude, exponent, inverse;
+    double rate;  ///< size of the exponent
+    PairNumber now;
   };
 
   struct Cubic;
-  bool bound_decays(Cubic& bound, double t, double h) const;
-  bool bound_pairs(Cubic& bound, double t, double h) const;
+  bool bound_decays(Cubic& bound, double h) const;
+  bool bound_pairs(Cubic& bound, double h) const;
 
   int order_;
   double value_, size_;
+  double slope_ = 0;  ///< at the present point
   std::vector<Decay> decays_;
   std::vector<Pair> pairs_;
 };
 
 /// The first t in (0, end] where f, negative before, reaches 0; nothing if it stays negative. With
 /// `leaving`, f(0) = 0 does not count. Zeros at which f only touches 0 within rounding are passed.
-std::optional<double> first_zero(const EventFunction& f, double end, bool leaving);
+/// Where no zero is expected, `first_step` = end may settle it at once.
+std::optional<double> first_zero(EventFunction& f, double end, bool leaving, double first_step = 1);
 
 }  // namespace vcrit::simulation

@@ -125,7 +125,8 @@ std::optional<double> Piece::stick_end(int side, double horizon) const {
   EventFunction f(order, entered ? 0 : std::min(gap, 0.0), entered ? 0 : std::abs(start_.x(0)));
   f.add_modes(phase().modes.spectrum, phase().event, modes_, side, order - 1);
   f.add_sinusoid(order == 2 ? bound : -1i * bound);
-  const auto zero = first_zero(f, horizon, entered);
+  const bool expected = entered || start_.entered == 0;
+  const auto zero = first_zero(f, horizon, entered, expected ? 1 : horizon);
   return zero && *zero < horizon ? zero : std::nullopt;
 }
 

@@ -28,7 +28,7 @@ struct PairNumber {
   /// |x| for q <= 0; for q > 0 the larger of both real values.
   friend double size(PairNumber x) {
     const double root = std::sqrt(std::abs(x.q)) * x.b;
-    return x.q < 0 ? std::hypot(x.a, root) : std::abs(x.a) + std::abs(root);
+    return x.q < 0 ? std::sqrt(x.a * x.a + root * root) : std::abs(x.a) + std::abs(root);
   }
 };
 

@@ -22,7 +22,7 @@ class Search {
 
   SteadyCycle run() {
     load();
-    int cycles = 3;
+    int cycles = 2;
     for (int attempt = 0; attempt < most_attempts; ++attempt) {
       for (int i = 0; i < cycles; ++i) last_ = plain(state_, period), state_ = last_.end;
       if (stroboscope()) {
@@ -47,17 +47,15 @@ class Search {
 
   // Puts the state into the middle of the last period's longest forward slip.
   bool stroboscope() {
-    double longest = 0, middle = 0;
-    for (const Trace::Part& part : last_.parts) {
-      if (part.piece.start().motion != Motion::slip || part.duration <= longest) continue;
-      longest = part.duration;
-      middle = part.piece.start().time + 0.5 * part.duration;
-    }
-    if (longest == 0) return false;
-    const double wait = middle + period - state_.time;
-    state_ = plain(state_, wait > period ? wait - period : wait).end;
+    const Trace::Part* longest = nullptr;
+    for (const Trace::Part& part : last_.parts)
+      if (part.piece.start().motion == Motion::slip &&
+          (!longest || part.duration > longest->duration))
+        longest = &part;
+    if (!longest) return false;
+    state_ = longest->piece.after(0.5 * longest->duration);
     state_.time -= period * std::floor(state_.time / period);
-    return state_.motion == Motion::slip;
+    return true;
   }
 
   // The period map from the stroboscope on: what is left to close the cycle, and minus its
@@ -77,10 +75,10 @@ class Search {
     const Index n = state.x.size() - 1;
     Matrix changes = Matrix::Zero(n + 1, n);
     changes.bottomRows(n).setIdentity();
-    Mapped result{
-        trace(model_, velocity_, state, period, changes), {}, {}, Matrix::Identity(n, n), 0, false};
+    Mapped result{trace(model_, velocity_, state, period, changes), {}, {}, {}, 0, false};
     result.usable = result.trace.end.motion == Motion::slip;
     if (!result.usable) return result;
+    result.identity = Matrix::Identity(n, n);
     result.residual = result.trace.end.x.tail(n) - state.x.tail(n);
     result.derivative = result.identity - result.trace.changes.bottomRows(n);
     close_slow_branches(result);
@@ -124,7 +122,7 @@ class Search {
     for (Index j = 0; j < model_.units(); ++j)
       size(body + j) += model_.contact.unit_fluidity(j) /
                         (1 + model_.contact.unit_rates[static_cast<std::size_t>(j)]);
-    return 4 * epsilon * size;
+    return 8 * epsilon * size;
   }
 
   State corrected(const State& state, const Vector& step) const {
@@ -168,7 +166,6 @@ class Search {
   // The slip may have moved away from the stroboscope on the way.
   void centre(Mapped& now) {
     last_ = now.trace;
-    state_ = now.trace.end;
     if (stroboscope()) now = mapped(state_);
   }
 
@@ -176,7 +173,7 @@ class Search {
 
   // Rounding of the mean itself, a few errors for each part that it is made of.
   static double summing(const Mapped& now) {
-    return 4 * epsilon * static_cast<double>(now.trace.parts.size());
+    return 8 * epsilon * static_cast<double>(now.trace.parts.size());
   }
 
   // The error left: what one more Newton step would change, and the rounding of one period as the

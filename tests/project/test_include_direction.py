@@ -61,6 +61,14 @@ class APlantedTree(unittest.TestCase):
         }
         self.assertEqual(self.problems(files=files), [])
 
+    def test_may_write_code_with_includes(self):
+        text = 'const char* code = R"x(\n#include "other.hpp"\n)x";\n'
+        self.assertEqual(self.problems(files={"symbolic/emit/header.cpp": text}), [])
+
+    def test_a_raw_string_hides_nothing_after_it(self):
+        text = 'const char* code = R"(\n)";\n#include "scene/scene.hpp"\n'
+        self.assert_found("src/base/wrong.cpp", text, "comes after")
+
     def test_base_may_not_know_the_scene(self):
         self.assert_found("src/base/wrong.cpp", '#include "scene/scene.hpp"\n', "comes after")
 

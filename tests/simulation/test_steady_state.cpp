@@ -144,8 +144,8 @@ BOOST_AUTO_TEST_CASE(scaling_leaves_the_ratio_alone) {
   }
 }
 
-// Another unit of time: omega, rates and velocities times 4, dampers and masses divided by 4 and 16.
-// (A power of 4: roots are bracketed by means of square roots.)
+// Another unit of time: omega, rates and velocities times 4, dampers and masses divided by 4
+// and 16. (A power of 4: roots are bracketed by means of square roots.)
 BOOST_AUTO_TEST_CASE(unit_of_time_leaves_the_ratio_alone) {
   for (unsigned i = 0; i < 50; ++i) {
     reference::RandomSystems systems(199 + i, 3);

@@ -48,6 +48,21 @@ BOOST_AUTO_TEST_CASE(a_rigid_scene_passes_everything) {
   BOOST_TEST(scene["cycle"]["points"].size() >= 100u);
 }
 
+BOOST_AUTO_TEST_CASE(a_rigid_massless_scene_has_neither_mass_nor_drive_from_end_to_end) {
+  const PrivateFolder folder;
+  write_file(folder.path() / "scene.toml", example::rigid_scene);
+  run({(folder.path() / "scene.toml").string()}, folder.path());
+  std::string html = read_file(folder.path() / "index.html");
+  html.erase(html.find("</main>"));  // the scripts follow
+  html.erase(0, html.find("<main"));
+  const std::string data = read_file(folder.path() / "report.json");
+  for (const std::string absent :
+       {"K_d", "<mi>m</mi>", "<mi>d</mi>", " kg", "mass", "drive", " body", "creep"}) {
+    BOOST_TEST(html.find(absent) == html.npos, absent);
+    BOOST_TEST(data.find(absent) == data.npos, absent);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(a_scene_outside_the_model_is_not_simulated) {
   const PrivateFolder folder;
   const auto validation = run({scenes + "/inadmissible.toml"}, folder.path());
@@ -69,7 +84,9 @@ BOOST_AUTO_TEST_CASE(creep_is_compared_where_the_path_creeps) {
 BOOST_AUTO_TEST_CASE(wrong_input_leaves_nothing_behind) {
   const PrivateFolder folder;
   const fs::path out = folder.path() / "out", scene = folder.path() / "scene.toml";
-  write_file(scene, example::rigid_scene + "kx = -1\n");
+  std::string text = example::rigid_scene;
+  text.replace(text.find("kn = 11.5e6"), 11, "kn = -1");
+  write_file(scene, text);
   BOOST_CHECK_THROW(run({scenes + "/elastic.toml", scene.string()}, out), InputError);
   BOOST_TEST(!fs::exists(out));
 }

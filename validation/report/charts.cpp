@@ -1,10 +1,12 @@
 #include "report/charts.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "report/html.hpp"
+#include "base/numbers.hpp"
 #include "report/units.hpp"
 
 namespace vcrit::validation::report {
@@ -18,6 +20,12 @@ const char* const accent = "#2090ad";
 const char* const second = "#d07a28";
 const char* const neutral = "#8a8f98";
 constexpr double period = 2 * std::numbers::pi;
+
+/// Enough digits for a picture; the exact ones are in the tables and in report.json.
+ordered_json drawn(double value) {
+  if (!std::isfinite(value)) return nullptr;
+  return to_double(fmt::format("{:.7g}", value)).value();
+}
 
 ordered_json chart(int height, ordered_json data) {
   return {{"width", "container"},
@@ -66,11 +74,11 @@ ordered_json tooltip(const std::string& speed) {
           {{"field", "sliding"},
            {"type", "quantitative"},
            {"title", "friction ratio"},
-           {"format", ".9f"}},
+           {"format", ".7f"}},
           {{"field", "rest"},
            {"type", "quantitative"},
            {"title", "started from rest"},
-           {"format", ".9f"}},
+           {"format", ".7f"}},
           {{"field", "regime"}, {"type", "nominal"}, {"title", "motion"}}};
 }
 
@@ -78,10 +86,10 @@ ordered_json curve_data(const SceneReport& report) {
   ordered_json rows = ordered_json::array();
   for (const CurvePoint& point : report.curve) {
     ordered_json row{{"x", point.ratio},
-                     {"sliding", json_number(point.from_sliding)},
-                     {"rest", json_number(point.from_rest)},
+                     {"sliding", drawn(point.from_sliding)},
+                     {"rest", drawn(point.from_rest)},
                      {"regime", point.regime}};
-    if (point.closed_form) row["closed"] = *point.closed_form;
+    if (point.closed_form) row["closed"] = drawn(*point.closed_form);
     rows.push_back(std::move(row));
   }
   return rows;
@@ -115,11 +123,11 @@ Trace trace(const SceneReport& report, const std::string& unit, Read read) {
   Trace result{ordered_json::array(), scale_for(period / omega, "s"), scale_for(largest, unit)};
   for (const auto& point : report.cycle->points) {
     const auto values = read(point);
-    ordered_json row{{"t", point.phase / omega * result.time.factor},
-                     {"a", json_number(values.front() * result.value.factor)}};
+    ordered_json row{{"t", drawn(point.phase / omega * result.time.factor)},
+                     {"a", drawn(values.front() * result.value.factor)}};
     if (values.size() > 1) {
-      row["b"] = json_number(values[1] * result.value.factor);
-      row["c"] = json_number(-values[1] * result.value.factor);
+      row["b"] = drawn(values[1] * result.value.factor);
+      row["c"] = drawn(-values[1] * result.value.factor);
     }
     result.rows.push_back(std::move(row));
   }
