@@ -4,9 +4,11 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
+#include <string>
 
 #include "base/errors.hpp"
 #include "commands.hpp"
+#include "machine.hpp"
 
 namespace {
 
@@ -17,9 +19,18 @@ int complain(const std::exception& error, Status status) {
   return status;
 }
 
+std::string version_text() {
+  const vcrit::validation::Machine machine = vcrit::validation::this_machine();
+  std::string text = fmt::format("vcrit {}", machine.program);
+  for (const auto& [name, version] : machine.versions)
+    text += fmt::format("\n{} {}", name, version);
+  return text;
+}
+
 int run(int argc, char** argv) {
   CLI::App program{"Up to which sliding velocity can normal oscillation reduce friction?", "vcrit"};
   program.require_subcommand(1);
+  program.set_version_flag("--version", version_text, "print the versions of vcrit and its parts");
   int status = done;
   vcrit::app::add_derive(program);
   vcrit::app::add_eval(program);

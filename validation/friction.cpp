@@ -1,11 +1,14 @@
 #include "friction.hpp"
 
 #include <fmt/format.h>
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_math.h>
+#include <gsl/gsl_roots.h>
 
 #include <algorithm>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <numbers>
 
 namespace vcrit::validation {
@@ -20,18 +23,34 @@ constexpr int samples = 240;
 constexpr double curve_tolerance = 2e-9;
 constexpr const char* curve_reason = "each steady value is promised to 10⁻⁹, and both may be off";
 
-// Stick of the elastic contact ends where the spring force reaches the friction bound.
-double end_of_stick(double tau1, double ratio) {
-  const auto excess = [&](double tau) {
-    return ratio * (tau - tau1) - (std::cos(tau) - std::cos(tau1));
-  };
-  // The excess falls from 0 at tau1, has its only minimum where sin tau = -ratio again, and then
-  // rises to 2 pi ratio a period after tau1.
-  const double minimum = 3 * pi - tau1;
-  std::uintmax_t steps = 200;
-  const auto root = boost::math::tools::toms748_solve(
-      excess, minimum, tau1 + 2 * pi, boost::math::tools::eps_tolerance<double>(52), steps);
-  return (root.first + root.second) / 2;
+// The speed ratio and the phase where stick begins, for `excess`.
+struct Stick {
+  double ratio, begin;
+};
+
+// Spring force over the friction bound while the elastic contact sticks, less its value at the
+// start.
+double excess(double tau, void* data) {
+  const auto& [ratio, begin] = *static_cast<const Stick*>(data);
+  return ratio * (tau - begin) - (std::cos(tau) - std::cos(begin));
+}
+
+// Stick of the elastic contact ends where the spring force reaches the friction bound. The excess
+// falls from 0, has its only minimum where sin tau = -ratio again, and then rises to 2 pi ratio a
+// period after the start: one root in between.
+double end_of_stick(double begin, double ratio) {
+  Stick stick{ratio, begin};
+  gsl_function function{excess, &stick};
+  const std::unique_ptr<gsl_root_fsolver, void (*)(gsl_root_fsolver*)> solver(
+      gsl_root_fsolver_alloc(gsl_root_fsolver_brent), gsl_root_fsolver_free);
+  gsl_root_fsolver_set(solver.get(), &function, 3 * pi - begin, begin + 2 * pi);
+  int status = GSL_CONTINUE;
+  for (int i = 0; i < 200 && status == GSL_CONTINUE; ++i) {
+    gsl_root_fsolver_iterate(solver.get());
+    status = gsl_root_test_interval(gsl_root_fsolver_x_lower(solver.get()),
+                                    gsl_root_fsolver_x_upper(solver.get()), 0, 4 * GSL_DBL_EPSILON);
+  }
+  return gsl_root_fsolver_root(solver.get());
 }
 
 template <class Value>

@@ -1,5 +1,6 @@
 #include "machine.hpp"
 
+#include <arb.h>
 #include <cln/version.h>
 #include <flint/flint.h>
 #include <fmt/format.h>
@@ -49,6 +50,7 @@ std::vector<std::pair<std::string, std::string>> versions() {
        fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
       {"GSL", GSL_VERSION},
       {"FLINT", FLINT_VERSION},
+      {"Arb", arb_version},
       {"GiNaC", fmt::format("{}.{}.{}", GINACLIB_MAJOR_VERSION, GINACLIB_MINOR_VERSION,
                             GINACLIB_MICRO_VERSION)},
       {"CLN", fmt::format("{}.{}.{}", CL_VERSION_MAJOR, CL_VERSION_MINOR, CL_VERSION_PATCHLEVEL)},

@@ -41,26 +41,16 @@ class Ball {
 struct Arithmetic {
   slong precision;
 
-  Ball add(const Ball& a, const Ball& b) const {
+  using Operation = void(acb_ptr, acb_srcptr, acb_srcptr, slong);
+  Ball apply(Operation* operation, const Ball& a, const Ball& b) const {
     Ball c;
-    acb_add(c.get(), a.get(), b.get(), precision);
+    operation(c.get(), a.get(), b.get(), precision);
     return c;
   }
-  Ball subtract(const Ball& a, const Ball& b) const {
-    Ball c;
-    acb_sub(c.get(), a.get(), b.get(), precision);
-    return c;
-  }
-  Ball multiply(const Ball& a, const Ball& b) const {
-    Ball c;
-    acb_mul(c.get(), a.get(), b.get(), precision);
-    return c;
-  }
-  Ball divide(const Ball& a, const Ball& b) const {
-    Ball c;
-    acb_div(c.get(), a.get(), b.get(), precision);
-    return c;
-  }
+  Ball add(const Ball& a, const Ball& b) const { return apply(acb_add, a, b); }
+  Ball subtract(const Ball& a, const Ball& b) const { return apply(acb_sub, a, b); }
+  Ball multiply(const Ball& a, const Ball& b) const { return apply(acb_mul, a, b); }
+  Ball divide(const Ball& a, const Ball& b) const { return apply(acb_div, a, b); }
   Ball times_i(const Ball& a) const {
     Ball c;
     acb_mul_onei(c.get(), a.get());

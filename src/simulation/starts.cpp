@@ -1,3 +1,4 @@
+// Where a simulation begins: on the steady sliding motion, or at rest with the contact unloaded.
 #include <cmath>
 
 #include "simulation/steady_cycle.hpp"

@@ -70,10 +70,10 @@ class Writer {
           "Equation of motion of the body, oscillating parts (x: body, y: contact point; a network "
           "acts as K(d/dt))",
           motion.body, 0);
-    write(there_.drive ? "The contact point is massless: contact force and friction balance"
-                       : "The drive is rigid, so that the body does not oscillate; the contact "
-                         "point (displacement y) is massless: contact force and friction balance "
-                         "(a network acts as K(d/dt))",
+    write(there_.drive ? "At the contact point contact force and friction balance"
+                       : "The far end of the contact moves uniformly; at the contact point (y: its "
+                         "oscillation) contact force and friction balance (a network acts as "
+                         "K(d/dt))",
           motion.contact + n_.mu0 * n_.f_n, n_.mu0 * n_.f_n);
   }
 
@@ -87,9 +87,7 @@ class Writer {
     if (there_.drive)
       write("Balance of the body, contact force replaced by friction (13)",
             (amplitude.body - amplitude.contact).expand().collect(n_.A), 0);
-    write(there_.drive ? "Balance of the contact point (19)"
-                       : "Balance of the contact point (19), with A = 0",
-          amplitude.contact.collect(n_.K_t), 0);
+    write("Balance of the contact point (19)", amplitude.contact.collect(n_.K_t), 0);
   }
 
   /// Solves for the amplitudes and returns B.

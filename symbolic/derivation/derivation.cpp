@@ -21,14 +21,13 @@ ex velocity(const ex& amplitude) {
 }
 
 /// v* = omega |B|, with and without what the scene's contact and drive have in common.
-void write_condition(const Model& model, bool rigid, std::vector<Line>& lines) {
+void write_condition(const Model& model, std::vector<Line>& lines) {
   const ex v = quantity("v*");
   lines.push_back(
       {"Sliding without a stop ends where the contact velocity v0 - |omega B| sin(...) "
        "first touches zero",
        v, omega() * GiNaC::abs(quantity("B"))});
-  lines.push_back({rigid ? "For any networks, (24) with a rigid drive" : "For any networks (24)", v,
-                   velocity(model.balance().contact_amplitude)});
+  lines.push_back({"For any networks (24)", v, velocity(model.balance().contact_amplitude)});
   if (model.identities().empty()) return;
   for (const Line& identity : model.identities()) lines.push_back(identity);
   lines.push_back({"With this", v, velocity(model.amplitude({}))});
@@ -78,7 +77,7 @@ Derivation derive(const Scene& scene) {
   ensure(formula.has_value(), "a scene without a limit has a formula");
   Derivation result;
   result.lines = model.balance().lines;
-  write_condition(model, !scene.drive, result.lines);
+  write_condition(model, result.lines);
   write_networks(model, result.lines);
   if (result.lines.back().left.is_equal(quantity("v*"))) result.lines.pop_back();
   result.lines.push_back({"Result", quantity("v*"), formula->velocity});

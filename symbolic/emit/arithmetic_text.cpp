@@ -134,9 +134,9 @@ void sweep(Parameters p, std::span<const double> omega, std::span<double> out, V
 )";
 
 const char* const calls =
-    R"(/// v* in m/s: infinite at resonance, 0 at antiresonance, NaN for 0/0.
+    R"(/// v*: infinite at resonance, 0 at antiresonance, NaN for 0/0.
 inline double critical_velocity(const Parameters& p) noexcept { return detail::accurate(p).value; }
-/// v* at each omega (rad/s) in place of p.omega; `out` may be `omega` itself.
+/// v* at each omega in place of p.omega; `out` may be `omega` itself.
 inline void critical_velocity(const Parameters& p, std::span<const double> omega, std::span<double> out) noexcept {
   detail::sweep(p, omega, out, detail::accurate);
 }

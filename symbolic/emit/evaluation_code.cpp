@@ -128,9 +128,13 @@ class Writer {
 
   /// The absolute value, a double.
   std::string size(const Quantity& k) {
-    if (!k.im || !k.re) return fmt::format("double({})", k.re ? *k.re : *k.im);
+    // T(p.k) is the double p.k.
+    const auto head = [](const std::string& x) {
+      return x.starts_with("T(") ? x.substr(2, x.size() - 3) : "double(" + x + ")";
+    };
+    if (!k.im || !k.re) return head(k.re ? *k.re : *k.im);
     code_.has_length = true;
-    return fmt::format("length(double({}), double({}))", *k.re, *k.im);
+    return fmt::format("length({}, {})", head(*k.re), head(*k.im));
   }
 
   Component sum(const Component& a, const Component& b, const std::string& name) {

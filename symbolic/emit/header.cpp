@@ -18,6 +18,8 @@ namespace vcrit::symbolic {
 
 namespace {
 
+constexpr std::size_t width = 120;
+
 std::string banner(const Scene& scene, const Derivation& derivation, const EvaluationCode& code,
                    const std::string& name) {
   const std::string file = std::filesystem::path(scene.file).filename().string();
@@ -28,10 +30,8 @@ std::string banner(const Scene& scene, const Derivation& derivation, const Evalu
     out += comment("  " + to_text(line.left) + " = " + to_text(line.right));
   out += comment("  v* = " + to_text(derivation.critical_velocity) + "   " + derivation.equation +
                  (derivation.definitions.empty() ? "" : ", s = i omega"));
-  out += comment(fmt::format("Again: vcrit generate {} --out DIR --name {}", file, name));
-  out += comment(
-      fmt::format("{} operations a value, in twice the digits of a double or, fast, in doubles.",
-                  code.operations));
+  out += comment(fmt::format("Again: vcrit generate {} --out DIR --name {}. Cost: {} operations.",
+                             file, name, code.operations));
   out += comment(
       "Accuracy: critical_velocity_certified bounds it, unless a parameter or a stiffness is "
       "beyond "
@@ -39,22 +39,49 @@ std::string banner(const Scene& scene, const Derivation& derivation, const Evalu
   return out;
 }
 
-/// Neighbours of one type and meaning share a line.
-std::string parameters_struct(const ParameterList& parameters) {
-  std::string out = "struct Parameters {  // SI units\n", line;
-  const Member* last = nullptr;
-  for (const Member& member : parameters.members()) {
-    if (last != nullptr && last->length == member.length && last->comment == member.comment) {
-      line += ", " + member.name;
-    } else {
-      if (last != nullptr) out += fmt::format("  {};  ///< {}\n", line, last->comment);
-      const std::string type =
-          member.length == 0 ? "double" : fmt::format("std::array<double, {}>", member.length);
-      line = type + " " + member.name;
-    }
-    last = &member;
+/// A statement on as many lines as it takes.
+std::string statement(const std::string& text) {
+  std::string rest = "  " + text, out;
+  while (rest.size() > width) {
+    const std::size_t end = rest.rfind(' ', width);
+    if (end == std::string::npos || end < 8) break;
+    out += rest.substr(0, end) + "\n";
+    rest = "      " + rest.substr(end + 1);
   }
-  return out + fmt::format("  {};  ///< {}\n}};\n", line, last->comment);
+  return out + rest + "\n";
+}
+
+/// "In SI units: coefficient of friction mu0; ...; spring k0, k1; damper c1".
+std::string meanings(const ParameterList& parameters) {
+  std::vector<std::pair<std::string, std::string>> groups;  // meaning, names
+  for (const Member& member : parameters.members()) {
+    const auto same = std::find_if(groups.begin(), groups.end(),
+                                   [&](const auto& g) { return g.first == member.comment; });
+    if (same == groups.end())
+      groups.emplace_back(member.comment, member.name);
+    else
+      same->second += ", " + member.name;
+  }
+  std::vector<std::string> texts;
+  for (const auto& [meaning, names] : groups) texts.push_back(meaning + " " + names);
+  return fmt::format("In SI units: {}.", fmt::join(texts, "; "));
+}
+
+/// Neighbours of one type share a declaration.
+std::string parameters_struct(const ParameterList& parameters) {
+  std::string out = comment(meanings(parameters)) + "struct Parameters {\n", line;
+  int length = -1;
+  for (const Member& member : parameters.members()) {
+    if (member.length == length) {
+      line += ", " + member.name;
+      continue;
+    }
+    if (!line.empty()) out += statement(line + ";");
+    length = member.length;
+    const std::string type = length == 0 ? "double" : fmt::format("std::array<double, {}>", length);
+    line = type + " " + member.name;
+  }
+  return out + statement(line + ";") + "};\n";
 }
 
 /// "return a && b && ...;", broken into lines.
@@ -66,7 +93,7 @@ std::string range_function(const EvaluationCode& code) {
   std::string line = "  return";
   for (std::size_t i = 0; i < ranges.size(); ++i) {
     const std::string check = " within(" + ranges[i] + ")" + (i + 1 == ranges.size() ? ";" : " &&");
-    if (line.size() + check.size() > 120) {
+    if (line.size() + check.size() > width) {
       out += line + "\n";
       line = "        ";
     }
@@ -77,7 +104,7 @@ std::string range_function(const EvaluationCode& code) {
 
 std::string evaluate_function(const EvaluationCode& code) {
   std::string out = "template <class T>\nEstimate evaluate(const Parameters& p) noexcept {\n";
-  for (const std::string& line : code.lines) out += "  " + line + "\n";
+  for (const std::string& line : code.lines) out += statement(line);
   return out + "}\n";
 }
 
@@ -89,8 +116,11 @@ std::string includes(const ParameterList& parameters) {
          "#endif\n\n";
 }
 
+/// Not #pragma once, which compilers complain about when they are given the header itself.
+std::string guard_of(const std::string& name) { return "VCRIT_GENERATED_" + name + "_HPP"; }
+
 const char* const certified_struct =
-    "struct Certified { double value, relative_error_bound; };  ///< m/s; infinite: nothing is "
+    "struct Certified { double value, relative_error_bound; };  ///< infinite: nothing is "
     "known\n\n";
 
 }  // namespace
@@ -103,7 +133,8 @@ std::string emit_header(const Scene& scene, const std::string& name) {
   const EvaluationCode code = evaluation_code(scene, parameters);
 
   std::string out = banner(scene, derivation, code, name);
-  out += "#pragma once\n" + includes(parameters);
+  const std::string guard = guard_of(name);
+  out += fmt::format("#ifndef {0}\n#define {0}\n", guard) + includes(parameters);
   out += fmt::format("namespace {} {{\n\n", name);
   out += parameters_struct(parameters) + certified_struct;
   out += std::string("namespace detail {\n") + text::twofold;
@@ -111,9 +142,9 @@ std::string emit_header(const Scene& scene, const std::string& name) {
   if (code.has_length) out += text::length;
   out += text::within;
   if (code.meshed) out += text::edge;
-  out += range_function(code) + "\n" + text::estimate + evaluate_function(code);
-  out += std::string("\n") + text::certified + "}  // namespace detail\n\n" + text::calls;
-  return out + fmt::format("}}  // namespace {}\n", name);
+  out += range_function(code) + text::estimate + evaluate_function(code);
+  out += std::string(text::certified) + "}  // namespace detail\n\n" + text::calls;
+  return out + fmt::format("}}  // namespace {}\n#endif  // {}\n", name, guard);
 }
 
 }  // namespace vcrit::symbolic

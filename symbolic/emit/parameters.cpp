@@ -13,8 +13,8 @@ std::map<Symbol, std::string> element_comments(const Scene& scene) {
   std::map<Symbol, std::string> comments;
   const auto add = [&comments](const Element& element) {
     const bool damper = element.kind == ElementKind::damper;
-    comments[element.coefficient] = damper ? "damper, N s/m" : "stiffness, N/m";
-    if (element.kind == ElementKind::maxwell) comments[element.time] = "relaxation time, s";
+    comments[element.coefficient] = damper ? "damper" : "spring";
+    if (element.kind == ElementKind::maxwell) comments[element.time] = "relaxation time";
   };
   for_each_element(scene.normal, add);
   if (const auto* tangential = std::get_if<Network>(&scene.tangential))
@@ -27,13 +27,14 @@ std::map<Symbol, std::string> element_comments(const Scene& scene) {
 
 ParameterList::ParameterList(const Scene& scene, const Derivation& derivation) {
   const std::set<Symbol> always{{"mu0"}, {"omega"}, {"du_z"}};
-  for (const char* name : {"mu0", "omega", "du_z"})
-    add({name}, "coefficient of friction; angular frequency, rad/s; amplitude, m", scene);
+  add({"mu0"}, "coefficient of friction", scene);
+  add({"omega"}, "angular frequency", scene);
+  add({"du_z"}, "amplitude", scene);
   std::map<Symbol, std::string> comments = element_comments(scene);
-  comments[{"m"}] = "mass, kg";
+  comments[{"m"}] = "mass";
   if (const auto* isotropic = std::get_if<Isotropic>(&scene.tangential)) {
     const bool poisson = isotropic->by == Isotropic::By::poisson;
-    comments[isotropic->quantity.symbol] = poisson ? "Poisson's ratio" : "K_t/K_n of the contact";
+    comments[isotropic->quantity.symbol] = poisson ? "Poisson's ratio" : "K_t/K_n";
   }
   for (const Symbol& symbol : derivation.parameters)
     if (!always.contains(symbol)) add(symbol, comments.at(symbol), scene);

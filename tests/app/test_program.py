@@ -173,7 +173,7 @@ class Help(unittest.TestCase):
     def test_the_version_names_the_parts(self):
         result = run("--version")
         self.assertEqual(result.returncode, 0)
-        for part in ["vcrit", "GiNaC", "Eigen", "GSL", "Arb"]:
+        for part in ["vcrit", "GiNaC", "Eigen", "GSL", "Boost", "FLINT", "Arb"]:
             self.assertIn(part, result.stdout)
 
 

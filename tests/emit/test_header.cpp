@@ -44,9 +44,9 @@ BOOST_AUTO_TEST_CASE(kelvin_header_is_short_and_complete) {
   for (const char* part :
        {"SPDX-License-Identifier: MIT-0", "Permission is hereby granted", "do not edit",
         "Scene: test", "v* = mu0*omega*du_z*sqrt(", "(27)",
-        "vcrit generate test.toml --out DIR --name kelvin", "operations a value",
-        "Accuracy:", "#error", "__FAST_MATH__", "namespace kelvin {", "namespace fast {",
-        "struct Parameters", "critical_velocity_certified(const Parameters& p) noexcept"})
+        "vcrit generate test.toml --out DIR --name kelvin", "operations", "Accuracy:", "#error",
+        "__FAST_MATH__", "namespace kelvin {", "namespace fast {", "struct Parameters",
+        "critical_velocity_certified(const Parameters& p) noexcept"})
     BOOST_TEST(contains(header, part), part);
   for (const char* absent : {"std::complex", "<vector>", "throw", "iostream", "new "})
     BOOST_TEST(!contains(header, absent), absent);
@@ -55,15 +55,9 @@ BOOST_AUTO_TEST_CASE(kelvin_header_is_short_and_complete) {
 BOOST_AUTO_TEST_CASE(members_stand_in_the_promised_order) {
   const std::string header =
       emit_header(scene_of("normal = \"k0 | (k1 - c1)\"\npoisson = \"nu\"", "kd", "m"), "zener");
-  const std::string members = header.substr(header.find("struct Parameters"));
-  std::size_t last = 0;
-  for (const char* member : {"mu0, omega, du_z;", "double m;", "double nu;", "double k0, k1;",
-                             "double c1;", "double kd;"}) {
-    const std::size_t at = members.find(member);
-    BOOST_TEST(at != std::string::npos, member);
-    BOOST_TEST(at > last, member);
-    last = at;
-  }
+  BOOST_TEST(contains(
+      header, "struct Parameters {\n  double mu0, omega, du_z, m, nu, k0, k1, c1, kd;\n};"));
+  BOOST_TEST(contains(header, "spring k0, k1, kd; damper c1."));
 }
 
 BOOST_AUTO_TEST_CASE(massless_rigid_scene_has_neither_mass_nor_drive) {
@@ -73,7 +67,8 @@ BOOST_AUTO_TEST_CASE(massless_rigid_scene_has_neither_mass_nor_drive) {
   BOOST_TEST(names.contains("kt"));
   for (const char* absent : {"m", "kd", "mass", "drive", "inertia", "less", "D2", "N2"})
     BOOST_TEST(!names.contains(absent), absent);
-  for (const char* absent : {"mass, kg", "K_d"}) BOOST_TEST(!contains(header, absent), absent);
+  BOOST_TEST(!contains(header, "mass"));
+  BOOST_TEST(!contains(header, "K_d"));
 }
 
 BOOST_AUTO_TEST_CASE(isotropic_rigid_scene_keeps_no_element) {
@@ -88,8 +83,7 @@ BOOST_AUTO_TEST_CASE(isotropic_rigid_scene_keeps_no_element) {
 BOOST_AUTO_TEST_CASE(arrays_become_arrays) {
   const std::string header = emit_header(
       scene_of("normal = \"prony(k0, k, tau, 3)\"\ntangential_ratio = 0.5", "kd"), "prony");
-  BOOST_TEST(contains(header, "std::array<double, 3> k;"));
-  BOOST_TEST(contains(header, "std::array<double, 3> tau;"));
+  BOOST_TEST(contains(header, "std::array<double, 3> k, tau;"));
   BOOST_TEST(contains(header, "p.tau[2]"));
   BOOST_TEST(!contains(header, "p.tau[3]"));
 }

@@ -11,12 +11,6 @@ using namespace vcrit;
 
 namespace {
 
-double relative_error(std::complex<double> value, const test::Complex& exact) {
-  const test::Complex difference =
-      test::Complex(test::Real(value.real()), test::Real(value.imag())) - exact;
-  return static_cast<double>(test::Real(abs(difference)) / test::Real(abs(exact)));
-}
-
 double worst_error(unsigned seed, double decades, int elements, int networks) {
   test::RandomScenes random(seed, decades);
   double worst = 0;
@@ -28,7 +22,7 @@ double worst_error(unsigned seed, double decades, int elements, int networks) {
     for (const auto& [symbol, value] : scene.elements) values[symbol] = *value;
     const double omega = *scene.angular_frequency.value;
     const auto exact = test::Nodal(values, test::Real(omega)).stiffness(network);
-    worst = std::max(worst, relative_error(dynamic_stiffness(network, values, omega), exact));
+    worst = std::max(worst, test::relative_error(dynamic_stiffness(network, values, omega), exact));
   }
   return worst;
 }
@@ -50,7 +44,7 @@ BOOST_AUTO_TEST_CASE(squares_beyond_the_range_of_doubles_do_no_harm) {
   const Network small = series({spring({"k2"}), damper({"c2"})});
   for (const Network& network : {big, small}) {
     const auto exact = test::Nodal(values, test::Real(0.5)).stiffness(network);
-    BOOST_TEST(relative_error(dynamic_stiffness(network, values, 0.5), exact) <
+    BOOST_TEST(test::relative_error(dynamic_stiffness(network, values, 0.5), exact) <
                20 * std::ldexp(1, -53));
   }
 }
@@ -60,7 +54,7 @@ BOOST_AUTO_TEST_CASE(a_maxwell_branch_by_its_time) {
   for (const double omega : {1e-12, 1e-3, 1.0, 1e3, 1e12}) {
     const Values values{{{"k", 1}, 3.0}, {{"tau", 1}, 0.7}};
     const auto exact = test::Nodal(values, test::Real(omega)).stiffness(branch);
-    BOOST_TEST(relative_error(dynamic_stiffness(branch, values, omega), exact) <
+    BOOST_TEST(test::relative_error(dynamic_stiffness(branch, values, omega), exact) <
                10 * std::ldexp(1, -53));
   }
 }

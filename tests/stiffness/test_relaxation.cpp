@@ -1,20 +1,15 @@
-// The relaxation form against the nodal equations of the same network, solved with 100 digits.
+// The relaxation form against the nodal equations of the same network, solved with 250 digits.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <limits>
 
-#include "nodal_reference.hpp"
 #include "random_networks.hpp"
 #include "stiffness/relaxation.hpp"
+#include "support/nodal.hpp"
 
 namespace {
 
 using namespace vcrit;
-
-double relative_difference(std::complex<double> value, const reference::Complex& exact) {
-  const reference::Complex difference = reference::Complex(value.real(), value.imag()) - exact;
-  return reference::Real(abs(difference) / abs(exact)).convert_to<double>();
-}
 
 void check_order(const Relaxation& form) {
   BOOST_TEST(form.equilibrium >= 0);
@@ -31,8 +26,9 @@ double largest_difference(const Network& network, const Values& values, double d
   double largest = 0;
   for (double exponent = -decades; exponent <= decades; exponent += decades / 7) {
     const double omega = std::pow(10.0, exponent);
-    largest = std::max(largest, relative_difference(dynamic_stiffness(form, omega),
-                                                    reference::stiffness(network, values, omega)));
+    largest = std::max(
+        largest, test::relative_error(dynamic_stiffness(form, omega),
+                                      test::Nodal(values, test::Real(omega)).stiffness(network)));
   }
   return largest;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <boost/multiprecision/cpp_complex.hpp>
+#include <complex>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -99,6 +100,12 @@ class Nodal {
   std::size_t nodes_ = 2;
   std::vector<Edge> edges_;
 };
+
+/// |value - exact|/|exact|
+inline double relative_error(std::complex<double> value, const Complex& exact) {
+  const Complex difference = Complex(Real(value.real()), Real(value.imag())) - exact;
+  return static_cast<double>(Real(abs(difference)) / Real(abs(exact)));
+}
 
 /// Eq. 24 as printed in the paper, at many digits.
 inline Real critical_velocity_by_nodes(const Scene& scene) {
