@@ -31,7 +31,8 @@ Scale scale_for(double largest, const std::string& unit) {
   const int thousands = static_cast<int>(std::floor(std::log10(in_base) / 3 + 1e-12));
   const int step = std::clamp(thousands, -without_prefix, 3);
   const double factor = std::pow(10.0, -3 * step) * (unit == "kg" ? 1000 : 1);
-  return {factor, prefixes[static_cast<std::size_t>(step + without_prefix)] + base};
+  const int prefix = step + without_prefix;
+  return {factor, prefixes[static_cast<std::size_t>(prefix)] + base};
 }
 
 std::string quantity(double value, const std::string& unit, int digits) {

@@ -23,7 +23,7 @@ using SceneProgress =
 /// Compares everything with everything in each scene file and writes `directory`/index.html, one
 /// page that needs nothing else, and `directory`/report.json with the same data. All scenes are
 /// read first. Throws InputError and ModelError; then nothing is written.
-Validation validate(const std::vector<std::string>& scenes, const std::filesystem::path& directory,
+Validation validate(const std::vector<std::string>& files, const std::filesystem::path& directory,
                     const SceneProgress& progress);
 
 }  // namespace vcrit::validation::report
