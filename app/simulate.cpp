@@ -33,7 +33,9 @@ struct Speed {
 };
 
 Speed speed_of(const Options& options, const Scene& scene) {
-  const double critical = certified_critical_velocity(scene).value;
+  const auto [critical, bound, reason] = certified_critical_velocity(scene);
+  if (options.velocity_ratio && std::isinf(critical))
+    throw ModelError(reason + ": --velocity-ratio has no meaning, give --velocity");
   const double velocity =
       options.velocity_ratio
           ? *options.velocity_ratio * critical

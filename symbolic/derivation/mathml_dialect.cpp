@@ -41,7 +41,7 @@ class MathMl : public Dialect {
     std::string result = "<mi>" + letter(n.base) + "</mi>";
     const auto dots = std::count(n.above.begin(), n.above.end(), '\'');
     if (dots > 0)
-      result = fmt::format("<mover accent=\"true\">{}<mo>{}</mo></mover>", result,
+      result = fmt::format("<mover>{}<mo>{}</mo></mover>", result,
                            dots == 1 ? "˙" : "¨");
     std::vector<std::string> parts;
     for (const std::string& part : n.index) parts.push_back(index_part(part));

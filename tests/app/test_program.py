@@ -158,6 +158,12 @@ class Mistakes(unittest.TestCase):
         for command in [["simulate", "--velocity", "0.01"], ["critical"]]:
             self.refused(command[0], "scenes/inadmissible.toml", *command[1:], status=3)
 
+    def test_resonance_leaves_nothing_to_compare(self):
+        resonance = ["--set", "omega=1000", "--set", "m=2", "--set", "kd=2e6"]
+        for command in [["critical"], ["simulate", "--velocity-ratio", "0.5"]]:
+            error = self.refused(command[0], "scenes/elastic_drive.toml", *command[1:], *resonance, status=3)
+            self.assertIn("resonance", error)
+
     def test_zero_by_zero_ends_with_3(self):
         self.refused("eval", "scenes/elastic_drive.toml", "--set", "omega=1000", "--set", "m=2", "--set",
                      "kd=2e6", "--set", "mu0=0", status=3)
