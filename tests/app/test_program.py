@@ -96,6 +96,29 @@ class Commands(unittest.TestCase):
             self.assertNotRegex(parameters, absent)
 
 
+class Verdicts(unittest.TestCase):
+    """Exit status 1: a comparison failed. Here the compiler on the path is a liar."""
+
+    def validated(self, fake):
+        with tempfile.TemporaryDirectory() as folder:
+            for name in ["g++", "clang++", "c++"]:
+                compiler = Path(folder, name)
+                compiler.write_text(f"#!/bin/sh\n{fake}\n")
+                compiler.chmod(0o755)
+            result = subprocess.run(
+                [PROGRAM, "validate", "scenes/elastic.toml", "--out", f"{folder}/out"], cwd=PROJECT,
+                capture_output=True, text=True, timeout=120, env={"PATH": f"{folder}:/usr/bin:/bin"})
+            return result, json.loads(Path(folder, "out", "report.json").read_text())
+
+    def test_a_failed_comparison_ends_with_1_and_is_named(self):
+        result, report = self.validated("exit 1")
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("FAILED", result.stderr)
+        outcomes = {c["key"]: c["outcome"] for c in report["scenes"][0]["comparisons"]}
+        self.assertEqual(outcomes["generated"], "failed")
+        self.assertEqual(outcomes["simulation"], "passed")
+
+
 class Mistakes(unittest.TestCase):
     def refused(self, *arguments, status=2, folder=PROJECT):
         result = run(*arguments, folder=folder)
