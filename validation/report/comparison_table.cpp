@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "base/numbers.hpp"
 #include "report/html.hpp"
 #include "report/units.hpp"
@@ -15,16 +17,11 @@ std::string number(double value, const std::string& unit) {
   return unit.empty() ? text : text + " " + unit;
 }
 
-const char* style_of(Comparison::Outcome outcome) {
-  switch (outcome) {
-    case Comparison::Outcome::passed:
-      return "passed";
-    case Comparison::Outcome::failed:
-      return "failed";
-    case Comparison::Outcome::not_run:
-      return "not-run";
-  }
-  throw Bug("an outcome without a style");
+/// The name of an outcome as a class of the style sheet.
+std::string style_of(Comparison::Outcome outcome) {
+  std::string style = to_text(outcome);
+  std::replace(style.begin(), style.end(), ' ', '-');
+  return style;
 }
 
 std::string cell(const char* heading, const std::string& content, const char* style = "") {
