@@ -7,7 +7,7 @@
 #include "commands.hpp"
 #include "critical/certified.hpp"
 #include "options.hpp"
-#include "simulation/steady_state.hpp"
+#include "simulation/steady/exact.hpp"
 
 namespace vcrit::app {
 

@@ -13,6 +13,7 @@
 #include "derivation/print.hpp"
 #include "evaluators.hpp"
 #include "friction.hpp"
+#include "simulation/steady/exact.hpp"
 #include "stiffness/dynamic_stiffness.hpp"
 #include "values.hpp"
 

@@ -1,4 +1,5 @@
 #include "friction.hpp"
+#include "simulation/steady/exact.hpp"
 
 #include <fmt/format.h>
 #include <gsl/gsl_errno.h>

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "scene_report.hpp"
-#include "simulation/system.hpp"
+#include "simulation/system/system.hpp"
 
 namespace vcrit::validation {
 

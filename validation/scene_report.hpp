@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "scene/scene.hpp"
-#include "simulation/steady_state.hpp"
+#include "simulation/system/steady_state.hpp"
 
 namespace vcrit::validation {
 

@@ -29,10 +29,10 @@ class APlantedTree(unittest.TestCase):
         "src/base/errors.hpp": "#pragma once\n",
         "src/scene/scene.hpp": '#include "base/errors.hpp"\n',
         "src/critical/critical.hpp": '#include "scene/scene.hpp"\n',
-        "src/simulation/system.hpp": '#include "scene/scene.hpp"\n',
+        "src/simulation/system/system.hpp": '#include "scene/scene.hpp"\n',
         "symbolic/derivation/derivation.hpp": '#include <ginac/ginac.h>\n#include "scene/scene.hpp"\n',
         "symbolic/emit/generate.hpp": '#include "derivation/derivation.hpp"\n',
-        "validation/agreement.hpp": '#include "simulation/system.hpp"\n#include "critical/critical.hpp"\n',
+        "validation/agreement.hpp": '#include "simulation/system/system.hpp"\n#include "critical/critical.hpp"\n',
         "validation/report/report.hpp": '#include "agreement.hpp"\n',
         "app/main.cpp": '#include "report/report.hpp"\n',
     }
@@ -73,13 +73,13 @@ class APlantedTree(unittest.TestCase):
         self.assert_found("src/base/wrong.cpp", '#include "scene/scene.hpp"\n', "comes after")
 
     def test_simulation_may_not_know_the_formula(self):
-        self.assert_found("src/simulation/wrong.cpp", '#include "critical/critical.hpp"\n', "must not know")
+        self.assert_found("src/simulation/motion/wrong.cpp", '#include "critical/critical.hpp"\n', "must not know")
 
     def test_the_formula_may_not_know_simulation(self):
-        self.assert_found("src/critical/wrong.cpp", '#include "simulation/system.hpp"\n', "comes after")
+        self.assert_found("src/critical/wrong.cpp", '#include "simulation/system/system.hpp"\n', "comes after")
 
     def test_the_derivation_may_not_know_simulation(self):
-        name, text = "symbolic/derivation/wrong.cpp", '#include "simulation/system.hpp"\n'
+        name, text = "symbolic/derivation/wrong.cpp", '#include "simulation/system/system.hpp"\n'
         self.assert_found(name, text, "must not know")
 
     def test_the_derivation_may_not_know_the_emitter(self):

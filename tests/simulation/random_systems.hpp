@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "simulation/steady_state.hpp"
+#include "simulation/steady/exact.hpp"
 
 namespace vcrit::reference {
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "simulation/system.hpp"
+#include "simulation/system/system.hpp"
 
 namespace vcrit::reference {
 

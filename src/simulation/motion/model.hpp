@@ -1,0 +1,74 @@
+// A system without dimensions: time 1/omega, force mu0 <F_n>, stiffness |K(i omega)| of the path
+// from drive to contact point (or of the contact, with a body); t = 0 where F_n is largest, so that
+// the friction bound is b(t) = 1 + amplitude cos t. States are only those that the system has:
+// without a mass, contact and drive are one network in series, and nothing else moves.
+//
+//   state  x = (F | u, g_1..g_M | contact),   rates  y = (u', g_1'..g_M' | contact)
+//   contact: r in slip; rho and r in stick, of which y has rho alone
+//
+// F force of the contact on the contact point, u body velocity less drive velocity, g_j the drive's
+// branch forces taken negative (g_j' = k_j u - a_j g_j), contact as in contact_modes.hpp.
+#pragma once
+
+#include <complex>
+#include <optional>
+
+#include "simulation/motion/contact_modes.hpp"
+#include "simulation/system/system.hpp"
+
+namespace vcrit::simulation {
+
+struct Body {
+  double mass = 0;
+  PoleSum drive;        ///< K_d(s)/s
+  double fluidity = 0;  ///< 1/eta of a drive that creeps, else 0
+};
+
+/// One kind of motion: its modes, and what the modes do.
+struct Phase {
+  Modes modes;    ///< y to modal coordinates and back
+  Matrix levels;  ///< rows: F' (stick only), u', g_j' by modal coordinates
+  Vector event;   ///< stick: F'; slip: contact acceleration, by modal coordinates
+};
+
+struct Model {
+  explicit Model(const System& system);
+
+  double amplitude = 0;      ///< of b(t); < 1
+  double phase = 0;          ///< t = omega t_physical + phase
+  double force_unit = 0;     ///< N
+  double velocity_unit = 0;  ///< m/s
+  ContactModes contact;
+  std::optional<Body> body;
+  Phase stick, slip;
+
+  /// Response to b(t) in steady forward sliding: amplitudes of e^{it} of y and of the contact
+  /// velocity, and the mean of drive velocity less contact velocity.
+  Eigen::VectorXcd sliding_rates;
+  std::complex<double> sliding_velocity;
+  double creep = 0;
+  /// How many times the forces on the body are larger than their sum; infinite at an undamped
+  /// resonance of body and drive. As many times rounding errors grow.
+  double resonance = 1;
+
+  Index body_states() const;  ///< u, g_j
+  Index branches() const { return contact.branch_stiffness.size(); }
+  Index units() const { return contact.unit_fluidity.size(); }
+  Index level_states() const { return 1 + body_states(); }
+  Index slip_states() const { return level_states() + units(); }
+  Index stick_states() const { return level_states() + branches() + units(); }
+
+  double bound(double t) const { return 1 + amplitude * std::cos(t); }
+  double bound_rate(double t) const { return -amplitude * std::sin(t); }
+  double bound_curvature(double t) const { return -amplitude * std::cos(t); }
+
+  /// y from x, or changes of y from changes of x, column by column.
+  Matrix rates(const Matrix& x, bool stuck) const;
+
+ private:
+  void set_stick();
+  void set_slip();
+  void set_sliding();
+};
+
+}  // namespace vcrit::simulation

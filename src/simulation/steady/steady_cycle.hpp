@@ -1,0 +1,26 @@
+// The steady stick-slip cycle of a model: the fixed point of its period map, by Newton's method
+// with the map's exact derivative. The energy distance between two motions never grows, so plain
+// cycles are the safe way when Newton's step misses, and the friction is the same whatever the
+// start.
+#pragma once
+
+#include "simulation/motion/trace.hpp"
+
+namespace vcrit::simulation {
+
+struct SteadyCycle {
+  Trace period;      ///< one period from a state in slip on
+  double ratio = 0;  ///< <F>/(mu0 <F_n>)
+  double error = 0;  ///< estimate of its absolute error
+};
+
+/// velocity: drive velocity without dimension, below the sliding threshold and above stick.
+/// Throws ModelError if no closed cycle is found.
+SteadyCycle steady_cycle(const Model& model, double velocity, State start);
+
+/// Forward sliding as near to steady sliding as the drive allows, at its fastest moment (whether
+/// the contact ever slows to 0 or not), and a body at rest on an undeformed contact.
+State sliding_start(const Model& model, double velocity);
+State rest_start(const Model& model, double velocity);
+
+}  // namespace vcrit::simulation

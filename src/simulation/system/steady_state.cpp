@@ -1,0 +1,33 @@
+#include "simulation/system/steady_state.hpp"
+
+#include "base/errors.hpp"
+
+namespace vcrit::simulation {
+
+const char* to_text(Motion motion) {
+  switch (motion) {
+    case Motion::slip:
+      return "slip";
+    case Motion::stick:
+      return "stick";
+    case Motion::backslip:
+      return "backslip";
+  }
+  throw Bug("a motion is slip, stick or backslip");
+}
+
+const char* to_text(Regime regime) {
+  switch (regime) {
+    case Regime::sliding:
+      return "sliding";
+    case Regime::stick_slip:
+      return "stick-slip";
+    case Regime::stick_slip_backslip:
+      return "stick-slip-backslip";
+    case Regime::stick:
+      return "stick";
+  }
+  throw Bug("a regime is one of four");
+}
+
+}  // namespace vcrit::simulation

@@ -1,0 +1,38 @@
+// What a simulation of steady motion answers, whatever its method.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+namespace vcrit::simulation {
+
+enum class Start { sliding, rest };
+enum class Motion { slip, stick, backslip };
+enum class Regime { sliding, stick_slip, stick_slip_backslip, stick };
+
+const char* to_text(Motion motion);  ///< "slip", "stick", "backslip"
+const char* to_text(Regime regime);  ///< "sliding", "stick-slip", "stick-slip-backslip", "stick"
+
+struct Event {
+  double phase = 0;  ///< omega t in [0, 2 pi)
+  Motion to = Motion::slip;
+};
+
+/// The motion at one instant of the steady cycle.
+struct CyclePoint {
+  double phase = 0;             ///< rad
+  double contact_velocity = 0;  ///< m/s
+  double force = 0;             ///< N, of the contact network on the contact point
+  double friction_bound = 0;    ///< mu0 F_n, N
+};
+
+struct SteadyState {
+  double friction_ratio = 0;        ///< mu_macro/mu0 = <F>/(mu0 <F_n>)
+  double friction_ratio_error = 0;  ///< estimate of its absolute error
+  Regime regime = Regime::sliding;
+  std::optional<int> periods;     ///< length of the steady cycle in oscillation periods
+  std::vector<Event> events;      ///< of one cycle, by time
+  std::vector<CyclePoint> cycle;  ///< `samples` points over one oscillation period
+};
+
+}  // namespace vcrit::simulation

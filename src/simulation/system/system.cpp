@@ -1,0 +1,48 @@
+#include "simulation/system/system.hpp"
+
+#include <fmt/format.h>
+
+#include "base/errors.hpp"
+
+namespace vcrit::simulation {
+
+namespace {
+
+void require_admissible(const System& system, double amplitude, double indentation) {
+  if (!(amplitude < indentation))
+    throw ModelError(
+        fmt::format("the amplitude du_z = {} m is not below the indentation u_z0 = {} m (3)",
+                    amplitude, indentation));
+  if (!(system.mean_normal_force > 0))
+    throw ModelError("the normal network carries no static load: K_n(0) = 0");
+  if (!(std::abs(system.normal_force_amplitude) < system.mean_normal_force))
+    throw ModelError(
+        fmt::format("the contact opens: F_n oscillates by {:.6g} N about a mean of {:.6g} N (4)",
+                    std::abs(system.normal_force_amplitude), system.mean_normal_force));
+  if (!(system.friction > 0)) throw ModelError("with mu0 = 0 there is no friction to compare with");
+}
+
+}  // namespace
+
+System system_of(const Scene& scene) {
+  const Values values = values_of(scene);
+  const double amplitude = values.at(scene.amplitude.symbol);
+  const double indentation = values.at(scene.indentation.symbol);
+  const Relaxation normal = relaxation_form(scene.normal, values);
+  const ScaledNetwork tangential = tangential_network(scene);
+
+  System system;
+  system.contact = scaled(relaxation_form(*tangential.network, values), tangential.factor);
+  system.omega = values.at(scene.angular_frequency.symbol);
+  system.friction = values.at(scene.coefficient.symbol);
+  system.mean_normal_force = normal.equilibrium * indentation;
+  system.normal_force_amplitude = amplitude * dynamic_stiffness(normal, system.omega);
+  if (scene.drive) {
+    system.drive = relaxation_form(*scene.drive, values);
+    if (scene.mass) system.mass = values.at(scene.mass->symbol);
+  }
+  require_admissible(system, amplitude, indentation);
+  return system;
+}
+
+}  // namespace vcrit::simulation
