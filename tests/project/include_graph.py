@@ -22,6 +22,7 @@ ROOMS = [
     "symbolic/derivation",
     "symbolic/emit",
     "validation",
+    "validation/benchmark",
     "validation/report",
     "app",
 ]
@@ -33,6 +34,8 @@ ROOTS = ["src", "symbolic", "validation", "app"]
 FORBIDDEN = {
     ("src/simulation", "src/critical"),
     ("symbolic", "src/simulation"),
+    ("validation/report", "validation/benchmark"),
+    ("app", "validation/benchmark"),
 }
 
 # Computer algebra stays out of the numeric library and the program.
