@@ -1,0 +1,47 @@
+// What a time integrator does to the state in one period of the oscillation: all that the search
+// for the steady cycle needs to know of a method.
+#pragma once
+
+#include <Eigen/Dense>
+#include <vector>
+
+#include "simulation/system/steady_state.hpp"
+
+namespace vcrit::simulation::methods {
+
+struct State {
+  Eigen::VectorXd y;
+  Motion motion = Motion::slip;  ///< read by methods that switch
+};
+
+struct Period {
+  State end;
+  double deficit = 0;         ///< 1 - mu_macro/mu0 over the period
+  std::vector<Event> events;  ///< as they came
+};
+
+enum class Accuracy {
+  asked,
+  coarser,  ///< as much that the difference tells the error
+};
+
+class PeriodMap {
+ public:
+  virtual ~PeriodMap() = default;
+  virtual State start(Start start) const = 0;
+  /// Throws ModelError when the integration goes wrong.
+  virtual Period run(const State& state, Accuracy accuracy = Accuracy::asked) = 0;
+  /// Moves the beginning of the period to where the map is smooth; the state there.
+  virtual State to_smooth_section(const State& state) { return state; }
+  /// The entries of y that may be varied independently, and their typical sizes.
+  virtual std::vector<Eigen::Index> variables(const State& state) const = 0;
+  virtual double scale(Eigen::Index variable) const = 0;
+  /// What cycles that repeat differ by, as the method is not more accurate; and by how much the
+  /// friction may still change when plain periods end.
+  virtual double noise() const = 0;
+  virtual double target() const = 0;
+  /// Smallest rate above 0 at which a force in the system relaxes.
+  virtual double slowest_rate() const = 0;
+};
+
+}  // namespace vcrit::simulation::methods
