@@ -64,6 +64,7 @@ Case case_of(const Cells& cells) {
   row.velocity = number(cells, "velocity");
   row.friction_ratio = number(cells, "friction_ratio");
   row.events = std::stoul(cells.at("events_per_cycle"));
+  row.grazing = number(cells, "velocity_ratio") > 0.9;
   if (!cells.at("k1").empty()) {
     const double periods = number(cells, "tau_periods");
     row.stiff = periods <= 1e-3 || periods >= 1e3;

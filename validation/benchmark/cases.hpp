@@ -19,7 +19,8 @@ struct Case {
   double velocity = 0;
   double friction_ratio = 0;
   std::size_t events = 0;
-  bool stiff = false;  ///< relaxation within 1e-3 or over 1e3 periods
+  bool grazing = false;  ///< stick is short: v0 near v*
+  bool stiff = false;    ///< relaxation within 1e-3 or over 1e3 periods
 };
 
 /// Throws InputError.

@@ -18,11 +18,12 @@ constexpr double wrong_by_any_measure = 0.05;
 
 Verdict judged(const Peer& peer, const Peer::Setting& setting, const Case& row,
                const Answer& answer, double error) {
-  if (answer.events == 0 && row.events > 0 && !peer.idealised) return Verdict::missed_grazing;
+  const bool sliding = answer.events == 0 && row.events > 0 && !peer.idealised;
+  if (sliding && row.grazing) return Verdict::missed_grazing;
   const double allowed =
       setting.tolerance ? accumulation * *setting.tolerance : wrong_by_any_measure;
-  if (error <= std::min(allowed, wrong_by_any_measure)) return Verdict::right;
-  return peer.cycles && error < wrong_by_any_measure ? Verdict::drift : Verdict::wrong;
+  if (!sliding && error <= std::min(allowed, wrong_by_any_measure)) return Verdict::right;
+  return peer.cycles ? Verdict::drift : Verdict::wrong;
 }
 
 Verdict refused(const std::string& words) {

@@ -29,7 +29,7 @@ struct Point {
   bool answered = false;
   double seconds = 0;  ///< processor time
   double friction_ratio = 0;
-  double error = 0;   ///< absolute, in mu_macro/mu0
+  double error = 0;        ///< absolute, in mu_macro/mu0
   std::string words = {};  ///< what the method said when it gave no answer
 };
 

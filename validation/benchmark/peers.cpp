@@ -54,6 +54,8 @@ Peer::Setting setting(const std::string& name, Method method, const MethodOption
 MethodOptions options(bool newton) {
   MethodOptions result;
   result.newton = newton;
+  // From sliding, periods may repeat for long before the first stick.
+  if (!newton) result.start = simulation::Start::rest;
   result.most_periods = most_periods;
   result.most_steps = most_steps;
   return result;
