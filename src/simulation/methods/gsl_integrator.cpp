@@ -24,8 +24,10 @@ int jacobian_of(double t, const double y[], double* by_y, double by_t[], void* o
 
 }  // namespace
 
-void StepBudget::take() {
-  if (left-- <= 0) throw ModelError(fmt::format("has not settled after {} steps", most));
+void StepBudget::take(double size) {
+  if (left-- <= 0)
+    throw ModelError(
+        fmt::format("has not settled after {} steps, the last of {:.1g}/omega", most, size));
 }
 
 GslIntegrator::GslIntegrator(Ode& ode, const gsl_odeiv2_step_type* type,
@@ -63,7 +65,7 @@ void GslIntegrator::check(int status) const {
 }
 
 void GslIntegrator::evolve(double limit) {
-  budget_.take();
+  budget_.take(h_);
   check(gsl_odeiv2_evolve_apply(driver_->e, driver_->c, driver_->s, &system_, &t_, limit, &h_,
                                 y_.data()));
 }
@@ -85,7 +87,7 @@ void GslIntegrator::shorten(double t) {
   t_ = kept_;
   std::copy(kept_y_.begin(), kept_y_.end(), y_.begin());
   if (!multistep_) {
-    budget_.take();
+    budget_.take(t - t_);
     check(gsl_odeiv2_step_apply(driver_->s, t_, t - t_, y_.data(), error_.data(),
                                 driver_->e->dydt_in, driver_->e->dydt_out, &system_));
     t_ = t;

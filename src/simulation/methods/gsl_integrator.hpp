@@ -21,7 +21,7 @@ class Ode {
 struct StepBudget {
   long left = 0;
   long most = 0;
-  void take();  ///< throws ModelError when none is left
+  void take(double size);  ///< throws ModelError when none is left
 };
 
 class GslIntegrator {

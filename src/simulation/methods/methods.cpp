@@ -8,8 +8,10 @@
 
 #include "base/errors.hpp"
 #include "simulation/methods/gsl_errors.hpp"
+#include "simulation/methods/moreau.hpp"
 #include "simulation/methods/steady.hpp"
 #include "simulation/methods/switching.hpp"
+#include "simulation/methods/tanh_friction.hpp"
 
 namespace vcrit::simulation {
 
@@ -55,7 +57,7 @@ SteadyState steady_state(Method method, const System& system, double velocity,
   ensure(velocity > 0, "the drive moves forward");
   require(options.tolerance > 0, "tolerance", options.tolerance, "a number above 0");
   const methods::GslErrorsOff errors_off;
-  const auto map = methods::switching_map(method, system, velocity, options);
+  const auto map = method == Method::moreau ? methods::moreau_map(system, velocity, options) : method==Method::tanh ? methods::tanh_map(system, velocity, options) : methods::switching_map(method, system, velocity, options);
   return methods::settle(*map, options);
 }
 

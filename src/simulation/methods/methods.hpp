@@ -32,15 +32,15 @@ struct MethodOptions {
   double tolerance = 1e-10;
   /// moreau: >= 4.
   int steps_per_period = 2000;
-  /// moreau: 1 (implicit Euler) down to 1/2 (trapezoidal).
-  double theta = 1;
+  /// moreau: 1/2 (second order) to 1 (first order).
+  double theta = 0.5;
   /// tanh: w_reg in units of the drive velocity; > 0.
   double regularisation = 1e-3;
   /// Newton on the period map by differences, all but reduced; else periods until they repeat.
   bool newton = true;
   /// Give up after as many periods, or steps of an integrator.
   int most_periods = 20'000;
-  long most_steps = 20'000'000;
+  long most_steps = 5'000'000;
 };
 
 /// velocity: mean velocity of the drive, m/s, > 0. The error estimate is of the method's numbers;

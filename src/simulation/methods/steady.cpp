@@ -21,6 +21,7 @@ constexpr double rounding = 1e-15;
 
 // Errors follow tolerance and step only roughly.
 constexpr double caution = 2;
+constexpr double turn = 2 * std::numbers::pi;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 Regime regime(const Period& period) {
@@ -79,26 +80,35 @@ class Search {
   }
 
   // What is still to come if the spread goes on falling as it did between the last two quarters.
-  // Where it is lost in the noise, nothing is seen of relaxations slower than the window.
-  double remaining() const {
-    const std::size_t quarter = deficits_.size() / 4, size = deficits_.size();
-    const double late = spread(size - quarter, quarter),
-                 early = spread(size - 2 * quarter, quarter);
-    const double per_period = spread(size - 2, 2);
-    const double slow = per_period / -std::expm1(-2 * std::numbers::pi * map_.slowest_rate());
-    if (early <= 2 * map_.noise()) return std::max(late, slow);
+  double trend() const {
+    const std::size_t size = deficits_.size(), quarter = size / 4;
+    const double late = spread(size - quarter, quarter);
+    const double early = spread(size - 2 * quarter, quarter);
+    if (early <= 2 * map_.noise()) return late;
     const double share = late / early;
     return share < 1 ? late * std::max(0.5, share / (1 - share)) : infinite;
   }
 
-  bool settled(double left) const {
+  // The same if all of it is the beginning of the slowest relaxation, which a trend shows too late.
+  double slowest_trend() const {
     const std::size_t quarter = deficits_.size() / 4;
-    return left <= map_.target() ||
-           spread(deficits_.size() - 2 * quarter, 2 * quarter) <= 2 * map_.noise();
+    return spread(deficits_.size() - quarter, quarter) * slowness(quarter - 1);
+  }
+
+  double slowness(std::size_t periods) const {
+    return 1 / -std::expm1(-turn * map_.slowest_rate() * static_cast<double>(periods));
+  }
+
+  // Friction says nothing of a motion that slides: its state must come to rest.
+  bool still(const State& begin, const Period& period) const {
+    if (!period.events.empty()) return true;
+    const std::vector<Index> variables = map_.variables(begin);
+    const Vector rest = scaled(period.end.y - begin.y, variables);
+    return rest.size() == 0 || rest.cwiseAbs().maxCoeff() * slowness(1) <= map_.target();
   }
 
   SteadyState plain(State state) {
-    for (std::size_t check = 8;; check += check / 4) {
+    for (std::size_t check = 12;; check += check / 4) {
       State begin;
       Period period;
       while (deficits_.size() < check) {
@@ -107,11 +117,12 @@ class Search {
         state = period.end;
         deficits_.push_back(period.deficit);
       }
-      const double left = remaining();
+      const double left = trend();
       last_ = fmt::format(": by its trend the friction ratio would still change by {:.1g}", left);
-      if (!settled(left)) continue;
+      if (left > map_.target() || !still(begin, period)) continue;
       const Period coarse = map_.run(begin, Accuracy::coarser);
-      return answer(std::move(period), left + caution * std::abs(coarse.deficit - period.deficit));
+      const double error = caution * std::abs(coarse.deficit - period.deficit);
+      return answer(std::move(period), error + caution * std::max(left, slowest_trend()));
     }
   }
 

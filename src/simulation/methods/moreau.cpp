@@ -1,0 +1,180 @@
+#include "simulation/methods/moreau.hpp"
+
+#include <algorithm>
+#include <numbers>
+
+#include "simulation/methods/equations.hpp"
+
+namespace vcrit::simulation::methods {
+
+namespace {
+
+constexpr double turn = 2 * std::numbers::pi;
+
+/// An affine function of the network's velocity e' over the step: offset(f_0) + slope e'.
+struct Affine {
+  std::vector<double> kept;  ///< of each branch's force
+  double slope = 0;
+
+  double offset(const double* forces) const {
+    double sum = 0;
+    for (std::size_t j = 0; j < kept.size(); ++j) sum += kept[j] * forces[j];
+    return sum;
+  }
+};
+
+/// A network over one step: f_1 = kept f_0 + gain e' for each branch.
+class SteppedChain {
+ public:
+  SteppedChain(const Chain& chain, double h, double theta) : damper_(chain.damper) {
+    for (const Branch& branch : chain.branches) {
+      const double rate = branch.rate * h, own = unless_it_rings(theta, rate);
+      branches_.push_back(
+          {1 - rate / (1 + own * rate), h * branch.stiffness / (1 + own * rate)});
+    }
+  }
+
+  // Below theta = 1 - 1/(a h) a force that relaxes with a would overshoot its rest in each step.
+  static double unless_it_rings(double theta, double rate) {
+    return rate > 0 ? std::max(theta, 1 - 1 / rate) : theta;
+  }
+
+  /// c e' + sum of (1 - theta) f_0 + theta f_1.
+  Affine force(double theta) const {
+    Affine result{{}, damper_};
+    for (const Coefficients& branch : branches_) {
+      result.kept.push_back(1 - theta + theta * branch.kept);
+      result.slope += theta * branch.gain;
+    }
+    return result;
+  }
+  void step(double* forces, double velocity) const {
+    for (std::size_t j = 0; j < branches_.size(); ++j)
+      forces[j] = branches_[j].kept * forces[j] + branches_[j].gain * velocity;
+  }
+
+ private:
+  struct Coefficients {
+    double kept, gain;
+  };
+  double damper_;
+  std::vector<Coefficients> branches_;
+};
+
+class Stepper {
+ public:
+  Stepper(const Equations& equations, int steps, double theta)
+      : equations_(equations),
+        h_(turn / steps),
+        theta_(theta),
+        contact_(equations.contact, h_, theta),
+        drive_(equations.body ? equations.body->drive : Chain{}, h_, theta),
+        on_body_(contact_.force(theta)),
+        from_drive_(drive_.force(theta)) {
+    // In slip the contact relaxes with K_g/c, at once without a damper.
+    const double law = equations.contact.damper > 0
+                           ? SteppedChain::unless_it_rings(
+                                 theta, h_ * equations.contact.glassy / equations.contact.damper)
+                           : 1;
+    on_point_ = contact_.force(law);
+    if (equations.body) inertia_ = equations.body->mass / (theta * h_);
+    for (int i = 0; i < steps; ++i) bounds_.push_back(equations.bound((i + law) * h_));
+  }
+
+  Period run(const State& state) const {
+    Period period{state, 0, {}};
+    double* const y = period.end.y.data();
+    for (std::size_t i = 0; i < bounds_.size(); ++i) {
+      const auto [force, motion] = step(y, bounds_[i]);
+      period.deficit += bounds_[i] - force;
+      if (motion == period.end.motion) continue;
+      period.end.motion = motion;
+      period.events.push_back({equations_.phase_at(static_cast<double>(i) * h_), motion});
+    }
+    period.deficit /= static_cast<double>(bounds_.size());
+    return period;
+  }
+
+ private:
+  struct Outcome {
+    double force;
+    Motion motion;
+  };
+
+  Outcome step(double* y, double bound) const {
+    double* const forces = y + equations_.contact_begin();
+    const bool moves = equations_.body.has_value();
+    const double law = on_point_.offset(forces), load = on_body_.offset(forces);
+    const double push = moves ? inertia_ * y[0] + from_drive_.offset(y + 1) +
+                                    from_drive_.slope * equations_.velocity - load
+                              : 0;
+    const double resistance = inertia_ + from_drive_.slope;
+    double top = moves ? push / (resistance + on_body_.slope) : equations_.velocity;
+    double deformation = top, force = law + on_point_.slope * top;
+    Motion motion = Motion::stick;
+    if (std::abs(force) > bound) {
+      motion = force > 0 ? Motion::slip : Motion::backslip;
+      force = std::copysign(bound, force);
+      deformation = (force - law) / on_point_.slope;
+      if (moves) top = (push - on_body_.slope * deformation) / resistance;
+    }
+    contact_.step(forces, deformation);
+    if (moves) {
+      drive_.step(y + 1, equations_.velocity - top);
+      y[0] += (top - y[0]) / theta_;
+    }
+    return {force, motion};
+  }
+
+  const Equations& equations_;
+  double h_, theta_;
+  SteppedChain contact_, drive_;
+  Affine on_body_, from_drive_, on_point_;
+  double inertia_ = 0;
+  std::vector<double> bounds_;
+};
+
+class MoreauMap final : public PeriodMap {
+ public:
+  MoreauMap(const System& system, double velocity, const MethodOptions& options)
+      : equations_(system, velocity),
+        scales_(equations_.scales()),
+        target_(1e-3 / options.steps_per_period),
+        asked_(equations_, options.steps_per_period, options.theta),
+        coarser_(equations_, options.steps_per_period / 2, options.theta) {}
+
+  State start(Start start) const override {
+    const std::vector<double> y = equations_.start(start);
+    return {Eigen::Map<const Eigen::VectorXd>(y.data(), static_cast<Eigen::Index>(y.size())),
+            start == Start::rest ? Motion::stick : Motion::slip};
+  }
+  Period run(const State& state, Accuracy accuracy) override {
+    return (accuracy == Accuracy::asked ? asked_ : coarser_).run(state);
+  }
+  std::vector<Eigen::Index> variables(const State& state) const override {
+    std::vector<Eigen::Index> list(static_cast<std::size_t>(state.y.size()));
+    for (std::size_t i = 0; i < list.size(); ++i) list[i] = static_cast<Eigen::Index>(i);
+    return list;
+  }
+  double scale(Eigen::Index variable) const override {
+    return scales_[static_cast<std::size_t>(variable)];
+  }
+  double noise() const override { return 1e-13; }
+  double target() const override { return target_; }
+  double slowest_rate() const override { return equations_.slowest_rate(); }
+
+ private:
+  Equations equations_;
+  std::vector<double> scales_;
+  double target_;
+  Stepper asked_, coarser_;
+};
+
+}  // namespace
+
+std::unique_ptr<PeriodMap> moreau_map(const System& system, double velocity,
+                                      const MethodOptions& options) {
+  return std::make_unique<MoreauMap>(system, velocity, options);
+}
+
+}  // namespace vcrit::simulation::methods
