@@ -1,6 +1,6 @@
 #include "benchmark/limited_run.hpp"
 
-#include <poll.h>
+#include <sys/time.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -47,12 +47,23 @@ double median_time(const std::function<Answer()>& solve, double first, double re
   return times[static_cast<std::size_t>(count / 2)];
 }
 
-Message solved(const std::function<Answer()>& solve, double repeat) {
+// Processor time after which the system ends this process by SIGPROF; 0: never.
+void limit_to(double seconds) {
+  itimerval timer{};
+  timer.it_value.tv_sec = static_cast<time_t>(seconds);
+  timer.it_value.tv_usec =
+      static_cast<suseconds_t>(1e6 * (seconds - static_cast<double>(timer.it_value.tv_sec)));
+  setitimer(ITIMER_PROF, &timer, nullptr);
+}
+
+Message solved(const std::function<Answer()>& solve, double budget, double repeat) {
   Message message{};
   try {
+    limit_to(budget);
     const double begin = processor_time();
     message.answer = solve();
     const double first = processor_time() - begin;
+    limit_to(0);
     message.seconds = median_time(solve, first, repeat);
     message.ending = Ending::answered;
   } catch (const std::exception& error) {
@@ -62,13 +73,15 @@ Message solved(const std::function<Answer()>& solve, double repeat) {
   return message;
 }
 
-Run received(int pipe, int milliseconds) {
-  pollfd ready{pipe, POLLIN, 0};
-  if (poll(&ready, 1, milliseconds) == 0) return {Ending::out_of_time, {}, 0, "out of time"};
+Run received(int pipe, pid_t child) {
   Message message{};
-  if (read(pipe, &message, sizeof message) != sizeof message)
-    return {Ending::crashed, {}, 0, "crashed"};
-  return {message.ending, message.answer, message.seconds, message.words};
+  const bool whole = read(pipe, &message, sizeof message) == sizeof message;
+  int status = 0;
+  waitpid(child, &status, 0);
+  if (whole) return {message.ending, message.answer, message.seconds, message.words};
+  if (WIFSIGNALED(status) && WTERMSIG(status) == SIGPROF)
+    return {Ending::out_of_time, {}, 0, "out of time"};
+  return {Ending::crashed, {}, 0, "crashed"};
 }
 
 }  // namespace
@@ -80,15 +93,12 @@ Run run_limited(const std::function<Answer()>& solve, std::chrono::duration<doub
   const pid_t child = fork();
   if (child < 0) throw std::system_error(errno, std::generic_category(), "fork");
   if (child == 0) {
-    const Message message = solved(solve, repeat.count());
+    const Message message = solved(solve, budget.count(), repeat.count());
     _exit(write(ends[1], &message, sizeof message) == sizeof message ? 0 : 1);
   }
   close(ends[1]);
-  // The child repeats short solves for as long again, and a batch may run over.
-  const Run run = received(ends[0], static_cast<int>(1e3 * (budget + 3 * repeat).count()));
+  const Run run = received(ends[0], child);
   close(ends[0]);
-  if (run.ending == Ending::out_of_time) kill(child, SIGKILL);
-  waitpid(child, nullptr, 0);
   return run;
 }
 

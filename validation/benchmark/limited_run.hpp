@@ -27,7 +27,8 @@ struct Run {
   std::string words;
 };
 
-/// The budget covers the first solve; it is repeated only for `repeat` more, if it was short.
+/// Both in processor time: the budget is that of the first solve, which is repeated for about
+/// `repeat` more if it was short.
 Run run_limited(const std::function<Answer()>& solve, std::chrono::duration<double> budget,
                 std::chrono::duration<double> repeat);
 
