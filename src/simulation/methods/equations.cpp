@@ -84,16 +84,8 @@ double Equations::slowest_rate() const {
 
 std::vector<double> Equations::scales() const {
   std::vector<double> result(size(), 1.0);
-  const auto limit = [&](const Chain& network, std::size_t begin) {
-    for (const Branch& branch : network.branches) {
-      if (branch.rate > 1) result[begin] = std::min(1.0, branch.stiffness / branch.rate);
-      ++begin;
-    }
-  };
-  limit(contact, contact_begin());
-  if (!body) return result;
-  limit(body->drive, 1);
-  result[0] = std::max(velocity, 1 / (body->mass + body->drive.damper + body->drive.glassy));
+  if (body)
+    result[0] = std::max(velocity, 1 / (body->mass + body->drive.damper + body->drive.glassy));
   return result;
 }
 

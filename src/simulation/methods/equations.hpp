@@ -53,8 +53,7 @@ struct Equations {
   std::size_t contact_begin() const;  ///< index of the contact's first branch
   /// The smallest rate above 0 at which a network relaxes, roughly.
   double slowest_rate() const;
-  /// Typical size of each entry of the state: 1 for forces, but what a velocity of 1 gives in a
-  /// branch that relaxes faster than the oscillation; velocities that move forces by 1.
+  /// Typical size of each entry of the state: 1 for forces; velocities that move them as much.
   std::vector<double> scales() const;
   /// Body and contact unloaded and still, or about to slide: the drive under its mean load, the
   /// body as fast as the drive and the contact at the friction bound.

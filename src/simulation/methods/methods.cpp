@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 
 #include "base/errors.hpp"
 #include "simulation/methods/gsl_errors.hpp"
 #include "simulation/methods/moreau.hpp"
+#include "simulation/methods/reduced.hpp"
 #include "simulation/methods/steady.hpp"
 #include "simulation/methods/switching.hpp"
 #include "simulation/methods/tanh_friction.hpp"
@@ -20,8 +22,34 @@ namespace {
 constexpr std::array all{Method::moreau, Method::rkf45, Method::rk8pd,
                          Method::msbdf,  Method::tanh,  Method::reduced};
 
-void require(bool holds, const char* option, double found, const char* expected) {
-  if (!holds) throw InputError({option}, fmt::format("{}", found), expected);
+void check(const MethodOptions& options) {
+  const auto require = [](bool holds, const char* option, auto found, const char* expected) {
+    if (!holds) throw InputError({option}, fmt::format("{}", found), expected);
+  };
+  require(options.tolerance > 0 && options.tolerance < 1, "tolerance", options.tolerance,
+          "a number between 0 and 1");
+  require(options.steps_per_period >= 4, "steps", options.steps_per_period, "a number from 4");
+  require(options.theta >= 0.5 && options.theta <= 1, "theta", options.theta,
+          "a number from 0.5 to 1");
+  require(options.regularisation > 0 && std::isfinite(options.regularisation), "regularisation",
+          options.regularisation, "a number above 0");
+}
+
+std::unique_ptr<methods::PeriodMap> period_map(Method method, const System& system, double velocity,
+                                               const MethodOptions& options) {
+  switch (method) {
+    case Method::moreau:
+      return methods::moreau_map(system, velocity, options);
+    case Method::rkf45:
+    case Method::rk8pd:
+    case Method::msbdf:
+      return methods::switching_map(method, system, velocity, options);
+    case Method::tanh:
+      return methods::tanh_map(system, velocity, options);
+    case Method::reduced:
+      break;
+  }
+  throw Bug("the reduced model has no period map");
 }
 
 }  // namespace
@@ -55,10 +83,14 @@ std::optional<Method> method_named(std::string_view name) {
 SteadyState steady_state(Method method, const System& system, double velocity,
                          const MethodOptions& options) {
   ensure(velocity > 0, "the drive moves forward");
-  require(options.tolerance > 0, "tolerance", options.tolerance, "a number above 0");
+  check(options);
   const methods::GslErrorsOff errors_off;
-  const auto map = method == Method::moreau ? methods::moreau_map(system, velocity, options) : method==Method::tanh ? methods::tanh_map(system, velocity, options) : methods::switching_map(method, system, velocity, options);
-  return methods::settle(*map, options);
+  if (method == Method::reduced) return methods::reduced_model(system, velocity);
+  try {
+    return methods::settle(*period_map(method, system, velocity, options), options);
+  } catch (const ModelError& error) {
+    throw ModelError(fmt::format("{} {}", to_text(method), error.what()));
+  }
 }
 
 }  // namespace vcrit::simulation

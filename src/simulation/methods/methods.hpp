@@ -43,10 +43,10 @@ struct MethodOptions {
   long most_steps = 5'000'000;
 };
 
-/// velocity: mean velocity of the drive, m/s, > 0. The error estimate is of the method's numbers;
-/// what its idealisation changes (w_reg, the dropped transient) is not in it. Throws ModelError
-/// where the method cannot treat the system, does not settle or goes wrong, and says how;
-/// InputError for options out of range.
+/// velocity: mean velocity of the drive, m/s, > 0. The error estimate covers what the method
+/// idealises too (w_reg, the dropped transient), to leading order. Throws ModelError where the
+/// method cannot treat the system, does not settle or goes wrong, and says how; InputError for
+/// options out of range.
 SteadyState steady_state(Method method, const System& system, double velocity,
                          const MethodOptions& options = {});
 

@@ -29,8 +29,7 @@ class SteppedChain {
   SteppedChain(const Chain& chain, double h, double theta) : damper_(chain.damper) {
     for (const Branch& branch : chain.branches) {
       const double rate = branch.rate * h, own = unless_it_rings(theta, rate);
-      branches_.push_back(
-          {1 - rate / (1 + own * rate), h * branch.stiffness / (1 + own * rate)});
+      branches_.push_back({1 - rate / (1 + own * rate), h * branch.stiffness / (1 + own * rate)});
     }
   }
 

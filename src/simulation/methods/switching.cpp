@@ -49,9 +49,9 @@ class SwitchingMap final : public PeriodMap {
         budget_{options.most_steps, options.most_steps},
         tolerance_(options.tolerance),
         noise_(std::max(accuracy(method) * tolerance_, 1e-14)),
-        scales_(equations_.scales()),
-        asked_(ode_, stepper(method), with_deficit(), tolerance_, budget_),
-        coarser_(ode_, stepper(method), with_deficit(), coarsening(method) * tolerance_, budget_) {}
+        scales_(scales()),
+        asked_(ode_, stepper(method), scales_, tolerance_, budget_),
+        coarser_(ode_, stepper(method), scales_, coarsening(method) * tolerance_, budget_) {}
 
   State start(Start start) const override {
     const std::vector<double> y = equations_.start(start);
@@ -96,10 +96,15 @@ class SwitchingMap final : public PeriodMap {
   double slowest_rate() const override { return equations_.slowest_rate(); }
 
  private:
-  std::vector<double> with_deficit() const {
-    std::vector<double> scales = equations_.scales();
-    scales.push_back(1);
-    return scales;
+  // Without a direct damper the contact's velocity follows from a_j f_j, not from forces alone.
+  std::vector<double> scales() const {
+    std::vector<double> list = equations_.scales();
+    const Chain& contact = equations_.contact;
+    for (std::size_t j = 0; contact.damper == 0 && j < contact.branches.size(); ++j)
+      list[equations_.contact_begin() + j] =
+          std::min(1.0, contact.branches[j].stiffness / contact.branches[j].rate);
+    list.push_back(1);  // the deficit
+    return list;
   }
 
   Period run(const State& state, double end, GslIntegrator& integrator) {

@@ -60,7 +60,8 @@ class TanhOde final : public Ode {
     column_.assign(n, 0.0);
     for (std::size_t j = 0; j < n; ++j) {
       unit_[j] = 1;
-      const double w = load_of(unit_.data(), equations_.body ? unit_[0] : 0) / (stiffness + damper_);
+      const double w =
+          load_of(unit_.data(), equations_.body ? unit_[0] : 0) / (stiffness + damper_);
       equations_.rates(unit_.data(), 0, w, stiffness * w, column_.data());
       column_[n - 1] = -stiffness * w;
       unit_[j] = 0;
@@ -105,11 +106,14 @@ class TanhMap final : public PeriodMap {
   TanhMap(const System& system, double velocity, const MethodOptions& options)
       : equations_(system, velocity),
         ode_(equations_, options.regularisation),
+        coarser_ode_(equations_, 2 * options.regularisation),
         budget_{options.most_steps, options.most_steps},
-        scales_(equations_.scales()),
-        noise_(std::max(options.tolerance, 1e-14)),
-        asked_(ode_, stepper(), with_deficit(), options.tolerance, budget_),
-        coarser_(ode_, stepper(), with_deficit(), 10 * options.tolerance, budget_) {}
+        scales_(scales()),
+        noise_(std::max(
+            stepper() == gsl_odeiv2_step_msbdf ? 30 * options.tolerance : options.tolerance,
+            1e-14)),
+        asked_(ode_, stepper(), scales_, options.tolerance, budget_),
+        coarser_(coarser_ode_, stepper(), scales_, 10 * options.tolerance, budget_) {}
 
   State start(Start start) const override {
     const std::vector<double> y = equations_.start(start);
@@ -118,27 +122,8 @@ class TanhMap final : public PeriodMap {
   }
 
   Period run(const State& state, Accuracy accuracy) override {
-    GslIntegrator& integrator = accuracy == Accuracy::asked ? asked_ : coarser_;
-    std::vector<double> y(state.y.data(), state.y.data() + state.y.size());
-    y.push_back(0);
-    integrator.begin(0, std::move(y));
-    Period period;
-    double w = ode_.contact_velocity(0, integrator.state().data());
-    Motion motion = ode_.motion(w);
-    while (integrator.time() < turn) {
-      const double before = integrator.time();
-      integrator.step(std::min(turn, before + longest_step));
-      const double after = ode_.contact_velocity(integrator.time(), integrator.state().data());
-      if (ode_.motion(after) != motion) {
-        motion = ode_.motion(after);
-        period.events.push_back({equations_.phase_at(crossing(before, w, after)), motion});
-      }
-      w = after;
-    }
-    const auto& end = integrator.state();
-    period.deficit = end.back() / turn;
-    period.end = {Eigen::Map<const Eigen::VectorXd>(end.data(), state.y.size()), motion};
-    return period;
+    const bool asked = accuracy == Accuracy::asked;
+    return run(state, asked ? ode_ : coarser_ode_, asked ? asked_ : coarser_);
   }
 
   std::vector<Eigen::Index> variables(const State& state) const override {
@@ -157,20 +142,40 @@ class TanhMap final : public PeriodMap {
   const gsl_odeiv2_step_type* stepper() const {
     return ode_.fastest_rate() > stiff ? gsl_odeiv2_step_msbdf : gsl_odeiv2_step_rk8pd;
   }
-  std::vector<double> with_deficit() const {
-    std::vector<double> scales = scales_;
-    scales.push_back(1);
-    return scales;
+  std::vector<double> scales() const {
+    std::vector<double> list = equations_.scales();
+    list.push_back(1);  // the deficit
+    return list;
   }
-  // Between the ends of a step, to first order.
-  double crossing(double begin, double w0, double w1) const {
-    const double low = std::abs(w0), high = std::abs(w1);
-    const double share = std::clamp((ode_.threshold() - low) / (high - low), 0.0, 1.0);
-    return begin + share * (asked_.time() - begin);
+  // Events to first order, between the ends of a step.
+  Period run(const State& state, const TanhOde& ode, GslIntegrator& integrator) const {
+    std::vector<double> y(state.y.data(), state.y.data() + state.y.size());
+    y.push_back(0);
+    integrator.begin(0, std::move(y));
+    Period period;
+    double w = ode.contact_velocity(0, integrator.state().data());
+    Motion motion = ode.motion(w);
+    while (integrator.time() < turn) {
+      const double before = integrator.time();
+      integrator.step(std::min(turn, before + longest_step));
+      const double after = ode.contact_velocity(integrator.time(), integrator.state().data());
+      if (ode.motion(after) != motion) {
+        motion = ode.motion(after);
+        const double low = std::abs(w), high = std::abs(after);
+        const double share = std::clamp((ode.threshold() - low) / (high - low), 0.0, 1.0);
+        period.events.push_back(
+            {equations_.phase_at(before + share * (integrator.time() - before)), motion});
+      }
+      w = after;
+    }
+    const auto& end = integrator.state();
+    period.deficit = end.back() / turn;
+    period.end = {Eigen::Map<const Eigen::VectorXd>(end.data(), state.y.size()), motion};
+    return period;
   }
 
   Equations equations_;
-  TanhOde ode_;
+  TanhOde ode_, coarser_ode_;
   StepBudget budget_;
   std::vector<double> scales_;
   double noise_;
