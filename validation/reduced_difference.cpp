@@ -64,9 +64,10 @@ std::optional<ReducedModel> reduced_model(const Scene& scene) {
   model.tolerance = tolerance;
   const double a = std::abs(system.normal_force_amplitude) / system.mean_normal_force;
   model.usable_from = usable_from(model.delta, a, tolerance);
-  std::vector<double> deltas{0.03, 0.1, 0.3, 1, 3, 10, 100, model.delta};
+  std::vector<double> deltas{model.delta};
+  for (const double delta : {0.03, 0.1, 0.3, 1.0, 3.0, 10.0, 100.0})
+    if (std::abs(std::log(delta / model.delta)) > 0.2) deltas.push_back(delta);
   std::sort(deltas.begin(), deltas.end());
-  deltas.erase(std::unique(deltas.begin(), deltas.end()), deltas.end());
   model.table = reduced_table(a, deltas, {0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 0.95});
   return model;
 }

@@ -64,7 +64,7 @@ void run(const Options& options) {
   const auto machine = benchmark_machine();
   for (const std::string& problem : problems(cases))
     fmt::print("{}", work_precision_table(work_precision(points, problem), problem));
-  fmt::print("{}{}", summary_table(cases, points), machine_lines(machine));
+  fmt::print("{}{}{}", summary_table(cases, points), reduced_model_table(), machine_lines(machine));
   if (!options.json.empty())
     vcrit::write_file(options.json, as_json(points, machine, options.budget).dump(1) + "\n");
 }

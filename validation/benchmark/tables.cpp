@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reduced_difference.hpp"
+
 namespace vcrit::benchmark {
 
 namespace {
@@ -98,6 +100,20 @@ std::string summary_table(const std::vector<Case>& cases, const std::vector<Poin
                         verdict(found.exact_median <= time_goal(problem)));
   }
   return text + "\n";
+}
+
+std::string reduced_model_table() {
+  const validation::ReducedTable table =
+      validation::reduced_table(0.9, {0, 0.1, 0.3, 1, 2, 10, 100, 1000},
+                                {0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 0.95});
+  std::string text = "reduced model less full motion, D = 0.9/sqrt(1 + delta^2)\n  delta  v0/v*";
+  for (const double ratio : table.ratios) text += fmt::format("{:>8}", ratio);
+  for (std::size_t i = 0; i < table.deltas.size(); ++i) {
+    text += fmt::format("\n  {:<12}", table.deltas[i]);
+    for (const validation::ReducedAndFull& pair : table.rows[i])
+      text += fmt::format("{:>8.4f}", std::round(1e4 * pair.difference()) / 1e4 + 0.0);
+  }
+  return text + "\n\n";
 }
 
 validation::Machine benchmark_machine() {

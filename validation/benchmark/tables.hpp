@@ -19,6 +19,10 @@ std::string work_precision_table(const std::vector<Line>& lines, const std::stri
 /// The exact method against the goals that it was built for, and the rows that a peer did faster.
 std::string summary_table(const std::vector<Case>& cases, const std::vector<Point>& points);
 
+/// The paper's reduced model less the full motion over delta and v0/v*, at D = 0.9/sqrt(1 +
+/// delta^2).
+std::string reduced_model_table();
+
 /// Machine, system, compiler and its flags, and the versions of all parts.
 validation::Machine benchmark_machine();
 std::string machine_lines(const validation::Machine& machine);

@@ -12,7 +12,7 @@ namespace {
 std::string head(const ReducedTable& table) {
   std::string cells;
   for (const double ratio : table.ratios) cells += fmt::format("<th scope=\"col\">{}</th>", ratio);
-  return fmt::format("<thead><tr><th scope=\"col\">δ</th>{}</tr></thead>", cells);
+  return fmt::format("<thead><tr><th scope=\"col\">δ, v₀/v*</th>{}</tr></thead>", cells);
 }
 
 // "+0.2871"; what would be printed as zero has no sign.
@@ -63,10 +63,9 @@ std::string reduced_section(const SceneReport& report) {
       "<h3>The reduced model</h3>\n<p>The paper’s (47)–(51) leave out what the damper still "
       "relaxes after each stick. {}</p>\n<figure><div class=\"scroll\" tabindex=\"0\">"
       "<table class=\"heat\">{}<tbody>\n{}</tbody></table></div><figcaption>Friction ratio by the "
-      "reduced model less that of the full motion, over δ = ω c/k and v₀/v*, with the normal force "
-      "of "
-      "this scene: mean × (1 ± {:.3g}). The difference is proportional to that "
-      "number.</figcaption></figure>\n",
+      "reduced model less that of the full motion, over δ = ω c/k and v₀/v*; 0 is below 0.0005. At "
+      "this scene’s normal force, mean × (1 ± {:.3g}), to which the difference is "
+      "proportional.</figcaption></figure>\n",
       advice(model), head(model.table), rows, model.table.a);
 }
 
