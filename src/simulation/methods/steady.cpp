@@ -17,7 +17,7 @@ using Eigen::Index;
 using Vector = Eigen::VectorXd;
 
 constexpr int newton_steps = 12;
-constexpr double rounding = 1e-15;
+constexpr double rounding = 1e-14;
 
 // Errors follow tolerance and step only roughly.
 constexpr double caution = 2;
