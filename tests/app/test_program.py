@@ -58,6 +58,35 @@ class Commands(unittest.TestCase):
             self.assertLessEqual(abs(ratios[0]["friction_ratio"] - ratios[1]["friction_ratio"]), allowed)
             self.assertLess(allowed, 1e-9)
 
+    def test_every_method_has_the_same_keys_and_the_same_friction(self):
+        command = ["simulate", KELVIN, "--velocity-ratio", "0.5"]
+        exact = self.object(*command)
+        for method in ["moreau", "rkf45", "rk8pd", "msbdf", "tanh"]:
+            for extra in [[], ["--start", "rest"], ["--plain"]]:
+                with self.subTest(method=method, extra=extra):
+                    result = self.object(*command, "--method", method, *extra)
+                    self.assertEqual(list(result), list(exact))
+                    self.assertEqual(result["method"], method)
+                    self.assertEqual(result["regime"], exact["regime"])
+                    self.assertEqual(len(result["events"]), len(exact["events"]))
+                    # Estimates of errors that scatter: within three of them.
+                    self.assertLessEqual(abs(result["friction_ratio"] - exact["friction_ratio"]),
+                                         3 * result["friction_ratio_error"])
+
+    def test_the_options_of_a_method_reach_it(self):
+        command = ["simulate", KELVIN, "--velocity-ratio", "0.5", "--method"]
+        for method, option, rough, fine in [("rk8pd", "--tolerance", "1e-3", "1e-12"), ("moreau", "--steps", "50", "5000"),
+                                            ("moreau", "--theta", "1", "0.5"), ("tanh", "--regularisation", "0.1", "1e-4")]:
+            with self.subTest(option=option):
+                errors = [self.object(*command, method, option, value)["friction_ratio_error"] for value in [rough, fine]]
+                self.assertLess(errors[1], errors[0] / 10)
+
+    def test_the_reduced_model_takes_a_kelvin_contact_under_a_rigid_drive(self):
+        result = self.object("simulate", "scenes/kelvin_rigid.toml", "--velocity-ratio", "0.5", "--method", "reduced")
+        exact = self.object("simulate", "scenes/kelvin_rigid.toml", "--velocity-ratio", "0.5")
+        self.assertEqual(list(result), list(exact))
+        self.assertLessEqual(abs(result["friction_ratio"] - exact["friction_ratio"]), result["friction_ratio_error"])
+
     def test_critical_agrees_on_every_admissible_scene(self):
         for scene in sorted((PROJECT / "scenes").glob("*.toml")):
             if scene.name == "inadmissible.toml":
@@ -66,6 +95,9 @@ class Commands(unittest.TestCase):
                 result = self.object("critical", f"scenes/{scene.name}")
                 self.assertLess(abs(result["simulated"] - result["formula"]) / result["formula"], 1e-9)
                 self.assertLess(result["relative_difference"], 1e-9)
+                # Both witnesses lose a few units in the last place here.
+                self.assertLess(abs(result["stick_onset"] / result["formula"] - 1), 1e-12)
+                self.assertTrue(result["agree"])
 
     def test_set_changes_the_scene(self):
         value = self.object("eval", KELVIN)["critical_velocity"]
@@ -141,6 +173,39 @@ class Mistakes(unittest.TestCase):
     def extra(command):
         return ("--out", "out") if command in (("generate",), ("validate",)) else ()
 
+    def test_an_unknown_method_is_refused(self):
+        result = run("simulate", KELVIN, "--velocity-ratio", "0.5", "--method", "euler")
+        self.assertEqual((result.returncode, result.stdout), (2, ""))
+        self.assertIn("euler", result.stderr)
+        self.assertIn("rk8pd", result.stderr)
+
+    def test_options_that_a_method_does_not_take_are_refused(self):
+        command = ["simulate", KELVIN, "--velocity-ratio", "0.5", "--method"]
+        for method, *option in [("exact", "--tolerance", "1e-6"), ("exact", "--plain"), ("rk8pd", "--steps", "100"),
+                                ("rkf45", "--theta", "1"), ("moreau", "--tolerance", "1e-6"),
+                                ("msbdf", "--regularisation", "0.1"), ("reduced", "--plain")]:
+            with self.subTest(method=method, option=option):
+                error = self.refused(*command, method, *option)
+                self.assertIn(option[0], error)
+                self.assertIn(method, error)
+
+    def test_options_out_of_range_are_refused(self):
+        command = ["simulate", KELVIN, "--velocity-ratio", "0.5", "--method"]
+        for method, option, value in [("rk8pd", "--tolerance", "0"), ("moreau", "--steps", "1"), ("moreau", "--theta", "2"),
+                                      ("tanh", "--regularisation", "-1")]:
+            with self.subTest(option=option):
+                self.assertIn(option[2:], self.refused(*command, method, option, value))
+
+    def test_the_reduced_model_says_what_it_has_not(self):
+        error = self.refused("simulate", "scenes/zener.toml", "--velocity-ratio", "0.5", "--method", "reduced", status=3)
+        self.assertIn("a drive that is not rigid, and a mass", error)
+
+    def test_a_method_that_does_not_settle_says_how(self):
+        # Above v* what swings on an undamped drive swings for ever.
+        error = self.refused("simulate", "scenes/elastic_drive.toml", "--velocity-ratio", "1.05", "--method", "rk8pd",
+                             "--tolerance", "1e-6", "--plain", status=3)
+        self.assertIn("rk8pd has not settled after", error)
+
     def test_errors_name_file_line_found_and_expected(self):
         error = self.scene('[contact]\nnormal = "k0 | (k1 - c1"\npoisson = 0.3\n')
         self.assertIn("s.toml:2:16", error)
@@ -192,9 +257,61 @@ class Mistakes(unittest.TestCase):
                      "kd=2e6", "--set", "mu0=0", status=3)
 
 
+class Sweep(unittest.TestCase):
+    def sweep(self, *arguments, status=0):
+        with tempfile.TemporaryDirectory() as folder:
+            result = run("sweep", str(PROJECT / KELVIN), *arguments, "--out", "table.csv", folder=folder)
+            self.assertEqual(result.returncode, status, result.stderr)
+            self.assertEqual(result.stdout, "")
+            file = Path(folder) / "table.csv"
+            if status != 0:
+                self.assertEqual(list(Path(folder).iterdir()), [], "nothing is written")
+                return None, result.stderr
+            header, *rows = file.read_text().splitlines()
+            return [header.split(",")] + [[float(cell) for cell in row.split(",")] for row in rows], result.stderr
+
+    def test_the_friction_curve_is_that_of_simulate(self):
+        table, _ = self.sweep("--over", "velocity_ratio=lin:0.2:1:5", "--quantity", "friction_ratio")
+        self.assertEqual(table[0], ["velocity_ratio", "friction_ratio"])
+        self.assertEqual([row[0] for row in table[1:]], [0.2, 0.4, 0.6, 0.8, 1])
+        for ratio, friction in table[1:]:
+            single = json.loads(run("simulate", KELVIN, "--velocity-ratio", str(ratio), "--json").stdout)
+            # Both are good to their own estimate.
+            self.assertLessEqual(abs(friction - single["friction_ratio"]), 2 * single["friction_ratio_error"])
+
+    def test_critical_velocity_over_two_axes(self):
+        table, _ = self.sweep("--over", "frequency=log:1 kHz:100 kHz:3", "mass=lin:1 g:5 g:2",
+                              "--quantity", "critical_velocity")
+        self.assertEqual(table[0], ["frequency", "mass", "critical_velocity"])
+        self.assertEqual([row[:2] for row in table[1:]],
+                         [[f, m] for f in [1e3, 1e4, 1e5] for m in [1e-3, 5e-3]])
+        for frequency, mass, critical in table[1:]:
+            single = run("eval", KELVIN, "--json", "--set", f"frequency={frequency!r}", "--set", f"m={mass!r}")
+            self.assertEqual(critical, json.loads(single.stdout)["critical_velocity"])
+
+    def test_rows_outside_the_model_are_nan_and_told(self):
+        table, told = self.sweep("--over", "amplitude=lin:0.1 um:1 um:2", "--velocity-ratio", "0.5",
+                                 "--quantity", "friction_ratio")
+        self.assertEqual([row[1] == row[1] for row in table[1:]], [True, False])
+        self.assertIn("1 of 2 rows", told)
+
+    def test_mistakes_write_nothing(self):
+        friction = ["--quantity", "friction_ratio"]
+        self.assertIn("NAME=lin|log:FROM:TO:N", self.sweep("--over", "mass=1:2:3", *friction, status=2)[1])
+        self.assertIn("at no speed", self.sweep("--over", "mass=lin:1:2:3", *friction, status=2)[1])
+        self.assertIn("frequency", self.sweep("--over", "frequncy=lin:1:2:3", *friction, status=2)[1])
+        self.assertIn("above 0", self.sweep("--over", "frequency=lin:0:2:3", "--quantity", "critical_velocity",
+                                            status=2)[1])
+        self.assertIn("(3)", self.sweep("--over", "amplitude=lin:1 mm:2 mm:3", "--velocity", "1", *friction,
+                                        status=3)[1])
+        result = run("sweep", KELVIN, "--over", "mass=lin:1:2:3", "--quantity", "critical_velocity", "--out", "a.xls")
+        self.assertEqual(result.returncode, 2)
+        self.assertIn(".csv", result.stderr)
+
+
 class Help(unittest.TestCase):
     def test_every_command_has_help(self):
-        for command in ["derive", "eval", "generate", "simulate", "critical", "validate"]:
+        for command in ["derive", "eval", "generate", "simulate", "critical", "sweep", "validate"]:
             result = run(command, "--help")
             self.assertEqual(result.returncode, 0)
             self.assertIn("SCENE", result.stdout)

@@ -84,6 +84,7 @@ class Search {
     if (!longest) return false;
     state_ = longest->piece.after(0.5 * longest->duration);
     state_.time -= period * std::floor(state_.time / period);
+    state_.x(0) = model_.bound(state_.time);  // whatever phase was lost on the way from rest
     return true;
   }
 
