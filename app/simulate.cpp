@@ -9,22 +9,20 @@
 #include "base/units.hpp"
 #include "commands.hpp"
 #include "critical/certified.hpp"
+#include "method_choice.hpp"
 #include "options.hpp"
-#include "simulation/steady/exact.hpp"
 
 namespace vcrit::app {
 
 namespace {
 
-using simulation::Start;
 using simulation::SteadyState;
 
 struct Options {
   SceneOptions scene;
   std::string velocity;
   std::optional<double> velocity_ratio;
-  std::string method = "exact";
-  std::string start = "sliding";
+  MethodChoice method;
   bool json = false;
 };
 
@@ -75,10 +73,9 @@ void simulate(const Options& options) {
   const Scene scene = options.scene.read();
   const simulation::System system = simulation::system_of(scene);
   const Speed speed = speed_of(options, scene);
-  const Start start = options.start == "rest" ? Start::rest : Start::sliding;
-  const SteadyState steady = simulation::steady_state(system, speed.velocity, start);
+  const SteadyState steady = options.method.steady_state(system, speed.velocity);
   if (options.json)
-    print_json(speed, steady, options.method);
+    print_json(speed, steady, options.method.name());
   else
     print_text(speed, steady);
 }
@@ -94,12 +91,7 @@ void add_simulate(CLI::App& program) {
                     "mean velocity of the drive: 0.02 or \"20 mm/s\"");
   speed->add_option("--velocity-ratio", options->velocity_ratio, "the same in units of v*");
   speed->require_option(1);
-  command->add_option("--method", options->method)
-      ->check(CLI::IsMember({"exact"}))
-      ->capture_default_str();
-  command->add_option("--start", options->start, "where the motion comes from")
-      ->check(CLI::IsMember({"sliding", "rest"}))
-      ->capture_default_str();
+  options->method.add_to(*command);
   command->add_flag("--json", options->json, "print one JSON object");
   command->callback([options] { simulate(*options); });
 }

@@ -5,6 +5,7 @@
 
 #include "simulation/methods/methods.hpp"
 #include "simulation/steady/exact.hpp"
+#include "simulation/steady/onset.hpp"
 
 namespace vcrit::validation {
 

@@ -58,6 +58,35 @@ class Commands(unittest.TestCase):
             self.assertLessEqual(abs(ratios[0]["friction_ratio"] - ratios[1]["friction_ratio"]), allowed)
             self.assertLess(allowed, 1e-9)
 
+    def test_every_method_has_the_same_keys_and_the_same_friction(self):
+        command = ["simulate", KELVIN, "--velocity-ratio", "0.5"]
+        exact = self.object(*command)
+        for method in ["moreau", "rkf45", "rk8pd", "msbdf", "tanh"]:
+            for extra in [[], ["--start", "rest"], ["--plain"]]:
+                with self.subTest(method=method, extra=extra):
+                    result = self.object(*command, "--method", method, *extra)
+                    self.assertEqual(list(result), list(exact))
+                    self.assertEqual(result["method"], method)
+                    self.assertEqual(result["regime"], exact["regime"])
+                    self.assertEqual(len(result["events"]), len(exact["events"]))
+                    # Estimates of errors that scatter: within three of them.
+                    self.assertLessEqual(abs(result["friction_ratio"] - exact["friction_ratio"]),
+                                         3 * result["friction_ratio_error"])
+
+    def test_the_options_of_a_method_reach_it(self):
+        command = ["simulate", KELVIN, "--velocity-ratio", "0.5", "--method"]
+        for method, option, rough, fine in [("rk8pd", "--tolerance", "1e-3", "1e-12"), ("moreau", "--steps", "50", "5000"),
+                                            ("moreau", "--theta", "1", "0.5"), ("tanh", "--regularisation", "0.1", "1e-4")]:
+            with self.subTest(option=option):
+                errors = [self.object(*command, method, option, value)["friction_ratio_error"] for value in [rough, fine]]
+                self.assertLess(errors[1], errors[0] / 10)
+
+    def test_the_reduced_model_takes_a_kelvin_contact_under_a_rigid_drive(self):
+        result = self.object("simulate", "scenes/kelvin_rigid.toml", "--velocity-ratio", "0.5", "--method", "reduced")
+        exact = self.object("simulate", "scenes/kelvin_rigid.toml", "--velocity-ratio", "0.5")
+        self.assertEqual(list(result), list(exact))
+        self.assertLessEqual(abs(result["friction_ratio"] - exact["friction_ratio"]), result["friction_ratio_error"])
+
     def test_critical_agrees_on_every_admissible_scene(self):
         for scene in sorted((PROJECT / "scenes").glob("*.toml")):
             if scene.name == "inadmissible.toml":
@@ -143,6 +172,39 @@ class Mistakes(unittest.TestCase):
     @staticmethod
     def extra(command):
         return ("--out", "out") if command in (("generate",), ("validate",)) else ()
+
+    def test_an_unknown_method_is_refused(self):
+        result = run("simulate", KELVIN, "--velocity-ratio", "0.5", "--method", "euler")
+        self.assertEqual((result.returncode, result.stdout), (2, ""))
+        self.assertIn("euler", result.stderr)
+        self.assertIn("rk8pd", result.stderr)
+
+    def test_options_that_a_method_does_not_take_are_refused(self):
+        command = ["simulate", KELVIN, "--velocity-ratio", "0.5", "--method"]
+        for method, *option in [("exact", "--tolerance", "1e-6"), ("exact", "--plain"), ("rk8pd", "--steps", "100"),
+                                ("rkf45", "--theta", "1"), ("moreau", "--tolerance", "1e-6"),
+                                ("msbdf", "--regularisation", "0.1"), ("reduced", "--plain")]:
+            with self.subTest(method=method, option=option):
+                error = self.refused(*command, method, *option)
+                self.assertIn(option[0], error)
+                self.assertIn(method, error)
+
+    def test_options_out_of_range_are_refused(self):
+        command = ["simulate", KELVIN, "--velocity-ratio", "0.5", "--method"]
+        for method, option, value in [("rk8pd", "--tolerance", "0"), ("moreau", "--steps", "1"), ("moreau", "--theta", "2"),
+                                      ("tanh", "--regularisation", "-1")]:
+            with self.subTest(option=option):
+                self.assertIn(option[2:], self.refused(*command, method, option, value))
+
+    def test_the_reduced_model_says_what_it_has_not(self):
+        error = self.refused("simulate", "scenes/zener.toml", "--velocity-ratio", "0.5", "--method", "reduced", status=3)
+        self.assertIn("a drive that is not rigid, and a mass", error)
+
+    def test_a_method_that_does_not_settle_says_how(self):
+        # Above v* what swings on an undamped drive swings for ever.
+        error = self.refused("simulate", "scenes/elastic_drive.toml", "--velocity-ratio", "1.05", "--method", "rk8pd",
+                             "--tolerance", "1e-6", "--plain", status=3)
+        self.assertIn("rk8pd has not settled after", error)
 
     def test_errors_name_file_line_found_and_expected(self):
         error = self.scene('[contact]\nnormal = "k0 | (k1 - c1"\npoisson = 0.3\n')

@@ -75,6 +75,16 @@ class APlantedTree(unittest.TestCase):
     def test_simulation_may_not_know_the_formula(self):
         self.assert_found("src/simulation/motion/wrong.cpp", '#include "critical/critical.hpp"\n', "must not know")
 
+    def test_other_methods_may_not_know_the_exact_one(self):
+        for room in ["motion", "steady"]:
+            files = {
+                f"src/simulation/{room}/exact.hpp": "#pragma once\n",
+                "src/simulation/methods/wrong.cpp": f'#include "simulation/{room}/exact.hpp"\n',
+            }
+            found = self.problems(files=files)
+            self.assertEqual(len(found), 1, found)
+            self.assertIn("must not know", found[0])
+
     def test_the_formula_may_not_know_simulation(self):
         self.assert_found("src/critical/wrong.cpp", '#include "simulation/system/system.hpp"\n', "comes after")
 

@@ -9,6 +9,8 @@
 #include "benchmark/cvode.hpp"
 #include "simulation/random_systems.hpp"
 #include "simulation/reference_systems.hpp"
+#include "simulation/steady/exact.hpp"
+#include "simulation/steady/onset.hpp"
 
 namespace {
 

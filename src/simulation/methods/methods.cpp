@@ -26,8 +26,8 @@ void check(const MethodOptions& options) {
   const auto require = [](bool holds, const char* option, auto found, const char* expected) {
     if (!holds) throw InputError({option}, fmt::format("{}", found), expected);
   };
-  require(options.tolerance > 0 && options.tolerance < 1, "tolerance", options.tolerance,
-          "a number between 0 and 1");
+  require(options.tolerance >= 1e-15 && options.tolerance < 1, "tolerance", options.tolerance,
+          "a number from 1e-15 to below 1");
   require(options.steps_per_period >= 4, "steps", options.steps_per_period, "a number from 4");
   require(options.theta >= 0.5 && options.theta <= 1, "theta", options.theta,
           "a number from 0.5 to 1");

@@ -28,7 +28,8 @@ std::optional<Method> method_named(std::string_view name);
 /// Each method reads those that concern it.
 struct MethodOptions {
   Start start = Start::sliding;
-  /// rkf45, rk8pd, msbdf, tanh: error a step, relative and in units of mu0 <F_n>; > 0.
+  /// rkf45, rk8pd, msbdf, tanh: error a step, relative and in units of mu0 <F_n>;
+  /// from 1e-15 to below 1.
   double tolerance = 1e-10;
   /// moreau: >= 4.
   int steps_per_period = 2000;

@@ -28,14 +28,9 @@ class SteppedChain {
  public:
   SteppedChain(const Chain& chain, double h, double theta) : damper_(chain.damper) {
     for (const Branch& branch : chain.branches) {
-      const double rate = branch.rate * h, own = unless_it_rings(theta, rate);
-      branches_.push_back({1 - rate / (1 + own * rate), h * branch.stiffness / (1 + own * rate)});
+      const double share = 1 / (1 + theta * branch.rate * h);
+      branches_.push_back({1 - branch.rate * h * share, h * branch.stiffness * share});
     }
-  }
-
-  // Below theta = 1 - 1/(a h) a force that relaxes with a would overshoot its rest in each step.
-  static double unless_it_rings(double theta, double rate) {
-    return rate > 0 ? std::max(theta, 1 - 1 / rate) : theta;
   }
 
   /// c e' + sum of (1 - theta) f_0 + theta f_1.
@@ -70,11 +65,8 @@ class Stepper {
         drive_(equations.body ? equations.body->drive : Chain{}, h_, theta),
         on_body_(contact_.force(theta)),
         from_drive_(drive_.force(theta)) {
-    // In slip the contact relaxes with K_g/c, at once without a damper.
-    const double law = equations.contact.damper > 0
-                           ? SteppedChain::unless_it_rings(
-                                 theta, h_ * equations.contact.glassy / equations.contact.damper)
-                           : 1;
+    const double rate = equations.contact.glassy / equations.contact.damper;
+    const double law = std::max(theta, 1 - 1 / (rate * h_));
     on_point_ = contact_.force(law);
     if (equations.body) inertia_ = equations.body->mass / (theta * h_);
     for (int i = 0; i < steps; ++i) bounds_.push_back(equations.bound((i + law) * h_));
@@ -140,7 +132,7 @@ class MoreauMap final : public PeriodMap {
         scales_(equations_.scales()),
         target_(1e-3 / options.steps_per_period),
         asked_(equations_, options.steps_per_period, options.theta),
-        coarser_(equations_, options.steps_per_period / 2, options.theta) {}
+        coarser_(equations_, options.steps_per_period / 3, options.theta) {}
 
   State start(Start start) const override {
     const std::vector<double> y = equations_.start(start);

@@ -17,7 +17,7 @@ using Eigen::Index;
 using Vector = Eigen::VectorXd;
 
 constexpr int newton_steps = 12;
-constexpr double rounding = 1e-15;
+constexpr double rounding = 1e-14;
 
 // Errors follow tolerance and step only roughly.
 constexpr double caution = 2;
@@ -118,8 +118,11 @@ class Search {
         deficits_.push_back(period.deficit);
       }
       const double left = trend();
-      last_ = fmt::format(": by its trend the friction ratio would still change by {:.1g}", left);
-      if (left > map_.target() || !still(begin, period)) continue;
+      const bool at_rest = still(begin, period);
+      last_ = at_rest ? fmt::format(
+                            ": by its trend the friction ratio would still change by {:.1g}", left)
+                      : std::string(": it slides all the time, but its state still moves");
+      if (left > map_.target() || !at_rest) continue;
       const Period coarse = map_.run(begin, Accuracy::coarser);
       const double error = caution * std::abs(coarse.deficit - period.deficit);
       return answer(std::move(period), error + caution * std::max(left, slowest_trend()));

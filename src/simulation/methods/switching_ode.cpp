@@ -71,11 +71,17 @@ double SwitchingOde::rate_of_event(double t, const std::vector<double>& y) {
   return event_rate(t, y.data(), scratch_.data());
 }
 
-// With a direct damper the force that stick would take decides between the motions.
+// With a direct damper the force that stick would take decides between the motions. Without one, a
+// slip with w < 0 is a stick whose |F| leaves b with the slope K_g w.
 Rise SwitchingOde::adopt(double t, std::vector<double>& y) {
   tie(t, y);
-  if (event(t, y.data()) > 0) return {};
-  if (!damped()) return change(t, y);
+  const double value = event(t, y.data());
+  if (value > 0) return {};
+  if (!damped()) {
+    if (motion == Motion::stick) return begin_slip(t, y);
+    motion = Motion::stick;
+    return {1, -equations_.contact.glassy * value};
+  }
   const double force = equations_.force(y.data(), 0);
   motion = std::abs(force) < equations_.bound(t) ? Motion::stick
            : force > 0                           ? Motion::slip

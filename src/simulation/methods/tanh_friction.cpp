@@ -106,7 +106,7 @@ class TanhMap final : public PeriodMap {
   TanhMap(const System& system, double velocity, const MethodOptions& options)
       : equations_(system, velocity),
         ode_(equations_, options.regularisation),
-        coarser_ode_(equations_, 2 * options.regularisation),
+        coarser_ode_(equations_, 3 * options.regularisation),
         budget_{options.most_steps, options.most_steps},
         scales_(scales()),
         noise_(std::max(

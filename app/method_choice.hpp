@@ -1,0 +1,26 @@
+// --method and the options of each method: the one place where the exact method and the others
+// meet.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "simulation/methods/methods.hpp"
+
+namespace vcrit::app {
+
+class MethodChoice {
+ public:
+  void add_to(CLI::App& command);
+  const std::string& name() const { return name_; }
+  /// Throws InputError for an option that the method does not take.
+  simulation::SteadyState steady_state(const simulation::System& system, double velocity) const;
+
+ private:
+  std::string name_ = "exact", start_ = "sliding";
+  simulation::MethodOptions options_;
+  bool plain_ = false;
+  CLI::App* command_ = nullptr;
+};
+
+}  // namespace vcrit::app
