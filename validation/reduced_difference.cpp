@@ -13,14 +13,14 @@ namespace {
 
 constexpr double tolerance = 0.01;
 
-/// k = 1, omega = 1, mu0 <F_n> = 1, and the phase that K_n gives the normal force.
+/// k = 1, omega = 1, mu0 <F_n> = 1; the phase of the normal force only shifts time.
 simulation::System kelvin_contact(double delta, double a) {
   simulation::System system;
   system.contact = {1, delta, {}};
   system.omega = 1;
   system.friction = 1;
   system.mean_normal_force = 1;
-  system.normal_force_amplitude = std::polar(a, std::atan(delta));
+  system.normal_force_amplitude = a;
   return system;
 }
 

@@ -1,6 +1,7 @@
 #include "benchmark/summary.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace vcrit::benchmark {
 
@@ -79,6 +80,10 @@ Comparison compare(const std::vector<Point>& points, double error,
   std::vector<double> times, factors;
   for (const Point& point : points) {
     if (point.peer->name != exact_name || !taken(*point.row)) continue;
+    if (!point.answered) {
+      result.largest_error = std::numeric_limits<double>::infinity();
+      continue;
+    }
     result.races.push_back(race(points, point.row, error));
     result.largest_error = std::max(result.largest_error, point.error);
     times.push_back(point.seconds);

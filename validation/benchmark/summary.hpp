@@ -32,7 +32,7 @@ struct Race {
 };
 
 struct Comparison {
-  double largest_error = 0;  ///< of the exact method
+  double largest_error = 0;  ///< of the exact method; infinite where it gave no answer
   std::vector<Race> races;
   std::size_t lost = 0;          ///< rows on which no peer was accurate enough
   double exact_median = 0;       ///< s, over the rows

@@ -38,7 +38,8 @@ std::string line_against(const std::string& name, const Comparison& found, doubl
                      found.races.size(), duration(found.exact_median),
                      fmt::format("{:.1e}", found.largest_error), factor(found.least),
                      factor(found.median), found.lost, goal,
-                     verdict(found.least == 0 || found.least >= goal));
+                     verdict(found.largest_error <= 1e-13 &&
+                             (found.lost == found.races.size() || found.least >= goal)));
 }
 
 std::string races_below(const Comparison& found, double limit) {
