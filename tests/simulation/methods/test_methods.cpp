@@ -8,6 +8,7 @@
 #include "base/errors.hpp"
 #include "simulation/random_systems.hpp"
 #include "simulation/steady/exact.hpp"
+#include "simulation/steady/onset.hpp"
 
 namespace {
 
