@@ -17,6 +17,7 @@ using Eigen::Index;
 using Vector = Eigen::VectorXd;
 
 constexpr int newton_steps = 12;
+constexpr int most_jumps = 4;
 constexpr double rounding = 1e-14;
 
 // Errors follow tolerance and step only roughly.
@@ -57,10 +58,12 @@ class Search {
   SteadyState find() {
     State state = map_.start(options_.start);
     if (!options_.newton) return plain(state);
-    for (int periods = 4;; periods *= 2) {
+    for (int periods = 4;;) {
       for (int i = 0; i < periods; ++i) state = run(state).end;
       state = map_.to_smooth_section(state);
+      const int jumps = jumps_;
       if (const auto found = newton(state)) return *found;
+      if (jumps_ == jumps || jumps_ > most_jumps) periods *= 2;
     }
   }
 
@@ -160,7 +163,8 @@ class Search {
   }
 
   // Newton's method; Broyden's update between two derivatives. Nothing where it does not converge:
-  // then plain periods, which never lead away from the steady cycle, go first.
+  // then plain periods, which never lead away from the steady cycle, go first. A long step may have
+  // set right what is slow and upset what is fast, which comes to rest by itself: some are taken.
   std::optional<SteadyState> newton(State& state) {
     const std::vector<Index> variables = map_.variables(state);
     Period period = run(state);
@@ -173,7 +177,9 @@ class Search {
       const Vector step = solver.solve(rest);
       const double change = std::abs(derivative.deficit.dot(step));
       const bool close = n == 0 || rest.cwiseAbs().maxCoeff() <= 20 * map_.noise();
-      if (close && (change <= 0.1 * map_.noise() || stalled)) {
+      // Friction says nothing of a motion that slides, however far from where it must go.
+      const double moves = period.events.empty() ? step.norm() : change;
+      if (close && (moves <= 0.1 * map_.noise() || stalled)) {
         const Period coarse = run(state, Accuracy::coarser);
         const Vector apart = solver.solve(scaled(coarse.end.y - period.end.y, variables));
         const double apart_in_deficit =
@@ -183,9 +189,11 @@ class Search {
       if (!step.allFinite()) return std::nullopt;
       State next = moved(state, variables, step);
       Period after = run(next);
-      if (after.end.motion != next.motion) return std::nullopt;
       const Vector left = scaled(after.end.y - next.y, variables);
-      if (!close && !(left.norm() < rest.norm())) return std::nullopt;
+      if (after.end.motion != next.motion || (!close && !(left.norm() < rest.norm()))) {
+        if (jumps_++ < most_jumps) state = std::move(after.end);
+        return std::nullopt;
+      }
       stalled = left.norm() > 0.3 * rest.norm();
       const double square = step.squaredNorm();
       if (square > 0) {
@@ -204,7 +212,7 @@ class Search {
 
   PeriodMap& map_;
   const MethodOptions& options_;
-  int periods_ = 0;
+  int periods_ = 0, jumps_ = 0;
   std::vector<double> deficits_;
   std::string last_;
 };
