@@ -63,7 +63,10 @@ void run(const Options& options) {
       });
   const auto machine = benchmark_machine();
   for (const std::string& problem : problems(cases))
-    fmt::print("{}", work_precision_table(work_precision(points, problem), problem));
+    fmt::print("{}",
+               work_precision_table(
+                   work_precision(points, [&](const Case& row) { return row.problem == problem; }),
+                   problem));
   fmt::print("{}{}{}", summary_table(cases, points), reduced_model_table(), machine_lines(machine));
   if (!options.json.empty())
     vcrit::write_file(options.json, as_json(points, machine, options.budget).dump(1) + "\n");

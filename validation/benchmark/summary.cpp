@@ -25,8 +25,8 @@ bool beats(const Line& a, const Line& b) {
 }
 
 /// The peers that the exact method is held against: general integrators with events.
-bool is_rival(const Point& point) {
-  return point.peer->name.starts_with("GSL") || point.peer->name.starts_with("CVODE");
+bool is_rival(const Peer& peer) {
+  return peer.name.starts_with("GSL") || peer.name.starts_with("CVODE");
 }
 
 Line line_of(const std::vector<const Point*>& points) {
@@ -49,18 +49,22 @@ Race race(const std::vector<Point>& points, const Case* row, double error) {
   for (const Point& point : points) {
     if (point.row != row || !point.answered) continue;
     if (point.peer->name == exact_name) result.exact = point;
-    if (!is_rival(point) || point.error > error) continue;
+    if (!is_rival(*point.peer) || point.error > error) continue;
     if (!result.best || point.seconds < result.best->seconds) result.best = point;
   }
   return result;
 }
 
+bool accurate(const Line& line, double error, std::size_t rows) {
+  return is_rival(*line.peer) && line.answered == rows && line.error <= error;
+}
+
 }  // namespace
 
-std::vector<Line> work_precision(const std::vector<Point>& points, const std::string& problem) {
+std::vector<Line> work_precision(const std::vector<Point>& points, const Taken& taken) {
   std::vector<std::vector<const Point*>> groups;
   for (const Point& point : points) {
-    if (point.row->problem != problem) continue;
+    if (!taken(*point.row)) continue;
     const auto same = std::find_if(groups.begin(), groups.end(), [&](const auto& group) {
       return group.front()->setting == point.setting;
     });
@@ -74,8 +78,7 @@ std::vector<Line> work_precision(const std::vector<Point>& points, const std::st
   return lines;
 }
 
-Comparison compare(const std::vector<Point>& points, double error,
-                   const std::function<bool(const Case&)>& taken) {
+Comparison compare(const std::vector<Point>& points, double error, const Taken& taken) {
   Comparison result;
   std::vector<double> times, factors;
   for (const Point& point : points) {
@@ -92,6 +95,10 @@ Comparison compare(const std::vector<Point>& points, double error,
     else
       factors.push_back(result.races.back().factor());
   }
+  for (const Line& line : work_precision(points, taken))
+    if (accurate(line, error, times.size()) &&
+        (!result.one_setting || line.seconds < result.one_setting->seconds))
+      result.one_setting = line;
   result.exact_median = median(times);
   result.median = median(factors);
   result.least = factors.empty() ? 0 : *std::min_element(factors.begin(), factors.end());

@@ -20,7 +20,10 @@ struct Line {
   bool front = false;  ///< no other setting without failures is both faster and more accurate
 };
 
-std::vector<Line> work_precision(const std::vector<Point>& points, const std::string& problem);
+/// Which rows count.
+using Taken = std::function<bool(const Case&)>;
+
+std::vector<Line> work_precision(const std::vector<Point>& points, const Taken& taken);
 
 /// On one row, the exact method and the fastest solve of GSL or CVODE with at most so large an
 /// error.
@@ -37,10 +40,11 @@ struct Comparison {
   std::size_t lost = 0;          ///< rows on which no peer was accurate enough
   double exact_median = 0;       ///< s, over the rows
   double least = 0, median = 0;  ///< of the factors, over rows where a peer was accurate enough
+  /// The fastest setting that is accurate enough on every row, as one must choose it who does not
+  /// know the answers.
+  std::optional<Line> one_setting;
 };
 
-/// Over those of the rows that `taken` accepts.
-Comparison compare(const std::vector<Point>& points, double error,
-                   const std::function<bool(const Case&)>& taken);
+Comparison compare(const std::vector<Point>& points, double error, const Taken& taken);
 
 }  // namespace vcrit::benchmark
