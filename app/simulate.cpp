@@ -4,18 +4,21 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <numbers>
 #include <optional>
 
 #include "base/units.hpp"
 #include "commands.hpp"
 #include "critical/certified.hpp"
 #include "options.hpp"
+#include "simulation/steady/energy.hpp"
 #include "simulation/steady/exact.hpp"
 
 namespace vcrit::app {
 
 namespace {
 
+using simulation::EnergyBalance;
 using simulation::Start;
 using simulation::SteadyState;
 
@@ -46,7 +49,8 @@ Speed speed_of(const Options& options, const Scene& scene) {
   return {velocity, velocity / critical};
 }
 
-void print_json(const Speed& speed, const SteadyState& steady, const std::string& method) {
+void print_json(const Speed& speed, const SteadyState& steady, const EnergyBalance& energy,
+                const std::string& method) {
   nlohmann::ordered_json events = nlohmann::ordered_json::array();
   for (const simulation::Event& event : steady.events)
     events.push_back({{"phase", event.phase}, {"to", to_text(event.to)}});
@@ -59,16 +63,23 @@ void print_json(const Speed& speed, const SteadyState& steady, const std::string
          {"regime", to_text(steady.regime)},
          {"method", method},
          {"periods", periods},
-         {"events", events}});
+         {"events", events},
+         {"energy",
+          {{"drive", energy.drive}, {"friction", energy.friction}, {"dampers", energy.dampers}}}});
 }
 
-void print_text(const Speed& speed, const SteadyState& steady) {
+// omega: rad/s
+void print_text(const Speed& speed, const SteadyState& steady, const EnergyBalance& energy,
+                double omega) {
   fmt::print("velocity        {} m/s ({:.6g} v*)\n", speed.velocity, speed.ratio);
   fmt::print("friction ratio  {} (error about {:.1g})\n", steady.friction_ratio,
              steady.friction_ratio_error);
   fmt::print("regime          {}\n", to_text(steady.regime));
   for (const simulation::Event& event : steady.events)
     fmt::print("  at phase {:<20.15g} to {}\n", event.phase, to_text(event.to));
+  const double frequency = omega / (2 * std::numbers::pi);
+  fmt::print("power of drive  {:.6g} W: friction {:.6g} W, dampers {:.6g} W\n",
+             energy.drive * frequency, energy.friction * frequency, energy.dampers * frequency);
 }
 
 void simulate(const Options& options) {
@@ -77,10 +88,11 @@ void simulate(const Options& options) {
   const Speed speed = speed_of(options, scene);
   const Start start = options.start == "rest" ? Start::rest : Start::sliding;
   const SteadyState steady = simulation::steady_state(system, speed.velocity, start);
+  const EnergyBalance energy = simulation::energy_balance(system, speed.velocity);
   if (options.json)
-    print_json(speed, steady, options.method);
+    print_json(speed, steady, energy, options.method);
   else
-    print_text(speed, steady);
+    print_text(speed, steady, energy, system.omega);
 }
 
 }  // namespace
