@@ -80,6 +80,21 @@ RC_BOOST_PROP(does_not_change_with_all_stiffnesses_dampers_and_masses, ()) {
             steady_state(system, velocity).friction_ratio);
 }
 
+// With other factors every input is rounded anew, which moves the ratio like the rounding errors
+// that its estimate stands for, and as much again as a resonance sharpens.
+RC_BOOST_PROP(changes_by_rounding_with_any_factors, ()) {
+  const auto draw = *draws(*rc::gen::element(1, 3));
+  const auto ratio = *ratio_below_one();
+  const double stiffness = 1.1 * *magnitude(9), force = 1.3 * *magnitude(9);
+  const System system = system_of(draw);
+  const double velocity = drive_velocity(system, ratio);
+  const SteadyState one = steady_state(system, velocity);
+  const SteadyState other =
+      steady_state(scaled(system, stiffness, force), velocity * (force / stiffness));
+  RC_ASSERT(std::abs(one.friction_ratio - other.friction_ratio) <=
+            one.friction_ratio_error + other.friction_ratio_error + 10 * u);
+}
+
 RC_BOOST_PROP(does_not_change_with_forces, ()) {
   const auto draw = *any_draw();
   const auto ratio = *ratio_below_one();
