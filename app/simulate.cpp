@@ -65,7 +65,10 @@ void print_json(const Speed& speed, const SteadyState& steady, const EnergyBalan
          {"periods", periods},
          {"events", events},
          {"energy",
-          {{"drive", energy.drive}, {"friction", energy.friction}, {"dampers", energy.dampers}}}});
+          {{"drive", energy.drive},
+           {"friction", energy.friction},
+           {"dampers", energy.dampers},
+           {"error", number(energy.error)}}}});
 }
 
 // omega: rad/s

@@ -17,12 +17,14 @@
 //   empty without; amplitude; velocity of the drive; velocity_ratio, roughly, to the one at which
 //   sliding begins; friction_ratio; friction_heat, damper_heat: dissipated in one period; events.
 //
-//   g++ -std=c++20 -O2 -fopenmp -isystem /usr/include/eigen3 friction_random.cpp -o friction_random
-//   ./friction_random > friction_random.csv          about 300 scenes, see main()
-//   ./friction_random stickslip_reference.csv        how far it is from those values
+// From this folder (ten minutes on one core; the second line shows how far it is from values that
+// another program computed):
+//   g++ -std=c++20 -O2 -fopenmp -isystem /usr/include/eigen3 generate.cpp -o /tmp/generate
+//   /tmp/generate ../stickslip_reference.csv
+//   /tmp/generate > ../friction_random.csv
 #include "steady.hpp"
 
-#include <cinttypes>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <cstdio>
@@ -162,44 +164,39 @@ High largest_error(const Steady<Low>& low, const Steady<High>& high, const High&
   return std::max(worst, High(difference(low.damper_heat, high.damper_heat) / work));
 }
 
-// The row, or why there is none.
-std::string row(int id, bool& good) {
+std::string row(int id) {
   const auto [scene, ratio] = random_scene(id);
-  good = false;
-  try {
-    reference::Motion<Low> low(reference::converted<Low>(scene));
-    const Steady<Low> first = low.steady();
-    reference::Motion<High> high(reference::converted<High>(scene));
-    const Steady<High> second = high.steady(reference::converted<High>(first.start));
-    const High error = largest_error(first, second, scene.velocity);
-    if (!(error < High("1e-28"))) return "an error of " + error.str(3) + " is left";
-    std::ostringstream out;
-    out << id << ',' << text(scene.contact) << ',' << (scene.drive ? text(*scene.drive) : "rigid")
-        << ',' << (scene.mass > 0 ? text(scene.mass) : "") << ',' << text(scene.amplitude) << ','
-        << text(scene.velocity) << ',' << ratio << ',' << digits(second.ratio) << ','
-        << digits(second.friction_heat) << ',' << digits(second.damper_heat) << ','
-        << second.events;
-    good = true;
-    return out.str();
-  } catch (const std::exception& error) {
-    return error.what();
-  }
+  reference::Motion<Low> low(reference::converted<Low>(scene));
+  const Steady<Low> first = low.steady();
+  reference::Motion<High> high(reference::converted<High>(scene));
+  const Steady<High> second = high.steady(reference::converted<High>(first.start));
+  const High error = largest_error(first, second, scene.velocity);
+  if (!(error < High("1e-28")))
+    throw std::runtime_error("an error of " + error.str(3) + " is left");
+  std::ostringstream out;
+  out << id << ',' << text(scene.contact) << ',' << (scene.drive ? text(*scene.drive) : "rigid")
+      << ',' << (scene.mass > 0 ? text(scene.mass) : "") << ',' << text(scene.amplitude) << ','
+      << text(scene.velocity) << ',' << ratio << ',' << digits(second.ratio) << ','
+      << digits(second.friction_heat) << ',' << digits(second.damper_heat) << ',' << second.events
+      << '\n';
+  return out.str();
 }
 
+// A scene without a row is named on stderr.
 void write_table() {
-  std::cout << "id,contact,drive,mass,amplitude,velocity,velocity_ratio,friction_ratio,"
-               "friction_heat,damper_heat,events\n";
   std::vector<std::string> rows(scenes);
 #pragma omp parallel for schedule(dynamic)
   for (int id = 0; id < scenes; ++id) {
-    bool good = false;
-    const std::string line = row(id, good);
-    if (good) rows[static_cast<std::size_t>(id)] = line;
+    try {
+      rows[static_cast<std::size_t>(id)] = row(id);
+    } catch (const std::exception& error) {
 #pragma omp critical
-    std::cerr << (good ? "" : "scene " + std::to_string(id) + ": " + line + "\n");
+      std::cerr << "scene " << id << ": " << error.what() << '\n';
+    }
   }
-  for (const std::string& line : rows)
-    if (!line.empty()) std::cout << line << '\n';
+  std::cout << "id,contact,drive,mass,amplitude,velocity,velocity_ratio,friction_ratio,"
+               "friction_heat,damper_heat,events\n";
+  for (const std::string& line : rows) std::cout << line;
 }
 
 // The rows of stickslip_reference.csv, whose numbers are decimal fractions of many digits.
@@ -241,10 +238,7 @@ void compare(const std::string& name) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc > 2) {
-    bool g;
-    std::cout << row(std::atoi(argv[2]), g) << std::endl;
-  } else if (argc > 1)
+  if (argc > 1)
     compare(argv[1]);
   else
     write_table();
