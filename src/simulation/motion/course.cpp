@@ -1,6 +1,6 @@
 #include "simulation/motion/course.hpp"
 
-#include <numbers>
+#include <algorithm>
 
 #include "simulation/motion/switching.hpp"
 
@@ -8,84 +8,103 @@ namespace vcrit::simulation {
 
 namespace {
 
-constexpr double period = 2 * std::numbers::pi;
+// Parts of a trace that go on in the same motion are one leg, also across its end.
+struct Stretch {
+  const Trace::Part* first;
+  double duration;
+  Motion motion() const { return first->piece.start().motion; }
+};
 
-const Trace::Part* longest_slip(const Trace& trace) {
-  const Trace::Part* longest = nullptr;
-  for (const Trace::Part& part : trace.parts)
-    if (part.piece.start().motion == Motion::slip &&
-        (!longest || part.duration > longest->duration))
-      longest = &part;
-  return longest;
-}
-
-// Motions that go on are joined: at touches, and where the record ends and begins.
-bool append(Course& course, Motion motion, double duration) {
-  if (!course.legs.empty()) {
-    Course::Leg& last = course.legs.back();
-    if (last.motion == motion) {
-      last.duration += duration;
-      return true;
-    }
-    if ((last.motion == Motion::stick) == (motion == Motion::stick)) return false;
+List<Stretch, 8> stretches_of(const Trace& trace) {
+  List<Stretch, 8> result;
+  for (const Trace::Part& part : trace.parts) {
+    if (!result.empty() && result.back().motion() == part.piece.start().motion)
+      result.back().duration += part.duration;
+    else
+      result.push_back({&part, part.duration});
   }
-  course.legs.push_back({motion, duration});
-  return true;
+  if (result.size() > 1 && result.front().motion() == result.back().motion()) {
+    result.front() = {result.back().first, result.front().duration + result.back().duration};
+    result.pop_back();
+  }
+  return result;
 }
 
 }  // namespace
 
 std::optional<Course> course_of(const Trace& trace) {
-  const Trace::Part* longest = longest_slip(trace);
-  if (!longest) return std::nullopt;
-  const double half = 0.5 * longest->duration;
-  Course course{longest->piece.after(half), {}};
-  const double time = course.start.at.time;
-  course.start.at = time - period * std::floor(time / period);
-  bool repeats = append(course, Motion::slip, half);
-  const auto add = [&](const Trace::Part* from, const Trace::Part* to) {
-    for (; from != to; ++from)
-      repeats = append(course, from->piece.start().motion, from->duration) && repeats;
-  };
-  add(longest + 1, trace.parts.data() + trace.parts.size());
-  add(trace.parts.data(), longest);
-  repeats = append(course, Motion::slip, half) && repeats;
-  if (!repeats) return std::nullopt;
+  const auto stretches = stretches_of(trace);
+  const Index n = stretches.size();
+  Index longest = n;
+  for (Index i = 0; i < n; ++i)
+    if (stretches[i].motion() == Motion::slip &&
+        (longest == n || stretches[i].duration > stretches[longest].duration))
+      longest = i;
+  if (longest == n || n % 2 != 0) return std::nullopt;
+  Course course{stretches[longest].first->piece.start(), {}};
+  course.start.entered = 1;
+  for (Index i = 0; i < n; ++i) {
+    const Stretch &leg = stretches[(longest + i) % n], &next = stretches[(longest + i + 1) % n];
+    if ((leg.motion() == Motion::stick) == (next.motion() == Motion::stick)) return std::nullopt;
+    course.legs.push_back({leg.motion(), leg.duration});
+  }
   return course;
 }
 
-bool shift_events(Course& course, const Vector& shifts) {
-  double before = 0;
-  bool in_order = true;
-  for (Index i = 0; i < course.legs.size(); ++i) {
-    const double after = i < shifts.size() ? shifts[i] : 0;
-    course.legs[i].duration += after - before;
-    in_order = in_order && course.legs[i].duration > 0;
-    before = after;
-  }
-  return in_order;
+namespace {
+
+// Changes of the start at fixed time: a slip that begins later is behind by its rates.
+Matrix start_changes(const Model& model, const State& start) {
+  Matrix changes = unit_changes(start, start.x.size() + 1);
+  const Vector rate = rate_of(model, start);
+  for (Index i = 1; i < rate.size(); ++i) changes(i, start.x.size() - 1) = -rate[i];
+  return changes;
 }
 
+// What is integrated, of a state in slip.
+Vector integrand(const Model& model, const State& state) {
+  const ConstView x = state.x, levels = x.first(model.integrated_levels());
+  const ConstView units = x.subspan(model.level_states(), model.slow_units);
+  Vector result(levels.begin(), levels.end());
+  result.insert(result.end(), units.begin(), units.end());
+  return result;
+}
+
+// From changes at fixed time to changes at the beginning and the end of the cycle.
+void move_to_events(const Model& model, const State& start, const Vector& end_shifts,
+                    CoursePassage& passage) {
+  const Vector rate = rate_of(model, passage.end), level = integrand(model, passage.end);
+  Matrix &state = passage.changes.state, &integrals = passage.changes.integrals;
+  for (Index j = 0; j < end_shifts.size(); ++j) {
+    add(rate, end_shifts[j], state.column(j));
+    add(level, end_shifts[j], integrals.column(j));
+  }
+  add(integrand(model, start), -1, integrals.column(start.x.size() - 1));
+}
+
+}  // namespace
+
 CoursePassage follow(const Model& model, double velocity, const Course& course) {
-  const Index columns = course.start.x.size(), levels = model.level_states();
+  const Index columns = course.start.x.size() + 1, integrals = model.integrals();
   CoursePassage result{{course.start,
-                        Vector(levels),
-                        {unit_changes(course.start, columns), Matrix(levels, columns)}},
-                       Matrix(columns, course.legs.size() - 1)};
+                        Vector(integrals),
+                        {start_changes(model, course.start), Matrix(integrals, columns)}},
+                       Matrix(columns, course.legs.size())};
+  Vector shifts;
   for (Index i = 0; i < course.legs.size(); ++i) {
     const Piece piece(model, velocity, result.end);
     const Flow flow = piece.flow(course.legs[i].duration);
     flow.carry(result.changes);
-    result.end = piece.after(flow, result.integrals);
-    if (i + 1 == course.legs.size()) break;
-    const Motion to = course.legs[i + 1].motion;
+    const State before = piece.after(flow, result.integrals);
+    const Motion to = course.legs[(i + 1) % course.legs.size()].motion;
     const EventFunction::Point event = piece.event_function(to).at(flow.factors());
-    const State before = std::exchange(result.end, switched(model, result.end, to));
-    Vector shifts = event_shifts(model, before, to, event.slope, result.changes.state);
+    result.end = switched(model, before, to);
+    shifts = event_shifts(model, before, to, event.slope, result.changes.state);
     shifts.back() -= event.value / event.slope;
     carry_across(model, before, result.end, shifts, result.changes.state);
     std::copy(shifts.begin(), shifts.end(), result.shifts.column(i).begin());
   }
+  move_to_events(model, course.start, shifts, result);
   return result;
 }
 

@@ -3,6 +3,7 @@
 //   once = t + s twice,  twice = t^2 phi_2(s t),  phi_2(z) = (e^z - 1 - z)/z^2 = sum_n z^n/(n + 2)!
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -25,6 +26,8 @@ inline constexpr std::array<double, 17> inverse_factorial = [] {
 }();
 
 }  // namespace detail
+
+inline double size(double x) { return std::abs(x); }
 
 /// phi_2(z) for a modulus |z| < 1: the terms left out are below 2e-16 of it.
 template <class Number>
@@ -72,16 +75,31 @@ inline Integrals<PairNumber> turn_integrals(double t) {
 
 /// Integral of e^{r x} e^{s (t - x)} over x from 0 to t, (e^{r t} - e^{s t})/(r - s), from its two
 /// exponentials.
-inline double convolution(double r, double exp_r, double s, double exp_s, double t) {
-  const double x = (r - s) * t;
-  if (std::abs(x) < 1) return t * exp_s * (1 + x * phi_2(x, std::abs(x)));
-  return (exp_r - exp_s) / (r - s);
-}
-inline PairNumber convolution(PairNumber r, PairNumber exp_r, double s, double exp_s, double t) {
-  const PairNumber x = (r - s) * t;
+template <class Number>
+Number convolution(Number r, Number exp_r, double s, double exp_s, double t) {
+  const Number x = (r - s) * t;
   const double modulus = size(x);
   if (modulus < 1) return (x * phi_2(x, modulus) + 1) * (t * exp_s);
   return (exp_r - exp_s) / (r - s);
+}
+
+/// The integral of that convolution from 0 to t, (once_r - once_s)/(r - s), from the integrals of
+/// its exponentials and itself.
+template <class Number>
+Number integrated_convolution(Number r, Number once_r, double s, double once_s, Number convolved,
+                              double t) {
+  const Number apart = r - s;
+  if (std::max(size(apart), size(r)) * t >= 0.5)
+    return size(apart) >= size(r) ? (once_r - once_s) / apart : (convolved - once_s) / r;
+  // t^2 sum_n h_n/(n + 2)!, h_n the sum of all products of n factors r t and s t.
+  Number h = r * 0.0 + 1, sum = h * detail::inverse_factorial[0];
+  double power = 1;
+  for (std::size_t n = 1; n < detail::inverse_factorial.size(); ++n) {
+    power *= s * t;
+    h = h * (r * t) + power;
+    sum = sum + h * detail::inverse_factorial[n];
+  }
+  return sum * (t * t);
 }
 
 }  // namespace vcrit::simulation

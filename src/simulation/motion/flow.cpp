@@ -12,42 +12,56 @@ Flow::Flow(const Model& model, bool stuck, double duration)
 // r_j after the duration: its own decay, and the integral of psi_j F' e^{-beta_j (t - x)}.
 void Flow::filter_units() {
   const Spectrum& spectrum = phase().modes.spectrum;
-  const double t = duration();
-  unit_answer_ = Matrix(model_->units(), spectrum.size());
-  for (Index j = 0; j < model_->units(); ++j) {
-    const double rate = model_->contact.unit_rates[j], own = std::exp(-rate * t);
-    const double fluidity = model_->contact.unit_fluidity[j];
-    unit_decay_.push_back(own);
-    const Index n = spectrum.singles();
-    for (Index i = 0; i < n; ++i)
-      unit_answer_(j, i) = fluidity * phase().event[i] *
-                           convolution(-spectrum.rates[i], factors_.single(i)[0], -rate, own, t);
+  const Index units = model_->units(), n = spectrum.singles();
+  unit_answer_ = unit_integral_ = Matrix(units, spectrum.size());
+  for (Index j = 0; j < units; ++j) {
+    const double s = -model_->contact.unit_rates[j], fluidity = model_->contact.unit_fluidity[j];
+    const Integrals<double>& own = units_.emplace_back(integrals(-s, duration()));
+    const auto answer = [&](auto r, const auto& factor, auto weight) {
+      const auto convolved = convolution(r, factor[0], s, own[0], duration());
+      const auto summed = integrated_convolution(r, factor[1], s, own[1], convolved, duration());
+      return std::array{weight * convolved, weight * summed};
+    };
+    for (Index i = 0; i < n; ++i) {
+      const auto [now, sum] =
+          answer(-spectrum.rates[i], factors_.single(i), fluidity * phase().event[i]);
+      unit_answer_(j, i) = now;
+      unit_integral_(j, i) = sum;
+    }
     if (!spectrum.pair) continue;
-    const PairNumber answer =
-        spectrum.weight(phase().event) * fluidity *
-        convolution(spectrum.pair->exponent, factors_.pair()[0], -rate, own, t);
-    unit_answer_(j, n) = answer.b;
-    unit_answer_(j, n + 1) = answer.a;
+    const auto [now, sum] =
+        answer(spectrum.pair->exponent, factors_.pair(), spectrum.weight(phase().event) * fluidity);
+    unit_answer_(j, n) = now.b;
+    unit_answer_(j, n + 1) = now.a;
+    unit_integral_(j, n) = sum.b;
+    unit_integral_(j, n + 1) = sum.a;
   }
 }
 
 void Flow::move(ConstView z, View x, View integrals) const {
-  const Index own = phase().own.rows(), levels = integrals.size();
-  for (Index i = 0; i < levels; ++i) integrals[i] += x[i] * duration();
+  const Index levels = model_->level_states(), own = phase().own.rows();
+  const View held = integrals.first(model_->integrated_levels());
+  const View slow = integrals.last(model_->slow_units);
+  for (Index i = 0; i < held.size(); ++i) held[i] += x[i] * duration();
   const View contact = x.subspan(levels, own);
   std::fill(contact.begin(), contact.end(), 0.0);
   factors_.apply(z, [&](Index mode, const Integrals<double>& passed) {
-    const ConstView rate = phase().levels.column(mode);
-    for (Index i = 0; i < levels; ++i) {
-      x[i] += rate[i] * passed[1];
-      integrals[i] += rate[i] * passed[2];
-    }
-    add(phase().own.column(mode), passed[0], contact);
+    const ConstView rate = phase().levels.column(mode), state = phase().own.column(mode);
+    add(rate, passed[1], x.first(levels));
+    add(rate.first(held.size()), passed[2], held);
+    add(state, passed[0], contact);
+    if (!stuck_) add(state.first(slow.size()), passed[1], slow);
   });
-  if (!stuck_) return;
-  const View units = x.last(model_->units());
-  for (Index j = 0; j < units.size(); ++j) units[j] *= unit_decay_[j];
-  add_product(unit_answer_, z, units);
+  if (stuck_) move_units(z, x.last(model_->units()), slow);
+}
+
+void Flow::move_units(ConstView z, View units, View slow) const {
+  for (Index j = 0; j < slow.size(); ++j) slow[j] += units[j] * units_[j][1];
+  for (Index j = 0; j < units.size(); ++j) units[j] *= units_[j][0];
+  for (Index mode = 0; mode < z.size(); ++mode) {
+    add(unit_answer_.column(mode), z[mode], units);
+    add(ConstView(unit_integral_.column(mode)).first(slow.size()), z[mode], slow);
+  }
 }
 
 void Flow::carry(Changes& changes) const {

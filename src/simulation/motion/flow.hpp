@@ -6,7 +6,7 @@
 
 namespace vcrit::simulation {
 
-/// Changes of a state, column by column and at fixed time, and of the levels' integrals.
+/// Changes of a state, column by column and at fixed time, and of integrals (see model.hpp).
 struct Changes {
   Matrix state, integrals;
 };
@@ -19,7 +19,7 @@ class Flow {
   const Factors& factors() const { return factors_; }
 
   /// x after the free motion of its modes z: levels by their integrals, own contact states from the
-  /// modes, and in stick the units driven by F'. Adds the levels' integrals.
+  /// modes, and in stick the units driven by F'. Adds the integrals.
   void move(ConstView z, View x, View integrals) const;
   /// Carries changes on.
   void carry(Changes& changes) const;
@@ -27,12 +27,14 @@ class Flow {
  private:
   const Phase& phase() const { return stuck_ ? model_->stick : model_->slip; }
   void filter_units();
+  void move_units(ConstView z, View units, View slow) const;
 
   const Model* model_;
   bool stuck_;
   Factors factors_;
-  Vector unit_decay_;   ///< in stick: of each unit on its own
-  Matrix unit_answer_;  ///< and what it takes up from the modes
+  // In stick: each unit on its own, what it takes up from the modes, and the integral of that.
+  List<Integrals<double>> units_;
+  Matrix unit_answer_, unit_integral_;
 };
 
 }  // namespace vcrit::simulation

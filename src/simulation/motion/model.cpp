@@ -1,5 +1,6 @@
 #include "simulation/motion/model.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -95,6 +96,12 @@ Matrix levels(const Vector& force_rate, const Matrix& body) {
   return result;
 }
 
+// How many of the rates, in increasing order, are below 1.
+template <class Rates>
+Index slow(const Rates& rates) {
+  return static_cast<Index>(std::lower_bound(rates.begin(), rates.end(), 1.0) - rates.begin());
+}
+
 }  // namespace
 
 Model::Model(const System& system) {
@@ -114,6 +121,8 @@ Model::Model(const System& system) {
     body = Body{*system.mass * system.omega * (system.omega / stiffness_unit), drive,
                 dual(drive).at_rest};
   }
+  slow_units = slow(contact.unit_rates);
+  if (body) slow_branches = slow(body->drive.rates);
   set_stick();
   set_slip();
   set_sliding();

@@ -67,6 +67,13 @@ struct Model {
   Index slip_states() const { return level_states() + units(); }
   Index stick_states() const { return level_states() + branches() + units(); }
 
+  /// Integrals are kept of F, u and what relaxes over more than one radian, slow branches of the
+  /// drive and slow units of the contact: what these change by in a period is no more than a
+  /// rounding error of what they are.
+  Index slow_branches = 0, slow_units = 0;
+  Index integrated_levels() const { return body ? 2 + slow_branches : 1; }
+  Index integrals() const { return integrated_levels() + slow_units; }
+
   double bound(const Instant& t) const { return 1 + amplitude * t.turn.real(); }
   double bound_rate(const Instant& t) const { return -amplitude * t.turn.imag(); }
   double bound_curvature(const Instant& t) const { return -amplitude * t.turn.real(); }

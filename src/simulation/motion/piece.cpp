@@ -48,21 +48,25 @@ State Piece::after(const Flow& flow, View integrals) const {
   const int side = direction(start_.motion);
   if (side == 0) return state;
   const Index body = model_->body_states(), levels = model_->level_states();
+  const Index held = model_->integrated_levels();
   const Complex once = turned(start_.at, flow.factors().turn()[1]);
   const Complex twice = turned(start_.at, flow.factors().turn()[2]);
   state.x[0] = side * model_->bound(state.at);
   integrals[0] = impulse + side * (flow.duration() + model_->amplitude * once.real());
   for (Index i = 0; i < body; ++i) {
     state.x[1 + i] += side * real_product(model_->sliding_rates[i], once);
-    integrals[1 + i] += side * real_product(model_->sliding_rates[i], twice);
+    if (1 + i < held) integrals[1 + i] += side * real_product(model_->sliding_rates[i], twice);
   }
-  for (Index i = 0; i < model_->units(); ++i)
-    state.x[levels + i] += side * real_product(model_->sliding_rates[body + i], state.at.turn);
+  for (Index i = 0; i < model_->units(); ++i) {
+    const Complex& rate = model_->sliding_rates[body + i];
+    state.x[levels + i] += side * real_product(rate, state.at.turn);
+    if (i < model_->slow_units) integrals[held + i] += side * real_product(rate, once);
+  }
   return state;
 }
 
 State Piece::after(double duration) const {
-  Vector integrals(model_->level_states());
+  Vector integrals(model_->integrals());
   return after(flow(duration), integrals);
 }
 

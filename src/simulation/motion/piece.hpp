@@ -35,7 +35,7 @@ class Piece {
 
   /// What the motion does over a duration, for the calls below and for changes of the start.
   Flow flow(double duration) const { return {*model_, stuck(), duration}; }
-  /// The same motion, a duration later. Adds the time integrals of the levels F, u, g_j.
+  /// The same motion, a duration later. Adds the time integrals (see model.hpp).
   State after(const Flow& flow, View integrals) const;
   State after(double duration) const;
 

@@ -24,7 +24,8 @@ void add_force_rate(const Model& model, double rate, View stick) {
         model.contact.branch_stiffness[i] * model.contact.glassy * rate;
 }
 
-// dx/dt of a state.
+}  // namespace
+
 Vector rate_of(const Model& model, const State& state) {
   const bool stuck = state.motion == Motion::stick;
   const ContactModes& contact = model.contact;
@@ -49,8 +50,6 @@ Vector rate_of(const Model& model, const State& state) {
         contact.unit_fluidity[j] * rate[0] - contact.unit_rates[j] * state.x[units + j];
   return rate;
 }
-
-}  // namespace
 
 State switched(const Model& model, const State& before, Motion to) {
   ensure((before.motion == Motion::stick) != (to == Motion::stick), "stick and slip take turns");

@@ -6,6 +6,9 @@
 
 namespace vcrit::simulation {
 
+/// dx/dt of a state.
+Vector rate_of(const Model& model, const State& state);
+
 /// The state after the motion has changed to `to`.
 State switched(const Model& model, const State& before, Motion to);
 

@@ -20,8 +20,8 @@ constexpr double touch = 1e-9;
 
 Trace trace(const Model& model, double velocity, const State& start, double duration,
             const Matrix& changes) {
-  const Index levels = model.level_states();
-  Trace result{{start, Vector(levels), {changes, Matrix(levels, changes.columns())}}, {}};
+  const Index integrals = model.integrals();
+  Trace result{{start, Vector(integrals), {changes, Matrix(integrals, changes.columns())}}, {}};
   const double end = start.at.time + duration;
   bool stood = false;
   while (result.end.at.time < end) {

@@ -5,8 +5,8 @@
 
 namespace vcrit::simulation {
 
-/// Where a stretch of motion ends, and the time integrals of the levels F, u, g_j over it, with the
-/// changes of both by those of its start.
+/// Where a stretch of motion ends, and the time integrals over it (see model.hpp), with the changes
+/// of both by those of its start.
 struct Passage {
   State end;
   Vector integrals;

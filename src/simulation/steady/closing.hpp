@@ -8,12 +8,13 @@ namespace vcrit::simulation {
 /// By the numbers of the state but F.
 struct Closing {
   Vector residual;
-  Matrix derivative;  ///< minus that of the residual
+  Matrix derivative;  ///< minus that of the residual, by as many changes
   Matrix identity;    ///< in the rows of the derivative
 };
-
-/// A last column of changes beyond those by the state is taken as done: it goes into the residual.
 Closing closing(const Model& model, const State& start, const Passage& period);
+
+/// What each number of the state but F is measured by.
+Vector state_size(const Model& model, double velocity, const State& start);
 
 /// A few rounding errors of each residual over one period.
 Vector rounding(const Model& model, double velocity, const State& start);

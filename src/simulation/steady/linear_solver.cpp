@@ -1,12 +1,20 @@
 #include "simulation/steady/linear_solver.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 
 namespace vcrit::simulation {
 
 LinearSolver::LinearSolver(Matrix a) : n_(a.rows()), lu_(std::move(a)) {
-  for (Index i = 0; i < n_; ++i) row_.push_back(i), column_.push_back(i);
+  for (Index i = 0; i < n_; ++i) {
+    double size = 0;
+    for (Index j = 0; j < n_; ++j) size = std::max(size, std::abs(lu_(i, j)));
+    scale_.push_back(size > 0 ? 1 / size : 1);
+    for (Index j = 0; j < n_; ++j) lu_(i, j) *= scale_.back();
+    row_.push_back(i);
+    column_.push_back(i);
+  }
   double largest = 0;
   for (Index k = 0; k < n_; ++k) {
     pivot(k);
@@ -35,7 +43,7 @@ void LinearSolver::pivot(Index k) {
 Vector LinearSolver::solve(ConstView right) const {
   Vector y(n_), x(n_);
   for (Index i = 0; i < n_; ++i) {
-    y[i] = right[row_[i]];
+    y[i] = right[row_[i]] * scale_[row_[i]];
     for (Index j = 0; j < i && j < rank_; ++j) y[i] -= lu_(i, j) * y[j];
   }
   for (Index i = rank_; i-- > 0;) {
@@ -55,7 +63,7 @@ Vector LinearSolver::solve_transposed(ConstView right) const {
   }
   for (Index i = rank_; i-- > 0;) {
     for (Index j = i + 1; j < rank_; ++j) y[i] -= lu_(j, i) * y[j];
-    x[row_[i]] = y[i];
+    x[row_[i]] = y[i] * scale_[row_[i]];
   }
   return x;
 }

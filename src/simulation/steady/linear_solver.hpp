@@ -1,5 +1,5 @@
-// Small systems of linear equations by elimination with complete pivoting, which minds neither bad
-// scaling of rows and columns nor a missing rank.
+// Small systems of linear equations by elimination with complete pivoting, after rows have been
+// brought to one size: equations may be of any scale, and a missing rank does no harm.
 #pragma once
 
 #include "simulation/motion/storage.hpp"
@@ -20,6 +20,7 @@ class LinearSolver {
 
   Index n_, rank_ = 0;
   Matrix lu_;
+  Vector scale_;              ///< of each row
   List<Index> row_, column_;  ///< of the original matrix, by place
 };
 

@@ -10,6 +10,7 @@
 #include "simulation/motion/course.hpp"
 #include "simulation/steady/closing.hpp"
 #include "simulation/steady/linear_solver.hpp"
+#include "simulation/steady/shooting.hpp"
 
 namespace vcrit::simulation {
 
@@ -21,9 +22,6 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 // The share of the residual by which a step may miss what was expected of it.
 constexpr double good_miss = 0.3;
-
-// A step along a course that is shorter is the last: its square is below rounding.
-constexpr double shot_precision = 1e-9;
 
 // How much Newton's steps are damped: less after a good one, unless it was just raised.
 struct Damping {
@@ -63,9 +61,10 @@ class Search {
       for (int i = 0; i < cycles; ++i) {
         last_ = trace(model_, velocity_, state_, period);
         state_ = last_.end;
+        if (last_.parts.size() == 1) load();
       }
       if (const auto course = course_of(last_)) {
-        state_ = shot(*course).value_or(course->start);
+        state_ = shoot(model_, velocity_, *course).value_or(in_slip(*course));
         if (auto cycle = newton(attempt >= easy_attempts)) return *cycle;
       }
       if (attempt >= easy_attempts && cycles < 1000) cycles *= 2;
@@ -77,30 +76,16 @@ class Search {
   static constexpr int easy_attempts = 4;
   static constexpr int most_attempts = 16;
   static constexpr int most_steps = 200;
-  static constexpr int most_shots = 15;
+
+  // The middle of a course's first slip.
+  State in_slip(const Course& course) const {
+    State state = Piece(model_, velocity_, course.start).after(0.5 * course.legs.front().duration);
+    state.at = state.at.time - period * std::floor(state.at.time / period);
+    return state;
+  }
 
   // From rest, the drive may pull for many periods before anything slips.
   void load() { state_ = next_event_state(model_, velocity_, state_, 1e12); }
-
-  // Newton's method on state and events together, along a course: cheap, as nothing is searched
-  // for, but what it finds is to be proved. Nothing where it does not converge.
-  std::optional<State> shot(Course course) const {
-    for (int i = 0; i < most_shots; ++i) {
-      const CoursePassage passage = follow(model_, velocity_, course);
-      const Closing left = closing(model_, course.start, passage);
-      Vector step = LinearSolver(left.derivative).solve(left.residual);
-      const double moved = size(step, course.start) * epsilon;
-      step.push_back(1);
-      Vector shifts(passage.shifts.columns());
-      for (Index k = 0; k < shifts.size(); ++k)
-        for (Index j = 0; j < step.size(); ++j) shifts[k] += passage.shifts(j, k) * step[j];
-      course.start = corrected(course.start, step);
-      if (!shift_events(course, shifts) || contact_velocity(model_, velocity_, course.start) <= 0)
-        return std::nullopt;
-      if (moved < shot_precision) return course.start;
-    }
-    return std::nullopt;
-  }
 
   // The period map from a state in slip on, back into slip, and what is left to close the cycle.
   struct Mapped {
@@ -153,7 +138,7 @@ class Search {
       if (!std::isfinite(sum_of_sizes(step))) return std::nullopt;
       std::optional<State> next;
       if (const auto course = course_of(now->trace); course && damping.value == 0)
-        next = shot(*course);
+        next = shoot(model_, velocity_, *course);
       std::optional<Mapped> trial = mapped(next ? *next : corrected(state_, step));
       const double miss = missed(*now, trial, left_over(*now, damping.value, step));
       if (miss <= good_miss) {
@@ -188,7 +173,7 @@ class Search {
 
   // The slip may have moved away from the stroboscope on the way.
   std::optional<Mapped> centred(const Mapped& now) {
-    if (const auto course = course_of(now.trace)) state_ = course->start;
+    if (const auto course = course_of(now.trace)) state_ = in_slip(*course);
     return mapped(state_);
   }
 
