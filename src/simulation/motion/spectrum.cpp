@@ -4,8 +4,20 @@
 
 namespace vcrit::simulation {
 
-Factors::Factors(const Spectrum& spectrum, double duration)
-    : duration_(duration), turn_(turn_integrals(duration)) {
+namespace {
+
+Integrals<PairNumber> unmoved(double q) { return {PairNumber{1, 0, q}, {0, 0, q}, {0, 0, q}}; }
+
+}  // namespace
+
+Factors::Factors(const Spectrum& spectrum, double duration) : duration_(duration) {
+  if (duration == 0) {
+    singles_.resize(spectrum.singles(), {1, 0, 0});
+    if (spectrum.pair) pair_ = unmoved(spectrum.pair->q);
+    turn_ = unmoved(-1);
+    return;
+  }
+  turn_ = turn_integrals(duration);
   for (const double rate : spectrum.rates) singles_.push_back(integrals(rate, duration));
   if (const auto& pair = spectrum.pair)
     pair_ = integrals(pair->exponent, pair->receptance, pair->rate, duration);

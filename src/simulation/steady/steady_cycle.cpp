@@ -55,7 +55,6 @@ class Search {
       : model_(model), velocity_(velocity), state_(std::move(start)) {}
 
   SteadyCycle run() {
-    load();
     int cycles = 1;
     for (int attempt = 0; attempt < most_attempts; ++attempt) {
       for (int i = 0; i < cycles; ++i) {
