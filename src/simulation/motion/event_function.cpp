@@ -151,7 +151,7 @@ EventFunction::Safe EventFunction::safe_duration(double value, double h) const {
   if (spectrum_->pair)
     fast = bound_pair(bound, h, pair_ * here_.pair()[0], *spectrum_->pair) || fast;
   fast = bound_pair(bound, h, sinusoid_ * here_.turn()[0], oscillation) || fast;
-  return {h * Bernstein(bound, h).negative_share(), fast};
+  return {negative_duration(bound, h), fast};
 }
 
 }  // namespace vcrit::simulation

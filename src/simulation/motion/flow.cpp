@@ -13,28 +13,27 @@ Flow::Flow(const Model& model, bool stuck, double duration)
 void Flow::filter_units() {
   const Spectrum& spectrum = phase().modes.spectrum;
   const Index units = model_->units(), n = spectrum.singles();
-  unit_answer_ = unit_integral_ = Matrix(units, spectrum.size());
+  unit_answer_ = Matrix(units, spectrum.size());
+  unit_integral_ = Matrix(model_->slow_units, spectrum.size());
   for (Index j = 0; j < units; ++j) {
     const double s = -model_->contact.unit_rates[j], fluidity = model_->contact.unit_fluidity[j];
     const Integrals<double>& own = units_.emplace_back(integrals(-s, duration()));
-    const auto answer = [&](auto r, const auto& factor, auto weight) {
+    const auto answer = [&](auto r, const auto& factor, auto weight, const auto& set) {
       const auto convolved = convolution(r, factor[0], s, own[0], duration());
-      const auto summed = integrated_convolution(r, factor[1], s, own[1], convolved, duration());
-      return std::array{weight * convolved, weight * summed};
+      set(unit_answer_, weight * convolved);
+      if (j >= model_->slow_units) return;
+      set(unit_integral_,
+          weight * integrated_convolution(r, factor[1], s, own[1], convolved, duration()));
     };
-    for (Index i = 0; i < n; ++i) {
-      const auto [now, sum] =
-          answer(-spectrum.rates[i], factors_.single(i), fluidity * phase().event[i]);
-      unit_answer_(j, i) = now;
-      unit_integral_(j, i) = sum;
-    }
+    for (Index i = 0; i < n; ++i)
+      answer(-spectrum.rates[i], factors_.single(i), fluidity * phase().event[i],
+             [&](Matrix& matrix, double value) { matrix(j, i) = value; });
     if (!spectrum.pair) continue;
-    const auto [now, sum] =
-        answer(spectrum.pair->exponent, factors_.pair(), spectrum.weight(phase().event) * fluidity);
-    unit_answer_(j, n) = now.b;
-    unit_answer_(j, n + 1) = now.a;
-    unit_integral_(j, n) = sum.b;
-    unit_integral_(j, n + 1) = sum.a;
+    answer(spectrum.pair->exponent, factors_.pair(), spectrum.weight(phase().event) * fluidity,
+           [&](Matrix& matrix, PairNumber value) {
+             matrix(j, n) = value.b;
+             matrix(j, n + 1) = value.a;
+           });
   }
 }
 
@@ -60,15 +59,18 @@ void Flow::move_units(ConstView z, View units, View slow) const {
   for (Index j = 0; j < units.size(); ++j) units[j] *= units_[j][0];
   for (Index mode = 0; mode < z.size(); ++mode) {
     add(unit_answer_.column(mode), z[mode], units);
-    add(ConstView(unit_integral_.column(mode)).first(slow.size()), z[mode], slow);
+    add(unit_integral_.column(mode), z[mode], slow);
   }
 }
 
 void Flow::carry(Changes& changes) const {
+  const Matrix& to_modes = phase().modes.to_modes;
+  Vector y(to_modes.columns()), z(to_modes.rows());
   for (Index j = 0; j < changes.state.columns(); ++j) {
     const View x = changes.state.column(j);
-    Vector z(phase().modes.to_modes.rows());
-    add_product(phase().modes.to_modes, model_->rates(x, stuck_), z);
+    model_->rates(x, stuck_, y);
+    std::fill(z.begin(), z.end(), 0.0);
+    add_product(to_modes, y, z);
     move(z, x, changes.integrals.column(j));
   }
 }

@@ -188,19 +188,17 @@ void Model::set_sliding() {
   creep += body->fluidity;
 }
 
-Vector Model::rates(ConstView x, bool stuck) const {
+void Model::rates(ConstView x, bool stuck, View y) const {
   const Index states = body_states(), own = stuck ? branches() : units();
-  Vector y(states + own);
-  for (Index j = 0; j < own; ++j) y[states + j] = x[level_states() + j];
-  if (!body) return y;
+  for (Index j = 0; j < own; ++j) y[states + j] = x[1 + states + j];
+  if (!body) return;
   const PoleSum& drive = body->drive;
-  y[0] = -x[0] - drive.direct * x[1];
+  double force = -x[0] - drive.direct * x[1];
   for (Index j = 0; j < drive.rates.size(); ++j) {
-    y[0] -= x[2 + j];
+    force -= x[2 + j];
     y[1 + j] = drive.weights[j] * x[1] - drive.rates[j] * x[2 + j];
   }
-  y[0] /= body->mass;
-  return y;
+  y[0] = force / body->mass;
 }
 
 }  // namespace vcrit::simulation

@@ -79,7 +79,7 @@ struct Model {
   double bound_curvature(const Instant& t) const { return -amplitude * t.turn.real(); }
 
   /// y from x, or a change of y from a change of x.
-  Vector rates(ConstView x, bool stuck) const;
+  void rates(ConstView x, bool stuck, View y) const;
 
  private:
   void set_stick();

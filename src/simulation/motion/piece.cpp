@@ -32,11 +32,12 @@ Complex turned(const Instant& start, PairNumber factor) {
 Piece::Piece(const Model& model, double velocity, State start)
     : model_(&model), velocity_(velocity), start_(std::move(start)) {
   ensure(start_.x.size() == states(model, start_.motion), "a state has the size of its motion");
-  Vector y = model.rates(start_.x, stuck());
+  const Matrix& to_modes = (stuck() ? model.stick : model.slip).modes.to_modes;
+  Vector y(to_modes.columns());
+  model.rates(start_.x, stuck(), y);
   if (const int side = direction(start_.motion))
     for (Index i = 0; i < y.size(); ++i)
       y[i] -= side * real_product(model.sliding_rates[i], start_.at.turn);
-  const Matrix& to_modes = (stuck() ? model.stick : model.slip).modes.to_modes;
   modes_.resize(to_modes.rows());
   add_product(to_modes, y, modes_);
 }

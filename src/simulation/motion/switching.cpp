@@ -30,7 +30,8 @@ Vector rate_of(const Model& model, const State& state) {
   const bool stuck = state.motion == Motion::stick;
   const ContactModes& contact = model.contact;
   const Index levels = model.level_states(), units = state.x.size() - model.units();
-  const Vector y = model.rates(state.x, stuck);
+  Vector y((stuck ? model.stick : model.slip).modes.to_modes.columns());
+  model.rates(state.x, stuck, y);
   const double body_acceleration = model.body ? y[0] : 0;
   Vector rate(state.x.size());
   for (Index i = 1; i < levels; ++i) rate[i] = y[i - 1];
