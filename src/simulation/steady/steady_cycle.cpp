@@ -63,8 +63,12 @@ class Search {
         if (last_.parts.size() == 1) load();
       }
       if (const auto course = course_of(last_)) {
-        state_ = shoot(model_, velocity_, *course).value_or(in_slip(*course));
-        if (auto cycle = newton(attempt >= easy_attempts)) return *cycle;
+        const auto hit = shoot(model_, velocity_, *course);
+        const bool patient = attempt >= easy_attempts;
+        if (hit || patient) {
+          state_ = hit.value_or(in_slip(*course));
+          if (auto cycle = newton(patient)) return *cycle;
+        }
       }
       if (attempt >= easy_attempts && cycles < 1000) cycles *= 2;
     }
