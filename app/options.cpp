@@ -7,21 +7,6 @@
 
 namespace vcrit::app {
 
-namespace {
-
-Settings split(const std::vector<std::string>& texts) {
-  Settings settings;
-  for (const std::string& text : texts) {
-    const auto equals = text.find('=');
-    if (equals == text.npos || equals == 0)
-      throw InputError({"--set"}, fmt::format("\"{}\"", text), "NAME=VALUE");
-    settings.emplace_back(text.substr(0, equals), text.substr(equals + 1));
-  }
-  return settings;
-}
-
-}  // namespace
-
 void SceneOptions::add_to(CLI::App& command) {
   command.add_option("SCENE", file, "scene file (TOML)")->required();
   // One value an option, so that a scene may follow.
@@ -32,8 +17,19 @@ void SceneOptions::add_to(CLI::App& command) {
       ->allow_extra_args(false);
 }
 
+Settings SceneOptions::split_settings() const {
+  Settings result;
+  for (const std::string& text : settings) {
+    const auto equals = text.find('=');
+    if (equals == text.npos || equals == 0)
+      throw InputError({"--set"}, fmt::format("\"{}\"", text), "NAME=VALUE");
+    result.emplace_back(text.substr(0, equals), text.substr(equals + 1));
+  }
+  return result;
+}
+
 Scene SceneOptions::read() const {
-  Scene scene = read_scene(file, split(settings));
+  Scene scene = read_scene(file, split_settings());
   for (const std::string& warning : scene.warnings)
     fmt::print(stderr, "vcrit: warning: {}\n", warning);
   return scene;

@@ -18,6 +18,7 @@ struct SceneOptions {
   void add_to(CLI::App& command);
   /// Reads the scene; its warnings go to stderr.
   Scene read() const;
+  Settings split_settings() const;
 };
 
 /// A number that reads back to the same double; "inf" for an infinite one.

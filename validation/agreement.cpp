@@ -13,7 +13,7 @@
 #include "derivation/print.hpp"
 #include "evaluators.hpp"
 #include "friction.hpp"
-#include "simulation/steady/exact.hpp"
+#include "simulation/steady/onset.hpp"
 #include "stiffness/dynamic_stiffness.hpp"
 #include "values.hpp"
 
@@ -168,7 +168,7 @@ bool has_closed_form(const SceneReport& report, const simulation::System& system
 }
 
 Comparison simulated_velocity(const SceneReport& report,
-                              const simulation::SlidingThreshold& threshold) {
+                              const simulation::Onset& threshold) {
   Comparison comparison = velocity_comparison(report, "simulation", "stick-slip simulation");
   comparison.found = threshold.contact_velocity;
   comparison.tolerance = 1e-9;
@@ -177,7 +177,7 @@ Comparison simulated_velocity(const SceneReport& report,
 }
 
 Comparison simulated_creep(const SceneReport& report,
-                           const simulation::SlidingThreshold& threshold) {
+                           const simulation::Onset& threshold) {
   Comparison comparison = simulated_velocity(report, threshold);
   comparison.key = "creep";
   comparison.name = "speed of the far end when pure sliding begins, by simulation";

@@ -7,6 +7,7 @@
 #include <ginac/ginac.h>
 #include <gsl/gsl_version.h>
 #include <sys/utsname.h>
+#include <tbb/version.h>
 
 #include <Eigen/Core>
 #include <boost/version.hpp>
@@ -56,6 +57,7 @@ std::vector<std::pair<std::string, std::string>> versions() {
       {"CLN", fmt::format("{}.{}.{}", CL_VERSION_MAJOR, CL_VERSION_MINOR, CL_VERSION_PATCHLEVEL)},
       {"Boost", fmt::format("{}.{}.{}", BOOST_VERSION / 100000, BOOST_VERSION / 100 % 1000,
                             BOOST_VERSION % 100)},
+      {"oneTBB", fmt::format("{}.{}.{}", TBB_VERSION_MAJOR, TBB_VERSION_MINOR, TBB_VERSION_PATCH)},
       {"fmt",
        fmt::format("{}.{}.{}", FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100)},
       {"nlohmann-json", fmt::format("{}.{}.{}", NLOHMANN_JSON_VERSION_MAJOR,

@@ -83,6 +83,7 @@ class Reader {
     read_friction();
     read_elements();
     settings_.refuse_untaken();
+    scene_.settable = settings_.known();
     leave_out_zeros();
     collect_elements();
     std::copy(networks_.warnings().begin(), networks_.warnings().end(),
@@ -161,7 +162,10 @@ class Reader {
         quantity(oscillation, "angular_frequency", "omega", Dimension::angular_frequency, positive);
     const Quantity frequency =
         quantity(oscillation, "frequency", "frequency", Dimension::frequency, positive);
-    if (!omega.value && frequency.value) omega.value = 2 * std::numbers::pi * *frequency.value;
+    refuse_both("frequency", "angular_frequency");
+    refuse_both("frequency", "omega");
+    if (frequency.value && (!omega.value || settings_.has("frequency")))
+      omega.value = 2 * std::numbers::pi * *frequency.value;
     scene_.angular_frequency = omega;
     scene_.amplitude = quantity(oscillation, "amplitude", "du_z", Dimension::length, nonnegative);
     scene_.indentation =
@@ -181,8 +185,9 @@ class Reader {
   Quantity quantity(const Section& section, const char* key, const std::string& symbol,
                     Dimension dimension, const Range& range) {
     Quantity quantity{{symbol}, std::nullopt};
+    if (key != symbol) refuse_both(key, symbol);
     for (const std::string& name : {std::string(key), symbol})
-      if (const auto value = settings_.take(name, dimension); value && !quantity.value)
+      if (const auto value = settings_.take(name, dimension))
         quantity.value = checked(*value, range, name, OverridingValues::place(name));
     const toml::node* node = section.find(key);
     if (node == nullptr) return quantity;
@@ -190,6 +195,13 @@ class Reader {
     if (value) checked(*value, range, key, section.place(key));
     if (!quantity.value) quantity.value = value;
     return quantity;
+  }
+
+  // Two names of one quantity.
+  void refuse_both(const std::string& name, const std::string& other) const {
+    if (settings_.has(name) && settings_.has(other))
+      throw InputError(OverridingValues::place(other), fmt::format("{} as well as {}", other, name),
+                       "one of the two");
   }
 
   void read_elements() {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/errors.hpp"
+#include "base/units.hpp"
 #include "network/network.hpp"
 
 namespace vcrit {
@@ -39,8 +40,9 @@ struct Scene {
   std::optional<Quantity> mass;  ///< m (kg); only under a drive that is not rigid
   Quantity coefficient, angular_frequency, amplitude, indentation;  ///< mu0, omega, du_z, u_z0
   std::vector<std::pair<Symbol, std::optional<double>>>
-      elements;                       ///< of the networks, in order of writing
-  std::map<std::string, int> arrays;  ///< length of each array among the elements
+      elements;                               ///< of the networks, in order of writing
+  std::map<std::string, int> arrays;          ///< length of each array among the elements
+  std::map<std::string, Dimension> settable;  ///< what --set may name, and what it measures
   std::vector<std::string> warnings;
 };
 

@@ -14,14 +14,15 @@ OverridingValues::OverridingValues(const Settings& settings) {
 Place OverridingValues::place(const std::string& name) { return {"--set " + name}; }
 
 std::optional<double> OverridingValues::take(const std::string& name, Dimension dimension) {
-  known_.insert(name);
+  known_.emplace(name, dimension);
   const auto setting = settings_.find(name);
   if (setting == settings_.end()) return std::nullopt;
   return parse_quantity(setting->second, dimension, place(name));
 }
 
 void OverridingValues::refuse_untaken() const {
-  const std::vector<std::string> known(known_.begin(), known_.end());
+  std::vector<std::string> known;
+  for (const auto& [name, dimension] : known_) known.push_back(name);
   for (const auto& [name, text] : settings_) {
     if (known_.contains(name)) continue;
     const auto meant = nearest(name, known);

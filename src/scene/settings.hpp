@@ -3,7 +3,6 @@
 
 #include <map>
 #include <optional>
-#include <set>
 #include <string>
 
 #include "base/units.hpp"
@@ -17,6 +16,10 @@ class OverridingValues {
 
   /// The value set for `name`, in SI. Throws InputError if it is no quantity of that dimension.
   std::optional<double> take(const std::string& name, Dimension dimension);
+  /// Whether there is a value for `name`.
+  bool has(const std::string& name) const { return settings_.contains(name); }
+  /// The names that could be taken so far, and what they measure.
+  const std::map<std::string, Dimension>& known() const { return known_; }
   /// Where the setting of `name` stands, for messages.
   static Place place(const std::string& name);
   /// Throws InputError for names that the scene does not have.
@@ -24,7 +27,7 @@ class OverridingValues {
 
  private:
   std::map<std::string, std::string> settings_;
-  std::set<std::string> known_;
+  std::map<std::string, Dimension> known_;
 };
 
 }  // namespace vcrit

@@ -66,6 +66,9 @@ class Commands(unittest.TestCase):
                 result = self.object("critical", f"scenes/{scene.name}")
                 self.assertLess(abs(result["simulated"] - result["formula"]) / result["formula"], 1e-9)
                 self.assertLess(result["relative_difference"], 1e-9)
+                # Both witnesses lose a few units in the last place here.
+                self.assertLess(abs(result["stick_onset"] / result["formula"] - 1), 1e-12)
+                self.assertTrue(result["agree"])
 
     def test_set_changes_the_scene(self):
         value = self.object("eval", KELVIN)["critical_velocity"]
@@ -192,9 +195,61 @@ class Mistakes(unittest.TestCase):
                      "kd=2e6", "--set", "mu0=0", status=3)
 
 
+class Sweep(unittest.TestCase):
+    def sweep(self, *arguments, status=0):
+        with tempfile.TemporaryDirectory() as folder:
+            result = run("sweep", str(PROJECT / KELVIN), *arguments, "--out", "table.csv", folder=folder)
+            self.assertEqual(result.returncode, status, result.stderr)
+            self.assertEqual(result.stdout, "")
+            file = Path(folder) / "table.csv"
+            if status != 0:
+                self.assertEqual(list(Path(folder).iterdir()), [], "nothing is written")
+                return None, result.stderr
+            header, *rows = file.read_text().splitlines()
+            return [header.split(",")] + [[float(cell) for cell in row.split(",")] for row in rows], result.stderr
+
+    def test_the_friction_curve_is_that_of_simulate(self):
+        table, _ = self.sweep("--over", "velocity_ratio=lin:0.2:1:5", "--quantity", "friction_ratio")
+        self.assertEqual(table[0], ["velocity_ratio", "friction_ratio"])
+        self.assertEqual([row[0] for row in table[1:]], [0.2, 0.4, 0.6, 0.8, 1])
+        for ratio, friction in table[1:]:
+            single = json.loads(run("simulate", KELVIN, "--velocity-ratio", str(ratio), "--json").stdout)
+            # Both are good to their own estimate.
+            self.assertLessEqual(abs(friction - single["friction_ratio"]), 2 * single["friction_ratio_error"])
+
+    def test_critical_velocity_over_two_axes(self):
+        table, _ = self.sweep("--over", "frequency=log:1 kHz:100 kHz:3", "mass=lin:1 g:5 g:2",
+                              "--quantity", "critical_velocity")
+        self.assertEqual(table[0], ["frequency", "mass", "critical_velocity"])
+        self.assertEqual([row[:2] for row in table[1:]],
+                         [[f, m] for f in [1e3, 1e4, 1e5] for m in [1e-3, 5e-3]])
+        for frequency, mass, critical in table[1:]:
+            single = run("eval", KELVIN, "--json", "--set", f"frequency={frequency!r}", "--set", f"m={mass!r}")
+            self.assertEqual(critical, json.loads(single.stdout)["critical_velocity"])
+
+    def test_rows_outside_the_model_are_nan_and_told(self):
+        table, told = self.sweep("--over", "amplitude=lin:0.1 um:1 um:2", "--velocity-ratio", "0.5",
+                                 "--quantity", "friction_ratio")
+        self.assertEqual([row[1] == row[1] for row in table[1:]], [True, False])
+        self.assertIn("1 of 2 rows", told)
+
+    def test_mistakes_write_nothing(self):
+        friction = ["--quantity", "friction_ratio"]
+        self.assertIn("NAME=lin|log:FROM:TO:N", self.sweep("--over", "mass=1:2:3", *friction, status=2)[1])
+        self.assertIn("at no speed", self.sweep("--over", "mass=lin:1:2:3", *friction, status=2)[1])
+        self.assertIn("frequency", self.sweep("--over", "frequncy=lin:1:2:3", *friction, status=2)[1])
+        self.assertIn("above 0", self.sweep("--over", "frequency=lin:0:2:3", "--quantity", "critical_velocity",
+                                            status=2)[1])
+        self.assertIn("(3)", self.sweep("--over", "amplitude=lin:1 mm:2 mm:3", "--velocity", "1", *friction,
+                                        status=3)[1])
+        result = run("sweep", KELVIN, "--over", "mass=lin:1:2:3", "--quantity", "critical_velocity", "--out", "a.xls")
+        self.assertEqual(result.returncode, 2)
+        self.assertIn(".csv", result.stderr)
+
+
 class Help(unittest.TestCase):
     def test_every_command_has_help(self):
-        for command in ["derive", "eval", "generate", "simulate", "critical", "validate"]:
+        for command in ["derive", "eval", "generate", "simulate", "critical", "sweep", "validate"]:
             result = run(command, "--help")
             self.assertEqual(result.returncode, 0)
             self.assertIn("SCENE", result.stdout)

@@ -19,6 +19,7 @@ ROOMS = [
     "src/simulation/system",
     "src/simulation/motion",
     "src/simulation/steady",
+    "src/sweep",
     "symbolic/derivation",
     "symbolic/emit",
     "validation",

@@ -119,6 +119,23 @@ BOOST_AUTO_TEST_CASE(set_replaces_and_completes) {
   BOOST_TEST(has(message(text, {{"kn", "-1"}}), "at least 0"));
 }
 
+BOOST_AUTO_TEST_CASE(set_names_a_quantity_once) {
+  const std::string text = kelvin + oscillation + friction + kelvin_values;
+  BOOST_TEST(has(message(text, {{"amplitude", "1"}, {"du_z", "2"}}), "du_z as well as amplitude"));
+  BOOST_TEST(
+      has(message(text, {{"frequency", "1"}, {"omega", "2"}}), "omega as well as frequency"));
+  // Whichever of the two the file has, the setting is what counts.
+  const std::string angular =
+      kelvin + friction + kelvin_values +
+      "[oscillation]\nangular_frequency = 7\namplitude = 1\nindentation = 2\n";
+  BOOST_TEST(values_of(scene(angular, {{"frequency", "10"}})).at({"omega"}) ==
+             20 * std::numbers::pi);
+  const auto settable = scene(text).settable;
+  BOOST_TEST((settable.at("kn") == Dimension::stiffness));
+  BOOST_TEST((settable.at("frequency") == Dimension::frequency));
+  BOOST_TEST(!settable.contains("mass"));
+}
+
 BOOST_AUTO_TEST_CASE(arrays_of_a_prony_series) {
   const std::string text = "[contact]\nnormal = \"prony(k0, k, tau)\"\ntangential_ratio = 0.8\n" +
                            oscillation + friction +

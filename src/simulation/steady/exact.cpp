@@ -123,12 +123,4 @@ SteadyState steady_state(const System& system, double velocity, Start start, int
   return Answer(system, velocity, samples).find(start);
 }
 
-// Steady sliding answers b(t) linearly, so the contact velocity is its mean and one sinusoid; its
-// minimum is the mean less the amplitude.
-SlidingThreshold sliding_threshold(const System& system) {
-  const Model model(system);
-  const double lowest = std::abs(model.sliding_velocity);
-  return {lowest * model.velocity_unit, (lowest + model.creep) * model.velocity_unit};
-}
-
 }  // namespace vcrit::simulation

@@ -11,11 +11,4 @@ namespace vcrit::simulation {
 SteadyState steady_state(const System& system, double velocity, Start start = Start::sliding,
                          int samples = 0);
 
-/// The lowest speed at which steady pure sliding exists, from the minimum of the contact velocity.
-struct SlidingThreshold {
-  double contact_velocity = 0;  ///< mean velocity of the contact point there: the simulated v*, m/s
-  double drive_velocity = 0;    ///< of the drive; larger only where a network on the path creeps
-};
-SlidingThreshold sliding_threshold(const System& system);
-
 }  // namespace vcrit::simulation

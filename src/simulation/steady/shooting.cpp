@@ -100,6 +100,7 @@ std::optional<State> shoot(const Model& model, double velocity, Course course) {
     if (!converged) continue;
     const double turns = std::floor(course.start.at.time / period);
     course.start.at = course.start.at.time - period * turns;
+    course.start.x[0] = model.bound(course.start.at);
     const State middle =
         Piece(model, velocity, course.start).after(0.5 * course.legs.front().duration);
     if (contact_velocity(model, velocity, middle) <= 0) return std::nullopt;

@@ -57,20 +57,14 @@ class Search {
   SteadyCycle run() {
     int cycles = 1;
     for (int attempt = 0; attempt < most_attempts; ++attempt) {
+      const bool patient = attempt >= easy_attempts;
       for (int i = 0; i < cycles; ++i) {
         last_ = trace(model_, velocity_, state_, period);
         state_ = last_.end;
-        if (last_.parts.size() == 1) load();
       }
-      if (const auto course = course_of(last_)) {
-        const auto hit = shoot(model_, velocity_, *course);
-        const bool patient = attempt >= easy_attempts;
-        if (hit || patient) {
-          state_ = hit.value_or(in_slip(*course));
-          if (auto cycle = newton(patient)) return *cycle;
-        }
-      }
-      if (attempt >= easy_attempts && cycles < 1000) cycles *= 2;
+      if (const auto cycle = closed(patient)) return *cycle;
+      if (last_.parts.size() == 1) load();
+      if (patient && cycles < 1000) cycles *= 2;
     }
     throw ModelError("no steady state found: the motion still drifts after thousands of periods");
   }
@@ -80,14 +74,27 @@ class Search {
   static constexpr int most_attempts = 16;
   static constexpr int most_steps = 200;
 
+  // The steady cycle, if it is near the last period. Above the sliding threshold it may be slip
+  // alone, which has no events to shoot at.
+  std::optional<SteadyCycle> closed(bool patient) {
+    if (last_.parts.size() == 1 && state_.motion == Motion::slip) return newton(patient);
+    const auto course = course_of(last_);
+    if (!course) return std::nullopt;
+    const auto hit = shoot(model_, velocity_, *course);
+    if (!hit && !patient) return std::nullopt;
+    state_ = hit.value_or(in_slip(*course));
+    return newton(patient);
+  }
+
   // The middle of a course's first slip.
   State in_slip(const Course& course) const {
     State state = Piece(model_, velocity_, course.start).after(0.5 * course.legs.front().duration);
     state.at = state.at.time - period * std::floor(state.at.time / period);
+    state.x[0] = model_.bound(state.at);  // whatever phase was lost on the way from rest
     return state;
   }
 
-  // From rest, the drive may pull for many periods before anything slips.
+  // From rest, or after a slip too far, the drive may pull for many periods before anything slips.
   void load() { state_ = next_event_state(model_, velocity_, state_, 1e12); }
 
   // The period map from a state in slip on, back into slip, and what is left to close the cycle.
@@ -137,12 +144,16 @@ class Search {
     Damping damping;
     for (int i = 0; i < most_steps && now && damping.value < 10; ++i) {
       if (now->size <= 1) return finished(*now);
+      if (damping.value == 0) {
+        if (auto hit = shot_from(*now); hit && hit->size <= good_miss * now->size) {
+          state_ = hit->start();
+          now = std::move(hit);
+          continue;
+        }
+      }
       const Vector step = LinearSolver(damped(now->left, damping.value)).solve(now->left.residual);
       if (!std::isfinite(sum_of_sizes(step))) return std::nullopt;
-      std::optional<State> next;
-      if (const auto course = course_of(now->trace); course && damping.value == 0)
-        next = shoot(model_, velocity_, *course);
-      std::optional<Mapped> trial = mapped(next ? *next : corrected(state_, step));
+      std::optional<Mapped> trial = mapped(corrected(state_, step));
       const double miss = missed(*now, trial, left_over(*now, damping.value, step));
       if (miss <= good_miss) {
         state_ = trial->start();
@@ -158,6 +169,13 @@ class Search {
       }
     }
     return std::nullopt;
+  }
+
+  // The period map from where shooting along the last period's course leads.
+  std::optional<Mapped> shot_from(const Mapped& now) const {
+    const auto course = course_of(now.trace);
+    const auto hit = course ? shoot(model_, velocity_, *course) : std::nullopt;
+    return hit ? mapped(*hit) : std::nullopt;
   }
 
   static Matrix damped(const Closing& left, double damping) {

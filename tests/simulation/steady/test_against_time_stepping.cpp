@@ -4,6 +4,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "simulation/steady/exact.hpp"
+#include "simulation/steady/onset.hpp"
 #include "time_stepping.hpp"
 
 namespace {
@@ -21,7 +22,7 @@ System base() {
 }
 
 void compare(const System& system, double share, int steps = 4000) {
-  const SlidingThreshold threshold = sliding_threshold(system);
+  const Onset threshold = sliding_threshold(system);
   const double velocity = threshold.drive_velocity * share;
   const double coarse = reference::stepped_friction_ratio(system, velocity, 120, steps);
   const double fine = reference::stepped_friction_ratio(system, velocity, 120, 2 * steps);

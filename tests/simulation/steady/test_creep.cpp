@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "simulation/steady/exact.hpp"
+#include "simulation/steady/onset.hpp"
 
 namespace {
 
@@ -59,7 +60,7 @@ BOOST_AUTO_TEST_CASE(slips_where_the_bound_is_lowest) {
 // A spring behind a damper: w = v0 - F'/k - F/eta, so v* = 0.8 |i/k + 1/eta|, and the drive runs
 // 1/eta faster.
 BOOST_AUTO_TEST_CASE(threshold_of_a_creeping_contact) {
-  const SlidingThreshold threshold = sliding_threshold(creeping(branch));
+  const Onset threshold = sliding_threshold(creeping(branch));
   const double lowest = 0.8 * std::hypot(0.5, 1.0 / 3);
   BOOST_TEST(std::abs(threshold.contact_velocity / lowest - 1) <= 20 * u);
   BOOST_TEST(std::abs(threshold.drive_velocity / (lowest + 1.0 / 3) - 1) <= 20 * u);
@@ -85,7 +86,7 @@ BOOST_AUTO_TEST_CASE(creep_adds_along_the_path) {
   s.drive = Relaxation{0, 5, {}};
   for (const bool moving : {false, true}) {
     if (moving) s.mass = 0.3;
-    const SlidingThreshold threshold = sliding_threshold(s);
+    const Onset threshold = sliding_threshold(s);
     const double creep = threshold.drive_velocity - threshold.contact_velocity;
     BOOST_TEST(std::abs(creep - (1.0 / 3 + 1.0 / 5)) <= 20 * u);
     const SteadyState stuck = steady_state(s, 0.1 * (1.0 / 3 + 1.0 / 5), Start::rest);

@@ -1,6 +1,7 @@
 // Steady states against independent values: high-precision references, the closed form of the
 // elastic contact, and properties that hold for every system.
 #include "simulation/steady/exact.hpp"
+#include "simulation/steady/onset.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -95,7 +96,7 @@ BOOST_AUTO_TEST_CASE(grazing) {
 
 BOOST_AUTO_TEST_CASE(thresholds_of_the_reference) {
   for (const reference::Row& row : reference::reference_rows()) {
-    const SlidingThreshold threshold = sliding_threshold(row.system);
+    const Onset threshold = sliding_threshold(row.system);
     // Near the body's resonance |K_d - m w^2| cancels by up to 0.5/0.2, else some 10 operations.
     BOOST_TEST(std::abs(threshold.contact_velocity / row.threshold - 1) <= 40 * u, row.name);
     BOOST_TEST(threshold.drive_velocity == threshold.contact_velocity);

@@ -6,6 +6,7 @@
 
 #include "base/errors.hpp"
 #include "simulation/steady/exact.hpp"
+#include "simulation/steady/onset.hpp"
 
 namespace {
 

@@ -1,0 +1,50 @@
+#include "simulation/steady/onset.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/errors.hpp"
+#include "simulation/steady/steady_cycle.hpp"
+
+namespace vcrit::simulation {
+
+namespace {
+
+// In units of mu0 <F_n> omega/|K_t|, by which no sensible v* differs so much.
+constexpr double lowest_speed = 1e-30, highest_speed = 1e30;
+
+bool sticks(const Model& model, double velocity) {
+  // A path that creeps carries F = eta v in stick; here the bound is never reached.
+  if (model.creep * (1 - model.amplitude) >= velocity) return true;
+  const auto& parts = steady_cycle(model, velocity, rest_start(model, velocity)).period.parts;
+  return std::any_of(parts.begin(), parts.end(), [](const Trace::Part& part) {
+    return part.piece.start().motion == Motion::stick;
+  });
+}
+
+}  // namespace
+
+// Steady sliding answers b(t) linearly, so the contact velocity is its mean and one sinusoid; its
+// minimum is the mean less the amplitude.
+Onset sliding_threshold(const System& system) {
+  const Model model(system);
+  const double lowest = std::abs(model.sliding_velocity);
+  return {lowest * model.velocity_unit, (lowest + model.creep) * model.velocity_unit};
+}
+
+Onset stick_onset(const System& system) {
+  const Model model(system);
+  double low = 1, high = 1;
+  while (!sticks(model, low) && low > lowest_speed) low /= 2;
+  while (sticks(model, high)) {
+    if (high > highest_speed) throw ModelError("stick vanishes at no speed");
+    high *= 2;
+  }
+  for (int i = 0; i < 50; ++i) {
+    const double middle = 0.5 * (low + high);
+    (sticks(model, middle) ? low : high) = middle;
+  }
+  return {(low - model.creep) * model.velocity_unit, low * model.velocity_unit};
+}
+
+}  // namespace vcrit::simulation

@@ -1,0 +1,23 @@
+// v* by simulation alone, as two witnesses that share no argument: where steady sliding ceases to
+// exist, and where the last stick vanishes from the motion that a start at rest settles into.
+#pragma once
+
+#include "simulation/system/system.hpp"
+
+namespace vcrit::simulation {
+
+/// A speed at which the kind of steady motion changes.
+struct Onset {
+  double contact_velocity = 0;  ///< mean velocity of the contact point there: the simulated v*, m/s
+  double drive_velocity = 0;    ///< of the drive; larger only where a network on the path creeps
+};
+
+/// The lowest speed at which steady pure sliding exists, from the minimum of the contact velocity.
+Onset sliding_threshold(const System& system);
+
+/// The highest speed at which the steady motion still sticks, from starts at rest. Takes some 60
+/// steady states; sticks that last less than about 1e-6 of a period are found, so the speed is good
+/// to about 1e-12. Throws ModelError where no steady state is found.
+Onset stick_onset(const System& system);
+
+}  // namespace vcrit::simulation

@@ -1,0 +1,57 @@
+// v* by simulation: where steady sliding ceases to exist, and where the last stick vanishes.
+#include "simulation/steady/onset.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <limits>
+
+#include "base/errors.hpp"
+#include "simulation/random_systems.hpp"
+#include "simulation/reference_systems.hpp"
+
+namespace {
+
+using namespace vcrit;
+using namespace vcrit::simulation;
+
+constexpr double u = std::numeric_limits<double>::epsilon() / 2;
+
+BOOST_AUTO_TEST_CASE(last_stick_vanishes_at_the_reference) {
+  for (const reference::Row& row : reference::reference_rows()) {
+    const Onset onset = stick_onset(row.system);
+    // Bisection leaves 2^-50, far below v* eps with sqrt(18 eps) = 1e-6, the shortest stick that
+    // rounding of the contact velocity (some 10 u of v*) leaves.
+    BOOST_TEST(std::abs(onset.contact_velocity / row.threshold - 1) <= 1e-13, row.name);
+  }
+}
+
+// Two answers without a common argument: one from the linear response of pure sliding, one from
+// marching through stick and slip after a start at rest.
+BOOST_AUTO_TEST_CASE(both_witnesses_agree_on_random_systems) {
+  constexpr unsigned seed = 1907;
+  BOOST_TEST_MESSAGE("seed " << seed);
+  for (unsigned i = 0; i < 150; ++i) {
+    reference::RandomSystems systems(seed + i, i % 2 == 0 ? 1 : 6);
+    const System system = systems.system();
+    const Onset sliding = sliding_threshold(system), stick = stick_onset(system);
+    // Relative to the drive's speed, which is what both are found at: a creeping path adds to it.
+    const double difference = std::abs(stick.drive_velocity - sliding.drive_velocity);
+    BOOST_TEST(difference <= 1e-12 * sliding.drive_velocity, "system " << i);
+    BOOST_TEST(std::abs(stick.contact_velocity - sliding.contact_velocity) <=
+               1e-12 * sliding.drive_velocity);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(no_speed_is_high_enough_at_an_undamped_resonance) {
+  System system;
+  system.contact = {2, 0, {}};
+  system.drive = Relaxation{1, 0, {}};
+  system.mass = 1;
+  system.omega = 1;
+  system.friction = 0.5;
+  system.mean_normal_force = 1;
+  system.normal_force_amplitude = 0.5;
+  BOOST_CHECK_THROW(stick_onset(system), ModelError);
+}
+
+}  // namespace
