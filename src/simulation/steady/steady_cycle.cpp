@@ -59,7 +59,7 @@ class Search {
     for (int attempt = 0; attempt < most_attempts; ++attempt) {
       const bool patient = attempt >= easy_attempts;
       for (int i = 0; i < cycles; ++i) {
-        last_ = trace(model_, velocity_, state_, period);
+        last_ = traced(state_, {});
         state_ = last_.end;
       }
       if (const auto cycle = closed(patient)) return *cycle;
@@ -67,6 +67,12 @@ class Search {
       if (patient && cycles < 1000) cycles *= 2;
     }
     throw ModelError("no steady state found: the motion still drifts after thousands of periods");
+  }
+
+  std::optional<SteadyCycle> from(Trace near) {
+    last_ = std::move(near);
+    state_ = last_.end;
+    return closed(false);
   }
 
  private:
@@ -84,6 +90,11 @@ class Search {
     if (!hit && !patient) return std::nullopt;
     state_ = hit.value_or(in_slip(*course));
     return newton(patient);
+  }
+
+  Trace traced(const State& state, const Matrix& changes) {
+    ++traced_;
+    return trace(model_, velocity_, state, period, changes);
   }
 
   // The middle of a course's first slip.
@@ -105,9 +116,9 @@ class Search {
     const State& start() const { return trace.parts.front().piece.start(); }
   };
 
-  std::optional<Mapped> mapped(const State& state) const {
+  std::optional<Mapped> mapped(const State& state) {
     if (contact_velocity(model_, velocity_, state) <= 0) return std::nullopt;
-    Trace once = trace(model_, velocity_, state, period, unit_changes(state, state.x.size() - 1));
+    Trace once = traced(state, unit_changes(state, state.x.size() - 1));
     if (once.end.motion != Motion::slip) return std::nullopt;
     const Closing left = closing(model_, state, once);
     return Mapped{std::move(once), left, size(left.residual, state)};
@@ -172,7 +183,7 @@ class Search {
   }
 
   // The period map from where shooting along the last period's course leads.
-  std::optional<Mapped> shot_from(const Mapped& now) const {
+  std::optional<Mapped> shot_from(const Mapped& now) {
     const auto course = course_of(now.trace);
     const auto hit = course ? shoot(model_, velocity_, *course) : std::nullopt;
     return hit ? mapped(*hit) : std::nullopt;
@@ -215,19 +226,27 @@ class Search {
     }
     const double summing = 8 * epsilon * static_cast<double>(now.trace.parts.size());
     return {now.trace, now.trace.impulse() / period,
-            summing + (std::abs(change) + rounded) / period};
+            summing + (std::abs(change) + rounded) / period, traced_};
   }
 
   const Model& model_;
   double velocity_;
   State state_;
   Trace last_;
+  int traced_ = 0;
 };
 
 }  // namespace
 
 SteadyCycle steady_cycle(const Model& model, double velocity, State start) {
   return Search(model, velocity, std::move(start)).run();
+}
+
+std::optional<SteadyCycle> steady_cycle_near(const Model& model, double velocity,
+                                             const SteadyCycle& other) try {
+  return Search(model, velocity, other.period.end).from(other.period);
+} catch (const ModelError&) {
+  return std::nullopt;
 }
 
 }  // namespace vcrit::simulation
