@@ -58,10 +58,7 @@ class Search {
     int cycles = 1;
     for (int attempt = 0; attempt < most_attempts; ++attempt) {
       const bool patient = attempt >= easy_attempts;
-      for (int i = 0; i < cycles; ++i) {
-        last_ = traced(state_, {});
-        state_ = last_.end;
-      }
+      for (int i = 0; i < cycles; ++i) plain_period();
       if (const auto cycle = closed(patient)) return *cycle;
       if (last_.parts.size() == 1) load();
       if (patient && cycles < 1000) cycles *= 2;
@@ -79,6 +76,21 @@ class Search {
   static constexpr int easy_attempts = 4;
   static constexpr int most_attempts = 16;
   static constexpr int most_steps = 200;
+  static constexpr std::size_t crowded = 200;
+
+  // From rest, a body on a stiff drive rings, and sticks and slips with every ring until that has
+  // died away. As the friction does not depend on the start, the search leaves this one.
+  void plain_period() {
+    ++traced_;
+    auto next =
+        left_start_ ? std::nullopt : trace_within(crowded, model_, velocity_, state_, period);
+    if (!next && !left_start_) {
+      state_ = sliding_start(model_, velocity_);
+      left_start_ = true;
+    }
+    last_ = next ? std::move(*next) : trace(model_, velocity_, state_, period);
+    state_ = last_.end;
+  }
 
   // The steady cycle, if it is near the last period. Above the sliding threshold it may be slip
   // alone, which has no events to shoot at.
@@ -90,11 +102,6 @@ class Search {
     if (!hit && !patient) return std::nullopt;
     state_ = hit.value_or(in_slip(*course));
     return newton(patient);
-  }
-
-  Trace traced(const State& state, const Matrix& changes) {
-    ++traced_;
-    return trace(model_, velocity_, state, period, changes);
   }
 
   // The middle of a course's first slip.
@@ -118,7 +125,8 @@ class Search {
 
   std::optional<Mapped> mapped(const State& state) {
     if (contact_velocity(model_, velocity_, state) <= 0) return std::nullopt;
-    Trace once = traced(state, unit_changes(state, state.x.size() - 1));
+    ++traced_;
+    Trace once = trace(model_, velocity_, state, period, unit_changes(state, state.x.size() - 1));
     if (once.end.motion != Motion::slip) return std::nullopt;
     const Closing left = closing(model_, state, once);
     return Mapped{std::move(once), left, size(left.residual, state)};
@@ -233,6 +241,7 @@ class Search {
   double velocity_;
   State state_;
   Trace last_;
+  bool left_start_ = false;
   int traced_ = 0;
 };
 
