@@ -1,5 +1,7 @@
 #include "simulation/motion/trace.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "base/errors.hpp"
@@ -10,48 +12,84 @@ namespace vcrit::simulation {
 namespace {
 
 // Many times what a period of any sensible motion has.
-constexpr std::size_t most_parts = 100'000;
+constexpr std::size_t most_parts = 20'000;
 
 // Two events in a row without time between them are one touch within rounding: the motion goes on
 // without them for this share of a period, over which nothing can be gained or lost.
 constexpr double touch = 1e-9;
 
-}  // namespace
-
-Trace trace(const Model& model, double velocity, const State& start, double duration,
-            const Matrix& changes) {
+Trace begun(const Model& model, const State& start, const Matrix& changes) {
   const Index integrals = model.integrals();
-  Trace result{{start, Vector(integrals), {changes, Matrix(integrals, changes.columns())}}, {}};
-  const double end = start.at.time + duration;
-  bool stood = false;
-  while (result.end.at.time < end) {
-    if (result.parts.size() == most_parts)
-      throw ModelError("stick and slip alternate without end within one period");
-    const Piece& piece =
-        result.parts.emplace_back(Trace::Part{Piece(model, velocity, result.end), 0}).piece;
-    double length = end - result.end.at.time;
+  return {{start, Vector(integrals), {changes, Matrix(integrals, changes.columns())}}, {}};
+}
+
+class Tracer {
+ public:
+  Tracer(const Model& model, double velocity, Trace& record)
+      : model_(model), velocity_(velocity), record_(record) {}
+
+  // False if it would take more parts.
+  bool run(double duration, std::size_t parts) {
+    const double end = record_.end.at.time + duration;
+    while (record_.end.at.time < end) {
+      if (record_.parts.size() == parts) return false;
+      add_part(end);
+    }
+    return true;
+  }
+
+ private:
+  void add_part(double end) {
+    auto& [piece, length] =
+        record_.parts.emplace_back(Trace::Part{Piece(model_, velocity_, record_.end), 0});
+    length = end - record_.end.at.time;
     auto event = piece.next_event(length);
-    if (event && event->duration == 0 && stood) {
+    const bool to_end = !event;
+    if (event && event->duration == 0 && stood_) {
       event.reset();
       length = std::min(length, touch);
     }
     if (event) length = event->duration;
-    stood = length == 0;
-    result.parts.back().duration = length;
+    stood_ = length == 0;
     const Flow flow = piece.flow(length);
-    flow.carry(result.changes);
-    const bool last = !event && length == end - piece.start().at.time;
-    result.end = piece.after(flow, result.integrals);
-    if (last) result.end.at = end;
-    if (!event) continue;
-    const State before = std::exchange(result.end, switched(model, result.end, event->to));
-    if (changes.columns() == 0) continue;
-    const double slope = piece.event_function(event->to).at(flow.factors()).slope;
-    carry_across(model, before, result.end,
-                 event_shifts(model, before, event->to, slope, result.changes.state),
-                 result.changes.state);
+    flow.carry(record_.changes);
+    record_.end = piece.after(flow, record_.integrals);
+    if (to_end) record_.end.at = end;
+    if (event) change_motion(piece, flow, event->to);
   }
-  return result;
+
+  void change_motion(const Piece& piece, const Flow& flow, Motion to) {
+    const State before = std::exchange(record_.end, switched(model_, record_.end, to));
+    Matrix& changes = record_.changes.state;
+    if (changes.columns() == 0) return;
+    const double slope = piece.event_function(to).at(flow.factors()).slope;
+    const Vector shifts = event_shifts(model_, before, to, slope, changes);
+    carry_across(model_, before, record_.end, shifts, changes);
+  }
+
+  const Model& model_;
+  double velocity_;
+  Trace& record_;
+  bool stood_ = false;
+};
+
+}  // namespace
+
+std::optional<Trace> trace_within(std::size_t parts, const Model& model, double velocity,
+                                  const State& start, double duration) {
+  std::optional<Trace> record(begun(model, start, {}));
+  if (!Tracer(model, velocity, *record).run(duration, parts)) record.reset();
+  return record;
+}
+
+Trace trace(const Model& model, double velocity, const State& start, double duration,
+            const Matrix& changes) {
+  Trace record = begun(model, start, changes);
+  if (!Tracer(model, velocity, record).run(duration, most_parts))
+    throw ModelError(
+        fmt::format("stick and slip alternate more than {} times within one period: the body rings",
+                    most_parts));
+  return record;
 }
 
 State next_event_state(const Model& model, double velocity, const State& start, double horizon) {

@@ -28,6 +28,10 @@ struct Trace : Passage {
 Trace trace(const Model& model, double velocity, const State& start, double duration,
             const Matrix& changes = {});
 
+/// The same without changes; nothing where it would take more parts.
+std::optional<Trace> trace_within(std::size_t parts, const Model& model, double velocity,
+                                  const State& start, double duration);
+
 /// The state right after the next event, or `horizon` later if there is none before.
 State next_event_state(const Model& model, double velocity, const State& start, double horizon);
 

@@ -58,10 +58,7 @@ class Search {
     int cycles = 1;
     for (int attempt = 0; attempt < most_attempts; ++attempt) {
       const bool patient = attempt >= easy_attempts;
-      for (int i = 0; i < cycles; ++i) {
-        last_ = trace(model_, velocity_, state_, period);
-        state_ = last_.end;
-      }
+      for (int i = 0; i < cycles; ++i) plain_period();
       if (const auto cycle = closed(patient)) return *cycle;
       if (last_.parts.size() == 1) load();
       if (patient && cycles < 1000) cycles *= 2;
@@ -69,10 +66,31 @@ class Search {
     throw ModelError("no steady state found: the motion still drifts after thousands of periods");
   }
 
+  std::optional<SteadyCycle> from(Trace near) {
+    last_ = std::move(near);
+    state_ = last_.end;
+    return closed(false);
+  }
+
  private:
   static constexpr int easy_attempts = 4;
   static constexpr int most_attempts = 16;
   static constexpr int most_steps = 200;
+  static constexpr std::size_t crowded = 200;
+
+  // From rest, a body on a stiff drive rings, and sticks and slips with every ring until that has
+  // died away. As the friction does not depend on the start, the search leaves this one.
+  void plain_period() {
+    ++traced_;
+    auto next =
+        left_start_ ? std::nullopt : trace_within(crowded, model_, velocity_, state_, period);
+    if (!next && !left_start_) {
+      state_ = sliding_start(model_, velocity_);
+      left_start_ = true;
+    }
+    last_ = next ? std::move(*next) : trace(model_, velocity_, state_, period);
+    state_ = last_.end;
+  }
 
   // The steady cycle, if it is near the last period. Above the sliding threshold it may be slip
   // alone, which has no events to shoot at.
@@ -105,8 +123,9 @@ class Search {
     const State& start() const { return trace.parts.front().piece.start(); }
   };
 
-  std::optional<Mapped> mapped(const State& state) const {
+  std::optional<Mapped> mapped(const State& state) {
     if (contact_velocity(model_, velocity_, state) <= 0) return std::nullopt;
+    ++traced_;
     Trace once = trace(model_, velocity_, state, period, unit_changes(state, state.x.size() - 1));
     if (once.end.motion != Motion::slip) return std::nullopt;
     const Closing left = closing(model_, state, once);
@@ -172,7 +191,7 @@ class Search {
   }
 
   // The period map from where shooting along the last period's course leads.
-  std::optional<Mapped> shot_from(const Mapped& now) const {
+  std::optional<Mapped> shot_from(const Mapped& now) {
     const auto course = course_of(now.trace);
     const auto hit = course ? shoot(model_, velocity_, *course) : std::nullopt;
     return hit ? mapped(*hit) : std::nullopt;
@@ -215,19 +234,28 @@ class Search {
     }
     const double summing = 8 * epsilon * static_cast<double>(now.trace.parts.size());
     return {now.trace, now.trace.impulse() / period,
-            summing + (std::abs(change) + rounded) / period};
+            summing + (std::abs(change) + rounded) / period, traced_};
   }
 
   const Model& model_;
   double velocity_;
   State state_;
   Trace last_;
+  bool left_start_ = false;
+  int traced_ = 0;
 };
 
 }  // namespace
 
 SteadyCycle steady_cycle(const Model& model, double velocity, State start) {
   return Search(model, velocity, std::move(start)).run();
+}
+
+std::optional<SteadyCycle> steady_cycle_near(const Model& model, double velocity,
+                                             const SteadyCycle& other) try {
+  return Search(model, velocity, other.period.end).from(other.period);
+} catch (const ModelError&) {
+  return std::nullopt;
 }
 
 }  // namespace vcrit::simulation

@@ -4,6 +4,8 @@
 // start.
 #pragma once
 
+#include <optional>
+
 #include "simulation/motion/trace.hpp"
 
 namespace vcrit::simulation {
@@ -12,11 +14,17 @@ struct SteadyCycle {
   Trace period;      ///< one period from a state in slip on
   double ratio = 0;  ///< <F>/(mu0 <F_n>)
   double error = 0;  ///< estimate of its absolute error
+  int traced = 0;    ///< periods that the search took
 };
 
 /// velocity: drive velocity without dimension, below the sliding threshold and above stick.
 /// Throws ModelError if no closed cycle is found.
 SteadyCycle steady_cycle(const Model& model, double velocity, State start);
+
+/// The same, beginning at the steady cycle of another velocity; nothing where that does not lead to
+/// one at once.
+std::optional<SteadyCycle> steady_cycle_near(const Model& model, double velocity,
+                                             const SteadyCycle& other);
 
 /// Forward sliding as near to steady sliding as the drive allows, at its fastest moment (whether
 /// the contact ever slows to 0 or not), and a body at rest on an undeformed contact.

@@ -1,0 +1,141 @@
+#include "simulation/steady/answers.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/errors.hpp"
+
+namespace vcrit::simulation {
+
+namespace {
+
+using namespace std::complex_literals;
+
+constexpr double turn = 2 * std::numbers::pi;
+
+// Where rounding errors would grow beyond it, no digits of the motion are left to speak of.
+constexpr double sharpest_resonance = 1e7;
+
+double wrapped(double angle) {
+  const double result = angle - turn * std::floor(angle / turn);
+  return result < turn ? result : 0;
+}
+
+// One steady state in the user's units.
+class Answer {
+ public:
+  Answer(const Model& model, double velocity, int samples)
+      : model_(model), velocity_(velocity), samples_(samples) {}
+
+  // F is mu0 F_n throughout, so the ratio is 1 by the balance of forces alone.
+  SteadyState sliding() const {
+    SteadyState state{1, 0, Regime::sliding, 1, {}, {}};
+    for (int i = 0; i < samples_; ++i) {
+      const double t = phase_of(i) + model_.phase;
+      const double velocity =
+          velocity_ - model_.creep + (model_.sliding_velocity * std::exp(1i * t)).real();
+      state.cycle.push_back(point(phase_of(i), velocity, model_.bound(t)));
+    }
+    return state;
+  }
+
+  SteadyState stick() const {
+    const double force = velocity_ / model_.creep;
+    SteadyState state{force, 8 * 2.3e-16 * force, Regime::stick, 1, {}, {}};
+    for (int i = 0; i < samples_; ++i) state.cycle.push_back(point(phase_of(i), 0, force));
+    return state;
+  }
+
+  SteadyState cycle(const SteadyCycle& found) const {
+    SteadyState state;
+    state.friction_ratio = found.ratio;
+    state.friction_ratio_error = found.error;
+    state.periods = 1;
+    state.events = events(found.period);
+    state.regime = regime(state.events);
+    for (int i = 0; i < samples_; ++i) state.cycle.push_back(sample(found.period, phase_of(i)));
+    return state;
+  }
+
+ private:
+  std::vector<Event> events(const Trace& period) const {
+    std::vector<Event> list;
+    for (std::size_t i = 1; i < period.parts.size(); ++i) {
+      const State& start = period.parts[i].piece.start();
+      if (start.motion == period.parts[i - 1].piece.start().motion) continue;
+      list.push_back({wrapped(start.at.time - model_.phase), start.motion});
+    }
+    std::sort(list.begin(), list.end(),
+              [](const Event& a, const Event& b) { return a.phase < b.phase; });
+    return list;
+  }
+
+  static Regime regime(const std::vector<Event>& events) {
+    const auto is = [](Motion motion) {
+      return [motion](const Event& event) { return event.to == motion; };
+    };
+    if (std::any_of(events.begin(), events.end(), is(Motion::backslip)))
+      return Regime::stick_slip_backslip;
+    return events.empty() ? Regime::sliding : Regime::stick_slip;
+  }
+
+  double phase_of(int sample) const { return turn * sample / samples_; }
+
+  CyclePoint point(double phase, double velocity, double force) const {
+    return {phase, velocity * model_.velocity_unit, force * model_.force_unit,
+            model_.bound(phase + model_.phase) * model_.force_unit};
+  }
+
+  CyclePoint sample(const Trace& period, double phase) const {
+    const double begin = period.parts.front().piece.start().at.time;
+    const double t = begin + wrapped(phase + model_.phase - begin);
+    auto part = period.parts.begin();
+    while (std::next(part) != period.parts.end() && std::next(part)->piece.start().at.time <= t)
+      ++part;
+    const double duration = t - part->piece.start().at.time;
+    const State state = part->piece.after(duration);
+    return point(phase, contact_velocity(model_, velocity_, state), state.x[0]);
+  }
+
+  const Model& model_;
+  double velocity_;
+  int samples_;
+};
+
+}  // namespace
+
+SteadyState Answers::at(double velocity, Start start, int samples) {
+  return answer(velocity, start, samples, false);
+}
+
+SteadyState Answers::next(double velocity) { return answer(velocity, Start::sliding, 0, true); }
+
+SteadyState Answers::answer(double velocity, Start start, int samples, bool near_last) {
+  ensure(velocity > 0, "the drive moves forward");
+  const double v = velocity / model_.velocity_unit, threshold = std::abs(model_.sliding_velocity);
+  const Answer result(model_, v, samples);
+  if (v >= threshold + model_.creep) return result.sliding();
+  // A path that creeps carries F = eta v in stick; the bound may never be reached.
+  if (model_.creep * (1 - model_.amplitude) >= v) return result.stick();
+  if (!(model_.resonance < sharpest_resonance))
+    throw ModelError(
+        "body and drive are in undamped resonance: the swing in slip grows without bound");
+  if (!near_last || !follow(v)) {
+    last_.reset();
+    last_.emplace(steady_cycle(
+        model_, v, start == Start::sliding ? sliding_start(model_, v) : rest_start(model_, v)));
+  }
+  traced_periods_ += last_->traced;
+  return result.cycle(*last_);
+}
+
+bool Answers::follow(double velocity) {
+  if (!last_) return false;
+  auto cycle = steady_cycle_near(model_, velocity, *last_);
+  if (!cycle) return false;
+  last_ = std::move(cycle);
+  return true;
+}
+
+}  // namespace vcrit::simulation

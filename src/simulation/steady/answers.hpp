@@ -1,0 +1,36 @@
+// Steady states of one system at one speed after another.
+#pragma once
+
+#include <optional>
+
+#include "simulation/steady/steady_cycle.hpp"
+#include "simulation/system/steady_state.hpp"
+
+namespace vcrit::simulation {
+
+/// Speeds of the drive in m/s, > 0. ModelError where no steady state is found.
+class Answers {
+ public:
+  explicit Answers(const System& system) : model_(system) {}
+  Answers(const Answers&) = delete;  // cycles refer to the model
+  Answers& operator=(const Answers&) = delete;
+
+  SteadyState at(double velocity, Start start, int samples);
+
+  /// The search begins at the cycle of the speed before, where that leads to one; else anew from
+  /// sliding.
+  SteadyState next(double velocity);
+
+  /// What all searches took together.
+  int traced_periods() const { return traced_periods_; }
+
+ private:
+  SteadyState answer(double velocity, Start start, int samples, bool near_last);
+  bool follow(double velocity);
+
+  Model model_;
+  std::optional<SteadyCycle> last_;
+  int traced_periods_ = 0;
+};
+
+}  // namespace vcrit::simulation

@@ -1,0 +1,35 @@
+#include "simulation/steady/curve.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "base/errors.hpp"
+#include "simulation/steady/answers.hpp"
+
+namespace vcrit::simulation {
+
+namespace {
+
+// From the fastest on: just below the sliding threshold the cycle is simplest.
+std::vector<std::size_t> falling(std::span<const double> velocities) {
+  std::vector<std::size_t> order(velocities.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t i, std::size_t j) { return velocities[i] > velocities[j]; });
+  return order;
+}
+
+}  // namespace
+
+std::vector<CurvePoint> friction_curve(const System& system, std::span<const double> velocities) {
+  std::vector<CurvePoint> curve(velocities.size());
+  Answers answers(system);
+  for (const std::size_t i : falling(velocities)) try {
+      curve[i].state = answers.next(velocities[i]);
+    } catch (const ModelError& error) {
+      curve[i].reason = error.what();
+    }
+  return curve;
+}
+
+}  // namespace vcrit::simulation
