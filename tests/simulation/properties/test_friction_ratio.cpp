@@ -32,6 +32,20 @@ System scaled(System system, double stiffness, double force) {
   return system;
 }
 
+// Sum of the sizes of d(friction ratio)/d ln(contact, drive, mass, speed).
+double steepness(const System& system, double velocity, double ratio) {
+  constexpr double step = 1e-6;
+  const auto slope = [&](const System& changed, double speed) {
+    return std::abs(steady_state(changed, speed).friction_ratio - ratio) / step;
+  };
+  System contact = system, drive = system, mass = system;
+  contact.contact = scaled(system.contact, 1 + step);
+  if (drive.drive) drive.drive = scaled(*system.drive, 1 + step);
+  if (mass.mass) *mass.mass *= 1 + step;
+  return slope(contact, velocity) + slope(drive, velocity) + slope(mass, velocity) +
+         slope(system, velocity * (1 - step));
+}
+
 }  // namespace
 
 // Above, F <= mu0 F_n at every moment. Below, by the energy of one period: the drive's work v0 <F>
@@ -80,8 +94,8 @@ RC_BOOST_PROP(does_not_change_with_all_stiffnesses_dampers_and_masses, ()) {
             steady_state(system, velocity).friction_ratio);
 }
 
-// With other factors every input is rounded anew, which moves the ratio like the rounding errors
-// that its estimate stands for, and as much again as a resonance sharpens.
+// With other factors every input is rounded anew: three roundings of some ten inputs, each of which
+// moves the ratio as steeply as all of one network's stiffness, the mass or the speed do.
 RC_BOOST_PROP(changes_by_rounding_with_any_factors, ()) {
   const auto draw = *draws(*rc::gen::element(1, 3));
   const auto ratio = *ratio_below_one();
@@ -92,7 +106,8 @@ RC_BOOST_PROP(changes_by_rounding_with_any_factors, ()) {
   const SteadyState other =
       steady_state(scaled(system, stiffness, force), velocity * (force / stiffness));
   RC_ASSERT(std::abs(one.friction_ratio - other.friction_ratio) <=
-            one.friction_ratio_error + other.friction_ratio_error + 10 * u);
+            one.friction_ratio_error + other.friction_ratio_error +
+                30 * u * (1 + steepness(system, velocity, one.friction_ratio)));
 }
 
 RC_BOOST_PROP(does_not_change_with_forces, ()) {
