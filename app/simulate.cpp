@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <numbers>
 #include <optional>
 
 #include "base/units.hpp"
@@ -11,11 +12,13 @@
 #include "critical/certified.hpp"
 #include "method_choice.hpp"
 #include "options.hpp"
+#include "simulation/steady/energy.hpp"
 
 namespace vcrit::app {
 
 namespace {
 
+using simulation::EnergyBalance;
 using simulation::SteadyState;
 
 struct Options {
@@ -44,29 +47,43 @@ Speed speed_of(const Options& options, const Scene& scene) {
   return {velocity, velocity / critical};
 }
 
-void print_json(const Speed& speed, const SteadyState& steady, const std::string& method) {
+// The energy is known for the exact method alone.
+void print_json(const Speed& speed, const SteadyState& steady,
+                const std::optional<EnergyBalance>& energy, const std::string& method) {
   nlohmann::ordered_json events = nlohmann::ordered_json::array();
   for (const simulation::Event& event : steady.events)
     events.push_back({{"phase", event.phase}, {"to", to_text(event.to)}});
   nlohmann::ordered_json periods = nullptr;
   if (steady.periods) periods = *steady.periods;
-  print({{"velocity", speed.velocity},
-         {"velocity_ratio", number(speed.ratio)},
-         {"friction_ratio", steady.friction_ratio},
-         {"friction_ratio_error", number(steady.friction_ratio_error)},
-         {"regime", to_text(steady.regime)},
-         {"method", method},
-         {"periods", periods},
-         {"events", events}});
+  nlohmann::ordered_json object{{"velocity", speed.velocity},
+                                {"velocity_ratio", number(speed.ratio)},
+                                {"friction_ratio", steady.friction_ratio},
+                                {"friction_ratio_error", number(steady.friction_ratio_error)},
+                                {"regime", to_text(steady.regime)},
+                                {"method", method},
+                                {"periods", periods},
+                                {"events", events}};
+  if (energy)
+    object["energy"] = {{"drive", energy->drive},
+                        {"friction", energy->friction},
+                        {"dampers", energy->dampers},
+                        {"error", number(energy->error)}};
+  print(object);
 }
 
-void print_text(const Speed& speed, const SteadyState& steady) {
+// omega: rad/s
+void print_text(const Speed& speed, const SteadyState& steady,
+                const std::optional<EnergyBalance>& energy, double omega) {
   fmt::print("velocity        {} m/s ({:.6g} v*)\n", speed.velocity, speed.ratio);
   fmt::print("friction ratio  {} (error about {:.1g})\n", steady.friction_ratio,
              steady.friction_ratio_error);
   fmt::print("regime          {}\n", to_text(steady.regime));
   for (const simulation::Event& event : steady.events)
     fmt::print("  at phase {:<20.15g} to {}\n", event.phase, to_text(event.to));
+  if (!energy) return;
+  const double frequency = omega / (2 * std::numbers::pi);
+  fmt::print("power of drive  {:.6g} W: friction {:.6g} W, dampers {:.6g} W\n",
+             energy->drive * frequency, energy->friction * frequency, energy->dampers * frequency);
 }
 
 void simulate(const Options& options) {
@@ -74,10 +91,12 @@ void simulate(const Options& options) {
   const simulation::System system = simulation::system_of(scene);
   const Speed speed = speed_of(options, scene);
   const SteadyState steady = options.method.steady_state(system, speed.velocity);
+  std::optional<EnergyBalance> energy;
+  if (options.method.is_exact()) energy = simulation::energy_balance(system, speed.velocity);
   if (options.json)
-    print_json(speed, steady, options.method.name());
+    print_json(speed, steady, energy, options.method.name());
   else
-    print_text(speed, steady);
+    print_text(speed, steady, energy, system.omega);
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "derivation/print.hpp"
 #include "evaluators.hpp"
 #include "friction.hpp"
+#include "reduced_difference.hpp"
 #include "simulation/steady/onset.hpp"
 #include "stiffness/dynamic_stiffness.hpp"
 #include "values.hpp"
@@ -216,6 +217,7 @@ void simulate(SceneReport& report, const Progress& progress) {
     const double drive_velocity = report.critical_velocity + report.creep_velocity;
     trace_curve(report, system, drive_velocity);
     report.cycle = steady_cycle(system, drive_velocity, 0.5);
+    report.reduced_model = reduced_model(report.scene);
   } catch (const ModelError& error) {
     report.comparisons.push_back(broken(pending, error.what()));
   }

@@ -81,6 +81,28 @@ struct Cycle {
   std::vector<simulation::Event> events;
 };
 
+/// mu_macro/mu0 by the paper's reduced model and by the full motion (reduced_difference.hpp).
+struct ReducedAndFull {
+  double reduced = 0, full = 0;
+  double difference() const { return reduced - full; }
+};
+
+/// Over delta = omega c/k and v0/v*, at one amplitude a of the normal force.
+struct ReducedTable {
+  double a = 0;                ///< F_n = mean (1 + a cos)
+  std::vector<double> ratios;  ///< v0/v*, increasing: columns
+  std::vector<double> deltas;  ///< increasing: rows
+  std::vector<std::vector<ReducedAndFull>> rows;
+};
+
+/// What the reduced model means for one scene.
+struct ReducedModel {
+  double delta = 0;                   ///< of the scene, among those of the table
+  double tolerance = 0;               ///< of mu_macro/mu0
+  std::optional<double> usable_from;  ///< v0/v* from which on it keeps the tolerance
+  ReducedTable table;                 ///< at the scene's a
+};
+
 struct SceneReport {
   Scene scene;
   std::vector<std::string> reasons;  ///< why the scene is not admissible; empty when it is
@@ -99,6 +121,7 @@ struct SceneReport {
   std::vector<Comparison> comparisons;
   std::vector<CurvePoint> curve;  ///< by increasing speed; empty when nothing was simulated
   std::optional<Cycle> cycle;
+  std::optional<ReducedModel> reduced_model;  ///< where the paper's reduced model applies
 };
 
 /// No comparison failed. Those not run neither pass nor fail: see count().

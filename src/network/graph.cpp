@@ -14,20 +14,25 @@ using BoostGraph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undire
                                          boost::no_property, EdgeIndex>;
 
 // An edge carries load if it lies on a simple path between the terminals: if it shares a
-// biconnected component with an edge added from terminal to terminal.
+// biconnected component with an edge added from terminal to terminal. Every edge has a vertex of
+// its own in its middle, since the algorithm knows one edge between two vertices only.
 std::vector<bool> carries_load(const Graph& graph) {
-  const std::size_t closing = graph.wires.size();
-  BoostGraph g(graph.nodes.size());
+  const std::size_t nodes = graph.nodes.size(), closing = graph.wires.size();
+  BoostGraph g(nodes + closing);
   boost::add_edge(0, 1, EdgeIndex(closing), g);
-  for (std::size_t i = 0; i < graph.wires.size(); ++i)
-    boost::add_edge(static_cast<std::size_t>(graph.wires[i].from),
-                    static_cast<std::size_t>(graph.wires[i].to), EdgeIndex(i), g);
-  std::vector<std::size_t> component(closing + 1);
+  const auto loops = [](const Wire& wire) { return wire.from == wire.to; };
+  for (std::size_t i = 0; i < closing; ++i) {
+    if (loops(graph.wires[i])) continue;
+    boost::add_edge(static_cast<std::size_t>(graph.wires[i].from), nodes + i, EdgeIndex(i), g);
+    boost::add_edge(static_cast<std::size_t>(graph.wires[i].to), nodes + i,
+                    EdgeIndex(closing + 1 + i), g);
+  }
+  std::vector<std::size_t> component(2 * closing + 1);
   boost::biconnected_components(
       g, boost::make_iterator_property_map(component.begin(), boost::get(boost::edge_index, g)));
   std::vector<bool> carries(closing);
   for (std::size_t i = 0; i < closing; ++i)
-    carries[i] = component[i] == component[closing] && graph.wires[i].from != graph.wires[i].to;
+    carries[i] = component[i] == component[closing] && !loops(graph.wires[i]);
   return carries;
 }
 

@@ -30,7 +30,7 @@ class Commands(unittest.TestCase):
         result = self.object("simulate", KELVIN, "--velocity-ratio", "0.5")
         self.assertLessEqual(
             {"velocity", "velocity_ratio", "friction_ratio", "friction_ratio_error", "regime", "method",
-             "periods", "events"}, set(result))
+             "periods", "events", "energy"}, set(result))
         self.assertEqual(result["velocity_ratio"], 0.5)
         self.assertIn(result["regime"], ["stick-slip", "stick-slip-backslip"])
         self.assertLess(0, result["friction_ratio"])
@@ -38,6 +38,17 @@ class Commands(unittest.TestCase):
         for event in result["events"]:
             self.assertIn(event["to"], ["slip", "stick", "backslip"])
             self.assertTrue(0 <= event["phase"] < 6.283185307179587)
+
+    # The drive does v0 <F> in a second; the scene has mu0 = 0.25, k_n = 10 N/um, u_z0 = 0.3 um, 20 kHz.
+    def test_simulate_tells_where_the_work_goes(self):
+        result = self.object("simulate", KELVIN, "--velocity-ratio", "0.5")
+        energy = result["energy"]
+        self.assertEqual(set(energy), {"drive", "friction", "dampers", "error"})
+        self.assertLessEqual(abs(energy["drive"] - energy["friction"] - energy["dampers"]), energy["error"])
+        self.assertLess(energy["error"], 1e-12 * energy["drive"])
+        power = result["velocity"] * result["friction_ratio"] * 0.25 * 10 * 0.3
+        self.assertAlmostEqual(energy["drive"] * 20e3 / power, 1, delta=1e-14)
+        self.assertIn(f"power of drive  {power:.6g} W", run("simulate", KELVIN, "--velocity-ratio", "0.5").stdout)
 
     def test_simulate_above_the_critical_velocity_is_pure_sliding(self):
         result = self.object("simulate", KELVIN, "--velocity-ratio", "1.01")

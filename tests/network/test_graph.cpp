@@ -41,6 +41,17 @@ BOOST_AUTO_TEST_CASE(dangling_edges_trees_and_loops_do_not) {
   BOOST_CHECK((loaded->graph.nodes == std::vector<std::string>{"a", "b", "c"}));
 }
 
+// Two edges between the same nodes, beside a branch that dangles: a straight one from terminal to
+// terminal, and two at an inner node.
+BOOST_AUTO_TEST_CASE(edges_side_by_side_carry_load) {
+  const auto straight = load_carrying(graph(3, {{0, 1}, {1, 2}}));
+  BOOST_REQUIRE(straight);
+  BOOST_CHECK((straight->left_out == Indices{1}));
+  const auto twice = load_carrying(graph(4, {{0, 3}, {0, 2}, {2, 1}, {1, 2}, {2, 1}}));
+  BOOST_REQUIRE(twice);
+  BOOST_CHECK((twice->left_out == Indices{0}));
+}
+
 BOOST_AUTO_TEST_CASE(unconnected_terminals_are_told) {
   BOOST_TEST(!load_carrying(graph(4, {{0, 2}, {1, 3}})).has_value());
   BOOST_TEST(!load_carrying(graph(3, {{0, 2}})).has_value());

@@ -24,6 +24,7 @@ ROOMS = [
     "symbolic/derivation",
     "symbolic/emit",
     "validation",
+    "validation/benchmark",
     "validation/report",
     "app",
 ]
@@ -38,6 +39,9 @@ FORBIDDEN = {
     # Methods beside the exact one are witnesses against it, too: they share no code but the system.
     ("src/simulation/methods", "src/simulation/motion"),
     ("src/simulation/methods", "src/simulation/steady"),
+    # The benchmark brings SUNDIALS with it; the program does not.
+    ("validation/report", "validation/benchmark"),
+    ("app", "validation/benchmark"),
 }
 
 # Computer algebra stays out of the numeric library and the program.

@@ -56,6 +56,14 @@ inline Formula formula(const std::string& letter) {
   return {"<math><mi>" + letter + "</mi></math>", letter, letter};
 }
 
+/// Of a contact with delta = 1.5; the numbers tell row and column.
+inline ReducedModel reduced_model() {
+  return {1.5,
+          0.01,
+          0.62,
+          {0.8, {0.1, 0.9}, {0.3, 1.5}, {{{0.9, 0.65}, {0.8, 0.8}}, {{0.7, 0.6}, {0.5, 0.501}}}}};
+}
+
 /// Passes; 2 percent of room in its tolerance's units.
 inline Comparison comparison(const std::string& key, double expected) {
   Comparison result;

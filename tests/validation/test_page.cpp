@@ -133,6 +133,31 @@ BOOST_AUTO_TEST_CASE(sections_without_content_are_left_out) {
   BOOST_TEST(!has(html, "creep"));
 }
 
+BOOST_AUTO_TEST_CASE(the_reduced_model_stands_where_it_applies) {
+  SceneReport report = example::scene_report(example::rigid_scene);
+  BOOST_TEST(!has(page_of(report), "<h3>The reduced model"));
+  report.reduced_model = example::reduced_model();
+  const std::string html = page_of(report);
+  BOOST_TEST(has(html, "<h3>The reduced model"));
+  BOOST_TEST(has(html, "at δ = 1.5, it may be used from v₀ = 0.62 v* on"));
+  BOOST_TEST(has(html,
+                 "<th scope=\"row\">0.3</th><td style=\"--heat: 83%\">+0.250</td>"
+                 "<td style=\"--heat: 0%\">0</td></tr>"));
+  BOOST_TEST(has(html,
+                 "<tr class=\"own\"><th scope=\"row\">1.5<small>this scene</small></th>"
+                 "<td style=\"--heat: 33%\">+0.100</td>"
+                 "<td style=\"--heat: 0%\">-0.001</td></tr>"));
+}
+
+BOOST_AUTO_TEST_CASE(the_reduced_model_may_hold_everywhere_or_nowhere) {
+  SceneReport report = example::scene_report(example::rigid_scene);
+  report.reduced_model = example::reduced_model();
+  report.reduced_model->usable_from = 0.01;
+  BOOST_TEST(has(page_of(report), "it may be used at any speed: it is off by less than 0.01"));
+  report.reduced_model->usable_from.reset();
+  BOOST_TEST(has(page_of(report), "it is not to be used: it is off by more than 0.01"));
+}
+
 BOOST_AUTO_TEST_CASE(creep_is_named_where_there_is_some) {
   SceneReport report = example::scene_report(example::driven_scene);
   report.creep_velocity = 2e-3;

@@ -85,6 +85,23 @@ BOOST_AUTO_TEST_CASE(absent_parts_have_no_keys) {
   BOOST_TEST(scene["admissible"] == true);
 }
 
+BOOST_AUTO_TEST_CASE(the_reduced_model_has_its_table) {
+  SceneReport report = example::scene_report(example::rigid_scene);
+  BOOST_TEST(!parsed(report)["scenes"][0].contains("reduced_model"));
+  report.reduced_model = example::reduced_model();
+  const json model = parsed(report)["scenes"][0]["reduced_model"];
+  BOOST_TEST(model["delta"].get<double>() == 1.5);
+  BOOST_TEST(model["usable_from"].get<double>() == 0.62);
+  BOOST_TEST(model["table"].size() == 4u);
+  const json last = model["table"][3];
+  BOOST_TEST(last["delta"].get<double>() == 1.5);
+  BOOST_TEST(last["velocity_ratio"].get<double>() == 0.9);
+  BOOST_TEST(last["reduced"].get<double>() == 0.5);
+  BOOST_TEST(last["full"].get<double>() == 0.501);
+  report.reduced_model->usable_from.reset();
+  BOOST_TEST(parsed(report)["scenes"][0]["reduced_model"]["usable_from"].is_null());
+}
+
 BOOST_AUTO_TEST_CASE(the_command_can_be_pasted) {
   using report::shell_word;
   BOOST_TEST(shell_word("scenes/zener.toml") == "scenes/zener.toml");

@@ -48,6 +48,18 @@ BOOST_AUTO_TEST_CASE(a_rigid_scene_passes_everything) {
   BOOST_TEST(scene["cycle"]["points"].size() >= 100u);
 }
 
+// Its file gives delta = 2, and a = D sqrt(1 + delta^2) = 0.36 sqrt(5) to four digits.
+BOOST_AUTO_TEST_CASE(the_reduced_model_is_held_against_the_papers_own_case) {
+  const PrivateFolder folder;
+  BOOST_TEST(run({scenes + "/kelvin_rigid.toml", scenes + "/elastic.toml"}, folder.path()).passed);
+  const json all = json::parse(read_file(folder.path() / "report.json"))["scenes"];
+  const json model = all[0]["reduced_model"];
+  BOOST_TEST(std::abs(model["delta"].get<double>() - 2) < 1e-4);
+  const double a = model["normal_force_amplitude_ratio"].get<double>();
+  BOOST_TEST(std::abs(a - 0.36 * std::sqrt(5.0)) < 1e-4);
+  BOOST_TEST(!all[1].contains("reduced_model"));
+}
+
 BOOST_AUTO_TEST_CASE(a_rigid_massless_scene_has_neither_mass_nor_drive_from_end_to_end) {
   const PrivateFolder folder;
   write_file(folder.path() / "scene.toml", example::rigid_scene);

@@ -94,6 +94,22 @@ ordered_json json(const Cycle& cycle) {
           {"points", list(cycle.points)}};
 }
 
+ordered_json json(const ReducedModel& model) {
+  ordered_json object{{"delta", model.delta},
+                      {"normal_force_amplitude_ratio", model.table.a},
+                      {"tolerance", model.tolerance},
+                      {"usable_from", nullptr},
+                      {"table", ordered_json::array()}};
+  if (model.usable_from) object["usable_from"] = *model.usable_from;
+  for (std::size_t i = 0; i < model.table.deltas.size(); ++i)
+    for (std::size_t j = 0; j < model.table.ratios.size(); ++j)
+      object["table"].push_back({{"delta", model.table.deltas[i]},
+                                 {"velocity_ratio", model.table.ratios[j]},
+                                 {"reduced", json_number(model.table.rows[i][j].reduced)},
+                                 {"full", json_number(model.table.rows[i][j].full)}});
+  return object;
+}
+
 ordered_json failing(const SceneReport& report) {
   ordered_json keys = ordered_json::array();
   for (const Comparison& comparison : report.comparisons)
@@ -132,6 +148,7 @@ ordered_json json(const SceneReport& report) {
   if (!report.compiler.empty()) object["compiler"] = report.compiler;
   if (!report.curve.empty()) object["friction_curve"] = list(report.curve);
   if (report.cycle) object["cycle"] = json(*report.cycle);
+  if (report.reduced_model) object["reduced_model"] = json(*report.reduced_model);
   object["text"] = report.scene.text;
   return object;
 }

@@ -8,6 +8,7 @@
 #include "report/comparison_table.hpp"
 #include "report/formula_section.hpp"
 #include "report/html.hpp"
+#include "report/reduced_section.hpp"
 #include "report/system_drawing.hpp"
 #include "report/units.hpp"
 
@@ -153,8 +154,8 @@ std::string scene_section(const SceneReport& report, std::size_t number) {
   return fmt::format("<section class=\"scene\" id=\"scene-{}\">\n<h2>{}</h2>\n", number,
                      escape(title_of(report))) +
          verdict(report) + drawings(report) + comparison_table(report) + friction_section(report) +
-         cycle_section(report) + formula_section(report) + values_section(report) +
-         file_section(report) + "</section>\n";
+         cycle_section(report) + reduced_section(report) + formula_section(report) +
+         values_section(report) + file_section(report) + "</section>\n";
 }
 
 }  // namespace vcrit::validation::report

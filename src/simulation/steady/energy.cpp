@@ -1,0 +1,144 @@
+#include "simulation/steady/energy.hpp"
+
+#include <boost/math/quadrature/gauss.hpp>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "base/errors.hpp"
+#include "simulation/steady/steady_cycle.hpp"
+
+namespace vcrit::simulation {
+
+namespace {
+
+constexpr double period = 2 * std::numbers::pi;
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+// Contact as Kelvin units behind a free damper, each under the same force F and creeping at r_j;
+// the drive as branches beside a damper, all moving at u. A branch's damper k_j/a_j carries g_j.
+double heat_of_dampers(const Model& model, const State& state) {
+  const ContactModes& contact = model.contact;
+  double heat = contact.fluidity * state.x(0) * state.x(0);
+  for (Index j = 0; j < model.units(); ++j) {
+    const double rate = state.x(state.x.size() - model.units() + j);
+    heat += rate * rate / contact.unit_fluidity(j);
+  }
+  if (!model.body) return heat;
+  const PoleSum& drive = model.body->drive;
+  heat += drive.direct * state.x(1) * state.x(1);
+  for (std::size_t j = 0; j < drive.rates.size(); ++j) {
+    const double force = state.x(2 + static_cast<Index>(j));
+    heat += force * force * drive.rates[j] / drive.weights[j];
+  }
+  return heat;
+}
+
+// No swing of the body is faster than it would be on all springs at once; the oscillation is 1.
+double fastest_swing(const Model& model) {
+  if (!model.body) return 1;
+  double stiffness = model.contact.branch_stiffness.sum();
+  for (const double weight : model.body->drive.weights) stiffness += weight;
+  return std::max(1.0, std::sqrt(stiffness / model.body->mass));
+}
+
+// Integrates over pieces by Gauss's rule on panels that grow by 2 from the piece's start, where
+// fast modes decay, up to the radian or two that 30 nodes follow a product of two swings over. A
+// mode e^{-rate t} with rate * panel < 40 is integrated to rounding (the rule is exact to degree
+// 59), and above that its start lies in panels before.
+class Quadrature {
+ public:
+  explicit Quadrature(const Model& model) : longest_(2 / fastest_swing(model)) {}
+
+  template <class Rate>
+  void over(double duration, const Rate& rate) const {
+    double begin = 0;
+    while (begin < duration) {
+      const double panel = begin == 0 ? shortest : std::min(begin, longest_);
+      const double end = std::min(begin + panel, duration);
+      rule(0.5 * (begin + end), 0.5 * (end - begin), rate);
+      begin = end;
+    }
+  }
+
+ private:
+  using Gauss = boost::math::quadrature::gauss<double, 30>;
+  static constexpr double shortest = 1e-14;
+
+  template <class Rate>
+  static void rule(double middle, double half, const Rate& rate) {
+    for (std::size_t i = 0; i < Gauss::abscissa().size(); ++i)
+      for (const double side : {-1.0, 1.0})
+        rate(middle + side * half * Gauss::abscissa()[i], half * Gauss::weights()[i]);
+  }
+
+  double longest_;
+};
+
+// A path that creeps and never slips: the drive works against a steady force.
+EnergyBalance energy_of_creep(const Model& model, double velocity) {
+  const double work = velocity * velocity / model.creep * period;
+  return {work, 0, work, 8 * epsilon * work};
+}
+
+// The contact velocity may be far smaller than its terms, of which each has a few rounding errors,
+// and those that swing with the oscillation the rounding of its phase.
+double rounding_of_velocity(const Model& model, double velocity, const State& state) {
+  if (state.motion == Motion::stick) return 0;
+  const double swing =
+      model.contact.glassy * model.amplitude + model.sliding_rates.cwiseAbs().sum();
+  double size = velocity + model.contact.fluidity + std::abs(state.time) * swing +
+                state.x.tail(model.units()).cwiseAbs().sum();
+  if (model.body) size += std::abs(state.x(1));
+  return 4 * epsilon * size;
+}
+
+// A closed cycle slips as far as the drive moves, less what creeps. What is missing there is
+// missing in the heat of friction.
+EnergyBalance energy_of(const Model& model, double velocity, const Trace& cycle) {
+  EnergyBalance energy;
+  energy.drive = velocity * cycle.impulse();
+  double distance = 0;
+  const Quadrature quadrature(model);
+  for (const Trace::Part& part : cycle.parts)
+    quadrature.over(part.duration, [&](double time, double weight) {
+      const State state = part.piece.after(time);
+      const double force = state.x(0), slip = contact_velocity(model, velocity, state);
+      distance += weight * slip;
+      energy.friction += weight * force * slip;
+      energy.dampers += weight * heat_of_dampers(model, state);
+      energy.error += weight * std::abs(force) * rounding_of_velocity(model, velocity, state);
+    });
+  const double missing = distance - velocity * period + model.creep * cycle.impulse();
+  energy.error += (1 + model.amplitude) * std::abs(missing) + 32 * epsilon * std::abs(energy.drive);
+  return energy;
+}
+
+EnergyBalance energy_of_cycle(const Model& model, double velocity) {
+  const SteadyCycle cycle = steady_cycle(model, velocity, sliding_start(model, velocity));
+  EnergyBalance energy = energy_of(model, velocity, cycle.period);
+  energy.error += velocity * period * cycle.error;
+  return energy;
+}
+
+EnergyBalance energy_of_sliding(const Model& model, double velocity) {
+  const State start = sliding_start(model, velocity);
+  return energy_of(model, velocity,
+                   trace(model, velocity, start, period, Matrix(start.x.size(), 0)));
+}
+
+}  // namespace
+
+EnergyBalance energy_balance(const System& system, double velocity) {
+  ensure(velocity > 0, "the drive moves forward");
+  const Model model(system);
+  const double v = velocity / model.velocity_unit;
+  const double unit = model.force_unit * model.velocity_unit / system.omega;
+  const EnergyBalance found =
+      v >= std::abs(model.sliding_velocity) + model.creep ? energy_of_sliding(model, v)
+      : v <= model.creep * (1 - model.amplitude)          ? energy_of_creep(model, v)
+                                                          : energy_of_cycle(model, v);
+  return {unit * found.drive, unit * found.friction, unit * found.dampers, unit * found.error};
+}
+
+}  // namespace vcrit::simulation

@@ -1,0 +1,102 @@
+// The steady motion has the oscillation's own period: a start at rest, marched from event to event
+// and compared with itself one to four periods later. No fixed point is looked for.
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "property.hpp"
+#include "random_systems.hpp"
+#include "simulation/steady/exact.hpp"
+#include "simulation/steady/onset.hpp"
+#include "simulation/steady/steady_cycle.hpp"
+
+namespace {
+
+using namespace vcrit;
+using namespace vcrit::properties;
+using namespace vcrit::simulation;
+
+constexpr double period = 2 * std::numbers::pi;
+
+// A damper beside the drive, so that transients die in hundreds of periods.
+System damped(const Draw& draw) {
+  System system = properties::system_of(draw);
+  if (system.drive) system.drive->damper += 0.3;
+  return system;
+}
+
+class March {
+ public:
+  March(const Model& model, double velocity) : model_(model), velocity_(velocity) {}
+
+  /// At rest until something slips, and a radian more, so that no event is at the beginning.
+  State start() const {
+    const State first = next_event_state(model_, velocity_, rest_start(model_, velocity_), 1e12);
+    return over(first, 1).end;
+  }
+  Trace over(const State& state, double duration) const {
+    return trace(model_, velocity_, state, duration, Matrix(state.x.size(), 0));
+  }
+  Trace next(const State& state) const { return over(state, period); }
+
+ private:
+  const Model& model_;
+  double velocity_;
+};
+
+double size_of(const State& state) { return 1 + state.x.cwiseAbs().maxCoeff(); }
+
+// Relative; 1 where the kinds of motion differ.
+double difference(const State& a, const State& b) {
+  if (a.motion != b.motion) return 1;
+  return (a.x - b.x).cwiseAbs().maxCoeff() / size_of(a);
+}
+
+bool same_events(const Trace& a, const Trace& b, double tolerance) {
+  if (a.parts.size() != b.parts.size()) return false;
+  double shift = b.parts.front().piece.start().time - a.parts.front().piece.start().time;
+  for (std::size_t i = 0; i < a.parts.size(); ++i) {
+    const State &one = a.parts[i].piece.start(), &other = b.parts[i].piece.start();
+    if (one.motion != other.motion || std::abs(other.time - one.time - shift) > tolerance)
+      return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+// A motion that returned to itself after two or more periods only would never settle here. What is
+// left of a transient when twenty periods change the state by 1e-11 each may be 1e3 times that, as
+// some decay by a thousandth a period; events move by that over the velocities' rates, of the order
+// of the amplitude.
+RC_BOOST_PROP(one_period_is_the_oscillations, ()) {
+  const auto draw = *draws(1);
+  const int sixteenths = *rc::gen::inRange(1, 21);
+  const System system = damped(draw);
+  const double velocity =
+      sliding_threshold(system).drive_velocity * std::pow(10, -sixteenths / 16.0);
+  const Model model(system);
+  const double speed = velocity / model.velocity_unit;
+  RC_PRE(model.creep * (1 - model.amplitude) < speed);
+  const March march(model, speed);
+
+  State state = march.start();
+  int quiet = 0;
+  for (int n = 0; n < 10000 && quiet < 20; ++n) {
+    State next = march.next(state).end;
+    quiet = difference(state, next) <= 1e-11 ? quiet + 1 : 0;
+    state = std::move(next);
+  }
+  RC_ASSERT(quiet == 20);
+
+  const Trace first = march.next(state);
+  State later = first.end;
+  for (int n = 0; n < 4; ++n) {
+    const Trace again = march.next(later);
+    RC_ASSERT(difference(state, later) <= 1e-10);
+    RC_ASSERT(same_events(first, again, 1e-8 / draw.amplitude));
+    later = again.end;
+  }
+  RC_ASSERT(std::abs(first.impulse() / period - steady_state(system, velocity).friction_ratio) <=
+            1e-8);
+}
