@@ -2,11 +2,40 @@
 // map's derivative by differences.
 #pragma once
 
+#include <string>
+
 #include "simulation/methods/methods.hpp"
 #include "simulation/methods/period_map.hpp"
 
 namespace vcrit::simulation::methods {
 
 SteadyState settle(PeriodMap& map, const MethodOptions& options);
+
+/// The periods run in one search, within its budget.
+class Periods {
+ public:
+  Periods(PeriodMap& map, int most) : map_(map), most_(most) {}
+  Period run(const State& state, Accuracy accuracy = Accuracy::asked);
+  PeriodMap& map() const { return map_; }
+  /// What to say when the budget is spent.
+  void note(std::string progress) { progress_ = std::move(progress); }
+
+  /// What a period changes in the map's variables, in units of their sizes.
+  Eigen::VectorXd change(const State& begin, const Period& period) const;
+
+ private:
+  PeriodMap& map_;
+  int most_, count_ = 0;
+  std::string progress_;
+};
+
+/// Errors follow tolerance and step only roughly: they are taken twice.
+constexpr double caution = 2;
+
+/// Of a period that closes, with an estimate of the error of its friction.
+SteadyState answer(Period period, double error);
+
+/// By the trend of the friction over them.
+SteadyState plain_periods(Periods& periods, State state);
 
 }  // namespace vcrit::simulation::methods

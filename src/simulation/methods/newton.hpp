@@ -1,0 +1,47 @@
+// Newton's method on a period map: its derivative by forward differences, and Broyden's update
+// while that converges.
+#pragma once
+
+#include <optional>
+
+#include "simulation/methods/steady.hpp"
+
+namespace vcrit::simulation::methods {
+
+class Newton {
+ public:
+  Newton(Periods& periods, State start);
+
+  bool converges();
+  /// The steady cycle that it converged to.
+  SteadyState found();
+  /// Where it stands, and where the step that it did not take would have led after a period.
+  const State& best() const { return state_; }
+  const std::optional<State>& rejected() const { return rejected_; }
+
+ private:
+  using Vector = Eigen::VectorXd;
+
+  State moved(const Vector& by) const;
+  void differentiate();
+  void solve();
+  bool done() const;
+  bool close() const;
+  bool advance();
+  void update(const Period& after);
+
+  Periods& periods_;
+  State state_;
+  std::vector<Eigen::Index> variables_;
+  Period period_;
+  Vector rest_;  ///< what the period changes
+  // Change of the end of the period and of 1 - mu_macro/mu0 with the variables at its beginning.
+  Eigen::MatrixXd end_by_begin_;
+  Eigen::RowVectorXd deficit_by_begin_;
+  Eigen::PartialPivLU<Eigen::MatrixXd> solver_;
+  Vector step_;
+  bool stalled_ = false;
+  std::optional<State> rejected_;
+};
+
+}  // namespace vcrit::simulation::methods
