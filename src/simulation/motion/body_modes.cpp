@@ -32,9 +32,9 @@ class BodyModes {
   Modes modes() const {
     Modes result;
     for (const OffsetRate& root : roots_) result.spectrum.rates.push_back(root.value());
-    if (pair_) result.spectrum.pair = ModePair{pair_->decay.value(), pair_->q};
+    if (pair_) result.spectrum.pair.emplace(pair_->decay.value(), pair_->q);
     const Index n = result.spectrum.size();
-    result.to_modes = result.from_modes = Matrix::Zero(n, n);
+    result.to_modes = result.from_modes = Matrix(n, n);
     for (Index i = 0; i < result.spectrum.singles(); ++i) single(result, i);
     if (pair_) both(result);
     return result;
@@ -45,17 +45,17 @@ class BodyModes {
 
   // Mode shape (1, k_j/(s + a_j)); its dual (m, -1/(s + a_j)), divided by chi'(s).
   void single(Modes& modes, Index i) const {
-    const OffsetRate& root = roots_[static_cast<std::size_t>(i)];
+    const OffsetRate& root = roots_[i];
     double slope = mass_;
     modes.from_modes(0, i) = 1;
     modes.to_modes(i, 0) = mass_;
     for (std::size_t j = 0; j < poles(); ++j) {
       const double distance = -root.minus(holder_.rates[j]);
-      modes.from_modes(static_cast<Index>(j) + 1, i) = holder_.weights[j] / distance;
-      modes.to_modes(i, static_cast<Index>(j) + 1) = -1 / distance;
+      modes.from_modes(j + 1, i) = holder_.weights[j] / distance;
+      modes.to_modes(i, j + 1) = -1 / distance;
       slope -= holder_.weights[j] / distance / distance;
     }
-    modes.to_modes.row(i) /= slope;
+    for (Index j = 0; j <= poles(); ++j) modes.to_modes(i, j) /= slope;
   }
 
   // The same for the pair, in its own numbers: amplitude = (m a - sum_j h_j/(s + a_j))/rho(s) with
@@ -72,7 +72,7 @@ class BodyModes {
     set(0, share * mass_, PairNumber{1, 0, pair_->q});
     for (std::size_t j = 0; j < poles(); ++j) {
       const PairNumber receptance = inverse(above(holder_.rates[j]));
-      set(static_cast<Index>(j) + 1, share * receptance * -1.0, receptance * holder_.weights[j]);
+      set(j + 1, share * receptance * -1.0, receptance * holder_.weights[j]);
     }
   }
 

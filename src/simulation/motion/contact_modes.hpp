@@ -9,22 +9,20 @@
 // small difference of large terms. In stick the r_j are carried along instead, driven by F'.
 #pragma once
 
-#include <vector>
-
 #include "simulation/motion/spectrum.hpp"
 #include "stiffness/relaxation.hpp"
 
 namespace vcrit::simulation {
 
 struct ContactModes {
-  double damper = 0;    ///< c_inf; where positive the force depends on the contact velocity
-  double glassy = 0;    ///< J_g, 0 with a direct damper
-  double fluidity = 0;  ///< phi, 0 where a spring carries a static load
-  std::vector<double> branch_rates;  ///< a_i
-  Vector branch_stiffness;           ///< k_i
-  std::vector<double> unit_rates;    ///< beta_j
-  Vector unit_fluidity;              ///< psi_j
-  Matrix to_branches;                ///< k_i beta_j/(beta_j - a_i)
+  double damper = 0;        ///< c_inf; where positive the force depends on the contact velocity
+  double glassy = 0;        ///< J_g, 0 with a direct damper
+  double fluidity = 0;      ///< phi, 0 where a spring carries a static load
+  Vector branch_rates;      ///< a_i
+  Vector branch_stiffness;  ///< k_i
+  Vector unit_rates;        ///< beta_j
+  Vector unit_fluidity;     ///< psi_j
+  Matrix to_branches;       ///< k_i beta_j/(beta_j - a_i)
 };
 
 ContactModes contact_modes(const Relaxation& contact);

@@ -4,11 +4,9 @@
 // With f = 0 or f = f' = 0 at the start as exact numbers, a stick is resolved however short it is.
 #pragma once
 
-#include <array>
 #include <complex>
-#include <optional>
-#include <vector>
 
+#include "simulation/motion/bernstein.hpp"
 #include "simulation/motion/spectrum.hpp"
 
 namespace vcrit::simulation {
@@ -16,12 +14,11 @@ namespace vcrit::simulation {
 class EventFunction {
  public:
   /// order 1: f = value + ..., order 2: f = value + 0 t + ...; `size` of what was added to make the
-  /// value tells its rounding error.
-  EventFunction(int order, double value, double size);
+  /// value tells its rounding error. The spectrum must outlive the function.
+  EventFunction(const Spectrum& spectrum, int order, double value, double size);
 
   /// Adds factor * row * (modes z), differentiated in time `derivative` times (0 or 1).
-  void add_modes(const Spectrum& spectrum, const Vector& row, const Vector& z, double factor,
-                 int derivative = 0);
+  void add_modes(ConstView row, ConstView z, double factor, int derivative = 0);
   /// Adds Re(amplitude e^{it}).
   void add_sinusoid(std::complex<double> amplitude);
 
@@ -30,8 +27,14 @@ class EventFunction {
     double value = 0, slope = 0, curvature = 0;
     double noise = 0;  ///< bound on the rounding error of value
   };
+  /// f after the duration of the factors, which are those of its spectrum.
+  Point at(const Factors& factors) const;
+
   /// f at t, which becomes the present point.
   Point move_to(double t);
+
+  /// A bound from above on f over [0, t], from the size of each term alone.
+  double ceiling(double t) const;
 
   /// A duration up to h during which f stays negative after the present point, where its value is
   /// `value` < 0 (or where it leaves 0 downwards); 0 if none can be shown. `finer` says that a
@@ -43,29 +46,17 @@ class EventFunction {
   Safe safe_duration(double value, double h) const;
 
  private:
-  struct Decay {
-    double amplitude, rate, now;
-  };
-  struct Pair {
-    PairNumber amplitude, exponent, inverse;
-    double rate;  ///< size of the exponent
-    PairNumber now;
-  };
+  bool bound_decays(Derivatives& bound, double h) const;
+  bool bound_pair(Derivatives& bound, double h, PairNumber now, const ModePair& pair) const;
 
-  struct Cubic;
-  bool bound_decays(Cubic& bound, double h) const;
-  bool bound_pairs(Cubic& bound, double h) const;
-
-  int order_;
+  const Spectrum* spectrum_;
+  std::size_t order_;
   double value_, size_;
-  double slope_ = 0;  ///< at the present point
-  std::vector<Decay> decays_;
-  std::vector<Pair> pairs_;
-};
+  Vector singles_;
+  PairNumber pair_, sinusoid_;
 
-/// The first t in (0, end] where f, negative before, reaches 0; nothing if it stays negative. With
-/// `leaving`, f(0) = 0 does not count. Zeros at which f only touches 0 within rounding are passed.
-/// Where no zero is expected, `first_step` = end may settle it at once.
-std::optional<double> first_zero(EventFunction& f, double end, bool leaving, double first_step = 1);
+  Factors here_;  ///< of the present point
+  double slope_ = 0;
+};
 
 }  // namespace vcrit::simulation

@@ -1,5 +1,6 @@
 #include "simulation/motion/model.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -21,10 +22,10 @@ Relaxation without_dimensions(Relaxation form, double omega, double stiffness_un
 // to the other without moving the body.
 struct SharedPoles {
   PoleSum sum;
-  std::vector<std::optional<Index>> contact, drive;  // index in each network
+  List<std::optional<Index>> contact, drive;  // index in each network
 
   SharedPoles(const ContactModes& c, const PoleSum& d) : sum{c.damper + d.direct, {}, {}} {
-    std::size_t i = 0, j = 0;
+    Index i = 0, j = 0;
     const double close = 4 * std::numeric_limits<double>::epsilon();
     while (i < c.branch_rates.size() || j < d.rates.size()) {
       const bool no_contact = i == c.branch_rates.size(), no_drive = j == d.rates.size();
@@ -35,12 +36,14 @@ struct SharedPoles {
       const bool take_drive = !take_contact || same;
       sum.rates.push_back(take_contact ? a : b);
       sum.weights.push_back(0);
-      contact.push_back(take_contact ? std::optional(static_cast<Index>(i)) : std::nullopt);
-      drive.push_back(take_drive ? std::optional(static_cast<Index>(j)) : std::nullopt);
-      if (take_contact) sum.weights.back() += c.branch_stiffness(static_cast<Index>(i++));
+      contact.push_back(take_contact ? std::optional(i) : std::nullopt);
+      drive.push_back(take_drive ? std::optional(j) : std::nullopt);
+      if (take_contact) sum.weights.back() += c.branch_stiffness[i++];
       if (take_drive) sum.weights.back() += d.weights[j++];
     }
   }
+
+  bool passing(Index l) const { return contact[l] && drive[l]; }
 };
 
 // The stuck body's modes on y = (u', g', rho): those of the body on both networks in parallel, and
@@ -48,34 +51,55 @@ struct SharedPoles {
 Modes stuck_modes(const Body& body, const ContactModes& contact) {
   const SharedPoles poles(contact, body.drive);
   const Modes whole = body_modes(body.mass, poles.sum);
-  std::vector<double> passing;
-  for (std::size_t l = 0; l < poles.sum.rates.size(); ++l)
-    if (poles.contact[l] && poles.drive[l]) passing.push_back(poles.sum.rates[l]);
-  const Modes both = beside(whole, uncoupled(passing));
+  Vector passing;
+  for (Index l = 0; l < poles.sum.rates.size(); ++l)
+    if (poles.passing(l)) passing.push_back(poles.sum.rates[l]);
+  const Modes both = passing.empty() ? whole : beside(whole, uncoupled(passing));
 
   // y = from h, h = to y with h = (u', sums of branch forces, parts that pass).
-  const auto drives = static_cast<Index>(body.drive.rates.size());
-  const Index n = both.to_modes.cols(), sums = whole.to_modes.cols();
-  Matrix to = Matrix::Zero(n, n), from = Matrix::Zero(n, n);
+  const Index drives = body.drive.rates.size(), n = both.to_modes.columns();
+  Matrix to(n, n), from(n, n);
   to(0, 0) = from(0, 0) = 1;
-  Index part = sums;
-  for (std::size_t l = 0; l < poles.sum.rates.size(); ++l) {
-    const Index h = static_cast<Index>(l) + 1;
+  Index part = whole.to_modes.columns();
+  for (Index l = 0; l < poles.sum.rates.size(); ++l) {
+    const Index h = l + 1;
     const Index c = poles.contact[l] ? 1 + drives + *poles.contact[l] : 0;
     const Index d = poles.drive[l] ? 1 + *poles.drive[l] : 0;
     const double share =
-        c == 0 ? 0 : contact.branch_stiffness(*poles.contact[l]) / poles.sum.weights[l];
-    const double other =
-        d == 0 ? 0 : body.drive.weights[static_cast<std::size_t>(d - 1)] / poles.sum.weights[l];
+        c == 0 ? 0 : contact.branch_stiffness[*poles.contact[l]] / poles.sum.weights[l];
+    const double other = d == 0 ? 0 : body.drive.weights[d - 1] / poles.sum.weights[l];
     if (c != 0) to(h, c) = 1, from(c, h) = share;
     if (d != 0) to(h, d) = 1, from(d, h) = other;
-    if (c == 0 || d == 0) continue;
+    if (!poles.passing(l)) continue;
     to(part, c) = other;
     to(part, d) = -share;
     from(c, part) = 1;
     from(d, part++) = -1;
   }
-  return {both.spectrum, both.to_modes * to, from * both.from_modes};
+  return {both.spectrum, product(both.to_modes, to), product(from, both.from_modes)};
+}
+
+Matrix rows(const Matrix& a, Index first, Index count) {
+  Matrix result(count, a.columns());
+  for (Index j = 0; j < a.columns(); ++j)
+    for (Index i = 0; i < count; ++i) result(i, j) = a(first + i, j);
+  return result;
+}
+
+// Rates of the levels from the modes: F' on top, then those of y that belong to the body.
+Matrix levels(const Vector& force_rate, const Matrix& body) {
+  Matrix result(1 + body.rows(), body.columns());
+  for (Index j = 0; j < body.columns(); ++j) {
+    result(0, j) = force_rate[j];
+    for (Index i = 0; i < body.rows(); ++i) result(1 + i, j) = body(i, j);
+  }
+  return result;
+}
+
+// How many of the rates, in increasing order, are below 1.
+template <class Rates>
+Index slow(const Rates& rates) {
+  return static_cast<Index>(std::lower_bound(rates.begin(), rates.end(), 1.0) - rates.begin());
 }
 
 }  // namespace
@@ -97,59 +121,57 @@ Model::Model(const System& system) {
     body = Body{*system.mass * system.omega * (system.omega / stiffness_unit), drive,
                 dual(drive).at_rest};
   }
+  slow_units = slow(contact.unit_rates);
+  if (body) slow_branches = slow(body->drive.rates);
   set_stick();
   set_slip();
   set_sliding();
-}
-
-Index Model::body_states() const {
-  return body ? 1 + static_cast<Index>(body->drive.rates.size()) : 0;
 }
 
 void Model::set_stick() {
   stick.modes = body ? stuck_modes(*body, contact) : uncoupled(contact.branch_rates);
   const Matrix& from = stick.modes.from_modes;
   const Index states = body_states();
-  stick.event = from.bottomRows(from.rows() - states).colwise().sum();
-  if (body) stick.event += contact.damper * from.row(0).transpose();
-  stick.levels = Matrix(1 + states, from.cols());
-  stick.levels.row(0) = stick.event.transpose();
-  stick.levels.bottomRows(states) = from.topRows(states);
+  stick.own = rows(from, states, branches());
+  for (Index j = 0; j < from.columns(); ++j) {
+    double force_rate = body ? contact.damper * from(0, j) : 0;
+    for (const double rate : stick.own.column(j)) force_rate += rate;
+    stick.event.push_back(force_rate);
+  }
+  stick.levels = levels(stick.event, rows(from, 0, states));
 }
 
 void Model::set_slip() {
-  const Modes units = uncoupled(contact.unit_rates);
-  const Modes none{{}, Matrix(0, 0), Matrix(0, 0)};
-  const Modes moving = body ? body_modes(body->mass, body->drive) : none;
-  slip.modes = beside(moving, units);
+  const Modes creeping = uncoupled(contact.unit_rates);
+  slip.modes = body ? beside(body_modes(body->mass, body->drive), creeping) : creeping;
   const Matrix& from = slip.modes.from_modes;
   const Index states = body_states();
-  slip.levels = Matrix::Zero(1 + states, from.cols());
-  slip.levels.bottomRows(states) = from.topRows(states);
-  slip.event = body ? Vector(from.row(0).transpose()) : Vector::Zero(from.cols());
-  const Index first = moving.spectrum.singles();
-  for (std::size_t j = 0; j < contact.unit_rates.size(); ++j)
-    slip.event(first + static_cast<Index>(j)) = contact.unit_rates[j];
+  slip.own = rows(from, states, units());
+  slip.levels = levels(Vector(from.columns()), rows(from, 0, states));
+  for (Index j = 0; j < from.columns(); ++j) {
+    double acceleration = body ? from(0, j) : 0;
+    for (Index i = 0; i < units(); ++i) acceleration += contact.unit_rates[i] * slip.own(i, j);
+    slip.event.push_back(acceleration);
+  }
 }
 
 void Model::set_sliding() {
   using namespace std::complex_literals;
-  const Index states = body_states();
-  sliding_rates = Eigen::VectorXcd::Zero(slip.modes.to_modes.cols());
+  sliding_rates.resize(slip.modes.to_modes.columns());
   sliding_velocity = -amplitude * (1i * contact.glassy + contact.fluidity);
   creep = contact.fluidity;
-  for (std::size_t j = 0; j < contact.unit_rates.size(); ++j) {
-    const std::complex<double> rate = 1i * amplitude *
-                                      contact.unit_fluidity(static_cast<Index>(j)) /
-                                      (contact.unit_rates[j] + 1i);
-    sliding_rates(states + static_cast<Index>(j)) = rate;
+  for (Index j = 0; j < units(); ++j) {
+    const std::complex<double> rate =
+        1i * amplitude * contact.unit_fluidity[j] / (contact.unit_rates[j] + 1i);
+    sliding_rates[body_states() + j] = rate;
     sliding_velocity -= rate;
   }
   if (!body) return;
-  std::complex<double> impedance = 1i * body->mass + body->drive.direct;
-  double size = body->mass + body->drive.direct;
-  for (std::size_t j = 0; j < body->drive.rates.size(); ++j) {
-    const std::complex<double> part = body->drive.weights[j] / (body->drive.rates[j] + 1i);
+  const PoleSum& drive = body->drive;
+  std::complex<double> impedance = 1i * body->mass + drive.direct;
+  double size = body->mass + drive.direct;
+  for (Index j = 0; j < drive.rates.size(); ++j) {
+    const std::complex<double> part = drive.weights[j] / (drive.rates[j] + 1i);
     impedance += part;
     size += std::abs(part);
   }
@@ -160,27 +182,23 @@ void Model::set_sliding() {
   }
   const std::complex<double> velocity = -amplitude / impedance;
   sliding_velocity += velocity;
-  sliding_rates(0) = 1i * velocity;
-  for (std::size_t j = 0; j < body->drive.rates.size(); ++j)
-    sliding_rates(static_cast<Index>(j) + 1) =
-        1i * velocity * body->drive.weights[j] / (body->drive.rates[j] + 1i);
+  sliding_rates[0] = 1i * velocity;
+  for (Index j = 0; j < drive.rates.size(); ++j)
+    sliding_rates[j + 1] = 1i * velocity * drive.weights[j] / (drive.rates[j] + 1i);
   creep += body->fluidity;
 }
 
-Matrix Model::rates(const Matrix& x, bool stuck) const {
+void Model::rates(ConstView x, bool stuck, View y) const {
   const Index states = body_states(), own = stuck ? branches() : units();
-  Matrix y(states + own, x.cols());
-  y.bottomRows(own) = x.middleRows(level_states(), own);
-  if (!body) return y;
-  const auto& drive = body->drive;
-  y.row(0) = -x.row(0) - drive.direct * x.row(1);
-  for (Index j = 0; j + 1 < states; ++j) {
-    const auto branch = static_cast<std::size_t>(j);
-    y.row(0) -= x.row(2 + j);
-    y.row(1 + j) = drive.weights[branch] * x.row(1) - drive.rates[branch] * x.row(2 + j);
+  for (Index j = 0; j < own; ++j) y[states + j] = x[1 + states + j];
+  if (!body) return;
+  const PoleSum& drive = body->drive;
+  double force = -x[0] - drive.direct * x[1];
+  for (Index j = 0; j < drive.rates.size(); ++j) {
+    force -= x[2 + j];
+    y[1 + j] = drive.weights[j] * x[1] - drive.rates[j] * x[2 + j];
   }
-  y.row(0) /= body->mass;
-  return y;
+  y[0] = force / body->mass;
 }
 
 }  // namespace vcrit::simulation

@@ -24,11 +24,20 @@ struct Body {
   double fluidity = 0;  ///< 1/eta of a drive that creeps, else 0
 };
 
-/// One kind of motion: its modes, and what the modes do.
+/// One kind of motion: its modes, and what they do, by modal coordinates.
 struct Phase {
-  Modes modes;    ///< y to modal coordinates and back
-  Matrix levels;  ///< rows: F' (stick only), u', g_j' by modal coordinates
-  Vector event;   ///< stick: F'; slip: contact acceleration, by modal coordinates
+  Modes modes;
+  Matrix levels;  ///< rates of the levels: F (in stick), u, g_j
+  Matrix own;     ///< the contact's part of y
+  Vector event;   ///< stick: F'; slip: contact acceleration
+};
+
+/// A time with its place in the oscillation.
+struct Instant {
+  Instant(double t) : time(t), turn(std::cos(t), std::sin(t)) {}
+
+  double time;
+  std::complex<double> turn;  ///< e^{it}
 };
 
 struct Model {
@@ -44,26 +53,33 @@ struct Model {
 
   /// Response to b(t) in steady forward sliding: amplitudes of e^{it} of y and of the contact
   /// velocity, and the mean of drive velocity less contact velocity.
-  Eigen::VectorXcd sliding_rates;
+  List<std::complex<double>> sliding_rates;
   std::complex<double> sliding_velocity;
   double creep = 0;
   /// How many times the forces on the body are larger than their sum; infinite at an undamped
   /// resonance of body and drive. As many times rounding errors grow.
   double resonance = 1;
 
-  Index body_states() const;  ///< u, g_j
+  Index body_states() const { return body ? 1 + body->drive.rates.size() : 0; }  ///< u, g_j
   Index branches() const { return contact.branch_stiffness.size(); }
   Index units() const { return contact.unit_fluidity.size(); }
   Index level_states() const { return 1 + body_states(); }
   Index slip_states() const { return level_states() + units(); }
   Index stick_states() const { return level_states() + branches() + units(); }
 
-  double bound(double t) const { return 1 + amplitude * std::cos(t); }
-  double bound_rate(double t) const { return -amplitude * std::sin(t); }
-  double bound_curvature(double t) const { return -amplitude * std::cos(t); }
+  /// Integrals are kept of F, u and what relaxes over more than one radian, slow branches of the
+  /// drive and slow units of the contact: what these change by in a period is no more than a
+  /// rounding error of what they are.
+  Index slow_branches = 0, slow_units = 0;
+  Index integrated_levels() const { return body ? 2 + slow_branches : 1; }
+  Index integrals() const { return integrated_levels() + slow_units; }
 
-  /// y from x, or changes of y from changes of x, column by column.
-  Matrix rates(const Matrix& x, bool stuck) const;
+  double bound(const Instant& t) const { return 1 + amplitude * t.turn.real(); }
+  double bound_rate(const Instant& t) const { return -amplitude * t.turn.imag(); }
+  double bound_curvature(const Instant& t) const { return -amplitude * t.turn.real(); }
+
+  /// y from x, or a change of y from a change of x.
+  void rates(ConstView x, bool stuck, View y) const;
 
  private:
   void set_stick();

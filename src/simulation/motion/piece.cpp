@@ -3,15 +3,11 @@
 #include <cmath>
 
 #include "base/errors.hpp"
-#include "simulation/motion/event_function.hpp"
+#include "simulation/motion/first_zero.hpp"
 
 namespace vcrit::simulation {
 
-using namespace std::complex_literals;
-
-int direction(Motion motion) {
-  return motion == Motion::slip ? 1 : (motion == Motion::backslip ? -1 : 0);
-}
+using Complex = std::complex<double>;
 
 Index states(const Model& model, Motion motion) {
   return direction(motion) == 0 ? model.stick_states() : model.slip_states();
@@ -19,131 +15,122 @@ Index states(const Model& model, Motion motion) {
 
 namespace {
 
-double body_velocity(const Model& model, const Vector& x) { return model.body ? x(1) : 0; }
+// Re(a b)
+double real_product(const Complex& a, const Complex& b) {
+  return a.real() * b.real() - a.imag() * b.imag();
+}
 
-// The sinusoidal part of y in slip.
-Vector forced(const Model& model, int side, double t) {
-  return side * (model.sliding_rates * std::exp(1i * t)).real();
+// The integral of e^{it} from a time on: e^{i start} times the factor.
+Complex turned(const Instant& start, PairNumber factor) {
+  return {real_product(start.turn, {factor.a, factor.b}),
+          start.turn.real() * factor.b + start.turn.imag() * factor.a};
 }
 
 }  // namespace
 
+// The modes are those of what is left of y without its sinusoidal part in slip.
 Piece::Piece(const Model& model, double velocity, State start)
     : model_(&model), velocity_(velocity), start_(std::move(start)) {
   ensure(start_.x.size() == states(model, start_.motion), "a state has the size of its motion");
-  Vector y = model.rates(start_.x, stuck());
-  const int side = direction(start_.motion);
-  if (side != 0) y -= forced(model, side, start_.time);
-  modes_ = phase().modes.to_modes * y;
+  const Matrix& to_modes = (stuck() ? model.stick : model.slip).modes.to_modes;
+  Vector y(to_modes.columns());
+  model.rates(start_.x, stuck(), y);
+  if (const int side = direction(start_.motion))
+    for (Index i = 0; i < y.size(); ++i)
+      y[i] -= side * real_product(model.sliding_rates[i], start_.at.turn);
+  modes_.resize(to_modes.rows());
+  add_product(to_modes, y, modes_);
 }
 
-// x after the free motion of the given modes: levels by their integrals, own contact states from
-// the modes, and in stick the units driven by F'.
-Matrix Piece::moved(const Matrix& x, const Matrix& modes, double duration) const {
-  const Index levels = model_->level_states();
-  const Index own = stuck() ? model_->branches() : model_->units();
-  const Spectrum& spectrum = phase().modes.spectrum;
-  Matrix result = x;
-  result.topRows(levels) += phase().levels * spectrum.integrated(1, duration, modes);
-  result.middleRows(levels, own) =
-      phase().modes.from_modes.bottomRows(own) * spectrum.integrated(0, duration, modes);
-  if (!stuck()) return result;
-  for (Index j = 0; j < model_->units(); ++j) {
-    const double rate = model_->contact.unit_rates[static_cast<std::size_t>(j)];
-    auto unit = result.row(levels + own + j);
-    unit =
-        unit * std::exp(-rate * duration) +
-        model_->contact.unit_fluidity(j) * spectrum.filtered(phase().event, modes, rate, duration);
-  }
-  return result;
-}
-
-State Piece::after(double duration) const {
-  State state{start_.motion, start_.time + duration, moved(start_.x, modes_, duration), 0};
+State Piece::after(const Flow& flow, View integrals) const {
+  State state{start_.motion, start_.at.time + flow.duration(), start_.x, 0};
+  const double impulse = integrals[0];
+  flow.move(modes_, state.x, integrals);
   const int side = direction(start_.motion);
   if (side == 0) return state;
-  const std::complex<double> turned = std::exp(1i * state.time) - std::exp(1i * start_.time);
-  const Index body = model_->body_states(), units = model_->units();
-  state.x(0) = side * model_->bound(state.time);
-  state.x.segment(1, body) += side * (model_->sliding_rates.head(body) * (turned / 1i)).real();
-  state.x.tail(units) += forced(*model_, side, state.time).tail(units);
+  const Index body = model_->body_states(), levels = model_->level_states();
+  const Index held = model_->integrated_levels();
+  const Complex once = turned(start_.at, flow.factors().turn()[1]);
+  const Complex twice = turned(start_.at, flow.factors().turn()[2]);
+  state.x[0] = side * model_->bound(state.at);
+  integrals[0] = impulse + side * (flow.duration() + model_->amplitude * once.real());
+  for (Index i = 0; i < body; ++i) {
+    state.x[1 + i] += side * real_product(model_->sliding_rates[i], once);
+    if (1 + i < held) integrals[1 + i] += side * real_product(model_->sliding_rates[i], twice);
+  }
+  for (Index i = 0; i < model_->units(); ++i) {
+    const Complex& rate = model_->sliding_rates[body + i];
+    state.x[levels + i] += side * real_product(rate, state.at.turn);
+    if (i < model_->slow_units) integrals[held + i] += side * real_product(rate, once);
+  }
   return state;
 }
 
-Vector Piece::integrals(double duration) const {
-  const Index levels = model_->level_states(), body = model_->body_states();
-  Vector result = start_.x.head(levels) * duration +
-                  phase().levels * phase().modes.spectrum.integrated(2, duration, modes_);
-  const int side = direction(start_.motion);
-  if (side == 0) return result;
-  const double end = start_.time + duration;
-  result(0) = side * (duration + model_->amplitude * (std::sin(end) - std::sin(start_.time)));
-  const std::complex<double> begin = std::exp(1i * start_.time);
-  const std::complex<double> twice = begin + 1i * duration * begin - std::exp(1i * end);
-  result.tail(body) += side * (model_->sliding_rates.head(body) * twice).real();
-  return result;
-}
-
-double Piece::force(double duration) const { return after(duration).x(0); }
-
-double Piece::contact_velocity(double duration) const {
-  return simulation::contact_velocity(*model_, velocity_, after(duration));
+State Piece::after(double duration) const {
+  Vector integrals(model_->integrals());
+  return after(flow(duration), integrals);
 }
 
 std::optional<Piece::Event> Piece::next_event(double horizon) const {
-  if (!stuck()) return slip_end(horizon);
-  const int first = start_.entered == 0 ? 1 : start_.entered;
-  std::optional<Event> event;
-  for (const int side : {first, -first}) {
-    const auto end = stick_end(side, event ? event->duration : horizon);
-    if (end) event = Event{*end, side > 0 ? Motion::slip : Motion::backslip};
-  }
-  return event;
+  const auto before = [&](Motion to, double end) -> std::optional<Event> {
+    EventFunction f = event_function(to);
+    const auto zero = first_zero(f, end, leaving(to));
+    if (!zero || *zero >= end) return std::nullopt;
+    return Event{*zero, to};
+  };
+  if (!stuck()) return before(Motion::stick, horizon);
+  const auto forward = before(Motion::slip, horizon);
+  const auto backward = before(Motion::backslip, forward ? forward->duration : horizon);
+  return backward ? backward : forward;
+}
+
+EventFunction Piece::event_function(Motion to) const {
+  return stuck() ? stick_end(direction(to)) : slip_end();
+}
+
+bool Piece::leaving(Motion to) const {
+  if (stuck()) return start_.entered == direction(to);
+  const double velocity = simulation::contact_velocity(*model_, velocity_, start_);
+  return start_.entered != 0 &&
+         (model_->contact.damper > 0 || direction(start_.motion) * velocity <= 0);
 }
 
 // f = -w towards the side of the slip.
-std::optional<Piece::Event> Piece::slip_end(double horizon) const {
+EventFunction Piece::slip_end() const {
   const int side = direction(start_.motion);
+  const bool from_zero = leaving(Motion::stick);
   const double velocity = simulation::contact_velocity(*model_, velocity_, start_);
-  const bool leaving = start_.entered != 0 && (model_->contact.damper > 0 || side * velocity <= 0);
-  const double size = velocity_ + start_.x.cwiseAbs().sum() + model_->contact.glassy;
-  EventFunction f(1, leaving ? 0 : -side * velocity, leaving ? 0 : size);
-  f.add_modes(phase().modes.spectrum, phase().event, modes_, -side);
-  f.add_sinusoid(-(1i * model_->sliding_velocity) * std::exp(1i * start_.time));
-  const auto zero = first_zero(f, horizon, leaving);
-  if (!zero || *zero >= horizon) return std::nullopt;
-  return Event{*zero, Motion::stick};
+  const double size = velocity_ + sum_of_sizes(start_.x) + model_->contact.glassy;
+  EventFunction f(model_->slip.modes.spectrum, 1, from_zero ? 0 : -side * velocity,
+                  from_zero ? 0 : size);
+  f.add_modes(model_->slip.event, modes_, -side);
+  const Complex velocity_now = model_->sliding_velocity * start_.at.turn;
+  f.add_sinusoid({velocity_now.imag(), -velocity_now.real()});
+  return f;
 }
 
 // f = side F - b. Where stick began from slip on that side without a direct damper, F and F' were
 // those of the bound, and f = f' = 0 there.
-std::optional<double> Piece::stick_end(int side, double horizon) const {
+EventFunction Piece::stick_end(int side) const {
   const bool entered = start_.entered == side;
-  const std::complex<double> bound = model_->amplitude * std::exp(1i * start_.time);
+  const Complex bound = model_->amplitude * start_.at.turn;
   const int order = entered && model_->contact.damper == 0 ? 2 : 1;
-  const double gap = side * start_.x(0) - model_->bound(start_.time);
-  EventFunction f(order, entered ? 0 : std::min(gap, 0.0), entered ? 0 : std::abs(start_.x(0)));
-  f.add_modes(phase().modes.spectrum, phase().event, modes_, side, order - 1);
-  f.add_sinusoid(order == 2 ? bound : -1i * bound);
-  const bool expected = entered || start_.entered == 0;
-  const auto zero = first_zero(f, horizon, entered, expected ? 1 : horizon);
-  return zero && *zero < horizon ? zero : std::nullopt;
-}
-
-Matrix Piece::carried(const Matrix& dx, double duration, Matrix& integrals) const {
-  const Index levels = model_->level_states();
-  const Matrix modes = phase().modes.to_modes * model_->rates(dx, stuck());
-  integrals += dx.topRows(levels) * duration +
-               phase().levels * phase().modes.spectrum.integrated(2, duration, modes);
-  return moved(dx, modes, duration);
+  const double gap = side * start_.x[0] - model_->bound(start_.at);
+  EventFunction f(model_->stick.modes.spectrum, order, entered ? 0 : std::min(gap, 0.0),
+                  entered ? 0 : std::abs(start_.x[0]));
+  f.add_modes(model_->stick.event, modes_, side, order - 1);
+  f.add_sinusoid(order == 2 ? bound : Complex{bound.imag(), -bound.real()});
+  return f;
 }
 
 double contact_velocity(const Model& model, double velocity, const State& state) {
   const int side = direction(state.motion);
   if (side == 0) return 0;
-  return velocity + body_velocity(model, state.x) - model.contact.fluidity * state.x(0) -
-         side * model.contact.glassy * model.bound_rate(state.time) -
-         state.x.tail(model.units()).sum();
+  double w = velocity - model.contact.fluidity * state.x[0] -
+             side * model.contact.glassy * model.bound_rate(state.at);
+  if (model.body) w += state.x[1];
+  for (Index j = model.level_states(); j < state.x.size(); ++j) w -= state.x[j];
+  return w;
 }
 
 }  // namespace vcrit::simulation

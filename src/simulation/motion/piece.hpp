@@ -2,9 +2,9 @@
 #pragma once
 
 #include <optional>
-#include <vector>
 
-#include "simulation/motion/model.hpp"
+#include "simulation/motion/event_function.hpp"
+#include "simulation/motion/flow.hpp"
 #include "simulation/system/steady_state.hpp"
 
 namespace vcrit::simulation {
@@ -14,13 +14,15 @@ namespace vcrit::simulation {
 /// which it came, +1 or -1).
 struct State {
   Motion motion = Motion::slip;
-  double time = 0;
+  Instant at = 0;
   Vector x;
   int entered = 0;
 };
 
 /// +1 in slip, -1 in backslip, 0 in stick.
-int direction(Motion motion);
+inline int direction(Motion motion) {
+  return motion == Motion::slip ? 1 : (motion == Motion::backslip ? -1 : 0);
+}
 
 /// One piece of motion from a state on, in closed form. Velocities without dimension; `velocity` is
 /// that of the drive.
@@ -29,12 +31,13 @@ class Piece {
   Piece(const Model& model, double velocity, State start);
 
   const State& start() const { return start_; }
-  /// The same motion, `duration` later.
+  bool stuck() const { return start_.motion == Motion::stick; }
+
+  /// What the motion does over a duration, for the calls below and for changes of the start.
+  Flow flow(double duration) const { return {*model_, stuck(), duration}; }
+  /// The same motion, a duration later. Adds the time integrals (see model.hpp).
+  State after(const Flow& flow, View integrals) const;
   State after(double duration) const;
-  /// Time integrals of the levels F, u, g_j over the first `duration`.
-  Vector integrals(double duration) const;
-  double contact_velocity(double duration) const;
-  double force(double duration) const;
 
   struct Event {
     double duration = 0;
@@ -43,16 +46,13 @@ class Piece {
   /// The first event within `horizon`.
   std::optional<Event> next_event(double horizon) const;
 
-  /// Changes dx of the start, at fixed time and column by column, carried on by `duration`; adds
-  /// the changes of the levels' integrals to `integrals`.
-  Matrix carried(const Matrix& dx, double duration, Matrix& integrals) const;
+  /// The function that is negative and reaches 0 where the motion changes into `to`.
+  EventFunction event_function(Motion to) const;
 
  private:
-  bool stuck() const { return start_.motion == Motion::stick; }
-  const Phase& phase() const { return stuck() ? model_->stick : model_->slip; }
-  Matrix moved(const Matrix& x, const Matrix& modes, double duration) const;
-  std::optional<Event> slip_end(double horizon) const;
-  std::optional<double> stick_end(int side, double horizon) const;
+  EventFunction slip_end() const;
+  EventFunction stick_end(int side) const;
+  bool leaving(Motion to) const;
 
   const Model* model_;
   double velocity_;

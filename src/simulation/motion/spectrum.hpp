@@ -2,24 +2,26 @@
 // (see pair_number.hpp). A body held by springs and dampers has no more than one.
 #pragma once
 
-#include <Eigen/Dense>
 #include <optional>
 #include <vector>
 
-#include "simulation/motion/pair_number.hpp"
-#include "simulation/motion/phi.hpp"
+#include "simulation/motion/exponentials.hpp"
+#include "simulation/motion/storage.hpp"
 
 namespace vcrit::simulation {
 
-using Vector = Eigen::VectorXd;
-using Matrix = Eigen::MatrixXd;
-using Index = Eigen::Index;
-
 /// s = -decay +- sqrt(q).
 struct ModePair {
-  double decay = 0;
-  double q = 0;
-  PairNumber exponent() const { return {-decay, 1, q}; }
+  ModePair(double of_decay, double of_q)
+      : decay(of_decay),
+        q(of_q),
+        exponent{-decay, 1, q},
+        receptance(inverse(exponent)),
+        rate(size(exponent)) {}
+
+  double decay, q;
+  PairNumber exponent, receptance;  ///< s, 1/s
+  double rate;                      ///< |s|, of two real ones the larger
 };
 
 /// Modal coordinates: one a single mode, amplitude of e^{-rate t}; then, with a pair, the parts a,
@@ -27,34 +29,43 @@ struct ModePair {
 /// amplitude * e^{(-decay + sigma) t}, so a row of coefficients (x, y) on (a, b) is the weight y +
 /// x sigma.
 struct Spectrum {
-  std::vector<double> rates;
+  Vector rates;
   std::optional<ModePair> pair;
 
-  Index singles() const { return static_cast<Index>(rates.size()); }
+  Index singles() const { return rates.size(); }
   Index size() const { return singles() + (pair ? 2 : 0); }
-  PairNumber amplitude(const Vector& z) const { return {z(singles()), z(singles() + 1), pair->q}; }
-  PairNumber weight(const Vector& row) const {
-    return {row(singles() + 1), row(singles()), pair->q};
+  PairNumber amplitude(ConstView z) const { return {z[singles()], z[singles() + 1], pair->q}; }
+  PairNumber weight(ConstView row) const { return {row[singles() + 1], row[singles()], pair->q}; }
+};
+
+/// What a spectrum and the oscillation do over one duration.
+class Factors {
+ public:
+  Factors(const Spectrum& spectrum, double duration);
+
+  double duration() const { return duration_; }
+  const Integrals<double>& single(Index i) const { return singles_[i]; }
+  const Integrals<PairNumber>& pair() const { return pair_; }
+  const Integrals<PairNumber>& turn() const { return turn_; }
+
+  /// For each modal coordinate and its integrals: use(i, {z_i, once, twice}) after the duration.
+  template <class Use>
+  void apply(ConstView z, const Use& use) const {
+    const Index n = singles_.size();
+    for (Index i = 0; i < n; ++i)
+      use(i,
+          Integrals<double>{z[i] * singles_[i][0], z[i] * singles_[i][1], z[i] * singles_[i][2]});
+    if (z.size() == n) return;
+    const PairNumber start{z[n], z[n + 1], pair_[0].q};
+    const PairNumber none = start * pair_[0], once = start * pair_[1], twice = start * pair_[2];
+    use(n, Integrals<double>{none.a, once.a, twice.a});
+    use(n + 1, Integrals<double>{none.b, once.b, twice.b});
   }
 
-  /// For each column z: the integral of row * z(x) * e^{-rate (t - x)} over x from 0 to t.
-  Eigen::RowVectorXd filtered(const Vector& row, const Matrix& z, double rate, double t) const;
-
-  /// The k-fold integral over the time t of each column of modal coordinates.
-  template <class Coordinates>
-  Coordinates integrated(int k, double t, Coordinates z) const {
-    for (Index i = 0; i < singles(); ++i)
-      z.row(i) *= integral(k, -rates[static_cast<std::size_t>(i)], t);
-    if (!pair) return z;
-    const PairNumber factor = integral(k, pair->exponent(), t);
-    for (Index column = 0; column < z.cols(); ++column) {
-      const PairNumber moved =
-          PairNumber{z(singles(), column), z(singles() + 1, column), pair->q} * factor;
-      z(singles(), column) = moved.a;
-      z(singles() + 1, column) = moved.b;
-    }
-    return z;
-  }
+ private:
+  double duration_;
+  List<Integrals<double>> singles_;
+  Integrals<PairNumber> pair_, turn_;
 };
 
 /// Modes with the way to them and back: z = to_modes y, y = from_modes z.
@@ -68,6 +79,6 @@ struct Modes {
 Modes beside(const Modes& a, const Modes& b);
 
 /// Modes that are the states themselves: y_i' = -rate_i y_i.
-Modes uncoupled(const std::vector<double>& rates);
+Modes uncoupled(const Vector& rates);
 
 }  // namespace vcrit::simulation

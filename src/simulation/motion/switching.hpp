@@ -12,10 +12,14 @@ Vector rate_of(const Model& model, const State& state);
 /// The state after the motion has changed to `to`.
 State switched(const Model& model, const State& before, Motion to);
 
-/// Changes dx at fixed time carried across that switch, column by column: the event moves by
-/// dt = -(change of its function)/(rate of its function), and with it goes the difference of the
-/// rates before and after (saltation).
-Matrix switched_changes(const Model& model, const State& before, const State& after,
-                        const Matrix& dx);
+/// By how much each change of the state shifts the time of the event: -(change of its function)/
+/// (slope of its function).
+Vector event_shifts(const Model& model, const State& before, Motion to, double slope,
+                    const Matrix& changes);
+
+/// Carries changes across the switch: with the event's time goes the difference of the rates before
+/// and after (saltation).
+void carry_across(const Model& model, const State& before, const State& after, const Vector& shifts,
+                  Matrix& changes);
 
 }  // namespace vcrit::simulation

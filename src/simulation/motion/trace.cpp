@@ -20,15 +20,16 @@ constexpr double touch = 1e-9;
 
 Trace trace(const Model& model, double velocity, const State& start, double duration,
             const Matrix& changes) {
-  const Index levels = model.level_states();
-  Trace result{{}, start, Vector::Zero(levels), changes, Matrix::Zero(levels, changes.cols())};
-  const double end = start.time + duration;
+  const Index integrals = model.integrals();
+  Trace result{{start, Vector(integrals), {changes, Matrix(integrals, changes.columns())}}, {}};
+  const double end = start.at.time + duration;
   bool stood = false;
-  while (result.end.time < end) {
+  while (result.end.at.time < end) {
     if (result.parts.size() == most_parts)
       throw ModelError("stick and slip alternate without end within one period");
-    const Piece piece(model, velocity, result.end);
-    double length = end - result.end.time;
+    const Piece& piece =
+        result.parts.emplace_back(Trace::Part{Piece(model, velocity, result.end), 0}).piece;
+    double length = end - result.end.at.time;
     auto event = piece.next_event(length);
     if (event && event->duration == 0 && stood) {
       event.reset();
@@ -36,15 +37,19 @@ Trace trace(const Model& model, double velocity, const State& start, double dura
     }
     if (event) length = event->duration;
     stood = length == 0;
-    result.parts.push_back({piece, length});
-    result.integrals += piece.integrals(length);
-    if (changes.cols() > 0)
-      result.changes = piece.carried(result.changes, length, result.integral_changes);
-    const State before = piece.after(length);
-    result.end = event ? switched(model, before, event->to) : before;
-    if (!event && length == end - piece.start().time) result.end.time = end;
-    if (event && changes.cols() > 0)
-      result.changes = switched_changes(model, before, result.end, result.changes);
+    result.parts.back().duration = length;
+    const Flow flow = piece.flow(length);
+    flow.carry(result.changes);
+    const bool last = !event && length == end - piece.start().at.time;
+    result.end = piece.after(flow, result.integrals);
+    if (last) result.end.at = end;
+    if (!event) continue;
+    const State before = std::exchange(result.end, switched(model, result.end, event->to));
+    if (changes.columns() == 0) continue;
+    const double slope = piece.event_function(event->to).at(flow.factors()).slope;
+    carry_across(model, before, result.end,
+                 event_shifts(model, before, event->to, slope, result.changes.state),
+                 result.changes.state);
   }
   return result;
 }
@@ -54,6 +59,12 @@ State next_event_state(const Model& model, double velocity, const State& start, 
   const auto event = piece.next_event(horizon);
   if (!event) return piece.after(horizon);
   return switched(model, piece.after(event->duration), event->to);
+}
+
+Matrix unit_changes(const State& slip, Index columns) {
+  Matrix changes(slip.x.size(), columns);
+  for (Index j = 0; j + 1 < slip.x.size(); ++j) changes(j + 1, j) = 1;
+  return changes;
 }
 
 }  // namespace vcrit::simulation

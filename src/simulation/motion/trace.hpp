@@ -1,35 +1,37 @@
 // A stretch of motion over several events, recorded, with its derivative where that is asked for.
 #pragma once
 
-#include <vector>
-
 #include "simulation/motion/piece.hpp"
 
 namespace vcrit::simulation {
 
-struct Trace {
+/// Where a stretch of motion ends, and the time integrals over it (see model.hpp), with the changes
+/// of both by those of its start.
+struct Passage {
+  State end;
+  Vector integrals;
+  Changes changes;
+
+  double impulse() const { return integrals[0]; }
+};
+
+struct Trace : Passage {
   struct Part {
     Piece piece;
     double duration;
   };
-  std::vector<Part> parts;
-  State end;
-  Vector integrals;  ///< time integrals of the levels F, u, g_j
-
-  /// Derivatives of `end` (at fixed time) and of the integrals, by the columns of the start's
-  /// changes.
-  Matrix changes;
-  Matrix integral_changes;
-
-  double impulse() const { return integrals(0); }
+  List<Part, 8> parts;
 };
 
 /// The motion from `start` over `duration`. `changes`: of the start, at fixed time, or no columns.
 /// Throws ModelError where events pile up without end.
 Trace trace(const Model& model, double velocity, const State& start, double duration,
-            const Matrix& changes);
+            const Matrix& changes = {});
 
 /// The state right after the next event, or `horizon` later if there is none before.
 State next_event_state(const Model& model, double velocity, const State& start, double horizon);
+
+/// One column for each number of the state but F, which slip prescribes.
+Matrix unit_changes(const State& slip, Index columns);
 
 }  // namespace vcrit::simulation

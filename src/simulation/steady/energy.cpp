@@ -19,17 +19,19 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 // the drive as branches beside a damper, all moving at u. A branch's damper k_j/a_j carries g_j.
 double heat_of_dampers(const Model& model, const State& state) {
   const ContactModes& contact = model.contact;
-  double heat = contact.fluidity * state.x(0) * state.x(0);
-  for (Index j = 0; j < model.units(); ++j) {
-    const double rate = state.x(state.x.size() - model.units() + j);
-    heat += rate * rate / contact.unit_fluidity(j);
+  double heat = contact.fluidity * state.x[0] * state.x[0];
+  const Index units = model.units(), first = states(model, state.motion) - units;
+  for (Index j = 0; j < units; ++j) {
+    const double rate = state.x[first + j];
+    heat += rate * rate / contact.unit_fluidity[j];
   }
   if (!model.body) return heat;
   const PoleSum& drive = model.body->drive;
-  heat += drive.direct * state.x(1) * state.x(1);
-  for (std::size_t j = 0; j < drive.rates.size(); ++j) {
-    const double force = state.x(2 + static_cast<Index>(j));
-    heat += force * force * drive.rates[j] / drive.weights[j];
+  heat += drive.direct * state.x[1] * state.x[1];
+  for (Index j = 0; j + 1 < model.body_states(); ++j) {
+    const auto branch = static_cast<std::size_t>(j);
+    const double force = state.x[2 + j];
+    heat += force * force * drive.rates[branch] / drive.weights[branch];
   }
   return heat;
 }
@@ -37,7 +39,8 @@ double heat_of_dampers(const Model& model, const State& state) {
 // No swing of the body is faster than it would be on all springs at once; the oscillation is 1.
 double fastest_swing(const Model& model) {
   if (!model.body) return 1;
-  double stiffness = model.contact.branch_stiffness.sum();
+  double stiffness = 0;
+  for (const double branch : model.contact.branch_stiffness) stiffness += branch;
   for (const double weight : model.body->drive.weights) stiffness += weight;
   return std::max(1.0, std::sqrt(stiffness / model.body->mass));
 }
@@ -82,49 +85,65 @@ EnergyBalance energy_of_creep(const Model& model, double velocity) {
 }
 
 // The contact velocity may be far smaller than its terms, of which each has a few rounding errors,
-// and those that swing with the oscillation the rounding of its phase.
+// and those that swing with the oscillation the rounding of its phase, up to two turns.
 double rounding_of_velocity(const Model& model, double velocity, const State& state) {
   if (state.motion == Motion::stick) return 0;
-  const double swing =
-      model.contact.glassy * model.amplitude + model.sliding_rates.cwiseAbs().sum();
-  double size = velocity + model.contact.fluidity + std::abs(state.time) * swing +
-                state.x.tail(model.units()).cwiseAbs().sum();
-  if (model.body) size += std::abs(state.x(1));
+  double swing = model.contact.glassy * model.amplitude;
+  for (const std::complex<double>& rate : model.sliding_rates) swing += std::abs(rate);
+  double size = velocity + model.contact.fluidity + 2 * period * swing;
+  if (model.body) size += std::abs(state.x[1]);
+  for (Index j = model.level_states(); j < model.slip_states(); ++j) size += std::abs(state.x[j]);
   return 4 * epsilon * size;
 }
 
-// A closed cycle slips as far as the drive moves, less what creeps. What is missing there is
-// missing in the heat of friction.
-EnergyBalance energy_of(const Model& model, double velocity, const Trace& cycle) {
-  EnergyBalance energy;
-  energy.drive = velocity * cycle.impulse();
-  double distance = 0;
-  const Quadrature quadrature(model);
-  for (const Trace::Part& part : cycle.parts)
-    quadrature.over(part.duration, [&](double time, double weight) {
-      const State state = part.piece.after(time);
-      const double force = state.x(0), slip = contact_velocity(model, velocity, state);
-      distance += weight * slip;
-      energy.friction += weight * force * slip;
-      energy.dampers += weight * heat_of_dampers(model, state);
-      energy.error += weight * std::abs(force) * rounding_of_velocity(model, velocity, state);
+// Of a closed cycle, piece by piece. It slips as far as the drive moves, less what creeps; what is
+// missing there is missing in the heat of friction.
+class Account {
+ public:
+  Account(const Model& model, double velocity)
+      : model_(model), quadrature_(model), velocity_(velocity) {}
+
+  void add(const Piece& piece, double duration) {
+    quadrature_.over(duration, [&](double time, double weight) {
+      const State state = piece.after(time);
+      const double force = state.x[0], slip = contact_velocity(model_, velocity_, state);
+      distance_ += weight * slip;
+      energy_.friction += weight * force * slip;
+      energy_.dampers += weight * heat_of_dampers(model_, state);
+      energy_.error += weight * std::abs(force) * rounding_of_velocity(model_, velocity_, state);
     });
-  const double missing = distance - velocity * period + model.creep * cycle.impulse();
-  energy.error += (1 + model.amplitude) * std::abs(missing) + 32 * epsilon * std::abs(energy.drive);
-  return energy;
-}
+  }
+
+  /// ratio_error: of <F>.
+  EnergyBalance closed(double impulse, double ratio_error) const {
+    EnergyBalance energy = energy_;
+    energy.drive = velocity_ * impulse;
+    const double missing = distance_ - velocity_ * period + model_.creep * impulse;
+    energy.error += (1 + model_.amplitude) * std::abs(missing) + velocity_ * period * ratio_error +
+                    32 * epsilon * std::abs(energy.drive);
+    return energy;
+  }
+
+ private:
+  const Model& model_;
+  Quadrature quadrature_;
+  double velocity_;
+  EnergyBalance energy_;
+  double distance_ = 0;
+};
 
 EnergyBalance energy_of_cycle(const Model& model, double velocity) {
   const SteadyCycle cycle = steady_cycle(model, velocity, sliding_start(model, velocity));
-  EnergyBalance energy = energy_of(model, velocity, cycle.period);
-  energy.error += velocity * period * cycle.error;
-  return energy;
+  Account account(model, velocity);
+  for (const Trace::Part& part : cycle.period.parts) account.add(part.piece, part.duration);
+  return account.closed(cycle.period.impulse(), cycle.error);
 }
 
+// Without end; F is the bound throughout, of which the mean is 1.
 EnergyBalance energy_of_sliding(const Model& model, double velocity) {
-  const State start = sliding_start(model, velocity);
-  return energy_of(model, velocity,
-                   trace(model, velocity, start, period, Matrix(start.x.size(), 0)));
+  Account account(model, velocity);
+  account.add(Piece(model, velocity, sliding_start(model, velocity)), period);
+  return account.closed(period, 0);
 }
 
 }  // namespace

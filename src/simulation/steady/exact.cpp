@@ -77,7 +77,7 @@ class Answer {
     for (std::size_t i = 1; i < period.parts.size(); ++i) {
       const State& start = period.parts[i].piece.start();
       if (start.motion == period.parts[i - 1].piece.start().motion) continue;
-      list.push_back({wrapped(start.time - model_.phase), start.motion});
+      list.push_back({wrapped(start.at.time - model_.phase), start.motion});
     }
     std::sort(list.begin(), list.end(),
               [](const Event& a, const Event& b) { return a.phase < b.phase; });
@@ -101,13 +101,14 @@ class Answer {
   }
 
   CyclePoint sample(const Trace& period, double phase) const {
-    const double begin = period.parts.front().piece.start().time;
+    const double begin = period.parts.front().piece.start().at.time;
     const double t = begin + wrapped(phase + model_.phase - begin);
     auto part = period.parts.begin();
-    while (std::next(part) != period.parts.end() && std::next(part)->piece.start().time <= t)
+    while (std::next(part) != period.parts.end() && std::next(part)->piece.start().at.time <= t)
       ++part;
-    const double duration = t - part->piece.start().time;
-    return point(phase, part->piece.contact_velocity(duration), part->piece.force(duration));
+    const double duration = t - part->piece.start().at.time;
+    const State state = part->piece.after(duration);
+    return point(phase, contact_velocity(model_, velocity_, state), state.x[0]);
   }
 
   Model model_;

@@ -7,6 +7,10 @@
 #include <utility>
 
 #include "base/errors.hpp"
+#include "simulation/motion/course.hpp"
+#include "simulation/steady/closing.hpp"
+#include "simulation/steady/linear_solver.hpp"
+#include "simulation/steady/shooting.hpp"
 
 namespace vcrit::simulation {
 
@@ -51,169 +55,167 @@ class Search {
       : model_(model), velocity_(velocity), state_(std::move(start)) {}
 
   SteadyCycle run() {
-    load();
-    int cycles = 2;
+    int cycles = 1;
     for (int attempt = 0; attempt < most_attempts; ++attempt) {
-      for (int i = 0; i < cycles; ++i) last_ = plain(state_, period), state_ = last_.end;
-      if (stroboscope()) {
-        if (auto cycle = newton()) return *cycle;
+      const bool patient = attempt >= easy_attempts;
+      for (int i = 0; i < cycles; ++i) {
+        last_ = trace(model_, velocity_, state_, period);
+        state_ = last_.end;
       }
-      if (cycles < 1000) cycles *= 2;
+      if (const auto cycle = closed(patient)) return *cycle;
+      if (last_.parts.size() == 1) load();
+      if (patient && cycles < 1000) cycles *= 2;
     }
     throw ModelError("no steady state found: the motion still drifts after thousands of periods");
   }
 
  private:
-  static constexpr int most_attempts = 12;
+  static constexpr int easy_attempts = 4;
+  static constexpr int most_attempts = 16;
   static constexpr int most_steps = 200;
 
-  Trace plain(const State& state, double duration) const {
-    return trace(model_, velocity_, state, duration, Matrix(state.x.size(), 0));
+  // The steady cycle, if it is near the last period. Above the sliding threshold it may be slip
+  // alone, which has no events to shoot at.
+  std::optional<SteadyCycle> closed(bool patient) {
+    if (last_.parts.size() == 1 && state_.motion == Motion::slip) return newton(patient);
+    const auto course = course_of(last_);
+    if (!course) return std::nullopt;
+    const auto hit = shoot(model_, velocity_, *course);
+    if (!hit && !patient) return std::nullopt;
+    state_ = hit.value_or(in_slip(*course));
+    return newton(patient);
   }
 
-  // From rest, the drive may pull for many periods before anything slips.
+  // The middle of a course's first slip.
+  State in_slip(const Course& course) const {
+    State state = Piece(model_, velocity_, course.start).after(0.5 * course.legs.front().duration);
+    state.at = state.at.time - period * std::floor(state.at.time / period);
+    state.x[0] = model_.bound(state.at);  // whatever phase was lost on the way from rest
+    return state;
+  }
+
+  // From rest, or after a slip too far, the drive may pull for many periods before anything slips.
   void load() { state_ = next_event_state(model_, velocity_, state_, 1e12); }
 
-  // Puts the state into the middle of the last period's longest forward slip.
-  bool stroboscope() {
-    const Trace::Part* longest = nullptr;
-    for (const Trace::Part& part : last_.parts)
-      if (part.piece.start().motion == Motion::slip &&
-          (!longest || part.duration > longest->duration))
-        longest = &part;
-    if (!longest) return false;
-    state_ = longest->piece.after(0.5 * longest->duration);
-    state_.time -= period * std::floor(state_.time / period);
-    state_.x(0) = model_.bound(state_.time);  // whatever phase was lost on the way from rest
-    return true;
-  }
-
-  // The period map from the stroboscope on: what is left to close the cycle, and minus its
-  // derivative.
+  // The period map from a state in slip on, back into slip, and what is left to close the cycle.
   struct Mapped {
     Trace trace;
-    Vector residual;
-    Matrix derivative;
-    Matrix identity;  ///< in the rows of the derivative
+    Closing left;
+    double size;  ///< of the residual, in units of its rounding error
     const State& start() const { return trace.parts.front().piece.start(); }
-    double size = 0;  ///< of the residual, in units of its rounding error
-    bool usable = false;
   };
 
-  Mapped mapped(const State& state) const {
-    if (contact_velocity(model_, velocity_, state) <= 0) return {};
-    const Index n = state.x.size() - 1;
-    Matrix changes = Matrix::Zero(n + 1, n);
-    changes.bottomRows(n).setIdentity();
-    Mapped result{trace(model_, velocity_, state, period, changes), {}, {}, {}, 0, false};
-    result.usable = result.trace.end.motion == Motion::slip;
-    if (!result.usable) return result;
-    result.identity = Matrix::Identity(n, n);
-    result.residual = result.trace.end.x.tail(n) - state.x.tail(n);
-    result.derivative = result.identity - result.trace.changes.bottomRows(n);
-    close_slow_branches(result);
-    result.size = size(result.residual, state);
-    return result;
-  }
-
-  // A branch of the drive that relaxes over many periods changes by k_j X - a_j G_j in one, X and
-  // G_j the integrals of u and g_j. The first part is nearly all of it and belongs to the whole
-  // drive; taken off in multiples of the slowest branch's change, the rest keeps its relative
-  // accuracy.
-  void close_slow_branches(Mapped& map) const {
-    for (Index j = 1; j + 1 < model_.body_states(); ++j) {
-      const auto branch = static_cast<std::size_t>(j);
-      const PoleSum& drive = model_.body->drive;
-      if (drive.rates[branch] >= 1) return;
-      const double slow = drive.rates[branch];
-      const double share = drive.weights[branch] / drive.weights[0], other = share * drive.rates[0];
-      map.identity(1 + j, 1) = -share;
-      map.residual(1 + j) = other * map.trace.integrals(2) - slow * map.trace.integrals(2 + j);
-      map.derivative.row(1 + j) =
-          slow * map.trace.integral_changes.row(2 + j) - other * map.trace.integral_changes.row(2);
-    }
+  std::optional<Mapped> mapped(const State& state) const {
+    if (contact_velocity(model_, velocity_, state) <= 0) return std::nullopt;
+    Trace once = trace(model_, velocity_, state, period, unit_changes(state, state.x.size() - 1));
+    if (once.end.motion != Motion::slip) return std::nullopt;
+    const Closing left = closing(model_, state, once);
+    return Mapped{std::move(once), left, size(left.residual, state)};
   }
 
   // In units of rounding errors.
   double size(const Vector& residual, const State& state) const {
-    if (residual.size() == 0) return 0;
-    return residual.cwiseQuotient(rounding(state)).cwiseAbs().maxCoeff();
+    const Vector unit = rounding(model_, velocity_, state);
+    double largest = 0;
+    for (Index i = 0; i < unit.size(); ++i)
+      largest = std::max(largest, std::abs(residual[i] / unit[i]));
+    return largest;
   }
 
-  // A few rounding errors of each residual over one period.
-  Vector rounding(const State& state) const {
-    const Index n = state.x.size() - 1, body = model_.body_states();
-    Vector size = state.x.tail(n).cwiseAbs();
-    if (body > 0) size(0) += velocity_ + std::abs(model_.sliding_velocity);
-    size += model_.sliding_rates.cwiseAbs();
-    for (Index j = 0; j + 1 < body; ++j) {
-      const double rate = model_.body->drive.rates[static_cast<std::size_t>(j)];
-      size(1 + j) = (1 + size(1 + j)) * (j > 0 ? std::min(1.0, period * rate) : 1.0);
-    }
-    for (Index j = 0; j < model_.units(); ++j)
-      size(body + j) += model_.contact.unit_fluidity(j) /
-                        (1 + model_.contact.unit_rates[static_cast<std::size_t>(j)]);
-    return 8 * epsilon * size;
+  static State corrected(State state, const Vector& step) {
+    for (Index i = 1; i < state.x.size(); ++i) state.x[i] += step[i - 1];
+    return state;
   }
 
-  State corrected(const State& state, const Vector& step) const {
-    State next = state;
-    next.x.tail(step.size()) += step;
-    return next;
+  // What damping leaves of the residual after a step.
+  static Vector left_over(const Mapped& now, double damping, const Vector& step) {
+    Vector result(step.size());
+    add_product(now.left.identity, step, result);
+    for (double& value : result) value *= damping;
+    return result;
   }
 
   // Newton's method, damped where the map bends: with a weight d on the identity a step goes as far
   // as 1/d plain cycles along slow directions, and d times the step is what the residual should be
   // after it. As no cycle moves two motions apart, such steps lead to the fixed point from
   // anywhere.
-  std::optional<SteadyCycle> newton() {
-    Mapped now = mapped(state_);
+  std::optional<SteadyCycle> newton(bool patient) {
+    std::optional<Mapped> now = mapped(state_);
     Damping damping;
-    for (int i = 0; i < most_steps && now.usable && damping.value < 10; ++i) {
-      if (now.residual.size() == 0) return SteadyCycle{now.trace, ratio(now), summing(now)};
-      const Eigen::FullPivLU<Matrix> solver(now.derivative + damping.value * now.identity);
-      const Vector step = solver.solve(now.residual);
-      if (!step.allFinite()) return std::nullopt;
-      if (damping.value == 0 && now.size <= 1) return finished(now, solver, step);
-      Mapped trial = mapped(corrected(state_, step));
-      const Vector expected = damping.value * now.identity * step;
-      const double miss =
-          trial.usable ? size(trial.residual - expected, state_) / now.size : infinity;
+    for (int i = 0; i < most_steps && now && damping.value < 10; ++i) {
+      if (now->size <= 1) return finished(*now);
+      if (damping.value == 0) {
+        if (auto hit = shot_from(*now); hit && hit->size <= good_miss * now->size) {
+          state_ = hit->start();
+          now = std::move(hit);
+          continue;
+        }
+      }
+      const Vector step = LinearSolver(damped(now->left, damping.value)).solve(now->left.residual);
+      if (!std::isfinite(sum_of_sizes(step))) return std::nullopt;
+      std::optional<Mapped> trial = mapped(corrected(state_, step));
+      const double miss = missed(*now, trial, left_over(*now, damping.value, step));
       if (miss <= good_miss) {
-        state_ = trial.start();
+        state_ = trial->start();
         now = std::move(trial);
         damping.lower(miss);
-      } else if (damping.value == 0 && now.size <= 1e3) {
-        return finished(now, solver, step);
+      } else if (now->size <= 1e3) {
+        return finished(*now);
+      } else if (!patient) {
+        return std::nullopt;
       } else {
-        if (!trial.usable) centre(now);
+        if (!trial) now = centred(*now);
         damping.raise(miss);
       }
     }
     return std::nullopt;
   }
 
+  // The period map from where shooting along the last period's course leads.
+  std::optional<Mapped> shot_from(const Mapped& now) const {
+    const auto course = course_of(now.trace);
+    const auto hit = course ? shoot(model_, velocity_, *course) : std::nullopt;
+    return hit ? mapped(*hit) : std::nullopt;
+  }
+
+  static Matrix damped(const Closing& left, double damping) {
+    Matrix result = left.derivative;
+    for (Index j = 0; j < result.columns(); ++j)
+      for (Index i = 0; i < result.rows(); ++i) result(i, j) += damping * left.identity(i, j);
+    return result;
+  }
+
+  // By what share of the residual a step misses what was expected of it.
+  double missed(const Mapped& now, const std::optional<Mapped>& trial, Vector expected) const {
+    if (!trial) return infinity;
+    for (Index i = 0; i < expected.size(); ++i) expected[i] = trial->left.residual[i] - expected[i];
+    return size(expected, state_) / now.size;
+  }
+
   // The slip may have moved away from the stroboscope on the way.
-  void centre(Mapped& now) {
-    last_ = now.trace;
-    if (stroboscope()) now = mapped(state_);
+  std::optional<Mapped> centred(const Mapped& now) {
+    if (const auto course = course_of(now.trace)) state_ = in_slip(*course);
+    return mapped(state_);
   }
 
-  static double ratio(const Mapped& now) { return now.trace.impulse() / period; }
-
-  // Rounding of the mean itself, a few errors for each part that it is made of.
-  static double summing(const Mapped& now) {
-    return 8 * epsilon * static_cast<double>(now.trace.parts.size());
-  }
-
-  // The error left: what one more Newton step would change, and the rounding of one period as the
-  // steady state amplifies it.
-  SteadyCycle finished(const Mapped& now, const Eigen::FullPivLU<Matrix>& solver,
-                       const Vector& step) const {
-    const Vector gradient = now.trace.integral_changes.row(0).transpose();
-    const Vector gain = solver.transpose().solve(gradient);
-    const double left = std::abs(gradient.dot(step)) + gain.cwiseAbs().dot(rounding(state_));
-    return {now.trace, ratio(now), summing(now) + left / period};
+  // The error left: what one more Newton step would change, the rounding of one period as the
+  // steady state amplifies it, and that of the mean itself, a few errors for each of its parts.
+  SteadyCycle finished(const Mapped& now) const {
+    const LinearSolver solver(now.left.derivative);
+    const Vector step = solver.solve(now.left.residual);
+    const Matrix& changes = now.trace.changes.integrals;
+    Vector gradient;
+    for (Index j = 0; j < changes.columns(); ++j) gradient.push_back(changes(0, j));
+    const Vector gain = solver.solve_transposed(gradient);
+    const Vector unit = rounding(model_, velocity_, state_);
+    double change = 0, rounded = 0;
+    for (Index i = 0; i < step.size(); ++i) {
+      change += gradient[i] * step[i];
+      rounded += std::abs(gain[i]) * unit[i];
+    }
+    const double summing = 8 * epsilon * static_cast<double>(now.trace.parts.size());
+    return {now.trace, now.trace.impulse() / period,
+            summing + (std::abs(change) + rounded) / period};
   }
 
   const Model& model_;

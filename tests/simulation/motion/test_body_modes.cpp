@@ -22,6 +22,12 @@ Complex transfer(double mass, const PoleSum& holder, Complex s) {
   return mass / chi;
 }
 
+Vector first_row(const Matrix& a) {
+  Vector row;
+  for (Index j = 0; j < a.columns(); ++j) row.push_back(a(0, j));
+  return row;
+}
+
 struct Sum {
   Complex value = 0;
   double size = 0;
@@ -34,10 +40,11 @@ struct Sum {
 // The same from the modes: sum of residues over (s - s_i).
 Sum transfer(const Modes& modes, Complex s) {
   const Spectrum& spectrum = modes.spectrum;
-  const Vector start = modes.to_modes.col(0), out = modes.from_modes.row(0);
+  const ConstView start = modes.to_modes.column(0);
+  const Vector out = first_row(modes.from_modes);
   Sum sum;
   for (Index i = 0; i < spectrum.singles(); ++i)
-    sum.add(out(i) * start(i) / (s + spectrum.rates[static_cast<std::size_t>(i)]));
+    sum.add(out[i] * start[i] / (s + spectrum.rates[i]));
   if (!spectrum.pair) return sum;
   // Sigma part of W/(s + p - sigma) = W (s + p + sigma)/((s + p)^2 - q).
   const PairNumber w = spectrum.weight(out) * spectrum.amplitude(start);
@@ -51,16 +58,30 @@ Sum transfer(const Modes& modes, Complex s) {
 // from_modes to_modes against 1, in units of the states' energies: a by sqrt(m), h_j by
 // 1/sqrt(k_j).
 double identity_error(const Modes& modes, double mass, const PoleSum& holder) {
-  Vector unit(modes.to_modes.cols());
-  unit(0) = std::sqrt(mass);
-  for (std::size_t j = 0; j < holder.weights.size(); ++j)
-    unit(static_cast<Index>(j) + 1) = 1 / std::sqrt(holder.weights[j]);
-  const Matrix from = unit.asDiagonal() * modes.from_modes;
-  const Matrix to = modes.to_modes * unit.cwiseInverse().asDiagonal();
-  const Matrix size = from.cwiseAbs() * to.cwiseAbs();
-  return ((from * to - Matrix::Identity(unit.size(), unit.size())).cwiseAbs().array() /
-          size.array().max(1))
-      .maxCoeff();
+  const Index n = modes.to_modes.columns();
+  Vector unit(n, std::sqrt(mass));
+  for (Index j = 1; j < n; ++j) unit[j] = 1 / std::sqrt(holder.weights[j - 1]);
+  double worst = 0;
+  for (Index i = 0; i < n; ++i)
+    for (Index j = 0; j < n; ++j) {
+      double sum = i == j ? -1 : 0, size = 0;
+      for (Index k = 0; k < n; ++k) {
+        const double term = unit[i] * modes.from_modes(i, k) * modes.to_modes(k, j) / unit[j];
+        sum += term;
+        size += std::abs(term);
+      }
+      worst = std::max(worst, std::abs(sum) / std::max(size, 1.0));
+    }
+  return worst;
+}
+
+// Velocity at t from v(0) = 1, h = 0.
+double velocity_after(const Modes& modes, double t) {
+  double sum = 0;
+  Factors(modes.spectrum, t).apply(modes.to_modes.column(0), [&](Index i, const auto& passed) {
+    sum += modes.from_modes(0, i) * passed[0];
+  });
+  return sum;
 }
 
 }  // namespace
@@ -71,9 +92,8 @@ BOOST_AUTO_TEST_CASE(critical_damping) {
   BOOST_REQUIRE(modes.spectrum.pair.has_value());
   BOOST_TEST(std::abs(modes.spectrum.pair->q) <= 4 * u);
   BOOST_TEST(std::abs(modes.spectrum.pair->decay - 1) <= 4 * u);
-  const Vector start = modes.to_modes * Vector{{1, 0}};
   for (const double t : {0.0, 0.3, 1.0, 2.5, 7.0}) {
-    const double velocity = (modes.from_modes * modes.spectrum.integrated(0, t, start))(0);
+    const double velocity = velocity_after(modes, t);
     // q off by 4 u changes the motion by 4 u t^2 e^{-t} at most.
     BOOST_TEST(std::abs(velocity - (1 - t) * std::exp(-t)) <= 20 * u);
   }
@@ -86,14 +106,13 @@ BOOST_AUTO_TEST_CASE(near_critical_damping) {
        {-1e-2, -1e-6, -1e-10, -1e-14, 1e-14, 1e-10, 1e-6, 1e-2, 0.2, 3.0, 100.0}) {
     const double c = 2 * (1 + off);
     const Modes modes = body_modes(1, {c, {0}, {1}});
-    const Vector start = modes.to_modes * Vector{{1, 0}};
     for (const double t : {0.1, 1.0, 5.0}) {
       const std::complex<long double> p = 0.5L * static_cast<long double>(c),
                                       w = std::sqrt(p * p - 1.0L),
                                       x = w * static_cast<long double>(t);
       const auto exact = std::exp(-p * static_cast<long double>(t)) *
                          (std::cosh(x) - p * (x == 0.0L ? 1.0L : std::sinh(x) / w));
-      const double velocity = (modes.from_modes * modes.spectrum.integrated(0, t, start))(0);
+      const double velocity = velocity_after(modes, t);
       BOOST_TEST(std::abs(velocity - static_cast<double>(exact.real())) <= 60 * u,
                  "c = " << c << ", t = " << t);
     }

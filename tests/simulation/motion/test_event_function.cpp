@@ -1,5 +1,5 @@
 // The first zero of event functions: known roots, grazing, and random sums against fine sampling.
-#include "simulation/motion/event_function.hpp"
+#include "simulation/motion/first_zero.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -11,26 +11,46 @@ namespace {
 using namespace vcrit::simulation;
 using std::numbers::pi;
 
-std::optional<double> zero_of(EventFunction f, double end, bool leaving) {
-  return first_zero(f, end, leaving);
-}
+// A sum of decays, a pair and a sinusoid with a spectrum of its own.
+class Sum {
+ public:
+  Sum(int order, double value, const std::vector<double>& rates,
+      const std::vector<double>& amplitudes, std::complex<double> sinusoid)
+      : spectrum_{Vector(rates.begin(), rates.end()), {}},
+        order_(order),
+        value_(value),
+        amplitudes_(amplitudes.begin(), amplitudes.end()),
+        sinusoid_(sinusoid) {}
 
-Spectrum decays(std::vector<double> rates) { return {std::move(rates), {}}; }
+  void add_pair(ModePair pair, double a, double b) {
+    spectrum_.pair = pair;
+    amplitudes_.push_back(a);
+    amplitudes_.push_back(b);
+  }
+  EventFunction function() const {
+    EventFunction f(spectrum_, order_, value_, std::abs(value_));
+    f.add_modes(Vector(amplitudes_.size(), 1.0), amplitudes_, 1);
+    f.add_sinusoid(sinusoid_);
+    return f;
+  }
+  std::optional<double> zero(double end, bool leaving = false) const {
+    EventFunction f = function();
+    return first_zero(f, end, leaving);
+  }
 
-EventFunction with(int order, double value, const std::vector<double>& rates,
-                   const std::vector<double>& amplitudes, std::complex<double> sinusoid) {
-  EventFunction f(order, value, std::abs(value));
-  const auto n = static_cast<Index>(rates.size());
-  f.add_modes(decays(rates), Vector::Ones(n), Vector::Map(amplitudes.data(), n), 1);
-  f.add_sinusoid(sinusoid);
-  return f;
-}
+ private:
+  Spectrum spectrum_;
+  int order_;
+  double value_;
+  Vector amplitudes_;
+  std::complex<double> sinusoid_;
+};
 
 }  // namespace
 
 // f = -cos t: the first zero is pi/2. Phases of order 1 are good to a few rounding errors.
 BOOST_AUTO_TEST_CASE(cosine) {
-  const auto zero = zero_of(with(1, -1, {}, {}, {0, -1}), 10, false);
+  const auto zero = Sum(1, -1, {}, {}, {0, -1}).zero(10);
   BOOST_REQUIRE(zero);
   BOOST_TEST(std::abs(*zero - pi / 2) < 1e-15);
 }
@@ -38,7 +58,7 @@ BOOST_AUTO_TEST_CASE(cosine) {
 // f = -(1 - e^{-t}) + t/2 - ...: f = 0.5 t - (1 - e^{-t}) leaves 0 downwards; its zero solves
 // e^{-t} = 1 - t/2, t = 2 + W(-2 e^{-2}) = 1.5936242600400400923.
 BOOST_AUTO_TEST_CASE(leaving_zero_downwards) {
-  const auto zero = zero_of(with(1, 0, {1, 0}, {-1, 0.5}, 0), 10, true);
+  const auto zero = Sum(1, 0, {1, 0}, {-1, 0.5}, 0).zero(10, true);
   BOOST_REQUIRE(zero);
   BOOST_TEST(std::abs(*zero - 1.5936242600400400923) < 2e-15);
 }
@@ -51,7 +71,7 @@ BOOST_AUTO_TEST_CASE(short_sticks_keep_their_relative_accuracy) {
     // f'' = -cos t + eps t, eps t as the difference of two constants is a slow decay's integral:
     // eps (1 - e^{-r t})/r -> eps t for r t << 1, r = 1e-3, relative correction r t/4.
     const double r = 1e-3;
-    const auto zero = zero_of(with(2, 0, {0, r}, {eps / r, -eps / r}, {-1, 0}), 1, true);
+    const auto zero = Sum(2, 0, {0, r}, {eps / r, -eps / r}, {-1, 0}).zero(1, true);
     BOOST_REQUIRE(zero);
     const double expected = 3 / eps;
     // The constant's and the decay's amplitudes, eps/r, cancel down to 1: that loses eps/r
@@ -64,8 +84,8 @@ BOOST_AUTO_TEST_CASE(short_sticks_keep_their_relative_accuracy) {
 BOOST_AUTO_TEST_CASE(maxima_below_zero_are_passed_and_above_are_found) {
   for (const double gap : {1e-3, 1e-6, 1e-9, 1e-12}) {
     // f = -1 -+ gap + sin t, whose maximum is at pi/2.
-    BOOST_TEST(!zero_of(with(1, -1 - gap, {}, {}, {1, 0}), 20, false).has_value());
-    const auto zero = zero_of(with(1, -1 + gap, {}, {}, {1, 0}), 20, false);
+    BOOST_TEST(!Sum(1, -1 - gap, {}, {}, {1, 0}).zero(20).has_value());
+    const auto zero = Sum(1, -1 + gap, {}, {}, {1, 0}).zero(20);
     BOOST_REQUIRE(zero);
     // asin(1 - gap) = pi/2 - sqrt(2 gap)(1 + gap/12); the rounding of 1 - gap moves it by
     // u/sqrt(2 gap), that of f by a few times as much.
@@ -76,7 +96,7 @@ BOOST_AUTO_TEST_CASE(maxima_below_zero_are_passed_and_above_are_found) {
 
 BOOST_AUTO_TEST_CASE(a_long_wait_takes_few_steps) {
   // f = 1e-7 t - 1 + 0.5 sin t: the first zero is the first maximum that reaches: near t = 5e6.
-  const auto zero = zero_of(with(1, -1, {0}, {1e-7}, {0.5, 0}), 1e9, false);
+  const auto zero = Sum(1, -1, {0}, {1e-7}, {0.5, 0}).zero(1e9);
   BOOST_REQUIRE(zero);
   const double t = *zero;
   BOOST_TEST(std::abs(1e-7 * t - 1 + 0.5 * std::sin(t)) < 1e-9);
@@ -97,13 +117,12 @@ BOOST_AUTO_TEST_CASE(random_sums_against_sampling) {
       rates.push_back(std::pow(10, uniform(-3, 3)));
       amplitudes.push_back(uniform(-1, 1) * (rates.back() > 1 ? rates.back() : 1));
     }
-    EventFunction f =
-        with(1, -uniform(0.01, 1), rates, amplitudes, std::polar(1.0, uniform(-3, 3)));
+    Sum sum(1, -uniform(0.01, 1), rates, amplitudes, std::polar(1.0, uniform(-3, 3)));
     const double frequency = uniform(0.1, 20), decay = uniform(0, 1);
-    Spectrum pair{{}, ModePair{decay, -frequency * frequency}};
-    f.add_modes(pair, Vector::Ones(2), Vector{{uniform(-1, 1), uniform(-1, 1)}}, 1);
+    sum.add_pair({decay, -frequency * frequency}, uniform(-1, 1), uniform(-1, 1));
     const double end = 12;
-    const auto zero = first_zero(f, end, false);
+    const auto zero = sum.zero(end);
+    EventFunction f = sum.function();
     found += zero.has_value() ? 1 : 0;
     const double until = zero.value_or(end);
     double highest = -1;

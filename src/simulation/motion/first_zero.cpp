@@ -1,0 +1,102 @@
+#include "simulation/motion/first_zero.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/errors.hpp"
+
+namespace vcrit::simulation {
+
+namespace {
+
+class March {
+ public:
+  March(EventFunction& f, double end, bool leaving) : f_(f), end_(end), leaving_(leaving) {}
+
+  std::optional<double> run() {
+    EventFunction::Point here = f_.move_to(0);
+    if (leaving_) here.value = 0;
+    for (int i = 0; i < most_steps; ++i) {
+      if (here.time >= end_) return std::nullopt;
+      const bool at_start = leaving_ && here.time == 0;
+      if (!at_start && here.value >= -here.noise) {
+        if (here.slope > 0 || here.curvature > 0) return polished(here);
+        here = f_.move_to(here.time + past(here));
+        continue;
+      }
+      const double step = safe_step(here);
+      if (step <= least_step(here.time)) {
+        if (!at_start) return polished(here);
+        return 0.0;
+      }
+      if (arrived(here, step)) return polished(here);
+      here = f_.move_to(std::min(end_, here.time + step));
+    }
+    throw ModelError("too many oscillations before the next change of stick and slip");
+  }
+
+ private:
+  static constexpr int most_steps = 10'000'000;
+
+  static double least_step(double t) {
+    return t == 0 ? 1e-300 : std::numeric_limits<double>::epsilon() * t;
+  }
+
+  // Intervals are narrowed while they hide fast terms and show little; they grow when all is safe.
+  double safe_step(const EventFunction::Point& here) {
+    while (true) {
+      const EventFunction::Safe safe = f_.safe_duration(here.value, h_);
+      if (safe.duration >= h_) {
+        const double whole = h_;
+        h_ *= 2;
+        return whole;
+      }
+      if (safe.finer && safe.duration < h_ / 4 && h_ > least_step(here.time)) {
+        h_ /= 4;
+        continue;
+      }
+      h_ = std::max(4 * safe.duration, 1e-290);
+      return safe.duration;
+    }
+  }
+
+  // f is within rounding of zero and turning down: a touch, left behind by twice the time that it
+  // takes f to get out of the rounding.
+  static double past(const EventFunction::Point& p) {
+    const double by_slope = p.slope < 0 ? 2 * p.noise / -p.slope : 1e-8;
+    const double by_curvature = p.curvature < 0 ? 2 * std::sqrt(p.noise / -p.curvature) : 1e-8;
+    return std::max(std::min(by_slope, by_curvature), 2 * least_step(p.time));
+  }
+
+  // So close to a simple zero that slope and curvature carry there without loss.
+  static bool within_reach(const EventFunction::Point& p, double step) {
+    return std::abs(step) < 1e-6 * std::min(p.time, 1.0) &&
+           std::abs(step * p.curvature) < 1e-3 * p.slope;
+  }
+
+  // The next safe step goes nearly all the way there.
+  static bool arrived(const EventFunction::Point& p, double step) {
+    return p.slope * step > -0.9 * p.value && within_reach(p, step);
+  }
+
+  double polished(const EventFunction::Point& p) const {
+    const double step = -p.value / p.slope;
+    if (!within_reach(p, step)) return std::min(end_, p.time);
+    return std::min(end_, p.time + step - 0.5 * p.curvature / p.slope * step * step);
+  }
+
+  EventFunction& f_;
+  double end_;
+  bool leaving_;
+  double h_ = 1;
+};
+
+}  // namespace
+
+std::optional<double> first_zero(EventFunction& f, double end, bool leaving) {
+  if (!leaving && f.ceiling(end) < 0) return std::nullopt;
+  return March(f, end, leaving).run();
+}
+
+}  // namespace vcrit::simulation

@@ -1,0 +1,78 @@
+#include "simulation/motion/flow.hpp"
+
+#include <algorithm>
+
+namespace vcrit::simulation {
+
+Flow::Flow(const Model& model, bool stuck, double duration)
+    : model_(&model), stuck_(stuck), factors_(phase().modes.spectrum, duration) {
+  if (stuck) filter_units();
+}
+
+// r_j after the duration: its own decay, and the integral of psi_j F' e^{-beta_j (t - x)}.
+void Flow::filter_units() {
+  const Spectrum& spectrum = phase().modes.spectrum;
+  const Index units = model_->units(), n = spectrum.singles();
+  unit_answer_ = Matrix(units, spectrum.size());
+  unit_integral_ = Matrix(model_->slow_units, spectrum.size());
+  for (Index j = 0; j < units; ++j) {
+    const double s = -model_->contact.unit_rates[j], fluidity = model_->contact.unit_fluidity[j];
+    const Integrals<double>& own = units_.emplace_back(integrals(-s, duration()));
+    const auto answer = [&](auto r, const auto& factor, auto weight, const auto& set) {
+      const auto convolved = convolution(r, factor[0], s, own[0], duration());
+      set(unit_answer_, weight * convolved);
+      if (j >= model_->slow_units) return;
+      set(unit_integral_,
+          weight * integrated_convolution(r, factor[1], s, own[1], convolved, duration()));
+    };
+    for (Index i = 0; i < n; ++i)
+      answer(-spectrum.rates[i], factors_.single(i), fluidity * phase().event[i],
+             [&](Matrix& matrix, double value) { matrix(j, i) = value; });
+    if (!spectrum.pair) continue;
+    answer(spectrum.pair->exponent, factors_.pair(), spectrum.weight(phase().event) * fluidity,
+           [&](Matrix& matrix, PairNumber value) {
+             matrix(j, n) = value.b;
+             matrix(j, n + 1) = value.a;
+           });
+  }
+}
+
+void Flow::move(ConstView z, View x, View integrals) const {
+  const Index levels = model_->level_states(), own = phase().own.rows();
+  const View held = integrals.first(model_->integrated_levels());
+  const View slow = integrals.last(model_->slow_units);
+  for (Index i = 0; i < held.size(); ++i) held[i] += x[i] * duration();
+  const View contact = x.subspan(levels, own);
+  std::fill(contact.begin(), contact.end(), 0.0);
+  factors_.apply(z, [&](Index mode, const Integrals<double>& passed) {
+    const ConstView rate = phase().levels.column(mode), state = phase().own.column(mode);
+    add(rate, passed[1], x.first(levels));
+    add(rate.first(held.size()), passed[2], held);
+    add(state, passed[0], contact);
+    if (!stuck_) add(state.first(slow.size()), passed[1], slow);
+  });
+  if (stuck_) move_units(z, x.last(model_->units()), slow);
+}
+
+void Flow::move_units(ConstView z, View units, View slow) const {
+  for (Index j = 0; j < slow.size(); ++j) slow[j] += units[j] * units_[j][1];
+  for (Index j = 0; j < units.size(); ++j) units[j] *= units_[j][0];
+  for (Index mode = 0; mode < z.size(); ++mode) {
+    add(unit_answer_.column(mode), z[mode], units);
+    add(unit_integral_.column(mode), z[mode], slow);
+  }
+}
+
+void Flow::carry(Changes& changes) const {
+  const Matrix& to_modes = phase().modes.to_modes;
+  Vector y(to_modes.columns()), z(to_modes.rows());
+  for (Index j = 0; j < changes.state.columns(); ++j) {
+    const View x = changes.state.column(j);
+    model_->rates(x, stuck_, y);
+    std::fill(z.begin(), z.end(), 0.0);
+    add_product(to_modes, y, z);
+    move(z, x, changes.integrals.column(j));
+  }
+}
+
+}  // namespace vcrit::simulation

@@ -1,0 +1,93 @@
+#include "simulation/steady/closing.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <numbers>
+
+namespace vcrit::simulation {
+
+namespace {
+
+constexpr double turn = 2 * std::numbers::pi;
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+// residual = sum of the weights times integrals.
+class ByIntegrals {
+ public:
+  ByIntegrals(const Passage& period, Closing& closing) : period_(period), closing_(closing) {}
+
+  void set(Index row, Index first, double weight, Index second = 0, double other = 0) {
+    const Matrix& changes = period_.changes.integrals;
+    closing_.residual[row] = weight * period_.integrals[first] + other * period_.integrals[second];
+    for (Index j = 0; j < changes.columns(); ++j)
+      closing_.derivative(row, j) = -weight * changes(first, j) - other * changes(second, j);
+  }
+
+ private:
+  const Passage& period_;
+  Closing& closing_;
+};
+
+// A branch of the drive changes by k_j X - a_j G_j in one period, X and G_j the integrals of u and
+// g_j. Of slow branches the first part is nearly all and belongs to the whole drive; taken off in
+// multiples of the slowest branch's change, the rest keeps its relative accuracy. A unit of the
+// contact changes by psi_j times the change of F, which is none, less beta_j times its integral.
+void close_slow_states(const Model& model, const Passage& period, Closing& closing) {
+  ByIntegrals rows(period, closing);
+  for (Index j = 0; j < model.slow_branches; ++j) {
+    const PoleSum& drive = model.body->drive;
+    if (j == 0) {
+      rows.set(1, 1, drive.weights[0], 2, -drive.rates[0]);
+      continue;
+    }
+    const double share = drive.weights[j] / drive.weights[0];
+    rows.set(1 + j, 2, share * drive.rates[0], 2 + j, -drive.rates[j]);
+    closing.identity(1 + j, 1) = -share;
+  }
+  for (Index j = 0; j < model.slow_units; ++j)
+    rows.set(model.body_states() + j, model.integrated_levels() + j, -model.contact.unit_rates[j]);
+}
+
+}  // namespace
+
+Closing closing(const Model& model, const State& start, const Passage& period) {
+  const Index n = start.x.size() - 1;
+  const Matrix& changes = period.changes.state;
+  Closing result{Vector(n), Matrix(n, changes.columns()), identity(n)};
+  for (Index i = 0; i < n; ++i) {
+    result.residual[i] = period.end.x[1 + i] - start.x[1 + i];
+    for (Index j = 0; j < changes.columns(); ++j)
+      result.derivative(i, j) = (i == j ? 1 : 0) - changes(1 + i, j);
+  }
+  close_slow_states(model, period, result);
+  return result;
+}
+
+Vector state_size(const Model& model, double velocity, const State& start) {
+  const Index n = start.x.size() - 1, body = model.body_states();
+  Vector size(n);
+  for (Index i = 0; i < n; ++i)
+    size[i] = std::abs(start.x[1 + i]) + std::abs(model.sliding_rates[i]);
+  if (body > 0) size[0] += velocity + std::abs(model.sliding_velocity);
+  for (Index i = 1; i < body; ++i) size[i] += 1;
+  for (Index j = 0; j < model.units(); ++j)
+    size[body + j] += model.contact.unit_fluidity[j] / (1 + model.contact.unit_rates[j]);
+  return size;
+}
+
+// The residuals of slow states are as small as what relaxes of them in a period.
+Vector rounding(const Model& model, double velocity, const State& start) {
+  Vector unit = state_size(model, velocity, start);
+  const double body_rate = unit.empty() ? 0 : unit[0];
+  const auto relax = [&](double& size, double rate) { size *= std::min(1.0, turn * rate); };
+  for (Index j = 0; j < model.slow_branches; ++j) {
+    relax(unit[1 + j], model.body->drive.rates[j]);
+    if (j == 0) unit[1] += turn * model.body->drive.weights[0] * body_rate;
+  }
+  for (Index j = 0; j < model.slow_units; ++j)
+    relax(unit[model.body_states() + j], model.contact.unit_rates[j]);
+  for (double& size : unit) size *= 8 * epsilon;
+  return unit;
+}
+
+}  // namespace vcrit::simulation
