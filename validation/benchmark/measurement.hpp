@@ -34,7 +34,7 @@ struct Point {
 };
 
 struct Budget {
-  double solve = 2;      ///< seconds a solve may take
+  double solve = 1.5;    ///< seconds a solve may take
   double repeat = 0.02;  ///< seconds for repeating short ones
 };
 

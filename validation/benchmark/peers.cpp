@@ -105,16 +105,18 @@ Peer reduced() {
 }  // namespace
 
 std::vector<Peer> all_peers(bool quick) {
-  const std::vector<double> tolerances =
-      quick ? std::vector{1e-6, 1e-11} : std::vector{1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-13};
+  const std::vector<double> few{1e-6, 1e-11}, some{1e-6, 1e-8, 1e-10, 1e-12},
+      many{1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-13};
+  const auto tolerances = [&](bool newton) { return quick ? few : newton ? many : some; };
   const std::vector<int> steps = quick ? std::vector{1000} : std::vector{200, 2000, 20'000};
   const std::vector<double> widths = quick ? std::vector{1e-3} : std::vector{1e-2, 1e-3, 1e-4};
   std::vector<Peer> peers{exact()};
   for (const Method method : {Method::rkf45, Method::rk8pd, Method::msbdf})
-    for (const bool newton : {true, false}) peers.push_back(gsl(method, newton, tolerances));
+    for (const bool newton : {true, false})
+      peers.push_back(gsl(method, newton, tolerances(newton)));
   for (const bool newton : {true, false}) {
-    peers.push_back(cvode("CVODE BDF", Multistep::bdf, newton, tolerances));
-    peers.push_back(cvode("CVODE Adams", Multistep::adams, newton, tolerances));
+    peers.push_back(cvode("CVODE BDF", Multistep::bdf, newton, tolerances(newton)));
+    peers.push_back(cvode("CVODE Adams", Multistep::adams, newton, tolerances(newton)));
   }
   for (const double theta : {1.0, 0.5})
     for (const bool newton : {true, false}) peers.push_back(moreau(theta, newton, steps));
