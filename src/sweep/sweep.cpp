@@ -10,7 +10,7 @@
 
 #include "base/numbers.hpp"
 #include "critical/certified.hpp"
-#include "simulation/steady/exact.hpp"
+#include "simulation/steady/curve.hpp"
 #include "sweep/grid.hpp"
 
 namespace vcrit {
@@ -119,18 +119,15 @@ class Sweeping {
 
   static void add_friction(const Scene& scene, const std::vector<double>& velocities,
                            std::vector<Answer>& answers) {
-    const simulation::System system = simulation::system_of(scene);
-    for (std::size_t i = 0; i < velocities.size(); ++i) {
-      try {
-        if (!(velocities[i] > 0 && std::isfinite(velocities[i])))
-          throw ModelError(
-              "v* is not finite and above 0, so that --over velocity_ratio has no meaning");
-        const simulation::SteadyState state = simulation::steady_state(system, velocities[i]);
-        answers[i].friction_ratio = state.friction_ratio;
-        answers[i].friction_ratio_error = state.friction_ratio_error;
-      } catch (const ModelError& error) {
-        answers[i].outside = error.what();
-      }
+    if (!std::all_of(velocities.begin(), velocities.end(),
+                     [](double v) { return v > 0 && std::isfinite(v); }))
+      throw ModelError("v* is 0 or infinite, so that velocity_ratio has no meaning");
+    const auto curve = simulation::friction_curve(simulation::system_of(scene), velocities);
+    for (std::size_t i = 0; i < curve.size(); ++i) {
+      answers[i].outside = curve[i].reason;
+      if (!curve[i].state) continue;
+      answers[i].friction_ratio = curve[i].state->friction_ratio;
+      answers[i].friction_ratio_error = curve[i].state->friction_ratio_error;
     }
   }
 
