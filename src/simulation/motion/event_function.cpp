@@ -32,8 +32,7 @@ EventFunction::EventFunction(const Spectrum& spectrum, int order, double value, 
       value_(value),
       size_(size),
       singles_(spectrum.singles()),
-      pair_{0, 0, spectrum.pair ? spectrum.pair->q : -1},
-      here_(spectrum, 0) {
+      pair_{0, 0, spectrum.pair ? spectrum.pair->q : -1} {
   ensure(order == 1 || order == 2, "event functions are integrals of order 1 or 2");
 }
 

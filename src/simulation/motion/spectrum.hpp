@@ -41,6 +41,7 @@ struct Spectrum {
 /// What a spectrum and the oscillation do over one duration.
 class Factors {
  public:
+  Factors() = default;
   Factors(const Spectrum& spectrum, double duration);
 
   double duration() const { return duration_; }
@@ -63,7 +64,7 @@ class Factors {
   }
 
  private:
-  double duration_;
+  double duration_ = 0;
   List<Integrals<double>> singles_;
   Integrals<PairNumber> pair_, turn_;
 };

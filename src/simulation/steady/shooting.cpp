@@ -14,9 +14,9 @@ namespace {
 constexpr double period = 2 * std::numbers::pi;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// A step shorter than the first is the last: its square is below rounding. One shorter than the
-// second that is not far shorter than the one before shows rounding.
-constexpr double precision = 1e-9, stagnation = 1e-5;
+// Steps shrink quadratically: one after which the next would be shorter than the first is the last.
+// One shorter than the second that is not far shorter than the one before shows rounding.
+constexpr double precision = 1e-16, stagnation = 1e-5;
 
 constexpr int most_steps = 25;
 
@@ -95,7 +95,8 @@ std::optional<State> shoot(const Model& model, double velocity, Course course) {
     const double share = share_in_order(course, step);
     if (!(share > 0.1 && size < 4 * before)) return std::nullopt;
     take(model, step, share, course);
-    const bool converged = size < precision || (size < stagnation && size > 0.1 * before);
+    const double shrinking = size / before, next = size * shrinking * shrinking;
+    const bool converged = size < stagnation && (next < precision || shrinking > 0.1);
     before = size;
     if (!converged) continue;
     const double turns = std::floor(course.start.at.time / period);

@@ -162,7 +162,7 @@ class Search {
     std::optional<Mapped> now = mapped(state_);
     Damping damping;
     for (int i = 0; i < most_steps && now && damping.value < 10; ++i) {
-      if (now->size <= 1) return finished(*now);
+      if (now->size <= 1) return finished(std::move(*now));
       if (damping.value == 0) {
         if (auto hit = shot_from(*now); hit && hit->size <= good_miss * now->size) {
           state_ = hit->start();
@@ -179,7 +179,7 @@ class Search {
         now = std::move(trial);
         damping.lower(miss);
       } else if (now->size <= 1e3) {
-        return finished(*now);
+        return finished(std::move(*now));
       } else if (!patient) {
         return std::nullopt;
       } else {
@@ -219,7 +219,7 @@ class Search {
 
   // The error left: what one more Newton step would change, the rounding of one period as the
   // steady state amplifies it, and that of the mean itself, a few errors for each of its parts.
-  SteadyCycle finished(const Mapped& now) const {
+  SteadyCycle finished(Mapped now) const {
     const LinearSolver solver(now.left.derivative);
     const Vector step = solver.solve(now.left.residual);
     const Matrix& changes = now.trace.changes.integrals;
@@ -233,8 +233,8 @@ class Search {
       rounded += std::abs(gain[i]) * unit[i];
     }
     const double summing = 8 * epsilon * static_cast<double>(now.trace.parts.size());
-    return {now.trace, now.trace.impulse() / period,
-            summing + (std::abs(change) + rounded) / period, traced_};
+    const double ratio = now.trace.impulse() / period;
+    return {std::move(now.trace), ratio, summing + (std::abs(change) + rounded) / period, traced_};
   }
 
   const Model& model_;
