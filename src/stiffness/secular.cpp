@@ -89,35 +89,34 @@ double solve(const Near& near, double low, double high, bool rising) {
   return d;
 }
 
-// One stretch between neighbouring poles; `left` -infinity stands for 0 without a pole there.
+// One stretch between neighbouring poles; `left` 0 may have no pole, `right` is infinite beyond the
+// last. Places in it are offsets, since the whole of what matters may lie within rounding of a
+// pole.
 class Stretch {
  public:
   Stretch(const SecularFunction& f, double left, double right)
       : f_(f), left_(left), right_(right) {}
 
   // The root in the monotone piece [from, to] of the stretch, where f changes its sign.
-  OffsetRate root(double from, double to, bool rising) const {
+  OffsetRate root(const OffsetRate& from, const OffsetRate& to, bool rising) const {
     const double reference = nearest(from, to, rising);
-    const Near near{f_, reference};
-    const double middle = 0.5 * (left_ + right_);
-    double low = from - reference, high = to - reference;
+    double low = from.minus(reference), high = to.minus(reference);
     if (std::isfinite(right_)) {
-      if (reference == left_) high = std::min(high, 0.5 * (right_ - left_));
-      if (reference == right_) low = std::max(low, middle - right_);
+      if (reference == left_) high = std::min(high, half());
+      if (reference == right_) low = std::max(low, -half());
     } else {
       high = upper_end();
     }
-    return {reference, solve(near, low, high, rising)};
+    return {reference, solve(Near{f_, reference}, low, high, rising)};
   }
+  double half() const { return 0.5 * (right_ - left_); }
 
  private:
-  double nearest(double from, double to, bool rising) const {
+  double nearest(const OffsetRate& from, const OffsetRate& to, bool rising) const {
     if (!std::isfinite(right_)) return left_;
-    const double middle = 0.5 * (left_ + right_);
-    if (middle <= from) return right_;
-    if (middle >= to) return left_;
-    const double half = 0.5 * (right_ - left_);
-    return (Near{f_, left_}.value(half) > 0) == rising ? left_ : right_;
+    if (from.minus(left_) >= half()) return right_;
+    if (to.minus(left_) <= half()) return left_;
+    return (Near{f_, left_}.value(half()) > 0) == rising ? left_ : right_;
   }
   // Beyond the last pole: there f > slope x - constant, and without a slope
   // f < (sum of weights)/offset - constant. The margin covers rounding.
@@ -156,40 +155,42 @@ class Roots {
     const Near at_zero{f_, 0}, at_right{f_, right};
     if (at_zero.first(0) <= 0) return;
     const auto falls = [&](double d) { return -at_right.first(d); };
-    const double top = right + bisect(falls, -right, 0);
-    if (Near{f_, 0}.value(top) <= 0) return;
+    const OffsetRate top{right, bisect(falls, -right, 0)};
+    if (at_right.value(top.offset) <= 0) return;
     const Stretch stretch(f_, 0, right);
-    roots_.push_back(stretch.root(0, top, true));
-    roots_.push_back(stretch.root(top, right, false));
+    roots_.push_back(stretch.root({0, 0}, top, true));
+    roots_.push_back(stretch.root(top, {right, 0}, false));
   }
 
   // f falls from +infinity to -infinity. Its slope is concave, so it rises at most once on the way.
   void gap(double left, double right) {
     const Stretch stretch(f_, left, right);
     if (may_rise(left, right)) {
-      const double half = 0.5 * (right - left);
+      const double half = stretch.half();
       const bool in_left_half = Near{f_, left}.second(half) < 0;
       const Near near{f_, in_left_half ? left : right};
       const double end = in_left_half ? half : -half;
       const double steepest =
           bisect([&](double d) { return near.second(d); }, std::min(end, 0.0), std::max(end, 0.0));
-      if (near.first(steepest) > 0 && three(stretch, left, right, near.reference + steepest))
+      if (near.first(steepest) > 0 && three(stretch, left, right, {near.reference, steepest}))
         return;
     }
-    roots_.push_back(stretch.root(left, right, false));
+    roots_.push_back(stretch.root({left, 0}, {right, 0}, false));
   }
 
-  bool three(const Stretch& stretch, double left, double right, double steepest) {
+  // Seen from one pole, a steepest place near the other may be within rounding of that.
+  bool three(const Stretch& stretch, double left, double right, const OffsetRate& steepest) {
     const Near from_left{f_, left}, from_right{f_, right};
-    const double bottom =
-        left + bisect([&](double d) { return from_left.first(d); }, 0, steepest - left);
-    const double top =
-        right + bisect([&](double d) { return from_right.first(d); }, steepest - right, 0);
-    if (!(left < bottom && bottom < top && top < right)) return false;
-    if (!(from_left.value(bottom - left) < 0 && from_right.value(top - right) > 0)) return false;
-    roots_.push_back(stretch.root(left, bottom, false));
+    const double inside = std::nextafter(right - left, 0);
+    const OffsetRate bottom{left, bisect([&](double d) { return from_left.first(d); }, 0,
+                                         std::min(steepest.minus(left), inside))};
+    const OffsetRate top{right, bisect([&](double d) { return from_right.first(d); },
+                                       std::max(steepest.minus(right), -inside), 0)};
+    if (!(bottom.offset > 0 && bottom.minus(top) < 0 && top.offset < 0)) return false;
+    if (!(from_left.value(bottom.offset) < 0 && from_right.value(top.offset) > 0)) return false;
+    roots_.push_back(stretch.root({left, 0}, bottom, false));
     roots_.push_back(stretch.root(bottom, top, true));
-    roots_.push_back(stretch.root(top, right, false));
+    roots_.push_back(stretch.root(top, {right, 0}, false));
     return true;
   }
 
@@ -206,7 +207,7 @@ class Roots {
   void beyond(double left) {
     const Stretch stretch(f_, left, infinity);
     if (f_.slope == 0) {
-      if (f_.constant > 0) roots_.push_back(stretch.root(left, infinity, false));
+      if (f_.constant > 0) roots_.push_back(stretch.root({left, 0}, {infinity, 0}, false));
       return;
     }
     const Near near{f_, left};
@@ -216,7 +217,7 @@ class Roots {
     const double bottom = bisect([&](double d) { return near.first(d); }, 0, far);
     if (near.value(bottom) > 0) return;
     roots_.push_back({left, solve(near, 0, bottom, false)});
-    roots_.push_back(stretch.root(left + bottom, infinity, true));
+    roots_.push_back(stretch.root({left, bottom}, {infinity, 0}, true));
   }
 
   const SecularFunction& f_;

@@ -41,7 +41,7 @@ BOOST_AUTO_TEST_CASE(finds_the_references) {
 // them.
 BOOST_AUTO_TEST_CASE(finds_them_by_marching_and_by_adams) {
   for (const reference::Row& row : reference::reference_rows()) {
-    if (row.name[1] == '3' || row.name.starts_with("P1,1,100")) continue;
+    if (row.name[1] == '3' || row.name.starts_with("P1, delta 100,")) continue;
     BOOST_TEST_CONTEXT(row.name) {
       for (const Multistep formula : {Multistep::bdf, Multistep::adams}) {
         const auto found = cvode_steady_state(row.system, row.velocity, options(formula, false));

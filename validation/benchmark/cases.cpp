@@ -61,6 +61,7 @@ Case case_of(const Cells& cells) {
   row.problem = cells.at("problem");
   row.name = name_of(cells);
   row.system = system_of(cells);
+  row.threshold = number(cells, "v_star");
   row.velocity = number(cells, "velocity");
   row.friction_ratio = number(cells, "friction_ratio");
   row.events = std::stoul(cells.at("events_per_cycle"));

@@ -1,4 +1,4 @@
-// The rows of the reference table (tests/data/stickslip_reference.csv) as benchmark cases: steady
+// The rows of the reference table (tests/data/stickslip_reference.csv) as cases: steady
 // friction to 22 digits for problems P1 (Kelvin contact, rigid drive), P2 (elastic contact, nearly
 // undamped drive) and P3 (Zener contact, relaxation times over 15 decades). Units: omega = 1,
 // <F_n> = 1.
@@ -16,6 +16,7 @@ struct Case {
   std::string problem;  ///< "P1"
   std::string name;     ///< "P3, tau 1e-6, v0 = 0.5 v*"
   simulation::System system;
+  double threshold = 0;  ///< v*, as a speed of the drive
   double velocity = 0;
   double friction_ratio = 0;
   std::size_t events = 0;

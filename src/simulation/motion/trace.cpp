@@ -11,9 +11,6 @@ namespace vcrit::simulation {
 
 namespace {
 
-// Many times what a period of any sensible motion has.
-constexpr std::size_t most_parts = 20'000;
-
 // Two events in a row without time between them are one touch within rounding: the motion goes on
 // without them for this share of a period, over which nothing can be gained or lost.
 constexpr double touch = 1e-9;
@@ -28,14 +25,16 @@ class Tracer {
   Tracer(const Model& model, double velocity, Trace& record)
       : model_(model), velocity_(velocity), record_(record) {}
 
-  // False if it would take more parts.
-  bool run(double duration, std::size_t parts) {
+  void run(double duration, std::size_t parts) {
     const double end = record_.end.at.time + duration;
+    if (!(end > record_.end.at.time)) throw ModelError("the motion grows beyond all bounds");
     while (record_.end.at.time < end) {
-      if (record_.parts.size() == parts) return false;
+      if (record_.parts.size() == parts)
+        throw ModelError(fmt::format(
+            "stick and slip alternate more than {} times within one period: the body rings",
+            parts));
       add_part(end);
     }
-    return true;
   }
 
  private:
@@ -75,20 +74,10 @@ class Tracer {
 
 }  // namespace
 
-std::optional<Trace> trace_within(std::size_t parts, const Model& model, double velocity,
-                                  const State& start, double duration) {
-  std::optional<Trace> record(begun(model, start, {}));
-  if (!Tracer(model, velocity, *record).run(duration, parts)) record.reset();
-  return record;
-}
-
 Trace trace(const Model& model, double velocity, const State& start, double duration,
-            const Matrix& changes) {
+            const Matrix& changes, std::size_t parts) {
   Trace record = begun(model, start, changes);
-  if (!Tracer(model, velocity, record).run(duration, most_parts))
-    throw ModelError(
-        fmt::format("stick and slip alternate more than {} times within one period: the body rings",
-                    most_parts));
+  Tracer(model, velocity, record).run(duration, parts);
   return record;
 }
 

@@ -23,14 +23,13 @@ struct Trace : Passage {
   List<Part, 8> parts;
 };
 
-/// The motion from `start` over `duration`. `changes`: of the start, at fixed time, or no columns.
-/// Throws ModelError where events pile up without end.
-Trace trace(const Model& model, double velocity, const State& start, double duration,
-            const Matrix& changes = {});
+/// Many times what a period of any sensible motion has.
+inline constexpr std::size_t most_parts = 20'000;
 
-/// The same without changes; nothing where it would take more parts.
-std::optional<Trace> trace_within(std::size_t parts, const Model& model, double velocity,
-                                  const State& start, double duration);
+/// The motion from `start` over `duration`. `changes`: of the start, at fixed time, or no columns.
+/// Throws ModelError where it would take more parts, or has no time left in rounding.
+Trace trace(const Model& model, double velocity, const State& start, double duration,
+            const Matrix& changes = {}, std::size_t parts = most_parts);
 
 /// The state right after the next event, or `horizon` later if there is none before.
 State next_event_state(const Model& model, double velocity, const State& start, double horizon);

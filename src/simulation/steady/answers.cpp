@@ -14,9 +14,6 @@ using namespace std::complex_literals;
 
 constexpr double turn = 2 * std::numbers::pi;
 
-// Where rounding errors would grow beyond it, no digits of the motion are left to speak of.
-constexpr double sharpest_resonance = 1e7;
-
 double wrapped(double angle) {
   const double result = angle - turn * std::floor(angle / turn);
   return result < turn ? result : 0;
@@ -118,9 +115,6 @@ SteadyState Answers::answer(double velocity, Start start, int samples, bool near
   if (v >= threshold + model_.creep) return result.sliding();
   // A path that creeps carries F = eta v in stick; the bound may never be reached.
   if (model_.creep * (1 - model_.amplitude) >= v) return result.stick();
-  if (!(model_.resonance < sharpest_resonance))
-    throw ModelError(
-        "body and drive are in undamped resonance: the swing in slip grows without bound");
   if (!near_last || !follow(v)) {
     last_.reset();
     last_.emplace(steady_cycle(

@@ -69,7 +69,11 @@ Vector state_size(const Model& model, double velocity, const State& start) {
   for (Index i = 0; i < n; ++i)
     size[i] = std::abs(start.x[1 + i]) + std::abs(model.sliding_rates[i]);
   if (body > 0) size[0] += velocity + std::abs(model.sliding_velocity);
-  for (Index i = 1; i < body; ++i) size[i] += 1;
+  // A branch's force follows the body's swing, and creeps with the whole drive.
+  for (Index j = 0; j + 1 < body; ++j) {
+    const double rate = model.body->drive.rates[j], weight = model.body->drive.weights[j];
+    size[1 + j] += rate == 0 ? 1 : weight * (size[0] / (1 + rate) + model.body->fluidity / rate);
+  }
   for (Index j = 0; j < model.units(); ++j)
     size[body + j] += model.contact.unit_fluidity[j] / (1 + model.contact.unit_rates[j]);
   return size;
@@ -78,11 +82,13 @@ Vector state_size(const Model& model, double velocity, const State& start) {
 // The residuals of slow states are as small as what relaxes of them in a period.
 Vector rounding(const Model& model, double velocity, const State& start) {
   Vector unit = state_size(model, velocity, start);
-  const double body_rate = unit.empty() ? 0 : unit[0];
   const auto relax = [&](double& size, double rate) { size *= std::min(1.0, turn * rate); };
+  double whole = 0;
   for (Index j = 0; j < model.slow_branches; ++j) {
-    relax(unit[1 + j], model.body->drive.rates[j]);
-    if (j == 0) unit[1] += turn * model.body->drive.weights[0] * body_rate;
+    const PoleSum& drive = model.body->drive;
+    relax(unit[1 + j], drive.rates[j]);
+    if (j == 0) whole = unit[1] / drive.weights[0];
+    unit[1 + j] += drive.weights[j] * (j == 0 ? turn * unit[0] : whole);
   }
   for (Index j = 0; j < model.slow_units; ++j)
     relax(unit[model.body_states() + j], model.contact.unit_rates[j]);

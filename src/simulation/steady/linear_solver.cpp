@@ -6,7 +6,10 @@
 
 namespace vcrit::simulation {
 
-LinearSolver::LinearSolver(Matrix a) : n_(a.rows()), lu_(std::move(a)) {
+LinearSolver::LinearSolver(Matrix a, ConstView sizes)
+    : n_(a.rows()), lu_(std::move(a)), size_(sizes.begin(), sizes.end()) {
+  for (Index j = 0; j < n_; ++j)
+    for (double& value : lu_.column(j)) value *= size_[j];
   for (Index i = 0; i < n_; ++i) {
     double size = 0;
     for (Index j = 0; j < n_; ++j) size = std::max(size, std::abs(lu_(i, j)));
@@ -49,7 +52,7 @@ Vector LinearSolver::solve(ConstView right) const {
   for (Index i = rank_; i-- > 0;) {
     for (Index j = i + 1; j < rank_; ++j) y[i] -= lu_(i, j) * y[j];
     y[i] /= lu_(i, i);
-    x[column_[i]] = y[i];
+    x[column_[i]] = y[i] * size_[column_[i]];
   }
   return x;
 }
@@ -57,7 +60,7 @@ Vector LinearSolver::solve(ConstView right) const {
 Vector LinearSolver::solve_transposed(ConstView right) const {
   Vector y(n_), x(n_);
   for (Index i = 0; i < rank_; ++i) {
-    y[i] = right[column_[i]];
+    y[i] = right[column_[i]] * size_[column_[i]];
     for (Index j = 0; j < i; ++j) y[i] -= lu_(j, i) * y[j];
     y[i] /= lu_(i, i);
   }

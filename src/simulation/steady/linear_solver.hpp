@@ -1,5 +1,6 @@
-// Small systems of linear equations by elimination with complete pivoting, after rows have been
-// brought to one size: equations may be of any scale, and a missing rank does no harm.
+// Small systems of linear equations by elimination with complete pivoting, after columns have
+// been measured by the sizes of their unknowns and rows been brought to one size: equations and
+// unknowns may be of any scale, and a missing rank does no harm.
 #pragma once
 
 #include "simulation/motion/storage.hpp"
@@ -8,8 +9,9 @@ namespace vcrit::simulation {
 
 class LinearSolver {
  public:
-  /// a: square. Directions in which it is singular within rounding are left out of solutions.
-  explicit LinearSolver(Matrix a);
+  /// a: square; sizes: what each unknown is measured by, > 0. Directions in which it is singular
+  /// within rounding are left out of solutions.
+  LinearSolver(Matrix a, ConstView sizes);
 
   Vector solve(ConstView right) const;
   /// With the transposed matrix.
@@ -20,7 +22,7 @@ class LinearSolver {
 
   Index n_, rank_ = 0;
   Matrix lu_;
-  Vector scale_;              ///< of each row
+  Vector scale_, size_;       ///< of each row, of each unknown
   List<Index> row_, column_;  ///< of the original matrix, by place
 };
 

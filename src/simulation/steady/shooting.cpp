@@ -42,7 +42,9 @@ Step newton_step(const Model& model, double velocity, const Course& course) {
   derivative(n - 1, n - 1) += 1;
   residual[n - 1] = passage.end.at.time - course.start.at.time - period + passage.shifts(n, last);
 
-  const Vector solution = LinearSolver(derivative).solve(residual);
+  Vector sizes = state_size(model, velocity, course.start);
+  sizes.push_back(1);
+  const Vector solution = LinearSolver(derivative, sizes).solve(residual);
   Step step{Vector(solution.begin(), solution.end() - 1), solution.back(), {}};
   for (Index i = 0; i < course.legs.size(); ++i) {
     double shift = passage.shifts(n, i);

@@ -23,6 +23,22 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 // The share of the residual by which a step may miss what was expected of it.
 constexpr double good_miss = 0.3;
 
+// A residual of so many rounding errors may be rounding, too, if the ratio does not notice it.
+constexpr double nearly = 1e3;
+
+// Where rounding errors would grow beyond these, no digits of the motion are left to speak of.
+constexpr double sharpest_resonance = 1e7, fastest_creep = 1e8;
+
+void check_reach(const Model& model) {
+  if (!(model.resonance < sharpest_resonance))
+    throw ModelError(
+        "body and drive are in undamped resonance: the swing in slip grows without bound");
+  if (!(model.creep < fastest_creep * std::abs(model.sliding_velocity)))
+    throw ModelError(
+        "drive and contact creep a hundred million times faster than the contact swings: its "
+        "velocity is lost in rounding");
+}
+
 // How much Newton's steps are damped: less after a good one, unless it was just raised.
 struct Damping {
   double value = 0;
@@ -49,14 +65,23 @@ struct Damping {
   bool raised_ = false;
 };
 
+// From rest, a body on a stiff drive rings, and sticks and slips with every ring until that has
+// died away, if it does. As the friction does not depend on the start, one that takes more than
+// this is left.
+struct Patience {
+  int attempts;
+  std::size_t parts;  ///< of a period
+};
+constexpr Patience usual{8, 200}, last{16, most_parts};
+
 class Search {
  public:
-  Search(const Model& model, double velocity, State start)
-      : model_(model), velocity_(velocity), state_(std::move(start)) {}
+  Search(const Model& model, double velocity, State start, const Patience& patience = usual)
+      : model_(model), velocity_(velocity), patience_(patience), state_(std::move(start)) {}
 
   SteadyCycle run() {
     int cycles = 1;
-    for (int attempt = 0; attempt < most_attempts; ++attempt) {
+    for (int attempt = 0; attempt < patience_.attempts; ++attempt) {
       const bool patient = attempt >= easy_attempts;
       for (int i = 0; i < cycles; ++i) plain_period();
       if (const auto cycle = closed(patient)) return *cycle;
@@ -74,26 +99,15 @@ class Search {
 
  private:
   static constexpr int easy_attempts = 4;
-  static constexpr int most_attempts = 16;
   static constexpr int most_steps = 200;
-  static constexpr std::size_t crowded = 200;
 
-  // From rest, a body on a stiff drive rings, and sticks and slips with every ring until that has
-  // died away. As the friction does not depend on the start, the search leaves this one.
   void plain_period() {
     ++traced_;
-    auto next =
-        left_start_ ? std::nullopt : trace_within(crowded, model_, velocity_, state_, period);
-    if (!next && !left_start_) {
-      state_ = sliding_start(model_, velocity_);
-      left_start_ = true;
-    }
-    last_ = next ? std::move(*next) : trace(model_, velocity_, state_, period);
+    last_ = trace(model_, velocity_, state_, period, {}, patience_.parts);
     state_ = last_.end;
   }
 
-  // The steady cycle, if it is near the last period. Above the sliding threshold it may be slip
-  // alone, which has no events to shoot at.
+  // The steady cycle, if it is near the last period. Slip alone has no events to shoot at.
   std::optional<SteadyCycle> closed(bool patient) {
     if (last_.parts.size() == 1 && state_.motion == Motion::slip) return newton(patient);
     const auto course = course_of(last_);
@@ -141,6 +155,8 @@ class Search {
     return largest;
   }
 
+  Vector size_of(const Mapped& now) const { return state_size(model_, velocity_, now.start()); }
+
   static State corrected(State state, const Vector& step) {
     for (Index i = 1; i < state.x.size(); ++i) state.x[i] += step[i - 1];
     return state;
@@ -161,6 +177,7 @@ class Search {
   std::optional<SteadyCycle> newton(bool patient) {
     std::optional<Mapped> now = mapped(state_);
     Damping damping;
+    double last_moved = infinity;
     for (int i = 0; i < most_steps && now && damping.value < 10; ++i) {
       if (now->size <= 1) return finished(std::move(*now));
       if (damping.value == 0) {
@@ -170,7 +187,8 @@ class Search {
           continue;
         }
       }
-      const Vector step = LinearSolver(damped(now->left, damping.value)).solve(now->left.residual);
+      const Vector step =
+          LinearSolver(damped(now->left, damping.value), size_of(*now)).solve(now->left.residual);
       if (!std::isfinite(sum_of_sizes(step))) return std::nullopt;
       std::optional<Mapped> trial = mapped(corrected(state_, step));
       const double miss = missed(*now, trial, left_over(*now, damping.value, step));
@@ -178,15 +196,17 @@ class Search {
         state_ = trial->start();
         now = std::move(trial);
         damping.lower(miss);
-      } else if (now->size <= 1e3) {
+      } else if (now->size <= nearly && moved(*now, trial) <= error(*now).rounding) {
         return finished(std::move(*now));
       } else if (!patient) {
         return std::nullopt;
       } else {
+        last_moved = moved(*now, trial);
         if (!trial) now = centred(*now);
         damping.raise(miss);
       }
     }
+    if (patient && now && now->size <= nearly) return finished(std::move(*now), last_moved);
     return std::nullopt;
   }
 
@@ -211,44 +231,71 @@ class Search {
     return size(expected, state_) / now.size;
   }
 
+  // By how much a step moves the friction ratio.
+  static double moved(const Mapped& now, const std::optional<Mapped>& trial) {
+    return trial ? std::abs(trial->trace.impulse() - now.trace.impulse()) / period : infinity;
+  }
+
   // The slip may have moved away from the stroboscope on the way.
   std::optional<Mapped> centred(const Mapped& now) {
     if (const auto course = course_of(now.trace)) state_ = in_slip(*course);
     return mapped(state_);
   }
 
-  // The error left: what one more Newton step would change, the rounding of one period as the
-  // steady state amplifies it, and that of the mean itself, a few errors for each of its parts.
-  SteadyCycle finished(Mapped now) const {
-    const LinearSolver solver(now.left.derivative);
+  // What one more Newton step would change, and the rounding of one period as the steady state
+  // amplifies it, with that of the mean itself, a few errors for each of its parts.
+  struct Error {
+    double change, rounding;
+  };
+  Error error(const Mapped& now) const {
+    const LinearSolver solver(now.left.derivative, size_of(now));
     const Vector step = solver.solve(now.left.residual);
     const Matrix& changes = now.trace.changes.integrals;
     Vector gradient;
     for (Index j = 0; j < changes.columns(); ++j) gradient.push_back(changes(0, j));
     const Vector gain = solver.solve_transposed(gradient);
-    const Vector unit = rounding(model_, velocity_, state_);
+    const Vector unit = rounding(model_, velocity_, now.start());
     double change = 0, rounded = 0;
     for (Index i = 0; i < step.size(); ++i) {
       change += gradient[i] * step[i];
       rounded += std::abs(gain[i]) * unit[i];
     }
     const double summing = 8 * epsilon * static_cast<double>(now.trace.parts.size());
+    return {std::abs(change) / period, summing + rounded / period};
+  }
+
+  // Below the threshold a cycle that only slips is one whose stick is lost in rounding: no error of
+  // its own tells of that, but the ratio is not below that of the speeds.
+  SteadyCycle finished(Mapped now, double more = 0) const {
+    if (now.trace.parts.size() == 1)
+      more = 1 - velocity_ / (std::abs(model_.sliding_velocity) + model_.creep);
     const double ratio = now.trace.impulse() / period;
-    return {std::move(now.trace), ratio, summing + (std::abs(change) + rounded) / period, traced_};
+    const auto [change, rounding] = error(now);
+    return {std::move(now.trace), ratio, change + rounding + more, traced_};
   }
 
   const Model& model_;
   double velocity_;
+  Patience patience_;
   State state_;
   Trace last_;
-  bool left_start_ = false;
   int traced_ = 0;
 };
 
 }  // namespace
 
 SteadyCycle steady_cycle(const Model& model, double velocity, State start) {
-  return Search(model, velocity, std::move(start)).run();
+  check_reach(model);
+  const auto search = [&](State from, const Patience& patience) -> std::optional<SteadyCycle> {
+    try {
+      return Search(model, velocity, std::move(from), patience).run();
+    } catch (const ModelError&) {
+      return std::nullopt;
+    }
+  };
+  if (auto found = search(std::move(start), usual)) return *std::move(found);
+  if (auto found = search(sliding_start(model, velocity), last)) return *std::move(found);
+  return Search(model, velocity, rest_start(model, velocity), last).run();
 }
 
 std::optional<SteadyCycle> steady_cycle_near(const Model& model, double velocity,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "random_networks.hpp"
+#include "simulation/steady/onset.hpp"
 #include "simulation/system/system.hpp"
 #include "stiffness/relaxation.hpp"
 
@@ -50,6 +51,15 @@ inline rc::Gen<double> ratio_below_one() {
   return rc::gen::oneOf(
       rc::gen::map(rc::gen::inRange(1, 65), [](int n) { return std::pow(10, -n / 16.0); }),
       rc::gen::map(rc::gen::inRange(2, 30), [](int n) { return 1 - std::pow(2, -n); }));
+}
+
+/// A share of the threshold. Left out is what the simulator declines by name: body and drive in
+/// undamped resonance, and creep that leaves no digits of the contact's swing.
+inline double drive_velocity(const simulation::System& system, double ratio) {
+  const auto [contact, drive] = simulation::sliding_threshold(system);
+  RC_PRE(std::isfinite(drive) && contact > 0);
+  RC_PRE(drive - contact < 0.9e8 * contact);
+  return ratio * drive;
 }
 
 inline void showValue(const Draw& draw, std::ostream& out) {

@@ -15,9 +15,7 @@ using namespace vcrit::simulation;
 
 EnergyBalance balance_of(const Draw& draw, double ratio) {
   const System system = properties::system_of(draw);
-  const double threshold = sliding_threshold(system).drive_velocity;
-  RC_PRE(std::isfinite(threshold) && threshold > 0);
-  return energy_balance(system, ratio * threshold);
+  return energy_balance(system, drive_velocity(system, ratio));
 }
 
 void check_balance(const EnergyBalance& energy, double tolerance) {

@@ -16,13 +16,6 @@ constexpr double u = 1.1e-16;
 
 rc::Gen<Draw> any_draw() { return draws(*rc::gen::element(1, 3, 6)); }
 
-// Drawn systems that the simulator declines, by name: body and drive in undamped resonance.
-double drive_velocity(const System& system, double ratio) {
-  const double threshold = sliding_threshold(system).drive_velocity;
-  RC_PRE(std::isfinite(threshold) && threshold > 0);
-  return ratio * threshold;
-}
-
 System scaled(System system, double stiffness, double force) {
   system.contact = scaled(system.contact, stiffness);
   if (system.drive) system.drive = scaled(*system.drive, stiffness);
