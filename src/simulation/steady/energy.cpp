@@ -85,13 +85,17 @@ EnergyBalance energy_of_creep(const Model& model, double velocity) {
 }
 
 // The contact velocity may be far smaller than its terms, of which each has a few rounding errors,
-// and those that swing with the oscillation the rounding of its phase, up to two turns.
+// and those that swing, with the oscillation or on their own, the rounding of the phase, up to two
+// periods.
 double rounding_of_velocity(const Model& model, double velocity, const State& state) {
   if (state.motion == Motion::stick) return 0;
   double swing = model.contact.glassy * model.amplitude;
   for (const std::complex<double>& rate : model.sliding_rates) swing += std::abs(rate);
   double size = velocity + model.contact.fluidity + 2 * period * swing;
-  if (model.body) size += std::abs(state.x[1]);
+  if (model.body) {
+    const std::optional<ModePair>& own = model.slip.modes.spectrum.pair;
+    size += std::abs(state.x[1]) * (1 + (own ? 2 * period * own->rate : 0));
+  }
   for (Index j = model.level_states(); j < model.slip_states(); ++j) size += std::abs(state.x[j]);
   return 4 * epsilon * size;
 }

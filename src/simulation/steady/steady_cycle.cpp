@@ -27,7 +27,7 @@ constexpr double good_miss = 0.3;
 constexpr double nearly = 1e3;
 
 // Where rounding errors would grow beyond these, no digits of the motion are left to speak of.
-constexpr double sharpest_resonance = 1e7, fastest_creep = 1e8;
+constexpr double sharpest_resonance = 1e7, fastest_creep = 1e7;
 
 void check_reach(const Model& model) {
   if (!(model.resonance < sharpest_resonance))
@@ -35,7 +35,7 @@ void check_reach(const Model& model) {
         "body and drive are in undamped resonance: the swing in slip grows without bound");
   if (!(model.creep < fastest_creep * std::abs(model.sliding_velocity)))
     throw ModelError(
-        "drive and contact creep a hundred million times faster than the contact swings: its "
+        "drive and contact creep ten million times faster than the contact swings: its "
         "velocity is lost in rounding");
 }
 

@@ -58,7 +58,7 @@ inline rc::Gen<double> ratio_below_one() {
 inline double drive_velocity(const simulation::System& system, double ratio) {
   const auto [contact, drive] = simulation::sliding_threshold(system);
   RC_PRE(std::isfinite(drive) && contact > 0);
-  RC_PRE(drive - contact < 0.9e8 * contact);
+  RC_PRE(drive - contact < 0.9e7 * contact);
   return ratio * drive;
 }
 
