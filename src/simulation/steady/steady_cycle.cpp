@@ -265,7 +265,7 @@ class Search {
   }
 
   // Below the threshold a cycle that only slips is one whose stick is lost in rounding: no error of
-  // its own tells of that, but the ratio is not below that of the speeds.
+  // its own tells of that. The ratio is taken not to be below that of the speeds.
   SteadyCycle finished(Mapped now, double more = 0) const {
     if (now.trace.parts.size() == 1)
       more = 1 - velocity_ / (std::abs(model_.sliding_velocity) + model_.creep);

@@ -95,7 +95,8 @@ BOOST_AUTO_TEST_CASE(fast_creep) {
 }
 
 // One whose search from rest never settles, and one whose search from sliding is led far away: each
-// is found from the other start.
+// is found from the other start, so that only the answer and its bounds are tried here, not
+// agreement.
 BOOST_AUTO_TEST_CASE(one_start_serves_for_the_other) {
   check("undamped drive",
         {{0, 0, {{0.056234132519034905, 0.0042127407572765431}}},
