@@ -15,24 +15,43 @@ namespace {
 constexpr double period = 2 * std::numbers::pi;
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
+// A dissipated power and what its rounding may come to.
+struct Heat {
+  double power = 0, rounding = 0;
+
+  // Of a damper that moves at `rate`: power = rate^2 * factor, rate known to a few roundings of
+  // `size`.
+  void add(double rate, double factor, double size) {
+    power += rate * rate * factor;
+    rounding += 2 * std::abs(rate) * factor * 4 * epsilon * (std::abs(rate) + size);
+  }
+};
+
+// How much the rounding of its phase, up to two periods, moves what swings.
+double swing_of_phase(double amplitude) { return 2 * period * amplitude; }
+
+// The same of the body's velocity on its own pair of modes.
+double swing_of_body(const Model& model, const State& state) {
+  const std::optional<ModePair>& own = model.slip.modes.spectrum.pair;
+  return own ? swing_of_phase(std::abs(state.x[1]) * own->rate) : 0;
+}
+
 // Contact as Kelvin units behind a free damper, each under the same force F and creeping at r_j;
 // the drive as branches beside a damper, all moving at u. A branch's damper k_j/a_j carries g_j.
-double heat_of_dampers(const Model& model, const State& state) {
+Heat heat_of_dampers(const Model& model, const State& state) {
   const ContactModes& contact = model.contact;
-  double heat = contact.fluidity * state.x[0] * state.x[0];
-  const Index units = model.units(), first = states(model, state.motion) - units;
-  for (Index j = 0; j < units; ++j) {
-    const double rate = state.x[first + j];
-    heat += rate * rate / contact.unit_fluidity[j];
-  }
+  const auto swing = [&](Index j) { return swing_of_phase(std::abs(model.sliding_rates[j])); };
+  Heat heat;
+  heat.add(state.x[0], contact.fluidity, swing_of_phase(model.amplitude));
+  const Index units = model.units(), body = model.body_states();
+  const Index first = states(model, state.motion) - units;
+  for (Index j = 0; j < units; ++j)
+    heat.add(state.x[first + j], 1 / contact.unit_fluidity[j], swing(body + j));
   if (!model.body) return heat;
   const PoleSum& drive = model.body->drive;
-  heat += drive.direct * state.x[1] * state.x[1];
-  for (Index j = 0; j + 1 < model.body_states(); ++j) {
-    const auto branch = static_cast<std::size_t>(j);
-    const double force = state.x[2 + j];
-    heat += force * force * drive.rates[branch] / drive.weights[branch];
-  }
+  heat.add(state.x[1], drive.direct, swing(0) + swing_of_body(model, state));
+  for (Index j = 0; j + 1 < body; ++j)
+    heat.add(state.x[2 + j], drive.rates[j] / drive.weights[j], swing(1 + j));
   return heat;
 }
 
@@ -85,17 +104,13 @@ EnergyBalance energy_of_creep(const Model& model, double velocity) {
 }
 
 // The contact velocity may be far smaller than its terms, of which each has a few rounding errors,
-// and those that swing, with the oscillation or on their own, the rounding of the phase, up to two
-// periods.
+// and those that swing, with the oscillation or on their own, the rounding of the phase.
 double rounding_of_velocity(const Model& model, double velocity, const State& state) {
   if (state.motion == Motion::stick) return 0;
   double swing = model.contact.glassy * model.amplitude;
   for (const std::complex<double>& rate : model.sliding_rates) swing += std::abs(rate);
-  double size = velocity + model.contact.fluidity + 2 * period * swing;
-  if (model.body) {
-    const std::optional<ModePair>& own = model.slip.modes.spectrum.pair;
-    size += std::abs(state.x[1]) * (1 + (own ? 2 * period * own->rate : 0));
-  }
+  double size = velocity + model.contact.fluidity + swing_of_phase(swing);
+  if (model.body) size += std::abs(state.x[1]) + swing_of_body(model, state);
   for (Index j = model.level_states(); j < model.slip_states(); ++j) size += std::abs(state.x[j]);
   return 4 * epsilon * size;
 }
@@ -113,8 +128,10 @@ class Account {
       const double force = state.x[0], slip = contact_velocity(model_, velocity_, state);
       distance_ += weight * slip;
       energy_.friction += weight * force * slip;
-      energy_.dampers += weight * heat_of_dampers(model_, state);
-      energy_.error += weight * std::abs(force) * rounding_of_velocity(model_, velocity_, state);
+      const Heat heat = heat_of_dampers(model_, state);
+      energy_.dampers += weight * heat.power;
+      energy_.error += weight * (heat.rounding +
+                                 std::abs(force) * rounding_of_velocity(model_, velocity_, state));
     });
   }
 
