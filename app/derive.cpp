@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "commands.hpp"
-#include "derivation/print.hpp"
+#include "document/print.hpp"
 #include "options.hpp"
 
 namespace vcrit::app {

@@ -6,12 +6,13 @@
 #include <complex>
 #include <numbers>
 
+#include "analysis/limits.hpp"
 #include "compiler.hpp"
 #include "critical/admissibility.hpp"
 #include "critical/certified.hpp"
 #include "critical/critical_velocity.hpp"
-#include "derivation/print.hpp"
 #include "evaluators.hpp"
+#include "formula/text.hpp"
 #include "friction.hpp"
 #include "reduced_difference.hpp"
 #include "simulation/steady/onset.hpp"
@@ -168,8 +169,7 @@ bool has_closed_form(const SceneReport& report, const simulation::System& system
          elastic(relaxation_form(report.scene.normal, values));
 }
 
-Comparison simulated_velocity(const SceneReport& report,
-                              const simulation::Onset& threshold) {
+Comparison simulated_velocity(const SceneReport& report, const simulation::Onset& threshold) {
   Comparison comparison = velocity_comparison(report, "simulation", "stick-slip simulation");
   comparison.found = threshold.contact_velocity;
   comparison.tolerance = 1e-9;
@@ -177,8 +177,7 @@ Comparison simulated_velocity(const SceneReport& report,
   return comparison;
 }
 
-Comparison simulated_creep(const SceneReport& report,
-                           const simulation::Onset& threshold) {
+Comparison simulated_creep(const SceneReport& report, const simulation::Onset& threshold) {
   Comparison comparison = simulated_velocity(report, threshold);
   comparison.key = "creep";
   comparison.name = "speed of the far end when pure sliding begins, by simulation";

@@ -9,6 +9,7 @@
 #include "base/numbers.hpp"
 #include "compiler.hpp"
 #include "emit/generate.hpp"
+#include "formula/value.hpp"
 
 namespace vcrit::validation {
 

@@ -1,7 +1,7 @@
 #include "values.hpp"
 
-#include "derivation/print.hpp"
-#include "derivation/symbols.hpp"
+#include "formula/symbols.hpp"
+#include "formula/text.hpp"
 
 namespace vcrit::validation {
 

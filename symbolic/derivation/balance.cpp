@@ -1,7 +1,7 @@
 #include "derivation/balance.hpp"
 
 #include "derivation/factors.hpp"
-#include "derivation/symbols.hpp"
+#include "formula/symbols.hpp"
 
 namespace vcrit::symbolic {
 

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "derivation/derivation.hpp"
+#include "formula/line.hpp"
 
 namespace vcrit::symbolic {
 

@@ -5,7 +5,7 @@
 #include "base/errors.hpp"
 #include "derivation/factors.hpp"
 #include "derivation/model.hpp"
-#include "derivation/symbols.hpp"
+#include "formula/symbols.hpp"
 
 namespace vcrit::symbolic {
 
@@ -82,39 +82,11 @@ Derivation derive(const Scene& scene) {
   if (result.lines.back().left.is_equal(quantity("v*"))) result.lines.pop_back();
   result.lines.push_back({"Result", quantity("v*"), formula->velocity});
 
-  const auto stiffness = [&](const std::string& name) {
-    ex k = quantity(name);
-    for (const Line& identity : model.identities()) k = k.subs(identity.left == identity.right);
-    for (const Part& part : model.networks())
-      if (k.has(quantity(part.name))) k = k.subs(quantity(part.name) == model.stiffness(part));
-    return k;
-  };
-  result.normal = stiffness("K_n");
-  result.tangential = stiffness("K_t");
-  if (scene.drive) result.drive = stiffness("K_d");
   result.critical_velocity = formula->velocity;
   result.definitions = formula->definitions;
   result.equation = formula->equation.empty() ? "(24)" : formula->equation;
   result.parameters = parameters(scene, *formula);
   return result;
-}
-
-GiNaC::numeric value_at(const ex& formula, const std::vector<Line>& definitions,
-                        const std::map<Symbol, GiNaC::numeric>& values) {
-  GiNaC::exmap known;
-  for (const auto& [name, value] : values) {
-    known[symbol(name)] = value;
-    known[poisson_ratio(name)] = value;
-  }
-  const auto omega_value = known.find(omega());
-  if (omega_value != known.end()) known[laplace()] = GiNaC::I * omega_value->second;
-  const auto evaluate = [&known](const ex& expression) {
-    const ex number = expression.subs(known, GiNaC::subs_options::no_pattern).evalf();
-    ensure(GiNaC::is_a<GiNaC::numeric>(number), "a formula whose symbols all have values");
-    return GiNaC::ex_to<GiNaC::numeric>(number);
-  };
-  for (const Line& line : definitions) known[line.left] = evaluate(line.right);
-  return evaluate(formula);
 }
 
 }  // namespace vcrit::symbolic

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "base/errors.hpp"
-#include "derivation/form.hpp"
-#include "derivation/symbols.hpp"
+#include "formula/form.hpp"
+#include "formula/symbols.hpp"
 
 namespace vcrit::symbolic {
 

@@ -5,7 +5,7 @@
 
 #include "base/errors.hpp"
 #include "derivation/factors.hpp"
-#include "derivation/symbols.hpp"
+#include "formula/symbols.hpp"
 
 namespace vcrit::symbolic {
 

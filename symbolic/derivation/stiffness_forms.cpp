@@ -1,6 +1,6 @@
 #include "derivation/stiffness_forms.hpp"
 
-#include "derivation/symbols.hpp"
+#include "formula/symbols.hpp"
 
 namespace vcrit::symbolic {
 

@@ -10,10 +10,13 @@
 #include <string>
 #include <vector>
 
-#include "derivation/derivation.hpp"
+#include "formula/line.hpp"
 #include "network/reduction.hpp"
 
 namespace vcrit::symbolic {
+
+/// Symbols that go with T^rate as T grows without end: 1 to infinity, -1 to zero, absent: stay.
+using Rates = std::map<Symbol, int>;
 
 /// value T^power is the leading term of K(s).
 template <class Value>

@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "base/numbers.hpp"
-#include "derivation/symbols.hpp"
 #include "emit/network_code.hpp"
+#include "formula/symbols.hpp"
 #include "network/reduction.hpp"
 
 namespace vcrit::symbolic {

@@ -6,13 +6,13 @@
 #include <filesystem>
 
 #include "derivation/derivation.hpp"
-#include "derivation/print.hpp"
 #include "emit/arithmetic_text.hpp"
 #include "emit/evaluation_code.hpp"
 #include "emit/generate.hpp"
 #include "emit/names.hpp"
 #include "emit/parameters.hpp"
 #include "emit/words.hpp"
+#include "formula/text.hpp"
 
 namespace vcrit::symbolic {
 

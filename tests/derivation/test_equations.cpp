@@ -2,10 +2,12 @@
 // are typed from the paper; the derivation does not know them.
 #include <boost/test/unit_test.hpp>
 
+#include "analysis/limits.hpp"
 #include "derivation/derivation.hpp"
-#include "derivation/print.hpp"
 #include "derivation/scenes.hpp"
-#include "derivation/symbols.hpp"
+#include "document/print.hpp"
+#include "formula/symbols.hpp"
+#include "formula/text.hpp"
 
 using namespace vcrit;
 using namespace vcrit::symbolic;

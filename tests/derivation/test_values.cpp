@@ -4,9 +4,11 @@
 
 #include <cmath>
 
+#include "analysis/limits.hpp"
 #include "derivation/derivation.hpp"
 #include "derivation/scenes.hpp"
-#include "derivation/symbols.hpp"
+#include "formula/symbols.hpp"
+#include "formula/value.hpp"
 #include "support/nodal.hpp"
 #include "support/random_scene.hpp"
 

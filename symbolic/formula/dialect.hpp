@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "derivation/form.hpp"
+#include "formula/form.hpp"
 
 namespace vcrit::symbolic {
 

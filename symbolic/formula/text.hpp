@@ -5,11 +5,9 @@
 
 #include <string>
 
-#include "derivation/derivation.hpp"
+#include "formula/line.hpp"
 
 namespace vcrit::symbolic {
-
-enum class Format { text, latex, markdown, json };
 
 std::string to_text(const GiNaC::ex& expression);
 std::string to_latex(const GiNaC::ex& expression);
@@ -17,8 +15,5 @@ std::string to_latex(const GiNaC::ex& expression);
 std::string to_mathml(const GiNaC::ex& expression);
 /// The equation left = right.
 std::string to_mathml(const Line& line);
-
-/// What `vcrit derive` prints; the same bytes in every run.
-std::string print(const Scene& scene, Format format, bool with_limits);
 
 }  // namespace vcrit::symbolic

@@ -1,11 +1,14 @@
-#include "derivation/print.hpp"
+#include "document/print.hpp"
 
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
 
-#include "derivation/dialect.hpp"
-#include "derivation/symbols.hpp"
+#include "analysis/limits.hpp"
+#include "derivation/derivation.hpp"
+#include "formula/dialect.hpp"
+#include "formula/symbols.hpp"
+#include "formula/text.hpp"
 
 namespace vcrit::symbolic {
 
@@ -146,24 +149,6 @@ std::string json_document(const Content& content) {
 }
 
 }  // namespace
-
-std::string to_text(const GiNaC::ex& expression) {
-  return text_dialect().print(form_of(expression));
-}
-
-std::string to_latex(const GiNaC::ex& expression) {
-  return latex_dialect().print(form_of(expression));
-}
-
-std::string to_mathml(const GiNaC::ex& expression) {
-  return "<math xmlns=\"http://www.w3.org/1998/Math/MathML\" display=\"block\"><mrow>" +
-         mathml_dialect().print(form_of(expression)) + "</mrow></math>";
-}
-
-std::string to_mathml(const Line& line) {
-  return "<math xmlns=\"http://www.w3.org/1998/Math/MathML\" display=\"block\"><mrow>" +
-         equation(mathml_dialect(), line) + "</mrow></math>";
-}
 
 std::string print(const Scene& scene, Format format, bool with_limits) {
   const Content content{scene, derive(scene), with_limits ? limits(scene) : std::vector<Limit>{}};

@@ -6,8 +6,8 @@
 #include <cctype>
 #include <map>
 
-#include "derivation/dialect.hpp"
-#include "derivation/notation.hpp"
+#include "formula/dialect.hpp"
+#include "formula/notation.hpp"
 
 namespace vcrit::symbolic {
 
@@ -41,8 +41,7 @@ class MathMl : public Dialect {
     std::string result = "<mi>" + letter(n.base) + "</mi>";
     const auto dots = std::count(n.above.begin(), n.above.end(), '\'');
     if (dots > 0)
-      result = fmt::format("<mover>{}<mo>{}</mo></mover>", result,
-                           dots == 1 ? "˙" : "¨");
+      result = fmt::format("<mover>{}<mo>{}</mo></mover>", result, dots == 1 ? "˙" : "¨");
     std::vector<std::string> parts;
     for (const std::string& part : n.index) parts.push_back(index_part(part));
     const std::string index = fmt::format("{}", fmt::join(parts, "<mo>,</mo>"));

@@ -1,4 +1,4 @@
-#include "derivation/dialect.hpp"
+#include "formula/dialect.hpp"
 
 namespace vcrit::symbolic {
 

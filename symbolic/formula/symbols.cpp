@@ -1,4 +1,4 @@
-#include "derivation/symbols.hpp"
+#include "formula/symbols.hpp"
 
 #include <cmath>
 #include <map>

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cctype>
 
-#include "derivation/dialect.hpp"
-#include "derivation/notation.hpp"
+#include "formula/dialect.hpp"
+#include "formula/notation.hpp"
 
 namespace vcrit::symbolic {
 

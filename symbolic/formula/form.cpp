@@ -1,4 +1,4 @@
-#include "derivation/form.hpp"
+#include "formula/form.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -6,7 +6,7 @@
 #include <tuple>
 
 #include "base/errors.hpp"
-#include "derivation/dialect.hpp"
+#include "formula/dialect.hpp"
 
 namespace vcrit::symbolic {
 

@@ -1,4 +1,4 @@
-#include "derivation/notation.hpp"
+#include "formula/notation.hpp"
 
 #include <algorithm>
 #include <array>

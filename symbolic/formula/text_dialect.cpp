@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "derivation/dialect.hpp"
+#include "formula/dialect.hpp"
 
 namespace vcrit::symbolic {
 

@@ -3,10 +3,13 @@
 
 #include <nlohmann/json.hpp>
 
-#include "derivation/form.hpp"
-#include "derivation/print.hpp"
+#include "analysis/limits.hpp"
+#include "derivation/derivation.hpp"
 #include "derivation/scenes.hpp"
-#include "derivation/symbols.hpp"
+#include "document/print.hpp"
+#include "formula/form.hpp"
+#include "formula/symbols.hpp"
+#include "formula/text.hpp"
 #include "support/program.hpp"
 
 using namespace vcrit;

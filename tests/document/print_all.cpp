@@ -2,9 +2,11 @@
 // gives the same bytes.
 #include <iostream>
 
-#include "derivation/print.hpp"
+#include "derivation/derivation.hpp"
 #include "derivation/scenes.hpp"
+#include "document/print.hpp"
 #include "emit/generate.hpp"
+#include "formula/text.hpp"
 
 int main() {
   using namespace vcrit;

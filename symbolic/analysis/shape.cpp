@@ -1,11 +1,11 @@
-#include "derivation/shape.hpp"
+#include "analysis/shape.hpp"
 
 #include <functional>
 #include <map>
 #include <numeric>
 #include <type_traits>
 
-#include "derivation/symbols.hpp"
+#include "formula/symbols.hpp"
 
 namespace vcrit::symbolic {
 

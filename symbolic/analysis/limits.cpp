@@ -1,4 +1,5 @@
-// The limits and special cases of v* that a scene has.
+#include "analysis/limits.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -6,11 +7,11 @@
 #include <map>
 #include <set>
 
-#include "derivation/dialect.hpp"
+#include "analysis/shape.hpp"
+#include "derivation/derivation.hpp"
 #include "derivation/model.hpp"
-#include "derivation/print.hpp"
-#include "derivation/shape.hpp"
-#include "derivation/symbols.hpp"
+#include "formula/dialect.hpp"
+#include "formula/symbols.hpp"
 
 namespace vcrit::symbolic {
 

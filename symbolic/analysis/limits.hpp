@@ -1,0 +1,31 @@
+// The limits and special cases of v* that a scene has.
+#pragma once
+
+#include <ginac/ginac.h>
+
+#include <string>
+#include <vector>
+
+#include "derivation/stiffness_forms.hpp"
+#include "formula/line.hpp"
+#include "scene/scene.hpp"
+
+namespace vcrit::symbolic {
+
+/// A limit or special case of v* that applies to the scene.
+struct Limit {
+  std::string name;  ///< "kd -> infinity", say
+  std::string latex_name;
+  std::string equation;  ///< number in the paper, "(31)", where it is one, else empty
+  GiNaC::ex result;
+  std::vector<Line> definitions;  ///< as in Derivation
+  Rates rates;                    ///< a way to approach it; empty where values alone do not
+};
+
+/// Drive to rigid, mass to 0, each damper to 0 and to infinity, all dampers to 0, then the drive to
+/// rigid, and the isotropic contact where both networks have one shape. Left out: limits that cut a
+/// network in two, in which the normal force grows without end, or in which nothing is left that
+/// moves.
+std::vector<Limit> limits(const Scene& scene);
+
+}  // namespace vcrit::symbolic

@@ -1,0 +1,15 @@
+// The derivation of a scene as a document.
+#pragma once
+
+#include <string>
+
+#include "scene/scene.hpp"
+
+namespace vcrit::symbolic {
+
+enum class Format { text, latex, markdown, json };
+
+/// What `vcrit derive` prints; the same bytes in every run.
+std::string print(const Scene& scene, Format format, bool with_limits);
+
+}  // namespace vcrit::symbolic

@@ -1,0 +1,25 @@
+#include "formula/text.hpp"
+
+#include "formula/dialect.hpp"
+
+namespace vcrit::symbolic {
+
+std::string to_text(const GiNaC::ex& expression) {
+  return text_dialect().print(form_of(expression));
+}
+
+std::string to_latex(const GiNaC::ex& expression) {
+  return latex_dialect().print(form_of(expression));
+}
+
+std::string to_mathml(const GiNaC::ex& expression) {
+  return "<math xmlns=\"http://www.w3.org/1998/Math/MathML\" display=\"block\"><mrow>" +
+         mathml_dialect().print(form_of(expression)) + "</mrow></math>";
+}
+
+std::string to_mathml(const Line& line) {
+  return "<math xmlns=\"http://www.w3.org/1998/Math/MathML\" display=\"block\"><mrow>" +
+         mathml_dialect().equation(form_of(line.left), form_of(line.right)) + "</mrow></math>";
+}
+
+}  // namespace vcrit::symbolic
