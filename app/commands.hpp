@@ -6,7 +6,7 @@
 
 namespace vcrit::app {
 
-void add_derive(CLI::App& program);
+void add_derive(CLI::App& program, int& status);
 void add_eval(CLI::App& program);
 void add_generate(CLI::App& program);
 void add_simulate(CLI::App& program);

@@ -3,18 +3,33 @@
 
 #include <map>
 #include <memory>
+#include <string>
 
+#include "analysis/equality.hpp"
 #include "commands.hpp"
 #include "document/print.hpp"
 #include "options.hpp"
 
 namespace vcrit::app {
 
-void add_derive(CLI::App& program) {
+namespace {
+
+/// The exit status: 0 for equal, 1 for different.
+int print_comparison(const Scene& scene, const Scene& other, symbolic::Format format) {
+  const symbolic::Comparison comparison = symbolic::compare(scene, other);
+  fmt::print("{}", format == symbolic::Format::json ? symbolic::json_of(comparison)
+                                                    : symbolic::text_of(comparison));
+  return comparison.equal ? 0 : 1;
+}
+
+}  // namespace
+
+void add_derive(CLI::App& program, int& status) {
   struct Options {
     SceneOptions scene;
     symbolic::Format format = symbolic::Format::text;
     bool limits = false;
+    std::string equal;
   };
   using symbolic::Format;
   static const std::map<std::string, Format> formats{{"text", Format::text},
@@ -31,7 +46,13 @@ void add_derive(CLI::App& program) {
   command->add_flag_callback(
       "--json", [options] { options->format = Format::json; }, "the same as --format json");
   command->add_flag("--limits", options->limits, "derive the limits that apply to the scene");
-  command->callback([options] {
+  command->add_option("--equal", options->equal,
+                      "instead, prove or refute that this scene file has the same v*");
+  command->callback([options, &status] {
+    if (!options->equal.empty()) {
+      status = print_comparison(options->scene.read(), read_scene(options->equal), options->format);
+      return;
+    }
     fmt::print("{}", symbolic::print(options->scene.read(), options->format, options->limits));
   });
 }

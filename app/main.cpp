@@ -32,7 +32,7 @@ int run(int argc, char** argv) {
   program.require_subcommand(1);
   program.set_version_flag("--version", version_text, "print the versions of vcrit and its parts");
   int status = done;
-  vcrit::app::add_derive(program);
+  vcrit::app::add_derive(program, status);
   vcrit::app::add_eval(program);
   vcrit::app::add_generate(program);
   vcrit::app::add_simulate(program);

@@ -21,7 +21,7 @@ ReducedTable reduced_table(double a, const std::vector<double>& deltas,
 
 /// The least of the ratios 0.01, 0.02 ... 0.99 from which on the difference stays below
 /// `tolerance`; nothing if it does not even at 0.99.
-std::optional<double> usable_from(double delta, double a, double tolerance);
+std::optional<double> usable_from(double delta, double a, double allowed);
 
 /// Nothing unless the scene is an isotropic Kelvin contact (with a damper) under a rigid drive.
 /// Throws InputError for missing values.

@@ -39,7 +39,7 @@ void write_networks(const Model& model, std::vector<Line>& lines) {
                                                  {"K_d", "Drive, with s = i*omega"}};
   const ex amplitude = model.amplitude({});
   std::vector<Line> inner;
-  for (const auto& [name, reduction] : model.networks()) {
+  for (const auto& [name, network, reduction] : model.networks()) {
     if (!amplitude.has(quantity(name))) continue;
     const std::size_t before = inner.size();
     const ex k = nested(reduction, {}, inner).value;

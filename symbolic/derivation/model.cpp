@@ -67,7 +67,7 @@ ex isotropic_ratio(const Isotropic& isotropic) {
 Model::Model(const Scene& scene)
     : surrounding_{scene.drive.has_value(), scene.mass.has_value()},
       balance_(solve_balance(surrounding_)) {
-  networks_.push_back({"K_n", reduce(scene.normal)});
+  networks_.push_back({"K_n", scene.normal});
   if (const auto* isotropic = std::get_if<Isotropic>(&scene.tangential)) {
     isotropic_ = true;
     const char* words = isotropic->by == Isotropic::By::poisson
@@ -75,7 +75,7 @@ Model::Model(const Scene& scene)
                             : "Isotropic contact";
     identities_.push_back({words, quantity("K_t"), isotropic_ratio(*isotropic) * quantity("K_n")});
   } else {
-    networks_.push_back({"K_t", reduce(std::get<Network>(scene.tangential))});
+    networks_.push_back({"K_t", std::get<Network>(scene.tangential)});
   }
   if (!scene.drive) return;
   const char* words = "The drive is the same network";
@@ -84,7 +84,7 @@ Model::Model(const Scene& scene)
   else if (!isotropic_ && *scene.drive == std::get<Network>(scene.tangential))
     identities_.push_back({words, quantity("K_d"), quantity("K_t")});
   else
-    networks_.push_back({"K_d", reduce(*scene.drive)});
+    networks_.push_back({"K_d", *scene.drive});
 }
 
 ex Model::amplitude(const Change& change) const {
@@ -98,10 +98,14 @@ ex Model::amplitude(const Change& change) const {
   return factors.value();
 }
 
+ex Model::per_friction() const {
+  return (amplitude({}) / symbol({"mu0"}) / symbol({"du_z"})).normal();
+}
+
 bool Model::is_small(const ex& amplitude, const Change& change) const {
   std::map<std::string, TermCount> counts;
   double largest = 0, sum = 0, product = 1;
-  for (const auto& [name, reduction] : networks_) {
+  for (const auto& [name, network, reduction] : networks_) {
     if (!has(amplitude, name)) continue;
     const TermCount count = term_count(reduction, change.rates).value;
     largest = std::max({largest, count.numerator, count.denominator});
@@ -115,7 +119,7 @@ bool Model::is_small(const ex& amplitude, const Change& change) const {
 
 std::optional<Formula> Model::formula(const Change& change) const {
   std::map<std::string, int> powers;
-  for (const auto& [name, reduction] : networks_)
+  for (const auto& [name, network, reduction] : networks_)
     powers[name] = term_count(reduction, change.rates).power;
   if (powers["K_n"] != 0 || powers["K_t"] < 0 || powers["K_d"] < 0) return std::nullopt;
   if (change.rigid) powers["K_d"] += much_faster;
@@ -142,7 +146,7 @@ std::optional<Formula> Model::formula(const Change& change) const {
 Formula Model::multiplied_out(const Factors& amplitude, const Change& change) const {
   std::map<std::string, Fraction> fractions;
   GiNaC::exmap put;
-  for (const auto& [name, reduction] : networks_) {
+  for (const auto& [name, network, reduction] : networks_) {
     if (!is_readable(term_count(reduction, change.rates).value)) continue;
     const Fraction k = fractions[name] = fraction(reduction, change.rates).value;
     put[quantity(name)] = k.numerator / k.denominator;
@@ -157,7 +161,7 @@ Formula Model::multiplied_out(const Factors& amplitude, const Change& change) co
 
 Formula Model::nested_in(const Factors& amplitude, const Change& change) const {
   Formula formula{omega() * amplitude.modulus(), {}, ""};
-  for (const auto& [name, reduction] : networks_) {
+  for (const auto& [name, network, reduction] : networks_) {
     if (!has(formula.velocity, name)) continue;
     const ex k = nested(reduction, change.rates, formula.definitions).value;
     formula.definitions.push_back({"", quantity(name), k});
@@ -184,21 +188,6 @@ std::string Model::equation(const std::map<std::string, Fraction>& networks,
   if (both(is_constant)) return "(30)";
   if (!both(is_kelvin)) return "";
   return isotropic ? "(29)" : "(27)";
-}
-
-ex Model::stiffness(const Part& part) const {
-  const Reduction& reduction = part.reduction;
-  std::vector<Line> definitions;
-  ex k;
-  if (is_readable(term_count(reduction, {}).value)) {
-    const Fraction whole = fraction(reduction, {}).value;
-    k = whole.numerator / whole.denominator;
-  } else {
-    k = nested(reduction, {}, definitions).value;
-    for (auto line = definitions.rbegin(); line != definitions.rend(); ++line)
-      k = k.subs(line->left == line->right);
-  }
-  return k.subs(laplace() == GiNaC::I * omega());
 }
 
 }  // namespace vcrit::symbolic

@@ -33,7 +33,8 @@ struct Formula {
 /// One of the networks, "K_n", "K_t" or "K_d".
 struct Part {
   std::string name;
-  Reduction reduction;
+  Network network;
+  Reduction reduction = reduce(network);
 };
 
 class Model {
@@ -43,6 +44,8 @@ class Model {
   const Balance& balance() const { return balance_; }
   /// The amplitude B after isotropy and equal networks have been put in.
   GiNaC::ex amplitude(const Change& change) const;
+  /// B/(mu0 du_z) without a limit.
+  GiNaC::ex per_friction() const;
   /// Nothing where the limit cuts a network in two, makes the normal network rigid, or leaves no
   /// motion.
   std::optional<Formula> formula(const Change& change) const;
@@ -50,8 +53,6 @@ class Model {
   const std::vector<Line>& identities() const { return identities_; }
   /// K_n, K_t and K_d, in this order, as far as they have a network of their own.
   const std::vector<Part>& networks() const { return networks_; }
-  /// The part's stiffness at s = i omega, multiplied out where it is small.
-  GiNaC::ex stiffness(const Part& part) const;
 
  private:
   bool is_small(const GiNaC::ex& amplitude, const Change& change) const;

@@ -22,6 +22,7 @@ ROOMS = [
     "src/simulation/methods",
     "src/sweep",
     "symbolic/formula",
+    "symbolic/polynomial",
     "symbolic/derivation",
     "symbolic/analysis",
     "symbolic/document",

@@ -20,7 +20,7 @@ struct Course {
 
 /// The course of a recorded period from the beginning of its longest slip on; nothing if it has
 /// none or does not repeat itself.
-std::optional<Course> course_of(const Trace& period);
+std::optional<Course> course_of(const Trace& trace);
 
 /// Changes are those of the state where the cycle begins and ends. Their columns: each number of
 /// the state but F, the time of the beginning, and the shift of all events onto their zeros.

@@ -1,0 +1,196 @@
+#include "analysis/equality.hpp"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "analysis/rational_form.hpp"
+#include "analysis/residues.hpp"
+#include "base/numbers.hpp"
+#include "critical/critical_velocity.hpp"
+#include "formula/symbols.hpp"
+
+namespace vcrit::symbolic {
+
+namespace {
+
+// Formulas up to this size are brought to their canonical form in a moment.
+constexpr double terms_to_prove_by = 300;
+
+constexpr std::uint64_t points = 4;
+
+using Decimals = std::map<std::string, GiNaC::numeric>;
+
+/// The decimals of elements and mass; nothing if one is missing.
+std::optional<Decimals> decimals(const Scene& scene) {
+  Decimals result;
+  for (const auto& [symbol, value] : scene.elements) {
+    if (!value) return std::nullopt;
+    result[to_text(symbol)] = exact_decimal(*value);
+  }
+  if (const auto* isotropic = std::get_if<Isotropic>(&scene.tangential);
+      isotropic != nullptr && !isotropic->quantity.value)
+    return std::nullopt;
+  if (!scene.mass) return result;
+  if (!scene.mass->value) return std::nullopt;
+  result["m"] = exact_decimal(*scene.mass->value);
+  return result;
+}
+
+/// Where a scene's symbols have their decimals; the others stay where they are.
+Point at_decimals(const Point& point, const Decimals& values) {
+  return [&point, &values](const std::string& symbol) {
+    const auto found = values.find(symbol);
+    return found == values.end() ? point(symbol) : Residue(found->second);
+  };
+}
+
+/// Whether both agree at all points where neither divides by 0.
+bool agree(const Model& a, const Decimals& a_values, const Model& b, const Decimals& b_values) {
+  std::uint64_t compared = 0;
+  for (std::uint64_t number = 0; compared < points; ++number) {
+    const Point point = named_point(number);
+    const auto first = square_at(a, at_decimals(point, a_values));
+    const auto second = square_at(b, at_decimals(point, b_values));
+    if (!first || !second) continue;
+    ++compared;
+    if (!(*first == *second)) return false;
+  }
+  return true;
+}
+
+bool small(const Model& model) { return terms_before_squaring(model) <= terms_to_prove_by; }
+
+/// What is the same at all points, proved where it can be.
+Comparison equal(Comparison::Scope scope, bool proved, const Model& a, const Model& b) {
+  Comparison result;
+  result.equal = true;
+  result.scope = scope;
+  if (proved) return result;
+  result.evidence = Comparison::Evidence::residues;
+  result.chance_of_error = std::pow(chance_of_agreement(a, b), points);
+  return result;
+}
+
+/// The scene with numbers for what has none, and all of its numbers.
+class Filled {
+ public:
+  Filled(const Scene& scene, const std::map<Symbol, double>& values) : scene_(scene) {
+    const auto set = [&values](Quantity& quantity) {
+      if (const auto found = values.find(quantity.symbol); found != values.end())
+        quantity.value = found->second;
+    };
+    for (auto& [symbol, value] : scene_.elements)
+      if (const auto found = values.find(symbol); found != values.end()) value = found->second;
+    if (auto* isotropic = std::get_if<Isotropic>(&scene_.tangential)) set(isotropic->quantity);
+    if (scene_.mass) set(*scene_.mass);
+    for (Quantity* each :
+         {&scene_.coefficient, &scene_.angular_frequency, &scene_.amplitude, &scene_.indentation})
+      set(*each);
+  }
+  double critical_velocity() const { return vcrit::critical_velocity(scene_); }
+
+ private:
+  Scene scene_;
+};
+
+std::set<Symbol> symbols_in(const Scene& scene, bool with_elements) {
+  std::set<Symbol> result{scene.coefficient.symbol, scene.angular_frequency.symbol,
+                          scene.amplitude.symbol};
+  if (!with_elements) return result;
+  for (const auto& [symbol, value] : scene.elements) result.insert(symbol);
+  if (scene.mass) result.insert(scene.mass->symbol);
+  if (const auto* isotropic = std::get_if<Isotropic>(&scene.tangential))
+    if (!isotropic->quantity.value) result.insert(isotropic->quantity.symbol);
+  return result;
+}
+
+/// Small numbers for the symbols; Poisson's ratio among them needs to be below 1/2.
+std::map<Symbol, double> numbers(const std::set<Symbol>& symbols, std::uint64_t point) {
+  std::map<Symbol, double> result;
+  for (const Symbol& symbol : symbols)
+    result[symbol] = static_cast<double>(named_point(point)(to_text(symbol)).value() % 19 + 1) / 40;
+  return result;
+}
+
+// Two different functions of few numbers differ nearly everywhere, mostly by a lot; doubles show
+// differences far smaller than this.
+constexpr double clear_difference = 1e-3;
+
+Comparison different(Comparison::Scope scope, const Scene& a, const Scene& b) {
+  Comparison result;
+  result.scope = scope;
+  std::set<Symbol> symbols = symbols_in(a, scope == Comparison::Scope::symbols);
+  symbols.merge(symbols_in(b, scope == Comparison::Scope::symbols));
+  double largest = 1e-12;
+  for (std::uint64_t point = 0; point < 64 && largest < clear_difference; ++point) {
+    auto values = numbers(symbols, point);
+    // Elements with values of their own show their difference somewhere over these decades.
+    if (scope == Comparison::Scope::values)
+      values[a.angular_frequency.symbol] *= std::pow(10, point % 16);
+    const double first = Filled(a, values).critical_velocity();
+    const double second = Filled(b, values).critical_velocity();
+    const double difference = std::abs(first - second) / std::max(first, second);
+    if (!(difference > largest)) continue;
+    largest = difference;
+    result.counterexample = {{values.begin(), values.end()}, first, second};
+  }
+  return result;
+}
+
+}  // namespace
+
+Comparison compare(const Scene& a, const Scene& b) {
+  using Scope = Comparison::Scope;
+  const Model first(a), second(b);
+  if (agree(first, {}, second, {})) {
+    const bool proved = small(first) && small(second) &&
+                        canonical_text(rational_form(first, terms_to_prove_by)) ==
+                            canonical_text(rational_form(second, terms_to_prove_by));
+    return equal(Scope::symbols, proved, first, second);
+  }
+  const auto values = decimals(a), others = decimals(b);
+  if (!values || !others) return different(Scope::symbols, a, b);
+  if (!agree(first, *values, second, *others)) return different(Scope::values, a, b);
+  const bool proved = canonical_text(rational_form(first, *values)) ==
+                      canonical_text(rational_form(second, *others));
+  return equal(Scope::values, proved, first, second);
+}
+
+std::string text_of(const Comparison& comparison) {
+  const bool symbols = comparison.scope == Comparison::Scope::symbols;
+  std::string text = comparison.equal ? "equal: " : "different: ";
+  text += symbols ? "v* as a function of all symbols" : "v* with the elements' values put in";
+  if (comparison.equal && comparison.evidence == Comparison::Evidence::canonical_form)
+    return text + "; both have one canonical form\n";
+  if (comparison.equal)
+    return text + "; the same residues at " + std::to_string(points) +
+           " points, by chance with less than " + to_text(comparison.chance_of_error) + "\n";
+  if (!comparison.counterexample) return text + "\n";
+  text += "; where\n";
+  for (const auto& [symbol, value] : comparison.counterexample->values)
+    text += "    " + to_text(symbol) + " = " + to_text(value) + "\n";
+  return text + "v* is " + to_text(comparison.counterexample->first) + " m/s and " +
+         to_text(comparison.counterexample->second) + " m/s\n";
+}
+
+std::string json_of(const Comparison& comparison) {
+  const bool symbols = comparison.scope == Comparison::Scope::symbols;
+  nlohmann::ordered_json out{{"equal", comparison.equal},
+                             {"scope", symbols ? "symbols" : "values"}};
+  if (comparison.equal) {
+    const bool canonical = comparison.evidence == Comparison::Evidence::canonical_form;
+    out["evidence"] = canonical ? "canonical form" : "residues";
+    out["chance_of_error"] = comparison.chance_of_error;
+  } else if (comparison.counterexample) {
+    nlohmann::ordered_json values;
+    for (const auto& [symbol, value] : comparison.counterexample->values)
+      values[to_text(symbol)] = value;
+    out["counterexample"] = {{"values", values},
+                             {"first", comparison.counterexample->first},
+                             {"second", comparison.counterexample->second}};
+  }
+  return out.dump(2) + "\n";
+}
+
+}  // namespace vcrit::symbolic

@@ -1,0 +1,247 @@
+#include "analysis/rational_form.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "formula/form.hpp"
+#include "formula/rational.hpp"
+#include "formula/symbols.hpp"
+#include "polynomial/network_polynomials.hpp"
+
+namespace vcrit::symbolic {
+
+namespace {
+
+using GiNaC::ex;
+
+struct CountAlgebra {
+  using Value = TermNumbers;
+  const std::map<std::string, TermNumbers>& networks;
+
+  Value number(const GiNaC::numeric&) const { return {1, 1}; }
+  Value name(const std::string& name) const {
+    const auto found = networks.find(name);
+    return found == networks.end() ? TermNumbers{1, 1} : found->second;
+  }
+  Value add(const Value& a, const Value& b) const {
+    return {a.over * b.under + b.over * a.under, a.under * b.under};
+  }
+  Value multiply(const Value& a, const Value& b) const {
+    return {a.over * b.over, a.under * b.under};
+  }
+  Value invert(const Value& a) const { return {a.under, a.over}; }
+};
+
+struct QuotientAlgebra {
+  using Value = Quotient;
+  const Ring& ring;
+  std::map<std::string, Quotient> known;  ///< what is not a variable of the ring
+
+  Value number(const GiNaC::numeric& value) const {
+    return {integer(value.numer()), integer(value.denom())};
+  }
+  Value name(const std::string& name) const {
+    const auto found = known.find(name);
+    if (found != known.end()) return found->second;
+    return {Polynomial::variable(ring, name), Polynomial(ring, 1)};
+  }
+  Value add(const Value& a, const Value& b) const { return cancelled(a + b); }
+  // Of two fractions without common factors only those across the bar may have some.
+  Value multiply(const Value& a, const Value& b) const {
+    return cancelled({a.over, b.under}) * cancelled({b.over, a.under});
+  }
+  Value invert(const Value& a) const { return inverse(a); }
+
+  Value element(const Element& e) const {
+    const Value k = name(to_text(e.coefficient));
+    switch (e.kind) {
+      case ElementKind::spring:
+        return k;
+      case ElementKind::damper:
+        return multiply(k, name("s"));
+      case ElementKind::maxwell:
+        break;
+    }
+    const Value turn = multiply(name(to_text(e.time)), name("s"));
+    return multiply(multiply(k, turn), inverse(add(turn, number(1))));
+  }
+  Value parallel(const Value& a, const Value& b) const { return add(a, b); }
+  Value series(const Value& a, const Value& b) const { return mesh(a, b, add(a, b)); }
+  Value mesh(const Value& a, const Value& b, const Value& total) const {
+    return multiply(multiply(a, b), inverse(total));
+  }
+
+ private:
+  Polynomial integer(const GiNaC::numeric& value) const {
+    std::ostringstream digits;
+    digits << value;
+    Polynomial result(ring, 0);
+    result.add_term(digits.str(), std::vector<unsigned long>(ring.size()));
+    return result;
+  }
+};
+
+/// The symbols of all polynomials, in natural order behind s and omega.
+std::vector<std::string> variables(const Model& model, const ex& amplitude) {
+  std::set<std::string> names;
+  for (auto it = amplitude.preorder_begin(); it != amplitude.preorder_end(); ++it)
+    if (GiNaC::is_a<GiNaC::symbol>(*it)) names.insert(GiNaC::ex_to<GiNaC::symbol>(*it).get_name());
+  for (const Part& part : model.networks()) {
+    if (names.erase(part.name) == 0) continue;
+    for (const Symbol& each : symbols_of(part.network)) names.insert(to_text(each));
+  }
+  names.erase("s");
+  std::vector<std::string> sorted(names.begin(), names.end());
+  std::sort(sorted.begin(), sorted.end(), natural_less);
+  sorted.insert(sorted.begin(), {"s", "omega"});
+  return sorted;
+}
+
+/// |f|^2 at s = i omega.
+Polynomial squared_modulus(const Polynomial& f) {
+  const Ring& ring = f.ring();
+  const std::size_t s = ring.index("s"), omega = ring.index("omega");
+  Polynomial even(ring, 0), odd(ring, 0);
+  for (std::size_t i = 0; i < f.terms(); ++i) {
+    std::vector<unsigned long> exponents = f.exponents(i);
+    const unsigned long power = exponents[s];
+    exponents[omega] += std::exchange(exponents[s], 0);
+    std::string coefficient = f.coefficient(i);
+    if (power % 4 >= 2)
+      coefficient = coefficient.starts_with('-') ? coefficient.substr(1) : "-" + coefficient;
+    (power % 2 == 0 ? even : odd).add_term(coefficient, exponents);
+  }
+  return even * even + odd * odd;
+}
+
+ex expression(const Polynomial& polynomial) {
+  std::vector<ex> variables;
+  for (const std::string& name : polynomial.ring().names()) variables.push_back(symbol({name}));
+  GiNaC::exvector terms;
+  for (std::size_t i = 0; i < polynomial.terms(); ++i) {
+    ex term = GiNaC::numeric(polynomial.coefficient(i).c_str());
+    const auto exponents = polynomial.exponents(i);
+    for (std::size_t v = 0; v < variables.size(); ++v)
+      if (exponents[v] > 0) term *= GiNaC::pow(variables[v], static_cast<int>(exponents[v]));
+    terms.push_back(term);
+  }
+  return GiNaC::add(terms);
+}
+
+/// The polynomial's coefficients of the powers of omega.
+std::map<unsigned long, Polynomial> by_omega(const Polynomial& polynomial) {
+  const std::size_t omega = polynomial.ring().index("omega");
+  std::map<unsigned long, Polynomial> result;
+  for (std::size_t i = 0; i < polynomial.terms(); ++i) {
+    std::vector<unsigned long> exponents = polynomial.exponents(i);
+    const unsigned long power = std::exchange(exponents[omega], 0);
+    result.try_emplace(power, polynomial.ring(), 0)
+        .first->second.add_term(polynomial.coefficient(i), exponents);
+  }
+  return result;
+}
+
+/// Writes numerator or denominator by powers of omega, coefficients of several terms as lines of
+/// their own.
+class Writer {
+ public:
+  explicit Writer(std::vector<Line>& lines) : lines_(lines) {}
+
+  /// The polynomial divided by omega^taken as an expression, or its name.
+  ex write(const std::string& name, const std::string& coefficient, const std::string& words,
+           const Polynomial& polynomial, unsigned long taken) {
+    const auto powers = by_omega(polynomial);
+    if (powers.size() == 1 && polynomial.terms() == 1) return expression(powers.begin()->second);
+    ex sum = 0;
+    std::vector<Line> coefficients;
+    for (const auto& [power, value] : powers) {
+      const ex whole = expression(value);
+      const ex k = quantity(coefficient + "_" + std::to_string(power - taken));
+      if (value.terms() > 1) coefficients.push_back({"", k, whole});
+      sum += (value.terms() > 1 ? k : whole) * GiNaC::pow(omega(), static_cast<int>(power - taken));
+    }
+    lines_.push_back({words, quantity(name), sum});
+    lines_.insert(lines_.end(), coefficients.begin(), coefficients.end());
+    return quantity(name);
+  }
+
+ private:
+  std::vector<Line>& lines_;
+};
+
+/// From B/(mu0 du_z).
+RationalForm squared(const std::shared_ptr<const Ring>& ring, const Quotient& b) {
+  const Polynomial omega_squared = Polynomial::power(*ring, "omega", 2);
+  return {ring, cancelled({omega_squared * squared_modulus(b.over), squared_modulus(b.under)})};
+}
+
+}  // namespace
+
+double terms_before_squaring(const Model& model) {
+  std::map<std::string, TermNumbers> networks;
+  for (const Part& part : model.networks()) networks[part.name] = term_numbers(part.network);
+  const TermNumbers count = evaluate(model.per_friction(), CountAlgebra{networks});
+  return std::max(count.over, count.under);
+}
+
+RationalForm rational_form(const Model& model, double budget) {
+  const double terms = terms_before_squaring(model);
+  if (terms > budget)
+    throw ModelError(fmt::format(
+        "multiplied out, v* has polynomials of {:.6g} terms, more than the budget of {:.6g}", terms,
+        budget));
+  const ex amplitude = model.per_friction();
+  const auto ring = std::make_shared<const Ring>(variables(model, amplitude));
+  QuotientAlgebra algebra{*ring, {}};
+  for (const Part& part : model.networks())
+    if (amplitude.has(quantity(part.name)))
+      algebra.known.emplace(part.name, stiffness(part.network, *ring));
+  return squared(ring, evaluate(amplitude, algebra));
+}
+
+RationalForm rational_form(const Model& model,
+                           const std::map<std::string, GiNaC::numeric>& values) {
+  const ex amplitude = model.per_friction();
+  const auto ring = std::make_shared<const Ring>(std::vector<std::string>{"s", "omega"});
+  QuotientAlgebra algebra{*ring, {}};
+  for (const auto& [name, value] : values) algebra.known.emplace(name, algebra.number(value));
+  for (const Part& part : model.networks())
+    if (amplitude.has(quantity(part.name)))
+      algebra.known.emplace(part.name, evaluate(part.reduction, algebra));
+  return squared(ring, evaluate(amplitude, algebra));
+}
+
+std::string canonical_text(const RationalForm& form) {
+  const std::vector<std::string>& names = form.ring->names();
+  std::string text;
+  for (const Polynomial* polynomial : {&form.square.over, &form.square.under}) {
+    text += text.empty() ? "" : "/";
+    for (std::size_t i = 0; i < polynomial->terms(); ++i) {
+      text += fmt::format(" {}", polynomial->coefficient(i));
+      const auto exponents = polynomial->exponents(i);
+      for (std::size_t v = 0; v < names.size(); ++v)
+        if (exponents[v] > 0) text += fmt::format("*{}^{}", names[v], exponents[v]);
+    }
+  }
+  return text;
+}
+
+std::vector<Line> lines_of(const RationalForm& form) {
+  std::vector<Line> lines;
+  const unsigned long above = form.square.over.lowest_degree("omega");
+  const unsigned long below = form.square.under.lowest_degree("omega");
+  Writer writer(lines);
+  const ex over = writer.write("N", "n", "Numerator", form.square.over, above);
+  const ex under = writer.write("D", "d", "Denominator", form.square.under, below);
+  const int power = static_cast<int>(above) - static_cast<int>(below);
+  const ex square =
+      GiNaC::pow(symbol({"mu0"}) * symbol({"du_z"}), 2) * GiNaC::pow(omega(), power) * over / under;
+  lines.insert(lines.begin(),
+               {"As a rational function of omega^2", GiNaC::pow(quantity("v*"), 2), square});
+  return lines;
+}
+
+}  // namespace vcrit::symbolic

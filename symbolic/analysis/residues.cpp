@@ -1,0 +1,132 @@
+#include "analysis/residues.hpp"
+
+#include <fmt/format.h>
+
+#include "formula/rational.hpp"
+#include "formula/symbols.hpp"
+
+namespace vcrit::symbolic {
+
+namespace {
+
+/// Of the residues of symbols those of stiffnesses, and from these that of B.
+struct ResidueAlgebra {
+  using Value = Residue;
+  const Point& point;
+  Residue s;
+  std::map<std::string, Residue> networks;
+
+  Value element(const Element& e) const {
+    const Residue k = point(to_text(e.coefficient));
+    switch (e.kind) {
+      case ElementKind::spring:
+        return k;
+      case ElementKind::damper:
+        return k * s;
+      case ElementKind::maxwell:
+        break;
+    }
+    const Residue turn = point(to_text(e.time)) * s;
+    return k * turn * inverse(Residue(1) + turn);
+  }
+  Value parallel(Value a, Value b) const { return a + b; }
+  Value series(Value a, Value b) const { return a * b * inverse(a + b); }
+  Value mesh(Value a, Value b, Value total) const { return a * b * inverse(total); }
+
+  Value number(const GiNaC::numeric& value) const { return Residue(value); }
+  Value name(const std::string& name) const {
+    if (name == "s") return s;
+    const auto found = networks.find(name);
+    return found == networks.end() ? point(name) : found->second;
+  }
+  Value add(Value a, Value b) const { return a + b; }
+  Value multiply(Value a, Value b) const { return a * b; }
+  Value invert(Value a) const { return inverse(a); }
+};
+
+Residue amplitude_at(const Model& model, const GiNaC::ex& amplitude, const Point& point,
+                     Residue s) {
+  ResidueAlgebra algebra{point, s, {}};
+  for (const Part& part : model.networks())
+    if (amplitude.has(quantity(part.name)))
+      algebra.networks[part.name] = evaluate(part.reduction, algebra);
+  return evaluate(amplitude, algebra);
+}
+
+// The finalizer of SplitMix64: every bit of the input moves half the bits of the output.
+std::uint64_t mixed(std::uint64_t x) {
+  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9;
+  x = (x ^ (x >> 27)) * 0x94d049bb133111eb;
+  return x ^ (x >> 31);
+}
+
+}  // namespace
+
+Residue::Residue(const GiNaC::numeric& rational) {
+  const GiNaC::numeric p(std::to_string(prime).c_str());
+  const auto residue = [&p](const GiNaC::numeric& integer) {
+    std::ostringstream digits;
+    digits << GiNaC::mod(integer, p);
+    return Residue(std::stoull(digits.str()));
+  };
+  *this = residue(rational.numer()) * inverse(residue(rational.denom()));
+}
+
+Residue operator+(Residue a, Residue b) { return Residue(a.value_ + b.value_); }
+
+Residue operator*(Residue a, Residue b) {
+  __extension__ using Wide = unsigned __int128;
+  const Wide product = Wide{a.value_} * b.value_;
+  return Residue(static_cast<std::uint64_t>(product & Residue::prime) +
+                 static_cast<std::uint64_t>(product >> 61));
+}
+
+// a^(p - 2)
+Residue inverse(Residue a) {
+  if (a.value_ == 0) throw NoInverse{};
+  Residue result(1), power = a;
+  for (std::uint64_t exponent = Residue::prime - 2; exponent > 0; exponent /= 2) {
+    if (exponent % 2 == 1) result = result * power;
+    power = power * power;
+  }
+  return result;
+}
+
+Point named_point(std::uint64_t number) {
+  return [number](const std::string& symbol) {
+    std::uint64_t hash = mixed(number + 0x9e3779b97f4a7c15);
+    for (const char c : symbol)
+      hash = mixed(hash + static_cast<unsigned char>(c) + 0x9e3779b97f4a7c15);
+    return Residue(hash);
+  };
+}
+
+std::optional<Residue> square_at(const Model& model, const Point& point) try {
+  const GiNaC::ex amplitude = model.per_friction();
+  const Residue s = point("s");
+  return -(s * s) * amplitude_at(model, amplitude, point, s) *
+         amplitude_at(model, amplitude, point, -s);
+} catch (const NoInverse&) {
+  return std::nullopt;
+}
+
+// Each element brings at most the degree 3, k tau s; B holds each network at most twice and beside
+// them m s^2 and a ratio; and v*^2 holds B twice. Two quotients are equal where a polynomial of
+// both degrees together is 0.
+double chance_of_agreement(const Model& a, const Model& b) {
+  double degree = 0;
+  for (const Model* model : {&a, &b})
+    for (const Part& part : model->networks())
+      degree += 2 * (2 * 3 * static_cast<double>(part.reduction.steps.size()) + 10);
+  return 2 * degree / static_cast<double>(Residue::prime);
+}
+
+std::string fingerprint(const Model& model) {
+  std::string digits;
+  for (std::uint64_t number = 0; digits.size() < 32; ++number)
+    if (const auto square = square_at(model, named_point(number)))
+      digits += fmt::format("{:016x}", square->value());
+  return digits;
+}
+
+}  // namespace vcrit::symbolic

@@ -1,0 +1,89 @@
+// Polynomials with integer coefficients, by FLINT: multiplied out, in one order of terms, fast.
+#pragma once
+
+#include <flint/fmpz_mpoly.h>
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace vcrit::symbolic {
+
+/// The variables of polynomials, the first one leading in the order of terms. Must outlive its
+/// polynomials.
+class Ring {
+ public:
+  explicit Ring(const std::vector<std::string>& names);
+  ~Ring();
+  Ring(const Ring&) = delete;
+  Ring& operator=(const Ring&) = delete;
+
+  const std::vector<std::string>& names() const { return names_; }
+  std::size_t size() const { return names_.size(); }
+  std::size_t index(const std::string& name) const;
+  const fmpz_mpoly_ctx_struct* context() const { return context_; }
+
+ private:
+  std::vector<std::string> names_;
+  std::map<std::string, std::size_t> index_;
+  fmpz_mpoly_ctx_t context_;
+};
+
+class Polynomial {
+ public:
+  Polynomial(const Ring& ring, long constant);
+  static Polynomial variable(const Ring& ring, const std::string& name);
+  static Polynomial power(const Ring& ring, const std::string& name, unsigned long exponent);
+  Polynomial(const Polynomial& other);
+  Polynomial(Polynomial&& other) noexcept;
+  Polynomial& operator=(Polynomial other) noexcept;
+  ~Polynomial();
+
+  const Ring& ring() const { return *ring_; }
+  bool is_zero() const;
+  bool is_one() const;
+  std::size_t terms() const;
+  /// Exponents of term i, one for each variable, and its coefficient as text.
+  std::vector<unsigned long> exponents(std::size_t i) const;
+  std::string coefficient(std::size_t i) const;
+  unsigned long degree(const std::string& variable) const;
+  Polynomial derivative(const std::string& variable) const;
+  /// The largest power of the variable that divides every term; of 0 none does.
+  unsigned long lowest_degree(const std::string& variable) const;
+  /// Divided by variable^power, which must divide every term.
+  Polynomial without_power(const std::string& variable, unsigned long power) const;
+
+  Polynomial& operator+=(const Polynomial& other);
+  Polynomial& operator-=(const Polynomial& other);
+  Polynomial& operator*=(const Polynomial& other);
+  /// Adds coefficient (an integer as text) times the product of the variables' powers.
+  void add_term(const std::string& coefficient, const std::vector<unsigned long>& exponents);
+
+  friend Polynomial operator+(Polynomial a, const Polynomial& b) { return std::move(a += b); }
+  friend Polynomial operator-(Polynomial a, const Polynomial& b) { return std::move(a -= b); }
+  friend Polynomial operator*(const Polynomial& a, const Polynomial& b);
+  friend bool operator==(const Polynomial& a, const Polynomial& b);
+
+  fmpz_mpoly_struct* raw() { return value_; }
+  const fmpz_mpoly_struct* raw() const { return value_; }
+
+ private:
+  const Ring* ring_;
+  fmpz_mpoly_t value_;
+};
+
+/// over/under
+struct Quotient {
+  Polynomial over, under;
+};
+
+/// Without common factors, the leading coefficient below the bar positive.
+Quotient cancelled(const Quotient& quotient);
+
+Quotient operator+(const Quotient& a, const Quotient& b);
+Quotient operator*(const Quotient& a, const Quotient& b);
+Quotient inverse(const Quotient& a);
+
+}  // namespace vcrit::symbolic
