@@ -8,5 +8,6 @@ function(vcrit_library target header library)
 endfunction()
 
 find_library(FLINT_LIBRARY flint REQUIRED)
+find_library(GMP_LIBRARY gmp REQUIRED)  # called from FLINT's headers
 vcrit_library(vcrit_udunits udunits2.h udunits2)
-vcrit_library(vcrit_arb arb.h flint-arb ${FLINT_LIBRARY})
+vcrit_library(vcrit_arb arb.h flint-arb ${FLINT_LIBRARY} ${GMP_LIBRARY})

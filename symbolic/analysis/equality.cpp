@@ -84,9 +84,9 @@ class Filled {
       if (const auto found = values.find(symbol); found != values.end()) value = found->second;
     if (auto* isotropic = std::get_if<Isotropic>(&scene_.tangential)) set(isotropic->quantity);
     if (scene_.mass) set(*scene_.mass);
-    for (Quantity* each :
-         {&scene_.coefficient, &scene_.angular_frequency, &scene_.amplitude, &scene_.indentation})
+    for (Quantity* each : {&scene_.coefficient, &scene_.angular_frequency, &scene_.amplitude})
       set(*each);
+    scene_.indentation.value = 1;  // v* does not depend on it
   }
   double critical_velocity() const { return vcrit::critical_velocity(scene_); }
 

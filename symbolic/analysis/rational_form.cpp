@@ -229,6 +229,15 @@ std::string canonical_text(const RationalForm& form) {
   return text;
 }
 
+Polynomial stationary(const RationalForm& form) {
+  const auto& [over, under] = form.square;
+  const Polynomial slope = over.derivative("omega") * under - over * under.derivative("omega");
+  if (slope.is_zero()) return slope;
+  // Factors that D has twice cancel against D^2.
+  const Polynomial left = cancelled({slope, under * under}).over;
+  return left.without_power("omega", left.lowest_degree("omega")).primitive("omega");
+}
+
 std::vector<Line> lines_of(const RationalForm& form) {
   std::vector<Line> lines;
   const unsigned long above = form.square.over.lowest_degree("omega");

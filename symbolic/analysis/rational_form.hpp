@@ -33,6 +33,10 @@ RationalForm rational_form(const Model& model, const std::map<std::string, GiNaC
 /// The same text for the same function.
 std::string canonical_text(const RationalForm& form);
 
+/// The polynomial in omega^2, and in the symbols, that is 0 at the frequencies of largest and least
+/// v* besides 0: the numerator of d(v*^2)/d(omega), without factors that omega does not occur in.
+Polynomial stationary(const RationalForm& form);
+
 /// The form as lines of mathematics: v*^2 = mu0^2 du_z^2 omega^2 N/D, N and D by powers of omega,
 /// and their coefficients.
 std::vector<Line> lines_of(const RationalForm& form);

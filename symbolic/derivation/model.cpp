@@ -149,23 +149,24 @@ Formula Model::multiplied_out(const Factors& amplitude, const Change& change) co
   for (const auto& [name, network, reduction] : networks_) {
     if (!is_readable(term_count(reduction, change.rates).value)) continue;
     const Fraction k = fractions[name] = fraction(reduction, change.rates).value;
-    put[quantity(name)] = k.numerator / k.denominator;
+    put[quantity(name)] = (k.numerator / k.denominator).subs(change.scale);
   }
   Factors whole;
   whole.multiply_rational(amplitude.coefficient());
   for (const auto& [factor, exponent] : amplitude.parts())
-    whole.multiply_rational(GiNaC::pow(factor.subs(put), exponent));
+    whole.multiply_rational(GiNaC::pow(factor.subs(change.scale).subs(put), exponent));
   whole.cancel();
   return {omega() * whole.modulus(), {}, equation(fractions, change)};
 }
 
 Formula Model::nested_in(const Factors& amplitude, const Change& change) const {
-  Formula formula{omega() * amplitude.modulus(), {}, ""};
+  Formula formula{(omega() * amplitude.modulus()).subs(change.scale), {}, ""};
   for (const auto& [name, network, reduction] : networks_) {
     if (!has(formula.velocity, name)) continue;
     const ex k = nested(reduction, change.rates, formula.definitions).value;
     formula.definitions.push_back({"", quantity(name), k});
   }
+  for (Line& line : formula.definitions) line.right = line.right.subs(change.scale);
   return formula;
 }
 

@@ -1,6 +1,7 @@
 #include "polynomial/network_polynomials.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "base/errors.hpp"
@@ -38,8 +39,7 @@ TermNumbers terms_of(const Graph& graph) {
       for (std::size_t j = 0; j < node; ++j)
         if (i != j) edge[i][j] += edge[node][i] * edge[node][j] / total;
   }
-  result.over = edge[0][1] * result.under;
-  return result;
+  return {std::round(edge[0][1] * result.under), std::round(result.under)};
 }
 
 template <class Value, class Of, class Combine>

@@ -107,6 +107,19 @@ Polynomial Polynomial::without_power(const std::string& variable, unsigned long 
   return result;
 }
 
+Polynomial Polynomial::primitive(const std::string& variable) const {
+  if (is_zero()) return *this;
+  Polynomial content(*ring_, 0), result(*ring_, 0);
+  slong index = static_cast<slong>(ring_->index(variable));
+  const int found = fmpz_mpoly_content_vars(content.value_, value_, &index, 1, ring_->context());
+  ensure(found != 0 &&
+             fmpz_mpoly_divides(result.value_, value_, content.value_, ring_->context()) != 0,
+         "a content divides its polynomial");
+  if (result.coefficient(0).starts_with('-'))
+    fmpz_mpoly_neg(result.value_, result.value_, ring_->context());
+  return result;
+}
+
 Polynomial& Polynomial::operator+=(const Polynomial& other) {
   fmpz_mpoly_add(value_, value_, other.value_, ring_->context());
   return *this;

@@ -55,6 +55,10 @@ class Polynomial {
   /// Divided by variable^power, which must divide every term.
   Polynomial without_power(const std::string& variable, unsigned long power) const;
 
+  /// As a polynomial in one variable, divided by the greatest common divisor of its coefficients;
+  /// the leading term positive.
+  Polynomial primitive(const std::string& variable) const;
+
   Polynomial& operator+=(const Polynomial& other);
   Polynomial& operator-=(const Polynomial& other);
   Polynomial& operator*=(const Polynomial& other);

@@ -1,0 +1,133 @@
+#include "analysis/dimensionless.hpp"
+
+#include <optional>
+#include <set>
+
+#include "base/errors.hpp"
+#include "derivation/model.hpp"
+#include "formula/symbols.hpp"
+
+namespace vcrit::symbolic {
+
+namespace {
+
+using GiNaC::ex;
+
+std::optional<Symbol> first_of(const Network& network, ElementKind wanted) {
+  std::optional<Symbol> found;
+  for_each_element(network, [&](const Element& element) {
+    const bool spring = element.kind == ElementKind::maxwell && wanted == ElementKind::spring;
+    if (!found && (element.kind == wanted || spring)) found = element.coefficient;
+  });
+  return found;
+}
+
+std::vector<const Network*> networks_of(const Scene& scene) {
+  std::vector<const Network*> result{&scene.normal};
+  if (const auto* tangential = std::get_if<Network>(&scene.tangential))
+    result.push_back(tangential);
+  if (scene.drive) result.push_back(&*scene.drive);
+  return result;
+}
+
+/// The groups of a scene, and what its symbols are in them with reference and omega put to 1.
+class Groups {
+ public:
+  explicit Groups(const Scene& scene) {
+    for (const Network* network : networks_of(scene)) choose_reference(*network);
+    ensure(reference_ || viscous_, "a network has springs or dampers");
+    for (const Network* network : networks_of(scene)) visit(*network, reference_);
+    if (scene.mass) add_mass(scene);
+  }
+
+  GiNaC::exmap scale;
+  std::vector<Line> lines;
+
+ private:
+  void choose_reference(const Network& network) {
+    if (!reference_) reference_ = first_of(network, ElementKind::spring);
+    if (!viscous_) viscous_ = first_of(network, ElementKind::damper);
+  }
+
+  void add(const char* group, const Symbol& element, const ex& meaning, const ex& in_reference) {
+    const ex name = symbol({std::string(group) + "_" + to_text(element)});
+    const bool is_new = scale.emplace(symbol(element), name * in_reference).second;
+    if (is_new) lines.push_back({"", name, meaning});
+  }
+
+  /// A spring in units of the reference.
+  ex measured(const Symbol& spring) {
+    if (spring == *reference_) {
+      scale.emplace(symbol(spring), 1);
+      return 1;
+    }
+    add("kappa", spring, symbol(spring) / symbol(*reference_), 1);
+    return scale.at(symbol(spring));
+  }
+
+  void add_damper(const Symbol& damper, const std::optional<Symbol>& beside) {
+    const ex c = symbol(damper);
+    if (beside) return add("theta", damper, omega() * c / symbol(*beside), measured(*beside));
+    if (damper == *viscous_)
+      scale.emplace(c, 1);
+    else
+      add("kappa", damper, c / symbol(*viscous_), 1);
+  }
+
+  // The spring beside a damper is the first one of the smallest part of the network around it.
+  void visit(const Network& network, std::optional<Symbol> beside) {
+    if (const auto* element = std::get_if<Element>(&network.form)) return visit(*element, beside);
+    if (const auto inside = first_of(network, ElementKind::spring)) beside = inside;
+    if (const auto* series = std::get_if<Series>(&network.form)) visit(series->parts, beside);
+    if (const auto* parallel = std::get_if<Parallel>(&network.form)) visit(parallel->parts, beside);
+    if (const auto* graph = std::get_if<Graph>(&network.form)) visit(graph->parts, beside);
+  }
+  void visit(const std::vector<Network>& parts, const std::optional<Symbol>& beside) {
+    for (const Network& part : parts) visit(part, beside);
+  }
+  void visit(const Element& element, const std::optional<Symbol>& beside) {
+    if (element.kind == ElementKind::damper) return add_damper(element.coefficient, beside);
+    measured(element.coefficient);
+    if (element.kind == ElementKind::maxwell)
+      add("theta", element.time, omega() * symbol(element.time), 1);
+  }
+
+  void add_mass(const Scene& scene) {
+    const ex m = symbol({"m"});
+    const auto spring = first_of(*scene.drive, ElementKind::spring);
+    if (const auto beside = spring ? spring : reference_)
+      add("beta", {"m"}, m * GiNaC::pow(omega(), 2) / symbol(*beside), measured(*beside));
+    else
+      add("beta", {"m"}, m * omega() / symbol(*viscous_), 1);
+  }
+
+  std::optional<Symbol> reference_, viscous_;
+};
+
+}  // namespace
+
+// v* over mu0 omega du_z does not change with the units of stiffness and time: 1 for the reference
+// and for omega leaves what it is.
+DimensionlessForm dimensionless(const Scene& scene) {
+  const Groups groups(scene);
+  Change change;
+  change.scale = groups.scale;
+  const std::optional<Formula> formula = Model(scene).formula(change);
+  ensure(formula.has_value(), "a scene without a limit has a formula");
+  const GiNaC::exmap units{{omega(), 1}, {laplace(), GiNaC::I}};
+  DimensionlessForm form;
+  form.velocity = (formula->velocity / symbol({"mu0"}) / symbol({"du_z"}) / omega()).subs(units);
+  for (const Line& line : formula->definitions)
+    form.definitions.push_back({line.words, line.left, line.right.subs(units)});
+  const auto holds = [&](const ex& group) {
+    if (form.velocity.has(group)) return true;
+    for (const Line& line : form.definitions)
+      if (line.right.has(group)) return true;
+    return false;
+  };
+  for (const Line& line : groups.lines)
+    if (holds(line.left)) form.groups.push_back(line);
+  return form;
+}
+
+}  // namespace vcrit::symbolic

@@ -1,0 +1,23 @@
+// v* in dimensionless groups: kappa = k_i/k, theta = omega c_j/k or omega tau_j, beta = m
+// omega^2/k. What has the dimension of a stiffness is measured in one reference; each damper in the
+// spring beside it, so that theta is omega times a relaxation or retardation time of the network.
+#pragma once
+
+#include <ginac/ginac.h>
+
+#include <vector>
+
+#include "formula/line.hpp"
+#include "scene/scene.hpp"
+
+namespace vcrit::symbolic {
+
+struct DimensionlessForm {
+  std::vector<Line> groups;       ///< each group in the scene's symbols; only those that v* holds
+  std::vector<Line> definitions;  ///< K_1, ..., K_n over the reference, with s = i
+  GiNaC::ex velocity;             ///< v*/(mu0 omega du_z)
+};
+
+DimensionlessForm dimensionless(const Scene& scene);
+
+}  // namespace vcrit::symbolic

@@ -1,0 +1,126 @@
+// v*^2 multiplied out: its value, its size known beforehand, its extrema, its lines.
+#include <boost/test/unit_test.hpp>
+
+#include "analysis/exact_scene.hpp"
+#include "analysis/rational_form.hpp"
+#include "derivation/scenes.hpp"
+#include "formula/text.hpp"
+#include "formula/value.hpp"
+
+using namespace vcrit;
+using namespace vcrit::symbolic;
+
+namespace {
+
+RationalForm form_of(const Scene& scene) { return rational_form(Model(scene), 1e5); }
+
+/// v*^2 of the lines, from the last to the first.
+GiNaC::numeric square(const std::vector<Line>& lines, const Scene& scene) {
+  const std::vector<Line> definitions(lines.rbegin(), lines.rend() - 1);
+  return value_at(lines.front().right, definitions, test::exact_values(scene));
+}
+
+std::vector<std::string> texts(const Scene& scene) {
+  std::vector<std::string> result;
+  for (const Line& line : lines_of(form_of(scene)))
+    result.push_back(to_text(line.left) + " = " + to_text(line.right));
+  return result;
+}
+
+}  // namespace
+
+// Expected by hand from (24), squared.
+BOOST_AUTO_TEST_CASE(small_scenes_read_well) {
+  using Texts = std::vector<std::string>;
+  BOOST_TEST((texts(test::scene_of("normal = \"kn\"\ntangential = \"kt\"")) ==
+              Texts{"v*^2 = mu0^2*du_z^2*kn^2*omega^2/kt^2"}));
+  BOOST_TEST((texts(test::scene_of("normal = \"k | c\"\npoisson = 0.3")) ==
+              Texts{"v*^2 = 289/196*mu0^2*du_z^2*omega^2"}));
+  BOOST_TEST(
+      (texts(test::scene_of("normal = \"kn\"\ntangential = \"kt\"", "kd", "m")) ==
+       Texts{"v*^2 = mu0^2*du_z^2*N*omega^2/D", "N = n_0 + n_2*omega^2 + kn^2*m^2*omega^4",
+             "n_0 = 2*kd*kn^2*kt + kd^2*kn^2 + kn^2*kt^2", "n_2 = -2*kd*kn^2*m - 2*kn^2*kt*m",
+             "D = kd^2*kt^2 - 2*kd*kt^2*m*omega^2 + kt^2*m^2*omega^4"}));
+  // Maxwell against Kelvin: |K_n|^2 = k1^2 c1^2 w^2/(k1^2 + c1^2 w^2), |K_t|^2 = k2^2 + c2^2 w^2.
+  BOOST_TEST(
+      (texts(test::scene_of("normal = \"k1 - c1\"\ntangential = \"k2 | c2\"")) ==
+       Texts{"v*^2 = mu0^2*du_z^2*c1^2*k1^2*omega^4/D",
+             "D = k1^2*k2^2 + d_2*omega^2 + c1^2*c2^2*omega^4", "d_2 = c1^2*k2^2 + c2^2*k1^2"}));
+}
+
+BOOST_AUTO_TEST_CASE(values_are_those_of_the_nodes) {
+  GiNaC::Digits = 200;
+  test::RandomScenes random(20261122, 3);
+  int compared = 0;
+  for (int i = 0; i < 120; ++i) {
+    Scene scene = random.scene(i % 6 + 1);
+    test::round_ratio(scene);
+    const Model model(scene);
+    if (terms_before_squaring(model) > 2000) continue;
+    ++compared;
+    const GiNaC::numeric nodal = test::number(test::critical_velocity_by_nodes(scene));
+    // Some 1e5 terms over 6 decades each in up to 20 factors: 140 of 200 digits may be lost.
+    BOOST_TEST(
+        test::agreement(square(lines_of(rational_form(model, 2000)), scene), nodal * nodal) > 50,
+        "scene " << i);
+  }
+  BOOST_TEST(compared > 60);
+}
+
+// Of numbers for all symbols the form is that of omega alone.
+BOOST_AUTO_TEST_CASE(with_values_put_in) {
+  GiNaC::Digits = 200;
+  test::RandomScenes random(7, 2);
+  for (int i = 0; i < 60; ++i) {
+    Scene scene = random.scene(i % 12 + 1);
+    test::round_ratio(scene);
+    std::map<std::string, GiNaC::numeric> values;
+    for (const auto& [symbol, value] : test::exact_values(scene))
+      if (symbol.name != "omega") values[to_text(symbol)] = value;
+    const std::vector<Line> lines = lines_of(rational_form(Model(scene), values));
+    const GiNaC::numeric nodal = test::number(test::critical_velocity_by_nodes(scene));
+    BOOST_TEST(test::agreement(square(lines, scene), nodal * nodal) > 50, "scene " << i);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(too_many_terms_are_refused_before_they_are_made) {
+  // K of 60 Maxwell branches has 2^60 + 60 2^59 = 3.6e19 terms: nobody would live to see them.
+  const Scene scene = test::scene_of("normal = \"prony(k0, k, tau, 60)\"\ntangential = \"kt\"");
+  BOOST_CHECK_EXCEPTION(rational_form(Model(scene), 5000), ModelError, [](const ModelError& e) {
+    return std::string(e.what()).find("3.5740") != std::string::npos ||
+           std::string(e.what()).find("e+19") != std::string::npos;
+  });
+}
+
+BOOST_AUTO_TEST_CASE(one_function_has_one_text) {
+  const auto text = [](const std::string& normal) {
+    return canonical_text(form_of(
+        test::scene_of("normal = \"" + normal + "\"\ntangential = \"kt\"", "kd | cd", "m")));
+  };
+  BOOST_TEST(text("k0 | (k1 - c1)") == text("(c1 - k1) | k0"));
+  BOOST_TEST(text("(k1 - c1) | (k1 - c1)") == text("(k1 | k1) - (c1 | c1)"));
+  BOOST_TEST(text("k0 | (k1 - c1)") != text("k1 | (k0 - c1)"));
+}
+
+// d/dw of w^2/(k^2 + c^2 w^2)^2 ... by hand: v*^2 = w^2 k1^2/(k2^2 + c2^2 w^2) grows throughout;
+// a Maxwell normal contact of v*^2 = w^4 .../((k1^2 + c1^2 w^2)(k2^2 + c2^2 w^2)) does, too; with
+// an elastic drive and a mass the extrema are where (13), (19) say.
+BOOST_AUTO_TEST_CASE(extrema) {
+  const auto polynomial = [](const Scene& scene) { return stationary(form_of(scene)); };
+  const Polynomial kelvin = polynomial(test::scene_of("normal = \"k1\"\ntangential = \"k2 | c2\""));
+  BOOST_TEST(kelvin.degree("omega") == 0U);
+  const Polynomial constant = polynomial(test::scene_of("normal = \"k1\"\ntangential = \"k2\""));
+  BOOST_TEST(constant.degree("omega") == 0U);
+  // v* = w |k - m w^2|/|kd - m w^2| up to a factor, k = kt + kd: the derivative of its square is 0
+  // at w^2 = k/m and where (k - 3 m w^2)(kd - m w^2) + 2 m w^2 (k - m w^2) = 0.
+  const Scene elastic = test::scene_of("normal = \"kn\"\ntangential = \"kt\"", "kd", "m");
+  const Polynomial found = polynomial(elastic);
+  const Ring& ring = found.ring();
+  const auto v = [&ring](const char* name) { return Polynomial::variable(ring, name); };
+  const Polynomial w2 = Polynomial::power(ring, "omega", 2), k = v("kt") + v("kd");
+  const auto times = [&ring](long n) { return Polynomial(ring, n); };
+  const Polynomial expected =
+      (k - v("m") * w2) * ((k - times(3) * v("m") * w2) * (v("kd") - v("m") * w2) +
+                           times(2) * v("m") * w2 * (k - v("m") * w2));
+  BOOST_TEST((found == expected.primitive("omega")));
+}
