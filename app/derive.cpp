@@ -27,8 +27,7 @@ int print_comparison(const Scene& scene, const Scene& other, symbolic::Format fo
 void add_derive(CLI::App& program, int& status) {
   struct Options {
     SceneOptions scene;
-    symbolic::Format format = symbolic::Format::text;
-    bool limits = false;
+    symbolic::DocumentOptions document;
     std::string equal;
   };
   using symbolic::Format;
@@ -36,24 +35,44 @@ void add_derive(CLI::App& program, int& status) {
                                                      {"latex", Format::latex},
                                                      {"markdown", Format::markdown},
                                                      {"json", Format::json}};
+  using symbolic::ResultForm;
+  static const std::map<std::string, ResultForm> forms{
+      {"by-size", ResultForm::by_size},
+      {"nested", ResultForm::nested},
+      {"rational", ResultForm::rational},
+      {"dimensionless", ResultForm::dimensionless}};
   const auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand("derive", "Derive the formula of v* for a scene");
   options->scene.add_to(*command);
-  command->add_option("--format", options->format, "text, latex, markdown or json")
+  command->add_option("--format", options->document.format, "text, latex, markdown or json")
       ->transform(CLI::Transformer(formats))
       ->check(CLI::IsMember({0, 1, 2, 3}))
       ->default_str("text");
   command->add_flag_callback(
-      "--json", [options] { options->format = Format::json; }, "the same as --format json");
-  command->add_flag("--limits", options->limits, "derive the limits that apply to the scene");
+      "--json", [options] { options->document.format = Format::json; },
+      "the same as --format json");
+  command->add_flag("--limits", options->document.limits,
+                    "derive the limits that apply to the scene");
+  command
+      ->add_option("--form", options->document.form,
+                   "of the result: by-size, nested, rational in omega^2, or dimensionless")
+      ->transform(CLI::Transformer(forms))
+      ->check(CLI::IsMember({0, 1, 2, 3}))
+      ->default_str("by-size");
+  command
+      ->add_option("--budget", options->document.budget,
+                   "terms up to which the rational form is multiplied out")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
   command->add_option("--equal", options->equal,
                       "instead, prove or refute that this scene file has the same v*");
   command->callback([options, &status] {
     if (!options->equal.empty()) {
-      status = print_comparison(options->scene.read(), read_scene(options->equal), options->format);
+      status = print_comparison(options->scene.read(), read_scene(options->equal),
+                                options->document.format);
       return;
     }
-    fmt::print("{}", symbolic::print(options->scene.read(), options->format, options->limits));
+    fmt::print("{}", symbolic::print(options->scene.read(), options->document));
   });
 }
 

@@ -144,34 +144,6 @@ std::map<unsigned long, Polynomial> by_omega(const Polynomial& polynomial) {
   return result;
 }
 
-/// Writes numerator or denominator by powers of omega, coefficients of several terms as lines of
-/// their own.
-class Writer {
- public:
-  explicit Writer(std::vector<Line>& lines) : lines_(lines) {}
-
-  /// The polynomial divided by omega^taken as an expression, or its name.
-  ex write(const std::string& name, const std::string& coefficient, const std::string& words,
-           const Polynomial& polynomial, unsigned long taken) {
-    const auto powers = by_omega(polynomial);
-    if (powers.size() == 1 && polynomial.terms() == 1) return expression(powers.begin()->second);
-    ex sum = 0;
-    std::vector<Line> coefficients;
-    for (const auto& [power, value] : powers) {
-      const ex whole = expression(value);
-      const ex k = quantity(coefficient + "_" + std::to_string(power - taken));
-      if (value.terms() > 1) coefficients.push_back({"", k, whole});
-      sum += (value.terms() > 1 ? k : whole) * GiNaC::pow(omega(), static_cast<int>(power - taken));
-    }
-    lines_.push_back({words, quantity(name), sum});
-    lines_.insert(lines_.end(), coefficients.begin(), coefficients.end());
-    return quantity(name);
-  }
-
- private:
-  std::vector<Line>& lines_;
-};
-
 /// From B/(mu0 du_z).
 RationalForm squared(const std::shared_ptr<const Ring>& ring, const Quotient& b) {
   const Polynomial omega_squared = Polynomial::power(*ring, "omega", 2);
@@ -238,16 +210,35 @@ Polynomial stationary(const RationalForm& form) {
   return left.without_power("omega", left.lowest_degree("omega")).primitive("omega");
 }
 
+std::vector<Line> lines_by_omega(const Polynomial& polynomial, const std::string& name,
+                                 const std::string& coefficient, const std::string& words) {
+  std::vector<Line> lines{{words, quantity(name), 0}};
+  for (const auto& [power, value] : by_omega(polynomial)) {
+    const ex k = quantity(coefficient + "_" + std::to_string(power));
+    const bool named = value.terms() > 1;
+    if (named) lines.push_back({"", k, expression(value)});
+    lines.front().right +=
+        (named ? k : expression(value)) * GiNaC::pow(omega(), static_cast<int>(power));
+  }
+  return lines;
+}
+
 std::vector<Line> lines_of(const RationalForm& form) {
+  const auto& [over, under] = form.square;
+  const unsigned long above = over.lowest_degree("omega"), below = under.lowest_degree("omega");
   std::vector<Line> lines;
-  const unsigned long above = form.square.over.lowest_degree("omega");
-  const unsigned long below = form.square.under.lowest_degree("omega");
-  Writer writer(lines);
-  const ex over = writer.write("N", "n", "Numerator", form.square.over, above);
-  const ex under = writer.write("D", "d", "Denominator", form.square.under, below);
+  const auto write = [&lines](const char* name, const char* coefficient, const char* words,
+                              const Polynomial& polynomial) -> ex {
+    if (polynomial.terms() == 1) return expression(polynomial);
+    const auto more = lines_by_omega(polynomial, name, coefficient, words);
+    lines.insert(lines.end(), more.begin(), more.end());
+    return quantity(name);
+  };
+  const ex n = write("N", "n", "Numerator", over.without_power("omega", above));
+  const ex d = write("D", "d", "Denominator", under.without_power("omega", below));
   const int power = static_cast<int>(above) - static_cast<int>(below);
   const ex square =
-      GiNaC::pow(symbol({"mu0"}) * symbol({"du_z"}), 2) * GiNaC::pow(omega(), power) * over / under;
+      GiNaC::pow(symbol({"mu0"}) * symbol({"du_z"}), 2) * GiNaC::pow(omega(), power) * n / d;
   lines.insert(lines.begin(),
                {"As a rational function of omega^2", GiNaC::pow(quantity("v*"), 2), square});
   return lines;

@@ -37,6 +37,11 @@ std::string canonical_text(const RationalForm& form);
 /// v* besides 0: the numerator of d(v*^2)/d(omega), without factors that omega does not occur in.
 Polynomial stationary(const RationalForm& form);
 
+/// A polynomial as a line by powers of omega, name = coefficient_0 + coefficient_2 omega^2 + ...,
+/// with its words, and a line for each coefficient of several terms.
+std::vector<Line> lines_by_omega(const Polynomial& polynomial, const std::string& name,
+                                 const std::string& coefficient, const std::string& words);
+
 /// The form as lines of mathematics: v*^2 = mu0^2 du_z^2 omega^2 N/D, N and D by powers of omega,
 /// and their coefficients.
 std::vector<Line> lines_of(const RationalForm& form);

@@ -71,9 +71,11 @@ std::vector<Symbol> parameters(const Scene& scene, const Formula& formula) {
 
 }  // namespace
 
-Derivation derive(const Scene& scene) {
+Derivation derive(const Scene& scene, bool nested) {
   const Model model(scene);
-  const std::optional<Formula> formula = model.formula({});
+  Change change;
+  change.nested = nested;
+  const std::optional<Formula> formula = model.formula(change);
   ensure(formula.has_value(), "a scene without a limit has a formula");
   Derivation result;
   result.lines = model.balance().lines;

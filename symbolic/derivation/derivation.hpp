@@ -22,8 +22,8 @@ struct Derivation {
   std::vector<Symbol> parameters;  ///< the symbols v* depends on
 };
 
-/// A formula of up to about two dozen terms in each polynomial is multiplied out; a larger one
-/// stays nested, in terms of K_n, K_t, K_d and further inner quantities.
-Derivation derive(const Scene& scene);
+/// A formula of up to about two dozen terms in each polynomial is multiplied out, unless `nested`
+/// is asked for; a larger one stays nested, in terms of K_n, K_t, K_d and further inner quantities.
+Derivation derive(const Scene& scene, bool nested = false);
 
 }  // namespace vcrit::symbolic

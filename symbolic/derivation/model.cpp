@@ -139,8 +139,8 @@ std::optional<Formula> Model::formula(const Change& change) const {
   }
   if (power != 0) return std::nullopt;
   leading.cancel();
-  return is_small(leading.value(), change) ? multiplied_out(leading, change)
-                                           : nested_in(leading, change);
+  return !change.nested && is_small(leading.value(), change) ? multiplied_out(leading, change)
+                                                             : nested_in(leading, change);
 }
 
 Formula Model::multiplied_out(const Factors& amplitude, const Change& change) const {

@@ -22,6 +22,7 @@ struct Change {
   bool rigid = false;              ///< the drive, after everything in `rates`
   bool massless = false;           ///< m to 0
   std::optional<GiNaC::ex> ratio;  ///< K_t = ratio K_n
+  bool nested = false;             ///< the networks are not multiplied out, however small
   GiNaC::exmap scale = {};         ///< symbols written in others
 };
 

@@ -5,7 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/limits.hpp"
+#include "analysis/residues.hpp"
 #include "derivation/derivation.hpp"
+#include "document/form_lines.hpp"
 #include "formula/dialect.hpp"
 #include "formula/symbols.hpp"
 #include "formula/text.hpp"
@@ -35,9 +37,12 @@ struct Content {
   const Scene& scene;
   Derivation derivation;
   std::vector<Limit> limits;
+  ResultForm form = ResultForm::by_size;
+  std::vector<Line> form_lines;  ///< of the form that was asked for, behind the result
+  std::string fingerprint;
 
   std::string title() const { return scene.title.empty() ? title_of_derivation : scene.title; }
-  bool is_nested() const { return !derivation.definitions.empty(); }
+  bool is_nested() const { return form == ResultForm::by_size && !derivation.definitions.empty(); }
   /// The lines of a limit: what its inner quantities are, where they differ, then v*.
   std::vector<Line> lines(const Limit& limit) const {
     std::vector<Line> result;
@@ -54,12 +59,17 @@ struct Content {
   }
 };
 
+/// The line above an equation that has words.
+std::string heading(const std::string& words) { return words.empty() ? "" : words + ":\n"; }
+
 std::string text_document(const Content& content) {
   const Dialect& dialect = text_dialect();
   std::string out = content.title() + "\n\n";
   for (const Line& line : content.derivation.lines)
     out += fmt::format("{}:\n    {}\n", content.words(line), equation(dialect, line));
   if (content.is_nested()) out += std::string(nested_note) + "\n";
+  for (const Line& line : content.form_lines)
+    out += fmt::format("{}    {}\n", heading(line.words), equation(dialect, line));
   if (!content.limits.empty()) out += "\nLimits and special cases:\n";
   for (const Limit& limit : content.limits) {
     out += content.heading(limit, limit.name) + ":\n";
@@ -91,6 +101,8 @@ std::string latex_document(const Content& content) {
   for (const Line& line : content.derivation.lines)
     out += latex_words(content.words(line)) + ":\n" + display(line);
   if (content.is_nested()) out += std::string(nested_note) + "\n\n";
+  for (const Line& line : content.form_lines)
+    out += latex_words(heading(line.words)) + display(line);
   if (!content.limits.empty()) out += "\\subsection*{Limits and special cases}\n";
   for (const Limit& limit : content.limits) {
     out += content.heading(limit, "$" + limit.latex_name + "$") + ":\n";
@@ -108,6 +120,7 @@ std::string markdown_document(const Content& content) {
   for (const Line& line : content.derivation.lines)
     out += content.words(line) + ":\n" + display(line);
   if (content.is_nested()) out += std::string(nested_note) + "\n\n";
+  for (const Line& line : content.form_lines) out += heading(line.words) + display(line);
   if (!content.limits.empty()) out += "## Limits and special cases\n\n";
   for (const Limit& limit : content.limits) {
     out += content.heading(limit, "$" + limit.latex_name + "$") + ":\n";
@@ -130,7 +143,8 @@ Json json_lines(const std::vector<Line>& lines) {
 std::string json_document(const Content& content) {
   const Derivation& d = content.derivation;
   Json out{{"title", content.scene.title},
-           {"form", content.is_nested() ? "nested" : "multiplied out"},
+           {"form", d.definitions.empty() ? "multiplied out" : "nested"},
+           {"fingerprint", content.fingerprint},
            {"lines", json_lines(d.lines)},
            {"parameters", Json::array()},
            {"equation", d.equation},
@@ -145,14 +159,23 @@ std::string json_document(const Content& content) {
                              {"text", to_text(limit.result)},
                              {"latex", to_latex(limit.result)},
                              {"definitions", json_lines(limit.definitions)}});
+  if (!content.form_lines.empty()) {
+    const bool rational = content.form == ResultForm::rational;
+    out[rational ? "rational" : "dimensionless"] = json_lines(content.form_lines);
+  }
   return out.dump(2) + "\n";
 }
 
 }  // namespace
 
-std::string print(const Scene& scene, Format format, bool with_limits) {
-  const Content content{scene, derive(scene), with_limits ? limits(scene) : std::vector<Limit>{}};
-  switch (format) {
+std::string print(const Scene& scene, const DocumentOptions& options) {
+  const Content content{scene,
+                        derive(scene, options.form == ResultForm::nested),
+                        options.limits ? limits(scene) : std::vector<Limit>{},
+                        options.form,
+                        form_lines(scene, options),
+                        fingerprint(Model(scene))};
+  switch (options.format) {
     case Format::text:
       return text_document(content);
     case Format::latex:

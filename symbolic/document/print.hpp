@@ -9,7 +9,19 @@ namespace vcrit::symbolic {
 
 enum class Format { text, latex, markdown, json };
 
-/// What `vcrit derive` prints; the same bytes in every run.
-std::string print(const Scene& scene, Format format, bool with_limits);
+/// How the result is written: by its size; nested; or besides that as a rational function of
+/// omega^2, or in dimensionless groups.
+enum class ResultForm { by_size, nested, rational, dimensionless };
+
+struct DocumentOptions {
+  Format format = Format::text;
+  bool limits = false;
+  ResultForm form = ResultForm::by_size;
+  double budget = 5000;  ///< terms of the polynomials in v* up to which they are multiplied out
+};
+
+/// What `vcrit derive` prints; the same bytes in every run. Throws ModelError where the rational
+/// form is beyond the budget.
+std::string print(const Scene& scene, const DocumentOptions& options);
 
 }  // namespace vcrit::symbolic

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "analysis/residues.hpp"
 #include "derivation/derivation.hpp"
 #include "emit/arithmetic_text.hpp"
 #include "emit/evaluation_code.hpp"
@@ -30,6 +31,8 @@ std::string banner(const Scene& scene, const Derivation& derivation, const Evalu
     out += comment("  " + to_text(line.left) + " = " + to_text(line.right));
   out += comment("  v* = " + to_text(derivation.critical_velocity) + "   " + derivation.equation +
                  (derivation.definitions.empty() ? "" : ", s = i omega"));
+  out += comment("Formula " + fingerprint(Model(scene)) +
+                 ", the same for every way to write this function of the parameters.");
   out += comment(fmt::format("Again: vcrit generate {} --out DIR --name {}. Cost: {} operations.",
                              file, name, code.operations));
   out += comment(

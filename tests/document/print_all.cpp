@@ -2,6 +2,7 @@
 // gives the same bytes.
 #include <iostream>
 
+#include "analysis/rational_form.hpp"
 #include "derivation/derivation.hpp"
 #include "derivation/scenes.hpp"
 #include "document/print.hpp"
@@ -21,7 +22,11 @@ int main() {
         scene_of("normal = \"bridge\"\ntangential_ratio = 0.7", "", "", test::bridge_network)}) {
     using symbolic::Format;
     for (const Format format : {Format::text, Format::latex, Format::markdown, Format::json})
-      std::cout << symbolic::print(scene, format, true);
+      std::cout << symbolic::print(scene, {format, true});
+    for (const auto form : {symbolic::ResultForm::nested, symbolic::ResultForm::dimensionless})
+      std::cout << symbolic::print(scene, {Format::text, false, form});
+    if (symbolic::terms_before_squaring(symbolic::Model(scene)) < 300)
+      std::cout << symbolic::print(scene, {Format::json, false, symbolic::ResultForm::rational});
     for (const symbolic::Line& line : symbolic::derive(scene).lines)
       std::cout << symbolic::to_mathml(line) << '\n';
     std::cout << symbolic::emit_header(scene, "scene") << symbolic::emit_test(scene, "scene");

@@ -101,16 +101,16 @@ BOOST_AUTO_TEST_CASE(mathml_is_well_formed) {
 }
 
 BOOST_AUTO_TEST_CASE(text_shows_the_way_and_the_limits) {
-  const std::string text = print(test::kelvin_scene(), Format::text, true);
+  const std::string text = print(test::kelvin_scene(), {Format::text, true});
   for (const char* line :
        {"K_t*(x - y) = mu0*f_n", "x = A*exp(i*omega*t)", "mu0*du_z*K_n + A*(K_d - m*omega^2) = 0",
         "K_t*(A - B)", "v* = omega*abs(B)", "(13)", "(19)", "(24)", "(29)", "(30)", "(31)"})
     BOOST_TEST(text.find(line) != std::string::npos, line);
-  BOOST_TEST(print(test::kelvin_scene(), Format::text, false).find("(31)") == std::string::npos);
+  BOOST_TEST(print(test::kelvin_scene(), {Format::text, false}).find("(31)") == std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(json_has_the_promised_parts) {
-  const auto json = nlohmann::json::parse(print(test::kelvin_scene(), Format::json, true));
+  const auto json = nlohmann::json::parse(print(test::kelvin_scene(), {Format::json, true}));
   BOOST_TEST(json.at("title") == "test");
   BOOST_TEST(json.at("parameters").size() == 9u);
   BOOST_TEST(json.at("critical_velocity").at("text") ==
@@ -123,7 +123,7 @@ BOOST_AUTO_TEST_CASE(json_has_the_promised_parts) {
 BOOST_AUTO_TEST_CASE(large_formulas_stay_nested_and_say_so) {
   const Scene prony =
       test::scene_of("normal = \"prony(k0, k, tau, 10)\"\npoisson = 0.3", "kd", "m");
-  const std::string text = print(prony, Format::text, true);
+  const std::string text = print(prony, {Format::text, true});
   BOOST_TEST(text.find("left nested") != std::string::npos);
   BOOST_TEST(text.find("k[10]*tau[10]*s/(1 + tau[10]*s)") != std::string::npos);
   BOOST_TEST(text.size() < 6000u);
