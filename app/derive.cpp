@@ -1,4 +1,5 @@
-// vcrit derive: Eq. 24 derived for a scene, as text, LaTeX, Markdown or JSON.
+// vcrit derive: Eq. 24 derived for a scene, as text, LaTeX, Markdown or JSON; and the page about
+// all named rheologies.
 #include <fmt/format.h>
 
 #include <map>
@@ -9,6 +10,7 @@
 #include "commands.hpp"
 #include "document/print.hpp"
 #include "options.hpp"
+#include "report/catalogue_page.hpp"
 
 namespace vcrit::app {
 
@@ -22,6 +24,15 @@ int print_comparison(const Scene& scene, const Scene& other, symbolic::Format fo
   return comparison.equal ? 0 : 1;
 }
 
+/// Takes the place of a scene: no other option goes with it.
+void add_catalogue(CLI::App& command, bool& wanted) {
+  command.get_option("SCENE")->required(false);
+  CLI::Option* catalogue = command.add_flag(
+      "--catalogue", wanted, "instead of a scene, a page (HTML) about all named rheologies");
+  for (CLI::Option* option : command.get_options())
+    if (option != catalogue && option != command.get_help_ptr()) catalogue->excludes(option);
+}
+
 }  // namespace
 
 void add_derive(CLI::App& program, int& status) {
@@ -29,6 +40,7 @@ void add_derive(CLI::App& program, int& status) {
     SceneOptions scene;
     symbolic::DocumentOptions document;
     std::string equal;
+    bool catalogue = false;
   };
   using symbolic::Format;
   static const std::map<std::string, Format> formats{{"text", Format::text},
@@ -66,7 +78,10 @@ void add_derive(CLI::App& program, int& status) {
       ->capture_default_str();
   command->add_option("--equal", options->equal,
                       "instead, prove or refute that this scene file has the same v*");
+  add_catalogue(*command, options->catalogue);
   command->callback([options, &status] {
+    if (options->catalogue) return fmt::print("{}", validation::report::catalogue_page());
+    if (options->scene.file.empty()) throw CLI::RequiredError("SCENE");
     if (!options->equal.empty()) {
       status = print_comparison(options->scene.read(), read_scene(options->equal),
                                 options->document.format);

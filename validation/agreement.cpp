@@ -6,13 +6,12 @@
 #include <complex>
 #include <numbers>
 
-#include "analysis/limits.hpp"
 #include "compiler.hpp"
 #include "critical/admissibility.hpp"
 #include "critical/certified.hpp"
 #include "critical/critical_velocity.hpp"
 #include "evaluators.hpp"
-#include "formula/text.hpp"
+#include "formulas.hpp"
 #include "friction.hpp"
 #include "reduced_difference.hpp"
 #include "simulation/steady/onset.hpp"
@@ -24,11 +23,6 @@ namespace vcrit::validation {
 namespace {
 
 constexpr double unit_roundoff = 0x1p-53;
-
-Formula formula_of(const GiNaC::ex& expression) {
-  return {symbolic::to_mathml(expression), symbolic::to_latex(expression),
-          symbolic::to_text(expression)};
-}
 
 /// How much relative errors of the scene's numbers can grow on the way to v* (numerics: Tellegen's
 /// bound for the networks, and the cancellation near resonance and antiresonance).
@@ -142,21 +136,12 @@ void compare_generated(SceneReport& report, const symbolic::Derivation& derivati
   }
 }
 
-std::vector<Equation> equations_of(const std::vector<symbolic::Line>& lines) {
-  std::vector<Equation> equations;
-  for (const symbolic::Line& line : lines)
-    equations.push_back({line.words, formula_of(line.left), formula_of(line.right)});
-  return equations;
-}
-
 void derive_all(SceneReport& report, const symbolic::Derivation& derivation) {
   report.formula = formula_of(derivation.critical_velocity);
   report.equation = derivation.equation;
   report.definitions = equations_of(derivation.definitions);
   report.derivation = equations_of(derivation.lines);
-  for (const symbolic::Limit& limit : symbolic::limits(report.scene))
-    report.limits.push_back(
-        {limit.name, limit.equation, formula_of(limit.result), equations_of(limit.definitions)});
+  report.limits = limits_of(report.scene);
 }
 
 /// Elastic networks, a rigid drive: the case with a closed form.

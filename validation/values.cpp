@@ -1,7 +1,7 @@
 #include "values.hpp"
 
 #include "formula/symbols.hpp"
-#include "formula/text.hpp"
+#include "formulas.hpp"
 
 namespace vcrit::validation {
 
@@ -44,10 +44,8 @@ std::vector<ValueLine> value_lines(const Scene& scene) {
   const Values values = values_of(scene);
   std::vector<ValueLine> lines;
   const auto add = [&](const Symbol& symbol, const Kind& kind) {
-    const GiNaC::ex name = symbolic::symbol(symbol);
-    const Formula formula{symbolic::to_mathml(name), symbolic::to_latex(name),
-                          symbolic::to_text(name)};
-    lines.push_back({symbol, formula, values.at(symbol), kind.unit, kind.meaning});
+    const Formula name = formula_of(symbolic::symbol(symbol));
+    lines.push_back({symbol, name, values.at(symbol), kind.unit, kind.meaning});
   };
   add(scene.angular_frequency.symbol, {"rad/s", "angular frequency"});
   add(scene.amplitude.symbol, {"m", "amplitude of the normal oscillation"});

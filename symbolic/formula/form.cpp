@@ -122,6 +122,14 @@ Signed sum_form(const GiNaC::ex& sum) {
   return {false, std::move(form)};
 }
 
+/// The expression with its sign inside.
+Form with_sign(Signed expression) {
+  if (!expression.minus) return std::move(expression.form);
+  Form sum{Form::Kind::sum, "", {}, {}, {}, 1};
+  sum.terms.push_back(std::move(expression));
+  return sum;
+}
+
 /// Collects the factors of a product above and below the bar.
 class ProductForm {
  public:
@@ -148,7 +156,7 @@ class ProductForm {
     if (exponent.is_integer()) return put(lead_positive(form_of(base)), exponent.to_int());
     const GiNaC::numeric twice = exponent * 2;
     ensure(twice.is_integer(), "only square roots occur");
-    const Form root{Form::Kind::root, "", {lead_positive(form_of(base)).form}, {}, {}, 1};
+    const Form root{Form::Kind::root, "", {with_sign(form_of(base))}, {}, {}, 1};
     put({false, root}, twice.to_int());
   }
 

@@ -131,6 +131,13 @@ class Commands(unittest.TestCase):
             self.assertIn("namespace kelvin_contact", header)
             self.assertTrue(Path(folder, "lib", "CMakeLists.txt").exists())
 
+    # The order of GiNaC's terms changes from process to process.
+    def test_the_catalogue_is_the_same_page_in_every_run(self):
+        pages = [run("derive", "--catalogue") for _ in range(4)]
+        self.assertEqual([page.returncode for page in pages], [0] * 4)
+        self.assertIn("Standard linear solid", pages[0].stdout)
+        self.assertEqual({page.stdout for page in pages}, {pages[0].stdout})
+
     def test_a_massless_rigid_scene_has_neither_mass_nor_drive(self):
         with tempfile.TemporaryDirectory() as folder:
             run("generate", "scenes/kelvin_rigid.toml", "--out", folder, "--name", "kelvin_rigid")
@@ -247,7 +254,9 @@ class Mistakes(unittest.TestCase):
     def test_wrong_usage_ends_with_2(self):
         for arguments in [[], ["nothing"], ["eval"], ["eval", KELVIN, "--wrong"], ["simulate", KELVIN],
                           ["simulate", KELVIN, "--velocity", "1", "--velocity-ratio", "1"],
-                          ["derive", KELVIN, "--format", "pdf"], ["simulate", KELVIN, "--velocity", "-1"],
+                          ["derive", KELVIN, "--format", "pdf"], ["derive"],
+                          ["derive", KELVIN, "--catalogue"], ["derive", "--catalogue", "--limits"],
+                          ["simulate", KELVIN, "--velocity", "-1"],
                           ["simulate", KELVIN, "--velocity", "3 kg"], ["eval", KELVIN, "--set", "kn"]]:
             with self.subTest(arguments=arguments):
                 result = run(*arguments)

@@ -153,6 +153,17 @@ struct Drawer {
 
 Drawing draw(const Network& network) { return std::visit(Drawer{}, network.form); }
 
+std::string framed(const Drawing& drawing, const std::string& description) {
+  constexpr double margin = 8;
+  const double width = drawing.width + 2 * margin;
+  const double height = drawing.above + drawing.below + 2 * margin;
+  return fmt::format(
+      R"(<svg class="drawing" role="img" aria-label="{}" width="{:.0f}" height="{:.0f}" )"
+      R"(viewBox="{:.0f} {:.1f} {:.0f} {:.0f}">{}</svg>)",
+      escape(description), width, height, -margin, -drawing.above - margin, width, height,
+      drawing.svg);
+}
+
 std::string label(const Symbol& symbol) {
   const bool time = symbol.name.rfind("tau", 0) == 0;
   const std::string base = time ? "τ" : symbol.name.substr(0, 1);

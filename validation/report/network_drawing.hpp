@@ -17,6 +17,9 @@ struct Drawing {
 
 Drawing draw(const Network& network);
 
+/// The drawing as an image; `description` is read to those who do not see it.
+std::string framed(const Drawing& drawing, const std::string& description);
+
 /// A name with its index set lower, as SVG text content: "k0", "k[3]", "tau[2]".
 std::string label(const Symbol& symbol);
 

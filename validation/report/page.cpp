@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "report/assets.hpp"
+#include "report/document_head.hpp"
 #include "report/html.hpp"
 #include "report/scene_section.hpp"
 
@@ -21,15 +22,8 @@ std::string policy() {
 
 std::string head(const Contents& contents) {
   const bool single = contents.scenes.size() == 1;
-  const std::string title =
-      single ? title_of(contents.scenes.front()) : std::string("Validation of critical velocities");
-  return fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-      "<meta http-equiv=\"Content-Security-Policy\" content=\"{}\">\n"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      "<meta name=\"color-scheme\" content=\"light dark\">\n"
-      "<title>{} · vcrit</title>\n<style>\n{}</style>\n</head>\n",
-      policy(), escape(title), style());
+  return document_head(
+      single ? title_of(contents.scenes.front()) : "Validation of critical velocities", policy());
 }
 
 std::string summary(const Contents& contents) {

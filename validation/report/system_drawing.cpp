@@ -4,14 +4,12 @@
 
 #include <algorithm>
 
-#include "report/html.hpp"
 #include "report/network_drawing.hpp"
 
 namespace vcrit::validation::report {
 
 namespace {
 
-constexpr double margin = 8;
 std::string italic(const char* letter) {
   return fmt::format(R"(<tspan class="letter">{}</tspan>)", letter);
 }
@@ -26,14 +24,7 @@ class Row {
     all_.below = std::max(all_.below, piece.below);
   }
 
-  std::string svg(const std::string& description) const {
-    const double width = all_.width + 2 * margin;
-    const double height = all_.above + all_.below + 2 * margin;
-    return fmt::format(
-        R"(<svg class="drawing" role="img" aria-label="{}" width="{:.0f}" height="{:.0f}" )"
-        R"(viewBox="{:.0f} {:.1f} {:.0f} {:.0f}">{}</svg>)",
-        escape(description), width, height, -margin, -all_.above - margin, width, height, all_.svg);
-  }
+  std::string svg(const std::string& description) const { return framed(all_, description); }
 
  private:
   Drawing all_;

@@ -1,0 +1,184 @@
+#include "analysis/rheology.hpp"
+
+#include <string>
+
+#include "derivation/factors.hpp"
+#include "derivation/stiffness_forms.hpp"
+#include "formula/form.hpp"
+#include "formula/symbols.hpp"
+#include "network/reduction.hpp"
+
+namespace vcrit::symbolic {
+
+namespace {
+
+using GiNaC::ex;
+
+/// K(s) without common factors; all coefficients are positive.
+Fraction stiffness(const Network& network) {
+  const Fraction k = fraction(reduce(network), {}).value;
+  const ex parts = (k.numerator / k.denominator).normal().numer_denom();
+  const int sign = leads_with_minus(parts.op(1)) ? -1 : 1;
+  return {(sign * parts.op(0)).expand(), (sign * parts.op(1)).expand()};
+}
+
+/// One fraction, with monomials and numbers drawn out.
+ex simplified(const ex& function) {
+  Factors factors;
+  factors.multiply_rational(function);
+  factors.cancel();
+  return factors.value();
+}
+
+/// s^power of a polynomial; 0 beyond its degree.
+ex coefficient(const ex& polynomial, int power) { return polynomial.coeff(laplace(), power); }
+
+ex leading_ratio(const Fraction& k) {
+  return simplified(k.numerator.lcoeff(laplace()) / k.denominator.lcoeff(laplace()));
+}
+
+int degree(const ex& polynomial) { return polynomial.degree(laplace()); }
+
+/// The networks side by side that make up this one.
+std::vector<Network> parts_of(const Network& network) {
+  if (const auto* parallel = std::get_if<Parallel>(&network.form)) return parallel->parts;
+  return {network};
+}
+
+/// tau_j, h_j: j counts from 1.
+ex numbered(const char* letter, std::size_t j) { return symbol({letter + std::to_string(j)}); }
+
+class SpectrumMaker {
+ public:
+  /// Whether the part has a closed form.
+  bool add(const Network& part) {
+    const Fraction k = stiffness(part);
+    const Extremes ends = extremes(part);
+    spectrum_.equilibrium += ends.equilibrium;
+    spectrum_.damper += ends.damper;
+    if (degree(k.denominator) > 2) return false;
+    if (degree(k.denominator) == 1) add_single(k);
+    if (degree(k.denominator) == 2) add_pair(k);
+    return true;
+  }
+  Spectrum result() && { return std::move(spectrum_); }
+
+ private:
+  void add_single(const Fraction& k) {
+    const ex slope = coefficient(k.denominator, 1);
+    const ex time = simplified(slope / coefficient(k.denominator, 0));
+    put(time, strength(k, time, slope));
+  }
+
+  /// D(-1/tau) = 0 is d0 tau^2 - d1 tau + d2 = 0; the longer time comes first.
+  void add_pair(const Fraction& k) {
+    const ex d0 = coefficient(k.denominator, 0), d1 = coefficient(k.denominator, 1),
+             d2 = coefficient(k.denominator, 2);
+    const ex root = GiNaC::sqrt(d1 * d1 - 4 * d0 * d2);
+    const std::size_t first = spectrum_.lines.size() + 1;
+    const ex one = numbered("tau_", first), two = numbered("tau_", first + 1);
+    // From D = d0 (1 + tau_1 s)(1 + tau_2 s).
+    put((d1 + root) / (2 * d0), strength(k, one, d0 * (one - two)));
+    put((d1 - root) / (2 * d0), strength(k, two, d0 * (two - one)));
+  }
+
+  /// The residue of K/s at s = -1/tau, where `slope` is D'.
+  static ex strength(const Fraction& k, const ex& tau, const ex& slope) {
+    return simplified(-tau * k.numerator.subs(laplace() == -1 / tau) / slope);
+  }
+
+  void put(const ex& time, const ex& strength) {
+    const std::size_t j = spectrum_.lines.size() + 1;
+    spectrum_.lines.push_back({{"", numbered("tau_", j), time}, {"", numbered("h_", j), strength}});
+  }
+
+  Spectrum spectrum_;
+};
+
+/// Re and Im of N(i omega) conj(D(i omega)), polynomials in omega.
+struct Complex {
+  ex real, imaginary;
+};
+
+Complex product_with_conjugate(const Fraction& k) {
+  const ex s = laplace(), w = omega();
+  const ex product =
+      (k.numerator.subs(s == GiNaC::I * w) * k.denominator.subs(s == -GiNaC::I * w)).expand();
+  Complex parts;
+  for (int n = 0; n <= product.degree(w); ++n) {
+    const ex c = product.coeff(w, n) * GiNaC::pow(w, n);
+    if (n % 2 == 0)
+      parts.real += c;
+    else
+      parts.imaginary += c / GiNaC::I;
+  }
+  return {parts.real.expand(), parts.imaginary.expand()};
+}
+
+/// over/|D|^2, where |D|^2 stays a sum of two squares.
+ex over_square(const ex& over, const ex& denominator) {
+  if (over.is_zero()) return 0;
+  Factors above, below;
+  above.multiply(over, 1);
+  below.multiply(denominator, -1);
+  return above.value() * GiNaC::pow(below.modulus(), 2);
+}
+
+Response as_one_fraction(const Fraction& k) {
+  const Complex product = product_with_conjugate(k);
+  return {simplified(k.numerator / k.denominator), over_square(product.real, k.denominator),
+          over_square(product.imaginary, k.denominator)};
+}
+
+}  // namespace
+
+ex Spectrum::sum() const {
+  const ex s = laplace();
+  ex result = equilibrium + damper * s;
+  for (const auto& [time, strength] : lines)
+    result += strength.left * time.left * s / (1 + time.left * s);
+  return result;
+}
+
+ex Spectrum::in_elements(const ex& expression) const {
+  GiNaC::exmap strengths, times;
+  for (const auto& [time, strength] : lines) {
+    strengths[strength.left] = strength.right;
+    times[time.left] = time.right;
+  }
+  return expression.subs(strengths).subs(times);
+}
+
+std::optional<Spectrum> spectrum(const Network& network) {
+  SpectrumMaker maker;
+  for (const Network& part : parts_of(network))
+    if (!maker.add(part)) return std::nullopt;
+  return std::move(maker).result();
+}
+
+Response response(const Network& network) {
+  constexpr std::size_t readable = 12;
+  const Fraction whole = stiffness(network);
+  if (whole.numerator.nops() <= readable) return as_one_fraction(whole);
+  Response sum;
+  for (const Network& part : parts_of(network)) {
+    const Response one = as_one_fraction(stiffness(part));
+    sum.stiffness += one.stiffness;
+    sum.storage += one.storage;
+    sum.loss += one.loss;
+  }
+  return sum;
+}
+
+// A spring-damper network has neither a pole at rest nor more than a damper's growth.
+Extremes extremes(const Network& network) {
+  const Fraction k = stiffness(network);
+  const ex under = coefficient(k.denominator, 0);
+  const ex at_rest = simplified(coefficient(k.numerator, 0) / under);
+  const bool flows = at_rest.is_zero();
+  const bool damped = degree(k.numerator) > degree(k.denominator);
+  return {at_rest, flows ? simplified(coefficient(k.numerator, 1) / under) : ex(0),
+          damped ? ex(0) : leading_ratio(k), damped ? leading_ratio(k) : ex(0)};
+}
+
+}  // namespace vcrit::symbolic

@@ -1,0 +1,58 @@
+// A network as a material: its dynamic stiffness as real functions of the frequency, what it is at
+// rest and at once, and its relaxation spectrum. However wired, K(s) = k_inf + c_inf s +
+// sum_j h_j tau_j s/(1 + tau_j s) with all h_j, tau_j > 0 (Maxwell branches side by side).
+#pragma once
+
+#include <ginac/ginac.h>
+
+#include <optional>
+#include <vector>
+
+#include "formula/line.hpp"
+#include "network/network.hpp"
+
+namespace vcrit::symbolic {
+
+/// One relaxation time: the lines tau_j = ... (s) and h_j = ... (N/m) in the network's elements.
+/// Where two times are the roots of one quadratic, the strengths are written in tau_j.
+struct RelaxationLine {
+  Line time, strength;
+};
+
+struct Spectrum {
+  GiNaC::ex equilibrium;  ///< k_inf (N/m)
+  GiNaC::ex damper;       ///< c_inf (N s/m)
+  std::vector<RelaxationLine> lines;
+
+  /// K(s) as that sum, in the names tau_j and h_j.
+  GiNaC::ex sum() const;
+  /// An expression in tau_j and h_j written in the elements.
+  GiNaC::ex in_elements(const GiNaC::ex& expression) const;
+};
+
+/// In closed form. Parts side by side are taken one by one, so that branches stay as they are
+/// given; nothing if a part has more than two relaxation times of its own.
+std::optional<Spectrum> spectrum(const Network& network);
+
+/// K(s) and K(i omega) = K' + i K'', in the elements, s and omega (N/m).
+struct Response {
+  GiNaC::ex stiffness;  ///< K(s)
+  GiNaC::ex storage;    ///< K'
+  GiNaC::ex loss;       ///< K''
+};
+
+/// Each as one fraction if K(s) has at most a dozen terms above the bar, else as a sum over the
+/// parts of a parallel combination.
+Response response(const Network& network);
+
+/// What a lasting load and a sudden one meet.
+struct Extremes {
+  GiNaC::ex equilibrium;  ///< K(0) (N/m); 0 for what flows
+  GiNaC::ex viscosity;    ///< K(s)/s for s to 0 (N s/m), of what flows, else 0
+  GiNaC::ex glassy;       ///< K(s) for s to infinity (N/m), 0 beside a damper
+  GiNaC::ex damper;       ///< K(s)/s for s to infinity (N s/m), 0 without a direct damper
+};
+
+Extremes extremes(const Network& network);
+
+}  // namespace vcrit::symbolic

@@ -1,0 +1,114 @@
+// The page about the named rheologies stands alone and is complete.
+#include "report/catalogue_page.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <regex>
+#include <set>
+
+#include "network/catalogue.hpp"
+#include "report/assets.hpp"
+
+using namespace vcrit;
+using namespace vcrit::validation::report;
+
+namespace {
+
+const std::string& html() {
+  static const std::string text = catalogue_page();
+  return text;
+}
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != text.npos; }
+
+int count(const std::string& text, const std::string& part) {
+  int found = 0;
+  for (auto at = text.find(part); at != text.npos; at = text.find(part, at + 1)) ++found;
+  return found;
+}
+
+/// The part of the page about one rheology.
+std::string section(const std::string& name) {
+  const auto begin = html().find("<section class=\"scene\" id=\"" + name + "\">");
+  BOOST_REQUIRE(begin != std::string::npos);
+  return html().substr(begin, html().find("</section>", begin) - begin);
+}
+
+/// The page without the style, whose ">" is no tag.
+std::string markup() {
+  std::string text = html();
+  return text.erase(text.find(style()), style().size());
+}
+
+/// Elements that are open where `tag` closes another; empty if all close in their order.
+std::string first_unbalanced(const std::string& text) {
+  static const std::set<std::string> empty{"meta", "!DOCTYPE"};
+  std::vector<std::string> open;
+  const std::regex tag("<(/?)([A-Za-z0-9!]+)[^>]*?(/?)>");
+  for (std::sregex_iterator at(text.begin(), text.end(), tag), end; at != end; ++at) {
+    const std::string name = (*at)[2];
+    if (empty.contains(name) || (*at)[3].length() > 0) continue;
+    if ((*at)[1].length() == 0) {
+      open.push_back(name);
+    } else {
+      if (open.empty() || open.back() != name) return name;
+      open.pop_back();
+    }
+  }
+  return open.empty() ? "" : open.back();
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(every_rheology_has_its_section_and_is_in_the_index) {
+  for (const Rheology& rheology : catalogue()) {
+    BOOST_TEST_CONTEXT(rheology.name) {
+      const std::string text = section(rheology.name);
+      BOOST_TEST(has(html(), "<a href=\"#" + rheology.name + "\">"));
+      BOOST_TEST(count(text, "<svg") == 1);
+      BOOST_TEST(count(text, "<h3>Critical velocity") == 2);
+      for (const char* part : {"<h3>Dynamic stiffness", "<h3>At rest and at once", "<h3>Limits"})
+        BOOST_TEST(count(text, part) == 1, part);
+    }
+  }
+  BOOST_TEST(count(html(), "<section") == static_cast<int>(catalogue().size()));
+}
+
+BOOST_AUTO_TEST_CASE(what_flows_is_marked) {
+  const std::string mark = "As normal contact not admissible";
+  for (const char* name : {"damper", "maxwell", "jeffreys", "burgers"})
+    BOOST_TEST(has(section(name), mark), name);
+  for (const char* name : {"spring", "kelvin", "zener", "prony"})
+    BOOST_TEST(!has(section(name), mark), name);
+}
+
+BOOST_AUTO_TEST_CASE(what_relaxes_has_a_spectrum) {
+  for (const char* name : {"maxwell", "zener", "jeffreys", "burgers", "prony"})
+    BOOST_TEST(has(section(name), "<h3>Relaxation spectrum"), name);
+  for (const char* name : {"spring", "damper", "kelvin"})
+    BOOST_TEST(!has(section(name), "<h3>Relaxation spectrum"), name);
+}
+
+// The name of MathML's namespace is no address that is called.
+BOOST_AUTO_TEST_CASE(nothing_is_loaded_and_nothing_runs) {
+  const std::string text =
+      std::regex_replace(markup(), std::regex(" xmlns=\"http://www.w3.org/1998/Math/MathML\""), "");
+  for (const char* part : {"http:", "https:", " src=", "<link", "<script", "@import"})
+    BOOST_TEST(!has(text, part), part);
+  BOOST_TEST(!std::regex_search(text, std::regex("href=\"(?!#)")));
+  BOOST_TEST(has(text, "default-src 'none'"));
+}
+
+BOOST_AUTO_TEST_CASE(tags_are_balanced) {
+  BOOST_TEST(first_unbalanced("<p><b>x</b></p>") == "");
+  BOOST_TEST(first_unbalanced("<p><b>x</p></b>") == "p");
+  BOOST_TEST(first_unbalanced(markup()) == "");
+}
+
+BOOST_AUTO_TEST_CASE(links_lead_somewhere_and_names_are_given_once) {
+  const std::regex link("href=\"#([^\"]*)\"");
+  const std::string text = markup();
+  for (std::sregex_iterator at(text.begin(), text.end(), link), end; at != end; ++at)
+    BOOST_TEST(count(text, " id=\"" + (*at)[1].str() + "\"") == 1, (*at)[1].str());
+}
+
+BOOST_AUTO_TEST_CASE(the_same_bytes_again) { BOOST_TEST((catalogue_page() == html())); }

@@ -1,0 +1,20 @@
+// Formulas of the symbolic part as plain data, for the pages.
+#pragma once
+
+#include <ginac/ginac.h>
+
+#include <vector>
+
+#include "formula/line.hpp"
+#include "scene_report.hpp"
+
+namespace vcrit::validation {
+
+Formula formula_of(const GiNaC::ex& expression);
+
+std::vector<Equation> equations_of(const std::vector<symbolic::Line>& lines);
+
+/// The limits and special cases that the scene has.
+std::vector<LimitLine> limits_of(const Scene& scene);
+
+}  // namespace vcrit::validation

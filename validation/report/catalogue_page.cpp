@@ -1,0 +1,166 @@
+#include "report/catalogue_page.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "analysis/rheology.hpp"
+#include "derivation/derivation.hpp"
+#include "formulas.hpp"
+#include "network/catalogue.hpp"
+#include "report/catalogue_words.hpp"
+#include "report/document_head.hpp"
+#include "report/equations.hpp"
+#include "report/html.hpp"
+#include "report/network_drawing.hpp"
+#include "scene/scene.hpp"
+
+namespace vcrit::validation::report {
+
+namespace {
+
+using GiNaC::ex;
+
+const char* const policy =
+    "default-src 'none'; style-src 'unsafe-inline'; base-uri 'none'; form-action 'none'";
+const char* const stiffness = "<math><mi>K</mi><mo>(</mo><mi>s</mi><mo>)</mo></math>";
+const char* const storage =
+    "<math><msup><mi>K</mi><mo>′</mo></msup><mo>(</mo><mi>ω</mi><mo>)</mo></math>";
+const char* const loss =
+    "<math><msup><mi>K</mi><mo>″</mo></msup><mo>(</mo><mi>ω</mi><mo>)</mo></math>";
+
+std::string signature(const Rheology& rheology) {
+  std::string text = rheology.signature();
+  if (rheology.has_arrays()) text.insert(text.size() - 1, ", 3");
+  return text;
+}
+
+/// A scene without values; `rest` says what there is besides the normal contact.
+Scene scene_of(const Rheology& rheology, const std::string& rest) {
+  return parse_scene("[contact]\nnormal = \"" + signature(rheology) + "\"\n" + rest, "catalogue");
+}
+
+Scene isotropic_scene(const Rheology& rheology) {
+  return scene_of(rheology, "poisson = \"nu\"\n[drive]\nnetwork = \"kd\"\n[body]\nmass = \"m\"\n");
+}
+
+/// One rheology and what there is to say of it.
+struct Entry {
+  explicit Entry(const Rheology& of)
+      : rheology(of),
+        words(words_of(of.name)),
+        isotropic(isotropic_scene(of)),
+        extremes(symbolic::extremes(isotropic.normal)) {}
+  const Rheology& rheology;
+  const RheologyWords& words;
+  Scene isotropic;
+  symbolic::Extremes extremes;
+
+  bool flows() const { return extremes.equilibrium.is_zero(); }
+};
+
+std::string equation_of(const char* left, const ex& right) {
+  return equation(left, formula_of(right).mathml) + "\n";
+}
+
+std::string stiffness_part(const Network& network) {
+  const symbolic::Response response = symbolic::response(network);
+  return "<h3>Dynamic stiffness</h3>\n" + equation_of(stiffness, response.stiffness) +
+         equation_of(storage, response.storage) + equation_of(loss, response.loss);
+}
+
+/// A row of a table; none for what is zero.
+std::string row(const char* name, const ex& value) {
+  if (value.is_zero()) return {};
+  return fmt::format(
+      "<tr><th scope=\"row\">{}</th><td><div class=\"scroll\" tabindex=\"0\">{}</div></td></tr>\n",
+      name, formula_of(value).mathml);
+}
+
+std::string extremes_part(const symbolic::Extremes& extremes) {
+  return "<h3>At rest and at once</h3>\n<table class=\"plain\"><tbody>\n" +
+         row("Equilibrium stiffness K(0)", extremes.equilibrium) +
+         row("Viscosity of steady flow", extremes.viscosity) +
+         row("Glassy stiffness K(∞)", extremes.glassy) + row("Direct damper", extremes.damper) +
+         "</tbody></table>\n";
+}
+
+std::string spectrum_part(const Network& network) {
+  const auto spectrum = symbolic::spectrum(network);
+  if (!spectrum || spectrum->lines.empty()) return {};
+  std::string html = "<h3>Relaxation spectrum</h3>\n" + equation_of(stiffness, spectrum->sum());
+  for (const auto& [time, strength] : spectrum->lines)
+    for (const Equation& line : equations_of({time, strength})) html += equation(line) + "\n";
+  return html;
+}
+
+std::string velocity_part(const char* heading, const Scene& scene) {
+  const symbolic::Derivation derivation = symbolic::derive(scene);
+  return fmt::format("<h3>{}</h3>\n{}", heading, numbered(derivation.equation)) +
+         equation(velocity, formula_of(derivation.critical_velocity).mathml) +
+         definitions(equations_of(derivation.definitions));
+}
+
+std::string drawing_of(const Entry& entry) {
+  return fmt::format("<figure><div class=\"scroll\" tabindex=\"0\">{}</div></figure>\n",
+                     framed(draw(entry.isotropic.normal), entry.words.called));
+}
+
+std::string admissibility(const Entry& entry) {
+  if (!entry.flows()) return {};
+  return "<p class=\"warnings\">As normal contact not admissible: it flows, K(0) = 0, and cannot "
+         "carry the mean normal load. The formulas hold for it as part of a network that "
+         "can.</p>\n";
+}
+
+std::string section(const Entry& entry) {
+  return fmt::format(
+             "<section class=\"scene\" id=\"{}\">\n<h2>{}: <code>{}</code></h2>\n<p>{}</p>\n",
+             entry.rheology.name, escape(entry.words.called), escape(signature(entry.rheology)),
+             escape(entry.words.meaning)) +
+         admissibility(entry) + drawing_of(entry) + stiffness_part(entry.isotropic.normal) +
+         extremes_part(entry.extremes) + spectrum_part(entry.isotropic.normal) +
+         velocity_part("Critical velocity, elastic drive with a mass", entry.isotropic) +
+         velocity_part("Critical velocity, elastic tangential contact, rigid drive",
+                       scene_of(entry.rheology, "tangential = \"kt\"\n")) +
+         limits_table(limits_of(entry.isotropic)) + "</section>\n";
+}
+
+std::string index_line(const Entry& entry) {
+  return fmt::format(
+      "<li><a href=\"#{}\"><span class=\"name\"><code>{}</code></span>"
+      "<span class=\"velocity\">{}</span><span class=\"state\">{}</span></a></li>\n",
+      entry.rheology.name, escape(signature(entry.rheology)), escape(entry.words.called),
+      entry.flows() ? "flows" : "carries a lasting load");
+}
+
+std::string opening() {
+  return "<body>\n<a class=\"skip\" href=\"#content\">To the rheologies</a>\n"
+         "<header class=\"page\"><p class=\"program\">vcrit " VCRIT_VERSION
+         "</p>\n<h1>Named rheologies</h1>\n"
+         "<p class=\"lead\">The contacts and drives that a scene can call by name, and what each "
+         "makes of the critical velocity v*.</p>\n"
+         "<p>K(s) is the dynamic stiffness with s = iω, K′ and K″ its real and imaginary part: "
+         "storage and loss. Springs k are stiffnesses in N/m, dampers c are in N s/m, times τ "
+         "in s. All formulas are derived from the network when this page is made.</p>\n"
+         "<p>The first critical velocity of each is that of an isotropic contact of Poisson’s "
+         "ratio ν that carries a body of mass m on an elastic drive k<sub>d</sub>; the limits "
+         "are those of this formula. The second has the rheology along the normal alone, beside "
+         "an elastic tangential contact k<sub>t</sub> under a rigid drive.</p>\n</header>\n";
+}
+
+}  // namespace
+
+std::string catalogue_page() {
+  std::string index, sections;
+  for (const Rheology& rheology : catalogue()) {
+    const Entry entry(rheology);
+    index += index_line(entry);
+    sections += section(entry);
+  }
+  return document_head("Named rheologies", policy) + opening() +
+         "<nav aria-label=\"Rheologies\"><ol class=\"index\">\n" + index +
+         "</ol></nav>\n<main id=\"content\">\n" + sections + "</main>\n</body>\n</html>\n";
+}
+
+}  // namespace vcrit::validation::report
