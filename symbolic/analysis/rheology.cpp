@@ -52,6 +52,8 @@ class SpectrumMaker {
  public:
   /// Whether the part has a closed form.
   bool add(const Network& part) {
+    const auto* element = std::get_if<Element>(&part.form);
+    if (element != nullptr && element->kind == ElementKind::maxwell) return add_given(*element);
     const Fraction k = stiffness(part);
     const Extremes ends = extremes(part);
     spectrum_.equilibrium += ends.equilibrium;
@@ -64,6 +66,12 @@ class SpectrumMaker {
   Spectrum result() && { return std::move(spectrum_); }
 
  private:
+  bool add_given(const Element& branch) {
+    const ex time = symbol(branch.time), strength = symbol(branch.coefficient);
+    spectrum_.lines.push_back({{"", time, time}, {"", strength, strength}});
+    return true;
+  }
+
   void add_single(const Fraction& k) {
     const ex slope = coefficient(k.denominator, 1);
     const ex time = simplified(slope / coefficient(k.denominator, 0));

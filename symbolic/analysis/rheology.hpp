@@ -14,7 +14,8 @@
 namespace vcrit::symbolic {
 
 /// One relaxation time: the lines tau_j = ... (s) and h_j = ... (N/m) in the network's elements.
-/// Where two times are the roots of one quadratic, the strengths are written in tau_j.
+/// Where two times are the roots of one quadratic, the strengths are written in tau_j. A Maxwell
+/// branch given by its time keeps its names: both sides are the same.
 struct RelaxationLine {
   Line time, strength;
 };

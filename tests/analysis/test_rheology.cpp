@@ -187,8 +187,8 @@ BOOST_AUTO_TEST_CASE(formulas_read_well) {
 BOOST_AUTO_TEST_CASE(branches_stay_as_they_are_given) {
   const Spectrum found = *spectrum(networks().at(7));
   BOOST_REQUIRE(found.lines.size() == 3U);
-  BOOST_TEST(line_text(found.lines[2].time) == "tau_3 = tau[3]");
-  BOOST_TEST(line_text(found.lines[2].strength) == "h_3 = k[3]");
+  BOOST_TEST(line_text(found.lines[2].time) == "tau[3] = tau[3]");
+  BOOST_TEST(line_text(found.lines[2].strength) == "k[3] = k[3]");
 }
 
 // Three retardation times one behind the other: a cubic.

@@ -23,11 +23,10 @@ using GiNaC::ex;
 
 const char* const policy =
     "default-src 'none'; style-src 'unsafe-inline'; base-uri 'none'; form-action 'none'";
-const char* const stiffness = "<math><mi>K</mi><mo>(</mo><mi>s</mi><mo>)</mo></math>";
-const char* const storage =
-    "<math><msup><mi>K</mi><mo>′</mo></msup><mo>(</mo><mi>ω</mi><mo>)</mo></math>";
-const char* const loss =
-    "<math><msup><mi>K</mi><mo>″</mo></msup><mo>(</mo><mi>ω</mi><mo>)</mo></math>";
+const char* const stiffness =
+    "<math><mi>K</mi><mo stretchy=\"false\">(</mo><mi>s</mi><mo stretchy=\"false\">)</mo></math>";
+const char* const storage = "<math><mi>K</mi><mo lspace=\"0\" rspace=\"0\">′</mo></math>";
+const char* const loss = "<math><mi>K</mi><mo lspace=\"0\" rspace=\"0\">″</mo></math>";
 
 std::string signature(const Rheology& rheology) {
   std::string text = rheology.signature();
@@ -41,7 +40,8 @@ Scene scene_of(const Rheology& rheology, const std::string& rest) {
 }
 
 Scene isotropic_scene(const Rheology& rheology) {
-  return scene_of(rheology, "poisson = \"nu\"\n[drive]\nnetwork = \"kd\"\n[body]\nmass = \"m\"\n");
+  return scene_of(rheology,
+                  "tangential_ratio = \"r\"\n[drive]\nnetwork = \"kd\"\n[body]\nmass = \"m\"\n");
 }
 
 /// One rheology and what there is to say of it.
@@ -78,24 +78,30 @@ std::string row(const char* name, const ex& value) {
 }
 
 std::string extremes_part(const symbolic::Extremes& extremes) {
-  return "<h3>At rest and at once</h3>\n<table class=\"plain\"><tbody>\n" +
+  return "<h3>At rest and at once</h3>\n<table class=\"plain behaviour\"><tbody>\n" +
          row("Equilibrium stiffness K(0)", extremes.equilibrium) +
          row("Viscosity of steady flow", extremes.viscosity) +
          row("Glassy stiffness K(∞)", extremes.glassy) + row("Direct damper", extremes.damper) +
          "</tbody></table>\n";
 }
 
+/// Nothing for a quantity that is given as such.
+std::string named(const symbolic::Line& line) {
+  return line.left.is_equal(line.right) ? "" : equation(equations_of({line}).front()) + "\n";
+}
+
 std::string spectrum_part(const Network& network) {
   const auto spectrum = symbolic::spectrum(network);
   if (!spectrum || spectrum->lines.empty()) return {};
-  std::string html = "<h3>Relaxation spectrum</h3>\n" + equation_of(stiffness, spectrum->sum());
-  for (const auto& [time, strength] : spectrum->lines)
-    for (const Equation& line : equations_of({time, strength})) html += equation(line) + "\n";
-  return html;
+  std::string lines;
+  for (const auto& [time, strength] : spectrum->lines) lines += named(time) + named(strength);
+  if (lines.empty()) lines = "<p>The times and strengths are those that are given.</p>\n";
+  return "<h3>Relaxation spectrum</h3>\n" + equation_of(stiffness, spectrum->sum()) + lines;
 }
 
+/// Arrays are not multiplied out: even three branches would give hundreds of terms.
 std::string velocity_part(const char* heading, const Scene& scene) {
-  const symbolic::Derivation derivation = symbolic::derive(scene);
+  const symbolic::Derivation derivation = symbolic::derive(scene, !scene.arrays.empty());
   return fmt::format("<h3>{}</h3>\n{}", heading, numbered(derivation.equation)) +
          equation(velocity, formula_of(derivation.critical_velocity).mathml) +
          definitions(equations_of(derivation.definitions));
@@ -109,8 +115,8 @@ std::string drawing_of(const Entry& entry) {
 std::string admissibility(const Entry& entry) {
   if (!entry.flows()) return {};
   return "<p class=\"warnings\">As normal contact not admissible: it flows, K(0) = 0, and cannot "
-         "carry the mean normal load. The formulas hold for it as part of a network that "
-         "can.</p>\n";
+         "carry the mean normal load. Its formulas are the limit of a contact with a weak spring "
+         "beside it.</p>\n";
 }
 
 std::string section(const Entry& entry) {
@@ -140,13 +146,16 @@ std::string opening() {
          "</p>\n<h1>Named rheologies</h1>\n"
          "<p class=\"lead\">The contacts and drives that a scene can call by name, and what each "
          "makes of the critical velocity v*.</p>\n"
-         "<p>K(s) is the dynamic stiffness with s = iω, K′ and K″ its real and imaginary part: "
-         "storage and loss. Springs k are stiffnesses in N/m, dampers c are in N s/m, times τ "
-         "in s. All formulas are derived from the network when this page is made.</p>\n"
-         "<p>The first critical velocity of each is that of an isotropic contact of Poisson’s "
-         "ratio ν that carries a body of mass m on an elastic drive k<sub>d</sub>; the limits "
-         "are those of this formula. The second has the rheology along the normal alone, beside "
-         "an elastic tangential contact k<sub>t</sub> under a rigid drive.</p>\n</header>\n";
+         "<p>K(s) is the dynamic stiffness with s = iω, K′ and K″ its real and imaginary part at "
+         "ω: storage and loss. Springs k and the strengths h of relaxation are in N/m, dampers c "
+         "in N s/m, times τ in s. All formulas are derived from the network when this page is "
+         "made.</p>\n"
+         "<p>The first critical velocity of each is that of an isotropic contact, K<sub>t</sub> = "
+         "r K<sub>n</sub> with r = 2(1 − ν)/(2 − ν) and Poisson’s ratio ν, that carries a body of "
+         "mass m on an elastic drive k<sub>d</sub>; the limits are those of this formula. The "
+         "second has the rheology along the normal alone, beside an elastic tangential contact "
+         "k<sub>t</sub> under a rigid drive. Equations are numbered as in the "
+         "paper.</p>\n</header>\n";
 }
 
 }  // namespace
