@@ -27,6 +27,7 @@ void write_condition(const Model& model, std::vector<Line>& lines) {
       {"Sliding without a stop ends where the contact velocity v0 - |omega B| sin(...) "
        "first touches zero",
        v, omega() * GiNaC::abs(quantity("B"))});
+  lines.push_back({"For any linear structure", v, velocity(model.balance().general_amplitude)});
   lines.push_back({"For any networks (24)", v, velocity(model.balance().contact_amplitude)});
   if (model.identities().empty()) return;
   for (const Line& identity : model.identities()) lines.push_back(identity);
