@@ -33,7 +33,7 @@ class Evaluation {
       : scene_(scene), values_(values_of(scene)), normal_(reduce(scene.normal)) {
     if (const auto* tangential = std::get_if<Network>(&scene.tangential))
       tangential_ = reduce(*tangential);
-    if (scene.drive) drive_ = drive_in_balls(scene);
+    if (has_drive(scene)) drive_ = drive_in_balls(scene);
   }
 
   Quotient at(slong precision) const {

@@ -129,9 +129,38 @@ class WithMasses : public DriveInBalls {
   std::size_t nodes_ = first_inner;
 };
 
+/// A table's row, or the linear interpolation between two rows times their distance, which is what
+/// the force is measured in.
+class Measured : public DriveInBalls {
+ public:
+  explicit Measured(const Bracket& bracket) : below_(bracket.below), above_(bracket.above) {}
+
+  DriveResponse at(Balls& balls) const override {
+    if (below_.omega == above_.omega) return {Ball(1), receptance(below_)};
+    const Ball up = balls.subtract(balls.omega, Ball(below_.omega));
+    const Ball down = balls.subtract(Ball(above_.omega), balls.omega);
+    return {balls.subtract(Ball(above_.omega), Ball(below_.omega)),
+            balls.add(balls.multiply(receptance(below_), down),
+                      balls.multiply(receptance(above_), up))};
+  }
+  std::size_t steps() const override { return 8; }
+
+ private:
+  static Ball receptance(const Receptance::Row& row) {
+    Ball ball;
+    acb_set_d_d(ball.get(), row.re, row.im);
+    return ball;
+  }
+
+  Receptance::Row below_, above_;
+};
+
 }  // namespace
 
 std::unique_ptr<const DriveInBalls> drive_in_balls(const Scene& scene) {
+  if (scene.receptance)
+    return std::make_unique<Measured>(
+        bracket(*scene.receptance, values_of(scene).at(scene.angular_frequency.symbol)));
   if (has_masses(*scene.drive)) return std::make_unique<WithMasses>(*scene.drive);
   return std::make_unique<Massless>(*scene.drive);
 }

@@ -6,6 +6,7 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <filesystem>
 #include <numbers>
 #include <set>
 
@@ -140,10 +141,20 @@ class Reader {
   }
 
   void read_drive() {
-    const Section drive = section("drive", {"network"});
+    const Section drive = section("drive", {"network", "receptance"});
     if (!drive.exists()) return;
+    if (drive.find("receptance") != nullptr) return read_measured(drive);
     scene_.drive = network(drive, "network");
     refuse_misplaced_masses(drive.place("network"));
+  }
+
+  void read_measured(const Section& drive) {
+    if (drive.find("network") != nullptr)
+      throw InputError(drive.place("receptance"), "network and receptance",
+                       "one of the two in [drive]");
+    const std::filesystem::path folder = std::filesystem::path(file_).parent_path();
+    scene_.receptance =
+        read_receptance(folder / drive.text("receptance"), drive.place("receptance"));
   }
 
   void refuse_misplaced_masses(const Place& place) const {
@@ -166,7 +177,7 @@ class Reader {
                        "mass = \"5 g\", or no section [body]");
     const Quantity mass = quantity(body, "mass", "m", Dimension::mass, nonnegative);
     if (mass.value == 0.0) return;
-    if (scene_.drive)
+    if (has_drive(scene_))
       scene_.mass = mass;
     else
       scene_.warnings.push_back(

@@ -125,6 +125,8 @@ const char* const certified_struct =
     "known\n\n";
 
 void refuse_other_drives(const Scene& scene) {
+  if (scene.receptance)
+    throw ModelError("the generator needs a network; this drive is a measured receptance");
   if (scene.drive && has_masses(*scene.drive))
     throw ModelError("the generator knows one body; this drive holds masses of its own");
 }
