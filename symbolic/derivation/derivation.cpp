@@ -52,7 +52,8 @@ void write_networks(const Model& model, std::vector<Line>& lines) {
 
 /// The symbols of the formula, mass and friction first, elements in the order of writing.
 std::vector<Symbol> parameters(const Scene& scene, const Formula& formula) {
-  std::vector<Symbol> candidates{{"mu0"}, {"omega"}, {"du_z"}, {"m"}};
+  std::vector<Symbol> candidates{{"mu0"}, {"omega"}, {"du_z"}};
+  if (scene.mass) candidates.push_back(scene.mass->symbol);
   const auto* isotropic = std::get_if<Isotropic>(&scene.tangential);
   if (isotropic != nullptr && !isotropic->quantity.value)
     candidates.push_back(isotropic->quantity.symbol);

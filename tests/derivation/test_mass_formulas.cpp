@@ -4,6 +4,7 @@
 
 #include "analysis/limits.hpp"
 #include "derivation/derivation.hpp"
+#include "derivation/model.hpp"
 #include "derivation/scenes.hpp"
 #include "formula/symbols.hpp"
 #include "formula/text.hpp"
@@ -108,4 +109,32 @@ BOOST_AUTO_TEST_CASE(limits_of_a_drive_with_masses_are_approached) {
     ++checked;
   }
   BOOST_TEST(checked == 9);
+}
+
+// A mass of the drive that vanishes is not there; one that grows without end holds its point.
+BOOST_AUTO_TEST_CASE(limits_of_a_mass_of_the_drive) {
+  const auto scene = [](const std::string& drive) {
+    return test::scene_of(test::kelvin_contact, drive, "m");
+  };
+  const Scene chain = scene("k1 - (mass(m1) | k2 | c2)");
+  const auto limit = [model = Model(chain)](int rate) {
+    Change change;
+    change.rates[{"m1"}] = rate;
+    return to_text(model.formula(change).value().velocity);
+  };
+  BOOST_TEST(limit(-1) == formula(scene("k1 - (k2 | c2)")));
+  BOOST_TEST(limit(1) == formula(scene("k1")));
+  // Beside the body a mass that grows holds the body: the drive becomes rigid.
+  const Model beside(scene("mass(m1) | k1"));
+  Change change;
+  change.rates[{"m1"}] = 1;
+  BOOST_TEST(to_text(beside.formula(change).value().velocity) ==
+             formula(test::scene_of(test::kelvin_contact)));
+}
+
+BOOST_AUTO_TEST_CASE(a_parameter_is_named_once) {
+  const std::vector<Symbol> parameters =
+      derive(test::scene_of("normal = \"kn\"\ntangential = \"kt\"", "mass(m) | kd")).parameters;
+  BOOST_TEST((parameters ==
+              std::vector<Symbol>{{"mu0"}, {"omega"}, {"du_z"}, {"kn"}, {"kt"}, {"m"}, {"kd"}}));
 }

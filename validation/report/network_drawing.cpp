@@ -33,9 +33,9 @@ Drawing draw_maxwell(const Element& element) {
               text(element_width, -label_height, names)};
 }
 
-/// A box; what lies behind it is inertial ground.
+/// A box; what it pushes against, beyond the dashes, is inertial ground.
 std::string mass_box() {
-  return path("M0 0H22M62 0H84", "mass") + path("M22 -12H62V12H22z", "solid");
+  return line(0, 0, 22, 0) + path("M62 0H84", "inertial") + path("M22 -12H62V12H22z", "solid");
 }
 
 std::string symbol_of(const Element& element) {
