@@ -9,6 +9,7 @@
 #include "base/numbers.hpp"
 #include "compiler.hpp"
 #include "emit/generate.hpp"
+#include "formula/symbols.hpp"
 #include "formula/value.hpp"
 
 namespace vcrit::validation {
@@ -58,12 +59,37 @@ std::string run_or_throw(const ProgramResult& result, const char* what) {
 
 }  // namespace
 
-double derived_velocity(const symbolic::Derivation& derivation, const Values& values) {
+namespace {
+
+/// R_d between two rows of its table, as exact as the table's doubles.
+GiNaC::ex interpolated(const Receptance& receptance, double omega) {
+  const auto [below, above] = bracket(receptance, omega);
+  const auto complex = [](const Receptance::Row& row) {
+    return symbolic::exact_binary(row.re) + symbolic::exact_binary(row.im) * GiNaC::I;
+  };
+  if (below.omega == above.omega) return complex(below);
+  const GiNaC::numeric from = symbolic::exact_binary(below.omega);
+  const GiNaC::numeric share =
+      (symbolic::exact_binary(omega) - from) / (symbolic::exact_binary(above.omega) - from);
+  return complex(below) * (1 - share) + complex(above) * share;
+}
+
+}  // namespace
+
+double derived_velocity(const Scene& scene, const symbolic::Derivation& derivation,
+                        const Values& values) {
   const Precision precision(digits);
+  std::vector<symbolic::Line> definitions;
+  if (scene.receptance)
+    definitions.push_back(
+        {"", symbolic::quantity("R_d"),
+         interpolated(*scene.receptance, values.at(scene.angular_frequency.symbol))});
+  definitions.insert(definitions.end(), derivation.definitions.begin(),
+                     derivation.definitions.end());
   std::map<Symbol, GiNaC::numeric> numbers;
   for (const auto& [symbol, value] : values) numbers[symbol] = GiNaC::numeric(value);
   const GiNaC::numeric velocity =
-      symbolic::value_at(derivation.critical_velocity, derivation.definitions, numbers);
+      symbolic::value_at(derivation.critical_velocity, definitions, numbers);
   if (!velocity.is_real()) throw std::runtime_error("the derived formula gave no real number");
   return velocity.to_double();
 }

@@ -12,7 +12,8 @@ namespace vcrit::validation {
 
 /// The derived formula at the scene's doubles, which stand for exactly themselves; 50 digits, then
 /// rounded to a double. Throws std::runtime_error where the formula has no finite value.
-double derived_velocity(const symbolic::Derivation& derivation, const Values& values);
+double derived_velocity(const Scene& scene, const symbolic::Derivation& derivation,
+                        const Values& values);
 
 /// What the generated library answers, each call of its interface once; m/s.
 struct GeneratedVelocities {

@@ -33,6 +33,9 @@ std::map<Symbol, Kind> kinds_of_elements(const Scene& scene) {
         kinds[element.coefficient] = {"N/m", "spring of a Maxwell branch"};
         kinds[element.time] = {"s", "relaxation time of a Maxwell branch"};
         break;
+      case ElementKind::mass:
+        kinds[element.coefficient] = {"kg", "mass in the drive"};
+        break;
     }
   });
   return kinds;

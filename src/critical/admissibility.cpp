@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <complex>
+#include <optional>
 
+#include "network/masses.hpp"
 #include "stiffness/dynamic_stiffness.hpp"
 #include "stiffness/relaxation.hpp"
 
@@ -20,6 +22,13 @@ double viscosity(const Relaxation& relaxation) {
 
 double fluidity(const Relaxation& relaxation) {
   return relaxation.equilibrium > 0 ? 0 : 1 / viscosity(relaxation);
+}
+
+// m s^2 is nothing beside k, and beside c s, as s -> 0.
+Network resting(const Network& drive) {
+  const std::optional<Network> rest = without_masses(drive);
+  ensure(rest.has_value(), "a drive has a path of springs and dampers");
+  return *rest;
 }
 
 }  // namespace
@@ -54,7 +63,7 @@ double creep_velocity(const Scene& scene) {
   const Values values = values_of(scene);
   const ScaledNetwork tangential = tangential_network(scene);
   double total = fluidity(relaxation_form(*tangential.network, values)) / tangential.factor;
-  if (scene.drive) total += fluidity(relaxation_form(*scene.drive, values));
+  if (scene.drive) total += fluidity(relaxation_form(resting(*scene.drive), values));
   if (total == 0) return 0;
   const double mean_normal_force =
       relaxation_form(scene.normal, values).equilibrium * values.at(scene.indentation.symbol);

@@ -1,89 +1,19 @@
 #include "critical/certified.hpp"
 
-#include <acb.h>
-#include <arb.h>
+#include <fmt/format.h>
 
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <optional>
-#include <vector>
 
+#include "critical/balls.hpp"
+#include "critical/drive_response.hpp"
 #include "network/reduction.hpp"
 
 namespace vcrit {
 
 namespace {
-
-/// A ball that frees itself.
-class Ball {
- public:
-  Ball() { acb_init(z_); }
-  explicit Ball(double value) : Ball() { acb_set_d(z_, value); }
-  Ball(const Ball& other) : Ball() { acb_set(z_, other.z_); }
-  Ball(Ball&& other) noexcept : Ball() { acb_swap(z_, other.z_); }
-  Ball& operator=(const Ball& other) {
-    acb_set(z_, other.z_);
-    return *this;
-  }
-  Ball& operator=(Ball&& other) noexcept {
-    acb_swap(z_, other.z_);
-    return *this;
-  }
-  ~Ball() { acb_clear(z_); }
-  acb_ptr get() { return z_; }
-  acb_srcptr get() const { return z_; }
-
- private:
-  acb_t z_{};
-};
-
-/// Ball arithmetic of one precision.
-struct Arithmetic {
-  slong precision;
-
-  using Operation = void(acb_ptr, acb_srcptr, acb_srcptr, slong);
-  Ball apply(Operation* operation, const Ball& a, const Ball& b) const {
-    Ball c;
-    operation(c.get(), a.get(), b.get(), precision);
-    return c;
-  }
-  Ball add(const Ball& a, const Ball& b) const { return apply(acb_add, a, b); }
-  Ball subtract(const Ball& a, const Ball& b) const { return apply(acb_sub, a, b); }
-  Ball multiply(const Ball& a, const Ball& b) const { return apply(acb_mul, a, b); }
-  Ball divide(const Ball& a, const Ball& b) const { return apply(acb_div, a, b); }
-  Ball times_i(const Ball& a) const {
-    Ball c;
-    acb_mul_onei(c.get(), a.get());
-    return c;
-  }
-  Ball modulus(const Ball& a) const {
-    Ball c;
-    acb_abs(acb_realref(c.get()), a.get(), precision);
-    return c;
-  }
-};
-
-/// The arithmetic with a scene's numbers, as the algebra that a reduction runs in.
-struct Balls : Arithmetic {
-  using Value = Ball;
-  const Values& values;
-  Ball omega;
-
-  Ball of(const Symbol& symbol) const { return Ball(values.at(symbol)); }
-
-  Ball element(const Element& e) const {
-    Ball coefficient = of(e.coefficient);
-    if (e.kind == ElementKind::spring) return coefficient;
-    if (e.kind == ElementKind::damper) return times_i(multiply(coefficient, omega));
-    const Ball x = times_i(multiply(omega, of(e.time)));
-    return divide(multiply(coefficient, x), add(Ball(1), x));
-  }
-  Ball parallel(const Ball& a, const Ball& b) const { return add(a, b); }
-  Ball series(const Ball& a, const Ball& b) const { return mesh(a, b, add(a, b)); }
-  Ball mesh(const Ball& a, const Ball& b, const Ball& total) const {
-    return divide(multiply(a, b), total);
-  }
-};
 
 /// Eq. 24 as prefactor |numerator|/|denominator|, each a ball.
 struct Quotient {
@@ -103,7 +33,7 @@ class Evaluation {
       : scene_(scene), values_(values_of(scene)), normal_(reduce(scene.normal)) {
     if (const auto* tangential = std::get_if<Network>(&scene.tangential))
       tangential_ = reduce(*tangential);
-    if (scene.drive) drive_ = reduce(*scene.drive);
+    if (has_drive(scene)) drive_ = drive_in_balls(scene);
   }
 
   Quotient at(slong precision) const {
@@ -127,24 +57,27 @@ class Evaluation {
   // quotients of integers after scaling; every operation on doubles adds at most their whole range.
   slong most_precision() const {
     const std::size_t steps = normal_.steps.size() + (tangential_ ? tangential_->steps.size() : 0) +
-                              (drive_ ? drive_->steps.size() : 0);
+                              (drive_ ? drive_->steps() : 0);
     return static_cast<slong>(2200 * (steps + 4));
   }
 
  private:
+  // With K_d = force/deflection, both sides of the quotient times the deflection: neither is ever
+  // infinite.
   void put_drive(Quotient& q, const Ball& tangential, Balls& balls) const {
-    q.denominator = evaluate(*drive_, balls);
+    const DriveResponse drive = drive_->at(balls);
+    q.denominator = drive.force;
     if (scene_.mass)
       q.denominator = balls.subtract(
-          q.denominator,
-          balls.multiply(balls.of(scene_.mass->symbol), balls.multiply(balls.omega, balls.omega)));
-    q.numerator = balls.add(tangential, q.denominator);
+          q.denominator, balls.multiply(balls.inertia(scene_.mass->symbol), drive.deflection));
+    q.numerator = balls.add(balls.multiply(tangential, drive.deflection), q.denominator);
   }
 
   const Scene& scene_;
   Values values_;
   Reduction normal_;
-  std::optional<Reduction> tangential_, drive_;
+  std::optional<Reduction> tangential_;
+  std::unique_ptr<const DriveInBalls> drive_;
 };
 
 /// The double that every number of the real ball rounds to, if there is one.
@@ -172,12 +105,16 @@ double rounding_bound(double value) {
 
 bool may_be_zero(const Ball& ball) { return acb_contains_zero(ball.get()) != 0; }
 
-CertifiedVelocity exact_zeros(bool prefactor, bool numerator, bool denominator) {
-  if (denominator && (numerator || prefactor))
+CertifiedVelocity exact_zeros(const Scene& scene, const Quotient& q) {
+  const char* const resonance = scene.mass ? "K_d = m omega^2" : "K_d = 0";
+  const bool zero_above = may_be_zero(q.prefactor) || may_be_zero(q.numerator);
+  if (may_be_zero(q.denominator) && zero_above)
     throw ModelError(
-        "v* is 0/0: the drive is at resonance (K_d = m omega^2) where the numerator of Eq. 24 "
-        "vanishes too");
-  if (denominator) return {infinite, 0, "resonance: K_d = m omega^2, so that v* is infinite"};
+        fmt::format("v* is 0/0: the drive is at resonance ({}) where the numerator of Eq. 24 "
+                    "vanishes too",
+                    resonance));
+  if (may_be_zero(q.denominator))
+    return {infinite, 0, fmt::format("resonance: {}, so that v* is infinite", resonance)};
   return {0, 0, {}};
 }
 
@@ -197,9 +134,7 @@ CertifiedVelocity certified_critical_velocity(const Scene& scene) {
     }
     const bool zero =
         may_be_zero(q.prefactor) || may_be_zero(q.numerator) || may_be_zero(q.denominator);
-    if (precision == most && zero)
-      return exact_zeros(may_be_zero(q.prefactor), may_be_zero(q.numerator),
-                         may_be_zero(q.denominator));
+    if (precision == most && zero) return exact_zeros(scene, q);
     ensure(precision < most,
            "a nonzero critical velocity rounds uniquely within the precision of its operands");
   }

@@ -14,7 +14,8 @@ struct CertifiedVelocity {
   std::string reason;               ///< why the value is infinite, else empty
 };
 
-/// Throws ModelError for 0/0 (resonance and antiresonance at once).
+/// Throws ModelError for 0/0 (resonance and antiresonance at once) and outside the table of a
+/// measured drive.
 CertifiedVelocity certified_critical_velocity(const Scene& scene);
 
 }  // namespace vcrit

@@ -34,6 +34,18 @@ double drive_factor(Complex tangential, const Scene& scene, const Values& values
   return std::hypot(n, tangential.imag() + drive.imag()) / std::hypot(d, drive.imag());
 }
 
+// The same with K_d = 1/R: |K_t R + 1 - m omega^2 R|/|1 - m omega^2 R|
+double measured_factor(Complex tangential, const Scene& scene, const Values& values, double omega) {
+  const auto [below, above] = bracket(*scene.receptance, omega);
+  const double width = above.omega - below.omega;
+  const double share = width > 0 ? (omega - below.omega) / width : 0;
+  const Complex receptance =
+      (1 - share) * Complex{below.re, below.im} + share * Complex{above.re, above.im};
+  const double inertia = scene.mass ? values.at(scene.mass->symbol) * omega * omega : 0;
+  const Complex d = 1.0 - inertia * receptance;
+  return std::abs(tangential * receptance + d) / std::abs(d);
+}
+
 }  // namespace
 
 double critical_velocity(const Scene& scene, double omega) {
@@ -45,7 +57,7 @@ double critical_velocity(const Scene& scene, double omega) {
 
   // An isotropic, rigidly driven contact needs no rheology at all.
   double factor = 1 / ratio;
-  if (isotropic == nullptr || scene.drive) {
+  if (isotropic == nullptr || has_drive(scene)) {
     const Complex normal = dynamic_stiffness(scene.normal, values, omega);
     const Complex tangential =
         isotropic != nullptr
@@ -53,6 +65,7 @@ double critical_velocity(const Scene& scene, double omega) {
             : dynamic_stiffness(std::get<Network>(scene.tangential), values, omega);
     if (isotropic == nullptr) factor = std::abs(normal) / std::abs(tangential);
     if (scene.drive) factor *= drive_factor(tangential, scene, values, omega);
+    if (scene.receptance) factor *= measured_factor(tangential, scene, values, omega);
   }
   return friction * omega * amplitude * factor;
 }

@@ -8,7 +8,8 @@
 namespace vcrit {
 
 /// v* in m/s, the mean velocity of the contact point; every symbol of the scene must have a value.
-/// Infinite at resonance, 0 at antiresonance, NaN where Eq. 24 is 0/0.
+/// Infinite at resonance, 0 at antiresonance, NaN where Eq. 24 is 0/0. Throws ModelError outside
+/// the table of a measured drive.
 double critical_velocity(const Scene& scene);
 /// The same at another angular frequency (rad/s).
 double critical_velocity(const Scene& scene, double omega);

@@ -39,6 +39,7 @@ const std::vector<Rheology>& catalogue() {
   static const std::vector<Rheology> rheologies{
       {"spring", {{"k", scalar}}, [](const Names& n, int) { return k(n[0]); }},
       {"damper", {{"c", scalar}}, [](const Names& n, int) { return c(n[0]); }},
+      {"mass", {{"m", scalar}}, [](const Names& n, int) { return mass({n[0]}); }},
       {"kelvin",
        {{"k", scalar}, {"c", scalar}},
        [](const Names& n, int) {

@@ -41,6 +41,8 @@ Network maxwell(Symbol k, Symbol tau) {
   return {Element{ElementKind::maxwell, std::move(k), std::move(tau)}};
 }
 
+Network mass(Symbol m) { return {Element{ElementKind::mass, std::move(m), {}}}; }
+
 Network series(std::vector<Network> parts) { return combine<Series>(std::move(parts)); }
 Network parallel(std::vector<Network> parts) { return combine<Parallel>(std::move(parts)); }
 

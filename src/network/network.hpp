@@ -1,5 +1,5 @@
-// Networks of springs and dampers between two terminals, as trees of elements, series and parallel
-// combinations, and graphs for what is neither (a bridge).
+// Networks of springs, dampers and, in a drive, masses between two terminals, as trees of elements,
+// series and parallel combinations, and graphs for what is neither (a bridge).
 #pragma once
 
 #include <compare>
@@ -25,12 +25,14 @@ std::string to_text(const Symbol& symbol);
 using Values = std::map<Symbol, double>;
 
 /// spring: K = k.  damper: K = c s.  maxwell: K = k tau s/(1 + tau s), a spring k in series with a
-/// damper k tau, given by its relaxation time.
-enum class ElementKind { spring, damper, maxwell };
+/// damper k tau, given by its relaxation time.  mass: K = m s^2 between a point and inertial
+/// ground; to an oscillation the uniformly moving far end of a drive is that ground, see
+/// masses.hpp.
+enum class ElementKind { spring, damper, maxwell, mass };
 
 struct Element {
   ElementKind kind = ElementKind::spring;
-  Symbol coefficient;  ///< k (N/m) of a spring or Maxwell branch, c (N s/m) of a damper
+  Symbol coefficient;  ///< k (N/m) of a spring or Maxwell branch, c (N s/m), m (kg) of a mass
   Symbol time;         ///< tau (s), Maxwell branch only
   friend bool operator==(const Element&, const Element&) = default;
 };
@@ -72,6 +74,7 @@ bool operator==(const Network&, const Network&);
 Network spring(Symbol k);
 Network damper(Symbol c);
 Network maxwell(Symbol k, Symbol tau);
+Network mass(Symbol m);
 /// One part stands for itself; nested combinations of the same kind are flattened.
 Network series(std::vector<Network> parts);
 Network parallel(std::vector<Network> parts);

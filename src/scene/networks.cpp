@@ -8,6 +8,7 @@
 #include "base/identifiers.hpp"
 #include "network/expression.hpp"
 #include "network/graph.hpp"
+#include "network/masses.hpp"
 #include "scene/document.hpp"
 
 namespace vcrit {
@@ -22,9 +23,21 @@ using document::place_of;
 
 const char* kind_name(const ElementUse& use) {
   if (use.dimension == Dimension::time) return "relaxation times";
+  if (use.dimension == Dimension::mass) return "a mass";
   const bool stiffness = use.dimension == Dimension::stiffness;
   if (use.length > 0) return stiffness ? "an array of stiffnesses" : "an array of dampers";
   return stiffness ? "a spring" : "a damper";
+}
+
+Dimension dimension_of(const Element& element) {
+  if (element.kind == ElementKind::damper) return Dimension::damping;
+  return element.kind == ElementKind::mass ? Dimension::mass : Dimension::stiffness;
+}
+
+constexpr const char* ground = "ground";
+
+bool carries_mass(const Graph& graph) {
+  return std::any_of(graph.parts.begin(), graph.parts.end(), has_masses);
 }
 
 }  // namespace
@@ -108,6 +121,10 @@ Network Networks::read_graph(const std::string& name, const toml::table& table) 
   if (graph.nodes.size() != 2)
     throw InputError(section.place("terminals"), "one node twice", expected_terminals);
   for (const toml::node& edge : *edges->as_array()) read_edge(edge, graph);
+  if (graph.nodes[0] == ground && carries_mass(graph))
+    throw InputError(section.place("terminals"), "\"ground\" as the first terminal",
+                     "the body's end first; \"ground\" is inertial ground, where masses end");
+  merge_ground(graph, *edges->as_array());
 
   auto loaded = load_carrying(graph);
   if (!loaded)
@@ -140,6 +157,24 @@ void Networks::read_edge(const toml::node& node, Graph& graph) {
   graph.parts.push_back(read(network.ref<std::string>(), place_of(network, file_)));
 }
 
+// To an oscillation inertial ground and the second terminal, which moves uniformly, are one node.
+void Networks::merge_ground(Graph& graph, const toml::array& edges) const {
+  const auto found = std::find(graph.nodes.begin() + 2, graph.nodes.end(), ground);
+  if (found == graph.nodes.end()) return;
+  const auto node = static_cast<int>(found - graph.nodes.begin());
+  for (std::size_t i = 0; i < graph.wires.size(); ++i) {
+    Wire& wire = graph.wires[i];
+    if (wire.from != node && wire.to != node) continue;
+    if (without_masses(graph.parts[i]))
+      throw InputError(place_of(*edges.get(i), file_),
+                       fmt::format("an edge to \"ground\" other than a mass ({})",
+                                   describe(*edges.get(i)->as_array()->get(0))),
+                       "mass(...): springs and dampers have no end at inertial ground");
+    for (int* end : {&wire.from, &wire.to})
+      if (*end == node) *end = 1;
+  }
+}
+
 int Networks::read_node(const toml::node& node, const std::string& expected, Graph& graph) const {
   if (!node.is_string())
     throw InputError(place_of(node, file_), describe(node),
@@ -160,9 +195,7 @@ void Networks::count(const Network& network, const Place& place) {
 
 void Networks::note_uses(const Network& network, const Place& place) {
   for_each_element(network, [&](const Element& element) {
-    note_use(element.coefficient,
-             element.kind == ElementKind::damper ? Dimension::damping : Dimension::stiffness,
-             place);
+    note_use(element.coefficient, dimension_of(element), place);
     if (element.kind == ElementKind::maxwell) note_use(element.time, Dimension::time, place);
   });
 }

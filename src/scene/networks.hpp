@@ -38,6 +38,7 @@ class Networks {
   std::optional<Network> named(const std::string& name, const Place& place);
   Network read_named(const std::string& name, const toml::node& node);
   Network read_graph(const std::string& name, const toml::table& table);
+  void merge_ground(Graph& graph, const toml::array& edges) const;
   int read_node(const toml::node& node, const std::string& expected, Graph& graph) const;
   void read_edge(const toml::node& node, Graph& graph);
   void note_uses(const Network& network, const Place& place);

@@ -6,6 +6,7 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <filesystem>
 #include <numbers>
 #include <set>
 
@@ -13,6 +14,7 @@
 #include "base/identifiers.hpp"
 #include "base/units.hpp"
 #include "network/graph.hpp"
+#include "network/masses.hpp"
 #include "scene/document.hpp"
 #include "scene/networks.hpp"
 #include "scene/scene.hpp"
@@ -96,18 +98,26 @@ class Reader {
     return networks_.read(section.text(key), section.place(key));
   }
 
+  Network contact_network(const Section& section, const char* key) {
+    Network read = network(section, key);
+    if (has_masses(read))
+      throw InputError(section.place(key), fmt::format("a mass in the {} network", key),
+                       "springs and dampers: only a [drive] may hold masses");
+    return read;
+  }
+
   void read_contact() {
     const Section contact =
         section("contact", {"normal", "poisson", "tangential_ratio", "tangential"});
     if (!contact.exists()) throw InputError({file_}, "no [contact]", "a section [contact]");
-    scene_.normal = network(contact, "normal");
+    scene_.normal = contact_network(contact, "normal");
     const auto given = std::count_if(ways_.begin(), ways_.end(),
                                      [&](const char* key) { return contact.find(key) != nullptr; });
     if (given != 1)
       throw InputError(contact.place(""), fmt::format("{} of {}", given, fmt::join(ways_, ", ")),
                        "exactly one of them in [contact]");
     if (contact.find("tangential") != nullptr) {
-      scene_.tangential = network(contact, "tangential");
+      scene_.tangential = contact_network(contact, "tangential");
       return;
     }
     const bool poisson = contact.find("poisson") != nullptr;
@@ -131,8 +141,32 @@ class Reader {
   }
 
   void read_drive() {
-    const Section drive = section("drive", {"network"});
-    if (drive.exists()) scene_.drive = network(drive, "network");
+    const Section drive = section("drive", {"network", "receptance"});
+    if (!drive.exists()) return;
+    if (drive.find("receptance") != nullptr) return read_measured(drive);
+    scene_.drive = network(drive, "network");
+    refuse_misplaced_masses(drive.place("network"));
+  }
+
+  void read_measured(const Section& drive) {
+    if (drive.find("network") != nullptr)
+      throw InputError(drive.place("receptance"), "network and receptance",
+                       "one of the two in [drive]");
+    const std::filesystem::path folder = std::filesystem::path(file_).parent_path();
+    scene_.receptance =
+        read_receptance(folder / drive.text("receptance"), drive.place("receptance"));
+  }
+
+  void refuse_misplaced_masses(const Place& place) const {
+    const std::vector<Symbol> off = masses_off_the_far_end(*scene_.drive);
+    if (!off.empty())
+      throw InputError(
+          place, fmt::format("mass \"{}\" between two moving points", to_text(off.front())),
+          "one end of each mass at the far end of the drive, as in \"k1 - (mass(m1) | k2)\", or at "
+          "node \"ground\" of a graph");
+    if (!without_masses(*scene_.drive))
+      throw InputError(place, "a drive in which only masses lead to the far end",
+                       "a path of springs and dampers, to balance the mean friction");
   }
 
   void read_body() {
@@ -143,7 +177,7 @@ class Reader {
                        "mass = \"5 g\", or no section [body]");
     const Quantity mass = quantity(body, "mass", "m", Dimension::mass, nonnegative);
     if (mass.value == 0.0) return;
-    if (scene_.drive)
+    if (has_drive(scene_))
       scene_.mass = mass;
     else
       scene_.warnings.push_back(
@@ -207,7 +241,7 @@ class Reader {
   void read_elements() {
     const toml::table* elements = document::table(document_, "elements", file_);
     for (const auto& [name, use] : networks_.uses()) {
-      refuse_clash(name, use.place);
+      refuse_clash(name, use);
       read_element(name, use, elements == nullptr ? nullptr : elements->get(name));
     }
     if (elements == nullptr) return;
@@ -218,13 +252,15 @@ class Reader {
                                               std::string(key.str())));
   }
 
-  void refuse_clash(const std::string& name, const Place& place) const {
-    std::set<std::string> taken{"mu0", "omega", "du_z", "u_z0", "m"};
+  // Without a body, m is free for a mass of the drive.
+  void refuse_clash(const std::string& name, const ElementUse& use) const {
+    std::set<std::string> taken{"mu0", "omega", "du_z", "u_z0"};
+    if (document_.contains("body") || use.dimension != Dimension::mass) taken.insert("m");
     if (const auto* isotropic = std::get_if<Isotropic>(&scene_.tangential))
       taken.insert(isotropic->quantity.symbol.name);
     if (taken.contains(name))
       throw InputError(
-          place, fmt::format("\"{}\" as an element", name),
+          use.place, fmt::format("\"{}\" as an element", name),
           fmt::format("another name: it is a quantity of the scene ({})", fmt::join(taken, ", ")));
   }
 
@@ -267,10 +303,10 @@ class Reader {
       return is_zero(element.coefficient) ||
              (element.kind == ElementKind::maxwell && is_zero(element.time));
     });
-    if (!left)
+    if (!left || !without_masses(*left))
       throw InputError({file_},
                        fmt::format("a {} network that elements of value 0 cut in two", role),
-                       "a path of elements above 0 between its terminals");
+                       "a path of springs and dampers above 0 between its terminals");
     return std::move(*left);
   }
 

@@ -15,6 +15,10 @@ void refuse_missing(const Scene& scene, const std::vector<std::string>& missing)
 
 }  // namespace
 
+bool has_drive(const Scene& scene) {
+  return scene.drive.has_value() || scene.receptance.has_value();
+}
+
 double tangential_ratio(const Isotropic& isotropic) {
   if (!isotropic.quantity.value) throw Bug("a tangential ratio without a value");
   const double value = *isotropic.quantity.value;

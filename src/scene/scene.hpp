@@ -13,6 +13,7 @@
 #include "base/errors.hpp"
 #include "base/units.hpp"
 #include "network/network.hpp"
+#include "scene/receptance.hpp"
 
 namespace vcrit {
 
@@ -36,8 +37,9 @@ struct Scene {
   Network normal;    ///< K_n
   std::variant<Isotropic, Network>
       tangential;                ///< K_t; equal networks have become Isotropic, ratio 1
-  std::optional<Network> drive;  ///< K_d; rigid without
-  std::optional<Quantity> mass;  ///< m (kg); only under a drive that is not rigid
+  std::optional<Network> drive;  ///< K_d, may hold masses; rigid without this and a receptance
+  std::optional<Receptance> receptance;  ///< R_d = 1/K_d, measured; never beside a drive network
+  std::optional<Quantity> mass;          ///< m (kg) of the body; only under a drive that gives
   Quantity coefficient, angular_frequency, amplitude, indentation;  ///< mu0, omega, du_z, u_z0
   std::vector<std::pair<Symbol, std::optional<double>>>
       elements;                               ///< of the networks, in order of writing
@@ -54,6 +56,9 @@ using Settings = std::vector<std::pair<std::string, std::string>>;
 Scene read_scene(const std::string& file, const Settings& settings = {});
 /// The same from text; `file` only names it in messages.
 Scene parse_scene(const std::string& text, const std::string& file, const Settings& settings = {});
+
+/// Whether the drive is a network or measured, and not rigid.
+bool has_drive(const Scene& scene);
 
 /// K_t/K_n of an isotropic contact. Throws InputError if it has no value.
 double tangential_ratio(const Isotropic& isotropic);

@@ -1,5 +1,6 @@
 // K(i omega) of any network in doubles, by the subtraction-free reduction: storage and loss
-// stiffness are nonnegative throughout, so nothing cancels.
+// stiffness of springs and dampers are nonnegative throughout, so nothing cancels. Masses inside a
+// drive do cancel with springs, near the resonances and antiresonances of its parts.
 #pragma once
 
 #include <complex>
@@ -13,5 +14,9 @@ namespace vcrit {
 std::complex<double> dynamic_stiffness(const Reduction& reduction, const Values& values,
                                        double omega);
 std::complex<double> dynamic_stiffness(const Network& network, const Values& values, double omega);
+
+/// sum_j |z_j dK/dz_j| over the elements and the intermediate results of the reduction, in N/m: by
+/// how much at most relative errors of 1 in all of them change K, to first order.
+double sensitivity(const Reduction& reduction, const Values& values, double omega);
 
 }  // namespace vcrit

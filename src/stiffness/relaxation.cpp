@@ -19,6 +19,7 @@ double positive_value(const Values& values, const Symbol& symbol) {
 }
 
 Relaxation form_of(const Element& element, const Values& values) {
+  ensure(element.kind != ElementKind::mass, "a relaxation form is of springs and dampers only");
   const double coefficient = positive_value(values, element.coefficient);
   if (element.kind == ElementKind::spring) return {coefficient, 0, {}};
   if (element.kind == ElementKind::damper) return {0, coefficient, {}};

@@ -37,7 +37,9 @@ class Groups {
     for (const Network* network : networks_of(scene)) choose_reference(*network);
     ensure(reference_ || viscous_, "a network has springs or dampers");
     for (const Network* network : networks_of(scene)) visit(*network, reference_);
-    if (scene.mass) add_mass(scene);
+    if (scene.mass)
+      add_mass({"m"}, scene.drive ? first_of(*scene.drive, ElementKind::spring) : reference_);
+    if (scene.receptance) add_receptance();
   }
 
   GiNaC::exmap scale;
@@ -87,18 +89,24 @@ class Groups {
   }
   void visit(const Element& element, const std::optional<Symbol>& beside) {
     if (element.kind == ElementKind::damper) return add_damper(element.coefficient, beside);
+    if (element.kind == ElementKind::mass) return add_mass(element.coefficient, beside);
     measured(element.coefficient);
     if (element.kind == ElementKind::maxwell)
       add("theta", element.time, omega() * symbol(element.time), 1);
   }
 
-  void add_mass(const Scene& scene) {
-    const ex m = symbol({"m"});
-    const auto spring = first_of(*scene.drive, ElementKind::spring);
-    if (const auto beside = spring ? spring : reference_)
-      add("beta", {"m"}, m * GiNaC::pow(omega(), 2) / symbol(*beside), measured(*beside));
+  void add_mass(const Symbol& mass, const std::optional<Symbol>& beside) {
+    const ex m = symbol(mass);
+    if (const auto spring = beside ? beside : reference_)
+      add("beta", mass, m * GiNaC::pow(omega(), 2) / symbol(*spring), measured(*spring));
     else
-      add("beta", {"m"}, m * omega() / symbol(*viscous_), 1);
+      add("beta", mass, m * omega() / symbol(*viscous_), 1);
+  }
+
+  void add_receptance() {
+    const ex stiffness = reference_ ? symbol(*reference_) : omega() * symbol(*viscous_);
+    scale.emplace(quantity("R_d"), quantity("rho_d"));
+    lines.push_back({"", quantity("rho_d"), stiffness * quantity("R_d")});
   }
 
   std::optional<Symbol> reference_, viscous_;

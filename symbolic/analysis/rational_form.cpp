@@ -62,6 +62,8 @@ struct QuotientAlgebra {
         return k;
       case ElementKind::damper:
         return multiply(k, name("s"));
+      case ElementKind::mass:
+        return multiply(multiply(k, name("s")), name("s"));
       case ElementKind::maxwell:
         break;
     }
@@ -166,6 +168,8 @@ RationalForm rational_form(const Model& model, double budget) {
         "multiplied out, v* has polynomials of {:.6g} terms, more than the budget of {:.6g}", terms,
         budget));
   const ex amplitude = model.per_friction();
+  if (amplitude.has(quantity("R_d")))
+    throw ModelError("a measured receptance is no polynomial: v* has no rational form");
   const auto ring = std::make_shared<const Ring>(variables(model, amplitude));
   QuotientAlgebra algebra{*ring, {}};
   for (const Part& part : model.networks())

@@ -14,7 +14,7 @@ struct ResidueAlgebra {
   using Value = Residue;
   const Point& point;
   Residue s;
-  std::map<std::string, Residue> networks;
+  std::map<std::string, Residue> known;  ///< besides s and the symbols
 
   Value element(const Element& e) const {
     const Residue k = point(to_text(e.coefficient));
@@ -23,6 +23,8 @@ struct ResidueAlgebra {
         return k;
       case ElementKind::damper:
         return k * s;
+      case ElementKind::mass:
+        return k * s * s;
       case ElementKind::maxwell:
         break;
     }
@@ -36,20 +38,21 @@ struct ResidueAlgebra {
   Value number(const GiNaC::numeric& value) const { return Residue(value); }
   Value name(const std::string& name) const {
     if (name == "s") return s;
-    const auto found = networks.find(name);
-    return found == networks.end() ? point(name) : found->second;
+    const auto found = known.find(name);
+    return found == known.end() ? point(name) : found->second;
   }
   Value add(Value a, Value b) const { return a + b; }
   Value multiply(Value a, Value b) const { return a * b; }
   Value invert(Value a) const { return inverse(a); }
 };
 
-Residue amplitude_at(const Model& model, const GiNaC::ex& amplitude, const Point& point,
-                     Residue s) {
-  ResidueAlgebra algebra{point, s, {}};
+// `receptance` names the value of a measured R_d, which at -s is another number, its conjugate.
+Residue amplitude_at(const Model& model, const GiNaC::ex& amplitude, const Point& point, Residue s,
+                     const char* receptance) {
+  ResidueAlgebra algebra{point, s, {{"R_d", point(receptance)}}};
   for (const Part& part : model.networks())
     if (amplitude.has(quantity(part.name)))
-      algebra.networks[part.name] = evaluate(part.reduction, algebra);
+      algebra.known[part.name] = evaluate(part.reduction, algebra);
   return evaluate(amplitude, algebra);
 }
 
@@ -104,8 +107,8 @@ Point named_point(std::uint64_t number) {
 std::optional<Residue> square_at(const Model& model, const Point& point) try {
   const GiNaC::ex amplitude = model.per_friction();
   const Residue s = point("s");
-  return -(s * s) * amplitude_at(model, amplitude, point, s) *
-         amplitude_at(model, amplitude, point, -s);
+  return -(s * s) * amplitude_at(model, amplitude, point, s, "R_d") *
+         amplitude_at(model, amplitude, point, -s, "conjugate R_d");
 } catch (const NoInverse&) {
   return std::nullopt;
 }

@@ -6,6 +6,7 @@
 #include "derivation/stiffness_forms.hpp"
 #include "formula/form.hpp"
 #include "formula/symbols.hpp"
+#include "network/masses.hpp"
 #include "network/reduction.hpp"
 
 namespace vcrit::symbolic {
@@ -158,6 +159,7 @@ ex Spectrum::in_elements(const ex& expression) const {
 }
 
 std::optional<Spectrum> spectrum(const Network& network) {
+  if (has_masses(network)) return std::nullopt;
   SpectrumMaker maker;
   for (const Network& part : parts_of(network))
     if (!maker.add(part)) return std::nullopt;

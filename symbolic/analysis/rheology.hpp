@@ -32,7 +32,7 @@ struct Spectrum {
 };
 
 /// In closed form. Parts side by side are taken one by one, so that branches stay as they are
-/// given; nothing if a part has more than two relaxation times of its own.
+/// given; nothing if a part has more than two relaxation times of its own, or if there are masses.
 std::optional<Spectrum> spectrum(const Network& network);
 
 /// K(s) and K(i omega) = K' + i K'', in the elements, s and omega (N/m).
@@ -46,7 +46,7 @@ struct Response {
 /// parts of a parallel combination.
 Response response(const Network& network);
 
-/// What a lasting load and a sudden one meet.
+/// What a lasting load and a sudden one meet, in a network without masses.
 struct Extremes {
   GiNaC::ex equilibrium;  ///< K(0) (N/m); 0 for what flows
   GiNaC::ex viscosity;    ///< K(s)/s for s to 0 (N s/m), of what flows, else 0

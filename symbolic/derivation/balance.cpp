@@ -53,7 +53,8 @@ class Writer {
     const Equations amplitude{(wave.body / n_.wave).expand(), (wave.contact / n_.wave).expand()};
     write_amplitudes(amplitude);
     const ex B = amplitudes(amplitude);
-    return {std::move(lines_), B};
+    const ex general = general_amplitude(B);
+    return {std::move(lines_), B, general};
   }
 
  private:
@@ -103,6 +104,27 @@ class Writer {
     const ex B = tidy(n_.B.subs(solution));
     write("Solved for the amplitude of the contact point", n_.B, B);
     return B;
+  }
+
+  /// The displacement of the contact point over the force on it; friction mu0 du_z K_n acts against
+  /// the sliding. What does not vanish with the contact's compliance 1/K_t is the body's part.
+  ex receptance(const ex& B) {
+    const ex compliance = quantity("C_t"), contact = n_.K_t;
+    const ex whole = (-B / (n_.mu0 * n_.du_z * n_.K_n)).subs(contact == 1 / compliance).normal();
+    const ex of_body = whole.subs(compliance == 0);
+    const ex of_contact = (whole - of_body).normal().subs(compliance == 1 / contact);
+    return tidy(of_contact) + tidy(of_body);
+  }
+
+  /// B with the receptance as a quantity H of its own.
+  ex general_amplitude(const ex& B) {
+    const ex H = receptance(B), general = tidy(B / H) * quantity("H");
+    write(
+        "Receptance of the contact point, its displacement over the force on it (driving-point "
+        "compliance)",
+        quantity("H"), H);
+    write("With it, whatever it is made of", n_.B, general);
+    return general;
   }
 
   static ex tidy(const ex& rational) {

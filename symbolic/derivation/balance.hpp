@@ -19,6 +19,7 @@ struct Surrounding {
 struct Balance {
   std::vector<Line> lines;
   GiNaC::ex contact_amplitude;  ///< B, a rational function of K_n, K_t, K_d, s and the symbols
+  GiNaC::ex general_amplitude;  ///< B for any receptance H of the contact point (m/N)
 };
 
 Balance solve_balance(const Surrounding& surrounding);

@@ -27,6 +27,7 @@ void write_condition(const Model& model, std::vector<Line>& lines) {
       {"Sliding without a stop ends where the contact velocity v0 - |omega B| sin(...) "
        "first touches zero",
        v, omega() * GiNaC::abs(quantity("B"))});
+  lines.push_back({"For any linear structure", v, velocity(model.balance().general_amplitude)});
   lines.push_back({"For any networks (24)", v, velocity(model.balance().contact_amplitude)});
   if (model.identities().empty()) return;
   for (const Line& identity : model.identities()) lines.push_back(identity);
@@ -51,7 +52,8 @@ void write_networks(const Model& model, std::vector<Line>& lines) {
 
 /// The symbols of the formula, mass and friction first, elements in the order of writing.
 std::vector<Symbol> parameters(const Scene& scene, const Formula& formula) {
-  std::vector<Symbol> candidates{{"mu0"}, {"omega"}, {"du_z"}, {"m"}};
+  std::vector<Symbol> candidates{{"mu0"}, {"omega"}, {"du_z"}};
+  if (scene.mass) candidates.push_back(scene.mass->symbol);
   const auto* isotropic = std::get_if<Isotropic>(&scene.tangential);
   if (isotropic != nullptr && !isotropic->quantity.value)
     candidates.push_back(isotropic->quantity.symbol);

@@ -65,7 +65,7 @@ ex isotropic_ratio(const Isotropic& isotropic) {
 }
 
 Model::Model(const Scene& scene)
-    : surrounding_{scene.drive.has_value(), scene.mass.has_value()},
+    : surrounding_{has_drive(scene), scene.mass.has_value()},
       balance_(solve_balance(surrounding_)) {
   networks_.push_back({"K_n", scene.normal});
   if (const auto* isotropic = std::get_if<Isotropic>(&scene.tangential)) {
@@ -77,6 +77,10 @@ Model::Model(const Scene& scene)
   } else {
     networks_.push_back({"K_t", std::get<Network>(scene.tangential)});
   }
+  if (scene.receptance)
+    identities_.push_back(
+        {"The drive is measured: R_d(omega), its receptance, is interpolated in a table",
+         quantity("K_d"), 1 / quantity("R_d")});
   if (!scene.drive) return;
   const char* words = "The drive is the same network";
   if (*scene.drive == scene.normal)

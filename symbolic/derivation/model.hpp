@@ -51,7 +51,7 @@ class Model {
   /// Nothing where the limit cuts a network in two, makes the normal network rigid, or leaves no
   /// motion.
   std::optional<Formula> formula(const Change& change) const;
-  /// "K_t = r K_n" and "K_d = K_n", as far as they hold in the scene.
+  /// "K_t = r K_n", "K_d = K_n" and "K_d = 1/R_d", as far as they hold in the scene.
   const std::vector<Line>& identities() const { return identities_; }
   /// K_n, K_t and K_d, in this order, as far as they have a network of their own.
   const std::vector<Part>& networks() const { return networks_; }

@@ -8,10 +8,10 @@ namespace {
 
 using GiNaC::ex;
 
-/// An element's leading term as coefficient * s (loss) or coefficient (storage), or a whole Maxwell
-/// branch k tau s/(1 + tau s).
+/// An element's leading term as coefficient (storage), coefficient * s (loss) or coefficient * s^2
+/// (inertia), or a whole Maxwell branch k tau s/(1 + tau s).
 struct ElementForm {
-  enum class Kind { storage, loss, maxwell } kind;
+  enum class Kind { storage, loss, inertia, maxwell } kind;
   ex k, tau;
 };
 
@@ -25,6 +25,7 @@ Leading<ElementForm> leading_element(const Element& element, const Rates& rates)
   const int power = rate(element.coefficient);
   if (element.kind == ElementKind::spring) return {power, {Kind::storage, k, 0}};
   if (element.kind == ElementKind::damper) return {power, {Kind::loss, k, 0}};
+  if (element.kind == ElementKind::mass) return {power, {Kind::inertia, k, 0}};
   const ex tau = symbol(element.time);
   const int slow = rate(element.time);
   if (slow > 0) return {power, {Kind::storage, k, 0}};
@@ -69,6 +70,8 @@ struct Fractions {
         return {e.k, 1};
       case ElementForm::Kind::loss:
         return {(e.k * s).expand(), 1};
+      case ElementForm::Kind::inertia:
+        return {(e.k * s * s).expand(), 1};
       case ElementForm::Kind::maxwell:
         break;
     }
@@ -138,6 +141,8 @@ class Nested {
         return {e.k, 1};
       case ElementForm::Kind::loss:
         return {e.k * s, 1};
+      case ElementForm::Kind::inertia:
+        return {e.k * s * s, 1};
       case ElementForm::Kind::maxwell:
         break;
     }

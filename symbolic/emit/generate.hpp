@@ -8,7 +8,8 @@
 
 namespace vcrit::symbolic {
 
-/// The header NAME.hpp as text; `name` is a C++ namespace. Throws InputError if it cannot be one.
+/// The header NAME.hpp as text; `name` is a C++ namespace. Throws InputError if it cannot be one,
+/// ModelError for a drive that generated code does not know.
 std::string emit_header(const Scene& scene, const std::string& name);
 
 /// The program test_NAME.cpp, which checks consequences of Eq. 24 on the generated functions, and

@@ -14,6 +14,7 @@
 #include "emit/parameters.hpp"
 #include "emit/words.hpp"
 #include "formula/text.hpp"
+#include "network/masses.hpp"
 
 namespace vcrit::symbolic {
 
@@ -126,9 +127,17 @@ const char* const certified_struct =
     "struct Certified { double value, relative_error_bound; };  ///< infinite: nothing is "
     "known\n\n";
 
+void refuse_other_drives(const Scene& scene) {
+  if (scene.receptance)
+    throw ModelError("the generator needs a network; this drive is a measured receptance");
+  if (scene.drive && has_masses(*scene.drive))
+    throw ModelError("the generator knows one body; this drive holds masses of its own");
+}
+
 }  // namespace
 
 std::string emit_header(const Scene& scene, const std::string& name) {
+  refuse_other_drives(scene);
   check_library_name(name);
   const Derivation derivation = derive(scene);
   check_member_names(derivation.parameters, scene.file);

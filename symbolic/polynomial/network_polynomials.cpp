@@ -142,6 +142,8 @@ class Expansion {
         return {k, one};
       case ElementKind::damper:
         return {k * s, one};
+      case ElementKind::mass:
+        return {k * s * s, one};
       case ElementKind::maxwell:
         break;
     }

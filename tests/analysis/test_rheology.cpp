@@ -10,6 +10,7 @@
 #include "derivation/scenes.hpp"
 #include "formula/text.hpp"
 #include "network/catalogue.hpp"
+#include "network/masses.hpp"
 #include "stiffness/relaxation.hpp"
 
 using namespace vcrit;
@@ -24,13 +25,14 @@ Network network_of(const std::string& expression) {
   return test::scene_of("normal = \"" + expression + "\"\npoisson = 0.3").normal;
 }
 
-/// The catalogue, and combinations that it does not have.
+/// The catalogue without masses, and combinations that it does not have.
 std::vector<Network> networks() {
   std::vector<Network> all;
   for (const Rheology& rheology : catalogue()) {
     std::vector<std::string> names;
     for (const auto& [name, kind] : rheology.arguments) names.push_back(name);
-    all.push_back(rheology.build(names, 3));
+    const Network network = rheology.build(names, 3);
+    if (!has_masses(network)) all.push_back(network);
   }
   for (const char* expression : {"(k1 | c1) - (k2 | c2)", "c0 | zener(k0, k1, c1) - k2",
                                  "k0 | burgers(k1, c1, k2, c2) | (k3 - c3)"})
@@ -204,6 +206,14 @@ BOOST_AUTO_TEST_CASE(branches_stay_as_they_are_given) {
   BOOST_REQUIRE(found.lines.size() == 3U);
   BOOST_TEST(line_text(found.lines[2].time) == "tau[3] = tau[3]");
   BOOST_TEST(line_text(found.lines[2].strength) == "k[3] = k[3]");
+}
+
+BOOST_AUTO_TEST_CASE(a_mass_has_a_stiffness_and_no_spectrum) {
+  const Network network = mass({"m"});
+  BOOST_TEST(to_text(response(network).stiffness) == "m*s^2");
+  BOOST_TEST(to_text(response(network).storage) == "-m*omega^2");
+  BOOST_TEST(response(network).loss.is_zero());
+  BOOST_TEST(!spectrum(network).has_value());
 }
 
 // Three retardation times one behind the other: a cubic.

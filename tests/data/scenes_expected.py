@@ -2,7 +2,7 @@
 """Writes scenes_expected.csv: what every scene in scenes/ must evaluate to, at 50 digits.
 
 It shares nothing with the program: scenes are read by Python's own TOML parser, every network is
-laid out as a graph of springs and dampers and solved by nodal analysis (Gaussian elimination on the
+laid out as a graph of springs, dampers and masses and solved by nodal analysis (Gaussian elimination on the
 nodal stiffness matrix in 250-digit complex arithmetic), and Eq. (24), (3), (4) and the creep velocity
 are written down here once more. Columns:
 
@@ -12,6 +12,7 @@ are written down here once more. Columns:
 Needs mpmath; run it as  tests/data/scenes_expected.py > tests/data/scenes_expected.csv
 """
 
+import csv
 import re
 import sys
 import tomllib
@@ -155,7 +156,10 @@ class Reader:
         def damper(c, i, j):
             layout.edges.append((self.damper(c), i, j))
 
-        if name == "kelvin":
+        if name == "mass":  # to inertial ground: one of its ends is the far end of the drive
+            m = quantity(self.elements[p[0]])
+            layout.edges.append(((lambda s: m * s**2), a, b))
+        elif name == "kelvin":
             spring(p[0], a, b)
             damper(p[1], a, b)
         elif name == "zener":
@@ -180,11 +184,12 @@ class Reader:
 
     def graph(self, graph, layout, a, b):
         nodes = dict(zip(graph["terminals"], (a, b)))
+        nodes.setdefault("ground", b)  # to an oscillation the far end stands still, too
         for name, left, right in graph["edges"]:
             for end in (left, right):
                 if end not in nodes:
                     nodes[end] = layout.node()
-            layout.edges.append((self.element(name), nodes[left], nodes[right]))
+            self.place(self.parse(name), layout, nodes[left], nodes[right])
 
 
 # K(s) = k + c s + ... at a frequency so low that the next terms are beyond 50 digits, while the 250
@@ -200,6 +205,16 @@ def static_stiffness(layout):
 def viscosity(layout):
     """eta of a network that carries no static load: K(s) ~ eta s."""
     return layout.stiffness(mpc(0, SLOW)).imag / SLOW
+
+
+def measured(file, omega):
+    """1/R(i omega) from a table, real and imaginary part linear between two rows."""
+    with file.open() as table:
+        rows = [[exact(cell) for cell in row] for row in list(csv.reader(table))[1:]]
+    for (w0, *r0), (w1, *r1) in zip(rows, rows[1:]):
+        if w0 <= omega <= w1:
+            return 1 / ((mpc(*r0) * (w1 - omega) + mpc(*r1) * (omega - w0)) / (w1 - w0))
+    raise ValueError("outside the table")
 
 
 def evaluate(scene):
@@ -225,9 +240,10 @@ def evaluate(scene):
     velocity = mu * omega * du * abs(kn) / abs(kt)
     drive = None
     if "drive" in scene:
-        drive = reader.network(scene["drive"]["network"])
+        if "network" in scene["drive"]:
+            drive = reader.network(scene["drive"]["network"])
         inertia = quantity(scene["body"]["mass"]) * omega**2 if "body" in scene else mpf(0)
-        kd = drive.stiffness(s)
+        kd = drive.stiffness(s) if drive else measured(SCENES / scene["drive"]["receptance"], omega)
         assert abs(kd - inertia) > 0.05 * max(abs(kd), inertia), "too near resonance"
         assert abs(kt + kd - inertia) > 0.05 * inertia, "too near antiresonance"
         velocity *= abs(kt + kd - inertia) / abs(kd - inertia)

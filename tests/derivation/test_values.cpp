@@ -2,15 +2,12 @@
 // formula tends to.
 #include <boost/test/unit_test.hpp>
 
-#include <cmath>
-
+#include "analysis/exact_scene.hpp"
 #include "analysis/limits.hpp"
 #include "derivation/derivation.hpp"
 #include "derivation/scenes.hpp"
 #include "formula/symbols.hpp"
 #include "formula/value.hpp"
-#include "support/nodal.hpp"
-#include "support/random_scene.hpp"
 
 using namespace vcrit;
 using namespace vcrit::symbolic;
@@ -19,53 +16,32 @@ namespace {
 
 constexpr unsigned seed = 20240611;
 
-std::map<Symbol, GiNaC::numeric> exact_values(const Scene& scene) {
-  std::map<Symbol, GiNaC::numeric> values;
-  for (const auto& [symbol, value] : values_of(scene)) values[symbol] = exact_binary(value);
-  return values;
-}
-
-/// Decimals of doubles with few bits are those doubles, so that the fraction that the derivation
-/// reads and the double that the nodal evaluation takes are one number.
-void round_ratio(Scene& scene) {
-  if (auto* isotropic = std::get_if<Isotropic>(&scene.tangential))
-    isotropic->quantity.value = std::ceil(*isotropic->quantity.value * 64) / 128;
-}
-
-GiNaC::numeric number(const test::Real& value) {
-  return GiNaC::numeric(value.str(120, std::ios::scientific).c_str());
-}
-
-/// Digits in which two numbers agree.
-double agreement(const GiNaC::numeric& a, const GiNaC::numeric& b) {
-  if (a.is_equal(b)) return 1000;
-  return -(GiNaC::log(GiNaC::abs((a - b) / b)) / GiNaC::log(GiNaC::numeric(10))).to_double();
-}
-
 }  // namespace
 
+// 500 scenes of up to 30 elements in each network, evaluated in CLN at 50 digits.
 BOOST_AUTO_TEST_CASE(random_scenes) {
   BOOST_TEST_MESSAGE("seed " << seed);
-  GiNaC::Digits = 150;
+  GiNaC::Digits = 50;
   test::RandomScenes random(seed, 4);
   int nested = 0, graphs = 0;
-  for (int i = 0; i < 100; ++i) {
-    Scene scene = random.scene(i % 12 + 1);
-    round_ratio(scene);
+  for (int i = 0; i < 500; ++i) {
+    Scene scene = random.scene(i % 30 + 1);
+    test::round_ratio(scene);
     const Derivation derivation = derive(scene);
     nested += derivation.definitions.empty() ? 0 : 1;
     graphs += std::holds_alternative<Graph>(scene.normal.form) ? 1 : 0;
     const GiNaC::numeric derived =
-        value_at(derivation.critical_velocity, derivation.definitions, exact_values(scene));
-    const GiNaC::numeric nodal = number(test::critical_velocity_by_nodes(scene));
-    // 24 terms over 8 decades each lose at most some 24*8/2 of the 150 digits carried (multiplied
-    // out, the nested form loses none); the nodal values carry 250.
-    BOOST_TEST(agreement(derived, nodal) > 50, "scene " << i << " of seed " << seed);
+        value_at(derivation.critical_velocity, derivation.definitions, test::exact_values(scene));
+    const GiNaC::numeric nodal = test::number(test::critical_velocity_by_nodes(scene));
+    // The nested form loses nothing but near resonance, which takes a digit for each decade of
+    // distance; CLN carries 57 digits where 50 are asked for. The nodal values carry 250 digits, of
+    // which each of 60 nodes at most may take three to four over 8 decades.
+    BOOST_TEST(test::agreement(derived, nodal) > 45, "scene " << i << " of seed " << seed);
   }
   // Both forms of the formula and graphs are among them.
-  BOOST_TEST(nested > 10);
-  BOOST_TEST(nested < 90);
-  BOOST_TEST(graphs > 5);
+  BOOST_TEST(nested > 100);
+  BOOST_TEST(nested < 490);
+  BOOST_TEST(graphs > 50);
 }
 
 namespace {

@@ -9,6 +9,23 @@
 #include "emit/generate.hpp"
 #include "formula/text.hpp"
 
+namespace {
+
+void print_derivation(const vcrit::Scene& scene) {
+  using namespace vcrit;
+  using symbolic::Format;
+  for (const Format format : {Format::text, Format::latex, Format::markdown, Format::json})
+    std::cout << symbolic::print(scene, {format, true});
+  for (const auto form : {symbolic::ResultForm::nested, symbolic::ResultForm::dimensionless})
+    std::cout << symbolic::print(scene, {Format::text, false, form});
+  if (!scene.receptance && symbolic::terms_before_squaring(symbolic::Model(scene)) < 300)
+    std::cout << symbolic::print(scene, {Format::json, false, symbolic::ResultForm::rational});
+  for (const symbolic::Line& line : symbolic::derive(scene).lines)
+    std::cout << symbolic::to_mathml(line) << '\n';
+}
+
+}  // namespace
+
 int main() {
   using namespace vcrit;
   using test::scene_of;
@@ -20,15 +37,11 @@ int main() {
                  "kd"),
         scene_of("normal = \"bridge\"\ntangential = \"kt | ct\"", "kd", "m", test::bridge_network),
         scene_of("normal = \"bridge\"\ntangential_ratio = 0.7", "", "", test::bridge_network)}) {
-    using symbolic::Format;
-    for (const Format format : {Format::text, Format::latex, Format::markdown, Format::json})
-      std::cout << symbolic::print(scene, {format, true});
-    for (const auto form : {symbolic::ResultForm::nested, symbolic::ResultForm::dimensionless})
-      std::cout << symbolic::print(scene, {Format::text, false, form});
-    if (symbolic::terms_before_squaring(symbolic::Model(scene)) < 300)
-      std::cout << symbolic::print(scene, {Format::json, false, symbolic::ResultForm::rational});
-    for (const symbolic::Line& line : symbolic::derive(scene).lines)
-      std::cout << symbolic::to_mathml(line) << '\n';
+    print_derivation(scene);
     std::cout << symbolic::emit_header(scene, "scene") << symbolic::emit_test(scene, "scene");
   }
+  // Drives that generated code does not know.
+  print_derivation(scene_of("normal = \"k0 | (k1 - c1)\"\npoisson = \"nu\"",
+                            "k2 - (mass(m2) | k3 | c3 | (k4 - mass(m4)))", "m"));
+  print_derivation(read_scene(VCRIT_SCENES "/measured_drive.toml"));
 }

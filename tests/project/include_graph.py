@@ -29,6 +29,7 @@ ROOMS = [
     "symbolic/emit",
     "validation",
     "validation/benchmark",
+    "validation/scaling",
     "validation/report",
     "app",
 ]
@@ -46,6 +47,8 @@ FORBIDDEN = {
     # The benchmark brings SUNDIALS with it; the program does not.
     ("validation/report", "validation/benchmark"),
     ("app", "validation/benchmark"),
+    ("app", "validation/scaling"),
+    ("validation/report", "validation/scaling"),
 }
 
 # Computer algebra stays out of the numeric library and the program.

@@ -67,6 +67,8 @@ class Nodal {
     const Complex dashpot(Real(0), value(e.coefficient) * omega_);
     if (e.kind == ElementKind::spring) edges_.push_back({a, b, spring});
     if (e.kind == ElementKind::damper) edges_.push_back({a, b, dashpot});
+    if (e.kind == ElementKind::mass)
+      edges_.push_back({a, b, dashpot * Complex(Real(0), omega_)});  // -m omega^2
     if (e.kind == ElementKind::maxwell) {
       const std::size_t inner = nodes_++;
       edges_.push_back({a, inner, spring});

@@ -38,6 +38,12 @@ class RandomScenes {
     return scene;
   }
 
+  /// A drive of `bodies` springs, dampers and masses each, and a spring at its end: a chain, with
+  /// absorbers here and there, or a graph.
+  Network drive_with_masses(int bodies, Scene& scene) {
+    return chance(0.5) ? chain(bodies, scene) : mass_graph(bodies, scene);
+  }
+
   /// A network of `elements` elements named after `prefix`; their values go into the scene.
   Network network(int elements, const std::string& prefix, Scene& scene) {
     if (elements == 1) return element(prefix, scene);
@@ -62,6 +68,39 @@ class RandomScenes {
         (is_spring ? "k" : "c") + prefix + std::to_string(scene.elements.size());
     scene.elements.emplace_back(Symbol{name}, magnitude(decades_));
     return is_spring ? spring({name}) : damper({name});
+  }
+
+  Network mass_element(Scene& scene) {
+    const std::string name = "md" + std::to_string(scene.elements.size());
+    scene.elements.emplace_back(Symbol{name}, magnitude(decades_));
+    return mass({name});
+  }
+
+  // link - (mass | rest of the chain | perhaps an absorber)
+  Network chain(int bodies, Scene& scene) {
+    const Network link = network(count(1, 3), "d", scene);
+    if (bodies == 0) return link;
+    std::vector<Network> parts{mass_element(scene), chain(bodies - 1, scene)};
+    if (chance(0.3)) parts.push_back(series({element("d", scene), mass_element(scene)}));
+    return series({link, parallel(std::move(parts))});
+  }
+
+  // A path from terminal to terminal with a mass at each inner node, and chords.
+  Network mass_graph(int bodies, Scene& scene) {
+    Graph graph;
+    for (int n = 0; n < bodies + 2; ++n) graph.nodes.push_back(std::to_string(n));
+    const auto add = [&](Network part, int from, int to) {
+      graph.parts.push_back(std::move(part));
+      graph.wires.push_back({from, to});
+    };
+    for (int n = 0; n <= bodies; ++n)
+      add(network(count(1, 2), "d", scene), n == 0 ? 0 : n + 1, n == bodies ? 1 : n + 2);
+    for (int n = 2; n < bodies + 2; ++n) add(mass_element(scene), n, 1);
+    for (int chord = 0; chord < bodies; ++chord) {
+      const int from = count(0, bodies + 1);
+      add(element("d", scene), from, (from + count(1, bodies + 1)) % (bodies + 2));
+    }
+    return {load_carrying(graph)->graph};
   }
 
   // A path from terminal to terminal over the inner nodes, and chords at random: whatever carries

@@ -65,8 +65,10 @@ BOOST_AUTO_TEST_CASE(every_rheology_has_its_section_and_is_in_the_index) {
       const std::string text = section(rheology.name);
       BOOST_TEST(has(html(), "<a href=\"#" + rheology.name + "\">"));
       BOOST_TEST(count(text, "<svg") == 1);
-      BOOST_TEST(count(text, "<h3>Critical velocity") == 2);
-      for (const char* part : {"<h3>Dynamic stiffness", "<h3>At rest and at once", "<h3>Limits"})
+      const int contacts = rheology.name == "mass" ? 0 : 1;
+      BOOST_TEST(count(text, "<h3>Critical velocity") == 1 + contacts);
+      BOOST_TEST(count(text, "<h3>At rest and at once") == contacts);
+      for (const char* part : {"<h3>Dynamic stiffness", "<h3>Limits"})
         BOOST_TEST(count(text, part) == 1, part);
     }
   }

@@ -117,3 +117,18 @@ BOOST_AUTO_TEST_CASE(missing_values_are_told_before_anything_is_computed) {
   BOOST_TEST(!began);
   BOOST_TEST(!fs::exists(out));
 }
+
+// Formula and evaluation are compared; what knows one body under a network is not run, and says so.
+BOOST_AUTO_TEST_CASE(a_drive_with_masses_or_a_measured_one_has_no_simulation) {
+  const PrivateFolder folder;
+  const auto validation =
+      run({scenes + "/sonotrode.toml", scenes + "/measured_drive.toml"}, folder.path());
+  BOOST_TEST(validation.passed);
+  BOOST_TEST(validation.not_run.size() == 4);
+  for (const json& scene : json::parse(read_file(folder.path() / "report.json"))["scenes"]) {
+    BOOST_TEST(comparison(scene, "formula")["outcome"] == "passed");
+    BOOST_TEST(comparison(scene, "derived")["outcome"] == "passed");
+    BOOST_TEST(comparison(scene, "generated")["outcome"] == "not run");
+    BOOST_TEST(comparison(scene, "simulation")["outcome"] == "not run");
+  }
+}

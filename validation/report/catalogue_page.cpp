@@ -2,12 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "analysis/rheology.hpp"
 #include "derivation/derivation.hpp"
 #include "formulas.hpp"
 #include "network/catalogue.hpp"
+#include "network/masses.hpp"
 #include "report/catalogue_words.hpp"
 #include "report/document_head.hpp"
 #include "report/equations.hpp"
@@ -21,6 +20,7 @@ namespace {
 
 using GiNaC::ex;
 
+constexpr int branches = 3;  // of what takes arrays
 const char* const policy =
     "default-src 'none'; style-src 'unsafe-inline'; base-uri 'none'; form-action 'none'";
 const char* const stiffness =
@@ -30,33 +30,36 @@ const char* const loss = "<math><mi>K</mi><mo lspace=\"0\" rspace=\"0\">″</mo>
 
 std::string signature(const Rheology& rheology) {
   std::string text = rheology.signature();
-  if (rheology.has_arrays()) text.insert(text.size() - 1, ", 3");
+  if (rheology.has_arrays()) text.insert(text.size() - 1, fmt::format(", {}", branches));
   return text;
 }
 
-/// A scene without values; `rest` says what there is besides the normal contact.
-Scene scene_of(const Rheology& rheology, const std::string& rest) {
-  return parse_scene("[contact]\nnormal = \"" + signature(rheology) + "\"\n" + rest, "catalogue");
+/// Without values; `rest` says what there is besides the normal contact.
+Scene scene_of(const std::string& normal, const std::string& rest) {
+  return parse_scene("[contact]\nnormal = \"" + normal + "\"\n" + rest, "catalogue");
 }
 
-Scene isotropic_scene(const Rheology& rheology) {
-  return scene_of(rheology,
-                  "tangential_ratio = \"r\"\n[drive]\nnetwork = \"kd\"\n[body]\nmass = \"m\"\n");
+Network network_of(const Rheology& rheology) {
+  std::vector<std::string> names;
+  for (const auto& [name, kind] : rheology.arguments) names.push_back(name);
+  return rheology.build(names, branches);
 }
 
-/// One rheology and what there is to say of it.
+/// One rheology and what is asked of it.
 struct Entry {
-  explicit Entry(const Rheology& of)
-      : rheology(of),
-        words(words_of(of.name)),
-        isotropic(isotropic_scene(of)),
-        extremes(symbolic::extremes(isotropic.normal)) {}
-  const Rheology& rheology;
+  explicit Entry(const Rheology& rheology)
+      : name(rheology.name),
+        call(signature(rheology)),
+        words(words_of(rheology.name)),
+        network(network_of(rheology)) {}
+  std::string name, call;
   const RheologyWords& words;
-  Scene isotropic;
-  symbolic::Extremes extremes;
+  Network network;
 
-  bool flows() const { return extremes.equilibrium.is_zero(); }
+  bool in_a_drive_only() const { return has_masses(network); }
+  bool flows() const {
+    return !in_a_drive_only() && symbolic::extremes(network).equilibrium.is_zero();
+  }
 };
 
 std::string equation_of(const char* left, const ex& right) {
@@ -109,7 +112,7 @@ std::string velocity_part(const char* heading, const Scene& scene) {
 
 std::string drawing_of(const Entry& entry) {
   return fmt::format("<figure><div class=\"scroll\" tabindex=\"0\">{}</div></figure>\n",
-                     framed(draw(entry.isotropic.normal), entry.words.called));
+                     framed(draw(entry.network), entry.words.called));
 }
 
 std::string admissibility(const Entry& entry) {
@@ -119,25 +122,41 @@ std::string admissibility(const Entry& entry) {
          "beside it.</p>\n";
 }
 
+std::string contact_part(const Entry& entry) {
+  const Scene isotropic = scene_of(
+      entry.call, "tangential_ratio = \"r\"\n[drive]\nnetwork = \"kd\"\n[body]\nmass = \"m\"\n");
+  return extremes_part(symbolic::extremes(entry.network)) + spectrum_part(entry.network) +
+         velocity_part("Critical velocity, elastic drive with a mass", isotropic) +
+         velocity_part("Critical velocity, elastic tangential contact, rigid drive",
+                       scene_of(entry.call, "tangential = \"kt\"\n")) +
+         limits_table(limits_of(isotropic));
+}
+
+std::string drive_part(const Entry& entry) {
+  const Scene scene =
+      scene_of("kn", "tangential = \"kt\"\n[drive]\nnetwork = \"kd | " + entry.call + "\"\n");
+  return velocity_part("Critical velocity, elastic contact, the mass beside an elastic drive",
+                       scene) +
+         limits_table(limits_of(scene));
+}
+
 std::string section(const Entry& entry) {
   return fmt::format(
              "<section class=\"scene\" id=\"{}\">\n<h2>{}: <code>{}</code></h2>\n<p>{}</p>\n",
-             entry.rheology.name, escape(entry.words.called), escape(signature(entry.rheology)),
+             entry.name, escape(entry.words.called), escape(entry.call),
              escape(entry.words.meaning)) +
-         admissibility(entry) + drawing_of(entry) + stiffness_part(entry.isotropic.normal) +
-         extremes_part(entry.extremes) + spectrum_part(entry.isotropic.normal) +
-         velocity_part("Critical velocity, elastic drive with a mass", entry.isotropic) +
-         velocity_part("Critical velocity, elastic tangential contact, rigid drive",
-                       scene_of(entry.rheology, "tangential = \"kt\"\n")) +
-         limits_table(limits_of(entry.isotropic)) + "</section>\n";
+         admissibility(entry) + drawing_of(entry) + stiffness_part(entry.network) +
+         (entry.in_a_drive_only() ? drive_part(entry) : contact_part(entry)) + "</section>\n";
 }
 
 std::string index_line(const Entry& entry) {
   return fmt::format(
       "<li><a href=\"#{}\"><span class=\"name\"><code>{}</code></span>"
       "<span class=\"velocity\">{}</span><span class=\"state\">{}</span></a></li>\n",
-      entry.rheology.name, escape(signature(entry.rheology)), escape(entry.words.called),
-      entry.flows() ? "flows" : "carries a lasting load");
+      entry.name, escape(entry.call), escape(entry.words.called),
+      entry.in_a_drive_only() ? "in a drive only"
+      : entry.flows()         ? "flows"
+                              : "carries a lasting load");
 }
 
 std::string opening() {

@@ -16,6 +16,10 @@ const RheologyWords& words_of(const std::string& rheology) {
        {"Newton liquid",
         "Pure viscosity: the force is that of the rate alone. It creeps without end under a "
         "lasting load and is of use as a part of other networks or of a drive."}},
+      {"mass",
+       {"Rigid mass",
+        "Not a contact but a part of a drive, between one of its points and inertial ground: a "
+        "tool, a holder, an absorber."}},
       {"kelvin",
        {"Kelvin-Voigt solid",
         "A spring with a damper beside it. Under a lasting load it creeps to a final indentation "

@@ -33,7 +33,13 @@ Drawing draw_maxwell(const Element& element) {
               text(element_width, -label_height, names)};
 }
 
+/// A box; what it pushes against, beyond the dashes, is inertial ground.
+std::string mass_box() {
+  return line(0, 0, 22, 0) + path("M62 0H84", "inertial") + path("M22 -12H62V12H22z", "solid");
+}
+
 std::string symbol_of(const Element& element) {
+  if (element.kind == ElementKind::mass) return mass_box();
   return element.kind == ElementKind::spring ? path(spring_path, "spring")
                                              : path(damper_path, "damper");
 }

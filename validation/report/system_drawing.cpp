@@ -78,6 +78,13 @@ Drawing oscillation() {
               text(42, -11, name)};
 }
 
+/// A drive of which only the receptance is known.
+Drawing measured() {
+  return {92, 28, 28,
+          line(0, 0, 10, 0) + R"(<path class="solid" d="M10 -22H82V22H10z"/>)" +
+              text(46, 5, label({"R_d"})) + line(82, 0, 92, 0)};
+}
+
 std::string speed() { return italic("v") + R"(<tspan class="index" dy="4">0</tspan>)"; }
 
 /// An isotropic contact: the normal network within brackets, with the ratio in front.
@@ -112,12 +119,16 @@ std::string draw_sliding(const Scene& scene) {
   if (scene.mass) {
     row.add(body(scene.mass->symbol));
     description += ", body";
-  } else if (scene.drive) {
+  } else if (has_drive(scene)) {
     row.add(joint());
   }
   if (scene.drive) {
     row.add(draw(*scene.drive));
     description += ", drive network";
+  }
+  if (scene.receptance) {
+    row.add(measured());
+    description += ", measured drive";
   }
   row.add(arrow(speed()));
   return row.svg(description + ", moved at constant velocity");

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "base/errors.hpp"
+#include "network/masses.hpp"
 
 namespace vcrit::simulation {
 
@@ -25,6 +26,12 @@ void require_admissible(const System& system, double amplitude, double indentati
 }  // namespace
 
 System system_of(const Scene& scene) {
+  if (scene.receptance)
+    throw ModelError(
+        "the simulator needs a network; this drive is a measured receptance, which says nothing of "
+        "motion that is not harmonic");
+  if (scene.drive && has_masses(*scene.drive))
+    throw ModelError("the simulator knows one body; this drive holds masses of its own");
   const Values values = values_of(scene);
   const double amplitude = values.at(scene.amplitude.symbol);
   const double indentation = values.at(scene.indentation.symbol);

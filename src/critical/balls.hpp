@@ -1,0 +1,86 @@
+// Complex ball arithmetic (Arb): numbers with a rigorous bound on their error.
+#pragma once
+
+#include <acb.h>
+#include <arb.h>
+
+#include "network/network.hpp"
+
+namespace vcrit {
+
+/// A ball that frees itself.
+class Ball {
+ public:
+  Ball() { acb_init(z_); }
+  explicit Ball(double value) : Ball() { acb_set_d(z_, value); }
+  Ball(const Ball& other) : Ball() { acb_set(z_, other.z_); }
+  Ball(Ball&& other) noexcept : Ball() { acb_swap(z_, other.z_); }
+  Ball& operator=(const Ball& other) {
+    acb_set(z_, other.z_);
+    return *this;
+  }
+  Ball& operator=(Ball&& other) noexcept {
+    acb_swap(z_, other.z_);
+    return *this;
+  }
+  ~Ball() { acb_clear(z_); }
+  acb_ptr get() { return z_; }
+  acb_srcptr get() const { return z_; }
+
+ private:
+  acb_t z_{};
+};
+
+/// Ball arithmetic of one precision.
+struct Arithmetic {
+  slong precision;
+
+  using Operation = void(acb_ptr, acb_srcptr, acb_srcptr, slong);
+  Ball apply(Operation* operation, const Ball& a, const Ball& b) const {
+    Ball c;
+    operation(c.get(), a.get(), b.get(), precision);
+    return c;
+  }
+  Ball add(const Ball& a, const Ball& b) const { return apply(acb_add, a, b); }
+  Ball subtract(const Ball& a, const Ball& b) const { return apply(acb_sub, a, b); }
+  Ball multiply(const Ball& a, const Ball& b) const { return apply(acb_mul, a, b); }
+  Ball divide(const Ball& a, const Ball& b) const { return apply(acb_div, a, b); }
+  Ball times_i(const Ball& a) const {
+    Ball c;
+    acb_mul_onei(c.get(), a.get());
+    return c;
+  }
+  Ball modulus(const Ball& a) const {
+    Ball c;
+    acb_abs(acb_realref(c.get()), a.get(), precision);
+    return c;
+  }
+};
+
+/// The arithmetic with a scene's numbers, as the algebra that a reduction runs in.
+struct Balls : Arithmetic {
+  using Value = Ball;
+  const Values& values;
+  Ball omega;
+
+  Ball of(const Symbol& symbol) const { return Ball(values.at(symbol)); }
+
+  /// m omega^2
+  Ball inertia(const Symbol& mass) const { return multiply(of(mass), multiply(omega, omega)); }
+
+  Ball element(const Element& e) const {
+    Ball coefficient = of(e.coefficient);
+    if (e.kind == ElementKind::spring) return coefficient;
+    if (e.kind == ElementKind::damper) return times_i(multiply(coefficient, omega));
+    if (e.kind == ElementKind::mass) return subtract(Ball(0), inertia(e.coefficient));
+    const Ball x = times_i(multiply(omega, of(e.time)));
+    return divide(multiply(coefficient, x), add(Ball(1), x));
+  }
+  Ball parallel(const Ball& a, const Ball& b) const { return add(a, b); }
+  Ball series(const Ball& a, const Ball& b) const { return mesh(a, b, add(a, b)); }
+  Ball mesh(const Ball& a, const Ball& b, const Ball& total) const {
+    return divide(multiply(a, b), total);
+  }
+};
+
+}  // namespace vcrit

@@ -1,0 +1,36 @@
+// A drive that was measured: its receptance, displacement over force at the end that the body hangs
+// on, at some angular frequencies. Between two rows real and imaginary part are linear in omega.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "base/errors.hpp"
+
+namespace vcrit {
+
+struct Receptance {
+  struct Row {
+    double omega = 0;       ///< rad/s
+    double re = 0, im = 0;  ///< m/N
+    friend bool operator==(const Row&, const Row&) = default;
+  };
+  std::string file;
+  std::vector<Row> rows;  ///< at least two, omega increasing
+};
+
+/// Where an angular frequency lies: between `below` and `above`, which may be equal.
+struct Bracket {
+  Receptance::Row below, above;
+};
+
+/// Throws ModelError for an omega (rad/s) outside the table.
+Bracket bracket(const Receptance& receptance, double omega);
+
+/// Reads a table in CSV with the header omega,Re,Im. Throws InputError with file and line, or with
+/// `place`, where the file is named, if there is none.
+Receptance read_receptance(const std::filesystem::path& file, const Place& place);
+
+}  // namespace vcrit

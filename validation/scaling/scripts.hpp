@@ -1,0 +1,17 @@
+// SymPy and Maxima, each in a process of its own that times itself; absent where not installed.
+#pragma once
+
+#include "scaling/peers.hpp"
+
+namespace vcrit::scaling {
+
+/// Sums, and series as 1/(1/a + 1/b).
+std::optional<double> sympy_composed(const Case& each);
+/// The same in SymPy's field of fractions, which keeps everything multiplied out.
+std::optional<double> sympy_field(const Case& each);
+/// The composition, then cancel.
+std::optional<double> sympy_cancel(const Case& each);
+/// Two determinants of the nodal matrix by newdet.
+std::optional<double> maxima_newdet(const Case& each);
+
+}  // namespace vcrit::scaling
