@@ -30,6 +30,13 @@ struct Formula {
   std::string equation;           ///< number in the paper, if it is one of its special cases
 };
 
+/// The amplitude's leading term amplitude s^power, where omega goes to a limit.
+struct Asymptotic {
+  int power = 0;
+  GiNaC::ex amplitude;            ///< with s as it is: homogeneous
+  std::vector<Line> definitions;  ///< of its stiffnesses' leading terms, as in Formula
+};
+
 /// One of the networks, "K_n", "K_t" or "K_d".
 struct Part {
   std::string name;
@@ -43,9 +50,13 @@ class Model {
   const Balance& balance() const { return balance_; }
   /// The amplitude B after isotropy and equal networks have been put in.
   GiNaC::ex amplitude(const Change& change) const;
-  /// Nothing where the limit cuts a network in two, makes the normal network rigid, or leaves no
-  /// motion.
+  /// Nothing where the limit cuts a network in two, makes the normal network rigid or unable to
+  /// carry the mean load, or leaves no motion.
   std::optional<Formula> formula(const Change& change) const;
+  /// The formula in terms of K_n, K_t and K_d, however small it is.
+  Formula nested_formula() const;
+  /// What the amplitude tends to as omega goes to infinity (`direction` 1) or to zero (-1).
+  Asymptotic asymptotic(int direction) const;
   /// "K_t = r K_n" and "K_d = K_n", as far as they hold in the scene.
   const std::vector<Line>& identities() const { return identities_; }
   /// K_n, K_t and K_d, in this order, as far as they have a network of their own.
@@ -55,9 +66,18 @@ class Model {
 
  private:
   bool is_small(const GiNaC::ex& amplitude, const Change& change) const;
-  Formula multiplied_out(const Factors& amplitude, const Change& change) const;
+  std::map<std::string, int> powers(const Change& change) const;
+  bool unloads_contact(const Change& change) const;
+  Leading<Factors> leading_amplitude(const std::map<std::string, int>& powers,
+                                     const Change& change) const;
+  /// The networks that are small enough, as ratios of polynomials.
+  std::map<std::string, Fraction> fractions(const Change& change) const;
+  Factors multiplied_out(const Factors& amplitude,
+                         const std::map<std::string, Fraction>& fractions) const;
   Formula nested_in(const Factors& amplitude, const Change& change) const;
-  std::string equation(const std::map<std::string, Fraction>& networks, const Change& change) const;
+  std::vector<Line> definitions(const GiNaC::ex& formula, const Change& change) const;
+  std::string equation(const std::map<std::string, Fraction>& networks,
+                       const std::map<std::string, int>& powers, const Change& change) const;
 
   Surrounding surrounding_;
   Balance balance_;

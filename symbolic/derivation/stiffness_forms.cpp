@@ -22,11 +22,11 @@ Leading<ElementForm> leading_element(const Element& element, const Rates& rates)
   };
   using Kind = ElementForm::Kind;
   const ex k = symbol(element.coefficient);
-  const int power = rate(element.coefficient);
+  const int power = rate(element.coefficient), frequency = rate({"omega"});
   if (element.kind == ElementKind::spring) return {power, {Kind::storage, k, 0}};
-  if (element.kind == ElementKind::damper) return {power, {Kind::loss, k, 0}};
+  if (element.kind == ElementKind::damper) return {power + frequency, {Kind::loss, k, 0}};
   const ex tau = symbol(element.time);
-  const int slow = rate(element.time);
+  const int slow = rate(element.time) + frequency;
   if (slow > 0) return {power, {Kind::storage, k, 0}};
   if (slow < 0) return {power + slow, {Kind::loss, k * tau, 0}};
   return {power, {Kind::maxwell, k, tau}};
