@@ -15,6 +15,7 @@ void add_derive(CLI::App& program) {
     SceneOptions scene;
     symbolic::Format format = symbolic::Format::text;
     bool limits = false;
+    bool sensitivities = false;
   };
   using symbolic::Format;
   static const std::map<std::string, Format> formats{{"text", Format::text},
@@ -30,9 +31,14 @@ void add_derive(CLI::App& program) {
       ->default_str("text");
   command->add_flag_callback(
       "--json", [options] { options->format = Format::json; }, "the same as --format json");
-  command->add_flag("--limits", options->limits, "derive the limits that apply to the scene");
+  command->add_flag(
+      "--limits", options->limits,
+      "derive the limits that apply to the scene, low and high frequency, and resonances");
+  command->add_flag("--sensitivities", options->sensitivities,
+                    "derive dv*/dp for every parameter p");
   command->callback([options] {
-    fmt::print("{}", symbolic::print(options->scene.read(), options->format, options->limits));
+    fmt::print("{}", symbolic::print(options->scene.read(), options->format, options->limits,
+                                     options->sensitivities));
   });
 }
 

@@ -64,6 +64,16 @@ ex isotropic_ratio(const Isotropic& isotropic) {
   return poisson ? 2 * (1 - number) / (2 - number) : number;
 }
 
+std::vector<Line> used_in(const ex& formula, std::vector<Line> definitions) {
+  for (auto line = definitions.end(); line != definitions.begin();) {
+    --line;
+    const auto uses = [&](const Line& later) { return later.right.has(line->left); };
+    if (!formula.has(line->left) && std::none_of(line, definitions.end(), uses))
+      line = definitions.erase(line);
+  }
+  return definitions;
+}
+
 Model::Model(const Scene& scene)
     : surrounding_{scene.drive.has_value(), scene.mass.has_value()},
       balance_(solve_balance(surrounding_)) {
@@ -213,12 +223,15 @@ std::vector<Line> Model::definitions(const ex& formula, const Change& change) co
     lines.push_back({"", quantity(name), k});
   }
   // What a limit lets go of was named on the way.
-  for (auto line = lines.end(); line != lines.begin();) {
-    --line;
-    const auto uses = [&](const Line& later) { return later.right.has(line->left); };
-    if (!formula.has(line->left) && std::none_of(line, lines.end(), uses)) line = lines.erase(line);
-  }
-  return lines;
+  return used_in(formula, std::move(lines));
+}
+
+std::optional<GiNaC::exmap> Model::multiplied_out(const ex& expression) const {
+  if (!is_small(expression, {})) return std::nullopt;
+  GiNaC::exmap put;
+  for (const auto& [name, k] : fractions({}))
+    if (has(expression, name)) put[quantity(name)] = k.numerator / k.denominator;
+  return put;
 }
 
 std::string Model::equation(const std::map<std::string, Fraction>& networks,

@@ -61,6 +61,8 @@ class Model {
   const std::vector<Line>& identities() const { return identities_; }
   /// K_n, K_t and K_d, in this order, as far as they have a network of their own.
   const std::vector<Part>& networks() const { return networks_; }
+  /// K_n, K_t and K_d of `expression` as ratios of polynomials in s, if it then stays readable.
+  std::optional<GiNaC::exmap> multiplied_out(const GiNaC::ex& expression) const;
   /// The part's stiffness at s = i omega, multiplied out where it is small.
   GiNaC::ex stiffness(const Part& part) const;
 
@@ -85,6 +87,9 @@ class Model {
   std::vector<Line> identities_;
   bool isotropic_ = false;
 };
+
+/// Those of the definitions, each of earlier ones, that the formula needs.
+std::vector<Line> used_in(const GiNaC::ex& formula, std::vector<Line> definitions);
 
 /// K_t/K_n of an isotropic contact: an exact fraction, or a formula in its symbol.
 GiNaC::ex isotropic_ratio(const Isotropic& isotropic);

@@ -30,11 +30,9 @@ inline void round_ratio(Scene& scene) {
 
 /// Values of one size for a scene without values.
 inline ExactValues some_values(const Scene& scene) {
-  ExactValues values{{{"mu0"}, GiNaC::numeric(3, 10)},
-                     {{"omega"}, GiNaC::numeric(7, 3)},
-                     {{"du_z"}, GiNaC::numeric(1, 7)},
-                     {{"m"}, GiNaC::numeric(11, 13)},
-                     {{"nu"}, GiNaC::numeric(2, 7)}};
+  ExactValues values{{{"mu0"}, GiNaC::numeric(3, 10)}, {{"omega"}, GiNaC::numeric(7, 3)},
+                     {{"du_z"}, GiNaC::numeric(1, 7)}, {{"m"}, GiNaC::numeric(11, 13)},
+                     {{"nu"}, GiNaC::numeric(2, 7)},   {{"r"}, GiNaC::numeric(3, 5)}};
   int count = 0;
   for (const auto& [symbol, value] : scene.elements)
     values[symbol] = GiNaC::numeric(17 + 5 * count++, 19);

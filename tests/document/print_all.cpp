@@ -21,7 +21,7 @@ int main() {
         scene_of("normal = \"bridge\"\ntangential_ratio = 0.7", "", "", test::bridge_network)}) {
     using symbolic::Format;
     for (const Format format : {Format::text, Format::latex, Format::markdown, Format::json})
-      std::cout << symbolic::print(scene, format, true);
+      std::cout << symbolic::print(scene, format, true, true);
     for (const symbolic::Line& line : symbolic::derive(scene).lines)
       std::cout << symbolic::to_mathml(line) << '\n';
     std::cout << symbolic::emit_header(scene, "scene") << symbolic::emit_test(scene, "scene");
