@@ -100,12 +100,13 @@ std::optional<ex> logarithmic_derivative(const ex& f, const ex& x) {
     whole.add(power);
     Fraction alone(x);
     alone.add(power);
+    if (terms(alone.numerator()) > readable_terms) return std::nullopt;
     sum += alone.value();
   }
   const std::size_t length = to_text(sum).size();
+  if (length > readable_text) return std::nullopt;
   if (whole.size() <= quick && terms(whole.numerator()) <= readable_terms)
-    if (const ex one = whole.value(); 2 * to_text(one).size() <= 3 * length) sum = one;
-  if (to_text(sum).size() > readable_text) return std::nullopt;
+    if (const ex one = whole.value(); 2 * to_text(one).size() <= 3 * length) return one;
   return sum;
 }
 

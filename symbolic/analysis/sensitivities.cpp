@@ -27,14 +27,18 @@ ex variable(const Scene& scene, const Symbol& parameter) {
   return is_poisson(scene, parameter) ? poisson_ratio(parameter) : symbol(parameter);
 }
 
+ex tidy(const ex& polynomial) {
+  Factors factors;
+  factors.multiply(polynomial, 1);
+  return factors.value();
+}
+
 /// The shorter of the expression and the same as one fraction.
 ex shorter(const ex& expression) {
   const std::size_t length = to_text(expression).size();
   if (length > readable_text) return expression;
   const ex fraction = expression.normal().numer_denom();
-  Factors over;
-  over.multiply(fraction.op(0), 1);
-  const ex whole = over.value() / GiNaC::sqrfree(fraction.op(1));
+  const ex whole = tidy(fraction.op(0)) / GiNaC::sqrfree(fraction.op(1));
   return to_text(whole).size() < length ? whole : expression;
 }
 
@@ -52,7 +56,7 @@ class Chain {
     const Changes changes(is_frequency ? laplace() : variable, stiffnesses_);
     ex sum = 0;
     for (const auto& [factor, exponent] : amplitude_.parts())
-      sum += exponent * changes.of(factor) / factor;
+      sum += exponent * tidy(changes.of(factor)) / factor;
     const ex relative = real_part_of(sum.subs(laplace() == GiNaC::I * omega()));
     GiNaC::lst formulas{sum};
     for (const Line& line : changes.lines) formulas.append(line.right);
