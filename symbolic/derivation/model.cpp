@@ -222,8 +222,7 @@ std::vector<Line> Model::definitions(const ex& formula, const Change& change) co
     const ex k = nested(reduction, change.rates, lines).value;
     lines.push_back({"", quantity(name), k});
   }
-  // What a limit lets go of was named on the way.
-  return used_in(formula, std::move(lines));
+  return lines;
 }
 
 std::optional<GiNaC::exmap> Model::multiplied_out(const ex& expression) const {

@@ -140,6 +140,20 @@ BOOST_AUTO_TEST_CASE(limits_that_cut_a_network_or_unload_the_contact_are_left_ou
               Names{"k1 -> 0", "k1 -> infinity", "c1 -> 0", "c1 -> infinity"}));
 }
 
+// An inner part with millions of terms is not multiplied out only to be let go of.
+BOOST_AUTO_TEST_CASE(what_a_limit_lets_go_of_costs_nothing) {
+  std::string network = "k0";
+  for (int i = 1; i <= 40; ++i)
+    network = "(c" + std::to_string(i) + " | (k" + std::to_string(i) + " - " + network + "))";
+  const Scene ladder = scene_of("normal = \"k | " + network + "\"\ntangential = \"kt\"", "kd");
+  const std::vector<Limit> all = limits(ladder);
+  BOOST_TEST(to_text(named(all, "k40 -> 0").result) ==
+             "mu0*omega*du_z*(kd + kt)*sqrt(k^2 + c40^2*omega^2)/(kd*kt)");
+  BOOST_TEST(named(all, "k30 -> 0").definitions.size() > 1u);
+  for (const Line& line : named(all, "k30 -> 0").definitions)
+    BOOST_TEST(to_text(line.right).find("k29") == std::string::npos);
+}
+
 BOOST_AUTO_TEST_CASE(equation_numbers_belong_to_the_limit) {
   const std::vector<Limit> all = limits(test::kelvin_scene());
   BOOST_TEST(named(all, "kt -> infinity").equation.empty());
