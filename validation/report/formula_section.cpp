@@ -71,11 +71,18 @@ std::string limit(const LimitLine& line) {
                      definitions(line.definitions));
 }
 
+// More would push the numbers out of sight.
+constexpr std::size_t shown_limits = 8;
+
 std::string limits(const SceneReport& report) {
   if (report.limits.empty()) return {};
   std::string rows;
   for (const LimitLine& line : report.limits) rows += limit(line);
-  return "<h3>Limits</h3>\n<table class=\"limits\"><tbody>\n" + rows + "</tbody></table>\n";
+  const std::string table = "<table class=\"limits\"><tbody>\n" + rows + "</tbody></table>\n";
+  const std::size_t count = report.limits.size();
+  if (count <= shown_limits) return "<h3>Limits</h3>\n" + table;
+  return fmt::format("<h3>Limits</h3>\n<details><summary>{} limits</summary>\n{}</details>\n",
+                     count, table);
 }
 
 }  // namespace
