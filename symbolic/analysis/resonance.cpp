@@ -1,6 +1,6 @@
 #include "analysis/resonance.hpp"
 
-#include <algorithm>
+#include <set>
 
 #include "derivation/factors.hpp"
 #include "derivation/model.hpp"
@@ -36,13 +36,6 @@ Balance per_mass(const ex& factor, const Model& model) {
   return {stiffness, stiffness + m * GiNaC::pow(laplace(), 2)};
 }
 
-bool is_elastic(const Part& part) {
-  return std::all_of(
-      part.reduction.steps.begin(), part.reduction.steps.end(), [](const Step& step) {
-        return step.kind != Step::Kind::element || step.element.kind == ElementKind::spring;
-      });
-}
-
 bool is_readable(const ex& polynomial) {
   return !GiNaC::is_a<GiNaC::add>(polynomial) || polynomial.nops() <= readable_terms;
 }
@@ -65,22 +58,26 @@ ex root_of(const ex& stiffness) {
   return GiNaC::sqrt(square.integer_content().is_equal(1) ? square : square.expand());
 }
 
-bool is_elastic(const Balance& balance, const Model& model) {
-  const std::vector<Part>& parts = model.networks();
-  return std::all_of(parts.begin(), parts.end(), [&](const Part& part) {
-    return !balance.stiffness.has(quantity(part.name)) || is_elastic(part);
-  });
+/// The kinds of element in the stiffness.
+std::set<ElementKind> kinds(const Balance& balance, const Model& model) {
+  std::set<ElementKind> found;
+  for (const auto& [name, reduction] : model.networks())
+    for (const Step& step : reduction.steps)
+      if (step.kind == Step::Kind::element && balance.stiffness.has(quantity(name)))
+        found.insert(step.element.kind);
+  return found;
 }
 
 Resonance resonance(const ex& factor, Resonance::Kind kind, const Model& model) {
   const Balance balance = per_mass(factor, model);
   Resonance found{kind, balance.whole.subs(laplace() == GiNaC::I * omega()), {}, {}, {}, {}};
-  found.damped = !is_elastic(balance, model);
+  const std::set<ElementKind> inside = kinds(balance, model);
+  found.damped = inside.contains(ElementKind::damper) || inside.contains(ElementKind::maxwell);
   const std::optional<GiNaC::exmap> known = model.multiplied_out(factor);
   if (!known) found.definitions = used_in(factor, model.nested_formula().definitions);
-  if (!found.damped) {
+  if (inside == std::set{ElementKind::spring})
     found.frequency = root_of(known ? balance.stiffness.subs(*known) : balance.stiffness);
-  } else if (known) {
+  if (found.damped && known) {
     const Resonance::Parts parts = real_and_imaginary(balance.whole.subs(*known));
     if (is_readable(parts.real) && is_readable(parts.imaginary)) found.parts = parts;
   }
