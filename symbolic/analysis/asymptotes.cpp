@@ -8,8 +8,6 @@ namespace vcrit::symbolic {
 
 namespace {
 
-using GiNaC::ex;
-
 /// K_n as L_n: without its power of s it is no longer a stiffness.
 GiNaC::exmap coefficient_names(const std::vector<Line>& definitions) {
   GiNaC::exmap names{{laplace(), 1}};
