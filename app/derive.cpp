@@ -63,8 +63,11 @@ void add_derive(CLI::App& program, int& status) {
   command->add_flag_callback(
       "--json", [options] { options->document.format = Format::json; },
       "the same as --format json");
-  command->add_flag("--limits", options->document.limits,
-                    "derive the limits that apply to the scene");
+  command->add_flag(
+      "--limits", options->document.limits,
+      "derive the limits that apply to the scene, low and high frequency, and resonances");
+  command->add_flag("--sensitivities", options->document.sensitivities,
+                    "derive dv*/dp for every parameter p");
   command
       ->add_option("--form", options->document.form,
                    "of the result: by-size, nested, rational in omega^2, or dimensionless")

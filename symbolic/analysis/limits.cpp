@@ -19,11 +19,25 @@ namespace {
 
 using GiNaC::ex;
 
-/// Dampers that go to a limit together: one, or all entries of an array.
+/// Elements that go to a limit together: one, or all entries of an array.
 struct Group {
   ex label;
   std::vector<Symbol> symbols;
+  bool dissipates;
 };
+
+std::set<Symbol> coefficients(const Network& network) {
+  std::set<Symbol> found;
+  for_each_element(network, [&](const Element& e) { found.insert(e.coefficient); });
+  return found;
+}
+
+std::set<Symbol> contact_coefficients(const Scene& scene) {
+  std::set<Symbol> found = coefficients(scene.normal);
+  if (const auto* tangential = std::get_if<Network>(&scene.tangential))
+    found.merge(coefficients(*tangential));
+  return found;
+}
 
 /// Whether the symbol sets how fast something relaxes: a damper, or a Maxwell branch's time.
 std::map<Symbol, bool> dissipates(const Scene& scene) {
@@ -39,28 +53,31 @@ std::map<Symbol, bool> dissipates(const Scene& scene) {
   return result;
 }
 
-/// The groups of dampers among `parameters`, in the order of writing.
-std::vector<Group> damper_groups(const Scene& scene, const std::vector<Symbol>& parameters) {
-  const std::map<Symbol, bool> is_damper = dissipates(scene);
+/// The groups of elements among `parameters`, in the order of writing.
+std::vector<Group> element_groups(const Scene& scene, const std::vector<Symbol>& parameters) {
+  const std::map<Symbol, bool> elements = dissipates(scene);
   std::vector<Group> groups;
   for (const Symbol& parameter : parameters) {
-    const auto found = is_damper.find(parameter);
-    if (found == is_damper.end() || !found->second) continue;
+    const auto found = elements.find(parameter);
+    if (found == elements.end()) continue;
     const ex label = symbol({parameter.name});
-    const auto same = std::find_if(groups.begin(), groups.end(),
-                                   [&](const Group& g) { return g.label.is_equal(label); });
+    const auto same = std::find_if(groups.begin(), groups.end(), [&](const Group& g) {
+      return g.label.is_equal(label) && g.dissipates == found->second;
+    });
     if (same == groups.end())
-      groups.push_back({label, {parameter}});
+      groups.push_back({label, {parameter}, found->second});
     else
       same->symbols.push_back(parameter);
   }
   return groups;
 }
 
-ex drive_label(const Network& drive) {
-  const auto* element = std::get_if<Element>(&drive.form);
-  return element != nullptr && element->kind == ElementKind::spring ? symbol(element->coefficient)
-                                                                    : quantity("K_d");
+/// A drive that is one spring is named by it, unless that spring has other uses.
+ex drive_label(const Scene& scene) {
+  const auto* element = std::get_if<Element>(&scene.drive->form);
+  const bool lone_spring = element != nullptr && element->kind == ElementKind::spring &&
+                           !contact_coefficients(scene).contains(element->coefficient);
+  return lone_spring ? symbol(element->coefficient) : quantity("K_d");
 }
 
 class Collector {
@@ -69,7 +86,7 @@ class Collector {
       : scene_(scene),
         model_(scene),
         own_(derive(scene)),
-        dampers_(damper_groups(scene, own_.parameters)) {}
+        elements_(element_groups(scene, own_.parameters)) {}
 
   std::vector<Limit> collect() {
     single_limits();
@@ -101,25 +118,13 @@ class Collector {
     Rates result = change.rates;
     if (change.massless) result[scene_.mass->symbol] = -1;
     if (!change.rigid) return result;
-    const std::set<Symbol> contact = contact_coefficients();
+    const std::set<Symbol> contact = contact_coefficients(scene_);
     for (const Symbol& symbol : coefficients(*scene_.drive)) {
       if (contact.contains(symbol)) return {};
       result[symbol] += 4;
     }
     return result;
   }
-  static std::set<Symbol> coefficients(const Network& network) {
-    std::set<Symbol> found;
-    for_each_element(network, [&](const Element& e) { found.insert(e.coefficient); });
-    return found;
-  }
-  std::set<Symbol> contact_coefficients() const {
-    std::set<Symbol> found = coefficients(scene_.normal);
-    if (const auto* tangential = std::get_if<Network>(&scene_.tangential))
-      found.merge(coefficients(*tangential));
-    return found;
-  }
-
   void add(const Change& change, const std::vector<ex>& what, bool infinite) {
     add(change, arrow(text_dialect(), what, infinite), arrow(latex_dialect(), what, infinite));
   }
@@ -129,20 +134,25 @@ class Collector {
   bool depends_on_drive() const { return own_.parameters.size() > 3; }
 
   void single_limits() {
-    if (has_drive()) add({{}, true, false, {}}, {drive_label(*scene_.drive)}, true);
+    if (has_drive()) add({{}, true, false, {}}, {drive_label(scene_)}, true);
     if (scene_.mass) add({{}, false, true, {}}, {symbol({"m"})}, false);
-    for (const Group& group : dampers_)
+    for (const Group& group : elements_)
       for (const bool infinite : {false, true}) {
+        if (infinite && is_drive(group)) continue;
         Change change;
         for (const Symbol& symbol : group.symbols) change.rates[symbol] = infinite ? 1 : -1;
         add(change, {group.label}, infinite);
       }
   }
+  bool is_drive(const Group& group) const {
+    return scene_.drive && group.label.is_equal(drive_label(scene_));
+  }
 
   void all_dampers_to_zero() {
     Change change;
     std::vector<ex> labels;
-    for (const Group& group : dampers_) {
+    for (const Group& group : elements_) {
+      if (!group.dissipates) continue;
       labels.push_back(group.label);
       for (const Symbol& symbol : group.symbols) change.rates[symbol] = -1;
     }
@@ -150,7 +160,7 @@ class Collector {
     if (labels.size() > 1) add(change, labels, false);
     if (!has_drive()) return;
     change.rigid = true;
-    const std::vector<ex> drive{drive_label(*scene_.drive)};
+    const std::vector<ex> drive{drive_label(scene_)};
     add(change, arrow(text_dialect(), labels, false) + ", " + arrow(text_dialect(), drive, true),
         arrow(latex_dialect(), labels, false) + ",\\ " + arrow(latex_dialect(), drive, true));
   }
@@ -165,7 +175,7 @@ class Collector {
     const std::string latex = "\\text{isotropic contact, } " + equation(latex_dialect(), k_t, k_n);
     add({{}, false, false, ratio}, name, latex);
     if (!has_drive()) return;
-    const std::vector<ex> drive{drive_label(*scene_.drive)};
+    const std::vector<ex> drive{drive_label(scene_)};
     add({{}, true, false, ratio}, name + ", " + arrow(text_dialect(), drive, true),
         latex + ",\\ " + arrow(latex_dialect(), drive, true));
   }
@@ -176,7 +186,7 @@ class Collector {
   const Scene& scene_;
   Model model_;
   Derivation own_;
-  std::vector<Group> dampers_;
+  std::vector<Group> elements_;
   std::vector<Limit> limits_;
 };
 

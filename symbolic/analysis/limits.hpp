@@ -22,10 +22,10 @@ struct Limit {
   Rates rates;                    ///< a way to approach it; empty where values alone do not
 };
 
-/// Drive to rigid, mass to 0, each damper to 0 and to infinity, all dampers to 0, then the drive to
-/// rigid, and the isotropic contact where both networks have one shape. Left out: limits that cut a
-/// network in two, in which the normal force grows without end, or in which nothing is left that
-/// moves.
+/// Drive to rigid, mass to 0, each element (an array as one) to 0 and to infinity, all dampers to
+/// 0, then the drive to rigid, and the isotropic contact where both networks have one shape. Left
+/// out: limits that cut a network in two, in which the normal force grows without end or its mean
+/// can no longer be carried, or in which nothing is left that moves.
 std::vector<Limit> limits(const Scene& scene);
 
 }  // namespace vcrit::symbolic

@@ -75,9 +75,7 @@ std::vector<Symbol> parameters(const Scene& scene, const Formula& formula) {
 
 Derivation derive(const Scene& scene, bool nested) {
   const Model model(scene);
-  Change change;
-  change.nested = nested;
-  const std::optional<Formula> formula = model.formula(change);
+  const std::optional<Formula> formula = nested ? model.nested_formula() : model.formula({});
   ensure(formula.has_value(), "a scene without a limit has a formula");
   Derivation result;
   result.lines = model.balance().lines;

@@ -28,24 +28,6 @@ bool is_ratio(const ex& symbol) {
   return symbol.info(GiNaC::info_flags::real) && !is_positive_symbol(symbol);
 }
 
-/// Even and odd part of a polynomial in s = i omega: f = even + i omega odd.
-struct Parts {
-  ex even, odd;
-};
-
-Parts parts_at_i_omega(const ex& f) {
-  Parts parts;
-  const ex s = laplace(), w = omega();
-  for (int n = 0; n <= f.degree(s); ++n) {
-    const ex term = f.coeff(s, n) * (n / 2 % 2 == 0 ? 1 : -1);
-    if (n % 2 == 0)
-      parts.even += term * GiNaC::pow(w, n);
-    else
-      parts.odd += term * GiNaC::pow(w, n - 1);
-  }
-  return {parts.even.expand(), parts.odd.expand()};
-}
-
 bool all_terms_positive(const ex& f) {
   if (!GiNaC::is_a<GiNaC::add>(f)) return !leads_with_minus(f);
   return std::all_of(f.begin(), f.end(), [](const ex& term) { return !leads_with_minus(term); });
@@ -85,7 +67,7 @@ struct Modulus {
 
 Modulus modulus_of(const ex& f) {
   if (is_complex(f)) return {false, GiNaC::abs(f.subs(laplace() == GiNaC::I * omega()))};
-  const Parts parts = parts_at_i_omega(f);
+  const EvenOdd parts = even_odd(f);
   if (!parts.odd.is_zero() && !parts.even.is_zero())
     return {true, squared(parts.even) + GiNaC::pow(omega(), 2) * squared(parts.odd)};
   const ex real = parts.odd.is_zero() ? parts.even : (omega() * parts.odd).expand();
@@ -93,6 +75,27 @@ Modulus modulus_of(const ex& f) {
 }
 
 }  // namespace
+
+// Poisson's ratio has values up to 1/2, everything else has 1.
+bool is_negative(const ex& expression) {
+  GiNaC::exmap sample;
+  for (const auto& [name, symbol] : symbols_in(expression))
+    sample[symbol] = is_ratio(symbol) ? ex(GiNaC::numeric(1, 4)) : ex(1);
+  return expression.subs(sample).info(GiNaC::info_flags::negative);
+}
+
+EvenOdd even_odd(const ex& f) {
+  EvenOdd parts;
+  const ex s = laplace(), w = omega();
+  for (int n = 0; n <= f.degree(s); ++n) {
+    const ex term = f.coeff(s, n) * (n / 2 % 2 == 0 ? 1 : -1);
+    if (n % 2 == 0)
+      parts.even += term * GiNaC::pow(w, n);
+    else
+      parts.odd += term * GiNaC::pow(w, n - 1);
+  }
+  return {parts.even.expand(), parts.odd.expand()};
+}
 
 void Factors::multiply(const ex& polynomial, int exponent) {
   ex rest = polynomial.expand();

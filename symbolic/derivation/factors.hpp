@@ -38,4 +38,13 @@ class Factors {
   std::vector<GiNaC::ex> over_, under_;
 };
 
+/// Whether an expression that keeps its sign for all values of its symbols is negative.
+bool is_negative(const GiNaC::ex& expression);
+
+/// A polynomial f of s = i omega as even + i omega odd.
+struct EvenOdd {
+  GiNaC::ex even, odd;
+};
+EvenOdd even_odd(const GiNaC::ex& f);
+
 }  // namespace vcrit::symbolic

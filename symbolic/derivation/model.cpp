@@ -44,6 +44,10 @@ bool is_readable(const TermCount& count) {
 
 bool has(const ex& expression, const std::string& name) { return expression.has(quantity(name)); }
 
+Fraction scaled(const Fraction& k, const GiNaC::exmap& scale) {
+  return {k.numerator.subs(scale), k.denominator.subs(scale)};
+}
+
 bool is_constant(const Fraction& k) {
   return !k.numerator.has(laplace()) && !k.denominator.has(laplace());
 }
@@ -62,6 +66,16 @@ ex isotropic_ratio(const Isotropic& isotropic) {
                     : poisson   ? poisson_ratio(given.symbol)
                                 : symbol(given.symbol);
   return poisson ? 2 * (1 - number) / (2 - number) : number;
+}
+
+std::vector<Line> used_in(const ex& formula, std::vector<Line> definitions) {
+  for (auto line = definitions.end(); line != definitions.begin();) {
+    --line;
+    const auto uses = [&](const Line& later) { return later.right.has(line->left); };
+    if (!formula.has(line->left) && std::none_of(line, definitions.end(), uses))
+      line = definitions.erase(line);
+  }
+  return definitions;
 }
 
 Model::Model(const Scene& scene)
@@ -94,10 +108,12 @@ Model::Model(const Scene& scene)
 ex Model::amplitude(const Change& change) const {
   ex amplitude = balance_.contact_amplitude;
   if (change.ratio) amplitude = amplitude.subs(quantity("K_t") == *change.ratio * quantity("K_n"));
+  // A drive that grows is no longer the contact's network.
   for (const Line& identity : identities_)
-    amplitude = amplitude.subs(identity.left == identity.right);
+    if (!change.rigid || !identity.left.is_equal(quantity("K_d")))
+      amplitude = amplitude.subs(identity.left == identity.right);
   Factors factors;
-  factors.multiply_rational(amplitude);
+  factors.multiply_rational(amplitude.subs(change.scale));
   factors.cancel();
   return factors.value();
 }
@@ -121,61 +137,122 @@ bool Model::is_small(const ex& amplitude, const Change& change) const {
   return std::max(largest, joint ? sum + (surrounding_.mass ? product : 0) : 0) <= readable_terms;
 }
 
-std::optional<Formula> Model::formula(const Change& change) const {
+std::map<std::string, int> Model::powers(const Change& change) const {
   std::map<std::string, int> powers;
   for (const auto& [name, network, reduction] : networks_)
     powers[name] = term_count(reduction, change.rates).power;
-  if (powers["K_n"] != 0 || powers["K_t"] < 0 || powers["K_d"] < 0) return std::nullopt;
   if (change.rigid) powers["K_d"] += much_faster;
   if (change.massless) powers["m"] = -1;
-
-  const ex amplitude = this->amplitude(change);
-  Factors whole;
-  whole.multiply_rational(amplitude);
-  Factors leading;
-  leading.multiply_rational(whole.coefficient());
-  int power = 0;
-  for (const auto& [factor, exponent] : whole.parts()) {
-    const Leading<ex> part = leading_part(factor, powers);
-    power += exponent * part.power;
-    for (int i = 0; i < std::abs(exponent); ++i)
-      leading.multiply(part.value, exponent > 0 ? 1 : -1);
-  }
-  if (power != 0) return std::nullopt;
-  leading.cancel();
-  return !change.nested && is_small(leading.value(), change) ? multiplied_out(leading, change)
-                                                             : nested_in(leading, change);
+  const auto frequency = change.rates.find({"omega"});
+  if (frequency != change.rates.end()) powers["s"] = frequency->second;
+  return powers;
 }
 
-Formula Model::multiplied_out(const Factors& amplitude, const Change& change) const {
-  std::map<std::string, Fraction> fractions;
-  GiNaC::exmap put;
-  for (const auto& [name, network, reduction] : networks_) {
-    if (!is_readable(term_count(reduction, change.rates).value)) continue;
-    const Fraction k = fractions[name] = fraction(reduction, change.rates).value;
-    put[quantity(name)] = (k.numerator / k.denominator).subs(change.scale);
+// The normal force has a mean, which a network with K_n(0) = 0 cannot carry. A scene without such a
+// network loses nothing.
+bool Model::unloads_contact(const Change& change) const {
+  const auto is_loaded = [this](Rates rates) {
+    for (auto& [symbol, rate] : rates) rate *= much_faster;
+    rates[{"omega"}] = -1;
+    return term_count(networks_.front().reduction, rates).power == 0;
+  };
+  return is_loaded({}) && !is_loaded(change.rates);
+}
+
+Leading<Factors> Model::leading_amplitude(const std::map<std::string, int>& powers,
+                                          const Change& change) const {
+  Factors whole;
+  whole.multiply_rational(amplitude(change));
+  Leading<Factors> leading;
+  leading.value.multiply_rational(whole.coefficient());
+  for (const auto& [factor, exponent] : whole.parts()) {
+    const Leading<ex> part = leading_part(factor, powers);
+    leading.power += exponent * part.power;
+    for (int i = 0; i < std::abs(exponent); ++i)
+      leading.value.multiply(part.value, exponent > 0 ? 1 : -1);
   }
+  leading.value.cancel();
+  return leading;
+}
+
+std::optional<Formula> Model::formula(const Change& change) const {
+  std::map<std::string, int> powers = this->powers(change);
+  if (powers["K_n"] != 0 || powers["K_t"] < 0 || powers["K_d"] < 0) return std::nullopt;
+  if (unloads_contact(change)) return std::nullopt;
+  const Leading<Factors> leading = leading_amplitude(powers, change);
+  if (leading.power != 0) return std::nullopt;
+  const Factors& amplitude = leading.value;
+  if (!is_small(amplitude.value(), change)) return nested_in(amplitude, change);
+  const std::map<std::string, Fraction> fractions = this->fractions(change);
+  return Formula{omega() * multiplied_out(amplitude, fractions).modulus(),
+                 {},
+                 equation(fractions, powers, change)};
+}
+
+Formula Model::nested_formula() const { return nested_in(leading_amplitude({}, {}).value, {}); }
+
+Asymptotic Model::asymptotic(int direction) const {
+  Change change;
+  change.rates[{"omega"}] = direction;
+  const Leading<Factors> leading = leading_amplitude(powers(change), change);
+  const ex amplitude = leading.value.value();
+  const int power = leading.power * direction;
+  if (is_small(amplitude, change))
+    return {power, multiplied_out(leading.value, fractions(change)).value(), {}};
+  return {power, amplitude, definitions(amplitude, change)};
+}
+
+std::map<std::string, Fraction> Model::fractions(const Change& change) const {
+  std::map<std::string, Fraction> fractions;
+  for (const auto& [name, network, reduction] : networks_)
+    if (is_readable(term_count(reduction, change.rates).value))
+      fractions[name] = scaled(fraction(reduction, change.rates).value, change.scale);
+  return fractions;
+}
+
+Factors Model::multiplied_out(const Factors& amplitude,
+                              const std::map<std::string, Fraction>& fractions) const {
+  GiNaC::exmap put;
+  for (const auto& [name, k] : fractions) put[quantity(name)] = k.numerator / k.denominator;
   Factors whole;
   whole.multiply_rational(amplitude.coefficient());
   for (const auto& [factor, exponent] : amplitude.parts())
-    whole.multiply_rational(GiNaC::pow(factor.subs(change.scale).subs(put), exponent));
+    whole.multiply_rational(GiNaC::pow(factor.subs(put), exponent));
   whole.cancel();
-  return {omega() * whole.modulus(), {}, equation(fractions, change)};
+  return whole;
 }
 
 Formula Model::nested_in(const Factors& amplitude, const Change& change) const {
-  Formula formula{(omega() * amplitude.modulus()).subs(change.scale), {}, ""};
+  const ex velocity = omega() * amplitude.modulus();
+  return {velocity, definitions(velocity, change), ""};
+}
+
+std::vector<Line> Model::definitions(const ex& formula, const Change& change) const {
+  std::vector<Line> lines;
   for (const auto& [name, network, reduction] : networks_) {
-    if (!has(formula.velocity, name)) continue;
-    const ex k = nested(reduction, change.rates, formula.definitions).value;
-    formula.definitions.push_back({"", quantity(name), k});
+    if (!has(formula, name)) continue;
+    const ex k = nested(reduction, change.rates, lines).value;
+    lines.push_back({"", quantity(name), k});
   }
-  for (Line& line : formula.definitions) line.right = line.right.subs(change.scale);
-  return formula;
+  for (Line& line : lines) line.right = line.right.subs(change.scale);
+  return lines;
+}
+
+std::optional<GiNaC::exmap> Model::multiplied_out(const ex& expression) const {
+  if (!is_small(expression, {})) return std::nullopt;
+  GiNaC::exmap put;
+  for (const auto& [name, k] : fractions({}))
+    if (has(expression, name)) put[quantity(name)] = k.numerator / k.denominator;
+  return put;
 }
 
 std::string Model::equation(const std::map<std::string, Fraction>& networks,
-                            const Change& change) const {
+                            const std::map<std::string, int>& powers, const Change& change) const {
+  const auto grows = [&](const char* name) {
+    const auto found = powers.find(name);
+    return found != powers.end() && found->second > 0;
+  };
+  if (grows("K_t")) return "";
   const bool isotropic = isotropic_ || change.ratio;
   // A network too large to be multiplied out is none of the special cases.
   const auto holds_for = [&](const char* name, bool (*holds)(const Fraction&)) {
@@ -185,7 +262,7 @@ std::string Model::equation(const std::map<std::string, Fraction>& networks,
   const auto both = [&](bool (*holds)(const Fraction&)) {
     return holds_for("K_n", holds) && (isotropic || holds_for("K_t", holds));
   };
-  if (change.rigid || !surrounding_.drive) return both(is_constant) ? "(31)" : "";
+  if (grows("K_d") || !surrounding_.drive) return both(is_constant) ? "(31)" : "";
   const auto drive = networks.find("K_d");
   const bool elastic_with_mass = surrounding_.mass && !change.massless && drive != networks.end() &&
                                  is_constant(drive->second);

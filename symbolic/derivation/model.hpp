@@ -22,7 +22,6 @@ struct Change {
   bool rigid = false;              ///< the drive, after everything in `rates`
   bool massless = false;           ///< m to 0
   std::optional<GiNaC::ex> ratio;  ///< K_t = ratio K_n
-  bool nested = false;             ///< the networks are not multiplied out, however small
   GiNaC::exmap scale = {};         ///< symbols written in others
 };
 
@@ -30,6 +29,13 @@ struct Formula {
   GiNaC::ex velocity;
   std::vector<Line> definitions;  ///< empty where velocity is multiplied out
   std::string equation;           ///< number in the paper, if it is one of its special cases
+};
+
+/// The amplitude's leading term amplitude s^power, where omega goes to a limit.
+struct Asymptotic {
+  int power = 0;
+  GiNaC::ex amplitude;            ///< with s as it is: homogeneous
+  std::vector<Line> definitions;  ///< of its stiffnesses' leading terms, as in Formula
 };
 
 /// One of the networks, "K_n", "K_t" or "K_d".
@@ -48,19 +54,34 @@ class Model {
   GiNaC::ex amplitude(const Change& change) const;
   /// B/(mu0 du_z) without a limit.
   GiNaC::ex per_friction() const;
-  /// Nothing where the limit cuts a network in two, makes the normal network rigid, or leaves no
-  /// motion.
+  /// Nothing where the limit cuts a network in two, makes the normal network rigid or unable to
+  /// carry the mean load, or leaves no motion.
   std::optional<Formula> formula(const Change& change) const;
+  /// The formula in terms of K_n, K_t and K_d, however small it is.
+  Formula nested_formula() const;
+  /// What the amplitude tends to as omega goes to infinity (`direction` 1) or to zero (-1).
+  Asymptotic asymptotic(int direction) const;
   /// "K_t = r K_n", "K_d = K_n" and "K_d = 1/R_d", as far as they hold in the scene.
   const std::vector<Line>& identities() const { return identities_; }
   /// K_n, K_t and K_d, in this order, as far as they have a network of their own.
   const std::vector<Part>& networks() const { return networks_; }
+  /// K_n, K_t and K_d of `expression` as ratios of polynomials in s, if it then stays readable.
+  std::optional<GiNaC::exmap> multiplied_out(const GiNaC::ex& expression) const;
 
  private:
   bool is_small(const GiNaC::ex& amplitude, const Change& change) const;
-  Formula multiplied_out(const Factors& amplitude, const Change& change) const;
+  std::map<std::string, int> powers(const Change& change) const;
+  bool unloads_contact(const Change& change) const;
+  Leading<Factors> leading_amplitude(const std::map<std::string, int>& powers,
+                                     const Change& change) const;
+  /// The networks that are small enough, as ratios of polynomials.
+  std::map<std::string, Fraction> fractions(const Change& change) const;
+  Factors multiplied_out(const Factors& amplitude,
+                         const std::map<std::string, Fraction>& fractions) const;
   Formula nested_in(const Factors& amplitude, const Change& change) const;
-  std::string equation(const std::map<std::string, Fraction>& networks, const Change& change) const;
+  std::vector<Line> definitions(const GiNaC::ex& formula, const Change& change) const;
+  std::string equation(const std::map<std::string, Fraction>& networks,
+                       const std::map<std::string, int>& powers, const Change& change) const;
 
   Surrounding surrounding_;
   Balance balance_;
@@ -68,6 +89,9 @@ class Model {
   std::vector<Line> identities_;
   bool isotropic_ = false;
 };
+
+/// Those of the definitions, each of earlier ones, that the formula needs.
+std::vector<Line> used_in(const GiNaC::ex& formula, std::vector<Line> definitions);
 
 /// K_t/K_n of an isotropic contact: an exact fraction, or a formula in its symbol.
 GiNaC::ex isotropic_ratio(const Isotropic& isotropic);

@@ -1,5 +1,6 @@
 #include "derivation/stiffness_forms.hpp"
 
+#include "derivation/leading_reduction.hpp"
 #include "formula/symbols.hpp"
 
 namespace vcrit::symbolic {
@@ -22,12 +23,12 @@ Leading<ElementForm> leading_element(const Element& element, const Rates& rates)
   };
   using Kind = ElementForm::Kind;
   const ex k = symbol(element.coefficient);
-  const int power = rate(element.coefficient);
+  const int power = rate(element.coefficient), frequency = rate({"omega"});
   if (element.kind == ElementKind::spring) return {power, {Kind::storage, k, 0}};
-  if (element.kind == ElementKind::damper) return {power, {Kind::loss, k, 0}};
-  if (element.kind == ElementKind::mass) return {power, {Kind::inertia, k, 0}};
+  if (element.kind == ElementKind::damper) return {power + frequency, {Kind::loss, k, 0}};
+  if (element.kind == ElementKind::mass) return {power + 2 * frequency, {Kind::inertia, k, 0}};
   const ex tau = symbol(element.time);
-  const int slow = rate(element.time);
+  const int slow = rate(element.time) + frequency;
   if (slow > 0) return {power, {Kind::storage, k, 0}};
   if (slow < 0) return {power + slow, {Kind::loss, k * tau, 0}};
   return {power, {Kind::maxwell, k, tau}};
@@ -176,22 +177,29 @@ Leading<typename Base::Value> run(const Reduction& reduction, const Rates& rates
   return evaluate(reduction, algebra);
 }
 
+Reduction leading(const Reduction& reduction, const Rates& rates) {
+  if (rates.empty()) return reduction;
+  return leading_reduction(
+      reduction, [&](const Element& element) { return leading_element(element, rates).power; });
+}
+
 }  // namespace
 
 Leading<Fraction> fraction(const Reduction& reduction, const Rates& rates) {
-  Leading<Fraction> k = run(reduction, rates, Fractions{});
+  Leading<Fraction> k = run(leading(reduction, rates), rates, Fractions{});
   Fraction left;
   GiNaC::gcd(k.value.numerator, k.value.denominator, &left.numerator, &left.denominator);
   return {k.power, {left.numerator.expand(), left.denominator.expand()}};
 }
 
 Leading<TermCount> term_count(const Reduction& reduction, const Rates& rates) {
-  return run(reduction, rates, Counts{});
+  return run(leading(reduction, rates), rates, Counts{});
 }
 
 Leading<GiNaC::ex> nested(const Reduction& reduction, const Rates& rates,
                           std::vector<Line>& definitions) {
-  const auto k = run(reduction, rates, Nested(reduction, definitions));
+  const Reduction left = leading(reduction, rates);
+  const auto k = run(left, rates, Nested(left, definitions));
   return {k.power, k.value.k};
 }
 

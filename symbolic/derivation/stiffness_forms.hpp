@@ -15,7 +15,8 @@
 
 namespace vcrit::symbolic {
 
-/// Symbols that go with T^rate as T grows without end: 1 to infinity, -1 to zero, absent: stay.
+/// Symbols that go with T^rate as T grows without end: 1 to infinity, -1 to zero, absent: stay. The
+/// symbol omega takes s along.
 using Rates = std::map<Symbol, int>;
 
 /// value T^power is the leading term of K(s).

@@ -15,7 +15,8 @@ enum class ResultForm { by_size, nested, rational, dimensionless };
 
 struct DocumentOptions {
   Format format = Format::text;
-  bool limits = false;
+  bool limits = false;  ///< with asymptotes and resonances
+  bool sensitivities = false;
   ResultForm form = ResultForm::by_size;
   double budget = 5000;  ///< terms of the polynomials in v* up to which they are multiplied out
 };

@@ -8,7 +8,11 @@ std::string Dialect::print(const Signed& expression) const {
 }
 
 std::string Dialect::equation(const Signed& left, const Signed& right) const {
-  return equal(print(left), print(right));
+  return related(print(left), false, print(right));
+}
+
+std::string Dialect::asymptote(const Signed& left, const Signed& right) const {
+  return related(print(left), true, print(right));
 }
 
 std::vector<Piece> Dialect::pieces(const std::vector<Form>& forms) const {

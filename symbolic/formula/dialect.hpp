@@ -20,6 +20,8 @@ class Dialect {
   virtual ~Dialect() = default;
   std::string print(const Signed& expression) const;
   std::string equation(const Signed& left, const Signed& right) const;
+  /// left ~ right.
+  std::string asymptote(const Signed& left, const Signed& right) const;
 
  protected:
   /// A natural number or a fraction a/b.
@@ -36,7 +38,9 @@ class Dialect {
   virtual std::string root(const std::string& argument) const = 0;
   virtual std::string call(const std::string& function, const std::string& argument) const = 0;
   virtual std::string wrapped(const std::string& text) const = 0;
-  virtual std::string equal(const std::string& left, const std::string& right) const = 0;
+  /// left = right, or left ~ right.
+  virtual std::string related(const std::string& left, bool asymptotic,
+                              const std::string& right) const = 0;
 
   /// The factors' texts, sums in parentheses; a lone one as it is if `lone_is_bare`.
   std::vector<std::string> factors(const std::vector<Piece>& pieces, bool lone_is_bare) const;

@@ -89,7 +89,8 @@ int rank(const Form& form, bool prefactor) {
       break;
   }
   if (prefactor && form.text == "omega") return -2;
-  if (form.text.starts_with("K_")) return 1;
+  if (form.text.starts_with("K_") || form.text.starts_with("L_")) return 1;
+  if (form.text.starts_with("dK_")) return 2;
   const auto found = names.find(form.text);
   return found == names.end() ? 0 : found->second;
 }

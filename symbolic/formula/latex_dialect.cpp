@@ -26,6 +26,7 @@ class Latex : public Dialect {
     return "\\frac{" + digits.substr(0, bar) + "}{" + digits.substr(bar + 1) + "}";
   }
   std::string name(const std::string& text) const override {
+    if (text.starts_with("S_")) return "S_{" + name(text.substr(2)) + "}";
     const Notation n = notation(text);
     std::string result = is_greek(n.base)    ? "\\" + n.base
                          : n.base.size() > 1 ? "\\mathrm{" + n.base + "}"
@@ -38,6 +39,7 @@ class Latex : public Dialect {
       result += fmt::format("_{{{}}}", fmt::join(parts, ","));
     }
     if (n.above == "*") result += "^{*}";
+    if (n.before == "d") return "\\mathrm{d}" + result;
     return n.before.empty() ? result : "\\" + n.before + " " + result;
   }
   std::string negative(const std::string& term) const override { return "-" + term; }
@@ -67,8 +69,9 @@ class Latex : public Dialect {
   std::string wrapped(const std::string& text) const override {
     return "\\left(" + text + "\\right)";
   }
-  std::string equal(const std::string& left, const std::string& right) const override {
-    return left + " = " + right;
+  std::string related(const std::string& left, bool asymptotic,
+                      const std::string& right) const override {
+    return left + (asymptotic ? " \\sim " : " = ") + right;
   }
 };
 

@@ -37,6 +37,8 @@ class MathMl : public Dialect {
     return "<mfrac>" + number(digits.substr(0, bar)) + number(digits.substr(bar + 1)) + "</mfrac>";
   }
   std::string name(const std::string& text) const override {
+    if (text.starts_with("S_"))
+      return "<msub><mi>S</mi><mrow>" + name(text.substr(2)) + "</mrow></msub>";
     const Notation n = notation(text);
     std::string result = "<mi>" + letter(n.base) + "</mi>";
     const auto dots = std::count(n.above.begin(), n.above.end(), '\'');
@@ -81,8 +83,9 @@ class MathMl : public Dialect {
   std::string wrapped(const std::string& text) const override {
     return "<mrow><mo>(</mo>" + text + "<mo>)</mo></mrow>";
   }
-  std::string equal(const std::string& left, const std::string& right) const override {
-    return left + "<mo>=</mo>" + right;
+  std::string related(const std::string& left, bool asymptotic,
+                      const std::string& right) const override {
+    return left + (asymptotic ? "<mo>∼</mo>" : "<mo>=</mo>") + right;
   }
 };
 

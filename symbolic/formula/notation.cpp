@@ -53,6 +53,7 @@ bool is_greek(const std::string& word) {
 
 Notation notation(const std::string& name) {
   if (name == "du_z") return {"Delta", "u", {"z"}, {}};
+  if (name.starts_with("dK_")) return {"d", "K", {name.substr(3)}, {}};
   std::string rest = name;
   Notation result;
   while (!rest.empty() && (rest.back() == '*' || rest.back() == '\'')) {

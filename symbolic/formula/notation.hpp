@@ -8,7 +8,7 @@ namespace vcrit::symbolic {
 
 /// A name taken apart. `base` is one letter, the English name of a greek one, or a long word.
 struct Notation {
-  std::string before;  ///< "Delta" in front of du_z, else empty
+  std::string before;  ///< "Delta" in front of du_z, "d" of dK_n, else empty
   std::string base;
   std::vector<std::string> index;  ///< parts of the lower index
   std::string above;               ///< "*" of v*, dots of derivatives

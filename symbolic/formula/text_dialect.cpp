@@ -32,8 +32,9 @@ class Text : public Dialect {
     return function + "(" + argument + ")";
   }
   std::string wrapped(const std::string& text) const override { return "(" + text + ")"; }
-  std::string equal(const std::string& left, const std::string& right) const override {
-    return left + " = " + right;
+  std::string related(const std::string& left, bool asymptotic,
+                      const std::string& right) const override {
+    return left + (asymptotic ? " ~ " : " = ") + right;
   }
 };
 

@@ -1,28 +1,11 @@
-// A scene's values as exact numbers, and v* of the independent nodal evaluation as one.
+// v* of the independent nodal evaluation as an exact number, beside a scene's exact values.
 #pragma once
 
-#include <cmath>
-#include <map>
-
-#include "formula/symbols.hpp"
+#include "derivation/values.hpp"
 #include "support/nodal.hpp"
 #include "support/random_scene.hpp"
 
 namespace vcrit::test {
-
-inline std::map<Symbol, GiNaC::numeric> exact_values(const Scene& scene) {
-  std::map<Symbol, GiNaC::numeric> values;
-  for (const auto& [symbol, value] : values_of(scene))
-    values[symbol] = symbolic::exact_binary(value);
-  return values;
-}
-
-/// Decimals of doubles with few bits are those doubles, so that the fraction that the derivation
-/// reads and the double that the nodal evaluation takes are one number.
-inline void round_ratio(Scene& scene) {
-  if (auto* isotropic = std::get_if<Isotropic>(&scene.tangential))
-    isotropic->quantity.value = std::ceil(*isotropic->quantity.value * 64) / 128;
-}
 
 inline GiNaC::numeric number(const Real& value) {
   return GiNaC::numeric(value.str(120, std::ios::scientific).c_str());

@@ -15,11 +15,12 @@ void print_derivation(const vcrit::Scene& scene) {
   using namespace vcrit;
   using symbolic::Format;
   for (const Format format : {Format::text, Format::latex, Format::markdown, Format::json})
-    std::cout << symbolic::print(scene, {format, true});
+    std::cout << symbolic::print(scene, {format, true, true});
   for (const auto form : {symbolic::ResultForm::nested, symbolic::ResultForm::dimensionless})
-    std::cout << symbolic::print(scene, {Format::text, false, form});
+    std::cout << symbolic::print(scene, {Format::text, false, false, form});
   if (!scene.receptance && symbolic::terms_before_squaring(symbolic::Model(scene)) < 300)
-    std::cout << symbolic::print(scene, {Format::json, false, symbolic::ResultForm::rational});
+    std::cout << symbolic::print(scene,
+                                 {Format::json, false, false, symbolic::ResultForm::rational});
   for (const symbolic::Line& line : symbolic::derive(scene).lines)
     std::cout << symbolic::to_mathml(line) << '\n';
 }

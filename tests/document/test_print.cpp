@@ -78,6 +78,8 @@ BOOST_AUTO_TEST_CASE(notation_in_latex) {
   BOOST_TEST(latex({"c_eta"}) == "c_{\\eta}");
   BOOST_TEST(latex({"kspring"}) == "k_{\\mathrm{spring}}");
   BOOST_TEST(latex({"ratio"}) == "\\mathrm{ratio}");
+  BOOST_TEST(latex({"dK_n"}) == "\\mathrm{d}K_{n}");
+  BOOST_TEST(latex({"S_k", 3}) == "S_{k_{(3)}}");
 }
 
 BOOST_AUTO_TEST_CASE(dialects) {
@@ -115,9 +117,44 @@ BOOST_AUTO_TEST_CASE(json_has_the_promised_parts) {
   BOOST_TEST(json.at("parameters").size() == 9u);
   BOOST_TEST(json.at("critical_velocity").at("text") ==
              json.at("lines").back().at("text").get<std::string>().substr(5));
-  BOOST_TEST(json.at("limits").size() == 9u);
+  BOOST_TEST(json.at("limits").size() == 11u);
   for (const auto& limit : json.at("limits"))
     for (const char* key : {"name", "equation", "text", "latex"}) BOOST_TEST(limit.contains(key));
+}
+
+BOOST_AUTO_TEST_CASE(json_has_what_was_asked_for) {
+  const Scene scene = test::kelvin_scene();
+  const auto plain = nlohmann::json::parse(print(scene, {Format::json, false}));
+  for (const char* key : {"limits", "asymptotes", "resonances", "sensitivities"})
+    BOOST_TEST(plain.at(key).empty());
+  const auto json = nlohmann::json::parse(print(scene, {Format::json, true, true}));
+  BOOST_TEST(json.at("asymptotes").size() == 2u);
+  BOOST_TEST(json.at("asymptotes")[1].at("name") == "omega -> infinity");
+  BOOST_TEST(json.at("asymptotes")[1].at("power") == 1);
+  BOOST_TEST(json.at("asymptotes")[1].at("coefficient").at("text") == "mu0*du_z*cn/ct");
+  BOOST_TEST(json.at("resonances")[0].at("name") == "resonance");
+  BOOST_TEST(json.at("resonances")[0].at("frequency").at("latex") == "\\sqrt{\\frac{k_{d}}{m}}");
+  BOOST_TEST(json.at("resonances")[1].at("damped") == true);
+  BOOST_TEST(json.at("resonances")[1].at("frequency").is_null());
+  BOOST_TEST(json.at("resonances")[1].at("imaginary_part").at("text") == "ct*omega = 0");
+  BOOST_TEST(json.at("sensitivities").size() == json.at("parameters").size());
+  BOOST_TEST(json.at("sensitivities")[4].at("parameter") == "kn");
+  BOOST_TEST(json.at("sensitivities")[4].at("relative").at("text") == "kn^2/(kn^2 + cn^2*omega^2)");
+}
+
+BOOST_AUTO_TEST_CASE(all_markups_show_what_was_asked_for) {
+  const Scene scene = test::kelvin_scene();
+  const auto has = [&](Format format, const std::string& what) {
+    return print(scene, format, true, true).find(what) != std::string::npos;
+  };
+  BOOST_TEST(has(Format::text, "v* ~ mu0*omega*du_z*cn/ct\n"));
+  BOOST_TEST(has(Format::text, "omega = sqrt(kd/m)\n"));
+  BOOST_TEST(has(Format::text, "S_kn = kn^2/(kn^2 + cn^2*omega^2)\n"));
+  BOOST_TEST(has(Format::latex, "v^{*} \\sim \\frac{"));
+  BOOST_TEST(has(Format::latex, "\\subsection*{Sensitivities}"));
+  BOOST_TEST(has(Format::markdown, "## Low and high frequency"));
+  BOOST_TEST(has(Format::markdown, "S_{k_{n}} ="));
+  BOOST_TEST(print(scene, {Format::text, true}).find("S_kn") == std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(large_formulas_stay_nested_and_say_so) {

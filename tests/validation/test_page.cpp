@@ -133,6 +133,15 @@ BOOST_AUTO_TEST_CASE(sections_without_content_are_left_out) {
   BOOST_TEST(!has(html, "creep"));
 }
 
+BOOST_AUTO_TEST_CASE(a_long_list_of_limits_is_folded) {
+  SceneReport report = example::scene_report(example::rigid_scene);
+  const std::string folded = "<details><summary>9 limits</summary>";
+  report.limits.resize(8, report.limits.front());
+  BOOST_TEST(!has(page_of(report), "limits</summary>"));
+  report.limits.resize(9, report.limits.front());
+  BOOST_TEST(has(page_of(report), folded));
+}
+
 BOOST_AUTO_TEST_CASE(the_reduced_model_stands_where_it_applies) {
   SceneReport report = example::scene_report(example::rigid_scene);
   BOOST_TEST(!has(page_of(report), "<h3>The reduced model"));

@@ -19,6 +19,9 @@ std::string set_limit(std::string name) {
   return escape(name);
 }
 
+// More would push the numbers out of sight.
+constexpr std::size_t shown_limits = 8;
+
 std::string limit(const LimitLine& line) {
   return fmt::format("<tr><th scope=\"row\">{}{}</th><td>{}{}</td></tr>\n", set_limit(line.name),
                      numbered(line.equation), equation(velocity, line.result.mathml),
@@ -53,7 +56,10 @@ std::string limits_table(const std::vector<LimitLine>& lines) {
   if (lines.empty()) return {};
   std::string rows;
   for (const LimitLine& line : lines) rows += limit(line);
-  return "<h3>Limits</h3>\n<table class=\"limits\"><tbody>\n" + rows + "</tbody></table>\n";
+  const std::string table = "<table class=\"limits\"><tbody>\n" + rows + "</tbody></table>\n";
+  if (lines.size() <= shown_limits) return "<h3>Limits</h3>\n" + table;
+  return fmt::format("<h3>Limits</h3>\n<details><summary>{} limits</summary>\n{}</details>\n",
+                     lines.size(), table);
 }
 
 }  // namespace vcrit::validation::report

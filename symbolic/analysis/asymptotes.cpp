@@ -1,0 +1,45 @@
+#include "analysis/asymptotes.hpp"
+
+#include "derivation/factors.hpp"
+#include "derivation/model.hpp"
+#include "formula/symbols.hpp"
+
+namespace vcrit::symbolic {
+
+namespace {
+
+/// K_n as L_n: without its power of s it is no longer a stiffness.
+GiNaC::exmap coefficient_names(const std::vector<Line>& definitions) {
+  GiNaC::exmap names{{laplace(), 1}};
+  for (const Line& line : definitions) {
+    std::string name = GiNaC::ex_to<GiNaC::symbol>(line.left).get_name();
+    names[line.left] = quantity(name.replace(0, 1, "L"));
+  }
+  return names;
+}
+
+// Leading terms are powers of s with positive factors, which s = 1 leaves.
+Asymptote asymptote(const Model& model, bool high) {
+  const Asymptotic amplitude = model.asymptotic(high ? 1 : -1);
+  const GiNaC::exmap names = coefficient_names(amplitude.definitions);
+  Asymptote result{high ? "omega -> infinity" : "omega -> 0",
+                   high ? "\\omega \\to \\infty" : "\\omega \\to 0",
+                   amplitude.power + 1,
+                   amplitude.amplitude.subs(names),
+                   {}};
+  if (is_negative(result.coefficient)) result.coefficient = -result.coefficient;
+  for (const Line& line : amplitude.definitions)
+    result.definitions.push_back({line.words, line.left.subs(names), line.right.subs(names)});
+  return result;
+}
+
+}  // namespace
+
+// A measured receptance ends with its table.
+std::vector<Asymptote> asymptotes(const Scene& scene) {
+  if (scene.receptance) return {};
+  const Model model(scene);
+  return {asymptote(model, false), asymptote(model, true)};
+}
+
+}  // namespace vcrit::symbolic

@@ -1,0 +1,27 @@
+// What v* tends to at low and at high frequency.
+#pragma once
+
+#include <ginac/ginac.h>
+
+#include <string>
+#include <vector>
+
+#include "formula/line.hpp"
+#include "scene/scene.hpp"
+
+namespace vcrit::symbolic {
+
+/// v* ~ coefficient omega^power.
+struct Asymptote {
+  std::string name;  ///< "omega -> 0" or "omega -> infinity"
+  std::string latex_name;
+  int power = 0;
+  GiNaC::ex coefficient;          ///< positive, in the scene's symbols (and in definitions)
+  std::vector<Line> definitions;  ///< where it is too large to be multiplied out: L_1, ..., L_n,
+                                  ///< what K_1, ..., K_n tend to without their power of s
+};
+
+/// At omega to 0 and to infinity, for every scene.
+std::vector<Asymptote> asymptotes(const Scene& scene);
+
+}  // namespace vcrit::symbolic

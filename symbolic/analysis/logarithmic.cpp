@@ -1,0 +1,113 @@
+#include "analysis/logarithmic.hpp"
+
+#include <vector>
+
+#include "derivation/factors.hpp"
+#include "formula/text.hpp"
+
+namespace vcrit::symbolic {
+
+namespace {
+
+using GiNaC::ex;
+
+struct Power {
+  ex base;
+  GiNaC::numeric exponent;
+};
+
+/// |f| and f have one logarithmic derivative; numbers have none.
+void flatten(const ex& f, const GiNaC::numeric& exponent, std::vector<Power>& powers) {
+  if (GiNaC::is_a<GiNaC::numeric>(f)) return;
+  if (GiNaC::is_a<GiNaC::mul>(f)) {
+    for (const ex& factor : f) flatten(factor, exponent, powers);
+  } else if (GiNaC::is_a<GiNaC::power>(f)) {
+    flatten(f.op(0), exponent * GiNaC::ex_to<GiNaC::numeric>(f.op(1)), powers);
+  } else if (GiNaC::is_a<GiNaC::function>(f)) {
+    flatten(f.op(0), exponent, powers);
+  } else {
+    powers.push_back({f, exponent});
+  }
+}
+
+std::size_t terms(const ex& polynomial) {
+  return GiNaC::is_a<GiNaC::add>(polynomial) ? polynomial.nops() : 1;
+}
+
+/// sum of exponent x f'/f over the powers that depend on x, over one denominator.
+class Fraction {
+ public:
+  explicit Fraction(ex x) : x_(std::move(x)) {}
+
+  void add(const Power& power) {
+    const ex slope = (x_ * power.base.diff(GiNaC::ex_to<GiNaC::symbol>(x_))).expand();
+    if (slope.is_zero()) return;
+    if (power.base.is_equal(x_)) {
+      numerator_ += power.exponent * product_;
+      return;
+    }
+    const ex base = power.base.expand();
+    numerator_ = numerator_ * base + power.exponent * slope * product_;
+    product_ *= base;
+    bases_.push_back(power.base);
+  }
+
+  /// How many terms there are before like ones are put together.
+  double size() const {
+    double size = 1;
+    for (const ex& base : bases_) size *= static_cast<double>(terms(base.expand()));
+    return size;
+  }
+
+  ex numerator() const { return numerator_.expand(); }
+
+  ex value() const {
+    Factors over;
+    ex rest = numerator(), under = 1;
+    for (const ex& base : bases_) {
+      ex rest_left, base_left;
+      const ex common = GiNaC::gcd(rest, base.expand(), &rest_left, &base_left);
+      if (GiNaC::is_a<GiNaC::numeric>(common)) {
+        under *= base;
+        continue;
+      }
+      rest = rest_left.expand();
+      over.multiply(base_left.expand(), -1);
+    }
+    over.multiply(rest, 1);
+    over.cancel();
+    return over.value() / under;
+  }
+
+ private:
+  ex x_, numerator_ = 0, product_ = 1;
+  std::vector<ex> bases_;
+};
+
+// Longer ones are not worth the time, as nobody reads them.
+constexpr double quick = 3000;
+constexpr std::size_t readable_terms = 40;
+constexpr std::size_t readable_text = 600;
+
+}  // namespace
+
+std::optional<ex> logarithmic_derivative(const ex& f, const ex& x) {
+  std::vector<Power> powers;
+  flatten(f, 1, powers);
+  Fraction whole(x);
+  ex sum = 0;
+  for (const Power& power : powers) {
+    whole.add(power);
+    Fraction alone(x);
+    alone.add(power);
+    if (terms(alone.numerator()) > readable_terms) return std::nullopt;
+    sum += alone.value();
+  }
+  const std::size_t length = to_text(sum).size();
+  if (length > readable_text) return std::nullopt;
+  if (whole.size() <= quick && terms(whole.numerator()) <= readable_terms)
+    if (const ex one = whole.value(); 2 * to_text(one).size() <= 3 * length) return one;
+  return sum;
+}
+
+}  // namespace vcrit::symbolic

@@ -1,0 +1,104 @@
+#include "analysis/resonance.hpp"
+
+#include <set>
+
+#include "derivation/factors.hpp"
+#include "derivation/model.hpp"
+#include "formula/symbols.hpp"
+
+namespace vcrit::symbolic {
+
+namespace {
+
+using GiNaC::ex;
+
+// Real and imaginary parts with more terms than this are not shown.
+constexpr std::size_t readable_terms = 40;
+
+ex tidy(const ex& rational) {
+  Factors factors;
+  factors.multiply_rational(rational);
+  factors.cancel();
+  return factors.value();
+}
+
+/// The factor that vanishes, as (stiffness) + m s^2.
+struct Balance {
+  ex stiffness;  ///< of K_n, K_t, K_d
+  ex whole;
+};
+
+Balance per_mass(const ex& factor, const Model& model) {
+  const ex m = symbol({"m"}), unit = factor.coeff(m, 1).coeff(laplace(), 2);
+  ex stiffness = 0;
+  for (const auto& [name, network, reduction] : model.networks())
+    stiffness += tidy(factor.coeff(quantity(name), 1) / unit) * quantity(name);
+  return {stiffness, stiffness + m * GiNaC::pow(laplace(), 2)};
+}
+
+bool is_readable(const ex& polynomial) {
+  return !GiNaC::is_a<GiNaC::add>(polynomial) || polynomial.nops() <= readable_terms;
+}
+
+/// p/q at s = i omega, times |q|^2 and without what both parts share.
+Resonance::Parts real_and_imaginary(const ex& rational) {
+  const ex fraction = rational.normal().numer_denom();
+  const EvenOdd p = even_odd(fraction.op(0).expand()), q = even_odd(fraction.op(1).expand());
+  const ex real = (p.even * q.even + GiNaC::pow(omega(), 2) * p.odd * q.odd).expand();
+  const ex imaginary = (omega() * (p.odd * q.even - p.even * q.odd)).expand();
+  ex real_left, imaginary_left;
+  const ex shared = GiNaC::gcd(real, imaginary, &real_left, &imaginary_left);
+  const int sign = is_negative(shared) ? -1 : 1;
+  return {(sign * real_left).expand(), (sign * imaginary_left).expand()};
+}
+
+// A sum under the root: GiNaC would take the number of a product out of it.
+ex root_of(const ex& stiffness) {
+  const ex square = tidy(stiffness / symbol({"m"}));
+  return GiNaC::sqrt(square.integer_content().is_equal(1) ? square : square.expand());
+}
+
+/// The kinds of element in the stiffness.
+std::set<ElementKind> kinds(const Balance& balance, const Model& model) {
+  std::set<ElementKind> found;
+  for (const auto& [name, network, reduction] : model.networks())
+    for (const Step& step : reduction.steps)
+      if (step.kind == Step::Kind::element && balance.stiffness.has(quantity(name)))
+        found.insert(step.element.kind);
+  return found;
+}
+
+Resonance resonance(const ex& factor, Resonance::Kind kind, const Model& model) {
+  const Balance balance = per_mass(factor, model);
+  Resonance found{kind, balance.whole.subs(laplace() == GiNaC::I * omega()), {}, {}, {}, {}};
+  const std::set<ElementKind> inside = kinds(balance, model);
+  found.damped = inside.contains(ElementKind::damper) || inside.contains(ElementKind::maxwell);
+  const std::optional<GiNaC::exmap> known = model.multiplied_out(factor);
+  if (!known) found.definitions = used_in(factor, model.nested_formula().definitions);
+  if (inside == std::set{ElementKind::spring})
+    found.frequency = root_of(known ? balance.stiffness.subs(*known) : balance.stiffness);
+  if (found.damped && known) {
+    const Resonance::Parts parts = real_and_imaginary(balance.whole.subs(*known));
+    if (is_readable(parts.real) && is_readable(parts.imaginary)) found.parts = parts;
+  }
+  return found;
+}
+
+}  // namespace
+
+std::vector<Resonance> resonances(const Scene& scene) {
+  if (!scene.mass || scene.receptance) return {};
+  const Model model(scene);
+  Factors amplitude;
+  amplitude.multiply_rational(model.amplitude({}));
+  std::vector<Resonance> found;
+  for (const auto kind : {Resonance::Kind::resonance, Resonance::Kind::antiresonance})
+    for (const auto& [factor, exponent] : amplitude.parts()) {
+      const bool vanishes = exponent > 0;
+      if (factor.has(symbol({"m"})) && vanishes == (kind == Resonance::Kind::antiresonance))
+        found.push_back(resonance(factor, kind, model));
+    }
+  return found;
+}
+
+}  // namespace vcrit::symbolic

@@ -1,0 +1,34 @@
+// Resonance and antiresonance of a scene with a mass, as equations in its symbols.
+#pragma once
+
+#include <ginac/ginac.h>
+
+#include <optional>
+#include <vector>
+
+#include "formula/line.hpp"
+#include "scene/scene.hpp"
+
+namespace vcrit::symbolic {
+
+/// Where one factor of v*, condition = 0, makes it infinite or zero.
+struct Resonance {
+  /// resonance: v* infinite. antiresonance: v* = 0.
+  enum class Kind { resonance, antiresonance } kind = Kind::resonance;
+  GiNaC::ex condition;  ///< K_d - m omega^2, say
+  /// Dampers keep |condition| above 0 at every frequency.
+  bool damped = false;
+  std::optional<GiNaC::ex> frequency;  ///< the omega at which the condition holds, without dampers
+  /// With dampers, where short enough: real and imaginary part of the condition, both times one
+  /// positive number.
+  struct Parts {
+    GiNaC::ex real, imaginary;
+  };
+  std::optional<Parts> parts;
+  std::vector<Line> definitions;  ///< of what condition and frequency name, as in Derivation
+};
+
+/// Resonance, then antiresonance; nothing for a scene without a mass.
+std::vector<Resonance> resonances(const Scene& scene);
+
+}  // namespace vcrit::symbolic

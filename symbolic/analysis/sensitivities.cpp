@@ -1,0 +1,134 @@
+#include "analysis/sensitivities.hpp"
+
+#include "analysis/logarithmic.hpp"
+#include "derivation/derivation.hpp"
+#include "derivation/factors.hpp"
+#include "derivation/model.hpp"
+#include "formula/real_part.hpp"
+#include "formula/symbols.hpp"
+#include "formula/text.hpp"
+
+namespace vcrit::symbolic {
+
+namespace {
+
+using GiNaC::ex;
+
+// What is longer anyway is not worth the time to make it one fraction.
+constexpr std::size_t readable_text = 120;
+
+bool is_poisson(const Scene& scene, const Symbol& parameter) {
+  const auto* isotropic = std::get_if<Isotropic>(&scene.tangential);
+  return isotropic != nullptr && isotropic->by == Isotropic::By::poisson &&
+         isotropic->quantity.symbol == parameter;
+}
+
+ex variable(const Scene& scene, const Symbol& parameter) {
+  return is_poisson(scene, parameter) ? poisson_ratio(parameter) : symbol(parameter);
+}
+
+ex tidy(const ex& polynomial) {
+  Factors factors;
+  factors.multiply(polynomial, 1);
+  return factors.value();
+}
+
+/// The shorter of the expression and the same as one fraction.
+ex shorter(const ex& expression) {
+  const std::size_t length = to_text(expression).size();
+  if (length > readable_text) return expression;
+  const ex fraction = expression.normal().numer_denom();
+  const ex whole = tidy(fraction.op(0)) / GiNaC::sqrfree(fraction.op(1));
+  return to_text(whole).size() < length ? whole : expression;
+}
+
+/// The chain rule along the definitions K_1, ..., K_n of a nested formula. With dK_j = p dK_j/dp,
+/// S_p = Re(p dB/dp/B), and one more for the omega in v* = omega |B|.
+class Chain {
+ public:
+  explicit Chain(const Model& model) : stiffnesses_(model.nested_formula().definitions) {
+    amplitude_.multiply_rational(model.amplitude({}));
+  }
+
+  /// Relative sensitivity and its definitions.
+  Sensitivity along(const Symbol& parameter, const ex& variable) const {
+    const bool is_frequency = variable.is_equal(omega());
+    const Changes changes(is_frequency ? laplace() : variable, stiffnesses_);
+    ex sum = 0;
+    for (const auto& [factor, exponent] : amplitude_.parts())
+      sum += exponent * tidy(changes.of(factor)) / factor;
+    const ex relative = real_part_of(sum.subs(laplace() == GiNaC::I * omega()));
+    GiNaC::lst formulas{sum};
+    for (const Line& line : changes.lines) formulas.append(line.right);
+    return {parameter,
+            relative + (is_frequency ? 1 : 0),
+            {},
+            used_in(formulas, stiffnesses_),
+            changes.lines};
+  }
+
+ private:
+  /// p d/dp of the definitions that depend on p.
+  struct Changes {
+    ex p;
+    std::vector<Line> lines;
+    std::vector<std::pair<ex, ex>> known;  ///< K_j, dK_j
+
+    Changes(ex p_, const std::vector<Line>& stiffnesses) : p(std::move(p_)) {
+      for (const Line& line : stiffnesses) {
+        const ex change = of_definition(line);
+        if (change.is_zero()) continue;
+        const std::string name = GiNaC::ex_to<GiNaC::symbol>(line.left).get_name();
+        known.emplace_back(line.left, quantity("d" + name));
+        lines.push_back({"", known.back().second, shorter(change)});
+      }
+    }
+
+    ex of(const ex& expression) const {
+      ex change = p * expression.diff(GiNaC::ex_to<GiNaC::symbol>(p));
+      for (const auto& [k, dk] : known)
+        change += expression.diff(GiNaC::ex_to<GiNaC::symbol>(k)) * dk;
+      return change;
+    }
+
+    // K = 1/u: dK = -K^2 du.
+    ex of_definition(const Line& line) const {
+      const ex& k = line.right;
+      const bool inverse = GiNaC::is_a<GiNaC::power>(k) && k.op(1).is_equal(-1);
+      if (inverse) return -GiNaC::pow(line.left, 2) * by_terms(k.op(0));
+      return by_terms(k);
+    }
+    ex by_terms(const ex& sum) const {
+      if (!GiNaC::is_a<GiNaC::add>(sum)) return shorter(of(sum));
+      ex change = 0;
+      for (const ex& term : sum) change += shorter(of(term));
+      return change;
+    }
+  };
+
+  std::vector<Line> stiffnesses_;
+  Factors amplitude_;
+};
+
+}  // namespace
+
+std::vector<Sensitivity> sensitivities(const Scene& scene) {
+  const Derivation derivation = derive(scene);
+  const Chain chain{Model(scene)};
+  const ex& velocity = derivation.critical_velocity;
+  const bool is_nested = !derivation.definitions.empty();
+  std::vector<Sensitivity> result;
+  for (const Symbol& parameter : derivation.parameters) {
+    // How a measured receptance changes with omega is in its table, not in symbols.
+    if (scene.receptance && parameter == scene.angular_frequency.symbol) continue;
+    const ex p = variable(scene, parameter);
+    std::optional<ex> fraction;
+    if (!is_nested) fraction = logarithmic_derivative(velocity, p);
+    result.push_back(fraction ? Sensitivity{parameter, *fraction, {}, {}, {}}
+                              : chain.along(parameter, p));
+    result.back().derivative = velocity * result.back().relative / p;
+  }
+  return result;
+}
+
+}  // namespace vcrit::symbolic

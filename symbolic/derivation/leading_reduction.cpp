@@ -1,0 +1,83 @@
+#include "derivation/leading_reduction.hpp"
+
+#include <vector>
+
+namespace vcrit::symbolic {
+
+namespace {
+
+class Leader {
+ public:
+  Leader(const Reduction& reduction, const std::function<int(const Element&)>& power) {
+    for (const Step& step : reduction.steps) add(step, power);
+  }
+
+  /// The last step and all that it needs, in the old order.
+  Reduction result() const {
+    const std::vector<bool> needed = needed_steps();
+    std::vector<std::size_t> place(steps_.size());
+    Reduction left;
+    for (std::size_t i = 0; i < steps_.size(); ++i) {
+      if (!needed[i]) continue;
+      const Step& step = steps_[i];
+      place[i] = left.steps.size();
+      left.steps.push_back(
+          {step.kind, step.element, place[step.a], place[step.b], place[step.total]});
+    }
+    return left;
+  }
+
+ private:
+  void add(const Step& step, const std::function<int(const Element&)>& power) {
+    const std::size_t itself = steps_.size();
+    steps_.push_back(step);
+    if (step.kind == Step::Kind::element) return keep(itself, power(step.element));
+    Step& here = steps_.back();
+    here.a = same_as_[step.a];
+    here.b = same_as_[step.b];
+    const int a = powers_[here.a], b = powers_[here.b];
+    if (step.kind == Step::Kind::mesh) return add_mesh(itself);
+    if (a == b) return keep(itself, a);
+    keep((a > b) == (step.kind == Step::Kind::parallel) ? here.a : here.b);
+  }
+
+  /// a b/total is b where total is no more than a.
+  void add_mesh(std::size_t itself) {
+    Step& here = steps_[itself];
+    here.total = same_as_[here.total];
+    if (here.total == here.a) return keep(here.b);
+    if (here.total == here.b) return keep(here.a);
+    keep(itself, powers_[here.a] + powers_[here.b] - powers_[here.total]);
+  }
+
+  void keep(std::size_t step) { keep(step, powers_[step]); }
+  void keep(std::size_t step, int power) {
+    same_as_.push_back(step);
+    powers_.push_back(power);
+  }
+
+  std::vector<bool> needed_steps() const {
+    std::vector<bool> needed(steps_.size());
+    needed[same_as_.back()] = true;
+    for (std::size_t i = steps_.size(); i-- > 0;) {
+      const Step& step = steps_[i];
+      if (!needed[i] || step.kind == Step::Kind::element) continue;
+      needed[step.a] = needed[step.b] = true;
+      if (step.kind == Step::Kind::mesh) needed[step.total] = true;
+    }
+    return needed;
+  }
+
+  std::vector<Step> steps_;
+  std::vector<std::size_t> same_as_;  ///< an earlier step with the same leading term, or itself
+  std::vector<int> powers_;
+};
+
+}  // namespace
+
+Reduction leading_reduction(const Reduction& reduction,
+                            const std::function<int(const Element&)>& power) {
+  return Leader(reduction, power).result();
+}
+
+}  // namespace vcrit::symbolic

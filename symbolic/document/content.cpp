@@ -1,0 +1,154 @@
+#include "document/content.hpp"
+
+#include <algorithm>
+
+#include "formula/symbols.hpp"
+
+namespace vcrit::symbolic {
+
+namespace {
+
+using GiNaC::ex;
+
+/// Which definitions the reader has seen: only new ones are shown.
+class Reader {
+ public:
+  std::vector<Line> tell(const std::vector<Line>& definitions) {
+    std::vector<Line> fresh;
+    for (const Line& line : definitions)
+      if (!knows(line)) fresh.push_back(line);
+    known_.insert(known_.end(), fresh.begin(), fresh.end());
+    return fresh;
+  }
+
+ private:
+  bool knows(const Line& line) const {
+    return std::any_of(known_.begin(), known_.end(), [&](const Line& known) {
+      return known.left.is_equal(line.left) && known.right.is_equal(line.right);
+    });
+  }
+  std::vector<Line> known_;
+};
+
+Line velocity_line(const ex& velocity) { return {"", quantity("v*"), velocity}; }
+
+bool same(const std::vector<Line>& a, const std::vector<Line>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Line& x, const Line& y) {
+    return x.left.is_equal(y.left) && x.right.is_equal(y.right);
+  });
+}
+
+/// The last line is the result, with its number in the paper.
+Section derivation_section(const Findings& findings) {
+  const Derivation& derivation = findings.derivation;
+  Section section;
+  for (const Line& line : derivation.lines) section.blocks.push_back({"", "", line.words, {line}});
+  section.blocks.back().words += " " + derivation.equation;
+  if (findings.form == ResultForm::by_size && !derivation.definitions.empty())
+    section.remark =
+        "The formula is left nested: multiplied out, its polynomials would be too long to read.";
+  return section;
+}
+
+Section form_section(const Findings& findings) {
+  const bool rational = findings.form == ResultForm::rational;
+  Section section{rational ? "Rational form" : "Dimensionless form", "", {}, ""};
+  for (const Line& line : findings.form_lines)
+    section.blocks.push_back({"", "", line.words, {line}});
+  return section;
+}
+
+/// What the inner quantities are in the limit, where they differ, then v*.
+Section limits_section(const Findings& findings) {
+  Section section{"Limits and special cases", "", {}, ""};
+  for (const Limit& limit : findings.limits) {
+    Block block{limit.name, limit.latex_name, limit.equation, {}};
+    if (!same(limit.definitions, findings.derivation.definitions)) block.lines = limit.definitions;
+    block.lines.push_back(velocity_line(limit.result));
+    section.blocks.push_back(block);
+  }
+  return section;
+}
+
+Section asymptotes_section(const std::vector<Asymptote>& asymptotes) {
+  Section section{"Low and high frequency", "", {}, ""};
+  for (const Asymptote& asymptote : asymptotes) {
+    Block block{asymptote.name, asymptote.latex_name, "", asymptote.definitions, true};
+    block.lines.push_back(asymptote_line(asymptote));
+    section.blocks.push_back(block);
+    if (!asymptote.definitions.empty())
+      section.note = "L_j is what K_j tends to, without its power of s.";
+  }
+  return section;
+}
+
+std::vector<Line> resonance_lines(const Resonance& resonance) {
+  std::vector<Line> lines{{"", resonance.condition, 0}};
+  if (resonance.frequency) lines.push_back({"", omega(), *resonance.frequency});
+  return lines;
+}
+
+std::string words(const Resonance& resonance) {
+  const bool infinite = resonance.kind == Resonance::Kind::resonance;
+  if (!resonance.damped) return infinite ? "Resonance, v* infinite" : "Antiresonance, v* = 0";
+  return infinite ? "Resonance, damped: v* stays finite, as this never holds"
+                  : "Antiresonance, damped: v* stays above 0, as this never holds";
+}
+
+std::vector<Block> resonance_blocks(const Resonance& resonance) {
+  std::vector<Block> blocks{{"", "", words(resonance), resonance_lines(resonance)}};
+  if (!resonance.parts) return blocks;
+  const Resonance::Parts& parts = *resonance.parts;
+  blocks.push_back({"", "", "Its real part asks for", {{"", parts.real, 0}}});
+  blocks.push_back(
+      {"", "", "Its imaginary part, which fails at every omega", {{"", parts.imaginary, 0}}});
+  return blocks;
+}
+
+Section resonances_section(const std::vector<Resonance>& resonances) {
+  Section section{"Resonance and antiresonance", "", {}, ""};
+  for (const Resonance& resonance : resonances)
+    for (const Block& block : resonance_blocks(resonance)) section.blocks.push_back(block);
+  return section;
+}
+
+Section sensitivities_section(const Findings& findings) {
+  const std::string note = "S_p = (p/v*) dv*/dp for each parameter p, so that dv*/dp = v* S_p/p.";
+  Section section{"Sensitivities", note, {}, ""};
+  Reader reader;
+  reader.tell(findings.derivation.definitions);
+  for (const Sensitivity& sensitivity : findings.sensitivities) {
+    if (!sensitivity.changes.empty())
+      section.note = note + " dK_j stands for p dK_j/dp, with the p of the S_p that follows.";
+    std::vector<Line> lines = reader.tell(sensitivity.stiffnesses);
+    lines.insert(lines.end(), sensitivity.changes.begin(), sensitivity.changes.end());
+    const ex name = quantity("S_" + to_text(sensitivity.parameter));
+    lines.push_back({"", name, sensitivity.relative});
+    section.blocks.push_back({"", "", "", lines});
+  }
+  return section;
+}
+
+}  // namespace
+
+std::vector<Section> sections(const Findings& findings) {
+  std::vector<Section> all{derivation_section(findings),
+                           form_section(findings),
+                           limits_section(findings),
+                           asymptotes_section(findings.asymptotes),
+                           resonances_section(findings.resonances),
+                           sensitivities_section(findings)};
+  std::erase_if(all, [](const Section& section) { return section.blocks.empty(); });
+  return all;
+}
+
+Line asymptote_line(const Asymptote& asymptote) {
+  return velocity_line(asymptote.coefficient * GiNaC::pow(omega(), asymptote.power));
+}
+
+std::string title_of(const Scene& scene) {
+  return scene.title.empty() ? "Critical velocity of controllability of sliding friction"
+                             : scene.title;
+}
+
+}  // namespace vcrit::symbolic

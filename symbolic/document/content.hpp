@@ -1,0 +1,53 @@
+// What the derivation of a scene says, apart from its markup.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analysis/asymptotes.hpp"
+#include "analysis/limits.hpp"
+#include "analysis/resonance.hpp"
+#include "analysis/sensitivities.hpp"
+#include "derivation/derivation.hpp"
+#include "document/print.hpp"
+#include "formula/line.hpp"
+#include "scene/scene.hpp"
+
+namespace vcrit::symbolic {
+
+/// Everything asked for; what was not asked for is empty.
+struct Findings {
+  Derivation derivation;
+  std::string fingerprint;
+  ResultForm form = ResultForm::by_size;
+  std::vector<Line> form_lines;  ///< of the form that was asked for
+  std::vector<Limit> limits;
+  std::vector<Asymptote> asymptotes;
+  std::vector<Resonance> resonances;
+  std::vector<Sensitivity> sensitivities;
+};
+
+/// Some lines under a heading: a formula, words or both.
+struct Block {
+  std::string formula, latex_formula, words;
+  std::vector<Line> lines;
+  bool asymptotic = false;  ///< the last line is left ~ right
+};
+
+struct Section {
+  std::string title;  ///< empty: the derivation itself
+  std::string note;   ///< in front of the blocks
+  std::vector<Block> blocks;
+  std::string remark;  ///< behind them
+};
+
+/// The sections that have something to say.
+std::vector<Section> sections(const Findings& findings);
+
+/// v* ~ coefficient omega^power.
+Line asymptote_line(const Asymptote& asymptote);
+
+/// The scene's title, or what is derived.
+std::string title_of(const Scene& scene);
+
+}  // namespace vcrit::symbolic

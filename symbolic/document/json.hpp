@@ -1,0 +1,12 @@
+// The derivation of a scene as one JSON object.
+#pragma once
+
+#include <string>
+
+#include "document/content.hpp"
+
+namespace vcrit::symbolic {
+
+std::string json_document(const Scene& scene, const Findings& findings);
+
+}  // namespace vcrit::symbolic

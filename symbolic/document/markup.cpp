@@ -1,0 +1,113 @@
+#include "document/markup.hpp"
+
+#include "formula/dialect.hpp"
+
+namespace vcrit::symbolic {
+
+namespace {
+
+/// One walk over a document for all markups.
+class Markup {
+ public:
+  virtual ~Markup() = default;
+  std::string document(const std::string& title, const std::vector<Section>& sections) const {
+    std::string out = titled(title);
+    for (const Section& section : sections) out += this->section(section);
+    return out;
+  }
+
+ protected:
+  virtual const Dialect& dialect() const = 0;
+  virtual std::string titled(const std::string& title) const = 0;
+  virtual std::string headed(const std::string& title) const = 0;
+  virtual std::string paragraph(const std::string& words) const = 0;
+  virtual std::string display(const std::string& equation) const = 0;
+  virtual std::string words(const std::string& text) const { return text; }
+  virtual std::string formula(const Block& block) const { return "$" + block.latex_formula + "$"; }
+
+ private:
+  std::string section(const Section& section) const {
+    std::string out = section.title.empty() ? "" : headed(section.title);
+    if (!section.note.empty()) out += paragraph(section.note);
+    for (const Block& each : section.blocks) out += block(each);
+    if (!section.remark.empty()) out += paragraph(section.remark);
+    return out;
+  }
+
+  std::string block(const Block& block) const {
+    std::string heading = block.formula.empty() ? "" : formula(block);
+    if (!heading.empty() && !block.words.empty()) heading += " ";
+    heading += words(block.words);
+    std::string out = heading.empty() ? "" : heading + ":\n";
+    for (const Line& line : block.lines)
+      out += display(equation(line, block.asymptotic && &line == &block.lines.back()));
+    return out;
+  }
+
+  std::string equation(const Line& line, bool asymptotic) const {
+    const Signed left = form_of(line.left), right = form_of(line.right);
+    return asymptotic ? dialect().asymptote(left, right) : dialect().equation(left, right);
+  }
+};
+
+class Text : public Markup {
+  const Dialect& dialect() const override { return text_dialect(); }
+  std::string titled(const std::string& title) const override { return title + "\n\n"; }
+  std::string headed(const std::string& title) const override { return "\n" + title + ":\n"; }
+  std::string paragraph(const std::string& words) const override { return words + "\n"; }
+  std::string display(const std::string& equation) const override {
+    return "    " + equation + "\n";
+  }
+  std::string formula(const Block& block) const override { return block.formula; }
+};
+
+class Latex : public Markup {
+  const Dialect& dialect() const override { return latex_dialect(); }
+  std::string titled(const std::string& title) const override {
+    return "\\section*{" + words(title) + "}\n";
+  }
+  std::string headed(const std::string& title) const override {
+    return "\\subsection*{" + words(title) + "}\n";
+  }
+  std::string paragraph(const std::string& text) const override { return words(text) + "\n\n"; }
+  std::string display(const std::string& equation) const override {
+    return "\\[ " + equation + " \\]\n";
+  }
+  std::string words(const std::string& text) const override {
+    std::string out;
+    for (const char c : text) {
+      if (std::string("_%&#$").find(c) != std::string::npos) out += '\\';
+      if (c == '^')
+        out += "\\^{}";
+      else
+        out += c;
+    }
+    return out;
+  }
+};
+
+class Markdown : public Markup {
+  const Dialect& dialect() const override { return latex_dialect(); }
+  std::string titled(const std::string& title) const override { return "# " + title + "\n\n"; }
+  std::string headed(const std::string& title) const override { return "## " + title + "\n\n"; }
+  std::string paragraph(const std::string& words) const override { return words + "\n\n"; }
+  std::string display(const std::string& equation) const override {
+    return "\n$$" + equation + "$$\n\n";
+  }
+};
+
+}  // namespace
+
+std::string text_document(const std::string& title, const std::vector<Section>& sections) {
+  return Text().document(title, sections);
+}
+
+std::string latex_document(const std::string& title, const std::vector<Section>& sections) {
+  return Latex().document(title, sections);
+}
+
+std::string markdown_document(const std::string& title, const std::vector<Section>& sections) {
+  return Markdown().document(title, sections);
+}
+
+}  // namespace vcrit::symbolic
