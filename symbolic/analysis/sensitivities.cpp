@@ -116,7 +116,8 @@ std::vector<Sensitivity> sensitivities(const Scene& scene) {
   const Derivation derivation = derive(scene);
   const Chain chain{Model(scene)};
   const ex& velocity = derivation.critical_velocity;
-  const bool is_nested = !derivation.definitions.empty();
+  // The complex R_d stands in moduli that no real fraction has.
+  const bool is_nested = !derivation.definitions.empty() || scene.receptance;
   std::vector<Sensitivity> result;
   for (const Symbol& parameter : derivation.parameters) {
     // How a measured receptance changes with omega is in its table, not in symbols.

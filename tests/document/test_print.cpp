@@ -145,7 +145,7 @@ BOOST_AUTO_TEST_CASE(json_has_what_was_asked_for) {
 BOOST_AUTO_TEST_CASE(all_markups_show_what_was_asked_for) {
   const Scene scene = test::kelvin_scene();
   const auto has = [&](Format format, const std::string& what) {
-    return print(scene, format, true, true).find(what) != std::string::npos;
+    return print(scene, {format, true, true}).find(what) != std::string::npos;
   };
   BOOST_TEST(has(Format::text, "v* ~ mu0*omega*du_z*cn/ct\n"));
   BOOST_TEST(has(Format::text, "omega = sqrt(kd/m)\n"));
