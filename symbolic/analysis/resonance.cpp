@@ -70,9 +70,10 @@ std::set<ElementKind> kinds(const Balance& balance, const Model& model) {
 
 Resonance resonance(const ex& factor, Resonance::Kind kind, const Model& model) {
   const Balance balance = per_mass(factor, model);
-  Resonance found{kind, balance.whole.subs(laplace() == GiNaC::I * omega()), {}, {}, {}, {}};
+  Resonance found{kind, balance.whole.subs(laplace() == GiNaC::I * omega()), {}, {}, {}, {}, {}};
   const std::set<ElementKind> inside = kinds(balance, model);
   found.damped = inside.contains(ElementKind::damper) || inside.contains(ElementKind::maxwell);
+  found.absorbing = inside.contains(ElementKind::mass);
   const std::optional<GiNaC::exmap> known = model.multiplied_out(factor);
   if (!known) found.definitions = used_in(factor, model.nested_formula().definitions);
   if (inside == std::set{ElementKind::spring})

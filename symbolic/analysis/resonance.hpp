@@ -16,8 +16,9 @@ struct Resonance {
   /// resonance: v* infinite. antiresonance: v* = 0.
   enum class Kind { resonance, antiresonance } kind = Kind::resonance;
   GiNaC::ex condition;  ///< K_d - m omega^2, say
-  /// Dampers keep |condition| above 0 at every frequency.
+  /// Dampers keep |condition| above 0 at every frequency, unless
   bool damped = false;
+  bool absorbing = false;              ///< masses of the drive keep them still at one of their own.
   std::optional<GiNaC::ex> frequency;  ///< the omega at which the condition holds, without dampers
   /// With dampers, where short enough: real and imaginary part of the condition, both times one
   /// positive number.

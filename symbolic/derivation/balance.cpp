@@ -1,5 +1,8 @@
 #include "derivation/balance.hpp"
 
+#include <map>
+#include <utility>
+
 #include "derivation/factors.hpp"
 #include "formula/symbols.hpp"
 
@@ -141,6 +144,12 @@ class Writer {
 
 }  // namespace
 
-Balance solve_balance(const Surrounding& surrounding) { return Writer(surrounding).solve(); }
+const Balance& solve_balance(const Surrounding& surrounding) {
+  static std::map<std::pair<bool, bool>, Balance> solved;
+  const std::pair key{surrounding.drive, surrounding.mass};
+  const auto found = solved.find(key);
+  return found != solved.end() ? found->second
+                               : solved.emplace(key, Writer(surrounding).solve()).first->second;
+}
 
 }  // namespace vcrit::symbolic

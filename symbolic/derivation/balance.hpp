@@ -22,6 +22,7 @@ struct Balance {
   GiNaC::ex general_amplitude;  ///< B for any receptance H of the contact point (m/N)
 };
 
-Balance solve_balance(const Surrounding& surrounding);
+/// Solved once for each kind of scene.
+const Balance& solve_balance(const Surrounding& surrounding);
 
 }  // namespace vcrit::symbolic

@@ -91,8 +91,10 @@ std::vector<Line> resonance_lines(const Resonance& resonance) {
 std::string words(const Resonance& resonance) {
   const bool infinite = resonance.kind == Resonance::Kind::resonance;
   if (!resonance.damped) return infinite ? "Resonance, v* infinite" : "Antiresonance, v* = 0";
-  return infinite ? "Resonance, damped: v* stays finite, as this never holds"
-                  : "Antiresonance, damped: v* stays above 0, as this never holds";
+  const std::string value = infinite ? "Resonance, damped: v* stays finite, as this "
+                                     : "Antiresonance, damped: v* stays above 0, as this ";
+  return value +
+         (resonance.absorbing ? "holds only where masses keep all dampers still" : "never holds");
 }
 
 std::vector<Block> resonance_blocks(const Resonance& resonance) {
@@ -100,8 +102,7 @@ std::vector<Block> resonance_blocks(const Resonance& resonance) {
   if (!resonance.parts) return blocks;
   const Resonance::Parts& parts = *resonance.parts;
   blocks.push_back({"", "", "Its real part asks for", {{"", parts.real, 0}}});
-  blocks.push_back(
-      {"", "", "Its imaginary part, which fails at every omega", {{"", parts.imaginary, 0}}});
+  blocks.push_back({"", "", "Its imaginary part", {{"", parts.imaginary, 0}}});
   return blocks;
 }
 
@@ -109,6 +110,12 @@ Section resonances_section(const std::vector<Resonance>& resonances) {
   Section section{"Resonance and antiresonance", "", {}, ""};
   for (const Resonance& resonance : resonances)
     for (const Block& block : resonance_blocks(resonance)) section.blocks.push_back(block);
+  return section;
+}
+
+Section extrema_section(const std::vector<Line>& lines) {
+  Section section{"Largest and least v*", "", {}, ""};
+  for (const Line& line : lines) section.blocks.push_back({"", "", line.words, {line}});
   return section;
 }
 
@@ -137,6 +144,7 @@ std::vector<Section> sections(const Findings& findings) {
                            limits_section(findings),
                            asymptotes_section(findings.asymptotes),
                            resonances_section(findings.resonances),
+                           extrema_section(findings.extrema),
                            sensitivities_section(findings)};
   std::erase_if(all, [](const Section& section) { return section.blocks.empty(); });
   return all;

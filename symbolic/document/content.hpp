@@ -24,6 +24,7 @@ struct Findings {
   std::vector<Limit> limits;
   std::vector<Asymptote> asymptotes;
   std::vector<Resonance> resonances;
+  std::vector<Line> extrema;
   std::vector<Sensitivity> sensitivities;
 };
 

@@ -8,13 +8,17 @@ namespace vcrit::symbolic {
 
 namespace {
 
+std::vector<Line> extrema_of(const RationalForm& form) {
+  const Polynomial slope = stationary(form);
+  if (slope.degree("omega") == 0) return {};
+  return lines_by_omega(slope, "E", "e",
+                        "v* is largest or least, at frequencies besides 0, where E = 0");
+}
+
 std::vector<Line> rational_lines(const Scene& scene, double budget) {
   const RationalForm form = rational_form(Model(scene), budget);
   std::vector<Line> lines = lines_of(form);
-  const Polynomial slope = stationary(form);
-  if (slope.degree("omega") == 0) return lines;
-  const auto extrema = lines_by_omega(
-      slope, "E", "e", "v* is largest or least, at frequencies besides 0, where E = 0");
+  const std::vector<Line> extrema = extrema_of(form);
   lines.insert(lines.end(), extrema.begin(), extrema.end());
   return lines;
 }
@@ -33,6 +37,12 @@ std::vector<Line> dimensionless_lines(const Scene& scene) {
 }
 
 }  // namespace
+
+std::vector<Line> extrema_lines(const Scene& scene, double budget) {
+  const Model model(scene);
+  if (scene.receptance || terms_before_squaring(model) > budget) return {};
+  return extrema_of(rational_form(model, budget));
+}
 
 std::vector<Line> form_lines(const Scene& scene, const DocumentOptions& options) {
   if (options.form == ResultForm::rational) return rational_lines(scene, options.budget);

@@ -8,6 +8,10 @@
 
 namespace vcrit::symbolic {
 
+/// The equation for the frequencies of largest and least v*: none if there is no such frequency,
+/// or if the polynomial in v* has more than `budget` terms before squaring.
+std::vector<Line> extrema_lines(const Scene& scene, double budget);
+
 /// None for a form that is the derivation's own.
 std::vector<Line> form_lines(const Scene& scene, const DocumentOptions& options);
 

@@ -99,6 +99,7 @@ std::string json_document(const Scene& scene, const Findings& findings) {
            {"asymptotes", list(findings.asymptotes)},
            {"resonances", list(findings.resonances)},
            {"sensitivities", list(findings.sensitivities)}};
+  if (!findings.extrema.empty()) out["extrema"] = lines(findings.extrema);
   if (!findings.form_lines.empty())
     out[findings.form == ResultForm::rational ? "rational" : "dimensionless"] =
         lines(findings.form_lines);

@@ -10,6 +10,9 @@ namespace vcrit::symbolic {
 
 namespace {
 
+// Terms in v* up to which the equation for its extrema is short enough to be shown unasked.
+constexpr double readable_extrema = 8;
+
 Findings find(const Scene& scene, const DocumentOptions& options) {
   Findings findings{derive(scene, options.form == ResultForm::nested),
                     fingerprint(Model(scene)),
@@ -18,11 +21,14 @@ Findings find(const Scene& scene, const DocumentOptions& options) {
                     {},
                     {},
                     {},
+                    {},
                     {}};
   if (options.limits) {
     findings.limits = limits(scene);
     findings.asymptotes = asymptotes(scene);
     findings.resonances = resonances(scene);
+    if (options.form != ResultForm::rational)
+      findings.extrema = extrema_lines(scene, readable_extrema);
   }
   if (options.sensitivities) findings.sensitivities = sensitivities(scene);
   return findings;
