@@ -117,6 +117,8 @@ BOOST_AUTO_TEST_CASE(json_has_the_promised_parts) {
   BOOST_TEST(json.at("parameters").size() == 9u);
   BOOST_TEST(json.at("critical_velocity").at("text") ==
              json.at("lines").back().at("text").get<std::string>().substr(5));
+  BOOST_TEST(json.at("extrema").front().at("text").get<std::string>().starts_with("E = "));
+  BOOST_TEST(json.at("fingerprint").get<std::string>().size() == 32u);
   BOOST_TEST(json.at("limits").size() == 11u);
   for (const auto& limit : json.at("limits"))
     for (const char* key : {"name", "equation", "text", "latex"}) BOOST_TEST(limit.contains(key));

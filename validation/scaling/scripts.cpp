@@ -141,7 +141,7 @@ std::optional<double> maxima_newdet(const Case& each) {
       "a: {}$\nb: {}$\n"
       "measured(n) := block([t: elapsed_real_time()], for i thru n do (newdet(a), newdet(b)), "
       "(elapsed_real_time() - t)/n)$\n"
-      "t: measured(1)$\nif t < 0.1 then t: measured(1000)$\nprint(\"seconds\", float(t))$\n",
+      "t: measured(1)$\nif t < 0.005 then t: measured(1000)$\nprint(\"seconds\", float(t))$\n",
       matrix(true), wires.nodes == 2 ? "matrix([1])" : matrix(false));
   return run({"/usr/bin/maxima", "--very-quiet", "--batch"}, script);
 }
