@@ -73,6 +73,13 @@ class Derive(unittest.TestCase):
                                    len(self.derive(file, "--format", kind).stdout))
         self.assertIn("abs(K_n)", self.derive(file, "--form", "nested").stdout.splitlines()[-1])
 
+    def test_ten_runs_give_the_same_bytes(self):
+        first, second = self.scene("a.toml", "k0 | (k1 - c1)"), self.scene("b.toml", "k1 | (k0 - c1)")
+        for arguments, status in ((["--catalogue"], 0), ([first, "--equal", second], 1),
+                                  ([first, "--limits", "--sensitivities", "--form", "rational"], 0)):
+            outputs = {self.derive(*arguments, status=status).stdout for _ in range(10)}
+            self.assertEqual(len(outputs), 1, arguments)
+
     def test_what_is_beyond_the_budget_is_refused_with_its_size(self):
         file = self.scene("a.toml", "prony(k0, k, tau, 40)")
         result = self.derive(file, "--form", "rational", status=3)
