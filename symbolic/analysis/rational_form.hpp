@@ -35,7 +35,9 @@ std::string canonical_text(const RationalForm& form);
 
 /// The polynomial in omega^2, and in the symbols, that is 0 at the frequencies of largest and least
 /// v* besides 0: the numerator of d(v*^2)/d(omega), without factors that omega does not occur in.
+/// The form's ring is the polynomial's.
 Polynomial stationary(const RationalForm& form);
+Polynomial stationary(RationalForm&& form) = delete;
 
 /// A polynomial as a line by powers of omega, name = coefficient_0 + coefficient_2 omega^2 + ...,
 /// with its words, and a line for each coefficient of several terms.

@@ -106,15 +106,18 @@ BOOST_AUTO_TEST_CASE(one_function_has_one_text) {
 // a Maxwell normal contact of v*^2 = w^4 .../((k1^2 + c1^2 w^2)(k2^2 + c2^2 w^2)) does, too; with
 // an elastic drive and a mass the extrema are where (13), (19) say.
 BOOST_AUTO_TEST_CASE(extrema) {
-  const auto polynomial = [](const Scene& scene) { return stationary(form_of(scene)); };
-  const Polynomial kelvin = polynomial(test::scene_of("normal = \"k1\"\ntangential = \"k2 | c2\""));
+  const RationalForm of_kelvin =
+      form_of(test::scene_of("normal = \"k1\"\ntangential = \"k2 | c2\""));
+  const Polynomial kelvin = stationary(of_kelvin);
   BOOST_TEST(kelvin.degree("omega") == 0U);
-  const Polynomial constant = polynomial(test::scene_of("normal = \"k1\"\ntangential = \"k2\""));
+  const RationalForm of_elastic = form_of(test::scene_of("normal = \"k1\"\ntangential = \"k2\""));
+  const Polynomial constant = stationary(of_elastic);
   BOOST_TEST(constant.degree("omega") == 0U);
   // v* = w |k - m w^2|/|kd - m w^2| up to a factor, k = kt + kd: the derivative of its square is 0
   // at w^2 = k/m and where (k - 3 m w^2)(kd - m w^2) + 2 m w^2 (k - m w^2) = 0.
   const Scene elastic = test::scene_of("normal = \"kn\"\ntangential = \"kt\"", "kd", "m");
-  const Polynomial found = polynomial(elastic);
+  const RationalForm form = form_of(elastic);
+  const Polynomial found = stationary(form);
   const Ring& ring = found.ring();
   const auto v = [&ring](const char* name) { return Polynomial::variable(ring, name); };
   const Polynomial w2 = Polynomial::power(ring, "omega", 2), k = v("kt") + v("kd");
