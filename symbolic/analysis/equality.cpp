@@ -145,7 +145,9 @@ Comparison different(Comparison::Scope scope, const Scene& a, const Scene& b) {
     // Elements with values of their own show their difference somewhere over these decades.
     if (scope == Comparison::Scope::values)
       values[a.angular_frequency.symbol] *= std::pow(10, point % 16);
-    if (a.receptance) values[a.angular_frequency.symbol] = within(*a.receptance, point);
+    for (const Scene* scene : {&a, &b})
+      if (scene->receptance)
+        values[scene->angular_frequency.symbol] = within(*scene->receptance, point);
     const double first = Filled(a, values).critical_velocity();
     const double second = Filled(b, values).critical_velocity();
     const double difference = std::abs(first - second) / std::max(first, second);

@@ -57,6 +57,14 @@ BOOST_AUTO_TEST_CASE(what_cancels_has_no_group) {
   BOOST_TEST(to_text(form.velocity) == "5/4");
 }
 
+BOOST_AUTO_TEST_CASE(masses_of_the_drive_have_groups) {
+  GiNaC::Digits = 150;
+  Scene scene = read_scene(VCRIT_SCENES "/sonotrode.toml");
+  test::round_ratio(scene);
+  const GiNaC::numeric nodal = test::number(test::critical_velocity_by_nodes(scene));
+  BOOST_TEST(test::agreement(velocity(dimensionless(scene), scene), nodal) > 50);
+}
+
 BOOST_AUTO_TEST_CASE(values_are_those_of_the_nodes) {
   GiNaC::Digits = 150;
   test::RandomScenes random(20261123, 4);

@@ -128,6 +128,33 @@ BOOST_AUTO_TEST_CASE(random_networks_and_their_graphs) {
   }
 }
 
+// A body on a drive is a mass of the drive beside it.
+BOOST_AUTO_TEST_CASE(a_body_is_a_mass_of_the_drive) {
+  const std::string contact = "normal = \"k0 | (k1 - c1)\"\ntangential = \"kt | ct\"";
+  const Scene body = test::scene_of(contact, "kd | cd", "m");
+  const Comparison found = compare(body, test::scene_of(contact, "mass(m) | kd | cd"));
+  BOOST_TEST(found.equal);
+  BOOST_TEST((found.evidence == Comparison::Evidence::canonical_form));
+  BOOST_TEST(!compare(body, test::scene_of(contact, "kd - (mass(m) | cd)")).equal);
+}
+
+// Found at a frequency of the table, whichever of the two is measured.
+BOOST_AUTO_TEST_CASE(measured_drives_are_their_tables) {
+  const Scene measured = read_scene(VCRIT_SCENES "/measured_drive.toml");
+  BOOST_TEST(compare(measured, measured).equal);
+  Scene other = measured;
+  other.receptance.reset();
+  other.drive = spring({"kd"});
+  other.elements.emplace_back(Symbol{"kd"}, 2e6);
+  for (const Comparison& found : {compare(measured, other), compare(other, measured)}) {
+    BOOST_TEST(!found.equal);
+    BOOST_TEST(found.counterexample.has_value());
+  }
+  Scene stiffer = measured;
+  stiffer.receptance->rows.front().re *= 0.5;
+  BOOST_CHECK_THROW(compare(measured, stiffer), ModelError);
+}
+
 BOOST_AUTO_TEST_CASE(large_networks_are_compared_by_residues) {
   const Comparison found =
       compare(with_normal("prony(k0, k, tau, 100)"), with_normal("prony(k0, k, tau, 100)"));

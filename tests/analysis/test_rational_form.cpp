@@ -67,6 +67,14 @@ BOOST_AUTO_TEST_CASE(values_are_those_of_the_nodes) {
   BOOST_TEST(compared > 60);
 }
 
+BOOST_AUTO_TEST_CASE(masses_of_the_drive_are_multiplied_out) {
+  GiNaC::Digits = 200;
+  Scene scene = read_scene(VCRIT_SCENES "/sonotrode.toml");
+  test::round_ratio(scene);
+  const GiNaC::numeric nodal = test::number(test::critical_velocity_by_nodes(scene));
+  BOOST_TEST(test::agreement(square(lines_of(form_of(scene)), scene), nodal * nodal) > 50);
+}
+
 // Of numbers for all symbols the form is that of omega alone.
 BOOST_AUTO_TEST_CASE(with_values_put_in) {
   GiNaC::Digits = 200;

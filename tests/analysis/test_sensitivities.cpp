@@ -184,3 +184,32 @@ BOOST_AUTO_TEST_CASE(the_chain_rule_does_not_swell) {
   GiNaC::Digits = 300;
   check_sums(large, test::some_values(large));
 }
+
+BOOST_AUTO_TEST_CASE(masses_of_the_drive) {
+  GiNaC::Digits = 300;
+  const Scene scene = test::scene_of("normal = \"k0 | (k1 - c1)\"\ntangential = \"kt | ct\"",
+                                     "k2 - (mass(m2) | k3 | c3)", "m");
+  check(scene, test::some_values(scene));
+}
+
+// A measured R_d is a complex number that no parameter changes but omega, which is left out.
+BOOST_AUTO_TEST_CASE(measured_drives) {
+  GiNaC::Digits = 300;
+  const Scene scene = read_scene(VCRIT_SCENES "/measured_drive.toml");
+  const test::ExactValues values = test::some_values(scene);
+  const Line receptance{"", quantity("R_d"),
+                        GiNaC::numeric(3, 7) - GiNaC::I * GiNaC::numeric(2, 5)};
+  Derivation full = derive(scene);
+  full.definitions.insert(full.definitions.begin(), receptance);
+  const std::vector<Sensitivity> all = sensitivities(scene);
+  BOOST_TEST(all.size() + 1 == full.parameters.size());
+  for (const Sensitivity& sensitivity : all) {
+    BOOST_TEST((sensitivity.parameter != Symbol{"omega"}));
+    std::vector<Line> names = definitions(sensitivity);
+    names.insert(names.begin(), receptance);
+    const GiNaC::numeric found = value_at(sensitivity.relative, names, values);
+    const GiNaC::numeric expected = difference(full, sensitivity.parameter, values);
+    BOOST_TEST((GiNaC::abs(found - expected) <= GiNaC::numeric(tolerance)),
+               to_text(sensitivity.parameter));
+  }
+}
