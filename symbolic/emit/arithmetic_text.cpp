@@ -2,153 +2,176 @@
 
 namespace vcrit::symbolic::text {
 
-const char* const licence =
-    R"(// SPDX-License-Identifier: MIT-0
-// Permission is hereby granted, free of charge, to any person obtaining a copy of this software and associated
-// documentation files (the "Software"), to deal in the Software without restriction, including without limitation the
-// rights to use, copy, modify, merge, publish, distribute, sublicense, and/or sell copies of the Software, and to
-// permit persons to whom the Software is furnished to do so. THE SOFTWARE IS PROVIDED "AS IS", WITHOUT WARRANTY OF ANY
-// KIND, EXPRESS OR IMPLIED, INCLUDING BUT NOT LIMITED TO THE WARRANTIES OF MERCHANTABILITY, FITNESS FOR A PARTICULAR
-// PURPOSE AND NONINFRINGEMENT. IN NO EVENT SHALL THE AUTHORS OR COPYRIGHT HOLDERS BE LIABLE FOR ANY CLAIM, DAMAGES OR
-// OTHER LIABILITY, WHETHER IN AN ACTION OF CONTRACT, TORT OR OTHERWISE, ARISING FROM, OUT OF OR IN CONNECTION WITH THE
-// SOFTWARE OR THE USE OR OTHER DEALINGS IN THE SOFTWARE.
+const char* const includes =
+    R"(#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+#include <type_traits>
+#ifdef __FAST_MATH__
+#error "-ffast-math destroys the arithmetic of this header"
+#endif
 )";
 
-const char* const twofold =
-    R"(// high + low, twice the digits of a double. An operation errs by less than 16 u^2, u = 2^-53 (Joldes, Muller, Popescu
-// 2017: sum 3, product 7, quotient 15 u^2; root 25/8 u^2).
-struct Twofold {
-  double high, low;
-  constexpr Twofold(double h, double l = 0) noexcept : high(h), low(l) {}
-  explicit operator double() const noexcept { return high; }
+const char* const structs =
+    R"(struct Certified { double value, relative_error_bound; };  ///< infinite: nothing is known
+struct Gradient { double value; Parameters partial; };     ///< d value/d parameter
+)";
+
+const char* const each =
+    R"(using Columns = Each<const double*>;   ///< of a batch: the values of what varies; null: as in Parameters
+using PartialColumns = Each<double*>;  ///< null: not wanted
+using Varying = Each<bool>;            ///< known when compiled: whatever depends on the others only is computed once
+)";
+
+const char* const numbers =
+    R"(struct Twofold {  // hi + lo; operations err by less than 16 u^2 of their terms' absolute values, u = 2^-53
+  double hi, lo;
+  constexpr Twofold(double h, double l = 0) : hi(h), lo(l) {}
+  static Twofold quick(double a, double b) { return {a + b, b - ((a + b) - a)}; }
+  static Twofold sum(double a, double b) { return {a + b, (a - ((a + b) - ((a + b) - a))) + (b - ((a + b) - a))}; }
+  static Twofold product(double a, double b) { return {a * b, std::fma(a, b, -(a * b))}; }
+  static Twofold with(Twofold s, double rest) { return quick(s.hi, s.lo + rest); }
+  friend Twofold operator-(Twofold a) { return {-a.hi, -a.lo}; }
+  friend Twofold operator+(Twofold a, Twofold b) { return with(sum(a.hi, b.hi), a.lo + b.lo); }
+  friend Twofold operator*(Twofold a, Twofold b) { return with(product(a.hi, b.hi), std::fma(a.lo, b.hi, a.hi * b.lo)); }
+  friend Twofold operator/(Twofold a, Twofold b) { return with(a.hi / b.hi, (a + -(b * (a.hi / b.hi))).hi / b.hi); }
+  friend Twofold sqrt(Twofold a) { return with(std::sqrt(a.hi), (a + -product(std::sqrt(a.hi), std::sqrt(a.hi))).hi / (2 * std::sqrt(a.hi))); }
+  explicit operator double() const { return hi; }
 };
-inline Twofold ordered_sum(double a, double b) noexcept { return {a + b, b - ((a + b) - a)}; }
-inline Twofold sum(double a, double b) noexcept {
-  const double s = a + b, t = s - a;
-  return {s, (a - (s - t)) + (b - t)};
+struct Wide : Twofold {  // times 2^e, for numbers out of range
+  long e;
+  Wide(double x) : Wide(Twofold(x)) {}
+  Wide(Twofold a, long s = 0) : Twofold(a), e(a.hi == 0 || !std::isfinite(a.hi) ? -100000 : s + std::ilogb(a.hi)) {
+    if (e != -100000) hi = std::scalbln(a.hi, s - e), lo = std::scalbln(a.lo, s - e);
+  }
+  Twofold over(long s) const { return {std::scalbln(hi, e - s), std::scalbln(lo, e - s)}; }
+  friend Wide operator-(Wide a) { return {-Twofold(a), a.e}; }
+  friend Wide operator+(Wide a, Wide b) { return {a.over(std::max(a.e, b.e)) + b.over(std::max(a.e, b.e)), std::max(a.e, b.e)}; }
+  friend Wide operator*(Wide a, Wide b) { return {Twofold(a) * Twofold(b), a.e + b.e}; }
+  friend Wide operator/(Wide a, Wide b) { return {Twofold(a) / Twofold(b), a.e - b.e}; }
+  friend Wide sqrt(Wide a) { return {sqrt(a.over(a.e & ~1L)), (a.e & ~1L) / 2}; }
+  explicit operator double() const { return std::scalbln(hi, e); }
+};
+inline double head(double x) { return x; }
+inline double head(Twofold x) { return x.hi; }
+inline double size(auto x) { return std::fabs(head(x)); }
+inline Wide size(Wide x) { return x.hi < 0 ? -x : x; }
+inline bool within(double limit, auto... x) { return ((x <= limit && x * limit >= 1.0) && ...); }
+)";
+
+const char* const operations =
+    R"(template <class T> T times(double a, double b) {
+  if constexpr (std::is_same_v<T, Twofold>) return T::product(a, b); else return T(a) * T(b);
 }
-inline Twofold product(double a, double b) noexcept {
-#if defined(__FMA__) || defined(__FP_FAST_FMA) || defined(__aarch64__)
-  return {a * b, std::fma(a, b, -(a * b))};
-#else
-  const double s = 134217729.0 * a, t = 134217729.0 * b, x = s - (s - a), y = t - (t - b);
-  return {a * b, ((x * y - a * b) + x * (b - y) + (a - x) * y) + (a - x) * (b - y)};
+template <class T> T mad(auto a, auto b, auto c) {  // a b + c
+#ifdef __FMA__
+  if constexpr (std::is_same_v<T, double>) return std::fma(a, b, c);
 #endif
+  if constexpr (std::is_same_v<decltype(a * b), double>) return times<T>(a, b) + T(c); else return a * b + T(c);
 }
-inline Twofold operator+(Twofold a, Twofold b) noexcept {
-  const Twofold s = sum(a.high, b.high), t = sum(a.low, b.low);
-  const Twofold v = ordered_sum(s.high, s.low + t.high);
-  return ordered_sum(v.high, v.low + t.low);
+)";
+
+const char* const less_inertia =
+    R"(template <class T> T less_inertia(double k, double m, double w) {  // k - m w^2, exact but for the last rounding
+  const Twofold t = Twofold::product(m, w), p = Twofold::product(t.hi, w), q = Twofold::product(t.lo, w);
+  if constexpr (std::is_same_v<T, double>) return std::fma(-t.lo, w, std::fma(-t.hi, w, k));
+  else if constexpr (std::is_same_v<T, Twofold>) return T::sum(k, -p.hi) + -T::sum(p.lo, q.hi) + -q.lo;
+  const Wide a(k), b(m), c(w), bcc = b * c * c;
+  if (std::labs(a.e - bcc.e) > 300) return T(a + -bcc);
+  return T(Wide(less_inertia<Twofold>(a.over(b.e + 2 * c.e).hi, b.hi, c.hi), b.e + 2 * c.e));
 }
-inline Twofold operator-(Twofold a, Twofold b) noexcept { return a + Twofold(-b.high, -b.low); }
-inline Twofold operator*(Twofold a, Twofold b) noexcept {
-  const Twofold p = product(a.high, b.high);
-  return ordered_sum(p.high, p.low + (a.high * b.low + a.low * b.high));
+)";
+
+const char* const unit =
+    R"(inline double unit(double x) {  // a power of two near 1/x
+  return std::bit_cast<double>(0x7fe0000000000000 - (std::bit_cast<std::uint64_t>(x) & 0x7ff0000000000000));
 }
-inline Twofold operator/(Twofold a, Twofold b) noexcept {
-  const double q = a.high / b.high;
-  const Twofold r = b * Twofold(q);
-  return ordered_sum(q, ((a.high - r.high) + (a.low - r.low)) / b.high);
+inline double unit(Twofold x) { return unit(x.hi); }
+inline double unit(Wide) { return 1.0; }
+)";
+
+const char* const nonzero =
+    R"(template <class T> T nonzero(T a, [[maybe_unused]] T b) {  // zeros only occur out of range: T/Q = 0/1
+  if constexpr (std::is_same_v<T, Wide>) return a.hi == 0 && b.hi == 0 ? Wide(1.0) : a; else return a;
 }
-inline Twofold sqrt(Twofold a) noexcept {
-  const double r = std::sqrt(a.high);
-  const Twofold s = product(r, r);
-  return ordered_sum(r, (((a.high - s.high) - s.low) + a.low) / (2.0 * r));
-}
+)";
+
+const char* const magnitude =
+    R"(template <class T> T magnitude(T x) { return head(x) < 0 ? -x : x; }
+)";
+
+const char* const unless_moderate =
+    R"(inline double unless_moderate(double x) { return within(0x1p200, x) ? 0.0 : HUGE_VAL; }
+inline Wide unless_moderate(Wide) { return 0.0; }
 using std::sqrt;
 )";
 
-const char* const inertia =
-    R"(// a + b - x, rounded so that nothing is lost where it nearly vanishes.
-inline Twofold less(Twofold a, Twofold b, Twofold x) noexcept { return a + b - x; }
-inline double less(double a, double b, Twofold x) noexcept {
-  const Twofold s = sum(a, b);
-  return (s.high - x.high) + (s.low - x.low);
+const char* const result =
+    R"(struct Result : Certified { Parameters partial; bool safe; operator Gradient() const { return {value, partial}; } };
+// v* = factor @ROOT@(above/below). Factors (1 + e_j)^(+-1) with sum |e_j| = e < 2^-10 change it by less than 1.01 e, and the
+// last rounding by u, or by 2^-1075 where numbers are subnormal.
+template <class T> Result finished(const Parameters& p, T above, T below, T factor, auto roundings) {
+  constexpr bool plain = std::is_same_v<T, double>;
+  const double h = head(above) / head(below), e = double(roundings) * (plain ? 0x1p-53 : 0x1p-102);
+  const double v = h > 0 && h < HUGE_VAL ? double(@ROOT@(above / below) * factor) : @SIMPLE@ * head(factor);
+  const double last = v > 0 ? std::fmax(plain ? 0.0 : 0x1p-53, 0x1p-1074 / (2.0 * v - 0x1p-1074)) : 1.0;
+  const bool known = e < 0x1p-10 && v < HUGE_VAL && (!plain || in_range(p));
+  const bool safe = plain ? h > 0x1p-900 && h < 0x1p900 : std::is_same_v<T, Wide> || in_range(p);
+  return {{v, known ? (1.01 * e + last) * (1.0 + 0x1p-50) : HUGE_VAL}, {}, safe};
 }
 )";
 
-const char* const edge =
-    R"(// An edge of a network's graph and its error bound in roundings: over() 10, join() 1, to first order
-// in what came before; where that is not enough (1e12 roundings) or the range is left: infinite.
-template <class T>
-struct Edge {
-  T re, im;
-  double roundings, size;
-  Edge(T a, T b, double r) noexcept
-      : re(a), im(b), roundings(r), size(length(double(a), double(b))) {
-    if (!(roundings < 1e12 && within(size))) roundings = std::numeric_limits<double>::infinity();
+const char* const batch =
+    R"(template <class T, bool G = false> Result result(const Parameters& p) {
+  if (const Result r = evaluate<T, G>(p); r.safe) return r;
+  return evaluate<Wide, G>(p);
+}
+// In blocks, whose loop is vectorised; what is not safe again, one by one.
+template <class T, Varying S>
+void batch(const Parameters& p, const Columns& c, std::span<double> out, auto&&... more) {
+  constexpr bool G = (std::is_same_v<std::decay_t<decltype(more)>, PartialColumns> || ...), B = sizeof...(more) != 0 && !G;
+  using Lanes = std::array<double, 32>;
+  Each<Lanes> in, partial;
+  Lanes value, bound;
+  each([](Lanes& to, double x) { to.fill(x); }, in, p);
+  for (std::size_t i = 0; i < out.size(); i += value.size()) {
+    const std::size_t n = std::min(value.size(), out.size() - i);
+    each([=](Lanes& to, const double* x) { if (x) std::copy_n(x + i, n, to.data()); }, in, c);
+    std::size_t unsafe = 0;
+    const auto lane = [&](std::size_t l, auto function) {
+      Parameters at;
+      each([l](double& x, bool varies, const Lanes& y, double z) { x = varies ? y[l] : z; }, at, S, in, p);
+      const Result r = function(at);
+      value[l] = r.value, bound[l] = r.relative_error_bound, unsafe |= !r.safe;
+      if constexpr (G) each([l](Lanes& y, double x) { y[l] = x; }, partial, r.partial);
+    };
+    for (std::size_t l = 0; l < value.size(); ++l) lane(l, evaluate<T, G>);
+    for (std::size_t l = 0; unsafe != 0 && l < n; ++l) lane(l, result<T, G>);
+    std::copy_n(value.data(), n, out.data() + i);
+    if constexpr (B) std::copy_n(bound.data(), n, std::span<double>(more...).data() + i);
+    if constexpr (G) each([=](double* to, const Lanes& x) { if (to) std::copy_n(x.data(), n, to + i); }, more..., partial);
   }
-};
-template <class T>
-Edge<T> spring(T k) noexcept { return {k, T(0.0), 0.0}; }
-template <class T>
-Edge<T> damper(T x) noexcept { return {T(0.0), x, 1.0}; }
-template <class T>
-Edge<T> maxwell(T k, T x) noexcept {
-  const T g = x * k / (1.0 + x * x);
-  return {g * x, g, 6.0};
-}
-template <class T>
-Edge<T> join(const Edge<T>& a, const Edge<T>& b) noexcept {
-  const Edge<T> s(a.re + b.re, a.im + b.im, 0.0);
-  return {s.re, s.im, 1.01 * ((a.roundings * a.size + b.roundings * b.size) / s.size + 1.0)};
-}
-template <class T>
-Edge<T> over(const Edge<T>& a, const Edge<T>& b, const Edge<T>& total) noexcept {  // a b/total
-  const T re = a.re * b.re - a.im * b.im, im = a.re * b.im + a.im * b.re;
-  const T q = total.re * total.re + total.im * total.im;
-  return {(re * total.re + im * total.im) / q, (im * total.re - re * total.im) / q,
-          1.01 * (a.roundings + b.roundings + total.roundings + 10.0)};
 }
 )";
 
-const char* const within =
-    "inline bool within(double x) noexcept { return x >= 0x1p-200 && x <= 0x1p+200; }\n";
-
-const char* const length =
-    "inline double length(double a, double b) noexcept { return std::sqrt(a * a + b * b); }\n";
-
-const char* const estimate =
-    "struct Estimate { double value, roundings; };  // roundings: relative errors, added up\n";
-
-const char* const certified =
-    R"(// Factors (1 + e_j)^(+-1) with sum |e_j| <= e change a value by at most e/(1 - e); 1.0001 covers the roundings'
-// products, `last` is the rounding of the result to a double.
-inline Certified bounded(const Parameters& p, Estimate v, double unit, double last) noexcept {
-  const double e = v.roundings * unit;
-  const bool known = in_range(p) && e < 0.25 && v.value > 0x1p-900 && v.value < 0x1p+900;
-  return {v.value, known ? (1.0001 * e / (1.0 - e) + last) * (1.0 + 0x1p-50)
-                         : std::numeric_limits<double>::infinity()};
-}
-inline Certified plain(const Parameters& p) noexcept { return bounded(p, evaluate<double>(p), 0x1p-53, 0.0); }
-inline Certified accurate(const Parameters& p) noexcept {
-  return in_range(p) ? bounded(p, evaluate<Twofold>(p), 0x1p-102, 0x1p-53) : plain(p);
-}
-template <class Velocity>
-void sweep(Parameters p, std::span<const double> omega, std::span<double> out, Velocity v) noexcept {
-  for (std::size_t i = 0; i < out.size() && i < omega.size(); ++i) {
-    p.omega = omega[i];
-    out[i] = v(p).value;
-  }
-}
+const char* const calls_comment =
+    R"(// Batches: a value for each element of `out`, which may be one of the columns; `more` is a std::span<double> for the
+// bounds or PartialColumns. v* is infinite at resonance, 0 at antiresonance, NaN for 0/0.
 )";
 
 const char* const calls =
-    R"(/// v*: infinite at resonance, 0 at antiresonance, NaN for 0/0.
-inline double critical_velocity(const Parameters& p) noexcept { return detail::accurate(p).value; }
-/// v* at each omega in place of p.omega; `out` may be `omega` itself.
-inline void critical_velocity(const Parameters& p, std::span<const double> omega, std::span<double> out) noexcept {
-  detail::sweep(p, omega, out, detail::accurate);
+    R"(inline double critical_velocity(const Parameters& p) noexcept { return detail::result<@T@>(p).value; }
+inline Certified critical_velocity_certified(const Parameters& p) noexcept { return detail::result<@T@>(p); }
+inline Gradient critical_velocity_gradient(const Parameters& p) noexcept { return detail::result<@T@, true>(p); }
+template <Varying S = detail::all>
+void critical_velocity(const Parameters& p, const Columns& c, std::span<double> out, auto&&... more) noexcept {
+  detail::batch<@T@, S>(p, c, out, more...);
 }
-/// v*, and a bound on its relative error for exactly these parameters.
-inline Certified critical_velocity_certified(const Parameters& p) noexcept { return detail::accurate(p); }
-namespace fast {
-inline double critical_velocity(const Parameters& p) noexcept { return detail::plain(p).value; }
 inline void critical_velocity(const Parameters& p, std::span<const double> omega, std::span<double> out) noexcept {
-  detail::sweep(p, omega, out, detail::plain);
+  const std::size_t n = std::min(out.size(), omega.size());
+  detail::batch<@T@, Varying{.omega = true}>(p, {.omega = omega.data()}, out.first(n));
 }
-inline Certified critical_velocity_certified(const Parameters& p) noexcept { return detail::plain(p); }
-}  // namespace fast
 )";
 
 }  // namespace vcrit::symbolic::text

@@ -1,25 +1,28 @@
-// The fixed parts of a generated header: its licence, the arithmetic it needs, and its calls.
+// The fixed parts of a generated header: the arithmetic it needs, and its calls.
 #pragma once
 
 namespace vcrit::symbolic::text {
 
-/// The MIT-0 licence as comment lines.
-extern const char* const licence;
-/// Twofold numbers: struct Twofold with + - * / and sqrt.
-extern const char* const twofold;
-/// less(): subtracting the inertia without losing digits at (anti)resonance.
-extern const char* const inertia;
-/// within(): neither huge nor tiny.
-extern const char* const within;
-/// length(): the absolute value of a complex number.
-extern const char* const length;
-/// Edge<T> for networks with star-mesh elimination.
-extern const char* const edge;
-/// What evaluate<T>() returns.
-extern const char* const estimate;
-/// The error bound, and the loop over omega.
-extern const char* const certified;
-/// The functions that users call.
+extern const char* const includes;
+/// What calls return and take, and each() for all members at once.
+extern const char* const structs;
+extern const char* const each;
+/// Twofold numbers, and Wide ones, which are Twofold with an exponent of their own.
+extern const char* const numbers;
+/// times, plus, mad, head, size: the operations that programs are written in.
+extern const char* const operations;
+/// Operations that few programs use.
+extern const char* const less_inertia;
+extern const char* const unit;
+extern const char* const nonzero;
+extern const char* const magnitude;
+extern const char* const unless_moderate;
+/// The error bound, and one result with what it falls back to.
+extern const char* const result;
+/// Batches in blocks.
+extern const char* const batch;
+extern const char* const calls_comment;
+/// The functions that users call; @T@ is the grade's type of number.
 extern const char* const calls;
 
 }  // namespace vcrit::symbolic::text

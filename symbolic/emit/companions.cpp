@@ -6,6 +6,7 @@
 #include "base/numbers.hpp"
 #include "critical/certified.hpp"
 #include "derivation/derivation.hpp"
+#include "emit/cpp_dialect.hpp"
 #include "emit/generate.hpp"
 #include "emit/names.hpp"
 #include "emit/parameters.hpp"
@@ -13,11 +14,6 @@
 namespace vcrit::symbolic {
 
 namespace {
-
-std::string literal(double value) {
-  const std::string digits = to_text(value);
-  return digits.find_first_of(".e") == std::string::npos ? digits + ".0" : digits;
-}
 
 bool has_all_values(const Scene& scene) {
   for (const auto& [symbol, value] : scene.elements)
@@ -75,8 +71,8 @@ std::string example(const Scene& scene, const ParameterList& parameters) {
 std::string doubled(const Scene& scene, const ParameterList& parameters) {
   std::string out = "  Parameters doubled = p;\n";
   const auto add = [&](const Symbol& symbol) {
+    if (!parameters.contains(symbol)) return;
     std::string member = parameters.reference(symbol);
-    if (member == "1.0") return;
     member.replace(0, 1, "doubled");
     const std::string line = "  " + member + " *= 2.0;\n";
     if (out.find(line) == std::string::npos) out += line;

@@ -50,14 +50,8 @@ void ParameterList::add(const Symbol& symbol, const std::string& comment, const 
 }
 
 std::string ParameterList::reference(const Symbol& symbol) const {
-  if (!known_.contains(symbol)) return "1.0";
   if (symbol.entry == 0) return "p." + symbol.name;
   return fmt::format("p.{}[{}]", symbol.name, symbol.entry - 1);
-}
-
-bool ParameterList::has_arrays() const {
-  return std::any_of(members_.begin(), members_.end(),
-                     [](const Member& member) { return member.length > 0; });
 }
 
 }  // namespace vcrit::symbolic

@@ -23,7 +23,7 @@ class ParameterList {
   const std::vector<Member>& members() const { return members_; }
   /// "p.k0", "p.k[2]"; or "1.0" for an element whose value v* does not depend on.
   std::string reference(const Symbol& symbol) const;
-  bool has_arrays() const;
+  bool contains(const Symbol& symbol) const { return known_.contains(symbol); }
 
  private:
   void add(const Symbol& symbol, const std::string& comment, const Scene& scene);

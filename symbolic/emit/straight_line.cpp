@@ -1,0 +1,59 @@
+#include "emit/straight_line.hpp"
+
+#include <fmt/format.h>
+
+namespace vcrit::symbolic {
+
+namespace {
+
+constexpr std::size_t longest_inline = 40;
+
+}  // namespace
+
+std::string in_brackets(const Operand& operand) {
+  return operand.is_simple ? operand.text : "(" + operand.text + ")";
+}
+
+Operand StraightLine::expression(NodeId id) const {
+  const auto known = known_.find(id);
+  if (known != known_.end()) return known->second;
+  const Node& node = program_[id];
+  if (node.operation == Node::Operation::parameter)
+    return {dialect_.parameter(node.parameter), NodeKind::exact, true};
+  if (node.operation == Node::Operation::constant) return dialect_.constant(node);
+  std::vector<Operand> arguments;
+  for (std::size_t i = 0; i < arity(node.operation); ++i)
+    arguments.push_back(expression(node.arguments[i]));
+  return dialect_.apply(node, arguments);
+}
+
+Operand StraightLine::operand(NodeId id) { return expression(id); }
+
+std::vector<StraightLine::Declarations> StraightLine::declare(const std::vector<NodeId>& results) {
+  const std::set<NodeId> needed = program_.needed_for(results);
+  std::map<NodeId, int> uses;
+  for (const NodeId id : needed)
+    for (std::size_t i = 0; i < arity(program_[id].operation); ++i)
+      ++uses[program_[id].arguments[i]];
+  std::vector<Declarations> declared;
+  // No value depends on a bound.
+  for (const bool bounds : {false, true})
+    for (const NodeId id : needed) {
+      const Node& node = program_[id];
+      const bool is_scale = node.operation == Node::Operation::unit;
+      if (arity(node.operation) == 0 || known_.contains(id) ||
+          (node.kind == NodeKind::bound) != bounds || (node.kind == NodeKind::exact && !is_scale))
+        continue;
+      const Operand whole = expression(id);
+      if (uses[id] < 2 && whole.text.size() <= longest_inline) continue;
+      if (node.operation == Node::Operation::negate && whole.text.size() < 8) continue;
+      const std::string name = fmt::format("{}{}", bounds ? "e" : "x", ++count_);
+      if (declared.empty() || declared.back().kind != node.kind)
+        declared.push_back({node.kind, {}});
+      declared.back().items.push_back(name + " = " + whole.text);
+      known_[id] = {name, node.kind, true};
+    }
+  return declared;
+}
+
+}  // namespace vcrit::symbolic

@@ -1,0 +1,58 @@
+// A Program as statements of a programming language.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "program/program.hpp"
+
+namespace vcrit::symbolic {
+
+/// An operand, or the text of a whole expression.
+struct Operand {
+  std::string text;
+  NodeKind kind = NodeKind::exact;
+  bool is_simple = true;  ///< a name, literal or call: needs no brackets
+};
+
+/// How one language writes what a node does.
+class Dialect {
+ public:
+  virtual ~Dialect() = default;
+  virtual std::string parameter(const Symbol& symbol) const = 0;
+  virtual Operand constant(const Node& node) const = 0;
+  virtual Operand apply(const Node& node, const std::vector<Operand>& arguments) const = 0;
+  /// "const T name = " without the value; several of one kind may share a statement.
+  virtual std::string type(NodeKind kind) const = 0;
+};
+
+/// "a", or "(a + b)".
+std::string in_brackets(const Operand& operand);
+
+class StraightLine {
+ public:
+  StraightLine(const Program& program, const Dialect& dialect)
+      : program_(program), dialect_(dialect) {}
+
+  /// Declarations "a1 = ..., a2 = ..." by kind, in order, of what the results need; a node that is
+  /// used once and short stands where it is used.
+  struct Declarations {
+    NodeKind kind;
+    std::vector<std::string> items;  ///< "name = expression"
+  };
+  std::vector<Declarations> declare(const std::vector<NodeId>& results);
+  /// A result, after declare(): its name or expression.
+  Operand operand(NodeId id);
+  /// Without any declaration before it.
+  Operand expression(NodeId id) const;
+
+ private:
+  const Program& program_;
+  const Dialect& dialect_;
+  std::map<NodeId, Operand> known_;
+  int count_ = 0;
+};
+
+}  // namespace vcrit::symbolic

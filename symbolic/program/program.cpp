@@ -1,0 +1,197 @@
+#include "program/program.hpp"
+
+#include "base/errors.hpp"
+#include "formula/symbols.hpp"
+
+namespace vcrit::symbolic {
+
+namespace {
+
+using Operation = Node::Operation;
+
+// Exact fractions beyond this size gain nothing: the literals have 107 bits.
+constexpr int longest_fold = 4000;
+
+bool is_short(const GiNaC::numeric& x) {
+  return x.numer().int_length() + x.denom().int_length() < longest_fold;
+}
+
+bool is_double(const GiNaC::numeric& x) { return exact_binary(x.to_double()) == x; }
+
+}  // namespace
+
+std::size_t arity(Operation operation) {
+  switch (operation) {
+    case Operation::parameter:
+    case Operation::constant:
+      return 0;
+    case Operation::negate:
+    case Operation::root:
+    case Operation::unit:
+    case Operation::magnitude:
+    case Operation::size:
+    case Operation::unless_moderate:
+      return 1;
+    case Operation::multiply_add:
+    case Operation::less_inertia:
+      return 3;
+    default:
+      return 2;
+  }
+}
+
+NodeId Program::push(Node node) {
+  nodes_.push_back(std::move(node));
+  return nodes_.size() - 1;
+}
+
+NodeId Program::parameter(const Symbol& symbol) {
+  const auto known = parameters_.find(symbol);
+  if (known != parameters_.end()) return known->second;
+  return parameters_[symbol] = push({Operation::parameter, NodeKind::exact, {}, 0, symbol});
+}
+
+NodeId Program::constant(const GiNaC::numeric& value) {
+  const auto known = constants_.find(value);
+  if (known != constants_.end()) return known->second;
+  const NodeKind kind = is_double(value) ? NodeKind::exact : NodeKind::value;
+  return constants_[value] = push({Operation::constant, kind, {}, value, {}});
+}
+
+bool Program::is_constant(NodeId id) const { return nodes_[id].operation == Operation::constant; }
+
+bool Program::is_constant(NodeId id, int value) const {
+  return is_constant(id) && nodes_[id].constant == value;
+}
+
+NodeId Program::apply(Operation operation, std::array<NodeId, 3> arguments) {
+  const Key key{operation, arguments};
+  const auto known = known_.find(key);
+  if (known != known_.end()) return known->second;
+  NodeKind kind = NodeKind::value;
+  for (std::size_t i = 0; i < arity(operation); ++i)
+    if (nodes_[arguments[i]].kind == NodeKind::bound) kind = NodeKind::bound;
+  if (operation == Operation::size) kind = NodeKind::bound;
+  if (operation == Operation::unit) kind = NodeKind::exact;
+  if (operation == Operation::negate || operation == Operation::magnitude)
+    kind = nodes_[arguments[0]].kind;
+  return known_[key] = push({operation, kind, arguments, 0, {}});
+}
+
+NodeId Program::negate(NodeId a) {
+  if (is_constant(a)) return constant(-value(a));
+  const Node node = nodes_[a];
+  if (node.operation == Operation::negate) return node.arguments[0];
+  if (node.operation == Operation::multiply)
+    return multiply(negate(node.arguments[0]), node.arguments[1]);
+  return apply(Operation::negate, {a});
+}
+
+NodeId Program::add(NodeId a, NodeId b) {
+  if (is_constant(a, 0)) return b;
+  if (is_constant(b, 0)) return a;
+  if (is_constant(a) && is_constant(b) && is_short(value(a)) && is_short(value(b)))
+    return constant(value(a) + value(b));
+  for (const auto& [product, other] : {std::pair(b, a), std::pair(a, b)})
+    if (nodes_[product].operation == Operation::multiply && nodes_[product].kind == NodeKind::value)
+      return multiply_add(nodes_[product].arguments[0], nodes_[product].arguments[1], other);
+  if (nodes_[b].operation == Operation::negate)
+    return apply(Operation::subtract, {a, nodes_[b].arguments[0]});
+  if (nodes_[a].operation == Operation::negate)
+    return apply(Operation::subtract, {b, nodes_[a].arguments[0]});
+  return apply(Operation::add, {a, b});
+}
+
+NodeId Program::multiply(NodeId a, NodeId b) {
+  if (is_constant(a, 0) || is_constant(b, 1)) return a;
+  if (is_constant(b, 0) || is_constant(a, 1)) return b;
+  if (is_constant(a) && is_constant(b) && is_short(value(a)) && is_short(value(b)))
+    return constant(value(a) * value(b));
+  if (is_constant(a, -1)) return negate(b);
+  if (is_constant(b, -1)) return negate(a);
+  // Signs on the left.
+  if (nodes_[b].operation == Operation::negate && nodes_[b].kind != NodeKind::bound)
+    return multiply(negate(a), nodes_[b].arguments[0]);
+  return apply(Operation::multiply, {a, b});
+}
+
+NodeId Program::divide(NodeId a, NodeId b) {
+  if (is_constant(a, 0) || is_constant(b, 1)) return a;
+  if (is_constant(a) && is_constant(b) && !is_constant(b, 0) && is_short(value(a)) &&
+      is_short(value(b)))
+    return constant(value(a) / value(b));
+  return apply(Operation::divide, {a, b});
+}
+
+NodeId Program::multiply_add(NodeId a, NodeId b, NodeId c) {
+  const bool trivial = is_constant(a, 0) || is_constant(b, 0) || is_constant(c, 0) ||
+                       is_constant(a, 1) || is_constant(b, 1) || is_constant(a, -1) ||
+                       is_constant(b, -1) || (is_constant(a) && is_constant(b));
+  if (trivial) return add(multiply(a, b), c);
+  if (nodes_[b].operation == Operation::negate)
+    return multiply_add(negate(a), nodes_[b].arguments[0], c);
+  return apply(Operation::multiply_add, {a, b, c});
+}
+
+NodeId Program::less_inertia(NodeId k, NodeId m, NodeId omega) {
+  for (const NodeId id : {k, m, omega})
+    ensure(nodes_[id].kind == NodeKind::exact, "less_inertia takes numbers as they were given");
+  return apply(Operation::less_inertia, {k, m, omega});
+}
+
+NodeId Program::root(NodeId a) { return apply(Operation::root, {a}); }
+
+NodeId Program::unit(NodeId a) { return apply(Operation::unit, {a}); }
+
+NodeId Program::nonzero(NodeId a, NodeId b) { return apply(Operation::nonzero, {a, b}); }
+
+NodeId Program::size(NodeId a) {
+  if (is_constant(a) && nodes_[a].kind == NodeKind::exact) return constant(abs(value(a)));
+  return apply(Operation::size,
+               {nodes_[a].operation == Operation::negate ? nodes_[a].arguments[0] : a});
+}
+
+NodeId Program::unless_moderate(NodeId a) {
+  ensure(nodes_[a].kind == NodeKind::bound, "only bounds are compared");
+  return apply(Operation::unless_moderate, {a});
+}
+
+NodeId Program::magnitude(NodeId a) {
+  if (is_constant(a)) return constant(abs(value(a)));
+  return apply(Operation::magnitude, {a});
+}
+
+int Program::operations(const std::set<NodeId>& among) const {
+  int count = 0;
+  for (const NodeId id : among) {
+    if (nodes_[id].kind != NodeKind::value) continue;
+    switch (nodes_[id].operation) {
+      case Operation::constant:
+      case Operation::negate:
+      case Operation::nonzero:
+      case Operation::magnitude:
+        break;
+      case Operation::multiply_add:
+        count += 2;
+        break;
+      case Operation::less_inertia:
+        count += 4;
+        break;
+      default:
+        ++count;
+    }
+  }
+  return count;
+}
+
+std::set<NodeId> Program::needed_for(const std::vector<NodeId>& results) const {
+  std::set<NodeId> needed(results.begin(), results.end());
+  for (NodeId id = nodes_.size(); id-- > 0;) {
+    if (!needed.contains(id)) continue;
+    const Node& node = nodes_[id];
+    for (std::size_t i = 0; i < arity(node.operation); ++i) needed.insert(node.arguments[i]);
+  }
+  return needed;
+}
+
+}  // namespace vcrit::symbolic

@@ -1,0 +1,99 @@
+// A straight-line program over real numbers: the one description that every generated evaluator is
+// written from, whatever its language and arithmetic. Nodes stand in order of computation, equal
+// ones once. Constants are exact and folded exactly. No sum has a product as a term of its own: it
+// becomes a multiply_add, so that a compiler that contracts to fma has nothing left to decide.
+#pragma once
+
+#include <ginac/ginac.h>
+
+#include <array>
+#include <compare>
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <set>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "network/network.hpp"
+
+namespace vcrit::symbolic {
+
+using NodeId = std::size_t;
+
+/// exact: a double as the user gave it. value: of the evaluator's number type. bound: an estimate,
+/// where the first digits are enough.
+enum class NodeKind { exact, value, bound };
+
+struct Node {
+  enum class Operation {
+    parameter,
+    constant,
+    negate,          ///< -a
+    add,             ///< a + b
+    subtract,        ///< a - b
+    multiply,        ///< a b
+    divide,          ///< a/b
+    multiply_add,    ///< a b + c
+    less_inertia,    ///< a - b c^2 without loss where it nearly vanishes; all exact
+    root,            ///< of a >= 0
+    unit,            ///< a power of two near 1/a; a > 0
+    nonzero,         ///< a; or 1 where a and b are both 0, for numbers whose range holds a zero
+    magnitude,       ///< |a|
+    size,            ///< |a| as a bound
+    unless_moderate  ///< 0 for 2^-200 < a < 2^200, else infinite; a bound
+  };
+  Operation operation = Operation::constant;
+  NodeKind kind = NodeKind::exact;
+  std::array<NodeId, 3> arguments{};
+  GiNaC::numeric constant;
+  Symbol parameter;
+};
+
+/// How many of `arguments` an operation has.
+std::size_t arity(Node::Operation operation);
+
+class Program {
+ public:
+  NodeId parameter(const Symbol& symbol);
+  NodeId constant(const GiNaC::numeric& value);
+  NodeId negate(NodeId a);
+  NodeId add(NodeId a, NodeId b);
+  NodeId subtract(NodeId a, NodeId b) { return add(a, negate(b)); }
+  NodeId multiply(NodeId a, NodeId b);
+  NodeId divide(NodeId a, NodeId b);
+  /// a b + c
+  NodeId multiply_add(NodeId a, NodeId b, NodeId c);
+  NodeId less_inertia(NodeId k, NodeId m, NodeId omega);
+  NodeId root(NodeId a);
+  NodeId unit(NodeId a);
+  NodeId nonzero(NodeId a, NodeId b);
+  /// |a| as a bound.
+  NodeId size(NodeId a);
+  NodeId unless_moderate(NodeId a);
+  /// |a|, of the same kind as a.
+  NodeId magnitude(NodeId a);
+
+  const std::vector<Node>& nodes() const { return nodes_; }
+  const Node& operator[](NodeId id) const { return nodes_[id]; }
+  bool is_constant(NodeId id, int value) const;
+  /// Operations of kind value; a multiply_add counts two, less_inertia four.
+  int operations(const std::set<NodeId>& among) const;
+  /// Every node that these depend on, themselves included.
+  std::set<NodeId> needed_for(const std::vector<NodeId>& results) const;
+
+ private:
+  using Key = std::tuple<Node::Operation, std::array<NodeId, 3>>;
+  NodeId apply(Node::Operation operation, std::array<NodeId, 3> arguments);
+  NodeId push(Node node);
+  bool is_constant(NodeId id) const;
+  const GiNaC::numeric& value(NodeId id) const { return nodes_[id].constant; }
+
+  std::vector<Node> nodes_;
+  std::map<Key, NodeId> known_;
+  std::map<Symbol, NodeId> parameters_;
+  std::map<GiNaC::numeric, NodeId, std::less<>> constants_;
+};
+
+}  // namespace vcrit::symbolic

@@ -1,0 +1,204 @@
+#include "program/stiffness.hpp"
+
+#include <cmath>
+
+#include "base/errors.hpp"
+#include "program/spanning_trees.hpp"
+#include "program/star_mesh.hpp"
+
+namespace vcrit::symbolic {
+
+namespace {
+
+// The error of a sum of products in roundings of its own absolute value, for `roundings` of the
+// components' terms: the two components together sqrt(2), and another sqrt(2) where two stiffnesses
+// are added, as |K1| + |K2| <= sqrt(2) |K1 + K2|.
+int of_product(const ComplexSum& z) { return static_cast<int>(std::ceil(1.4143 * z.roundings)); }
+int of_sum(const ComplexSum& z) { return 2 * z.roundings; }
+
+double extent(const Stiffness& k) {
+  return std::max({std::abs(k.t_range.low), std::abs(k.t_range.high), std::abs(k.q_range.low),
+                   std::abs(k.q_range.high)});
+}
+
+}  // namespace
+
+NodeId roundings(Program& program, const Stiffness& k) {
+  // Rounded up: sqrt(2) < 1.4143 < 1.5.
+  const NodeId known = program.constant(static_cast<int>(std::ceil(1.4143 * k.path)));
+  if (!k.roundings) return known;
+  return program.add(program.multiply(program.constant(GiNaC::numeric(3, 2)), *k.roundings), known);
+}
+
+Range network_range(Range elements, int count) {
+  const double sums = std::log2(count) + 1;
+  return {elements.low - sums, elements.high + sums};
+}
+
+void StiffnessWriter::join_elements(Stiffness& whole, const Stiffness& a, const Stiffness& b) {
+  whole.elements = {std::min(a.elements.low, b.elements.low),
+                    std::max(a.elements.high, b.elements.high)};
+  whole.count = a.count + b.count;
+  whole.range = both(whole.range, network_range(whole.elements, whole.count));
+}
+
+Range StiffnessWriter::guarded(NodeId size) {
+  const Node& node = program_[size];
+  if (node.operation == Node::Operation::constant) {
+    const double exponent = std::log2(std::abs(node.constant.to_double()));
+    return {exponent - 0.01, exponent + 0.01};
+  }
+  const double limit = exponent_;
+  const bool is_new = std::none_of(guards_.begin(), guards_.end(),
+                                   [&](const Guard& g) { return g.expression == size; });
+  if (is_new) guards_.push_back({size, exponent_});
+  return {-limit, limit};
+}
+
+Stiffness StiffnessWriter::write(const Network& network) {
+  const auto fold = [this](const std::vector<Network>& parts, auto combine) {
+    Stiffness whole = write(parts.front());
+    for (std::size_t i = 1; i < parts.size(); ++i) whole = (this->*combine)(whole, write(parts[i]));
+    return whole;
+  };
+  if (const auto* e = std::get_if<Element>(&network.form)) return element(*e);
+  if (const auto* s = std::get_if<Series>(&network.form))
+    return fold(s->parts, &StiffnessWriter::series);
+  if (const auto* p = std::get_if<Parallel>(&network.form))
+    return fold(p->parts, &StiffnessWriter::parallel);
+  return graph(std::get<Graph>(network.form));
+}
+
+Stiffness StiffnessWriter::element(const Element& e) {
+  const NodeId zero = program_.constant(0), one = program_.constant(1);
+  const NodeId k = value_(e.coefficient);
+  const Complex unity{one, zero};
+  if (e.kind == ElementKind::spring) {
+    const Range range = guarded(program_.size(k));
+    return {{k, zero}, unity, range, {}, range, 0, {}, true, range, 1};
+  }
+  ensure(e.kind != ElementKind::mass, "the program knows one body");
+  if (e.kind == ElementKind::damper) {
+    const Range range = guarded(program_.multiply(program_.size(omega_), program_.size(k)));
+    return {{zero, program_.multiply(omega_, k)}, unity, range, {}, range, 1, {}, true, range, 1};
+  }
+  const NodeId tau = value_(e.time);
+  const Range stiffness = guarded(program_.size(k));
+  const Range x = guarded(program_.multiply(program_.size(omega_), program_.size(tau)));
+  const NodeId product = program_.multiply(omega_, tau);
+  // |K| = k x/|1 + i x|; x is rounded once, k x and 1 + i x once more.
+  const Range quotient{0, std::max(x.high, 0.0) + 0.5};
+  const Range range{stiffness.low + std::min(x.low, 0.0) - 0.5, stiffness.high};
+  return {{zero, program_.multiply(product, k)},
+          {one, product},
+          stiffness + x,
+          quotient,
+          range,
+          3,
+          {},
+          false,
+          range,
+          1};
+}
+
+Stiffness StiffnessWriter::normalised(const Stiffness& k) {
+  NodeId size = program_.constant(0);
+  for (const NodeId part : {k.t.re, k.t.im, k.q.re, k.q.im})
+    if (!program_.is_constant(part, 0)) size = program_.add(size, program_.magnitude(part));
+  const NodeId unit = program_.unit(size);
+  Stiffness result = k;
+  result.t = scaled(program_, unit, k.t);
+  result.q = scaled(program_, unit, k.q);
+  // The sum of four absolute values, 1 to 4 after scaling, is 1 to 2.8 times |T| + |Q|.
+  result.t_range = {std::min(k.range.low, 0.0) - 3, 2};
+  result.q_range = {-std::max(k.range.high, 0.0) - 3, 2};
+  result.exact_re = false;
+  return result;
+}
+
+void StiffnessWriter::fit_products(Stiffness& a, Stiffness& b) {
+  while (extent(a) + extent(b) + 2 > largest_exponent) {
+    Stiffness& larger = extent(a) > extent(b) ? a : b;
+    const double before = extent(larger);
+    const Stiffness smaller = normalised(larger);
+    if (extent(smaller) >= before) return;  // no further: the caller sees it in the ranges
+    larger = smaller;
+  }
+}
+
+Stiffness StiffnessWriter::parallel(Stiffness a, Stiffness b) {
+  fit_products(a, b);
+  const ComplexSum t = sum_of_products(program_, {{a.t, b.q}, {b.t, a.q}});
+  const ComplexSum q = sum_of_products(program_, {{a.q, b.q}});
+  // Two sums in the first quadrant, component by component, lose nothing.
+  const bool simple = is_one(program_, a.q) && is_one(program_, b.q);
+  const int local = simple ? t.roundings : of_sum(t) + of_product(q);
+  Stiffness whole;
+  whole.t = t.value;
+  whole.q = q.value;
+  whole.q_range = a.q_range + b.q_range;
+  whole.range = {std::max(a.range.low, b.range.low), std::max(a.range.high, b.range.high) + 1};
+  join_elements(whole, a, b);
+  whole.t_range = whole.range + whole.q_range;
+  whole.path = std::max(a.path, b.path) + local;
+  const auto one_component = [this](const Stiffness& x, const Stiffness& y) {
+    return program_.is_constant(x.t.re, 0) || program_.is_constant(y.t.re, 0);
+  };
+  whole.exact_re = a.exact_re && b.exact_re && one_component(a, b);
+  whole.roundings = sum_of_roundings(a, b);
+  return whole;
+}
+
+Stiffness StiffnessWriter::series(Stiffness a, Stiffness b) {
+  fit_products(a, b);
+  const ComplexSum t = sum_of_products(program_, {{a.t, b.t}});
+  const ComplexSum q = sum_of_products(program_, {{a.t, b.q}, {b.t, a.q}});
+  const Complex divisor{program_.nonzero(q.value.re, q.value.im), q.value.im};
+  Stiffness whole;
+  whole.t = t.value;
+  whole.q = divisor;
+  whole.t_range = a.t_range + b.t_range;
+  whole.range = {std::min(a.range.low, b.range.low) - 1, std::min(a.range.high, b.range.high)};
+  join_elements(whole, a, b);
+  whole.q_range =
+      both(whole.t_range - whole.range,
+           Range{std::max((a.t_range + b.q_range).low, (b.t_range + a.q_range).low),
+                 std::max((a.t_range + b.q_range).high, (b.t_range + a.q_range).high) + 1});
+  whole.path = std::max(a.path, b.path) + of_product(t) + of_sum(q);
+  whole.roundings = sum_of_roundings(a, b);
+  return whole;
+}
+
+std::optional<NodeId> StiffnessWriter::sum_of_roundings(const Stiffness& a, const Stiffness& b) {
+  if (!a.roundings || !b.roundings) return a.roundings ? a.roundings : b.roundings;
+  return program_.add(*a.roundings, *b.roundings);
+}
+
+Stiffness StiffnessWriter::graph(const Graph& graph) {
+  std::vector<Stiffness> parts;
+  for (const Network& part : graph.parts) parts.push_back(write(part));
+  const bool known = std::none_of(parts.begin(), parts.end(),
+                                  [](const Stiffness& part) { return part.roundings.has_value(); });
+  if (known)
+    if (const auto whole = by_spanning_trees(program_, graph, parts)) return *whole;
+  return meshed(graph, parts);
+}
+
+Stiffness StiffnessWriter::meshed(const Graph& graph, const std::vector<Stiffness>& parts) {
+  const MeshedStiffness mesh = by_star_mesh(program_, Network{graph}, [this](const Element& e) {
+    const Stiffness k = element(e);
+    return std::pair(k.t, k.q);
+  });
+  Stiffness whole = parts.front();
+  for (std::size_t i = 1; i < parts.size(); ++i) join_elements(whole, whole, parts[i]);
+  whole.t = mesh.k;
+  whole.q = {program_.constant(1), program_.constant(0)};
+  whole.range = whole.t_range = network_range(whole.elements, whole.count);
+  whole.q_range = {};
+  whole.path = 0;
+  whole.roundings = mesh.roundings;
+  whole.exact_re = false;
+  return whole;
+}
+
+}  // namespace vcrit::symbolic

@@ -1,0 +1,281 @@
+#include "program/velocity.hpp"
+
+#include <cmath>
+
+#include "formula/symbols.hpp"
+#include "network/masses.hpp"
+
+namespace vcrit::symbolic {
+
+namespace {
+
+// Twice the digits of a double, and some: a difference that is not 0 is not smaller, relatively.
+constexpr double cancellation = 110;
+// less_inertia subtracts exactly: 53 digits of each of three factors.
+constexpr double exact_cancellation = 160;
+constexpr int exponent_of_factors = 200;
+
+class Writer {
+ public:
+  Writer(const Scene& scene, const SymbolValue& value, int exponent, bool normalise)
+      : scene_(scene),
+        value_(value),
+        normalise_(normalise),
+        omega_(symbol({"omega"})),
+        stiffness_(program_, omega_, exponent, [this](const Symbol& s) { return symbol(s); }) {
+    result_.exponent = exponent;
+  }
+
+  VelocityProgram write() {
+    const auto* isotropic = std::get_if<Isotropic>(&scene_.tangential);
+    if (isotropic != nullptr) set_ratio(*isotropic);
+    if (scene_.drive)
+      with_drive(isotropic != nullptr);
+    else if (isotropic != nullptr)
+      finish({real(program_, ratio_.q)}, {real(program_, ratio_.t)}, {{}}, {{}},
+             program_.constant(ratio_.path));
+    else
+      rigid();
+    result_.program = std::move(program_);
+    return std::move(result_);
+  }
+
+ private:
+  /// K_t/K_n = t/q, both real.
+  struct Ratio {
+    NodeId t = 0, q = 0;
+    int path = 0;
+    Range range;
+  };
+
+  NodeId symbol(const Symbol& s) { return value_(program_, s); }
+
+  void set_ratio(const Isotropic& isotropic) {
+    const bool poisson = isotropic.by == Isotropic::By::poisson;
+    if (isotropic.quantity.value) {
+      // What the program's other commands compute with: the double that was read.
+      const GiNaC::numeric given = exact_binary(*isotropic.quantity.value);
+      const GiNaC::numeric ratio = poisson ? 2 * (1 - given) / (2 - given) : given;
+      const double exponent = std::log2(ratio.to_double());
+      ratio_ = {program_.constant(ratio), program_.constant(1), 1, {exponent - 1, exponent + 1}};
+      return;
+    }
+    const NodeId given = symbol(isotropic.quantity.symbol);
+    if (!poisson) {
+      ratio_ = {given, program_.constant(1), 0, stiffness_.guarded(program_.size(given))};
+      return;
+    }
+    const NodeId two = program_.constant(2);
+    const NodeId one_less = program_.subtract(program_.constant(1), given);
+    const NodeId q = program_.subtract(two, given);
+    const Range range = stiffness_.guarded(program_.size(one_less));
+    stiffness_.guarded(program_.size(q));
+    ratio_ = {program_.multiply(two, one_less), q, 2, range + Range{-1, 2}};
+  }
+
+  Stiffness network(const Network& network) {
+    const Stiffness k = stiffness_.write(network);
+    return normalise_ && !is_one(program_, k.q) ? stiffness_.normalised(k) : k;
+  }
+
+  /// K_t = ratio K_n: T and Q each times a number.
+  Stiffness isotropic_tangential(const Stiffness& normal) {
+    Stiffness k = normal;
+    k.t = scaled(program_, ratio_.t, normal.t);
+    k.q = scaled(program_, ratio_.q, normal.q);
+    k.t_range = normal.t_range + ratio_.range;
+    k.range = normal.range + ratio_.range;
+    k.q_range = normal.q_range + Range{-ratio_.range.high, -ratio_.range.low};
+    k.path += ratio_.path + 2;
+    k.exact_re = false;
+    return k;
+  }
+
+  NodeId number(int value) { return program_.constant(value); }
+  NodeId times(int count, NodeId bound) { return program_.multiply(number(count), bound); }
+  NodeId one_and_a_half(NodeId bound) {
+    return program_.multiply(program_.constant(GiNaC::numeric(3, 2)), bound);
+  }
+
+  /// D with a bound of |error| in roundings, absolute.
+  struct Difference {
+    Complex value;
+    Range range;
+    NodeId error = 0;
+  };
+
+  Difference difference(const Stiffness& d) {
+    const NodeId m = symbol(scene_.mass->symbol);
+    const NodeId inertia_size = program_.multiply(
+        program_.multiply(program_.size(m), program_.size(omega_)), program_.size(omega_));
+    const Range inertia = stiffness_.guarded(inertia_size);
+    Difference result;
+    const Range larger{0, std::max(d.t_range.high, d.q_range.high + inertia.high) + 1};
+    if (d.exact_re) {
+      result.value = {program_.less_inertia(d.t.re, m, omega_), d.t.im};
+      // Both components nearly exact, but for what the parts of m omega^2 below three doubles'
+      // digits can do: far less than 2^-50 of it.
+      const NodeId tail =
+          program_.multiply(program_.constant(GiNaC::numeric(1, 1L << 50)), inertia_size);
+      result.error = program_.add(times(std::max(3, d.path), size(program_, result.value)), tail);
+      result.range = {std::max(d.t_range.low, inertia.low) - exact_cancellation, larger.high};
+      return result;
+    }
+    const NodeId inertia_value = program_.multiply(program_.multiply(m, omega_), omega_);
+    const Complex less = real(program_, program_.negate(inertia_value));
+    const Complex unity = real(program_, number(1));
+    const ComplexSum sum = sum_of_products(program_, {{d.t, unity}, {d.q, less}});
+    result.value = sum.value;
+    const int local = static_cast<int>(std::ceil(1.4143 * sum.roundings));
+    // m omega^2 itself errs by two roundings.
+    result.error = program_.add(
+        program_.multiply(program_.add(roundings(program_, d), number(local)), size(program_, d.t)),
+        times(local + 2, program_.multiply(inertia_size, size(program_, d.q))));
+    result.range = {std::max(d.t_range.low, d.q_range.low + inertia.low) - cancellation,
+                    larger.high};
+    return result;
+  }
+
+  void with_drive(bool isotropic) {
+    const Stiffness n = network(scene_.normal);
+    const Stiffness t =
+        isotropic ? isotropic_tangential(n) : network(std::get<Network>(scene_.tangential));
+    const Stiffness d = network(*scene_.drive);
+    Difference body{d.t, d.t_range, 0};
+    if (scene_.mass) body = difference(d);
+    const ComplexSum sum = sum_of_products(program_, {{t.t, d.q}, {t.q, body.value}});
+    const Complex whole = sum.value;
+    Range range{0, std::max((t.t_range + d.q_range).high, (t.q_range + body.range).high) + 1};
+    range.low = std::max((t.t_range + d.q_range).low, (t.q_range + body.range).low) -
+                (scene_.mass ? cancellation : 1);
+    check(t.t_range + d.q_range);
+    check(t.q_range + body.range);
+    const NodeId errors = with_drive_errors(t, d, body, sum);
+    if (isotropic)
+      return finish({whole}, {real(program_, ratio_.t), n.q, body.value}, {range},
+                    {ratio_.range, n.q_range, body.range},
+                    program_.add(errors, number(ratio_.path)));
+    finish({n.t, whole}, {n.q, t.t, body.value}, {n.t_range, range},
+           {n.q_range, t.t_range, body.range},
+           program_.add(errors, program_.add(roundings(program_, n), roundings(program_, t))));
+  }
+
+  // Relative errors of D and N, where |z| >= size(z)/sqrt(2).
+  NodeId with_drive_errors(const Stiffness& t, const Stiffness& d, const Difference& body,
+                           const ComplexSum& whole) {
+    const int local = static_cast<int>(std::ceil(1.4143 * whole.roundings));
+    if (!scene_.mass) {
+      // K_t + K_d, both in the first quadrant.
+      const NodeId sum =
+          program_.add(one_and_a_half(program_.add(roundings(program_, t), roundings(program_, d))),
+                       number(2 * local));
+      return program_.add(sum, roundings(program_, d));
+    }
+    const NodeId d_size = size(program_, body.value);
+    const NodeId d_error = program_.divide(body.error, d_size);
+    const NodeId t_part =
+        program_.multiply(program_.add(roundings(program_, t), number(local)),
+                          program_.multiply(size(program_, t.t), size(program_, d.q)));
+    const NodeId d_part =
+        program_.multiply(program_.add(body.error, times(local, d_size)), size(program_, t.q));
+    const NodeId n_error =
+        program_.divide(program_.add(t_part, d_part), size(program_, whole.value));
+    return one_and_a_half(program_.add(d_error, n_error));
+  }
+
+  void rigid() {
+    const Stiffness n = network(scene_.normal);
+    const Stiffness t = network(std::get<Network>(scene_.tangential));
+    finish({n.t, t.q}, {n.q, t.t}, {n.t_range, t.q_range}, {n.q_range, t.t_range},
+           program_.add(roundings(program_, n), roundings(program_, t)));
+  }
+
+  void check(Range range) { result_.fits = result_.fits && fits(range); }
+
+  /// The product of absolute values, or of their squares.
+  NodeId product(const std::vector<Complex>& factors, const std::vector<Range>& ranges,
+                 bool squared) {
+    NodeId whole = number(1);
+    Range range;
+    for (std::size_t i = 0; i < factors.size(); ++i) {
+      const Complex& z = factors[i];
+      range = range + (squared ? twice(ranges[i]) : ranges[i]);
+      check(range);
+      check(squared ? twice(ranges[i]) : ranges[i]);
+      if (squared) {
+        whole = program_.multiply(whole, square(program_, z));
+        continue;
+      }
+      const bool is_real = program_.is_constant(z.im, 0);
+      whole = program_.multiply(whole, program_.magnitude(is_real ? z.re : z.im));
+    }
+    return whole;
+  }
+
+  void finish(const std::vector<Complex>& above, const std::vector<Complex>& below,
+              const std::vector<Range>& above_ranges, const std::vector<Range>& below_ranges,
+              NodeId errors) {
+    const auto has_both = [this](const Complex& z) {
+      return !program_.is_constant(z.re, 0) && !program_.is_constant(z.im, 0);
+    };
+    result_.rooted = std::any_of(above.begin(), above.end(), has_both) ||
+                     std::any_of(below.begin(), below.end(), has_both);
+    result_.above = product(above, above_ranges, result_.rooted);
+    result_.below = product(below, below_ranges, result_.rooted);
+    for (const char* name : {"mu0", "omega", "du_z"}) guard_factor({name});
+    result_.factor =
+        program_.multiply(program_.multiply(symbol({"mu0"}), omega_), symbol({"du_z"}));
+    result_.guards.insert(result_.guards.end(), stiffness_.guards().begin(),
+                          stiffness_.guards().end());
+    // Each square 2 and its product 1, the quotient 1, all halved by the root, itself 1; mu0 omega
+    // du_z and its product 3.
+    const int count = static_cast<int>(above.size() + below.size());
+    const int last = result_.rooted ? (3 * count + 2) / 2 + 1 + 3 : count + 1 + 3;
+    result_.roundings = program_.add(errors, number(last));
+  }
+
+  void guard_factor(const Symbol& s) {
+    const NodeId size = program_.size(symbol(s));
+    if (program_[size].operation == Node::Operation::constant) {
+      const double exponent = std::log2(program_[size].constant.to_double());
+      result_.fits = result_.fits && std::abs(exponent) < exponent_of_factors;
+      return;
+    }
+    result_.guards.push_back({size, exponent_of_factors});
+  }
+
+  const Scene& scene_;
+  const SymbolValue& value_;
+  bool normalise_;
+  Program program_;
+  NodeId omega_;
+  StiffnessWriter stiffness_;
+  Ratio ratio_;
+  VelocityProgram result_;
+};
+
+void refuse_other_drives(const Scene& scene) {
+  if (scene.receptance)
+    throw ModelError("the generator needs a network; this drive is a measured receptance");
+  if (scene.drive && has_masses(*scene.drive))
+    throw ModelError("the generator knows one body; this drive holds masses of its own");
+}
+
+}  // namespace
+
+// The widest range for which all numbers stay among the doubles, and scaling only where there is
+// none otherwise: it costs a tenth of the time.
+VelocityProgram velocity_program(const Scene& scene, const SymbolValue& value) {
+  refuse_other_drives(scene);
+  for (const int exponent : {200, 150, 100, 64, 40}) {
+    VelocityProgram program = Writer(scene, value, exponent, false).write();
+    if (program.fits) return program;
+  }
+  for (const int exponent : {100, 64, 48, 40, 32}) {
+    VelocityProgram program = Writer(scene, value, exponent, true).write();
+    if (program.fits || exponent == 32) return program;
+  }
+  throw Bug("the last range is returned");
+}
+
+}  // namespace vcrit::symbolic
