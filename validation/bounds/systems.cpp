@@ -20,9 +20,9 @@ class Builder {
       case Shape::spring:
         return k(0);
       case Shape::kelvin:
-        return k(0) + " | " + c(1);
+        return spring_and_damper("|");
       case Shape::maxwell:
-        return k(0) + " - " + c(1);
+        return spring_and_damper("-");
       case Shape::zener:
         return zener();
       case Shape::burgers:
@@ -62,14 +62,20 @@ class Builder {
   std::string k(int number) { return named(Role::spring, "k", number); }
   std::string c(int number) { return named(Role::damper, "c", number); }
 
+  // One after the other: the order of slots is that of the calls.
+  std::string spring_and_damper(const char* sign) {
+    const std::string spring = k(0), damper = c(0);
+    return fmt::format("{} {} {}", spring, sign, damper);
+  }
+
   std::string zener() {
-    const std::string k0 = k(0), k1 = k(1);
-    return k0 + " | (" + k1 + " - " + c(1) + ")";
+    const std::string k0 = k(0), k1 = k(1), c1 = c(1);
+    return fmt::format("{} | ({} - {})", k0, k1, c1);
   }
 
   std::string burgers() {
-    const std::string k1 = k(1), c1 = c(1), k2 = k(2);
-    return fmt::format("{} - {} - ({} | {})", k1, c1, k2, c(2));
+    const std::string k1 = k(1), c1 = c(1), k2 = k(2), c2 = c(2);
+    return fmt::format("{} - {} - ({} | {})", k1, c1, k2, c2);
   }
 
   std::string prony() {

@@ -18,6 +18,10 @@ std::string percent(std::uint64_t part, std::uint64_t whole) {
   return fmt::format("{:.3f} %", thousandths / 1000);
 }
 
+std::string number(double x) {
+  return x < 1000 ? fmt::format("{:.6f}", x) : fmt::format("{:.1e}", x);
+}
+
 Row head(const std::string& first) {
   return {first,       "cases",       "0/0",        "v* a double",      "certified",
           "worst ulp", "error/bound", "fast bound", "fast error/bound", "violations"};
@@ -37,10 +41,10 @@ Row row(const std::string& name, const Tally& tally) {
           std::to_string(tally.undefined),
           percent(tally.doubles, tally.cases),
           percent(tally.certified, tally.doubles),
-          fmt::format("{:.6f}", tally.ulps),
-          fmt::format("{:.6f}", tally.ratio),
+          number(tally.ulps),
+          number(tally.ratio),
           percent(tally.fast_bounded, tally.doubles),
-          fmt::format("{:.6f}", tally.fast_ratio),
+          number(tally.fast_ratio),
           violations(tally)};
 }
 
@@ -117,7 +121,8 @@ nlohmann::ordered_json as_json(const std::vector<Result>& results, const TrialOp
 std::string first_violations(const std::vector<Result>& results) {
   std::string out;
   for (const Result& result : results)
-    if (const Tally all = sum_of(result.tallies); all.first) out += all.first->text + "\n";
+    for (const auto& first : sum_of(result.tallies).firsts)
+      if (first) out += first->text + "\n";
   return out;
 }
 

@@ -19,7 +19,7 @@ std::string tables(const std::vector<Result>& results, bool markdown);
 
 nlohmann::ordered_json as_json(const std::vector<Result>& results, const TrialOptions& options);
 
-/// The first violation of each system, in words; empty for none.
+/// The first violation of each kind by each system, in words; empty for none.
 std::string first_violations(const std::vector<Result>& results);
 
 }  // namespace vcrit::bounds

@@ -76,8 +76,9 @@ class Chunk {
     }
     const Verdict verdict = judge(answers, exact);
     tally.add(verdict);
-    if (verdict.violation && !tally.first)
-      tally.first = {first_ + i, report(i, answers, exact, *verdict.violation)};
+    if (!verdict.violation) return;
+    auto& first = tally.firsts[static_cast<std::size_t>(*verdict.violation)];
+    if (!first) first = {first_ + i, report(i, answers, exact, *verdict.violation)};
   }
 
   std::string report(std::uint64_t i, const Answers& answers, const Exact& exact,

@@ -119,15 +119,12 @@ Tally& Tally::operator+=(const Tally& other) {
   ulps = std::max(ulps, other.ulps);
   ratio = std::max(ratio, other.ratio);
   fast_ratio = std::max(fast_ratio, other.fast_ratio);
-  for (std::size_t i = 0; i < violation_kinds; ++i) violations[i] += other.violations[i];
-  if (other.first && (!first || other.first->number < first->number)) first = other.first;
+  for (std::size_t i = 0; i < violation_kinds; ++i) {
+    violations[i] += other.violations[i];
+    const auto& theirs = other.firsts[i];
+    if (theirs && (!firsts[i] || theirs->number < firsts[i]->number)) firsts[i] = theirs;
+  }
   return *this;
-}
-
-std::uint64_t Tally::all_violations() const {
-  std::uint64_t sum = 0;
-  for (const std::uint64_t count : violations) sum += count;
-  return sum;
 }
 
 }  // namespace vcrit::bounds

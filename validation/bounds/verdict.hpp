@@ -45,16 +45,15 @@ struct Tally {
   double ulps = 0;                              ///< worst of the certified
   double ratio = 0, fast_ratio = 0;             ///< worst
   std::array<std::uint64_t, violation_kinds> violations{};
-  /// The violation of least case number, in words.
+  /// For each kind the violation of least case number, in words.
   struct First {
     std::uint64_t number;
     std::string text;
   };
-  std::optional<First> first;
+  std::array<std::optional<First>, violation_kinds> firsts;
 
   void add(const Verdict& verdict);
   Tally& operator+=(const Tally& other);
-  std::uint64_t all_violations() const;
 };
 
 }  // namespace vcrit::bounds
