@@ -9,6 +9,7 @@ namespace vcrit::bounds {
 namespace {
 
 constexpr double largest = std::numeric_limits<double>::max();
+constexpr double unknown = 0x1p-104;   // of v*, to relative_error
 constexpr int least_exponent = -1074;  // of the smallest double
 
 bool is_above_doubles(const Exact& exact) {
@@ -36,7 +37,7 @@ std::optional<double> ratio(double value, double bound, const Exact& exact) {
       exact.kind == Exact::Kind::zero ? 0 : std::numeric_limits<double>::infinity();
   if (!is_number) return value == known ? 0 : std::numeric_limits<double>::infinity();
   const double error = relative_error(value, exact);
-  return error == 0 && bound == 0 ? 0 : error / bound;
+  return error < unknown ? 0 : error / bound;
 }
 
 // What rounding in relative_error cannot have made; NaN is more.

@@ -35,7 +35,7 @@ struct Verdict {
 /// `exact` must not be undefined.
 Verdict judge(const Answers& answers, const Exact& exact);
 
-/// |value - v*|/v*, rounded up but for 2^-50 of itself and 2^-105; NaN stays NaN.
+/// |value - v*|/v* but for 2^-50 of itself and 2^-105; NaN stays NaN.
 double relative_error(double value, const Exact& exact);
 
 struct Tally {
