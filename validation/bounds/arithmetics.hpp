@@ -19,20 +19,21 @@ class BallArithmetic {
   using Value = acb_srcptr;
 
   BallArithmetic() : places_(2048) {
-    for (acb_struct& place : places_) acb_init(&place);
+    arb_init(omega_);
+    for (acb_struct& each : places_) acb_init(&each);
   }
   ~BallArithmetic() {
-    for (acb_struct& place : places_) acb_clear(&place);
+    for (acb_struct& each : places_) acb_clear(&each);
+    arb_clear(omega_);
   }
   BallArithmetic(const BallArithmetic&) = delete;
   BallArithmetic& operator=(const BallArithmetic&) = delete;
 
   void begin(double omega, slong precision) {
     used_ = 0;
-    omega_ = omega;
+    arb_set_d(omega_, omega);
     precision_ = precision;
   }
-  slong precision() const { return precision_; }
 
   acb_ptr place() {
     ensure(used_ < places_.size(), "a network of a few elements fits into the places");
@@ -47,9 +48,7 @@ class BallArithmetic {
     const acb_ptr z = place();
     arb_zero(acb_realref(z));
     arb_set_d(acb_imagref(z), x);
-    arf_set_d(arb_midref(acb_realref(z)), omega_);
-    arb_mul_arf(acb_imagref(z), acb_imagref(z), arb_midref(acb_realref(z)), precision_);
-    arb_zero(acb_realref(z));
+    arb_mul(acb_imagref(z), acb_imagref(z), omega_, precision_);
     return z;
   }
   Value add(Value a, Value b) { return apply(acb_add, a, b); }
@@ -67,7 +66,7 @@ class BallArithmetic {
 
   std::vector<acb_struct> places_;
   std::size_t used_ = 0;
-  double omega_ = 1;
+  arb_t omega_{};
   slong precision_ = 64;
 };
 

@@ -1,5 +1,6 @@
 #include "bounds/draws.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "bounds/formulas.hpp"

@@ -5,6 +5,7 @@
 // What has no answer, 0/0 in a network with a part that nothing holds, throws Unheld.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <optional>

@@ -91,8 +91,11 @@ nlohmann::ordered_json as_json(const Tally& tally) {
                              {"worst_certified_ulp", tally.ulps},
                              {"worst_error_over_bound", tally.ratio},
                              {"worst_fast_error_over_bound", tally.fast_ratio}};
-  for (std::size_t i = 0; i < violation_kinds; ++i)
-    out["violations"][std::string(name_of(Violation(i)))] = tally.violations[i];
+  for (std::size_t i = 0; i < violation_kinds; ++i) {
+    const std::string name(name_of(Violation(i)));
+    out["violations"][name] = tally.violations[i];
+    if (tally.firsts[i]) out["first_violations"][name] = tally.firsts[i]->text;
+  }
   return out;
 }
 
