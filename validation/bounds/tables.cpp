@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace vcrit::bounds {
 
 namespace {
@@ -13,9 +16,8 @@ using Row = std::vector<std::string>;
 std::string percent(std::uint64_t part, std::uint64_t whole) {
   if (whole == 0) return "-";
   if (part == whole) return "100 %";
-  const auto thousandths =
-      static_cast<double>(100'000 * static_cast<unsigned __int128>(part) / whole);
-  return fmt::format("{:.3f} %", thousandths / 1000);
+  return fmt::format(
+      "{:.3f} %", std::floor(1e5 * static_cast<double>(part) / static_cast<double>(whole)) / 1e3);
 }
 
 std::string number(double x) {
