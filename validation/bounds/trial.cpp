@@ -1,5 +1,6 @@
 #include "bounds/trial.hpp"
 
+#include <flint/flint.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -124,6 +125,7 @@ void in_parallel(std::size_t count, unsigned threads,
       const std::lock_guard lock(mutex);
       if (!failure) failure = std::current_exception();
     }
+    flint_cleanup();  // what FLINT keeps for the thread
   };
   std::vector<std::jthread> workers;
   for (unsigned i = 0; i < threads; ++i) workers.emplace_back(work);
