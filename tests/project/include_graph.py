@@ -30,6 +30,7 @@ ROOMS = [
     "validation",
     "validation/benchmark",
     "validation/scaling",
+    "validation/bounds",
     "validation/report",
     "app",
 ]
@@ -49,6 +50,8 @@ FORBIDDEN = {
     ("app", "validation/benchmark"),
     ("app", "validation/scaling"),
     ("validation/report", "validation/scaling"),
+    ("app", "validation/bounds"),
+    ("validation/report", "validation/bounds"),
 }
 
 # Computer algebra stays out of the numeric library and the program.

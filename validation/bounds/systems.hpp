@@ -1,0 +1,52 @@
+// The systems on which bounds are tried: small networks of known kinds, as scene and as numbers in
+// a row.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "scene/scene.hpp"
+
+namespace vcrit::bounds {
+
+/// What stands between two points; formulas.hpp says which numbers each takes, in which order.
+enum class Shape { spring, kelvin, maxwell, zener, burgers, prony, ladder, bridge, grid };
+
+enum class Role { coefficient, omega, amplitude, mass, poisson, spring, damper, time };
+
+/// One number of a case; its name is the member of the generated Parameters, entry 0 or that of an
+/// array.
+struct Slot {
+  Role role;
+  std::string name;
+  int entry = 0;
+};
+
+/// Slots of one network.
+struct Range {
+  std::size_t first = 0, count = 0;
+  template <class Number>
+  std::span<Number> of(std::span<Number> all) const {
+    return all.subspan(first, count);
+  }
+};
+
+struct System {
+  std::string name;
+  Scene scene;
+  std::vector<Slot> slots;
+  Shape contact{};
+  std::optional<Shape> drive;
+  Range normal, tangential, driving;
+  std::optional<std::size_t> mass, poisson;  ///< slots; an isotropic contact has no tangential one
+};
+
+inline constexpr std::size_t coefficient_slot = 0, omega_slot = 1, amplitude_slot = 2;
+
+/// All systems, the smallest networks first.
+std::vector<System> all_systems();
+
+}  // namespace vcrit::bounds
