@@ -109,13 +109,13 @@ using std::sqrt;
 
 const char* const result =
     R"(struct Result : Certified { Parameters partial; bool safe; operator Gradient() const { return {value, partial}; } };
-// v* = factor @ROOT@(above/below). Factors (1 + e_j)^(+-1) with sum |e_j| = e < 2^-10 change it by less than 1.01 e, and the
-// last rounding by u, or by 2^-1075 where numbers are subnormal.
+// v* = factor @ROOT@(above/below). Factors (1 + e_j)^(+-1) with sum |e_j| = e < 2^-10 change it by less than 1.01 e, the
+// last rounding by u, and another one by 2^-1075 where numbers are subnormal.
 template <class T> Result finished(const Parameters& p, T above, T below, T factor, auto roundings) {
   constexpr bool plain = std::is_same_v<T, double>;
   const double h = head(above) / head(below), e = double(roundings) * (plain ? 0x1p-53 : 0x1p-102);
   const double v = h > 0 && h < HUGE_VAL ? double(@ROOT@(above / below) * factor) : @SIMPLE@ * head(factor);
-  const double last = v > 0 ? std::fmax(plain ? 0.0 : 0x1p-53, 0x1p-1074 / (2.0 * v - 0x1p-1074)) : 1.0;
+  const double u = plain ? 0.0 : 0x1p-53, last = v >= 0x1p-1022 ? u : v > 0 ? u + 0x1p-1074 / (2.0 * v - 0x1p-1074) : 1.0;
   const bool known = e < 0x1p-10 && v < HUGE_VAL && (!plain || in_range(p));
   const bool safe = plain ? h > 0x1p-900 && h < 0x1p900 : std::is_same_v<T, Wide> || in_range(p);
   return {{v, known ? (1.01 * e + last) * (1.0 + 0x1p-50) : HUGE_VAL}, {}, safe};
