@@ -57,7 +57,7 @@ inline double head(double x) { return x; }
 inline double head(Twofold x) { return x.hi; }
 inline double size(auto x) { return std::fabs(head(x)); }
 inline Wide size(Wide x) { return x.hi < 0 ? -x : x; }
-inline bool within(double limit, auto... x) { return ((x <= limit && x * limit >= 1.0) && ...); }
+inline bool within(double limit, auto... x) { return (((x <= limit) & (x * limit >= 1.0)) & ...); }
 )";
 
 const char* const operations =
@@ -110,26 +110,27 @@ using std::sqrt;
 const char* const result =
     R"(struct Result : Certified { Parameters partial; bool safe; operator Gradient() const { return {value, partial}; } };
 // v* = factor @ROOT@(above/below). Factors (1 + e_j)^(+-1) with sum |e_j| = e < 2^-10 change it by less than 1.01 e, the
-// last rounding by u, and another one by 2^-1075 where numbers are subnormal.
+// last rounding by u, and another one by 2^-1075 where numbers are subnormal. safe: none has left the range of doubles.
 template <class T> Result finished(const Parameters& p, T above, T below, T factor, auto roundings) {
-  constexpr bool plain = std::is_same_v<T, double>;
+  constexpr bool plain = std::is_same_v<T, double>, wide = std::is_same_v<T, Wide>;
   const double h = head(above) / head(below), e = double(roundings) * (plain ? 0x1p-53 : 0x1p-102);
-  const double v = h > 0 && h < HUGE_VAL ? double(@ROOT@(above / below) * factor) : @SIMPLE@ * head(factor);
-  const double u = plain ? 0.0 : 0x1p-53, last = v >= 0x1p-1022 ? u : v > 0 ? u + 0x1p-1074 / (2.0 * v - 0x1p-1074) : 1.0;
-  const bool known = e < 0x1p-10 && v < HUGE_VAL && (!plain || in_range(p));
-  const bool safe = plain ? h > 0x1p-900 && h < 0x1p900 : std::is_same_v<T, Wide> || in_range(p);
-  return {{v, known ? (1.01 * e + last) * (1.0 + 0x1p-50) : HUGE_VAL}, {}, safe};
+  const double whole = double(@ROOT@(above / below) * factor), u = plain ? 0.0 : 0x1p-53;
+  const double v = wide && !(h > 0 && h < HUGE_VAL) ? @SIMPLE@ * head(factor) : whole;
+  const double last = !wide || v >= 0x1p-1022 ? u : v > 0 ? u + 0x1p-1074 / (2.0 * v - 0x1p-1074) : 1.0;
+  const bool inside = in_range(p), known = (e < 0x1p-10) & (v < HUGE_VAL) & (!plain | inside);
+  const bool safe = (h > 0x1p-900) & (h < 0x1p900) & (v >= 0x1p-1022) & (plain | inside);
+  return {{v, known ? (1.01 * e + last) * (1.0 + 0x1p-50) : HUGE_VAL}, {}, wide | safe};
 }
 )";
 
 const char* const batch =
-    R"(template <class T, bool G = false> Result result(const Parameters& p) {
+    R"(template <class T, bool G = false> [[gnu::noinline]] Result result(const Parameters& p) {
   if (const Result r = evaluate<T, G>(p); r.safe) return r;
   return evaluate<Wide, G>(p);
 }
 // In blocks, whose loop is vectorised; what is not safe again, one by one.
 template <class T, Varying S>
-void batch(const Parameters& p, const Columns& c, std::span<double> out, auto&&... more) {
+[[gnu::flatten]] void batch(const Parameters& p, const Columns& c, std::span<double> out, auto&&... more) {
   constexpr bool G = (std::is_same_v<std::decay_t<decltype(more)>, PartialColumns> || ...), B = sizeof...(more) != 0 && !G;
   using Lanes = std::array<double, 32>;
   Each<Lanes> in, partial;
@@ -139,15 +140,17 @@ void batch(const Parameters& p, const Columns& c, std::span<double> out, auto&&.
     const std::size_t n = std::min(value.size(), out.size() - i);
     each([=](Lanes& to, const double* x) { if (x) std::copy_n(x + i, n, to.data()); }, in, c);
     std::size_t unsafe = 0;
-    const auto lane = [&](std::size_t l, auto function) {
-      Parameters at;
-      each([l](double& x, bool varies, const Lanes& y, double z) { x = varies ? y[l] : z; }, at, S, in, p);
-      const Result r = function(at);
+    const auto at = [&](std::size_t l) {
+      Parameters q;
+      each([l](double& x, bool varies, const Lanes& y, double z) { x = varies ? y[l] : z; }, q, S, in, p);
+      return q;
+    };
+    const auto store = [&](std::size_t l, const Result& r) {
       value[l] = r.value, bound[l] = r.relative_error_bound, unsafe |= !r.safe;
       if constexpr (G) each([l](Lanes& y, double x) { y[l] = x; }, partial, r.partial);
     };
-    for (std::size_t l = 0; l < value.size(); ++l) lane(l, evaluate<T, G>);
-    for (std::size_t l = 0; unsafe != 0 && l < n; ++l) lane(l, result<T, G>);
+    for (std::size_t l = 0; l < value.size(); ++l) store(l, evaluate<T, G>(at(l)));
+    for (std::size_t l = 0; unsafe != 0 && l < n; ++l) store(l, result<T, G>(at(l)));
     std::copy_n(value.data(), n, out.data() + i);
     if constexpr (B) std::copy_n(bound.data(), n, std::span<double>(more...).data() + i);
     if constexpr (G) each([=](double* to, const Lanes& x) { if (to) std::copy_n(x.data(), n, to + i); }, more..., partial);

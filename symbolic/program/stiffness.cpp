@@ -56,17 +56,20 @@ Range StiffnessWriter::guarded(NodeId size) {
 }
 
 Stiffness StiffnessWriter::write(const Network& network) {
-  const auto fold = [this](const std::vector<Network>& parts, auto combine) {
-    Stiffness whole = write(parts.front());
-    for (std::size_t i = 1; i < parts.size(); ++i) whole = (this->*combine)(whole, write(parts[i]));
-    return whole;
-  };
   if (const auto* e = std::get_if<Element>(&network.form)) return element(*e);
   if (const auto* s = std::get_if<Series>(&network.form))
     return fold(s->parts, &StiffnessWriter::series);
   if (const auto* p = std::get_if<Parallel>(&network.form))
     return fold(p->parts, &StiffnessWriter::parallel);
   return graph(std::get<Graph>(network.form));
+}
+
+// By halves: errors grow, and processors wait, with the depth.
+Stiffness StiffnessWriter::fold(std::span<const Network> parts, Combine combine) {
+  if (parts.size() == 1) return write(parts.front());
+  const std::size_t half = parts.size() / 2;
+  const Stiffness first = fold(parts.first(half), combine);
+  return (this->*combine)(first, fold(parts.subspan(half), combine));
 }
 
 Stiffness StiffnessWriter::element(const Element& e) {

@@ -18,6 +18,7 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "network/network.hpp"
@@ -66,6 +67,8 @@ class StiffnessWriter {
   const std::vector<Guard>& guards() const { return guards_; }
 
  private:
+  using Combine = Stiffness (StiffnessWriter::*)(Stiffness, Stiffness);
+  Stiffness fold(std::span<const Network> parts, Combine combine);
   Stiffness element(const Element& element);
   static void join_elements(Stiffness& whole, const Stiffness& a, const Stiffness& b);
   Stiffness parallel(Stiffness a, Stiffness b);
