@@ -30,6 +30,7 @@ ROOMS = [
     "validation",
     "validation/benchmark",
     "validation/scaling",
+    "validation/speed",
     "validation/report",
     "app",
 ]
@@ -49,6 +50,8 @@ FORBIDDEN = {
     ("app", "validation/benchmark"),
     ("app", "validation/scaling"),
     ("validation/report", "validation/scaling"),
+    ("app", "validation/speed"),
+    ("validation/report", "validation/speed"),
 }
 
 # Computer algebra stays out of the numeric library and the program.

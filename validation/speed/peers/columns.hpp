@@ -16,22 +16,22 @@ struct At {
   double omega;
   int first = 0;
 
-  double operator[](int j) const { return values(first + j); }
-  At after(int j) const { return {values, omega, first + j}; }
-  Imaginary damper(int j) const { return {omega * (*this)[j]}; }
+  [[gnu::always_inline]] double operator[](int j) const { return values(first + j); }
+  [[gnu::always_inline]] At after(int j) const { return {values, omega, first + j}; }
+  [[gnu::always_inline]] Imaginary damper(int j) const { return {omega * (*this)[j]}; }
   // m s^2
-  double inertia(int j) const { return -(((*this)[j] * omega) * omega); }
+  [[gnu::always_inline]] double inertia(int j) const { return -(((*this)[j] * omega) * omega); }
 };
 
 struct Varying {
   const double* const* columns;
   std::size_t i;
-  double operator()(int j) const { return columns[j][i]; }
+  [[gnu::always_inline]] double operator()(int j) const { return columns[j][i]; }
 };
 
 struct Fixed {
   const double* values;
-  double operator()(int j) const { return values[j]; }
+  [[gnu::always_inline]] double operator()(int j) const { return values[j]; }
 };
 
 // A copy that nothing can alias.

@@ -22,7 +22,7 @@ inline Number series(Number a, Number b) { return 1.0 / (1.0 / a + 1.0 / b); }
 struct Spring {
   static constexpr int size = 1;
   template <class E>
-  static Number stiffness(const Elements<E>& e) {
+  [[gnu::always_inline]] static Number stiffness(const Elements<E>& e) {
     return e.k(0);
   }
 };
@@ -30,7 +30,7 @@ struct Spring {
 struct Kelvin {
   static constexpr int size = 2;
   template <class E>
-  static Number stiffness(const Elements<E>& e) {
+  [[gnu::always_inline]] static Number stiffness(const Elements<E>& e) {
     return e.k(0) + e.c(1);
   }
 };
@@ -38,7 +38,7 @@ struct Kelvin {
 struct Zener {
   static constexpr int size = 3;
   template <class E>
-  static Number stiffness(const Elements<E>& e) {
+  [[gnu::always_inline]] static Number stiffness(const Elements<E>& e) {
     return e.k(0) + series(e.k(1), e.c(2));
   }
 };
@@ -46,7 +46,7 @@ struct Zener {
 struct Burgers {
   static constexpr int size = 4;
   template <class E>
-  static Number stiffness(const Elements<E>& e) {
+  [[gnu::always_inline]] static Number stiffness(const Elements<E>& e) {
     return 1.0 / (1.0 / e.k(0) + 1.0 / e.c(1) + 1.0 / (e.k(2) + e.c(3)));
   }
 };
@@ -54,7 +54,7 @@ struct Burgers {
 struct Prony {
   static constexpr int size = 21;
   template <class E>
-  static Number stiffness(const Elements<E>& e) {
+  [[gnu::always_inline]] static Number stiffness(const Elements<E>& e) {
     Number sum = e.k(0);
 #pragma GCC unroll 10
     for (int j = 1; j <= 10; ++j) sum += e.k(j) * e.c(10 + j) / (1.0 + e.c(10 + j));
@@ -65,7 +65,7 @@ struct Prony {
 struct Ladder {
   static constexpr int size = 20;
   template <class E>
-  static Number stiffness(const Elements<E>& e) {
+  [[gnu::always_inline]] static Number stiffness(const Elements<E>& e) {
     Number rest = e.k(9) + e.c(19);
 #pragma GCC unroll 10
     for (int j = 8; j >= 0; --j) rest = e.c(10 + j) + series(e.k(j), rest);
@@ -83,7 +83,7 @@ inline Number bridge(Number z1, Number z2, Number z3, Number z4, Number z5) {
 struct Bridge {
   static constexpr int size = 10;
   template <class E>
-  static Number stiffness(const Elements<E>& e) {
+  [[gnu::always_inline]] static Number stiffness(const Elements<E>& e) {
     return bridge(e.k(0) + e.c(5), e.k(1) + e.c(6), e.k(2) + e.c(7), e.k(3) + e.c(8),
                   e.k(4) + e.c(9));
   }
@@ -92,7 +92,7 @@ struct Bridge {
 struct SingleElementBridge {
   static constexpr int size = 5;
   template <class E>
-  static Number stiffness(const Elements<E>& e) {
+  [[gnu::always_inline]] static Number stiffness(const Elements<E>& e) {
     return bridge(e.k(0), e.c(1), e.c(3), e.k(4), e.k(2));
   }
 };
@@ -106,7 +106,7 @@ struct Scene {
   static constexpr int columns = 4 + Normal::size + Tangential::size + Drive::size;
 
   template <class E>
-  static double velocity(const E& e) {
+  [[gnu::always_inline]] static double velocity(const E& e) {
     const Number s(0.0, e.omega);
     const Number normal = Normal::stiffness(Elements<E>{e.after(4), s});
     Number tangential;

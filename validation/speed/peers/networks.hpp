@@ -18,7 +18,7 @@ Fraction(Over, Under) -> Fraction<Over, Under>;
 struct Spring {
   static constexpr int size = 1;
   template <class E>
-  static auto stiffness(const E& e) {
+  [[gnu::always_inline]] static auto stiffness(const E& e) {
     return Fraction<double, One>{e[0], {}};
   }
 };
@@ -26,7 +26,7 @@ struct Spring {
 struct Kelvin {
   static constexpr int size = 2;
   template <class E>
-  static auto stiffness(const E& e) {
+  [[gnu::always_inline]] static auto stiffness(const E& e) {
     return Fraction{e[0] + e.damper(1), One{}};
   }
 };
@@ -35,7 +35,7 @@ struct Kelvin {
 struct Zener {
   static constexpr int size = 3;
   template <class E>
-  static auto stiffness(const E& e) {
+  [[gnu::always_inline]] static auto stiffness(const E& e) {
     const auto under = e[1] + e.damper(2);
     return Fraction{e[0] * under + e[1] * e.damper(2), under};
   }
@@ -45,7 +45,7 @@ struct Zener {
 struct Burgers {
   static constexpr int size = 4;
   template <class E>
-  static auto stiffness(const E& e) {
+  [[gnu::always_inline]] static auto stiffness(const E& e) {
     const auto damper = e.damper(1);
     const auto last = e[2] + e.damper(3);
     return Fraction{e[0] * (damper * last), last * (damper + e[0]) + e[0] * damper};
@@ -56,13 +56,13 @@ struct Burgers {
 struct Prony {
   static constexpr int size = 21;
   template <class E>
-  static auto stiffness(const E& e) {
+  [[gnu::always_inline]] static auto stiffness(const E& e) {
     return with<10>(e);
   }
 
  private:
   template <int branches, class E>
-  static auto with(const E& e) {
+  [[gnu::always_inline]] static auto with(const E& e) {
     if constexpr (branches == 0) {
       return Spring::stiffness(e);
     } else {
@@ -74,30 +74,34 @@ struct Prony {
   }
 };
 
-// K_10 = k_10 | c_10, K_j = c_j | (k_j - K_{j+1})
+// K_10 = k_10 | c_10, K_j = c_j | (k_j - K_{j+1}). Both sides of the fraction grow by a stiffness a
+// rung; scaled down twice, the products of all squares stay doubles.
 struct Ladder {
   static constexpr int size = 20;
   template <class E>
-  static auto stiffness(const E& e) {
+  [[gnu::always_inline]] static auto stiffness(const E& e) {
     return from<1>(e);
   }
 
  private:
+  static constexpr double scale = 0x1p-100;
+
   template <int rung, class E>
-  static auto from(const E& e) {
+  [[gnu::always_inline]] static auto from(const E& e) {
     if constexpr (rung == 10) {
       return Fraction{e[9] + e.damper(19), One{}};
     } else {
       const auto rest = from<rung + 1>(e);
-      const auto under = e[rung - 1] * rest.under + rest.over;
-      return Fraction{e[rung - 1] * rest.over + e.damper(9 + rung) * under, under};
+      const double k = rung == 7 || rung == 4 ? scale * e[rung - 1] : e[rung - 1];
+      const auto under = k * rest.under + (rung == 7 || rung == 4 ? scale : 1.0) * rest.over;
+      return Fraction{k * rest.over + e.damper(9 + rung) * under, under};
     }
   }
 };
 
 // Edges z1 A-C, z2 A-D, z3 C-B, z4 D-B, z5 C-D: spanning trees over forests.
 template <class Z1, class Z2, class Z3, class Z4, class Z5>
-auto bridge(Z1 z1, Z2 z2, Z3 z3, Z4 z4, Z5 z5) {
+[[gnu::always_inline]] inline auto bridge(Z1 z1, Z2 z2, Z3 z3, Z4 z4, Z5 z5) {
   const auto left = z1 + z3;
   const auto right = z2 + z4;
   return Fraction{(z1 * z3) * right + (z2 * z4) * left + z5 * ((z1 + z2) * (z3 + z4)),
@@ -108,7 +112,7 @@ auto bridge(Z1 z1, Z2 z2, Z3 z3, Z4 z4, Z5 z5) {
 struct Bridge {
   static constexpr int size = 10;
   template <class E>
-  static auto stiffness(const E& e) {
+  [[gnu::always_inline]] static auto stiffness(const E& e) {
     return bridge(e[0] + e.damper(5), e[1] + e.damper(6), e[2] + e.damper(7), e[3] + e.damper(8),
                   e[4] + e.damper(9));
   }
@@ -118,7 +122,7 @@ struct Bridge {
 struct SingleElementBridge {
   static constexpr int size = 5;
   template <class E>
-  static auto stiffness(const E& e) {
+  [[gnu::always_inline]] static auto stiffness(const E& e) {
     return bridge(e[0], e.damper(1), e.damper(3), e[4], e[2]);
   }
 };
@@ -145,7 +149,7 @@ struct Scene {
   static constexpr int columns = 4 + Normal::size + Tangential::size + Drive::size;
 
   template <class E>
-  static auto quotient(const E& e) {
+  [[gnu::always_inline]] static auto quotient(const E& e) {
     const auto normal = Normal::stiffness(e.after(4));
     const auto drive = Drive::stiffness(e.after(4 + Normal::size + Tangential::size));
     const auto loaded = drive.over + e.inertia(3) * drive.under;

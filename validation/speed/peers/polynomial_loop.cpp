@@ -44,7 +44,11 @@ Polynomial<n> square_of(const Polynomial<n>& p) {
 inline double value_at(double a, double) { return a; }
 template <int n>
 inline double value_at(const Polynomial<n>& p, double W) {
-  return horner<0, 1>(p, W);
+  // Two chains of operations instead of one of twice the length.
+  if constexpr (n < 4)
+    return horner<0, 1>(p, W);
+  else
+    return horner<0, 2>(p, W * W) + W * horner<1, 2>(p, W * W);
 }
 template <class A>
 inline One apart(const A&, double) {

@@ -87,10 +87,10 @@ auto operator+(const Polynomial<n>& p, Detuning d) {
 struct InPowersOfS {
   const double* values;
   double unit;
-  double operator[](int j) const { return values[j]; }
-  InPowersOfS after(int j) const { return {values + j, unit}; }
-  Polynomial<1> damper(int j) const { return {{0.0, values[j] * unit}}; }
-  Inertia inertia(int j) const { return {values[j] * unit * unit}; }
+  [[gnu::always_inline]] double operator[](int j) const { return values[j]; }
+  [[gnu::always_inline]] InPowersOfS after(int j) const { return {values + j, unit}; }
+  [[gnu::always_inline]] Polynomial<1> damper(int j) const { return {{0.0, values[j] * unit}}; }
+  [[gnu::always_inline]] Inertia inertia(int j) const { return {values[j] * unit * unit}; }
 };
 
 // Horner's rule for every `step`-th coefficient from `first` on.

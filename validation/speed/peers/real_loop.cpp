@@ -24,7 +24,7 @@ template <class Access>
 extern "C" [[gnu::flatten]] void varying(const double* const* x, std::size_t n,
                                          double* __restrict out, double*) {
   const double* __restrict const omega = x[1];
-#pragma omp simd
+#pragma GCC ivdep
   for (std::size_t i = 0; i < n; ++i) out[i] = velocity(At<Varying>{{x, i}, omega[i]});
 }
 
@@ -32,7 +32,7 @@ extern "C" [[gnu::flatten]] void sweep(const double* const* x, std::size_t n,
                                        double* __restrict out, double*) {
   const auto values = first_values<Problem::columns>(x);
   const double* __restrict const omega = x[1];
-#pragma omp simd
+#pragma GCC ivdep
   for (std::size_t i = 0; i < n; ++i) out[i] = velocity(At<Fixed>{{values.data()}, omega[i]});
 }
 
