@@ -99,7 +99,6 @@ std::string driver(const Problem& problem, const std::string& header) {
         members(problem, "extra + % * n"));
   const bool scalar_gradient = has("struct Gradient");
   if (scalar_gradient) out += "static std::vector<problem::Gradient> gradients;\n";
-  // A sweep has values behind the first for omega only.
   out += fmt::format(
       "extern \"C\" void prepare(Inputs x, std::size_t n, double*, double*) {{\n"
       "  sets.clear();\n  for (std::size_t i = 0; i < n; ++i) sets.push_back(at(x, i));\n{}}}\n",

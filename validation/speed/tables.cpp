@@ -51,7 +51,7 @@ Row ratios(const Comparison& all, Mode mode, const std::string& grade) {
     const Result* best = best_peer(all, mode, problem);
     const Result* own = find(all, mode, problem, "vcrit " + grade + ", batch");
     const bool known = best != nullptr && own != nullptr;
-    row.push_back(known ? fmt::format("{:.2f}x", best->nanoseconds / own->nanoseconds) : "-");
+    row.push_back(known ? fmt::format("{:.2g}x", best->nanoseconds / own->nanoseconds) : "-");
   }
   return row;
 }
