@@ -58,7 +58,6 @@ void run(const Options& options) {
   Comparison all;
   all.compiler = vcrit::validation::describe_compiler(compiler, folder.path());
   all.plan = options.plan;
-  all.limits = machine_limits(compiler, options.plan);
   for (const Problem& problem : problems) {
     fmt::print(stderr, "{}\n", problem.name);
     all.problems.push_back(problem.name);

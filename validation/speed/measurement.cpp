@@ -61,27 +61,13 @@ std::vector<Result> measure(const Problem& problem, Mode mode, const std::vector
     each.prepare(samples);
     out.assign(out.size(), 0);
     times.emplace_back([&] { each.run(samples, out.data(), extra.data()); });
-    results.push_back({problem.name, each.method, mode, each.family, 0, worst_error(out, exact)});
+    const double error = each.family == Family::machine ? 0 : worst_error(out, exact);
+    results.push_back({problem.name, each.method, mode, each.family, 0, error});
   }
   take_turns(times, plan.seconds);
   for (std::size_t i = 0; i < results.size(); ++i)
     results[i].nanoseconds = 1e9 * times[i].best() / static_cast<double>(plan.values);
   return results;
-}
-
-MachineLimits machine_limits(const std::filesystem::path& compiler, const Plan& plan) {
-  const Library library(compiler, Flags::by_hand(), peer_source("limits.cpp"));
-  std::vector<double> a(plan.values), out(plan.values);
-  for (std::size_t i = 0; i < a.size(); ++i) a[i] = 1.5 + static_cast<double>(i);
-  const std::vector<const double*> columns{a.data(), a.data()};
-  std::vector<Timed> times;
-  for (const char* name : {"division", "root", "both"})
-    times.emplace_back([&, call = library.function(name)] {
-      call(columns.data(), plan.values, out.data(), nullptr);
-    });
-  take_turns(times, std::min(plan.seconds, 0.2));
-  const double each = 1e9 / static_cast<double>(plan.values);
-  return {each * times[0].best(), each * times[1].best(), each * times[2].best()};
 }
 
 }  // namespace vcrit::speed

@@ -18,18 +18,12 @@ struct Result {
   Mode mode = Mode::sweep;
   Family family = Family::peer;
   double nanoseconds = 0;  ///< a value
-  double error = 0;        ///< the worst, in units of the last place
+  double error = 0;        ///< the worst, in units of the last place; 0 for the machine's limits
   bool wrong() const;      ///< relative error above 1e-10
 };
 
 /// Evaluators of other modes are left out.
 std::vector<Result> measure(const Problem& problem, Mode mode, const std::vector<Evaluator>& all,
                             const Plan& plan);
-
-/// Nanoseconds an element, vectorised.
-struct MachineLimits {
-  double division = 0, root = 0, both = 0;
-};
-MachineLimits machine_limits(const std::filesystem::path& compiler, const Plan& plan);
 
 }  // namespace vcrit::speed

@@ -39,6 +39,8 @@ std::vector<std::string> all_methods() {
     for (const char* call :
          {"batch", "certified batch", "gradient batch", "scalar", "gradient scalar"})
       names.push_back(std::string("vcrit ") + grade + ", " + call);
+  for (const char* limit : {"division", "root", "both"})
+    names.push_back(std::string("machine, ") + limit);
   return names;
 }
 
@@ -64,6 +66,18 @@ std::vector<Evaluator> loops_by_hand(const Problem& problem,
   return all;
 }
 
+std::vector<Evaluator> machine_limits(const std::filesystem::path& compiler) {
+  const auto library =
+      std::make_shared<const Library>(compiler, Flags::by_hand(), peer_source("limits.cpp"));
+  std::vector<Evaluator> all;
+  for (const char* name : {"division", "root", "both"})
+    for (const Mode mode : both_modes) {
+      all.push_back(evaluator(std::string("machine, ") + name, mode, library, name));
+      all.back().family = Family::machine;
+    }
+  return all;
+}
+
 std::vector<Evaluator> evaluators(const Problem& problem, const std::filesystem::path& compiler,
                                   std::vector<Missing>& missing) {
   std::vector<Evaluator> all;
@@ -77,6 +91,7 @@ std::vector<Evaluator> evaluators(const Problem& problem, const std::filesystem:
   add("loops by hand", [&] { return loops_by_hand(problem, compiler); });
   add("SymPy", [&] { return sympy(problem, compiler); });
   add("GiNaC", [&] { return ginac(problem); });
+  add("machine", [&] { return machine_limits(compiler); });
   add("vcrit", [&] { return generated(problem, compiler); });
   return all;
 }

@@ -12,7 +12,8 @@
 
 namespace vcrit::speed {
 
-enum class Family { peer, own };
+/// machine: no evaluation, but what a division and a square root a value take.
+enum class Family { peer, own, machine };
 
 /// How one method evaluates one problem.
 struct Evaluator {
@@ -33,6 +34,7 @@ struct Missing {
 std::vector<std::string> all_methods();
 
 std::vector<Evaluator> loops_by_hand(const Problem& problem, const std::filesystem::path& compiler);
+std::vector<Evaluator> machine_limits(const std::filesystem::path& compiler);
 std::vector<Evaluator> sympy(const Problem& problem, const std::filesystem::path& compiler);
 std::vector<Evaluator> ginac(const Problem& problem);
 /// The calls of the generated library that its header has.

@@ -32,6 +32,7 @@ std::string error_text(double ulp) {
 std::string cell(const Result* result) {
   if (result == nullptr) return "-";
   if (result->wrong()) return "wrong";
+  if (result->family == Family::machine) return time_text(result->nanoseconds);
   return fmt::format("{}, {}", time_text(result->nanoseconds), error_text(result->error));
 }
 
@@ -121,10 +122,8 @@ std::string heading(const Comparison& all) {
                                 machine.cores, machine.system, all.compiler);
   for (const auto& [name, flags] : all_flags()) out += fmt::format("  {}: {}\n", name, flags);
   out += fmt::format(
-      "nanoseconds a value, worst error in ulp, over arrays of {}; the best of repeated runs\n"
-      "the machine's limits, vectorised: division {:.2f}, square root {:.2f}, one of each {:.2f} "
-      "ns\n",
-      all.plan.values, all.limits.division, all.limits.root, all.limits.both);
+      "nanoseconds a value, worst error in ulp, over arrays of {}; the best of repeated runs\n",
+      all.plan.values);
   return out;
 }
 
@@ -150,12 +149,10 @@ nlohmann::ordered_json as_json(const Comparison& all) {
   const validation::Machine machine = validation::this_machine();
   Json json{{"processor", machine.processor}, {"system", machine.system},
             {"compiler", all.compiler},       {"flags", Json::object()},
-            {"values", all.plan.values},      {"limits", Json::object()},
-            {"results", Json::array()},       {"missing", Json::array()}};
+            {"values", all.plan.values},      {"results", Json::array()},
+            {"missing", Json::array()}};
   for (const auto& [name, flags] : all_flags()) json["flags"][name] = flags;
   for (const auto& [name, version] : machine.versions) json["versions"][name] = version;
-  json["limits"] = {
-      {"division", all.limits.division}, {"root", all.limits.root}, {"both", all.limits.both}};
   for (const Result& each : all.results)
     json["results"].push_back({{"problem", each.problem},
                                {"mode", name_of(each.mode)},

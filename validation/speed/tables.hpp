@@ -12,7 +12,6 @@ namespace vcrit::speed {
 struct Comparison {
   std::string compiler;  ///< "g++ (Debian 12.2.0-14) 12.2.0"
   Plan plan;
-  MachineLimits limits;
   std::vector<std::string> problems;
   std::vector<Result> results;
   std::vector<Missing> missing;

@@ -1,4 +1,5 @@
-// What the machine needs for a division and a square root, vectorised. Compiled at run time.
+// What the machine needs for a division, a square root, and one of each, vectorised. Compiled at
+// run time.
 #include <cmath>
 #include <cstddef>
 
