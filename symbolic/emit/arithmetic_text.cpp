@@ -119,7 +119,7 @@ template <class T> Result finished(const Parameters& p, T above, T below, T fact
   const double last = !wide || v >= 0x1p-1022 ? u : v > 0 ? u + 0x1p-1074 / (2.0 * v - 0x1p-1074) : 1.0;
   const bool inside = in_range(p), known = (e < 0x1p-10) & (v < HUGE_VAL) & (!plain | inside);
   const bool safe = (h > 0x1p-900) & (h < 0x1p900) & (v >= 0x1p-1022) & (plain | inside);
-  return {{v, known ? (1.01 * e + last) * (1.0 + 0x1p-50) : HUGE_VAL}, {}, wide | safe};
+  return {{v, known ? (1.01 * e + last) * (1.0 + 0x1p-50) : HUGE_VAL}, {}, wide || safe};
 }
 )";
 
@@ -134,15 +134,19 @@ template <class T, Varying S>
   constexpr bool G = (std::is_same_v<std::decay_t<decltype(more)>, PartialColumns> || ...), B = sizeof...(more) != 0 && !G;
   using Lanes = std::array<double, 32>;
   Each<Lanes> in, partial;
+  Columns from;
   Lanes value, bound;
   each([](Lanes& to, double x) { to.fill(x); }, in, p);
   for (std::size_t i = 0; i < out.size(); i += value.size()) {
     const std::size_t n = std::min(value.size(), out.size() - i);
-    each([=](Lanes& to, const double* x) { if (x) std::copy_n(x + i, n, to.data()); }, in, c);
+    each([=](const double*& y, Lanes& rest, const double* x) {
+      if (x && n < rest.size()) std::copy_n(x + i, n, rest.data());
+      y = x && n == rest.size() ? x + i : rest.data();
+    }, from, in, c);
     std::size_t unsafe = 0;
     const auto at = [&](std::size_t l) {
       Parameters q;
-      each([l](double& x, bool varies, const Lanes& y, double z) { x = varies ? y[l] : z; }, q, S, in, p);
+      each([l](double& x, bool varies, const double* y, double z) { x = varies ? y[l] : z; }, q, S, from, p);
       return q;
     };
     const auto store = [&](std::size_t l, const Result& r) {

@@ -31,6 +31,7 @@ ROOMS = [
     "validation/benchmark",
     "validation/scaling",
     "validation/bounds",
+    "validation/speed",
     "validation/report",
     "app",
 ]
@@ -52,6 +53,8 @@ FORBIDDEN = {
     ("validation/report", "validation/scaling"),
     ("app", "validation/bounds"),
     ("validation/report", "validation/bounds"),
+    ("app", "validation/speed"),
+    ("validation/report", "validation/speed"),
 }
 
 # Computer algebra stays out of the numeric library and the program.

@@ -1,0 +1,151 @@
+// The generated library, each call of it that the header has.
+#include <fmt/format.h>
+
+#include "base/files.hpp"
+#include "derivation/derivation.hpp"
+#include "emit/generate.hpp"
+#include "emit/parameters.hpp"
+#include "speed/methods.hpp"
+
+namespace vcrit::speed {
+
+namespace {
+
+/// How a call is made: `sweep` and `varying` are statements about the columns x, in the words of
+/// the driver below; GRADE is the namespace of the grade.
+struct Call {
+  std::string name;
+  std::string sweep_needs, sweep, varying_needs, varying;  ///< needs: found in the header
+};
+
+const std::vector<Call>& calls() {
+  static const std::vector<Call> all{
+      {"batch", "", "GRADE::critical_velocity(first(x), omega(x, n), results);", "struct Columns",
+       "GRADE::critical_velocity({}, all_columns(x), results);"},
+      {"certified batch", "std::span<double> bound",
+       "GRADE::critical_velocity_certified(first(x), only_omega(x), results, bounds);",
+       "std::span<double> bound",
+       "GRADE::critical_velocity_certified({}, all_columns(x), results, bounds);"},
+      {"gradient batch", "struct PartialColumns",
+       "GRADE::critical_velocity_gradient(first(x), only_omega(x), results, partials(extra, n));",
+       "struct PartialColumns",
+       "GRADE::critical_velocity_gradient({}, all_columns(x), results, partials(extra, n));"},
+      {"scalar", "",
+       "auto p = first(x);\n"
+       "  for (std::size_t i = 0; i < n; ++i) {\n"
+       "    p.omega = x[1][i];\n"
+       "    out[i] = GRADE::critical_velocity(p);\n"
+       "  }",
+       "", "for (std::size_t i = 0; i < n; ++i) out[i] = GRADE::critical_velocity(sets[i]);"},
+      {"gradient scalar", "struct Gradient",
+       "auto p = first(x);\n"
+       "  for (std::size_t i = 0; i < n; ++i) {\n"
+       "    p.omega = x[1][i];\n"
+       "    gradients[i] = GRADE::critical_velocity_gradient(p);\n"
+       "    out[i] = gradients[i].value;\n"
+       "  }",
+       "struct Gradient",
+       "for (std::size_t i = 0; i < n; ++i) {\n"
+       "    gradients[i] = GRADE::critical_velocity_gradient(sets[i]);\n"
+       "    out[i] = gradients[i].value;\n"
+       "  }"}};
+  return all;
+}
+
+std::string replaced(std::string text, const std::string& what, const std::string& with) {
+  for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += with.size())
+    text.replace(at, what.size(), with);
+  return text;
+}
+
+std::string function_name(const std::string& grade, const Call& call, Mode mode) {
+  return replaced(grade + "_" + call.name, " ", "_") + (mode == Mode::sweep ? "_sweep" : "");
+}
+
+/// Assignments to the members of `p`, one a column; %: the column.
+std::string members(const Problem& problem, const std::string& value) {
+  const symbolic::ParameterList parameters(problem.scene, symbolic::derive(problem.scene));
+  std::string text;
+  for (std::size_t j = 0; j < problem.columns.size(); ++j) {
+    const std::string member = parameters.reference(problem.columns[j].symbol);
+    if (member == "1.0") continue;
+    text += fmt::format("  {} = {};\n", member, replaced(value, "%", std::to_string(j)));
+  }
+  return text;
+}
+
+std::string driver(const Problem& problem, const std::string& header) {
+  const auto has = [&](const std::string& text) { return header.find(text) != header.npos; };
+  std::string out = fmt::format(
+      "#include <span>\n#include <vector>\n#include \"problem.hpp\"\n"
+      "using Inputs = const double* const*;\n"
+      "static problem::Parameters at(Inputs x, std::size_t i) {{\n"
+      "  problem::Parameters p{{}};\n{}  return p;\n}}\n"
+      "static problem::Parameters first(Inputs x) {{ return at(x, 0); }}\n"
+      "static std::span<const double> omega(Inputs x, std::size_t n) {{ return {{x[1], n}}; }}\n"
+      "static std::vector<problem::Parameters> sets;\n",
+      members(problem, "x[%][i]"));
+  if (has("struct Columns"))
+    out += fmt::format(
+        "static problem::Columns all_columns(Inputs x) {{\n  problem::Columns p;\n{}  return p;\n"
+        "}}\n"
+        "static problem::Columns only_omega(Inputs x) {{\n  problem::Columns p;\n"
+        "  p.omega = x[1];\n  return p;\n}}\n",
+        members(problem, "x[%]"));
+  if (has("struct PartialColumns"))
+    out += fmt::format(
+        "static problem::PartialColumns partials(double* extra, std::size_t n) {{\n"
+        "  problem::PartialColumns p;\n{}  return p;\n}}\n",
+        members(problem, "extra + % * n"));
+  const bool scalar_gradient = has("struct Gradient");
+  if (scalar_gradient) out += "static std::vector<problem::Gradient> gradients;\n";
+  out += fmt::format(
+      "extern \"C\" void prepare(Inputs x, std::size_t n, double*, double*) {{\n"
+      "  sets.clear();\n  for (std::size_t i = 0; i < n; ++i) sets.push_back(at(x, i));\n{}}}\n",
+      scalar_gradient ? "  gradients.resize(n);\n" : "");
+  const auto add = [&](const std::string& grade, const Call& call, Mode mode) {
+    const bool sweep = mode == Mode::sweep;
+    if (!has(sweep ? call.sweep_needs : call.varying_needs)) return;
+    out += fmt::format(
+        "extern \"C\" void {}(Inputs x, std::size_t n, double* out, double* extra) {{\n"
+        "  [[maybe_unused]] const std::span<double> results(out, n), bounds(extra, n);\n"
+        "  {}\n}}\n",
+        function_name(grade, call, mode),
+        replaced(sweep ? call.sweep : call.varying, "GRADE",
+                 grade == "fast" ? "problem::fast" : "problem"));
+  };
+  for (const char* grade : {"accurate", "fast"})
+    for (const Call& call : calls())
+      for (const Mode mode : both_modes) add(grade, call, mode);
+  return out;
+}
+
+}  // namespace
+
+std::vector<Evaluator> generated(const Problem& problem, const std::filesystem::path& compiler) {
+  const validation::PrivateFolder folder;
+  const std::string header = symbolic::emit_header(problem.scene, "problem");
+  write_file(folder.path() / "problem.hpp", header);
+  write_file(folder.path() / "driver.cpp", driver(problem, header));
+  const auto library =
+      std::make_shared<const Library>(compiler, Flags::generated(), folder.path() / "driver.cpp");
+  const Function prepare = library->function("prepare");
+  std::vector<Evaluator> all;
+  const auto add = [&](const std::string& grade, const Call& call, Mode mode) {
+    const std::string& needs = mode == Mode::sweep ? call.sweep_needs : call.varying_needs;
+    if (header.find(needs) == header.npos) return;
+    Evaluator each = evaluator("vcrit " + grade + ", " + call.name, mode, library,
+                               function_name(grade, call, mode));
+    each.family = Family::own;
+    each.prepare = [prepare](const Samples& samples) {
+      prepare(samples.columns(), samples.size(), nullptr, nullptr);
+    };
+    all.push_back(std::move(each));
+  };
+  for (const char* grade : {"accurate", "fast"})
+    for (const Call& call : calls())
+      for (const Mode mode : both_modes) add(grade, call, mode);
+  return all;
+}
+
+}  // namespace vcrit::speed

@@ -1,0 +1,29 @@
+// Time and error of all evaluators of a problem, taken in turns.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "speed/methods.hpp"
+
+namespace vcrit::speed {
+
+struct Plan {
+  std::size_t values = 1024;  ///< in an array
+  double seconds = 2;         ///< for all methods on one problem in one mode
+};
+
+struct Result {
+  std::string problem, method;
+  Mode mode = Mode::sweep;
+  Family family = Family::peer;
+  double nanoseconds = 0;  ///< a value
+  double error = 0;        ///< the worst, in units of the last place; 0 for the machine's limits
+  bool wrong() const;      ///< relative error above 1e-10
+};
+
+/// Evaluators of other modes are left out.
+std::vector<Result> measure(const Problem& problem, Mode mode, const std::vector<Evaluator>& all,
+                            const Plan& plan);
+
+}  // namespace vcrit::speed

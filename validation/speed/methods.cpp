@@ -1,0 +1,99 @@
+#include "speed/methods.hpp"
+
+#include <exception>
+
+namespace vcrit::speed {
+
+namespace {
+
+std::vector<std::string> with_scene(std::vector<std::string> flags, const Problem& problem) {
+  flags.push_back("-DVCRIT_SCENE=" + problem.by_hand);
+  return flags;
+}
+
+}  // namespace
+
+Evaluator evaluator(const std::string& method, Mode mode, std::shared_ptr<const Library> library,
+                    const std::string& function) {
+  const Function call = library->function(function);
+  Evaluator result;
+  result.method = method;
+  result.mode = mode;
+  result.run = [library, call](const Samples& samples, double* out, double* extra) {
+    call(samples.columns(), samples.size(), out, extra);
+  };
+  return result;
+}
+
+std::vector<std::string> all_methods() {
+  std::vector<std::string> names{"std::complex",
+                                 "std::complex, fast-math",
+                                 "by hand, real parts",
+                                 "by hand, even and odd in w",
+                                 "by hand, squares in w^2",
+                                 "SymPy cse",
+                                 "SymPy cse, fast-math",
+                                 "GiNaC compile_ex",
+                                 "GiNaC compile_ex, -O3"};
+  for (const char* grade : {"accurate", "fast"})
+    for (const char* call :
+         {"batch", "certified batch", "gradient batch", "scalar", "gradient scalar"})
+      names.push_back(std::string("vcrit ") + grade + ", " + call);
+  for (const char* limit : {"division", "root", "both"})
+    names.push_back(std::string("machine, ") + limit);
+  return names;
+}
+
+std::vector<Evaluator> loops_by_hand(const Problem& problem,
+                                     const std::filesystem::path& compiler) {
+  const auto built = [&](const char* source, const std::vector<std::string>& flags) {
+    return std::make_shared<const Library>(compiler, with_scene(flags, problem),
+                                           peer_source(source));
+  };
+  const auto complex = built("complex_loop.cpp", Flags::scalar());
+  const auto unsafe = built("complex_loop.cpp", Flags::unsafe());
+  const auto real = built("real_loop.cpp", Flags::by_hand());
+  const auto polynomial = built("polynomial_loop.cpp", Flags::by_hand());
+  std::vector<Evaluator> all;
+  for (const Mode mode : both_modes) {
+    const std::string function = mode == Mode::sweep ? "sweep" : "varying";
+    all.push_back(evaluator("std::complex", mode, complex, function));
+    all.push_back(evaluator("std::complex, fast-math", mode, unsafe, function));
+    all.push_back(evaluator("by hand, real parts", mode, real, function));
+  }
+  all.push_back(evaluator("by hand, even and odd in w", Mode::sweep, polynomial, "even_and_odd"));
+  all.push_back(evaluator("by hand, squares in w^2", Mode::sweep, polynomial, "squares"));
+  return all;
+}
+
+std::vector<Evaluator> machine_limits(const std::filesystem::path& compiler) {
+  const auto library =
+      std::make_shared<const Library>(compiler, Flags::by_hand(), peer_source("limits.cpp"));
+  std::vector<Evaluator> all;
+  for (const char* name : {"division", "root", "both"})
+    for (const Mode mode : both_modes) {
+      all.push_back(evaluator(std::string("machine, ") + name, mode, library, name));
+      all.back().family = Family::machine;
+    }
+  return all;
+}
+
+std::vector<Evaluator> evaluators(const Problem& problem, const std::filesystem::path& compiler,
+                                  std::vector<Missing>& missing) {
+  std::vector<Evaluator> all;
+  const auto add = [&](const char* what, const auto& make) {
+    try {
+      for (Evaluator& each : make()) all.push_back(std::move(each));
+    } catch (const std::exception& error) {
+      missing.push_back({problem.name, what, error.what()});
+    }
+  };
+  add("loops by hand", [&] { return loops_by_hand(problem, compiler); });
+  add("SymPy", [&] { return sympy(problem, compiler); });
+  add("GiNaC", [&] { return ginac(problem); });
+  add("machine", [&] { return machine_limits(compiler); });
+  add("vcrit", [&] { return generated(problem, compiler); });
+  return all;
+}
+
+}  // namespace vcrit::speed

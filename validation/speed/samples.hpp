@@ -1,0 +1,40 @@
+// Random parameters of a problem, and v* there to the last digit.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "speed/problems.hpp"
+
+namespace vcrit::speed {
+
+/// sweep: omega varies, all else is fixed. varying: every parameter varies.
+enum class Mode { sweep, varying };
+inline constexpr Mode both_modes[] = {Mode::sweep, Mode::varying};
+
+/// Structure of arrays: one column a parameter, with `size` values in each of them. In a sweep only
+/// that of omega is read beyond its first value.
+class Samples {
+ public:
+  Samples(const Problem& problem, Mode mode, std::size_t size);
+
+  Mode mode() const { return mode_; }
+  std::size_t size() const { return columns_.front().size(); }
+  const double* const* columns() const { return pointers_.data(); }
+  double value(std::size_t column, std::size_t i) const {
+    return columns_[column][mode_ == Mode::sweep && column != omega_column ? 0 : i];
+  }
+
+ private:
+  Mode mode_;
+  std::vector<std::vector<double>> columns_;
+  std::vector<const double*> pointers_;
+};
+
+/// v* correctly rounded, of each set.
+std::vector<double> reference(const Problem& problem, const Samples& samples);
+
+/// The largest distance in units of the last place of the reference; infinite if one is no number.
+double worst_error(const std::vector<double>& values, const std::vector<double>& reference);
+
+}  // namespace vcrit::speed
