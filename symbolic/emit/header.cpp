@@ -97,22 +97,19 @@ std::string members(const ParameterList& parameters, const std::string& type,
   return out + statement(line + ";");
 }
 
-/// each(f, a, b, ...): f(a.k0, b.k0, ...) for every member.
+/// each(f, a, b, ...): f(a.k0, b.k0, ...) for every number, without a loop, which compilers would
+/// stop at.
 std::string each_function(const ParameterList& parameters) {
-  std::string out = "constexpr void each(auto f, auto&&... a) {\n", line;
-  std::vector<std::string> all;
-  for (const Member& member : parameters.members())
-    if (member.length == 0) line += fmt::format(" f(a.{}...);", member.name);
+  std::vector<std::string> calls, all;
   for (const Member& member : parameters.members()) {
     const std::vector<std::string> entries(static_cast<std::size_t>(member.length), "true");
     all.push_back(member.length == 0 ? "true" : fmt::format("{{{}}}", fmt::join(entries, ", ")));
+    if (member.length == 0) calls.push_back(fmt::format("f(a.{}...);", member.name));
+    for (int i = 0; i < member.length; ++i)
+      calls.push_back(fmt::format("f(a.{}[{}]...);", member.name, i));
   }
-  out += statement(line.substr(1));
-  for (const Member& member : parameters.members())
-    if (member.length > 0)
-      out += fmt::format("  for (std::size_t i = 0; i < {}; ++i) f(a.{}[i]...);\n", member.length,
-                         member.name);
-  return out + "}\n" +
+  return "constexpr void each(auto f, auto&&... a) {\n" +
+         statement(fmt::format("{}", fmt::join(calls, " "))) + "}\n" +
          statement(fmt::format("constexpr Varying all{{{}}};", fmt::join(all, ", "))).substr(2);
 }
 
@@ -158,7 +155,7 @@ std::string evaluate_function(const VelocityProgram& velocity, const GradientPro
   const CppDialect dialect(parameters);
   StraightLine code(gradient.program, dialect);
   const auto text = [&](NodeId id) { return code.operand(id).text; };
-  std::string out = "template <class T, bool G> Result evaluate(const Parameters& p) {\n";
+  std::string out = "template <class T, bool G> [[gnu::always_inline]] inline Result evaluate(const Parameters& p) {\n";
   out += declarations(code, {velocity.above, velocity.below, velocity.factor, velocity.roundings},
                       dialect);
   out +=
