@@ -19,9 +19,21 @@ struct Gradient { double value; Parameters partial; };     ///< d value/d parame
 )";
 
 const char* const each =
-    R"(using Columns = Each<const double*>;   ///< of a batch: the values of what varies; null: as in Parameters
+    R"(using Columns = Each<const double*>;   ///< the values of each parameter that varies; null: as in Parameters
 using PartialColumns = Each<double*>;  ///< null: not wanted
-using Varying = Each<bool>;            ///< known when compiled: whatever depends on the others only is computed once
+using Varying = Each<bool>;            ///< known when compiled: what depends on the others only is computed once
+)";
+
+const char* const inline_all =
+    R"(#ifdef __clang__
+#pragma clang attribute push(__attribute__((always_inline)), apply_to = function)
+#endif
+)";
+
+const char* const inline_no_more =
+    R"(#ifdef __clang__
+#pragma clang attribute pop
+#endif
 )";
 
 const char* const numbers =
@@ -32,11 +44,12 @@ const char* const numbers =
   static Twofold sum(double a, double b) { return {a + b, (a - ((a + b) - ((a + b) - a))) + (b - ((a + b) - a))}; }
   static Twofold product(double a, double b) { return {a * b, std::fma(a, b, -(a * b))}; }
   static Twofold with(Twofold s, double rest) { return quick(s.hi, s.lo + rest); }
+  static Twofold root(Twofold a, double q) { return with(q, (a + -product(q, q)).hi / (2.0 * q)); }  // q^2 near a
   friend Twofold operator-(Twofold a) { return {-a.hi, -a.lo}; }
   friend Twofold operator+(Twofold a, Twofold b) { return with(sum(a.hi, b.hi), a.lo + b.lo); }
   friend Twofold operator*(Twofold a, Twofold b) { return with(product(a.hi, b.hi), std::fma(a.lo, b.hi, a.hi * b.lo)); }
   friend Twofold operator/(Twofold a, Twofold b) { return with(a.hi / b.hi, (a + -(b * (a.hi / b.hi))).hi / b.hi); }
-  friend Twofold sqrt(Twofold a) { return with(std::sqrt(a.hi), (a + -product(std::sqrt(a.hi), std::sqrt(a.hi))).hi / (2 * std::sqrt(a.hi))); }
+  friend Twofold sqrt(Twofold a) { return root(a, std::sqrt(a.hi)); }
   explicit operator double() const { return hi; }
 };
 struct Wide : Twofold {  // times 2^e, for numbers out of range
@@ -45,15 +58,14 @@ struct Wide : Twofold {  // times 2^e, for numbers out of range
   Wide(Twofold a, long s = 0) : Twofold(a), e(a.hi == 0 || !std::isfinite(a.hi) ? -100000 : s + std::ilogb(a.hi)) {
     if (e != -100000) hi = std::scalbln(a.hi, s - e), lo = std::scalbln(a.lo, s - e);
   }
-  Twofold over(long s) const { return {std::scalbln(hi, e - s), std::scalbln(lo, e - s)}; }
+  Twofold times(long s) const { return {std::scalbln(hi, e + s), std::scalbln(lo, e + s)}; }
   friend Wide operator-(Wide a) { return {-Twofold(a), a.e}; }
-  friend Wide operator+(Wide a, Wide b) { return {a.over(std::max(a.e, b.e)) + b.over(std::max(a.e, b.e)), std::max(a.e, b.e)}; }
+  friend Wide operator+(Wide a, Wide b) { return a.e < b.e ? b + a : Wide(a.times(-a.e) + b.times(-a.e), a.e); }
   friend Wide operator*(Wide a, Wide b) { return {Twofold(a) * Twofold(b), a.e + b.e}; }
   friend Wide operator/(Wide a, Wide b) { return {Twofold(a) / Twofold(b), a.e - b.e}; }
-  friend Wide sqrt(Wide a) { return {sqrt(a.over(a.e & ~1L)), (a.e & ~1L) / 2}; }
+  friend Wide sqrt(Wide a) { return {sqrt(a.times(-(a.e & ~1L))), (a.e & ~1L) / 2}; }
   explicit operator double() const { return std::scalbln(hi, e); }
 };
-inline double head(double x) { return x; }
 inline double head(Twofold x) { return x.hi; }
 inline double size(auto x) { return std::fabs(head(x)); }
 inline Wide size(Wide x) { return x.hi < 0 ? -x : x; }
@@ -79,7 +91,7 @@ const char* const less_inertia =
   else if constexpr (std::is_same_v<T, Twofold>) return T::sum(k, -p.hi) + -T::sum(p.lo, q.hi) + -q.lo;
   const Wide a(k), b(m), c(w), bcc = b * c * c;
   if (std::labs(a.e - bcc.e) > 300) return T(a + -bcc);
-  return T(Wide(less_inertia<Twofold>(a.over(b.e + 2 * c.e).hi, b.hi, c.hi), b.e + 2 * c.e));
+  return T(Wide(less_inertia<Twofold>(a.times(-(b.e + 2 * c.e)).hi, b.hi, c.hi), b.e + 2 * c.e));
 }
 )";
 
@@ -111,7 +123,8 @@ const char* const result =
     R"(struct Result : Certified { Parameters partial; bool safe; operator Gradient() const { return {value, partial}; } };
 // v* = factor @ROOT@(above/below). Factors (1 + e_j)^(+-1) with sum |e_j| = e < 2^-10 change it by less than 1.01 e, the
 // last rounding by u, and another one by 2^-1075 where numbers are subnormal. safe: none has left the range of doubles.
-template <class T> Result finished(const Parameters& p, T above, T below, T factor, auto roundings) {
+template <class T>
+[[gnu::always_inline]] inline Result finished(const Parameters& p, T above, T below, T factor, auto roundings) {
   constexpr bool plain = std::is_same_v<T, double>, wide = std::is_same_v<T, Wide>;
   const double h = head(above) / head(below), e = double(roundings) * (plain ? 0x1p-53 : 0x1p-102);
   const double whole = double(@ROOT@(above / below) * factor), u = plain ? 0.0 : 0x1p-53;
@@ -123,15 +136,39 @@ template <class T> Result finished(const Parameters& p, T above, T below, T fact
 }
 )";
 
-const char* const batch =
+const char* const sweep =
     R"(template <class T, bool G = false> [[gnu::noinline]] Result result(const Parameters& p) {
   if (const Result r = evaluate<T, G>(p); r.safe) return r;
   return evaluate<Wide, G>(p);
 }
 // In blocks, whose loop is vectorised; what is not safe again, one by one.
+template <class T>
+[[gnu::flatten]] void sweep(const Parameters& p, std::span<const double> omega, std::span<double> out) {
+  std::array<double, 32> in, value;
+  in.fill(p.omega);
+  for (std::size_t i = 0, size = std::min(omega.size(), out.size()); i < size; i += in.size()) {
+    const std::size_t n = std::min(in.size(), size - i);
+    std::copy_n(omega.data() + i, n, in.data());
+    std::size_t unsafe = 0;
+    const auto at = [&](std::size_t l) { Parameters q = p; q.omega = in[l]; return q; };
+    const auto store = [&](std::size_t l, const Result& r) { value[l] = r.value, unsafe |= !r.safe; };
+    for (std::size_t l = 0; l < in.size(); ++l) store(l, evaluate<T, false>(at(l)));
+    for (std::size_t l = 0; unsafe != 0 && l < n; ++l) store(l, result<T>(at(l)));
+    std::copy_n(value.data(), n, out.data() + i);
+  }
+}
+)";
+
+const char* const batch =
+    R"(#ifdef __clang__  // not vectorised without optimisation, or with a square root that sets errno
+#pragma clang diagnostic push
+#pragma clang diagnostic ignored "-Wpass-failed"
+#endif
+// In blocks, whose loop is vectorised; what is not safe again, one by one.
 template <class T, Varying S>
 [[gnu::flatten]] void batch(const Parameters& p, const Columns& c, std::span<double> out, auto&&... more) {
-  constexpr bool G = (std::is_same_v<std::decay_t<decltype(more)>, PartialColumns> || ...), B = sizeof...(more) != 0 && !G;
+  constexpr bool G = (std::is_same_v<std::decay_t<decltype(more)>, PartialColumns> || ...);
+  constexpr bool B = sizeof...(more) != 0 && !G;
   using Lanes = std::array<double, 32>;
   Each<Lanes> in, partial;
   Columns from;
@@ -153,31 +190,47 @@ template <class T, Varying S>
       value[l] = r.value, bound[l] = r.relative_error_bound, unsafe |= !r.safe;
       if constexpr (G) each([l](Lanes& y, double x) { y[l] = x; }, partial, r.partial);
     };
+#ifdef __clang__
+#pragma clang loop vectorize(assume_safety)
+#endif
     for (std::size_t l = 0; l < value.size(); ++l) store(l, evaluate<T, G>(at(l)));
     for (std::size_t l = 0; unsafe != 0 && l < n; ++l) store(l, result<T, G>(at(l)));
     std::copy_n(value.data(), n, out.data() + i);
     if constexpr (B) std::copy_n(bound.data(), n, std::span<double>(more...).data() + i);
-    if constexpr (G) each([=](double* to, const Lanes& x) { if (to) std::copy_n(x.data(), n, to + i); }, more..., partial);
+    if constexpr (G)
+      each([=](double* to, const Lanes& x) { if (to) std::copy_n(x.data(), n, to + i); }, more..., partial);
   }
 }
+#ifdef __clang__
+#pragma clang diagnostic pop
+#endif
 )";
 
 const char* const calls_comment =
-    R"(// Batches: a value for each element of `out`, which may be one of the columns; `more` is a std::span<double> for the
-// bounds or PartialColumns. v* is infinite at resonance, 0 at antiresonance, NaN for 0/0.
+    R"(// Infinite at resonance, 0 at antiresonance, NaN for 0/0; `out` may be `omega` itself.
 )";
 
 const char* const calls =
     R"(inline double critical_velocity(const Parameters& p) noexcept { return detail::result<@T@>(p).value; }
 inline Certified critical_velocity_certified(const Parameters& p) noexcept { return detail::result<@T@>(p); }
 inline Gradient critical_velocity_gradient(const Parameters& p) noexcept { return detail::result<@T@, true>(p); }
-template <Varying S = detail::all>
+inline void critical_velocity(const Parameters& p, std::span<const double> omega, std::span<double> out) noexcept {
+  detail::sweep<@T@>(p, omega, out);
+}
+)";
+
+const char* const batch_comment =
+    R"(//   critical_velocity(p, columns, out)            one value for each element of `out`, which may be a column
+//   critical_velocity(p, columns, out, bounds)    and a std::span<double> of their relative error bounds
+//   critical_velocity(p, columns, out, partials)  and the partial derivatives, PartialColumns
+//   critical_velocity<Varying{.omega = true}>(p, columns, out)  for these columns only, and faster
+// Vectorised by -O3 -march=native -fno-math-errno.
+)";
+
+const char* const batch_calls =
+    R"(template <Varying S = detail::all>
 void critical_velocity(const Parameters& p, const Columns& c, std::span<double> out, auto&&... more) noexcept {
   detail::batch<@T@, S>(p, c, out, more...);
-}
-inline void critical_velocity(const Parameters& p, std::span<const double> omega, std::span<double> out) noexcept {
-  const std::size_t n = std::min(out.size(), omega.size());
-  detail::batch<@T@, Varying{.omega = true}>(p, {.omega = omega.data()}, out.first(n));
 }
 )";
 

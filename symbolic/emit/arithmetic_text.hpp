@@ -19,10 +19,16 @@ extern const char* const magnitude;
 extern const char* const unless_moderate;
 /// The error bound, and one result with what it falls back to.
 extern const char* const result;
-/// Batches in blocks.
+/// Batches over omega, and over any columns, in blocks.
+extern const char* const sweep;
 extern const char* const batch;
+/// Large programs need to be told, lest their loops stay scalar.
+extern const char* const inline_all;
+extern const char* const inline_no_more;
 extern const char* const calls_comment;
 /// The functions that users call; @T@ is the grade's type of number.
 extern const char* const calls;
+extern const char* const batch_comment;
+extern const char* const batch_calls;
 
 }  // namespace vcrit::symbolic::text

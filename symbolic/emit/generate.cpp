@@ -7,9 +7,11 @@ namespace vcrit::symbolic {
 void generate(const Scene& scene, const std::filesystem::path& directory, const std::string& name) {
   // All texts first, so that an error leaves nothing half written.
   const std::string header = emit_header(scene, name);
+  const std::string batch = emit_batch_header(scene, name);
   const std::string test = emit_test(scene, name);
   const std::string cmake = emit_cmake(name);
   write_file(directory / (name + ".hpp"), header);
+  write_file(directory / (name + "_batch.hpp"), batch);
   write_file(directory / ("test_" + name + ".cpp"), test);
   write_file(directory / "CMakeLists.txt", cmake);
 }

@@ -12,6 +12,9 @@ namespace vcrit::symbolic {
 /// ModelError for a drive that generated code does not know.
 std::string emit_header(const Scene& scene, const std::string& name);
 
+/// The header NAME_batch.hpp: batches over arrays of any parameters, with bounds or derivatives.
+std::string emit_batch_header(const Scene& scene, const std::string& name);
+
 /// The program test_NAME.cpp, which checks consequences of Eq. 24 on the generated functions, and
 /// their values where the scene has all numbers.
 std::string emit_test(const Scene& scene, const std::string& name);
@@ -19,8 +22,8 @@ std::string emit_test(const Scene& scene, const std::string& name);
 /// CMakeLists.txt, which builds and tests the library on its own.
 std::string emit_cmake(const std::string& name);
 
-/// Writes DIR/NAME.hpp, DIR/CMakeLists.txt and DIR/test_NAME.cpp, each beside its place and
-/// renamed.
+/// Writes DIR/NAME.hpp, DIR/NAME_batch.hpp, DIR/CMakeLists.txt and DIR/test_NAME.cpp, each beside
+/// its place and renamed.
 void generate(const Scene& scene, const std::filesystem::path& directory, const std::string& name);
 
 }  // namespace vcrit::symbolic

@@ -34,10 +34,12 @@ std::string banner(const Scene& scene, const Derivation& derivation, int operati
     out += comment("  " + to_text(line.left) + " = " + to_text(line.right));
   out += comment("  v* = " + to_text(derivation.critical_velocity) + "   " + derivation.equation +
                  (derivation.definitions.empty() ? "" : ", s = i omega"));
-  out += comment(
-      fmt::format("Formula {}; again: vcrit generate {} --out DIR --name {}. Cost: {} operations.",
-                  fingerprint(Model(scene)), file, name, operations));
-  out += comment("Vectorised by -O3 -march=native -fno-math-errno; no -ffast-math.");
+  out += comment(fmt::format("Formula {}; again: vcrit generate {} --out DIR --name {}",
+                             fingerprint(Model(scene)), file, name));
+  out += comment(fmt::format(
+      "Accuracy: one ulp wherever the bound is below 2^-52. {} operations; vectorised by "
+      "-O3 -march=native -fno-math-errno.",
+      operations));
   return out;
 }
 
@@ -73,7 +75,7 @@ std::string meanings(const ParameterList& parameters) {
   }
   std::vector<std::string> texts;
   for (const auto& [meaning, names] : groups) texts.push_back(meaning + " " + names);
-  return fmt::format("In SI units: {}.", fmt::join(texts, "; "));
+  return fmt::format("SI units: {}.", fmt::join(texts, "; "));
 }
 
 /// Neighbours of one type share a declaration.
@@ -108,21 +110,16 @@ std::string each_function(const ParameterList& parameters) {
     for (int i = 0; i < member.length; ++i)
       calls.push_back(fmt::format("f(a.{}[{}]...);", member.name, i));
   }
-  return "constexpr void each(auto f, auto&&... a) {\n" +
+  return "[[gnu::always_inline]] constexpr void each(auto f, auto&&... a) {\n" +
          statement(fmt::format("{}", fmt::join(calls, " "))) + "}\n" +
          statement(fmt::format("constexpr Varying all{{{}}};", fmt::join(all, ", "))).substr(2);
 }
 
-std::string structs(const ParameterList& parameters) {
-  const auto structure = [](const std::string& head, const std::string& members) {
-    const bool short_enough =
-        members.find('\n') + 1 == members.size() && head.size() + members.size() < width;
-    if (!short_enough) return head + " {\n" + members + "};\n";
-    return head + " {" + members.substr(1, members.size() - 2) + " };\n";
-  };
-  return comment(meanings(parameters)) +
-         structure("struct Parameters", members(parameters, "double", "")) + text::structs +
-         structure("template <class T> struct Each", members(parameters, "T", "{}")) + text::each;
+std::string structure(const std::string& head, const std::string& members) {
+  const bool is_short =
+      members.find('\n') + 1 == members.size() && head.size() + members.size() < width;
+  if (!is_short) return head + " {\n" + members + "};\n";
+  return head + " {" + members.substr(1, members.size() - 2) + " };\n";
 }
 
 std::string range_function(const VelocityProgram& velocity, const ParameterList& parameters) {
@@ -155,7 +152,9 @@ std::string evaluate_function(const VelocityProgram& velocity, const GradientPro
   const CppDialect dialect(parameters);
   StraightLine code(gradient.program, dialect);
   const auto text = [&](NodeId id) { return code.operand(id).text; };
-  std::string out = "template <class T, bool G> [[gnu::always_inline]] inline Result evaluate(const Parameters& p) {\n";
+  std::string out =
+      "template <class T, bool G> [[gnu::always_inline]] inline Result evaluate(const Parameters& "
+      "p) {\n";
   out += declarations(code, {velocity.above, velocity.below, velocity.factor, velocity.roundings},
                       dialect);
   out +=
@@ -205,6 +204,15 @@ std::string operations(const Program& program) {
   return out;
 }
 
+VelocityProgram program_of(const Scene& scene, const ParameterList& parameters) {
+  return velocity_program(scene, [&](Program& program, const Symbol& symbol) {
+    return parameters.contains(symbol) ? program.parameter(symbol) : program.constant(1);
+  });
+}
+
+// Beyond this compilers find functions too long to be copied into a loop.
+constexpr int short_program = 60;
+
 }  // namespace
 
 std::string emit_header(const Scene& scene, const std::string& name) {
@@ -212,30 +220,46 @@ std::string emit_header(const Scene& scene, const std::string& name) {
   const Derivation derivation = derive(scene);
   check_member_names(derivation.parameters, scene.file);
   const ParameterList parameters(scene, derivation);
-  const VelocityProgram velocity =
-      velocity_program(scene, [&](Program& program, const Symbol& symbol) {
-        return parameters.contains(symbol) ? program.parameter(symbol) : program.constant(1);
-      });
+  const VelocityProgram velocity = program_of(scene, parameters);
   const GradientProgram gradient = gradient_program(velocity);
-  const int operations_of_value =
+  const int count =
       gradient.program.operations(gradient.program.needed_for({gradient.ratio, velocity.factor}));
+  const bool is_long = count > short_program;
 
-  std::string out = banner(scene, derivation, operations_of_value + 2, name);
+  std::string out = banner(scene, derivation, count + 2, name);
   const std::string guard = guard_of(name);
   out += fmt::format("#ifndef {0}\n#define {0}\n", guard) + includes(gradient.program);
-  out += fmt::format("namespace {} {{\n", name) + structs(parameters);
-  out += "namespace detail {\n" + each_function(parameters);
-  out += text::numbers + operations(gradient.program);
-  out += range_function(velocity, parameters);
+  out += fmt::format("namespace {} {{\n", name) + comment(meanings(parameters)) +
+         structure("struct Parameters", members(parameters, "double", "")) + text::structs;
+  out += std::string("namespace detail {\n") + (is_long ? text::inline_all : "");
+  out += text::numbers + operations(gradient.program) + range_function(velocity, parameters);
   const std::string simple = velocity.rooted ? "std::sqrt(h)" : "h";
   out +=
       replaced(replaced(text::result, "@ROOT@", velocity.rooted ? "sqrt" : ""), "@SIMPLE@", simple);
-  out += evaluate_function(velocity, gradient, parameters) + text::batch;
-  out += std::string("}  // namespace detail\n\n") + text::calls_comment;
+  out += evaluate_function(velocity, gradient, parameters) + (is_long ? text::inline_no_more : "");
+  out += std::string(text::sweep) + "}  // namespace detail\n" + text::calls_comment;
   out += replaced(text::calls, "@T@", "detail::Twofold");
   out += "namespace fast {  // in plain double\n" + replaced(text::calls, "@T@", "double") +
          "}  // namespace fast\n";
   return out + fmt::format("}}  // namespace {}\n#endif  // {}\n", name, guard);
+}
+
+std::string emit_batch_header(const Scene& scene, const std::string& name) {
+  check_library_name(name);
+  const ParameterList parameters(scene, derive(scene));
+  const std::string guard = guard_of(name + "_batch");
+  return comment(
+             "Generated by vcrit, do not edit. SPDX-License-Identifier: MIT-0. Batches over any "
+             "parameters of " +
+             name + ".hpp:") +
+         text::batch_comment +
+         fmt::format("#ifndef {0}\n#define {0}\n#include \"{1}.hpp\"\n\nnamespace {1} {{\n", guard,
+                     name) +
+         structure("template <class T> struct Each", members(parameters, "T", "{}")) + text::each +
+         "namespace detail {\n" + each_function(parameters) + text::batch +
+         "}  // namespace detail\n\n" + replaced(text::batch_calls, "@T@", "detail::Twofold") +
+         "namespace fast {  // in plain double\n" + replaced(text::batch_calls, "@T@", "double") +
+         fmt::format("}}  // namespace fast\n}}  // namespace {}\n#endif  // {}\n", name, guard);
 }
 
 }  // namespace vcrit::symbolic

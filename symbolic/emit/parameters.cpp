@@ -27,7 +27,7 @@ std::map<Symbol, std::string> element_comments(const Scene& scene) {
 
 ParameterList::ParameterList(const Scene& scene, const Derivation& derivation) {
   const std::set<Symbol> always{{"mu0"}, {"omega"}, {"du_z"}};
-  add({"mu0"}, "coefficient of friction", scene);
+  add({"mu0"}, "friction coefficient", scene);
   add({"omega"}, "angular frequency", scene);
   add({"du_z"}, "amplitude", scene);
   std::map<Symbol, std::string> comments = element_comments(scene);

@@ -13,7 +13,6 @@ namespace {
 constexpr double cancellation = 110;
 // less_inertia subtracts exactly: 53 digits of each of three factors.
 constexpr double exact_cancellation = 160;
-constexpr int exponent_of_factors = 200;
 
 class Writer {
  public:
@@ -238,10 +237,10 @@ class Writer {
     const NodeId size = program_.size(symbol(s));
     if (program_[size].operation == Node::Operation::constant) {
       const double exponent = std::log2(program_[size].constant.to_double());
-      result_.fits = result_.fits && std::abs(exponent) < exponent_of_factors;
+      result_.fits = result_.fits && std::abs(exponent) < result_.exponent;
       return;
     }
-    result_.guards.push_back({size, exponent_of_factors});
+    result_.guards.push_back({size, result_.exponent});
   }
 
   const Scene& scene_;

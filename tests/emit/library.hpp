@@ -34,6 +34,7 @@ struct Call {
   std::size_t library = 0;
   Scene scene;
   double value = 0, bound = 0, fast_value = 0, fast_bound = 0;
+  std::vector<double> partials, fast_partials;  ///< in the order of the members of Parameters
 };
 
 /// The scene's values in the order of the members of Parameters; entries of arrays that the scene
@@ -89,12 +90,19 @@ class Libraries {
     const Outcome outcome = run({(folder_.path() / "driver").string()}, folder_.path(), file);
     if (outcome.status != 0) throw std::runtime_error("driver failed: " + outcome.output);
     std::istringstream lines(outcome.output);
-    for (Call& call : calls)
-      for (double* result : {&call.value, &call.bound, &call.fast_value, &call.fast_bound}) {
-        std::string word;
-        lines >> word;
-        *result = std::strtod(word.c_str(), nullptr);
+    const auto next = [&lines] {
+      std::string word;
+      lines >> word;
+      return std::strtod(word.c_str(), nullptr);
+    };
+    for (Call& call : calls) {
+      for (double* result : {&call.value, &call.bound, &call.fast_value, &call.fast_bound})
+        *result = next();
+      for (std::vector<double>* partials : {&call.partials, &call.fast_partials}) {
+        partials->resize(members(call.scene, scenes_[call.library]).size());
+        for (double& partial : *partials) partial = next();
       }
+    }
   }
 
  private:
@@ -105,8 +113,8 @@ class Libraries {
     for (std::size_t i = 0; i < scenes_.size(); ++i) out += "#include \"" + name(i) + ".hpp\"\n";
     out +=
         "#include <array>\n#include <cstdio>\n#include <cstdlib>\n#include <cstring>\n"
-        "template <class Parameters, class Accurate, class Fast>\n"
-        "void call(Accurate accurate, Fast fast) {\n"
+        "template <class Parameters, class Function, class Gradient>\n"
+        "void call(Function accurate, Function fast, Gradient gradient, Gradient fast_gradient) {\n"
         "  std::array<double, sizeof(Parameters) / sizeof(double)> x{};\n"
         "  char word[64];\n"
         "  for (double& each : x) {\n"
@@ -119,13 +127,19 @@ class Libraries {
         "  const auto f = fast(p);\n"
         "  std::printf(\"%a %a %a %a\\n\", a.value, a.relative_error_bound, f.value,\n"
         "              f.relative_error_bound);\n"
+        "  for (const Parameters& partials : {gradient(p).partial, fast_gradient(p).partial}) {\n"
+        "    std::memcpy(x.data(), &partials, sizeof partials);\n"
+        "    for (double each : x) std::printf(\"%a\\n\", each);\n"
+        "  }\n"
         "}\n"
         "int main() {\n  int scene = 0;\n  while (std::scanf(\"%d\", &scene) == 1) {\n";
     for (std::size_t i = 0; i < scenes_.size(); ++i)
       out += fmt::format(
           "    if (scene == {0})\n"
           "      call<{1}::Parameters>({1}::critical_velocity_certified,\n"
-          "                            {1}::fast::critical_velocity_certified);\n",
+          "                            {1}::fast::critical_velocity_certified,\n"
+          "                            {1}::critical_velocity_gradient,\n"
+          "                            {1}::fast::critical_velocity_gradient);\n",
           i, name(i));
     return out + "  }\n}\n";
   }
