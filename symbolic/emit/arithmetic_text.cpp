@@ -138,8 +138,8 @@ template <class T>
 
 const char* const sweep =
     R"(template <class T, bool G = false> [[gnu::noinline]] Result result(const Parameters& p) {
-  if (const Result r = evaluate<T, G>(p); r.safe) return r;
-  return evaluate<Wide, G>(p);
+  const Result r = evaluate<T, G>(p);
+  return r.safe ? r : result<Wide, G>(p);
 }
 // In blocks, whose loop is vectorised; what is not safe again, one by one.
 template <class T>
