@@ -131,7 +131,7 @@ template <class T>
   const double v = wide && !(h > 0 && h < HUGE_VAL) ? @SIMPLE@ * head(factor) : whole;
   const double last = !wide || v >= 0x1p-1022 ? u : v > 0 ? u + 0x1p-1074 / (2.0 * v - 0x1p-1074) : 1.0;
   const bool inside = in_range(p), known = (e < 0x1p-10) & (v < HUGE_VAL) & (!plain | inside);
-  const bool safe = (h > 0x1p-900) & (h < 0x1p900) & (v >= 0x1p-1022) & (plain | inside);
+  const bool safe = (h > 0x1p-900) & (h < 0x1p900) & (plain || ((v >= 0x1p-1022) & inside));
   return {{v, known ? (1.01 * e + last) * (1.0 + 0x1p-50) : HUGE_VAL}, {}, wide || safe};
 }
 )";
@@ -142,9 +142,9 @@ const char* const sweep =
   return r.safe ? r : result<Wide, G>(p);
 }
 // In blocks, whose loop is vectorised; what is not safe again, one by one.
-template <class T>
-[[gnu::flatten]] void sweep(const Parameters& p, std::span<const double> omega, std::span<double> out) {
-  std::array<double, 32> in, value;
+template <class T, Result function(const Parameters&) = evaluate<T, false>>
+[[gnu::flatten]] void sweep(const Parameters p, std::span<const double> omega, std::span<double> out) {
+  std::array<double, 128> in, value;
   in.fill(p.omega);
   for (std::size_t i = 0, size = std::min(omega.size(), out.size()); i < size; i += in.size()) {
     const std::size_t n = std::min(in.size(), size - i);
@@ -152,11 +152,27 @@ template <class T>
     std::size_t unsafe = 0;
     const auto at = [&](std::size_t l) { Parameters q = p; q.omega = in[l]; return q; };
     const auto store = [&](std::size_t l, const Result& r) { value[l] = r.value, unsafe |= !r.safe; };
-    for (std::size_t l = 0; l < in.size(); ++l) store(l, evaluate<T, false>(at(l)));
+    for (std::size_t l = 0; l < in.size(); ++l) store(l, function(at(l)));
     for (std::size_t l = 0; unsafe != 0 && l < n; ++l) store(l, result<T>(at(l)));
     std::copy_n(value.data(), n, out.data() + i);
   }
 }
+)";
+
+const char* const polynomials =
+    R"(// For sweeps: T and Q as polynomials in i omega. Their coefficients, computed once, are positive and the roots negative,
+// so that sums are at most 2^(n/2) times smaller than their terms, n <= 10; beyond what is checked the other way is taken.
+)";
+
+const char* const polynomials_end =
+    R"(  const bool moderate = (above > 0x1p-900) & (above < 0x1p900) & (below > 0x1p-900) & (below < 0x1p900);
+  return {{v, HUGE_VAL}, {}, moderate & (v >= 0x1p-1022) & (p.omega > 0x1p-24) & (p.omega < 0x1p24)};
+}
+)";
+
+const char* const polynomial_sweep =
+    R"(  if (detail::has_polynomials(p)) detail::sweep<double, detail::evaluate_polynomials>(p, omega, out);
+  else detail::sweep<double>(p, omega, out);
 )";
 
 const char* const batch =
@@ -166,7 +182,7 @@ const char* const batch =
 #endif
 // In blocks, whose loop is vectorised; what is not safe again, one by one.
 template <class T, Varying S>
-[[gnu::flatten]] void batch(const Parameters& p, const Columns& c, std::span<double> out, auto&&... more) {
+[[gnu::flatten]] void batch(const Parameters p, const Columns& c, std::span<double> out, auto&&... more) {
   constexpr bool G = (std::is_same_v<std::decay_t<decltype(more)>, PartialColumns> || ...);
   constexpr bool B = sizeof...(more) != 0 && !G;
   using Lanes = std::array<double, 32>;

@@ -22,6 +22,10 @@ extern const char* const result;
 /// Batches over omega, and over any columns, in blocks.
 extern const char* const sweep;
 extern const char* const batch;
+/// Sweeps in plain double with polynomials in i omega.
+extern const char* const polynomials;
+extern const char* const polynomials_end;
+extern const char* const polynomial_sweep;
 /// Large programs need to be told, lest their loops stay scalar.
 extern const char* const inline_all;
 extern const char* const inline_no_more;

@@ -187,8 +187,10 @@ int main() {{
     const Certified one = critical_velocity_certified(at);
     expect(out[i] == one.value && columns[i] == one.value, "batch equals scalar");
     expect(bounds[i] == one.relative_error_bound, "bound of the batch");
-    const double fast_one = fast::critical_velocity(at);
-    expect(fast_out[i] == fast_one && fast_columns[i] == fast_one, "fast batch equals scalar");
+    const Certified fast_one = fast::critical_velocity_certified(at);
+    expect(fast_columns[i] == fast_one.value, "fast batch equals scalar");
+    // A sweep may take polynomials in omega, with a few digits less.
+    expect(near(fast_out[i], fast_one.value, 100.0 * fast_one.relative_error_bound), "fast sweep");
   }}
   return failures == 0 ? 0 : 1;
 }}

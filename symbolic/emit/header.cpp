@@ -122,19 +122,17 @@ std::string structure(const std::string& head, const std::string& members) {
   return head + " {" + members.substr(1, members.size() - 2) + " };\n";
 }
 
-std::string range_function(const VelocityProgram& velocity, const ParameterList& parameters) {
+std::string range_function(const VelocityProgram& velocity, const ParameterList& parameters,
+                           const std::string& name) {
   const GuardDialect dialect(parameters);
   const StraightLine code(velocity.program, dialect);
-  std::map<int, std::vector<std::string>> checks;
+  std::vector<std::string> checked{fmt::format("0x1p{}", velocity.exponent)};
   for (const Guard& guard : velocity.guards)
-    checks[guard.exponent].push_back(
-        replaced(code.expression(guard.expression).text, "T(", "double("));
-  std::vector<std::string> texts;
-  for (const auto& [exponent, expressions] : checks)
-    texts.push_back(fmt::format("within(0x1p{}, {})", exponent, fmt::join(expressions, ", ")));
-  if (!velocity.fits) texts = {"false"};
-  return "inline bool in_range([[maybe_unused]] const Parameters& p) {\n" +
-         statement(fmt::format("return {};", fmt::join(texts, " && "))) + "}\n";
+    checked.push_back(replaced(code.expression(guard.expression).text, "T(", "double("));
+  const std::string test =
+      velocity.fits ? fmt::format("within({})", fmt::join(checked, ", ")) : "false";
+  return "inline bool " + name + "([[maybe_unused]] const Parameters& p) {\n" +
+         statement("return " + test + ";") + "}\n";
 }
 
 /// Declarations on as many lines as they take, neighbours of one type in one statement.
@@ -179,6 +177,21 @@ std::string evaluate_function(const VelocityProgram& velocity, const GradientPro
          "  }\n  return r;\n}\n";
 }
 
+/// v* in double for a sweep, where omega and the result are of ordinary size.
+std::string polynomial_functions(const VelocityProgram& sweep, const ParameterList& parameters) {
+  const CppDialect dialect(parameters);
+  StraightLine code(sweep.program, dialect);
+  std::string out = text::polynomials;
+  out += range_function(sweep, parameters, "has_polynomials");
+  out += "inline Result evaluate_polynomials(const Parameters& p) {\n  using T = double;\n";
+  out += declarations(code, {sweep.above, sweep.below, sweep.factor}, dialect);
+  out += statement(fmt::format("const T above = {}, below = {};", code.operand(sweep.above).text,
+                               code.operand(sweep.below).text));
+  out += statement(fmt::format("const T v = {}(above / below) * ({});",
+                               sweep.rooted ? "std::sqrt" : "", code.operand(sweep.factor).text));
+  return out + text::polynomials_end;
+}
+
 /// Not #pragma once, which compilers complain about when they are given the header itself.
 std::string guard_of(const std::string& name) { return "VCRIT_GENERATED_" + name + "_HPP"; }
 
@@ -204,10 +217,10 @@ std::string operations(const Program& program) {
   return out;
 }
 
-VelocityProgram program_of(const Scene& scene, const ParameterList& parameters) {
-  return velocity_program(scene, [&](Program& program, const Symbol& symbol) {
+SymbolValue symbol_value(const ParameterList& parameters) {
+  return [&parameters](Program& program, const Symbol& symbol) {
     return parameters.contains(symbol) ? program.parameter(symbol) : program.constant(1);
-  });
+  };
 }
 
 // Beyond this compilers find functions too long to be copied into a loop.
@@ -220,7 +233,7 @@ std::string emit_header(const Scene& scene, const std::string& name) {
   const Derivation derivation = derive(scene);
   check_member_names(derivation.parameters, scene.file);
   const ParameterList parameters(scene, derivation);
-  const VelocityProgram velocity = program_of(scene, parameters);
+  const VelocityProgram velocity = velocity_program(scene, symbol_value(parameters));
   const GradientProgram gradient = gradient_program(velocity);
   const int count =
       gradient.program.operations(gradient.program.needed_for({gradient.ratio, velocity.factor}));
@@ -232,15 +245,19 @@ std::string emit_header(const Scene& scene, const std::string& name) {
   out += fmt::format("namespace {} {{\n", name) + comment(meanings(parameters)) +
          structure("struct Parameters", members(parameters, "double", "")) + text::structs;
   out += std::string("namespace detail {\n") + (is_long ? text::inline_all : "");
-  out += text::numbers + operations(gradient.program) + range_function(velocity, parameters);
+  out += text::numbers + operations(gradient.program) + range_function(velocity, parameters, "in_range");
   const std::string simple = velocity.rooted ? "std::sqrt(h)" : "h";
   out +=
       replaced(replaced(text::result, "@ROOT@", velocity.rooted ? "sqrt" : ""), "@SIMPLE@", simple);
   out += evaluate_function(velocity, gradient, parameters) + (is_long ? text::inline_no_more : "");
+  const auto sweep = sweep_program(scene, symbol_value(parameters));
+  if (sweep) out += polynomial_functions(*sweep, parameters);
   out += std::string(text::sweep) + "}  // namespace detail\n" + text::calls_comment;
   out += replaced(text::calls, "@T@", "detail::Twofold");
-  out += "namespace fast {  // in plain double\n" + replaced(text::calls, "@T@", "double") +
-         "}  // namespace fast\n";
+  std::string fast = replaced(text::calls, "@T@", "double");
+  if (sweep)
+    fast = replaced(fast, "  detail::sweep<double>(p, omega, out);\n", text::polynomial_sweep);
+  out += "namespace fast {  // in plain double\n" + fast + "}  // namespace fast\n";
   return out + fmt::format("}}  // namespace {}\n#endif  // {}\n", name, guard);
 }
 

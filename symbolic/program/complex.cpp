@@ -33,12 +33,44 @@ NodeId sum(Program& program, std::vector<Product> terms, int& roundings) {
 
 Complex real(Program& program, NodeId re) { return {re, program.constant(0)}; }
 
+Complex polynomial(std::vector<NodeId> coefficients) { return {0, 0, std::move(coefficients)}; }
+
+Complex at(Program& program, const Complex& polynomial, NodeId omega) {
+  const std::vector<NodeId>& c = polynomial.coefficients;
+  const NodeId minus_square = program.negate(program.multiply(omega, omega));
+  const auto horner = [&](std::size_t lowest) {
+    NodeId sum = program.constant(0);
+    for (std::size_t i = c.size(); i-- > 0;)
+      if (i % 2 == lowest) sum = program.multiply_add(minus_square, sum, c[i]);
+    return sum;
+  };
+  return {horner(0), program.multiply(omega, horner(1))};
+}
+
 bool is_one(const Program& program, const Complex& z) {
+  if (!z.coefficients.empty())
+    return z.coefficients.size() == 1 && program.is_constant(z.coefficients[0], 1);
   return program.is_constant(z.re, 1) && is_zero(program, z.im);
+}
+
+static ComplexSum sum_of_polynomials(Program& program,
+                                     const std::vector<std::pair<Complex, Complex>>& products) {
+  std::vector<std::vector<Product>> terms;
+  for (const auto& [a, b] : products)
+    for (std::size_t i = 0; i < a.coefficients.size(); ++i)
+      for (std::size_t j = 0; j < b.coefficients.size(); ++j) {
+        terms.resize(std::max(terms.size(), i + j + 1));
+        terms[i + j].emplace_back(a.coefficients[i], b.coefficients[j]);
+      }
+  ComplexSum result;
+  for (std::vector<Product>& coefficient : terms)
+    result.value.coefficients.push_back(sum(program, std::move(coefficient), result.roundings));
+  return result;
 }
 
 ComplexSum sum_of_products(Program& program,
                            const std::vector<std::pair<Complex, Complex>>& products) {
+  if (!products.front().first.coefficients.empty()) return sum_of_polynomials(program, products);
   std::vector<Product> re, im;
   for (const auto& [a, b] : products) {
     re.emplace_back(a.re, b.re);

@@ -1,4 +1,5 @@
-// Complex numbers in a Program. A component that is the constant 0 costs nothing.
+// Complex numbers in a Program, at one omega or as polynomials in i omega. A component that is the
+// constant 0 costs nothing.
 #pragma once
 
 #include <utility>
@@ -10,6 +11,7 @@ namespace vcrit::symbolic {
 
 struct Complex {
   NodeId re = 0, im = 0;
+  std::vector<NodeId> coefficients = {};  ///< of 1, i omega, ...: then a polynomial, without re and im
 };
 
 /// A sum of products and, for an error bound, how it was rounded: each component errs by at most
@@ -20,6 +22,9 @@ struct ComplexSum {
 };
 
 Complex real(Program& program, NodeId re);
+Complex polynomial(std::vector<NodeId> coefficients);
+/// The value of a polynomial by Horner's rule in omega^2, even and odd powers apart.
+Complex at(Program& program, const Complex& polynomial, NodeId omega);
 bool is_one(const Program& program, const Complex& z);
 ComplexSum sum_of_products(Program& program,
                            const std::vector<std::pair<Complex, Complex>>& products);

@@ -36,7 +36,8 @@ class Trees {
 
   Pair between_terminals(std::vector<Edge> edges) {
     if (program_.nodes().size() > limit_) throw TooLong();
-    Pair outside{unity(), unity(), 0, 0, {}, {}};  // factors of both sums
+    const Complex unity = this->unity(edges);
+    Pair outside{unity, unity, 0, 0, {}, {}};  // factors of both sums
     reduce(edges, outside);
     const auto across =
         std::find_if(edges.begin(), edges.end(), [](const Edge& e) { return e.from + e.to == 1; });
@@ -73,7 +74,11 @@ class Trees {
     Range range;
   };
 
-  Complex unity() { return {program_.constant(1), program_.constant(0)}; }
+  Complex unity(const std::vector<Edge>& edges) {
+    const NodeId one = program_.constant(1);
+    if (!edges.front().pair.t.coefficients.empty()) return polynomial({one});
+    return {one, program_.constant(0)};
+  }
 
   // Both sums of spanning trees are the same multiple of two stiffnesses that add up: they lie in
   // one quadrant, |a| + |b| <= sqrt(2) |a + b|.
@@ -235,7 +240,8 @@ std::optional<Stiffness> by_spanning_trees(Program& program, const Graph& graph,
   try {
     const Pair pair = Trees(program, program.nodes().size() + most_nodes).between_terminals(edges);
     whole.t = pair.t;
-    whole.q = {program.nonzero(pair.q.re, pair.q.im), pair.q.im};
+    whole.q = pair.q;
+    if (pair.q.coefficients.empty()) whole.q.re = program.nonzero(pair.q.re, pair.q.im);
     whole.range = network_range(whole.elements, whole.count);
     whole.t_range = both(pair.t_range, whole.range + pair.q_range);
     whole.q_range = both(pair.q_range, whole.t_range - whole.range);

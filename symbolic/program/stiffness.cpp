@@ -72,7 +72,30 @@ Stiffness StiffnessWriter::fold(std::span<const Network> parts, Combine combine)
   return (this->*combine)(first, fold(parts.subspan(half), combine));
 }
 
+std::optional<Stiffness> StiffnessWriter::write_polynomials(const Network& network) {
+  polynomials_ = true;
+  const Stiffness k = write(network);
+  polynomials_ = false;
+  if (k.roundings) return std::nullopt;
+  return k;
+}
+
+Stiffness StiffnessWriter::polynomial_element(const Element& e) {
+  const NodeId zero = program_.constant(0), one = program_.constant(1), k = value_(e.coefficient);
+  guarded(program_.size(k));
+  Stiffness whole;
+  whole.q = polynomial({one});
+  whole.t = polynomial(e.kind == ElementKind::spring ? std::vector{k} : std::vector{zero, k});
+  if (e.kind != ElementKind::maxwell) return whole;
+  const NodeId tau = value_(e.time);
+  guarded(program_.size(tau));
+  whole.t = polynomial({zero, program_.multiply(k, tau)});
+  whole.q = polynomial({one, tau});
+  return whole;
+}
+
 Stiffness StiffnessWriter::element(const Element& e) {
+  if (polynomials_) return polynomial_element(e);
   const NodeId zero = program_.constant(0), one = program_.constant(1);
   const NodeId k = value_(e.coefficient);
   const Complex unity{one, zero};
@@ -120,7 +143,7 @@ Stiffness StiffnessWriter::normalised(const Stiffness& k) {
 }
 
 void StiffnessWriter::fit_products(Stiffness& a, Stiffness& b) {
-  while (extent(a) + extent(b) + 2 > largest_exponent) {
+  while (!polynomials_ && extent(a) + extent(b) + 2 > largest_exponent) {
     Stiffness& larger = extent(a) > extent(b) ? a : b;
     const double before = extent(larger);
     const Stiffness smaller = normalised(larger);
@@ -145,7 +168,7 @@ Stiffness StiffnessWriter::parallel(Stiffness a, Stiffness b) {
   whole.t_range = whole.range + whole.q_range;
   whole.path = std::max(a.path, b.path) + local;
   const auto one_component = [this](const Stiffness& x, const Stiffness& y) {
-    return program_.is_constant(x.t.re, 0) || program_.is_constant(y.t.re, 0);
+    return polynomials_ || program_.is_constant(x.t.re, 0) || program_.is_constant(y.t.re, 0);
   };
   whole.exact_re = a.exact_re && b.exact_re && one_component(a, b);
   whole.roundings = sum_of_roundings(a, b);
@@ -156,7 +179,8 @@ Stiffness StiffnessWriter::series(Stiffness a, Stiffness b) {
   fit_products(a, b);
   const ComplexSum t = sum_of_products(program_, {{a.t, b.t}});
   const ComplexSum q = sum_of_products(program_, {{a.t, b.q}, {b.t, a.q}});
-  const Complex divisor{program_.nonzero(q.value.re, q.value.im), q.value.im};
+  Complex divisor = q.value;
+  if (!polynomials_) divisor.re = program_.nonzero(divisor.re, divisor.im);
   Stiffness whole;
   whole.t = t.value;
   whole.q = divisor;
@@ -184,6 +208,11 @@ Stiffness StiffnessWriter::graph(const Graph& graph) {
                                   [](const Stiffness& part) { return part.roundings.has_value(); });
   if (known)
     if (const auto whole = by_spanning_trees(program_, graph, parts)) return *whole;
+  if (polynomials_) {  // none: any roundings at run time say so
+    Stiffness none;
+    none.roundings = program_.constant(0);
+    return none;
+  }
   return meshed(graph, parts);
 }
 

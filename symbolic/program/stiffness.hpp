@@ -59,6 +59,11 @@ class StiffnessWriter {
       : program_(program), omega_(omega), exponent_(exponent), value_(std::move(value)) {}
 
   Stiffness write(const Network& network);
+  /// With polynomials in i omega for T and Q, whose coefficients do not depend on omega. They are
+  /// positive and the roots are real and negative, so that the terms' absolute values add up to at
+  /// most 2^(n/2) times the polynomial's. Guards are of the parameters as they are; no ranges.
+  /// Nothing for a graph that needs too many spanning trees.
+  std::optional<Stiffness> write_polynomials(const Network& network);
   /// T and Q times a common power of two that brings the larger one near 1.
   Stiffness normalised(const Stiffness& k);
   /// The range of an expression that is checked or, a constant, known.
@@ -70,6 +75,7 @@ class StiffnessWriter {
   using Combine = Stiffness (StiffnessWriter::*)(Stiffness, Stiffness);
   Stiffness fold(std::span<const Network> parts, Combine combine);
   Stiffness element(const Element& element);
+  Stiffness polynomial_element(const Element& element);
   static void join_elements(Stiffness& whole, const Stiffness& a, const Stiffness& b);
   Stiffness parallel(Stiffness a, Stiffness b);
   Stiffness series(Stiffness a, Stiffness b);
@@ -83,6 +89,7 @@ class StiffnessWriter {
   int exponent_;
   std::function<NodeId(const Symbol&)> value_;
   std::vector<Guard> guards_;
+  bool polynomials_ = false;
 };
 
 }  // namespace vcrit::symbolic

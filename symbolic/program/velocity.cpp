@@ -13,13 +13,17 @@ namespace {
 constexpr double cancellation = 110;
 // less_inertia subtracts exactly: 53 digits of each of three factors.
 constexpr double exact_cancellation = 160;
+// Degree 10: 2^(10/2).
+constexpr std::size_t longest_polynomial = 11;
 
 class Writer {
  public:
-  Writer(const Scene& scene, const SymbolValue& value, int exponent, bool normalise)
+  enum class Form { plain, normalised, polynomials };
+
+  Writer(const Scene& scene, const SymbolValue& value, int exponent, Form form)
       : scene_(scene),
         value_(value),
-        normalise_(normalise),
+        form_(form),
         omega_(symbol({"omega"})),
         stiffness_(program_, omega_, exponent, [this](const Symbol& s) { return symbol(s); }) {
     result_.exponent = exponent;
@@ -73,8 +77,24 @@ class Writer {
   }
 
   Stiffness network(const Network& network) {
+    if (form_ == Form::polynomials) return polynomial_network(network);
     const Stiffness k = stiffness_.write(network);
-    return normalise_ && !is_one(program_, k.q) ? stiffness_.normalised(k) : k;
+    return form_ == Form::normalised && !is_one(program_, k.q) ? stiffness_.normalised(k) : k;
+  }
+
+  Stiffness polynomial_network(const Network& network) {
+    const auto k = stiffness_.write_polynomials(network);
+    if (!k) {
+      result_.fits = false;
+      return {};
+    }
+    const std::size_t terms = std::max(k->t.coefficients.size(), k->q.coefficients.size());
+    result_.fits = result_.fits && terms <= longest_polynomial;
+    Stiffness whole = *k;
+    whole.t = at(program_, k->t, omega_);
+    whole.q = at(program_, k->q, omega_);
+    whole.exact_re = is_one(program_, k->q) && program_[whole.t.re].kind == NodeKind::exact;
+    return whole;
   }
 
   /// K_t = ratio K_n: T and Q each times a number.
@@ -107,7 +127,8 @@ class Writer {
     const NodeId m = symbol(scene_.mass->symbol);
     const NodeId inertia_size = program_.multiply(
         program_.multiply(program_.size(m), program_.size(omega_)), program_.size(omega_));
-    const Range inertia = stiffness_.guarded(inertia_size);
+    const bool sweeps = form_ == Form::polynomials;
+    const Range inertia = stiffness_.guarded(sweeps ? program_.size(m) : inertia_size);
     Difference result;
     const Range larger{0, std::max(d.t_range.high, d.q_range.high + inertia.high) + 1};
     if (d.exact_re) {
@@ -221,7 +242,8 @@ class Writer {
                      std::any_of(below.begin(), below.end(), has_both);
     result_.above = product(above, above_ranges, result_.rooted);
     result_.below = product(below, below_ranges, result_.rooted);
-    for (const char* name : {"mu0", "omega", "du_z"}) guard_factor({name});
+    for (const char* name : {"mu0", "du_z"}) guard_factor({name});
+    if (form_ != Form::polynomials) guard_factor({"omega"});
     result_.factor =
         program_.multiply(program_.multiply(symbol({"mu0"}), omega_), symbol({"du_z"}));
     result_.guards.insert(result_.guards.end(), stiffness_.guards().begin(),
@@ -245,7 +267,7 @@ class Writer {
 
   const Scene& scene_;
   const SymbolValue& value_;
-  bool normalise_;
+  Form form_;
   Program program_;
   NodeId omega_;
   StiffnessWriter stiffness_;
@@ -267,14 +289,42 @@ void refuse_other_drives(const Scene& scene) {
 VelocityProgram velocity_program(const Scene& scene, const SymbolValue& value) {
   refuse_other_drives(scene);
   for (const int exponent : {200, 150, 100, 64, 40}) {
-    VelocityProgram program = Writer(scene, value, exponent, false).write();
+    VelocityProgram program = Writer(scene, value, exponent, Writer::Form::plain).write();
     if (program.fits) return program;
   }
   for (const int exponent : {100, 64, 48, 40, 32}) {
-    VelocityProgram program = Writer(scene, value, exponent, true).write();
+    VelocityProgram program = Writer(scene, value, exponent, Writer::Form::normalised).write();
     if (program.fits || exponent == 32) return program;
   }
   throw Bug("the last range is returned");
+}
+
+namespace {
+
+/// Operations that depend on omega.
+int operations_at_each_omega(const VelocityProgram& velocity) {
+  const Program& program = velocity.program;
+  std::set<NodeId> varying;
+  for (const NodeId id :
+       program.needed_for({velocity.above, velocity.below, velocity.factor})) {
+    const Node& node = program[id];
+    bool varies = node.operation == Node::Operation::parameter && node.parameter.name == "omega";
+    for (std::size_t i = 0; i < arity(node.operation); ++i)
+      varies = varies || varying.contains(node.arguments[i]);
+    if (varies) varying.insert(id);
+  }
+  return program.operations(varying);
+}
+
+}  // namespace
+
+std::optional<VelocityProgram> sweep_program(const Scene& scene, const SymbolValue& value) {
+  refuse_other_drives(scene);
+  VelocityProgram program = Writer(scene, value, 40, Writer::Form::polynomials).write();
+  if (!program.fits) return std::nullopt;
+  const int others = operations_at_each_omega(velocity_program(scene, value));
+  if (operations_at_each_omega(program) >= others) return std::nullopt;
+  return program;
 }
 
 }  // namespace vcrit::symbolic

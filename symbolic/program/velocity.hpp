@@ -29,6 +29,11 @@ struct VelocityProgram {
 /// A parameter or a constant for each symbol.
 using SymbolValue = std::function<NodeId(Program&, const Symbol&)>;
 
+/// The same for sweeps over omega: T and Q as polynomials whose coefficients the other parameters
+/// give once for all. Without error bound: it is used where it can be checked against the other's.
+/// Nothing where that is not less work, or where cancellation in a polynomial could reach 2^5.
+std::optional<VelocityProgram> sweep_program(const Scene& scene, const SymbolValue& value);
+
 /// Throws ModelError for a drive with masses of its own or a measured one.
 VelocityProgram velocity_program(const Scene& scene, const SymbolValue& value);
 
