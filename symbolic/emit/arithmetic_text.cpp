@@ -120,7 +120,7 @@ using std::sqrt;
 )";
 
 const char* const result =
-    R"(struct Result : Certified { Parameters partial; bool safe; operator Gradient() const { return {value, partial}; } };
+    R"(struct Result : Certified { bool safe; };
 // v* = factor @ROOT@(above/below). Factors (1 + e_j)^(+-1) with sum |e_j| = e < 2^-10 change it by less than 1.01 e, the
 // last rounding by u, and another one by 2^-1075 where numbers are subnormal. safe: none has left the range of doubles.
 template <class T>
@@ -132,17 +132,18 @@ template <class T>
   const double last = !wide || v >= 0x1p-1022 ? u : v > 0 ? u + 0x1p-1074 / (2.0 * v - 0x1p-1074) : 1.0;
   const bool inside = in_range(p), known = (e < 0x1p-10) & (v < HUGE_VAL) & (!plain | inside);
   const bool safe = (h > 0x1p-900) & (h < 0x1p900) & (plain || ((v >= 0x1p-1022) & inside));
-  return {{v, known ? (1.01 * e + last) * (1.0 + 0x1p-50) : HUGE_VAL}, {}, wide || safe};
+  return {{v, known ? (1.01 * e + last) * (1.0 + 0x1p-50) : HUGE_VAL}, wide || safe};
 }
 )";
 
 const char* const sweep =
-    R"(template <class T, bool G = false> [[gnu::noinline]] Result result(const Parameters& p) {
-  const Result r = evaluate<T, G>(p);
-  return r.safe ? r : result<Wide, G>(p);
+    R"(template <class T> [[gnu::noinline]] Result result(const Parameters& p, auto&... partial) {
+  const Result r = evaluate<T>(p, partial...);
+  return r.safe ? r : result<Wide>(p, partial...);
 }
+template <class T> Gradient gradient(const Parameters& p) { Gradient g{}; g.value = result<T>(p, g.partial).value; return g; }
 // In blocks, whose loop is vectorised; what is not safe again, one by one.
-template <class T, Result function(const Parameters&) = evaluate<T, false>>
+template <class T, Result function(const Parameters&) = evaluate<T>>
 [[gnu::flatten]] void sweep(const Parameters p, std::span<const double> omega, std::span<double> out) {
   std::array<double, 128> in, value;
   in.fill(p.omega);
@@ -166,7 +167,8 @@ const char* const polynomials =
 
 const char* const polynomials_end =
     R"(  const bool moderate = (above > 0x1p-900) & (above < 0x1p900) & (below > 0x1p-900) & (below < 0x1p900);
-  return {{v, HUGE_VAL}, {}, moderate & (v >= 0x1p-1022) & (p.omega > 0x1p-24) & (p.omega < 0x1p24)};
+  const bool safe = moderate & (p.omega > 0x1p-24) & (p.omega < 0x1p24);
+  return {{v, HUGE_VAL}, safe};
 }
 )";
 
@@ -202,15 +204,19 @@ template <class T, Varying S>
       each([l](double& x, bool varies, const double* y, double z) { x = varies ? y[l] : z; }, q, S, from, p);
       return q;
     };
-    const auto store = [&](std::size_t l, const Result& r) {
+    const auto store = [&](std::size_t l, const Result& r, auto&... d) {
       value[l] = r.value, bound[l] = r.relative_error_bound, unsafe |= !r.safe;
-      if constexpr (G) each([l](Lanes& y, double x) { y[l] = x; }, partial, r.partial);
+      if constexpr (G) each([l](Lanes& y, double x) { y[l] = x; }, partial, d...);
     };
 #ifdef __clang__
 #pragma clang loop vectorize(assume_safety)
 #endif
-    for (std::size_t l = 0; l < value.size(); ++l) store(l, evaluate<T, G>(at(l)));
-    for (std::size_t l = 0; unsafe != 0 && l < n; ++l) store(l, result<T, G>(at(l)));
+    for (std::size_t l = 0; l < value.size(); ++l)
+      if constexpr (G) { Parameters d; const Result r = evaluate<T>(at(l), d); store(l, r, d); }
+      else store(l, evaluate<T>(at(l)));
+    for (std::size_t l = 0; unsafe != 0 && l < n; ++l)
+      if constexpr (G) { Parameters d; const Result r = result<T>(at(l), d); store(l, r, d); }
+      else store(l, result<T>(at(l)));
     std::copy_n(value.data(), n, out.data() + i);
     if constexpr (B) std::copy_n(bound.data(), n, std::span<double>(more...).data() + i);
     if constexpr (G)
@@ -229,7 +235,7 @@ const char* const calls_comment =
 const char* const calls =
     R"(inline double critical_velocity(const Parameters& p) noexcept { return detail::result<@T@>(p).value; }
 inline Certified critical_velocity_certified(const Parameters& p) noexcept { return detail::result<@T@>(p); }
-inline Gradient critical_velocity_gradient(const Parameters& p) noexcept { return detail::result<@T@, true>(p); }
+inline Gradient critical_velocity_gradient(const Parameters& p) noexcept { return detail::gradient<@T@>(p); }
 inline void critical_velocity(const Parameters& p, std::span<const double> omega, std::span<double> out) noexcept {
   detail::sweep<@T@>(p, omega, out);
 }

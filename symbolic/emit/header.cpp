@@ -151,16 +151,16 @@ std::string evaluate_function(const VelocityProgram& velocity, const GradientPro
   StraightLine code(gradient.program, dialect);
   const auto text = [&](NodeId id) { return code.operand(id).text; };
   std::string out =
-      "template <class T, bool G> [[gnu::always_inline]] inline Result evaluate(const Parameters& "
-      "p) {\n";
+      "template <class T> [[gnu::always_inline]] inline Result evaluate(const Parameters& p, "
+      "auto&... partial) {\n";
   out += declarations(code, {velocity.above, velocity.below, velocity.factor, velocity.roundings},
                       dialect);
-  out +=
-      statement(fmt::format("Result r = finished<T>(p, {}, {}, {}, {});", text(velocity.above),
-                            text(velocity.below), text(velocity.factor), text(velocity.roundings)));
+  const std::string value =
+      fmt::format("return finished<T>(p, {}, {}, {}, {});", text(velocity.above),
+                  text(velocity.below), text(velocity.factor), text(velocity.roundings));
   std::vector<NodeId> results;
   for (const auto& [symbol, partial] : gradient.partials) results.push_back(partial);
-  out += "  if constexpr (G) {\n" + declarations(code, results, dialect);
+  out += "  if constexpr (sizeof...(partial) > 0) {\n" + declarations(code, results, dialect);
   std::vector<std::string> partials;
   for (const Member& member : parameters.members()) {
     std::vector<std::string> entries;
@@ -173,8 +173,8 @@ std::string evaluate_function(const VelocityProgram& velocity, const GradientPro
     const std::string list = fmt::format("{}", fmt::join(entries, ", "));
     partials.push_back(member.length == 0 ? list : "{" + list + "}");
   }
-  return out + statement(fmt::format("r.partial = {{{}}};", fmt::join(partials, ", "))) +
-         "  }\n  return r;\n}\n";
+  return out + statement(fmt::format("((partial = {{{}}}), ...);", fmt::join(partials, ", "))) +
+         "  }\n" + statement(value) + "}\n";
 }
 
 /// v* in double for a sweep, where omega and the result are of ordinary size.
@@ -245,7 +245,8 @@ std::string emit_header(const Scene& scene, const std::string& name) {
   out += fmt::format("namespace {} {{\n", name) + comment(meanings(parameters)) +
          structure("struct Parameters", members(parameters, "double", "")) + text::structs;
   out += std::string("namespace detail {\n") + (is_long ? text::inline_all : "");
-  out += text::numbers + operations(gradient.program) + range_function(velocity, parameters, "in_range");
+  out += text::numbers + operations(gradient.program) +
+         range_function(velocity, parameters, "in_range");
   const std::string simple = velocity.rooted ? "std::sqrt(h)" : "h";
   out +=
       replaced(replaced(text::result, "@ROOT@", velocity.rooted ? "sqrt" : ""), "@SIMPLE@", simple);

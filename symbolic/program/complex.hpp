@@ -11,7 +11,8 @@ namespace vcrit::symbolic {
 
 struct Complex {
   NodeId re = 0, im = 0;
-  std::vector<NodeId> coefficients = {};  ///< of 1, i omega, ...: then a polynomial, without re and im
+  std::vector<NodeId> coefficients =
+      {};  ///< of 1, i omega, ...: then a polynomial, without re and im
 };
 
 /// A sum of products and, for an error bound, how it was rounded: each component errs by at most

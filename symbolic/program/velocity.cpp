@@ -305,8 +305,7 @@ namespace {
 int operations_at_each_omega(const VelocityProgram& velocity) {
   const Program& program = velocity.program;
   std::set<NodeId> varying;
-  for (const NodeId id :
-       program.needed_for({velocity.above, velocity.below, velocity.factor})) {
+  for (const NodeId id : program.needed_for({velocity.above, velocity.below, velocity.factor})) {
     const Node& node = program[id];
     bool varies = node.operation == Node::Operation::parameter && node.parameter.name == "omega";
     for (std::size_t i = 0; i < arity(node.operation); ++i)

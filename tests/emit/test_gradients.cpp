@@ -57,9 +57,8 @@ class Exact {
 
   GiNaC::numeric partial(const Symbol& symbol) const {
     if (derivation_.definitions.empty()) {
-      const GiNaC::ex derivative =
-          derivation_.critical_velocity.diff(GiNaC::ex_to<GiNaC::symbol>(
-              symbol.name == "nu" ? symbolic::poisson_ratio(symbol) : symbolic::symbol(symbol)));
+      const GiNaC::ex derivative = derivation_.critical_velocity.diff(GiNaC::ex_to<GiNaC::symbol>(
+          symbol.name == "nu" ? symbolic::poisson_ratio(symbol) : symbolic::symbol(symbol)));
       return symbolic::value_at(derivative, {}, values_);
     }
     const GiNaC::numeric step =
