@@ -315,7 +315,8 @@ BOOST_AUTO_TEST_CASE(same_bytes_in_every_run) {
 BOOST_AUTO_TEST_CASE(names_are_refused_by_the_language_that_takes_them) {
   const auto refused = [](const char* element, const char* name, Language language) {
     try {
-      const std::string contact = std::string("normal = \"") + element + "\"\ntangential = \"kt\"";
+      const std::string contact =
+          std::string("normal = \"spring(") + element + ")\"\ntangential = \"kt\"";
       symbolic::emit(scene_of(contact), name, language);
       return false;
     } catch (const InputError&) {

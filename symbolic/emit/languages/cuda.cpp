@@ -73,8 +73,9 @@ std::string cuda_text(const Evaluator& evaluator, const std::string& name) {
       "omega.");
   out += grade("detail::Twofold") + "namespace fast {  // in plain double\n" + grade("double") +
          "}  // namespace fast\n" + fmt::format("}}  // namespace {}\n", name);
-  out += fmt::format("#undef @CALL\n#endif  // {}\n", guard);
-  return replaced(out, "@CALL", "VCRIT_CALL_" + name);
+  out += fmt::format("#undef @CALL\n#undef @COLD\n#endif  // {}\n", guard);
+  out = replaced(out, "@CALL", "VCRIT_CALL_" + name);
+  return replaced(out, "@COLD", "VCRIT_COLD_" + name);
 }
 
 }  // namespace vcrit::symbolic

@@ -14,6 +14,11 @@ const char* const includes =
 #else  // the functions of the host alone
 #define @CALL inline
 #endif
+#ifdef __CUDA_ARCH__  // rare
+#define @COLD __host__ __device__ __noinline__ inline
+#else
+#define @COLD @CALL
+#endif
 )";
 
 const char* const structs =
@@ -50,20 +55,20 @@ struct Wide {  // times 2^e, for numbers out of range
   Twofold t;
   long e;
   @CALL Wide(double x) : Wide(Twofold(x)) {}
-  @CALL Wide(Twofold a, long s = 0) : t(a), e(a.hi == 0 || a.hi - a.hi != 0 ? -100000 : s + ::ilogb(a.hi)) {
+  @COLD Wide(Twofold a, long s = 0) : t(a), e(a.hi == 0 || a.hi - a.hi != 0 ? -100000 : s + ::ilogb(a.hi)) {
     if (e != -100000) t = Twofold(::scalbln(a.hi, s - e), ::scalbln(a.lo, s - e));
   }
-  @CALL Twofold over(long s) const { return {::scalbln(t.hi, e - s), ::scalbln(t.lo, e - s)}; }
+  @COLD Twofold over(long s) const { return {::scalbln(t.hi, e - s), ::scalbln(t.lo, e - s)}; }
   @CALL explicit operator double() const { return ::scalbln(t.hi, e); }
 };
-@CALL Wide operator-(Wide a) { return {-a.t, a.e}; }
-@CALL Wide operator+(Wide a, Wide b) {
+@COLD Wide operator-(Wide a) { return {-a.t, a.e}; }
+@COLD Wide operator+(Wide a, Wide b) {
   const long e = a.e > b.e ? a.e : b.e;
   return {a.over(e) + b.over(e), e};
 }
-@CALL Wide operator*(Wide a, Wide b) { return {a.t * b.t, a.e + b.e}; }
-@CALL Wide operator/(Wide a, Wide b) { return {a.t / b.t, a.e - b.e}; }
-@CALL Wide sqrt(Wide a) { return {sqrt(a.over(a.e & ~1L)), (a.e & ~1L) / 2}; }
+@COLD Wide operator*(Wide a, Wide b) { return {a.t * b.t, a.e + b.e}; }
+@COLD Wide operator/(Wide a, Wide b) { return {a.t / b.t, a.e - b.e}; }
+@COLD Wide sqrt(Wide a) { return {sqrt(a.over(a.e & ~1L)), (a.e & ~1L) / 2}; }
 @CALL double sqrt(double x) { return ::sqrt(x); }
 @CALL double head(double x) { return x; }
 @CALL double head(Twofold x) { return x.hi; }
