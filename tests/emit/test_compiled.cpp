@@ -6,8 +6,8 @@
 
 #include "derivation/scenes.hpp"
 #include "emit/draw.hpp"
+#include "emit/extreme_cases.hpp"
 #include "emit/library.hpp"
-#include "support/reference_scene.hpp"
 
 using namespace vcrit;
 using test::Call;
@@ -110,37 +110,22 @@ BOOST_AUTO_TEST_CASE(values_and_bounds_hold) {
 
 // The hard cases from outside: whatever has a bound keeps it.
 BOOST_AUTO_TEST_CASE(bounds_hold_for_every_size_of_value) {
-  std::vector<test::ReferenceRow> rows = test::extreme_rows();
-  std::vector<Scene> shapes;
+  const test::ExtremeCases cases = test::extreme_cases(100);
   std::vector<Call> all;
-  std::vector<double> expected;
-  for (test::ReferenceRow& row : rows) {
-    if (!row.scene) continue;
-    Scene shape = *row.scene;
-    const auto same = std::find_if(shapes.begin(), shapes.end(), [&](const Scene& s) {
-      return s.normal == shape.normal &&
-             std::get<Network>(s.tangential) == std::get<Network>(shape.tangential) &&
-             s.drive == shape.drive && s.mass.has_value() == shape.mass.has_value();
-    });
+  for (const test::ExtremeCase& row : cases.rows) {
     Call call;
-    call.library = static_cast<std::size_t>(same - shapes.begin());
-    call.scene = shape;
-    if (same == shapes.end()) shapes.push_back(shape);
+    call.library = row.shape;
+    call.scene = row.scene;
     all.push_back(call);
-    expected.push_back(row.velocity);
   }
-  const test::Libraries libraries(shapes);
+  const test::Libraries libraries(cases.shapes);
   BOOST_REQUIRE_EQUAL(libraries.compile(test::compilers(libraries.folder()).front(), {"-O0"}), "");
   libraries.evaluate(all);
   int certified = 0, fast_certified = 0;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    const auto holds = [&](double value, double bound) {
-      // The file's value is the nearest double: off by 2^-53 itself.
-      return !std::isfinite(bound) ||
-             std::abs(value - expected[i]) <= (bound + 0x1p-52) * std::abs(expected[i]);
-    };
-    BOOST_TEST(holds(all[i].value, all[i].bound), all[i].scene.file);
-    BOOST_TEST(holds(all[i].fast_value, all[i].fast_bound), all[i].scene.file);
+    const double expected = cases.rows[i].expected;
+    BOOST_TEST(test::holds(all[i].value, all[i].bound, expected), all[i].scene.file);
+    BOOST_TEST(test::holds(all[i].fast_value, all[i].fast_bound, expected), all[i].scene.file);
     certified += std::isfinite(all[i].bound) ? 1 : 0;
     fast_certified += std::isfinite(all[i].fast_bound) ? 1 : 0;
   }

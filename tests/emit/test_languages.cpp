@@ -8,6 +8,7 @@
 #include "base/errors.hpp"
 #include "derivation/scenes.hpp"
 #include "emit/draw.hpp"
+#include "emit/extreme_cases.hpp"
 #include "emit/language_drivers.hpp"
 #include "emit/languages/languages.hpp"
 #include "emit/library.hpp"
@@ -271,6 +272,32 @@ BOOST_AUTO_TEST_CASE(values_and_bounds_hold) {
                        1e-6 * scale);
         }
     }
+  });
+}
+
+BOOST_AUTO_TEST_CASE(bounds_hold_for_every_size_of_value) {
+  const test::ExtremeCases cases = test::extreme_cases(6);  // compiled in a few seconds
+  std::vector<Call> all;
+  for (const test::ExtremeCase& row : cases.rows) {
+    Call call;
+    call.library = row.shape;
+    call.scene = row.scene;
+    all.push_back(std::move(call));
+  }
+  const Files files(cases.shapes);
+  files.with_each_tool([&](const Tool& tool) {
+    files.evaluate(tool, all);
+    std::size_t certified = 0;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const double expected = cases.rows[i].expected;
+      BOOST_TEST(test::holds(all[i].value(), all[i].bound(), expected), all[i].scene.file);
+      BOOST_TEST(test::holds(all[i].fast_value(), all[i].fast_bound(), expected),
+                 all[i].scene.file);
+      certified += std::isfinite(all[i].bound()) ? 1 : 0;
+    }
+    BOOST_TEST_MESSAGE(tool.label << ": " << certified << " of " << all.size());
+    // Those in range alone, where numbers have no exponents of their own.
+    BOOST_TEST(certified > (tool.wide ? 50 : 10));
   });
 }
 
