@@ -11,9 +11,11 @@ namespace vcrit::symbolic {
 namespace {
 
 const char* const accuracy =
-    "Accuracy: critical_velocity has half an ulp but for what the bound of "
-    "critical_velocity_certified says, the "
-    "fast grade is plain double; a bound is infinite where nothing is known.";
+    "Accuracy: critical_velocity errs by little more than half an ulp unless v* is badly "
+    "conditioned, "
+    "critical_velocity_certified says by how much at most. The fast grade is in plain double. A "
+    "bound is infinite "
+    "where nothing is known.";
 const char* const unlimited =
     "As in C++, what leaves the guarded range of doubles is computed again with numbers of a wider "
     "exponent range.";
