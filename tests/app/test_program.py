@@ -131,6 +131,14 @@ class Commands(unittest.TestCase):
             self.assertIn("namespace kelvin_contact", header)
             self.assertTrue(Path(folder, "lib", "CMakeLists.txt").exists())
 
+    def test_generate_writes_one_file_in_other_languages(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for language, file in [("c99", "k.h"), ("python", "k.py"), ("javascript", "k.mjs"), ("cuda", "k.cuh")]:
+                out = Path(folder, language)
+                result = run("generate", KELVIN, "--out", out, "--name", "k", "--language", language)
+                self.assertEqual((result.returncode, result.stdout), (0, f"{out}/{file}\n"), result.stderr)
+                self.assertEqual([path.name for path in out.iterdir()], [file])
+
     # The order of GiNaC's terms changes from process to process.
     def test_the_catalogue_is_the_same_page_in_every_run(self):
         pages = [run("derive", "--catalogue") for _ in range(4)]
@@ -250,6 +258,15 @@ class Mistakes(unittest.TestCase):
                 with self.subTest(name=name):
                     self.refused("generate", str(PROJECT / KELVIN), "--out", "out", "--name", name, folder=folder)
                     self.assertEqual(list(Path(folder).iterdir()), [])
+
+    def test_a_name_that_only_python_refuses(self):
+        with tempfile.TemporaryDirectory() as folder:
+            scene = Path(folder, "scene.toml")
+            scene.write_text('[contact]\nnormal = "spring(None)"\ntangential = "kt"\n')
+            to = ["generate", str(scene), "--out", str(Path(folder, "out")), "--name", "good", "--language"]
+            self.assertIn("None", self.refused(*to, "python"))
+            self.assertFalse(Path(folder, "out").exists())
+            self.assertEqual(run(*to, "c99").returncode, 0)
 
     def test_wrong_usage_ends_with_2(self):
         for arguments in [[], ["nothing"], ["eval"], ["eval", KELVIN, "--wrong"], ["simulate", KELVIN],

@@ -3,11 +3,11 @@
 #include <boost/test/unit_test.hpp>
 
 #include <limits>
-#include <random>
 
 #include "derivation/scenes.hpp"
+#include "emit/draw.hpp"
+#include "emit/extreme_cases.hpp"
 #include "emit/library.hpp"
-#include "support/reference_scene.hpp"
 
 using namespace vcrit;
 using test::Call;
@@ -42,46 +42,8 @@ std::vector<Scene> scenes() {
   };
 }
 
-class Draw {
- public:
-  /// A copy of the scene with random values for everything that has none; some at resonance but for
-  /// a relative 1e-1 to 1e-13, some far from all doubles of ordinary size.
-  Scene values_for(Scene scene, int kind) {
-    const double decades = kind == 0 ? 2 : kind == 1 ? 12 : 4;
-    const auto give = [&](std::optional<double>& value, double d) {
-      if (!value) value = std::pow(10, std::uniform_real_distribution(-d, d)(random_));
-    };
-    for (auto& [symbol, value] : scene.elements) give(value, decades);
-    give(scene.coefficient.value, 1);
-    give(scene.angular_frequency.value, decades / 2);
-    give(scene.amplitude.value, decades);
-    scene.indentation.value = 1.0;
-    if (auto* isotropic = std::get_if<Isotropic>(&scene.tangential))
-      if (!isotropic->quantity.value)
-        isotropic->quantity.value = std::uniform_real_distribution(0.0, 0.5)(random_);
-    if (scene.mass) give(scene.mass->value, decades);
-    if (scene.mass && kind == 2) near_resonance(scene);
-    return scene;
-  }
-
- private:
-  void near_resonance(Scene& scene) {
-    const Values values = values_of(scene);
-    const test::Real omega(*scene.angular_frequency.value);
-    test::Real stiffness = test::Nodal(values, omega).stiffness(*scene.drive).real();
-    const auto* tangential = std::get_if<Network>(&scene.tangential);
-    if (tangential != nullptr && std::bernoulli_distribution(0.5)(random_))
-      stiffness += test::Nodal(values, omega).stiffness(*tangential).real();
-    if (stiffness <= 0) return;
-    const double off = std::pow(10, std::uniform_real_distribution(-13.0, -1.0)(random_));
-    scene.mass->value = static_cast<double>(stiffness / (omega * omega)) * (1 + off);
-  }
-
-  std::mt19937 random_{seed};
-};
-
 std::vector<Call> calls(const test::Libraries& libraries) {
-  Draw draw;
+  test::Draw draw(seed);
   std::vector<Call> result;
   for (std::size_t i = 0; i < libraries.size(); ++i)
     for (int n = 0; n < 30; ++n) {
@@ -91,11 +53,6 @@ std::vector<Call> calls(const test::Libraries& libraries) {
       result.push_back(std::move(call));
     }
   return result;
-}
-
-/// |value/exact - 1|, rounded to a double.
-double relative_error(double value, const test::Real& exact) {
-  return static_cast<double>(test::Real(abs(test::Real(value) / exact - 1)));
 }
 
 }  // namespace
@@ -138,8 +95,8 @@ BOOST_AUTO_TEST_CASE(values_and_bounds_hold) {
       BOOST_TEST_CONTEXT(compiler << ", scene " << call.library << ", call " << i) {
         // The bounds are the claim under test; they are finite for all of these ordinary values.
         BOOST_TEST(std::isfinite(call.bound));
-        BOOST_TEST(relative_error(call.value, exact[i]) <= call.bound);
-        BOOST_TEST(relative_error(call.fast_value, exact[i]) <= call.fast_bound);
+        BOOST_TEST(test::relative_error(call.value, exact[i]) <= call.bound);
+        BOOST_TEST(test::relative_error(call.fast_value, exact[i]) <= call.fast_bound);
       }
       certified += call.bound <= 0x1.001p-53 ? 1 : 0;
       fast_certified += call.fast_bound < 1e-13 ? 1 : 0;
@@ -153,37 +110,22 @@ BOOST_AUTO_TEST_CASE(values_and_bounds_hold) {
 
 // The hard cases from outside: whatever has a bound keeps it.
 BOOST_AUTO_TEST_CASE(bounds_hold_for_every_size_of_value) {
-  std::vector<test::ReferenceRow> rows = test::extreme_rows();
-  std::vector<Scene> shapes;
+  const test::ExtremeCases cases = test::extreme_cases(100);
   std::vector<Call> all;
-  std::vector<double> expected;
-  for (test::ReferenceRow& row : rows) {
-    if (!row.scene) continue;
-    Scene shape = *row.scene;
-    const auto same = std::find_if(shapes.begin(), shapes.end(), [&](const Scene& s) {
-      return s.normal == shape.normal &&
-             std::get<Network>(s.tangential) == std::get<Network>(shape.tangential) &&
-             s.drive == shape.drive && s.mass.has_value() == shape.mass.has_value();
-    });
+  for (const test::ExtremeCase& row : cases.rows) {
     Call call;
-    call.library = static_cast<std::size_t>(same - shapes.begin());
-    call.scene = shape;
-    if (same == shapes.end()) shapes.push_back(shape);
+    call.library = row.shape;
+    call.scene = row.scene;
     all.push_back(call);
-    expected.push_back(row.velocity);
   }
-  const test::Libraries libraries(shapes);
+  const test::Libraries libraries(cases.shapes);
   BOOST_REQUIRE_EQUAL(libraries.compile(test::compilers(libraries.folder()).front(), {"-O0"}), "");
   libraries.evaluate(all);
   int certified = 0, fast_certified = 0;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    const auto holds = [&](double value, double bound) {
-      // The file's value is the nearest double: off by 2^-53 itself.
-      return !std::isfinite(bound) ||
-             std::abs(value - expected[i]) <= (bound + 0x1p-52) * std::abs(expected[i]);
-    };
-    BOOST_TEST(holds(all[i].value, all[i].bound), all[i].scene.file);
-    BOOST_TEST(holds(all[i].fast_value, all[i].fast_bound), all[i].scene.file);
+    const double expected = cases.rows[i].expected;
+    BOOST_TEST(test::holds(all[i].value, all[i].bound, expected), all[i].scene.file);
+    BOOST_TEST(test::holds(all[i].fast_value, all[i].fast_bound, expected), all[i].scene.file);
     certified += std::isfinite(all[i].bound) ? 1 : 0;
     fast_certified += std::isfinite(all[i].fast_bound) ? 1 : 0;
   }

@@ -1,0 +1,172 @@
+#include "emit/languages/call_dialect.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "base/errors.hpp"
+#include "emit/cpp_dialect.hpp"
+#include "formula/symbols.hpp"
+
+namespace vcrit::symbolic {
+
+namespace {
+
+using Operation = Node::Operation;
+
+bool is_double(const Operand& operand) { return operand.kind == NodeKind::exact; }
+
+}  // namespace
+
+std::string CallDialect::function(const std::string& name) const {
+  const char* grade = grade_ == Grade::accurate ? "dd_"
+                      : grade_ == Grade::wide   ? "wide_"
+                                                : "plain_";
+  return spelling_.prefix + grade + name;
+}
+
+Operand CallDialect::call(const std::string& name,
+                          const std::vector<std::string>& arguments) const {
+  return {fmt::format("{}({})", function(name), fmt::join(arguments, ", ")), NodeKind::value, true};
+}
+
+std::string CallDialect::type(NodeKind kind) const {
+  if (!spelling_.typed) return "const";
+  if (kind == NodeKind::exact || grade_ == Grade::fast) return "const double";
+  if (grade_ == Grade::wide) return "const " + spelling_.prefix + "wide";
+  return kind == NodeKind::bound ? "const double" : "const " + spelling_.prefix + "dd";
+}
+
+Operand CallDialect::constant(const Node& node) const {
+  const double high = node.constant.to_double();
+  if (node.kind == NodeKind::exact || grade_ == Grade::fast)
+    return {literal(high), node.kind, high >= 0};
+  const double low = (node.constant - exact_binary(high)).to_double();
+  return call("number", {literal(high), literal(low)});
+}
+
+std::string CallDialect::number(const Operand& operand) const {
+  if (grade_ == Grade::fast || !is_double(operand)) return operand.text;
+  return call("of", {operand.text}).text;
+}
+
+std::string CallDialect::bound(const Operand& operand) const {
+  return grade_ == Grade::wide ? number(operand) : rounded(operand);
+}
+
+std::string CallDialect::rounded(const Operand& operand) const {
+  if (grade_ == Grade::fast || is_double(operand)) return operand.text;
+  if (grade_ == Grade::wide) return call("rounded", {operand.text}).text;
+  return operand.kind == NodeKind::bound ? operand.text : operand.text + ".hi";
+}
+
+Operand CallDialect::apply(const Node& node, const std::vector<Operand>& arguments) const {
+  const bool bound = node.kind == NodeKind::bound && grade_ != Grade::wide;
+  const bool exact = node.kind == NodeKind::exact;
+  Operand result = grade_ == Grade::fast || bound || exact ? in_doubles(node, arguments)
+                                                           : in_calls(node, arguments);
+  result.kind = node.kind;
+  return result;
+}
+
+Operand CallDialect::in_doubles(const Node& node, const Arguments& arguments) const {
+  const auto text = [&](std::size_t i) {
+    return in_brackets({rounded(arguments[i]), NodeKind::exact, arguments[i].is_simple});
+  };
+  const auto infix = [&](const char* sign) {
+    return Operand{fmt::format("{} {} {}", text(0), sign, text(1)), node.kind, false};
+  };
+  const auto calling = [&](const std::string& name) {
+    return Operand{fmt::format("{}({})", name, rounded(arguments[0])), node.kind, true};
+  };
+  switch (node.operation) {
+    case Operation::negate:
+      return {"-" + text(0), node.kind, false};
+    case Operation::add:
+      return infix("+");
+    case Operation::subtract:
+      return infix("-");
+    case Operation::multiply:
+      return infix("*");
+    case Operation::divide:
+      return infix("/");
+    case Operation::multiply_add:
+      return {fmt::format("{} * {} + {}", text(0), text(1), text(2)), node.kind, false};
+    case Operation::less_inertia:
+      return call("less_inertia", {arguments[0].text, arguments[1].text, arguments[2].text});
+    case Operation::root:
+      return calling(spelling_.sqrt);
+    case Operation::unit:
+      if (grade_ == Grade::wide) return call("unit", {number(arguments[0])});
+      return calling(spelling_.prefix + "unit");
+    case Operation::nonzero:
+      return arguments[0];
+    case Operation::magnitude:
+    case Operation::size:
+      return calling(spelling_.abs);
+    case Operation::unless_moderate:
+      return calling(spelling_.prefix + "unless_moderate");
+    case Operation::parameter:
+    case Operation::constant:
+      break;
+  }
+  throw Bug("a node without arguments is no operation");
+}
+
+Operand CallDialect::negated(const Operand& a) const {
+  if (is_double(a)) return {"-" + in_brackets(a), NodeKind::exact, false};
+  return call("negated", {a.text});
+}
+
+Operand CallDialect::sum(const Operand& a, const Operand& b) const {
+  if (grade_ == Grade::wide) return call("add", {number(a), number(b)});
+  if (is_double(a) && is_double(b)) return call("sum", {a.text, b.text});
+  if (is_double(b)) return call("add_d", {a.text, b.text});
+  if (is_double(a)) return call("add_d", {b.text, a.text});
+  return call("add", {a.text, b.text});
+}
+
+Operand CallDialect::product(const Operand& a, const Operand& b) const {
+  if (grade_ == Grade::wide) return call("mul", {number(a), number(b)});
+  if (is_double(a) && is_double(b)) return call("product", {a.text, b.text});
+  if (is_double(b)) return call("mul_d", {a.text, b.text});
+  if (is_double(a)) return call("mul_d", {b.text, a.text});
+  return call("mul", {a.text, b.text});
+}
+
+Operand CallDialect::in_calls(const Node& node, const Arguments& arguments) const {
+  const auto a = [&] { return arguments[0]; };
+  const auto b = [&] { return arguments[1]; };
+  switch (node.operation) {
+    case Operation::negate:
+      return negated(a());
+    case Operation::add:
+      return sum(a(), b());
+    case Operation::subtract:
+      return sum(a(), negated(b()));
+    case Operation::multiply:
+      return product(a(), b());
+    case Operation::divide:
+      return call("div", {number(a()), number(b())});
+    case Operation::multiply_add:
+      return sum(product(a(), b()), arguments[2]);
+    case Operation::less_inertia:
+      return call("less_inertia", {a().text, b().text, arguments[2].text});
+    case Operation::root:
+      return call("root", {number(a())});
+    case Operation::nonzero:
+      if (grade_ == Grade::wide) return call("nonzero", {number(a()), number(b())});
+      return {number(a()), NodeKind::value, true};
+    case Operation::magnitude:
+    case Operation::size:
+      return call("magnitude", {number(a())});
+    case Operation::unless_moderate:
+      return call("unless_moderate", {number(a())});
+    case Operation::unit:
+    case Operation::parameter:
+    case Operation::constant:
+      break;
+  }
+  throw Bug("not an operation on values");
+}
+
+}  // namespace vcrit::symbolic

@@ -1,0 +1,182 @@
+#include "emit/languages/cuda_arithmetic.hpp"
+
+namespace vcrit::symbolic::cuda {
+
+const char* const includes =
+    R"(#include <cmath>
+#include <cstddef>
+#include <type_traits>
+#if defined __FAST_MATH__
+#error "-ffast-math destroys the arithmetic of this header"
+#endif
+#ifdef __CUDACC__
+#define @CALL __host__ __device__ inline
+#else  // the functions of the host alone
+#define @CALL inline
+#endif
+#ifdef __CUDA_ARCH__  // rare
+#define @COLD __host__ __device__ __noinline__ inline
+#else
+#define @COLD @CALL
+#endif
+)";
+
+const char* const structs =
+    R"(struct Certified { double value, relative_error_bound; };  ///< infinite: nothing is known
+struct Gradient { double value; Parameters partial; };     ///< d value/d parameter
+)";
+
+const char* const numbers =
+    R"(struct Twofold {  // hi + lo; operations err by less than 16 u^2 of their terms' absolute values, u = 2^-53
+  double hi, lo;
+  @CALL Twofold(double h, double l = 0) : hi(h), lo(l) {}
+  @CALL explicit operator double() const { return hi; }
+};
+@CALL Twofold quick(double a, double b) { return {a + b, b - ((a + b) - a)}; }
+@CALL Twofold sum(double a, double b) { return {a + b, (a - ((a + b) - ((a + b) - a))) + (b - ((a + b) - a))}; }
+@CALL Twofold product(double a, double b) {
+#ifdef __CUDA_ARCH__  // a product that is not contracted with what it is added to
+  const double p = __dmul_rn(a, b);
+#else
+  const double p = a * b;
+#endif
+  return {p, ::fma(a, b, -p)};
+}
+@CALL Twofold with(Twofold s, double rest) { return quick(s.hi, s.lo + rest); }
+@CALL Twofold operator-(Twofold a) { return {-a.hi, -a.lo}; }
+@CALL Twofold operator+(Twofold a, Twofold b) { return with(sum(a.hi, b.hi), a.lo + b.lo); }
+@CALL Twofold operator*(Twofold a, Twofold b) { return with(product(a.hi, b.hi), ::fma(a.lo, b.hi, a.hi * b.lo)); }
+@CALL Twofold operator/(Twofold a, Twofold b) { return with(a.hi / b.hi, (a + -(b * (a.hi / b.hi))).hi / b.hi); }
+@CALL Twofold sqrt(Twofold a) {
+  const double r = ::sqrt(a.hi);
+  return with(r, (a + -product(r, r)).hi / (2 * r));
+}
+struct Wide {  // times 2^e, for numbers out of range
+  Twofold t;
+  long e;
+  @CALL Wide(double x) : Wide(Twofold(x)) {}
+  @COLD Wide(Twofold a, long s = 0) : t(a), e(a.hi == 0 || a.hi - a.hi != 0 ? -100000 : s + ::ilogb(a.hi)) {
+    if (e != -100000) t = Twofold(::scalbln(a.hi, s - e), ::scalbln(a.lo, s - e));
+  }
+  @COLD Twofold over(long s) const { return {::scalbln(t.hi, e - s), ::scalbln(t.lo, e - s)}; }
+  @CALL explicit operator double() const { return ::scalbln(t.hi, e); }
+};
+@COLD Wide operator-(Wide a) { return {-a.t, a.e}; }
+@COLD Wide operator+(Wide a, Wide b) {
+  const long e = a.e > b.e ? a.e : b.e;
+  return {a.over(e) + b.over(e), e};
+}
+@COLD Wide operator*(Wide a, Wide b) { return {a.t * b.t, a.e + b.e}; }
+@COLD Wide operator/(Wide a, Wide b) { return {a.t / b.t, a.e - b.e}; }
+@COLD Wide sqrt(Wide a) { return {sqrt(a.over(a.e & ~1L)), (a.e & ~1L) / 2}; }
+@CALL double sqrt(double x) { return ::sqrt(x); }
+@CALL double head(double x) { return x; }
+@CALL double head(Twofold x) { return x.hi; }
+@CALL double head(Wide x) { return x.t.hi; }
+@CALL double size(double x) { return ::fabs(x); }
+@CALL double size(Twofold x) { return ::fabs(x.hi); }
+@CALL Wide size(Wide x) { return x.t.hi < 0 ? -x : x; }
+@CALL bool within(double limit, double x) { return (x <= limit) & (x * limit >= 1.0); }
+)";
+
+const char* const operations =
+    R"(template <class T> @CALL T times(double a, double b) {
+  if constexpr (std::is_same_v<T, Twofold>) return product(a, b); else return T(a) * T(b);
+}
+template <class T, class A, class B, class C> @CALL T mad(A a, B b, C c) {  // a b + c
+  if constexpr (std::is_same_v<decltype(a * b), double>) return times<T>(a, b) + T(c); else return a * b + T(c);
+}
+)";
+
+const char* const less_inertia =
+    R"(template <class T> @CALL T less_inertia(double k, double m, double w) {  // k - m w^2, exact but for the last rounding
+  const Twofold t = product(m, w), p = product(t.hi, w), q = product(t.lo, w);
+  if constexpr (std::is_same_v<T, double>) return ::fma(-t.lo, w, ::fma(-t.hi, w, k));
+  else if constexpr (std::is_same_v<T, Twofold>) return sum(k, -p.hi) + -sum(p.lo, q.hi) + -q.lo;
+  else {
+    const Wide a(k), b(m), c(w), bcc = b * c * c;
+    const long e = b.e + 2 * c.e, apart = a.e - bcc.e;
+    if (apart > 300 || apart < -300) return a + -bcc;
+    return Wide(less_inertia<Twofold>(a.over(e).hi, b.t.hi, c.t.hi), e);
+  }
+}
+)";
+
+const char* const unit =
+    R"(@CALL double unit(double x) {  // a power of two near 1/x
+  int e = 0;
+  (void)::frexp(x, &e);
+  return ::ldexp(1.0, 1 - e);
+}
+@CALL double unit(Twofold x) { return unit(x.hi); }
+@CALL double unit(Wide) { return 1.0; }
+)";
+
+const char* const nonzero =
+    R"(template <class T> @CALL T nonzero(T a, T) { return a; }
+template <> @CALL Wide nonzero<Wide>(Wide a, Wide b) {  // zeros only occur out of range: T/Q = 0/1
+  return a.t.hi == 0 && b.t.hi == 0 ? Wide(1.0) : a;
+}
+)";
+
+const char* const magnitude =
+    R"(template <class T> @CALL T magnitude(T x) { return head(x) < 0 ? -x : x; }
+)";
+
+const char* const unless_moderate =
+    R"(@CALL double unless_moderate(double x) { return within(0x1p200, x) ? 0.0 : HUGE_VAL; }
+@CALL Wide unless_moderate(Wide) { return 0.0; }
+)";
+
+const char* const finished =
+    R"(struct Result : Certified { Parameters partial; bool safe; };
+// v* = factor root(above/below). Factors (1 + e_j)^(+-1) with sum |e_j| = e < 2^-10 change it by less than 1.01 e, the
+// last rounding by u, and another one by 2^-1075 where numbers are subnormal. safe: none has left the range of doubles.
+template <class T, class E> @CALL Result finished(const Parameters& p, T above, T below, T factor, E roundings) {
+  constexpr bool plain = std::is_same_v<T, double>, wide = std::is_same_v<T, Wide>;
+  const double h = head(above) / head(below), e = double(roundings) * (plain ? 0x1p-53 : 0x1p-102);
+  const double whole = double(@ROOT(above / below) * factor), u = plain ? 0.0 : 0x1p-53;
+  const double v = wide && !(h > 0 && h < HUGE_VAL) ? @SQRT(h) * head(factor) : whole;
+  const double last = !wide || v >= 0x1p-1022 ? u : v > 0 ? u + 0x1p-1074 / (2.0 * v - 0x1p-1074) : 1.0;
+  const bool inside = in_range(p), known = (e < 0x1p-10) & (v < HUGE_VAL);
+  const bool safe = (h > 0x1p-900) & (h < 0x1p900) & (v >= 0x1p-1022) & inside;
+  return {{v, known ? (1.01 * e + last) * (1.0 + 0x1p-50) : HUGE_VAL}, {}, wide || safe};
+}
+)";
+
+const char* const result =
+    R"(template <class T, bool G = false> @CALL Result result(const Parameters& p) {
+  const Result r = evaluate<T, G>(p);
+  return r.safe ? r : evaluate<Wide, G>(p);
+}
+)";
+
+const char* const calls =
+    R"(@CALL double critical_velocity(const Parameters& p) { return detail::result<@T>(p).value; }
+@CALL Certified critical_velocity_certified(const Parameters& p) {
+  const detail::Result r = detail::result<@T>(p);
+  return {r.value, r.relative_error_bound};
+}
+@CALL Gradient critical_velocity_gradient(const Parameters& p) {
+  const detail::Result r = detail::result<@T, true>(p);
+  return {r.value, r.partial};
+}
+inline void critical_velocity(Parameters p, std::size_t n, const double* omega, double* out) {
+  for (std::size_t i = 0; i < n; ++i) p.omega = omega[i], out[i] = detail::result<@T>(p).value;
+}
+#ifdef __CUDACC__
+/// Any grid; `bound`, unless it is null, takes the relative error bounds.
+template <int = 0>
+__global__ void critical_velocity_kernel(Parameters p, std::size_t n, const double* omega, double* out, double* bound) {
+  const std::size_t stride = static_cast<std::size_t>(gridDim.x) * blockDim.x;
+  for (std::size_t i = static_cast<std::size_t>(blockIdx.x) * blockDim.x + threadIdx.x; i < n; i += stride) {
+    p.omega = omega[i];
+    const detail::Result r = detail::result<@T>(p);
+    out[i] = r.value;
+    if (bound) bound[i] = r.relative_error_bound;
+  }
+}
+#endif
+)";
+
+}  // namespace vcrit::symbolic::cuda

@@ -1,0 +1,96 @@
+#include "emit/languages/evaluator.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "emit/cpp_dialect.hpp"
+#include "emit/pieces.hpp"
+
+namespace vcrit::symbolic {
+
+Evaluator::Evaluator(const Scene& scene)
+    : derivation(derive(scene)),
+      parameters(scene, derivation),
+      velocity(velocity_program(scene,
+                                [this](Program& program, const Symbol& symbol) {
+                                  return parameters.contains(symbol) ? program.parameter(symbol)
+                                                                     : program.constant(1);
+                                })),
+      gradient(gradient_program(velocity)) {
+  const Program& program = gradient.program;
+  // The product with the factor and its conversion stand outside of these.
+  operations = program.operations(program.needed_for({gradient.ratio, velocity.factor})) + 2;
+}
+
+bool Evaluator::has(Node::Operation operation) const {
+  const std::vector<Node>& nodes = gradient.program.nodes();
+  return std::any_of(nodes.begin(), nodes.end(),
+                     [&](const Node& node) { return node.operation == operation; });
+}
+
+Body body(const Evaluator& evaluator, const CallDialect& dialect) {
+  const VelocityProgram& velocity = evaluator.velocity;
+  const GradientProgram& gradient = evaluator.gradient;
+  StraightLine code(gradient.program, dialect);
+  Body result;
+  result.value =
+      code.declare({velocity.above, velocity.below, velocity.factor, velocity.roundings});
+  result.above = dialect.number(code.operand(velocity.above));
+  result.below = dialect.number(code.operand(velocity.below));
+  result.factor = dialect.number(code.operand(velocity.factor));
+  result.roundings = dialect.bound(code.operand(velocity.roundings));
+  std::vector<NodeId> partials;
+  for (const auto& [symbol, partial] : gradient.partials) partials.push_back(partial);
+  result.gradient = code.declare(partials);
+  for (const Member& member : evaluator.parameters.members())
+    for (int entry = member.length == 0 ? 0 : 1; entry <= member.length; ++entry) {
+      const auto partial = gradient.partials.find({member.name, entry});
+      result.partials.push_back(partial == gradient.partials.end()
+                                    ? "0.0"
+                                    : dialect.rounded(code.operand(partial->second)));
+    }
+  return result;
+}
+
+std::string in_range(const Evaluator& evaluator, const Spelling& spelling,
+                     const std::string& conjunction, const std::string& never) {
+  if (!evaluator.velocity.fits) return never;
+  const GuardCalls dialect(evaluator.parameters, spelling);
+  const StraightLine code(evaluator.velocity.program, dialect);
+  std::vector<std::string> checks;
+  for (const Guard& guard : evaluator.velocity.guards)
+    checks.push_back(fmt::format("{}within({}, {})", spelling.prefix,
+                                 literal(std::ldexp(1.0, guard.exponent)),
+                                 code.expression(guard.expression).text));
+  return fmt::format("{}", fmt::join(checks, conjunction));
+}
+
+std::vector<std::string> entries(const ParameterList& parameters) {
+  std::vector<std::string> result;
+  for (const Member& member : parameters.members()) {
+    if (member.length == 0) result.push_back(member.name);
+    for (int i = 0; i < member.length; ++i) result.push_back(fmt::format("{}[{}]", member.name, i));
+  }
+  return result;
+}
+
+std::string c_members(const ParameterList& parameters) {
+  std::vector<std::string> names;
+  for (const Member& member : parameters.members())
+    names.push_back(member.length == 0 ? member.name
+                                       : fmt::format("{}[{}]", member.name, member.length));
+  return statement(fmt::format("double {};", fmt::join(names, ", ")));
+}
+
+std::string statements(const std::vector<StraightLine::Declarations>& declarations,
+                       const Dialect& dialect) {
+  std::string out;
+  for (const auto& [kind, items] : declarations)
+    out += statement(fmt::format("{} {};", dialect.type(kind), fmt::join(items, ", ")));
+  return out;
+}
+
+}  // namespace vcrit::symbolic

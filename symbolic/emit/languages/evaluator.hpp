@@ -1,0 +1,51 @@
+// What every language prints: the parameters and programs of a scene, and one evaluation of them as
+// statements.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "emit/languages/call_dialect.hpp"
+#include "emit/parameters.hpp"
+#include "program/gradient.hpp"
+#include "program/velocity.hpp"
+
+namespace vcrit::symbolic {
+
+struct Evaluator {
+  explicit Evaluator(const Scene& scene);
+
+  Derivation derivation;
+  ParameterList parameters;
+  VelocityProgram velocity;
+  GradientProgram gradient;
+  int operations;  ///< of the value
+
+  bool has(Node::Operation operation) const;
+};
+
+/// Declarations that lead to v*, then those that lead from there to its derivatives.
+struct Body {
+  std::vector<StraightLine::Declarations> value, gradient;
+  std::string above, below, factor;   ///< of the grade's number type
+  std::string roundings;              ///< of its type of bounds
+  std::vector<std::string> partials;  ///< doubles, in the order of the parameters' entries
+};
+
+Body body(const Evaluator& evaluator, const CallDialect& dialect);
+
+/// "within(L, a) && within(L, b)" with `never` where no values are in range.
+std::string in_range(const Evaluator& evaluator, const Spelling& spelling,
+                     const std::string& conjunction, const std::string& never);
+
+/// All numbers of the parameters: "k0", or "k[2]" for the third entry of an array.
+std::vector<std::string> entries(const ParameterList& parameters);
+
+/// "  double mu0, omega;\n  double k[10];\n": members of a struct in C and C++.
+std::string c_members(const ParameterList& parameters);
+
+/// Declarations as statements of C, C++ or JavaScript.
+std::string statements(const std::vector<StraightLine::Declarations>& declarations,
+                       const Dialect& dialect);
+
+}  // namespace vcrit::symbolic

@@ -1,0 +1,19 @@
+// Names that one language refuses beyond those that no generated code can have.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "emit/languages/languages.hpp"
+#include "network/network.hpp"
+
+namespace vcrit::symbolic {
+
+/// Throws InputError unless `name` can be the prefix, module or namespace of a generated file.
+void check_library_name(const std::string& name, Language language);
+
+/// Throws InputError if a parameter cannot have the name of one of these symbols.
+void check_member_names(const std::vector<Symbol>& symbols, const std::string& file,
+                        Language language);
+
+}  // namespace vcrit::symbolic

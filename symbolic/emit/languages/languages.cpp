@@ -1,0 +1,77 @@
+#include "emit/languages/languages.hpp"
+
+#include "base/files.hpp"
+#include "emit/languages/language_names.hpp"
+#include "emit/languages/printers.hpp"
+#include "emit/pieces.hpp"
+#include "emit/words.hpp"
+
+namespace vcrit::symbolic {
+
+namespace {
+
+const char* const accuracy =
+    "Accuracy: critical_velocity errs by little more than half an ulp unless v* is badly "
+    "conditioned, "
+    "critical_velocity_certified says by how much at most. The fast grade is in plain double. A "
+    "bound is infinite "
+    "where nothing is known.";
+const char* const unlimited =
+    "As in C++, what leaves the guarded range of doubles is computed again with numbers of a wider "
+    "exponent range.";
+const char* const limited =
+    "Missing compared with C++: numbers of a wider exponent range. Outside of the guarded range "
+    "(see in_range) the "
+    "answer is that of plain double, with an infinite bound. No fused multiply-add: products are "
+    "split by Dekker's "
+    "method.";
+
+std::string accuracy_lines(Language language) {
+  const bool wide = language == Language::c99 || language == Language::cuda;
+  return comment(accuracy) + comment(wide ? unlimited : limited);
+}
+
+std::string text(const Evaluator& evaluator, const std::string& name, Language language) {
+  switch (language) {
+    case Language::c99:
+      return c99_text(evaluator, name);
+    case Language::python:
+      return python_text(evaluator);
+    case Language::javascript:
+      return javascript_text(evaluator);
+    case Language::cuda:
+      return cuda_text(evaluator, name);
+  }
+  return {};
+}
+
+}  // namespace
+
+const std::vector<std::string>& language_names() {
+  static const std::vector<std::string> names{"c99", "python", "javascript", "cuda"};
+  return names;
+}
+
+std::string extension(Language language) {
+  static const std::vector<std::string> extensions{".h", ".py", ".mjs", ".cuh"};
+  return extensions[static_cast<std::size_t>(language)];
+}
+
+std::string emit(const Scene& scene, const std::string& name, Language language) {
+  check_library_name(name, language);
+  const Evaluator evaluator(scene);
+  check_member_names(evaluator.derivation.parameters, scene.file, language);
+  std::string head = banner(scene, evaluator.derivation, evaluator.operations, name,
+                            language_names()[static_cast<std::size_t>(language)]) +
+                     accuracy_lines(language);
+  if (language == Language::python) head = "#" + replaced(head.substr(2), "\n//", "\n#");
+  return head + text(evaluator, name, language);
+}
+
+void generate(const Scene& scene, const std::filesystem::path& directory, const std::string& name,
+              Language language) {
+  const std::string file = emit(scene, name, language);
+  write_file(directory / (name + extension(language)), file);
+}
+
+}  // namespace vcrit::symbolic

@@ -1,0 +1,27 @@
+// Evaluators in languages other than C++, each from the same programs.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "scene/scene.hpp"
+
+namespace vcrit::symbolic {
+
+enum class Language { c99, python, javascript, cuda };
+
+/// "c99", "python", "javascript", "cuda", in the order of the enumeration.
+const std::vector<std::string>& language_names();
+/// ".h", ".py", ".mjs", ".cuh"
+std::string extension(Language language);
+
+/// The file NAME.h, NAME.py, NAME.mjs or NAME.cuh as text. Throws InputError where the language
+/// does not allow `name` or the name of a parameter, ModelError as emit_header() does.
+std::string emit(const Scene& scene, const std::string& name, Language language);
+
+/// Writes that file to `directory`.
+void generate(const Scene& scene, const std::filesystem::path& directory, const std::string& name,
+              Language language);
+
+}  // namespace vcrit::symbolic

@@ -1,0 +1,22 @@
+// The fixed parts of a Python module.
+#pragma once
+
+namespace vcrit::symbolic::python {
+
+extern const char* const imports;
+/// What calls return, and arrays of what they are given.
+extern const char* const tuples;
+extern const char* const numbers;
+extern const char* const within;
+/// Operations that not every program uses.
+extern const char* const root;
+extern const char* const less_inertia;
+extern const char* const unit;
+extern const char* const magnitude;
+extern const char* const unless_moderate;
+/// The error bound; @ROOT and @SQRT are the root in each grade, or nothing.
+extern const char* const finished;
+/// The functions that users call.
+extern const char* const calls;
+
+}  // namespace vcrit::symbolic::python

@@ -1,0 +1,24 @@
+// Parts of generated files that are the same in several languages.
+#pragma once
+
+#include <string>
+
+#include "derivation/derivation.hpp"
+#include "emit/parameters.hpp"
+#include "scene/scene.hpp"
+
+namespace vcrit::symbolic {
+
+/// What the file is, the formula it evaluates, and the command that makes it again, as // comments.
+std::string banner(const Scene& scene, const Derivation& derivation, int operations,
+                   const std::string& name, const std::string& language = "c++");
+
+std::string replaced(std::string text, const std::string& what, const std::string& with);
+
+/// A statement on as many lines as it takes.
+std::string statement(const std::string& text);
+
+/// "SI units: friction coefficient mu0; ...; spring k0, k1; damper c1".
+std::string meanings(const ParameterList& parameters);
+
+}  // namespace vcrit::symbolic

@@ -1,0 +1,50 @@
+// The rows of data/vstar_extreme.csv as calls of evaluators, one evaluator for each shape of scene.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "support/reference_scene.hpp"
+
+namespace vcrit::test {
+
+struct ExtremeCase {
+  std::size_t shape;
+  Scene scene;
+  double expected;  ///< nearest double, off by 2^-53 itself
+};
+
+struct ExtremeCases {
+  std::vector<Scene> shapes;
+  std::vector<ExtremeCase> rows;
+};
+
+inline bool have_one_shape(const Scene& a, const Scene& b) {
+  return a.normal == b.normal &&
+         std::get<Network>(a.tangential) == std::get<Network>(b.tangential) && a.drive == b.drive &&
+         a.mass.has_value() == b.mass.has_value();
+}
+
+/// Of scenes with no more than `largest` elements.
+inline ExtremeCases extreme_cases(std::size_t largest) {
+  ExtremeCases cases;
+  std::vector<Scene>& shapes = cases.shapes;
+  for (const ReferenceRow& row : extreme_rows()) {
+    if (!row.scene || row.scene->elements.size() > largest) continue;
+    const auto same = std::find_if(shapes.begin(), shapes.end(), [&](const Scene& shape) {
+      return have_one_shape(shape, *row.scene);
+    });
+    const auto shape = static_cast<std::size_t>(same - shapes.begin());
+    if (same == shapes.end()) shapes.push_back(*row.scene);
+    cases.rows.push_back({shape, *row.scene, row.velocity});
+  }
+  return cases;
+}
+
+/// Whether a value keeps its relative bound, where that is finite.
+inline bool holds(double value, double bound, double expected) {
+  return !std::isfinite(bound) ||
+         std::abs(value - expected) <= (bound + 0x1p-52) * std::abs(expected);
+}
+
+}  // namespace vcrit::test
