@@ -13,6 +13,7 @@ void add_generate(CLI::App& program) {
   struct Options {
     SceneOptions scene;
     std::string directory, name = "critical", language = "c++";
+    symbolic::GenerateOptions generated;
   };
   const auto options = std::make_shared<Options>();
   CLI::App* command =
@@ -25,9 +26,22 @@ void add_generate(CLI::App& program) {
   command->add_option("--language", options->language)
       ->check(CLI::IsMember({"c++"}))
       ->capture_default_str();
+  command
+      ->add_option("--fix", options->generated.fixed,
+                   "fold these parameters in with their numbers in the scene: k0,c1; an array by "
+                   "its name or k[3]; all")
+      ->delimiter(',')
+      ->type_name("NAME,...")
+      ->allow_extra_args(false);
+  command->add_flag("--quantities", options->generated.quantities,
+                    "also DIR/NAME_quantities.hpp: stiffnesses, amplitudes and phases, the "
+                    "admissible amplitude, dimensionless groups");
   command->callback([options] {
-    symbolic::generate(options->scene.read(), options->directory, options->name);
+    symbolic::generate(options->scene.read(), options->directory, options->name,
+                       options->generated);
     fmt::print("{}/{}.hpp\n", options->directory, options->name);
+    if (options->generated.quantities)
+      fmt::print("{}/{}_quantities.hpp\n", options->directory, options->name);
   });
 }
 

@@ -25,7 +25,7 @@ namespace {
 constexpr std::size_t width = 120;
 
 std::string banner(const Scene& scene, const Derivation& derivation, int operations,
-                   const std::string& name) {
+                   const std::string& command, const FixedValues& fixed) {
   const std::string file = std::filesystem::path(scene.file).filename().string();
   const std::string title = scene.title.empty() ? file : scene.title;
   std::string out =
@@ -34,9 +34,9 @@ std::string banner(const Scene& scene, const Derivation& derivation, int operati
     out += comment("  " + to_text(line.left) + " = " + to_text(line.right));
   out += comment("  v* = " + to_text(derivation.critical_velocity) + "   " + derivation.equation +
                  (derivation.definitions.empty() ? "" : ", s = i omega"));
-  out += comment(
-      fmt::format("Formula {}; again: vcrit generate {} --out DIR --name {}. Cost: {} operations.",
-                  fingerprint(Model(scene)), file, name, operations));
+  if (!fixed.empty()) out += comment(fixed_text(fixed));
+  out += comment(fmt::format("Formula {}; again: {}. Cost: {} operations.",
+                             fingerprint(Model(scene)), command, operations));
   out += comment("Vectorised by -O3 -march=native -fno-math-errno; no -ffast-math.");
   return out;
 }
@@ -207,20 +207,23 @@ std::string operations(const Program& program) {
 
 }  // namespace
 
-std::string emit_header(const Scene& scene, const std::string& name) {
+std::string emit_header(const Scene& scene, const std::string& name,
+                        const GenerateOptions& options) {
   check_library_name(name);
+  const FixedValues fixed = fixed_values(scene, options.fixed);
   const Derivation derivation = derive(scene);
   check_member_names(derivation.parameters, scene.file);
-  const ParameterList parameters(scene, derivation);
+  const ParameterList parameters(scene, derivation, fixed);
   const VelocityProgram velocity =
       velocity_program(scene, [&](Program& program, const Symbol& symbol) {
-        return parameters.contains(symbol) ? program.parameter(symbol) : program.constant(1);
+        return parameters.value(program, symbol);
       });
   const GradientProgram gradient = gradient_program(velocity);
   const int operations_of_value =
       gradient.program.operations(gradient.program.needed_for({gradient.ratio, velocity.factor}));
 
-  std::string out = banner(scene, derivation, operations_of_value + 2, name);
+  std::string out = banner(scene, derivation, operations_of_value + 2,
+                           command_line(scene, name, options), fixed);
   const std::string guard = guard_of(name);
   out += fmt::format("#ifndef {0}\n#define {0}\n", guard) + includes(gradient.program);
   out += fmt::format("namespace {} {{\n", name) + structs(parameters);
