@@ -50,6 +50,18 @@ std::string lines(const std::vector<std::pair<std::string, std::string>>& member
   return out;
 }
 
+/// A statement on as many lines as it takes.
+std::string statement(const std::string& text) {
+  constexpr std::size_t width = 120;
+  std::string rest = "  " + text, out;
+  for (std::size_t end = 0; rest.size() > width; rest = "      " + rest.substr(end + 1)) {
+    end = rest.rfind(' ', width);
+    if (end == std::string::npos || end < 8) break;
+    out += rest.substr(0, end) + "\n";
+  }
+  return out + rest + "\n";
+}
+
 std::string declaration(const std::string& name, std::size_t length) {
   return (length == 0 ? "double " : fmt::format("std::array<double, {}> ", length)) + name;
 }
@@ -140,10 +152,11 @@ class Header {
     StraightLine code(program, dialect_);
     std::string body;
     for (const auto& [kind, items] : code.declare(nodes))
-      for (const std::string& item : items) body += fmt::format("  const double {};\n", item);
+      for (const std::string& item : items)
+        body += statement(fmt::format("const double {};", item));
     fmt::dynamic_format_arg_store<fmt::format_context> texts;
     for (const NodeId node : nodes) texts.push_back(code.operand(node).text);
-    body += fmt::format("  return {};\n", fmt::vformat(result, texts));
+    body += statement(fmt::format("return {};", fmt::vformat(result, texts)));
     const bool used = body.find("p.") != std::string::npos;
     std::string out = "\n";
     std::string comments = comment(words);
