@@ -18,6 +18,10 @@ bool is_short(const GiNaC::numeric& x) {
   return x.numer().int_length() + x.denom().int_length() < longest_fold;
 }
 
+bool is_moderate(const GiNaC::numeric& x) {
+  return std::abs(x.numer().int_length() - x.denom().int_length()) < 199;
+}
+
 // Beyond this, only numbers with an exponent of their own can hold it: left to them.
 bool is_ordinary(const GiNaC::numeric& x) {
   return x.is_zero() || std::abs(x.numer().int_length() - x.denom().int_length()) < 900;
@@ -78,7 +82,8 @@ NodeId Program::apply(Operation operation, std::array<NodeId, 3> arguments) {
   NodeKind kind = NodeKind::value;
   for (std::size_t i = 0; i < arity(operation); ++i)
     if (nodes_[arguments[i]].kind == NodeKind::bound) kind = NodeKind::bound;
-  if (operation == Operation::size) kind = NodeKind::bound;
+  if (operation == Operation::size || operation == Operation::unless_moderate)
+    kind = NodeKind::bound;
   if (operation == Operation::unit) kind = NodeKind::exact;
   if (operation == Operation::negate || operation == Operation::magnitude)
     kind = nodes_[arguments[0]].kind;
@@ -165,7 +170,8 @@ NodeId Program::size(NodeId a) {
 }
 
 NodeId Program::unless_moderate(NodeId a) {
-  ensure(nodes_[a].kind == NodeKind::bound, "only bounds are compared");
+  if (is_constant(a) && is_moderate(value(a))) return constant(0);
+  ensure(is_constant(a) || nodes_[a].kind == NodeKind::bound, "only bounds are compared");
   return apply(Operation::unless_moderate, {a});
 }
 

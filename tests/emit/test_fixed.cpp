@@ -27,6 +27,27 @@ Scene stored(const std::string& name, const Settings& settings = {}) {
   return read_scene(VCRIT_SCENES "/" + name + ".toml", settings);
 }
 
+/// All pairs of seven nodes but the terminals: too many spanning trees, so that it is meshed.
+Scene meshed() {
+  std::string edges, elements;
+  for (int a = 0, n = 0; a < 7; ++a)
+    for (int b = std::max(a + 1, 2); b < 7; ++b, ++n) {
+      // At node 2 only springs meet.
+      const std::string name = (a == 2 || b == 2 || n % 3 == 0 ? "k" : "c") + std::to_string(n);
+      edges += fmt::format("[\"{}\", \"{}\", \"{}\"], ", name, a, b);
+      elements += fmt::format("{} = {}\n", name, name[0] == 'k' ? 1e6 + 3e5 * n : 7 + 0.3 * n);
+    }
+  return parse_scene(
+      "[contact]\nnormal = \"g\"\ntangential = \"kt | ct\"\n[networks.g]\n"
+      "terminals = [\"0\", \"1\"]\nedges = [" +
+          edges +
+          "]\n"
+          "[drive]\nnetwork = \"kd\"\n[body]\nmass = 0.0003\n"
+          "[elements]\nkt = 8e6\nct = 3\nkd = 5e6\n" +
+          elements,
+      "meshed.toml");
+}
+
 std::vector<Case> cases() {
   std::vector<Case> result;
   const std::vector<std::string> all{"all"};
@@ -39,6 +60,7 @@ std::vector<Case> cases() {
   result.push_back({stored("prony"), {"k", "tau", "k0"}});
   result.push_back({stored("prony"), {"tau[3]", "k[10]", "kd"}});
   result.push_back({stored("bridge"), {"k1", "c2"}});
+  result.push_back({meshed(), all});
   // Folded constants far beyond ordinary sizes, and of sums that no double holds.
   result.push_back({stored("kelvin", {{"kn", "1e200"}, {"cn", "1e-190"}}), all});
   result.push_back({stored("kelvin", {{"kn", "3e-210"}, {"kt", "7e300"}, {"ct", "0.1"}}), all});
