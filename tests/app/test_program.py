@@ -265,7 +265,7 @@ class Mistakes(unittest.TestCase):
 
     def test_parameters_that_cannot_be_fixed(self):
         with tempfile.TemporaryDirectory() as folder:
-            for name, words in [("kdd", 'expected "kd"'), ("omega", "parameter of every call"), ("kn,", "found \"\"")]:
+            for name, words in [("kdd", 'expected "kd"'), ("omega", "parameter of every call")]:
                 with self.subTest(name=name):
                     error = self.refused("generate", str(PROJECT / KELVIN), "--out", "out", "--fix", name, folder=folder)
                     self.assertIn(words, error)
