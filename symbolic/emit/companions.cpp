@@ -70,34 +70,56 @@ std::string example(const Scene& scene, const ParameterList& parameters) {
   return out;
 }
 
-/// The mass and all stiffnesses and dampers, as "p.k0", each once.
-std::vector<std::string> element_members(const Scene& scene, const ParameterList& parameters) {
-  std::vector<std::string> members;
-  const auto add = [&](const Symbol& symbol) {
-    if (!parameters.contains(symbol)) return;
-    const std::string member = parameters.reference(symbol);
-    if (std::find(members.begin(), members.end(), member) == members.end())
-      members.push_back(member);
-  };
-  if (scene.mass) add(scene.mass->symbol);
-  const auto element = [&](const Element& e) { add(e.coefficient); };
+/// The symbols of the mass and of all stiffnesses and dampers.
+std::vector<Symbol> scaled_symbols(const Scene& scene) {
+  std::vector<Symbol> symbols;
+  if (scene.mass) symbols.push_back(scene.mass->symbol);
+  const auto element = [&](const Element& e) { symbols.push_back(e.coefficient); };
   for_each_element(scene.normal, element);
   if (const auto* tangential = std::get_if<Network>(&scene.tangential))
     for_each_element(*tangential, element);
   if (scene.drive) for_each_element(*scene.drive, element);
+  return symbols;
+}
+
+bool scales_fixed_values(const Scene& scene, const FixedValues& fixed) {
+  const std::vector<Symbol> symbols = scaled_symbols(scene);
+  return std::any_of(symbols.begin(), symbols.end(),
+                     [&](const Symbol& symbol) { return fixed.contains(symbol); });
+}
+
+/// Those of them that are parameters, as "p.k0", each once.
+std::vector<std::string> element_members(const Scene& scene, const ParameterList& parameters) {
+  std::vector<std::string> members;
+  for (const Symbol& symbol : scaled_symbols(scene)) {
+    if (!parameters.contains(symbol)) continue;
+    const std::string member = parameters.reference(symbol);
+    if (std::find(members.begin(), members.end(), member) == members.end())
+      members.push_back(member);
+  }
   return members;
 }
 
-/// Multiplies them by 2: v* does not change.
-std::string doubled(const Scene& scene, const ParameterList& parameters) {
-  std::string out = "  Parameters doubled = p;\n";
+/// Multiplies them by 2. Nothing where one of them is a number of the code.
+std::string doubled(const Scene& scene, const ParameterList& parameters, const FixedValues& fixed) {
+  if (scales_fixed_values(scene, fixed)) return "";
+  std::string out =
+      "  // A power of two changes no rounding, and a common factor of all stiffnesses, dampers "
+      "and\n"
+      "  // the mass not v*.\n"
+      "  Parameters doubled = p;\n";
   for (const std::string& member : element_members(scene, parameters))
     out += "  doubled" + member.substr(1) + " *= 2.0;\n";
-  return out;
+  return out +
+         "  expect(critical_velocity(doubled) == v.value, \"a common factor of all elements "
+         "cancels\");\n"
+         "  expect(fast::critical_velocity(doubled) == f.value, \"fast: a common factor "
+         "cancels\");\n";
 }
 
-/// Each times its partial derivative.
-std::string euler(const Scene& scene, const ParameterList& parameters) {
+/// Each times its partial derivative; nothing where one of them is a number of the code.
+std::string euler(const Scene& scene, const ParameterList& parameters, const FixedValues& fixed) {
+  if (scales_fixed_values(scene, fixed)) return "0.0";
   std::vector<std::string> terms{"0.0"};
   for (const std::string& member : element_members(scene, parameters))
     terms.push_back(member + " * d" + member.substr(1));
@@ -148,8 +170,7 @@ int main() {{
   expect(f.value == fast::critical_velocity(p), "certified fast value is the fast value");
   expect(near(f.value, v.value, f.relative_error_bound + 2.0 * v.relative_error_bound), "both grades agree");
 {known}
-  // Powers of two change no rounding: v* is linear in mu0 and du_z, and does not change when all
-  // stiffnesses, dampers and the mass do.
+  // Powers of two change no rounding: v* is linear in mu0 and du_z.
   Parameters other = p;
   other.mu0 = 2.0 * p.mu0;
   expect(critical_velocity(other) == 2.0 * v.value, "linear in mu0");
@@ -157,14 +178,11 @@ int main() {{
   other.du_z = 0.5 * p.du_z;
   expect(critical_velocity(other) == 0.5 * v.value, "linear in du_z");
 {doubled}
-  expect(critical_velocity(doubled) == v.value, "a common factor of all elements cancels");
-  expect(fast::critical_velocity(doubled) == f.value, "fast: a common factor cancels");
-
   // v* does not change with a common factor of all elements: Euler's identity for their partial derivatives.
   const Gradient g = critical_velocity_gradient(p), fast_g = fast::critical_velocity_gradient(p);
   expect(g.value == v.value && fast_g.value == f.value, "value beside the gradient");
   expect(std::abs(g.partial.mu0 * p.mu0 - v.value) <= 0x1p-51 * v.value, "d v/d mu0 = v/mu0");
-  const auto identity = [&](const Parameters& d) {{
+  [[maybe_unused]] const auto identity = [&](const Parameters& d) {{
     const double terms[] = {{{euler}}};
     double sum = 0, size = 0;
     for (const double term : terms) sum += term, size += std::abs(term);
@@ -198,14 +216,16 @@ int main() {{
 
 }  // namespace
 
-std::string emit_test(const Scene& scene, const std::string& name) {
+std::string emit_test(const Scene& scene, const std::string& name, const GenerateOptions& options) {
   check_library_name(name);
-  const ParameterList parameters(scene, derive(scene));
-  return fmt::format(
-      fmt::runtime(frame), fmt::arg("name", name),
-      fmt::arg("include", fmt::format("#include \"{}_batch.hpp\"\n", name)),
-      fmt::arg("example", example(scene, parameters)), fmt::arg("known", known_value(scene)),
-      fmt::arg("doubled", doubled(scene, parameters)), fmt::arg("euler", euler(scene, parameters)));
+  const FixedValues fixed = fixed_values(scene, options.fixed);
+  const ParameterList parameters(scene, derive(scene), fixed);
+  return fmt::format(fmt::runtime(frame), fmt::arg("name", name),
+                     fmt::arg("include", fmt::format("#include \"{}_batch.hpp\"\n", name)),
+                     fmt::arg("example", example(scene, parameters)),
+                     fmt::arg("known", known_value(scene)),
+                     fmt::arg("doubled", doubled(scene, parameters, fixed)),
+                     fmt::arg("euler", euler(scene, parameters, fixed)));
 }
 
 std::string emit_cmake(const std::string& name) {

@@ -4,26 +4,36 @@
 #include <filesystem>
 #include <string>
 
+#include "emit/options.hpp"
 #include "scene/scene.hpp"
 
 namespace vcrit::symbolic {
 
 /// The header NAME.hpp as text; `name` is a C++ namespace. Throws InputError if it cannot be one,
 /// ModelError for a drive that generated code does not know.
-std::string emit_header(const Scene& scene, const std::string& name);
+std::string emit_header(const Scene& scene, const std::string& name,
+                        const GenerateOptions& options = {});
 
 /// The header NAME_batch.hpp: batches over arrays of any parameters, with bounds or derivatives.
-std::string emit_batch_header(const Scene& scene, const std::string& name);
+std::string emit_batch_header(const Scene& scene, const std::string& name,
+                              const GenerateOptions& options = {});
 
 /// The program test_NAME.cpp, which checks consequences of Eq. 24 on the generated functions, and
 /// their values where the scene has all numbers.
-std::string emit_test(const Scene& scene, const std::string& name);
+std::string emit_test(const Scene& scene, const std::string& name,
+                      const GenerateOptions& options = {});
+
+/// The header NAME_quantities.hpp: stiffnesses, oscillations, the admissible amplitude and
+/// dimensionless groups of the scene, in plain double. Throws like emit_header.
+std::string emit_quantities(const Scene& scene, const std::string& name,
+                            const GenerateOptions& options = {});
 
 /// CMakeLists.txt, which builds and tests the library on its own.
 std::string emit_cmake(const std::string& name);
 
-/// Writes DIR/NAME.hpp, DIR/NAME_batch.hpp, DIR/CMakeLists.txt and DIR/test_NAME.cpp, each beside
-/// its place and renamed.
-void generate(const Scene& scene, const std::filesystem::path& directory, const std::string& name);
+/// Writes DIR/NAME.hpp, DIR/NAME_batch.hpp, DIR/CMakeLists.txt, DIR/test_NAME.cpp and, if asked
+/// for, DIR/NAME_quantities.hpp, each beside its place and renamed.
+void generate(const Scene& scene, const std::filesystem::path& directory, const std::string& name,
+              const GenerateOptions& options = {});
 
 }  // namespace vcrit::symbolic

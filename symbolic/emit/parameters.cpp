@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <map>
 
+#include "formula/symbols.hpp"
+
 namespace vcrit::symbolic {
 
 namespace {
@@ -25,19 +27,25 @@ std::map<Symbol, std::string> element_comments(const Scene& scene) {
 
 }  // namespace
 
-ParameterList::ParameterList(const Scene& scene, const Derivation& derivation) {
+ParameterList::ParameterList(const Scene& scene, const std::vector<Symbol>& symbols,
+                             const FixedValues& fixed) {
   const std::set<Symbol> always{{"mu0"}, {"omega"}, {"du_z"}};
   add({"mu0"}, "friction coefficient", scene);
   add({"omega"}, "angular frequency", scene);
   add({"du_z"}, "amplitude", scene);
   std::map<Symbol, std::string> comments = element_comments(scene);
   comments[{"m"}] = "mass";
+  comments[{"u_z0"}] = "mean indentation";
   if (const auto* isotropic = std::get_if<Isotropic>(&scene.tangential)) {
     const bool poisson = isotropic->by == Isotropic::By::poisson;
     comments[isotropic->quantity.symbol] = poisson ? "Poisson's ratio" : "K_t/K_n";
   }
-  for (const Symbol& symbol : derivation.parameters)
-    if (!always.contains(symbol)) add(symbol, comments.at(symbol), scene);
+  for (const Symbol& symbol : symbols) {
+    if (const auto number = fixed.find(symbol); number != fixed.end())
+      fixed_.insert(*number);
+    else if (!always.contains(symbol))
+      add(symbol, comments.at(symbol), scene);
+  }
 }
 
 void ParameterList::add(const Symbol& symbol, const std::string& comment, const Scene& scene) {
@@ -47,6 +55,13 @@ void ParameterList::add(const Symbol& symbol, const std::string& comment, const 
     return member.name == symbol.name;
   });
   if (!is_there) members_.push_back({symbol.name, comment, scene.arrays.at(symbol.name)});
+}
+
+NodeId ParameterList::value(Program& program, const Symbol& symbol) const {
+  if (contains(symbol)) return program.parameter(symbol);
+  const auto number = fixed_.find(symbol);
+  return program.constant(number == fixed_.end() ? GiNaC::numeric(1)
+                                                 : exact_binary(number->second));
 }
 
 std::string ParameterList::reference(const Symbol& symbol) const {

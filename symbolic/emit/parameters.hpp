@@ -1,4 +1,5 @@
-// The members of a generated struct Parameters: the symbols that v* depends on.
+// The members of a generated struct Parameters: the symbols that v* depends on, but for those that
+// are fixed.
 #pragma once
 
 #include <set>
@@ -6,6 +7,8 @@
 #include <vector>
 
 #include "derivation/derivation.hpp"
+#include "emit/options.hpp"
+#include "program/program.hpp"
 #include "scene/scene.hpp"
 
 namespace vcrit::symbolic {
@@ -18,17 +21,23 @@ struct Member {
 class ParameterList {
  public:
   /// mu0, omega and du_z are always there, as the calls need them.
-  ParameterList(const Scene& scene, const Derivation& derivation);
+  ParameterList(const Scene& scene, const Derivation& derivation, const FixedValues& fixed = {})
+      : ParameterList(scene, derivation.parameters, fixed) {}
+  ParameterList(const Scene& scene, const std::vector<Symbol>& symbols, const FixedValues& fixed);
 
   const std::vector<Member>& members() const { return members_; }
-  /// "p.k0", "p.k[2]"; or "1.0" for an element whose value v* does not depend on.
+  /// "p.k0", "p.k[2]".
   std::string reference(const Symbol& symbol) const;
   bool contains(const Symbol& symbol) const { return known_.contains(symbol); }
+  /// What a program computes with: the parameter, its fixed number as the double that it is, or 1
+  /// for an element whose value does not matter.
+  NodeId value(Program& program, const Symbol& symbol) const;
 
  private:
   void add(const Symbol& symbol, const std::string& comment, const Scene& scene);
 
   std::set<Symbol> known_;
+  FixedValues fixed_;
   std::vector<Member> members_;
 };
 

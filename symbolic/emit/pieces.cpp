@@ -18,8 +18,8 @@ constexpr std::size_t width = 120;
 
 }  // namespace
 
-std::string banner(const Scene& scene, const Derivation& derivation, int operations,
-                   const std::string& name, const std::string& language) {
+std::string banner(const Scene& scene, const Derivation& derivation, const std::string& command,
+                   const FixedValues& fixed) {
   const std::string file = std::filesystem::path(scene.file).filename().string();
   const std::string title = scene.title.empty() ? file : scene.title;
   std::string out =
@@ -28,15 +28,8 @@ std::string banner(const Scene& scene, const Derivation& derivation, int operati
     out += comment("  " + to_text(line.left) + " = " + to_text(line.right));
   out += comment("  v* = " + to_text(derivation.critical_velocity) + "   " + derivation.equation +
                  (derivation.definitions.empty() ? "" : ", s = i omega"));
-  const bool is_cpp = language == "c++";
-  out += comment(fmt::format("Formula {}; again: vcrit generate {} --out DIR --name {}{}",
-                             fingerprint(Model(scene)), file, name,
-                             is_cpp ? "" : " --language " + language));
-  const char* const remark =
-      "Accuracy: one ulp wherever the bound is below 2^-52. {} operations; vectorised by "
-      "-O3 -march=native -fno-math-errno.";
-  out += comment(fmt::format(fmt::runtime(is_cpp ? remark : "{} operations."), operations));
-  return out;
+  if (!fixed.empty()) out += comment(fixed_text(fixed));
+  return out + comment(fmt::format("Formula {}; again: {}", fingerprint(Model(scene)), command));
 }
 
 std::string replaced(std::string text, const std::string& what, const std::string& with) {

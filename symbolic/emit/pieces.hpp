@@ -4,14 +4,15 @@
 #include <string>
 
 #include "derivation/derivation.hpp"
+#include "emit/options.hpp"
 #include "emit/parameters.hpp"
 #include "scene/scene.hpp"
 
 namespace vcrit::symbolic {
 
 /// What the file is, the formula it evaluates, and the command that makes it again, as // comments.
-std::string banner(const Scene& scene, const Derivation& derivation, int operations,
-                   const std::string& name, const std::string& language = "c++");
+std::string banner(const Scene& scene, const Derivation& derivation, const std::string& command,
+                   const FixedValues& fixed);
 
 std::string replaced(std::string text, const std::string& what, const std::string& with);
 

@@ -23,8 +23,17 @@ Operand StraightLine::expression(NodeId id) const {
   if (node.operation == Node::Operation::constant) return dialect_.constant(node);
   std::vector<Operand> arguments;
   for (std::size_t i = 0; i < arity(node.operation); ++i)
-    arguments.push_back(expression(node.arguments[i]));
+    arguments.push_back(node.kind == NodeKind::bound ? in_bound(node.arguments[i])
+                                                     : expression(node.arguments[i]));
   return dialect_.apply(node, arguments);
+}
+
+// A bound needs no more of a constant than a double holds.
+Operand StraightLine::in_bound(NodeId id) const {
+  Node node = program_[id];
+  if (node.operation != Node::Operation::constant) return expression(id);
+  node.kind = NodeKind::exact;
+  return dialect_.constant(node);
 }
 
 Operand StraightLine::operand(NodeId id) { return expression(id); }

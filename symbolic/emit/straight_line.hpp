@@ -49,6 +49,8 @@ class StraightLine {
   Operand expression(NodeId id) const;
 
  private:
+  Operand in_bound(NodeId id) const;
+
   const Program& program_;
   const Dialect& dialect_;
   std::map<NodeId, Operand> known_;

@@ -1,5 +1,7 @@
 #include "program/program.hpp"
 
+#include <cstdlib>
+
 #include "base/errors.hpp"
 #include "formula/symbols.hpp"
 
@@ -14,6 +16,15 @@ constexpr int longest_fold = 4000;
 
 bool is_short(const GiNaC::numeric& x) {
   return x.numer().int_length() + x.denom().int_length() < longest_fold;
+}
+
+bool is_moderate(const GiNaC::numeric& x) {
+  return std::abs(x.numer().int_length() - x.denom().int_length()) < 199;
+}
+
+// Beyond this, only numbers with an exponent of their own can hold it: left to them.
+bool is_ordinary(const GiNaC::numeric& x) {
+  return x.is_zero() || std::abs(x.numer().int_length() - x.denom().int_length()) < 900;
 }
 
 bool is_double(const GiNaC::numeric& x) { return exact_binary(x.to_double()) == x; }
@@ -71,11 +82,19 @@ NodeId Program::apply(Operation operation, std::array<NodeId, 3> arguments) {
   NodeKind kind = NodeKind::value;
   for (std::size_t i = 0; i < arity(operation); ++i)
     if (nodes_[arguments[i]].kind == NodeKind::bound) kind = NodeKind::bound;
-  if (operation == Operation::size) kind = NodeKind::bound;
+  if (operation == Operation::size || operation == Operation::unless_moderate)
+    kind = NodeKind::bound;
   if (operation == Operation::unit) kind = NodeKind::exact;
   if (operation == Operation::negate || operation == Operation::magnitude)
     kind = nodes_[arguments[0]].kind;
   return known_[key] = push({operation, kind, arguments, 0, {}});
+}
+
+std::optional<NodeId> Program::fold(NodeId a, NodeId b, const Fold& operation) {
+  if (!is_constant(a) || !is_constant(b) || !is_short(value(a)) || !is_short(value(b)))
+    return std::nullopt;
+  const GiNaC::numeric result = operation(value(a), value(b));
+  return is_ordinary(result) ? std::optional(constant(result)) : std::nullopt;
 }
 
 NodeId Program::negate(NodeId a) {
@@ -90,8 +109,7 @@ NodeId Program::negate(NodeId a) {
 NodeId Program::add(NodeId a, NodeId b) {
   if (is_constant(a, 0)) return b;
   if (is_constant(b, 0)) return a;
-  if (is_constant(a) && is_constant(b) && is_short(value(a)) && is_short(value(b)))
-    return constant(value(a) + value(b));
+  if (const auto folded = fold(a, b, std::plus<>())) return *folded;
   for (const auto& [product, other] : {std::pair(b, a), std::pair(a, b)})
     if (nodes_[product].operation == Operation::multiply && nodes_[product].kind == NodeKind::value)
       return multiply_add(nodes_[product].arguments[0], nodes_[product].arguments[1], other);
@@ -105,8 +123,7 @@ NodeId Program::add(NodeId a, NodeId b) {
 NodeId Program::multiply(NodeId a, NodeId b) {
   if (is_constant(a, 0) || is_constant(b, 1)) return a;
   if (is_constant(b, 0) || is_constant(a, 1)) return b;
-  if (is_constant(a) && is_constant(b) && is_short(value(a)) && is_short(value(b)))
-    return constant(value(a) * value(b));
+  if (const auto folded = fold(a, b, std::multiplies<>())) return *folded;
   if (is_constant(a, -1)) return negate(b);
   if (is_constant(b, -1)) return negate(a);
   // Signs on the left.
@@ -117,9 +134,8 @@ NodeId Program::multiply(NodeId a, NodeId b) {
 
 NodeId Program::divide(NodeId a, NodeId b) {
   if (is_constant(a, 0) || is_constant(b, 1)) return a;
-  if (is_constant(a) && is_constant(b) && !is_constant(b, 0) && is_short(value(a)) &&
-      is_short(value(b)))
-    return constant(value(a) / value(b));
+  if (!is_constant(b, 0))
+    if (const auto folded = fold(a, b, std::divides<>())) return *folded;
   return apply(Operation::divide, {a, b});
 }
 
@@ -143,7 +159,9 @@ NodeId Program::root(NodeId a) { return apply(Operation::root, {a}); }
 
 NodeId Program::unit(NodeId a) { return apply(Operation::unit, {a}); }
 
-NodeId Program::nonzero(NodeId a, NodeId b) { return apply(Operation::nonzero, {a, b}); }
+NodeId Program::nonzero(NodeId a, NodeId b) {
+  return is_constant(a) && !is_constant(a, 0) ? a : apply(Operation::nonzero, {a, b});
+}
 
 NodeId Program::size(NodeId a) {
   if (is_constant(a) && nodes_[a].kind == NodeKind::exact) return constant(abs(value(a)));
@@ -152,7 +170,8 @@ NodeId Program::size(NodeId a) {
 }
 
 NodeId Program::unless_moderate(NodeId a) {
-  ensure(nodes_[a].kind == NodeKind::bound, "only bounds are compared");
+  if (is_constant(a) && is_moderate(value(a))) return constant(0);
+  ensure(is_constant(a) || nodes_[a].kind == NodeKind::bound, "only bounds are compared");
   return apply(Operation::unless_moderate, {a});
 }
 

@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <functional>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <tuple>
@@ -85,7 +86,10 @@ class Program {
 
  private:
   using Key = std::tuple<Node::Operation, std::array<NodeId, 3>>;
+  using Fold = std::function<GiNaC::numeric(const GiNaC::numeric&, const GiNaC::numeric&)>;
   NodeId apply(Node::Operation operation, std::array<NodeId, 3> arguments);
+  /// Two constants as one, unless that grows too long or leaves the range of doubles.
+  std::optional<NodeId> fold(NodeId a, NodeId b, const Fold& operation);
   NodeId push(Node node);
   bool is_constant(NodeId id) const;
   const GiNaC::numeric& value(NodeId id) const { return nodes_[id].constant; }

@@ -275,14 +275,14 @@ class Writer {
   VelocityProgram result_;
 };
 
+}  // namespace
+
 void refuse_other_drives(const Scene& scene) {
   if (scene.receptance)
     throw ModelError("the generator needs a network; this drive is a measured receptance");
   if (scene.drive && has_masses(*scene.drive))
     throw ModelError("the generator knows one body; this drive holds masses of its own");
 }
-
-}  // namespace
 
 // The widest range for which all numbers stay among the doubles, and scaling only where there is
 // none otherwise: it costs a tenth of the time.

@@ -35,6 +35,9 @@ using SymbolValue = std::function<NodeId(Program&, const Symbol&)>;
 std::optional<VelocityProgram> sweep_program(const Scene& scene, const SymbolValue& value);
 
 /// Throws ModelError for a drive with masses of its own or a measured one.
+void refuse_other_drives(const Scene& scene);
+
+/// Throws ModelError for such a drive.
 VelocityProgram velocity_program(const Scene& scene, const SymbolValue& value);
 
 }  // namespace vcrit::symbolic

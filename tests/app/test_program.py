@@ -139,6 +139,18 @@ class Commands(unittest.TestCase):
                 self.assertEqual((result.returncode, result.stdout), (0, f"{out}/{file}\n"), result.stderr)
                 self.assertEqual([path.name for path in out.iterdir()], [file])
 
+    def test_generate_fixes_parameters(self):
+        with tempfile.TemporaryDirectory() as folder:
+            result = run("generate", "--out", folder, "--fix", "kn,cn", "--fix", "m", "--quantities", KELVIN)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            self.assertEqual(result.stdout, f"{folder}/critical.hpp\n{folder}/critical_quantities.hpp\n")
+            for name, first in [("critical", "struct Parameters"), ("critical_quantities", "struct QuantityParameters")]:
+                header = Path(folder, f"{name}.hpp").read_text()
+                self.assertIn("--fix kn,cn,m --quantities", header.replace("\n//", ""))
+                parameters = header[header.index(first):].split("};")[0]
+                self.assertRegex(parameters, r"\bkt\b")
+                self.assertNotRegex(parameters, r"\b(kn|cn|m)[,;]")
+
     # The order of GiNaC's terms changes from process to process.
     def test_the_catalogue_is_the_same_page_in_every_run(self):
         pages = [run("derive", "--catalogue") for _ in range(4)]
@@ -267,6 +279,14 @@ class Mistakes(unittest.TestCase):
             self.assertIn("None", self.refused(*to, "python"))
             self.assertFalse(Path(folder, "out").exists())
             self.assertEqual(run(*to, "c99").returncode, 0)
+
+    def test_parameters_that_cannot_be_fixed(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for name, words in [("kdd", 'expected "kd"'), ("omega", "parameter of every call")]:
+                with self.subTest(name=name):
+                    error = self.refused("generate", str(PROJECT / KELVIN), "--out", "out", "--fix", name, folder=folder)
+                    self.assertIn(words, error)
+                    self.assertEqual(list(Path(folder).iterdir()), [])
 
     def test_wrong_usage_ends_with_2(self):
         for arguments in [[], ["nothing"], ["eval"], ["eval", KELVIN, "--wrong"], ["simulate", KELVIN],

@@ -41,6 +41,13 @@ int main() {
     print_derivation(scene);
     std::cout << symbolic::emit_header(scene, "scene") << symbolic::emit_test(scene, "scene");
   }
+  const symbolic::GenerateOptions options{{"all"}, true};
+  for (const char* file : {VCRIT_SCENES "/prony.toml", VCRIT_SCENES "/bridge.toml"}) {
+    const Scene scene = read_scene(file);
+    std::cout << symbolic::emit_header(scene, "scene", options)
+              << symbolic::emit_quantities(scene, "scene")
+              << symbolic::emit_test(scene, "scene", options);
+  }
   // Drives that generated code does not know.
   print_derivation(scene_of("normal = \"k0 | (k1 - c1)\"\npoisson = \"nu\"",
                             "k2 - (mass(m2) | k3 | c3 | (k4 - mass(m4)))", "m"));

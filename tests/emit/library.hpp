@@ -39,8 +39,10 @@ struct Call {
 
 /// The scene's values in the order of the members of Parameters; entries of arrays that the scene
 /// leaves out are 0.
-inline std::vector<double> members(const Scene& scene, const Scene& generated_for) {
-  const symbolic::ParameterList parameters(generated_for, symbolic::derive(generated_for));
+inline std::vector<double> members(const Scene& scene, const Scene& generated_for,
+                                   const symbolic::GenerateOptions& options = {}) {
+  const symbolic::ParameterList parameters(generated_for, symbolic::derive(generated_for),
+                                           symbolic::fixed_values(generated_for, options.fixed));
   const Values values = values_of(scene);
   std::vector<double> result;
   for (const symbolic::Member& member : parameters.members())
@@ -53,9 +55,12 @@ inline std::vector<double> members(const Scene& scene, const Scene& generated_fo
 
 class Libraries {
  public:
-  explicit Libraries(std::vector<Scene> scenes) : scenes_(std::move(scenes)) {
+  /// With options for each scene, or none.
+  explicit Libraries(std::vector<Scene> scenes, std::vector<symbolic::GenerateOptions> options = {})
+      : scenes_(std::move(scenes)), options_(std::move(options)) {
+    options_.resize(scenes_.size());
     for (std::size_t i = 0; i < scenes_.size(); ++i)
-      write_file(header(i), symbolic::emit_header(scenes_[i], name(i)));
+      write_file(header(i), symbolic::emit_header(scenes_[i], name(i), options_[i]));
     write_file(folder_.path() / "driver.cpp", driver());
   }
 
@@ -81,7 +86,7 @@ class Libraries {
     std::string input;
     for (const Call& call : calls) {
       input += std::to_string(call.library);
-      for (const double x : members(call.scene, scenes_[call.library]))
+      for (const double x : members(call.scene, scenes_[call.library], options_[call.library]))
         input += fmt::format(" {}", to_text(x));
       input += "\n";
     }
@@ -146,6 +151,7 @@ class Libraries {
 
   PrivateFolder folder_;
   std::vector<Scene> scenes_;
+  std::vector<symbolic::GenerateOptions> options_;
 };
 
 }  // namespace vcrit::test

@@ -40,6 +40,23 @@ BOOST_AUTO_TEST_CASE(its_own_test_passes) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(its_own_test_passes_with_fixed_parameters) {
+  const Scene scene = read_scene(VCRIT_SCENES "/prony.toml");
+  for (const std::vector<std::string>& fixed :
+       {std::vector<std::string>{"all"}, {"k", "tau[3]"}, {"tau"}}) {
+    const test::PrivateFolder folder;
+    symbolic::generate(scene, folder.path(), "library", {fixed, true});
+    const std::string program = (folder.path() / "program").string();
+    std::vector<std::string> command{test::compilers(folder).front(), "-o", program,
+                                     (folder.path() / "test_library.cpp").string()};
+    command.insert(command.end(), test::strict_flags.begin(), test::strict_flags.end());
+    const test::Outcome built = test::run(command, folder.path());
+    BOOST_REQUIRE_MESSAGE(built.status == 0, built.output);
+    const test::Outcome outcome = test::run({program}, folder.path());
+    BOOST_TEST(outcome.status == 0, fixed.front() << ": " << outcome.output);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(its_own_test_can_fail) {
   const test::PrivateFolder folder;
   symbolic::generate(read_scene(VCRIT_SCENES "/kelvin.toml"), folder.path(), "library");

@@ -26,6 +26,7 @@ ROOMS = [
     "symbolic/derivation",
     "symbolic/analysis",
     "symbolic/document",
+    "symbolic/program",
     "symbolic/emit",
     "validation",
     "validation/benchmark",

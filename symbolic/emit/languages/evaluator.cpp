@@ -11,13 +11,12 @@
 
 namespace vcrit::symbolic {
 
-Evaluator::Evaluator(const Scene& scene)
+Evaluator::Evaluator(const Scene& scene, const FixedValues& fixed)
     : derivation(derive(scene)),
-      parameters(scene, derivation),
+      parameters(scene, derivation, fixed),
       velocity(velocity_program(scene,
                                 [this](Program& program, const Symbol& symbol) {
-                                  return parameters.contains(symbol) ? program.parameter(symbol)
-                                                                     : program.constant(1);
+                                  return parameters.value(program, symbol);
                                 })),
       gradient(gradient_program(velocity)) {
   const Program& program = gradient.program;

@@ -13,7 +13,7 @@
 namespace vcrit::symbolic {
 
 struct Evaluator {
-  explicit Evaluator(const Scene& scene);
+  Evaluator(const Scene& scene, const FixedValues& fixed);
 
   Derivation derivation;
   ParameterList parameters;

@@ -1,5 +1,7 @@
 #include "emit/languages/languages.hpp"
 
+#include <fmt/format.h>
+
 #include "base/files.hpp"
 #include "emit/languages/language_names.hpp"
 #include "emit/languages/printers.hpp"
@@ -57,20 +59,24 @@ std::string extension(Language language) {
   return extensions[static_cast<std::size_t>(language)];
 }
 
-std::string emit(const Scene& scene, const std::string& name, Language language) {
+std::string emit(const Scene& scene, const std::string& name, Language language,
+                 const GenerateOptions& options) {
   check_library_name(name, language);
-  const Evaluator evaluator(scene);
+  const FixedValues fixed = fixed_values(scene, options.fixed);
+  const Evaluator evaluator(scene, fixed);
   check_member_names(evaluator.derivation.parameters, scene.file, language);
-  std::string head = banner(scene, evaluator.derivation, evaluator.operations, name,
-                            language_names()[static_cast<std::size_t>(language)]) +
+  GenerateOptions own = options;
+  own.language = language_names()[static_cast<std::size_t>(language)];
+  std::string head = banner(scene, evaluator.derivation, command_line(scene, name, own), fixed) +
+                     comment(fmt::format("{} operations.", evaluator.operations)) +
                      accuracy_lines(language);
   if (language == Language::python) head = "#" + replaced(head.substr(2), "\n//", "\n#");
   return head + text(evaluator, name, language);
 }
 
 void generate(const Scene& scene, const std::filesystem::path& directory, const std::string& name,
-              Language language) {
-  const std::string file = emit(scene, name, language);
+              Language language, const GenerateOptions& options) {
+  const std::string file = emit(scene, name, language, options);
   write_file(directory / (name + extension(language)), file);
 }
 

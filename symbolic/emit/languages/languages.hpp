@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "emit/options.hpp"
 #include "scene/scene.hpp"
 
 namespace vcrit::symbolic {
@@ -18,10 +19,11 @@ std::string extension(Language language);
 
 /// The file NAME.h, NAME.py, NAME.mjs or NAME.cuh as text. Throws InputError where the language
 /// does not allow `name` or the name of a parameter, ModelError as emit_header() does.
-std::string emit(const Scene& scene, const std::string& name, Language language);
+std::string emit(const Scene& scene, const std::string& name, Language language,
+                 const GenerateOptions& options = {});
 
 /// Writes that file to `directory`.
 void generate(const Scene& scene, const std::filesystem::path& directory, const std::string& name,
-              Language language);
+              Language language, const GenerateOptions& options = {});
 
 }  // namespace vcrit::symbolic

@@ -1,0 +1,170 @@
+#include "program/quantities.hpp"
+
+#include <cmath>
+
+#include "formula/symbols.hpp"
+#include "network/graph.hpp"
+
+namespace vcrit::symbolic {
+
+namespace {
+
+constexpr int exponent = 64;
+// Squares of T and Q stay far within the doubles.
+constexpr double largest_part = 400;
+
+Complex times(Program& program, const Complex& a, const Complex& b) {
+  return sum_of_products(program, {{a, b}}).value;
+}
+
+Complex conjugate(Program& program, const Complex& z) { return {z.re, program.negate(z.im)}; }
+
+Complex sum(Program& program, const Complex& a, const Complex& b) {
+  return {program.add(a.re, b.re), program.add(a.im, b.im)};
+}
+
+/// |z|; without a root where one part is 0.
+NodeId modulus(Program& program, const Complex& z) {
+  if (program.is_constant(z.im, 0)) return program.magnitude(z.re);
+  if (program.is_constant(z.re, 0)) return program.magnitude(z.im);
+  return program.root(square(program, z));
+}
+
+/// What carries a load at rest.
+std::optional<Network> static_part(const Network& network) {
+  return without(network, [](const Element& e) { return e.kind != ElementKind::spring; });
+}
+
+class Writer {
+ public:
+  Writer(const Scene& scene, const SymbolValue& value)
+      : scene_(scene),
+        value_(value),
+        omega_(symbol({"omega"})),
+        stiffness_(program_, omega_, exponent, [this](const Symbol& s) { return symbol(s); }) {}
+
+  QuantityProgram write() {
+    result_.normal = network(scene_.normal);
+    write_tangential();
+    if (scene_.drive) result_.drive = network(*scene_.drive);
+    friction_ = program_.multiply(symbol({"mu0"}), symbol({"du_z"}));
+    if (scene_.drive) dynamic_ = dynamic_stiffness();
+    if (scene_.mass) result_.body = body();
+    result_.contact_point = contact_point();
+    result_.largest_amplitude = largest_amplitude();
+    result_.program = std::move(program_);
+    return std::move(result_);
+  }
+
+ private:
+  NodeId symbol(const Symbol& s) { return value_(program_, s); }
+
+  StiffnessResult network(const Network& network) {
+    Stiffness k = stiffness_.write(network);
+    const auto fits = [](const Range& range) {
+      return range.low > -largest_part && range.high < largest_part;
+    };
+    if (!fits(k.t_range) || !fits(k.q_range)) k = stiffness_.normalised(k);
+    StiffnessResult result{quotient(k), std::nullopt, k.exact_re};
+    // Besides T and Q: the two products of T conj(Q), 2 sqrt(2), their sum |Q|^2, 2, the quotient.
+    const double known = 1.4143 * k.path + (is_one(program_, k.q) ? 0 : 6);
+    if (!k.roundings) result.roundings = static_cast<int>(std::ceil(1.01 * known));
+    return result;
+  }
+
+  Complex quotient(const Stiffness& k) {
+    if (is_one(program_, k.q)) return k.t;
+    const Complex above = times(program_, k.t, conjugate(program_, k.q));
+    const NodeId below = square(program_, k.q);
+    return {program_.divide(above.re, below), program_.divide(above.im, below)};
+  }
+
+  void write_tangential() {
+    const auto* isotropic = std::get_if<Isotropic>(&scene_.tangential);
+    if (isotropic == nullptr) {
+      result_.tangential = network(std::get<Network>(scene_.tangential));
+      return;
+    }
+    ratio_ = ratio(*isotropic);
+    result_.tangential = {scaled(program_, *ratio_, result_.normal.k), result_.normal.roundings,
+                          false};
+    // 1 - nu, 2 - nu, their quotient, and its product with K_n.
+    if (result_.tangential.roundings) *result_.tangential.roundings += 4;
+  }
+
+  NodeId ratio(const Isotropic& isotropic) {
+    const auto& given = isotropic.quantity;
+    const NodeId number =
+        given.value ? program_.constant(exact_binary(*given.value)) : symbol(given.symbol);
+    if (isotropic.by == Isotropic::By::ratio) return number;
+    const NodeId two = program_.constant(2);
+    const NodeId one_less = program_.subtract(program_.constant(1), number);
+    return program_.divide(program_.multiply(two, one_less), program_.subtract(two, number));
+  }
+
+  /// K_d - m omega^2
+  Complex dynamic_stiffness() {
+    const Complex k = result_.drive->k;
+    if (!scene_.mass) return k;
+    const NodeId m = symbol(scene_.mass->symbol);
+    if (result_.drive->exact_re) return {program_.less_inertia(k.re, m, omega_), k.im};
+    const NodeId inertia = program_.multiply(program_.multiply(m, omega_), omega_);
+    return {program_.subtract(k.re, inertia), k.im};
+  }
+
+  OscillationResult body() {
+    const Complex k = result_.normal.k;
+    const NodeId ratio = program_.divide(modulus(program_, k), modulus(program_, *dynamic_));
+    return {program_.multiply(friction_, ratio),
+            against(times(program_, k, conjugate(program_, *dynamic_)))};
+  }
+
+  /// In an isotropic contact K_n/K_t is a number.
+  OscillationResult contact_point() {
+    const Complex unity = real(program_, program_.constant(1));
+    const Complex above = ratio_ ? unity : result_.normal.k;
+    const Complex below = ratio_ ? real(program_, *ratio_) : result_.tangential.k;
+    NodeId amplitude = program_.divide(modulus(program_, above), modulus(program_, below));
+    Complex direction = ratio_ ? unity : times(program_, above, conjugate(program_, below));
+    if (dynamic_) {
+      const Complex whole = sum(program_, result_.tangential.k, *dynamic_);
+      amplitude = program_.multiply(
+          amplitude, program_.divide(modulus(program_, whole), modulus(program_, *dynamic_)));
+      direction =
+          times(program_, direction, times(program_, whole, conjugate(program_, *dynamic_)));
+    }
+    return {program_.multiply(friction_, amplitude), against(direction)};
+  }
+
+  /// Friction acts against the sliding.
+  Complex against(const Complex& z) { return {program_.negate(z.re), program_.negate(z.im)}; }
+
+  /// (3) and (4): u_z0 K_n(0)/|K_n(i omega)|, at most u_z0; K_n(0) <= |K_n| as no part of a
+  /// network of springs and dampers grows softer with the frequency.
+  std::optional<NodeId> largest_amplitude() {
+    const std::optional<Network> at_rest = static_part(scene_.normal);
+    if (!at_rest) return std::nullopt;
+    const Complex k = network(*at_rest).k;
+    const NodeId share = program_.divide(k.re, modulus(program_, result_.normal.k));
+    return program_.multiply(symbol({"u_z0"}), share);
+  }
+
+  const Scene& scene_;
+  const SymbolValue& value_;
+  Program program_;
+  NodeId omega_;
+  StiffnessWriter stiffness_;
+  NodeId friction_ = 0;
+  std::optional<NodeId> ratio_;
+  std::optional<Complex> dynamic_;
+  QuantityProgram result_;
+};
+
+}  // namespace
+
+QuantityProgram quantity_program(const Scene& scene, const SymbolValue& value) {
+  refuse_other_drives(scene);
+  return Writer(scene, value).write();
+}
+
+}  // namespace vcrit::symbolic
