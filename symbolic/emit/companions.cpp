@@ -182,7 +182,7 @@ int main() {{
   const Gradient g = critical_velocity_gradient(p), fast_g = fast::critical_velocity_gradient(p);
   expect(g.value == v.value && fast_g.value == f.value, "value beside the gradient");
   expect(std::abs(g.partial.mu0 * p.mu0 - v.value) <= 0x1p-51 * v.value, "d v/d mu0 = v/mu0");
-  [[maybe_unused]] const auto identity = [&](const Parameters& d) {{
+  const auto identity = [&]([[maybe_unused]] const Parameters& d) {{
     const double terms[] = {{{euler}}};
     double sum = 0, size = 0;
     for (const double term : terms) sum += term, size += std::abs(term);

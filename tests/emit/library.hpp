@@ -104,7 +104,7 @@ class Libraries {
       for (double* result : {&call.value, &call.bound, &call.fast_value, &call.fast_bound})
         *result = next();
       for (std::vector<double>* partials : {&call.partials, &call.fast_partials}) {
-        partials->resize(members(call.scene, scenes_[call.library]).size());
+        partials->resize(members(call.scene, scenes_[call.library], options_[call.library]).size());
         for (double& partial : *partials) partial = next();
       }
     }

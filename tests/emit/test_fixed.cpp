@@ -204,7 +204,7 @@ BOOST_AUTO_TEST_CASE(the_banner_tells_how_and_what) {
   for (std::size_t at = 0; (at = joined.find("\n// ", at)) != std::string::npos;)
     joined.replace(at, 4, " ");
   BOOST_TEST(joined.find("vcrit generate kelvin.toml --out DIR --name scene --fix kn,cn "
-                         "--quantities.") != std::string::npos);
+                         "--quantities") != std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(numbers_that_are_there_already_may_be_named) {
