@@ -14,37 +14,34 @@ namespace {
 /// How a call is made: `sweep` and `varying` are statements about the columns x, in the words of
 /// the driver below; GRADE is the namespace of the grade.
 struct Call {
-  std::string name;
-  std::string sweep_needs, sweep, varying_needs, varying;  ///< needs: found in the header
+  std::string name, sweep, varying;
 };
 
 const std::vector<Call>& calls() {
   static const std::vector<Call> all{
-      {"batch", "", "GRADE::critical_velocity(first(x), omega(x, n), results);", "struct Columns",
+      {"batch", "GRADE::critical_velocity(first(x), omega(x, n), results);",
        "GRADE::critical_velocity({}, all_columns(x), results);"},
-      {"certified batch", "std::span<double> bound",
-       "GRADE::critical_velocity_certified(first(x), only_omega(x), results, bounds);",
-       "std::span<double> bound",
-       "GRADE::critical_velocity_certified({}, all_columns(x), results, bounds);"},
-      {"gradient batch", "struct PartialColumns",
-       "GRADE::critical_velocity_gradient(first(x), only_omega(x), results, partials(extra, n));",
-       "struct PartialColumns",
-       "GRADE::critical_velocity_gradient({}, all_columns(x), results, partials(extra, n));"},
-      {"scalar", "",
+      {"certified batch",
+       "GRADE::critical_velocity<only_omega>(first(x), all_columns(x), results, bounds);",
+       "GRADE::critical_velocity({}, all_columns(x), results, bounds);"},
+      {"gradient batch",
+       "GRADE::critical_velocity<only_omega>(first(x), all_columns(x), results, partials(extra, "
+       "n));",
+       "GRADE::critical_velocity({}, all_columns(x), results, partials(extra, n));"},
+      {"scalar",
        "auto p = first(x);\n"
        "  for (std::size_t i = 0; i < n; ++i) {\n"
        "    p.omega = x[1][i];\n"
        "    out[i] = GRADE::critical_velocity(p);\n"
        "  }",
-       "", "for (std::size_t i = 0; i < n; ++i) out[i] = GRADE::critical_velocity(sets[i]);"},
-      {"gradient scalar", "struct Gradient",
+       "for (std::size_t i = 0; i < n; ++i) out[i] = GRADE::critical_velocity(sets[i]);"},
+      {"gradient scalar",
        "auto p = first(x);\n"
        "  for (std::size_t i = 0; i < n; ++i) {\n"
        "    p.omega = x[1][i];\n"
        "    gradients[i] = GRADE::critical_velocity_gradient(p);\n"
        "    out[i] = gradients[i].value;\n"
        "  }",
-       "struct Gradient",
        "for (std::size_t i = 0; i < n; ++i) {\n"
        "    gradients[i] = GRADE::critical_velocity_gradient(sets[i]);\n"
        "    out[i] = gradients[i].value;\n"
@@ -67,45 +64,38 @@ std::string members(const Problem& problem, const std::string& value) {
   const symbolic::ParameterList parameters(problem.scene, symbolic::derive(problem.scene));
   std::string text;
   for (std::size_t j = 0; j < problem.columns.size(); ++j) {
-    const std::string member = parameters.reference(problem.columns[j].symbol);
-    if (member == "1.0") continue;
-    text += fmt::format("  {} = {};\n", member, replaced(value, "%", std::to_string(j)));
+    const Symbol& symbol = problem.columns[j].symbol;
+    if (!parameters.contains(symbol)) continue;
+    text += fmt::format("  {} = {};\n", parameters.reference(symbol),
+                        replaced(value, "%", std::to_string(j)));
   }
   return text;
 }
 
-std::string driver(const Problem& problem, const std::string& header) {
-  const auto has = [&](const std::string& text) { return header.find(text) != header.npos; };
+std::string driver(const Problem& problem) {
   std::string out = fmt::format(
-      "#include <span>\n#include <vector>\n#include \"problem.hpp\"\n"
+      "#include <span>\n#include <vector>\n#include \"problem_batch.hpp\"\n"
       "using Inputs = const double* const*;\n"
       "static problem::Parameters at(Inputs x, std::size_t i) {{\n"
       "  problem::Parameters p{{}};\n{}  return p;\n}}\n"
       "static problem::Parameters first(Inputs x) {{ return at(x, 0); }}\n"
       "static std::span<const double> omega(Inputs x, std::size_t n) {{ return {{x[1], n}}; }}\n"
-      "static std::vector<problem::Parameters> sets;\n",
+      "static std::vector<problem::Parameters> sets;\n"
+      "static std::vector<problem::Gradient> gradients;\n"
+      "constexpr problem::Varying only_omega{{.omega = true}};\n",
       members(problem, "x[%][i]"));
-  if (has("struct Columns"))
-    out += fmt::format(
-        "static problem::Columns all_columns(Inputs x) {{\n  problem::Columns p;\n{}  return p;\n"
-        "}}\n"
-        "static problem::Columns only_omega(Inputs x) {{\n  problem::Columns p;\n"
-        "  p.omega = x[1];\n  return p;\n}}\n",
-        members(problem, "x[%]"));
-  if (has("struct PartialColumns"))
-    out += fmt::format(
-        "static problem::PartialColumns partials(double* extra, std::size_t n) {{\n"
-        "  problem::PartialColumns p;\n{}  return p;\n}}\n",
-        members(problem, "extra + % * n"));
-  const bool scalar_gradient = has("struct Gradient");
-  if (scalar_gradient) out += "static std::vector<problem::Gradient> gradients;\n";
   out += fmt::format(
-      "extern \"C\" void prepare(Inputs x, std::size_t n, double*, double*) {{\n"
-      "  sets.clear();\n  for (std::size_t i = 0; i < n; ++i) sets.push_back(at(x, i));\n{}}}\n",
-      scalar_gradient ? "  gradients.resize(n);\n" : "");
+      "static problem::Columns all_columns(Inputs x) {{\n  problem::Columns p;\n{}  return p;\n"
+      "}}\n"
+      "static problem::PartialColumns partials(double* extra, std::size_t n) {{\n"
+      "  problem::PartialColumns p;\n{}  return p;\n}}\n",
+      members(problem, "x[%]"), members(problem, "extra + % * n"));
+  out +=
+      "extern \"C\" void prepare(Inputs x, std::size_t n, double*, double*) {\n"
+      "  sets.clear();\n  for (std::size_t i = 0; i < n; ++i) sets.push_back(at(x, i));\n"
+      "  gradients.resize(n);\n}\n";
   const auto add = [&](const std::string& grade, const Call& call, Mode mode) {
     const bool sweep = mode == Mode::sweep;
-    if (!has(sweep ? call.sweep_needs : call.varying_needs)) return;
     out += fmt::format(
         "extern \"C\" void {}(Inputs x, std::size_t n, double* out, double* extra) {{\n"
         "  [[maybe_unused]] const std::span<double> results(out, n), bounds(extra, n);\n"
@@ -124,16 +114,15 @@ std::string driver(const Problem& problem, const std::string& header) {
 
 std::vector<Evaluator> generated(const Problem& problem, const std::filesystem::path& compiler) {
   const validation::PrivateFolder folder;
-  const std::string header = symbolic::emit_header(problem.scene, "problem");
-  write_file(folder.path() / "problem.hpp", header);
-  write_file(folder.path() / "driver.cpp", driver(problem, header));
+  write_file(folder.path() / "problem.hpp", symbolic::emit_header(problem.scene, "problem"));
+  write_file(folder.path() / "problem_batch.hpp",
+             symbolic::emit_batch_header(problem.scene, "problem"));
+  write_file(folder.path() / "driver.cpp", driver(problem));
   const auto library =
       std::make_shared<const Library>(compiler, Flags::generated(), folder.path() / "driver.cpp");
   const Function prepare = library->function("prepare");
   std::vector<Evaluator> all;
   const auto add = [&](const std::string& grade, const Call& call, Mode mode) {
-    const std::string& needs = mode == Mode::sweep ? call.sweep_needs : call.varying_needs;
-    if (header.find(needs) == header.npos) return;
     Evaluator each = evaluator("vcrit " + grade + ", " + call.name, mode, library,
                                function_name(grade, call, mode));
     each.family = Family::own;
