@@ -187,7 +187,7 @@ template <class T, Varying S>
 [[gnu::flatten]] void batch(const Parameters p, const Columns& c, std::span<double> out, auto&&... more) {
   constexpr bool G = (std::is_same_v<std::decay_t<decltype(more)>, PartialColumns> || ...);
   constexpr bool B = sizeof...(more) != 0 && !G;
-  using Lanes = std::array<double, 32>;
+  using Lanes = std::array<double, 64>;
   Each<Lanes> in, partial;
   Columns from;
   Lanes value, bound;

@@ -16,6 +16,9 @@ namespace {
 int of_product(const ComplexSum& z) { return static_cast<int>(std::ceil(1.4143 * z.roundings)); }
 int of_sum(const ComplexSum& z) { return 2 * z.roundings; }
 
+// 1e3 to 1e10 N/m, omega tau from 1e-3 to 1e3: what polynomials are laid out for.
+constexpr Range ordinary_stiffness{10, 33}, ordinary_quotient{-10, 10};
+
 double extent(const Stiffness& k) {
   return std::max({std::abs(k.t_range.low), std::abs(k.t_range.high), std::abs(k.q_range.low),
                    std::abs(k.q_range.high)});
@@ -86,11 +89,14 @@ Stiffness StiffnessWriter::polynomial_element(const Element& e) {
   Stiffness whole;
   whole.q = polynomial({one});
   whole.t = polynomial(e.kind == ElementKind::spring ? std::vector{k} : std::vector{zero, k});
+  whole.range = whole.t_range = whole.elements = ordinary_stiffness;
   if (e.kind != ElementKind::maxwell) return whole;
   const NodeId tau = value_(e.time);
   guarded(program_.size(tau));
   whole.t = polynomial({zero, program_.multiply(k, tau)});
   whole.q = polynomial({one, tau});
+  whole.q_range = ordinary_quotient;
+  whole.t_range = ordinary_stiffness + ordinary_quotient;
   return whole;
 }
 

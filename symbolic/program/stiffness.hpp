@@ -61,7 +61,8 @@ class StiffnessWriter {
   Stiffness write(const Network& network);
   /// With polynomials in i omega for T and Q, whose coefficients do not depend on omega. They are
   /// positive and the roots are real and negative, so that the terms' absolute values add up to at
-  /// most 2^(n/2) times the polynomial's. Guards are of the parameters as they are; no ranges.
+  /// most 2^(n/2) times the polynomial's. Guards are of the parameters as they are, ranges those of
+  /// ordinary devices.
   /// Nothing for a graph that needs too many spanning trees.
   std::optional<Stiffness> write_polynomials(const Network& network);
   /// T and Q times a common power of two that brings the larger one near 1.

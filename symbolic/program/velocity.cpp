@@ -18,7 +18,7 @@ constexpr std::size_t longest_polynomial = 11;
 
 class Writer {
  public:
-  enum class Form { plain, normalised, polynomials };
+  enum class Form { plain, normalised, polynomials, normalised_polynomials };
 
   Writer(const Scene& scene, const SymbolValue& value, int exponent, Form form)
       : scene_(scene),
@@ -77,9 +77,13 @@ class Writer {
   }
 
   Stiffness network(const Network& network) {
-    if (form_ == Form::polynomials) return polynomial_network(network);
+    if (is_sweep()) return polynomial_network(network);
     const Stiffness k = stiffness_.write(network);
     return form_ == Form::normalised && !is_one(program_, k.q) ? stiffness_.normalised(k) : k;
+  }
+
+  bool is_sweep() const {
+    return form_ == Form::polynomials || form_ == Form::normalised_polynomials;
   }
 
   Stiffness polynomial_network(const Network& network) {
@@ -94,7 +98,8 @@ class Writer {
     whole.t = at(program_, k->t, omega_);
     whole.q = at(program_, k->q, omega_);
     whole.exact_re = is_one(program_, k->q) && program_[whole.t.re].kind == NodeKind::exact;
-    return whole;
+    if (form_ == Form::polynomials || is_one(program_, k->q)) return whole;
+    return stiffness_.normalised(whole);
   }
 
   /// K_t = ratio K_n: T and Q each times a number.
@@ -127,8 +132,7 @@ class Writer {
     const NodeId m = symbol(scene_.mass->symbol);
     const NodeId inertia_size = program_.multiply(
         program_.multiply(program_.size(m), program_.size(omega_)), program_.size(omega_));
-    const bool sweeps = form_ == Form::polynomials;
-    const Range inertia = stiffness_.guarded(sweeps ? program_.size(m) : inertia_size);
+    const Range inertia = stiffness_.guarded(is_sweep() ? program_.size(m) : inertia_size);
     Difference result;
     const Range larger{0, std::max(d.t_range.high, d.q_range.high + inertia.high) + 1};
     if (d.exact_re) {
@@ -243,7 +247,7 @@ class Writer {
     result_.above = product(above, above_ranges, result_.rooted);
     result_.below = product(below, below_ranges, result_.rooted);
     for (const char* name : {"mu0", "du_z"}) guard_factor({name});
-    if (form_ != Form::polynomials) guard_factor({"omega"});
+    if (!is_sweep()) guard_factor({"omega"});
     result_.factor =
         program_.multiply(program_.multiply(symbol({"mu0"}), omega_), symbol({"du_z"}));
     result_.guards.insert(result_.guards.end(), stiffness_.guards().begin(),
@@ -319,11 +323,12 @@ int operations_at_each_omega(const VelocityProgram& velocity) {
 
 std::optional<VelocityProgram> sweep_program(const Scene& scene, const SymbolValue& value) {
   refuse_other_drives(scene);
-  VelocityProgram program = Writer(scene, value, 40, Writer::Form::polynomials).write();
-  if (!program.fits) return std::nullopt;
   const int others = operations_at_each_omega(velocity_program(scene, value));
-  if (operations_at_each_omega(program) >= others) return std::nullopt;
-  return program;
+  for (const auto form : {Writer::Form::polynomials, Writer::Form::normalised_polynomials}) {
+    VelocityProgram program = Writer(scene, value, 40, form).write();
+    if (program.fits && operations_at_each_omega(program) < others) return program;
+  }
+  return std::nullopt;
 }
 
 }  // namespace vcrit::symbolic
