@@ -33,6 +33,12 @@ class Backward {
     known->second = program_.multiply_add(a, b, known->second);
   }
   void add(NodeId id, NodeId a) { add(id, a, program_.constant(1)); }
+  /// What a product a b passes on; squares are frequent.
+  void add_product(NodeId g, NodeId a, NodeId b) {
+    if (a == b) return add(a, program_.multiply(program_.constant(2), g), a);
+    add(a, g, b);
+    add(b, g, a);
+  }
 
   void pass(NodeId id, NodeId g) {
     const Node node = program_[id];
@@ -53,11 +59,9 @@ class Backward {
         add(a, g);
         return add(b, program_.negate(g));
       case Operation::multiply:
-        add(a, g, b);
-        return add(b, g, a);
+        return add_product(g, a, b);
       case Operation::multiply_add:
-        add(a, g, b);
-        add(b, g, a);
+        add_product(g, a, b);
         return add(c, g);
       case Operation::divide: {
         const NodeId share = program_.divide(g, b);
