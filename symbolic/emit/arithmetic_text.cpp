@@ -131,7 +131,7 @@ template <class T>
   const double v = wide && !(h > 0 && h < HUGE_VAL) ? @SIMPLE@ * head(factor) : whole;
   const double last = !wide || v >= 0x1p-1022 ? u : v > 0 ? u + 0x1p-1074 / (2.0 * v - 0x1p-1074) : 1.0;
   const bool inside = in_range(p), known = (e < 0x1p-10) & (v < HUGE_VAL) & (!plain | inside);
-  const bool safe = (h > 0x1p-900) & (h < 0x1p900) & (plain || ((v >= 0x1p-1022) & inside));
+  const bool safe = plain ? @PLAIN@ : (h > 0x1p-900) & (h < 0x1p900) & (v >= 0x1p-1022) & inside;
   return {{v, known ? (1.01 * e + last) * (1.0 + 0x1p-50) : HUGE_VAL}, wide || safe};
 }
 )";

@@ -48,7 +48,7 @@ class Writer {
   struct Ratio {
     NodeId t = 0, q = 0;
     int path = 0;
-    Range range;
+    Range range, t_range, q_range;
   };
 
   NodeId symbol(const Symbol& s) { return value_(program_, s); }
@@ -60,12 +60,19 @@ class Writer {
       const GiNaC::numeric given = exact_binary(*isotropic.quantity.value);
       const GiNaC::numeric ratio = poisson ? 2 * (1 - given) / (2 - given) : given;
       const double exponent = std::log2(ratio.to_double());
-      ratio_ = {program_.constant(ratio), program_.constant(1), 1, {exponent - 1, exponent + 1}};
+      // As 1/q: one product fewer.
+      ratio_ = {program_.constant(1),
+                program_.constant(1 / ratio),
+                1,
+                {exponent - 1, exponent + 1},
+                {},
+                {-exponent - 1, -exponent + 1}};
       return;
     }
     const NodeId given = symbol(isotropic.quantity.symbol);
     if (!poisson) {
-      ratio_ = {given, program_.constant(1), 0, stiffness_.guarded(program_.size(given))};
+      const Range range = stiffness_.guarded(program_.size(given));
+      ratio_ = {given, program_.constant(1), 0, range, range, {}};
       return;
     }
     const NodeId two = program_.constant(2);
@@ -73,7 +80,12 @@ class Writer {
     const NodeId q = program_.subtract(two, given);
     const Range range = stiffness_.guarded(program_.size(one_less));
     stiffness_.guarded(program_.size(q));
-    ratio_ = {program_.multiply(two, one_less), q, 2, range + Range{-1, 2}};
+    ratio_ = {program_.multiply(two, one_less),
+              q,
+              2,
+              range - range + Range{-1, 2},
+              range + Range{1, 1},
+              range};
   }
 
   Stiffness network(const Network& network) {
@@ -107,9 +119,9 @@ class Writer {
     Stiffness k = normal;
     k.t = scaled(program_, ratio_.t, normal.t);
     k.q = scaled(program_, ratio_.q, normal.q);
-    k.t_range = normal.t_range + ratio_.range;
+    k.t_range = normal.t_range + ratio_.t_range;
     k.range = normal.range + ratio_.range;
-    k.q_range = normal.q_range + Range{-ratio_.range.high, -ratio_.range.low};
+    k.q_range = normal.q_range + ratio_.q_range;
     k.path += ratio_.path + 2;
     k.exact_re = false;
     return k;
@@ -177,7 +189,7 @@ class Writer {
     const NodeId errors = with_drive_errors(t, d, body, sum);
     if (isotropic)
       return finish({whole}, {real(program_, ratio_.t), n.q, body.value}, {range},
-                    {ratio_.range, n.q_range, body.range},
+                    {ratio_.t_range, n.q_range, body.range},
                     program_.add(errors, number(ratio_.path)));
     finish({n.t, whole}, {n.q, t.t, body.value}, {n.t_range, range},
            {n.q_range, t.t_range, body.range},
