@@ -12,6 +12,7 @@
 #include "emit/generate.hpp"
 #include "emit/groups.hpp"
 #include "emit/names.hpp"
+#include "emit/pieces.hpp"
 #include "emit/words.hpp"
 #include "program/quantities.hpp"
 
@@ -48,18 +49,6 @@ std::string lines(const std::vector<std::pair<std::string, std::string>>& member
   for (const auto& [declaration, meaning] : members)
     out += fmt::format("  {:<{}}  ///< {}\n", declaration + ";", width + 1, meaning);
   return out;
-}
-
-/// A statement on as many lines as it takes.
-std::string statement(const std::string& text) {
-  constexpr std::size_t width = 120;
-  std::string rest = "  " + text, out;
-  for (std::size_t end = 0; rest.size() > width; rest = "      " + rest.substr(end + 1)) {
-    end = rest.rfind(' ', width);
-    if (end == std::string::npos || end < 8) break;
-    out += rest.substr(0, end) + "\n";
-  }
-  return out + rest + "\n";
 }
 
 std::string declaration(const std::string& name, std::size_t length) {
