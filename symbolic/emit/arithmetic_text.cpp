@@ -191,13 +191,14 @@ template <class T, Varying S>
   Each<Lanes> in, partial;
   Columns from;
   Lanes value, bound;
-  each([](Lanes& to, double x) { to.fill(x); }, in, p);
   for (std::size_t i = 0; i < out.size(); i += value.size()) {
     const std::size_t n = std::min(value.size(), out.size() - i);
-    each([=](const double*& y, Lanes& rest, const double* x) {
-      if (x && n < rest.size()) std::copy_n(x + i, n, rest.data());
-      y = x && n == rest.size() ? x + i : rest.data();
-    }, from, in, c);
+    each([=](const double*& y, Lanes& own, const double* x, double fixed) {
+      const bool whole = x && n == own.size();
+      if (x ? !whole : i == 0) own.fill(fixed);
+      if (x && !whole) std::copy_n(x + i, n, own.data());
+      y = whole ? x + i : own.data();
+    }, from, in, c, p);
     std::size_t unsafe = 0;
     const auto at = [&](std::size_t l) {
       Parameters q;
