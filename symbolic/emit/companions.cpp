@@ -103,11 +103,11 @@ std::vector<std::string> element_members(const Scene& scene, const ParameterList
 /// Multiplies them by 2. Nothing where one of them is a number of the code.
 std::string doubled(const Scene& scene, const ParameterList& parameters, const FixedValues& fixed) {
   if (scales_fixed_values(scene, fixed)) return "";
-  std::string out =
-      "  // A power of two changes no rounding, and a common factor of all stiffnesses, dampers "
-      "and\n"
-      "  // the mass not v*.\n"
-      "  Parameters doubled = p;\n";
+  std::string out = fmt::format(
+      "  // A power of two changes no rounding, and a common factor of all stiffnesses, dampers{}\n"
+      "  // does not change v*.\n"
+      "  Parameters doubled = p;\n",
+      scene.mass ? " and the mass" : "");
   for (const std::string& member : element_members(scene, parameters))
     out += "  doubled" + member.substr(1) + " *= 2.0;\n";
   return out +
