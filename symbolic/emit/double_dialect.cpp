@@ -13,28 +13,12 @@ Operand DoubleDialect::constant(const Node& node) const {
 }
 
 Operand DoubleDialect::apply(const Node& node, const std::vector<Operand>& arguments) const {
-  const auto bracketed = [&](std::size_t i) { return in_brackets(arguments[i]); };
-  const auto infix = [&](const char* sign) {
-    return Operand{fmt::format("{} {} {}", bracketed(0), sign, bracketed(1)), node.kind, false};
-  };
+  if (const auto simple = by_operators(node, arguments)) return *simple;
   const auto call = [&](const char* function) {
     return Operand{fmt::format("{}({})", function, arguments[0].text), node.kind, true};
   };
   using Operation = Node::Operation;
   switch (node.operation) {
-    case Operation::negate:
-      return {"-" + bracketed(0), node.kind, false};
-    case Operation::add:
-      return infix("+");
-    case Operation::subtract:
-      return infix("-");
-    case Operation::multiply:
-      return infix("*");
-    case Operation::divide:
-      return infix("/");
-    case Operation::multiply_add:
-      return {fmt::format("{} * {} + {}", bracketed(0), bracketed(1), bracketed(2)), node.kind,
-              false};
     case Operation::less_inertia:
       return {fmt::format("detail::exact_less_inertia({}, {}, {})", arguments[0].text,
                           arguments[1].text, arguments[2].text),

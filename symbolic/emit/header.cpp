@@ -93,7 +93,7 @@ std::string evaluate_function(const VelocityProgram& velocity, const GradientPro
                               const ParameterList& parameters) {
   const CppDialect dialect(parameters);
   StraightLine code(gradient.program, dialect);
-  const auto text = [&](NodeId id) { return code.operand(id).text; };
+  const auto text = [&](NodeId id) { return code.expression(id).text; };
   std::string out =
       "template <class T> [[gnu::always_inline]] inline Result evaluate(const Parameters& p, "
       "auto&... partial) {\n";
@@ -129,10 +129,11 @@ std::string polynomial_functions(const VelocityProgram& sweep, const ParameterLi
   out += range_function(sweep, parameters, "has_polynomials");
   out += "inline Result evaluate_polynomials(const Parameters& p) {\n  using T = double;\n";
   out += declarations(code, {sweep.above, sweep.below, sweep.factor}, dialect);
-  out += statement(fmt::format("const T above = {}, below = {};", code.operand(sweep.above).text,
-                               code.operand(sweep.below).text));
-  out += statement(fmt::format("const T v = {}(above / below) * ({});",
-                               sweep.rooted ? "std::sqrt" : "", code.operand(sweep.factor).text));
+  out += statement(fmt::format("const T above = {}, below = {};", code.expression(sweep.above).text,
+                               code.expression(sweep.below).text));
+  out +=
+      statement(fmt::format("const T v = {}(above / below) * ({});",
+                            sweep.rooted ? "std::sqrt" : "", code.expression(sweep.factor).text));
   return out + text::polynomials_end;
 }
 

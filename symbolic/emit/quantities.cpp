@@ -144,7 +144,7 @@ class Header {
       for (const std::string& item : items)
         body += statement(fmt::format("const double {};", item));
     fmt::dynamic_format_arg_store<fmt::format_context> texts;
-    for (const NodeId node : nodes) texts.push_back(code.operand(node).text);
+    for (const NodeId node : nodes) texts.push_back(code.expression(node).text);
     body += statement(fmt::format("return {};", fmt::vformat(result, texts)));
     const bool used = body.find("p.") != std::string::npos;
     std::string out = "\n";

@@ -14,6 +14,29 @@ std::string in_brackets(const Operand& operand) {
   return operand.is_simple ? operand.text : "(" + operand.text + ")";
 }
 
+std::optional<Operand> by_operators(const Node& node, const std::vector<Operand>& arguments) {
+  const auto text = [&](std::size_t i) { return in_brackets(arguments[i]); };
+  const auto infix = [&](const char* sign) {
+    return Operand{fmt::format("{} {} {}", text(0), sign, text(1)), node.kind, false};
+  };
+  switch (node.operation) {
+    case Node::Operation::negate:
+      return Operand{"-" + text(0), node.kind, false};
+    case Node::Operation::add:
+      return infix("+");
+    case Node::Operation::subtract:
+      return infix("-");
+    case Node::Operation::multiply:
+      return infix("*");
+    case Node::Operation::divide:
+      return infix("/");
+    case Node::Operation::multiply_add:
+      return Operand{fmt::format("{} * {} + {}", text(0), text(1), text(2)), node.kind, false};
+    default:
+      return std::nullopt;
+  }
+}
+
 Operand StraightLine::expression(NodeId id) const {
   const auto known = known_.find(id);
   if (known != known_.end()) return known->second;
@@ -35,8 +58,6 @@ Operand StraightLine::in_bound(NodeId id) const {
   node.kind = NodeKind::exact;
   return dialect_.constant(node);
 }
-
-Operand StraightLine::operand(NodeId id) { return expression(id); }
 
 std::vector<StraightLine::Declarations> StraightLine::declare(const std::vector<NodeId>& results) {
   const std::set<NodeId> needed = program_.needed_for(results);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <map>
-#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,6 +31,9 @@ class Dialect {
 /// "a", or "(a + b)".
 std::string in_brackets(const Operand& operand);
 
+/// What the operators of all these languages do with doubles; nothing for other operations.
+std::optional<Operand> by_operators(const Node& node, const std::vector<Operand>& arguments);
+
 class StraightLine {
  public:
   StraightLine(const Program& program, const Dialect& dialect)
@@ -43,9 +46,7 @@ class StraightLine {
     std::vector<std::string> items;  ///< "name = expression"
   };
   std::vector<Declarations> declare(const std::vector<NodeId>& results);
-  /// A result, after declare(): its name or expression.
-  Operand operand(NodeId id);
-  /// Without any declaration before it.
+  /// A result: its name, or the expression of what declare() has named.
   Operand expression(NodeId id) const;
 
  private:

@@ -106,15 +106,12 @@ class Trees {
     return whole;
   }
 
+  /// Compliances Q/T add up.
   Pair series(const Pair& a, const Pair& b) {
-    Pair whole;
-    add({a.t, b.q, a.t_error + b.q_error, a.t_range + b.q_range},
-        {b.t, a.q, b.t_error + a.q_error, b.t_range + a.q_range}, whole.q, whole.q_error,
-        whole.q_range);
-    whole.t_error = a.t_error + b.t_error;
-    whole.t = product(a.t, b.t, whole.t_error);
-    whole.t_range = a.t_range + b.t_range;
-    return whole;
+    return exchanged(parallel(exchanged(a), exchanged(b)));
+  }
+  static Pair exchanged(const Pair& a) {
+    return {a.q, a.t, a.q_error, a.t_error, a.q_range, a.t_range};
   }
 
   Pair times(const Pair& a, const Pair& factor) {

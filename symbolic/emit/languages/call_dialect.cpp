@@ -69,28 +69,14 @@ Operand CallDialect::apply(const Node& node, const std::vector<Operand>& argumen
 }
 
 Operand CallDialect::in_doubles(const Node& node, const Arguments& arguments) const {
-  const auto text = [&](std::size_t i) {
-    return in_brackets({rounded(arguments[i]), NodeKind::exact, arguments[i].is_simple});
-  };
-  const auto infix = [&](const char* sign) {
-    return Operand{fmt::format("{} {} {}", text(0), sign, text(1)), node.kind, false};
-  };
+  Arguments doubles;
+  for (const Operand& argument : arguments)
+    doubles.push_back({rounded(argument), NodeKind::exact, argument.is_simple});
+  if (const auto simple = by_operators(node, doubles)) return *simple;
   const auto calling = [&](const std::string& name) {
     return Operand{fmt::format("{}({})", name, rounded(arguments[0])), node.kind, true};
   };
   switch (node.operation) {
-    case Operation::negate:
-      return {"-" + text(0), node.kind, false};
-    case Operation::add:
-      return infix("+");
-    case Operation::subtract:
-      return infix("-");
-    case Operation::multiply:
-      return infix("*");
-    case Operation::divide:
-      return infix("/");
-    case Operation::multiply_add:
-      return {fmt::format("{} * {} + {}", text(0), text(1), text(2)), node.kind, false};
     case Operation::less_inertia:
       return call("less_inertia", {arguments[0].text, arguments[1].text, arguments[2].text});
     case Operation::root:
@@ -105,11 +91,9 @@ Operand CallDialect::in_doubles(const Node& node, const Arguments& arguments) co
       return calling(spelling_.abs);
     case Operation::unless_moderate:
       return calling(spelling_.prefix + "unless_moderate");
-    case Operation::parameter:
-    case Operation::constant:
-      break;
+    default:
+      throw Bug("a node without arguments is no operation");
   }
-  throw Bug("a node without arguments is no operation");
 }
 
 Operand CallDialect::negated(const Operand& a) const {

@@ -40,7 +40,7 @@ std::string evaluate_function(const Evaluator& evaluator) {
   const GradientProgram& gradient = evaluator.gradient;
   const CppDialect dialect(evaluator.parameters);
   StraightLine code(gradient.program, dialect);
-  const auto text = [&](NodeId id) { return code.operand(id).text; };
+  const auto text = [&](NodeId id) { return code.expression(id).text; };
   std::string out = "template <class T, bool G> @CALL Result evaluate(const Parameters& p) {\n";
   out += statements(
       code.declare({velocity.above, velocity.below, velocity.factor, velocity.roundings}), dialect);

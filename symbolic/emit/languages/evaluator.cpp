@@ -37,10 +37,10 @@ Body body(const Evaluator& evaluator, const CallDialect& dialect) {
   Body result;
   result.value =
       code.declare({velocity.above, velocity.below, velocity.factor, velocity.roundings});
-  result.above = dialect.number(code.operand(velocity.above));
-  result.below = dialect.number(code.operand(velocity.below));
-  result.factor = dialect.number(code.operand(velocity.factor));
-  result.roundings = dialect.bound(code.operand(velocity.roundings));
+  result.above = dialect.number(code.expression(velocity.above));
+  result.below = dialect.number(code.expression(velocity.below));
+  result.factor = dialect.number(code.expression(velocity.factor));
+  result.roundings = dialect.bound(code.expression(velocity.roundings));
   std::vector<NodeId> partials;
   for (const auto& [symbol, partial] : gradient.partials) partials.push_back(partial);
   result.gradient = code.declare(partials);
@@ -49,7 +49,7 @@ Body body(const Evaluator& evaluator, const CallDialect& dialect) {
       const auto partial = gradient.partials.find({member.name, entry});
       result.partials.push_back(partial == gradient.partials.end()
                                     ? "0.0"
-                                    : dialect.rounded(code.operand(partial->second)));
+                                    : dialect.rounded(code.expression(partial->second)));
     }
   return result;
 }
