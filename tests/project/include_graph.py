@@ -28,6 +28,7 @@ ROOMS = [
     "symbolic/document",
     "symbolic/program",
     "symbolic/emit",
+    "validation/figures",
     "validation",
     "validation/benchmark",
     "validation/scaling",

@@ -1,0 +1,31 @@
+#include "figures/figure.hpp"
+
+#include <array>
+#include <cmath>
+
+namespace vcrit::validation::figures {
+
+const char* palette(int colour) {
+  static constexpr std::array colours{"#2090ad", "#d07a28", "#8a8f98", "#7a6bc4",
+                                      "#3f9a5f", "#c8527a", "#a08a1f", "#5a7fd0"};
+  return colours.at(static_cast<std::size_t>(colour) % colours.size());
+}
+
+std::vector<double> edges(const std::vector<double>& middles, bool logarithmic) {
+  const auto between = [&](double a, double b) {
+    return logarithmic ? std::sqrt(a) * std::sqrt(b) : a + (b - a) / 2;
+  };
+  const auto beyond = [&](double inner, double outer) {
+    return logarithmic ? outer * (outer / inner) : 2 * outer - inner;
+  };
+  std::vector<double> result;
+  for (std::size_t i = 1; i < middles.size(); ++i)
+    result.push_back(between(middles[i - 1], middles[i]));
+  const double first = beyond(result.front(), middles.front());
+  const double last = beyond(result.back(), middles.back());
+  result.insert(result.begin(), first);
+  result.push_back(last);
+  return result;
+}
+
+}  // namespace vcrit::validation::figures

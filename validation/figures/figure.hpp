@@ -1,0 +1,73 @@
+// What a picture shows, whoever draws it: Vega-Lite in the page (vega_lite.hpp), gnuplot for papers
+// (gnuplot.hpp). Plain data, in the units that the axes name.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace vcrit::validation::figures {
+
+struct Axis {
+  std::string title;  ///< with its unit: "time, µs"
+  bool logarithmic = false;
+  std::optional<std::pair<double, double>> range;  ///< none: what the data needs
+};
+
+struct Point {
+  double x = 0, y = 0;  ///< one that is not finite, or not positive on a logarithmic axis, is a gap
+  std::string words;    ///< of this point, shown under a pointer; may be empty
+};
+
+enum class Style { line, dashed, dotted, circles, dots, crosses, bars };
+
+/// Series of one name share one entry of the legend and one colour; one without a name has none.
+struct Series {
+  std::string name;
+  Style style = Style::line;
+  std::vector<Point> points;  ///< a line goes through them in this order
+  int colour = 0;             ///< of the palette: see palette()
+};
+
+/// A shaded stretch of the x axis.
+struct Band {
+  double from = 0, to = 0;
+  std::string words;
+};
+
+/// A thin line across the picture, with words at its end.
+struct Rule {
+  double at = 0;
+  std::string words;
+  bool horizontal = false;  ///< at y = `at`, else at x = `at`
+};
+
+/// Colours over a grid. What has no value (NaN) stays empty.
+struct Map {
+  Axis value;                  ///< what the colour means; a range and a logarithm as of any axis
+  std::vector<double> x, y;    ///< middles of the cells, increasing, at least two of each
+  std::vector<double> values;  ///< x.size() y.size() of them, a row of one y after the other
+};
+
+struct Figure {
+  std::string name;     ///< of its files: small letters, digits, underscores
+  std::string title;    ///< in a few words, for people who cannot see it and over its panel
+  std::string caption;  ///< what it shows, in plain text
+  Axis x, y;
+  std::optional<Map> map;      ///< under everything else
+  std::vector<Band> bands;     ///< under the series
+  std::vector<Series> series;  ///< later ones lie on top
+  std::vector<Rule> rules;
+  int height = 320;  ///< of the drawing on the page, in pixels
+};
+
+/// Colours that are legible on white and on near-black, as "#rrggbb": 0 the accent, 1 to be told
+/// from it, 2 neutral, then more. Wraps around.
+const char* palette(int colour);
+
+/// The edges of cells around increasing middles: halfway between them, by ratio on a logarithmic
+/// axis.
+std::vector<double> edges(const std::vector<double>& middles, bool logarithmic);
+
+}  // namespace vcrit::validation::figures
