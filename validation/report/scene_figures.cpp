@@ -67,6 +67,16 @@ Figure cycle_figure(const SceneReport& report, const char* name, int height) {
 
 }  // namespace
 
+std::vector<Figure> scene_figures(const SceneReport& report) {
+  std::vector<Figure> all;
+  if (!report.curve.empty()) all.push_back(friction_figure(report));
+  if (report.cycle) {
+    all.push_back(force_figure(report));
+    all.push_back(velocity_figure(report));
+  }
+  return all;
+}
+
 std::string speed_axis(const SceneReport& report) {
   return report.creep_velocity > 0 ? "v₀ / (v* + creep)" : "v₀ / v*";
 }

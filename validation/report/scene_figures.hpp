@@ -9,6 +9,9 @@
 
 namespace vcrit::validation::report {
 
+/// All that the scene has.
+std::vector<figures::Figure> scene_figures(const SceneReport& report);
+
 /// mu_macro/mu0 over the speed in units of the lowest speed of pure sliding.
 figures::Figure friction_figure(const SceneReport& report);
 

@@ -25,14 +25,6 @@ std::string list(const std::vector<std::string>& items, const char* style) {
   return fmt::format("<ul class=\"{}\">\n{}</ul>\n", style, lines);
 }
 
-std::string tightest_words(const SceneReport& report) {
-  const Comparison* worst = tightest(report);
-  if (worst == nullptr) return {};
-  if (worst->broken) return fmt::format("{}: {}", worst->name, worst->detail);
-  return fmt::format("Nearest to its tolerance: {}, {} of {} allowed.", worst->name,
-                     magnitude(difference(*worst)), magnitude(worst->tolerance));
-}
-
 std::string verdict(const SceneReport& report) {
   std::string html = fmt::format(
       "<div class=\"verdict {}\"><p class=\"state\">{}</p><p class=\"velocity\">{}</p>"
@@ -118,16 +110,23 @@ std::string state_words(const SceneReport& report) {
   return report.reasons.empty() ? words : "Outside the model: not simulated; " + words;
 }
 
+std::string tightest_words(const SceneReport& report) {
+  const Comparison* worst = tightest(report);
+  if (worst == nullptr) return {};
+  if (worst->broken) return fmt::format("{}: {}", worst->name, worst->detail);
+  return fmt::format("Nearest to its tolerance: {}, {} of {} allowed.", worst->name,
+                     magnitude(difference(*worst)), magnitude(worst->tolerance));
+}
+
 std::string velocity_words(const SceneReport& report) {
   return "v* = " + quantity(report.critical_velocity, "m/s", 5);
 }
 
-std::string scene_section(const SceneReport& report, std::size_t number) {
-  return fmt::format("<section class=\"scene\" id=\"scene-{}\">\n<h2>{}</h2>\n", number,
-                     escape(title_of(report))) +
-         verdict(report) + drawings(report) + comparison_table(report) + friction_section(report) +
-         cycle_section(report) + reduced_section(report) + formula_section(report) +
-         values_section(report) + file_section(report) + "</section>\n";
+std::string scene_section(const SceneReport& report) {
+  return "<section class=\"scene\">\n" + verdict(report) + drawings(report) +
+         comparison_table(report) + friction_section(report) + cycle_section(report) +
+         reduced_section(report) + formula_section(report) + values_section(report) +
+         file_section(report) + "</section>\n";
 }
 
 }  // namespace vcrit::validation::report
