@@ -113,9 +113,15 @@ inline SceneReport scene_report(const std::string& text, const std::string& file
   return report;
 }
 
-inline report::Contents contents(std::vector<SceneReport> scenes) {
-  return {{"A processor", 2, "An operating system", "0.1.0", {{"A part", "1.2.3"}}},
-          std::move(scenes)};
+inline report::Origin origin() {
+  return {{"A processor",
+           2,
+           "An operating system",
+           "0.1.0",
+           "0123456789ab",
+           "-O3",
+           {{"A part", "1.2.3"}}},
+          "vcrit validate scene.toml --out report"};
 }
 
 }  // namespace vcrit::validation::example

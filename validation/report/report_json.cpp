@@ -68,7 +68,6 @@ ordered_json json(const simulation::Event& event) {
   return {{"phase", event.phase}, {"to", to_text(event.to)}};
 }
 
-ordered_json json(const SceneReport& report);
 ordered_json json(const LimitLine& limit);
 
 template <class Item>
@@ -129,7 +128,20 @@ ordered_json critical_velocity(const SceneReport& report) {
   return object;
 }
 
-ordered_json json(const SceneReport& report) {
+ordered_json json(const Machine& machine) {
+  ordered_json versions = ordered_json::object();
+  for (const auto& [name, version] : machine.versions) versions[name] = version;
+  return {{"processor", machine.processor},
+          {"cores", machine.cores},
+          {"system", machine.system},
+          {"commit", machine.commit},
+          {"compiler_flags", machine.compiler_flags},
+          {"versions", versions}};
+}
+
+}  // namespace
+
+ordered_json scene_json(const SceneReport& report) {
   ordered_json object{{"file", report.scene.file},
                       {"title", report.scene.title},
                       {"passed", passed(report)},
@@ -153,35 +165,19 @@ ordered_json json(const SceneReport& report) {
   return object;
 }
 
-ordered_json json(const Machine& machine) {
-  ordered_json versions = ordered_json::object();
-  for (const auto& [name, version] : machine.versions) versions[name] = version;
-  return {{"processor", machine.processor},
-          {"cores", machine.cores},
-          {"system", machine.system},
-          {"versions", versions}};
-}
-
-}  // namespace
-
-bool passed(const Contents& contents) {
-  return std::all_of(contents.scenes.begin(), contents.scenes.end(),
-                     [](const SceneReport& report) { return validation::passed(report); });
-}
-
-std::string command(const Contents& contents) {
+std::string command(const std::vector<std::string>& scene_files) {
   std::string text = "vcrit validate";
-  for (const SceneReport& report : contents.scenes) text += " " + shell_word(report.scene.file);
+  for (const std::string& file : scene_files) text += " " + shell_word(file);
   return text + " --out report";
 }
 
-std::string report_json(const Contents& contents) {
-  const ordered_json object{{"program", "vcrit"},
-                            {"version", contents.machine.program},
-                            {"passed", passed(contents)},
-                            {"command", command(contents)},
-                            {"machine", json(contents.machine)},
-                            {"scenes", list(contents.scenes)}};
+std::string report_json(const Origin& origin, const std::vector<ordered_json>& scenes) {
+  const bool passed = std::all_of(scenes.begin(), scenes.end(), [](const ordered_json& scene) {
+    return scene.at("passed").get<bool>();
+  });
+  const ordered_json object{
+      {"program", "vcrit"},        {"version", origin.machine.program}, {"passed", passed},
+      {"command", origin.command}, {"machine", json(origin.machine)},   {"scenes", scenes}};
   return object.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 

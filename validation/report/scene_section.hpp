@@ -18,7 +18,9 @@ std::string state_words(const SceneReport& report);
 /// "v* = 3.02 mm/s"
 std::string velocity_words(const SceneReport& report);
 
-/// The section with id "scene-NUMBER".
-std::string scene_section(const SceneReport& report, std::size_t number);
+/// Which comparison is nearest to its tolerance, or farthest beyond; empty if none was made.
+std::string tightest_words(const SceneReport& report);
+
+std::string scene_section(const SceneReport& report);
 
 }  // namespace vcrit::validation::report
