@@ -20,6 +20,11 @@ constexpr std::uint64_t seed = 20261121;
 constexpr std::size_t sets = 4096;
 
 std::unique_ptr<const Driver> compiled(const Scene& scene, Accuracy& result) {
+  if (scene.receptance) {
+    result.left_out.emplace_back(
+        "No compiled evaluators: the formula needs the table of the measured drive.");
+    return nullptr;
+  }
   const auto compiler = find_compiler();
   if (!compiler) {
     result.left_out.emplace_back("No compiled evaluators: no C++ compiler was found.");

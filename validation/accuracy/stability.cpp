@@ -108,9 +108,17 @@ std::vector<Line> balance_lines(const Scene& scene, const Cells& cells) {
   return lines;
 }
 
+/// "k0, c1, k[1], ..., k[10]": of an array the first entry and the last.
 std::string names(const std::vector<Symbol>& symbols) {
   std::string text;
-  for (const Symbol& symbol : symbols) text += (text.empty() ? "" : ", ") + to_text(symbol);
+  for (std::size_t i = 0; i < symbols.size(); ++i) {
+    const auto same = [&](std::size_t j) {
+      return j < symbols.size() && symbols[j].name == symbols[i].name;
+    };
+    if (i > 0 && same(i - 1) && same(i + 1)) continue;
+    const bool after_gap = i > 1 && same(i - 1) && same(i - 2);
+    text += (text.empty() ? "" : after_gap ? " … " : ", ") + to_text(symbols[i]);
+  }
   return text;
 }
 
