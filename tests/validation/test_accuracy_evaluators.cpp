@@ -113,8 +113,8 @@ BOOST_AUTO_TEST_CASE(infinite_where_that_is_right_is_right_and_0_by_0_counts_now
   BOOST_TEST(result.histogram.not_finite == 0U);
 }
 
-// Errors of 7 i modulo 41 units, i = 0 to 39: each of 0 to 40 once, but for that of i = 40, which is
-// 280 - 6 x 41 = 34.
+// Errors of 7 i modulo 41 units, i = 0 to 39: each of 0 to 40 once, but for that of i = 40, which
+// is 280 - 6 x 41 = 34.
 BOOST_AUTO_TEST_CASE(the_ten_worst_are_the_worst) {
   Plain plain(40);
   for (std::size_t i = 0; i < 40; ++i)

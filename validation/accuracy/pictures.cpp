@@ -7,6 +7,8 @@
 #include <cmath>
 #include <map>
 
+#include "accuracy/decades.hpp"
+
 namespace vcrit::validation::accuracy {
 
 namespace {
@@ -85,8 +87,16 @@ constexpr std::array colours{0, 1, 3, 5, 6, 7, 2};
 
 int colour_of(std::size_t i) { return colours.at(i % colours.size()); }
 
+/// For legends.
+std::string short_name(const std::string& key) {
+  static const std::map<std::string, std::string> names{
+      {"complex", "std::complex"}, {"fast_sweep", "fast, sweep"}, {"library", "from the scene"}};
+  const auto found = names.find(key);
+  return found == names.end() ? key : found->second;
+}
+
 Series histogram(const EvaluatorError& way, int colour) {
-  Series series{way.name, Style::line, {}, colour};
+  Series series{short_name(way.key), Style::line, {}, colour};
   for (std::size_t i = 0; i + 1 < Histogram::size; ++i) {
     const double upper = Histogram::upper(i);
     const std::size_t count = way.histogram.counts[i];
@@ -108,11 +118,9 @@ std::string near_words(const EvaluatorErrors& errors) {
       errors.near_resonance, errors.near_antiresonance);
 }
 
+/// Without a name: the caption says what they are, their words what each is.
 Series marks(const Layer& layer, bool asked) {
-  Series series{asked ? "wrong or no answer" : "not asked",
-                asked ? Style::crosses : Style::dots,
-                {},
-                asked ? 1 : 2};
+  Series series{"", asked ? Style::crosses : Style::dots, {}, asked ? 1 : 2};
   for (const Mark& mark : layer.marks)
     if (mark.words.starts_with("not asked") != asked)
       series.points.push_back({mark.omega, mark.factor, mark.words});
@@ -140,6 +148,7 @@ Figure evaluator_picture(const EvaluatorErrors& errors) {
     add(figure, std::move(series));
   }
   add(figure, failed(errors.ways));
+  set_decades(figure);
   return figure;
 }
 
@@ -159,16 +168,19 @@ Figure histogram_picture(const EvaluatorErrors& errors) {
     if (way.measured &&
         among(way.key, {"accurate", "fast", "fast_sweep", "complex", "pasted", "library"}))
       add(figure, histogram(way, colour_of(colour++)));
+  set_decades(figure);
   return figure;
 }
 
 Figure simulator_picture(const SpeedSolves& speed) {
   Figure figure;
   figure.name = "simulators_" + key_of(speed.ratio);
-  figure.title = fmt::format("Simulators at {} of the lowest speed of pure sliding", speed.ratio);
+  figure.title = fmt::format("Simulators at a speed ratio of {}", speed.ratio);
   figure.caption =
-      "Error of the friction ratio over processor time. Reference: " + speed.reference +
-      "; the exact method stands at that difference.";
+      "Error of the friction ratio over processor time, at this part of the lowest speed of pure "
+      "sliding. Reference: " +
+      speed.reference + ".";
+  if (speed.agreement) figure.caption += " The exact method stands at that difference.";
   figure.x = {"time, µs", true, {}, {}};
   figure.y = {"error of μ macro / μ₀", true, {}, {}};
   add(figure, front(speed.solves));
@@ -184,6 +196,7 @@ Figure simulator_picture(const SpeedSolves& speed) {
       if (style == Style::circles || series.points.size() > 1) add(figure, std::move(series));
     }
   add(figure, failed(speed.solves));
+  set_decades(figure);
   return figure;
 }
 
@@ -193,15 +206,23 @@ Figure map_picture(const StabilityMap& map, const Layer& layer) {
   figure.title = layer.name;
   figure.caption = "Decimal digits of v* that are lost, 0 to 16.";
   if (!map.lines.empty())
-    figure.caption += " Where a line crosses a cell, ω lies a relative 10⁻⁸ beside it.";
-  if (layer.key == "simulator")
     figure.caption +=
-        " Crosses: asked at 1 ∓ 10⁻⁶ of the lowest speed of pure sliding, the simulation does not "
-        "stick below or slide above.";
-  figure.x = {"ω, rad/s", true, {}, {}};
-  figure.y = {"factor on " + map.name, true, {}, {}};
+        " Where a line crosses a cell (resonance K_d = m ω², antiresonance K_t + K_d = m ω², with "
+        "storage stiffnesses), ω lies a relative 10⁻⁸ beside it.";
+  const Series wrong = marks(layer, true), not_asked = marks(layer, false);
+  if (!wrong.points.empty())
+    figure.caption += layer.key == "simulator"
+                          ? " Crosses: asked at 1 ∓ 10⁻⁶ of the lowest speed of pure sliding, the "
+                            "simulation does not stick below or slide above, or gives no answer."
+                          : " Crosses: not finite.";
+  if (!not_asked.points.empty())
+    figure.caption += " Dots: not asked, as the stuck body swings too often in one period.";
+  figure.x = decades("ω, rad/s", map.omega.front(), map.omega.back());
+  figure.y = decades("factor on " + map.name, map.factor.front(), map.factor.back());
   figure.map = figures::Map{
       {"digits lost", false, std::pair{0.0, 16.0}, {}}, map.omega, map.factor, layer.lost};
+  // More digits would only make the page longer.
+  for (double& lost : figure.map->values) lost = std::round(100 * lost) / 100;
   int colour = 5;
   for (const Line& line : map.lines) {
     Series series{line.name, colour == 5 ? Style::dashed : Style::dotted, {}, colour};
@@ -210,8 +231,8 @@ Figure map_picture(const StabilityMap& map, const Layer& layer) {
     add(figure, std::move(series));
     colour = 6;
   }
-  add(figure, marks(layer, true));
-  add(figure, marks(layer, false));
+  add(figure, wrong);
+  add(figure, not_asked);
   return figure;
 }
 

@@ -1,26 +1,11 @@
 // Steady states by every simulation method at several settings: error against run time.
 #pragma once
 
-#include <functional>
-
 #include "accuracy/data.hpp"
+#include "accuracy/simulator_settings.hpp"
 #include "scene/scene.hpp"
-#include "simulation/system/steady_state.hpp"
-#include "simulation/system/system.hpp"
 
 namespace vcrit::validation::accuracy {
-
-/// One method at one setting.
-struct Setting {
-  std::string method, name;
-  double allowed = 0;      ///< error of mu_macro/mu0 above which the answer is wrong
-  bool idealised = false;  ///< other physics: need not stick where the reference does
-  std::function<simulation::SteadyState(const simulation::System&, double velocity)> solve;
-};
-
-/// The exact method first, then the others, each from coarse to fine. Every solve ends after some
-/// 10^5 steps of its integrator.
-std::vector<Setting> all_settings();
 
 /// What the others are compared with.
 struct FrictionReference {

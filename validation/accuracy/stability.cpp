@@ -93,7 +93,7 @@ Layer simulated(const Scene& scene, const Cells& cells) {
 std::vector<Line> balance_lines(const Scene& scene, const Cells& cells) {
   const Resonances resonances(scene);
   if (!resonances.exist()) return {};
-  std::vector<Line> lines{{"resonance, K_d = m ω²", {}}, {"antiresonance, K_t + K_d = m ω²", {}}};
+  std::vector<Line> lines{{"resonance", {}}, {"antiresonance", {}}};
   for (std::size_t row = 0; row < cells.factor.size(); ++row) {
     const Values& values = cells.values[row * cells.omega.size()];
     const auto add = [&](Line& line, Balance balance) {
