@@ -9,6 +9,7 @@
 #include "accuracy/cells.hpp"
 #include "accuracy/resonance.hpp"
 #include "accuracy/simulated_cell.hpp"
+#include "critical/admissibility.hpp"
 #include "critical/critical_velocity.hpp"
 #include "network/masses.hpp"
 
@@ -56,10 +57,8 @@ Layer layer_of(const Cells& cells, std::string key, std::string name,
 }
 
 void add_driver_layers(StabilityMap& map, const Cells& cells, const Driver& driver) {
-  std::vector<std::string> keys;
-  for (const char* key : {"pasted", "fast"})
-    if (driver.has(key)) keys.emplace_back(key);
-  if (keys.empty()) return;
+  std::vector<std::string> keys{driver.has("pasted") ? "pasted" : "complex"};
+  if (driver.has("fast")) keys.emplace_back("fast");
   std::vector<std::vector<double>> sets;
   for (const Values& values : cells.values) {
     std::vector<double>& set = sets.emplace_back();
@@ -123,7 +122,8 @@ std::string names(const std::vector<Symbol>& symbols) {
 }
 
 bool can_be_simulated(const Scene& scene) {
-  return !scene.receptance && !(scene.drive && has_masses(*scene.drive));
+  return !scene.receptance && !(scene.drive && has_masses(*scene.drive)) &&
+         inadmissible_reasons(scene).empty();
 }
 
 }  // namespace

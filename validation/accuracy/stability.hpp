@@ -25,9 +25,9 @@ std::vector<Symbol> stiffness_symbols(const Scene& scene);
 std::vector<Symbol> relaxation_symbols(const Scene& scene);
 
 /// The amplitude du_z is reduced in cells where the contact would open: v* is linear in it. Layers:
-/// "formula" (Eq. 24 in doubles), "pasted" and "fast" (with a driver, where it has them), and
-/// "simulator" (where the scene can be simulated), whose marks are wrong answers to a speed of
-/// 1 +- 1e-6 of the lowest of pure sliding.
+/// "formula" (Eq. 24 in doubles), "pasted", or where that is not there "complex", and "fast" (with
+/// a driver, where it has them), and "simulator" (where the scene can be simulated), whose marks
+/// are wrong answers to a speed of 1 +- 1e-6 of the lowest of pure sliding.
 StabilityMap stability_map(const Scene& scene, const Driver* driver, const std::string& key,
                            const std::vector<Symbol>& scaled, const Grid& grid);
 
