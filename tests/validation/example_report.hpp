@@ -104,7 +104,8 @@ inline SceneReport scene_report(const std::string& text, const std::string& file
   report.condition = 6;
   report.formula = formula("F");
   report.derivation = {{"The balance of the contact point:", formula("L"), formula("R")}};
-  report.limits = {{"c -> 0", "(30)", formula("Z"), {}}};
+  report.limits = {
+      {"c -> 0", "(30)", "<math><mi>c</mi><mo>→</mo><mn>0</mn></math>", formula("Z"), {}}};
   report.values = {{{"kn", 0}, formula("kn"), 11.5e6, "N/m", "spring"}};
   report.comparisons = {comparison("formula", 0.0045779), comparison("simulation", 0.0045779)};
   for (int i = 1; i <= 28; ++i)

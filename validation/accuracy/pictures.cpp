@@ -7,8 +7,6 @@
 #include <cmath>
 #include <map>
 
-#include "accuracy/decades.hpp"
-
 namespace vcrit::validation::accuracy {
 
 namespace {
@@ -127,6 +125,12 @@ Series marks(const Layer& layer, bool asked) {
   return series;
 }
 
+/// An axis that ends with the cells.
+figures::Axis over(const std::string& title, const std::vector<double>& middles) {
+  const std::vector<double> edges = figures::edges(middles, true);
+  return {title, true, std::pair{edges.front(), edges.back()}, {}};
+}
+
 }  // namespace
 
 Figure evaluator_picture(const EvaluatorErrors& errors) {
@@ -148,7 +152,6 @@ Figure evaluator_picture(const EvaluatorErrors& errors) {
     add(figure, std::move(series));
   }
   add(figure, failed(errors.ways));
-  set_decades(figure);
   return figure;
 }
 
@@ -168,7 +171,6 @@ Figure histogram_picture(const EvaluatorErrors& errors) {
     if (way.measured &&
         among(way.key, {"accurate", "fast", "fast_sweep", "complex", "pasted", "library"}))
       add(figure, histogram(way, colour_of(colour++)));
-  set_decades(figure);
   return figure;
 }
 
@@ -196,7 +198,6 @@ Figure simulator_picture(const SpeedSolves& speed) {
       if (style == Style::circles || series.points.size() > 1) add(figure, std::move(series));
     }
   add(figure, failed(speed.solves));
-  set_decades(figure);
   return figure;
 }
 
@@ -217,8 +218,8 @@ Figure map_picture(const StabilityMap& map, const Layer& layer) {
                           : " Crosses: not finite.";
   if (!not_asked.points.empty())
     figure.caption += " Dots: not asked, as the stuck body swings too often in one period.";
-  figure.x = decades("ω, rad/s", map.omega.front(), map.omega.back());
-  figure.y = decades("factor on " + map.name, map.factor.front(), map.factor.back());
+  figure.x = over("ω, rad/s", map.omega);
+  figure.y = over("factor on " + map.name, map.factor);
   figure.map = figures::Map{
       {"digits lost", false, std::pair{0.0, 16.0}, {}}, map.omega, map.factor, layer.lost};
   // More digits would only make the page longer.
