@@ -37,6 +37,7 @@ template <class Run> static double time_of(const Run& run) {
 }
 template <class Values, class Timed>
 static void answer(std::FILE* file, std::vector<double>& out, const Values& values, const Timed& timed) {
+  std::fill(out.begin(), out.end(), NAN);
   values();
   const std::vector<double> found = out;
   std::fprintf(file, "%a\n", time_of(timed));
