@@ -11,6 +11,7 @@
 #include "critical/certified.hpp"
 #include "critical/critical_velocity.hpp"
 #include "evaluators.hpp"
+#include "explorer.hpp"
 #include "formulas.hpp"
 #include "frequency_response.hpp"
 #include "friction.hpp"
@@ -267,6 +268,8 @@ SceneReport agree(const Scene& scene, const Progress& progress) {
   compare_generated(report, derivation, values);
 
   if (report.reasons.empty()) simulate(report, progress);
+  progress("preparing the explorer");
+  report.explorer = explorer(scene, derivation, report.values);
   return report;
 }
 
