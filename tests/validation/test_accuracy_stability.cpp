@@ -10,7 +10,7 @@
 #include "accuracy/resonance.hpp"
 #include "accuracy/simulated_cell.hpp"
 #include "accuracy/varied_scene.hpp"
-#include "condition.hpp"
+#include "conditioning.hpp"
 #include "critical/admissibility.hpp"
 #include "critical/certified.hpp"
 

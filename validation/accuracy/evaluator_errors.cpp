@@ -10,7 +10,7 @@
 
 #include "accuracy/front.hpp"
 #include "accuracy/varied_scene.hpp"
-#include "condition.hpp"
+#include "conditioning.hpp"
 #include "critical/certified.hpp"
 #include "critical/critical_velocity.hpp"
 

@@ -7,6 +7,7 @@
 #include "report/chart.hpp"
 #include "report/comparison_table.hpp"
 #include "report/equations.hpp"
+#include "report/explorer_section.hpp"
 #include "report/formula_section.hpp"
 #include "report/html.hpp"
 #include "report/reduced_section.hpp"
@@ -143,8 +144,8 @@ std::string velocity_words(const SceneReport& report) {
 std::string scene_section(const SceneReport& report) {
   return "<section class=\"scene\">\n" + verdict(report) + drawings(report) +
          comparison_table(report) + formula_section(report) + response_section(report) +
-         friction_section(report) + cycle_section(report) + reduced_section(report) +
-         values_section(report) + file_section(report) + "</section>\n";
+         explorer_section(report) + friction_section(report) + cycle_section(report) +
+         reduced_section(report) + values_section(report) + file_section(report) + "</section>\n";
 }
 
 }  // namespace vcrit::validation::report

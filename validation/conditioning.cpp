@@ -1,4 +1,4 @@
-#include "condition.hpp"
+#include "conditioning.hpp"
 
 #include <cmath>
 #include <complex>
@@ -11,7 +11,7 @@ namespace vcrit::validation {
 
 namespace {
 
-/// For a measured drive, of which the table's numbers count.
+/// The same for a measured drive, of which the table's numbers count.
 double measured_condition(const Scene& scene, std::complex<double> contact, double inertia,
                           double omega) {
   const auto [below, above] = bracket(*scene.receptance, omega);
