@@ -4,11 +4,12 @@
 
 #include <cmath>
 
-#include "report/charts.hpp"
+#include "report/chart.hpp"
 #include "report/comparison_table.hpp"
 #include "report/formula_section.hpp"
 #include "report/html.hpp"
 #include "report/reduced_section.hpp"
+#include "report/scene_figures.hpp"
 #include "report/system_drawing.hpp"
 #include "report/units.hpp"
 
@@ -60,14 +61,6 @@ std::string drawings(const SceneReport& report) {
          figure(draw_normal(report.scene), "Along the normal, drawn lying.") + "</div>\n";
 }
 
-std::string chart(const nlohmann::ordered_json& spec, const std::string& description,
-                  const std::string& caption) {
-  return fmt::format(
-      "<figure><div class=\"chart\" role=\"group\" aria-label=\"{}\"></div>"
-      "<script type=\"application/json\">{}</script><figcaption>{}</figcaption></figure>\n",
-      escape(description), json_for_page(spec), caption);
-}
-
 std::string curve_rows(const SceneReport& report) {
   std::string rows;
   for (const CurvePoint& point : report.curve)
@@ -88,33 +81,12 @@ std::string curve_table(const SceneReport& report) {
 
 std::string friction_section(const SceneReport& report) {
   if (!simulated(report)) return {};
-  const std::string creep =
-      report.creep_velocity > 0
-          ? fmt::format(
-                " The path creeps by {} under the mean friction force, so the far end must "
-                "run that much faster than the contact point.",
-                quantity(report.creep_velocity, "m/s"))
-          : "";
-  return "<h3>Friction against speed</h3>\n" +
-         chart(friction_chart(report), "Friction ratio over speed",
-               "Macroscopic over microscopic friction, simulated; at each speed the motion was "
-               "started from sliding and from rest." +
-                   creep) +
-         curve_table(report);
+  return "<h3>Friction against speed</h3>\n" + chart(friction_figure(report)) + curve_table(report);
 }
 
 std::string cycle_section(const SceneReport& report) {
   if (!report.cycle) return {};
-  const Cycle& cycle = *report.cycle;
-  const std::string caption = fmt::format(
-      "{} of the lowest speed of pure sliding, v₀ = {}: friction ratio {:.9f}, {}. Shaded: no "
-      "forward slip.",
-      cycle.ratio == 0.5 ? "Half" : fmt::format("{:.3g}", cycle.ratio),
-      quantity(cycle.velocity, "m/s"), cycle.friction_ratio, escape(cycle.regime));
-  return "<h3>One cycle</h3>\n" +
-         chart(force_chart(report), "Tangential force over one period",
-               "Force of the network on the contact point, between the friction bounds.") +
-         chart(velocity_chart(report), "Contact velocity over one period", caption);
+  return "<h3>One cycle</h3>\n" + chart(force_figure(report)) + chart(velocity_figure(report));
 }
 
 std::string file_section(const SceneReport& report) {

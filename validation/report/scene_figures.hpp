@@ -1,20 +1,23 @@
-// The report's charts as Vega-Lite specifications, data included.
+// The pictures of one scene.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
 
+#include "figures/figure.hpp"
 #include "scene_report.hpp"
 
 namespace vcrit::validation::report {
 
 /// mu_macro/mu0 over the speed in units of the lowest speed of pure sliding.
-nlohmann::ordered_json friction_chart(const SceneReport& report);
+figures::Figure friction_figure(const SceneReport& report);
 
-/// Tangential force and friction bound over one period, stick shaded.
-nlohmann::ordered_json force_chart(const SceneReport& report);
+/// Tangential force and friction bound over one period of report.cycle, stick and backward slip
+/// shaded.
+figures::Figure force_figure(const SceneReport& report);
 
-/// Velocity of the contact point over one period, stick shaded.
-nlohmann::ordered_json velocity_chart(const SceneReport& report);
+/// Velocity of the contact point over the same period.
+figures::Figure velocity_figure(const SceneReport& report);
 
 /// What the speed axis shows: "v0 / v*", or with creep "v0 / (v* + creep)".
 std::string speed_axis(const SceneReport& report);
