@@ -30,6 +30,7 @@ ROOMS = [
     "symbolic/emit",
     "validation/figures",
     "validation",
+    "validation/paper",
     "validation/benchmark",
     "validation/scaling",
     "validation/bounds",
