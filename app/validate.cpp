@@ -1,4 +1,5 @@
-// vcrit validate: everything compared with everything, as one page and one JSON file.
+// vcrit validate: everything compared with everything, of scenes or of the paper, as one page and
+// one JSON file.
 #include "report/validate.hpp"
 
 #include <fmt/format.h>
@@ -7,6 +8,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "base/errors.hpp"
 #include "commands.hpp"
 
 namespace vcrit::app {
@@ -35,23 +37,37 @@ void print(const Validation& validation) {
   fmt::print("{}\n", validation.page.string());
 }
 
+struct Options {
+  std::vector<std::string> scenes;
+  bool paper = false;
+  std::string directory;
+};
+
+Validation validated(const Options& options) {
+  if (options.paper && !options.scenes.empty())
+    throw InputError({"--paper"}, "scene files beside it", "one or the other");
+  if (!options.paper && options.scenes.empty())
+    throw InputError({"SCENE"}, "none", "scene files, or --paper");
+  if (!options.paper)
+    return validation::report::validate(options.scenes, options.directory, show_progress);
+  return validation::report::validate_paper(
+      options.directory, [](const std::string& step) { show_progress(0, 1, step); });
+}
+
 }  // namespace
 
 void add_validate(CLI::App& program, int& status) {
-  struct Options {
-    std::vector<std::string> scenes;
-    std::string directory;
-  };
   const auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand(
       "validate", "Compare formula, evaluators and simulation; write a report");
-  command->add_option("SCENE", options->scenes, "scene files (TOML)")->required();
+  command->add_option("SCENE", options->scenes, "scene files (TOML)");
+  command->add_flag("--paper", options->paper,
+                    "instead of scenes: the paper's equations, figures and numbers");
   command->add_option("--out", options->directory, "folder for index.html and report.json")
       ->required()
       ->type_name("DIR");
   command->callback([options, &status] {
-    const Validation validation =
-        validation::report::validate(options->scenes, options->directory, show_progress);
+    const Validation validation = validated(*options);
     clear_progress();
     print(validation);
     if (!validation.passed) status = 1;

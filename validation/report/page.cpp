@@ -2,28 +2,21 @@
 
 #include <fmt/format.h>
 
-#include "report/assets.hpp"
 #include "report/document_head.hpp"
 #include "report/html.hpp"
+#include "report/machine_section.hpp"
 #include "report/scene_section.hpp"
+#include "report/script_elements.hpp"
 
 namespace vcrit::validation::report {
 
 namespace {
 
-std::string policy() {
-  std::string allowed;
-  for (const Script& script : scripts()) allowed += fmt::format(" '{}'", script.hash);
-  return fmt::format(
-      "default-src 'none'; script-src{}; style-src 'unsafe-inline'; img-src data: blob:; "
-      "base-uri 'none'; form-action 'none'",
-      allowed);
-}
-
 std::string head(const Contents& contents) {
   const bool single = contents.scenes.size() == 1;
   return document_head(
-      single ? title_of(contents.scenes.front()) : "Validation of critical velocities", policy());
+      single ? title_of(contents.scenes.front()) : "Validation of critical velocities",
+      script_policy());
 }
 
 std::string summary(const Contents& contents) {
@@ -56,24 +49,6 @@ std::string index(const Contents& contents) {
   return "<nav aria-label=\"Scenes\"><ol class=\"index\">\n" + lines + "</ol></nav>\n";
 }
 
-std::string machine_section(const Contents& contents) {
-  const Machine& machine = contents.machine;
-  const auto row = [](const std::string& name, const std::string& value) {
-    return fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td></tr>\n", escape(name),
-                       escape(value));
-  };
-  std::string rows = row("Processor", machine.processor) +
-                     row("Cores", std::to_string(machine.cores)) + row("System", machine.system) +
-                     row("vcrit", machine.program);
-  for (const auto& [name, version] : machine.versions) rows += row(name, version);
-  return fmt::format(
-      "<section class=\"machine\"><h2>How this page was made</h2>\n"
-      "<p>This command makes it again; the same numbers are in <code>report.json</code> beside "
-      "it.</p>\n<pre class=\"command\" tabindex=\"0\"><code>{}</code></pre>\n"
-      "<table class=\"plain\"><tbody>\n{}</tbody></table></section>\n",
-      escape(command(contents)), rows);
-}
-
 std::string opening(const Contents& contents) {
   return fmt::format(
       "<body>\n<a class=\"skip\" href=\"#content\">To the results</a>\n"
@@ -86,19 +61,14 @@ std::string opening(const Contents& contents) {
       escape(contents.machine.program), summary(contents));
 }
 
-std::string all_scripts() {
-  std::string text;
-  for (const Script& script : scripts()) text += fmt::format("<script>{}</script>\n", script.text);
-  return text;
-}
-
 }  // namespace
 
 std::string page(const Contents& contents) {
   std::string html = head(contents) + opening(contents) + index(contents);
   for (std::size_t i = 0; i < contents.scenes.size(); ++i)
     html += scene_section(contents.scenes[i], i + 1);
-  return html + machine_section(contents) + "</main>\n" + all_scripts() + "</body>\n</html>\n";
+  return html + machine_section(contents.machine, command(contents)) + "</main>\n" +
+         script_elements() + "</body>\n</html>\n";
 }
 
 }  // namespace vcrit::validation::report

@@ -26,4 +26,8 @@ using SceneProgress =
 Validation validate(const std::vector<std::string>& files, const std::filesystem::path& directory,
                     const SceneProgress& progress);
 
+/// Goes through the paper and writes the same two files about it.
+Validation validate_paper(const std::filesystem::path& directory,
+                          const std::function<void(const std::string& step)>& progress);
+
 }  // namespace vcrit::validation::report
