@@ -73,10 +73,10 @@ Claim weaker_effect(const Paper& paper) {
   return {
       "At the largest amplitude without jumping, viscosity weakens the reduction of friction at "
       "small speeds.",
-      "It follows from what was left out. In the full motion friction tends to min F_n/⟨F_n⟩ = "
-      "1 − D √(1 + δ²) for every δ, that is to zero at the largest amplitude: viscosity "
-      "does not weaken the effect there. By the reduced model up to 1 − 1/π = 0.68 of it would "
-      "remain.",
+      "It follows from what was left out. In the full motion friction tends to the least normal "
+      "force over its mean, 1 − D √(1 + δ²), for every δ, that is to zero at the largest "
+      "amplitude: viscosity does not weaken the effect there. By the reduced model up to "
+      "1 − 1/π = 0.68 of it would remain.",
       refuted(shown(paper, {"static_full", "static_rate", "static_reduced"}) &&
               reduced_model_errs(paper, 0.3))};
 }

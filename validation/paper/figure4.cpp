@@ -60,7 +60,7 @@ void add_amplitude(Figure& figure, Friction friction, double delta, int number) 
 
 void add_references(Figure& figure, Friction friction, double delta) {
   constexpr int colour = amplitudes + 1;
-  const std::string name = name_of(delta, reference_amplitude) + ", checked";
+  const std::string name = name_of(delta, reference_amplitude) + ", known";
   figure.series.push_back(curve(name, Style::dotted, colour, [&](double ratio) {
     return friction(delta, reference_amplitude, ratio);
   }));
@@ -75,11 +75,7 @@ Figure panel(char letter, const char* model, const char* words, double delta, Fr
   Figure figure;
   figure.name = fmt::format("figure4{}_{}", letter, model);
   figure.title = fmt::format("{}) δ = {}, {}", letter, delta, words);
-  figure.caption = fmt::format(
-      "Friction ratio over speed for δ = {} and amplitudes D = du_z/u_z0 up to {:.4g}. Dashed: "
-      "elastic contact, δ = 0, with the same D. Circles: 25 digits, on the dotted curve if the "
-      "model is right.",
-      delta, amplitude_ratio(delta, 1));
+  figure.caption = fmt::format("By amplitude D, up to {:.4g}.", amplitude_ratio(delta, 1));
   figure.x = {"v₀ / v*", false, std::pair{0.0, 1.0}, {}};
   figure.y = {"μ macro / μ₀", false, std::pair{0.0, 1.05}, {}};
   for (int number = 0; number <= amplitudes; ++number)

@@ -40,13 +40,6 @@ struct WithoutAbs : GiNaC::map_function {
   }
 };
 
-/// Both are positive, so that equal squares make them equal; the squares are rational functions,
-/// of which the normal form decides.
-bool equal(const ex& a, const ex& b) {
-  WithoutAbs bare;
-  return (bare(GiNaC::pow(a, 2)) - bare(GiNaC::pow(b, 2))).normal().is_zero();
-}
-
 /// Numbers without meaning, for people to see: the n-th symbol is the n-th prime over 7.
 std::map<Symbol, GiNaC::numeric> sample() {
   std::map<Symbol, GiNaC::numeric> values;
@@ -78,7 +71,7 @@ class Prover {
                     "by 17 digits of arithmetic",
                     Comparison::Measure::relative},
                    {value(printed), value(derived), 1e-15, ""});
-    result.broken = !equal(derived, printed);
+    result.broken = !equal_velocities(derived, printed);
     if (result.broken) result.detail = "the two formulas are different functions";
     proofs_.comparisons.push_back(result);
   }
@@ -107,7 +100,8 @@ void prove_by_scenes(Prover& prover) {
   const auto names = ratio_of_springs();
   prover.prove("(29)", "isotropic Kelvin contact, elastic drive, body",
                symbolic::derive(kelvin).critical_velocity.subs(names), equation_29());
-  prover.prove_limit("(30)", "its dampers to zero", kelvin, "cn -> 0", equation_30(), names);
+  prover.prove_limit("(30)", "isotropic Kelvin contact, elastic drive, body; dampers to zero",
+                     kelvin, "cn -> 0", equation_30(), names);
   prover.prove("(30)", "elastic contact, elastic drive, body",
                symbolic::derive(driven).critical_velocity, equation_30());
   prover.prove_limit("(31)", "elastic contact, drive to rigid, which leaves no mass", driven,
@@ -122,10 +116,10 @@ void prove_by_scenes(Prover& prover) {
 void prove_on_paper(Prover& prover) {
   const auto bare = [](const ex& e) { return WithoutAbs()(GiNaC::pow(e, 2)); };
   const ex no_dampers = bare(equation_29()).subs(of("cn") == 0);
-  prover.prove("(30)", "(29) as printed, with no damper", GiNaC::sqrt(no_dampers), equation_30());
+  prover.prove("(30)", "(29) as printed, with c_n = 0", GiNaC::sqrt(no_dampers), equation_30());
   const ex softness = of("x");  // 1/k_d
   const ex massless = bare(equation_30()).subs(GiNaC::lst{of("m") == 0, of("kd") == 1 / softness});
-  prover.prove("(31)", "(30) as printed, with no mass and 1/k_d = 0",
+  prover.prove("(31)", "(30) as printed, with m = 0 and then 1/k_d = 0",
                GiNaC::sqrt(massless.normal().subs(softness == 0)), equation_31());
 }
 
@@ -146,12 +140,19 @@ void prove_constant(Prover& prover) {
     const Scene scene = scene_of("normal = \"" + call + "\"\ntangential_ratio = \"r\"");
     ++result.expected;
     prover.proofs().rheologies.push_back(call);
-    if (equal(symbolic::derive(scene).critical_velocity, constant)) ++result.found;
+    if (equal_velocities(symbolic::derive(scene).critical_velocity, constant)) ++result.found;
   }
   prover.proofs().comparisons.push_back(result);
 }
 
 }  // namespace
+
+// Equal squares make them equal; the squares are rational functions, of which the normal form
+// decides.
+bool equal_velocities(const ex& a, const ex& b) {
+  WithoutAbs bare;
+  return (bare(GiNaC::pow(a, 2)) - bare(GiNaC::pow(b, 2))).normal().is_zero();
+}
 
 Proofs prove_equations() {
   Prover prover;

@@ -26,7 +26,8 @@ std::string table(const Cells& headings, const std::vector<Cells>& rows, const c
   std::string body;
   for (const Cells& cells : rows) body += row_of(cells, false);
   return fmt::format(
-      "<figure><div class=\"scroll\" tabindex=\"0\"><table class=\"numbers\"><thead>{}</thead>"
+      "<figure><div class=\"scroll\" tabindex=\"0\"><table class=\"numbers "
+      "tight\"><thead>{}</thead>"
       "<tbody>\n{}</tbody></table></div><figcaption>{}</figcaption></figure>\n",
       row_of(headings, true), body, caption);
 }
@@ -48,13 +49,12 @@ std::string jump_table(const paper::JumpLimits& limits) {
     rows.push_back({plain(row.delta), plain(row.printed), places(row.formula, 15),
                     places(row.by_admissibility, 15), places(row.by_simulator, 15)});
   return table({"δ", "printed", "1/√(1 + δ²)", "bisection, admissibility", "bisection, simulator"},
-               rows, "The largest D = du_z/u_z0 at which the normal force stays positive.");
+               rows, "The largest D at which the normal force stays positive.");
 }
 
 std::string static_table(const paper::StaticLimit& limit) {
   Cells headings{"δ", "model"};
-  for (const double ratio : limit.ratios)
-    headings.push_back(fmt::format("v₀/v* = {}", magnitude(ratio)));
+  for (const double ratio : limit.ratios) headings.push_back(fmt::format("v₀/v* = {:g}", ratio));
   headings.insert(headings.end(), {"limit", "power"});
   std::vector<Cells> rows;
   for (const paper::StaticRow& row : limit.rows) {
@@ -66,10 +66,10 @@ std::string static_table(const paper::StaticLimit& limit) {
     rows.push_back(full);
     rows.push_back(reduced);
   }
-  return table(
-      headings, rows,
-      "Friction ratio with F_n = mean (1 ± 0.9). Power: of v₀/v*, with which it comes near "
-      "its limit, between the last two speeds; of the reduced model as derived.");
+  return table(headings, rows,
+               "Friction ratio with F<sub>n</sub> = mean × (1 ± 0.9). Power: of v₀/v*, with which "
+               "it comes near "
+               "its limit, between the last two speeds; of the reduced model as derived.");
 }
 
 std::string punch_table(const paper::FlatPunch& punch) {
@@ -82,21 +82,22 @@ std::string punch_table(const paper::FlatPunch& punch) {
 }
 
 std::string witness_table(const paper::Evidence& evidence) {
-  Cells headings{"δ", "v₀/v*", "25 digits", "exact motion"};
-  for (const int steps : evidence.steps) headings.push_back(fmt::format("Moreau, {}", steps));
-  headings.insert(headings.end(), {"rk8pd", "reduced model"});
+  Cells headings{"δ", "v₀/v*", "25 digits", "reduced", "exact"};
+  for (const int steps : evidence.steps) headings.push_back(fmt::format("Moreau {}", steps));
+  headings.emplace_back("rk8pd");
   std::vector<Cells> rows;
   for (const paper::Witness& row : evidence.rows) {
-    Cells cells{plain(row.delta), plain(row.ratio), places(row.reference, 15),
+    Cells cells{plain(row.delta), plain(row.ratio), places(row.reference, 12),
+                fmt::format("<strong>{:+.6f}</strong>", row.reduced - row.reference),
                 off(row.exact, row.reference)};
     for (const double value : row.moreau) cells.push_back(off(value, row.reference));
-    cells.insert(cells.end(), {off(row.adaptive, row.reference),
-                               "<strong>" + off(row.reduced, row.reference) + "</strong>"});
+    cells.push_back(off(row.adaptive, row.reference));
     rows.push_back(cells);
   }
   return table(headings, rows,
-               "Friction ratio with F_n = mean (1 ± 0.9) in 25 digits (15 of them here), and how "
-               "far from it each method is. Moreau’s with so many steps a period.");
+               "Friction ratio with F<sub>n</sub> = mean × (1 ± 0.9) in 25 digits (12 of them "
+               "here), and how "
+               "far from it each is. Moreau’s method with so many steps a period.");
 }
 
 }  // namespace vcrit::validation::report
