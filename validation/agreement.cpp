@@ -12,7 +12,9 @@
 #include "critical/critical_velocity.hpp"
 #include "evaluators.hpp"
 #include "formulas.hpp"
+#include "frequency_response.hpp"
 #include "friction.hpp"
+#include "method_curves.hpp"
 #include "network/masses.hpp"
 #include "reduced_difference.hpp"
 #include "simulation/steady/onset.hpp"
@@ -230,6 +232,8 @@ void simulate(SceneReport& report, const Progress& progress) {
     const double drive_velocity = report.critical_velocity + report.creep_velocity;
     trace_curve(report, system, drive_velocity);
     report.cycle = steady_cycle(system, drive_velocity, 0.5);
+    progress("simulating by other methods");
+    report.methods = method_curves(system, drive_velocity);
     report.reduced_model = reduced_model(report.scene);
   } catch (const ModelError& error) {
     report.comparisons.push_back(broken(pending, error.what()));
@@ -258,6 +262,7 @@ SceneReport agree(const Scene& scene, const Progress& progress) {
   report.comparisons.push_back(
       in_doubles(report, "formula", "Eq. 24 in doubles", critical_velocity(scene)));
   compare_derived(report, derivation, values);
+  report.response = frequency_response(scene);
   progress("compiling the generated evaluator");
   compare_generated(report, derivation, values);
 

@@ -48,6 +48,7 @@ struct Equation {
 
 struct LimitLine {
   std::string name, equation;  ///< see symbolic::Limit
+  std::string mathml_name;
   Formula result;
   std::vector<Equation> definitions;  ///< of names in `result`
 };
@@ -103,6 +104,49 @@ struct ReducedModel {
   ReducedTable table;                 ///< at the scene's a
 };
 
+/// Friction by one method beside the exact one.
+struct MethodPoint {
+  double ratio = 0;           ///< as in CurvePoint
+  double friction_ratio = 0;  ///< mu_macro/mu0
+  double difference = 0;      ///< |it less the exact method's|
+  std::string reason;         ///< why there is none, else empty
+};
+
+struct MethodCurve {
+  std::string method, setting;
+  std::vector<MethodPoint> points;
+};
+
+/// The scene at another angular frequency; N/m and m/s.
+struct ResponsePoint {
+  double omega = 0;                   ///< rad/s
+  double normal = 0, tangential = 0;  ///< |K_n|, |K_t|
+  std::optional<double> drive;        ///< |K_d| of a drive network
+  double velocity = 0;                ///< v*
+};
+
+/// v* ~ coefficient omega^power.
+struct AsymptoteLine {
+  bool low = true;  ///< as omega -> 0; else as omega -> infinity
+  int power = 0;
+  double coefficient = 0;
+  Formula formula;
+  std::vector<Equation> definitions;  ///< of names in it
+};
+
+/// Where the drive makes v* largest (resonance) or smallest (antiresonance).
+struct ResonanceMark {
+  double omega = 0;  ///< rad/s
+  bool resonance = true;
+};
+
+struct FrequencyResponse {
+  double omega = 0;                   ///< the scene's own, rad/s
+  std::vector<ResponsePoint> points;  ///< by increasing omega
+  std::vector<AsymptoteLine> asymptotes;
+  std::vector<ResonanceMark> marks;
+};
+
 struct SceneReport {
   Scene scene;
   std::vector<std::string> reasons;  ///< why the scene is not admissible; empty when it is
@@ -119,8 +163,10 @@ struct SceneReport {
   std::vector<LimitLine> limits;
   std::string compiler;  ///< that compiled the generated evaluator, with version; else empty
   std::vector<Comparison> comparisons;
-  std::vector<CurvePoint> curve;  ///< by increasing speed; empty when nothing was simulated
+  std::vector<CurvePoint> curve;     ///< by increasing speed; empty when nothing was simulated
+  std::vector<MethodCurve> methods;  ///< beside the exact one, on the same curve
   std::optional<Cycle> cycle;
+  FrequencyResponse response;
   std::optional<ReducedModel> reduced_model;  ///< where the paper's reduced model applies
 };
 

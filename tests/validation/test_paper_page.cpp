@@ -19,7 +19,7 @@ bool has(const std::string& text, const std::string& part) { return text.find(pa
 
 PaperContents contents() {
   static const paper::Paper paper = paper::go_through([](const std::string&) {});
-  return {example::contents({}).machine, paper};
+  return {{example::origin().machine, paper_command}, paper};
 }
 
 /// Without scripts and style.

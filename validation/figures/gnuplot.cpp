@@ -36,7 +36,7 @@ std::string ticks(const char* letter, const Axis& axis) {
 
 std::string axis(const char* letter, const Axis& axis) {
   std::string text = fmt::format("set {}label {}\n", letter, quoted(axis.title));
-  if (axis.logarithmic) text += fmt::format("set logscale {0}\nset format {0} '%g'\n", letter);
+  if (axis.logarithmic) text += fmt::format("set logscale {0}\nset format {0} '%h'\n", letter);
   if (axis.range)
     text += fmt::format("set {}range [{:.17g}:{:.17g}]\n", letter, axis.range->first,
                         axis.range->second);
@@ -53,9 +53,10 @@ std::string bands(const Figure& figure) {
   return text;
 }
 
-std::string rule(const Rule& rule) {
+/// `row`: words of neighbours stand in different rows, one above the other.
+std::string rule(const Rule& rule, int row) {
   const std::string at = fmt::format("first {:.9g}", rule.at);
-  const auto place = [&](const char* other) {
+  const auto place = [&](const std::string& other) {
     return rule.horizontal ? fmt::format("graph {}, {}", other, at)
                            : fmt::format("{}, graph {}", at, other);
   };
@@ -63,7 +64,7 @@ std::string rule(const Rule& rule) {
                                  place("0"), place("1"), palette(2));
   if (!rule.words.empty())
     text += fmt::format("set label {} at {} offset character 0.6, 0.5\n", quoted(rule.words),
-                        place("0.01"));
+                        place(rule.horizontal ? "0.01" : fmt::format("{}", 0.01 + 0.05 * row)));
   return text;
 }
 
@@ -147,7 +148,8 @@ std::string gnuplot(const Figure& figure) {
                      "set boxwidth 0.9 relative\n" + axis("x", figure.x) + axis("y", figure.y);
   if (figure.map) text += axis("cb", figure.map->value) + colours;
   text += bands(figure);
-  for (const Rule& each : figure.rules) text += rule(each);
+  int row = 0;
+  for (const Rule& each : figure.rules) text += rule(each, row++ % 6);
   return text + all_data(figure) + plots(figure) +
          output(figure, "svg size 640,420 noenhanced font 'DejaVu Sans,12' background '#ffffff'",
                 "svg") +

@@ -23,8 +23,8 @@ ordered_json drawn(double value, const Axis& axis) {
 }
 
 ordered_json scale(const Axis& axis) {
-  ordered_json result{{"zero", false}, {"nice", false}};
-  if (axis.logarithmic) result = {{"type", "log"}, {"nice", false}};
+  ordered_json result{{"zero", false}, {"nice", !axis.range}};
+  if (axis.logarithmic) result = {{"type", "log"}, {"nice", !axis.range}};
   if (axis.range) result["domain"] = {axis.range->first, axis.range->second};
   return result;
 }
@@ -38,9 +38,22 @@ std::string labels(const Axis& axis) {
   return expression + "''";
 }
 
+/// Powers of ten as "10⁷", between 0.001 and 1000 as they are; other numbers have a tick alone.
+ordered_json logarithmic_axis() {
+  const std::string exponent = "round(log(datum.value) / LN10)", size = "abs(" + exponent + ")";
+  const auto digit = [](const std::string& number) {
+    return fmt::format("substring('⁰¹²³⁴⁵⁶⁷⁸⁹', {0}, {0} + 1)", number);
+  };
+  const std::string power =
+      fmt::format("'10' + ({} < 0 ? '⁻' : '') + ({} > 9 ? {} : '') + {}", exponent, size,
+                  digit("floor(" + size + " / 10)"), digit("(" + size + " % 10)"));
+  return {{"labelExpr", fmt::format("abs(log(datum.value) / LN10 - {}) > 1e-9 ? '' : {} > 3 ? {} : "
+                                    "format(datum.value, '~g')",
+                                    exponent, size, power)}};
+}
+
 ordered_json axis_of(const Axis& axis) {
-  if (axis.ticks.empty())
-    return axis.logarithmic ? ordered_json{{"format", "~g"}} : ordered_json::object();
+  if (axis.ticks.empty()) return axis.logarithmic ? logarithmic_axis() : ordered_json::object();
   ordered_json values = ordered_json::array();
   for (const auto& [at, words] : axis.ticks) values.push_back(at);
   return {{"values", values}, {"labelExpr", labels(axis)}, {"labelOverlap", true}};
@@ -208,7 +221,8 @@ ordered_json layer(const Figure& figure, const std::vector<Band>& bands) {
             {"tooltip", {{"field", "words"}, {"type", "nominal"}}}}}};
 }
 
-void add(ordered_json& layers, const Figure& figure, const Rule& rule) {
+/// `row`: words of neighbours stand in different rows, one above the other.
+void add(ordered_json& layers, const Figure& figure, const Rule& rule, int row) {
   const char* const along = rule.horizontal ? "y" : "x";
   const Axis& axis = rule.horizontal ? figure.y : figure.x;
   const ordered_json data{{"values", {{{"at", drawn(rule.at, axis)}}}}};
@@ -219,7 +233,8 @@ void add(ordered_json& layers, const Figure& figure, const Rule& rule) {
        {"encoding", {{along, at}}}});
   if (rule.words.empty()) return;
   ordered_json encoding{{along, at}};
-  encoding[rule.horizontal ? "x" : "y"] = {{"value", rule.horizontal ? 6 : figure.height - 6}};
+  encoding[rule.horizontal ? "x" : "y"] = {
+      {"value", rule.horizontal ? 6 : figure.height - 6 - 15 * row}};
   layers.push_back({{"data", data},
                     {"mark", mark("text", {{"align", "left"},
                                            {"dx", rule.horizontal ? 0 : 5},
@@ -237,7 +252,8 @@ ordered_json vega_lite(const Figure& figure) {
   if (!figure.bands.empty()) layers.push_back(layer(figure, figure.bands));
   const Legend names = legend(figure);
   for (const Series& series : figure.series) layers.push_back(layer(figure, series, names));
-  for (const Rule& rule : figure.rules) add(layers, figure, rule);
+  int row = 0;
+  for (const Rule& rule : figure.rules) add(layers, figure, rule, row++ % 6);
   return {{"width", "container"},
           {"height", figure.height},
           {"background", nullptr},

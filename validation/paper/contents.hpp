@@ -120,5 +120,6 @@ struct Paper {
 
 /// Of all parts, in their order.
 std::vector<Comparison> all_comparisons(const Paper& paper);
+std::vector<figures::Figure> all_figures(const Paper& paper);
 
 }  // namespace vcrit::validation::paper

@@ -19,6 +19,13 @@ std::vector<Comparison> all_comparisons(const Paper& paper) {
   return all;
 }
 
+std::vector<figures::Figure> all_figures(const Paper& paper) {
+  std::vector<figures::Figure> all = paper.figure4.reduced;
+  all.insert(all.end(), paper.figure4.full.begin(), paper.figure4.full.end());
+  all.insert(all.end(), {paper.map.figure, paper.punch.figure});
+  return all;
+}
+
 Paper go_through(const Progress& progress) {
   Paper paper;
   progress("deriving (29) to (31)");

@@ -35,15 +35,17 @@ ordered_json json(const Machine& machine) {
   return {{"processor", machine.processor},
           {"cores", machine.cores},
           {"system", machine.system},
+          {"commit", machine.commit},
+          {"compiler_flags", machine.compiler_flags},
           {"versions", versions}};
 }
 
-ordered_json report_head(const Machine& machine, bool passed, const std::string& command) {
+ordered_json report_head(const Origin& origin, bool passed) {
   return {{"program", "vcrit"},
-          {"version", machine.program},
+          {"version", origin.machine.program},
           {"passed", passed},
-          {"command", command},
-          {"machine", json(machine)}};
+          {"command", origin.command},
+          {"machine", json(origin.machine)}};
 }
 
 std::string text_of(const ordered_json& report) {

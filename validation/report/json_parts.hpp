@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "machine.hpp"
+#include "report/machine_section.hpp"
 #include "scene_report.hpp"
 
 namespace vcrit::validation::report {
@@ -13,7 +13,7 @@ nlohmann::ordered_json json(const Formula& formula);
 nlohmann::ordered_json json(const Machine& machine);
 
 /// `program`, `version`, `passed`, `command`, `machine`.
-nlohmann::ordered_json report_head(const Machine& machine, bool passed, const std::string& command);
+nlohmann::ordered_json report_head(const Origin& origin, bool passed);
 
 /// As the file has it.
 std::string text_of(const nlohmann::ordered_json& report);

@@ -1,4 +1,4 @@
-// How a page was made: command, machine, versions.
+// The end of every page: the command that makes it again, and on what it was made.
 #pragma once
 
 #include <string>
@@ -7,7 +7,12 @@
 
 namespace vcrit::validation::report {
 
-/// command: a line for a shell.
-std::string machine_section(const Machine& machine, const std::string& command);
+/// Who made a report, and how to make it again.
+struct Origin {
+  Machine machine;
+  std::string command;
+};
+
+std::string machine_section(const Origin& origin);
 
 }  // namespace vcrit::validation::report

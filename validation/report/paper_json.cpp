@@ -159,7 +159,7 @@ bool passed(const paper::Paper& paper) {
 }
 
 std::string paper_json(const PaperContents& contents) {
-  ordered_json report = report_head(contents.machine, passed(contents.paper), paper_command);
+  ordered_json report = report_head(contents.origin, passed(contents.paper));
   report["paper"] = parts(contents.paper);
   return text_of(report);
 }

@@ -3,13 +3,13 @@
 
 #include <string>
 
-#include "machine.hpp"
 #include "paper/contents.hpp"
+#include "report/machine_section.hpp"
 
 namespace vcrit::validation::report {
 
 struct PaperContents {
-  Machine machine;
+  Origin origin;
   paper::Paper paper;
 };
 

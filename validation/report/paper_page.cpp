@@ -4,12 +4,10 @@
 
 #include "report/chart.hpp"
 #include "report/comparison_table.hpp"
-#include "report/document_head.hpp"
+#include "report/document.hpp"
 #include "report/equations.hpp"
 #include "report/html.hpp"
-#include "report/machine_section.hpp"
 #include "report/paper_tables.hpp"
-#include "report/script_elements.hpp"
 
 namespace vcrit::validation::report {
 
@@ -173,25 +171,29 @@ std::string in_short(const std::vector<paper::Claim>& claims) {
 std::string opening(const PaperContents& contents) {
   const auto comparisons = all_comparisons(contents.paper);
   return fmt::format(
-      "<body>\n<a class=\"skip\" href=\"#content\">To the results</a>\n"
+      "<a class=\"skip\" href=\"#content\">To the results</a>\n"
       "<header class=\"page\"><p class=\"program\">vcrit {}</p>\n"
       "<h1>The paper, gone through</h1>\n"
       "<p class=\"lead\">M. Zughaibi, F. Schulze, Q. Li: Critical velocity of controllability of "
       "sliding friction by normal oscillations for an arbitrary linear rheology, Physical "
       "Mesomechanics 2018, doi 10.24411/1683-805X-2018-12009. Each number here is compared with "
       "one found in another way.</p>\n{}</header>\n<main id=\"content\">\n",
-      escape(contents.machine.program), verdict(comparisons) + in_short(contents.paper.claims));
+      escape(contents.origin.machine.program),
+      verdict(comparisons) + in_short(contents.paper.claims));
 }
 
 }  // namespace
 
 std::string paper_page(const PaperContents& contents) {
   const Paper& paper = contents.paper;
-  return document_head("The paper, gone through", script_policy()) + opening(contents) +
-         equations_section(paper.proofs) + figure4_section(paper.figure4) + map_section(paper.map) +
-         jump_section(paper.jumps) + slow_section(paper.slow) + punch_section(paper.punch) +
-         claims_section(paper) + machine_section(contents.machine, paper_command) + "</main>\n" +
-         script_elements() + "</body>\n</html>\n";
+  return document({"The paper, gone through",
+                   opening(contents) + equations_section(paper.proofs) +
+                       figure4_section(paper.figure4) + map_section(paper.map) +
+                       jump_section(paper.jumps) + slow_section(paper.slow) +
+                       punch_section(paper.punch) + claims_section(paper) +
+                       machine_section(contents.origin) + "</main>\n",
+                   true,
+                   {}});
 }
 
 }  // namespace vcrit::validation::report

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
+#include "report/stretches.hpp"
 #include "report/units.hpp"
 
 namespace vcrit::validation::report {
@@ -28,8 +30,49 @@ Series over_speed(const SceneReport& report, const char* name, Style style, int 
   return series;
 }
 
+template <class Value>
+Series by_method(const MethodCurve& method, int colour, Value value) {
+  Series series{method.method, Style::crosses, {}, colour};
+  for (const MethodPoint& point : method.points)
+    if (point.reason.empty())
+      series.points.push_back({point.ratio, value(point),
+                               fmt::format("{} at {}: {:.12f}, {:.1e} off", method.method,
+                                           point.ratio, point.friction_ratio, point.difference)});
+  return series;
+}
+
 double omega_of(const SceneReport& report) {
   return values_of(report.scene).at(report.scene.angular_frequency.symbol);
+}
+
+template <class Value>
+Series over_frequency(const SceneReport& report, const char* name, int colour, Value value) {
+  Series series{name, Style::line, {}, colour};
+  for (const ResponsePoint& point : report.response.points)
+    series.points.push_back({point.omega, value(point), ""});
+  return series;
+}
+
+/// The axis of angular frequency, and the scene's own marked on it.
+Figure response_figure(const SceneReport& report, const char* name) {
+  Figure figure;
+  figure.name = name;
+  const auto& points = report.response.points;
+  figure.x = {
+      "angular frequency ω, rad/s", true, std::pair{points.front().omega, points.back().omega}, {}};
+  figure.rules.push_back({report.response.omega, "this scene", false});
+  return figure;
+}
+
+/// Drawn over the half of the picture where it holds.
+Series asymptote(const SceneReport& report, const AsymptoteLine& line) {
+  const double from = report.response.points.front().omega,
+               to = report.response.points.back().omega;
+  const double middle = std::sqrt(from) * std::sqrt(to);
+  Series series{"asymptotes", Style::dashed, {}, 2};
+  for (const double omega : line.low ? std::array{from, middle} : std::array{middle, to})
+    series.points.push_back({omega, line.coefficient * std::pow(omega, line.power), ""});
+  return series;
 }
 
 /// Over one period in time.
@@ -67,6 +110,21 @@ Figure cycle_figure(const SceneReport& report, const char* name, int height) {
 
 }  // namespace
 
+std::vector<Figure> scene_figures(const SceneReport& report) {
+  std::vector<Figure> all;
+  if (!report.response.points.empty()) {
+    all.push_back(velocity_response_figure(report));
+    all.push_back(stiffness_figure(report));
+  }
+  if (!report.curve.empty()) all.push_back(friction_figure(report));
+  if (!report.methods.empty()) all.push_back(residual_figure(report));
+  if (report.cycle) {
+    all.push_back(force_figure(report));
+    all.push_back(velocity_figure(report));
+  }
+  return all;
+}
+
 std::string speed_axis(const SceneReport& report) {
   return report.creep_velocity > 0 ? "v₀ / (v* + creep)" : "v₀ / v*";
 }
@@ -96,7 +154,60 @@ Figure friction_figure(const SceneReport& report) {
     rest.points[i].words = fmt::format("{:.4g}: {:.9f}, {}", report.curve[i].ratio,
                                        report.curve[i].from_rest, report.curve[i].regime);
   figure.series.push_back(std::move(rest));
+  int colour = 3;
+  for (const MethodCurve& method : report.methods)
+    figure.series.push_back(
+        by_method(method, colour++, [](const MethodPoint& point) { return point.friction_ratio; }));
   figure.rules.push_back({1, "pure sliding", false});
+  return figure;
+}
+
+Figure residual_figure(const SceneReport& report) {
+  Figure figure;
+  figure.name = "friction_residual";
+  figure.height = 220;
+  figure.title = "Difference of the other methods from the exact one";
+  figure.caption = "Each with its usual setting, a difference of 0 drawn at 10⁻¹⁷:";
+  figure.x = {speed_axis(report), false, std::pair{0.0, 1.4}, {}};
+  figure.y = {"|difference| of the friction ratio", true, std::pair{1e-17, 1.0}, {}};
+  int colour = 3;
+  for (const MethodCurve& method : report.methods) {
+    figure.series.push_back(by_method(method, colour++, [](const MethodPoint& point) {
+      return std::max(point.difference, 1e-17);
+    }));
+    figure.caption += fmt::format(" {} {},", method.method, method.setting);
+  }
+  figure.caption.back() = '.';
+  return figure;
+}
+
+Figure stiffness_figure(const SceneReport& report) {
+  Figure figure = response_figure(report, "stiffness");
+  figure.height = 240;
+  figure.title = "Dynamic stiffness over angular frequency";
+  figure.caption = "Absolute values of the dynamic stiffness of each network.";
+  figure.y = {"dynamic stiffness |K|, N/m", true, {}, {}};
+  figure.series = {
+      over_frequency(report, "normal contact", 0, [](const ResponsePoint& p) { return p.normal; }),
+      over_frequency(report, "tangential contact", 1,
+                     [](const ResponsePoint& p) { return p.tangential; })};
+  if (report.response.points.front().drive)
+    figure.series.push_back(over_frequency(
+        report, "drive", 3, [](const ResponsePoint& p) { return p.drive.value_or(0); }));
+  return figure;
+}
+
+Figure velocity_response_figure(const SceneReport& report) {
+  Figure figure = response_figure(report, "critical_velocity");
+  figure.title = "Critical velocity over angular frequency";
+  figure.caption = "The formula above with all else as in the scene.";
+  figure.y = {"critical velocity v*, m/s", true, {}, {}};
+  for (const AsymptoteLine& line : report.response.asymptotes)
+    figure.series.push_back(asymptote(report, line));
+  figure.series.push_back(
+      over_frequency(report, "v*", 0, [](const ResponsePoint& p) { return p.velocity; }));
+  for (const ResonanceMark& mark : report.response.marks)
+    figure.rules.push_back({mark.omega, mark.resonance ? "resonance" : "antiresonance", false});
   return figure;
 }
 
@@ -133,29 +244,6 @@ Figure velocity_figure(const SceneReport& report) {
   figure.y.title = "contact velocity, " + scale.unit;
   figure.series = {over_time(report, "", Style::line, 0, scale, velocity)};
   return figure;
-}
-
-std::vector<Stretch> stretches(const std::vector<CyclePoint>& cycle, double per_phase) {
-  double fastest = 0;
-  for (const auto& point : cycle) fastest = std::max(fastest, std::abs(point.contact_velocity));
-  const double still = 1e-12 * fastest;
-  std::vector<Stretch> result;
-  bool open = false;
-  for (std::size_t i = 0; i < cycle.size(); ++i) {
-    const double velocity = cycle[i].contact_velocity;
-    const double from = cycle[i].phase * per_phase;
-    const double to = (i + 1 < cycle.size() ? cycle[i + 1].phase : period) * per_phase;
-    const bool backward = velocity < -still;
-    if (velocity > still) {
-      open = false;
-    } else if (open && result.back().backward == backward) {
-      result.back().to = to;
-    } else {
-      result.push_back({from, to, backward});
-      open = true;
-    }
-  }
-  return result;
 }
 
 }  // namespace vcrit::validation::report

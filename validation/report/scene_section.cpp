@@ -6,6 +6,7 @@
 
 #include "report/chart.hpp"
 #include "report/comparison_table.hpp"
+#include "report/equations.hpp"
 #include "report/formula_section.hpp"
 #include "report/html.hpp"
 #include "report/reduced_section.hpp"
@@ -71,9 +72,26 @@ std::string curve_table(const SceneReport& report) {
       speed_axis(report), curve_rows(report));
 }
 
+std::string missing_answers(const SceneReport& report) {
+  std::vector<std::string> lines;
+  for (const MethodCurve& method : report.methods)
+    for (const MethodPoint& point : method.points)
+      if (!point.reason.empty())
+        lines.push_back(fmt::format("{} at {}: {}", method.method, point.ratio, point.reason));
+  return lines.empty() ? "" : "<p>Without an answer:</p>\n" + list(lines, "reasons");
+}
+
+std::string response_section(const SceneReport& report) {
+  if (report.response.points.empty()) return {};
+  return "<h3>Frequency response</h3>\n" + chart(velocity_response_figure(report)) +
+         asymptotes_table(report.response.asymptotes) + chart(stiffness_figure(report));
+}
+
 std::string friction_section(const SceneReport& report) {
   if (!simulated(report)) return {};
-  return "<h3>Friction against speed</h3>\n" + chart(friction_figure(report)) + curve_table(report);
+  std::string html = "<h3>Friction against speed</h3>\n" + chart(friction_figure(report));
+  if (!report.methods.empty()) html += chart(residual_figure(report));
+  return html + curve_table(report) + missing_answers(report);
 }
 
 std::string cycle_section(const SceneReport& report) {
@@ -109,13 +127,11 @@ std::string velocity_words(const SceneReport& report) {
   return "v* = " + quantity(report.critical_velocity, "m/s", 5);
 }
 
-std::string scene_section(const SceneReport& report, std::size_t number) {
-  return fmt::format("<section class=\"scene\" id=\"scene-{}\">\n<h2>{}</h2>\n", number,
-                     escape(title_of(report))) +
-         verdict(report) + drawings(report) + "<h3>Agreement</h3>\n" +
-         comparison_table(report.comparisons) + friction_section(report) + cycle_section(report) +
-         reduced_section(report) + formula_section(report) + values_section(report) +
-         file_section(report) + "</section>\n";
+std::string scene_section(const SceneReport& report) {
+  return "<section class=\"scene\">\n" + verdict(report) + drawings(report) +
+         "<h3>Agreement</h3>\n" + comparison_table(report.comparisons) + formula_section(report) +
+         response_section(report) + friction_section(report) + cycle_section(report) +
+         reduced_section(report) + values_section(report) + file_section(report) + "</section>\n";
 }
 
 }  // namespace vcrit::validation::report
