@@ -60,7 +60,7 @@ void add_amplitude(Figure& figure, Friction friction, double delta, int number) 
 
 void add_references(Figure& figure, Friction friction, double delta) {
   constexpr int colour = amplitudes + 1;
-  const std::string name = name_of(delta, reference_amplitude) + ", known";
+  const std::string name = name_of(delta, reference_amplitude);
   figure.series.push_back(curve(name, Style::dotted, colour, [&](double ratio) {
     return friction(delta, reference_amplitude, ratio);
   }));

@@ -174,7 +174,7 @@ std::string opening(const PaperContents& contents) {
       "<a class=\"skip\" href=\"#content\">To the results</a>\n"
       "<header class=\"page\"><p class=\"program\">vcrit {}</p>\n"
       "<h1>The paper, gone through</h1>\n"
-      "<p class=\"lead\">M. Zughaibi, F. Schulze, Q. Li: Critical velocity of controllability of "
+      "<p class=\"lead\">Zughaibi, Schulze, Li: Critical velocity of controllability of "
       "sliding friction by normal oscillations for an arbitrary linear rheology, Physical "
       "Mesomechanics 2018, doi 10.24411/1683-805X-2018-12009. Each number here is compared with "
       "one found in another way.</p>\n{}</header>\n<main id=\"content\">\n",
