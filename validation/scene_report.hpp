@@ -147,6 +147,32 @@ struct FrequencyResponse {
   std::vector<ResonanceMark> marks;
 };
 
+/// A parameter that the page's reader may move; of an array all entries by one factor.
+struct Slider {
+  std::string name, meaning, unit;
+  std::string mathml;  ///< its name
+  bool array = false;
+  std::vector<double> values;  ///< the scene's: one, or the array's entries; SI
+};
+
+/// Friction simulated beforehand over frequency, amplitude and speed, the scene's elements as they
+/// are.
+struct FrictionGrid {
+  std::vector<double> omegas;            ///< rad/s
+  std::vector<double> ratios;            ///< speed over the lowest speed of pure sliding
+  std::vector<double> amplitudes;        ///< of the normal force over its mean, increasing
+  std::vector<double> amplitude_ratios;  ///< the same by the scene's du_z, at each omega
+  std::vector<std::vector<double>>
+      friction;  ///< mu_macro/mu0 over ratios; a row for each amplitude
+                 ///< at the first omega, then at the second, ...
+};
+
+struct Explorer {
+  std::string script;  ///< JavaScript, defines vcrit_scene.critical_velocity(p) and its batch
+  std::vector<Slider> sliders;
+  std::optional<FrictionGrid> friction;
+};
+
 struct SceneReport {
   Scene scene;
   std::vector<std::string> reasons;  ///< why the scene is not admissible; empty when it is
@@ -167,6 +193,7 @@ struct SceneReport {
   std::vector<MethodCurve> methods;  ///< beside the exact one, on the same curve
   std::optional<Cycle> cycle;
   FrequencyResponse response;
+  std::optional<Explorer> explorer;
   std::optional<ReducedModel> reduced_model;  ///< where the paper's reduced model applies
 };
 

@@ -4,7 +4,7 @@
   extern "C" const char vcrit_##symbol[], vcrit_##symbol##_end[];
 #include "asset_scripts.inc"
 #undef VCRIT_SCRIPT
-extern "C" const char vcrit_style[], vcrit_style_end[];
+extern "C" const char vcrit_style[], vcrit_style_end[], vcrit_explorer[], vcrit_explorer_end[];
 
 namespace vcrit::validation::report {
 
@@ -27,5 +27,7 @@ const std::vector<Script>& scripts() {
 }
 
 std::string_view style() { return between(vcrit_style, vcrit_style_end); }
+
+std::string_view explorer_script() { return between(vcrit_explorer, vcrit_explorer_end); }
 
 }  // namespace vcrit::validation::report

@@ -17,4 +17,7 @@ const std::vector<Script>& scripts();
 
 std::string_view style();
 
+/// What moves the explorer; pages without one do not carry it.
+std::string_view explorer_script();
+
 }  // namespace vcrit::validation::report

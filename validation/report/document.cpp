@@ -14,9 +14,10 @@ namespace vcrit::validation::report {
 namespace {
 
 std::vector<std::string_view> scripts_of(const Document& content) {
-  std::vector<std::string_view> result(content.scripts.begin(), content.scripts.end());
+  std::vector<std::string_view> result;
   if (content.charts)
     for (const Script& script : scripts()) result.push_back(script.text);
+  result.insert(result.end(), content.scripts.begin(), content.scripts.end());
   return result;
 }
 

@@ -11,7 +11,7 @@ struct Document {
   std::string title;                 ///< as text
   std::string body;                  ///< as HTML
   bool charts = false;               ///< brings the charting packages and the page's own script
-  std::vector<std::string> scripts;  ///< further ones, which run before them
+  std::vector<std::string> scripts;  ///< further ones, which run after them
 };
 
 /// The whole file, with a content security policy that names each script by its hash.

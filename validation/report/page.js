@@ -18,7 +18,7 @@ const drawing = {
   },
 };
 
-for (const chart of document.querySelectorAll(".chart")) {
+for (const chart of document.querySelectorAll(".chart:not(.explored-chart)")) {
   const specification = JSON.parse(chart.nextElementSibling.textContent);
   const dark = matchMedia("(prefers-color-scheme: dark)").matches;
   vegaEmbed(chart, specification, { ...drawing, tooltip: { theme: dark ? "dark" : "light" } })

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "report/document.hpp"
+#include "report/explorer_section.hpp"
 #include "report/html.hpp"
 #include "report/scene_section.hpp"
 
@@ -28,8 +29,7 @@ std::string scene_page(const SceneReport& report, const Origin& origin, bool in_
   return document({title_of(report),
                    opening(report, origin, in_suite) + scene_section(report) +
                        machine_section(origin) + "</main>\n",
-                   true,
-                   {}});
+                   true, explorer_scripts(report)});
 }
 
 }  // namespace vcrit::validation::report

@@ -7,6 +7,7 @@
 #include "report/chart.hpp"
 #include "report/comparison_table.hpp"
 #include "report/equations.hpp"
+#include "report/explorer_section.hpp"
 #include "report/formula_section.hpp"
 #include "report/html.hpp"
 #include "report/reduced_section.hpp"
@@ -130,8 +131,9 @@ std::string velocity_words(const SceneReport& report) {
 std::string scene_section(const SceneReport& report) {
   return "<section class=\"scene\">\n" + verdict(report) + drawings(report) +
          "<h3>Agreement</h3>\n" + comparison_table(report.comparisons) + formula_section(report) +
-         response_section(report) + friction_section(report) + cycle_section(report) +
-         reduced_section(report) + values_section(report) + file_section(report) + "</section>\n";
+         response_section(report) + explorer_section(report) + friction_section(report) +
+         cycle_section(report) + reduced_section(report) + values_section(report) +
+         file_section(report) + "</section>\n";
 }
 
 }  // namespace vcrit::validation::report
