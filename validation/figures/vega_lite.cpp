@@ -155,7 +155,7 @@ ordered_json colour(const Series& series, const Legend& legend) {
   return {{"datum", series.name},
           {"type", "nominal"},
           {"scale", {{"domain", legend.names}, {"range", legend.colours}}},
-          {"legend", {{"title", nullptr}, {"orient", "top"}, {"columns", 4}, {"labelLimit", 260}}}};
+          {"legend", {{"title", nullptr}, {"orient", "top"}, {"labelLimit", 260}}}};
 }
 
 ordered_json layer(const Figure& figure, const Series& series, const Legend& legend) {
