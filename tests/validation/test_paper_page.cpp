@@ -2,12 +2,17 @@
 // comes from outside.
 #include "report/paper_page.hpp"
 
+#include <unistd.h>
+
 #include <boost/test/unit_test.hpp>
+#include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <regex>
 
 #include "paper/paper.hpp"
 #include "report/assets.hpp"
+#include "report/validate.hpp"
 #include "validation/example_report.hpp"
 
 using namespace vcrit::validation;
@@ -103,6 +108,22 @@ BOOST_AUTO_TEST_CASE(a_fault_is_red_and_open) {
   BOOST_TEST(nlohmann::json::parse(paper_json(faulty))["passed"] == false);
 }
 
+BOOST_AUTO_TEST_CASE(a_fault_is_the_verdict_and_the_files_are_written_all_the_same) {
+  const auto folder = std::filesystem::temp_directory_path() /
+                      ("vcrit_test_paper_page_" + std::to_string(::getpid()));
+  const auto watch = [](const Standing&) {};
+  BOOST_TEST(report_paper(contents(), {{}, folder, {}}, watch).passed);
+  PaperContents faulty = contents();
+  faulty.paper.punch.comparisons.back().found = 1;
+  const Validation validation = report_paper(faulty, {{}, folder, {}}, watch);
+  BOOST_TEST(!validation.passed);
+  BOOST_REQUIRE(validation.failed.size() == 1u);
+  BOOST_TEST(has(validation.failed.front(), faulty.paper.punch.comparisons.back().name));
+  BOOST_TEST(nlohmann::json::parse(std::ifstream(folder / "report.json"))["passed"] == false);
+  BOOST_TEST(std::filesystem::exists(validation.page));
+  std::filesystem::remove_all(folder);
+}
+
 BOOST_AUTO_TEST_CASE(an_equation_that_is_not_equal_is_told_so) {
   PaperContents faulty = contents();
   faulty.paper.proofs.comparisons.front().broken = true;
@@ -113,8 +134,8 @@ BOOST_AUTO_TEST_CASE(an_equation_that_is_not_equal_is_told_so) {
 
 BOOST_AUTO_TEST_CASE(nothing_is_loaded_from_outside) {
   // The name of MathML's namespace is no address.
-  const std::string html = std::regex_replace(
-      page_of(contents()), std::regex("http://www.w3.org/1998/Math/MathML"), "");
+  const std::string html =
+      std::regex_replace(page_of(contents()), std::regex("http://www.w3.org/1998/Math/MathML"), "");
   for (const char* outward : {"http:", "https:", " src=", "<link"}) BOOST_TEST(!has(html, outward));
   BOOST_TEST(!std::regex_search(html, std::regex("href=\"(?!#)")));
   BOOST_TEST(has(html, "default-src 'none'"));

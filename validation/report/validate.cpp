@@ -117,7 +117,11 @@ Validation validate(const Request& request, const Watch& watch) {
 Validation validate_paper(const Request& request, const Watch& watch) {
   if (!request.figures.empty()) require_gnuplot();
   const auto progress = [&](const std::string& step) { watch({0, 1, {{"the paper", step}}}); };
-  const PaperContents contents{{machine_and_parts(), paper_command}, paper::go_through(progress)};
+  return report_paper({{machine_and_parts(), paper_command}, paper::go_through(progress)}, request,
+                      watch);
+}
+
+Validation report_paper(const PaperContents& contents, const Request& request, const Watch& watch) {
   Validation validation;
   for (const Comparison& comparison : all_comparisons(contents.paper))
     if (outcome(comparison) == Comparison::Outcome::failed)

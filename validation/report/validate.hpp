@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "report/paper_json.hpp"
 #include "workers.hpp"
 
 namespace vcrit::validation::report {
@@ -33,5 +34,8 @@ Validation validate(const Request& request, const Watch& watch);
 /// Goes through the paper and writes the same two files about it, and its figures. The request has
 /// no scenes. Throws InputError; then nothing is written.
 Validation validate_paper(const Request& request, const Watch& watch);
+
+/// The second half of it: the verdict and the files.
+Validation report_paper(const PaperContents& contents, const Request& request, const Watch& watch);
 
 }  // namespace vcrit::validation::report
