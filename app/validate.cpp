@@ -1,4 +1,5 @@
-// vcrit validate: everything compared with everything, as one page and one JSON file.
+// vcrit validate: everything compared with everything, of scenes or of the paper, as pages and one
+// JSON file.
 #include "report/validate.hpp"
 
 #include <fmt/format.h>
@@ -8,6 +9,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "base/errors.hpp"
 #include "commands.hpp"
 
 namespace vcrit::app {
@@ -50,20 +52,35 @@ void print(const Validation& validation) {
   fmt::print("{}\n", validation.page.string());
 }
 
+Validation validated(const validation::report::Request& request, bool paper) {
+  if (paper && !request.files.empty())
+    throw InputError({"--paper"}, "scene files beside it", "one or the other");
+  if (paper) return validation::report::validate_paper(request, show_progress);
+  if (request.files.empty()) throw InputError({"SCENE"}, "none", "scene files, or --paper");
+  return validation::report::validate(request, show_progress);
+}
+
 }  // namespace
 
 void add_validate(CLI::App& program, int& status) {
-  const auto request = std::make_shared<validation::report::Request>();
+  struct Options {
+    validation::report::Request request;
+    bool paper = false;
+  };
+  const auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand(
       "validate", "Compare formula, evaluators and simulation; write a report");
-  command->add_option("SCENE", request->files, "scene files (TOML)")->required();
-  command->add_option("--out", request->directory, "folder for index.html and report.json")
+  command->add_option("SCENE", options->request.files, "scene files (TOML)");
+  command->add_flag("--paper", options->paper,
+                    "instead of scenes: the paper's equations, figures and numbers");
+  command->add_option("--out", options->request.directory, "folder for index.html and report.json")
       ->required()
       ->type_name("DIR");
-  command->add_option("--figures", request->figures, "folder for the figures as SVG and PDF")
+  command
+      ->add_option("--figures", options->request.figures, "folder for the figures as SVG and PDF")
       ->type_name("DIR");
-  command->callback([request, &status] {
-    const Validation validation = validation::report::validate(*request, show_progress);
+  command->callback([options, &status] {
+    const Validation validation = validated(options->request, options->paper);
     clear_progress();
     print(validation);
     if (!validation.passed) status = 1;

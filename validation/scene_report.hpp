@@ -197,10 +197,13 @@ struct SceneReport {
   std::optional<ReducedModel> reduced_model;  ///< where the paper's reduced model applies
 };
 
+std::size_t count(const std::vector<Comparison>& comparisons, Comparison::Outcome what);
+/// The comparison nearest to (or farthest beyond) its tolerance; none if none was run.
+const Comparison* tightest(const std::vector<Comparison>& comparisons);
+
 /// No comparison failed. Those not run neither pass nor fail: see count().
 bool passed(const SceneReport& report);
 std::size_t count(const SceneReport& report, Comparison::Outcome what);
-/// The comparison nearest to (or farthest beyond) its tolerance; none if none was run.
 const Comparison* tightest(const SceneReport& report);
 
 }  // namespace vcrit::validation

@@ -3,35 +3,14 @@
 #include <algorithm>
 
 #include "report/html.hpp"
+#include "report/json_parts.hpp"
 
 namespace vcrit::validation::report {
 
 namespace {
 
 using nlohmann::ordered_json;
-
-ordered_json json(const Comparison& comparison) {
-  const bool relative = comparison.measure == Comparison::Measure::relative;
-  ordered_json object{{"key", comparison.key},
-                      {"name", comparison.name},
-                      {"reference", comparison.reference},
-                      {"outcome", to_text(outcome(comparison))}};
-  if (!comparison.not_run && !comparison.broken) {
-    object["unit"] = comparison.unit;
-    object["expected"] = json_number(comparison.expected);
-    object["found"] = json_number(comparison.found);
-    object["measure"] = relative ? "relative" : "absolute";
-    object["difference"] = json_number(difference(comparison));
-    object["tolerance"] = json_number(comparison.tolerance);
-    object["tolerance_reason"] = comparison.reason;
-  }
-  if (!comparison.detail.empty()) object["detail"] = comparison.detail;
-  return object;
-}
-
-ordered_json json(const Formula& formula) {
-  return {{"text", formula.text}, {"latex", formula.latex}};
-}
+using report::json;  // beside those here
 
 ordered_json json(const Equation& equation) {
   ordered_json object{{"left", json(equation.left)}, {"right", json(equation.right)}};
@@ -176,17 +155,6 @@ ordered_json critical_velocity(const SceneReport& report) {
   return object;
 }
 
-ordered_json json(const Machine& machine) {
-  ordered_json versions = ordered_json::object();
-  for (const auto& [name, version] : machine.versions) versions[name] = version;
-  return {{"processor", machine.processor},
-          {"cores", machine.cores},
-          {"system", machine.system},
-          {"commit", machine.commit},
-          {"compiler_flags", machine.compiler_flags},
-          {"versions", versions}};
-}
-
 }  // namespace
 
 ordered_json scene_json(const SceneReport& report) {
@@ -225,10 +193,9 @@ std::string report_json(const Origin& origin, const std::vector<ordered_json>& s
   const bool passed = std::all_of(scenes.begin(), scenes.end(), [](const ordered_json& scene) {
     return scene.at("passed").get<bool>();
   });
-  const ordered_json object{
-      {"program", "vcrit"},        {"version", origin.machine.program}, {"passed", passed},
-      {"command", origin.command}, {"machine", json(origin.machine)},   {"scenes", scenes}};
-  return object.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+  ordered_json report = report_head(origin, passed);
+  report["scenes"] = scenes;
+  return text_of(report);
 }
 
 }  // namespace vcrit::validation::report

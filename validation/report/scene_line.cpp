@@ -1,5 +1,6 @@
 #include "report/scene_line.hpp"
 
+#include "report/comparison_table.hpp"
 #include "report/scene_section.hpp"
 
 namespace vcrit::validation::report {
@@ -36,7 +37,7 @@ SceneLine scene_line(const SceneReport& report) {
           state_class(report),
           state_words(report),
           velocity_words(report),
-          tightest_words(report),
+          tightest_words(report.comparisons),
           report.comparisons.size() - count(report, Comparison::Outcome::not_run),
           names(report, Comparison::Outcome::failed),
           names(report, Comparison::Outcome::not_run),

@@ -32,7 +32,7 @@ std::string verdict(const SceneReport& report) {
       "<div class=\"verdict {}\"><p class=\"state\">{}</p><p class=\"velocity\">{}</p>"
       "<p class=\"worst\">{}</p></div>\n",
       state_class(report), escape(state_words(report)), escape(velocity_words(report)),
-      escape(tightest_words(report)));
+      escape(tightest_words(report.comparisons)));
   if (!report.reasons.empty())
     html +=
         "<p>The scene is not admissible, so the formula's number is not the velocity of its "
@@ -120,21 +120,8 @@ const char* state_class(const SceneReport& report) {
 }
 
 std::string state_words(const SceneReport& report) {
-  const auto failures = count(report, Comparison::Outcome::failed);
-  const auto skipped = count(report, Comparison::Outcome::not_run);
-  const auto made = report.comparisons.size() - skipped;
-  std::string words = failures > 0 ? fmt::format("{} of {} comparisons failed", failures, made)
-                                   : fmt::format("{} comparisons passed", made);
-  if (skipped > 0) words += fmt::format(", {} not run", skipped);
+  const std::string words = count_words(report.comparisons);
   return report.reasons.empty() ? words : "Outside the model: not simulated; " + words;
-}
-
-std::string tightest_words(const SceneReport& report) {
-  const Comparison* worst = tightest(report);
-  if (worst == nullptr) return {};
-  if (worst->broken) return fmt::format("{}: {}", worst->name, worst->detail);
-  return fmt::format("Nearest to its tolerance: {}, {} of {} allowed.", worst->name,
-                     magnitude(difference(*worst)), magnitude(worst->tolerance));
 }
 
 std::string velocity_words(const SceneReport& report) {
@@ -143,9 +130,10 @@ std::string velocity_words(const SceneReport& report) {
 
 std::string scene_section(const SceneReport& report) {
   return "<section class=\"scene\">\n" + verdict(report) + drawings(report) +
-         comparison_table(report) + formula_section(report) + response_section(report) +
-         explorer_section(report) + friction_section(report) + cycle_section(report) +
-         reduced_section(report) + values_section(report) + file_section(report) + "</section>\n";
+         "<h3>Agreement</h3>\n" + comparison_table(report.comparisons) + formula_section(report) +
+         response_section(report) + explorer_section(report) + friction_section(report) +
+         cycle_section(report) + reduced_section(report) + values_section(report) +
+         file_section(report) + "</section>\n";
 }
 
 }  // namespace vcrit::validation::report

@@ -18,9 +18,6 @@ std::string state_words(const SceneReport& report);
 /// "v* = 3.02 mm/s"
 std::string velocity_words(const SceneReport& report);
 
-/// Which comparison is nearest to its tolerance, or farthest beyond; empty if none was made.
-std::string tightest_words(const SceneReport& report);
-
 std::string scene_section(const SceneReport& report);
 
 }  // namespace vcrit::validation::report

@@ -5,9 +5,11 @@
 #include "agreement.hpp"
 #include "base/files.hpp"
 #include "figures/gnuplot.hpp"
+#include "paper/paper.hpp"
 #include "report/assets.hpp"
 #include "report/figure_files.hpp"
 #include "report/index_page.hpp"
+#include "report/paper_page.hpp"
 #include "report/report_json.hpp"
 #include "report/scene_figures.hpp"
 #include "report/scene_page.hpp"
@@ -109,6 +111,29 @@ Validation validate(const Request& request, const Watch& watch) {
     write_suite(all, names, origin, request.directory);
   else
     write_file(validation.page, all.front().at("page").get<std::string>());
+  return validation;
+}
+
+Validation validate_paper(const Request& request, const Watch& watch) {
+  if (!request.figures.empty()) require_gnuplot();
+  const auto progress = [&](const std::string& step) { watch({0, 1, {{"the paper", step}}}); };
+  return report_paper({{machine_and_parts(), paper_command}, paper::go_through(progress)}, request,
+                      watch);
+}
+
+Validation report_paper(const PaperContents& contents, const Request& request, const Watch& watch) {
+  Validation validation;
+  for (const Comparison& comparison : all_comparisons(contents.paper))
+    if (outcome(comparison) == Comparison::Outcome::failed)
+      validation.failed.push_back("the paper: " + comparison.name);
+  validation.passed = validation.failed.empty();
+  validation.page = request.directory / "index.html";
+  std::vector<FigureFile> files;
+  for (const figures::Figure& figure : all_figures(contents.paper))
+    files.push_back({"", figure.name, gnuplot(figure)});
+  if (!request.figures.empty()) write_figures(files, request.figures, watch);
+  write_file(request.directory / "report.json", paper_json(contents));
+  write_file(validation.page, paper_page(contents));
   return validation;
 }
 

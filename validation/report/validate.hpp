@@ -1,10 +1,11 @@
-// `vcrit validate`: scenes in, one report out.
+// `vcrit validate`: scenes in, or the paper, one report out.
 #pragma once
 
 #include <filesystem>
 #include <string>
 #include <vector>
 
+#include "report/paper_json.hpp"
 #include "workers.hpp"
 
 namespace vcrit::validation::report {
@@ -29,5 +30,12 @@ struct Request {
 /// by side, as many as there are cores. Figures go below the folder that is named after the page,
 /// of one scene to the folder itself. Throws InputError and ModelError; then nothing is written.
 Validation validate(const Request& request, const Watch& watch);
+
+/// Goes through the paper and writes the same two files about it, and its figures. The request has
+/// no scenes. Throws InputError; then nothing is written.
+Validation validate_paper(const Request& request, const Watch& watch);
+
+/// The second half of it: the verdict and the files.
+Validation report_paper(const PaperContents& contents, const Request& request, const Watch& watch);
 
 }  // namespace vcrit::validation::report
