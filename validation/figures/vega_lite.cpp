@@ -173,20 +173,20 @@ ordered_json layer(const Figure& figure, const Series& series, const Legend& leg
           {"encoding", std::move(encoding)}};
 }
 
+/// As CSV, which is half as long: a page may hold ten maps.
 ordered_json cells(const Figure& figure, const Map& map) {
   const auto x = edges(map.x, figure.x.logarithmic), y = edges(map.y, figure.y.logarithmic);
-  ordered_json result = ordered_json::array();
+  std::string rows = "x,x2,y,y2,v\n";
   for (std::size_t j = 0; j < map.y.size(); ++j)
     for (std::size_t i = 0; i < map.x.size(); ++i) {
-      const ordered_json value = drawn(map.values.at(j * map.x.size() + i), map.value);
-      if (value.is_null()) continue;
-      result.push_back({{"x", drawn(x[i], figure.x)},
-                        {"x2", drawn(x[i + 1], figure.x)},
-                        {"y", drawn(y[j], figure.y)},
-                        {"y2", drawn(y[j + 1], figure.y)},
-                        {"v", value}});
+      const double value = map.values.at(j * map.x.size() + i);
+      if (!drawn(value, map.value).is_null())
+        rows += fmt::format("{:.5g},{:.5g},{:.5g},{:.5g},{:.4g}\n", x[i], x[i + 1], y[j], y[j + 1],
+                            value);
     }
-  return result;
+  ordered_json types;
+  for (const char* name : {"x", "x2", "y", "y2", "v"}) types[name] = "number";
+  return {{"values", std::move(rows)}, {"format", {{"type", "csv"}, {"parse", std::move(types)}}}};
 }
 
 ordered_json layer(const Figure& figure, const Map& map) {
@@ -196,7 +196,7 @@ ordered_json layer(const Figure& figure, const Map& map) {
   ordered_json fill = seen;
   fill["scale"] = colours;
   fill["legend"] = {{"orient", "top"}, {"gradientLength", 220}, {"titleLimit", 400}};
-  return {{"data", {{"values", cells(figure, map)}}},
+  return {{"data", cells(figure, map)},
           {"mark", mark("rect", {{"clip", true}})},
           {"encoding",
            {{"x", position("x", figure.x)},
