@@ -13,7 +13,7 @@
 #include "emit/generate.hpp"
 #include "emit/names.hpp"
 #include "emit/parameters.hpp"
-#include "program/velocity.hpp"
+#include "program/sweep.hpp"
 
 namespace vcrit::symbolic {
 
