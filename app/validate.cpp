@@ -1,12 +1,15 @@
-// vcrit validate: everything compared with everything, as one page and one JSON file.
+// vcrit validate: everything compared with everything, of scenes or of the paper, as pages and one
+// JSON file.
 #include "report/validate.hpp"
 
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <cstdio>
 #include <memory>
 
+#include "base/errors.hpp"
 #include "commands.hpp"
 
 namespace vcrit::app {
@@ -15,10 +18,24 @@ namespace {
 
 using validation::report::Validation;
 
+constexpr std::size_t bar_width = 20;
+
+/// Of the terminal on stderr; a longer line would not be written over.
+std::size_t line_width() {
+  winsize size{};
+  const bool known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 1;
+  return known ? size.ws_col - 1u : 79;
+}
+
 /// One line on stderr that is written over; nothing in a pipe.
-void show_progress(std::size_t scene, std::size_t scenes, const std::string& step) {
+void show_progress(const validation::Standing& standing) {
   if (isatty(STDERR_FILENO) == 0) return;
-  fmt::print(stderr, "\r\033[K[{}/{}] {}", scene + 1, scenes, step);
+  const std::size_t filled = bar_width * standing.done / standing.jobs;
+  std::string line =
+      fmt::format("[{}{}] {}/{}", std::string(filled, '='), std::string(bar_width - filled, ' '),
+                  standing.done, standing.jobs);
+  for (const auto& [name, step] : standing.running) line += fmt::format("  {}: {}", name, step);
+  fmt::print(stderr, "\r\033[K{}", line.substr(0, line_width()));
   std::fflush(stderr);
 }
 
@@ -35,23 +52,35 @@ void print(const Validation& validation) {
   fmt::print("{}\n", validation.page.string());
 }
 
+Validation validated(const validation::report::Request& request, bool paper) {
+  if (paper && !request.files.empty())
+    throw InputError({"--paper"}, "scene files beside it", "one or the other");
+  if (paper) return validation::report::validate_paper(request, show_progress);
+  if (request.files.empty()) throw InputError({"SCENE"}, "none", "scene files, or --paper");
+  return validation::report::validate(request, show_progress);
+}
+
 }  // namespace
 
 void add_validate(CLI::App& program, int& status) {
   struct Options {
-    std::vector<std::string> scenes;
-    std::string directory;
+    validation::report::Request request;
+    bool paper = false;
   };
   const auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand(
       "validate", "Compare formula, evaluators and simulation; write a report");
-  command->add_option("SCENE", options->scenes, "scene files (TOML)")->required();
-  command->add_option("--out", options->directory, "folder for index.html and report.json")
+  command->add_option("SCENE", options->request.files, "scene files (TOML)");
+  command->add_flag("--paper", options->paper,
+                    "instead of scenes: the paper's equations, figures and numbers");
+  command->add_option("--out", options->request.directory, "folder for index.html and report.json")
       ->required()
       ->type_name("DIR");
+  command
+      ->add_option("--figures", options->request.figures, "folder for the figures as SVG and PDF")
+      ->type_name("DIR");
   command->callback([options, &status] {
-    const Validation validation =
-        validation::report::validate(options->scenes, options->directory, show_progress);
+    const Validation validation = validated(options->request, options->paper);
     clear_progress();
     print(validation);
     if (!validation.passed) status = 1;

@@ -6,15 +6,27 @@
 #include <functional>
 #include <string>
 
+#include "derivation/derivation.hpp"
 #include "scene_report.hpp"
+#include "simulation/system/system.hpp"
 
 namespace vcrit::validation {
 
 /// Told what is being done now, in a few words.
 using Progress = std::function<void(const std::string& step)>;
 
+/// Who is heard against the certified value besides the generated evaluator. Tests put a false one
+/// among them.
+struct Witnesses {
+  std::function<double(const Scene&)> formula;                   ///< Eq. 24 in doubles, m/s
+  std::function<symbolic::Derivation(const Scene&)> derivation;  ///< the generator has its own
+  std::function<simulation::System(const Scene&)> system;        ///< what is simulated
+};
+Witnesses own_witnesses();
+
 /// Throws InputError for missing values, ModelError where Eq. 24 is 0/0. A scene that is not
 /// admissible is not simulated; its formulas are compared all the same.
-SceneReport agree(const Scene& scene, const Progress& progress);
+SceneReport agree(const Scene& scene, const Progress& progress,
+                  const Witnesses& witnesses = own_witnesses());
 
 }  // namespace vcrit::validation

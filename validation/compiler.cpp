@@ -26,19 +26,20 @@ void check(int error, const std::string& what) {
   if (error != 0) throw std::system_error(error, std::generic_category(), what);
 }
 
-/// stdin empty, stdout and stderr to one file.
-class Redirection {
+/// In a folder, stdin empty, stdout and stderr to one file.
+class Surroundings {
  public:
-  explicit Redirection(const std::filesystem::path& file) {
+  Surroundings(const std::filesystem::path& folder, const std::filesystem::path& file) {
     check(posix_spawn_file_actions_init(&actions_), "posix_spawn_file_actions_init");
     posix_spawn_file_actions_addopen(&actions_, 0, "/dev/null", O_RDONLY, 0);
     posix_spawn_file_actions_addopen(&actions_, 1, file.c_str(), O_WRONLY | O_CREAT | O_TRUNC,
                                      0600);
     posix_spawn_file_actions_adddup2(&actions_, 1, 2);
+    posix_spawn_file_actions_addchdir_np(&actions_, folder.c_str());
   }
-  ~Redirection() { posix_spawn_file_actions_destroy(&actions_); }
-  Redirection(const Redirection&) = delete;
-  Redirection& operator=(const Redirection&) = delete;
+  ~Surroundings() { posix_spawn_file_actions_destroy(&actions_); }
+  Surroundings(const Surroundings&) = delete;
+  Surroundings& operator=(const Surroundings&) = delete;
   const posix_spawn_file_actions_t* get() const { return &actions_; }
 
  private:
@@ -62,16 +63,17 @@ class OwnGroup {
   posix_spawnattr_t attributes_{};
 };
 
-pid_t start(const std::vector<std::string>& arguments, const std::filesystem::path& output) {
+pid_t start(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
+            const std::filesystem::path& output) {
   std::vector<char*> pointers;
   for (const std::string& argument : arguments)
     pointers.push_back(const_cast<char*>(argument.c_str()));
   pointers.push_back(nullptr);
-  const Redirection redirection(output);
+  const Surroundings surroundings(folder, output);
   const OwnGroup group;
   pid_t process = 0;
   check(
-      posix_spawn(&process, pointers[0], redirection.get(), group.get(), pointers.data(), environ),
+      posix_spawn(&process, pointers[0], surroundings.get(), group.get(), pointers.data(), environ),
       arguments.front());
   return process;
 }
@@ -99,6 +101,24 @@ std::string beginning_of(const std::filesystem::path& file) {
   return text;
 }
 
+std::string_view search_path() {
+  const char* path = std::getenv("PATH");
+  return path == nullptr ? "" : path;
+}
+
+std::optional<std::filesystem::path> find_program(const std::string& name,
+                                                  std::string_view search_path) {
+  for (std::string_view rest = search_path; !rest.empty();) {
+    const std::string_view folder = rest.substr(0, rest.find(':'));
+    rest.remove_prefix(std::min(rest.size(), folder.size() + 1));
+    const std::filesystem::path program = std::filesystem::path(folder) / name;
+    if (program.is_absolute() && access(program.c_str(), X_OK) == 0 &&
+        std::filesystem::is_regular_file(program))
+      return program;
+  }
+  return std::nullopt;
+}
+
 std::filesystem::path new_folder() {
   std::string name = (std::filesystem::temp_directory_path() / "vcrit-XXXXXX").string();
   if (mkdtemp(name.data()) == nullptr)
@@ -118,7 +138,7 @@ PrivateFolder::~PrivateFolder() {
 ProgramResult run_program(const std::vector<std::string>& arguments,
                           const std::filesystem::path& folder, std::chrono::milliseconds limit) {
   const std::filesystem::path output = folder / "output.txt";
-  const pid_t process = start(arguments, output);
+  const pid_t process = start(arguments, folder, output);
   const auto deadline = Clock::now() + limit;
   ProgramResult result;
   for (;;) {
@@ -139,20 +159,14 @@ ProgramResult run_program(const std::vector<std::string>& arguments,
 
 std::optional<std::filesystem::path> find_compiler(std::string_view search_path) {
   for (const char* name : {"g++", "clang++", "c++"})
-    for (std::string_view rest = search_path; !rest.empty();) {
-      const std::string_view folder = rest.substr(0, rest.find(':'));
-      rest.remove_prefix(std::min(rest.size(), folder.size() + 1));
-      const std::filesystem::path program = std::filesystem::path(folder) / name;
-      if (program.is_absolute() && access(program.c_str(), X_OK) == 0 &&
-          std::filesystem::is_regular_file(program))
-        return program;
-    }
+    if (const auto program = find_program(name, search_path)) return program;
   return std::nullopt;
 }
 
-std::optional<std::filesystem::path> find_compiler() {
-  const char* search_path = std::getenv("PATH");
-  return find_compiler(search_path == nullptr ? "" : search_path);
+std::optional<std::filesystem::path> find_compiler() { return find_compiler(search_path()); }
+
+std::optional<std::filesystem::path> find_program(const std::string& name) {
+  return find_program(name, search_path());
 }
 
 ProgramResult compile(const std::filesystem::path& compiler, const std::filesystem::path& folder,

@@ -32,9 +32,13 @@ struct ProgramResult {
 };
 
 /// Runs `arguments` (the program's path first) as they stand, without input, in `folder`, where its
-/// output is kept meanwhile. Throws std::system_error if it cannot be started.
+/// output is kept meanwhile (both absolute). Throws std::system_error if it cannot be started.
 ProgramResult run_program(const std::vector<std::string>& arguments,
                           const std::filesystem::path& folder, std::chrono::milliseconds limit);
+
+/// The program of that name in the first of the folders of PATH that has one; folders of PATH that
+/// are not absolute are passed over.
+std::optional<std::filesystem::path> find_program(const std::string& name);
 
 /// The first C++ compiler on `search_path` (folders separated by ':', as in PATH).
 std::optional<std::filesystem::path> find_compiler(std::string_view search_path);

@@ -20,8 +20,8 @@ std::vector<Equation> equations_of(const std::vector<symbolic::Line>& lines) {
 std::vector<LimitLine> limits_of(const Scene& scene) {
   std::vector<LimitLine> lines;
   for (const symbolic::Limit& limit : symbolic::limits(scene))
-    lines.push_back(
-        {limit.name, limit.equation, formula_of(limit.result), equations_of(limit.definitions)});
+    lines.push_back({limit.name, limit.equation, limit.mathml_name, formula_of(limit.result),
+                     equations_of(limit.definitions)});
   return lines;
 }
 

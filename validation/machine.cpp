@@ -19,6 +19,10 @@ namespace vcrit::validation {
 
 namespace {
 
+constexpr const char* commit =
+#include VCRIT_COMMIT_FILE
+    ;
+
 /// What follows `key`, the separator and blanks or quotes on the first line that begins with it.
 std::string entry(const char* file, const std::string& key, char separator) {
   std::ifstream stream(file);
@@ -67,8 +71,13 @@ std::vector<std::pair<std::string, std::string>> versions() {
 }  // namespace
 
 Machine this_machine() {
-  return {entry("/proc/cpuinfo", "model name", ':'), std::thread::hardware_concurrency(),
-          system_name(), VCRIT_VERSION, versions()};
+  return {entry("/proc/cpuinfo", "model name", ':'),
+          std::thread::hardware_concurrency(),
+          system_name(),
+          VCRIT_VERSION,
+          commit,
+          VCRIT_FLAGS,
+          versions()};
 }
 
 }  // namespace vcrit::validation

@@ -12,6 +12,8 @@ struct Machine {
   unsigned cores = 0;   ///< as the operating system counts them
   std::string system;   ///< "Debian GNU/Linux 12 (bookworm), Linux 6.1.0"
   std::string program;  ///< version of vcrit
+  std::string commit;   ///< of its sources, "unknown" outside a repository; + where they differ
+  std::string compiler_flags;                                 ///< with which vcrit was compiled
   std::vector<std::pair<std::string, std::string>> versions;  ///< name and version of each part
 };
 

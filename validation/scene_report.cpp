@@ -32,24 +32,31 @@ const char* to_text(Comparison::Outcome outcome) {
   throw Bug("an outcome without a name");
 }
 
-std::size_t count(const SceneReport& report, Comparison::Outcome what) {
+std::size_t count(const std::vector<Comparison>& comparisons, Comparison::Outcome what) {
   return static_cast<std::size_t>(
-      std::count_if(report.comparisons.begin(), report.comparisons.end(),
+      std::count_if(comparisons.begin(), comparisons.end(),
                     [&](const Comparison& comparison) { return outcome(comparison) == what; }));
+}
+
+const Comparison* tightest(const std::vector<Comparison>& comparisons) {
+  const auto severity = [](const Comparison& comparison) {
+    if (comparison.not_run) return -1.0;
+    if (comparison.broken) return std::numeric_limits<double>::infinity();
+    const double apart = difference(comparison);
+    return apart == 0 ? 0 : apart / comparison.tolerance;
+  };
+  const auto worst = std::max_element(
+      comparisons.begin(), comparisons.end(),
+      [&](const Comparison& a, const Comparison& b) { return severity(a) < severity(b); });
+  return worst == comparisons.end() || worst->not_run ? nullptr : &*worst;
+}
+
+std::size_t count(const SceneReport& report, Comparison::Outcome what) {
+  return count(report.comparisons, what);
 }
 
 bool passed(const SceneReport& report) { return count(report, Comparison::Outcome::failed) == 0; }
 
-const Comparison* tightest(const SceneReport& report) {
-  const auto severity = [](const Comparison& comparison) {
-    if (comparison.not_run) return -1.0;
-    if (comparison.broken) return std::numeric_limits<double>::infinity();
-    return difference(comparison) / comparison.tolerance;
-  };
-  const auto worst = std::max_element(
-      report.comparisons.begin(), report.comparisons.end(),
-      [&](const Comparison& a, const Comparison& b) { return severity(a) < severity(b); });
-  return worst == report.comparisons.end() || worst->not_run ? nullptr : &*worst;
-}
+const Comparison* tightest(const SceneReport& report) { return tightest(report.comparisons); }
 
 }  // namespace vcrit::validation

@@ -48,6 +48,7 @@ struct Equation {
 
 struct LimitLine {
   std::string name, equation;  ///< see symbolic::Limit
+  std::string mathml_name;
   Formula result;
   std::vector<Equation> definitions;  ///< of names in `result`
 };
@@ -103,6 +104,75 @@ struct ReducedModel {
   ReducedTable table;                 ///< at the scene's a
 };
 
+/// Friction by one method beside the exact one.
+struct MethodPoint {
+  double ratio = 0;           ///< as in CurvePoint
+  double friction_ratio = 0;  ///< mu_macro/mu0
+  double difference = 0;      ///< |it less the exact method's|
+  std::string reason;         ///< why there is none, else empty
+};
+
+struct MethodCurve {
+  std::string method, setting;
+  std::vector<MethodPoint> points;
+};
+
+/// The scene at another angular frequency; N/m and m/s.
+struct ResponsePoint {
+  double omega = 0;                   ///< rad/s
+  double normal = 0, tangential = 0;  ///< |K_n|, |K_t|
+  std::optional<double> drive;        ///< |K_d| of a drive network
+  double velocity = 0;                ///< v*
+};
+
+/// v* ~ coefficient omega^power.
+struct AsymptoteLine {
+  bool low = true;  ///< as omega -> 0; else as omega -> infinity
+  int power = 0;
+  double coefficient = 0;
+  Formula formula;
+  std::vector<Equation> definitions;  ///< of names in it
+};
+
+/// Where the drive makes v* largest (resonance) or smallest (antiresonance).
+struct ResonanceMark {
+  double omega = 0;  ///< rad/s
+  bool resonance = true;
+};
+
+struct FrequencyResponse {
+  double omega = 0;                   ///< the scene's own, rad/s
+  std::vector<ResponsePoint> points;  ///< by increasing omega
+  std::vector<AsymptoteLine> asymptotes;
+  std::vector<ResonanceMark> marks;
+};
+
+/// A parameter that the page's reader may move; of an array all entries by one factor.
+struct Slider {
+  std::string name, meaning, unit;
+  std::string mathml;  ///< its name
+  bool array = false;
+  std::vector<double> values;  ///< the scene's: one, or the array's entries; SI
+};
+
+/// Friction simulated beforehand over frequency, amplitude and speed, the scene's elements as they
+/// are.
+struct FrictionGrid {
+  std::vector<double> omegas;            ///< rad/s
+  std::vector<double> ratios;            ///< speed over the lowest speed of pure sliding
+  std::vector<double> amplitudes;        ///< of the normal force over its mean, increasing
+  std::vector<double> amplitude_ratios;  ///< the same by the scene's du_z, at each omega
+  std::vector<std::vector<double>>
+      friction;  ///< mu_macro/mu0 over ratios; a row for each amplitude
+                 ///< at the first omega, then at the second, ...
+};
+
+struct Explorer {
+  std::string script;  ///< JavaScript, defines vcrit_scene.critical_velocity(p) and its batch
+  std::vector<Slider> sliders;
+  std::optional<FrictionGrid> friction;
+};
+
 struct SceneReport {
   Scene scene;
   std::vector<std::string> reasons;  ///< why the scene is not admissible; empty when it is
@@ -119,15 +189,21 @@ struct SceneReport {
   std::vector<LimitLine> limits;
   std::string compiler;  ///< that compiled the generated evaluator, with version; else empty
   std::vector<Comparison> comparisons;
-  std::vector<CurvePoint> curve;  ///< by increasing speed; empty when nothing was simulated
+  std::vector<CurvePoint> curve;     ///< by increasing speed; empty when nothing was simulated
+  std::vector<MethodCurve> methods;  ///< beside the exact one, on the same curve
   std::optional<Cycle> cycle;
+  FrequencyResponse response;
+  std::optional<Explorer> explorer;
   std::optional<ReducedModel> reduced_model;  ///< where the paper's reduced model applies
 };
+
+std::size_t count(const std::vector<Comparison>& comparisons, Comparison::Outcome what);
+/// The comparison nearest to (or farthest beyond) its tolerance; none if none was run.
+const Comparison* tightest(const std::vector<Comparison>& comparisons);
 
 /// No comparison failed. Those not run neither pass nor fail: see count().
 bool passed(const SceneReport& report);
 std::size_t count(const SceneReport& report, Comparison::Outcome what);
-/// The comparison nearest to (or farthest beyond) its tolerance; none if none was run.
 const Comparison* tightest(const SceneReport& report);
 
 }  // namespace vcrit::validation

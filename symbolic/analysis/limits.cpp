@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <functional>
+
 #include <algorithm>
 #include <map>
 #include <set>
@@ -96,20 +98,34 @@ class Collector {
   }
 
  private:
-  /// A limit's name in one dialect: "cn, ct -> 0".
+  /// What a limit is called, in each dialect.
+  using Name = std::function<std::string(const Dialect&)>;
+
+  static std::string in(const Dialect& dialect, const char* text, const char* latex,
+                        const char* mathml) {
+    return &dialect == &latex_dialect() ? latex : &dialect == &mathml_dialect() ? mathml : text;
+  }
+  static std::string comma(const Dialect& dialect) { return in(dialect, ", ", ", ", "<mo>,</mo>"); }
+  static std::string then(const Dialect& dialect) {
+    return in(dialect, ", ", ",\\ ", "<mo>,</mo><mspace width=\"0.4em\"/>");
+  }
+
+  /// "cn, ct -> 0"
   static std::string arrow(const Dialect& dialect, const std::vector<ex>& what, bool infinite) {
     std::vector<std::string> names;
     for (const ex& each : what) names.push_back(dialect.print(form_of(each)));
-    const bool latex = &dialect == &latex_dialect();
-    return fmt::format("{} {} {}", fmt::join(names, ", "), latex ? "\\to" : "->",
-                       infinite ? (latex ? "\\infty" : "infinity") : "0");
+    return fmt::format("{}{}{}", fmt::join(names, comma(dialect)),
+                       in(dialect, " -> ", " \\to ", "<mo>→</mo>"),
+                       infinite ? in(dialect, "infinity", "\\infty", "<mi>∞</mi>")
+                                : in(dialect, "0", "0", "<mn>0</mn>"));
   }
 
-  void add(const Change& change, const std::string& name, const std::string& latex_name) {
+  void add(const Change& change, const Name& name) {
     const std::optional<Formula> formula = model_.formula(change);
     if (!formula) return;
-    limits_.push_back({name, latex_name, formula->equation, formula->velocity, formula->definitions,
-                       rates(change)});
+    limits_.push_back({name(text_dialect()), name(latex_dialect()),
+                       "<math>" + name(mathml_dialect()) + "</math>", formula->equation,
+                       formula->velocity, formula->definitions, rates(change)});
   }
   // The drive grows fast enough to outrun its own dampers on their way to zero. Where it shares
   // elements with the contact, values alone cannot make it rigid.
@@ -126,7 +142,7 @@ class Collector {
     return result;
   }
   void add(const Change& change, const std::vector<ex>& what, bool infinite) {
-    add(change, arrow(text_dialect(), what, infinite), arrow(latex_dialect(), what, infinite));
+    add(change, [&](const Dialect& dialect) { return arrow(dialect, what, infinite); });
   }
 
   bool has_drive() const { return scene_.drive && depends_on_drive(); }
@@ -161,8 +177,9 @@ class Collector {
     if (!has_drive()) return;
     change.rigid = true;
     const std::vector<ex> drive{drive_label(scene_)};
-    add(change, arrow(text_dialect(), labels, false) + ", " + arrow(text_dialect(), drive, true),
-        arrow(latex_dialect(), labels, false) + ",\\ " + arrow(latex_dialect(), drive, true));
+    add(change, [&](const Dialect& dialect) {
+      return arrow(dialect, labels, false) + then(dialect) + arrow(dialect, drive, true);
+    });
   }
 
   void same_shape() {
@@ -171,13 +188,17 @@ class Collector {
     const std::optional<ex> ratio = ratio_of_same_shape(scene_.normal, *tangential);
     if (!ratio) return;
     const ex k_t = quantity("K_t"), k_n = *ratio * quantity("K_n");
-    const std::string name = "isotropic contact, " + equation(text_dialect(), k_t, k_n);
-    const std::string latex = "\\text{isotropic contact, } " + equation(latex_dialect(), k_t, k_n);
-    add({{}, false, false, ratio}, name, latex);
+    const Name isotropic = [&](const Dialect& dialect) {
+      return in(dialect, "isotropic contact, ", "\\text{isotropic contact, } ",
+                "<mtext>isotropic contact, </mtext>") +
+             equation(dialect, k_t, k_n);
+    };
+    add({{}, false, false, ratio}, isotropic);
     if (!has_drive()) return;
     const std::vector<ex> drive{drive_label(scene_)};
-    add({{}, true, false, ratio}, name + ", " + arrow(text_dialect(), drive, true),
-        latex + ",\\ " + arrow(latex_dialect(), drive, true));
+    add({{}, true, false, ratio}, [&](const Dialect& dialect) {
+      return isotropic(dialect) + then(dialect) + arrow(dialect, drive, true);
+    });
   }
   static std::string equation(const Dialect& dialect, const ex& left, const ex& right) {
     return dialect.equation(form_of(left), form_of(right));

@@ -15,7 +15,7 @@ namespace vcrit::symbolic {
 /// A limit or special case of v* that applies to the scene.
 struct Limit {
   std::string name;  ///< "kd -> infinity", say
-  std::string latex_name;
+  std::string latex_name, mathml_name;
   std::string equation;  ///< number in the paper, "(31)", where it is one, else empty
   GiNaC::ex result;
   std::vector<Line> definitions;  ///< as in Derivation

@@ -30,6 +30,8 @@ ROOMS = [
     "symbolic/emit",
     "validation/figures",
     "validation",
+    "validation/accuracy",
+    "validation/paper",
     "validation/benchmark",
     "validation/scaling",
     "validation/bounds",

@@ -104,7 +104,8 @@ inline SceneReport scene_report(const std::string& text, const std::string& file
   report.condition = 6;
   report.formula = formula("F");
   report.derivation = {{"The balance of the contact point:", formula("L"), formula("R")}};
-  report.limits = {{"c -> 0", "(30)", formula("Z"), {}}};
+  report.limits = {
+      {"c -> 0", "(30)", "<math><mi>c</mi><mo>→</mo><mn>0</mn></math>", formula("Z"), {}}};
   report.values = {{{"kn", 0}, formula("kn"), 11.5e6, "N/m", "spring"}};
   report.comparisons = {comparison("formula", 0.0045779), comparison("simulation", 0.0045779)};
   for (int i = 1; i <= 28; ++i)
@@ -113,9 +114,15 @@ inline SceneReport scene_report(const std::string& text, const std::string& file
   return report;
 }
 
-inline report::Contents contents(std::vector<SceneReport> scenes) {
-  return {{"A processor", 2, "An operating system", "0.1.0", {{"A part", "1.2.3"}}},
-          std::move(scenes)};
+inline report::Origin origin() {
+  return {{"A processor",
+           2,
+           "An operating system",
+           "0.1.0",
+           "0123456789ab",
+           "-O3",
+           {{"A part", "1.2.3"}}},
+          "vcrit validate scene.toml --out report"};
 }
 
 }  // namespace vcrit::validation::example

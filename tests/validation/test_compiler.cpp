@@ -23,6 +23,11 @@ BOOST_AUTO_TEST_CASE(arguments_reach_the_program_as_they_are) {
   BOOST_TEST(!fs::exists("intruder"));
 }
 
+BOOST_AUTO_TEST_CASE(a_program_runs_in_its_folder) {
+  const PrivateFolder folder;
+  BOOST_TEST(run_program({"/bin/pwd"}, folder.path(), 10s).output == folder.path().string() + "\n");
+}
+
 BOOST_AUTO_TEST_CASE(the_exit_status_and_both_outputs_come_back) {
   const PrivateFolder folder;
   const ProgramResult result =

@@ -19,7 +19,7 @@ namespace {
 const std::string scenes = VCRIT_SCENES;
 
 report::Validation run(const std::vector<std::string>& files, const fs::path& directory) {
-  return report::validate(files, directory, [](std::size_t, std::size_t, const std::string&) {});
+  return report::validate({files, directory, {}}, [](const Standing&) {});
 }
 
 json comparison(const json& scene, const std::string& key) {
@@ -110,10 +110,9 @@ BOOST_AUTO_TEST_CASE(missing_values_are_told_before_anything_is_computed) {
   text.erase(text.find("kt = 9"));
   write_file(scene, text);
   bool began = false;
-  BOOST_CHECK_THROW(
-      report::validate({scenes + "/elastic.toml", scene.string()}, out,
-                       [&](std::size_t, std::size_t, const std::string&) { began = true; }),
-      InputError);
+  BOOST_CHECK_THROW(report::validate({{scenes + "/elastic.toml", scene.string()}, out, {}},
+                                     [&](const Standing&) { began = true; }),
+                    InputError);
   BOOST_TEST(!began);
   BOOST_TEST(!fs::exists(out));
 }

@@ -13,6 +13,8 @@ struct Axis {
   std::string title;  ///< with its unit: "time, µs"
   bool logarithmic = false;
   std::optional<std::pair<double, double>> range;  ///< none: what the data needs
+  std::vector<std::pair<double, std::string>>
+      ticks;  ///< where, and what is written; none: as usual
 };
 
 struct Point {

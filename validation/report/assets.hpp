@@ -10,7 +10,6 @@ namespace vcrit::validation::report {
 struct Script {
   std::string name, version;
   std::string_view text;
-  std::string hash;  ///< "sha256-...", as a content security policy names it
 };
 
 /// In the order in which they must run.
@@ -18,7 +17,7 @@ const std::vector<Script>& scripts();
 
 std::string_view style();
 
-/// Bytes given in hexadecimal, in base 64.
-std::string base64_of_hex(std::string_view hex);
+/// What moves the explorer; pages without one do not carry it.
+std::string_view explorer_script();
 
 }  // namespace vcrit::validation::report

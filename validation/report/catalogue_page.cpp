@@ -8,7 +8,7 @@
 #include "network/catalogue.hpp"
 #include "network/masses.hpp"
 #include "report/catalogue_words.hpp"
-#include "report/document_head.hpp"
+#include "report/document.hpp"
 #include "report/equations.hpp"
 #include "report/html.hpp"
 #include "report/network_drawing.hpp"
@@ -21,8 +21,6 @@ namespace {
 using GiNaC::ex;
 
 constexpr int branches = 3;  // of what takes arrays
-const char* const policy =
-    "default-src 'none'; style-src 'unsafe-inline'; base-uri 'none'; form-action 'none'";
 const char* const stiffness =
     "<math><mi>K</mi><mo stretchy=\"false\">(</mo><mi>s</mi><mo stretchy=\"false\">)</mo></math>";
 const char* const storage = "<math><mi>K</mi><mo lspace=\"0\" rspace=\"0\">′</mo></math>";
@@ -160,7 +158,7 @@ std::string index_line(const Entry& entry) {
 }
 
 std::string opening() {
-  return "<body>\n<a class=\"skip\" href=\"#content\">To the rheologies</a>\n"
+  return "<a class=\"skip\" href=\"#content\">To the rheologies</a>\n"
          "<header class=\"page\"><p class=\"program\">vcrit " VCRIT_VERSION
          "</p>\n<h1>Named rheologies</h1>\n"
          "<p class=\"lead\">The contacts and drives that a scene can call by name, and what each "
@@ -186,9 +184,11 @@ std::string catalogue_page() {
     index += index_line(entry);
     sections += section(entry);
   }
-  return document_head("Named rheologies", policy) + opening() +
-         "<nav aria-label=\"Rheologies\"><ol class=\"index\">\n" + index +
-         "</ol></nav>\n<main id=\"content\">\n" + sections + "</main>\n</body>\n</html>\n";
+  return document({"Named rheologies",
+                   opening() + "<nav aria-label=\"Rheologies\"><ol class=\"index\">\n" + index +
+                       "</ol></nav>\n<main id=\"content\">\n" + sections + "</main>\n",
+                   false,
+                   {}});
 }
 
 }  // namespace vcrit::validation::report

@@ -62,15 +62,33 @@ std::string with_numbers(const Comparison& comparison) {
 
 }  // namespace
 
-std::string comparison_table(const SceneReport& report) {
+std::string comparison_table(const std::vector<Comparison>& comparisons) {
   std::string rows;
-  for (const Comparison& comparison : report.comparisons)
+  for (const Comparison& comparison : comparisons)
     rows += comparison.not_run || comparison.broken ? without_numbers(comparison)
                                                     : with_numbers(comparison);
-  return "<h3>Agreement</h3>\n<table class=\"comparisons\"><thead><tr><th>What</th>"
+  return "<table class=\"comparisons\"><thead><tr><th>What</th>"
          "<th>Value<small>reference</small></th><th>Difference</th><th>Allowed</th><th></th></tr>"
          "</thead><tbody>\n" +
          rows + "</tbody></table>\n";
+}
+
+std::string count_words(const std::vector<Comparison>& comparisons) {
+  const auto failures = count(comparisons, Comparison::Outcome::failed);
+  const auto skipped = count(comparisons, Comparison::Outcome::not_run);
+  const auto made = comparisons.size() - skipped;
+  std::string words = failures > 0 ? fmt::format("{} of {} comparisons failed", failures, made)
+                                   : fmt::format("{} comparisons passed", made);
+  if (skipped > 0) words += fmt::format(", {} not run", skipped);
+  return words;
+}
+
+std::string tightest_words(const std::vector<Comparison>& comparisons) {
+  const Comparison* worst = tightest(comparisons);
+  if (worst == nullptr) return {};
+  if (worst->broken) return fmt::format("{}: {}", worst->name, worst->detail);
+  return fmt::format("Nearest to its tolerance: {}, {} of {} allowed.", worst->name,
+                     magnitude(difference(*worst)), magnitude(worst->tolerance));
 }
 
 }  // namespace vcrit::validation::report

@@ -2,11 +2,18 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "scene_report.hpp"
 
 namespace vcrit::validation::report {
 
-std::string comparison_table(const SceneReport& report);
+std::string comparison_table(const std::vector<Comparison>& comparisons);
+
+/// "12 comparisons passed, 2 not run"
+std::string count_words(const std::vector<Comparison>& comparisons);
+
+/// Which is nearest to its tolerance, or why one broke; empty where none was made. Not escaped.
+std::string tightest_words(const std::vector<Comparison>& comparisons);
 
 }  // namespace vcrit::validation::report

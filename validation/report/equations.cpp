@@ -8,22 +8,11 @@ namespace vcrit::validation::report {
 
 namespace {
 
-/// "kd -> infinity" with the characters that a page has for it.
-std::string set_limit(std::string name) {
-  const auto replace = [&](const std::string& from, const std::string& to) {
-    for (auto at = name.find(from); at != name.npos; at = name.find(from, at + to.size()))
-      name.replace(at, from.size(), to);
-  };
-  replace("->", "→");
-  replace("infinity", "∞");
-  return escape(name);
-}
-
 // More would push the numbers out of sight.
 constexpr std::size_t shown_limits = 8;
 
 std::string limit(const LimitLine& line) {
-  return fmt::format("<tr><th scope=\"row\">{}{}</th><td>{}{}</td></tr>\n", set_limit(line.name),
+  return fmt::format("<tr><th scope=\"row\">{}{}</th><td>{}{}</td></tr>\n", line.mathml_name,
                      numbered(line.equation), equation(velocity, line.result.mathml),
                      definitions(line.definitions));
 }
@@ -31,9 +20,9 @@ std::string limit(const LimitLine& line) {
 }  // namespace
 
 // MathML comes from the symbolic part and is no text.
-std::string equation(const std::string& left, const std::string& right) {
-  return fmt::format("<div class=\"scroll equation\" tabindex=\"0\">{} <span>=</span> {}</div>",
-                     left, right);
+std::string equation(const std::string& left, const std::string& right, const char* relation) {
+  return fmt::format("<div class=\"scroll equation\" tabindex=\"0\">{} <span>{}</span> {}</div>",
+                     left, relation, right);
 }
 
 const char* const velocity = "<math><msup><mi>v</mi><mo>*</mo></msup></math>";
@@ -60,6 +49,17 @@ std::string limits_table(const std::vector<LimitLine>& lines) {
   if (lines.size() <= shown_limits) return "<h3>Limits</h3>\n" + table;
   return fmt::format("<h3>Limits</h3>\n<details><summary>{} limits</summary>\n{}</details>\n",
                      lines.size(), table);
+}
+
+std::string asymptotes_table(const std::vector<AsymptoteLine>& lines) {
+  if (lines.empty()) return {};
+  std::string rows;
+  for (const AsymptoteLine& line : lines)
+    rows += fmt::format(
+        "<tr><th scope=\"row\"><math><mi>ω</mi><mo>→</mo>{}</math></th><td>{}{}</td></tr>\n",
+        line.low ? "<mn>0</mn>" : "<mi>∞</mi>", equation(velocity, line.formula.mathml, "∼"),
+        definitions(line.definitions));
+  return "<table class=\"limits\"><tbody>\n" + rows + "</tbody></table>\n";
 }
 
 }  // namespace vcrit::validation::report

@@ -24,11 +24,24 @@ std::string latex_of(const SceneReport& report) {
   return text;
 }
 
+/// The derivation's words with the signs that a page has.
+std::string set_words(std::string words) {
+  constexpr std::pair<const char*, const char*> signs[] = {{"i*omega", "iω"},
+                                                           {"|omega B|", "|ωB|"},
+                                                           {"K_t/K_n", "Kₜ/Kₙ"},
+                                                           {" - nu", " − ν"},
+                                                           {"v0 -", "v₀ −"}};
+  for (const auto& [from, to] : signs)
+    for (auto at = words.find(from); at != words.npos; at = words.find(from))
+      words.replace(at, std::string(from).size(), to);
+  return escape(words);
+}
+
 std::string derivation(const SceneReport& report) {
   if (report.derivation.empty()) return {};
   std::string steps;
   for (const Equation& line : report.derivation)
-    steps += fmt::format("<li><p>{}</p>{}</li>\n", escape(line.words), equation(line));
+    steps += fmt::format("<li><p>{}</p>{}</li>\n", set_words(line.words), equation(line));
   return "<details class=\"derivation\" open><summary>Derivation</summary><ol>\n" + steps +
          "</ol></details>\n";
 }

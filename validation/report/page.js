@@ -12,13 +12,13 @@ const drawing = {
     axis: { labelFontSize: 12, titleFontSize: 12.5, titleFontWeight: "normal", titlePadding: 8,
             gridColor: "#e2e5ea", tickCount: 8, domainColor: "#a9afb8", tickColor: "#a9afb8" },
     axisY: { minExtent: 44, tickCount: 6 },
-    legend: { labelFontSize: 12.5, symbolStrokeWidth: 2.2 },
+    legend: { labelFontSize: 12.5, symbolStrokeWidth: 2.2, columns: innerWidth < 600 ? 2 : 4 },
     text: { fontSize: 12, color: "#5d6470" },
     view: { stroke: null },
   },
 };
 
-for (const chart of document.querySelectorAll(".chart")) {
+for (const chart of document.querySelectorAll(".chart:not(.explored-chart)")) {
   const specification = JSON.parse(chart.nextElementSibling.textContent);
   const dark = matchMedia("(prefers-color-scheme: dark)").matches;
   vegaEmbed(chart, specification, { ...drawing, tooltip: { theme: dark ? "dark" : "light" } })

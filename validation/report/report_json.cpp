@@ -3,35 +3,14 @@
 #include <algorithm>
 
 #include "report/html.hpp"
+#include "report/json_parts.hpp"
 
 namespace vcrit::validation::report {
 
 namespace {
 
 using nlohmann::ordered_json;
-
-ordered_json json(const Comparison& comparison) {
-  const bool relative = comparison.measure == Comparison::Measure::relative;
-  ordered_json object{{"key", comparison.key},
-                      {"name", comparison.name},
-                      {"reference", comparison.reference},
-                      {"outcome", to_text(outcome(comparison))}};
-  if (!comparison.not_run && !comparison.broken) {
-    object["unit"] = comparison.unit;
-    object["expected"] = json_number(comparison.expected);
-    object["found"] = json_number(comparison.found);
-    object["measure"] = relative ? "relative" : "absolute";
-    object["difference"] = json_number(difference(comparison));
-    object["tolerance"] = json_number(comparison.tolerance);
-    object["tolerance_reason"] = comparison.reason;
-  }
-  if (!comparison.detail.empty()) object["detail"] = comparison.detail;
-  return object;
-}
-
-ordered_json json(const Formula& formula) {
-  return {{"text", formula.text}, {"latex", formula.latex}};
-}
+using report::json;  // beside those here
 
 ordered_json json(const Equation& equation) {
   ordered_json object{{"left", json(equation.left)}, {"right", json(equation.right)}};
@@ -68,8 +47,12 @@ ordered_json json(const simulation::Event& event) {
   return {{"phase", event.phase}, {"to", to_text(event.to)}};
 }
 
-ordered_json json(const SceneReport& report);
 ordered_json json(const LimitLine& limit);
+ordered_json json(const MethodPoint& point);
+ordered_json json(const MethodCurve& curve);
+ordered_json json(const ResponsePoint& point);
+ordered_json json(const AsymptoteLine& line);
+ordered_json json(const ResonanceMark& mark);
 
 template <class Item>
 ordered_json list(const std::vector<Item>& items) {
@@ -92,6 +75,49 @@ ordered_json json(const Cycle& cycle) {
           {"regime", cycle.regime},
           {"events", list(cycle.events)},
           {"points", list(cycle.points)}};
+}
+
+ordered_json json(const MethodPoint& point) {
+  ordered_json object{{"velocity_ratio", point.ratio}};
+  if (!point.reason.empty()) {
+    object["reason"] = point.reason;
+  } else {
+    object["friction_ratio"] = json_number(point.friction_ratio);
+    object["difference"] = json_number(point.difference);
+  }
+  return object;
+}
+
+ordered_json json(const MethodCurve& curve) {
+  return {{"method", curve.method}, {"setting", curve.setting}, {"points", list(curve.points)}};
+}
+
+ordered_json json(const ResponsePoint& point) {
+  ordered_json object{{"angular_frequency", point.omega},
+                      {"normal_stiffness", json_number(point.normal)},
+                      {"tangential_stiffness", json_number(point.tangential)}};
+  if (point.drive) object["drive_stiffness"] = json_number(*point.drive);
+  object["critical_velocity"] = json_number(point.velocity);
+  return object;
+}
+
+ordered_json json(const AsymptoteLine& line) {
+  return {{"at", line.low ? "0" : "infinity"},
+          {"power", line.power},
+          {"coefficient", json_number(line.coefficient)},
+          {"formula", json(line.formula)},
+          {"definitions", list(line.definitions)}};
+}
+
+ordered_json json(const ResonanceMark& mark) {
+  return {{"angular_frequency", mark.omega},
+          {"kind", mark.resonance ? "resonance" : "antiresonance"}};
+}
+
+ordered_json json(const FrequencyResponse& response) {
+  return {{"points", list(response.points)},
+          {"asymptotes", list(response.asymptotes)},
+          {"extremes", list(response.marks)}};
 }
 
 ordered_json json(const ReducedModel& model) {
@@ -129,7 +155,9 @@ ordered_json critical_velocity(const SceneReport& report) {
   return object;
 }
 
-ordered_json json(const SceneReport& report) {
+}  // namespace
+
+ordered_json scene_json(const SceneReport& report) {
   ordered_json object{{"file", report.scene.file},
                       {"title", report.scene.title},
                       {"passed", passed(report)},
@@ -147,42 +175,27 @@ ordered_json json(const SceneReport& report) {
                       {"limits", list(report.limits)}};
   if (!report.compiler.empty()) object["compiler"] = report.compiler;
   if (!report.curve.empty()) object["friction_curve"] = list(report.curve);
+  if (!report.methods.empty()) object["methods"] = list(report.methods);
+  if (!report.response.points.empty()) object["frequency_response"] = json(report.response);
   if (report.cycle) object["cycle"] = json(*report.cycle);
   if (report.reduced_model) object["reduced_model"] = json(*report.reduced_model);
   object["text"] = report.scene.text;
   return object;
 }
 
-ordered_json json(const Machine& machine) {
-  ordered_json versions = ordered_json::object();
-  for (const auto& [name, version] : machine.versions) versions[name] = version;
-  return {{"processor", machine.processor},
-          {"cores", machine.cores},
-          {"system", machine.system},
-          {"versions", versions}};
-}
-
-}  // namespace
-
-bool passed(const Contents& contents) {
-  return std::all_of(contents.scenes.begin(), contents.scenes.end(),
-                     [](const SceneReport& report) { return validation::passed(report); });
-}
-
-std::string command(const Contents& contents) {
+std::string command(const std::vector<std::string>& scene_files) {
   std::string text = "vcrit validate";
-  for (const SceneReport& report : contents.scenes) text += " " + shell_word(report.scene.file);
+  for (const std::string& file : scene_files) text += " " + shell_word(file);
   return text + " --out report";
 }
 
-std::string report_json(const Contents& contents) {
-  const ordered_json object{{"program", "vcrit"},
-                            {"version", contents.machine.program},
-                            {"passed", passed(contents)},
-                            {"command", command(contents)},
-                            {"machine", json(contents.machine)},
-                            {"scenes", list(contents.scenes)}};
-  return object.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+std::string report_json(const Origin& origin, const std::vector<ordered_json>& scenes) {
+  const bool passed = std::all_of(scenes.begin(), scenes.end(), [](const ordered_json& scene) {
+    return scene.at("passed").get<bool>();
+  });
+  ordered_json report = report_head(origin, passed);
+  report["scenes"] = scenes;
+  return text_of(report);
 }
 
 }  // namespace vcrit::validation::report

@@ -1,25 +1,22 @@
 // report.json: the data of the page, for programs. Keys: docs/report.md.
 #pragma once
 
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
-#include "machine.hpp"
+#include "report/machine_section.hpp"
 #include "scene_report.hpp"
 
 namespace vcrit::validation::report {
 
-/// What one report is about.
-struct Contents {
-  Machine machine;
-  std::vector<SceneReport> scenes;
-};
+/// What report.json says of one scene.
+nlohmann::ordered_json scene_json(const SceneReport& report);
 
-bool passed(const Contents& contents);
+/// The whole file; scenes as by scene_json().
+std::string report_json(const Origin& origin, const std::vector<nlohmann::ordered_json>& scenes);
 
-/// The command that makes this report again.
-std::string command(const Contents& contents);
-
-std::string report_json(const Contents& contents);
+/// "vcrit validate A B --out report", for a shell.
+std::string command(const std::vector<std::string>& scene_files);
 
 }  // namespace vcrit::validation::report

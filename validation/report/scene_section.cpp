@@ -4,11 +4,14 @@
 
 #include <cmath>
 
-#include "report/charts.hpp"
+#include "report/chart.hpp"
 #include "report/comparison_table.hpp"
+#include "report/equations.hpp"
+#include "report/explorer_section.hpp"
 #include "report/formula_section.hpp"
 #include "report/html.hpp"
 #include "report/reduced_section.hpp"
+#include "report/scene_figures.hpp"
 #include "report/system_drawing.hpp"
 #include "report/units.hpp"
 
@@ -24,20 +27,12 @@ std::string list(const std::vector<std::string>& items, const char* style) {
   return fmt::format("<ul class=\"{}\">\n{}</ul>\n", style, lines);
 }
 
-std::string tightest_words(const SceneReport& report) {
-  const Comparison* worst = tightest(report);
-  if (worst == nullptr) return {};
-  if (worst->broken) return fmt::format("{}: {}", worst->name, worst->detail);
-  return fmt::format("Nearest to its tolerance: {}, {} of {} allowed.", worst->name,
-                     magnitude(difference(*worst)), magnitude(worst->tolerance));
-}
-
 std::string verdict(const SceneReport& report) {
   std::string html = fmt::format(
       "<div class=\"verdict {}\"><p class=\"state\">{}</p><p class=\"velocity\">{}</p>"
       "<p class=\"worst\">{}</p></div>\n",
       state_class(report), escape(state_words(report)), escape(velocity_words(report)),
-      escape(tightest_words(report)));
+      escape(tightest_words(report.comparisons)));
   if (!report.reasons.empty())
     html +=
         "<p>The scene is not admissible, so the formula's number is not the velocity of its "
@@ -60,14 +55,6 @@ std::string drawings(const SceneReport& report) {
          figure(draw_normal(report.scene), "Along the normal, drawn lying.") + "</div>\n";
 }
 
-std::string chart(const nlohmann::ordered_json& spec, const std::string& description,
-                  const std::string& caption) {
-  return fmt::format(
-      "<figure><div class=\"chart\" role=\"group\" aria-label=\"{}\"></div>"
-      "<script type=\"application/json\">{}</script><figcaption>{}</figcaption></figure>\n",
-      escape(description), json_for_page(spec), caption);
-}
-
 std::string curve_rows(const SceneReport& report) {
   std::string rows;
   for (const CurvePoint& point : report.curve)
@@ -86,35 +73,31 @@ std::string curve_table(const SceneReport& report) {
       speed_axis(report), curve_rows(report));
 }
 
+std::string missing_answers(const SceneReport& report) {
+  std::vector<std::string> lines;
+  for (const MethodCurve& method : report.methods)
+    for (const MethodPoint& point : method.points)
+      if (!point.reason.empty())
+        lines.push_back(fmt::format("{} at {}: {}", method.method, point.ratio, point.reason));
+  return lines.empty() ? "" : "<p>Without an answer:</p>\n" + list(lines, "reasons");
+}
+
+std::string response_section(const SceneReport& report) {
+  if (report.response.points.empty()) return {};
+  return "<h3>Frequency response</h3>\n" + chart(velocity_response_figure(report)) +
+         asymptotes_table(report.response.asymptotes) + chart(stiffness_figure(report));
+}
+
 std::string friction_section(const SceneReport& report) {
   if (!simulated(report)) return {};
-  const std::string creep =
-      report.creep_velocity > 0
-          ? fmt::format(
-                " The path creeps by {} under the mean friction force, so the far end must "
-                "run that much faster than the contact point.",
-                quantity(report.creep_velocity, "m/s"))
-          : "";
-  return "<h3>Friction against speed</h3>\n" +
-         chart(friction_chart(report), "Friction ratio over speed",
-               "Macroscopic over microscopic friction, simulated; at each speed the motion was "
-               "started from sliding and from rest." +
-                   creep) +
-         curve_table(report);
+  std::string html = "<h3>Friction against speed</h3>\n" + chart(friction_figure(report));
+  if (!report.methods.empty()) html += chart(residual_figure(report));
+  return html + curve_table(report) + missing_answers(report);
 }
 
 std::string cycle_section(const SceneReport& report) {
   if (!report.cycle) return {};
-  const Cycle& cycle = *report.cycle;
-  const std::string caption = fmt::format(
-      "{} of the lowest speed of pure sliding, v₀ = {}: friction ratio {:.9f}, {}. Shaded: no "
-      "forward slip.",
-      cycle.ratio == 0.5 ? "Half" : fmt::format("{:.3g}", cycle.ratio),
-      quantity(cycle.velocity, "m/s"), cycle.friction_ratio, escape(cycle.regime));
-  return "<h3>One cycle</h3>\n" +
-         chart(force_chart(report), "Tangential force over one period",
-               "Force of the network on the contact point, between the friction bounds.") +
-         chart(velocity_chart(report), "Contact velocity over one period", caption);
+  return "<h3>One cycle</h3>\n" + chart(force_figure(report)) + chart(velocity_figure(report));
 }
 
 std::string file_section(const SceneReport& report) {
@@ -137,12 +120,7 @@ const char* state_class(const SceneReport& report) {
 }
 
 std::string state_words(const SceneReport& report) {
-  const auto failures = count(report, Comparison::Outcome::failed);
-  const auto skipped = count(report, Comparison::Outcome::not_run);
-  const auto made = report.comparisons.size() - skipped;
-  std::string words = failures > 0 ? fmt::format("{} of {} comparisons failed", failures, made)
-                                   : fmt::format("{} comparisons passed", made);
-  if (skipped > 0) words += fmt::format(", {} not run", skipped);
+  const std::string words = count_words(report.comparisons);
   return report.reasons.empty() ? words : "Outside the model: not simulated; " + words;
 }
 
@@ -150,12 +128,12 @@ std::string velocity_words(const SceneReport& report) {
   return "v* = " + quantity(report.critical_velocity, "m/s", 5);
 }
 
-std::string scene_section(const SceneReport& report, std::size_t number) {
-  return fmt::format("<section class=\"scene\" id=\"scene-{}\">\n<h2>{}</h2>\n", number,
-                     escape(title_of(report))) +
-         verdict(report) + drawings(report) + comparison_table(report) + friction_section(report) +
-         cycle_section(report) + reduced_section(report) + formula_section(report) +
-         values_section(report) + file_section(report) + "</section>\n";
+std::string scene_section(const SceneReport& report) {
+  return "<section class=\"scene\">\n" + verdict(report) + drawings(report) +
+         "<h3>Agreement</h3>\n" + comparison_table(report.comparisons) + formula_section(report) +
+         response_section(report) + explorer_section(report) + friction_section(report) +
+         cycle_section(report) + reduced_section(report) + values_section(report) +
+         file_section(report) + "</section>\n";
 }
 
 }  // namespace vcrit::validation::report

@@ -18,7 +18,6 @@ std::string state_words(const SceneReport& report);
 /// "v* = 3.02 mm/s"
 std::string velocity_words(const SceneReport& report);
 
-/// The section with id "scene-NUMBER".
-std::string scene_section(const SceneReport& report, std::size_t number);
+std::string scene_section(const SceneReport& report);
 
 }  // namespace vcrit::validation::report

@@ -1,14 +1,24 @@
 #include "validate.hpp"
 
+#include <thread>
+
 #include "agreement.hpp"
 #include "base/files.hpp"
+#include "figures/gnuplot.hpp"
+#include "paper/paper.hpp"
 #include "report/assets.hpp"
-#include "report/page.hpp"
+#include "report/figure_files.hpp"
+#include "report/index_page.hpp"
+#include "report/paper_page.hpp"
 #include "report/report_json.hpp"
+#include "report/scene_figures.hpp"
+#include "report/scene_page.hpp"
 
 namespace vcrit::validation::report {
 
 namespace {
+
+using nlohmann::ordered_json;
 
 /// Missing values are the reader's fault, and are told before the first long computation.
 std::vector<Scene> read_all(const std::vector<std::string>& files) {
@@ -20,35 +30,110 @@ std::vector<Scene> read_all(const std::vector<std::string>& files) {
   return scenes;
 }
 
-void summarise(const SceneReport& report, Validation& validation) {
-  for (const Comparison& comparison : report.comparisons) {
-    const std::string line = report.scene.file + ": " + comparison.name;
-    if (outcome(comparison) == Comparison::Outcome::failed) validation.failed.push_back(line);
-    if (outcome(comparison) == Comparison::Outcome::not_run) validation.not_run.push_back(line);
+Machine machine_and_parts() {
+  Machine machine = this_machine();
+  for (const Script& script : scripts()) machine.versions.emplace_back(script.name, script.version);
+  return machine;
+}
+
+/// What a worker hands over of its scene.
+std::string handed_over(const SceneReport& report, const Machine& machine, const Request& request) {
+  const bool in_suite = request.files.size() > 1;
+  const Origin origin{machine, command({report.scene.file})};
+  ordered_json all{{"line", to_json(scene_line(report))},
+                   {"page", scene_page(report, origin, in_suite)},
+                   {"data", scene_json(report)},
+                   {"figures", ordered_json::object()}};
+  if (!request.figures.empty())
+    for (const figures::Figure& figure : scene_figures(report))
+      all["figures"][figure.name] = gnuplot(figure);
+  return all.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+}
+
+void summarise(const SceneLine& line, Validation& validation) {
+  for (const std::string& name : line.failed) validation.failed.push_back(line.file + ": " + name);
+  for (const std::string& name : line.not_run)
+    validation.not_run.push_back(line.file + ": " + name);
+  validation.warnings.insert(validation.warnings.end(), line.warnings.begin(), line.warnings.end());
+  validation.passed = validation.failed.empty();
+}
+
+/// The index comes last: whoever sees it finds the pages that it names.
+void write_suite(const std::vector<ordered_json>& scenes, const std::vector<std::string>& names,
+                 const Origin& origin, const std::filesystem::path& directory) {
+  std::vector<IndexEntry> entries;
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    write_file(directory / (names[i] + ".html"), scenes[i].at("page").get<std::string>());
+    entries.push_back({scene_line(scenes[i].at("line")), names[i] + ".html"});
   }
-  for (const std::string& warning : report.scene.warnings) validation.warnings.push_back(warning);
+  write_file(directory / "index.html", index_page(entries, origin));
+}
+
+std::vector<FigureFile> figure_files(const std::vector<ordered_json>& scenes,
+                                     const std::vector<std::string>& names) {
+  std::vector<FigureFile> files;
+  for (std::size_t i = 0; i < scenes.size(); ++i)
+    for (const auto& [name, script] : scenes[i].at("figures").items())
+      files.push_back({scenes.size() > 1 ? names[i] : "", name, script});
+  return files;
+}
+
+std::vector<ordered_json> work_on(const std::vector<Scene>& scenes, const Request& request,
+                                  const Machine& machine, const Watch& watch) {
+  const auto work = [&](std::size_t i, const Step& step) {
+    return handed_over(agree(scenes[i], step), machine, request);
+  };
+  std::vector<ordered_json> all;
+  for (const std::string& answer :
+       in_processes(request.files, std::thread::hardware_concurrency(), work, watch))
+    all.push_back(ordered_json::parse(answer));
+  return all;
 }
 
 }  // namespace
 
-Validation validate(const std::vector<std::string>& files, const std::filesystem::path& directory,
-                    const SceneProgress& progress) {
-  const std::vector<Scene> scenes = read_all(files);
-  Contents contents;
-  contents.machine = this_machine();
-  for (const Script& script : scripts())
-    contents.machine.versions.emplace_back(script.name, script.version);
+Validation validate(const Request& request, const Watch& watch) {
+  const std::vector<Scene> scenes = read_all(request.files);
+  if (!request.figures.empty()) require_gnuplot();
+  const Origin origin{machine_and_parts(), command(request.files)};
+  const std::vector<ordered_json> all = work_on(scenes, request, origin.machine, watch);
   Validation validation;
-  for (std::size_t i = 0; i < scenes.size(); ++i) {
-    contents.scenes.push_back(
-        agree(scenes[i], [&](const std::string& step) { progress(i, scenes.size(), step); }));
-    summarise(contents.scenes.back(), validation);
+  std::vector<ordered_json> data;
+  for (const ordered_json& scene : all) {
+    data.push_back(scene.at("data"));
+    summarise(scene_line(scene.at("line")), validation);
   }
+  validation.page = request.directory / "index.html";
+  const std::vector<std::string> names = page_names(request.files);
+  write_figures(figure_files(all, names), request.figures, watch);
+  write_file(request.directory / "report.json", report_json(origin, data));
+  if (all.size() > 1)
+    write_suite(all, names, origin, request.directory);
+  else
+    write_file(validation.page, all.front().at("page").get<std::string>());
+  return validation;
+}
+
+Validation validate_paper(const Request& request, const Watch& watch) {
+  if (!request.figures.empty()) require_gnuplot();
+  const auto progress = [&](const std::string& step) { watch({0, 1, {{"the paper", step}}}); };
+  return report_paper({{machine_and_parts(), paper_command}, paper::go_through(progress)}, request,
+                      watch);
+}
+
+Validation report_paper(const PaperContents& contents, const Request& request, const Watch& watch) {
+  Validation validation;
+  for (const Comparison& comparison : all_comparisons(contents.paper))
+    if (outcome(comparison) == Comparison::Outcome::failed)
+      validation.failed.push_back("the paper: " + comparison.name);
   validation.passed = validation.failed.empty();
-  validation.page = directory / "index.html";
-  const std::string html = page(contents), json = report_json(contents);
-  write_file(directory / "report.json", json);
-  write_file(validation.page, html);
+  validation.page = request.directory / "index.html";
+  std::vector<FigureFile> files;
+  for (const figures::Figure& figure : all_figures(contents.paper))
+    files.push_back({"", figure.name, gnuplot(figure)});
+  if (!request.figures.empty()) write_figures(files, request.figures, watch);
+  write_file(request.directory / "report.json", paper_json(contents));
+  write_file(validation.page, paper_page(contents));
   return validation;
 }
 

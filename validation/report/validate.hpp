@@ -1,10 +1,12 @@
-// `vcrit validate`: scenes in, one report out.
+// `vcrit validate`: scenes in, or the paper, one report out.
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <string>
 #include <vector>
+
+#include "report/paper_json.hpp"
+#include "workers.hpp"
 
 namespace vcrit::validation::report {
 
@@ -16,14 +18,24 @@ struct Validation {
   std::filesystem::path page;         ///< DIR/index.html
 };
 
-/// Told which scene (from 0) of how many is at which step.
-using SceneProgress =
-    std::function<void(std::size_t scene, std::size_t scenes, const std::string& step)>;
+struct Request {
+  std::vector<std::string> files;   ///< scenes
+  std::filesystem::path directory;  ///< for the report
+  std::filesystem::path figures;    ///< for the figures as files; empty: none
+};
 
-/// Compares everything with everything in each scene file and writes `directory`/index.html, one
-/// page that needs nothing else, and `directory`/report.json with the same data. All scenes are
-/// read first. Throws InputError and ModelError; then nothing is written.
-Validation validate(const std::vector<std::string>& files, const std::filesystem::path& directory,
-                    const SceneProgress& progress);
+/// Compares everything with everything in each scene file and writes DIR/report.json with
+/// all data and DIR/index.html: the page of the scene, or of several an index with a line
+/// each, and their pages beside it under the files' names. Scenes are read first and worked on side
+/// by side, as many as there are cores. Figures go below the folder that is named after the page,
+/// of one scene to the folder itself. Throws InputError and ModelError; then nothing is written.
+Validation validate(const Request& request, const Watch& watch);
+
+/// Goes through the paper and writes the same two files about it, and its figures. The request has
+/// no scenes. Throws InputError; then nothing is written.
+Validation validate_paper(const Request& request, const Watch& watch);
+
+/// The second half of it: the verdict and the files.
+Validation report_paper(const PaperContents& contents, const Request& request, const Watch& watch);
 
 }  // namespace vcrit::validation::report

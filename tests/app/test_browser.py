@@ -1,0 +1,226 @@
+"""The report in a real browser: it opens without a network, every chart is drawn, the explorer's numbers
+are those of the C++ program, and it can be read on a phone, in the dark, on paper and by keyboard.
+
+test_browser.py PROJECT PROGRAM
+"""
+
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+from selenium import webdriver
+from selenium.webdriver.chrome.service import Service
+from selenium.webdriver.common.by import By
+from selenium.webdriver.common.keys import Keys
+from selenium.webdriver.support.ui import WebDriverWait
+
+PROJECT, PROGRAM = sys.argv.pop(1), sys.argv.pop(1)
+SCENES = ["zener", "prony", "kelvin_rigid"]
+PATIENCE = 60  # seconds, for what takes one; the machine may be busy
+
+# Chromium's sandbox does not work for root, and the small /dev/shm of containers is not enough for it.
+ARGUMENTS = ["--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--disable-gpu",
+             "--window-size=1200,900", "--disable-background-networking", "--no-first-run",
+             "--disable-component-update", "--disable-sync"]
+
+
+def browser(profile):
+    options = webdriver.ChromeOptions()
+    options.binary_location = "/usr/bin/chromium"
+    for argument in [*ARGUMENTS, f"--user-data-dir={profile}"]:
+        options.add_argument(argument)
+    options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
+    return webdriver.Chrome(service=Service("/usr/bin/chromedriver"), options=options)
+
+
+class Browser(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory(prefix="vcrit-browser-")
+        cls.report = Path(cls.folder.name, "report")
+        subprocess.run([PROGRAM, "validate", *[f"scenes/{name}.toml" for name in SCENES], "--out",
+                        cls.report], cwd=PROJECT, check=True, capture_output=True)
+        cls.browser = browser(Path(cls.folder.name, "profile"))
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.browser.quit()
+        cls.folder.cleanup()
+
+    def setUp(self):
+        self.browser.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
+        self.browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": []})
+
+    def run_script(self, text, *arguments):
+        return self.browser.execute_script(text, *arguments)
+
+    def open(self, name):
+        for kind in ["browser", "performance"]:
+            self.browser.get_log(kind)  # what was left of other pages
+        self.browser.get((self.report / f"{name}.html").as_uri())
+        drawn = "return [...document.querySelectorAll('.chart')].every((c) => c.querySelector('svg'))"
+        WebDriverWait(self.browser, PATIENCE).until(lambda _: self.run_script(drawn))
+
+    def width(self, pixels):
+        self.browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
+            "width": pixels, "height": 800, "deviceScaleFactor": 1, "mobile": True})
+
+    def test_nothing_is_asked_of_the_network_and_nothing_goes_wrong(self):
+        for name in [*SCENES, "index"]:
+            with self.subTest(page=name):
+                self.open(name)
+                self.assertEqual(self.browser.get_log("browser"), [])
+                messages = [json.loads(entry["message"])["message"]
+                            for entry in self.browser.get_log("performance")]
+                asked = [message["params"]["request"]["url"] for message in messages
+                         if message["method"] == "Network.requestWillBeSent"]
+                page = (self.report / f"{name}.html").as_uri()
+                self.assertIn(page, asked)
+                outside = [url for url in asked if url != page and not url.startswith(("data:", "blob:"))]
+                self.assertEqual(outside, [])
+
+    def test_every_chart_is_drawn(self):
+        count = """return [...document.querySelectorAll('.chart')].map((chart) =>
+            [...chart.querySelectorAll('.mark-line path, .mark-symbol path, .mark-rect path')].filter(
+                (path) => (path.getAttribute('d') || '').length > 10).length)"""
+        for name in SCENES:
+            with self.subTest(page=name):
+                self.open(name)
+                marks = self.run_script(count)
+                self.assertGreaterEqual(len(marks), 7)
+                self.assertTrue(all(number > 0 for number in marks), marks)
+
+    def test_an_index_leads_to_every_page_and_back(self):
+        self.open("index")
+        links = [link.get_attribute("href") for link in
+                 self.browser.find_elements(By.CSS_SELECTOR, ".index a")]
+        self.assertEqual(links, [(self.report / f"{name}.html").as_uri() for name in SCENES])
+        self.browser.find_element(By.CSS_SELECTOR, ".index a").send_keys(Keys.ENTER)
+        self.assertIn("Zener", self.browser.find_element(By.TAG_NAME, "h1").text)
+        self.browser.find_element(By.LINK_TEXT, "All scenes").send_keys(Keys.ENTER)
+        self.assertEqual(self.browser.current_url, (self.report / "index.html").as_uri())
+
+    def evaluated(self, name, settings):
+        """v* by the program, with parameters set to these doubles."""
+        options = [word for key, value in settings.items() for word in ["--set", f"{key}={value!r}"]]
+        result = subprocess.run([PROGRAM, "eval", f"scenes/{name}.toml", "--json", *options],
+                                cwd=PROJECT, check=True, capture_output=True, text=True)
+        return json.loads(result.stdout)["critical_velocity"]
+
+    def explored(self):
+        """The explorer's parameters as the program takes them, and its v*."""
+        sliders = json.loads(self.browser.find_element(By.ID, "explorer-data").get_attribute("textContent"))
+        settings = {}
+        for number, slider in enumerate(sliders["sliders"]):
+            value = float(self.browser.find_element(By.ID, f"value-{number}").get_attribute("data-value"))
+            if slider["array"]:
+                for entry, own in enumerate(slider["values"], start=1):
+                    settings[f"{slider['name']}[{entry}]"] = own * value
+            else:
+                settings[slider["name"]] = value
+        if "omega" in settings:  # the scenes give a frequency, for which it may be set all the same
+            settings["angular_frequency"] = settings.pop("omega")
+        velocity = self.browser.find_element(By.ID, "explored-velocity").get_attribute("data-value")
+        return settings, float(velocity)
+
+    def test_the_explorer_agrees_with_the_program(self):
+        for name in SCENES:
+            with self.subTest(page=name):
+                self.open(name)
+                sliders = self.browser.find_elements(By.CSS_SELECTOR, "#explorer input[type=range]")
+                seen = set()
+                for number, slider in enumerate(sliders):
+                    key = Keys.ARROW_RIGHT if number % 2 else Keys.ARROW_LEFT
+                    slider.send_keys(key * (3 + number))
+                    settings, velocity = self.explored()
+                    expected = self.evaluated(name, settings)
+                    # Both are within one unit in the last place, 2.3e-16.
+                    self.assertLessEqual(abs(velocity - expected), 1e-12 * expected, settings)
+                    seen.add(velocity)
+                self.assertGreaterEqual(len(seen), 3)  # kelvin_rigid: v* knows three of its four
+                self.browser.find_element(By.ID, "explorer-reset").send_keys(Keys.ENTER)
+                self.assertEqual(self.explored()[1], self.evaluated(name, {}))
+
+    def test_the_explorers_charts_follow(self):
+        self.open("zener")
+        line = """return [...document.querySelectorAll(arguments[0] + ' .mark-line path')].map(
+            (path) => path.getAttribute('d'))"""
+        for chart in ["#explored-response", "#explored-friction"]:
+            before = self.run_script(line, chart)
+            slider = self.browser.find_element(By.ID, "slider-1")  # the amplitude
+            slider.send_keys(Keys.ARROW_LEFT * 4)
+            WebDriverWait(self.browser, PATIENCE).until(
+                lambda _: self.run_script(line, chart) != before)
+
+    # The simulator's friction at the scene's own speed and amplitude, read from the page's curve.
+    def test_the_explorers_friction_is_the_simulators(self):
+        self.open("kelvin_rigid")
+        self.browser.find_element(By.ID, "slider-1").send_keys(Keys.ARROW_LEFT * 6)
+        settings, _ = self.explored()
+        data = json.loads(self.browser.find_element(By.ID, "explorer-data").get_attribute("textContent"))
+        column = data["grid"]["ratios"].index(0.5)
+        shown = self.run_script("""return new Promise((done) => requestAnimationFrame(() => done(
+            vcrit_explorer.friction()[arguments[0]].y)))""", column)
+        options = [word for key, value in settings.items() for word in ["--set", f"{key}={value!r}"]]
+        result = subprocess.run([PROGRAM, "simulate", "scenes/kelvin_rigid.toml", "--velocity-ratio", "0.5",
+                                 "--json", *options], cwd=PROJECT, check=True, capture_output=True, text=True)
+        # Each steady value is promised to 1e-9, and that of the grid is scaled by less than 1.
+        self.assertLessEqual(abs(shown - json.loads(result.stdout)["friction_ratio"]), 2e-9)
+
+    def test_a_phone_shows_all_without_scrolling_sideways(self):
+        self.width(390)
+        for name in [*SCENES, "index"]:
+            with self.subTest(page=name):
+                self.open(name)
+                self.assertLessEqual(self.run_script("return document.documentElement.scrollWidth"), 390)
+
+    def brightness(self, selector, style):
+        rgb = self.run_script("return getComputedStyle(document.querySelector(arguments[0]))[arguments[1]]",
+                              selector, style)
+        return sum(float(part) for part in rgb[rgb.index("(") + 1:-1].split(",")[:3]) / 765
+
+    def test_dark_and_light(self):
+        self.open("zener")
+        for scheme, dark in [("light", False), ("dark", True)]:
+            self.browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {
+                "features": [{"name": "prefers-color-scheme", "value": scheme}]})
+            paper, ink = self.brightness("body", "backgroundColor"), self.brightness("body", "color")
+            self.assertGreater(abs(paper - ink), 0.7)
+            self.assertEqual(paper < 0.2, dark)
+            labels = self.brightness(".chart .role-axis-label text", "fill")
+            self.assertGreater(abs(paper - labels), 0.5)
+
+    def test_on_paper_what_cannot_be_moved_is_left_out(self):
+        self.open("zener")
+        self.browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "print"})
+        hidden = "return getComputedStyle(document.querySelector(arguments[0])).display === 'none'"
+        for selector in ["#explorer", "button.copy", ".skip"]:
+            self.assertTrue(self.run_script(hidden, selector), selector)
+        self.assertFalse(self.run_script(hidden, ".chart"))
+        self.browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": ""})
+
+    def test_the_keyboard_reaches_what_can_be_used(self):
+        self.open("zener")
+        reached = set()
+        for _ in range(60):
+            self.browser.switch_to.active_element.send_keys(Keys.TAB)
+            reached.add(self.run_script("""const e = document.activeElement;
+                return e.id || e.className || e.tagName"""))
+        for wanted in ["skip", "slider-0", "slider-8", "explorer-reset", "SUMMARY"]:
+            self.assertIn(wanted, reached)
+
+    def test_a_formula_can_be_copied(self):
+        self.open("zener")
+        self.browser.find_element(By.CSS_SELECTOR, ".latex summary").send_keys(Keys.ENTER)
+        button = self.browser.find_element(By.CSS_SELECTOR, "button.copy")
+        button.send_keys(Keys.ENTER)
+        WebDriverWait(self.browser, PATIENCE).until(lambda _: button.text in ["Copied", "Selected"])
+
+
+if __name__ == "__main__":
+    os.environ.setdefault("HOME", tempfile.gettempdir())
+    unittest.main(verbosity=2)

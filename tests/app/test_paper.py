@@ -1,0 +1,54 @@
+"""vcrit validate --paper as a user meets it: exit status, files, what is in them."""
+
+import json
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+PROJECT, PROGRAM = Path(sys.argv.pop(1)), sys.argv.pop(1)
+
+
+def run(*arguments):
+    return subprocess.run([PROGRAM, *arguments], cwd=PROJECT, capture_output=True, text=True, timeout=120)
+
+
+class Paper(unittest.TestCase):
+    def test_the_paper_is_gone_through(self):
+        with tempfile.TemporaryDirectory() as folder:
+            result = run("validate", "--paper", "--out", f"{folder}/out")
+            self.assertEqual((result.returncode, result.stdout, result.stderr), (0, f"{folder}/out/index.html\n", ""))
+            self.assertEqual(sorted(p.name for p in Path(folder, "out").iterdir()), ["index.html", "report.json"])
+            report = json.loads(Path(folder, "out", "report.json").read_text())
+            page = Path(folder, "out", "index.html").read_text()
+        self.assertIs(report["passed"], True)
+        self.assertEqual([claim["verdict"] for claim in report["paper"]["claims"]], ["holds"] * 3 + ["does not hold"] * 2)
+        # docs/physics.md, elastic contact and delta = 10, both promised to 1e-14 and given to 17 digits.
+        rows = {(row["delta"], row["velocity_ratio"]): row for row in report["paper"]["evidence"]["rows"]}
+        self.assertAlmostEqual(rows[10, 0.1]["exact"], 0.43472823801559018, delta=2e-14)
+        self.assertAlmostEqual(rows[10, 0.1]["reduced"], 0.7207052919138, delta=1e-13)
+        for part in ["figure4", "difference", "jump_limits", "static_limit", "flat_punch"]:
+            self.assertNotRegex(json.dumps(report["paper"][part]), r"mass|\bbody\b")
+        self.assertIn("82 comparisons passed", page)
+
+    def test_it_is_the_same_in_every_run(self):
+        def files():
+            with tempfile.TemporaryDirectory() as folder:
+                run("validate", "--paper", "--out", folder)
+                return [Path(folder, name).read_text() for name in ["index.html", "report.json"]]
+
+        self.assertEqual(files(), files())
+
+    def test_scenes_or_the_paper(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for arguments, words in [((), ["SCENE", "--paper"]), (("--paper", "scenes/kelvin.toml"), ["--paper", "scene files"])]:
+                result = run("validate", *arguments, "--out", f"{folder}/out")
+                self.assertEqual((result.returncode, result.stdout), (2, ""))
+                for word in words:
+                    self.assertIn(word, result.stderr)
+                self.assertFalse(Path(folder, "out").exists())
+
+
+if __name__ == "__main__":
+    unittest.main()

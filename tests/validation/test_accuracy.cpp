@@ -1,0 +1,63 @@
+// Accuracy, cost and stability of whole scenes: everything is there, and nothing that the scene
+// does not have.
+#include "accuracy/accuracy.hpp"
+
+#include <boost/test/unit_test.hpp>
+
+#include "report/accuracy_json.hpp"
+#include "report/accuracy_section.hpp"
+
+using namespace vcrit;
+using namespace vcrit::validation;
+
+namespace {
+
+accuracy::Accuracy measured(const std::string& name) {
+  return accuracy::measure(read_scene(std::string(VCRIT_SCENES) + "/" + name),
+                           [](const std::string&) {});
+}
+
+bool has(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(the_elastic_scene_has_all_but_relaxation_and_hears_of_no_mass) {
+  const accuracy::Accuracy all = measured("elastic.toml");
+  BOOST_TEST(all.evaluators.sets == 4096U);
+  BOOST_TEST(all.evaluators.ways.size() == 10U);
+  // Five products and quotients without cancellation: no evaluator loses more than a few units.
+  for (const accuracy::EvaluatorError& way : all.evaluators.ways) BOOST_TEST(way.worst <= 8);
+  BOOST_TEST(all.simulators.size() == 3U);
+  BOOST_REQUIRE(all.maps.size() == 1U);
+  BOOST_TEST(all.maps[0].layers.size() == 4U);
+  for (const accuracy::Layer& layer : all.maps[0].layers) {
+    BOOST_TEST(layer.lost.size() == 32U * 24U);
+    BOOST_TEST(layer.marks.empty(), layer.name);
+  }
+  const std::string html = report::accuracy_section(all);
+  const std::string json = report::accuracy_json(all).dump();
+  BOOST_TEST(!has(json, "null"));
+  for (const char* word : {"mass", " body", "resonance", "K_d", "drive"}) {
+    BOOST_TEST(!has(html, word), word);
+    BOOST_TEST(!has(json, word), word);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(of_a_measured_drive_only_the_library_s_function_is_measured) {
+  const accuracy::Accuracy all = measured("measured_drive.toml");
+  BOOST_REQUIRE(all.evaluators.ways.size() == 1U);
+  BOOST_TEST(all.evaluators.ways[0].key == "library");
+  BOOST_TEST(all.simulators.empty());
+  BOOST_TEST(all.maps.empty());
+  BOOST_TEST(all.left_out.size() == 3U);
+}
+
+BOOST_AUTO_TEST_CASE(a_scene_that_is_not_admissible_is_not_simulated) {
+  const accuracy::Accuracy all = measured("inadmissible.toml");
+  BOOST_TEST(all.simulators.empty());
+  for (const accuracy::StabilityMap& map : all.maps)
+    for (const accuracy::Layer& layer : map.layers) BOOST_TEST(layer.key != "simulator");
+  BOOST_TEST(has(all.left_out.at(0), "No simulations: the contact opens"));
+}

@@ -1,0 +1,94 @@
+// Stiffness and v* over frequency: resonances where the undamped drive has them, asymptotes that
+// the curve meets, and values by hand.
+#include "frequency_response.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+
+using namespace vcrit;
+using namespace vcrit::validation;
+
+namespace {
+
+// k_d = 2e6 N/m, k_t = 8e6 N/m, m = 5 g: K_d = m omega^2 at 2e4 rad/s, K_t + K_d there at
+// sqrt(1e7/5e-3) rad/s.
+const std::string elastic = R"(
+[contact]
+normal = "kn"
+tangential = "kt"
+[drive]
+network = "kd"
+[body]
+mass = "5 g"
+[oscillation]
+angular_frequency = 1e5
+amplitude = 1e-7
+indentation = 5e-7
+[friction]
+coefficient = 0.3
+[elements]
+kn = 1e7
+kt = 8e6
+kd = 2e6
+)";
+
+const std::string rigid = R"toml(
+[contact]
+normal = "k0 | (k1 - c1)"
+tangential = "kt"
+[oscillation]
+angular_frequency = 1e5
+amplitude = 1e-7
+indentation = 5e-7
+[friction]
+coefficient = 0.3
+[elements]
+k0 = 1e7
+k1 = 2e7
+c1 = 100
+kt = 8e6
+)toml";
+
+}  // namespace
+
+// The search ends where neighbouring logarithms of the factor no longer differ: 40 bits of half the
+// digits, 2^-20, of log(omega) at worst.
+BOOST_AUTO_TEST_CASE(resonance_and_antiresonance_are_where_the_masses_swing) {
+  const auto response = frequency_response(parse_scene(elastic, "elastic.toml"));
+  BOOST_REQUIRE(response.marks.size() == 2u);
+  BOOST_TEST(response.marks[0].resonance);
+  BOOST_TEST(std::abs(response.marks[0].omega / 2e4 - 1) < 1e-5);
+  BOOST_TEST(!response.marks[1].resonance);
+  BOOST_TEST(std::abs(response.marks[1].omega / std::sqrt(1e7 / 5e-3) - 1) < 1e-5);
+}
+
+// 0.3 omega 1e-7 (1e7/8e6) |1e7 - m omega^2|/|2e6 - m omega^2|: at low frequency 5 times, at high
+// once 0.375e-7 omega.
+BOOST_AUTO_TEST_CASE(asymptotes_are_met) {
+  const auto response = frequency_response(parse_scene(elastic, "elastic.toml"));
+  BOOST_REQUIRE(response.asymptotes.size() == 2u);
+  for (const AsymptoteLine& line : response.asymptotes) {
+    BOOST_TEST(line.power == 1);
+    // Products and quotients of doubles, at 50 digits or not: a few roundings.
+    BOOST_TEST(std::abs(line.coefficient / (line.low ? 1.875e-7 : 0.375e-7) - 1) < 1e-14);
+    const ResponsePoint& end = line.low ? response.points.front() : response.points.back();
+    // At a hundredth of the lowest resonance, and a hundred times the highest rate: (1/100)^2 off.
+    BOOST_TEST(std::abs(end.velocity / (line.coefficient * end.omega) - 1) < 1e-2);
+  }
+}
+
+// At omega = k1/c1 = 2e5: K_n = 1e7 + 2e7 i/(1 + i) = 2e7 + 1e7 i.
+BOOST_AUTO_TEST_CASE(a_rigid_scene_has_no_drive_and_no_resonance) {
+  const auto response = frequency_response(parse_scene(rigid, "rigid.toml"));
+  BOOST_TEST(response.marks.empty());
+  double nearest = 1;
+  for (const ResponsePoint& point : response.points) {
+    BOOST_TEST(!point.drive);
+    BOOST_TEST(std::abs(point.tangential / 8e6 - 1) < 1e-15);
+    // |K_n| grows with omega and by no more than omega does: as near to its value as omega.
+    const double apart = std::abs(point.omega / 2e5 - 1);
+    BOOST_TEST(std::abs(point.normal / std::sqrt(5e14) - 1) < apart + 1e-14);
+    nearest = std::min(nearest, apart);
+  }
+  BOOST_TEST(nearest < 0.03);  // 48 points a decade: 2.5 percent at most to the next
+}

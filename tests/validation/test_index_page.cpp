@@ -1,0 +1,78 @@
+// A line a scene, red where something failed, and names of pages that no two scenes share.
+#include "report/index_page.hpp"
+
+#include <boost/test/unit_test.hpp>
+
+#include "validation/example_report.hpp"
+
+using namespace vcrit::validation;
+using namespace vcrit::validation::report;
+
+namespace {
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != text.npos; }
+
+IndexEntry entry(const SceneReport& report, const std::string& page) {
+  return {scene_line(report), page};
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_failed_comparison_makes_its_line_red_and_is_named) {
+  SceneReport report = example::scene_report(example::rigid_scene);
+  const SceneReport good = report;
+  report.comparisons[1].found *= 1.001;
+  const std::string html =
+      index_page({entry(good, "a.html"), entry(report, "b.html")}, example::origin());
+  BOOST_TEST(has(html, "class=\"total failed\">1 of 4 comparisons failed"));
+  BOOST_TEST(has(html, "<li class=\"passed\"><a href=\"a.html\">"));
+  BOOST_TEST(has(html, "<li class=\"failed\"><a href=\"b.html\">"));
+  BOOST_TEST(has(html, "1 of 2 comparisons failed<small>way called simulation</small>"));
+}
+
+BOOST_AUTO_TEST_CASE(what_was_not_run_is_not_green) {
+  SceneReport report = example::scene_report(example::rigid_scene);
+  report.comparisons[1].not_run = true;
+  const std::string html = index_page({entry(report, "a.html")}, example::origin());
+  BOOST_TEST(has(html, "class=\"total not-run\">1 comparisons passed, 1 not run"));
+  BOOST_TEST(has(html, "<li class=\"not-run\">"));
+}
+
+BOOST_AUTO_TEST_CASE(text_from_a_scene_stays_text) {
+  SceneReport report = example::scene_report(example::rigid_scene);
+  report.scene.title = "</li><img src=x>";
+  const std::string html = index_page({entry(report, "a.html")}, example::origin());
+  BOOST_TEST(!has(html, "<img"));
+  BOOST_TEST(has(html, "&lt;/li&gt;&lt;img src=x&gt;"));
+}
+
+BOOST_AUTO_TEST_CASE(nothing_runs_and_nothing_is_loaded) {
+  const SceneReport report = example::scene_report(example::rigid_scene);
+  const std::string html = index_page({entry(report, "a.html")}, example::origin());
+  BOOST_TEST(has(html, "default-src 'none'"));
+  BOOST_TEST(!has(html, "<script"));
+  BOOST_TEST(!has(html, "http:"));
+  BOOST_TEST(!has(html, "https:"));
+}
+
+BOOST_AUTO_TEST_CASE(pages_have_names_of_their_own) {
+  const std::vector<std::string> files{"a/zener.toml", "b/zener.toml", "Zener.toml",
+                                       "index.toml",   "../.toml",     "a b<c>/d&é.toml"};
+  const std::vector<std::string> expected{"zener",   "zener-2", "Zener-3",
+                                          "index-2", "_toml",   "d___"};
+  const std::vector<std::string> names = page_names(files);
+  BOOST_TEST(names == expected, boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(a_line_comes_back_as_it_went) {
+  SceneReport report = example::scene_report(example::rigid_scene);
+  report.comparisons[1].found *= 1.001;
+  report.scene.warnings = {"odd \xC3\xA9 \"one\""};
+  const SceneLine line = scene_line(report), again = scene_line(to_json(line));
+  BOOST_TEST(again.file == line.file);
+  BOOST_TEST(again.title == "Elastic contact");
+  BOOST_TEST(again.state == "failed");
+  BOOST_TEST(again.made == 2u);
+  BOOST_TEST(again.failed == line.failed, boost::test_tools::per_element());
+  BOOST_TEST(again.warnings == report.scene.warnings, boost::test_tools::per_element());
+}

@@ -1,0 +1,106 @@
+// A report that cannot turn red proves nothing: each witness in turn says something slightly wrong,
+// and the scene's verdict, its line in the index and the names of what failed must show it.
+#include <boost/test/unit_test.hpp>
+#include <complex>
+#include <cstdlib>
+
+#include "agreement.hpp"
+#include "base/files.hpp"
+#include "compiler.hpp"
+#include "formula/symbols.hpp"
+#include "report/index_page.hpp"
+#include "report/scene_page.hpp"
+#include "stiffness/dynamic_stiffness.hpp"
+#include "validation/example_report.hpp"
+
+using namespace vcrit;
+using namespace vcrit::validation;
+using namespace vcrit::validation::report;
+
+namespace {
+
+const Scene zener = read_scene(VCRIT_SCENES "/zener.toml");
+
+SceneReport heard(const Witnesses& witnesses) {
+  return agree(
+      zener, [](const std::string&) {}, witnesses);
+}
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != text.npos; }
+
+/// Red on its page and in the index, for these reasons and no others.
+void check_red(const SceneReport& report, const std::vector<std::string>& keys) {
+  std::vector<std::string> failed;
+  for (const Comparison& comparison : report.comparisons)
+    if (outcome(comparison) == Comparison::Outcome::failed) failed.push_back(comparison.key);
+  BOOST_TEST(failed == keys, boost::test_tools::per_element());
+  BOOST_TEST(has(scene_page(report, example::origin()), "<div class=\"verdict failed\">"));
+  BOOST_TEST(has(index_page({{scene_line(report), "zener.html"}}, example::origin()),
+                 "<li class=\"failed\">"));
+}
+
+/// Eq. 24 with K_t - (K_d - m omega^2) where the paper has a sum.
+double with_a_flipped_sign(const Scene& scene) {
+  const Values values = values_of(scene);
+  const double omega = values.at({"omega", 0}), inertia = values.at({"m", 0}) * omega * omega;
+  const double ratio = tangential_ratio(std::get<Isotropic>(scene.tangential));
+  const auto contact = ratio * dynamic_stiffness(scene.normal, values, omega);
+  const auto drive = dynamic_stiffness(*scene.drive, values, omega) - inertia;
+  return values.at({"mu0", 0}) * omega * values.at({"du_z", 0}) / ratio *
+         std::abs(contact - drive) / std::abs(drive);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(without_a_fault_nothing_is_red) {
+  const SceneReport report = heard(own_witnesses());
+  BOOST_TEST(passed(report));
+  BOOST_TEST(has(scene_page(report, example::origin()), "<div class=\"verdict passed\">"));
+}
+
+BOOST_AUTO_TEST_CASE(a_flipped_sign_in_the_formula_is_red) {
+  Witnesses witnesses = own_witnesses();
+  witnesses.formula = with_a_flipped_sign;
+  check_red(heard(witnesses), {"formula"});
+}
+
+BOOST_AUTO_TEST_CASE(a_flipped_sign_in_the_derivation_is_red) {
+  Witnesses witnesses = own_witnesses();
+  witnesses.derivation = [](const Scene& scene) {
+    symbolic::Derivation derivation = symbolic::derive(scene);
+    const GiNaC::ex kd = symbolic::symbol({"kd", 0});
+    derivation.critical_velocity = derivation.critical_velocity.subs(kd == -kd);
+    return derivation;
+  };
+  check_red(heard(witnesses), {"derived"});
+}
+
+// A thousandth is far above what any plotting width shows.
+BOOST_AUTO_TEST_CASE(a_reduced_stiffness_in_the_simulator_is_red) {
+  Witnesses witnesses = own_witnesses();
+  witnesses.system = [](const Scene& scene) {
+    simulation::System system = simulation::system_of(scene);
+    system.contact = scaled(system.contact, 0.999);
+    return system;
+  };
+  const SceneReport report = heard(witnesses);
+  BOOST_TEST(!passed(report));
+  check_red(report, {"simulation", "pure_sliding"});
+}
+
+// A compiler that changes what it compiles: v* off by 1e-9 in each call that has the words below.
+BOOST_AUTO_TEST_CASE(an_evaluator_off_by_a_billionth_is_red) {
+  const auto compiler = find_compiler();
+  BOOST_REQUIRE(compiler.has_value());
+  const PrivateFolder folder;
+  write_file(folder.path() / "g++",
+             "#!/bin/sh\nfor file in scene.hpp; do [ ! -f $file ] || "
+             "sed -i 's/(p)\\.value; }/(p).value * (1 + 1e-9); }/' $file; done\nexec " +
+                 compiler->string() + " \"$@\"\n");
+  std::filesystem::permissions(folder.path() / "g++", std::filesystem::perms::owner_all);
+  const std::string path = std::getenv("PATH");
+  setenv("PATH", (folder.path().string() + ":" + path).c_str(), 1);
+  const SceneReport report = heard(own_witnesses());
+  setenv("PATH", path.c_str(), 1);
+  check_red(report, {"generated", "generated_fast"});
+}

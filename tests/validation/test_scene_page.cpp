@@ -1,0 +1,216 @@
+// The page stands alone, runs nothing but its own scripts, shows what is there and nothing else.
+#include "report/scene_page.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <regex>
+
+#include "report/assets.hpp"
+#include "report/document.hpp"
+#include "report/html.hpp"
+#include "validation/example_report.hpp"
+
+using namespace vcrit::validation;
+using namespace vcrit::validation::report;
+
+namespace {
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != text.npos; }
+
+/// The page as it is read: without scripts (but with the charts' data) and without style.
+std::string without_code(std::string html) {
+  for (const Script& script : scripts()) {
+    const auto at = html.find(script.text);
+    BOOST_REQUIRE(at != html.npos);
+    html.erase(at, script.text.size());
+  }
+  const auto style_at = html.find(style());
+  BOOST_REQUIRE(style_at != html.npos);
+  return html.erase(style_at, style().size());
+}
+
+std::string page_of(const SceneReport& report) {
+  return without_code(scene_page(report, example::origin()));
+}
+
+std::string policy(const std::string& html) {
+  const std::regex meta("<meta http-equiv=\"Content-Security-Policy\" content=\"([^\"]*)\">");
+  std::smatch match;
+  BOOST_REQUIRE(std::regex_search(html, match, meta));
+  return match[1];
+}
+
+const std::string hostile = "</script><img src=x onerror=alert(1)> & \"quotes\" 'too'";
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(nothing_is_loaded_from_outside) {
+  const std::string html = page_of(example::scene_report(example::driven_scene));
+  BOOST_TEST(!has(html, "http:"));
+  BOOST_TEST(!has(html, "https:"));
+  BOOST_TEST(!has(html, " src="));
+  BOOST_TEST(!has(html, "<link"));
+  const std::regex outward("href=\"(?!#)");
+  BOOST_TEST(!std::regex_search(html, outward));
+  BOOST_TEST(!has(std::string(style()), "url("));
+  BOOST_TEST(!has(std::string(style()), "@import"));
+}
+
+BOOST_AUTO_TEST_CASE(the_policy_lets_only_the_pages_scripts_run) {
+  const std::string text =
+      policy(scene_page(example::scene_report(example::rigid_scene), example::origin()));
+  BOOST_TEST(has(text, "default-src 'none'"));
+  BOOST_TEST(!has(text, "unsafe-eval"));
+  const std::string scripts_part =
+      text.substr(text.find("script-src"), text.find("; style-src") - text.find("script-src"));
+  BOOST_TEST(!has(scripts_part, "unsafe-inline"));
+  for (const Script& script : scripts())
+    BOOST_TEST(has(scripts_part, "'" + script_hash(script.text) + "'"));
+}
+
+// SHA-256 of nothing and of "abc" (FIPS 180-2, B.1), in base 64 as browsers print it.
+BOOST_AUTO_TEST_CASE(hashes_are_written_as_browsers_read_them) {
+  BOOST_TEST(script_hash("") == "sha256-47DEQpj8HBSa+/TImW+5JCeuQeRkm5NMpJWZG3hSuFU=");
+  BOOST_TEST(script_hash("abc") == "sha256-ungWv48Bz+pBQUDeXa4iI7ADYaOWF3qctBD/YfIAFa0=");
+}
+
+BOOST_AUTO_TEST_CASE(no_script_can_end_early) {
+  for (const Script& script : scripts()) {
+    BOOST_TEST(!has(std::string(script.text), "</script"));
+    BOOST_TEST(!has(std::string(script.text), "<!--"));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(text_from_a_scene_stays_text) {
+  SceneReport report = example::scene_report(example::rigid_scene, "odd <file>.toml");
+  report.scene.title = hostile;
+  report.scene.text += "# " + hostile;
+  report.scene.warnings = {hostile};
+  report.reasons = {hostile};
+  report.comparisons[0].name = report.comparisons[0].reason = report.comparisons[0].detail =
+      hostile;
+  report.limits[0].name = report.derivation[0].words = report.formula.latex = hostile;
+  const std::string html = page_of(report);
+  BOOST_TEST(!has(html, "<img"));
+  BOOST_TEST(!has(html, "<file>"));
+  BOOST_TEST(has(
+      html,
+      "&lt;/script&gt;&lt;img src=x onerror=alert(1)&gt; &amp; &quot;quotes&quot; &#39;too&#39;"));
+}
+
+BOOST_AUTO_TEST_CASE(escaping_survives_what_is_no_text) {
+  BOOST_TEST(escape("a\xFFz") == "a\xEF\xBF\xBDz");
+  BOOST_TEST(escape(std::string("a\0z", 3)) == "a\xEF\xBF\xBDz");
+  BOOST_TEST(escape("two\r\nlines\tand µ") == "two\nlines\tand µ");
+}
+
+BOOST_AUTO_TEST_CASE(json_in_the_page_cannot_end_its_element) {
+  const nlohmann::ordered_json value{{"key", "</script><!--"}};
+  const std::string text = json_for_page(value);
+  BOOST_TEST(!has(text, "<"));
+  BOOST_TEST((nlohmann::ordered_json::parse(text) == value));
+}
+
+BOOST_AUTO_TEST_CASE(a_rigid_massless_scene_has_neither_mass_nor_drive) {
+  std::string html = page_of(example::scene_report(example::rigid_scene));
+  html = std::regex_replace(html, std::regex("</?t?body>"), "");
+  BOOST_TEST(!has(html, "mass"));
+  BOOST_TEST(!has(html, "drive"));
+  BOOST_TEST(!has(html, "body"));
+}
+
+BOOST_AUTO_TEST_CASE(sections_without_content_are_left_out) {
+  SceneReport report = example::scene_report(example::rigid_scene);
+  BOOST_TEST(has(page_of(report), "<h3>Friction against speed"));
+  BOOST_TEST(has(page_of(report), "<h3>One cycle"));
+  BOOST_TEST(has(page_of(report), "<h3>Limits"));
+  report.curve.clear();
+  report.cycle.reset();
+  report.limits.clear();
+  const std::string html = page_of(report);
+  BOOST_TEST(!has(html, "<h3>Friction against speed"));
+  BOOST_TEST(!has(html, "<h3>One cycle"));
+  BOOST_TEST(!has(html, "<h3>Limits"));
+  BOOST_TEST(!has(html, "creep"));
+}
+
+BOOST_AUTO_TEST_CASE(a_long_list_of_limits_is_folded) {
+  SceneReport report = example::scene_report(example::rigid_scene);
+  const std::string folded = "<details><summary>9 limits</summary>";
+  report.limits.resize(8, report.limits.front());
+  BOOST_TEST(!has(page_of(report), "limits</summary>"));
+  report.limits.resize(9, report.limits.front());
+  BOOST_TEST(has(page_of(report), folded));
+}
+
+BOOST_AUTO_TEST_CASE(the_reduced_model_stands_where_it_applies) {
+  SceneReport report = example::scene_report(example::rigid_scene);
+  BOOST_TEST(!has(page_of(report), "<h3>The reduced model"));
+  report.reduced_model = example::reduced_model();
+  const std::string html = page_of(report);
+  BOOST_TEST(has(html, "<h3>The reduced model"));
+  BOOST_TEST(has(html, "at δ = 1.5, it may be used from v₀ = 0.62 v* on"));
+  BOOST_TEST(has(html,
+                 "<th scope=\"row\">0.3</th><td style=\"--heat: 83%\">+0.250</td>"
+                 "<td style=\"--heat: 0%\">0</td></tr>"));
+  BOOST_TEST(has(html,
+                 "<tr class=\"own\"><th scope=\"row\">1.5<small>this scene</small></th>"
+                 "<td style=\"--heat: 33%\">+0.100</td>"
+                 "<td style=\"--heat: 0%\">-0.001</td></tr>"));
+}
+
+BOOST_AUTO_TEST_CASE(the_reduced_model_may_hold_everywhere_or_nowhere) {
+  SceneReport report = example::scene_report(example::rigid_scene);
+  report.reduced_model = example::reduced_model();
+  report.reduced_model->usable_from = 0.01;
+  BOOST_TEST(has(page_of(report), "it may be used at any speed: it is off by less than 0.01"));
+  report.reduced_model->usable_from.reset();
+  BOOST_TEST(has(page_of(report), "it is not to be used: it is off by more than 0.01"));
+}
+
+BOOST_AUTO_TEST_CASE(creep_is_named_where_there_is_some) {
+  SceneReport report = example::scene_report(example::driven_scene);
+  report.creep_velocity = 2e-3;
+  const std::string html = page_of(report);
+  BOOST_TEST(has(html, "v₀ / (v* + creep)"));
+  BOOST_TEST(has(html, "2 mm/s"));
+}
+
+BOOST_AUTO_TEST_CASE(a_failed_comparison_is_red) {
+  SceneReport report = example::scene_report(example::rigid_scene);
+  report.comparisons[1].found *= 1.001;
+  const std::string html = page_of(report);
+  BOOST_TEST(
+      has(html, "<div class=\"verdict failed\"><p class=\"state\">1 of 2 comparisons failed"));
+  BOOST_TEST(has(html, "badge failed\">failed"));
+}
+
+BOOST_AUTO_TEST_CASE(what_was_not_run_is_never_green) {
+  SceneReport report = example::scene_report(example::rigid_scene);
+  report.comparisons[1].not_run = true;
+  report.comparisons[1].detail = "no C++ compiler found";
+  const std::string html = page_of(report);
+  BOOST_TEST(
+      has(html, "class=\"verdict not-run\"><p class=\"state\">1 comparisons passed, 1 not run"));
+  BOOST_TEST(has(html, "no C++ compiler found"));
+}
+
+BOOST_AUTO_TEST_CASE(an_inadmissible_scene_says_why) {
+  SceneReport report = example::scene_report(example::rigid_scene);
+  report.reasons = {"the contact opens"};
+  const std::string html = page_of(report);
+  BOOST_TEST(has(html, "verdict outside"));
+  BOOST_TEST(has(html, "Outside the model: not simulated"));
+  BOOST_TEST(has(html, "<li>the contact opens</li>"));
+}
+
+BOOST_AUTO_TEST_CASE(only_in_a_suite_is_there_a_way_to_the_others) {
+  const SceneReport report = example::scene_report(example::rigid_scene);
+  const std::string link = "<a href=\"index.html\">";
+  BOOST_TEST(!has(page_of(report), link));
+  BOOST_TEST(has(scene_page(report, example::origin(), true), link));
+}
+
+BOOST_AUTO_TEST_CASE(a_page_stays_below_two_megabytes) {
+  const SceneReport report = example::scene_report(example::driven_scene);
+  BOOST_TEST(scene_page(report, example::origin()).size() < 2000000u);
+}

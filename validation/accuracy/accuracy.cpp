@@ -1,0 +1,78 @@
+#include "accuracy/accuracy.hpp"
+
+#include <fmt/format.h>
+
+#include <exception>
+#include <memory>
+
+#include "accuracy/driver.hpp"
+#include "accuracy/evaluator_errors.hpp"
+#include "accuracy/simulator_errors.hpp"
+#include "accuracy/stability.hpp"
+#include "critical/admissibility.hpp"
+#include "derivation/derivation.hpp"
+
+namespace vcrit::validation::accuracy {
+
+namespace {
+
+constexpr std::uint64_t seed = 20261121;
+constexpr std::size_t sets = 4096;
+
+std::unique_ptr<const Driver> compiled(const Scene& scene, Accuracy& result) {
+  if (scene.receptance) {
+    result.left_out.emplace_back(
+        "No compiled evaluators: the formula needs the table of the measured drive.");
+    return nullptr;
+  }
+  const auto compiler = find_compiler();
+  if (!compiler) {
+    result.left_out.emplace_back("No compiled evaluators: no C++ compiler was found.");
+    return nullptr;
+  }
+  try {
+    return std::make_unique<const Driver>(scene, *compiler);
+  } catch (const std::runtime_error& error) {
+    result.left_out.push_back(fmt::format("No compiled evaluators: {}.", error.what()));
+    return nullptr;
+  }
+}
+
+std::string compiler_version() {
+  const PrivateFolder folder;
+  return describe_compiler(*find_compiler(), folder.path());
+}
+
+void simulate(const Scene& scene, Accuracy& result) {
+  if (const auto reasons = inadmissible_reasons(scene); !reasons.empty()) {
+    result.left_out.push_back(fmt::format("No simulations: {}.", reasons.front()));
+    return;
+  }
+  try {
+    result.simulators = simulator_errors(scene, {0.1, 0.5, 0.99});
+  } catch (const ModelError& error) {
+    result.left_out.push_back(fmt::format("No simulations: {}.", error.what()));
+  }
+}
+
+}  // namespace
+
+Accuracy measure(const Scene& scene, const Progress& progress) {
+  Accuracy result;
+  result.command = fmt::format("vcrit validate {} --out DIR", scene.file);
+  progress("compiling all evaluators");
+  const auto driver = compiled(scene, result);
+  progress("evaluators: error against run time");
+  const std::vector<Symbol> symbols =
+      driver ? driver->symbols() : symbolic::derive(scene).parameters;
+  result.evaluators =
+      evaluator_errors(scene, driver.get(), draw_inputs(scene, symbols, sets, seed));
+  if (driver) result.evaluators.compiler = compiler_version();
+  progress("simulators: error against run time");
+  simulate(scene, result);
+  progress("stability maps");
+  result.maps = stability_maps(scene, driver.get(), result.left_out);
+  return result;
+}
+
+}  // namespace vcrit::validation::accuracy

@@ -1,0 +1,104 @@
+#include "accuracy/cells.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "accuracy/resonance.hpp"
+#include "accuracy/varied_scene.hpp"
+#include "critical/certified.hpp"
+#include "network/masses.hpp"
+#include "stiffness/dynamic_stiffness.hpp"
+#include "stiffness/relaxation.hpp"
+
+namespace vcrit::validation::accuracy {
+
+namespace {
+
+// Of the mean normal force, at most, in a cell.
+constexpr double largest_oscillation = 0.9;
+
+std::vector<double> logarithmic(double middle, double decades, std::size_t size) {
+  std::vector<double> result;
+  for (std::size_t i = 0; i < size; ++i)
+    result.push_back(
+        middle *
+        std::pow(10, decades * (2 * static_cast<double>(i) / static_cast<double>(size - 1) - 1)));
+  return result;
+}
+
+double certified_or_nan(const Scene& scene) {
+  try {
+    return certified_critical_velocity(scene).value;
+  } catch (const ModelError&) {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+}
+
+/// The amplitude that keeps the contact closed. A contact without static load stays as it is.
+double closed_amplitude(const Scene& scene, const Reduction& normal, const Values& values) {
+  const double amplitude = values.at(scene.amplitude.symbol);
+  const double at_rest = relaxation_form(scene.normal, values).equilibrium;
+  if (at_rest == 0) return amplitude;
+  const double omega = values.at(scene.angular_frequency.symbol);
+  const double stiffening = at_rest / std::abs(dynamic_stiffness(normal, values, omega));
+  return std::min(amplitude,
+                  largest_oscillation * stiffening * values.at(scene.indentation.symbol));
+}
+
+/// The column whose cell holds omega; none beside the grid.
+std::optional<std::size_t> column_of(const std::vector<double>& middles, double omega) {
+  const double step = std::log(middles[1] / middles[0]);
+  const double place = std::round(std::log(omega / middles[0]) / step);
+  if (!(place >= 0) || place >= static_cast<double>(middles.size())) return std::nullopt;
+  return static_cast<std::size_t>(place);
+}
+
+/// The angular frequencies of a row, whose other numbers are `values`.
+std::vector<double> row_of(const std::vector<double>& middles, const Resonances& resonances,
+                           const Values& values) {
+  std::vector<double> row = middles;
+  for (const Balance balance : {Balance::resonance, Balance::antiresonance})
+    if (const auto omega = resonances.find(balance, values))
+      if (const auto column = column_of(middles, *omega))
+        row[*column] = *omega * (1 + beside_balance);
+  return row;
+}
+
+}  // namespace
+
+void Cells::for_each(const Scene& scene,
+                     const std::function<void(const Scene&, std::size_t)>& visit) const {
+  VariedScene varied(scene);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    for (const auto& [symbol, value] : values[i])
+      if (varied.has(symbol)) varied.set(symbol, value);
+    visit(varied.scene(), i);
+  }
+}
+
+Cells cells_of(const Scene& scene, const std::vector<Symbol>& scaled, const Grid& grid) {
+  const Values base = values_of(scene);
+  const Reduction normal = reduce(scene.normal);
+  const Resonances resonances(scene);
+  Cells cells;
+  cells.omega = logarithmic(base.at(scene.angular_frequency.symbol), grid.decades, grid.omegas);
+  cells.factor = logarithmic(1, grid.decades, grid.factors);
+  for (const double factor : cells.factor) {
+    Values values = base;
+    for (const Symbol& symbol : scaled) values[symbol] = factor * base.at(symbol);
+    for (const double omega : row_of(cells.omega, resonances, values)) {
+      values[scene.angular_frequency.symbol] = omega;
+      values[scene.amplitude.symbol] = base.at(scene.amplitude.symbol);
+      values[scene.amplitude.symbol] = closed_amplitude(scene, normal, values);
+      cells.values.push_back(values);
+    }
+  }
+  cells.for_each(scene, [&](const Scene& each, std::size_t) {
+    cells.right.push_back(certified_or_nan(each));
+  });
+  return cells;
+}
+
+}  // namespace vcrit::validation::accuracy

@@ -1,0 +1,32 @@
+// The cells of a stability map: a scene's numbers over a grid of angular frequencies and factors,
+// with v* correctly rounded in each. A resonance or antiresonance is narrow and a grid would miss
+// it: in a cell that holds one, omega lies beside it.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "accuracy/stability.hpp"
+#include "scene/scene.hpp"
+
+namespace vcrit::validation::accuracy {
+
+struct Cells {
+  std::vector<double> omega, factor;  ///< middles of the cells; rad/s, 1
+  // A row of one factor after the other:
+  std::vector<Values> values;
+  std::vector<double> right;  ///< m/s; NaN where v* is 0/0
+
+  double omega_of(std::size_t i) const { return omega[i % omega.size()]; }
+  double factor_of(std::size_t i) const { return factor[i / omega.size()]; }
+  /// Calls `visit` with the scene of each cell, in order.
+  void for_each(const Scene& scene,
+                const std::function<void(const Scene& each, std::size_t i)>& visit) const;
+};
+
+/// By how much, relatively, omega lies beside the resonance or antiresonance of its cell.
+constexpr double beside_balance = 1e-8;
+
+Cells cells_of(const Scene& scene, const std::vector<Symbol>& scaled, const Grid& grid);
+
+}  // namespace vcrit::validation::accuracy

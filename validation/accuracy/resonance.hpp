@@ -1,0 +1,32 @@
+// Where the storage stiffness balances the body's inertia: the resonance Re K_d = m omega^2 and the
+// antiresonance Re(K_t + K_d) = m omega^2, near which Eq. 24 cancels.
+#pragma once
+
+#include <optional>
+
+#include "network/reduction.hpp"
+#include "scene/scene.hpp"
+
+namespace vcrit::validation::accuracy {
+
+enum class Balance { resonance, antiresonance };
+
+class Resonances {
+ public:
+  /// `scene` must stay.
+  explicit Resonances(const Scene& scene);
+
+  /// Whether there is a body on a drive that is a network; elsewhere find() finds nothing.
+  bool exist() const { return drive_.has_value(); }
+  /// The angular frequency within nine decades of the scene's own (in `values`), to a rounding
+  /// error; one of them, if there are several. Nothing if there is none.
+  std::optional<double> find(Balance balance, const Values& values) const;
+
+ private:
+  double excess(Balance balance, const Values& values, double omega) const;
+
+  const Scene& scene_;
+  std::optional<Reduction> drive_, tangential_;
+};
+
+}  // namespace vcrit::validation::accuracy

@@ -1,0 +1,52 @@
+#include "accuracy/simulated_cell.hpp"
+
+#include <cmath>
+#include <exception>
+#include <limits>
+
+#include "critical/admissibility.hpp"
+#include "simulation/steady/exact.hpp"
+#include "simulation/steady/onset.hpp"
+
+namespace vcrit::validation::accuracy {
+
+namespace {
+
+constexpr double beside = 1e-6;
+
+bool slides(const simulation::System& system, double velocity) {
+  return simulation::steady_state(system, velocity).regime == simulation::Regime::sliding;
+}
+
+}  // namespace
+
+SimulatedCell simulated_cell(const Scene& scene, double right) {
+  SimulatedCell cell{std::numeric_limits<double>::quiet_NaN(), {}};
+  if (!std::isnormal(right)) return cell;
+  // Extreme numbers may break anything; that is what is looked for.
+  try {
+    const simulation::System system = simulation::system_of(scene);
+    cell.threshold = simulation::sliding_threshold(system).contact_velocity;
+    const double creep = creep_velocity(scene);
+    if (slides(system, right * (1 - beside) + creep)) cell.wrong = "misses the stick below v*";
+    if (!slides(system, right * (1 + beside) + creep))
+      cell.wrong += cell.wrong.empty() ? "sticks above v*" : " and sticks above it";
+  } catch (const std::exception& error) {
+    cell.wrong = std::string("no answer: ") + error.what();
+  }
+  return cell;
+}
+
+SimulatedCell not_asked(const Scene& scene) {
+  SimulatedCell cell{std::numeric_limits<double>::quiet_NaN(),
+                     "not asked: the stuck body swings over 10,000 times in a period"};
+  try {
+    const simulation::System system = simulation::system_of(scene);
+    cell.threshold = simulation::sliding_threshold(system).contact_velocity;
+  } catch (const std::exception& error) {
+    cell.wrong = std::string("no answer: ") + error.what();
+  }
+  return cell;
+}
+
+}  // namespace vcrit::validation::accuracy

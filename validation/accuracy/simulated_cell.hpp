@@ -1,0 +1,23 @@
+// One question to the simulator that has a known answer: does the contact stick just below v*, and
+// slide just above?
+#pragma once
+
+#include <string>
+
+#include "scene/scene.hpp"
+
+namespace vcrit::validation::accuracy {
+
+struct SimulatedCell {
+  double threshold =
+      0;              ///< lowest speed of pure sliding of the contact point, m/s; NaN: none found
+  std::string wrong;  ///< "misses the stick below v*", ...; empty where both answers are right
+};
+
+/// `right`: v* in m/s; where it is no speed nothing is asked.
+SimulatedCell simulated_cell(const Scene& scene, double right);
+
+/// Only the threshold, where the motion below it takes too long.
+SimulatedCell not_asked(const Scene& scene);
+
+}  // namespace vcrit::validation::accuracy

@@ -1,0 +1,198 @@
+#include "accuracy/stability.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "accuracy/cells.hpp"
+#include "accuracy/resonance.hpp"
+#include "accuracy/simulated_cell.hpp"
+#include "critical/admissibility.hpp"
+#include "critical/critical_velocity.hpp"
+#include "network/masses.hpp"
+
+namespace vcrit::validation::accuracy {
+
+namespace {
+
+void add_once(std::vector<Symbol>& symbols, const Symbol& symbol) {
+  if (std::find(symbols.begin(), symbols.end(), symbol) == symbols.end()) symbols.push_back(symbol);
+}
+
+void add_springs(std::vector<Symbol>& symbols, const Network& network) {
+  for_each_element(network, [&](const Element& element) {
+    if (element.kind == ElementKind::spring || element.kind == ElementKind::maxwell)
+      add_once(symbols, element.coefficient);
+  });
+}
+
+void add_relaxation(std::vector<Symbol>& symbols, const Network& network) {
+  for_each_element(network, [&](const Element& element) {
+    if (element.kind == ElementKind::damper) add_once(symbols, element.coefficient);
+    if (element.kind == ElementKind::maxwell) add_once(symbols, element.time);
+  });
+}
+
+std::vector<const Network*> contact_networks(const Scene& scene) {
+  if (const auto* tangential = std::get_if<Network>(&scene.tangential))
+    return {tangential, &scene.normal};
+  return {&scene.normal};
+}
+
+/// Fills in one layer from what was found in the cells.
+Layer layer_of(const Cells& cells, std::string key, std::string name,
+               const std::vector<double>& found) {
+  Layer layer{std::move(key), std::move(name), {}, {}};
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const double right = cells.right[i];
+    const bool comparable = std::isnormal(right);
+    layer.lost.push_back(comparable ? digits_lost(found[i], right)
+                                    : std::numeric_limits<double>::quiet_NaN());
+    if (comparable && !std::isfinite(found[i]))
+      layer.marks.push_back({cells.omega_of(i), cells.factor_of(i), "not finite"});
+  }
+  return layer;
+}
+
+void add_driver_layers(StabilityMap& map, const Cells& cells, const Driver& driver) {
+  std::vector<std::string> keys{driver.has("pasted") ? "pasted" : "complex"};
+  if (driver.has("fast")) keys.emplace_back("fast");
+  std::vector<std::vector<double>> sets;
+  for (const Values& values : cells.values) {
+    std::vector<double>& set = sets.emplace_back();
+    for (const Symbol& symbol : driver.symbols()) set.push_back(values.at(symbol));
+  }
+  for (const Answers& answers : driver.run(sets, keys))
+    map.layers.push_back(layer_of(cells, answers.way.key, answers.way.name, answers.values));
+}
+
+// A stuck body swings freely, and each swing costs the simulator a piece of motion.
+constexpr double most_swings = 1e4;
+
+/// The layer of the simulator, and a mark for each answer that is wrong or missing.
+Layer simulated(const Scene& scene, const Cells& cells) {
+  const Resonances resonances(scene);
+  std::vector<double> thresholds;
+  std::vector<Mark> marks;
+  cells.for_each(scene, [&](const Scene& each, std::size_t i) {
+    const auto swing = resonances.find(Balance::antiresonance, cells.values[i]);
+    const double omega = cells.values[i].at(scene.angular_frequency.symbol);
+    const bool too_long = swing && *swing > most_swings * omega;
+    const SimulatedCell cell = too_long ? not_asked(each) : simulated_cell(each, cells.right[i]);
+    thresholds.push_back(cell.threshold);
+    if (!cell.wrong.empty()) marks.push_back({cells.omega_of(i), cells.factor_of(i), cell.wrong});
+  });
+  Layer layer = layer_of(cells, "simulator", "stick-slip simulation", thresholds);
+  layer.marks = std::move(marks);
+  return layer;
+}
+
+std::vector<Line> balance_lines(const Scene& scene, const Cells& cells) {
+  const Resonances resonances(scene);
+  if (!resonances.exist()) return {};
+  std::vector<Line> lines{{"resonance", {}}, {"antiresonance", {}}};
+  for (std::size_t row = 0; row < cells.factor.size(); ++row) {
+    const Values& values = cells.values[row * cells.omega.size()];
+    const auto add = [&](Line& line, Balance balance) {
+      const auto omega = resonances.find(balance, values);
+      if (omega && *omega >= cells.omega.front() && *omega <= cells.omega.back())
+        line.points.push_back({*omega, cells.factor[row]});
+    };
+    add(lines[0], Balance::resonance);
+    add(lines[1], Balance::antiresonance);
+  }
+  std::erase_if(lines, [](const Line& line) { return line.points.empty(); });
+  return lines;
+}
+
+/// "k0, c1, k[1], ..., k[10]": of an array the first entry and the last.
+std::string names(const std::vector<Symbol>& symbols) {
+  std::string text;
+  for (std::size_t i = 0; i < symbols.size(); ++i) {
+    const auto same = [&](std::size_t j) {
+      return j < symbols.size() && symbols[j].name == symbols[i].name;
+    };
+    if (i > 0 && same(i - 1) && same(i + 1)) continue;
+    const bool after_gap = i > 1 && same(i - 1) && same(i - 2);
+    text += (text.empty() ? "" : after_gap ? " … " : ", ") + to_text(symbols[i]);
+  }
+  return text;
+}
+
+bool can_be_simulated(const Scene& scene) {
+  return !scene.receptance && !(scene.drive && has_masses(*scene.drive)) &&
+         inadmissible_reasons(scene).empty();
+}
+
+}  // namespace
+
+double digits_lost(double found, double right) {
+  if (!std::isfinite(found)) return std::numeric_limits<double>::quiet_NaN();
+  const double relative = std::abs(found - right) / std::abs(right);
+  return relative == 0 ? 0 : std::clamp(std::log10(relative / 0x1p-53), 0.0, 16.0);
+}
+
+std::vector<Symbol> stiffness_symbols(const Scene& scene) {
+  std::vector<Symbol> contact, drive;
+  for (const Network* network : contact_networks(scene)) add_springs(contact, *network);
+  if (scene.drive) {
+    add_springs(drive, *scene.drive);
+    std::erase_if(contact, [&](const Symbol& symbol) {
+      return std::find(drive.begin(), drive.end(), symbol) != drive.end();
+    });
+    return drive.empty() ? std::vector<Symbol>{} : contact;
+  }
+  if (contact.size() < 2) return {};
+  contact.resize(1);
+  return contact;
+}
+
+std::vector<Symbol> relaxation_symbols(const Scene& scene) {
+  std::vector<Symbol> symbols;
+  for (const Network* network : contact_networks(scene)) add_relaxation(symbols, *network);
+  if (scene.drive) add_relaxation(symbols, *scene.drive);
+  return symbols;
+}
+
+StabilityMap stability_map(const Scene& scene, const Driver* driver, const std::string& key,
+                           const std::vector<Symbol>& scaled, const Grid& grid) {
+  StabilityMap map;
+  map.key = key;
+  map.name = names(scaled);
+  map.scaled = scaled;
+  const Cells cells = cells_of(scene, scaled, grid);
+  map.omega = cells.omega;
+  map.factor = cells.factor;
+  std::vector<double> found;
+  cells.for_each(scene,
+                 [&](const Scene& each, std::size_t) { found.push_back(critical_velocity(each)); });
+  map.layers.push_back(layer_of(cells, "formula", "Eq. 24 in doubles", found));
+  if (driver != nullptr) add_driver_layers(map, cells, *driver);
+  if (can_be_simulated(scene)) map.layers.push_back(simulated(scene, cells));
+  map.lines = balance_lines(scene, cells);
+  return map;
+}
+
+std::vector<StabilityMap> stability_maps(const Scene& scene, const Driver* driver,
+                                         std::vector<std::string>& left_out) {
+  std::vector<StabilityMap> maps;
+  if (scene.receptance) {
+    left_out.emplace_back(
+        "No stability maps: nothing is known of the measured drive outside its table.");
+    return maps;
+  }
+  const auto add = [&](const char* key, const std::vector<Symbol>& scaled, const char* why_not) {
+    if (scaled.empty())
+      left_out.emplace_back(why_not);
+    else
+      maps.push_back(stability_map(scene, driver, key, scaled, {}));
+  };
+  add("stiffness", stiffness_symbols(scene),
+      "No map over stiffness ratios: there are no two springs to compare.");
+  add("relaxation", relaxation_symbols(scene), "No map over relaxation times: nothing relaxes.");
+  return maps;
+}
+
+}  // namespace vcrit::validation::accuracy

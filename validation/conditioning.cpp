@@ -1,0 +1,50 @@
+#include "conditioning.hpp"
+
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+#include "network/masses.hpp"
+#include "stiffness/dynamic_stiffness.hpp"
+
+namespace vcrit::validation {
+
+namespace {
+
+/// The same for a measured drive, of which the table's numbers count.
+double measured_condition(const Scene& scene, std::complex<double> contact, double inertia,
+                          double omega) {
+  const auto [below, above] = bracket(*scene.receptance, omega);
+  const double width = above.omega - below.omega;
+  const double share = width > 0 ? (omega - below.omega) / width : 0;
+  const std::complex<double> first(below.re, below.im), second(above.re, above.im);
+  const std::complex<double> receptance = (1 - share) * first + share * second;
+  // The shares are differences of angular frequencies: their errors count like those of omega.
+  const double steepness = width > 0 ? omega / width * std::abs(second - first) : 0;
+  const double error = (1 - share) * std::abs(first) + share * std::abs(second) + steepness;
+  const std::complex<double> d = 1.0 - inertia * receptance;
+  return inertia * (error + 3 * std::abs(receptance)) * (1 / std::abs(d)) +
+         (std::abs(contact) + inertia) * (error + 3 * std::abs(receptance)) /
+             std::abs(contact * receptance + d);
+}
+
+}  // namespace
+
+double condition_number(const Scene& scene, const Values& values) {
+  constexpr double root = std::numbers::sqrt2;
+  const double least = 3 + 2 * root;
+  if (!has_drive(scene)) return least;
+  const double omega = values.at(scene.angular_frequency.symbol);
+  const double inertia = scene.mass ? values.at(scene.mass->symbol) * omega * omega : 0;
+  const auto [network, factor] = tangential_network(scene);
+  const auto contact = factor * dynamic_stiffness(*network, values, omega);
+  if (scene.receptance) return least + measured_condition(scene, contact, inertia, omega);
+  const auto drive = dynamic_stiffness(*scene.drive, values, omega);
+  // Springs and masses cancel inside the drive.
+  const double loss = has_masses(*scene.drive) ? sensitivity(reduce(*scene.drive), values, omega)
+                                               : root * std::abs(drive);
+  const double d = std::abs(drive - inertia), n = std::abs(contact + drive - inertia);
+  return least + (loss + 3 * inertia) / d + (root * std::abs(contact) + loss + 3 * inertia) / n;
+}
+
+}  // namespace vcrit::validation

@@ -1,0 +1,153 @@
+#include "explorer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "critical/admissibility.hpp"
+#include "critical/critical_velocity.hpp"
+#include "emit/languages/languages.hpp"
+#include "simulation/steady/curve.hpp"
+#include "stiffness/dynamic_stiffness.hpp"
+
+namespace vcrit::validation {
+
+namespace {
+
+using simulation::Regime;
+
+constexpr int stops_per_decade = 5, decades = 2;  // to each side
+constexpr double largest_amplitude = 0.99;        // of the normal force, over its mean
+
+/// The generated module as the body of a function that returns what it exports.
+std::string evaluator_script(const Scene& scene) {
+  std::string text = symbolic::emit(scene, "scene", symbolic::Language::javascript);
+  const std::string word = "\nexport const ";
+  for (auto at = text.find(word); at != text.npos; at = text.find(word, at))
+    text.replace(at, word.size(), "\nconst ");
+  return "\"use strict\";\nconst vcrit_scene = (() => {\n" + text +
+         "return { critical_velocity, critical_velocity_batch };\n})();\n";
+}
+
+std::vector<Slider> sliders(const symbolic::Derivation& derivation,
+                            const std::vector<ValueLine>& values) {
+  std::vector<Slider> result;
+  for (const ValueLine& line : values) {
+    const auto& used = derivation.parameters;
+    const bool moves = line.meaning == "mean indentation" ||
+                       std::find(used.begin(), used.end(), line.symbol) != used.end();
+    if (!moves) continue;
+    const auto same = [&](const Slider& slider) { return slider.name == line.symbol.name; };
+    auto slider = std::find_if(result.begin(), result.end(), same);
+    if (slider == result.end())
+      slider = result.insert(
+          slider,
+          {line.symbol.name, line.meaning, line.unit, line.name.mathml, line.symbol.entry > 0, {}});
+    slider->values.push_back(line.value);
+  }
+  return result;
+}
+
+std::vector<double> stops(double omega) {
+  std::vector<double> result;
+  for (int i = -stops_per_decade * decades; i <= stops_per_decade * decades; ++i)
+    result.push_back(omega * std::pow(10, static_cast<double>(i) / stops_per_decade));
+  return result;
+}
+
+std::vector<double> ratios() {
+  std::vector<double> result{0.01, 0.03};
+  for (int i = 1; i <= 19; ++i) result.push_back(i / 20.0);
+  for (const double ratio : {0.97, 0.985, 1.0, 1.2}) result.push_back(ratio);
+  return result;
+}
+
+/// Friction at one frequency and amplitude.
+struct Row {
+  std::vector<double> friction;
+  bool backslip = false;
+};
+
+/// The scene's contact and drive, at other frequencies and amplitudes of the normal force.
+class Simulated {
+ public:
+  explicit Simulated(const Scene& scene)
+      : scene_(scene),
+        values_(values_of(scene)),
+        normal_(reduce(scene.normal)),
+        system_(simulation::system_of(scene)) {}
+
+  /// Amplitude of the normal force over its mean, by the scene's own oscillation.
+  double amplitude_ratio(double omega) const {
+    return std::abs(dynamic_stiffness(normal_, values_, omega)) *
+           values_.at(scene_.amplitude.symbol) / system_.mean_normal_force;
+  }
+
+  Row row(double omega, double amplitude, const std::vector<double>& ratios) const {
+    simulation::System system = system_;
+    system.omega = omega;
+    const auto stiffness = dynamic_stiffness(normal_, values_, omega);
+    system.normal_force_amplitude =
+        stiffness * (amplitude * system.mean_normal_force / std::abs(stiffness));
+    const double threshold = critical_velocity(scene_, omega) * amplitude / amplitude_ratio(omega) +
+                             creep_velocity(scene_);
+    std::vector<double> velocities;
+    for (const double ratio : ratios) velocities.push_back(ratio * threshold);
+    Row result;
+    if (!(threshold > 0 && std::isfinite(threshold))) {
+      result.friction.assign(ratios.size(), std::numeric_limits<double>::quiet_NaN());
+      return result;
+    }
+    for (const auto& point : simulation::friction_curve(system, velocities)) {
+      result.friction.push_back(point.state ? point.state->friction_ratio
+                                            : std::numeric_limits<double>::quiet_NaN());
+      result.backslip |= point.state && point.state->regime == Regime::stick_slip_backslip;
+    }
+    return result;
+  }
+
+ private:
+  const Scene& scene_;
+  Values values_;
+  Reduction normal_;
+  simulation::System system_;
+};
+
+// Without backward slip friction falls short of mu0 in proportion to the amplitude, and one curve
+// is all; else the reader sees what lies between some amplitudes interpolated.
+FrictionGrid friction_grid(const Simulated& simulated, double omega) {
+  FrictionGrid grid{stops(omega), ratios(), {largest_amplitude}, {}, {}};
+  bool backslip = false;
+  for (const double at : grid.omegas) {
+    const Row row = simulated.row(at, largest_amplitude, grid.ratios);
+    grid.amplitude_ratios.push_back(simulated.amplitude_ratio(at));
+    grid.friction.push_back(row.friction);
+    backslip |= row.backslip;
+  }
+  if (!backslip) return grid;
+  grid.amplitudes = {0.1, 0.3, 0.5, 0.7, 0.9, largest_amplitude};
+  grid.friction.clear();
+  for (const double at : grid.omegas)
+    for (const double amplitude : grid.amplitudes)
+      grid.friction.push_back(simulated.row(at, amplitude, grid.ratios).friction);
+  return grid;
+}
+
+}  // namespace
+
+std::optional<Explorer> explorer(const Scene& scene, const symbolic::Derivation& derivation,
+                                 const std::vector<ValueLine>& values) {
+  Explorer result;
+  try {
+    result.script = evaluator_script(scene);
+  } catch (const ModelError&) {
+    return std::nullopt;
+  }
+  result.sliders = sliders(derivation, values);
+  if (!inadmissible_reasons(scene).empty()) return result;
+  const double omega = values_of(scene).at(scene.angular_frequency.symbol);
+  result.friction = friction_grid(Simulated(scene), omega);
+  return result;
+}
+
+}  // namespace vcrit::validation

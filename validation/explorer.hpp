@@ -1,0 +1,17 @@
+// What the page needs so that its reader can move the scene's parameters: the generated JavaScript
+// evaluator for v*, and friction curves simulated beforehand.
+#pragma once
+
+#include <optional>
+
+#include "derivation/derivation.hpp"
+#include "scene_report.hpp"
+
+namespace vcrit::validation {
+
+/// Nothing for drives that generated code does not know. Friction is left out where the scene is
+/// not simulated.
+std::optional<Explorer> explorer(const Scene& scene, const symbolic::Derivation& derivation,
+                                 const std::vector<ValueLine>& values);
+
+}  // namespace vcrit::validation

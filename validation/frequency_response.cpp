@@ -1,0 +1,174 @@
+#include "frequency_response.hpp"
+
+#include <algorithm>
+#include <boost/math/tools/minima.hpp>
+#include <cmath>
+#include <numbers>
+
+#include "analysis/asymptotes.hpp"
+#include "critical/critical_velocity.hpp"
+#include "formula/symbols.hpp"
+#include "formula/value.hpp"
+#include "formulas.hpp"
+#include "network/masses.hpp"
+#include "stiffness/dynamic_stiffness.hpp"
+#include "stiffness/relaxation.hpp"
+
+namespace vcrit::validation {
+
+namespace {
+
+constexpr double points_per_decade = 48;
+constexpr double most_points = 1200;
+
+/// Scene and values, and what is asked of them again and again.
+class Response {
+ public:
+  explicit Response(const Scene& scene)
+      : scene_(scene),
+        values_(values_of(scene)),
+        normal_(reduce(scene.normal)),
+        tangential_(reduce(*tangential_network(scene).network)),
+        factor_(tangential_network(scene).factor) {
+    if (scene.drive) drive_ = reduce(*scene.drive);
+  }
+
+  ResponsePoint at(double omega) const {
+    ResponsePoint point;
+    point.omega = omega;
+    point.normal = std::abs(dynamic_stiffness(normal_, values_, omega));
+    point.tangential = factor_ * std::abs(dynamic_stiffness(tangential_, values_, omega));
+    if (drive_) point.drive = std::abs(dynamic_stiffness(*drive_, values_, omega));
+    point.velocity = critical_velocity(scene_, omega);
+    return point;
+  }
+
+  /// What the drive makes of v*: above 1 near resonance, below near antiresonance.
+  double drive_factor(const ResponsePoint& point) const {
+    return point.velocity * point.tangential / (point.omega * point.normal);
+  }
+  double drive_factor(double omega) const { return drive_factor(at(omega)); }
+
+ private:
+  const Scene& scene_;
+  Values values_;
+  Reduction normal_, tangential_;
+  double factor_;
+  std::optional<Reduction> drive_;
+};
+
+struct Range {
+  double from, to;
+  void include(double omega) {
+    if (!(omega > 0 && std::isfinite(omega))) return;
+    from = std::min(from, omega);
+    to = std::max(to, omega);
+  }
+};
+
+void include_relaxation(Range& range, const Network& network, const Values& values) {
+  if (has_masses(network)) return;
+  for (const auto& branch : relaxation_form(network, values).branches)
+    range.include(1 / branch.time);
+}
+
+/// The mass against each stiffness that it may swing on.
+void include_resonances(Range& range, const Scene& scene, const Values& values) {
+  if (!scene.mass || !scene.drive) return;
+  const double mass = values.at(scene.mass->symbol),
+               omega = values.at(scene.angular_frequency.symbol);
+  const double drive = std::abs(dynamic_stiffness(*scene.drive, values, omega));
+  const auto [contact, factor] = tangential_network(scene);
+  range.include(std::sqrt(drive / mass));
+  range.include(
+      std::sqrt((drive + factor * std::abs(dynamic_stiffness(*contact, values, omega))) / mass));
+}
+
+Range range_of(const Scene& scene, const Values& values) {
+  if (scene.receptance)
+    return {scene.receptance->rows.front().omega, scene.receptance->rows.back().omega};
+  const double omega = values.at(scene.angular_frequency.symbol);
+  Range range{omega, omega};
+  include_relaxation(range, scene.normal, values);
+  include_relaxation(range, *tangential_network(scene).network, values);
+  if (scene.drive) include_relaxation(range, *scene.drive, values);
+  include_resonances(range, scene, values);
+  return {range.from / 100, range.to * 100};
+}
+
+std::vector<double> even_steps(const Range& range) {
+  const double decades = std::log10(range.to / range.from);
+  const auto count =
+      static_cast<int>(std::clamp(std::ceil(points_per_decade * decades), 2.0, most_points));
+  std::vector<double> omegas{range.from};
+  for (int i = 1; i < count; ++i)
+    omegas.push_back(range.from * std::pow(range.to / range.from, double(i) / count));
+  omegas.push_back(range.to);
+  return omegas;
+}
+
+/// Peaks (sign 1) or dips (sign -1) of the drive's factor between neighbours on the grid.
+void find_extremes(const Response& response, const std::vector<double>& factors, double sign,
+                   FrequencyResponse& result) {
+  const auto& points = result.points;
+  for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+    const double least_bump = 1e-6 * factors[i];
+    if (sign * (factors[i] - factors[i - 1]) <= least_bump) continue;
+    if (sign * (factors[i] - factors[i + 1]) <= least_bump) continue;
+    const auto height = [&](double log_omega) {
+      return -sign * std::log(response.drive_factor(std::exp(log_omega)));
+    };
+    const double at = boost::math::tools::brent_find_minima(height, std::log(points[i - 1].omega),
+                                                            std::log(points[i + 1].omega), 40)
+                          .first;
+    result.marks.push_back({std::exp(at), sign > 0});
+  }
+}
+
+/// Peaks are sharper than the grid: more points around them, ever closer.
+void add_points_around_marks(const Response& response, FrequencyResponse& result) {
+  for (const ResonanceMark& mark : result.marks)
+    for (double apart = 0.03; apart > 1e-6; apart /= 1.7)
+      for (const double side : {-1.0, 1.0})
+        result.points.push_back(response.at(mark.omega * (1 + side * apart)));
+  std::sort(result.points.begin(), result.points.end(),
+            [](const ResponsePoint& a, const ResponsePoint& b) { return a.omega < b.omega; });
+}
+
+std::vector<AsymptoteLine> asymptotes_of(const Scene& scene, const Values& values) {
+  std::map<Symbol, GiNaC::numeric> numbers;
+  for (const auto& [symbol, value] : values) numbers[symbol] = GiNaC::numeric(value);
+  std::vector<AsymptoteLine> lines;
+  for (const symbolic::Asymptote& asymptote : symbolic::asymptotes(scene)) {
+    const double coefficient =
+        symbolic::value_at(asymptote.coefficient, asymptote.definitions, numbers).to_double();
+    lines.push_back(
+        {asymptote.name == "omega -> 0", asymptote.power, coefficient,
+         formula_of(asymptote.coefficient * GiNaC::pow(symbolic::omega(), asymptote.power)),
+         equations_of(asymptote.definitions)});
+  }
+  return lines;
+}
+
+}  // namespace
+
+FrequencyResponse frequency_response(const Scene& scene) {
+  const Values values = values_of(scene);
+  const Response response(scene);
+  FrequencyResponse result;
+  result.omega = values.at(scene.angular_frequency.symbol);
+  std::vector<double> factors;
+  for (const double omega : even_steps(range_of(scene, values))) {
+    result.points.push_back(response.at(omega));
+    factors.push_back(response.drive_factor(result.points.back()));
+  }
+  if (scene.mass || scene.receptance || (scene.drive && has_masses(*scene.drive))) {
+    find_extremes(response, factors, 1, result);
+    find_extremes(response, factors, -1, result);
+    add_points_around_marks(response, result);
+  }
+  result.asymptotes = asymptotes_of(scene, values);
+  return result;
+}
+
+}  // namespace vcrit::validation

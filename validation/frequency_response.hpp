@@ -1,0 +1,15 @@
+// Stiffnesses and critical velocity of a scene over angular frequency, with what v* tends to and
+// where the drive resonates.
+#pragma once
+
+#include <optional>
+
+#include "scene_report.hpp"
+
+namespace vcrit::validation {
+
+/// From well below to well above the scene's own frequency and all its rates of relaxation and
+/// resonances; over the table of a measured drive. Every value must be given.
+FrequencyResponse frequency_response(const Scene& scene);
+
+}  // namespace vcrit::validation

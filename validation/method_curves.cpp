@@ -1,0 +1,69 @@
+#include "method_curves.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "simulation/methods/methods.hpp"
+#include "simulation/steady/exact.hpp"
+
+namespace vcrit::validation {
+
+namespace {
+
+using simulation::Method;
+
+constexpr double ratios[] = {0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 0.97, 1.05};
+
+/// Some hundred times what they need where they do well.
+simulation::MethodOptions options() {
+  simulation::MethodOptions result;
+  result.most_periods = 2000;
+  result.most_steps = 300'000;
+  return result;
+}
+
+std::string setting(Method method, const simulation::MethodOptions& options) {
+  switch (method) {
+    case Method::moreau:
+      return fmt::format("{} steps a period", options.steps_per_period);
+    case Method::tanh:
+      return fmt::format("regularised over {} of the speed", options.regularisation);
+    case Method::reduced:
+      return "(47)-(52)";
+    default:
+      return fmt::format("tolerance {}", options.tolerance);
+  }
+}
+
+MethodPoint point(Method method, const simulation::System& system, double threshold, double ratio) {
+  MethodPoint result;
+  result.ratio = ratio;
+  const double exact = simulation::steady_state(system, ratio * threshold).friction_ratio;
+  try {
+    const auto state = simulation::steady_state(method, system, ratio * threshold, options());
+    result.friction_ratio = state.friction_ratio;
+    result.difference = std::abs(state.friction_ratio - exact);
+  } catch (const ModelError& error) {
+    result.reason = error.what();
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<MethodCurve> method_curves(const simulation::System& system, double threshold) {
+  std::vector<MethodCurve> curves;
+  for (const Method method : simulation::all_methods()) {
+    MethodCurve curve{to_text(method), setting(method, options()), {}};
+    for (const double ratio : ratios)
+      curve.points.push_back(point(method, system, threshold, ratio));
+    if (std::any_of(curve.points.begin(), curve.points.end(),
+                    [](const MethodPoint& one) { return one.reason.empty(); }))
+      curves.push_back(std::move(curve));
+  }
+  return curves;
+}
+
+}  // namespace vcrit::validation

@@ -1,0 +1,125 @@
+// The paper gone through, as plain data: what was derived, drawn and compared, with no way to
+// compute it and no way to show it. Equation numbers are the paper's.
+//
+// Motions are without dimensions: k = omega = mu0 <F_n> = 1, delta = omega c/k, F_n = mean
+// (1 + a cos), D = du_z/u_z0 = a/sqrt(1 + delta^2); speeds are v0/v*, friction is mu_macro/mu0.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "figures/figure.hpp"
+#include "scene_report.hpp"
+
+namespace vcrit::validation::paper {
+
+/// An equation of the paper, derived from a scene and as printed.
+struct Proof {
+  std::string equation;  ///< "(29)"
+  std::string words;     ///< of which scene, or in which limit
+  Formula derived;       ///< v*
+  Formula printed;       ///< v*, typed in from the paper
+};
+
+struct Proofs {
+  std::vector<Proof> proofs;
+  std::vector<std::string> rheologies;  ///< for which the rigidly driven isotropic v* was derived
+  std::vector<Comparison> comparisons;
+};
+
+struct Figure4 {
+  std::vector<figures::Figure> reduced, full;  ///< panels a to d
+  std::vector<Comparison> comparisons;
+};
+
+/// Reduced model less full motion.
+struct DifferenceMap {
+  figures::Figure figure;
+  double allowed = 0;     ///< where the line is drawn
+  double safe_delta = 0;  ///< up to which delta it is kept at all speeds, between grid values
+  std::vector<Comparison> comparisons;
+};
+
+/// The largest D without jumping.
+struct JumpLimit {
+  double delta = 0;
+  double printed = 0;           ///< in the paper
+  double formula = 0;           ///< 1/sqrt(1 + delta^2), (52)
+  double by_admissibility = 0;  ///< bisection on the check of scenes
+  double by_simulator = 0;      ///< bisection on what the simulator accepts
+};
+
+struct JumpLimits {
+  std::vector<JumpLimit> rows;
+  std::vector<Comparison> comparisons;
+};
+
+/// Friction at one vanishing speed after the other.
+struct StaticRow {
+  double delta = 0;
+  double limit = 0;             ///< min F_n/<F_n>
+  std::vector<double> full;     ///< one for each speed
+  std::vector<double> slopes;   ///< d ln(full - limit)/d ln speed between one speed and the next
+  std::vector<double> reduced;  ///< one for each speed
+  double reduced_limit = 0;     ///< what the reduced model tends to
+};
+
+struct StaticLimit {
+  double a = 0;
+  std::vector<double> ratios;
+  std::vector<StaticRow> rows;
+  std::vector<Comparison> comparisons;
+};
+
+/// G of mu_macro/mu0 = 1 - D G(v0/v*), elastic contact.
+struct PunchRow {
+  double ratio = 0, reference = 0, closed_form = 0, simulated = 0, fit = 0;
+};
+
+struct FlatPunch {
+  std::vector<PunchRow> rows;
+  figures::Figure figure;
+  std::vector<Comparison> comparisons;
+};
+
+/// One steady state by all methods.
+struct Witness {
+  double delta = 0, ratio = 0;
+  double reference = 0;  ///< 25 digits, tests/data/paper_friction.csv
+  double exact = 0, exact_error = 0;
+  std::vector<double> moreau;  ///< by each number of steps
+  double adaptive = 0, adaptive_error = 0;
+  double reduced = 0;
+};
+
+struct Evidence {
+  double a = 0;
+  std::vector<int> steps;  ///< of Moreau's method a period, each half as long as before
+  std::vector<Witness> rows;
+  std::vector<Comparison> comparisons;
+};
+
+/// What the paper says, and what the comparisons show of it.
+struct Claim {
+  enum class Verdict { holds, does_not_hold, not_shown };
+  std::string words, evidence;
+  Verdict verdict = Verdict::not_shown;
+};
+const char* to_text(Claim::Verdict verdict);  ///< "holds", "does not hold", "not shown"
+
+struct Paper {
+  Proofs proofs;
+  Figure4 figure4;
+  DifferenceMap map;
+  JumpLimits jumps;
+  StaticLimit slow;
+  FlatPunch punch;
+  Evidence evidence;
+  std::vector<Claim> claims;
+};
+
+/// Of all parts, in their order.
+std::vector<Comparison> all_comparisons(const Paper& paper);
+std::vector<figures::Figure> all_figures(const Paper& paper);
+
+}  // namespace vcrit::validation::paper

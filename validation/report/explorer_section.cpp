@@ -1,0 +1,139 @@
+#include "report/explorer_section.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "figures/vega_lite.hpp"
+#include "report/assets.hpp"
+#include "report/html.hpp"
+#include "report/scene_figures.hpp"
+
+namespace vcrit::validation::report {
+
+namespace {
+
+using figures::Figure;
+using figures::Series;
+using figures::Style;
+using nlohmann::ordered_json;
+
+/// A slider moves over four decades around the scene's value; that of the frequency from stop to
+/// stop of the friction grid.
+std::string slider(const Slider& slider, std::size_t number, bool coarse) {
+  const std::string name = slider.array ? slider.name + ", all entries" : slider.name;
+  return fmt::format(
+      "<tr><th scope=\"row\"><label for=\"slider-{0}\">{1}<small>{2}</small></label></th>"
+      "<td><input type=\"range\" id=\"slider-{0}\" min=\"-2\" max=\"2\" step=\"{3}\" value=\"0\" "
+      "aria-label=\"{4}\"></td><td><output for=\"slider-{0}\" "
+      "id=\"value-{0}\"></output></td></tr>\n",
+      number, slider.array ? escape(name) : slider.mathml, escape(slider.meaning),
+      coarse ? "0.2" : "0.05", escape(name + ", " + slider.meaning));
+}
+
+/// Drawn again and again: the series named "now" is what the sliders say.
+ordered_json specification(Figure figure) {
+  ordered_json spec = vega_lite(figure);
+  for (ordered_json& layer : spec["layer"])
+    if (layer["encoding"].contains("color") &&
+        layer["encoding"]["color"].value("datum", "") == "now")
+      layer["data"]["name"] = "now";
+  return spec;
+}
+
+ordered_json response_specification(const SceneReport& report) {
+  Figure figure = velocity_response_figure(report);
+  const Series own = figure.series.back();
+  figure.series = {{"this scene", Style::dashed, own.points, 2},
+                   {"now", Style::line, own.points, 0}};
+  figure.rules.resize(1);
+  figure.height = 260;
+  return specification(figure);
+}
+
+ordered_json friction_specification(const SceneReport& report) {
+  Figure figure = friction_figure(report);
+  const Series own = figure.series.front();
+  figure.series = {{"this scene", Style::dashed, own.points, 2},
+                   {"now", Style::line, own.points, 0}};
+  figure.height = 260;
+  return specification(figure);
+}
+
+ordered_json json(const Slider& slider) {
+  return {{"name", slider.name},
+          {"array", slider.array},
+          {"unit", slider.unit},
+          {"values", slider.values},
+          {"role", slider.meaning}};
+}
+
+ordered_json json(const FrictionGrid& grid) {
+  ordered_json rows = ordered_json::array();
+  for (const auto& row : grid.friction) {
+    ordered_json numbers = ordered_json::array();
+    for (const double value : row)
+      numbers.push_back(std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr));
+    rows.push_back(std::move(numbers));
+  }
+  return {{"ratios", grid.ratios},
+          {"amplitudes", grid.amplitudes},
+          {"amplitude_ratios", grid.amplitude_ratios},
+          {"friction", std::move(rows)}};
+}
+
+ordered_json data(const SceneReport& report) {
+  const Explorer& explorer = *report.explorer;
+  ordered_json object{{"sliders", ordered_json::array()},
+                      {"response", response_specification(report)}};
+  for (const Slider& slider : explorer.sliders) object["sliders"].push_back(json(slider));
+  ordered_json omegas = ordered_json::array();
+  for (const ResponsePoint& point : report.response.points) omegas.push_back(point.omega);
+  object["omegas"] = std::move(omegas);
+  if (explorer.friction && !report.curve.empty()) {
+    object["grid"] = json(*explorer.friction);
+    object["friction"] = friction_specification(report);
+  }
+  return object;
+}
+
+constexpr const char* friction_words =
+    "Friction was simulated beforehand at each stop of the frequency, for the scene’s elements as "
+    "they are: it follows the frequency, the amplitude and the indentation.";
+
+}  // namespace
+
+std::string explorer_section(const SceneReport& report) {
+  if (!report.explorer || report.response.points.empty()) return {};
+  std::string rows;
+  for (std::size_t i = 0; i < report.explorer->sliders.size(); ++i) {
+    const Slider& one = report.explorer->sliders[i];
+    rows += slider(one, i, one.meaning == "angular frequency");
+  }
+  const bool friction = report.explorer->friction && !report.curve.empty();
+  return fmt::format(
+      "<div id=\"explorer\"><h3>What if</h3>\n"
+      "<p>Move a parameter; the generated evaluator computes v* in this page.</p>\n"
+      "<p class=\"explored\"><math><msup><mi>v</mi><mo>*</mo></msup></math> = "
+      "<output id=\"explored-velocity\" aria-live=\"polite\"></output></p>\n"
+      "<p class=\"warnings\" id=\"explored-warning\" aria-live=\"polite\"></p>\n"
+      "<div class=\"scroll\"><table class=\"plain sliders\"><tbody>\n{}</tbody></table></div>\n"
+      "<button type=\"button\" id=\"explorer-reset\">Back to the scene</button>\n"
+      "<figure><div class=\"chart explored-chart\" id=\"explored-response\" role=\"group\" "
+      "aria-label=\"Critical velocity over angular frequency\"></div></figure>\n{}"
+      "<script type=\"application/json\" id=\"explorer-data\">{}</script></div>\n",
+      rows,
+      friction ? fmt::format("<figure><div class=\"chart explored-chart\" id=\"explored-friction\" "
+                             "role=\"group\" aria-label=\"Friction ratio over speed\"></div>"
+                             "<figcaption>{}</figcaption></figure>\n",
+                             friction_words)
+               : "",
+      json_for_page(data(report)));
+}
+
+std::vector<std::string> explorer_scripts(const SceneReport& report) {
+  if (!report.explorer || report.response.points.empty()) return {};
+  return {report.explorer->script, std::string(explorer_script())};
+}
+
+}  // namespace vcrit::validation::report

@@ -1,0 +1,17 @@
+// Sliders for the scene's parameters, and what v* and friction become; explorer.js moves it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scene_report.hpp"
+
+namespace vcrit::validation::report {
+
+/// Empty for a scene without an explorer.
+std::string explorer_section(const SceneReport& report);
+
+/// What must run on the page, in this order; empty for a scene without an explorer.
+std::vector<std::string> explorer_scripts(const SceneReport& report);
+
+}  // namespace vcrit::validation::report

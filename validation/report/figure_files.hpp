@@ -1,0 +1,28 @@
+// `vcrit validate --figures DIR`: the page's figures as files for papers.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "workers.hpp"
+
+namespace vcrit::validation::report {
+
+/// A figure on its way to a file.
+struct FigureFile {
+  std::string folder;  ///< below DIR; empty: DIR itself
+  std::string name;    ///< of the files, without ending
+  std::string script;  ///< for gnuplot
+};
+
+/// Throws InputError unless gnuplot is on the PATH.
+void require_gnuplot();
+
+/// Writes FOLDER/NAME.svg, .pdf and .gp (the script, for changes) of each below `directory`,
+/// several at a time. Throws InputError where a file cannot be written, std::runtime_error where
+/// gnuplot fails.
+void write_figures(const std::vector<FigureFile>& files, const std::filesystem::path& directory,
+                   const Watch& watch);
+
+}  // namespace vcrit::validation::report

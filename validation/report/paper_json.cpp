@@ -1,0 +1,167 @@
+#include "report/paper_json.hpp"
+
+#include "report/html.hpp"
+#include "report/json_parts.hpp"
+
+namespace vcrit::validation::report {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+template <class Item>
+ordered_json list(const std::vector<Item>& items, ordered_json (*write)(const Item&)) {
+  ordered_json array = ordered_json::array();
+  for (const Item& item : items) array.push_back(write(item));
+  return array;
+}
+
+ordered_json comparisons(const std::vector<Comparison>& all) { return list<Comparison>(all, json); }
+
+ordered_json numbers(const std::vector<double>& values) {
+  ordered_json array = ordered_json::array();
+  for (const double value : values) array.push_back(json_number(value));
+  return array;
+}
+
+const char* style_of(figures::Style style) {
+  using figures::Style;
+  switch (style) {
+    case Style::line:
+      return "line";
+    case Style::dashed:
+      return "dashed";
+    case Style::dotted:
+      return "dotted";
+    case Style::circles:
+      return "circles";
+    case Style::dots:
+      return "dots";
+    case Style::crosses:
+      return "crosses";
+    case Style::bars:
+      return "bars";
+  }
+  throw Bug("a style without a name");
+}
+
+ordered_json series(const figures::Series& series) {
+  ordered_json points = ordered_json::array();
+  for (const figures::Point& point : series.points)
+    points.push_back({json_number(point.x), json_number(point.y)});
+  return {{"name", series.name}, {"style", style_of(series.style)}, {"points", points}};
+}
+
+ordered_json figure(const figures::Figure& figure) {
+  ordered_json object{{"name", figure.name},
+                      {"title", figure.title},
+                      {"x", figure.x.title},
+                      {"y", figure.y.title},
+                      {"series", list<figures::Series>(figure.series, series)}};
+  if (figure.map)
+    object["map"] = {{"value", figure.map->value.title},
+                     {"x", numbers(figure.map->x)},
+                     {"y", numbers(figure.map->y)},
+                     {"values", numbers(figure.map->values)}};
+  return object;
+}
+
+ordered_json proof(const paper::Proof& proof) {
+  return {{"equation", proof.equation},
+          {"words", proof.words},
+          {"derived", json(proof.derived)},
+          {"printed", json(proof.printed)}};
+}
+
+ordered_json jump_limit(const paper::JumpLimit& row) {
+  return {{"delta", row.delta},
+          {"printed", row.printed},
+          {"formula", row.formula},
+          {"by_admissibility", row.by_admissibility},
+          {"by_simulator", row.by_simulator}};
+}
+
+ordered_json static_row(const paper::StaticRow& row) {
+  return {{"delta", row.delta},
+          {"limit", row.limit},
+          {"full", numbers(row.full)},
+          {"slopes", numbers(row.slopes)},
+          {"reduced", numbers(row.reduced)},
+          {"reduced_limit", row.reduced_limit}};
+}
+
+ordered_json punch_row(const paper::PunchRow& row) {
+  return {{"velocity_ratio", row.ratio},
+          {"reference", row.reference},
+          {"closed_form", json_number(row.closed_form)},
+          {"simulated", json_number(row.simulated)},
+          {"fit", row.fit}};
+}
+
+ordered_json witness(const paper::Witness& row) {
+  return {{"delta", row.delta},
+          {"velocity_ratio", row.ratio},
+          {"reference", row.reference},
+          {"exact", json_number(row.exact)},
+          {"exact_error", json_number(row.exact_error)},
+          {"moreau", numbers(row.moreau)},
+          {"adaptive", json_number(row.adaptive)},
+          {"adaptive_error", json_number(row.adaptive_error)},
+          {"reduced", json_number(row.reduced)}};
+}
+
+ordered_json claim(const paper::Claim& claim) {
+  return {{"claim", claim.words},
+          {"verdict", paper::to_text(claim.verdict)},
+          {"evidence", claim.evidence}};
+}
+
+ordered_json parts(const paper::Paper& paper) {
+  return {{"equations",
+           {{"proofs", list<paper::Proof>(paper.proofs.proofs, proof)},
+            {"rheologies", paper.proofs.rheologies},
+            {"comparisons", comparisons(paper.proofs.comparisons)}}},
+          {"figure4",
+           {{"reduced", list<figures::Figure>(paper.figure4.reduced, figure)},
+            {"full", list<figures::Figure>(paper.figure4.full, figure)},
+            {"comparisons", comparisons(paper.figure4.comparisons)}}},
+          {"difference",
+           {{"allowed", paper.map.allowed},
+            {"safe_delta", paper.map.safe_delta},
+            {"figure", figure(paper.map.figure)},
+            {"comparisons", comparisons(paper.map.comparisons)}}},
+          {"jump_limits",
+           {{"rows", list<paper::JumpLimit>(paper.jumps.rows, jump_limit)},
+            {"comparisons", comparisons(paper.jumps.comparisons)}}},
+          {"static_limit",
+           {{"normal_force_amplitude_ratio", paper.slow.a},
+            {"velocity_ratios", numbers(paper.slow.ratios)},
+            {"rows", list<paper::StaticRow>(paper.slow.rows, static_row)},
+            {"comparisons", comparisons(paper.slow.comparisons)}}},
+          {"flat_punch",
+           {{"rows", list<paper::PunchRow>(paper.punch.rows, punch_row)},
+            {"figure", figure(paper.punch.figure)},
+            {"comparisons", comparisons(paper.punch.comparisons)}}},
+          {"evidence",
+           {{"normal_force_amplitude_ratio", paper.evidence.a},
+            {"moreau_steps", paper.evidence.steps},
+            {"rows", list<paper::Witness>(paper.evidence.rows, witness)},
+            {"comparisons", comparisons(paper.evidence.comparisons)}}},
+          {"claims", list<paper::Claim>(paper.claims, claim)}};
+}
+
+}  // namespace
+
+const char* const paper_command = "vcrit validate --paper --out report";
+
+bool passed(const paper::Paper& paper) {
+  return count(all_comparisons(paper), Comparison::Outcome::failed) == 0;
+}
+
+std::string paper_json(const PaperContents& contents) {
+  ordered_json report = report_head(contents.origin, passed(contents.paper));
+  report["paper"] = parts(contents.paper);
+  return text_of(report);
+}
+
+}  // namespace vcrit::validation::report

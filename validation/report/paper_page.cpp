@@ -1,0 +1,199 @@
+#include "report/paper_page.hpp"
+
+#include <fmt/format.h>
+
+#include "report/chart.hpp"
+#include "report/comparison_table.hpp"
+#include "report/document.hpp"
+#include "report/equations.hpp"
+#include "report/html.hpp"
+#include "report/paper_tables.hpp"
+
+namespace vcrit::validation::report {
+
+namespace {
+
+using paper::Paper;
+
+bool all_passed(const std::vector<Comparison>& comparisons) {
+  return count(comparisons, Comparison::Outcome::failed) == 0;
+}
+
+const char* state_of(const std::vector<Comparison>& comparisons) {
+  return all_passed(comparisons) ? "passed" : "failed";
+}
+
+std::string verdict(const std::vector<Comparison>& comparisons) {
+  return fmt::format(
+      "<div class=\"verdict {}\"><p class=\"state\">{}</p><p class=\"worst\">{}</p></div>\n",
+      state_of(comparisons), escape(count_words(comparisons)), escape(tightest_words(comparisons)));
+}
+
+/// Open where something failed.
+std::string agreement(const std::vector<Comparison>& comparisons) {
+  return fmt::format("<details class=\"agreement\"{}><summary>{}</summary>\n{}</details>\n",
+                     all_passed(comparisons) ? "" : " open", escape(count_words(comparisons)),
+                     comparison_table(comparisons));
+}
+
+std::string section(const char* id, const char* title, const std::string& content,
+                    const std::vector<Comparison>& comparisons) {
+  return fmt::format("<section class=\"scene\" id=\"{}\">\n<h2>{}</h2>\n{}{}</section>\n", id,
+                     title, content, agreement(comparisons));
+}
+
+std::string badge(const Comparison& comparison) {
+  const bool held = outcome(comparison) == Comparison::Outcome::passed;
+  return fmt::format("<span class=\"badge {}\">{}</span>", held ? "passed" : "failed",
+                     held ? "proved equal" : "not equal");
+}
+
+/// The comparisons begin with those of the proofs, in their order.
+std::string proofs_of(const char* number, const paper::Proofs& proofs) {
+  std::string printed, ways;
+  for (std::size_t i = 0; i < proofs.proofs.size(); ++i) {
+    const paper::Proof& proof = proofs.proofs[i];
+    if (proof.equation != number) continue;
+    printed = proof.printed.mathml;
+    ways += fmt::format("<li><p>{} {}</p>{}</li>\n", escape(proof.words),
+                        badge(proofs.comparisons.at(i)), equation(velocity, proof.derived.mathml));
+  }
+  return fmt::format(
+      "<h3>Equation {}</h3>\n<p>As printed:</p>\n{}\n<p>As derived:</p>\n<ol>\n{}</ol>\n", number,
+      equation(velocity, printed), ways);
+}
+
+std::string equations_section(const paper::Proofs& proofs) {
+  std::string calls;
+  for (const std::string& call : proofs.rheologies)
+    calls += (calls.empty() ? "" : ", ") + ("<code>" + escape(call) + "</code>");
+  return section(
+      "equations", "Equations (29) to (31), derived",
+      "<p>Computer algebra sets up the harmonic balance of contact point and body for each scene "
+      "and solves it; the printed formula is typed in. Both are positive, and their squares are "
+      "rational functions, whose normal form decides whether they are equal.</p>\n" +
+          proofs_of("(29)", proofs) + proofs_of("(30)", proofs) + proofs_of("(31)", proofs) +
+          "<h3>No rheology is left</h3>\n<p>Under a rigid drive an isotropic contact, "
+          "K<sub>t</sub> "
+          "= r K<sub>n</sub>, has v* = μ₀ ω du<sub>z</sub>/r. Derived for " +
+          calls +
+          ". Those that flow cannot carry a mean load as normal contact, but have the same "
+          "formula.</p>"
+          "\n",
+      proofs.comparisons);
+}
+
+std::string figure4_section(const paper::Figure4& figure) {
+  return section(
+      "figure4", "Fig. 4, twice",
+      "<p>Isotropic Kelvin contact under a rigid drive, δ = ω c/k: friction against speed for six "
+      "amplitudes D = du<sub>z</sub>/u<sub>z0</sub>, evenly from 0 to the largest without jumping. "
+      "There F<sub>n</sub> touches zero, so 0.999999 of it is drawn. Dashed: an elastic contact, "
+      "δ = 0, with the same amplitudes. Circles: known to 25 digits, at 0.9 of the largest "
+      "amplitude; they lie on the dotted curve where the model is right.</p>\n<h3>By the reduced "
+      "model (47) to (51), as printed</h3>\n" +
+          panels(figure.reduced) +
+          "<h3>By the full motion</h3>\n<p>With the transient that each stick leaves behind, which "
+          "(50) and (51) drop.</p>\n" +
+          panels(figure.full),
+      figure.comparisons);
+}
+
+std::string map_section(const paper::DifferenceMap& map) {
+  return section("difference", "How far the reduced model is off",
+                 fmt::format("<p>It never says too little friction. At any speed it is off by less "
+                             "than {} up to δ = {:.2g}, and for every δ above about ¾ v*.</p>\n",
+                             map.allowed, map.safe_delta) +
+                     chart(map.figure),
+                 map.comparisons);
+}
+
+std::string jump_section(const paper::JumpLimits& limits) {
+  return section(
+      "jumping", "Amplitudes without jumping",
+      "<p>The contact stays closed while D √(1 + δ²) &lt; 1 (52).</p>\n" + jump_table(limits),
+      limits.comparisons);
+}
+
+std::string slow_section(const paper::StaticLimit& limit) {
+  return section(
+      "slow", "Vanishing speed",
+      "<p>Friction tends to the least normal force over its mean, 1 − D √(1 + δ²), as the power ⅔ "
+      "of "
+      "speed: the contact creeps up to its bound and slips only where the bound is least. At the "
+      "largest amplitude nothing is left of friction, for every δ. The reduced model tends to "
+      "1 − D (δ + π/2 + atan(1/δ))/π instead.</p>\n" +
+          static_table(limit),
+      limit.comparisons);
+}
+
+std::string punch_section(const paper::FlatPunch& punch) {
+  return section(
+      "flat-punch", "The elastic flat punch",
+      "<p>Without damping the friction ratio is 1 − D G(v₀/v*) in closed form. Its slope "
+      "is −π at rest, and it ends as 9/(4π) (1 − v₀/v*)². The fit often quoted is ¾ (1 − "
+      "v₀/v*)² + ¼ (1 − v₀/v*)⁴.</p>\n" +
+          chart(punch.figure) + punch_table(punch),
+      punch.comparisons);
+}
+
+const char* style_of(paper::Claim::Verdict verdict) {
+  if (verdict == paper::Claim::Verdict::holds) return "passed";
+  return verdict == paper::Claim::Verdict::does_not_hold ? "failed" : "not-run";
+}
+
+std::string claims_section(const Paper& paper) {
+  std::string claims;
+  for (const paper::Claim& claim : paper.claims)
+    claims += fmt::format(
+        "<li><p><strong>{}</strong> <span class=\"badge {}\">{}</span></p><p>{}</p></li>\n",
+        escape(claim.words), style_of(claim.verdict), paper::to_text(claim.verdict),
+        escape(claim.evidence));
+  return section(
+      "claims", "What holds",
+      "<ol class=\"claims\">\n" + claims +
+          "</ol>\n<h3>Three methods</h3>\n<p>They share no code: the exact motion between events, "
+          "Moreau’s time stepping, which is blind to events, and an adaptive integrator that "
+          "switches at located ones.</p>\n" +
+          witness_table(paper.evidence),
+      paper.evidence.comparisons);
+}
+
+std::string in_short(const std::vector<paper::Claim>& claims) {
+  std::string lines;
+  for (const paper::Claim& claim : claims)
+    lines += fmt::format("<li>{} <span class=\"badge {}\">{}</span></li>\n", escape(claim.words),
+                         style_of(claim.verdict), paper::to_text(claim.verdict));
+  return "<p>What the paper says, <a href=\"#claims\">and what holds</a>:</p>\n<ul>\n" + lines +
+         "</ul>\n";
+}
+
+std::string opening(const PaperContents& contents) {
+  const auto comparisons = all_comparisons(contents.paper);
+  return fmt::format(
+      "<a class=\"skip\" href=\"#content\">To the results</a>\n"
+      "<header class=\"page\"><p class=\"program\">vcrit {}</p>\n"
+      "<h1>The paper, gone through</h1>\n"
+      "<p class=\"lead\">Zughaibi, Schulze, Li: Critical velocity of controllability of "
+      "sliding friction by normal oscillations for an arbitrary linear rheology, Physical "
+      "Mesomechanics 2018, doi 10.24411/1683-805X-2018-12009. Each number here is compared with "
+      "one found in another way.</p>\n{}</header>\n<main id=\"content\">\n",
+      escape(contents.origin.machine.program),
+      verdict(comparisons) + in_short(contents.paper.claims));
+}
+
+}  // namespace
+
+std::string paper_page(const PaperContents& contents) {
+  const Paper& paper = contents.paper;
+  return document({"The paper, gone through",
+                   opening(contents) + equations_section(paper.proofs) +
+                       figure4_section(paper.figure4) + map_section(paper.map) +
+                       jump_section(paper.jumps) + slow_section(paper.slow) +
+                       punch_section(paper.punch) + claims_section(paper) +
+                       machine_section(contents.origin) + "</main>\n",
+                   true,
+                   {}});
+}
+
+}  // namespace vcrit::validation::report

@@ -1,0 +1,249 @@
+#include "report/scene_figures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "report/stretches.hpp"
+#include "report/units.hpp"
+
+namespace vcrit::validation::report {
+
+namespace {
+
+using figures::Figure;
+using figures::Series;
+using figures::Style;
+using simulation::CyclePoint;
+
+constexpr double period = 2 * std::numbers::pi;
+
+template <class Value>
+Series over_speed(const SceneReport& report, const char* name, Style style, int colour,
+                  Value value) {
+  Series series{name, style, {}, colour};
+  for (const CurvePoint& point : report.curve)
+    series.points.push_back({point.ratio, value(point), ""});
+  return series;
+}
+
+template <class Value>
+Series by_method(const MethodCurve& method, int colour, Value value) {
+  Series series{method.method, Style::crosses, {}, colour};
+  for (const MethodPoint& point : method.points)
+    if (point.reason.empty())
+      series.points.push_back({point.ratio, value(point),
+                               fmt::format("{} at {}: {:.12f}, {:.1e} off", method.method,
+                                           point.ratio, point.friction_ratio, point.difference)});
+  return series;
+}
+
+double omega_of(const SceneReport& report) {
+  return values_of(report.scene).at(report.scene.angular_frequency.symbol);
+}
+
+template <class Value>
+Series over_frequency(const SceneReport& report, const char* name, int colour, Value value) {
+  Series series{name, Style::line, {}, colour};
+  for (const ResponsePoint& point : report.response.points)
+    series.points.push_back({point.omega, value(point), ""});
+  return series;
+}
+
+/// The axis of angular frequency, and the scene's own marked on it.
+Figure response_figure(const SceneReport& report, const char* name) {
+  Figure figure;
+  figure.name = name;
+  const auto& points = report.response.points;
+  figure.x = {
+      "angular frequency ω, rad/s", true, std::pair{points.front().omega, points.back().omega}, {}};
+  figure.rules.push_back({report.response.omega, "this scene", false});
+  return figure;
+}
+
+/// Drawn over the half of the picture where it holds.
+Series asymptote(const SceneReport& report, const AsymptoteLine& line) {
+  const double from = report.response.points.front().omega,
+               to = report.response.points.back().omega;
+  const double middle = std::sqrt(from) * std::sqrt(to);
+  Series series{"asymptotes", Style::dashed, {}, 2};
+  for (const double omega : line.low ? std::array{from, middle} : std::array{middle, to})
+    series.points.push_back({omega, line.coefficient * std::pow(omega, line.power), ""});
+  return series;
+}
+
+/// Over one period in time.
+template <class Value>
+Series over_time(const SceneReport& report, const char* name, Style style, int colour,
+                 const Scale& scale, Value value) {
+  const double omega = omega_of(report), per_second = scale_for(period / omega, "s").factor;
+  Series series{name, style, {}, colour};
+  for (const CyclePoint& point : report.cycle->points)
+    series.points.push_back({point.phase / omega * per_second, value(point) * scale.factor, ""});
+  return series;
+}
+
+template <class Value>
+Scale scale_of(const SceneReport& report, const char* unit, Value value) {
+  double largest = 0;
+  for (const CyclePoint& point : report.cycle->points)
+    largest = std::max(largest, std::abs(value(point)));
+  return scale_for(largest, unit);
+}
+
+/// Time and the shades of stick and backward slip.
+Figure cycle_figure(const SceneReport& report, const char* name, int height) {
+  const double omega = omega_of(report);
+  const Scale time = scale_for(period / omega, "s");
+  Figure figure;
+  figure.name = name;
+  figure.height = height;
+  figure.x = {"time, " + time.unit, false, std::pair{0.0, period / omega * time.factor}, {}};
+  for (const Stretch& stretch : stretches(report.cycle->points, time.factor / omega))
+    figure.bands.push_back(
+        {stretch.from, stretch.to, stretch.backward ? "backward slip" : "stick"});
+  return figure;
+}
+
+}  // namespace
+
+std::vector<Figure> scene_figures(const SceneReport& report) {
+  std::vector<Figure> all;
+  if (!report.response.points.empty()) {
+    all.push_back(velocity_response_figure(report));
+    all.push_back(stiffness_figure(report));
+  }
+  if (!report.curve.empty()) all.push_back(friction_figure(report));
+  if (!report.methods.empty()) all.push_back(residual_figure(report));
+  if (report.cycle) {
+    all.push_back(force_figure(report));
+    all.push_back(velocity_figure(report));
+  }
+  return all;
+}
+
+std::string speed_axis(const SceneReport& report) {
+  return report.creep_velocity > 0 ? "v₀ / (v* + creep)" : "v₀ / v*";
+}
+
+Figure friction_figure(const SceneReport& report) {
+  Figure figure;
+  figure.name = "friction";
+  figure.title = "Friction ratio over speed";
+  figure.caption =
+      "Macroscopic over microscopic friction, simulated; at each speed the motion was started from "
+      "sliding and from rest.";
+  if (report.creep_velocity > 0)
+    figure.caption += fmt::format(
+        " The path creeps by {} under the mean friction force, so the far end must run that much "
+        "faster than the contact point.",
+        quantity(report.creep_velocity, "m/s"));
+  figure.x = {speed_axis(report), false, std::pair{0.0, 1.4}, {}};
+  figure.y = {"friction ratio μ macro / μ₀", false, std::pair{0.0, 1.05}, {}};
+  figure.series.push_back(over_speed(report, "from sliding", Style::line, 0,
+                                     [](const CurvePoint& p) { return p.from_sliding; }));
+  if (!report.curve.empty() && report.curve.front().closed_form)
+    figure.series.push_back(over_speed(report, "closed form", Style::dashed, 2,
+                                       [](const CurvePoint& p) { return *p.closed_form; }));
+  Series rest = over_speed(report, "from rest", Style::circles, 1,
+                           [](const CurvePoint& p) { return p.from_rest; });
+  for (std::size_t i = 0; i < rest.points.size(); ++i)
+    rest.points[i].words = fmt::format("{:.4g}: {:.9f}, {}", report.curve[i].ratio,
+                                       report.curve[i].from_rest, report.curve[i].regime);
+  figure.series.push_back(std::move(rest));
+  int colour = 3;
+  for (const MethodCurve& method : report.methods)
+    figure.series.push_back(
+        by_method(method, colour++, [](const MethodPoint& point) { return point.friction_ratio; }));
+  figure.rules.push_back({1, "pure sliding", false});
+  return figure;
+}
+
+Figure residual_figure(const SceneReport& report) {
+  Figure figure;
+  figure.name = "friction_residual";
+  figure.height = 220;
+  figure.title = "Difference of the other methods from the exact one";
+  figure.caption = "Each with its usual setting, a difference of 0 drawn at 10⁻¹⁷:";
+  figure.x = {speed_axis(report), false, std::pair{0.0, 1.4}, {}};
+  figure.y = {"|difference| of the friction ratio", true, std::pair{1e-17, 1.0}, {}};
+  int colour = 3;
+  for (const MethodCurve& method : report.methods) {
+    figure.series.push_back(by_method(method, colour++, [](const MethodPoint& point) {
+      return std::max(point.difference, 1e-17);
+    }));
+    figure.caption += fmt::format(" {} {},", method.method, method.setting);
+  }
+  figure.caption.back() = '.';
+  return figure;
+}
+
+Figure stiffness_figure(const SceneReport& report) {
+  Figure figure = response_figure(report, "stiffness");
+  figure.height = 240;
+  figure.title = "Dynamic stiffness over angular frequency";
+  figure.caption = "Absolute values of the dynamic stiffness of each network.";
+  figure.y = {"dynamic stiffness |K|, N/m", true, {}, {}};
+  figure.series = {
+      over_frequency(report, "normal contact", 0, [](const ResponsePoint& p) { return p.normal; }),
+      over_frequency(report, "tangential contact", 1,
+                     [](const ResponsePoint& p) { return p.tangential; })};
+  if (report.response.points.front().drive)
+    figure.series.push_back(over_frequency(
+        report, "drive", 3, [](const ResponsePoint& p) { return p.drive.value_or(0); }));
+  return figure;
+}
+
+Figure velocity_response_figure(const SceneReport& report) {
+  Figure figure = response_figure(report, "critical_velocity");
+  figure.title = "Critical velocity over angular frequency";
+  figure.caption = "The formula above with all else as in the scene.";
+  figure.y = {"critical velocity v*, m/s", true, {}, {}};
+  for (const AsymptoteLine& line : report.response.asymptotes)
+    figure.series.push_back(asymptote(report, line));
+  figure.series.push_back(
+      over_frequency(report, "v*", 0, [](const ResponsePoint& p) { return p.velocity; }));
+  for (const ResonanceMark& mark : report.response.marks)
+    figure.rules.push_back({mark.omega, mark.resonance ? "resonance" : "antiresonance", false});
+  return figure;
+}
+
+Figure force_figure(const SceneReport& report) {
+  const auto force = [](const CyclePoint& point) { return point.force; };
+  const auto bound = [](const CyclePoint& point) { return point.friction_bound; };
+  const Scale scale = scale_of(report, "N", [&](const CyclePoint& point) {
+    return std::max(std::abs(force(point)), point.friction_bound);
+  });
+  Figure figure = cycle_figure(report, "cycle_force", 220);
+  figure.title = "Tangential force over one period";
+  figure.caption =
+      "Force of the network on the contact point, between the friction bounds. Shaded: no forward "
+      "slip.";
+  figure.y.title = "tangential force, " + scale.unit;
+  const char* const name = "friction bound ±μ₀ Fₙ";
+  figure.series = {over_time(report, name, Style::dashed, 2, scale, bound),
+                   over_time(report, name, Style::dashed, 2, scale,
+                             [&](const CyclePoint& point) { return -bound(point); }),
+                   over_time(report, "force", Style::line, 0, scale, force)};
+  return figure;
+}
+
+Figure velocity_figure(const SceneReport& report) {
+  const auto velocity = [](const CyclePoint& point) { return point.contact_velocity; };
+  const Scale scale = scale_of(report, "m/s", velocity);
+  Figure figure = cycle_figure(report, "cycle_velocity", 180);
+  figure.title = "Contact velocity over one period";
+  const Cycle& cycle = *report.cycle;
+  figure.caption =
+      fmt::format("{} of the lowest speed of pure sliding, v₀ = {}: friction ratio {:.9f}, {}.",
+                  cycle.ratio == 0.5 ? "Half" : fmt::format("{:.3g}", cycle.ratio),
+                  quantity(cycle.velocity, "m/s"), cycle.friction_ratio, cycle.regime);
+  figure.y.title = "contact velocity, " + scale.unit;
+  figure.series = {over_time(report, "", Style::line, 0, scale, velocity)};
+  return figure;
+}
+
+}  // namespace vcrit::validation::report

@@ -1,0 +1,37 @@
+// The pictures of one scene.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "figures/figure.hpp"
+#include "scene_report.hpp"
+
+namespace vcrit::validation::report {
+
+/// All that the scene has.
+std::vector<figures::Figure> scene_figures(const SceneReport& report);
+
+/// mu_macro/mu0 over the speed in units of the lowest speed of pure sliding.
+figures::Figure friction_figure(const SceneReport& report);
+
+/// How far each other method of report.methods is from the exact one, over the same speed.
+figures::Figure residual_figure(const SceneReport& report);
+
+/// Tangential force and friction bound over one period of report.cycle, stick and backward slip
+/// shaded.
+figures::Figure force_figure(const SceneReport& report);
+
+/// Velocity of the contact point over the same period.
+figures::Figure velocity_figure(const SceneReport& report);
+
+/// |K_n|, |K_t| and, of a drive network, |K_d| over angular frequency.
+figures::Figure stiffness_figure(const SceneReport& report);
+
+/// v* over angular frequency, its asymptotes dashed, resonances marked.
+figures::Figure velocity_response_figure(const SceneReport& report);
+
+/// What the speed axis shows: "v0 / v*", or with creep "v0 / (v* + creep)".
+std::string speed_axis(const SceneReport& report);
+
+}  // namespace vcrit::validation::report

@@ -1,0 +1,29 @@
+// What a table of scenes says of each: enough for an index, small enough to be handed between
+// processes.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "scene_report.hpp"
+
+namespace vcrit::validation::report {
+
+struct SceneLine {
+  std::string file, title;
+  std::string state;        ///< class of the style sheet: "passed", "failed", "not-run", "outside"
+  std::string state_words;  ///< "9 comparisons passed"
+  std::string velocity;     ///< "v* = 4.1 mm/s"
+  std::string tightest;     ///< which comparison is nearest to its tolerance, or farthest beyond
+  std::size_t made = 0;     ///< comparisons that could be made
+  std::vector<std::string> failed, not_run;  ///< names of comparisons
+  std::vector<std::string> warnings;         ///< of reading the scene
+};
+
+SceneLine scene_line(const SceneReport& report);
+
+nlohmann::ordered_json to_json(const SceneLine& line);
+SceneLine scene_line(const nlohmann::ordered_json& json);
+
+}  // namespace vcrit::validation::report

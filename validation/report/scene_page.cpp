@@ -1,0 +1,35 @@
+#include "report/scene_page.hpp"
+
+#include <fmt/format.h>
+
+#include "report/document.hpp"
+#include "report/explorer_section.hpp"
+#include "report/html.hpp"
+#include "report/scene_section.hpp"
+
+namespace vcrit::validation::report {
+
+namespace {
+
+std::string opening(const SceneReport& report, const Origin& origin, bool in_suite) {
+  return fmt::format(
+      "<a class=\"skip\" href=\"#content\">To the results</a>\n"
+      "<header class=\"page\"><p class=\"program\">{}vcrit {}</p>\n<h1>{}</h1>\n"
+      "<p class=\"lead\">Up to the critical velocity v*, normal oscillation lowers sliding "
+      "friction. Here its formula is derived, evaluated in several ways, and set against a "
+      "stick-slip simulation that does not know the formula.</p>\n</header>\n"
+      "<main id=\"content\">\n",
+      in_suite ? "<a href=\"index.html\">All scenes</a> · " : "", escape(origin.machine.program),
+      escape(title_of(report)));
+}
+
+}  // namespace
+
+std::string scene_page(const SceneReport& report, const Origin& origin, bool in_suite) {
+  return document({title_of(report),
+                   opening(report, origin, in_suite) + scene_section(report) +
+                       machine_section(origin) + "</main>\n",
+                   true, explorer_scripts(report)});
+}
+
+}  // namespace vcrit::validation::report

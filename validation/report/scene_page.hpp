@@ -1,0 +1,15 @@
+// The page of one scene: everything in one file, readable without a network, on a phone and on
+// paper.
+#pragma once
+
+#include <string>
+
+#include "report/machine_section.hpp"
+#include "scene_report.hpp"
+
+namespace vcrit::validation::report {
+
+/// `in_suite`: with a way back to the index of all scenes, index.html beside it.
+std::string scene_page(const SceneReport& report, const Origin& origin, bool in_suite = false);
+
+}  // namespace vcrit::validation::report

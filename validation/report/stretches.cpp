@@ -1,0 +1,40 @@
+#include "report/stretches.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace vcrit::validation::report {
+
+namespace {
+
+using simulation::CyclePoint;
+
+constexpr double period = 2 * std::numbers::pi;
+
+}  // namespace
+
+std::vector<Stretch> stretches(const std::vector<CyclePoint>& cycle, double per_phase) {
+  double fastest = 0;
+  for (const auto& point : cycle) fastest = std::max(fastest, std::abs(point.contact_velocity));
+  const double still = 1e-12 * fastest;
+  std::vector<Stretch> result;
+  bool open = false;
+  for (std::size_t i = 0; i < cycle.size(); ++i) {
+    const double velocity = cycle[i].contact_velocity;
+    const double from = cycle[i].phase * per_phase;
+    const double to = (i + 1 < cycle.size() ? cycle[i + 1].phase : period) * per_phase;
+    const bool backward = velocity < -still;
+    if (velocity > still) {
+      open = false;
+    } else if (open && result.back().backward == backward) {
+      result.back().to = to;
+    } else {
+      result.push_back({from, to, backward});
+      open = true;
+    }
+  }
+  return result;
+}
+
+}  // namespace vcrit::validation::report

@@ -1,0 +1,109 @@
+#include "velocity_comparisons.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "compiler.hpp"
+#include "evaluators.hpp"
+
+namespace vcrit::validation {
+
+Comparison velocity_comparison(const SceneReport& report, const char* key, const char* name) {
+  Comparison comparison;
+  comparison.key = key;
+  comparison.name = name;
+  comparison.reference = "Eq. 24, certified";
+  comparison.unit = "m/s";
+  comparison.expected = report.critical_velocity;
+  return comparison;
+}
+
+Comparison not_run(Comparison comparison, const std::string& why) {
+  comparison.not_run = true;
+  comparison.detail = why;
+  return comparison;
+}
+
+Comparison broken(Comparison comparison, const std::string& why) {
+  comparison.broken = true;
+  comparison.detail = why;
+  return comparison;
+}
+
+Comparison in_doubles(const SceneReport& report, const char* key, const char* name, double found) {
+  Comparison comparison = velocity_comparison(report, key, name);
+  comparison.found = found;
+  comparison.tolerance = 32 * unit_roundoff * report.condition;
+  comparison.reason =
+      fmt::format("doubles: 32 roundings of 2⁻⁵³, times the condition number {:.3g} of Eq. 24 here",
+                  report.condition);
+  if (std::isfinite(report.condition)) return comparison;
+  return not_run(comparison, "exactly at (anti)resonance doubles promise nothing");
+}
+
+bool is_speed(double velocity) { return std::isfinite(velocity) && velocity > 0; }
+
+Comparison derived_comparison(const SceneReport& report, const symbolic::Derivation& derivation,
+                              const Values& values) {
+  Comparison comparison = velocity_comparison(report, "derived", "derived formula, 50 digits");
+  comparison.tolerance = unit_roundoff * (2 + report.condition);
+  comparison.reason = fmt::format(
+      "each is rounded once; a decimal ratio is exact in one and a double in the other: one more, "
+      "times the condition number {:.3g}",
+      report.condition);
+  if (!is_speed(report.critical_velocity))
+    return not_run(comparison, "v* is infinite or 0: no relative error");
+  try {
+    comparison.found = derived_velocity(report.scene, derivation, values);
+    return comparison;
+  } catch (const std::exception& error) {
+    return broken(comparison, error.what());
+  }
+}
+
+namespace {
+
+Comparison certified_by_generated(const SceneReport& report, const GeneratedVelocities& generated) {
+  Comparison comparison = in_doubles(report, "generated_certified",
+                                     "generated evaluator, certified", generated.certified);
+  comparison.tolerance = generated.certified_bound + unit_roundoff;
+  comparison.reason = fmt::format("its own bound, {:.2g}, and one rounding of the reference",
+                                  generated.certified_bound);
+  if (std::isfinite(generated.certified_bound)) return comparison;
+  return not_run(comparison, "it gives no bound here");
+}
+
+void add_generated(SceneReport& report, const GeneratedVelocities& generated) {
+  const auto add = [&](const char* key, const char* name, double found) {
+    report.comparisons.push_back(in_doubles(report, key, name, found));
+  };
+  add("generated", "generated evaluator", generated.accurate);
+  add("generated_batch", "generated evaluator, batch call", generated.batch);
+  add("generated_fast", "generated evaluator, fast grade", generated.fast);
+  report.comparisons.push_back(certified_by_generated(report, generated));
+}
+
+}  // namespace
+
+void compare_generated(SceneReport& report, const symbolic::Derivation& derivation,
+                       const Values& values) {
+  const Comparison plain = in_doubles(report, "generated", "generated evaluator", 0);
+  const auto compiler = find_compiler();
+  if (!compiler) {
+    report.comparisons.push_back(not_run(plain, "no C++ compiler found"));
+    return;
+  }
+  try {
+    const PrivateFolder folder;
+    report.compiler = describe_compiler(*compiler, folder.path());
+    add_generated(report,
+                  generated_velocities(report.scene, derivation, values, *compiler, folder.path()));
+  } catch (const ModelError& error) {
+    report.comparisons.push_back(not_run(plain, error.what()));
+  } catch (const std::runtime_error& error) {
+    report.comparisons.push_back(broken(plain, error.what()));
+  }
+}
+
+}  // namespace vcrit::validation

@@ -1,0 +1,182 @@
+#include "workers.hpp"
+
+#include <fmt/format.h>
+#include <poll.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdint>
+#include <cstring>
+#include <memory>
+#include <optional>
+#include <system_error>
+
+#include "base/errors.hpp"
+
+namespace vcrit::validation {
+
+namespace {
+
+enum class Kind : char { step, answer, model_error, error };
+
+/// What goes before each text in a pipe.
+struct Head {
+  Kind kind;
+  std::uint64_t size;
+};
+
+void write_all(int pipe, const char* data, std::size_t size) {
+  while (size > 0) {
+    const ssize_t written = write(pipe, data, size);
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) _exit(1);  // nobody listens any more
+    data += written;
+    size -= static_cast<std::size_t>(written);
+  }
+}
+
+void tell(int pipe, Kind kind, const std::string& text) {
+  Head head{};
+  head.kind = kind;
+  head.size = text.size();
+  char bytes[sizeof head];
+  std::memcpy(bytes, &head, sizeof head);
+  write_all(pipe, bytes, sizeof bytes);
+  write_all(pipe, text.data(), text.size());
+}
+
+[[noreturn]] void serve(int pipe, const std::function<std::string(const Step&)>& work) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  try {
+    tell(pipe, Kind::answer, work([&](const std::string& step) { tell(pipe, Kind::step, step); }));
+  } catch (const ModelError& error) {
+    tell(pipe, Kind::model_error, error.what());
+  } catch (const std::exception& error) {
+    tell(pipe, Kind::error, error.what());
+  }
+  _exit(0);
+}
+
+/// One running job; its process is ended with it.
+class Worker {
+ public:
+  Worker(std::size_t job, const std::function<std::string(const Step&)>& work) : job_(job) {
+    int ends[2] = {};
+    if (pipe(ends) != 0) throw std::system_error(errno, std::generic_category(), "pipe");
+    process_ = fork();
+    if (process_ < 0) throw std::system_error(errno, std::generic_category(), "fork");
+    if (process_ == 0) {
+      close(ends[0]);
+      serve(ends[1], work);
+    }
+    close(ends[1]);
+    pipe_ = ends[0];
+  }
+  ~Worker() {
+    close(pipe_);
+    if (process_ == 0) return;
+    kill(process_, SIGKILL);
+    waitpid(process_, nullptr, 0);
+  }
+  Worker(const Worker&) = delete;
+  Worker& operator=(const Worker&) = delete;
+
+  std::size_t job() const { return job_; }
+  int pipe_end() const { return pipe_; }
+  const std::string& step() const { return step_; }
+  const std::optional<std::string>& answer() const { return answer_; }
+
+  /// Takes what has come. False at the end of the pipe.
+  bool receive(const std::string& name) {
+    std::array<char, 1 << 16> chunk{};
+    const ssize_t size = read(pipe_, chunk.data(), chunk.size());
+    if (size < 0 && errno == EINTR) return true;
+    if (size <= 0) return false;
+    received_.append(chunk.data(), static_cast<std::size_t>(size));
+    while (take(name)) continue;
+    return true;
+  }
+
+  /// How the process ended, which it has.
+  std::string ending() {
+    int status = 0;
+    waitpid(process_, &status, 0);
+    process_ = 0;
+    return WIFSIGNALED(status) ? fmt::format("was ended by signal {}", WTERMSIG(status))
+                               : "ended without an answer";
+  }
+
+ private:
+  bool take(const std::string& name) {
+    Head head{};
+    if (received_.size() < sizeof head) return false;
+    std::memcpy(&head, received_.data(), sizeof head);
+    if (received_.size() - sizeof head < head.size) return false;
+    const std::string text = received_.substr(sizeof head, head.size);
+    received_.erase(0, sizeof head + head.size);
+    if (head.kind == Kind::step) step_ = text;
+    if (head.kind == Kind::answer) answer_ = text;
+    if (head.kind == Kind::model_error) throw ModelError(text);
+    if (head.kind == Kind::error) throw std::runtime_error(name + ": " + text);
+    return true;
+  }
+
+  std::size_t job_;
+  int pipe_ = -1;
+  pid_t process_ = 0;
+  std::string received_, step_;
+  std::optional<std::string> answer_;
+};
+
+using Workers = std::vector<std::unique_ptr<Worker>>;
+
+Standing standing(const Workers& workers, const std::vector<std::string>& names, std::size_t done) {
+  Standing result{done, names.size(), {}};
+  for (const auto& worker : workers)
+    result.running.emplace_back(names[worker->job()], worker->step());
+  return result;
+}
+
+/// Waits until one of them has something to say.
+std::vector<bool> listen(const Workers& workers) {
+  std::vector<pollfd> waiting;
+  for (const auto& worker : workers) waiting.push_back({worker->pipe_end(), POLLIN, 0});
+  while (poll(waiting.data(), waiting.size(), -1) < 0)
+    if (errno != EINTR) throw std::system_error(errno, std::generic_category(), "poll");
+  std::vector<bool> ready;
+  for (const pollfd& one : waiting) ready.push_back(one.revents != 0);
+  return ready;
+}
+
+}  // namespace
+
+std::vector<std::string> in_processes(
+    const std::vector<std::string>& names, unsigned at_once,
+    const std::function<std::string(std::size_t, const Step&)>& work, const Watch& watch) {
+  std::vector<std::string> answers(names.size());
+  Workers workers;
+  for (std::size_t begun = 0, done = 0; done < names.size();) {
+    for (; begun < names.size() && workers.size() < std::max(at_once, 1u); ++begun)
+      workers.push_back(std::make_unique<Worker>(
+          begun, [&, begun](const Step& step) { return work(begun, step); }));
+    const std::vector<bool> ready = listen(workers);
+    for (std::size_t i = workers.size(); i-- > 0;) {
+      if (!ready[i] || workers[i]->receive(names[workers[i]->job()])) continue;
+      Worker& ended = *workers[i];
+      const std::string how = ended.ending();
+      if (!ended.answer()) throw std::runtime_error(names[ended.job()] + ": its process " + how);
+      answers[ended.job()] = *ended.answer();
+      workers.erase(workers.begin() + static_cast<std::ptrdiff_t>(i));
+      ++done;
+    }
+    watch(standing(workers, names, done));
+  }
+  return answers;
+}
+
+}  // namespace vcrit::validation

@@ -1,0 +1,29 @@
+// Jobs in processes of their own, side by side: what they use (computer algebra with one global
+// state) does not work in threads, and one that crashes takes no other with it.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace vcrit::validation {
+
+/// What a job says of itself while it runs.
+using Step = std::function<void(const std::string& step)>;
+
+/// How far everything is.
+struct Standing {
+  std::size_t done = 0, jobs = 0;
+  std::vector<std::pair<std::string, std::string>> running;  ///< name of the job, its last step
+};
+using Watch = std::function<void(const Standing&)>;
+
+/// work(i, step) for each i below names.size(), at most `at_once` at a time, each in a copy of this
+/// process as it is now; the answers in order. `watch` is told of each step. A job's ModelError is
+/// thrown again as one, another exception or a crash as std::runtime_error that names the job; the
+/// other jobs are then ended. Must not be called while other threads run.
+std::vector<std::string> in_processes(
+    const std::vector<std::string>& names, unsigned at_once,
+    const std::function<std::string(std::size_t, const Step&)>& work, const Watch& watch);
+
+}  // namespace vcrit::validation
