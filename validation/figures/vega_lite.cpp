@@ -173,20 +173,10 @@ ordered_json layer(const Figure& figure, const Series& series, const Legend& leg
           {"encoding", std::move(encoding)}};
 }
 
-/// As CSV, which is half as long: a page may hold ten maps.
-ordered_json cells(const Figure& figure, const Map& map) {
-  const auto x = edges(map.x, figure.x.logarithmic), y = edges(map.y, figure.y.logarithmic);
-  std::string rows = "x,x2,y,y2,v\n";
-  for (std::size_t j = 0; j < map.y.size(); ++j)
-    for (std::size_t i = 0; i < map.x.size(); ++i) {
-      const double value = map.values.at(j * map.x.size() + i);
-      if (!drawn(value, map.value).is_null())
-        rows += fmt::format("{:.5g},{:.5g},{:.5g},{:.5g},{:.4g}\n", x[i], x[i + 1], y[j], y[j + 1],
-                            value);
-    }
-  ordered_json types;
-  for (const char* name : {"x", "x2", "y", "y2", "v"}) types[name] = "number";
-  return {{"values", std::move(rows)}, {"format", {{"type", "csv"}, {"parse", std::move(types)}}}};
+ordered_json drawn(const std::vector<double>& values, const Axis& axis) {
+  ordered_json result = ordered_json::array();
+  for (const double value : values) result.push_back(drawn(value, axis));
+  return result;
 }
 
 ordered_json layer(const Figure& figure, const Map& map) {
@@ -195,8 +185,11 @@ ordered_json layer(const Figure& figure, const Map& map) {
   ordered_json seen{{"field", "v"}, {"type", "quantitative"}, {"title", map.value.title}};
   ordered_json fill = seen;
   fill["scale"] = colours;
-  fill["legend"] = {{"orient", "top"}, {"gradientLength", 220}, {"titleLimit", 400}};
-  return {{"data", cells(figure, map)},
+  fill["legend"] = {{"orient", "top"}, {"titleLimit", 400}};
+  const ordered_json grid{{"x", drawn(edges(map.x, figure.x.logarithmic), figure.x)},
+                          {"y", drawn(edges(map.y, figure.y.logarithmic), figure.y)},
+                          {"v", drawn(map.values, map.value)}};
+  return {{"data", {{"grid", grid}}},
           {"mark", mark("rect", {{"clip", true}})},
           {"encoding",
            {{"x", position("x", figure.x)},
@@ -244,6 +237,14 @@ void add(ordered_json& layers, const Figure& figure, const Rule& rule, int row) 
                     {"encoding", std::move(encoding)}});
 }
 
+/// They would lie over the colours.
+void take_grid_lines_away(ordered_json& layers) {
+  for (ordered_json& layer : layers)
+    for (const char* channel : {"x", "y"})
+      if (layer["encoding"].contains(channel) && layer["encoding"][channel].contains("axis"))
+        layer["encoding"][channel]["axis"]["grid"] = false;
+}
+
 }  // namespace
 
 ordered_json vega_lite(const Figure& figure) {
@@ -254,6 +255,7 @@ ordered_json vega_lite(const Figure& figure) {
   for (const Series& series : figure.series) layers.push_back(layer(figure, series, names));
   int row = 0;
   for (const Rule& rule : figure.rules) add(layers, figure, rule, row++ % 6);
+  if (figure.map) take_grid_lines_away(layers);
   return {{"width", "container"},
           {"height", figure.height},
           {"background", nullptr},
