@@ -245,9 +245,23 @@ void take_grid_lines_away(ordered_json& layers) {
         layer["encoding"][channel]["axis"]["grid"] = false;
 }
 
+/// A map fills its picture.
+Figure with_ranges(Figure figure) {
+  const auto set = [](Axis& axis, const std::vector<double>& middles) {
+    const std::vector<double> all = edges(middles, axis.logarithmic);
+    if (!axis.range) axis.range = {all.front(), all.back()};
+  };
+  if (figure.map) {
+    set(figure.x, figure.map->x);
+    set(figure.y, figure.map->y);
+  }
+  return figure;
+}
+
 }  // namespace
 
-ordered_json vega_lite(const Figure& figure) {
+ordered_json vega_lite(const Figure& given) {
+  const Figure figure = with_ranges(given);
   ordered_json layers = ordered_json::array();
   if (figure.map) layers.push_back(layer(figure, *figure.map));
   if (!figure.bands.empty()) layers.push_back(layer(figure, figure.bands));

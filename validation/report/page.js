@@ -61,3 +61,14 @@ for (const button of document.querySelectorAll("button.copy")) {
     }
   });
 }
+
+// Paper has nothing to unfold; what only a screen needs stays hidden by the style.
+const folded = () => document.querySelectorAll("details:not([open]):not(.latex):not(.data)");
+let unfolded = [];
+addEventListener("beforeprint", () => {
+  unfolded = [...folded()];
+  for (const part of unfolded) part.open = true;
+});
+addEventListener("afterprint", () => {
+  for (const part of unfolded) part.open = false;
+});
