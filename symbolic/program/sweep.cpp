@@ -58,7 +58,9 @@ class SweepWriter {
       return {};
     }
     result_.fits = result_.fits && is_short(k->t) && is_short(k->q);
-    return normalised_ && !is_one(program_, k->q) ? scaled_at_usual_omega(*k) : *k;
+    // Where it does not fit, powers of the usual omega need not be doubles either.
+    const bool scaled = result_.fits && normalised_ && !is_one(program_, k->q);
+    return scaled ? scaled_at_usual_omega(*k) : *k;
   }
 
   static bool is_short(const Complex& z) { return z.coefficients.size() <= longest_polynomial; }

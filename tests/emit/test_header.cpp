@@ -93,6 +93,13 @@ BOOST_AUTO_TEST_CASE(arrays_become_arrays) {
   BOOST_TEST(!contains(header, "p.tau[3]"));
 }
 
+// Of which a sweep is never multiplied out: s^100 at 20 kHz is no double.
+BOOST_AUTO_TEST_CASE(a_hundred_branches_under_a_drive_are_printed) {
+  const std::string header = emit_header(
+      scene_of("normal = \"prony(k0, k, tau, 100)\"\npoisson = 0.3", "kd | cd", "m"), "hundred");
+  BOOST_TEST(contains(header, "std::array<double, 100> k"));
+}
+
 BOOST_AUTO_TEST_CASE(libraries_have_names_that_cpp_allows) {
   for (const char* good : {"kelvin", "critical", "my_scene_2", "K", "slider"})
     BOOST_CHECK_NO_THROW(check_library_name(good));
