@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <tuple>
 
 namespace vcrit::validation::extremes {
 
@@ -140,16 +139,15 @@ Figure approach_of(const FamilyResult& family, const Region& region) {
        by_distance(region,
                    [&](std::size_t i) { return std::min(1.0, 0x1p-53 * region.condition[i]); }),
        2});
-  int colour = 0;
-  for (const char* way : {"accurate", "fast", "library"})
+  const auto add = [&](const char* way, const char* name, Style style, int colour) {
     if (const Tally* tally = tally_of(region, way))
       figure.series.push_back(
-          {way_name(way),
-           colour == 0   ? Style::line
-           : colour == 1 ? Style::circles
-                         : Style::crosses,
-           by_distance(region, [&](std::size_t i) { return error_of(tally->digits[i]); }),
-           std::exchange(colour, colour == 0 ? 1 : 4)});
+          {name, style,
+           by_distance(region, [&](std::size_t i) { return error_of(tally->digits[i]); }), colour});
+  };
+  add("accurate", "accurate", Style::line, 0);
+  add("fast", "fast", Style::circles, 1);
+  add("library", "in doubles", Style::crosses, 4);
   return figure;
 }
 

@@ -38,7 +38,7 @@ std::string where(const Extremes& extremes, const std::string& way, std::size_t 
 
 std::string certainty(const Extremes& extremes, const std::string& way) {
   const Tally all = total(extremes, way);
-  std::string text = fmt::format("{}: certified for {} of {} values of v*", way_name(way),
+  std::string text = fmt::format("By “{}”, {} of {} values of v* are certified", way_name(way),
                                  all.values - all.uncertified, all.values);
   text += all.violated == 0
               ? fmt::format(
@@ -47,30 +47,36 @@ std::string certainty(const Extremes& extremes, const std::string& way) {
                     all.over_bound)
               : fmt::format(", {} of them beyond the bound: {}.", all.violated,
                             where(extremes, way, &Tally::violated));
-  if (all.uncertified > 0)
+  if (all.uncertified == 0) return text;
+  const double sharpest = std::min(total(extremes, way, "resonance").uncertified_from,
+                                   total(extremes, way, "antiresonance").uncertified_from);
+  text += fmt::format(" Without a bound: {}.", where(extremes, way, &Tally::uncertified));
+  if (std::isfinite(sharpest))
     text += fmt::format(
-        " It ends at a condition number of {:.2g}, or where numbers leave its range: {}.",
-        all.uncertified_from, where(extremes, way, &Tally::uncertified));
+        " Near resonance and antiresonance that begins at a condition number of {:.1g}; elsewhere "
+        "numbers leave the range that the generated header looks at.",
+        sharpest);
   return text;
 }
 
 std::string losses(const Extremes& extremes, const std::string& way) {
   const Tally all = total(extremes, way);
-  std::string text = fmt::format("{}: ", way_name(way));
+  std::string text = fmt::format("By “{}”, ", way_name(way));
   if (all.lost + all.no_number == 0)
     return text + fmt::format("no digit is lost beyond conditioning in {} values.", all.values);
   if (all.lost > 0)
-    text += fmt::format("of {} values, digits are lost beyond conditioning (up to {:.1f}) for {}. ",
+    text += fmt::format("of {} values digits are lost beyond conditioning (up to {:.1f}): {}. ",
                         all.values, all.worst_lost, where(extremes, way, &Tally::lost));
   if (all.no_number > 0)
-    text += fmt::format("No number where v* is one: {}.", where(extremes, way, &Tally::no_number));
+    text += fmt::format("there is no number where v* is one: {}.",
+                        where(extremes, way, &Tally::no_number));
   return text;
 }
 
 std::string of_simulator(const Simulated& all) {
   return fmt::format(
-      "Simulator: asked {} times just below and just above v*, {} answers are right, {} wrong; {} "
-      "times it gives no answer. Not asked {} times: see the maps.",
+      "The simulator, asked {} times just below and just above v*, is right {} times, wrong {} "
+      "times, and gives no answer {} times. It was not asked {} times.",
       all.asked, all.right, all.wrong, all.silent, all.left_out);
 }
 

@@ -46,16 +46,23 @@ std::string simulator_section(const Extremes& all) {
       comparisons);
 }
 
-std::string scenes() {
-  return "<section class=\"scene\" id=\"scenes\">\n<h2>How it is judged</h2>\n<p>The scenes have "
-         "numbers near 1 in SI units, so that all extremes are equally far. The reference is v* "
-         "correctly rounded, by interval arithmetic of adaptive precision; of each kind of extreme "
+std::string judging_section(const Extremes& all) {
+  std::string scenes;
+  for (const extremes::FamilyResult& family : all.families)
+    scenes += fmt::format("<li><code>{}</code>: {}</li>\n", family.key, escape(family.title));
+  return "<section class=\"scene\" id=\"judging\">\n<h2>How it is judged</h2>\n<p>The reference is "
+         "v* correctly rounded, by interval arithmetic of adaptive precision; of each kind of "
+         "extreme "
          "about thirty values are computed again from the formula as derived, in 200 digits, which "
          "shares no code with it. Digits are lost where the error is more than 32 units of "
          "rounding "
          "times the condition number of Eq. (24). A value off by more than its claimed bound is a "
          "failure, a value without a bound a loss. du<sub>z</sub> is reduced where the contact "
-         "would open: v* is linear in it.</p>\n</section>\n";
+         "would "
+         "open: v* is linear in it.</p>\n<p>The scenes have numbers near 1 in SI units, so that "
+         "all "
+         "extremes are equally far:</p>\n<ul>\n" +
+         scenes + "</ul>\n</section>\n";
 }
 
 std::string opening(const ExtremesContents& contents) {
@@ -74,7 +81,7 @@ std::string opening(const ExtremesContents& contents) {
 }  // namespace
 
 std::string extremes_page(const ExtremesContents& contents) {
-  std::string body = opening(contents) + scenes();
+  std::string body = opening(contents) + judging_section(contents.extremes);
   for (const extremes::RegionName& region : extremes::regions())
     body += region_section(contents.extremes, region);
   body += simulator_section(contents.extremes) + machine_section(contents.origin) + "</main>\n";

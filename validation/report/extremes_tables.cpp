@@ -29,21 +29,25 @@ std::string counted(std::size_t count) {
   return count == 0 ? "0" : fmt::format("<strong>{}</strong>", count);
 }
 
-/// "3 (up to 2.1)": how many lost how much.
-std::string lost(const Tally& tally) {
-  return tally.lost == 0
-             ? "0"
-             : fmt::format("<strong>{}</strong> (to {:.1f})", tally.lost, tally.worst_lost);
+/// "6 not certified, 2 no number, 3 lose up to 1.5 digits", or that nothing is lost.
+std::string losses(const Tally& tally) {
+  std::string text;
+  const auto add = [&](std::size_t count, const std::string& words) {
+    if (count > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", counted(count), words);
+  };
+  add(tally.violated, "beyond the bound");
+  add(tally.uncertified, "not certified");
+  add(tally.no_number, "no number");
+  add(tally.lost, fmt::format("lose up to {:.1f} digits", tally.worst_lost));
+  return text.empty() ? "none" : text;
 }
 
 Cells loss_row(const FamilyResult& family, const Region& region) {
-  Cells cells{escape(family.title), std::to_string(region.tallies.front().values)};
+  Cells cells{family.key, std::to_string(region.tallies.front().values)};
   for (const Tally& tally : region.tallies) {
     if (tally.way != "library" && tally.way != "fast" && tally.way != "accurate") continue;
-    cells.insert(cells.end(), {lost(tally), counted(tally.no_number)});
-    if (tally.way == "library") continue;
-    cells.insert(cells.end(),
-                 {counted(tally.uncertified), fmt::format("{:.2f}", tally.over_bound)});
+    cells.push_back(losses(tally));
+    if (tally.way != "library") cells.push_back(fmt::format("{:.2f}", tally.over_bound));
   }
   return cells;
 }
@@ -72,19 +76,17 @@ const char* const worst_caption =
 }  // namespace
 
 std::string loss_table(const Extremes& extremes, const std::string& key) {
-  Cells headings{"scene", "values", "in doubles: lost", "no number"};
+  Cells headings{"scene", "values", "in doubles"};
   if (!extremes.compiler.empty())
-    headings.insert(headings.end(),
-                    {"fast: lost", "no number", "not certified", "error / bound", "accurate: lost",
-                     "no number", "not certified", "error / bound"});
+    headings.insert(headings.end(), {"fast", "error / bound", "accurate", "error / bound"});
   std::vector<Cells> rows;
   for_each_region(extremes, key, [&](const FamilyResult& family, const Region& region) {
     rows.push_back(loss_row(family, region));
   });
   return number_table(
       headings, rows,
-      "Values: cells in which v* is a normal double. Lost: off by more than conditioning explains, "
-      "and by up to how many digits more. Error / bound: the largest; above 1 the bound is wrong.");
+      "Losses among so many values, the cells in which v* is a normal double. Digits count as lost "
+      "beyond what conditioning explains. Error / bound: the largest; above 1 the bound is wrong.");
 }
 
 std::string worst_table(const Extremes& extremes, const std::string& key) {
@@ -104,9 +106,8 @@ std::string simulator_table(const Extremes& extremes) {
   for_each_region(extremes, {}, [&](const FamilyResult& family, const Region& region) {
     if (!region.simulated) return;
     const extremes::Simulated& s = *region.simulated;
-    rows.push_back({escape(family.title), region.key, std::to_string(s.asked),
-                    std::to_string(s.right), counted(s.wrong), counted(s.silent),
-                    std::to_string(s.left_out)});
+    rows.push_back({family.key, region.key, std::to_string(s.asked), std::to_string(s.right),
+                    counted(s.wrong), counted(s.silent), std::to_string(s.left_out)});
   });
   return number_table(
       {"scene", "extreme", "asked", "right", "wrong", "no answer", "not asked"}, rows,
