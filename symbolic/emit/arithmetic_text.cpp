@@ -87,7 +87,7 @@ template <class T> T mad(auto a, auto b, auto c) {  // a b + c
 const char* const less_inertia =
     R"(template <class T> T less_inertia(double k, double m, double w) {  // k - m w^2, exact but for the last rounding
   const Twofold t = Twofold::product(m, w), p = Twofold::product(t.hi, w), q = Twofold::product(t.lo, w);
-  if constexpr (std::is_same_v<T, double>) return std::fma(-t.lo, w, std::fma(-t.hi, w, k));
+  if constexpr (std::is_same_v<T, double>) return std::fma(-m, std::fma(w, w, -(w * w)), std::fma(-m, w * w, k));
   else if constexpr (std::is_same_v<T, Twofold>) return T::sum(k, -p.hi) + -T::sum(p.lo, q.hi) + -q.lo;
   const Wide a(k), b(m), c(w), bcc = b * c * c;
   if (std::labs(a.e - bcc.e) > 300) return T(a + -bcc);
@@ -110,7 +110,15 @@ const char* const nonzero =
 )";
 
 const char* const magnitude =
-    R"(template <class T> T magnitude(T x) { return head(x) < 0 ? -x : x; }
+    R"(template <class T> T magnitude(T x) {
+  if constexpr (std::is_same_v<T, double>) return std::fabs(x); else return head(x) < 0 ? -x : x;
+}
+)";
+
+const char* const steps =
+    R"(inline unsigned long long steps(double x, double least) {  // 2^(52 + n) or more: beyond 2^(2^n) least, or no number
+  return std::bit_cast<unsigned long long>(x) - std::bit_cast<unsigned long long>(least);
+}
 )";
 
 const char* const unless_moderate =
@@ -120,9 +128,9 @@ using std::sqrt;
 )";
 
 const char* const result =
-    R"(struct Result : Certified { bool safe; };
+    R"(struct Result : Certified { unsigned long long unsafe; };
 // v* = factor @ROOT@(above/below). Factors (1 + e_j)^(+-1) with sum |e_j| = e < 2^-10 change it by less than 1.01 e, the
-// last rounding by u, and another one by 2^-1075 where numbers are subnormal. safe: none has left the range of doubles.
+// last rounding by u, and another one by 2^-1075 where numbers are subnormal. unsafe is 0 if none left the range of doubles.
 template <class T>
 [[gnu::always_inline]] inline Result finished(const Parameters& p, T above, T below, T factor, auto roundings) {
   constexpr bool plain = std::is_same_v<T, double>, wide = std::is_same_v<T, Wide>;
@@ -131,44 +139,44 @@ template <class T>
   const double v = wide && !(h > 0 && h < HUGE_VAL) ? @SIMPLE@ * head(factor) : whole;
   const double last = !wide || v >= 0x1p-1022 ? u : v > 0 ? u + 0x1p-1074 / (2.0 * v - 0x1p-1074) : 1.0;
   const bool inside = in_range(p), known = (e < 0x1p-10) & (v < HUGE_VAL) & (!plain | inside);
-  const bool safe = plain ? @PLAIN@ : (h > 0x1p-900) & (h < 0x1p900) & (v >= 0x1p-1022) & inside;
-  return {{v, known ? (1.01 * e + last) * (1.0 + 0x1p-50) : HUGE_VAL}, wide || safe};
+  const bool safe = wide | ((h > 0x1p-900) & (h < 0x1p900) & (v >= 0x1p-1022) & inside);
+  return {{v, known ? (1.01 * e + last) * (1.0 + 0x1p-50) : HUGE_VAL}, plain ? @PLAIN@ : safe ? 0ULL : 1ULL};
 }
 )";
 
 const char* const sweep =
     R"(template <class T> [[gnu::noinline]] Result result(const Parameters& p, auto&... partial) {
   const Result r = evaluate<T>(p, partial...);
-  return r.safe ? r : result<Wide>(p, partial...);
+  return r.unsafe == 0 ? r : result<Wide>(p, partial...);
 }
 template <class T> Gradient gradient(const Parameters& p) { Gradient g{}; g.value = result<T>(p, g.partial).value; return g; }
-// In blocks, whose loop is vectorised; what is not safe again, one by one.
+// The first loop is vectorised, straight from `omega` to `out` if they are apart; what is not safe again, one by one.
 template <class T, Result function(const Parameters&) = evaluate<T>>
 [[gnu::flatten]] void sweep(const Parameters p, std::span<const double> omega, std::span<double> out) {
-  std::array<double, 128> in, value;
-  in.fill(p.omega);
-  for (std::size_t i = 0, size = std::min(omega.size(), out.size()); i < size; i += in.size()) {
-    const std::size_t n = std::min(in.size(), size - i);
-    std::copy_n(omega.data() + i, n, in.data());
-    std::size_t unsafe = 0;
-    const auto at = [&](std::size_t l) { Parameters q = p; q.omega = in[l]; return q; };
-    const auto store = [&](std::size_t l, const Result& r) { value[l] = r.value, unsafe |= !r.safe; };
-    for (std::size_t l = 0; l < in.size(); ++l) store(l, function(at(l)));
+  std::array<double, 1024> copy;
+  const std::size_t size = std::min(omega.size(), out.size());
+  const bool apart = omega.data() + size <= out.data() || out.data() + size <= omega.data();
+  for (std::size_t i = 0, n = 0; i < size; i += n) {
+    n = std::min(copy.size(), size - i);
+    if (!apart) std::copy_n(omega.data() + i, n, copy.data());
+    const double* const from = apart ? omega.data() + i : copy.data();
+    unsigned long long unsafe = 0;
+    const auto at = [&](std::size_t l) { Parameters q = p; q.omega = from[l]; return q; };
+    const auto store = [&](std::size_t l, const Result& r) { out[i + l] = r.value, unsafe |= r.unsafe; };
+    for (std::size_t l = 0; l < n; ++l) store(l, function(at(l)));
     for (std::size_t l = 0; unsafe != 0 && l < n; ++l) store(l, result<T>(at(l)));
-    std::copy_n(value.data(), n, out.data() + i);
   }
 }
 )";
 
 const char* const polynomials =
-    R"(// For sweeps: T and Q as polynomials in i omega. Their coefficients, computed once, are positive and the roots negative,
-// so that sums are at most 2^(n/2) times smaller than their terms, n <= 10; beyond what is checked the other way is taken.
+    R"(// For sweeps: T and Q as polynomials in i omega, whose coefficients are computed once. Their terms add up to at most 2^5
+// times their sums, but for (anti)resonance; beyond what is checked the other way is taken.
 )";
 
 const char* const polynomials_end =
-    R"(  const bool moderate = (above > 0x1p-900) & (above < 0x1p900) & (below > 0x1p-900) & (below < 0x1p900);
-  const bool safe = moderate & (p.omega > 0x1p-24) & (p.omega < 0x1p24);
-  return {{v, HUGE_VAL}, safe};
+    R"(  const auto squares = steps(above, 0x1p@SQUARE@) | steps(below, 0x1p@SQUARE@);
+  return {{v, HUGE_VAL}, squares >> 62 | steps(p.omega, 0x1p@OMEGA@) >> 58};
 }
 )";
 
@@ -182,11 +190,48 @@ const char* const batch =
 #pragma clang diagnostic push
 #pragma clang diagnostic ignored "-Wpass-failed"
 #endif
+// Values alone in plain double, straight from the columns to `out`. A number that compilers cannot know to be 0 keeps
+// them from reading a column, mostly across the lines of the cache, anew for each of its uses.
+template <Varying S> [[gnu::flatten]] void straight(const Parameters p, const Columns c, std::span<double> out) {
+  using Bits = unsigned long long;
+  const volatile Bits unknown = 0;
+  const Bits zero = unknown;
+  double* const to = out.data();
+  const auto at = [&](std::size_t l) {
+    Parameters q;
+    each([l, zero](double& x, bool varies, bool again, const double* y, double z) {
+      x = !varies ? z : again ? std::bit_cast<double>(std::bit_cast<Bits>(y[l]) ^ zero) : y[l];
+    }, q, S, reused, c, p);
+    return q;
+  };
+  for (std::size_t i = 0, end = 0; i < out.size(); i = end) {
+    end = std::min(i + 1024, out.size());
+    Bits unsafe = 0;
+    const auto store = [&](std::size_t l, const Result& r) { to[l] = r.value, unsafe |= r.unsafe; };
+#ifdef __clang__
+#pragma clang loop vectorize(assume_safety)
+#else
+#pragma GCC ivdep
+#endif
+    for (std::size_t l = i; l < end; ++l) store(l, evaluate<double>(at(l)));
+    for (std::size_t l = i; unsafe != 0 && l < end; ++l) store(l, result<double>(at(l)));
+  }
+}
+// What varies has columns, and none of them is overwritten.
+template <Varying S> bool is_straight(const Columns& c, std::span<double> out) {
+  bool apart = true;
+  each([&](bool varies, const double* x) {
+    apart &= !varies || (x && (x + out.size() <= out.data() || out.data() + out.size() <= x));
+  }, S, c);
+  return apart;
+}
 // In blocks, whose loop is vectorised; what is not safe again, one by one.
 template <class T, Varying S>
 [[gnu::flatten]] void batch(const Parameters p, const Columns& c, std::span<double> out, auto&&... more) {
   constexpr bool G = (std::is_same_v<std::decay_t<decltype(more)>, PartialColumns> || ...);
   constexpr bool B = sizeof...(more) != 0 && !G;
+  if constexpr (std::is_same_v<T, double> && sizeof...(more) == 0)
+    if (is_straight<S>(c, out)) return straight<S>(p, c, out);
   using Lanes = std::array<double, 64>;
   Each<Lanes> in, partial;
   Columns from;
@@ -199,14 +244,14 @@ template <class T, Varying S>
       if (x && !whole) std::copy_n(x + i, n, own.data());
       y = whole ? x + i : own.data();
     }, from, in, c, p);
-    std::size_t unsafe = 0;
+    unsigned long long unsafe = 0;
     const auto at = [&](std::size_t l) {
       Parameters q;
       each([l](double& x, bool varies, const double* y, double z) { x = varies ? y[l] : z; }, q, S, from, p);
       return q;
     };
     const auto store = [&](std::size_t l, const Result& r, auto&... d) {
-      value[l] = r.value, bound[l] = r.relative_error_bound, unsafe |= !r.safe;
+      value[l] = r.value, bound[l] = r.relative_error_bound, unsafe |= r.unsafe;
       if constexpr (G) each([l](Lanes& y, double x) { y[l] = x; }, partial, d...);
     };
 #ifdef __clang__

@@ -17,6 +17,8 @@ extern const char* const unit;
 extern const char* const nonzero;
 extern const char* const magnitude;
 extern const char* const unless_moderate;
+/// Whether a positive number is of ordinary size, without comparing.
+extern const char* const steps;
 /// The error bound, and one result with what it falls back to.
 extern const char* const result;
 /// Batches over omega, and over any columns, in blocks.

@@ -13,7 +13,7 @@
 #include "emit/generate.hpp"
 #include "emit/names.hpp"
 #include "emit/parameters.hpp"
-#include "program/velocity.hpp"
+#include "program/sweep.hpp"
 
 namespace vcrit::symbolic {
 
@@ -127,7 +127,7 @@ std::string euler(const Scene& scene, const ParameterList& parameters, const Fix
   return fmt::format("{}", fmt::join(terms, ", "));
 }
 
-/// A fast sweep gives the bits of single calls, or takes polynomials in omega: T and Q of a network
+/// A fast sweep gives the bits of single calls, or takes polynomials in omega: T, Q, D and N
 /// then err by 5 roundings a term, 11 terms, times 2^5 for cancellation, 3500 in all, where the
 /// bound of the single call counts 9 or more for the network.
 std::string fast_sweep(const Scene& scene, const ParameterList& parameters) {

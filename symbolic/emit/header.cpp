@@ -3,6 +3,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <functional>
 #include <map>
 
 #include "derivation/derivation.hpp"
@@ -14,6 +15,7 @@
 #include "emit/pieces.hpp"
 #include "emit/words.hpp"
 #include "program/gradient.hpp"
+#include "program/sweep.hpp"
 #include "program/velocity.hpp"
 
 namespace vcrit::symbolic {
@@ -43,20 +45,47 @@ std::string members(const ParameterList& parameters, const std::string& type,
   return out + statement(line + ";");
 }
 
+/// A Varying with `entry`, "true" or "false", for every number.
+std::string flags(const ParameterList& parameters, const std::string& name,
+                  const std::function<std::string(const Symbol&)>& entry) {
+  std::vector<std::string> all;
+  for (const Member& member : parameters.members()) {
+    std::vector<std::string> entries;
+    for (int i = 1; i <= member.length; ++i) entries.push_back(entry({member.name, i}));
+    all.push_back(member.length == 0 ? entry({member.name})
+                                     : fmt::format("{{{}}}", fmt::join(entries, ", ")));
+  }
+  return statement(fmt::format("constexpr Varying {}{{{}}};", name, fmt::join(all, ", ")))
+      .substr(2);
+}
+
 /// each(f, a, b, ...): f(a.k0, b.k0, ...) for every number, without a loop, which compilers would
 /// stop at.
 std::string each_function(const ParameterList& parameters) {
-  std::vector<std::string> calls, all;
+  std::vector<std::string> calls;
   for (const Member& member : parameters.members()) {
-    const std::vector<std::string> entries(static_cast<std::size_t>(member.length), "true");
-    all.push_back(member.length == 0 ? "true" : fmt::format("{{{}}}", fmt::join(entries, ", ")));
     if (member.length == 0) calls.push_back(fmt::format("f(a.{}...);", member.name));
     for (int i = 0; i < member.length; ++i)
       calls.push_back(fmt::format("f(a.{}[{}]...);", member.name, i));
   }
   return "[[gnu::always_inline]] constexpr void each(auto f, auto&&... a) {\n" +
-         statement(fmt::format("{}", fmt::join(calls, " "))) + "}\n" +
-         statement(fmt::format("constexpr Varying all{{{}}};", fmt::join(all, ", "))).substr(2);
+         statement(fmt::format("{}", fmt::join(calls, " "))) + "}\n";
+}
+
+/// Which parameters the value is computed from in more than one place.
+std::string reused_flags(const ParameterList& parameters, const VelocityProgram& velocity) {
+  const Program& program = velocity.program;
+  std::map<Symbol, int> uses;
+  for (const NodeId id : program.needed_for({velocity.above, velocity.below, velocity.factor}))
+    for (std::size_t i = 0; i < arity(program[id].operation); ++i) {
+      const Node& argument = program[program[id].arguments[i]];
+      const bool twice = program[id].operation == Node::Operation::less_inertia && i > 0;
+      if (argument.operation == Node::Operation::parameter)
+        uses[argument.parameter] += twice ? 2 : 1;
+    }
+  return flags(parameters, "reused", [&uses](const Symbol& symbol) {
+    return uses.contains(symbol) && uses.at(symbol) > 1 ? "true" : "false";
+  });
 }
 
 std::string structure(const std::string& head, const std::string& members) {
@@ -122,7 +151,7 @@ std::string evaluate_function(const VelocityProgram& velocity, const GradientPro
 }
 
 /// v* in double for a sweep, where omega and the result are of ordinary size.
-std::string polynomial_functions(const VelocityProgram& sweep, const ParameterList& parameters) {
+std::string polynomial_functions(const SweepProgram& sweep, const ParameterList& parameters) {
   const CppDialect dialect(parameters);
   StraightLine code(sweep.program, dialect);
   std::string out = text::polynomials;
@@ -134,7 +163,9 @@ std::string polynomial_functions(const VelocityProgram& sweep, const ParameterLi
   out +=
       statement(fmt::format("const T v = {}(above / below) * ({});",
                             sweep.rooted ? "std::sqrt" : "", code.expression(sweep.factor).text));
-  return out + text::polynomials_end;
+  const std::string last =
+      replaced(text::polynomials_end, "@OMEGA@", std::to_string(sweep.least_omega));
+  return out + replaced(last, "@SQUARE@", std::to_string(sweep.least_square));
 }
 
 /// Not #pragma once, which compilers complain about when they are given the header itself.
@@ -145,10 +176,10 @@ bool has(const Program& program, Node::Operation operation) {
                      [&](const Node& node) { return node.operation == operation; });
 }
 
-std::string includes(const Program& program) {
-  const std::string bits =
-      has(program, Node::Operation::unit) ? "#include <bit>\n#include <cstdint>\n" : "";
-  return bits + text::includes;
+std::string includes(const Program& program, bool takes_steps) {
+  const bool scales = has(program, Node::Operation::unit);
+  return std::string(scales || takes_steps ? "#include <bit>\n" : "") +
+         (scales ? "#include <cstdint>\n" : "") + text::includes;
 }
 
 /// What of the optional arithmetic the program needs.
@@ -181,10 +212,13 @@ std::string emit_header(const Scene& scene, const std::string& name,
   check_member_names(derivation.parameters, scene.file);
   const ParameterList parameters(scene, derivation, fixed);
   const VelocityProgram velocity = velocity_program(scene, symbol_value(parameters));
+  const auto sweep = sweep_program(scene, symbol_value(parameters));
   const GradientProgram gradient = gradient_program(velocity);
   const int count =
       gradient.program.operations(gradient.program.needed_for({gradient.ratio, velocity.factor}));
   const bool is_long = count > short_program;
+  // Within 2^100 no device leaves the range, and plain double need not look.
+  const bool looks = !velocity.fits || velocity.exponent < 100, takes_steps = looks || sweep;
 
   std::string out = banner(scene, derivation, command_line(scene, name, options), fixed);
   out += comment(fmt::format(
@@ -192,19 +226,16 @@ std::string emit_header(const Scene& scene, const std::string& name,
       "-O3 -march=native -fno-math-errno.",
       count + 2));
   const std::string guard = guard_of(name);
-  out += fmt::format("#ifndef {0}\n#define {0}\n", guard) + includes(gradient.program);
+  out += fmt::format("#ifndef {0}\n#define {0}\n", guard) + includes(gradient.program, takes_steps);
   out += fmt::format("namespace {} {{\n", name) + comment(meanings(parameters)) +
          structure("struct Parameters", members(parameters, "double", "")) + text::structs;
   out += std::string("namespace detail {\n") + (is_long ? text::inline_all : "");
-  out += text::numbers + operations(gradient.program) +
+  out += text::numbers + operations(gradient.program) + (takes_steps ? text::steps : "") +
          range_function(velocity, parameters, "in_range");
-  // Within 2^100 no device leaves the range, and plain double need not look.
-  const bool looks = !velocity.fits || velocity.exponent < 100;
   std::string result = replaced(text::result, "@ROOT@", velocity.rooted ? "sqrt" : "");
   result = replaced(result, "@SIMPLE@", velocity.rooted ? "std::sqrt(h)" : "h");
-  out += replaced(result, "@PLAIN@", looks ? "(h > 0x1p-900) & (h < 0x1p900)" : "true");
+  out += replaced(result, "@PLAIN@", looks ? "steps(h, 0x1p-512) >> 62" : "0ULL");
   out += evaluate_function(velocity, gradient, parameters) + (is_long ? text::inline_no_more : "");
-  const auto sweep = sweep_program(scene, symbol_value(parameters));
   if (sweep) out += polynomial_functions(*sweep, parameters);
   out += std::string(text::sweep) + "}  // namespace detail\n" + text::calls_comment;
   out += replaced(text::calls, "@T@", "detail::Twofold");
@@ -225,10 +256,14 @@ std::string emit_batch_header(const Scene& scene, const std::string& name,
              "parameters of " +
              name + ".hpp:") +
          text::batch_comment +
-         fmt::format("#ifndef {0}\n#define {0}\n#include \"{1}.hpp\"\n\nnamespace {1} {{\n", guard,
-                     name) +
+         fmt::format(
+             "#ifndef {0}\n#define {0}\n#include <bit>\n\n#include \"{1}.hpp\"\n\nnamespace {1} "
+             "{{\n",
+             guard, name) +
          structure("template <class T> struct Each", members(parameters, "T", "{}")) + text::each +
-         "namespace detail {\n" + each_function(parameters) + text::batch +
+         "namespace detail {\n" + each_function(parameters) +
+         flags(parameters, "all", [](const Symbol&) { return "true"; }) +
+         reused_flags(parameters, velocity_program(scene, symbol_value(parameters))) + text::batch +
          "}  // namespace detail\n\n" + replaced(text::batch_calls, "@T@", "detail::Twofold") +
          "namespace fast {  // in plain double\n" + replaced(text::batch_calls, "@T@", "double") +
          fmt::format("}}  // namespace fast\n}}  // namespace {}\n#endif  // {}\n", name, guard);

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace vcrit::symbolic {
 
 namespace {
@@ -59,12 +61,21 @@ Operand StraightLine::in_bound(NodeId id) const {
   return dialect_.constant(node);
 }
 
+// Who uses -a uses a: the sign costs nothing in a product or sum, if a has the name.
+std::map<NodeId, int> StraightLine::uses_of(const std::set<NodeId>& needed) const {
+  std::map<NodeId, int> uses;
+  for (auto id = needed.rbegin(); id != needed.rend(); ++id) {
+    const Node& node = program_[*id];
+    const int count = node.operation == Node::Operation::negate ? std::max(1, uses[*id]) : 1;
+    for (std::size_t i = 0; i < arity(node.operation); ++i) uses[node.arguments[i]] += count;
+  }
+  return uses;
+}
+
 std::vector<StraightLine::Declarations> StraightLine::declare(const std::vector<NodeId>& results) {
   const std::set<NodeId> needed = program_.needed_for(results);
-  std::map<NodeId, int> uses;
-  for (const NodeId id : needed)
-    for (std::size_t i = 0; i < arity(program_[id].operation); ++i)
-      ++uses[program_[id].arguments[i]];
+  const std::map<NodeId, int> uses = uses_of(needed);
+  const auto is_used_once = [&uses](NodeId id) { return !uses.contains(id) || uses.at(id) < 2; };
   std::vector<Declarations> declared;
   // No value depends on a bound.
   for (const bool bounds : {false, true})
@@ -75,7 +86,7 @@ std::vector<StraightLine::Declarations> StraightLine::declare(const std::vector<
           (node.kind == NodeKind::bound) != bounds || (node.kind == NodeKind::exact && !is_scale))
         continue;
       const Operand whole = expression(id);
-      if (uses[id] < 2 && whole.text.size() <= longest_inline) continue;
+      if (is_used_once(id) && whole.text.size() <= longest_inline) continue;
       if (node.operation == Node::Operation::negate && whole.text.size() < 8) continue;
       const std::string name = fmt::format("{}{}", bounds ? "e" : "x", ++count_);
       if (declared.empty() || declared.back().kind != node.kind)

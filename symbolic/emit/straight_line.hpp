@@ -3,6 +3,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -51,6 +52,7 @@ class StraightLine {
 
  private:
   Operand in_bound(NodeId id) const;
+  std::map<NodeId, int> uses_of(const std::set<NodeId>& needed) const;
 
   const Program& program_;
   const Dialect& dialect_;

@@ -71,6 +71,8 @@ NodeId Program::constant(const GiNaC::numeric& value) {
 
 bool Program::is_constant(NodeId id) const { return nodes_[id].operation == Operation::constant; }
 
+bool Program::is_negated(NodeId id) const { return nodes_[id].operation == Operation::negate; }
+
 bool Program::is_constant(NodeId id, int value) const {
   return is_constant(id) && nodes_[id].constant == value;
 }
@@ -97,12 +99,10 @@ std::optional<NodeId> Program::fold(NodeId a, NodeId b, const Fold& operation) {
   return is_ordinary(result) ? std::optional(constant(result)) : std::nullopt;
 }
 
+// Signs are kept outside of products and sums, where they cost nothing: multiply_adds take them.
 NodeId Program::negate(NodeId a) {
   if (is_constant(a)) return constant(-value(a));
-  const Node node = nodes_[a];
-  if (node.operation == Operation::negate) return node.arguments[0];
-  if (node.operation == Operation::multiply)
-    return multiply(negate(node.arguments[0]), node.arguments[1]);
+  if (is_negated(a)) return nodes_[a].arguments[0];
   return apply(Operation::negate, {a});
 }
 
@@ -110,13 +110,15 @@ NodeId Program::add(NodeId a, NodeId b) {
   if (is_constant(a, 0)) return b;
   if (is_constant(b, 0)) return a;
   if (const auto folded = fold(a, b, std::plus<>())) return *folded;
-  for (const auto& [product, other] : {std::pair(b, a), std::pair(a, b)})
-    if (nodes_[product].operation == Operation::multiply && nodes_[product].kind == NodeKind::value)
-      return multiply_add(nodes_[product].arguments[0], nodes_[product].arguments[1], other);
-  if (nodes_[b].operation == Operation::negate)
-    return apply(Operation::subtract, {a, nodes_[b].arguments[0]});
-  if (nodes_[a].operation == Operation::negate)
-    return apply(Operation::subtract, {b, nodes_[a].arguments[0]});
+  if (is_negated(a) && is_negated(b)) return negate(add(negate(a), negate(b)));
+  for (const auto& [product, other] : {std::pair(b, a), std::pair(a, b)}) {
+    const Node& node = nodes_[is_negated(product) ? negate(product) : product];
+    if (node.operation != Operation::multiply || node.kind != NodeKind::value) continue;
+    const auto [first, second, none] = node.arguments;
+    return multiply_add(is_negated(product) ? negate(first) : first, second, other);
+  }
+  if (is_negated(b)) return apply(Operation::subtract, {a, negate(b)});
+  if (is_negated(a)) return apply(Operation::subtract, {b, negate(a)});
   return apply(Operation::add, {a, b});
 }
 
@@ -126,9 +128,8 @@ NodeId Program::multiply(NodeId a, NodeId b) {
   if (const auto folded = fold(a, b, std::multiplies<>())) return *folded;
   if (is_constant(a, -1)) return negate(b);
   if (is_constant(b, -1)) return negate(a);
-  // Signs on the left.
-  if (nodes_[b].operation == Operation::negate && nodes_[b].kind != NodeKind::bound)
-    return multiply(negate(a), nodes_[b].arguments[0]);
+  if (is_negated(a)) return negate(multiply(negate(a), b));
+  if (is_negated(b)) return negate(multiply(a, negate(b)));
   return apply(Operation::multiply, {a, b});
 }
 
@@ -144,8 +145,8 @@ NodeId Program::multiply_add(NodeId a, NodeId b, NodeId c) {
                        is_constant(a, 1) || is_constant(b, 1) || is_constant(a, -1) ||
                        is_constant(b, -1) || (is_constant(a) && is_constant(b));
   if (trivial) return add(multiply(a, b), c);
-  if (nodes_[b].operation == Operation::negate)
-    return multiply_add(negate(a), nodes_[b].arguments[0], c);
+  if (is_negated(b)) return multiply_add(negate(a), negate(b), c);
+  if (is_negated(a) && is_negated(c)) return negate(multiply_add(negate(a), b, negate(c)));
   return apply(Operation::multiply_add, {a, b, c});
 }
 

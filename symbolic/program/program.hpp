@@ -92,6 +92,7 @@ class Program {
   std::optional<NodeId> fold(NodeId a, NodeId b, const Fold& operation);
   NodeId push(Node node);
   bool is_constant(NodeId id) const;
+  bool is_negated(NodeId id) const;
   const GiNaC::numeric& value(NodeId id) const { return nodes_[id].constant; }
 
   std::vector<Node> nodes_;

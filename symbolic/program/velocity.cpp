@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "formula/symbols.hpp"
 #include "network/masses.hpp"
 
 namespace vcrit::symbolic {
@@ -13,12 +12,10 @@ namespace {
 constexpr double cancellation = 110;
 // less_inertia subtracts exactly: 53 digits of each of three factors.
 constexpr double exact_cancellation = 160;
-// Degree 10: 2^(10/2).
-constexpr std::size_t longest_polynomial = 11;
 
 class Writer {
  public:
-  enum class Form { plain, normalised, polynomials, normalised_polynomials };
+  enum class Form { plain, normalised };
 
   Writer(const Scene& scene, const SymbolValue& value, int exponent, Form form)
       : scene_(scene),
@@ -31,7 +28,7 @@ class Writer {
 
   VelocityProgram write() {
     const auto* isotropic = std::get_if<Isotropic>(&scene_.tangential);
-    if (isotropic != nullptr) set_ratio(*isotropic);
+    if (isotropic != nullptr) ratio_ = contact_ratio(program_, stiffness_, *isotropic, value_);
     if (scene_.drive)
       with_drive(isotropic != nullptr);
     else if (isotropic != nullptr)
@@ -44,74 +41,11 @@ class Writer {
   }
 
  private:
-  /// K_t/K_n = t/q, both real.
-  struct Ratio {
-    NodeId t = 0, q = 0;
-    int path = 0;
-    Range range, t_range, q_range;
-  };
-
   NodeId symbol(const Symbol& s) { return value_(program_, s); }
 
-  void set_ratio(const Isotropic& isotropic) {
-    const bool poisson = isotropic.by == Isotropic::By::poisson;
-    if (isotropic.quantity.value) {
-      // What the program's other commands compute with: the double that was read.
-      const GiNaC::numeric given = exact_binary(*isotropic.quantity.value);
-      const GiNaC::numeric ratio = poisson ? 2 * (1 - given) / (2 - given) : given;
-      const double exponent = std::log2(ratio.to_double());
-      // As 1/q: one product fewer.
-      ratio_ = {program_.constant(1),
-                program_.constant(1 / ratio),
-                1,
-                {exponent - 1, exponent + 1},
-                {},
-                {-exponent - 1, -exponent + 1}};
-      return;
-    }
-    const NodeId given = symbol(isotropic.quantity.symbol);
-    if (!poisson) {
-      const Range range = stiffness_.guarded(program_.size(given));
-      ratio_ = {given, program_.constant(1), 0, range, range, {}};
-      return;
-    }
-    const NodeId two = program_.constant(2);
-    const NodeId one_less = program_.subtract(program_.constant(1), given);
-    const NodeId q = program_.subtract(two, given);
-    const Range range = stiffness_.guarded(program_.size(one_less));
-    stiffness_.guarded(program_.size(q));
-    ratio_ = {program_.multiply(two, one_less),
-              q,
-              2,
-              range - range + Range{-1, 2},
-              range + Range{1, 1},
-              range};
-  }
-
   Stiffness network(const Network& network) {
-    if (is_sweep()) return polynomial_network(network);
     const Stiffness k = stiffness_.write(network);
     return form_ == Form::normalised && !is_one(program_, k.q) ? stiffness_.normalised(k) : k;
-  }
-
-  bool is_sweep() const {
-    return form_ == Form::polynomials || form_ == Form::normalised_polynomials;
-  }
-
-  Stiffness polynomial_network(const Network& network) {
-    const auto k = stiffness_.write_polynomials(network);
-    if (!k) {
-      result_.fits = false;
-      return {};
-    }
-    const std::size_t terms = std::max(k->t.coefficients.size(), k->q.coefficients.size());
-    result_.fits = result_.fits && terms <= longest_polynomial;
-    Stiffness whole = *k;
-    whole.t = at(program_, k->t, omega_);
-    whole.q = at(program_, k->q, omega_);
-    whole.exact_re = is_one(program_, k->q) && program_[whole.t.re].kind == NodeKind::exact;
-    if (form_ == Form::polynomials || is_one(program_, k->q)) return whole;
-    return stiffness_.normalised(whole);
   }
 
   /// K_t = ratio K_n: T and Q each times a number.
@@ -144,7 +78,7 @@ class Writer {
     const NodeId m = symbol(scene_.mass->symbol);
     const NodeId inertia_size = program_.multiply(
         program_.multiply(program_.size(m), program_.size(omega_)), program_.size(omega_));
-    const Range inertia = stiffness_.guarded(is_sweep() ? program_.size(m) : inertia_size);
+    const Range inertia = stiffness_.guarded(inertia_size);
     Difference result;
     const Range larger{0, std::max(d.t_range.high, d.q_range.high + inertia.high) + 1};
     if (d.exact_re) {
@@ -258,8 +192,7 @@ class Writer {
                      std::any_of(below.begin(), below.end(), has_both);
     result_.above = product(above, above_ranges, result_.rooted);
     result_.below = product(below, below_ranges, result_.rooted);
-    for (const char* name : {"mu0", "du_z"}) guard_factor({name});
-    if (!is_sweep()) guard_factor({"omega"});
+    for (const char* name : {"mu0", "du_z", "omega"}) guard_factor({name});
     result_.factor =
         program_.multiply(program_.multiply(symbol({"mu0"}), omega_), symbol({"du_z"}));
     result_.guards.insert(result_.guards.end(), stiffness_.guards().begin(),
@@ -313,34 +246,6 @@ VelocityProgram velocity_program(const Scene& scene, const SymbolValue& value) {
     if (program.fits || exponent == 32) return program;
   }
   throw Bug("the last range is returned");
-}
-
-namespace {
-
-/// Operations that depend on omega.
-int operations_at_each_omega(const VelocityProgram& velocity) {
-  const Program& program = velocity.program;
-  std::set<NodeId> varying;
-  for (const NodeId id : program.needed_for({velocity.above, velocity.below, velocity.factor})) {
-    const Node& node = program[id];
-    bool varies = node.operation == Node::Operation::parameter && node.parameter.name == "omega";
-    for (std::size_t i = 0; i < arity(node.operation); ++i)
-      varies = varies || varying.contains(node.arguments[i]);
-    if (varies) varying.insert(id);
-  }
-  return program.operations(varying);
-}
-
-}  // namespace
-
-std::optional<VelocityProgram> sweep_program(const Scene& scene, const SymbolValue& value) {
-  refuse_other_drives(scene);
-  const int others = operations_at_each_omega(velocity_program(scene, value));
-  for (const auto form : {Writer::Form::polynomials, Writer::Form::normalised_polynomials}) {
-    VelocityProgram program = Writer(scene, value, 40, form).write();
-    if (program.fits && operations_at_each_omega(program) < others) return program;
-  }
-  return std::nullopt;
 }
 
 }  // namespace vcrit::symbolic

@@ -6,12 +6,9 @@
 //   |K_n| |K_t + K_d - m omega^2|/(|K_t| |K_d - m omega^2|) = |T_n| |N|/(|Q_n| |T_t| |D|).
 #pragma once
 
-#include <functional>
-#include <optional>
 #include <vector>
 
-#include "program/program.hpp"
-#include "program/stiffness.hpp"
+#include "program/ratio.hpp"
 #include "scene/scene.hpp"
 
 namespace vcrit::symbolic {
@@ -25,14 +22,6 @@ struct VelocityProgram {
   bool fits = true;           ///< false: numbers folded in are too large for that
   int exponent = 0;           ///< elements lie between 2^-exponent and 2^exponent
 };
-
-/// A parameter or a constant for each symbol.
-using SymbolValue = std::function<NodeId(Program&, const Symbol&)>;
-
-/// The same for sweeps over omega: T and Q as polynomials whose coefficients the other parameters
-/// give once for all. Without error bound: it is used where it can be checked against the other's.
-/// Nothing where that is not less work, or where cancellation in a polynomial could reach 2^5.
-std::optional<VelocityProgram> sweep_program(const Scene& scene, const SymbolValue& value);
 
 /// Throws ModelError for a drive with masses of its own or a measured one.
 void refuse_other_drives(const Scene& scene);

@@ -44,6 +44,8 @@ class Browser(unittest.TestCase):
         cls.report = Path(cls.folder.name, "report")
         subprocess.run([PROGRAM, "validate", *[f"scenes/{name}.toml" for name in SCENES], "--out",
                         cls.report], cwd=PROJECT, check=True, capture_output=True)
+        subprocess.run([PROGRAM, "validate", "--paper", "--out", cls.report / "paper"], check=True,
+                       capture_output=True)
         cls.browser = browser(Path(cls.folder.name, "profile"))
 
     @classmethod
@@ -70,7 +72,7 @@ class Browser(unittest.TestCase):
             "width": pixels, "height": 800, "deviceScaleFactor": 1, "mobile": True})
 
     def test_nothing_is_asked_of_the_network_and_nothing_goes_wrong(self):
-        for name in [*SCENES, "index"]:
+        for name in [*SCENES, "index", "paper/index"]:
             with self.subTest(page=name):
                 self.open(name)
                 self.assertEqual(self.browser.get_log("browser"), [])
@@ -87,7 +89,7 @@ class Browser(unittest.TestCase):
         count = """return [...document.querySelectorAll('.chart')].map((chart) =>
             [...chart.querySelectorAll('.mark-line path, .mark-symbol path, .mark-rect path')].filter(
                 (path) => (path.getAttribute('d') || '').length > 10).length)"""
-        for name in SCENES:
+        for name in [*SCENES, "paper/index"]:
             with self.subTest(page=name):
                 self.open(name)
                 marks = self.run_script(count)
@@ -173,7 +175,7 @@ class Browser(unittest.TestCase):
 
     def test_a_phone_shows_all_without_scrolling_sideways(self):
         self.width(390)
-        for name in [*SCENES, "index"]:
+        for name in [*SCENES, "index", "paper/index"]:
             with self.subTest(page=name):
                 self.open(name)
                 self.assertLessEqual(self.run_script("return document.documentElement.scrollWidth"), 390)
@@ -201,6 +203,13 @@ class Browser(unittest.TestCase):
         for selector in ["#explorer", "button.copy", ".skip"]:
             self.assertTrue(self.run_script(hidden, selector), selector)
         self.assertFalse(self.run_script(hidden, ".chart"))
+        folded = "return document.querySelectorAll('details:not([open]):not(.latex):not(.data)').length"
+        before = self.run_script(folded)
+        self.assertGreater(before, 0)
+        self.run_script("dispatchEvent(new Event('beforeprint'))")
+        self.assertEqual(self.run_script(folded), 0)
+        self.run_script("dispatchEvent(new Event('afterprint'))")
+        self.assertEqual(self.run_script(folded), before)
         self.browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": ""})
 
     def test_the_keyboard_reaches_what_can_be_used(self):

@@ -18,7 +18,7 @@ std::vector<Scene> scenes() {
 }
 
 // Columns for every second parameter in turn, lengths around the size of a block, values that leave
-// the range of doubles (another grade answers), results in place of a column.
+// the range of doubles (another grade answers), results in place of a column or of omega.
 const char* const driver = R"(#include <cmath>
 #include <cstdio>
 #include <cstring>
@@ -30,7 +30,7 @@ bool near(double a, double b) { return a == b || std::abs(a - b) <= 1e-12 * std:
 bool same(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0 || (std::isnan(a) && std::isnan(b)); }
 int main() {
   int failures = 0, unsafe = 0;
-  for (std::size_t n : {1, 7, 31, 32, 33, 64, 100, 131})
+  for (std::size_t n : {1, 7, 31, 32, 33, 64, 100, 131, 1100})
     for (std::size_t step = 1; step < 4; ++step) {
       Parameters p;
       Columns c;
@@ -54,12 +54,16 @@ int main() {
       Columns d = c;
       detail::each([&](const double*& x) { if (x == columns.back().data()) x = aliased.data(); }, d);
       fast::critical_velocity(p, d, aliased);
+      std::vector<double> omega(n), swept(n);
+      for (std::size_t i = 0; i < n; ++i) omega[i] = 0.2 + 0.001 * double(i);
+      fast::critical_velocity(p, omega, swept);
+      fast::critical_velocity(p, omega, omega);
       for (std::size_t i = 0; i < n; ++i) {
         Parameters at = p;
         detail::each([i](double& x, const double* column) { if (column) x = column[i]; }, at, c);
         const Certified one = critical_velocity_certified(at), fast_one = fast::critical_velocity_certified(at);
         const Gradient gradient = critical_velocity_gradient(at);
-        bool good = same(one.value, v[i]) && near(one.relative_error_bound, b[i]) && same(gradient.value, gv[i]);
+        bool good = same(swept[i], omega[i]) && same(one.value, v[i]) && near(one.relative_error_bound, b[i]) && same(gradient.value, gv[i]);
         good = good && same(fast_one.value, f[i]) && near(fast_one.relative_error_bound, fb[i]) && same(f[i], aliased[i]);
         detail::each([&](double x, const double* partial) { if (partial) good = good && same(x, partial[i]); },
                      gradient.partial, g);

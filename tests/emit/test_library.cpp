@@ -63,7 +63,7 @@ BOOST_AUTO_TEST_CASE(its_own_test_can_fail) {
   const auto header = folder.path() / "library.hpp";
   std::string text = test::contents(header);
   // A sign in front of the inertia.
-  const std::string right = "std::fma(-t.hi, w, k)", wrong = "std::fma(t.hi, w, k)";
+  const std::string right = "std::fma(-m, w * w, k)", wrong = "std::fma(m, w * w, k)";
   BOOST_REQUIRE(text.find(right) != std::string::npos);
   text.replace(text.find(right), right.size(), wrong);
   write_file(header, text);

@@ -1,6 +1,7 @@
 // Figures in both forms: what is drawn is what was given, and text stays text.
 #include "figures/figure.hpp"
 
+#include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <filesystem>
@@ -71,14 +72,13 @@ BOOST_AUTO_TEST_CASE(gaps_are_null_and_the_rest_is_there) {
   BOOST_TEST(circles[1]["words"] == "here");
 }
 
-BOOST_AUTO_TEST_CASE(cells_without_a_value_are_left_out) {
+// Rows 0 and 1 have edges -0.5, 0.5, 1.5; columns 1, 10, 100 those halfway by ratio.
+BOOST_AUTO_TEST_CASE(a_map_is_its_edges_and_values) {
   const ordered_json spec = vega_lite(everything());
-  const ordered_json& cells = spec["layer"][0]["data"]["values"];
-  BOOST_TEST(cells.size() == 5u);
-  BOOST_TEST(cells[3]["v"] == 4);
-  BOOST_TEST(cells[4]["v"] == 6);
-  BOOST_TEST(cells[4]["y"] == 0.5);
-  BOOST_TEST(cells[4]["y2"] == 1.5);
+  const ordered_json& grid = spec["layer"][0]["data"]["grid"];
+  BOOST_TEST(grid["x"].dump() == "[0.3162278,3.162278,31.62278,316.2278]");
+  BOOST_TEST(grid["y"].dump() == "[-0.5,0.5,1.5]");
+  BOOST_TEST(grid["v"].dump() == "[1.0,2.0,3.0,4.0,null,6.0]");
 }
 
 BOOST_AUTO_TEST_CASE(one_entry_of_the_legend_for_one_name) {

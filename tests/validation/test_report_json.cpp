@@ -14,7 +14,7 @@ using nlohmann::json;
 namespace {
 
 json parsed(const SceneReport& report) {
-  return json::parse(report::report_json(example::origin(), {report::scene_json(report)}));
+  return json::parse(report::report_json(example::origin(), {report::scene_json({report, {}})}));
 }
 
 }  // namespace
@@ -69,7 +69,7 @@ BOOST_AUTO_TEST_CASE(a_comparison_that_was_not_run_has_no_numbers) {
 
 BOOST_AUTO_TEST_CASE(a_rigid_massless_scene_has_neither_mass_nor_drive) {
   const std::string text = report::report_json(
-      example::origin(), {report::scene_json(example::scene_report(example::rigid_scene))});
+      example::origin(), {report::scene_json({example::scene_report(example::rigid_scene), {}})});
   for (const char* absent : {"mass", "drive", "body", "\"m\"", "creep"})
     BOOST_TEST(text.find(absent) == text.npos, absent);
 }

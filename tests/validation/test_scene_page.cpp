@@ -29,7 +29,7 @@ std::string without_code(std::string html) {
 }
 
 std::string page_of(const SceneReport& report) {
-  return without_code(scene_page(report, example::origin()));
+  return without_code(scene_page({report, {}}, example::origin()));
 }
 
 std::string policy(const std::string& html) {
@@ -57,7 +57,7 @@ BOOST_AUTO_TEST_CASE(nothing_is_loaded_from_outside) {
 
 BOOST_AUTO_TEST_CASE(the_policy_lets_only_the_pages_scripts_run) {
   const std::string text =
-      policy(scene_page(example::scene_report(example::rigid_scene), example::origin()));
+      policy(scene_page({example::scene_report(example::rigid_scene), {}}, example::origin()));
   BOOST_TEST(has(text, "default-src 'none'"));
   BOOST_TEST(!has(text, "unsafe-eval"));
   const std::string scripts_part =
@@ -207,10 +207,10 @@ BOOST_AUTO_TEST_CASE(only_in_a_suite_is_there_a_way_to_the_others) {
   const SceneReport report = example::scene_report(example::rigid_scene);
   const std::string link = "<a href=\"index.html\">";
   BOOST_TEST(!has(page_of(report), link));
-  BOOST_TEST(has(scene_page(report, example::origin(), true), link));
+  BOOST_TEST(has(scene_page({report, {}}, example::origin(), true), link));
 }
 
 BOOST_AUTO_TEST_CASE(a_page_stays_below_two_megabytes) {
   const SceneReport report = example::scene_report(example::driven_scene);
-  BOOST_TEST(scene_page(report, example::origin()).size() < 2000000u);
+  BOOST_TEST(scene_page({report, {}}, example::origin()).size() < 2000000u);
 }

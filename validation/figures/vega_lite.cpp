@@ -173,19 +173,9 @@ ordered_json layer(const Figure& figure, const Series& series, const Legend& leg
           {"encoding", std::move(encoding)}};
 }
 
-ordered_json cells(const Figure& figure, const Map& map) {
-  const auto x = edges(map.x, figure.x.logarithmic), y = edges(map.y, figure.y.logarithmic);
+ordered_json drawn(const std::vector<double>& values, const Axis& axis) {
   ordered_json result = ordered_json::array();
-  for (std::size_t j = 0; j < map.y.size(); ++j)
-    for (std::size_t i = 0; i < map.x.size(); ++i) {
-      const ordered_json value = drawn(map.values.at(j * map.x.size() + i), map.value);
-      if (value.is_null()) continue;
-      result.push_back({{"x", drawn(x[i], figure.x)},
-                        {"x2", drawn(x[i + 1], figure.x)},
-                        {"y", drawn(y[j], figure.y)},
-                        {"y2", drawn(y[j + 1], figure.y)},
-                        {"v", value}});
-    }
+  for (const double value : values) result.push_back(drawn(value, axis));
   return result;
 }
 
@@ -195,8 +185,11 @@ ordered_json layer(const Figure& figure, const Map& map) {
   ordered_json seen{{"field", "v"}, {"type", "quantitative"}, {"title", map.value.title}};
   ordered_json fill = seen;
   fill["scale"] = colours;
-  fill["legend"] = {{"orient", "top"}, {"gradientLength", 220}, {"titleLimit", 400}};
-  return {{"data", {{"values", cells(figure, map)}}},
+  fill["legend"] = {{"orient", "top"}, {"titleLimit", 400}};
+  const ordered_json grid{{"x", drawn(edges(map.x, figure.x.logarithmic), figure.x)},
+                          {"y", drawn(edges(map.y, figure.y.logarithmic), figure.y)},
+                          {"v", drawn(map.values, map.value)}};
+  return {{"data", {{"grid", grid}}},
           {"mark", mark("rect", {{"clip", true}})},
           {"encoding",
            {{"x", position("x", figure.x)},
@@ -244,9 +237,31 @@ void add(ordered_json& layers, const Figure& figure, const Rule& rule, int row) 
                     {"encoding", std::move(encoding)}});
 }
 
+/// They would lie over the colours.
+void take_grid_lines_away(ordered_json& layers) {
+  for (ordered_json& layer : layers)
+    for (const char* channel : {"x", "y"})
+      if (layer["encoding"].contains(channel) && layer["encoding"][channel].contains("axis"))
+        layer["encoding"][channel]["axis"]["grid"] = false;
+}
+
+/// A map fills its picture.
+Figure with_ranges(Figure figure) {
+  const auto set = [](Axis& axis, const std::vector<double>& middles) {
+    const std::vector<double> all = edges(middles, axis.logarithmic);
+    if (!axis.range) axis.range = {all.front(), all.back()};
+  };
+  if (figure.map) {
+    set(figure.x, figure.map->x);
+    set(figure.y, figure.map->y);
+  }
+  return figure;
+}
+
 }  // namespace
 
-ordered_json vega_lite(const Figure& figure) {
+ordered_json vega_lite(const Figure& given) {
+  const Figure figure = with_ranges(given);
   ordered_json layers = ordered_json::array();
   if (figure.map) layers.push_back(layer(figure, *figure.map));
   if (!figure.bands.empty()) layers.push_back(layer(figure, figure.bands));
@@ -254,6 +269,7 @@ ordered_json vega_lite(const Figure& figure) {
   for (const Series& series : figure.series) layers.push_back(layer(figure, series, names));
   int row = 0;
   for (const Rule& rule : figure.rules) add(layers, figure, rule, row++ % 6);
+  if (figure.map) take_grid_lines_away(layers);
   return {{"width", "container"},
           {"height", figure.height},
           {"background", nullptr},

@@ -163,7 +163,7 @@ std::string left_out(const std::vector<std::string>& sentences) {
 }  // namespace
 
 std::string accuracy_section(const Accuracy& accuracy) {
-  return "<section class=\"accuracy\">\n<h2>Accuracy, cost and stability</h2>\n" +
+  return "<section class=\"accuracy\" aria-label=\"Accuracy, cost and stability\">\n" +
          evaluators(accuracy.evaluators) + simulators(accuracy.simulators) + maps(accuracy.maps) +
          left_out(accuracy.left_out) +
          fmt::format("<p>Measured again by <code>{}</code>.</p>\n</section>\n",

@@ -89,7 +89,7 @@ const vcrit_explorer = (() => {
 
   async function draw(name) {
     const chart = document.getElementById(`explored-${name}`);
-    views[name] = (await vegaEmbed(chart, data[name], drawing)).view;
+    views[name] = (await vegaEmbed(chart, data[name], drawing(chart))).view;
   }
 
   for (const input of inputs) input.addEventListener("input", update);

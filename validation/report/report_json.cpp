@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "report/accuracy_json.hpp"
 #include "report/html.hpp"
 #include "report/json_parts.hpp"
 
@@ -157,7 +158,8 @@ ordered_json critical_velocity(const SceneReport& report) {
 
 }  // namespace
 
-ordered_json scene_json(const SceneReport& report) {
+ordered_json scene_json(const SceneContents& contents) {
+  const SceneReport& report = contents.report;
   ordered_json object{{"file", report.scene.file},
                       {"title", report.scene.title},
                       {"passed", passed(report)},
@@ -179,6 +181,7 @@ ordered_json scene_json(const SceneReport& report) {
   if (!report.response.points.empty()) object["frequency_response"] = json(report.response);
   if (report.cycle) object["cycle"] = json(*report.cycle);
   if (report.reduced_model) object["reduced_model"] = json(*report.reduced_model);
+  if (contents.accuracy) object["accuracy"] = accuracy_json(*contents.accuracy);
   object["text"] = report.scene.text;
   return object;
 }

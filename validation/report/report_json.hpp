@@ -6,12 +6,12 @@
 #include <vector>
 
 #include "report/machine_section.hpp"
-#include "scene_report.hpp"
+#include "report/scene_contents.hpp"
 
 namespace vcrit::validation::report {
 
 /// What report.json says of one scene.
-nlohmann::ordered_json scene_json(const SceneReport& report);
+nlohmann::ordered_json scene_json(const SceneContents& contents);
 
 /// The whole file; scenes as by scene_json().
 std::string report_json(const Origin& origin, const std::vector<nlohmann::ordered_json>& scenes);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "accuracy/pictures.hpp"
 #include "report/stretches.hpp"
 #include "report/units.hpp"
 
@@ -110,7 +111,8 @@ Figure cycle_figure(const SceneReport& report, const char* name, int height) {
 
 }  // namespace
 
-std::vector<Figure> scene_figures(const SceneReport& report) {
+std::vector<Figure> scene_figures(const SceneContents& contents) {
+  const SceneReport& report = contents.report;
   std::vector<Figure> all;
   if (!report.response.points.empty()) {
     all.push_back(velocity_response_figure(report));
@@ -122,6 +124,8 @@ std::vector<Figure> scene_figures(const SceneReport& report) {
     all.push_back(force_figure(report));
     all.push_back(velocity_figure(report));
   }
+  if (contents.accuracy)
+    for (Figure& figure : accuracy::pictures(*contents.accuracy)) all.push_back(std::move(figure));
   return all;
 }
 

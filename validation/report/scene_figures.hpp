@@ -5,12 +5,12 @@
 #include <vector>
 
 #include "figures/figure.hpp"
-#include "scene_report.hpp"
+#include "report/scene_contents.hpp"
 
 namespace vcrit::validation::report {
 
 /// All that the scene has.
-std::vector<figures::Figure> scene_figures(const SceneReport& report);
+std::vector<figures::Figure> scene_figures(const SceneContents& contents);
 
 /// mu_macro/mu0 over the speed in units of the lowest speed of pure sliding.
 figures::Figure friction_figure(const SceneReport& report);

@@ -25,9 +25,10 @@ std::string opening(const SceneReport& report, const Origin& origin, bool in_sui
 
 }  // namespace
 
-std::string scene_page(const SceneReport& report, const Origin& origin, bool in_suite) {
+std::string scene_page(const SceneContents& contents, const Origin& origin, bool in_suite) {
+  const SceneReport& report = contents.report;
   return document({title_of(report),
-                   opening(report, origin, in_suite) + scene_section(report) +
+                   opening(report, origin, in_suite) + scene_section(contents) +
                        machine_section(origin) + "</main>\n",
                    true, explorer_scripts(report)});
 }

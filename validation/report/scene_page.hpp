@@ -5,11 +5,11 @@
 #include <string>
 
 #include "report/machine_section.hpp"
-#include "scene_report.hpp"
+#include "report/scene_contents.hpp"
 
 namespace vcrit::validation::report {
 
 /// `in_suite`: with a way back to the index of all scenes, index.html beside it.
-std::string scene_page(const SceneReport& report, const Origin& origin, bool in_suite = false);
+std::string scene_page(const SceneContents& contents, const Origin& origin, bool in_suite = false);
 
 }  // namespace vcrit::validation::report

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "report/accuracy_section.hpp"
 #include "report/chart.hpp"
 #include "report/comparison_table.hpp"
 #include "report/equations.hpp"
@@ -128,12 +129,14 @@ std::string velocity_words(const SceneReport& report) {
   return "v* = " + quantity(report.critical_velocity, "m/s", 5);
 }
 
-std::string scene_section(const SceneReport& report) {
+std::string scene_section(const SceneContents& contents) {
+  const SceneReport& report = contents.report;
   return "<section class=\"scene\">\n" + verdict(report) + drawings(report) +
-         "<h3>Agreement</h3>\n" + comparison_table(report.comparisons) + formula_section(report) +
-         response_section(report) + explorer_section(report) + friction_section(report) +
-         cycle_section(report) + reduced_section(report) + values_section(report) +
-         file_section(report) + "</section>\n";
+         comparison_table(report.comparisons) + formula_section(report) + response_section(report) +
+         explorer_section(report) + friction_section(report) + cycle_section(report) +
+         reduced_section(report) +
+         (contents.accuracy ? accuracy_section(*contents.accuracy) : std::string()) +
+         values_section(report) + file_section(report) + "</section>\n";
 }
 
 }  // namespace vcrit::validation::report

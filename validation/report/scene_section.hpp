@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "scene_report.hpp"
+#include "report/scene_contents.hpp"
 
 namespace vcrit::validation::report {
 
@@ -18,6 +18,6 @@ std::string state_words(const SceneReport& report);
 /// "v* = 3.02 mm/s"
 std::string velocity_words(const SceneReport& report);
 
-std::string scene_section(const SceneReport& report);
+std::string scene_section(const SceneContents& contents);
 
 }  // namespace vcrit::validation::report

@@ -2,6 +2,7 @@
 
 #include <thread>
 
+#include "accuracy/accuracy.hpp"
 #include "agreement.hpp"
 #include "base/files.hpp"
 #include "figures/gnuplot.hpp"
@@ -30,15 +31,17 @@ std::vector<Scene> read_all(const std::vector<std::string>& files) {
 }
 
 /// What a worker hands over of its scene.
-std::string handed_over(const SceneReport& report, const Machine& machine, const Request& request) {
+std::string handed_over(const SceneContents& contents, const Machine& machine,
+                        const Request& request) {
+  const SceneReport& report = contents.report;
   const bool in_suite = request.files.size() > 1;
   const Origin origin{machine, command({report.scene.file})};
   ordered_json all{{"line", to_json(scene_line(report))},
-                   {"page", scene_page(report, origin, in_suite)},
-                   {"data", scene_json(report)},
+                   {"page", scene_page(contents, origin, in_suite)},
+                   {"data", scene_json(contents)},
                    {"figures", ordered_json::object()}};
   if (!request.figures.empty())
-    for (const figures::Figure& figure : scene_figures(report))
+    for (const figures::Figure& figure : scene_figures(contents))
       all["figures"][figure.name] = gnuplot(figure);
   return all.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
 }
@@ -74,7 +77,8 @@ std::vector<FigureFile> figure_files(const std::vector<ordered_json>& scenes,
 std::vector<ordered_json> work_on(const std::vector<Scene>& scenes, const Request& request,
                                   const Machine& machine, const Watch& watch) {
   const auto work = [&](std::size_t i, const Step& step) {
-    return handed_over(agree(scenes[i], step), machine, request);
+    SceneReport report = agree(scenes[i], step);
+    return handed_over({std::move(report), accuracy::measure(scenes[i], step)}, machine, request);
   };
   std::vector<ordered_json> all;
   for (const std::string& answer :

@@ -1,0 +1,265 @@
+#include "program/sweep.hpp"
+
+#include <cmath>
+
+namespace vcrit::symbolic {
+
+namespace {
+
+// Degree 10 and degree 5.
+constexpr std::size_t longest_polynomial = 11, longest_square = 6;
+constexpr int guard_exponent = 40;
+// Twice the digits of a double, and some: a difference that is not 0 is not smaller, relatively.
+constexpr double cancellation = 110;
+// Coefficients are scaled for 20 kHz, and good for 2^8 times less or more.
+constexpr int usual_omega = 17, octaves = 8;
+
+class SweepWriter {
+ public:
+  SweepWriter(const Scene& scene, const SymbolValue& value, bool normalised)
+      : scene_(scene),
+        value_(value),
+        normalised_(normalised),
+        omega_(symbol({"omega"})),
+        square_(program_.multiply(omega_, omega_)),
+        stiffness_(program_, omega_, guard_exponent,
+                   [this](const Symbol& s) { return symbol(s); }) {
+    result_.exponent = guard_exponent;
+    result_.least_omega = normalised ? usual_omega - octaves : -24;
+    // Stiffnesses in N/m and their products are large numbers.
+    result_.least_square = normalised ? -512 : -124;
+  }
+
+  SweepProgram write() {
+    const Stiffness n = network(scene_.normal);
+    const auto* isotropic = std::get_if<Isotropic>(&scene_.tangential);
+    if (isotropic != nullptr)
+      with_ratio(n, contact_ratio(program_, stiffness_, *isotropic, value_));
+    else
+      with_network(n, network(std::get<Network>(scene_.tangential)));
+    return finished();
+  }
+
+ private:
+  /// A factor of v*: a polynomial, or its value at omega where it is not multiplied out.
+  struct Factor {
+    Complex polynomial, value;
+    Range range;
+    bool is_passive = true;  ///< roots real and negative
+  };
+  enum class Side { above, below };
+
+  NodeId symbol(const Symbol& s) { return value_(program_, s); }
+
+  Stiffness network(const Network& network) {
+    const auto k = stiffness_.write_polynomials(network);
+    if (!k) {
+      result_.fits = false;
+      return {};
+    }
+    result_.fits = result_.fits && is_short(k->t) && is_short(k->q);
+    return normalised_ && !is_one(program_, k->q) ? scaled_at_usual_omega(*k) : *k;
+  }
+
+  static bool is_short(const Complex& z) { return z.coefficients.size() <= longest_polynomial; }
+
+  Stiffness scaled_at_usual_omega(Stiffness k) {
+    NodeId size = program_.constant(0);
+    for (const Complex* z : {&k.t, &k.q})
+      for (std::size_t j = 0; j < z->coefficients.size(); ++j)
+        size = program_.multiply_add(
+            z->coefficients[j],
+            program_.constant(GiNaC::pow(GiNaC::numeric(2), GiNaC::numeric(usual_omega * j))),
+            size);
+    const NodeId unit = program_.unit(size);
+    const auto range = [&k](const Complex& z, double low) {
+      const double extent = octaves * static_cast<double>(z.coefficients.size() - 1);
+      return Range{low - 3 - extent, 2 + extent};
+    };
+    k.t_range = range(k.t, std::min(k.range.low, 0.0));
+    k.q_range = range(k.q, -std::max(k.range.high, 0.0));
+    k.t = times(unit, k.t);
+    k.q = times(unit, k.q);
+    return k;
+  }
+
+  Complex times(NodeId factor, Complex z) {
+    for (NodeId& each : z.coefficients) each = program_.multiply(factor, each);
+    return z;
+  }
+
+  Factor passive(const Complex& z, Range range) {
+    return {z, at(program_, z, omega_), range, true};
+  }
+
+  void with_ratio(const Stiffness& n, const Ratio& ratio) {
+    if (!scene_.drive) {  // nothing but mu0 omega du_z depends on omega
+      result_.fits = false;
+      return;
+    }
+    Stiffness t = n;
+    t.t = times(ratio.t, n.t);
+    t.q = times(ratio.q, n.q);
+    t.t_range = n.t_range + ratio.t_range;
+    t.q_range = n.q_range + ratio.q_range;
+    const Stiffness d = network(*scene_.drive);
+    const Factor body = loaded(d);
+    multiply(Side::above, sum(t, d, body));
+    multiply(Side::below, passive(polynomial({ratio.t}), ratio.t_range));
+    multiply(Side::below, passive(n.q, n.q_range));
+    multiply(Side::below, body);
+  }
+
+  void with_network(const Stiffness& n, const Stiffness& t) {
+    multiply(Side::above, passive(n.t, n.t_range));
+    multiply(Side::below, passive(n.q, n.q_range));
+    multiply(Side::below, passive(t.t, t.t_range));
+    if (!scene_.drive) return multiply(Side::above, passive(t.q, t.q_range));
+    const Stiffness d = network(*scene_.drive);
+    const Factor body = loaded(d);
+    multiply(Side::above, sum(t, d, body));
+    multiply(Side::below, body);
+  }
+
+  /// D
+  Factor loaded(const Stiffness& d) {
+    if (!scene_.mass) return passive(d.t, d.t_range);
+    const NodeId m = symbol(scene_.mass->symbol);
+    const Range inertia = stiffness_.guarded(program_.size(m));
+    Factor result;
+    result.is_passive = false;
+    result.range = {std::max(d.t_range.low, d.q_range.low + inertia.low) - cancellation,
+                    std::max(d.t_range.high, d.q_range.high + inertia.high) + 1};
+    const Complex t = at(program_, d.t, omega_);
+    if (is_one(program_, d.q) && program_[t.re].kind == NodeKind::exact) {
+      result.value = {program_.less_inertia(t.re, m, omega_), t.im};
+      return result;
+    }
+    const NodeId zero = program_.constant(0), one = program_.constant(1);
+    const Complex whole =
+        sum_of_products(program_, {{d.t, polynomial({one})}, {d.q, polynomial({zero, zero, m})}})
+            .value;
+    if (is_short(whole)) return as_polynomial(result, whole);
+    const Complex less{program_.negate(program_.multiply(m, square_)), zero};
+    result.value =
+        sum_of_products(program_, {{t, {one, zero}}, {at(program_, d.q, omega_), less}}).value;
+    return result;
+  }
+
+  Factor as_polynomial(Factor factor, const Complex& z) {
+    factor.polynomial = z;
+    factor.value = at(program_, z, omega_);
+    return factor;
+  }
+
+  /// N
+  Factor sum(const Stiffness& t, const Stiffness& d, const Factor& body) {
+    const Range first = t.t_range + d.q_range, second = t.q_range + body.range;
+    check(first);
+    check(second);
+    Factor result;
+    result.is_passive = !scene_.mass;
+    result.range = {std::max(first.low, second.low) - (scene_.mass ? cancellation : 1),
+                    std::max(first.high, second.high) + 1};
+    if (!body.polynomial.coefficients.empty()) {
+      const Complex whole = sum_of_products(program_, {{t.t, d.q}, {t.q, body.polynomial}}).value;
+      if (is_short(whole)) return as_polynomial(result, whole);
+    }
+    result.value =
+        sum_of_products(program_, {{at(program_, t.t, omega_), at(program_, d.q, omega_)},
+                                   {at(program_, t.q, omega_), body.value}})
+            .value;
+    return result;
+  }
+
+  void check(Range range) { result_.fits = result_.fits && fits(range); }
+
+  void multiply(Side side, const Factor& factor) {
+    sides_[side == Side::above ? 0 : 1].push_back(factor);
+  }
+
+  /// |T|^2
+  NodeId squared(const Factor& factor) {
+    const std::vector<NodeId>& a = factor.polynomial.coefficients;
+    if (!factor.is_passive || a.empty() || a.size() > longest_square)
+      return square(program_, factor.value);
+    NodeId whole = program_.constant(0);
+    for (std::size_t k = a.size(); k-- > 0;)
+      whole = program_.multiply_add(square_, whole, square_coefficient(a, k));
+    return whole;
+  }
+
+  NodeId square_coefficient(const std::vector<NodeId>& a, std::size_t k) {
+    NodeId sum = program_.multiply(a[k], a[k]);
+    for (std::size_t i = 1; i <= k && k + i < a.size(); ++i) {
+      const NodeId sign = program_.constant(i % 2 == 0 ? 2 : -2);
+      sum = program_.multiply_add(program_.multiply(sign, a[k - i]), a[k + i], sum);
+    }
+    return sum;
+  }
+
+  NodeId product(const std::vector<Factor>& factors) {
+    NodeId whole = program_.constant(1);
+    Range range;
+    for (const Factor& factor : factors) {
+      check(twice(factor.range));
+      check(range = range + twice(factor.range));
+      whole = program_.multiply(whole, squared(factor));
+    }
+    return whole;
+  }
+
+  SweepProgram finished() {
+    result_.rooted = true;
+    if (result_.fits) {
+      result_.above = product(sides_[0]);
+      result_.below = product(sides_[1]);
+    }
+    const NodeId mu0 = symbol({"mu0"}), du_z = symbol({"du_z"});
+    for (const NodeId id : {mu0, du_z}) stiffness_.guarded(program_.size(id));
+    result_.factor = program_.multiply(program_.multiply(mu0, du_z), omega_);
+    result_.guards = stiffness_.guards();
+    result_.program = std::move(program_);
+    return std::move(result_);
+  }
+
+  const Scene& scene_;
+  const SymbolValue& value_;
+  bool normalised_;
+  Program program_;
+  NodeId omega_, square_;
+  StiffnessWriter stiffness_;
+  std::array<std::vector<Factor>, 2> sides_;
+  SweepProgram result_;
+};
+
+// Operations by which omega and the result are found to be of ordinary size.
+constexpr int checks = 8;
+
+/// Operations that depend on omega.
+int operations_at_each_omega(const VelocityProgram& velocity) {
+  const Program& program = velocity.program;
+  std::set<NodeId> varying;
+  for (const NodeId id : program.needed_for({velocity.above, velocity.below, velocity.factor})) {
+    const Node& node = program[id];
+    bool varies = node.operation == Node::Operation::parameter && node.parameter.name == "omega";
+    for (std::size_t i = 0; i < arity(node.operation); ++i)
+      varies = varies || varying.contains(node.arguments[i]);
+    if (varies) varying.insert(id);
+  }
+  return program.operations(varying);
+}
+
+}  // namespace
+
+std::optional<SweepProgram> sweep_program(const Scene& scene, const SymbolValue& value) {
+  refuse_other_drives(scene);
+  const int others = operations_at_each_omega(velocity_program(scene, value));
+  for (const bool normalised : {false, true}) {
+    SweepProgram program = SweepWriter(scene, value, normalised).write();
+    if (program.fits && operations_at_each_omega(program) + checks < others) return program;
+  }
+  return std::nullopt;
+}
+
+}  // namespace vcrit::symbolic
