@@ -24,9 +24,9 @@ const std::string& way_name(const std::string& key) {
 const std::vector<RegionName>& regions() {
   static const std::vector<RegionName> all{
       {"relaxation", "Relaxation times",
-       "All dampers and relaxation times scaled by 10⁻¹² to 10¹², which makes them seconds as "
-       "every "
-       "scene relaxes within a few seconds, and ω from 10⁻⁶ to 10¹⁵ rad/s."},
+       "All dampers and relaxation times scaled by 10⁻¹² to 10¹², where the scenes relax in "
+       "seconds "
+       "(ten branches: in 10⁻¹⁰ to 10¹⁰ seconds), and ω from 10⁻⁶ to 10¹⁵ rad/s."},
       {"stiffness", "Stiffnesses",
        "The springs of the contact scaled by 10⁻³⁰ to 10³⁰ against the drive (under a rigid drive, "
        "one spring against the others), and ω from 10⁻⁶ to 10¹⁵ rad/s."},

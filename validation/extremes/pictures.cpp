@@ -57,7 +57,7 @@ Figure empty_map(const Region& like, const std::string& name, const std::string&
   figure.title = title;
   figure.caption = "Decimal digits of v* that are lost, 0 to 16, by the family that loses most.";
   figure.x = over("ω, rad/s", like.x);
-  figure.y = over(like.key == "relaxation" ? "relaxation time, s" : "stiffness ratio", like.y);
+  figure.y = over(like.key == "relaxation" ? "factor on times" : "factor on springs", like.y);
   figure.map = figures::Map{{"digits lost", false, std::pair{0.0, 16.0}, {}}, like.x, like.y, {}};
   return figure;
 }
