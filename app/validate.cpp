@@ -1,5 +1,5 @@
-// vcrit validate: everything compared with everything, of scenes or of the paper, as pages and one
-// JSON file.
+// vcrit validate: everything compared with everything, of scenes, of the paper or at extremes, as
+// pages and one JSON file.
 #include "report/validate.hpp"
 
 #include <fmt/format.h>
@@ -11,6 +11,7 @@
 
 #include "base/errors.hpp"
 #include "commands.hpp"
+#include "report/validate_extremes.hpp"
 
 namespace vcrit::app {
 
@@ -52,27 +53,36 @@ void print(const Validation& validation) {
   fmt::print("{}\n", validation.page.string());
 }
 
-Validation validated(const validation::report::Request& request, bool paper) {
-  if (paper && !request.files.empty())
-    throw InputError({"--paper"}, "scene files beside it", "one or the other");
-  if (paper) return validation::report::validate_paper(request, show_progress);
-  if (request.files.empty()) throw InputError({"SCENE"}, "none", "scene files, or --paper");
+struct Options {
+  validation::report::Request request;
+  bool paper = false, extremes = false;
+};
+
+Validation validated(const Options& options) {
+  const validation::report::Request& request = options.request;
+  const char* const instead = options.paper ? "--paper" : "--extremes";
+  if (options.paper && options.extremes)
+    throw InputError({"--extremes"}, "--paper beside it", "one or the other");
+  if ((options.paper || options.extremes) && !request.files.empty())
+    throw InputError({instead}, "scene files beside it", "one or the other");
+  if (options.paper) return validation::report::validate_paper(request, show_progress);
+  if (options.extremes) return validation::report::validate_extremes(request, show_progress);
+  if (request.files.empty())
+    throw InputError({"SCENE"}, "none", "scene files, --paper or --extremes");
   return validation::report::validate(request, show_progress);
 }
 
 }  // namespace
 
 void add_validate(CLI::App& program, int& status) {
-  struct Options {
-    validation::report::Request request;
-    bool paper = false;
-  };
   const auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand(
       "validate", "Compare formula, evaluators and simulation; write a report");
   command->add_option("SCENE", options->request.files, "scene files (TOML)");
   command->add_flag("--paper", options->paper,
                     "instead of scenes: the paper's equations, figures and numbers");
+  command->add_flag("--extremes", options->extremes,
+                    "instead of scenes: evaluators and simulator at extreme numbers");
   command->add_option("--out", options->request.directory, "folder for index.html and report.json")
       ->required()
       ->type_name("DIR");
@@ -80,7 +90,7 @@ void add_validate(CLI::App& program, int& status) {
       ->add_option("--figures", options->request.figures, "folder for the figures as SVG and PDF")
       ->type_name("DIR");
   command->callback([options, &status] {
-    const Validation validation = validated(options->request, options->paper);
+    const Validation validation = validated(*options);
     clear_progress();
     print(validation);
     if (!validation.passed) status = 1;

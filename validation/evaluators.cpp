@@ -28,7 +28,6 @@ class Precision {
   long before_;
 };
 
-constexpr long digits = 50;
 constexpr std::chrono::seconds run_limit{10};
 
 std::string member(const Symbol& symbol) {
@@ -76,9 +75,18 @@ GiNaC::ex interpolated(const Receptance& receptance, double omega) {
 
 }  // namespace
 
-double derived_velocity(const Scene& scene, const symbolic::Derivation& derivation,
-                        const Values& values) {
+double value_in_digits(const GiNaC::ex& formula, const std::vector<symbolic::Line>& definitions,
+                       const Values& values, long digits) {
   const Precision precision(digits);
+  std::map<Symbol, GiNaC::numeric> numbers;
+  for (const auto& [symbol, value] : values) numbers[symbol] = GiNaC::numeric(value);
+  const GiNaC::numeric value = symbolic::value_at(formula, definitions, numbers);
+  if (!value.is_real()) throw std::runtime_error("the derived formula gave no real number");
+  return value.to_double();
+}
+
+double derived_velocity(const Scene& scene, const symbolic::Derivation& derivation,
+                        const Values& values, long digits) {
   std::vector<symbolic::Line> definitions;
   if (scene.receptance)
     definitions.push_back(
@@ -86,12 +94,7 @@ double derived_velocity(const Scene& scene, const symbolic::Derivation& derivati
          interpolated(*scene.receptance, values.at(scene.angular_frequency.symbol))});
   definitions.insert(definitions.end(), derivation.definitions.begin(),
                      derivation.definitions.end());
-  std::map<Symbol, GiNaC::numeric> numbers;
-  for (const auto& [symbol, value] : values) numbers[symbol] = GiNaC::numeric(value);
-  const GiNaC::numeric velocity =
-      symbolic::value_at(derivation.critical_velocity, definitions, numbers);
-  if (!velocity.is_real()) throw std::runtime_error("the derived formula gave no real number");
-  return velocity.to_double();
+  return value_in_digits(derivation.critical_velocity, definitions, values, digits);
 }
 
 std::string asking_program(const std::vector<Symbol>& parameters, const Values& values) {

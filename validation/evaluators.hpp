@@ -10,10 +10,18 @@
 
 namespace vcrit::validation {
 
-/// The derived formula at the scene's doubles, which stand for exactly themselves; 50 digits, then
-/// rounded to a double. Throws std::runtime_error where the formula has no finite value.
+/// Digits that suffice wherever v* is not extremely near a resonance or antiresonance.
+constexpr long usual_digits = 50;
+
+/// A formula's value at doubles, which stand for exactly themselves, in so many digits, then
+/// rounded to a double; `definitions` as for symbolic::value_at. Throws std::runtime_error where it
+/// has no finite real value.
+double value_in_digits(const GiNaC::ex& formula, const std::vector<symbolic::Line>& definitions,
+                       const Values& values, long digits);
+
+/// The derived formula in that way, at the scene's doubles.
 double derived_velocity(const Scene& scene, const symbolic::Derivation& derivation,
-                        const Values& values);
+                        const Values& values, long digits = usual_digits);
 
 /// What the generated library answers, each call of its interface once; m/s.
 struct GeneratedVelocities {

@@ -31,6 +31,7 @@ ROOMS = [
     "validation/figures",
     "validation",
     "validation/accuracy",
+    "validation/extremes",
     "validation/paper",
     "validation/benchmark",
     "validation/scaling",

@@ -36,17 +36,6 @@ double certified_or_nan(const Scene& scene) {
   }
 }
 
-/// The amplitude that keeps the contact closed. A contact without static load stays as it is.
-double closed_amplitude(const Scene& scene, const Reduction& normal, const Values& values) {
-  const double amplitude = values.at(scene.amplitude.symbol);
-  const double at_rest = relaxation_form(scene.normal, values).equilibrium;
-  if (at_rest == 0) return amplitude;
-  const double omega = values.at(scene.angular_frequency.symbol);
-  const double stiffening = at_rest / std::abs(dynamic_stiffness(normal, values, omega));
-  return std::min(amplitude,
-                  largest_oscillation * stiffening * values.at(scene.indentation.symbol));
-}
-
 /// The column whose cell holds omega; none beside the grid.
 std::optional<std::size_t> column_of(const std::vector<double>& middles, double omega) {
   const double step = std::log(middles[1] / middles[0]);
@@ -68,6 +57,16 @@ std::vector<double> row_of(const std::vector<double>& middles, const Resonances&
 
 }  // namespace
 
+double closed_amplitude(const Scene& scene, const Reduction& normal, const Values& values) {
+  const double amplitude = values.at(scene.amplitude.symbol);
+  const double at_rest = relaxation_form(scene.normal, values).equilibrium;
+  if (at_rest == 0) return amplitude;
+  const double omega = values.at(scene.angular_frequency.symbol);
+  const double stiffening = at_rest / std::abs(dynamic_stiffness(normal, values, omega));
+  return std::min(amplitude,
+                  largest_oscillation * stiffening * values.at(scene.indentation.symbol));
+}
+
 void Cells::for_each(const Scene& scene,
                      const std::function<void(const Scene&, std::size_t)>& visit) const {
   VariedScene varied(scene);
@@ -78,13 +77,20 @@ void Cells::for_each(const Scene& scene,
   }
 }
 
+std::vector<double> correctly_rounded(const Scene& scene, const Cells& cells) {
+  std::vector<double> right;
+  cells.for_each(scene,
+                 [&](const Scene& each, std::size_t) { right.push_back(certified_or_nan(each)); });
+  return right;
+}
+
 Cells cells_of(const Scene& scene, const std::vector<Symbol>& scaled, const Grid& grid) {
   const Values base = values_of(scene);
   const Reduction normal = reduce(scene.normal);
   const Resonances resonances(scene);
   Cells cells;
   cells.omega = logarithmic(base.at(scene.angular_frequency.symbol), grid.decades, grid.omegas);
-  cells.factor = logarithmic(1, grid.decades, grid.factors);
+  cells.factor = logarithmic(1, grid.factor_decades.value_or(grid.decades), grid.factors);
   for (const double factor : cells.factor) {
     Values values = base;
     for (const Symbol& symbol : scaled) values[symbol] = factor * base.at(symbol);
@@ -95,9 +101,7 @@ Cells cells_of(const Scene& scene, const std::vector<Symbol>& scaled, const Grid
       cells.values.push_back(values);
     }
   }
-  cells.for_each(scene, [&](const Scene& each, std::size_t) {
-    cells.right.push_back(certified_or_nan(each));
-  });
+  cells.right = correctly_rounded(scene, cells);
   return cells;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "accuracy/stability.hpp"
+#include "network/reduction.hpp"
 #include "scene/scene.hpp"
 
 namespace vcrit::validation::accuracy {
@@ -23,6 +24,13 @@ struct Cells {
   void for_each(const Scene& scene,
                 const std::function<void(const Scene& each, std::size_t i)>& visit) const;
 };
+
+/// v* correctly rounded of each cell, from its values.
+std::vector<double> correctly_rounded(const Scene& scene, const Cells& cells);
+
+/// The amplitude du_z (m), at most that of `values`, at which the normal force keeps a tenth of its
+/// mean; `normal` is the scene's normal network. A contact without static load stays as it is.
+double closed_amplitude(const Scene& scene, const Reduction& normal, const Values& values);
 
 /// By how much, relatively, omega lies beside the resonance or antiresonance of its cell.
 constexpr double beside_balance = 1e-8;

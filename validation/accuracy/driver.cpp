@@ -68,6 +68,7 @@ Driver::Driver(const Scene& scene, const std::filesystem::path& compiler) {
   else
     missing_.push_back({pasted_call().way, "it stays nested: the same as Eq. 24 as written"});
   for (const Call& call : calls) ways_.push_back(call.way);
+  if (no_library.empty()) calls.insert(calls.end(), bound_calls().begin(), bound_calls().end());
   write_file(folder / "driver.cpp",
              driver_source(scene, nested, formula, symbols_, calls, no_library.empty()));
   // What the generated headers ask for; values do not change with it, as nothing is contracted.
@@ -80,23 +81,35 @@ bool Driver::has(const std::string& key) const {
   return std::any_of(ways_.begin(), ways_.end(), [&](const Way& way) { return way.key == key; });
 }
 
+std::vector<double> Driver::bounds(const std::vector<std::vector<double>>& sets,
+                                   const std::string& grade) const {
+  return run(sets, std::vector<Way>{{grade + "_bound", {}}}).front().values;
+}
+
 std::vector<Answers> Driver::run(const std::vector<std::vector<double>>& sets,
                                  const std::vector<std::string>& keys) const {
+  std::vector<Way> ways;
+  for (const std::string& key : keys) {
+    const auto way =
+        std::find_if(ways_.begin(), ways_.end(), [&](const Way& each) { return each.key == key; });
+    ensure(way != ways_.end(), "the driver knows its ways");
+    ways.push_back(*way);
+  }
+  return run(sets, ways);
+}
+
+std::vector<Answers> Driver::run(const std::vector<std::vector<double>>& sets,
+                                 const std::vector<Way>& ways) const {
   const std::filesystem::path in = folder_.path() / "sets", out = folder_.path() / "answers";
   std::string text;
   for (const std::vector<double>& set : sets) text += fmt::format("{:a}\n", fmt::join(set, " "));
   write_file(in, text);
   std::vector<std::string> command{folder_.path() / "driver", in, out};
-  command.insert(command.end(), keys.begin(), keys.end());
+  for (const Way& way : ways) command.push_back(way.key);
   run_or_throw(command, folder_.path(), run_limit, "the driver program");
   std::istringstream stream(read_file(out));
   std::vector<Answers> result;
-  for (const std::string& key : keys) {
-    const auto way =
-        std::find_if(ways_.begin(), ways_.end(), [&](const Way& each) { return each.key == key; });
-    ensure(way != ways_.end(), "the driver knows its ways");
-    result.push_back(read_answers(stream, *way, sets.size()));
-  }
+  for (const Way& way : ways) result.push_back(read_answers(stream, way, sets.size()));
   return result;
 }
 

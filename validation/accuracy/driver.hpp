@@ -40,12 +40,20 @@ class Driver {
   const std::vector<Missing>& missing() const { return missing_; }
   bool has(const std::string& key) const;
 
+  /// Relative error bounds that the generated library claims in `grade` ("certified": accurate,
+  /// "fast"), one a set. Throws as run().
+  std::vector<double> bounds(const std::vector<std::vector<double>>& sets,
+                             const std::string& grade) const;
+
   /// Answers of the ways named by `keys`, in their order. Throws std::runtime_error when the
   /// program fails or takes more than a minute.
   std::vector<Answers> run(const std::vector<std::vector<double>>& sets,
                            const std::vector<std::string>& keys) const;
 
  private:
+  std::vector<Answers> run(const std::vector<std::vector<double>>& sets,
+                           const std::vector<Way>& ways) const;
+
   PrivateFolder folder_;
   std::vector<Symbol> symbols_;
   std::vector<Way> ways_;

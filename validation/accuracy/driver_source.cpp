@@ -125,6 +125,15 @@ const std::vector<Call>& generated_calls() {
   return calls;
 }
 
+const std::vector<Call>& bound_calls() {
+  static const std::vector<Call> calls{
+      each("certified_bound", "bound of the accurate grade",
+           "scene::critical_velocity_certified(sets[i]).relative_error_bound"),
+      each("fast_bound", "bound of the fast grade",
+           "scene::fast::critical_velocity_certified(sets[i]).relative_error_bound")};
+  return calls;
+}
+
 const Call& complex_call() {
   static const Call call =
       each("complex", "Eq. 24 in std::complex, as written", "in_complex_numbers(sets[i])");

@@ -18,6 +18,8 @@ struct Call {
 
 /// The calls of the generated library "scene".
 const std::vector<Call>& generated_calls();
+/// The relative error bounds that both its grades claim: "certified_bound", "fast_bound".
+const std::vector<Call>& bound_calls();
 /// Eq. 24 in complex numbers, and the derived formula, as they stand in the text.
 const Call& complex_call();
 const Call& pasted_call();

@@ -22,6 +22,12 @@ class Resonances {
   /// error; one of them, if there are several. Nothing if there is none.
   std::optional<double> find(Balance balance, const Values& values) const;
 
+  /// Whether stiffness outweighs inertia at `omega` (rad/s): the balance lies above it. Not without
+  /// a body.
+  bool above(Balance balance, const Values& values, double omega) const {
+    return exist() && excess(balance, values, omega) > 0;
+  }
+
  private:
   double excess(Balance balance, const Values& values, double omega) const;
 

@@ -10,7 +10,8 @@ namespace vcrit::validation::accuracy {
 
 struct Grid {
   std::size_t omegas = 32, factors = 24;
-  double decades = 6;  ///< to either side of the scene
+  double decades = 6;                         ///< to either side of the scene
+  std::optional<double> factor_decades = {};  ///< of the factor; none: the same
 };
 
 /// Of the 16 that a double has: log10 of the relative error over 2^-53, between 0 and 16. NaN where

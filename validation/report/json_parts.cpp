@@ -6,6 +6,44 @@ namespace vcrit::validation::report {
 
 using nlohmann::ordered_json;
 
+namespace {
+
+const char* style_of(figures::Style style) {
+  using figures::Style;
+  switch (style) {
+    case Style::line:
+      return "line";
+    case Style::dashed:
+      return "dashed";
+    case Style::dotted:
+      return "dotted";
+    case Style::circles:
+      return "circles";
+    case Style::dots:
+      return "dots";
+    case Style::crosses:
+      return "crosses";
+    case Style::bars:
+      return "bars";
+  }
+  throw Bug("a style without a name");
+}
+
+ordered_json series(const figures::Series& series) {
+  ordered_json points = ordered_json::array();
+  for (const figures::Point& point : series.points)
+    points.push_back({json_number(point.x), json_number(point.y)});
+  return {{"name", series.name}, {"style", style_of(series.style)}, {"points", points}};
+}
+
+}  // namespace
+
+ordered_json numbers(const std::vector<double>& values) {
+  ordered_json array = ordered_json::array();
+  for (const double value : values) array.push_back(json_number(value));
+  return array;
+}
+
 ordered_json json(const Comparison& comparison) {
   const bool relative = comparison.measure == Comparison::Measure::relative;
   ordered_json object{{"key", comparison.key},
@@ -27,6 +65,21 @@ ordered_json json(const Comparison& comparison) {
 
 ordered_json json(const Formula& formula) {
   return {{"text", formula.text}, {"latex", formula.latex}};
+}
+
+ordered_json json(const figures::Figure& figure) {
+  ordered_json object{{"name", figure.name},
+                      {"title", figure.title},
+                      {"x", figure.x.title},
+                      {"y", figure.y.title},
+                      {"series", ordered_json::array()}};
+  for (const figures::Series& each : figure.series) object["series"].push_back(series(each));
+  if (figure.map)
+    object["map"] = {{"value", figure.map->value.title},
+                     {"x", numbers(figure.map->x)},
+                     {"y", numbers(figure.map->y)},
+                     {"values", numbers(figure.map->values)}};
+  return object;
 }
 
 ordered_json json(const Machine& machine) {

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "figures/figure.hpp"
 #include "report/machine_section.hpp"
 #include "scene_report.hpp"
 
@@ -10,7 +11,9 @@ namespace vcrit::validation::report {
 
 nlohmann::ordered_json json(const Comparison& comparison);
 nlohmann::ordered_json json(const Formula& formula);
+nlohmann::ordered_json json(const figures::Figure& figure);
 nlohmann::ordered_json json(const Machine& machine);
+nlohmann::ordered_json numbers(const std::vector<double>& values);
 
 /// `program`, `version`, `passed`, `command`, `machine`.
 nlohmann::ordered_json report_head(const Origin& origin, bool passed);

@@ -18,54 +18,6 @@ ordered_json list(const std::vector<Item>& items, ordered_json (*write)(const It
 
 ordered_json comparisons(const std::vector<Comparison>& all) { return list<Comparison>(all, json); }
 
-ordered_json numbers(const std::vector<double>& values) {
-  ordered_json array = ordered_json::array();
-  for (const double value : values) array.push_back(json_number(value));
-  return array;
-}
-
-const char* style_of(figures::Style style) {
-  using figures::Style;
-  switch (style) {
-    case Style::line:
-      return "line";
-    case Style::dashed:
-      return "dashed";
-    case Style::dotted:
-      return "dotted";
-    case Style::circles:
-      return "circles";
-    case Style::dots:
-      return "dots";
-    case Style::crosses:
-      return "crosses";
-    case Style::bars:
-      return "bars";
-  }
-  throw Bug("a style without a name");
-}
-
-ordered_json series(const figures::Series& series) {
-  ordered_json points = ordered_json::array();
-  for (const figures::Point& point : series.points)
-    points.push_back({json_number(point.x), json_number(point.y)});
-  return {{"name", series.name}, {"style", style_of(series.style)}, {"points", points}};
-}
-
-ordered_json figure(const figures::Figure& figure) {
-  ordered_json object{{"name", figure.name},
-                      {"title", figure.title},
-                      {"x", figure.x.title},
-                      {"y", figure.y.title},
-                      {"series", list<figures::Series>(figure.series, series)}};
-  if (figure.map)
-    object["map"] = {{"value", figure.map->value.title},
-                     {"x", numbers(figure.map->x)},
-                     {"y", numbers(figure.map->y)},
-                     {"values", numbers(figure.map->values)}};
-  return object;
-}
-
 ordered_json proof(const paper::Proof& proof) {
   return {{"equation", proof.equation},
           {"words", proof.words},
@@ -122,13 +74,13 @@ ordered_json parts(const paper::Paper& paper) {
             {"rheologies", paper.proofs.rheologies},
             {"comparisons", comparisons(paper.proofs.comparisons)}}},
           {"figure4",
-           {{"reduced", list<figures::Figure>(paper.figure4.reduced, figure)},
-            {"full", list<figures::Figure>(paper.figure4.full, figure)},
+           {{"reduced", list<figures::Figure>(paper.figure4.reduced, json)},
+            {"full", list<figures::Figure>(paper.figure4.full, json)},
             {"comparisons", comparisons(paper.figure4.comparisons)}}},
           {"difference",
            {{"allowed", paper.map.allowed},
             {"safe_delta", paper.map.safe_delta},
-            {"figure", figure(paper.map.figure)},
+            {"figure", json(paper.map.figure)},
             {"comparisons", comparisons(paper.map.comparisons)}}},
           {"jump_limits",
            {{"rows", list<paper::JumpLimit>(paper.jumps.rows, jump_limit)},
@@ -140,7 +92,7 @@ ordered_json parts(const paper::Paper& paper) {
             {"comparisons", comparisons(paper.slow.comparisons)}}},
           {"flat_punch",
            {{"rows", list<paper::PunchRow>(paper.punch.rows, punch_row)},
-            {"figure", figure(paper.punch.figure)},
+            {"figure", json(paper.punch.figure)},
             {"comparisons", comparisons(paper.punch.comparisons)}}},
           {"evidence",
            {{"normal_force_amplitude_ratio", paper.evidence.a},

@@ -3,44 +3,17 @@
 #include <fmt/format.h>
 
 #include "report/chart.hpp"
-#include "report/comparison_table.hpp"
 #include "report/document.hpp"
 #include "report/equations.hpp"
 #include "report/html.hpp"
 #include "report/paper_tables.hpp"
+#include "report/sections.hpp"
 
 namespace vcrit::validation::report {
 
 namespace {
 
 using paper::Paper;
-
-bool all_passed(const std::vector<Comparison>& comparisons) {
-  return count(comparisons, Comparison::Outcome::failed) == 0;
-}
-
-const char* state_of(const std::vector<Comparison>& comparisons) {
-  return all_passed(comparisons) ? "passed" : "failed";
-}
-
-std::string verdict(const std::vector<Comparison>& comparisons) {
-  return fmt::format(
-      "<div class=\"verdict {}\"><p class=\"state\">{}</p><p class=\"worst\">{}</p></div>\n",
-      state_of(comparisons), escape(count_words(comparisons)), escape(tightest_words(comparisons)));
-}
-
-/// Open where something failed.
-std::string agreement(const std::vector<Comparison>& comparisons) {
-  return fmt::format("<details class=\"agreement\"{}><summary>{}</summary>\n{}</details>\n",
-                     all_passed(comparisons) ? "" : " open", escape(count_words(comparisons)),
-                     comparison_table(comparisons));
-}
-
-std::string section(const char* id, const char* title, const std::string& content,
-                    const std::vector<Comparison>& comparisons) {
-  return fmt::format("<section class=\"scene\" id=\"{}\">\n<h2>{}</h2>\n{}{}</section>\n", id,
-                     title, content, agreement(comparisons));
-}
 
 std::string badge(const Comparison& comparison) {
   const bool held = outcome(comparison) == Comparison::Outcome::passed;

@@ -2,35 +2,12 @@
 
 #include <fmt/format.h>
 
-#include "report/html.hpp"
+#include "report/number_table.hpp"
 #include "report/units.hpp"
 
 namespace vcrit::validation::report {
 
 namespace {
-
-/// Headings and cells are of this file, not of a scene. The first cell of a row is its head.
-using Cells = std::vector<std::string>;
-
-std::string row_of(const Cells& cells, bool heading) {
-  std::string html;
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    const char* tag = heading || i == 0 ? "th" : "td";
-    const char* scope = heading ? " scope=\"col\"" : i == 0 ? " scope=\"row\"" : "";
-    html += fmt::format("<{0}{1}>{2}</{0}>", tag, scope, cells[i]);
-  }
-  return "<tr>" + html + "</tr>\n";
-}
-
-std::string table(const Cells& headings, const std::vector<Cells>& rows, const char* caption) {
-  std::string body;
-  for (const Cells& cells : rows) body += row_of(cells, false);
-  return fmt::format(
-      "<figure><div class=\"scroll\" tabindex=\"0\"><table class=\"numbers "
-      "tight\"><thead>{}</thead>"
-      "<tbody>\n{}</tbody></table></div><figcaption>{}</figcaption></figure>\n",
-      row_of(headings, true), body, caption);
-}
 
 std::string plain(double value) { return fmt::format("{:g}", value); }
 std::string places(double value, int digits) { return fmt::format("{:.{}f}", value, digits); }
@@ -48,8 +25,9 @@ std::string jump_table(const paper::JumpLimits& limits) {
   for (const paper::JumpLimit& row : limits.rows)
     rows.push_back({plain(row.delta), plain(row.printed), places(row.formula, 15),
                     places(row.by_admissibility, 15), places(row.by_simulator, 15)});
-  return table({"δ", "printed", "1/√(1 + δ²)", "bisection, admissibility", "bisection, simulator"},
-               rows, "The largest D at which the normal force stays positive.");
+  return number_table(
+      {"δ", "printed", "1/√(1 + δ²)", "bisection, admissibility", "bisection, simulator"}, rows,
+      "The largest D at which the normal force stays positive.");
 }
 
 std::string static_table(const paper::StaticLimit& limit) {
@@ -66,10 +44,11 @@ std::string static_table(const paper::StaticLimit& limit) {
     rows.push_back(full);
     rows.push_back(reduced);
   }
-  return table(headings, rows,
-               "Friction ratio with F<sub>n</sub> = mean × (1 ± 0.9). Power: of v₀/v*, with which "
-               "it comes near "
-               "its limit, between the last two speeds; of the reduced model as derived.");
+  return number_table(
+      headings, rows,
+      "Friction ratio with F<sub>n</sub> = mean × (1 ± 0.9). Power: of v₀/v*, with which "
+      "it comes near "
+      "its limit, between the last two speeds; of the reduced model as derived.");
 }
 
 std::string punch_table(const paper::FlatPunch& punch) {
@@ -77,8 +56,8 @@ std::string punch_table(const paper::FlatPunch& punch) {
   for (const paper::PunchRow& row : punch.rows)
     rows.push_back({plain(row.ratio), places(row.reference, 15), off(row.simulated, row.reference),
                     off(row.closed_form, row.reference), off(row.fit, row.reference)});
-  return table({"v₀/v*", "G, 20 digits", "simulation", "closed form", "fit"}, rows,
-               "G of the friction ratio 1 − D G, and how far from it each is.");
+  return number_table({"v₀/v*", "G, 20 digits", "simulation", "closed form", "fit"}, rows,
+                      "G of the friction ratio 1 − D G, and how far from it each is.");
 }
 
 std::string witness_table(const paper::Evidence& evidence) {
@@ -94,10 +73,11 @@ std::string witness_table(const paper::Evidence& evidence) {
     cells.push_back(off(row.adaptive, row.reference));
     rows.push_back(cells);
   }
-  return table(headings, rows,
-               "Friction ratio with F<sub>n</sub> = mean × (1 ± 0.9) in 25 digits (12 of them "
-               "here), and how "
-               "far from it each is. Moreau’s method with so many steps a period.");
+  return number_table(
+      headings, rows,
+      "Friction ratio with F<sub>n</sub> = mean × (1 ± 0.9) in 25 digits (12 of them "
+      "here), and how "
+      "far from it each is. Moreau’s method with so many steps a period.");
 }
 
 }  // namespace vcrit::validation::report

@@ -7,7 +7,6 @@
 #include "base/files.hpp"
 #include "figures/gnuplot.hpp"
 #include "paper/paper.hpp"
-#include "report/assets.hpp"
 #include "report/figure_files.hpp"
 #include "report/index_page.hpp"
 #include "report/paper_page.hpp"
@@ -29,12 +28,6 @@ std::vector<Scene> read_all(const std::vector<std::string>& files) {
     values_of(scenes.back());
   }
   return scenes;
-}
-
-Machine machine_and_parts() {
-  Machine machine = this_machine();
-  for (const Script& script : scripts()) machine.versions.emplace_back(script.name, script.version);
-  return machine;
 }
 
 /// What a worker hands over of its scene.

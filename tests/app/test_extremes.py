@@ -1,0 +1,59 @@
+"""vcrit validate --extremes as a user meets it: exit status, files, what is in them."""
+
+import json
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+PROJECT, PROGRAM = Path(sys.argv.pop(1)), sys.argv.pop(1)
+REGIONS = ["relaxation", "stiffness", "corners", "resonance", "antiresonance", "limits"]
+
+
+def run(*arguments):
+    return subprocess.run([PROGRAM, *arguments], cwd=PROJECT, capture_output=True, text=True, timeout=300)
+
+
+class Extremes(unittest.TestCase):
+    def test_everything_is_taken_to_extremes(self):
+        with tempfile.TemporaryDirectory() as folder:
+            result = run("validate", "--extremes", "--out", f"{folder}/out")
+            self.assertEqual((result.returncode, result.stdout, result.stderr), (0, f"{folder}/out/index.html\n", ""))
+            self.assertEqual(sorted(p.name for p in Path(folder, "out").iterdir()), ["index.html", "report.json"])
+            report = json.loads(Path(folder, "out", "report.json").read_text())
+            page = Path(folder, "out", "index.html").read_text()
+        self.assertIs(report["passed"], True)
+        self.assertIn('class="verdict passed"', page)
+        families = {family["key"]: family for family in report["extremes"]["families"]}
+        self.assertEqual(len(families), 9)
+        regions = {key: [region["key"] for region in family["regions"]] for key, family in families.items()}
+        self.assertEqual(regions["zener"], REGIONS)
+        self.assertEqual(regions["elastic"], REGIONS[1:])  # nothing relaxes
+        self.assertEqual(regions["rigid"], REGIONS[:2])  # no drive and no body
+        self.assertEqual(regions["burgers"], REGIONS[:3])  # no body
+        for family in families.values():
+            for region in family["regions"]:
+                # 22 x 25 cells; four corners; 15 distances on both sides and none; nine values a limit.
+                size = {"relaxation": {550}, "stiffness": {550}, "corners": {88}, "limits": {9, 18, 27}}
+                for way in region["evaluators"]:
+                    self.assertIn(way["values"], size.get(region["key"], {30, 31}))
+                    self.assertEqual(way["violated"], 0)
+                    if way["way"].startswith(("accurate", "certified")):
+                        self.assertEqual(way["lost"] + way["no_number"] + way["uncertified"], 0)
+                if region["key"] != "limits":
+                    self.assertEqual(region["simulator"]["wrong"], 0)
+                    self.assertGreater(region["simulator"]["right"], 12)
+
+    def test_extremes_stand_alone(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for arguments, words in [(("scenes/kelvin.toml",), ["--extremes", "scene files"]), (("--paper",), ["--extremes", "--paper"])]:
+                result = run("validate", "--extremes", *arguments, "--out", f"{folder}/out")
+                self.assertEqual((result.returncode, result.stdout), (2, ""))
+                for word in words:
+                    self.assertIn(word, result.stderr)
+                self.assertFalse(Path(folder, "out").exists())
+
+
+if __name__ == "__main__":
+    unittest.main()

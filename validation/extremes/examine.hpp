@@ -1,0 +1,34 @@
+// One family of scenes at all its extremes.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+
+#include "agreement.hpp"
+#include "extremes/contents.hpp"
+#include "extremes/families.hpp"
+#include "extremes/regions.hpp"
+#include "extremes/simulated.hpp"
+
+namespace vcrit::validation::extremes {
+
+/// Answers of all ways in the cells.
+using Evaluate = std::function<std::vector<Claimed>(const accuracy::Cells& cells)>;
+
+/// What is examined, replaceable one by one.
+struct Witnesses {
+  Evaluate evaluate;
+  Ask ask;
+  bool generated = true;  ///< whether there are generated evaluators among them
+};
+
+/// The library's own evaluator, the generated ones (with a compiler; takes seconds to compile) and
+/// the exact simulator. `scene` must stay. Throws std::runtime_error when a generated evaluator
+/// does not compile.
+Witnesses witnesses_of(const Scene& scene, const std::optional<std::filesystem::path>& compiler);
+
+FamilyResult examine(const Family& family, const Scene& scene, const Witnesses& witnesses,
+                     const Fineness& fineness, const Progress& progress);
+
+}  // namespace vcrit::validation::extremes

@@ -1,0 +1,24 @@
+// report.json of the page about extremes. Keys: docs/report.md.
+#pragma once
+
+#include <string>
+
+#include "extremes/contents.hpp"
+#include "report/machine_section.hpp"
+
+namespace vcrit::validation::report {
+
+struct ExtremesContents {
+  Origin origin;
+  extremes::Extremes extremes;
+};
+
+/// No comparison failed.
+bool passed(const extremes::Extremes& extremes);
+
+/// Makes the report again.
+extern const char* const extremes_command;
+
+std::string extremes_json(const ExtremesContents& contents);
+
+}  // namespace vcrit::validation::report

@@ -1,0 +1,12 @@
+// The page about extremes.
+#pragma once
+
+#include <string>
+
+#include "report/extremes_json.hpp"
+
+namespace vcrit::validation::report {
+
+std::string extremes_page(const ExtremesContents& contents);
+
+}  // namespace vcrit::validation::report

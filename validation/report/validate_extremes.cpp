@@ -1,0 +1,39 @@
+#include "report/validate_extremes.hpp"
+
+#include "base/files.hpp"
+#include "extremes/extremes.hpp"
+#include "extremes/pictures.hpp"
+#include "figures/gnuplot.hpp"
+#include "report/extremes_page.hpp"
+#include "report/figure_files.hpp"
+
+namespace vcrit::validation::report {
+
+Validation validate_extremes(const Request& request, const Watch& watch) {
+  if (!request.figures.empty()) require_gnuplot();
+  return report_extremes({{machine_and_parts(), extremes_command}, extremes::go_to_extremes(watch)},
+                         request, watch);
+}
+
+Validation report_extremes(const ExtremesContents& contents, const Request& request,
+                           const Watch& watch) {
+  Validation validation;
+  for (const Comparison& comparison : all_comparisons(contents.extremes)) {
+    const auto result = outcome(comparison);
+    if (result == Comparison::Outcome::failed)
+      validation.failed.push_back("extremes: " + comparison.name);
+    if (result == Comparison::Outcome::not_run)
+      validation.not_run.push_back("extremes: " + comparison.name);
+  }
+  validation.passed = validation.failed.empty();
+  validation.page = request.directory / "index.html";
+  std::vector<FigureFile> files;
+  for (const figures::Figure& figure : pictures(contents.extremes))
+    files.push_back({"", figure.name, gnuplot(figure)});
+  if (!request.figures.empty()) write_figures(files, request.figures, watch);
+  write_file(request.directory / "report.json", extremes_json(contents));
+  write_file(validation.page, extremes_page(contents));
+  return validation;
+}
+
+}  // namespace vcrit::validation::report
