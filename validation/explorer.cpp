@@ -9,6 +9,7 @@
 #include "emit/languages/languages.hpp"
 #include "simulation/steady/curve.hpp"
 #include "stiffness/dynamic_stiffness.hpp"
+#include "system_size.hpp"
 
 namespace vcrit::validation {
 
@@ -76,6 +77,8 @@ class Simulated {
         values_(values_of(scene)),
         normal_(reduce(scene.normal)),
         system_(simulation::system_of(scene)) {}
+
+  bool affordable() const { return !is_large(system_); }
 
   /// Amplitude of the normal force over its mean, by the scene's own oscillation.
   double amplitude_ratio(double omega) const {
@@ -145,8 +148,9 @@ std::optional<Explorer> explorer(const Scene& scene, const symbolic::Derivation&
   }
   result.sliders = sliders(derivation, values);
   if (!inadmissible_reasons(scene).empty()) return result;
-  const double omega = values_of(scene).at(scene.angular_frequency.symbol);
-  result.friction = friction_grid(Simulated(scene), omega);
+  const Simulated simulated(scene);
+  if (simulated.affordable())
+    result.friction = friction_grid(simulated, values_of(scene).at(scene.angular_frequency.symbol));
   return result;
 }
 

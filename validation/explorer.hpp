@@ -10,7 +10,7 @@
 namespace vcrit::validation {
 
 /// Nothing for drives that generated code does not know. Friction is left out where the scene is
-/// not simulated.
+/// not simulated, or large (system_size.hpp).
 std::optional<Explorer> explorer(const Scene& scene, const symbolic::Derivation& derivation,
                                  const std::vector<ValueLine>& values);
 

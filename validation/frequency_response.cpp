@@ -19,7 +19,7 @@ namespace vcrit::validation {
 namespace {
 
 constexpr double points_per_decade = 48;
-constexpr double most_points = 1200;
+constexpr double most_points = 600;
 
 /// Scene and values, and what is asked of them again and again.
 class Response {

@@ -6,6 +6,7 @@
 
 #include "simulation/methods/methods.hpp"
 #include "simulation/steady/exact.hpp"
+#include "system_size.hpp"
 
 namespace vcrit::validation::accuracy {
 
@@ -36,35 +37,36 @@ Setting exact_setting() {
           }};
 }
 
-MethodOptions limited() {
+MethodOptions limited(double share) {
   MethodOptions options;
-  options.most_steps = most_steps;
-  options.most_periods = 2000;
+  options.most_steps = static_cast<long>(most_steps * share);
+  options.most_periods = static_cast<int>(2000 * share);
   return options;
 }
 
-void add_adaptive(std::vector<Setting>& all, Method method, const std::vector<double>& tolerances) {
+void add_adaptive(std::vector<Setting>& all, Method method, double share,
+                  const std::vector<double>& tolerances) {
   for (const double tolerance : tolerances) {
-    MethodOptions options = limited();
+    MethodOptions options = limited(share);
     options.tolerance = tolerance;
     all.push_back(
         with(method, fmt::format("{:.0e}", tolerance), accumulation * tolerance, options));
   }
 }
 
-void add_moreau(std::vector<Setting>& all) {
+void add_moreau(std::vector<Setting>& all, double share) {
   for (const int steps : {100, 400, 1600}) {
-    MethodOptions options = limited();
+    MethodOptions options = limited(share);
     options.steps_per_period = steps;
-    options.most_periods = most_steps / steps;
+    options.most_periods = static_cast<int>(most_steps * share) / steps;
     all.push_back(
         with(Method::moreau, fmt::format("{} steps", steps), wrong_by_any_measure, options));
   }
 }
 
-void add_tanh(std::vector<Setting>& all) {
+void add_tanh(std::vector<Setting>& all, double share) {
   for (const double width : {1e-2, 1e-3}) {
-    MethodOptions options = limited();
+    MethodOptions options = limited(share);
     options.tolerance = 1e-2 * width;
     options.regularisation = width;
     all.push_back(
@@ -77,11 +79,14 @@ void add_tanh(std::vector<Setting>& all) {
 
 std::vector<Setting> all_settings(const System& system) {
   std::vector<Setting> all{exact_setting()};
-  add_moreau(all);
-  add_adaptive(all, Method::rkf45, {1e-4, 1e-6, 1e-8});
-  add_adaptive(all, Method::rk8pd, {1e-4, 1e-6, 1e-8, 1e-10, 1e-12});
-  add_adaptive(all, Method::msbdf, {1e-4, 1e-6, 1e-8});
-  add_tanh(all);
+  const double share = affordable_share(system);
+  add_moreau(all, share);
+  add_adaptive(all, Method::rkf45, share, {1e-4, 1e-6, 1e-8});
+  add_adaptive(all, Method::rk8pd, share, {1e-4, 1e-6, 1e-8, 1e-10, 1e-12});
+  if (!is_large(system)) {
+    add_adaptive(all, Method::msbdf, share, {1e-4, 1e-6, 1e-8});
+    add_tanh(all, share);
+  }
   if (!system.drive && system.contact.branches.empty()) {
     all.push_back(with(Method::reduced, "", wrong_by_any_measure, {}));
     all.back().idealised = true;

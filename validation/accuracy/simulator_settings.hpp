@@ -19,7 +19,7 @@ struct Setting {
 };
 
 /// The exact method first, then those others that can treat the system, each from coarse to fine.
-/// Every solve ends after some 10^5 steps of its integrator.
+/// Every solve ends after some 10^5 steps of its integrator, or fewer dear ones (system_size.hpp).
 std::vector<Setting> all_settings(const simulation::System& system);
 
 }  // namespace vcrit::validation::accuracy

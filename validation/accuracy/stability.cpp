@@ -12,6 +12,7 @@
 #include "critical/admissibility.hpp"
 #include "critical/critical_velocity.hpp"
 #include "network/masses.hpp"
+#include "system_size.hpp"
 
 namespace vcrit::validation::accuracy {
 
@@ -126,6 +127,10 @@ bool can_be_simulated(const Scene& scene) {
          inadmissible_reasons(scene).empty();
 }
 
+bool is_too_large(const Scene& scene) {
+  return can_be_simulated(scene) && is_large(simulation::system_of(scene));
+}
+
 }  // namespace
 
 double digits_lost(double found, double right) {
@@ -170,7 +175,8 @@ StabilityMap stability_map(const Scene& scene, const Driver* driver, const std::
                  [&](const Scene& each, std::size_t) { found.push_back(critical_velocity(each)); });
   map.layers.push_back(layer_of(cells, "formula", "Eq. 24 in doubles", found));
   if (driver != nullptr) add_driver_layers(map, cells, *driver);
-  if (can_be_simulated(scene)) map.layers.push_back(simulated(scene, cells));
+  if (can_be_simulated(scene) && !is_too_large(scene))
+    map.layers.push_back(simulated(scene, cells));
   map.lines = balance_lines(scene, cells);
   return map;
 }
@@ -192,6 +198,11 @@ std::vector<StabilityMap> stability_maps(const Scene& scene, const Driver* drive
   add("stiffness", stiffness_symbols(scene),
       "No map over stiffness ratios: there are no two springs to compare.");
   add("relaxation", relaxation_symbols(scene), "No map over relaxation times: nothing relaxes.");
+  if (is_too_large(scene))
+    left_out.emplace_back(
+        "The simulator is not asked over the maps, nor are methods with dense matrices: with so "
+        "many "
+        "relaxation times that would take minutes.");
   return maps;
 }
 

@@ -51,11 +51,14 @@ std::string ways(const EvaluatorErrors& errors) {
                rows);
 }
 
+/// More would make the page twice as long for a hundred branches.
+constexpr std::size_t most_parameters = 32;
+
 std::string parameters(const WorstInput& input, const std::vector<Symbol>& symbols) {
   std::string text;
-  for (std::size_t i = 0; i < symbols.size(); ++i)
+  for (std::size_t i = 0; i < std::min(symbols.size(), most_parameters); ++i)
     text += fmt::format("{}{} = {:a}", i == 0 ? "" : ", ", to_text(symbols[i]), input.set[i]);
-  return text;
+  return symbols.size() > most_parameters ? text + ", … (all in report.json)" : text;
 }
 
 std::string worst_inputs(const EvaluatorErrors& errors) {

@@ -74,12 +74,18 @@ std::string curve_table(const SceneReport& report) {
       speed_axis(report), curve_rows(report));
 }
 
+/// A method's first reason stands for all.
 std::string missing_answers(const SceneReport& report) {
   std::vector<std::string> lines;
-  for (const MethodCurve& method : report.methods)
-    for (const MethodPoint& point : method.points)
-      if (!point.reason.empty())
-        lines.push_back(fmt::format("{} at {}: {}", method.method, point.ratio, point.reason));
+  for (const MethodCurve& method : report.methods) {
+    std::string at, reason;
+    for (const MethodPoint& point : method.points) {
+      if (point.reason.empty()) continue;
+      at += fmt::format("{}{}", at.empty() ? "" : ", ", point.ratio);
+      if (reason.empty()) reason = point.reason;
+    }
+    if (!at.empty()) lines.push_back(fmt::format("{} at {}: {}", method.method, at, reason));
+  }
   return lines.empty() ? "" : "<p>Without an answer:</p>\n" + list(lines, "reasons");
 }
 
