@@ -6,7 +6,7 @@
 
 namespace vcrit::symbolic {
 
-class CppDialect : public Dialect {
+class CppDialect : public CodeDialect {
  public:
   explicit CppDialect(const ParameterList& parameters) : parameters_(parameters) {}
   std::string parameter(const Symbol& symbol) const override {

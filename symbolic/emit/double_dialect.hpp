@@ -6,7 +6,7 @@
 
 namespace vcrit::symbolic {
 
-class DoubleDialect : public Dialect {
+class DoubleDialect : public CodeDialect {
  public:
   explicit DoubleDialect(const ParameterList& parameters) : parameters_(parameters) {}
   std::string parameter(const Symbol& symbol) const override {

@@ -19,9 +19,9 @@ struct Operand {
 };
 
 /// How one language writes what a node does.
-class Dialect {
+class CodeDialect {
  public:
-  virtual ~Dialect() = default;
+  virtual ~CodeDialect() = default;
   virtual std::string parameter(const Symbol& symbol) const = 0;
   virtual Operand constant(const Node& node) const = 0;
   virtual Operand apply(const Node& node, const std::vector<Operand>& arguments) const = 0;
@@ -37,7 +37,7 @@ std::optional<Operand> by_operators(const Node& node, const std::vector<Operand>
 
 class StraightLine {
  public:
-  StraightLine(const Program& program, const Dialect& dialect)
+  StraightLine(const Program& program, const CodeDialect& dialect)
       : program_(program), dialect_(dialect) {}
 
   /// Declarations "a1 = ..., a2 = ..." by kind, in order, of what the results need; a node that is
@@ -55,7 +55,7 @@ class StraightLine {
   std::map<NodeId, int> uses_of(const std::set<NodeId>& needed) const;
 
   const Program& program_;
-  const Dialect& dialect_;
+  const CodeDialect& dialect_;
   std::map<NodeId, Operand> known_;
   int count_ = 0;
 };

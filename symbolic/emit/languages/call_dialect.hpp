@@ -16,7 +16,7 @@ struct Spelling {
   bool typed = false;     ///< declarations name a type: double, PREFIXdd, PREFIXwide
 };
 
-class CallDialect : public Dialect {
+class CallDialect : public CodeDialect {
  public:
   CallDialect(const ParameterList& parameters, Grade grade, Spelling spelling)
       : parameters_(parameters), grade_(grade), spelling_(std::move(spelling)) {}

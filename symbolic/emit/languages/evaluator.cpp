@@ -85,7 +85,7 @@ std::string c_members(const ParameterList& parameters) {
 }
 
 std::string statements(const std::vector<StraightLine::Declarations>& declarations,
-                       const Dialect& dialect) {
+                       const CodeDialect& dialect) {
   std::string out;
   for (const auto& [kind, items] : declarations)
     out += statement(fmt::format("{} {};", dialect.type(kind), fmt::join(items, ", ")));

@@ -46,6 +46,6 @@ std::string c_members(const ParameterList& parameters);
 
 /// Declarations as statements of C, C++ or JavaScript.
 std::string statements(const std::vector<StraightLine::Declarations>& declarations,
-                       const Dialect& dialect);
+                       const CodeDialect& dialect);
 
 }  // namespace vcrit::symbolic
