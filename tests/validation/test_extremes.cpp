@@ -252,3 +252,35 @@ BOOST_AUTO_TEST_CASE(harmonics_slide_below_v) {
   BOOST_TEST(std::abs(friction_lost(0.01)) < 1e-14);
   BOOST_TEST(friction_lost(0.0100123) > 1e-13);
 }
+
+// sqrt(k_d/m) = 2 omega, undamped: the swing -b cos 2t lowers the largest of cos t + that to b +
+// 1/(8 b), least 1/sqrt(2) = 0.7071067... at b = 1/sqrt(8). Friction is full above, within the
+// simulator's roundings, and by hand less than full below.
+BOOST_AUTO_TEST_CASE(the_second_harmonic_slides_down_to_v_over_root_two) {
+  const Scene scene = parse_scene(R"(
+[contact]
+normal = "kn"
+tangential = "kt"
+[drive]
+network = "kd"
+[body]
+mass = 1
+[oscillation]
+angular_frequency = 1
+amplitude = 0.1
+indentation = 1
+[friction]
+coefficient = 0.3
+[elements]
+kn = 1
+kt = 1
+kd = 4
+)",
+                                  "harmonic.toml");
+  const double v = certified_critical_velocity(scene).value;
+  const auto lost = [&](double ratio) {
+    return 1 - simulation::steady_state(simulation::system_of(scene), ratio * v).friction_ratio;
+  };
+  BOOST_TEST(std::abs(lost(0.7072)) < 1e-13);
+  BOOST_TEST(lost(0.7070) > 1e-11);
+}

@@ -29,6 +29,7 @@ std::vector<std::string> all_methods() {
   std::vector<std::string> names{"std::complex",
                                  "std::complex, fast-math",
                                  "by hand, real parts",
+                                 "by hand, k_d - m w^2 exact",
                                  "by hand, even and odd in w",
                                  "by hand, squares in w^2",
                                  "SymPy cse",
@@ -53,6 +54,9 @@ std::vector<Evaluator> loops_by_hand(const Problem& problem,
   const auto complex = built("complex_loop.cpp", Flags::scalar());
   const auto unsafe = built("complex_loop.cpp", Flags::unsafe());
   const auto real = built("real_loop.cpp", Flags::by_hand());
+  std::vector<std::string> exact_flags = Flags::by_hand();
+  exact_flags.emplace_back("-DVCRIT_EXACT_DRIVE");
+  const auto exact = built("real_loop.cpp", exact_flags);
   const auto polynomial = built("polynomial_loop.cpp", Flags::by_hand());
   std::vector<Evaluator> all;
   for (const Mode mode : both_modes) {
@@ -60,6 +64,7 @@ std::vector<Evaluator> loops_by_hand(const Problem& problem,
     all.push_back(evaluator("std::complex", mode, complex, function));
     all.push_back(evaluator("std::complex, fast-math", mode, unsafe, function));
     all.push_back(evaluator("by hand, real parts", mode, real, function));
+    all.push_back(evaluator("by hand, k_d - m w^2 exact", mode, exact, function));
   }
   all.push_back(evaluator("by hand, even and odd in w", Mode::sweep, polynomial, "even_and_odd"));
   all.push_back(evaluator("by hand, squares in w^2", Mode::sweep, polynomial, "squares"));

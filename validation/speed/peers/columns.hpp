@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 #include "speed/peers/numbers.hpp"
@@ -21,6 +22,11 @@ struct At {
   [[gnu::always_inline]] Imaginary damper(int j) const { return {omega * (*this)[j]}; }
   // m s^2
   [[gnu::always_inline]] double inertia(int j) const { return -(((*this)[j] * omega) * omega); }
+  // k + m s^2, rounded little more than once
+  [[gnu::always_inline]] double less_inertia(double k, int j) const {
+    const double m = (*this)[j], t = m * omega, rest = std::fma(m, omega, -t);
+    return std::fma(-rest, omega, std::fma(-t, omega, k));
+  }
 };
 
 struct Varying {

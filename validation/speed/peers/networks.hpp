@@ -3,6 +3,8 @@
 // numbers at one frequency, or as polynomials in s.
 #pragma once
 
+#include <type_traits>
+
 #include "speed/peers/numbers.hpp"
 
 namespace vcrit::speed {
@@ -143,6 +145,18 @@ struct Quotient {
 template <class OverA, class OverB, class UnderA, class UnderB, class UnderC>
 Quotient(OverA, OverB, UnderA, UnderB, UnderC) -> Quotient<OverA, OverB, UnderA, UnderB, UnderC>;
 
+// K_d - m w^2 over its denominator; VCRIT_EXACT_DRIVE keeps the product's rounding error where an
+// elastic drive may come near its resonance.
+template <class E, class Over, class Under>
+[[gnu::always_inline]] inline auto load(const E& e, const Fraction<Over, Under>& drive) {
+#ifdef VCRIT_EXACT_DRIVE
+  if constexpr (std::is_same_v<Over, double>)
+    return e.less_inertia(drive.over, 3);
+  else
+#endif
+    return drive.over + e.inertia(3) * drive.under;
+}
+
 // |K_n|/|K_t| |K_t + K_d - m w^2|/|K_d - m w^2|, of the columns mu0, omega, du_z, m, elements.
 template <class Normal, class Tangential, class Drive>
 struct Scene {
@@ -152,7 +166,7 @@ struct Scene {
   [[gnu::always_inline]] static auto quotient(const E& e) {
     const auto normal = Normal::stiffness(e.after(4));
     const auto drive = Drive::stiffness(e.after(4 + Normal::size + Tangential::size));
-    const auto loaded = drive.over + e.inertia(3) * drive.under;
+    const auto loaded = load(e, drive);
     if constexpr (Tangential::size == 1) {
       const double ratio = e[4 + Normal::size];
       const auto sum = ratio * normal.over * drive.under + loaded * normal.under;
