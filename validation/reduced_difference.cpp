@@ -13,7 +13,8 @@ namespace {
 
 constexpr double tolerance = 0.01;
 
-/// k = 1, omega = 1, mu0 <F_n> = 1; the phase of the normal force only shifts time.
+}  // namespace
+
 simulation::System kelvin_contact(double delta, double a) {
   simulation::System system;
   system.contact = {1, delta, {}};
@@ -23,8 +24,6 @@ simulation::System kelvin_contact(double delta, double a) {
   system.normal_force_amplitude = a;
   return system;
 }
-
-}  // namespace
 
 ReducedAndFull reduced_and_full(double delta, double ratio, double a) {
   const simulation::System system = kelvin_contact(delta, a);

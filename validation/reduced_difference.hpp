@@ -10,8 +10,13 @@
 #include <vector>
 
 #include "scene_report.hpp"
+#include "simulation/system/system.hpp"
 
 namespace vcrit::validation {
+
+/// The contact as the simulator takes it, with k = 1, omega = 1, mu0 <F_n> = 1; the phase of the
+/// normal force only shifts time. delta >= 0, 0 <= a < 1.
+simulation::System kelvin_contact(double delta, double a);
 
 /// delta >= 0, 0 < ratio = v0/v* < 1, 0 < a < 1.
 ReducedAndFull reduced_and_full(double delta, double ratio, double a);

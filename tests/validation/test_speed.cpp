@@ -33,7 +33,7 @@ BOOST_AUTO_TEST_CASE(loops_by_hand_are_right) {
   const std::vector<Evaluator> loops = loops_by_hand(problem, compiler());
   for (const Mode mode : both_modes) {
     const std::vector<Result> results = measure(problem, mode, loops, tiny);
-    BOOST_TEST(results.size() == (mode == Mode::sweep ? 5u : 3u));
+    BOOST_TEST(results.size() == (mode == Mode::sweep ? 6u : 4u));
     for (const Result& each : results) BOOST_TEST(each.error < 4 * 500, each.method);
   }
 }

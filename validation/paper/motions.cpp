@@ -7,16 +7,6 @@
 
 namespace vcrit::validation::paper {
 
-simulation::System kelvin_contact(double delta, double a) {
-  simulation::System system;
-  system.contact = {1, delta, {}};
-  system.omega = 1;
-  system.friction = 1;
-  system.mean_normal_force = 1;
-  system.normal_force_amplitude = a;
-  return system;
-}
-
 double critical_velocity(double delta, double a) { return a / std::hypot(1, delta); }
 
 simulation::SteadyState full_motion(double delta, double a, double ratio) {

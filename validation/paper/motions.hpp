@@ -1,14 +1,11 @@
-// The contact of the paper's Fig. 4 as the simulator takes it: isotropic Kelvin contact, rigid
-// drive, in the units of contents.hpp.
+// The contact of the paper's Fig. 4 by the simulator: kelvin_contact(), in the units of
+// contents.hpp.
 #pragma once
 
+#include "reduced_difference.hpp"
 #include "simulation/system/steady_state.hpp"
-#include "simulation/system/system.hpp"
 
 namespace vcrit::validation::paper {
-
-/// delta >= 0, 0 <= a < 1.
-simulation::System kelvin_contact(double delta, double a);
 
 /// v* by (31): mu0 omega du_z k_n/k_t, which is D = a/sqrt(1 + delta^2) here.
 double critical_velocity(double delta, double a);
