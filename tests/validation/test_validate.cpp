@@ -131,3 +131,22 @@ BOOST_AUTO_TEST_CASE(a_drive_with_masses_or_a_measured_one_has_no_simulation) {
     BOOST_TEST(comparison(scene, "simulation")["outcome"] == "not run");
   }
 }
+
+// Of one scene in the folder itself, of several in a folder for each, as their pages are called.
+BOOST_AUTO_TEST_CASE(figures_are_written_where_they_are_asked_for) {
+  const PrivateFolder folder;
+  const std::string elastic = scenes + "/elastic.toml", sonotrode = scenes + "/sonotrode.toml";
+  const auto draw = [&](const std::vector<std::string>& files, const fs::path& to) {
+    report::validate({files, folder.path() / "out", to}, [](const Standing&) {});
+  };
+  const fs::path one = folder.path() / "one", two = folder.path() / "two";
+  draw({sonotrode}, one);
+  draw({elastic, sonotrode}, two);
+  for (const fs::path& at : {one, two / "elastic", two / "sonotrode"}) {
+    BOOST_TEST(read_file(at / "critical_velocity.svg").find("<svg") != std::string::npos);
+    BOOST_TEST(read_file(at / "critical_velocity.pdf").rfind("%PDF", 0) == 0u);
+    BOOST_TEST(fs::exists(at / "critical_velocity.gp"));
+  }
+  BOOST_TEST(fs::exists(two / "elastic" / "friction.svg"));
+  BOOST_TEST(!fs::exists(one / "friction.svg"));  // a sonotrode is not simulated
+}
