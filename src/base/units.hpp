@@ -21,6 +21,9 @@ enum class Dimension {
   angular_frequency  ///< rad/s; a frequency in Hz is refused, and the other way round
 };
 
+/// "N/m"; "1" for a pure number.
+std::string unit_of(Dimension dimension);
+
 /// "a stiffness in N/m", for messages.
 std::string describe(Dimension dimension);
 
