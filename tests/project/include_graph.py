@@ -21,6 +21,7 @@ ROOMS = [
     "src/simulation/steady",
     "src/simulation/methods",
     "src/sweep",
+    "src/maps",
     "symbolic/formula",
     "symbolic/polynomial",
     "symbolic/derivation",
