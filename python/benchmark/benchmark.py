@@ -1,4 +1,4 @@
-"""Time of critical_velocity over NumPy arrays beside the C++ batch call: ./dev bench python
+"""Processor time of critical_velocity over NumPy arrays beside the C++ batch call: ./dev bench python
 
 Both work on the same arrays in one process, in turn; the best of several is printed, and the ratio.
 
@@ -43,9 +43,9 @@ class BatchCall:
 
 
 def seconds(call):
-    start = time.perf_counter()
+    start = time.process_time()
     call()
-    return time.perf_counter() - start
+    return time.process_time() - start
 
 
 def best(calls, rounds):
@@ -73,7 +73,7 @@ def main():
     arguments.add_argument("library", type=ctypes.CDLL)
     arguments.add_argument("project", type=Path)
     arguments.add_argument("--points", type=int, default=10**7)
-    arguments.add_argument("--rounds", type=int, default=7)
+    arguments.add_argument("--rounds", type=int, default=15)
     chosen = arguments.parse_args()
     print(f"v* at {chosen.points:,} points, best of {chosen.rounds} in turn, in ms\n")
     print("| scene | arrays | C++ | NumPy, `out=` | ratio | C++, new array | NumPy, new array | ratio |")

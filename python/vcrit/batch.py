@@ -12,7 +12,7 @@ Array: TypeAlias = npt.NDArray[np.float64]
 
 # Values a block: few enough that Ctrl-C is heard at once and what must be copied (other types,
 # strides) stays in the cache, many enough that a block's own cost does not count.
-BLOCK = 1 << 17
+BLOCK = 1 << 16
 
 
 def evaluated(scene: _vcrit.Scene, given: Mapping[str, Any], out: Array | None) -> Any:
