@@ -1,6 +1,9 @@
 // The exceptions of the package, and which error of C++ becomes which.
 #include "base/errors.hpp"
 
+#include <exception>
+#include <utility>
+
 #include "bindings.hpp"
 
 namespace vcrit::python {
@@ -28,7 +31,7 @@ py::tuple both(PyObject* one, PyObject* other) {
 
 void translate(std::exception_ptr thrown) {
   try {
-    if (thrown) std::rethrow_exception(thrown);
+    if (thrown) std::rethrow_exception(std::move(thrown));
   } catch (const InputError& error) {
     PyErr_SetString(input_error, error.what());
   } catch (const ModelError& error) {

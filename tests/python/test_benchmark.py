@@ -1,11 +1,12 @@
 """./dev bench python, a small run: it works, and what it times are the same values. No time is judged."""
 
 import re
+import subprocess
 import sys
 import unittest
 
 LIBRARY = sys.argv.pop(3)
-from support import PROJECT, subprocess  # noqa: E402
+from support import PROJECT  # noqa: E402
 
 
 class Benchmark(unittest.TestCase):
