@@ -93,7 +93,7 @@ double convert(double number, std::string_view unit, Dimension dimension, const 
 
 }  // namespace
 
-std::string unit_of(Dimension dimension) { return text_of(dimension).unit; }
+const char* si_unit(Dimension dimension) { return text_of(dimension).unit; }
 
 std::string describe(Dimension dimension) {
   const DimensionText& text = text_of(dimension);

@@ -21,11 +21,11 @@ enum class Dimension {
   angular_frequency  ///< rad/s; a frequency in Hz is refused, and the other way round
 };
 
-/// "N/m"; "1" for a pure number.
-std::string unit_of(Dimension dimension);
-
 /// "a stiffness in N/m", for messages.
 std::string describe(Dimension dimension);
+
+/// "N/m"; "1" for a plain number.
+const char* si_unit(Dimension dimension);
 
 /// `text` is a number (SI) or a number and a unit ("8 N/um"). Returns the value in SI.
 /// Throws InputError for bad syntax, unknown units and units of another dimension.

@@ -60,7 +60,7 @@ Object coordinate(const Object& file, const Axis& axis) {
   Object array = hdf5::create_array(file, axis.name, H5T_IEEE_F64LE, {axis.values.size()});
   hdf5::write_part(array, {0}, {axis.values.size()}, H5T_NATIVE_DOUBLE, axis.values.data());
   hdf5::make_scale(array, axis.name);
-  hdf5::put(array, "units", unit_of(axis.dimension));
+  hdf5::put(array, "units", si_unit(axis.dimension));
   return array;
 }
 
