@@ -25,6 +25,10 @@ constexpr std::size_t speeds_at_once = 32;
 // So that a block takes about a millisecond with the formula alone, and tens of them else.
 constexpr std::size_t rows_of_formula = 131072, rows_of_scenes = 4096, rows_of_motion = 1024;
 
+// Up to so many scenes v* is correctly rounded, the same double as that of a single scene; it takes
+// a fraction of a second.
+constexpr std::size_t certified_scenes = 10'000;
+
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 bool any_of(const Sweep& sweep, bool (*holds)(const SweptQuantity&)) {
@@ -43,6 +47,11 @@ std::vector<std::size_t> parameters_of(const Grid& grid) {
   for (std::size_t a = 0; a < grid.axes().size(); ++a)
     if (grid.speed() != a) axes.push_back(a);
   return axes;
+}
+
+Grade grade_of(const Grid& grid) {
+  const std::size_t speeds = grid.speed() ? grid.axes()[*grid.speed()].values.size() : 1;
+  return grid.rows() / speeds <= certified_scenes ? Grade::certified : Grade::doubles;
 }
 
 std::vector<std::string> names_of(const Grid& grid, const std::vector<std::size_t>& axes) {
@@ -244,7 +253,7 @@ Sweeping::Sweeping(Sweep sweep)
     : sweep_(std::move(sweep)),
       grid_(sweep_.axes, rows_at_once(sweep_), any_of(sweep_, needs_motion) ? speeds_at_once : 1),
       parameters_(parameters_of(grid_)),
-      critical_(sweep_.scene, names_of(grid_, parameters_)) {
+      critical_(sweep_.scene, names_of(grid_, parameters_), grade_of(grid_)) {
   refuse_settings(sweep_);
   refuse_speeds(sweep_, grid_);
   refuse_values(sweep_, grid_);
