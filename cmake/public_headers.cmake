@@ -28,3 +28,5 @@ function(vcrit_install_header component header)
   install(FILES ${CMAKE_BINARY_DIR}/include/vcrit/${header}
           DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/vcrit/${room} COMPONENT ${component})
 endfunction()
+
+configure_file(docs/Doxyfile.in docs/Doxyfile @ONLY)
