@@ -29,3 +29,8 @@ install(FILES ${CMAKE_CURRENT_BINARY_DIR}/vcritConfig.cmake ${CMAKE_CURRENT_BINA
               cmake/dependencies.cmake DESTINATION ${package} COMPONENT numeric)
 
 install(TARGETS vcrit RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
+install(FILES ${CMAKE_BINARY_DIR}/share/man/man1/vcrit.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program)
+install(FILES ${CMAKE_BINARY_DIR}/share/bash-completion/completions/vcrit
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT program)
+install(FILES ${CMAKE_BINARY_DIR}/share/zsh/site-functions/_vcrit
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions COMPONENT program)
