@@ -9,6 +9,7 @@ import time
 BASH = r"""
 source "$1"
 shift
+[[ $(complete -p vcrit) == *'-F _vcrit vcrit' ]] || echo 'not registered' >&2
 COMP_WORDS=("$@") COMP_CWORD=$(($# - 1))
 _vcrit
 ((${#COMPREPLY[@]} == 0)) || printf '%s\n' "${COMPREPLY[@]}"
@@ -20,6 +21,7 @@ PROMPT= RPROMPT=
 fpath=("$FOLDER" $fpath)
 autoload -Uz compinit
 compinit -u -D
+[[ -z $SOURCED ]] || source $SOURCED
 zmodload zsh/zutil
 bindkey '^I' complete-word
 zstyle ':completion:*' list-grouped false
@@ -63,12 +65,13 @@ def _read(descriptor, mark, seconds=60):
     return text.replace("\r", "")
 
 
-def zsh(functions, line, folder):
-    """Candidates that a press of the tabulator finds at the end of the line."""
+def zsh(functions, line, folder, sourced=""):
+    """Candidates that a press of the tabulator finds at the end of the line, with the completion in a
+    folder of functions or sourced."""
     process, terminal = pty.fork()
     if process == 0:
         os.chdir(folder)
-        os.environ.update(FOLDER=str(functions), TERM="dumb", LC_ALL="C.UTF-8")
+        os.environ.update(FOLDER=str(functions), SOURCED=str(sourced), TERM="dumb", LC_ALL="C.UTF-8")
         os.execvp("zsh", ["zsh", "-f", "-i"])
     try:
         setup = folder / ".setup.zsh"
@@ -80,4 +83,4 @@ def zsh(functions, line, folder):
     finally:
         os.close(terminal)
         os.waitpid(process, 0)
-    return sorted(text.split("@@mark@@")[1].split("\n")[1:-1])
+    return sorted({word.replace("\\", "") for word in text.split("@@mark@@")[1].split("\n")[1:-1]})

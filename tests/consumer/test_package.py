@@ -6,6 +6,7 @@ then found by CMake and by pkg-config.
 
 import math
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -144,6 +145,19 @@ class Package(unittest.TestCase):
         program = self.prefix / "bin/vcrit"
         self.assertIn("0.00457803364", done(program, "eval", SCENE))  # VELOCITY, by hand
         self.assertIn(self.pkg_config("--modversion", "vcrit")[0], done(program, "--version"))
+
+    def test_shell_finds_its_files(self):
+        for file in ["bash-completion/completions/vcrit", "zsh/site-functions/_vcrit"]:
+            self.assertIn("vcrit", (self.prefix / "share" / file).read_text())
+        page = done("man", "-M", self.prefix / "share/man", "vcrit", LC_ALL="C.UTF-8", MANPAGER="cat")
+        self.assertIn("critical velocity of friction control", page)
+
+    def test_program_of_the_readme(self):
+        blocks = re.findall(r"```cpp\n(.*?)```", Path(PROJECT, "README.md").read_text(), re.DOTALL)
+        (block,) = [block for block in blocks if "<vcrit/vcrit.hpp>" in block]
+        source = self.folder / "readme.cpp"
+        source.write_text(block + '#include <cstdio>\nint main(int, char** a) { std::printf("%.17g", velocity(a[1])); }\n')
+        self.assertAlmostEqual(float(done(self.compiled(source, "vcrit"), SCENE)) / VELOCITY, 1, delta=ROUNDING)
 
     def test_examples_build_against_it(self):
         build = self.built("examples", f"{PROJECT}/examples")
