@@ -13,9 +13,11 @@ int main(int, char** argv) {
   const double above =
       vcrit::simulation::steady_state(vcrit::simulation::Method::rk8pd, system, 1.1 * v)
           .friction_ratio;
-  vcrit::Sweep sweep{scene, {}, {}, {}, {}, {}};
+  vcrit::Sweep sweep{scene, {}, {vcrit::SweptQuantity::critical_velocity}, {}, {}};
   sweep.axes.push_back(vcrit::parse_axis("mu0=lin:0.3:0.6:2", scene));
-  sweep.quantities.push_back(vcrit::SweptQuantity::critical_velocity);
-  std::printf("%.17g %.17g %.17g\n%s", v, simulated, above,
-              vcrit::to_csv(vcrit::swept(sweep)).c_str());
+  const vcrit::SweptTable table = vcrit::swept(sweep);
+  std::printf("%.17g %.17g %.17g\n%s,%s\n", v, simulated, above, table.columns[0].c_str(),
+              table.columns[1].c_str());
+  for (std::size_t i = 0; i < table.values.size(); i += 2)
+    std::printf("%.17g,%.17g\n", table.values[i], table.values[i + 1]);
 }
