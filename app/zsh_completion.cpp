@@ -40,7 +40,8 @@ std::string quoted(const std::string& text, const std::string& special) {
 std::string action(const Argument& argument) {
   switch (kind_of(argument)) {
     case Kind::choice:
-      return fmt::format("({})", fmt::join(argument.choices, " "));
+      return fmt::format("({})",
+                         quoted(fmt::format("{}", fmt::join(argument.choices, " ")), ":\\"));
     case Kind::scene:
       return "_files -g \"*.toml\"";
     case Kind::folder:

@@ -13,7 +13,7 @@ int main(int, char** argv) {
   const double above =
       vcrit::simulation::steady_state(vcrit::simulation::Method::rk8pd, system, 1.1 * v)
           .friction_ratio;
-  vcrit::Sweep sweep{scene, {}, {vcrit::SweptQuantity::critical_velocity}, {}, {}};
+  vcrit::Sweep sweep{scene, {}, {vcrit::parse_swept_quantity("critical_velocity", scene)}, {}, {}};
   sweep.axes.push_back(vcrit::parse_axis("mu0=lin:0.3:0.6:2", scene));
   const vcrit::SweptTable table = vcrit::swept(sweep);
   std::printf("%.17g %.17g %.17g\n%s,%s\n", v, simulated, above, table.columns[0].c_str(),
