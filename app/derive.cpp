@@ -2,7 +2,6 @@
 // all named rheologies.
 #include <fmt/format.h>
 
-#include <map>
 #include <memory>
 #include <string>
 
@@ -16,11 +15,24 @@ namespace vcrit::app {
 
 namespace {
 
+using symbolic::Format;
+using symbolic::ResultForm;
+
+const Choices<Format> formats{{"text", Format::text},
+                              {"latex", Format::latex},
+                              {"markdown", Format::markdown},
+                              {"json", Format::json}};
+
+const Choices<ResultForm> forms{{"by-size", ResultForm::by_size},
+                                {"nested", ResultForm::nested},
+                                {"rational", ResultForm::rational},
+                                {"dimensionless", ResultForm::dimensionless}};
+
 /// The exit status: 0 for equal, 1 for different.
-int print_comparison(const Scene& scene, const Scene& other, symbolic::Format format) {
+int print_comparison(const Scene& scene, const Scene& other, Format format) {
   const symbolic::Comparison comparison = symbolic::compare(scene, other);
-  fmt::print("{}", format == symbolic::Format::json ? symbolic::json_of(comparison)
-                                                    : symbolic::text_of(comparison));
+  fmt::print(
+      "{}", format == Format::json ? symbolic::json_of(comparison) : symbolic::text_of(comparison));
   return comparison.equal ? 0 : 1;
 }
 
@@ -42,24 +54,10 @@ void add_derive(CLI::App& program, int& status) {
     std::string equal;
     bool catalogue = false;
   };
-  using symbolic::Format;
-  static const std::map<std::string, Format> formats{{"text", Format::text},
-                                                     {"latex", Format::latex},
-                                                     {"markdown", Format::markdown},
-                                                     {"json", Format::json}};
-  using symbolic::ResultForm;
-  static const std::map<std::string, ResultForm> forms{
-      {"by-size", ResultForm::by_size},
-      {"nested", ResultForm::nested},
-      {"rational", ResultForm::rational},
-      {"dimensionless", ResultForm::dimensionless}};
   const auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand("derive", "Derive the formula of v* for a scene");
   options->scene.add_to(*command);
-  command->add_option("--format", options->document.format, "text, latex, markdown or json")
-      ->transform(CLI::Transformer(formats))
-      ->check(CLI::IsMember({0, 1, 2, 3}))
-      ->default_str("text");
+  add_choice<Format>(*command, "--format", options->document.format, formats, "of the output");
   command->add_flag_callback(
       "--json", [options] { options->document.format = Format::json; },
       "the same as --format json");
@@ -68,19 +66,17 @@ void add_derive(CLI::App& program, int& status) {
       "derive the limits that apply to the scene, low and high frequency, and resonances");
   command->add_flag("--sensitivities", options->document.sensitivities,
                     "derive dv*/dp for every parameter p");
-  command
-      ->add_option("--form", options->document.form,
-                   "of the result: by-size, nested, rational in omega^2, or dimensionless")
-      ->transform(CLI::Transformer(forms))
-      ->check(CLI::IsMember({0, 1, 2, 3}))
-      ->default_str("by-size");
+  add_choice<ResultForm>(*command, "--form", options->document.form, forms,
+                         "of the result; rational: in omega^2");
   command
       ->add_option("--budget", options->document.budget,
                    "terms up to which the rational form is multiplied out")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  command->add_option("--equal", options->equal,
-                      "instead, prove or refute that this scene file has the same v*");
+  command
+      ->add_option("--equal", options->equal,
+                   "instead, prove or refute that this scene has the same v*")
+      ->type_name("SCENE");
   add_catalogue(*command, options->catalogue);
   command->callback([options, &status] {
     if (options->catalogue) return fmt::print("{}", validation::report::catalogue_page());

@@ -2,7 +2,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "base/errors.hpp"
 #include "commands.hpp"
@@ -20,33 +23,57 @@ std::vector<std::string> all_languages() {
   return names;
 }
 
-/// Writes the evaluator and returns the files that are to be included or imported.
-std::vector<std::string> write(const Scene& scene, const std::string& directory,
-                               const std::string& name, const symbolic::GenerateOptions& options) {
-  const std::string stem = directory + "/" + name;
+struct Options {
+  SceneOptions scene;
+  std::string directory, name = "critical";
+  symbolic::GenerateOptions generated;
+  bool json = false;
+};
+
+/// Paths as the user named the folder: DIR/NAME.hpp.
+struct Written {
+  std::vector<std::filesystem::path> main;  // to be included or imported
+  std::vector<std::filesystem::path> all;
+};
+
+Written write_cpp(const Scene& scene, const Options& options) {
+  const std::filesystem::path directory = options.directory;
+  Written written{{directory / (options.name + ".hpp")}, {}};
+  if (options.generated.quantities)
+    written.main.push_back(directory / (options.name + "_quantities.hpp"));
+  written.all = symbolic::generate(scene, options.directory, options.name, options.generated);
+  return written;
+}
+
+Written write(const Scene& scene, const Options& options) {
   const std::vector<std::string>& names = symbolic::language_names();
-  const auto other = std::find(names.begin(), names.end(), options.language);
-  if (other == names.end()) {
-    symbolic::generate(scene, directory, name, options);
-    if (!options.quantities) return {stem + ".hpp"};
-    return {stem + ".hpp", stem + "_quantities.hpp"};
-  }
-  if (options.quantities)
-    throw InputError({"--quantities"}, fmt::format("--language {}", options.language),
+  const auto other = std::find(names.begin(), names.end(), options.generated.language);
+  if (other == names.end()) return write_cpp(scene, options);
+  if (options.generated.quantities)
+    throw InputError({"--quantities"}, fmt::format("--language {}", options.generated.language),
                      "--language c++, the only one with other quantities");
   const auto chosen = static_cast<symbolic::Language>(other - names.begin());
-  symbolic::generate(scene, directory, name, chosen, options);
-  return {stem + symbolic::extension(chosen)};
+  const auto file =
+      symbolic::generate(scene, options.directory, options.name, chosen, options.generated);
+  return {{file}, {file}};
+}
+
+std::vector<std::string> as_text(const std::vector<std::filesystem::path>& files) {
+  return {files.begin(), files.end()};
+}
+
+void generate(const Options& options) {
+  const Written written = write(options.scene.read(), options);
+  if (options.json)
+    return print({{"language", options.generated.language},
+                  {"main", as_text(written.main)},
+                  {"files", as_text(written.all)}});
+  for (const std::filesystem::path& file : written.main) fmt::print("{}\n", file.string());
 }
 
 }  // namespace
 
 void add_generate(CLI::App& program) {
-  struct Options {
-    SceneOptions scene;
-    std::string directory, name = "critical";
-    symbolic::GenerateOptions generated;
-  };
   const auto options = std::make_shared<Options>();
   CLI::App* command =
       program.add_subcommand("generate", "Generate an evaluator for exactly this scene");
@@ -69,11 +96,8 @@ void add_generate(CLI::App& program) {
   command->add_flag("--quantities", options->generated.quantities,
                     "also DIR/NAME_quantities.hpp: stiffnesses, amplitudes and phases, the "
                     "admissible amplitude, dimensionless groups");
-  command->callback([options] {
-    for (const std::string& file :
-         write(options->scene.read(), options->directory, options->name, options->generated))
-      fmt::print("{}\n", file);
-  });
+  command->add_flag("--json", options->json, "print one JSON object");
+  command->callback([options] { generate(*options); });
 }
 
 }  // namespace vcrit::app

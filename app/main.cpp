@@ -9,6 +9,7 @@
 #include "base/errors.hpp"
 #include "commands.hpp"
 #include "machine.hpp"
+#include "shell.hpp"
 
 namespace {
 
@@ -39,6 +40,7 @@ int run(int argc, char** argv) {
   vcrit::app::add_critical(program, status);
   vcrit::app::add_sweep(program);
   vcrit::app::add_validate(program, status);
+  vcrit::app::add_shell(program);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "scene/scene.hpp"
@@ -20,6 +21,25 @@ struct SceneOptions {
   Scene read() const;
   Settings split_settings() const;
 };
+
+/// Names and what they stand for; the first one is the default.
+template <class T>
+using Choices = std::vector<std::pair<std::string, T>>;
+
+/// An option that takes one of the names.
+template <class T>
+void add_choice(CLI::App& command, const std::string& option, T& target, const Choices<T>& choices,
+                const std::string& words) {
+  std::vector<std::string> names;
+  for (const auto& choice : choices) names.push_back(choice.first);
+  const auto choose = [&target, choices](const std::string& name) {
+    for (const auto& [choice, value] : choices)
+      if (name == choice) target = value;
+  };
+  command.add_option_function<std::string>(option, choose, words)
+      ->check(CLI::IsMember(names))
+      ->default_str(names.front());
+}
 
 /// A number that reads back to the same double; "inf" for an infinite one.
 nlohmann::ordered_json number(double value);

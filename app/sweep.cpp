@@ -112,9 +112,9 @@ void add_sweep(CLI::App& program) {
                    "or velocity_ratio")
       ->required();
   command
-      ->add_option("--quantity", options->quantities,
-                   fmt::format("what to compute, one or several of {}",
-                               fmt::join(swept_quantity_names(), ", ")))
+      ->add_option("--quantity", options->quantities, "what to compute, one or several")
+      // Words for help and completion; the sweep itself checks the names.
+      ->type_name(fmt::format("NAME:{{{}}}", fmt::join(swept_quantity_names(), ",")))
       ->required();
   CLI::Option* velocity = command->add_option("--velocity", options->velocity,
                                               "one velocity of the drive for all rows");

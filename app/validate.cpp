@@ -11,6 +11,7 @@
 
 #include "base/errors.hpp"
 #include "commands.hpp"
+#include "options.hpp"
 #include "report/validate_extremes.hpp"
 
 namespace vcrit::app {
@@ -44,18 +45,33 @@ void clear_progress() {
   if (isatty(STDERR_FILENO) != 0) fmt::print(stderr, "\r\033[K");
 }
 
-void print(const Validation& validation) {
+void print_json(const Validation& validation) {
+  using nlohmann::ordered_json;
+  ordered_json comparisons = ordered_json::array(), files = ordered_json::array();
+  for (const auto& [subject, key, name, outcome] : validation.verdicts)
+    comparisons.push_back(
+        {{"subject", subject}, {"key", key}, {"name", name}, {"outcome", outcome}});
+  for (const std::filesystem::path& file : validation.files) files.push_back(file.string());
+  app::print({{"passed", validation.passed},
+              {"comparisons", comparisons},
+              {"warnings", validation.warnings},
+              {"page", validation.page.string()},
+              {"files", files}});
+}
+
+void print(const Validation& validation, bool json) {
   for (const std::string& warning : validation.warnings)
     fmt::print(stderr, "vcrit: warning: {}\n", warning);
   for (const std::string& line : validation.not_run)
     fmt::print(stderr, "vcrit: warning: not run: {}\n", line);
   for (const std::string& line : validation.failed) fmt::print(stderr, "vcrit: FAILED: {}\n", line);
+  if (json) return print_json(validation);
   fmt::print("{}\n", validation.page.string());
 }
 
 struct Options {
   validation::report::Request request;
-  bool paper = false, extremes = false;
+  bool paper = false, extremes = false, json = false;
 };
 
 Validation validated(const Options& options) {
@@ -89,10 +105,11 @@ void add_validate(CLI::App& program, int& status) {
   command
       ->add_option("--figures", options->request.figures, "folder for the figures as SVG and PDF")
       ->type_name("DIR");
+  command->add_flag("--json", options->json, "print one JSON object");
   command->callback([options, &status] {
     const Validation validation = validated(*options);
     clear_progress();
-    print(validation);
+    print(validation, options->json);
     if (!validation.passed) status = 1;
   });
 }

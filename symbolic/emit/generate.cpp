@@ -1,22 +1,29 @@
 #include "emit/generate.hpp"
 
+#include <utility>
+
 #include "base/files.hpp"
 
 namespace vcrit::symbolic {
 
-void generate(const Scene& scene, const std::filesystem::path& directory, const std::string& name,
-              const GenerateOptions& options) {
+std::vector<std::filesystem::path> generate(const Scene& scene,
+                                            const std::filesystem::path& directory,
+                                            const std::string& name,
+                                            const GenerateOptions& options) {
   // All texts first, so that an error leaves nothing half written.
-  const std::string header = emit_header(scene, name, options);
-  const std::string batch = emit_batch_header(scene, name, options);
-  const std::string test = emit_test(scene, name, options);
-  const std::string cmake = emit_cmake(name);
-  const std::string quantities = options.quantities ? emit_quantities(scene, name, options) : "";
-  write_file(directory / (name + ".hpp"), header);
-  write_file(directory / (name + "_batch.hpp"), batch);
-  if (options.quantities) write_file(directory / (name + "_quantities.hpp"), quantities);
-  write_file(directory / ("test_" + name + ".cpp"), test);
-  write_file(directory / "CMakeLists.txt", cmake);
+  std::vector<std::pair<std::string, std::string>> texts{
+      {name + ".hpp", emit_header(scene, name, options)},
+      {name + "_batch.hpp", emit_batch_header(scene, name, options)}};
+  if (options.quantities)
+    texts.emplace_back(name + "_quantities.hpp", emit_quantities(scene, name, options));
+  texts.emplace_back("test_" + name + ".cpp", emit_test(scene, name, options));
+  texts.emplace_back("CMakeLists.txt", emit_cmake(name));
+  std::vector<std::filesystem::path> files;
+  for (const auto& [file, text] : texts) {
+    files.push_back(directory / file);
+    write_file(files.back(), text);
+  }
+  return files;
 }
 
 }  // namespace vcrit::symbolic

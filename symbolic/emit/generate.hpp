@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "emit/options.hpp"
 #include "scene/scene.hpp"
@@ -32,8 +33,10 @@ std::string emit_quantities(const Scene& scene, const std::string& name,
 std::string emit_cmake(const std::string& name);
 
 /// Writes DIR/NAME.hpp, DIR/NAME_batch.hpp, DIR/CMakeLists.txt, DIR/test_NAME.cpp and, if asked
-/// for, DIR/NAME_quantities.hpp, each beside its place and renamed.
-void generate(const Scene& scene, const std::filesystem::path& directory, const std::string& name,
-              const GenerateOptions& options = {});
+/// for, DIR/NAME_quantities.hpp, each beside its place and renamed. Returns the files.
+std::vector<std::filesystem::path> generate(const Scene& scene,
+                                            const std::filesystem::path& directory,
+                                            const std::string& name,
+                                            const GenerateOptions& options = {});
 
 }  // namespace vcrit::symbolic

@@ -36,8 +36,9 @@ void write(const FigureFile& file, const std::filesystem::path& directory) {
 
 void require_gnuplot() { program(); }
 
-void write_figures(const std::vector<FigureFile>& files, const std::filesystem::path& directory,
-                   const Watch& watch) {
+std::vector<std::filesystem::path> write_figures(const std::vector<FigureFile>& files,
+                                                 const std::filesystem::path& directory,
+                                                 const Watch& watch) {
   std::vector<std::string> names;
   for (const FigureFile& file : files) names.push_back(file.name);
   in_processes(
@@ -48,6 +49,11 @@ void write_figures(const std::vector<FigureFile>& files, const std::filesystem::
         return std::string();
       },
       watch);
+  std::vector<std::filesystem::path> written;
+  for (const FigureFile& file : files)
+    for (const char* ending : {".svg", ".pdf", ".gp"})
+      written.push_back(directory / file.folder / (file.name + ending));
+  return written;
 }
 
 }  // namespace vcrit::validation::report

@@ -20,9 +20,10 @@ struct FigureFile {
 void require_gnuplot();
 
 /// Writes FOLDER/NAME.svg, .pdf and .gp (the script, for changes) of each below `directory`,
-/// several at a time. Throws InputError where a file cannot be written, std::runtime_error where
-/// gnuplot fails.
-void write_figures(const std::vector<FigureFile>& files, const std::filesystem::path& directory,
-                   const Watch& watch);
+/// several at a time, and returns all these files. Throws InputError where a file cannot be
+/// written, std::runtime_error where gnuplot fails.
+std::vector<std::filesystem::path> write_figures(const std::vector<FigureFile>& files,
+                                                 const std::filesystem::path& directory,
+                                                 const Watch& watch);
 
 }  // namespace vcrit::validation::report

@@ -4,7 +4,6 @@
 
 #include "accuracy/accuracy.hpp"
 #include "agreement.hpp"
-#include "base/files.hpp"
 #include "figures/gnuplot.hpp"
 #include "paper/paper.hpp"
 #include "report/figure_files.hpp"
@@ -46,23 +45,24 @@ std::string handed_over(const SceneContents& contents, const Machine& machine,
   return all.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
 }
 
-void summarise(const SceneLine& line, Validation& validation) {
-  for (const std::string& name : line.failed) validation.failed.push_back(line.file + ": " + name);
-  for (const std::string& name : line.not_run)
-    validation.not_run.push_back(line.file + ": " + name);
+void summarise(const ordered_json& scene, Validation& validation) {
+  const SceneLine line = scene_line(scene.at("line"));
   validation.warnings.insert(validation.warnings.end(), line.warnings.begin(), line.warnings.end());
-  validation.passed = validation.failed.empty();
+  for (const ordered_json& comparison : scene.at("data").at("comparisons"))
+    validation.add(
+        {line.file, comparison.at("key"), comparison.at("name"), comparison.at("outcome")});
 }
 
 /// The index comes last: whoever sees it finds the pages that it names.
 void write_suite(const std::vector<ordered_json>& scenes, const std::vector<std::string>& names,
-                 const Origin& origin, const std::filesystem::path& directory) {
+                 const Origin& origin, Validation& validation) {
+  const std::filesystem::path directory = validation.page.parent_path();
   std::vector<IndexEntry> entries;
   for (std::size_t i = 0; i < scenes.size(); ++i) {
-    write_file(directory / (names[i] + ".html"), scenes[i].at("page").get<std::string>());
+    validation.write(directory / (names[i] + ".html"), scenes[i].at("page").get<std::string>());
     entries.push_back({scene_line(scenes[i].at("line")), names[i] + ".html"});
   }
-  write_file(directory / "index.html", index_page(entries, origin));
+  validation.write(validation.page, index_page(entries, origin));
 }
 
 std::vector<FigureFile> figure_files(const std::vector<ordered_json>& scenes,
@@ -98,16 +98,16 @@ Validation validate(const Request& request, const Watch& watch) {
   std::vector<ordered_json> data;
   for (const ordered_json& scene : all) {
     data.push_back(scene.at("data"));
-    summarise(scene_line(scene.at("line")), validation);
+    summarise(scene, validation);
   }
   validation.page = request.directory / "index.html";
   const std::vector<std::string> names = page_names(request.files);
-  write_figures(figure_files(all, names), request.figures, watch);
-  write_file(request.directory / "report.json", report_json(origin, data));
+  validation.files = write_figures(figure_files(all, names), request.figures, watch);
+  validation.write(request.directory / "report.json", report_json(origin, data));
   if (all.size() > 1)
-    write_suite(all, names, origin, request.directory);
+    write_suite(all, names, origin, validation);
   else
-    write_file(validation.page, all.front().at("page").get<std::string>());
+    validation.write(validation.page, all.front().at("page").get<std::string>());
   return validation;
 }
 
@@ -120,17 +120,14 @@ Validation validate_paper(const Request& request, const Watch& watch) {
 
 Validation report_paper(const PaperContents& contents, const Request& request, const Watch& watch) {
   Validation validation;
-  for (const Comparison& comparison : all_comparisons(contents.paper))
-    if (outcome(comparison) == Comparison::Outcome::failed)
-      validation.failed.push_back("the paper: " + comparison.name);
-  validation.passed = validation.failed.empty();
+  validation.add("the paper", all_comparisons(contents.paper));
   validation.page = request.directory / "index.html";
   std::vector<FigureFile> files;
   for (const figures::Figure& figure : all_figures(contents.paper))
     files.push_back({"", figure.name, gnuplot(figure)});
-  if (!request.figures.empty()) write_figures(files, request.figures, watch);
-  write_file(request.directory / "report.json", paper_json(contents));
-  write_file(validation.page, paper_page(contents));
+  if (!request.figures.empty()) validation.files = write_figures(files, request.figures, watch);
+  validation.write(request.directory / "report.json", paper_json(contents));
+  validation.write(validation.page, paper_page(contents));
   return validation;
 }
 

@@ -6,17 +6,10 @@
 #include <vector>
 
 #include "report/paper_json.hpp"
+#include "report/validation.hpp"
 #include "workers.hpp"
 
 namespace vcrit::validation::report {
-
-struct Validation {
-  bool passed = true;                 ///< no comparison failed
-  std::vector<std::string> failed;    ///< "scenes/zener.toml: stick-slip simulation"
-  std::vector<std::string> not_run;   ///< the same for comparisons that could not be made
-  std::vector<std::string> warnings;  ///< of reading the scenes
-  std::filesystem::path page;         ///< DIR/index.html
-};
 
 struct Request {
   std::vector<std::string> files;   ///< scenes

@@ -1,6 +1,5 @@
 #include "report/validate_extremes.hpp"
 
-#include "base/files.hpp"
 #include "extremes/extremes.hpp"
 #include "extremes/pictures.hpp"
 #include "figures/gnuplot.hpp"
@@ -18,21 +17,14 @@ Validation validate_extremes(const Request& request, const Watch& watch) {
 Validation report_extremes(const ExtremesContents& contents, const Request& request,
                            const Watch& watch) {
   Validation validation;
-  for (const Comparison& comparison : all_comparisons(contents.extremes)) {
-    const auto result = outcome(comparison);
-    if (result == Comparison::Outcome::failed)
-      validation.failed.push_back("extremes: " + comparison.name);
-    if (result == Comparison::Outcome::not_run)
-      validation.not_run.push_back("extremes: " + comparison.name);
-  }
-  validation.passed = validation.failed.empty();
+  validation.add("extremes", all_comparisons(contents.extremes));
   validation.page = request.directory / "index.html";
   std::vector<FigureFile> files;
   for (const figures::Figure& figure : pictures(contents.extremes))
     files.push_back({"", figure.name, gnuplot(figure)});
-  if (!request.figures.empty()) write_figures(files, request.figures, watch);
-  write_file(request.directory / "report.json", extremes_json(contents));
-  write_file(validation.page, extremes_page(contents));
+  if (!request.figures.empty()) validation.files = write_figures(files, request.figures, watch);
+  validation.write(request.directory / "report.json", extremes_json(contents));
+  validation.write(validation.page, extremes_page(contents));
   return validation;
 }
 

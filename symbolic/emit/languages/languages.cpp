@@ -74,10 +74,13 @@ std::string emit(const Scene& scene, const std::string& name, Language language,
   return head + text(evaluator, name, language);
 }
 
-void generate(const Scene& scene, const std::filesystem::path& directory, const std::string& name,
-              Language language, const GenerateOptions& options) {
-  const std::string file = emit(scene, name, language, options);
-  write_file(directory / (name + extension(language)), file);
+std::filesystem::path generate(const Scene& scene, const std::filesystem::path& directory,
+                               const std::string& name, Language language,
+                               const GenerateOptions& options) {
+  const std::string text = emit(scene, name, language, options);
+  std::filesystem::path file = directory / (name + extension(language));
+  write_file(file, text);
+  return file;
 }
 
 }  // namespace vcrit::symbolic

@@ -22,8 +22,9 @@ std::string extension(Language language);
 std::string emit(const Scene& scene, const std::string& name, Language language,
                  const GenerateOptions& options = {});
 
-/// Writes that file to `directory`.
-void generate(const Scene& scene, const std::filesystem::path& directory, const std::string& name,
-              Language language, const GenerateOptions& options = {});
+/// Writes that file to `directory`. Returns the file.
+std::filesystem::path generate(const Scene& scene, const std::filesystem::path& directory,
+                               const std::string& name, Language language,
+                               const GenerateOptions& options = {});
 
 }  // namespace vcrit::symbolic

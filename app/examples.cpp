@@ -1,0 +1,77 @@
+#include "examples.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace vcrit::app {
+
+namespace {
+
+struct Example {
+  const char* words;
+  const char* line;
+};
+
+const std::vector<Example> program_examples{
+    {"The critical velocity of a scene, with a bound on its error", "vcrit eval scenes/zener.toml"},
+    {"The same as a formula", "vcrit derive scenes/zener.toml"},
+    {"Friction at half of it", "vcrit simulate scenes/zener.toml --velocity-ratio 0.5"},
+    {"All of that compared, on a page: report/index.html",
+     "vcrit validate scenes/elastic.toml --out report"},
+};
+
+const std::map<std::string, std::vector<Example>> command_examples{
+    {"derive",
+     {{"The formula with the lines that lead to it, and its limits",
+       "vcrit derive scenes/elastic_drive.toml --limits"},
+      {"For a paper", "vcrit derive scenes/zener.toml --format latex"},
+      {"As a rational function of omega^2", "vcrit derive scenes/kelvin.toml --form rational"},
+      {"All named rheologies, as a page", "vcrit derive --catalogue > rheologies.html"}}},
+    {"eval",
+     {{"The critical velocity of a scene", "vcrit eval scenes/zener.toml"},
+      {"With other values", "vcrit eval scenes/zener.toml --set \"frequency=25 kHz\" --set k0=9e6"},
+      {"For a script", "vcrit eval scenes/zener.toml --json"}}},
+    {"generate",
+     {{"lib/pad.hpp and a CMakeLists.txt that tests it",
+       "vcrit generate scenes/zener.toml --out lib --name pad"},
+      {"A C header with all numbers of the scene folded in",
+       "vcrit generate scenes/zener.toml --out lib --name pad --language c99 --fix all"}}},
+    {"simulate",
+     {{"At half the critical velocity", "vcrit simulate scenes/kelvin.toml --velocity-ratio 0.5"},
+      {"At a speed, from rest, by time stepping",
+       "vcrit simulate scenes/kelvin.toml --velocity \"1 mm/s\" --start rest --method moreau"}}},
+    {"critical",
+     {{"Formula against simulation; exit status 1 if they differ",
+       "vcrit critical scenes/kelvin.toml"}}},
+    {"sweep",
+     {{"The critical velocity over three decades of frequency",
+       "vcrit sweep scenes/zener.toml --over \"frequency=log:1 kHz:1 MHz:31\" --quantity "
+       "critical_velocity --out table.csv"},
+      {"Friction over the speed",
+       "vcrit sweep scenes/kelvin.toml --over velocity_ratio=lin:0.1:1:10 --quantity "
+       "friction_ratio --out friction.csv"}}},
+    {"validate",
+     {{"A page for each scene and an index",
+       "vcrit validate scenes/elastic.toml scenes/measured_drive.toml --out report"},
+      {"The paper gone through", "vcrit validate --paper --out paper"}}},
+};
+
+std::string text_of(const std::vector<Example>& examples) {
+  std::string text = "Examples:\n";
+  for (const auto& [words, line] : examples) text += fmt::format("  {}:\n    {}\n", words, line);
+  text.pop_back();
+  return text;
+}
+
+}  // namespace
+
+void add_examples(CLI::App& program) {
+  program.footer(text_of(program_examples));
+  for (const auto& [command, examples] : command_examples)
+    program.get_subcommand(command)->footer(text_of(examples));
+}
+
+}  // namespace vcrit::app

@@ -1,0 +1,17 @@
+// Problem         An evaluator of v* for one scene, to be compiled into another program: slider.hpp
+// for C++
+//                 (use_header.cpp includes it) and slider.h for C (embed.c).
+// Exact solution  What these two print.
+// Method          Eq. (24) as a straight-line program without subtraction, written out with its
+// error bound.
+//
+//     generate scenes/elastic_drive.toml DIR
+#include <cstdio>
+#include <vcrit/symbolic.hpp>
+
+int main(int argc, char** argv) {
+  if (argc != 3) return std::fprintf(stderr, "usage: generate SCENE DIR\n"), 2;
+  const vcrit::Scene scene = vcrit::read_scene(argv[1]);
+  vcrit::symbolic::generate(scene, argv[2], "slider");
+  vcrit::symbolic::generate(scene, argv[2], "slider", vcrit::symbolic::Language::c99);
+}

@@ -1,0 +1,132 @@
+"""--json of every command: one object on standard output, with the keys that the README tells of.
+
+    test_json.py PROJECT PROGRAM
+"""
+
+import json
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+PROJECT, PROGRAM = Path(sys.argv.pop(1)).resolve(), Path(sys.argv.pop(1)).resolve()
+ELASTIC, KELVIN = str(PROJECT / "scenes/elastic.toml"), str(PROJECT / "scenes/kelvin.toml")
+CALLS = {
+    "derive": [KELVIN],
+    "eval": [KELVIN],
+    "generate": [KELVIN, "--out", "out"],
+    "simulate": [KELVIN, "--velocity-ratio", "0.5"],
+    "critical": [KELVIN],
+    "sweep": [KELVIN, "--over", "velocity_ratio=lin:0.5:1:2", "--quantity", "friction_ratio", "--out", "out.csv"],
+    "validate": ["--paper", "--out", "out"],
+}
+
+
+def run(*arguments, folder, **environment):
+    return subprocess.run([PROGRAM, *arguments], cwd=folder, env=os.environ | environment, capture_output=True,
+                          text=True, timeout=300)
+
+
+class Json(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def object(self, *arguments, status=0, **environment):
+        ended = run(*arguments, "--json", folder=self.folder, **environment)
+        self.assertEqual(ended.returncode, status, ended.stderr)
+        result = json.loads(ended.stdout)
+        self.assertIsInstance(result, dict)
+        return result
+
+    def written(self):
+        return {str(file.relative_to(self.folder)) for file in self.folder.rglob("*") if file.is_file()}
+
+    def test_every_command_has_it(self):
+        listed = re.findall(r"^  (\w+) {2,}", run("--help", folder=self.folder).stdout.split("Subcommands:")[1], re.MULTILINE)
+        self.assertEqual(set(listed), set(CALLS))
+        for command, arguments in CALLS.items():
+            self.assertIn("--json", run(command, "--help", folder=self.folder).stdout)
+            self.object(command, *arguments)
+
+    def test_every_key_is_in_the_readme(self):
+        readme = (PROJECT / "README.md").read_text().split("### JSON")[1]
+        for command, arguments in CALLS.items():
+            for key in self.object(command, *arguments):
+                self.assertIn(f"`{key}`", readme, command)
+
+    def test_wrong_input_leaves_standard_output_empty(self):
+        for command, arguments in CALLS.items():
+            ended = run(command, *["absent.toml" if word == KELVIN else word for word in arguments], "--json",
+                        *(["absent.toml"] if command == "validate" else []), folder=self.folder)
+            self.assertEqual((ended.returncode, ended.stdout), (2, ""), command)
+
+    def test_derive_is_its_format(self):
+        text = run("derive", KELVIN, "--format", "json", folder=self.folder).stdout
+        self.assertEqual(run("derive", KELVIN, "--json", folder=self.folder).stdout, text)
+
+    def test_derive_compares(self):
+        self.assertTrue(self.object("derive", KELVIN, "--equal", KELVIN)["equal"])
+        self.assertFalse(self.object("derive", KELVIN, "--equal", ELASTIC, status=1)["equal"])
+
+    def test_generate_tells_what_it_wrote(self):
+        result = self.object("generate", KELVIN, "--out", "lib", "--name", "pad", "--quantities")
+        self.assertEqual(result["language"], "c++")
+        self.assertEqual(result["main"], ["lib/pad.hpp", "lib/pad_quantities.hpp"])
+        self.assertEqual(set(result["files"]), self.written())
+        self.assertGreater(len(result["files"]), 4)
+
+    def test_generate_in_other_languages(self):
+        for language, ending in [("c99", "h"), ("python", "py"), ("javascript", "mjs"), ("cuda", "cuh")]:
+            result = self.object("generate", KELVIN, "--out", language, "--language", language)
+            file = f"{language}/critical.{ending}"
+            self.assertEqual(result, {"language": language, "main": [file], "files": [file]})
+            self.assertIn(file, self.written())
+
+    def check_validation(self, result, by_subject):
+        """`by_subject`: the comparisons in report.json."""
+        self.assertEqual(set(result["files"]), self.written())
+        self.assertEqual(result["page"], "out/index.html")
+        found = [tuple(one[key] for key in ["subject", "key", "name", "outcome"]) for one in result["comparisons"]]
+        expected = [(subject, one["key"], one["name"], one["outcome"])
+                    for subject, comparisons in by_subject for one in comparisons]
+        self.assertEqual(found, expected)
+        self.assertEqual(result["passed"], all(outcome != "failed" for *_, outcome in found))
+
+    def report(self):
+        return json.loads((self.folder / "out/report.json").read_text())
+
+    def test_validate_tells_all_verdicts_and_files(self):
+        result = self.object("validate", ELASTIC, str(PROJECT / "scenes/measured_drive.toml"), "--out", "out",
+                             "--figures", "pictures")
+        self.check_validation(result, [(scene["file"], scene["comparisons"]) for scene in self.report()["scenes"]])
+        self.assertTrue(result["passed"])
+        self.assertIn("not run", {one["outcome"] for one in result["comparisons"]})  # no simulation of a measured drive
+        self.assertTrue(any(file.endswith(".svg") for file in result["files"]))
+
+    def test_validate_tells_a_failure(self):
+        for compiler in ["g++", "clang++", "c++"]:
+            (self.folder / compiler).write_text("#!/bin/sh\nexit 1\n")
+            (self.folder / compiler).chmod(0o755)
+        result = self.object("validate", ELASTIC, "--out", "out", status=1,
+                             PATH=f"{self.folder}:{os.environ['PATH']}")
+        result["files"] += ["g++", "clang++", "c++"]
+        self.check_validation(result, [(scene["file"], scene["comparisons"]) for scene in self.report()["scenes"]])
+        self.assertFalse(result["passed"])
+
+    def test_validate_the_paper(self):
+        result = self.object("validate", "--paper", "--out", "out")
+        parts = [part["comparisons"] for part in self.report()["paper"].values() if "comparisons" in part]
+        by_key = sorted((one["key"], one["name"], one["outcome"]) for part in parts for one in part)
+        found = sorted((one["key"], one["name"], one["outcome"]) for one in result["comparisons"])
+        self.assertEqual(found, by_key)
+        self.assertEqual({one["subject"] for one in result["comparisons"]}, {"the paper"})
+        self.assertEqual(set(result["files"]), self.written())
+
+
+if __name__ == "__main__":
+    unittest.main()

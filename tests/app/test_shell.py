@@ -1,0 +1,187 @@
+"""What the program tells the shell about itself: help with examples, man page, completions.
+
+    test_shell.py PROJECT PROGRAM SHARE     SHARE holds man page and completions as they are installed
+"""
+
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+import completion_drivers
+
+PROJECT, PROGRAM, SHARE = (Path(sys.argv.pop(1)).resolve() for _ in range(3))
+MAN = SHARE / "man/man1/vcrit.1"
+COMMANDS = ["derive", "eval", "generate", "simulate", "critical", "sweep", "validate"]
+# "  -h,--help   Print ...", as CLI11 writes options; positionals stand under a heading of their own.
+OPTION = re.compile(r"^ {2}((?:-\w,)?--[\w-]+)(?: (\S.*?))?(?: {2,}|$)", re.MULTILINE)
+CHOICES = re.compile(r"^\{(.*)\}")
+EXAMPLE = re.compile(r"^    (vcrit .*)$", re.MULTILINE)
+
+
+def text_of(*command, folder=PROJECT):
+    return subprocess.run(list(map(str, command)), cwd=folder, capture_output=True, text=True, check=True).stdout
+
+
+def help_of(command):
+    return text_of(PROGRAM, *([command] if command else []), "--help")
+
+
+def options_of(command):
+    """All options of a help, as lists of names, and what each takes."""
+    return {tuple(names.split(",")): value for names, value in OPTION.findall(help_of(command))}
+
+
+def names_of(command):
+    return {name for names in options_of(command) for name in names}
+
+
+def choices_of(command):
+    """Options whose values are a list."""
+    return {names[-1]: CHOICES.match(value)[1].split(",") for names, value in options_of(command).items()
+            if CHOICES.match(value)}
+
+
+class Help(unittest.TestCase):
+    def test_lists_the_commands(self):
+        listed = re.findall(r"^  (\w+) {2,}", help_of("").split("Subcommands:")[1].split("Examples:")[0], re.MULTILINE)
+        self.assertEqual(listed, COMMANDS)
+
+    def test_ends_with_examples_that_run(self):
+        for command in ["", *COMMANDS]:
+            body, examples = help_of(command).split("\nExamples:\n")
+            self.assertIn("Options:", body)
+            lines = EXAMPLE.findall(examples)
+            self.assertGreaterEqual(len(lines), 1, command)
+            self.assertEqual(len(lines) * 2, len(examples.strip().splitlines()), "words above each line")
+            for line in lines:
+                with self.subTest(line=line), tempfile.TemporaryDirectory() as folder:
+                    self.assertTrue(line.startswith(f"vcrit {command}"))
+                    self.run_example(line, Path(folder))
+
+    def run_example(self, line, folder):
+        (folder / "scenes").symlink_to(PROJECT / "scenes")
+        path = f"{PROGRAM.resolve().parent}:{os.environ['PATH']}"
+        run = subprocess.run(["bash", "-c", line], cwd=folder, env=os.environ | {"PATH": path},
+                             capture_output=True, text=True, timeout=300)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        written = [file for file in folder.iterdir() if file.name != "scenes"]
+        self.assertTrue(run.stdout or written, "an example that shows nothing")
+
+
+class Man(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.source = MAN.read_text()
+        cls.page = text_of("mandoc", "-T", "ascii", "-O", "width=200", MAN)
+        cls.page = re.sub(r".\x08", "", cls.page)  # bold and underlined by overstriking
+
+    def section(self, command):
+        """The roff of the command's section, or of the program's options."""
+        heading = f".SS {command}\n" if command else ".SH OPTIONS\n"
+        return re.split(r"\n\.S[SH]", self.source.split(heading)[1])[0]
+
+    def options_of(self, command):
+        """As of a help: the line below each .TP that has options."""
+        tags = [re.sub(r"\\f[BRI]", "", tag).replace("\\-", "-")
+                for tag in re.findall(r"^\.TP\n(.*)$", self.section(command), re.MULTILINE)]
+        split = [re.fullmatch(r"((?:-\w, )?--[\w-]+)(?: (.*))?", tag) for tag in tags if tag.startswith("-")]
+        return {tuple(tag[1].split(", ")): tag[2] or "" for tag in split}
+
+    def test_is_clean(self):
+        self.assertEqual(text_of("mandoc", "-T", "lint", MAN), "")
+        run = subprocess.run(["man", "--warnings", "-l", MAN], capture_output=True, text=True,
+                             env=os.environ | {"LC_ALL": "C.UTF-8"})
+        self.assertEqual((run.returncode, run.stderr), (0, ""))
+
+    def test_has_every_option_and_no_other(self):
+        for command in ["", *COMMANDS]:
+            self.assertEqual(self.options_of(command), options_of(command), command)
+
+    def test_has_every_command_and_no_other(self):
+        commands = self.page.split("\nCOMMANDS\n")[1].split("\nEXIT STATUS\n")[0]
+        self.assertEqual(re.findall(r"^   (\w+)$", commands, re.MULTILINE), COMMANDS)
+
+    def test_shows_the_examples_of_the_help(self):
+        for command in ["", *COMMANDS]:
+            for line in EXAMPLE.findall(help_of(command)):
+                self.assertIn(line, self.page)
+
+    def test_is_what_the_program_prints(self):
+        self.assertEqual(text_of(PROGRAM, "--man"), MAN.read_text())
+        for shell, file in [("bash", "bash-completion/completions/vcrit"), ("zsh", "zsh/site-functions/_vcrit")]:
+            self.assertEqual(text_of(PROGRAM, "--completion", shell), (SHARE / file).read_text())
+
+
+class Completion(unittest.TestCase):
+    """The same questions for both shells."""
+
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = Path(folder.name)
+        for file in ["pad.toml", "pin.toml", "notes.txt"]:
+            (cls.folder / file).write_text("")
+        (cls.folder / "some scenes").mkdir()
+
+    def bash(self, line):
+        words = line.replace("=", " = ").split(" ") if "--over" not in line else line.split(" ")
+        return completion_drivers.bash(SHARE / "bash-completion/completions/vcrit", words, self.folder)
+
+    def zsh(self, line):
+        return completion_drivers.zsh(SHARE / "zsh/site-functions", line, self.folder)
+
+    def offered(self, line, expected, of=lambda words: words):
+        for shell in [self.bash, self.zsh]:
+            with self.subTest(line=line, shell=shell.__name__):
+                self.assertEqual(of(shell(line)), sorted(expected))
+
+    def test_of_commands(self):
+        self.offered("vcrit ", COMMANDS, lambda words: sorted(word for word in words if word[0] != "-"))
+        self.offered("vcrit si", ["simulate"])
+
+    def test_of_options(self):
+        for command in COMMANDS:
+            # zsh offers no short option where a long one is begun.
+            expected = {name for name in names_of(command) if name.startswith("--")}
+            self.offered(f"vcrit {command} --", expected)
+        self.offered("vcrit --", {name for name in names_of("") if name.startswith("--")})
+        self.offered("vcrit simulate pad.toml --velocity-", ["--velocity-ratio"])
+
+    def test_of_values(self):
+        seen = 0
+        for command in ["", *COMMANDS]:
+            for option, values in choices_of(command).items():
+                self.offered(f"vcrit {command} {option} ".replace("  ", " "), values)
+                seen += 1
+        self.assertGreaterEqual(seen, 7)  # completion, format, form, language, method, start, quantity
+        self.offered("vcrit simulate --method=mo", ["moreau"])
+        self.offered("vcrit simulate --method m", ["moreau", "msbdf"])
+        self.offered("vcrit generate --language ", ["c++", "c99", "python", "javascript", "cuda"])
+
+    def test_of_scenes_and_folders(self):
+        scenes = ["pad.toml", "pin.toml", "some scenes"]
+        self.offered("vcrit eval ", scenes, lambda words: [word.rstrip("/") for word in words])
+        self.offered("vcrit eval pi", ["pin.toml"])
+        self.offered("vcrit derive pad.toml --equal pi", ["pin.toml"])
+        self.offered("vcrit validate pad.toml pi", ["pin.toml"])
+        self.offered("vcrit generate pad.toml --out ", ["some scenes"], lambda words: [word.rstrip("/") for word in words])
+
+    def test_of_zsh_may_be_sourced(self):
+        script = SHARE / "zsh/site-functions/_vcrit"
+        self.assertEqual(completion_drivers.zsh(self.folder, "vcrit si", self.folder, script), ["simulate"])
+        self.assertEqual(completion_drivers.zsh(self.folder, "vcrit si", self.folder), [])
+
+    def test_of_what_nobody_can_know(self):
+        self.offered("vcrit simulate pad.toml --velocity ", [])
+
+    def test_goes_on_behind_a_value(self):
+        self.offered("vcrit simulate pad.toml --method exact --sta", ["--start"])
+
+
+if __name__ == "__main__":
+    unittest.main()

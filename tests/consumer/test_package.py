@@ -1,0 +1,174 @@
+"""The installed package as its users meet it: installed to a folder of its own, moved from there, and
+then found by CMake and by pkg-config.
+
+    test_package.py PROJECT BUILD COMPILER LAUNCHER FLAGS
+"""
+
+import math
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+PROJECT, BUILD, COMPILER, LAUNCHER, FLAGS = (sys.argv.pop(1) for _ in range(5))
+SCENE = f"{PROJECT}/scenes/elastic.toml"
+HERE = Path(__file__).parent
+# Eq. (31) with the numbers of the scene; each of seven numbers and six operations is rounded at most
+# once, by 2^-53 relative.
+VELOCITY = 0.3 * 2 * math.pi * 20e3 * 0.1e-6 * 11.5 / 9.47
+ROUNDING = 13 * 2.0**-53
+NO_GINAC = {"PKG_CONFIG_LIBDIR": "/nonexistent", "PKG_CONFIG_PATH": ""}
+
+
+def run(*command, folder=None, **environment):
+    return subprocess.run([str(word) for word in command], cwd=folder, env=os.environ | environment,
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+
+
+def done(*command, **where):
+    ended = run(*command, **where)
+    if ended.returncode != 0:
+        raise AssertionError(f"{command} ended with {ended.returncode}:\n{ended.stdout}")
+    return ended.stdout
+
+
+class Package(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = Path(tempfile.mkdtemp())
+        cls.addClassCleanup(shutil.rmtree, cls.folder)
+        done("cmake", "--install", BUILD, "--prefix", cls.folder / "installed")
+        cls.prefix = (cls.folder / "installed").rename(cls.folder / "moved")
+        done("cmake", "--install", BUILD, "--prefix", cls.folder / "numeric", "--component", "numeric")
+
+    def configure(self, name, source, *options, prefix=None, **environment):
+        """Configures a consumer; the outcome and its build folder."""
+        build = self.folder / f"build-{name}"
+        outcome = run("cmake", "-G", "Ninja", "-S", source, "-B", build, f"-DCMAKE_CXX_COMPILER={COMPILER}",
+                      f"-DCMAKE_CXX_COMPILER_LAUNCHER={LAUNCHER}", f"-DCMAKE_CXX_FLAGS={FLAGS}",
+                      f"-DCMAKE_C_FLAGS={FLAGS}", f"-DCMAKE_PREFIX_PATH={prefix or self.prefix}", *options,
+                      **environment)
+        return outcome, build
+
+    def built(self, name, source, *options, **where):
+        outcome, build = self.configure(name, source, *options, **where)
+        self.assertEqual(outcome.returncode, 0, outcome.stdout)
+        done("cmake", "--build", build)
+        return build
+
+    def check_numeric(self, program):
+        first, header, *rows = done(program, SCENE).split("\n")
+        velocity, simulated, above = map(float, first.split())
+        self.assertAlmostEqual(velocity / VELOCITY, 1, delta=ROUNDING)
+        self.assertAlmostEqual(simulated / VELOCITY, 1, delta=1e-9)  # what the simulation promises
+        self.assertAlmostEqual(above, 1, delta=1e-8)  # 1e-10 a step, some 50 steps a period
+        self.assertEqual(header, "mu0,critical_velocity")
+        swept = [[float(number) for number in row.split(",")] for row in rows if row]
+        self.assertEqual([mu0 for mu0, _ in swept], [0.3, 0.6])
+        for mu0, v in swept:  # v* is linear in mu0
+            self.assertAlmostEqual(v / (VELOCITY * mu0 / 0.3), 1, delta=ROUNDING + 2.0**-52)
+        linked = done("ldd", program) + done("nm", "-C", program)
+        self.assertNotRegex(linked, r"ginac|GiNaC|libcln|cln::")
+        self.assertIn("vcrit::read_scene", linked)
+
+    def check_symbolic(self, program):
+        # As above, and GiNaC's seventeen digits: half a unit in the last of them.
+        self.assertAlmostEqual(float(done(program, SCENE)) / VELOCITY, 1, delta=ROUNDING + 0.5e-16)
+        self.assertRegex(done("ldd", program), "libginac")
+
+    def test_numeric_library_needs_no_ginac(self):
+        build = self.built("numeric", HERE / "numeric", **NO_GINAC)
+        self.check_numeric(build / "consumer")
+
+    def test_numeric_component_stands_alone(self):
+        prefix = self.folder / "numeric"
+        self.check_numeric(self.built("alone", HERE / "numeric", prefix=prefix) / "consumer")
+        outcome, _ = self.configure("absent", HERE / "symbolic", prefix=prefix)
+        self.assertNotEqual(outcome.returncode, 0)
+        self.assertIn("vcrit's component symbolic", outcome.stdout)
+
+    def test_symbolic_component(self):
+        self.check_symbolic(self.built("symbolic", HERE / "symbolic") / "consumer")
+
+    def test_symbolic_component_names_what_it_misses(self):
+        outcome, _ = self.configure("missing", HERE / "symbolic", **NO_GINAC)
+        self.assertNotEqual(outcome.returncode, 0)
+        self.assertIn("For component symbolic is missing: ginac", outcome.stdout)
+
+    def test_symbolic_component_may_be_optional(self):
+        for found, environment in [("TRUE", {}), ("FALSE", NO_GINAC)]:
+            outcome, _ = self.configure(f"optional-{found}", HERE / "symbolic", "-DOPTIONAL=ON", **environment)
+            self.assertEqual(outcome.returncode, 0, outcome.stdout)
+            self.assertIn(f"symbolic: {found}", outcome.stdout)
+
+    def test_version(self):
+        for wanted, status in [("0.1", 0), ("0.0.9", 1), ("0.2", 1), ("1", 1)]:
+            outcome, _ = self.configure(f"version-{wanted}", HERE / "numeric", f"-DWANTED_VERSION={wanted}")
+            self.assertEqual(outcome.returncode, status, f"{wanted}: {outcome.stdout}")
+
+    def pkg_config(self, *words):
+        path = next(self.prefix.glob("lib*/**/pkgconfig"))
+        return done("pkg-config", *words, PKG_CONFIG_PATH=str(path)).split()
+
+    def compiled(self, source, *words):
+        program = self.folder / "by-pkg-config"
+        done(COMPILER, *FLAGS.split(), "-std=c++20", source, "-o", program, *self.pkg_config("--cflags", "--libs", *words))
+        return program
+
+    def test_pkg_config(self):
+        for words in [["--static"], []]:
+            self.check_numeric(self.compiled(HERE / "numeric/main.cpp", *words, "vcrit"))
+            self.check_symbolic(self.compiled(HERE / "symbolic/main.cpp", *words, "vcrit-symbolic"))
+        self.assertEqual(self.pkg_config("--modversion", "vcrit"), self.pkg_config("--modversion", "vcrit-symbolic"))
+
+    def test_headers_stand_alone(self):
+        headers = sorted(self.prefix.glob("include/vcrit/**/*.hpp"))
+        self.assertGreater(len(headers), 40)
+        # Those with GiNaC take seconds each; symbolic.hpp includes them all.
+        alone = [file for file in headers if "ginac/" not in file.read_text()]
+        self.assertGreater(len(alone), 25)
+        flags = ["-fsyntax-only", "-std=c++20", "-Wall", "-Wextra", "-Werror"]
+        flags += self.pkg_config("--cflags", "vcrit-symbolic")
+
+        def complaint(header):
+            return run(COMPILER, *flags, "-include", header, "-x", "c++", "/dev/null").stdout
+
+        with ThreadPoolExecutor(os.cpu_count()) as pool:
+            self.assertEqual("".join(pool.map(complaint, alone)), "")
+
+    def test_program_runs(self):
+        program = self.prefix / "bin/vcrit"
+        self.assertIn("0.00457803364", done(program, "eval", SCENE))  # VELOCITY, by hand
+        self.assertIn(self.pkg_config("--modversion", "vcrit")[0], done(program, "--version"))
+
+    def test_shell_finds_its_files(self):
+        for file in ["bash-completion/completions/vcrit", "zsh/site-functions/_vcrit"]:
+            self.assertIn("vcrit", (self.prefix / "share" / file).read_text())
+        page = done("man", "-M", self.prefix / "share/man", "vcrit", LC_ALL="C.UTF-8", MANPAGER="cat")
+        self.assertIn("critical velocity of friction control", page)
+
+    def test_program_of_the_readme(self):
+        blocks = re.findall(r"```cpp\n(.*?)```", Path(PROJECT, "README.md").read_text(), re.DOTALL)
+        (block,) = [block for block in blocks if "<vcrit/vcrit.hpp>" in block]
+        source = self.folder / "readme.cpp"
+        source.write_text(block + '#include <cstdio>\nint main(int, char** a) { std::printf("%.17g", velocity(a[1])); }\n')
+        self.assertAlmostEqual(float(done(self.compiled(source, "vcrit"), SCENE)) / VELOCITY, 1, delta=ROUNDING)
+
+    def test_examples_build_against_it(self):
+        build = self.built("examples", f"{PROJECT}/examples")
+        done(sys.executable, "-B", HERE / "test_examples.py", PROJECT, build)
+
+    def test_names_no_place(self):
+        for file in sorted(self.prefix.rglob("*")):
+            if file.suffix in {".cmake", ".pc", ".hpp", ".1"}:
+                for place in [PROJECT, BUILD, str(self.folder)]:
+                    self.assertNotIn(place, file.read_text(), file)
+
+
+if __name__ == "__main__":
+    unittest.main()
