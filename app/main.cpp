@@ -38,6 +38,7 @@ int run(int argc, char** argv) {
   vcrit::app::add_simulate(program);
   vcrit::app::add_critical(program, status);
   vcrit::app::add_sweep(program);
+  vcrit::app::add_solve(program);
   vcrit::app::add_validate(program, status);
   try {
     program.parse(argc, argv);

@@ -21,6 +21,7 @@ ROOMS = [
     "src/simulation/steady",
     "src/simulation/methods",
     "src/sweep",
+    "src/design",
     "symbolic/formula",
     "symbolic/polynomial",
     "symbolic/derivation",
