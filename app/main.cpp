@@ -39,6 +39,7 @@ int run(int argc, char** argv) {
   vcrit::app::add_critical(program, status);
   vcrit::app::add_sweep(program);
   vcrit::app::add_solve(program);
+  vcrit::app::add_fit(program);
   vcrit::app::add_validate(program, status);
   try {
     program.parse(argc, argv);

@@ -22,6 +22,7 @@ ROOMS = [
     "src/simulation/methods",
     "src/sweep",
     "src/design",
+    "src/fit",
     "symbolic/formula",
     "symbolic/polynomial",
     "symbolic/derivation",
