@@ -29,8 +29,8 @@ constexpr double first_part = 1e-3;
 
 class Fitting {
  public:
-  Fitting(const Data& data, const Options& options)
-      : given_(data), data_(data), options_(options), terms_{true, options.damper} {}
+  Fitting(const Data& data, const Options& options, const std::optional<Relaxation>& expected = {})
+      : given_(data), data_(data, expected), options_(options), terms_{true, options.damper} {}
 
   Fit run() {
     choose_length();
@@ -203,7 +203,8 @@ double chance_of_fall(double before, double after, int more, int degrees, bool e
 Fit fitted(const Data& data, const Options& options) {
   if (options.most_branches < 1)
     throw InputError({"--max-branches"}, fmt::format("{}", options.most_branches), "at least 1");
-  return Fitting(data, options).run();
+  const Fit fit = Fitting(data, options).run();
+  return data.has_errors ? fit : Fitting(data, options, fit.series).run();
 }
 
 }  // namespace vcrit::fit

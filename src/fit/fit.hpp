@@ -49,7 +49,7 @@ struct Fit {
 Fit fitted(const Data& data, const Options& options = {});
 
 /// The chance below which a better fit is not put down to noise.
-constexpr double significance = 1e-3;
+constexpr double significance = 1e-4;
 
 /// The chance that `more` further parameters lower a sum of squares from `before` to `after` by
 /// noise alone; `degrees`: of freedom after. With known errors the fall is chi-squared distributed,

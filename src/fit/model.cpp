@@ -8,17 +8,34 @@ namespace vcrit::fit {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-Weighed::Weighed(const Data& data) : errors_known_(data.has_errors) {
+namespace {
+
+struct Sizes {
+  double storage, loss;
+};
+
+Sizes sizes(const Row& row, bool errors_known, const std::optional<Relaxation>& expected) {
+  if (errors_known) return {row.storage_error, row.loss_error};
+  const std::complex<double> k = expected ? dynamic_stiffness(*expected, row.omega)
+                                          : std::complex<double>(row.storage, row.loss);
+  const double least = least_part * std::abs(k);
+  return {std::max(k.real(), least), std::max(k.imag(), least)};
+}
+
+}  // namespace
+
+Weighed::Weighed(const Data& data, const std::optional<Relaxation>& expected)
+    : errors_known_(data.has_errors) {
   const auto rows = static_cast<Index>(data.rows.size());
   weight_.resize(2 * rows);
   target_.resize(2 * rows);
   for (Index i = 0; i < rows; ++i) {
     const Row& row = data.rows[static_cast<std::size_t>(i)];
-    const double least = least_part * std::hypot(row.storage, row.loss);
-    weight_[2 * i] = 1 / (errors_known_ ? row.storage_error : std::max(row.storage, least));
-    weight_[2 * i + 1] = 1 / (errors_known_ ? row.loss_error : std::max(row.loss, least));
-    target_[2 * i] = row.storage * weight_[2 * i];
-    target_[2 * i + 1] = row.loss * weight_[2 * i + 1];
+    const auto [storage, loss] = sizes(row, errors_known_, expected);
+    weight_[2 * i] = 1 / storage;
+    weight_[2 * i + 1] = 1 / loss;
+    target_[2 * i] = row.storage / storage;
+    target_[2 * i + 1] = row.loss / loss;
     omega_.push_back(row.omega);
   }
 }

@@ -5,6 +5,7 @@
 #include <Eigen/Dense>
 #include <complex>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "fit/data.hpp"
@@ -20,12 +21,12 @@ struct Terms {
 
 /// The data in units of their standard deviations. Where these are not given, one relative error is
 /// taken for all, and its size left open: 1 stands for 100 % of the component itself, but for no
-/// less than `least_part` of |K|, which no phase measurement resolves.
+/// less than `least_part` of |K|.
 class Weighed {
  public:
-  static constexpr double least_part = 1e-3;
-
-  explicit Weighed(const Data& data);
+  /// Relative errors are those of `expected` where it is given, else of the data. Data that noise
+  /// made small would count for more than those that it made large.
+  explicit Weighed(const Data& data, const std::optional<Relaxation>& expected = {});
 
   Eigen::Index size() const { return target_.size(); }  ///< two a row: storage, loss
   const Eigen::VectorXd& target() const { return target_; }

@@ -50,7 +50,14 @@ Figure stiffness(const fit::Data& data, const fit::Fit& fit) {
   return figure;
 }
 
-// In units of the given error, else in per cent of |K|.
+// What the fit weighed it by: the given error, else one per cent of the component.
+double unit_of(const fit::Row& row, bool errors, bool storage) {
+  if (errors) return storage ? row.storage_error : row.loss_error;
+  return std::max(storage ? row.storage : row.loss,
+                  fit::least_part * std::hypot(row.storage, row.loss)) /
+         100;
+}
+
 Series left(const fit::Data& data, const fit::Fit& fit, bool storage) {
   Series series{storage ? "storage" : "loss",
                 storage ? Style::circles : Style::crosses,
@@ -60,10 +67,7 @@ Series left(const fit::Data& data, const fit::Fit& fit, bool storage) {
     const std::complex<double> difference =
         std::complex<double>(row.storage, row.loss) - dynamic_stiffness(fit.series, row.omega);
     const double part = storage ? difference.real() : difference.imag();
-    const double unit = !data.has_errors ? std::hypot(row.storage, row.loss) / 100
-                        : storage        ? row.storage_error
-                                         : row.loss_error;
-    series.points.push_back({row.omega / turn, part / unit, ""});
+    series.points.push_back({row.omega / turn, part / unit_of(row, data.has_errors, storage), ""});
   }
   return series;
 }
@@ -76,12 +80,12 @@ Figure residuals(const fit::Data& data, const fit::Fit& fit) {
       data.has_errors
           ? "Measured less fitted, in units of the standard deviations that the data give. Two "
             "thirds of all should lie between -1 and 1, without a pattern."
-          : "Measured less fitted, in per cent of |K|. A pattern would be something that the "
+          : "Measured less fitted, in per cent of the component itself. A pattern would be "
+            "something that the "
             "series "
             "does not have; without one they are noise.";
   figure.x = {"frequency, Hz", true, {}, {}};
-  figure.y = {
-      data.has_errors ? "residual, standard deviations" : "residual, % of |K|", false, {}, {}};
+  figure.y = {data.has_errors ? "residual, standard deviations" : "residual, %", false, {}, {}};
   figure.series = {left(data, fit, true), left(data, fit, false)};
   figure.rules = {{0, "", true}};
   figure.height = 220;
@@ -97,7 +101,7 @@ Figure spectrum(const fit::Data& data, const fit::Fit& fit) {
       "Shaded: the inverse of the measured angular frequencies.";
   figure.x = {"relaxation time, s", true, {}, {}};
   figure.y = {"stiffness, N/m", true, {}, {}};
-  Series dots{"branch", Style::dots, {}, storage_colour};
+  Series dots{"", Style::dots, {}, storage_colour};
   for (const fit::FittedBranch& branch : fit.branches) {
     const auto& [k, tau] = branch;
     dots.points.push_back({tau.value, k.value,
@@ -114,7 +118,10 @@ Figure spectrum(const fit::Data& data, const fit::Fit& fit) {
                              storage_colour});
   }
   figure.series.push_back(std::move(dots));
-  figure.bands = {{1 / data.rows.back().omega, 1 / data.rows.front().omega, "measured"}};
+  const double first = 1 / data.rows.back().omega, last = 1 / data.rows.front().omega;
+  figure.x.range = {std::min(first, fit.branches.front().time.value) / 2,
+                    2 * std::max(last, fit.branches.back().time.value)};
+  figure.bands = {{first, last, "measured"}};
   figure.height = 260;
   return figure;
 }

@@ -14,7 +14,7 @@ namespace vcrit::validation::report {
 namespace {
 
 // A chance below this says that the misfit is more than noise of the errors given.
-constexpr double unlikely = 1e-3;
+constexpr double unlikely = fit::significance;
 
 std::string count(const fit::Fit& fit) {
   const std::size_t n = fit.branches.size();
