@@ -24,12 +24,9 @@ constexpr double part_for_slope = 1e-4;
 class Solving {
  public:
   explicit Solving(const Question& question)
-      : question_(question),
-        contact_(checked(question).scene),
-        range_(range_of(question, contact_)) {}
+      : question_(question), contact_(checked(question).scene), range_(range()) {}
 
   Answer run() {
-    refuse_what_is_not_simulated();
     for (const std::vector<double>& row : range_.rows) {
       const Search search =
           first_reach([&](double value) { return ratio(value); }, row, question_.friction_ratio);
@@ -58,10 +55,15 @@ class Solving {
     return question;
   }
 
-  // One scene of the range, so that a drive that is not simulated is named before any search.
-  void refuse_what_is_not_simulated() const {
-    const double somewhere = range_.rows.empty() ? range_.to : range_.rows.front().front();
-    simulation::system_of(scene_at(somewhere));
+  // A drive that is not simulated is named before anything is searched.
+  Range range() const {
+    Scene scene = question_.scene;
+    if (question_.sought != Sought::velocity) {
+      if (!scene.angular_frequency.value) scene.angular_frequency.value = 1;
+      scene.amplitude.value = contact_.largest_amplitude(*scene.angular_frequency.value) / 2;
+    }
+    simulation::system_of(scene);
+    return range_of(question_, contact_);
   }
 
   Scene scene_at(double value) const {

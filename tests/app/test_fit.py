@@ -11,7 +11,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-PROGRAM = sys.argv.pop(1)
+PROGRAM = str(Path(sys.argv.pop(1)).resolve())
 K0, BRANCHES = 2e6, [(1e6, 1e-5), (3e6, 1e-3), (5e5, 2e-2)]
 
 
@@ -139,6 +139,12 @@ class Fit(unittest.TestCase):
         self.assertEqual(result.stdout.splitlines()[0], "3 branches and an equilibrium spring")
         self.assertEqual(result.stdout.splitlines()[-2:], ["s.toml", "s.html"])
         self.assertIn("k    3e+06", result.stdout)
+
+    # Storage that swings up and down is no network's.
+    def test_data_that_no_series_comes_near_are_called_so(self):
+        result = self.fit(table(lambda omega: 1e6 * complex(2 + math.cos(5 * math.log(omega)), 0.01)))
+        self.assertIn("no series of springs and dampers comes near these data", result["words"])
+        self.assertNotIn("comes near", str(self.fit(table(stiffness, 0.01))["words"]))
 
     def test_a_bad_table_is_one_message_with_file_and_line_and_nothing_is_written(self):
         head = "frequency,storage,loss\n"

@@ -209,6 +209,9 @@ BOOST_AUTO_TEST_CASE(wrong_questions_are_refused) {
   few.samples = 2;
   BOOST_CHECK_THROW(design::solve(few), InputError);
   BOOST_TEST(has(refusal(question("sonotrode.toml", Sought::velocity, 0.9)), "masses of its own"));
+  for (const Sought sought : {Sought::amplitude, Sought::frequency, Sought::velocity})
+    BOOST_TEST(
+        has(refusal(question("measured_drive.toml", sought, 0.9, 0.001)), "measured receptance"));
   BOOST_TEST(has(refusal(question("inadmissible.toml", Sought::velocity, 0.9)), "(4)"));
 }
 

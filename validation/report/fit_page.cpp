@@ -16,6 +16,9 @@ namespace {
 // A chance below this says that the misfit is more than noise of the errors given.
 constexpr double unlikely = fit::significance;
 
+// Measurements of stiffness are better than that, root mean square.
+constexpr double far_off = 0.2;
+
 std::string count(const fit::Fit& fit) {
   const std::size_t n = fit.branches.size();
   std::string text = fmt::format("{} branch{}", n, n == 1 ? "" : "es");
@@ -78,6 +81,8 @@ std::vector<std::string> fit_in_words(const fit::Data& data, const fit::Fit& fit
     words.push_back(
         fmt::format("the last of {} branches still helped: more may be needed (--max-branches)",
                     fit.branches.size()));
+  if (fit.rms_relative > far_off)
+    words.emplace_back("no series of springs and dampers comes near these data");
   if (fit.chance && *fit.chance < unlikely)
     words.emplace_back(
         "the misfit is larger than the errors given explain: they are too small, or no series "
