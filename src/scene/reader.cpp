@@ -70,6 +70,7 @@ class Reader {
         settings_(settings) {
     scene_.file = file;
     scene_.text = text;
+    scene_.settings = settings;
   }
 
   Scene read() {

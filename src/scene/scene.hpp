@@ -30,11 +30,16 @@ struct Isotropic {
   Quantity quantity;  ///< Poisson's ratio nu, ratio = 2(1 - nu)/(2 - nu), or the ratio itself
 };
 
+/// The values of --set, by name ("k0", "k[3]", "mu0", "frequency", ...); a number in SI or with a
+/// unit.
+using Settings = std::vector<std::pair<std::string, std::string>>;
+
 struct Scene {
   std::string file;  ///< as the user named it
   std::string title;
-  std::string text;  ///< the file's content
-  Network normal;    ///< K_n
+  std::string text;   ///< the file's content
+  Settings settings;  ///< that replaced values of it
+  Network normal;     ///< K_n
   std::variant<Isotropic, Network>
       tangential;                ///< K_t; equal networks have become Isotropic, ratio 1
   std::optional<Network> drive;  ///< K_d, may hold masses; rigid without this and a receptance
@@ -47,10 +52,6 @@ struct Scene {
   std::map<std::string, Dimension> settable;  ///< what --set may name, and what it measures
   std::vector<std::string> warnings;
 };
-
-/// The values of --set, by name ("k0", "k[3]", "mu0", "frequency", ...); a number in SI or with a
-/// unit.
-using Settings = std::vector<std::pair<std::string, std::string>>;
 
 /// Throws InputError.
 Scene read_scene(const std::string& file, const Settings& settings = {});

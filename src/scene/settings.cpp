@@ -7,6 +7,17 @@
 
 namespace vcrit {
 
+Dimension known_dimension(const std::string& name, const std::map<std::string, Dimension>& known,
+                          const Place& place) {
+  if (const auto found = known.find(name); found != known.end()) return found->second;
+  std::vector<std::string> names;
+  for (const auto& [known_name, dimension] : known) names.push_back(known_name);
+  const auto meant = nearest(name, names);
+  throw InputError(
+      place, fmt::format("\"{}\", which this scene does not have", name),
+      meant ? fmt::format("\"{}\"", *meant) : fmt::format("one of {}", fmt::join(names, ", ")));
+}
+
 OverridingValues::OverridingValues(const Settings& settings) {
   for (const auto& [name, text] : settings) settings_[name] = text;
 }
@@ -21,15 +32,7 @@ std::optional<double> OverridingValues::take(const std::string& name, Dimension 
 }
 
 void OverridingValues::refuse_untaken() const {
-  std::vector<std::string> known;
-  for (const auto& [name, dimension] : known_) known.push_back(name);
-  for (const auto& [name, text] : settings_) {
-    if (known_.contains(name)) continue;
-    const auto meant = nearest(name, known);
-    throw InputError(
-        place(name), fmt::format("\"{}\", which this scene does not have", name),
-        meant ? fmt::format("\"{}\"", *meant) : fmt::format("one of {}", fmt::join(known, ", ")));
-  }
+  for (const auto& [name, text] : settings_) known_dimension(name, known_, place(name));
 }
 
 }  // namespace vcrit

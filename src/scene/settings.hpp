@@ -10,6 +10,11 @@
 
 namespace vcrit {
 
+/// What the quantity `name` measures. Throws InputError at `place`, with the nearest known name,
+/// for others.
+Dimension known_dimension(const std::string& name, const std::map<std::string, Dimension>& known,
+                          const Place& place);
+
 class OverridingValues {
  public:
   explicit OverridingValues(const Settings& settings);

@@ -1,0 +1,66 @@
+// A changing scene is the scene that reading again with --set gives.
+#include "scene/changing.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+
+#include "base/numbers.hpp"
+
+namespace {
+
+using namespace vcrit;
+
+void check(const std::string& file, const std::vector<std::string>& names,
+           const std::vector<std::vector<double>>& rows, const Settings& base = {}) {
+  ChangingScene changing(read_scene(VCRIT_SCENES "/" + file, base), names);
+  for (const auto& row : rows) {
+    const Scene& scene = changing.at(row);
+    Settings settings = base;
+    for (std::size_t i = 0; i < names.size(); ++i) settings.emplace_back(names[i], to_text(row[i]));
+    const Scene again = read_scene(VCRIT_SCENES "/" + file, settings);
+    BOOST_TEST((scene.elements == again.elements));
+    BOOST_TEST((values_of(scene) == values_of(again)));
+    BOOST_TEST((scene.normal == again.normal));
+    BOOST_TEST(scene.tangential.index() == again.tangential.index());
+  }
+}
+
+// Zeros leave elements out and bring them back; 2 pi f is the product that the reader forms.
+BOOST_AUTO_TEST_CASE(it_is_the_scene_read_again) {
+  check("zener.toml", {"k1", "frequency", "poisson", "mass"},
+        {{4e6, 20e3, 0.3, 5e-3}, {0, 12345.678, -0.25, 0}, {1e6, 1, 0.5, 1e-3}});
+  check("zener.toml", {"omega", "amplitude", "mu0", "u_z0"}, {{1e5, 0, 0, 1}, {1, 1e-6, 0.5, 2}},
+        {{"k1", "5 N/um"}});
+}
+
+BOOST_AUTO_TEST_CASE(a_name_takes_the_place_of_its_setting) {
+  ChangingScene changing(
+      read_scene(VCRIT_SCENES "/zener.toml", {{"frequency", "3 kHz"}, {"k1", "1e6"}}),
+      {"angular_frequency"});
+  // 0 for k1 is read again: both times the setting of the frequency is gone.
+  BOOST_TEST(*changing.at(std::vector{7.0}).angular_frequency.value == 7);
+  BOOST_TEST(values_of(changing.at(std::vector{8.0})).at({"k1"}) == 1e6);
+}
+
+std::string refused(const std::vector<std::string>& names, const std::vector<double>& values) {
+  try {
+    ChangingScene changing(read_scene(VCRIT_SCENES "/zener.toml"), names);
+    changing.at(values);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+BOOST_AUTO_TEST_CASE(what_reading_refuses_is_refused) {
+  BOOST_TEST(refused({"k8"}, {1}).find("\"k8\", which this scene does not have") !=
+             std::string::npos);
+  BOOST_TEST(refused({"mu0", "coefficient"}, {1, 1}).find("each quantity once") !=
+             std::string::npos);
+  BOOST_TEST(refused({"frequency"}, {0}).find("a finite value above 0") != std::string::npos);
+  BOOST_TEST(refused({"poisson"}, {0.6}).find("up to 0.5") != std::string::npos);
+  BOOST_TEST(refused({"k0"}, {-1}).find("a finite value of at least 0") != std::string::npos);
+  BOOST_TEST(refused({"k0"}, {std::nan("")}).find("--set k0: found \"nan\"") == 0U);
+}
+
+}  // namespace
