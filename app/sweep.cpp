@@ -1,16 +1,19 @@
-// vcrit sweep: quantities of a scene over a grid of its parameters and the speed, as a table.
+// vcrit sweep: quantities of a scene over a grid of its parameters and the speed, as a table or an
+// array, on all cores and on all processes of mpirun.
 #include "sweep/sweep.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <unistd.h>
 
-#include <array>
+#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <optional>
 
-#include "base/files.hpp"
 #include "base/units.hpp"
 #include "commands.hpp"
+#include "maps/stream.hpp"
 #include "options.hpp"
 
 namespace vcrit::app {
@@ -23,39 +26,78 @@ struct Options {
   std::vector<std::string> quantities;
   std::string velocity, out;
   std::optional<double> velocity_ratio;
+  maps::StreamOptions stream;
+  bool json = false;
 };
 
-constexpr std::array quantities{SweptQuantity::critical_velocity, SweptQuantity::friction_ratio,
-                                SweptQuantity::friction_ratio_error};
-
-std::vector<std::string> names_of_quantities() {
-  std::vector<std::string> names;
-  for (const SweptQuantity quantity : quantities) names.emplace_back(to_text(quantity));
-  return names;
-}
-
 Sweep sweep_of(const Options& options) {
-  Sweep sweep{options.scene.read(), options.scene.split_settings(), {}, {}, {}, {}};
+  Sweep sweep{options.scene.read(), {}, {}, {}, {}};
   for (const std::string& axis : options.over) sweep.axes.push_back(parse_axis(axis, sweep.scene));
   for (const std::string& name : options.quantities)
-    for (const SweptQuantity quantity : quantities)
-      if (name == to_text(quantity)) sweep.quantities.push_back(quantity);
+    sweep.quantities.push_back(parse_swept_quantity(name, sweep.scene));
   if (!options.velocity.empty())
     sweep.velocity = parse_quantity(options.velocity, Dimension::velocity, {"--velocity"});
   sweep.velocity_ratio = options.velocity_ratio;
   return sweep;
 }
 
-void run(const Options& options) {
-  const std::filesystem::path file = options.out;
-  if (file.extension() != ".csv")
-    throw InputError({"--out"}, fmt::format("\"{}\"", options.out), "a file ending in .csv");
-  const SweptTable table = swept(sweep_of(options));
-  if (table.outside == table.rows) throw ModelError(table.reason);
-  write_file(file, to_csv(table));
-  if (table.outside > 0)
+/// One line on a terminal: how far, how fast, how long still.
+class ProgressLine {
+ public:
+  void operator()(const maps::Progress& progress) {
+    const auto now = Clock::now();
+    if (now - shown_ < std::chrono::milliseconds(250)) return;
+    shown_ = now;
+    const double seconds = std::chrono::duration<double>(now - start_).count();
+    const double rate = static_cast<double>(progress.in_this_run) / seconds;
+    const double left = static_cast<double>(progress.rows - progress.done) / rate;
+    fmt::print(stderr, "\r\033[K{:5.1f} % of {} points, {:.3g} a second, {:.0f} s left",
+               100 * static_cast<double>(progress.done) / static_cast<double>(progress.rows),
+               progress.rows, rate, left);
+    std::fflush(stderr);
+  }
+  static void end() { fmt::print(stderr, "\r\033[K"); }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point start_ = Clock::now(), shown_ = start_;
+};
+
+void tell(const Options& options, const maps::Streamed& streamed) {
+  if (streamed.outside > 0)
     fmt::print(stderr, "vcrit: warning: {} of {} rows are outside the model (nan); the first: {}\n",
-               table.outside, table.rows, table.reason);
+               streamed.outside, streamed.found, streamed.reason);
+  if (options.json)
+    print({{"file", options.out},
+           {"rows", streamed.rows},
+           {"rows_found", streamed.found},
+           {"rows_outside", streamed.outside},
+           {"reason", streamed.reason}});
+}
+
+void run_on(maps::Ranks& ranks, const Options& options) {
+  const Sweeping sweeping(sweep_of(options));
+  maps::StreamOptions stream = options.stream;
+  const bool terminal = ::isatty(STDERR_FILENO) == 1;
+  if (terminal) stream.told = [line = ProgressLine()](const auto& p) mutable { line(p); };
+  const maps::Streamed streamed = maps::stream(sweeping, options.out, stream, ranks);
+  if (terminal && ranks.first()) ProgressLine::end();
+  if (ranks.first()) tell(options, streamed);
+}
+
+// Errors that all ranks meet alike are told by the first one; when one of several fails alone, the
+// others must not wait for it.
+void run(const Options& options) {
+  maps::Ranks ranks;
+  if (ranks.size() == 1) return run_on(ranks, options);
+  try {
+    run_on(ranks, options);
+  } catch (const maps::Ranks::Silent&) {
+    std::_Exit(0);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "vcrit: {}\n", error.what());
+    ranks.abort(dynamic_cast<const ModelError*>(&error) != nullptr ? 3 : 2);
+  }
 }
 
 }  // namespace
@@ -66,16 +108,26 @@ void add_sweep(CLI::App& program) {
   options->scene.add_to(*command);
   command
       ->add_option("--over", options->over,
-                   "an axis, NAME=lin|log:FROM:TO:N, NAME as for --set, velocity or velocity_ratio")
+                   "an axis, NAME=lin|log:FROM:TO:N or NAME=list:FILE, NAME as for --set, velocity "
+                   "or velocity_ratio")
       ->required();
-  command->add_option("--quantity", options->quantities, "what to compute, one or several")
-      ->required()
-      ->check(CLI::IsMember(names_of_quantities()));
+  command
+      ->add_option("--quantity", options->quantities,
+                   fmt::format("what to compute, one or several of {}",
+                               fmt::join(swept_quantity_names(), ", ")))
+      ->required();
   CLI::Option* velocity = command->add_option("--velocity", options->velocity,
                                               "one velocity of the drive for all rows");
   command->add_option("--velocity-ratio", options->velocity_ratio, "the same in units of v*")
       ->excludes(velocity);
-  command->add_option("--out", options->out, "the table, FILE.csv")->required();
+  command
+      ->add_option("--out", options->out,
+                   "FILE.csv, or FILE.h5 or .nc (HDF5 by the conventions of netCDF-4)")
+      ->required();
+  command->add_flag("--resume", options->stream.resume, "go on with the unfinished FILE.part");
+  command->add_option("--threads", options->stream.threads, "instead of one for each core")
+      ->check(CLI::Range(1, 4096));
+  command->add_flag("--json", options->json, "print one JSON object");
   command->callback([options] { run(*options); });
 }
 

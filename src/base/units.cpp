@@ -93,6 +93,8 @@ double convert(double number, std::string_view unit, Dimension dimension, const 
 
 }  // namespace
 
+const char* si_unit(Dimension dimension) { return text_of(dimension).unit; }
+
 std::string describe(Dimension dimension) {
   const DimensionText& text = text_of(dimension);
   if (dimension == Dimension::none) return text.name;

@@ -24,6 +24,9 @@ enum class Dimension {
 /// "a stiffness in N/m", for messages.
 std::string describe(Dimension dimension);
 
+/// "N/m"; "1" for a plain number.
+const char* si_unit(Dimension dimension);
+
 /// `text` is a number (SI) or a number and a unit ("8 N/um"). Returns the value in SI.
 /// Throws InputError for bad syntax, unknown units and units of another dimension.
 double parse_quantity(std::string_view text, Dimension dimension, const Place& place);

@@ -69,7 +69,7 @@ class Certified {
 
 class CriticalVelocities::Formula {
  public:
-  Formula(const Scene& scene, std::vector<std::string> names);
+  Formula(const Scene& scene, std::vector<std::string> names, Grade grade);
   void evaluate(Given given, std::span<double> out) const;
 
  private:
@@ -82,7 +82,8 @@ class CriticalVelocities::Formula {
   std::optional<Operations> operations_;
 };
 
-CriticalVelocities::Formula::Formula(const Scene& scene, std::vector<std::string> names)
+CriticalVelocities::Formula::Formula(const Scene& scene, std::vector<std::string> names,
+                                     Grade grade)
     : scene_(scene), names_(std::move(names)) {
   ChangingScene changing(scene_, names_);
   bool all_there = true;
@@ -92,7 +93,7 @@ CriticalVelocities::Formula::Formula(const Scene& scene, std::vector<std::string
   }
   // A number that every quantity may have, Poisson's ratio as well.
   values_ = values_of(changing.at(std::vector<double>(names_.size(), 0.25)));
-  if (all_there) operations_ = operations_of(scene_);
+  if (all_there && grade == Grade::doubles) operations_ = operations_of(scene_);
 }
 
 /// One call of the batch: its columns, and which operations must run for each block.
@@ -257,8 +258,9 @@ void CriticalVelocities::Formula::evaluate(Given given, std::span<double> out) c
   for (std::size_t lane = 0; lane < out.size(); ++lane) out[lane] = certified(given, lane);
 }
 
-CriticalVelocities::CriticalVelocities(const Scene& scene, std::vector<std::string> varying)
-    : formula_(std::make_unique<const Formula>(scene, std::move(varying))) {}
+CriticalVelocities::CriticalVelocities(const Scene& scene, std::vector<std::string> varying,
+                                       Grade grade)
+    : formula_(std::make_unique<const Formula>(scene, std::move(varying), grade)) {}
 CriticalVelocities::~CriticalVelocities() = default;
 CriticalVelocities::CriticalVelocities(CriticalVelocities&&) noexcept = default;
 CriticalVelocities& CriticalVelocities::operator=(CriticalVelocities&&) noexcept = default;

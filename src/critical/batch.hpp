@@ -11,11 +11,15 @@
 
 namespace vcrit {
 
+/// How the values of a batch are found: in doubles, nanoseconds each, or correctly rounded.
+enum class Grade { doubles, certified };
+
 class CriticalVelocities {
  public:
   /// `varying`: parameters by their names for --set. Throws InputError for names that the scene
   /// does not have, two names of one quantity, and values that are missing.
-  CriticalVelocities(const Scene& scene, std::vector<std::string> varying);
+  CriticalVelocities(const Scene& scene, std::vector<std::string> varying,
+                     Grade grade = Grade::doubles);
   ~CriticalVelocities();
   CriticalVelocities(CriticalVelocities&&) noexcept;
   CriticalVelocities& operator=(CriticalVelocities&&) noexcept;
@@ -23,10 +27,10 @@ class CriticalVelocities {
   /// v* in m/s. columns[i] holds the values of varying[i] in SI, out.size() of them or one for all;
   /// `out` may be one of the columns. Infinite at resonance and above the largest double, NaN where
   /// v* is 0/0 or nothing is known of a measured drive. May be called from several threads at once.
-  /// Relative error: at most 1280 u an element of the scene's networks (u = 2^-53), a few u in
-  /// practice. Where cancellation would cost more, or numbers leave 1e-20 to 1e20 in SI, the answer
-  /// is the correctly rounded one, at its price of microseconds, as it is for measured drives and
-  /// drives that hold masses. Throws InputError for values that the scene may not have.
+  /// Relative error in doubles: at most 1280 u an element of the scene's networks (u = 2^-53), a
+  /// few u in practice. Where cancellation would cost more, or numbers leave 1e-20 to 1e20 in SI,
+  /// the answer is the correctly rounded one, at its price of microseconds, as it is for measured
+  /// drives and drives that hold masses. Throws InputError for values that the scene may not have.
   void operator()(std::span<const std::span<const double>> columns, std::span<double> out) const;
 
  private:

@@ -1,23 +1,26 @@
 #include "sweep/axis.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <optional>
+#include <map>
+#include <sstream>
 
-#include "base/identifiers.hpp"
+#include "base/files.hpp"
 #include "base/numbers.hpp"
+#include "scene/settings.hpp"
 
 namespace vcrit {
 
 namespace {
 
-constexpr const char* form = "NAME=lin|log:FROM:TO:N, such as velocity_ratio=lin:0.1:1:10";
+constexpr const char* form =
+    "NAME=lin|log:FROM:TO:N, such as velocity_ratio=lin:0.1:1:10, or NAME=list:FILE";
 
-// A table that long fills any disk.
-constexpr std::size_t most_values = 1'000'000'000;
+// They are kept in memory; more points come from more axes.
+constexpr std::size_t most_values = 10'000'000;
 
 std::vector<std::string> split(const std::string& text, char separator) {
   std::vector<std::string> parts(1);
@@ -34,13 +37,7 @@ Dimension dimension_of(const std::string& name, const Scene& scene, const Place&
   std::map<std::string, Dimension> known = scene.settable;
   known.emplace("velocity", Dimension::velocity);
   known.emplace("velocity_ratio", Dimension::none);
-  if (const auto found = known.find(name); found != known.end()) return found->second;
-  std::vector<std::string> names;
-  for (const auto& [known_name, dimension] : known) names.push_back(known_name);
-  const auto meant = nearest(name, names);
-  throw InputError(
-      place, fmt::format("\"{}\", which this scene does not have", name),
-      meant ? fmt::format("\"{}\"", *meant) : fmt::format("one of {}", fmt::join(names, ", ")));
+  return known_dimension(name, known, place);
 }
 
 std::size_t count(const std::string& text, const Place& place) {
@@ -65,23 +62,47 @@ std::vector<double> spaced(bool logarithmic, double from, double to, std::size_t
   return values;
 }
 
+// Numbers with or without a unit, one a line.
+std::vector<double> listed(const std::string& file, Dimension dimension) {
+  std::istringstream lines(read_file(file));
+  std::vector<double> values;
+  int line = 0;
+  for (std::string text; std::getline(lines, text);) {
+    ++line;
+    text.erase(std::min(text.find('#'), text.size()));
+    const auto begin = text.find_first_not_of(" \t\r");
+    if (begin == text.npos) continue;
+    const auto end = text.find_last_not_of(" \t\r");
+    values.push_back(parse_quantity(text.substr(begin, end - begin + 1), dimension, {file, line}));
+    if (values.size() > most_values)
+      throw InputError({file, line}, "too many values", fmt::format("at most {}", most_values));
+  }
+  if (values.empty()) throw InputError({file}, "no values", "at least one");
+  return values;
+}
+
 }  // namespace
 
 Axis parse_axis(const std::string& text, const Scene& scene) {
   const Place whole{fmt::format("--over {}", text)};
   const auto equals = text.find('=');
-  const std::string name = text.substr(0, equals);
-  const auto parts = split(equals == text.npos ? "" : text.substr(equals + 1), ':');
-  if (equals == text.npos || parts.size() != 4 || (parts[0] != "lin" && parts[0] != "log"))
-    throw InputError(whole, fmt::format("\"{}\"", text), form);
+  if (equals == text.npos) throw InputError(whole, fmt::format("\"{}\"", text), form);
+  const std::string name = text.substr(0, equals), range = text.substr(equals + 1);
   const Place place{fmt::format("--over {}", name)};
+  if (range.starts_with("list:")) {
+    const Dimension dimension = dimension_of(name, scene, place);
+    return {name, listed(range.substr(5), dimension), dimension};
+  }
+  const auto parts = split(range, ':');
+  if (parts.size() != 4 || (parts[0] != "lin" && parts[0] != "log"))
+    throw InputError(whole, fmt::format("\"{}\"", text), form);
   const Dimension dimension = dimension_of(name, scene, place);
   const double from = parse_quantity(parts[1], dimension, place);
   const double to = parse_quantity(parts[2], dimension, place);
   const bool logarithmic = parts[0] == "log";
   if (logarithmic && !(from > 0 && to > 0))
     throw InputError(place, fmt::format("log from {} to {}", from, to), "both ends above 0");
-  return {name, spaced(logarithmic, from, to, count(parts[3], place))};
+  return {name, spaced(logarithmic, from, to, count(parts[3], place)), dimension};
 }
 
 }  // namespace vcrit

@@ -11,11 +11,13 @@ namespace vcrit {
 struct Axis {
   std::string name;            ///< as for --set, or "velocity", "velocity_ratio"
   std::vector<double> values;  ///< SI
+  Dimension dimension = Dimension::none;
 };
 
 /// "velocity_ratio=lin:0.1:1:10" or "frequency=log:1 kHz:1 MHz:31": NAME=lin|log:FROM:TO:N, both
-/// ends included exactly, N >= 1 (1: FROM alone), FROM and TO numbers in SI or with a unit.
-/// Throws InputError, also for names that `scene` does not have.
+/// ends included exactly, N >= 1 (1: FROM alone), FROM and TO numbers in SI or with a unit; or
+/// "k1=list:FILE", one value a line, # begins a comment. Throws InputError, also for names that
+/// `scene` does not have.
 Axis parse_axis(const std::string& text, const Scene& scene);
 
 }  // namespace vcrit

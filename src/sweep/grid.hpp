@@ -1,4 +1,5 @@
-// The points of a sweep's axes: which scene and which speed each row of the table has.
+// The points of a sweep in row-major order of its axes, and the blocks of them that are found and
+// written at once.
 #pragma once
 
 #include <cstddef>
@@ -9,29 +10,42 @@
 
 namespace vcrit {
 
-/// Rows in row-major order of the axes as given. Rows that differ in the speed alone share a scene.
-class Grid {
- public:
-  /// Throws InputError for two axes of the same name or two speeds.
-  explicit Grid(std::vector<Axis> axes);
-
-  const std::vector<Axis>& axes() const { return axes_; }
-  const Axis* speed() const { return speed_ ? &axes_[*speed_] : nullptr; }
-  std::size_t rows() const { return scenes_ * speeds(); }
-  std::size_t scenes() const { return scenes_; }
-  std::size_t speeds() const { return speed_ ? axes_[*speed_].values.size() : 1; }
-  std::size_t row(std::size_t scene, std::size_t speed) const;
-  /// The axes' values of one row.
-  std::vector<double> point(std::size_t row) const;
-  /// What a scene is read with.
-  Settings settings(std::size_t scene) const;
-
- private:
-  std::vector<Axis> axes_;
-  std::optional<std::size_t> speed_;
-  std::size_t scenes_ = 1;
+/// A box of the grid whose rows follow each other: one index along each axis before `along`, a
+/// range along that one, everything along those behind it.
+struct Block {
+  std::size_t first = 0, rows = 0;
+  std::vector<std::size_t> start, count;  ///< of each axis
 };
 
-bool is_speed(const Axis& axis);
+class Grid {
+ public:
+  /// Blocks of at most about `rows_at_once` rows; along an axis of speeds they hold a multiple of
+  /// `speeds_at_once` of them or all. Throws InputError for two axes of the same name, two of
+  /// speeds, and more rows than can be counted.
+  Grid(std::vector<Axis> axes, std::size_t rows_at_once, std::size_t speeds_at_once = 1);
+
+  const std::vector<Axis>& axes() const { return axes_; }
+  /// The place of the axis of speeds, if there is one.
+  std::optional<std::size_t> speed() const { return speed_; }
+  std::size_t rows() const { return rows_; }
+  std::size_t blocks() const { return outer_ * pieces_; }
+  Block block(std::size_t index) const;
+
+  /// How many rows lie between neighbours along an axis.
+  std::size_t stride(std::size_t axis) const { return strides_[axis]; }
+  double value(std::size_t axis, std::size_t row) const {
+    const std::vector<double>& values = axes_[axis].values;
+    return values[row / strides_[axis] % values.size()];
+  }
+
+ private:
+  void divide(std::size_t rows_at_once, std::size_t speeds_at_once);
+
+  std::vector<Axis> axes_;
+  std::vector<std::size_t> strides_;
+  std::optional<std::size_t> speed_;
+  std::size_t rows_ = 1;
+  std::size_t along_ = 0, piece_ = 1, pieces_ = 1, outer_ = 1;
+};
 
 }  // namespace vcrit

@@ -1,181 +1,288 @@
 #include "sweep/sweep.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "base/numbers.hpp"
+#include "critical/admissibility.hpp"
 #include "critical/certified.hpp"
+#include "critical/log_derivative.hpp"
+#include "scene/changing.hpp"
 #include "simulation/steady/curve.hpp"
-#include "sweep/grid.hpp"
 
 namespace vcrit {
 
 namespace {
 
-// Speeds that are found one from another. Fixed, so that the answers do not depend on the number
-// of threads.
+using Kind = SweptQuantity::Kind;
+
+// Speeds that are found one from another. Fixed, so that the answers depend on the sweep alone.
 constexpr std::size_t speeds_at_once = 32;
+
+// So that a block takes about a millisecond with the formula alone, and tens of them else.
+constexpr std::size_t rows_of_formula = 131072, rows_of_scenes = 4096, rows_of_motion = 1024;
+
+// Up to so many scenes v* is correctly rounded, the same double as that of a single scene; it takes
+// a fraction of a second.
+constexpr std::size_t certified_scenes = 10'000;
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
-struct Answer {
-  double critical_velocity = nothing, friction_ratio = nothing, friction_ratio_error = nothing;
-  std::string outside;  // why there is nothing
+bool any_of(const Sweep& sweep, bool (*holds)(const SweptQuantity&)) {
+  return std::any_of(sweep.quantities.begin(), sweep.quantities.end(), holds);
+}
 
-  double operator[](SweptQuantity quantity) const {
-    switch (quantity) {
-      case SweptQuantity::critical_velocity:
-        return critical_velocity;
-      case SweptQuantity::friction_ratio:
-        return friction_ratio;
-      case SweptQuantity::friction_ratio_error:
-        return friction_ratio_error;
-    }
-    throw Bug("a quantity without an answer");
+bool needs_scene(const SweptQuantity& quantity) { return quantity.kind != Kind::critical_velocity; }
+
+std::size_t rows_at_once(const Sweep& sweep) {
+  if (any_of(sweep, needs_motion)) return rows_of_motion;
+  return any_of(sweep, needs_scene) ? rows_of_scenes : rows_of_formula;
+}
+
+std::vector<std::size_t> parameters_of(const Grid& grid) {
+  std::vector<std::size_t> axes;
+  for (std::size_t a = 0; a < grid.axes().size(); ++a)
+    if (grid.speed() != a) axes.push_back(a);
+  return axes;
+}
+
+Grade grade_of(const Grid& grid) {
+  const std::size_t speeds = grid.speed() ? grid.axes()[*grid.speed()].values.size() : 1;
+  return grid.rows() / speeds <= certified_scenes ? Grade::certified : Grade::doubles;
+}
+
+std::vector<std::string> names_of(const Grid& grid, const std::vector<std::size_t>& axes) {
+  std::vector<std::string> names;
+  for (const std::size_t a : axes) names.push_back(grid.axes()[a].name);
+  return names;
+}
+
+void refuse_settings(const Sweep& sweep) {
+  for (const auto& [name, value] : sweep.scene.settings)
+    for (const Axis& axis : sweep.axes)
+      if (axis.name == name)
+        throw InputError({fmt::format("--over {}", name)}, fmt::format("--set {} as well", name),
+                         "one of the two");
+}
+
+void refuse_speeds(const Sweep& sweep, const Grid& grid) {
+  const int speeds =
+      (grid.speed() ? 1 : 0) + (sweep.velocity ? 1 : 0) + (sweep.velocity_ratio ? 1 : 0);
+  if (speeds > 1 || (any_of(sweep, needs_motion) && speeds == 0))
+    throw InputError({"sweep"}, speeds == 0 ? "a friction ratio at no speed" : "several speeds",
+                     "velocity or velocity_ratio, as an axis (--over) or as one value");
+  std::vector<double> values;
+  if (grid.speed()) values = grid.axes()[*grid.speed()].values;
+  for (const auto& speed : {sweep.velocity, sweep.velocity_ratio})
+    if (speed) values.push_back(*speed);
+  for (const double value : values)
+    if (!(value > 0))
+      throw InputError({"sweep"}, fmt::format("a speed of {}", value), "speeds above 0");
+}
+
+// Wrong values are found before the first block, however late their rows come.
+void refuse_values(const Sweep& sweep, const Grid& grid) {
+  for (const std::size_t a : parameters_of(grid)) {
+    ChangingScene changing(sweep.scene, {grid.axes()[a].name});
+    for (const double value : grid.axes()[a].values) changing.at({&value, 1});
   }
-};
-
-class Sweeping {
- public:
-  explicit Sweeping(const Sweep& sweep)
-      : sweep_(sweep), grid_(sweep.axes), friction_(wants_friction()) {
-    refuse_settings();
-    refuse_speeds();
-  }
-
-  SweptTable run() const {
-    std::vector<Answer> answers(grid_.rows());
-    const std::size_t parts = (grid_.speeds() + speeds_at_once - 1) / speeds_at_once;
-    tbb::parallel_for(std::size_t{0}, grid_.scenes() * parts, [&](std::size_t task) {
-      const std::size_t scene = task / parts, first = task % parts * speeds_at_once;
-      const std::size_t last = std::min(first + speeds_at_once, grid_.speeds());
-      std::vector<Answer> found = answered(scene, first, last);
-      for (std::size_t speed = first; speed < last; ++speed)
-        answers[grid_.row(scene, speed)] = std::move(found[speed - first]);
-    });
-    return table(answers);
-  }
-
- private:
-  bool wants_friction() const {
-    return std::any_of(
-        sweep_.quantities.begin(), sweep_.quantities.end(),
-        [](SweptQuantity quantity) { return quantity != SweptQuantity::critical_velocity; });
-  }
-
-  void refuse_settings() const {
-    for (const auto& [name, value] : sweep_.settings)
-      for (const Axis& axis : sweep_.axes)
-        if (axis.name == name)
-          throw InputError({fmt::format("--over {}", name)}, fmt::format("--set {} as well", name),
-                           "one of the two");
-  }
-
-  void refuse_speeds() const {
-    const int speeds = (grid_.speed() != nullptr ? 1 : 0) + (sweep_.velocity ? 1 : 0) +
-                       (sweep_.velocity_ratio ? 1 : 0);
-    if (speeds > 1 || (friction_ && speeds == 0))
-      throw InputError({"sweep"}, speeds == 0 ? "a friction ratio at no speed" : "several speeds",
-                       "velocity or velocity_ratio, as an axis (--over) or as one value");
-    std::vector<double> values;
-    if (grid_.speed() != nullptr) values = grid_.speed()->values;
-    for (const auto& speed : {sweep_.velocity, sweep_.velocity_ratio})
-      if (speed) values.push_back(*speed);
-    for (const double value : values)
-      if (!(value > 0))
-        throw InputError({"sweep"}, fmt::format("a speed of {}", value), "speeds above 0");
-  }
-
-  // One scene at the speeds first to last.
-  std::vector<Answer> answered(std::size_t scene_index, std::size_t first, std::size_t last) const {
-    Settings settings = grid_.settings(scene_index);
-    settings.insert(settings.end(), sweep_.settings.begin(), sweep_.settings.end());
-    const Scene scene = parse_scene(sweep_.scene.text, sweep_.scene.file, settings);
-    std::vector<Answer> answers(last - first);
-    try {
-      const double critical = certified_critical_velocity(scene).value;
-      for (Answer& answer : answers) answer.critical_velocity = critical;
-      if (friction_) add_friction(scene, velocities(critical, first, last), answers);
-    } catch (const ModelError& error) {
-      for (Answer& answer : answers) answer.outside = error.what();
-    }
-    return answers;
-  }
-
-  std::vector<double> velocities(double critical, std::size_t first, std::size_t last) const {
-    if (grid_.speed() == nullptr)
-      return {sweep_.velocity ? *sweep_.velocity : *sweep_.velocity_ratio * critical};
-    std::vector<double> values;
-    for (std::size_t i = first; i < last; ++i)
-      values.push_back(grid_.speed()->values[i] *
-                       (grid_.speed()->name == "velocity" ? 1 : critical));
-    return values;
-  }
-
-  static void add_friction(const Scene& scene, const std::vector<double>& velocities,
-                           std::vector<Answer>& answers) {
-    if (!std::all_of(velocities.begin(), velocities.end(),
-                     [](double v) { return v > 0 && std::isfinite(v); }))
-      throw ModelError("v* is 0 or infinite, so that velocity_ratio has no meaning");
-    const auto curve = simulation::friction_curve(simulation::system_of(scene), velocities);
-    for (std::size_t i = 0; i < curve.size(); ++i) {
-      answers[i].outside = curve[i].reason;
-      if (!curve[i].state) continue;
-      answers[i].friction_ratio = curve[i].state->friction_ratio;
-      answers[i].friction_ratio_error = curve[i].state->friction_ratio_error;
-    }
-  }
-
-  SweptTable table(const std::vector<Answer>& answers) const {
-    SweptTable table;
-    table.rows = answers.size();
-    for (const Axis& axis : sweep_.axes) table.columns.push_back(axis.name);
-    for (const SweptQuantity quantity : sweep_.quantities)
-      table.columns.emplace_back(to_text(quantity));
-    for (std::size_t row = 0; row < answers.size(); ++row) {
-      const std::vector<double> point = grid_.point(row);
-      table.values.insert(table.values.end(), point.begin(), point.end());
-      for (const SweptQuantity quantity : sweep_.quantities)
-        table.values.push_back(answers[row][quantity]);
-      if (answers[row].outside.empty()) continue;
-      if (table.outside++ == 0) table.reason = answers[row].outside;
-    }
-    return table;
-  }
-
-  const Sweep& sweep_;
-  Grid grid_;
-  bool friction_;
-};
+}
 
 }  // namespace
 
-const char* to_text(SweptQuantity quantity) {
-  switch (quantity) {
-    case SweptQuantity::critical_velocity:
-      return "critical_velocity";
-    case SweptQuantity::friction_ratio:
-      return "friction_ratio";
-    case SweptQuantity::friction_ratio_error:
-      return "friction_ratio_error";
+/// The rows of one block while they are being answered.
+class Sweeping::Rows {
+ public:
+  Rows(const Sweeping& sweeping, std::size_t index)
+      : sweeping_(sweeping),
+        grid_(sweeping.grid_),
+        block_(grid_.block(index)),
+        changing_(sweeping.sweep_.scene, names_of(grid_, sweeping.parameters_)),
+        critical_(block_.rows) {
+    answer_.block = index;
+    for (const SweptQuantity& quantity : sweeping.sweep_.quantities)
+      answer_.values.emplace_back(block_.rows, words(quantity).empty() ? nothing : 0);
+    outside_.resize(block_.rows);
   }
-  throw Bug("a quantity without a name");
+
+  BlockAnswer run() {
+    find_critical();
+    if (any_of(sweeping_.sweep_, needs_scene)) find_others();
+    for (const bool outside : outside_) answer_.outside += outside ? 1 : 0;
+    return std::move(answer_);
+  }
+
+ private:
+  void find_critical() {
+    std::vector<std::vector<double>> columns;
+    for (const std::size_t a : sweeping_.parameters_) columns.push_back(column(a));
+    const std::vector<std::span<const double>> views(columns.begin(), columns.end());
+    sweeping_.critical_(views, critical_);
+    put(Kind::critical_velocity, critical_);
+    for (std::size_t row = 0; row < block_.rows; ++row)
+      if (std::isnan(critical_[row])) note(row, why_no_velocity(row));
+  }
+
+  // One value for axes that do not change within the block.
+  std::vector<double> column(std::size_t axis) const {
+    std::vector<double> values(block_.count[axis] == 1 ? 1 : block_.rows);
+    const std::vector<double>& all = grid_.axes()[axis].values;
+    const std::size_t stride = grid_.stride(axis);
+    std::size_t index = block_.start[axis];
+    for (std::size_t row = 0; row < values.size();) {
+      const std::size_t end = std::min(values.size(), row + stride);
+      std::fill(values.begin() + static_cast<std::ptrdiff_t>(row),
+                values.begin() + static_cast<std::ptrdiff_t>(end), all[index]);
+      row = end;
+      if (++index == block_.start[axis] + block_.count[axis]) index = block_.start[axis];
+    }
+    return values;
+  }
+
+  std::string why_no_velocity(std::size_t row) {
+    if (!answer_.reason.empty()) return {};
+    try {
+      certified_critical_velocity(scene_at(row));
+    } catch (const ModelError& error) {
+      return error.what();
+    }
+    throw Bug("v* without a number and without a reason");
+  }
+
+  const Scene& scene_at(std::size_t row) {
+    point_.clear();
+    for (const std::size_t a : sweeping_.parameters_)
+      point_.push_back(grid_.value(a, block_.first + row));
+    return changing_.at(point_);
+  }
+
+  void note(std::size_t row, const std::string& reason) {
+    outside_[row] = true;
+    if (answer_.reason.empty()) answer_.reason = reason;
+  }
+
+  // Rows that differ in the speed alone share a scene.
+  void find_others() {
+    const std::optional<std::size_t> axis = grid_.speed();
+    const std::size_t between = axis ? grid_.stride(*axis) : 1;
+    const std::size_t speeds = axis ? block_.count[*axis] : 1;
+    const bool inside = between <= block_.rows;
+    const std::size_t stride = inside ? between : 1;
+    for (std::size_t row = 0; row < block_.rows; row += speeds * stride)
+      for (std::size_t i = 0; i < stride; ++i) find_scene(row + i, speeds, stride);
+  }
+
+  void find_scene(std::size_t row, std::size_t speeds, std::size_t stride) {
+    const Scene& scene = scene_at(row);
+    for (std::size_t q = 0; q < answer_.values.size(); ++q) {
+      const SweptQuantity& quantity = sweeping_.sweep_.quantities[q];
+      if (quantity.kind != Kind::sensitivity && quantity.kind != Kind::admissible) continue;
+      const double value = of_scene(quantity, scene, row);
+      for (std::size_t i = 0; i < speeds; ++i) answer_.values[q][row + i * stride] = value;
+    }
+    if (!any_of(sweeping_.sweep_, needs_motion)) return;
+    try {
+      const simulation::System system = simulation::system_of(scene);
+      for (std::size_t i = 0; i < speeds; i += speeds_at_once)
+        find_motion(system, row + i * stride, std::min(speeds_at_once, speeds - i), stride);
+    } catch (const ModelError& error) {
+      for (std::size_t i = 0; i < speeds; ++i) note(row + i * stride, error.what());
+    }
+  }
+
+  double of_scene(const SweptQuantity& quantity, const Scene& scene, std::size_t row) {
+    if (quantity.kind == Kind::admissible) return inadmissible_reasons(scene).empty() ? 2 : 1;
+    try {
+      return log_derivative(scene, quantity.parameter);
+    } catch (const ModelError& error) {
+      note(row, error.what());
+      return nothing;
+    }
+  }
+
+  double velocity(std::size_t row) const {
+    const Sweep& sweep = sweeping_.sweep_;
+    if (sweep.velocity) return *sweep.velocity;
+    if (sweep.velocity_ratio) return *sweep.velocity_ratio * critical_[row];
+    const double speed = grid_.value(*grid_.speed(), block_.first + row);
+    return speed * (grid_.axes()[*grid_.speed()].name == "velocity" ? 1 : critical_[row]);
+  }
+
+  void find_motion(const simulation::System& system, std::size_t row, std::size_t speeds,
+                   std::size_t stride) {
+    std::vector<double> velocities;
+    for (std::size_t i = 0; i < speeds; ++i) velocities.push_back(velocity(row + i * stride));
+    if (!std::all_of(velocities.begin(), velocities.end(),
+                     [](double v) { return v > 0 && std::isfinite(v); }))
+      throw ModelError("v* is 0 or infinite, so that velocity_ratio has no meaning");
+    const auto curve = simulation::friction_curve(system, velocities);
+    for (std::size_t i = 0; i < speeds; ++i) {
+      if (!curve[i].state) {
+        note(row + i * stride, curve[i].reason);
+        continue;
+      }
+      const simulation::SteadyState& state = *curve[i].state;
+      put(Kind::friction_ratio, row + i * stride, state.friction_ratio);
+      put(Kind::friction_ratio_error, row + i * stride, state.friction_ratio_error);
+      put(Kind::regime, row + i * stride, 1 + static_cast<double>(state.regime));
+    }
+  }
+
+  void put(Kind kind, const std::vector<double>& column) {
+    for (std::size_t q = 0; q < answer_.values.size(); ++q)
+      if (sweeping_.sweep_.quantities[q].kind == kind) answer_.values[q] = column;
+  }
+  void put(Kind kind, std::size_t row, double value) {
+    for (std::size_t q = 0; q < answer_.values.size(); ++q)
+      if (sweeping_.sweep_.quantities[q].kind == kind) answer_.values[q][row] = value;
+  }
+
+  const Sweeping& sweeping_;
+  const Grid& grid_;
+  Block block_;
+  ChangingScene changing_;
+  std::vector<double> point_, critical_;
+  std::vector<bool> outside_;
+  BlockAnswer answer_;
+};
+
+Sweeping::Sweeping(Sweep sweep)
+    : sweep_(std::move(sweep)),
+      grid_(sweep_.axes, rows_at_once(sweep_), any_of(sweep_, needs_motion) ? speeds_at_once : 1),
+      parameters_(parameters_of(grid_)),
+      critical_(sweep_.scene, names_of(grid_, parameters_), grade_of(grid_)) {
+  refuse_settings(sweep_);
+  refuse_speeds(sweep_, grid_);
+  refuse_values(sweep_, grid_);
 }
 
-SweptTable swept(const Sweep& sweep) { return Sweeping(sweep).run(); }
+BlockAnswer Sweeping::answer(std::size_t block) const { return Rows(*this, block).run(); }
 
-std::string to_csv(const SweptTable& table) {
-  std::string text = fmt::format("{}\n", fmt::join(table.columns, ","));
-  for (std::size_t i = 0; i < table.values.size(); ++i) {
-    text += to_text(table.values[i]);
-    text += (i + 1) % table.columns.size() == 0 ? '\n' : ',';
+SweptTable swept(const Sweep& sweep) {
+  const Sweeping sweeping(sweep);
+  const Grid& grid = sweeping.grid();
+  std::vector<BlockAnswer> answers(grid.blocks());
+  tbb::parallel_for(std::size_t{0}, answers.size(),
+                    [&](std::size_t block) { answers[block] = sweeping.answer(block); });
+  SweptTable table;
+  table.rows = grid.rows();
+  for (const Axis& axis : grid.axes()) table.columns.push_back(axis.name);
+  for (const SweptQuantity& quantity : sweep.quantities)
+    table.columns.push_back(column_name(quantity));
+  for (const BlockAnswer& answer : answers) {
+    const Block block = grid.block(answer.block);
+    for (std::size_t row = 0; row < block.rows; ++row) {
+      for (std::size_t a = 0; a < grid.axes().size(); ++a)
+        table.values.push_back(grid.value(a, block.first + row));
+      for (const auto& column : answer.values) table.values.push_back(column[row]);
+    }
+    table.outside += answer.outside;
+    if (table.reason.empty()) table.reason = answer.reason;
   }
-  return text;
+  return table;
 }
 
 }  // namespace vcrit

@@ -1,4 +1,4 @@
-// Quantities of a scene over a grid: any of its parameters and the speed, on all cores.
+// Quantities of a scene over a grid of its parameters and the speed, block by block.
 #pragma once
 
 #include <cstddef>
@@ -6,38 +6,58 @@
 #include <string>
 #include <vector>
 
+#include "critical/batch.hpp"
 #include "scene/scene.hpp"
 #include "sweep/axis.hpp"
+#include "sweep/grid.hpp"
+#include "sweep/quantity.hpp"
 
 namespace vcrit {
 
-enum class SweptQuantity { critical_velocity, friction_ratio, friction_ratio_error };
-
-/// "critical_velocity", "friction_ratio", "friction_ratio_error".
-const char* to_text(SweptQuantity quantity);
-
 struct Sweep {
-  Scene scene;  ///< its text is read again at each point, with the settings and the axes' values
-  Settings settings;  ///< those of --set
+  Scene scene;
   std::vector<Axis> axes;
   std::vector<SweptQuantity> quantities;
-  std::optional<double> velocity;        ///< of the drive, m/s, for friction without such an axis
+  std::optional<double> velocity;        ///< of the drive, m/s, for motion without such an axis
   std::optional<double> velocity_ratio;  ///< the same in units of v*
+};
+
+/// The quantities in one block, row by row.
+struct BlockAnswer {
+  std::size_t block = 0;
+  std::vector<std::vector<double>> values;  ///< of each quantity; NaN (words: 0) outside the model
+  std::size_t outside = 0;                  ///< rows outside the model
+  std::string reason;                       ///< of the first of them
+};
+
+class Sweeping {
+ public:
+  /// Throws InputError for wrong axes and values.
+  explicit Sweeping(Sweep sweep);
+
+  const Sweep& sweep() const { return sweep_; }
+  const Grid& grid() const { return grid_; }
+  /// Depends on nothing but the sweep; may be called from several threads at once.
+  BlockAnswer answer(std::size_t block) const;
+
+ private:
+  class Rows;
+
+  Sweep sweep_;
+  Grid grid_;
+  std::vector<std::size_t> parameters_;  // the axes that are not of speeds
+  CriticalVelocities critical_;
 };
 
 struct SweptTable {
   std::vector<std::string> columns;  ///< axes, then quantities
-  std::vector<double> values;        ///< row by row; NaN where a point is outside the model
+  std::vector<double> values;        ///< row by row; NaN (words: 0) outside the model
   std::size_t rows = 0;
   std::size_t outside = 0;  ///< rows outside the model
   std::string reason;       ///< of the first of them
 };
 
-/// Rows in row-major order of the axes. Does not depend on the number of threads.
-/// Throws InputError for wrong axes and values.
+/// The whole sweep in memory, rows in row-major order of the axes, on all cores.
 SweptTable swept(const Sweep& sweep);
-
-/// A header row, then one row a point; numbers read back to the same doubles.
-std::string to_csv(const SweptTable& table);
 
 }  // namespace vcrit

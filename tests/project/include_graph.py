@@ -21,6 +21,7 @@ ROOMS = [
     "src/simulation/steady",
     "src/simulation/methods",
     "src/sweep",
+    "src/maps",
     "src/design",
     "src/fit",
     "symbolic/formula",
@@ -41,9 +42,10 @@ ROOMS = [
     "validation/speed",
     "validation/report",
     "app",
+    "python",
 ]
 
-ROOTS = ["src", "symbolic", "validation", "app"]
+ROOTS = ["src", "symbolic", "validation", "app", "python"]
 
 # Simulation is the independent witness of Eq. (24): it must not know the formula, nor the formula it.
 # The pairs hold for all rooms inside these folders.
@@ -62,6 +64,9 @@ FORBIDDEN = {
     ("validation/report", "validation/bounds"),
     ("app", "validation/speed"),
     ("validation/report", "validation/speed"),
+    # The module for Python is the two libraries, without program and report.
+    ("python", "app"),
+    ("python", "validation"),
 }
 
 # Computer algebra stays out of the numeric library and the program.

@@ -3,6 +3,9 @@
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <fstream>
+
+#include "support/program.hpp"
 
 namespace {
 
@@ -40,6 +43,19 @@ BOOST_AUTO_TEST_CASE(even_ratios_with_units) {
   // 15 digits of each value: 5e-15 of each at most.
   for (std::size_t i = 1; i < 50; ++i)
     BOOST_TEST(std::abs(uneven[i] / uneven[i - 1] / std::pow(7e-6 / 3e-9, 1 / 49.0) - 1) < 1e-14);
+}
+
+BOOST_AUTO_TEST_CASE(values_from_a_file) {
+  const test::PrivateFolder folder;
+  const auto file = folder.path() / "values.txt";
+  std::ofstream(file) << "# measured\n1 kHz  # first\n\n  20e3\r\n0.5 MHz";
+  const Axis axis = parse_axis("frequency=list:" + file.string(), kelvin());
+  BOOST_TEST((axis.values == std::vector{1e3, 20e3, 5e5}));
+  std::ofstream(file) << "1\n2 m\n";
+  BOOST_TEST(has(message("frequency=list:" + file.string()), "values.txt:2: found"));
+  std::ofstream(file) << "# none\n";
+  BOOST_TEST(has(message("frequency=list:" + file.string()), "no values"));
+  BOOST_TEST(has(message("frequency=list:/nowhere"), "no readable file"));
 }
 
 BOOST_AUTO_TEST_CASE(mistakes_are_named) {

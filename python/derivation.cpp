@@ -1,0 +1,58 @@
+// The derivation, as one of the documents that `vcrit derive` prints.
+#include <map>
+
+#include "bindings.hpp"
+#include "document/print.hpp"
+
+namespace vcrit::python {
+
+namespace {
+
+using symbolic::Format;
+using symbolic::ResultForm;
+
+const std::map<std::string, Format>& formats() {
+  static const std::map<std::string, Format> names{{"text", Format::text},
+                                                   {"latex", Format::latex},
+                                                   {"markdown", Format::markdown},
+                                                   {"json", Format::json}};
+  return names;
+}
+
+const std::map<std::string, ResultForm>& forms() {
+  static const std::map<std::string, ResultForm> names{
+      {"by-size", ResultForm::by_size},
+      {"nested", ResultForm::nested},
+      {"rational", ResultForm::rational},
+      {"dimensionless", ResultForm::dimensionless}};
+  return names;
+}
+
+template <class Value>
+Value named(const std::map<std::string, Value>& names, const std::string& option,
+            const std::string& name) {
+  if (const auto found = names.find(name); found != names.end()) return found->second;
+  std::string expected;
+  for (const auto& [known, value] : names) expected += (expected.empty() ? "" : ", ") + known;
+  throw InputError({option}, '"' + name + '"', "one of " + expected);
+}
+
+std::string document(const Scene& scene, const std::string& format, const std::string& form,
+                     bool limits, bool sensitivities) {
+  symbolic::DocumentOptions options;
+  options.format = named(formats(), "--format", format);
+  options.form = named(forms(), "--form", form);
+  options.limits = limits;
+  options.sensitivities = sensitivities;
+  return symbolic::print(scene, options);
+}
+
+}  // namespace
+
+void add_derivation(pybind11::module_& module) {
+  using pybind11::arg;
+  module.def("document", &document, arg("scene"), arg("format"), arg("form"), arg("limits"),
+             arg("sensitivities"));
+}
+
+}  // namespace vcrit::python

@@ -1,0 +1,134 @@
+// Friction by simulation: what `vcrit simulate` answers, at one speed or at many.
+#include <fmt/format.h>
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+
+#include "base/units.hpp"
+#include "bindings.hpp"
+#include "simulation/methods/methods.hpp"
+#include "simulation/steady/curve.hpp"
+#include "simulation/steady/energy.hpp"
+#include "simulation/steady/exact.hpp"
+
+namespace vcrit::python {
+
+namespace py = pybind11;
+
+namespace {
+
+using simulation::SteadyState;
+using Array = py::array_t<double, py::array::c_style>;
+
+std::span<const double> values(const Array& array) {
+  return {array.data(), static_cast<std::size_t>(array.size())};
+}
+
+std::span<double> values(Array& array) {
+  return {array.mutable_data(), static_cast<std::size_t>(array.size())};
+}
+
+void check_speeds(const Array& velocities, const std::string& option) {
+  for (const double velocity : values(velocities))
+    if (!(velocity > 0 && std::isfinite(velocity)))
+      throw InputError({option}, fmt::format("a speed of {} m/s", velocity),
+                       "a finite speed above 0");
+}
+
+double parse_velocity(const std::string& text) {
+  return parse_quantity(text, Dimension::velocity, {"--velocity"});
+}
+
+SteadyState steady_state(const Scene& scene, double velocity, const std::string& method,
+                         const std::string& start) {
+  if (start != "sliding" && start != "rest")
+    throw InputError({"--start"}, '"' + start + '"', "sliding or rest");
+  simulation::MethodOptions options;
+  if (start == "rest") options.start = simulation::Start::rest;
+  const simulation::System system = simulation::system_of(scene);
+  if (method == "exact") return simulation::steady_state(system, velocity, options.start);
+  if (const auto other = simulation::method_named(method))
+    return simulation::steady_state(*other, system, velocity, options);
+  std::string known = "exact";
+  for (const simulation::Method each : simulation::all_methods())
+    known += std::string(", ") + to_text(each);
+  throw InputError({"--method"}, '"' + method + '"', "one of " + known);
+}
+
+struct Simulated {
+  SteadyState state;
+  std::optional<simulation::EnergyBalance> energy;  // known for the exact method alone
+};
+
+Simulated simulated(const Scene& scene, double velocity, const std::string& method,
+                    const std::string& start) {
+  const py::gil_scoped_release others_run;
+  Simulated result{steady_state(scene, velocity, method, start), std::nullopt};
+  if (method == "exact")
+    result.energy = simulation::energy_balance(simulation::system_of(scene), velocity);
+  return result;
+}
+
+py::tuple simulate(const Scene& scene, double velocity, const std::string& method,
+                   const std::string& start) {
+  const auto [state, balance] = simulated(scene, velocity, method, start);
+  py::list events;
+  for (const simulation::Event& event : state.events)
+    events.append(py::make_tuple(event.phase, to_text(event.to)));
+  py::object energy = py::none();
+  if (balance)
+    energy = py::make_tuple(balance->drive, balance->friction, balance->dampers, balance->error);
+  return py::make_tuple(state.friction_ratio, state.friction_ratio_error, to_text(state.regime),
+                        state.periods, events, energy);
+}
+
+struct Curve {
+  std::span<double> ratio, error;
+  std::vector<std::string> regimes, reasons;
+
+  void add(std::size_t i, const simulation::CurvePoint& point) {
+    constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+    ratio[i] = point.state ? point.state->friction_ratio : nothing;
+    error[i] = point.state ? point.state->friction_ratio_error : nothing;
+    regimes.emplace_back(point.state ? to_text(point.state->regime) : "");
+    reasons.push_back(point.reason);
+  }
+};
+
+// Speeds that are found one from another, as in `vcrit sweep`; Ctrl-C is heard between two lots.
+constexpr std::size_t speeds_at_once = 32;
+
+py::tuple friction_curve(const Scene& scene, const Array& velocities, Array ratio, Array error) {
+  const std::span<const double> speeds = values(velocities);
+  Curve curve{values(ratio), values(error), {}, {}};
+  ensure(curve.ratio.size() == speeds.size() && curve.error.size() == speeds.size(),
+         "friction_curve has room for all its answers");
+  const simulation::System system = simulation::system_of(scene);
+  for (std::size_t first = 0; first < speeds.size(); first += speeds_at_once) {
+    {
+      const py::gil_scoped_release others_run;
+      const auto lot = speeds.subspan(first, std::min(speeds_at_once, speeds.size() - first));
+      const auto points = simulation::friction_curve(system, lot);
+      for (std::size_t i = 0; i < points.size(); ++i) curve.add(first + i, points[i]);
+    }
+    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+  }
+  return py::make_tuple(curve.regimes, curve.reasons);
+}
+
+}  // namespace
+
+void add_friction(py::module_& module) {
+  using py::arg;
+  module.def("parse_velocity", &parse_velocity, arg("text"));
+  module.def("check_speeds", &check_speeds, arg("velocities").noconvert(), arg("option"));
+  module.def("simulate", &simulate, arg("scene"), arg("velocity"), arg("method"), arg("start"));
+  module.def("friction_curve", &friction_curve, arg("scene"), arg("velocities").noconvert(),
+             arg("ratio").noconvert(), arg("error").noconvert());
+}
+
+}  // namespace vcrit::python

@@ -1,0 +1,84 @@
+"""What a scene answers."""
+
+from typing import NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+
+class Parameter(NamedTuple):
+    """A number of a scene."""
+
+    value: float | None
+    """In `unit`; None for a symbol without a value."""
+    unit: str
+    """SI: "N/m", "rad/s"; "1" for a plain number."""
+
+
+class CertifiedVelocity(NamedTuple):
+    """v* of Eq. (24), correctly rounded."""
+
+    value: float
+    """m/s; infinite at resonance."""
+    relative_error_bound: float
+    """Of `value`; 0 where it is exact."""
+    reason: str
+    """Why the value is infinite, else empty."""
+
+
+class Event(NamedTuple):
+    """Where the contact point begins to slip or to stick."""
+
+    phase: float
+    """omega t in [0, 2 pi)."""
+    to: str
+    """"slip", "stick" or "backslip"."""
+
+
+class Energy(NamedTuple):
+    """Where the work of the drive goes in one oscillation period, in J."""
+
+    drive: float
+    friction: float
+    dampers: float
+    error: float
+    """Estimate of the error of each."""
+
+
+class SteadyState(NamedTuple):
+    """The steady motion at one speed, by simulation."""
+
+    velocity: float
+    """Mean velocity of the drive, m/s."""
+    velocity_ratio: float
+    """The same in units of v*."""
+    friction_ratio: float
+    """mu_macro/mu0."""
+    friction_ratio_error: float
+    """Estimate of its absolute error."""
+    regime: str
+    """"sliding", "stick-slip", "stick-slip-backslip" or "stick"."""
+    method: str
+    periods: int | None
+    """Length of the steady cycle in oscillation periods, where it is one."""
+    events: tuple[Event, ...]
+    """Of one cycle, by time."""
+    energy: Energy | None
+    """Known for the exact method alone."""
+
+
+class FrictionCurve(NamedTuple):
+    """Friction over the speed, by simulation: arrays of one shape, a value for each speed."""
+
+    velocity: npt.NDArray[np.float64]
+    """Mean velocity of the drive, m/s."""
+    velocity_ratio: npt.NDArray[np.float64]
+    """The same in units of v*."""
+    friction_ratio: npt.NDArray[np.float64]
+    """mu_macro/mu0; NaN where no steady state is found."""
+    friction_ratio_error: npt.NDArray[np.float64]
+    """Estimate of its absolute error."""
+    regime: npt.NDArray[np.str_]
+    """As in SteadyState; empty where no steady state is found."""
+    reason: npt.NDArray[np.str_]
+    """Why none is found, else empty."""

@@ -1,0 +1,149 @@
+#include "maps/csv_map.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <iterator>
+#include <system_error>
+
+#include "base/files.hpp"
+#include "base/numbers.hpp"
+
+namespace vcrit::maps {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// Where the lines of whole blocks end, and how many blocks that are. The last line may be torn.
+struct Whole {
+  std::size_t blocks = 0;
+  std::uintmax_t bytes = 0;
+};
+
+Whole whole_blocks(const fs::path& part, const Grid& grid, std::size_t header) {
+  std::ifstream in(part, std::ios::binary);
+  in.seekg(static_cast<std::streamoff>(header));
+  Whole whole{0, header};
+  std::size_t rows = 0, end = grid.block(0).rows;
+  std::uintmax_t position = header;
+  std::vector<char> buffer(1U << 20U);
+  while (in.read(buffer.data(), static_cast<std::streamsize>(buffer.size())), in.gcount() > 0) {
+    const auto size = static_cast<std::size_t>(in.gcount());
+    for (std::size_t i = 0; i < size; ++i) {
+      if (buffer[i] != '\n' || ++rows < end) continue;
+      whole = {whole.blocks + 1, position + i + 1};
+      if (whole.blocks < grid.blocks()) end += grid.block(whole.blocks).rows;
+    }
+    position += size;
+  }
+  return whole;
+}
+
+std::string cell(const SweptQuantity& quantity, double value) {
+  const auto& names = words(quantity);
+  if (names.empty()) return to_text(value);
+  return value == 0 ? "" : names.at(static_cast<std::size_t>(value) - 1);
+}
+
+}  // namespace
+
+std::string csv_header(const Sweep& sweep) {
+  std::vector<std::string> columns;
+  for (const Axis& axis : sweep.axes) columns.push_back(axis.name);
+  for (const SweptQuantity& quantity : sweep.quantities) columns.push_back(column_name(quantity));
+  return fmt::format("{}\n", fmt::join(columns, ","));
+}
+
+CsvMap::CsvMap(const Sweeping& sweeping, const fs::path& file, bool resume, const Ranks& ranks)
+    : sweeping_(sweeping), file_(file), part_(part_of(file)), sweep_file_(part_) {
+  sweep_file_ += ".sweep";
+  if (ranks.size() > 1)
+    throw InputError({"--out"}, fmt::format("\"{}\" under mpirun", file.string()),
+                     "a file ending in .h5, which several processes can write");
+  if (resume && fs::exists(part_))
+    go_on();
+  else
+    begin();
+}
+
+void CsvMap::refuse(const std::string& found) const {
+  throw InputError({part_.string()}, found, "a place that can be written");
+}
+
+void CsvMap::begin() {
+  if (fs::exists(part_))
+    throw InputError({part_.string()}, "an unfinished sweep",
+                     "--resume to go on with it, or that you remove it");
+  write_file(sweep_file_, signature(sweeping_.sweep()));
+  out_.open(part_, std::ios::binary);
+  append(csv_header(sweeping_.sweep()));
+}
+
+void CsvMap::go_on() {
+  const std::string header = csv_header(sweeping_.sweep());
+  if (!fs::exists(sweep_file_) || read_file(sweep_file_) != signature(sweeping_.sweep()))
+    throw InputError({part_.string()}, "the unfinished file of another sweep",
+                     "the same scene, axes and quantities");
+  const Whole whole = fs::file_size(part_) < header.size()
+                          ? Whole{}
+                          : whole_blocks(part_, sweeping_.grid(), header.size());
+  next_ = whole.blocks;
+  std::error_code error;
+  fs::resize_file(part_, whole.bytes, error);
+  if (error) refuse(error.message());
+  out_.open(part_, std::ios::binary | std::ios::app);
+  if (whole.bytes == 0) append(header);
+}
+
+std::vector<bool> CsvMap::done() const {
+  std::vector<bool> done(sweeping_.grid().blocks(), false);
+  std::fill_n(done.begin(), next_, true);
+  return done;
+}
+
+std::string CsvMap::prepare(const BlockAnswer& answer) const {
+  const Grid& grid = sweeping_.grid();
+  const Block block = grid.block(answer.block);
+  const auto& quantities = sweeping_.sweep().quantities;
+  std::string text;
+  for (std::size_t row = 0; row < block.rows; ++row) {
+    for (std::size_t a = 0; a < grid.axes().size(); ++a)
+      text += to_text(grid.value(a, block.first + row)) + ",";
+    for (std::size_t q = 0; q < quantities.size(); ++q)
+      text += cell(quantities[q], answer.values[q][row]) + (q + 1 < quantities.size() ? "," : "\n");
+  }
+  return text;
+}
+
+void CsvMap::append(const std::string& text) {
+  errno = 0;
+  out_ << text << std::flush;
+  if (!out_) refuse(errno != 0 ? std::strerror(errno) : "a write error");
+}
+
+void CsvMap::write(const BlockAnswer& answer, const std::string& prepared) {
+  early_.emplace(answer.block, prepared);
+  for (auto turn = early_.begin(); turn != early_.end() && turn->first == next_;
+       turn = early_.erase(turn), ++next_)
+    append(turn->second);
+}
+
+void CsvMap::finish() {
+  out_.close();
+  std::error_code error;
+  if (out_) fs::rename(part_, file_, error);
+  if (!out_ || error) refuse(error ? error.message() : "a write error");
+  fs::remove(sweep_file_, error);
+}
+
+void CsvMap::discard() {
+  std::error_code ignored;
+  fs::remove(part_, ignored);
+  fs::remove(sweep_file_, ignored);
+}
+
+}  // namespace vcrit::maps

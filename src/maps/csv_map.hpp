@@ -1,0 +1,39 @@
+// A sweep as a table: a header row, then one row a point in row-major order.
+#pragma once
+
+#include <fstream>
+#include <map>
+
+#include "maps/map_file.hpp"
+
+namespace vcrit::maps {
+
+/// The sweep that OUT.part belongs to lies beside it as OUT.part.sweep until the end.
+class CsvMap : public MapFile {
+ public:
+  CsvMap(const Sweeping& sweeping, const std::filesystem::path& file, bool resume,
+         const Ranks& ranks);
+
+  std::vector<bool> done() const override;
+  std::string prepare(const BlockAnswer& answer) const override;
+  void write(const BlockAnswer& answer, const std::string& prepared) override;
+  void finish() override;
+  void discard() override;
+
+ private:
+  void begin();
+  void go_on();
+  void append(const std::string& text);
+  [[noreturn]] void refuse(const std::string& found) const;
+
+  const Sweeping& sweeping_;
+  std::filesystem::path file_, part_, sweep_file_;
+  std::ofstream out_;
+  std::size_t next_ = 0;                      // the first block that is not in the file
+  std::map<std::size_t, std::string> early_;  // blocks before whose turn it is not yet
+};
+
+/// The header row.
+std::string csv_header(const Sweep& sweep);
+
+}  // namespace vcrit::maps

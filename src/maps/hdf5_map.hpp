@@ -1,0 +1,41 @@
+// A sweep as an array with named dimensions (HDF5 by the conventions of netCDF-4): one variable an
+// axis, one a quantity, with units, the scene as an attribute of the file.
+#pragma once
+
+#include <cstdint>
+
+#include "maps/hdf5_objects.hpp"
+#include "maps/map_file.hpp"
+
+namespace vcrit::maps {
+
+/// Everything but numbers is on disk before the first block and not touched again until the last
+/// one, so that the file can be read whatever happens in between. Numbers that are not there yet
+/// are zeros, which _FillValue declares to be missing until the end; /progress/blocks holds 1 for
+/// each block that is there.
+class Hdf5Map : public MapFile {
+ public:
+  Hdf5Map(const Sweeping& sweeping, const std::filesystem::path& file, bool resume,
+          const Ranks& ranks);
+
+  std::vector<bool> done() const override { return done_; }
+  std::string prepare(const BlockAnswer&) const override { return {}; }
+  void write(const BlockAnswer& answer, const std::string& prepared) override;
+  void finish() override;
+  void discard() override;
+
+ private:
+  void create() const;
+  void check() const;
+  void open();
+  [[noreturn]] void refuse() const;
+
+  const Sweeping& sweeping_;
+  const Ranks& ranks_;
+  std::filesystem::path file_, part_;
+  hdf5::Object opened_, progress_;
+  std::vector<hdf5::Object> variables_;
+  std::vector<bool> done_;
+};
+
+}  // namespace vcrit::maps

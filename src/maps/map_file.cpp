@@ -1,0 +1,62 @@
+#include "maps/map_file.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cstdint>
+#include <cstring>
+
+#include "base/numbers.hpp"
+#include "maps/csv_map.hpp"
+#include "maps/hdf5_map.hpp"
+
+namespace vcrit::maps {
+
+namespace {
+
+// FNV-1a over the bits of the numbers.
+std::uint64_t fingerprint(const std::vector<double>& values) {
+  std::uint64_t hash = 14695981039346656037U;
+  for (const double value : values) {
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, &value, sizeof bits);
+    for (int byte = 0; byte < 8; ++byte)
+      hash = (hash ^ (bits >> (8 * byte) & 255U)) * 1099511628211U;
+  }
+  return hash;
+}
+
+}  // namespace
+
+std::filesystem::path part_of(const std::filesystem::path& file) {
+  std::filesystem::path part = file;
+  return part += ".part";
+}
+
+std::string signature(const Sweep& sweep) {
+  std::string text = "vcrit " VCRIT_VERSION "\n";
+  for (const auto& [name, value] : sweep.scene.settings)
+    text += fmt::format("--set {}={}\n", name, value);
+  for (const Axis& axis : sweep.axes)
+    text += fmt::format("--over {}: {} values from {} to {}, fingerprint {:016x}\n", axis.name,
+                        axis.values.size(), to_text(axis.values.front()),
+                        to_text(axis.values.back()), fingerprint(axis.values));
+  for (const SweptQuantity& quantity : sweep.quantities)
+    text += fmt::format("--quantity {}\n", column_name(quantity));
+  if (sweep.velocity) text += fmt::format("--velocity {}\n", to_text(*sweep.velocity));
+  if (sweep.velocity_ratio)
+    text += fmt::format("--velocity-ratio {}\n", to_text(*sweep.velocity_ratio));
+  return text + sweep.scene.text;
+}
+
+std::unique_ptr<MapFile> open_map(const Sweeping& sweeping, const std::filesystem::path& file,
+                                  bool resume, const Ranks& ranks) {
+  const std::string ending = file.extension();
+  if (ending == ".csv") return std::make_unique<CsvMap>(sweeping, file, resume, ranks);
+  if (ending == ".h5" || ending == ".hdf5" || ending == ".nc")
+    return std::make_unique<Hdf5Map>(sweeping, file, resume, ranks);
+  throw InputError({"--out"}, fmt::format("\"{}\"", file.string()),
+                   "a file ending in .csv, .h5, .hdf5 or .nc");
+}
+
+}  // namespace vcrit::maps

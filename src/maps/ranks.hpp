@@ -1,0 +1,49 @@
+// The processes that share one sweep: this one alone, or all that mpirun started.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+
+namespace vcrit::maps {
+
+class Ranks {
+ public:
+  /// Throws InputError if several were started and this program knows no MPI.
+  Ranks();
+  ~Ranks();
+  Ranks(const Ranks&) = delete;
+  Ranks& operator=(const Ranks&) = delete;
+
+  int rank() const { return rank_; }
+  int size() const { return size_; }
+  bool first() const { return rank_ == 0; }
+
+  /// The next number of 0, 1, 2, ... that no rank has got yet.
+  std::size_t next();
+  /// Lets other ranks' calls of next() get on; to be called now and then.
+  void attend() const;
+  /// Runs `action` on the first rank while the others wait; what it throws ends all ranks' work:
+  /// there itself, elsewhere as Silent.
+  void first_alone(const std::function<void()>& action) const;
+  void wait_for_all() const;
+  std::size_t sum(std::size_t value) const;
+  /// Ends all ranks at once, when one of several cannot go on.
+  void abort(int status) const;
+
+  /// Something went wrong on the first rank, which tells it.
+  struct Silent {};
+
+ private:
+  struct Counter;
+  std::unique_ptr<Counter> counter_;
+  int rank_ = 0, size_ = 1;
+  std::size_t alone_ = 0;  // the counter of a single process
+};
+
+/// Opens files of HDF5 for all ranks at once; does nothing for a single process. `access` is a list
+/// of file access properties.
+void share(const Ranks& ranks, std::int64_t access);
+
+}  // namespace vcrit::maps

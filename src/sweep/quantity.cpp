@@ -1,0 +1,87 @@
+#include "sweep/quantity.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "base/identifiers.hpp"
+#include "scene/changing.hpp"
+#include "scene/settings.hpp"
+#include "simulation/system/steady_state.hpp"
+
+namespace vcrit {
+
+namespace {
+
+using Kind = SweptQuantity::Kind;
+
+const std::string sensitivity = "sensitivity:";
+
+}  // namespace
+
+const std::vector<std::string>& swept_quantity_names() {
+  static const std::vector<std::string> names{"critical_velocity",    "friction_ratio",
+                                              "friction_ratio_error", "regime",
+                                              "admissible",           sensitivity + "NAME"};
+  return names;
+}
+
+SweptQuantity parse_swept_quantity(const std::string& text, const Scene& scene) {
+  const Place place{"--quantity"};
+  if (text.starts_with(sensitivity)) {
+    const std::string name = text.substr(sensitivity.size());
+    known_dimension(name, scene.settable, place);
+    const ChangingScene changing(scene, {name});
+    return {Kind::sensitivity, changing.targets().front().symbol};
+  }
+  const auto& names = swept_quantity_names();
+  for (std::size_t i = 0; i + 1 < names.size(); ++i)
+    if (names[i] == text) return {static_cast<Kind>(i)};
+  const auto meant = nearest(text, names);
+  throw InputError(
+      place, fmt::format("\"{}\"", text),
+      meant ? fmt::format("\"{}\"", *meant) : fmt::format("one of {}", fmt::join(names, ", ")));
+}
+
+std::string column_name(const SweptQuantity& quantity) {
+  if (quantity.kind == Kind::sensitivity) return "sensitivity_" + to_text(quantity.parameter);
+  return swept_quantity_names()[static_cast<std::size_t>(quantity.kind)];
+}
+
+std::string unit(const SweptQuantity& quantity) {
+  return quantity.kind == Kind::critical_velocity ? "m/s" : "1";
+}
+
+std::string description(const SweptQuantity& quantity) {
+  switch (quantity.kind) {
+    case Kind::critical_velocity:
+      return "critical velocity v* (Eq. 24)";
+    case Kind::friction_ratio:
+      return "macroscopic over microscopic coefficient of friction, simulated";
+    case Kind::friction_ratio_error:
+      return "estimated absolute error of the friction ratio";
+    case Kind::regime:
+      return "regime of the steady motion, simulated";
+    case Kind::admissible:
+      return "whether Eq. 24 applies: no jumping, closed contact";
+    case Kind::sensitivity:
+      return fmt::format("relative change of v* per relative change of {}",
+                         to_text(quantity.parameter));
+  }
+  throw Bug("a quantity without a description");
+}
+
+const std::vector<std::string>& words(const SweptQuantity& quantity) {
+  using simulation::Regime;
+  static const std::vector<std::string> none, answers{"no", "yes"},
+      regimes{to_text(Regime::sliding), to_text(Regime::stick_slip),
+              to_text(Regime::stick_slip_backslip), to_text(Regime::stick)};
+  if (quantity.kind == Kind::regime) return regimes;
+  return quantity.kind == Kind::admissible ? answers : none;
+}
+
+bool needs_motion(const SweptQuantity& quantity) {
+  return quantity.kind == Kind::friction_ratio || quantity.kind == Kind::friction_ratio_error ||
+         quantity.kind == Kind::regime;
+}
+
+}  // namespace vcrit

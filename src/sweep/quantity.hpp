@@ -1,0 +1,44 @@
+// What a sweep may ask of each point.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scene/scene.hpp"
+
+namespace vcrit {
+
+struct SweptQuantity {
+  enum class Kind {
+    critical_velocity,     ///< v*, m/s
+    friction_ratio,        ///< mu_macro/mu0
+    friction_ratio_error,  ///< estimate of its absolute error
+    regime,                ///< of the simulated motion, as 1 + its place in words()
+    admissible,            ///< whether Eq. 24 applies, in the same way
+    sensitivity            ///< (p/v*) dv*/dp
+  };
+  Kind kind = Kind::critical_velocity;
+  Symbol parameter{};  ///< p of a sensitivity
+  friend bool operator==(const SweptQuantity&, const SweptQuantity&) = default;
+};
+
+/// "critical_velocity", "friction_ratio", "friction_ratio_error", "regime", "admissible", or
+/// "sensitivity:NAME", NAME as for --set. Throws InputError.
+SweptQuantity parse_swept_quantity(const std::string& text, const Scene& scene);
+
+/// The names, for help; the last one with NAME.
+const std::vector<std::string>& swept_quantity_names();
+
+/// The name of a column or variable: "critical_velocity", "sensitivity_k0".
+std::string column_name(const SweptQuantity& quantity);
+/// "m/s" or "1".
+std::string unit(const SweptQuantity& quantity);
+/// In words.
+std::string description(const SweptQuantity& quantity);
+/// What 1, 2, ... mean for a quantity of words (0: no answer); empty for numbers.
+const std::vector<std::string>& words(const SweptQuantity& quantity);
+
+/// Whether the motion must be simulated for it.
+bool needs_motion(const SweptQuantity& quantity);
+
+}  // namespace vcrit

@@ -1,0 +1,211 @@
+// Streamed sweeps: the file holds what the sweep in memory gives, whether it was written at one go
+// or in pieces.
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include "base/numbers.hpp"
+#include "maps/hdf5_objects.hpp"
+#include "maps/stream.hpp"
+#include "support/program.hpp"
+
+namespace {
+
+using namespace vcrit;
+namespace fs = std::filesystem;
+
+Sweep sweep_over(const std::vector<std::string>& axes, const std::vector<std::string>& quantities,
+                 const std::string& scene = "zener.toml") {
+  Sweep sweep{read_scene(VCRIT_SCENES "/" + scene), {}, {}, {}, {}};
+  for (const std::string& axis : axes) sweep.axes.push_back(parse_axis(axis, sweep.scene));
+  for (const std::string& quantity : quantities)
+    sweep.quantities.push_back(parse_swept_quantity(quantity, sweep.scene));
+  return sweep;
+}
+
+// Many blocks of every kind of value.
+Sweep motion_map() {
+  return sweep_over(
+      {"amplitude=lin:0.1 um:0.6 um:9", "k1=lin:1e6:9e6:20", "velocity_ratio=lin:0.2:1.2:80"},
+      {"friction_ratio", "regime", "critical_velocity"});
+}
+
+maps::Streamed streamed(const Sweep& sweep, const fs::path& file, bool resume = false,
+                        std::size_t stop_after = 0) {
+  maps::Ranks ranks;
+  const Sweeping sweeping(sweep);
+  maps::StreamOptions options;
+  options.resume = resume;
+  if (stop_after > 0)
+    options.told = [left = stop_after](const maps::Progress&) mutable {
+      if (--left == 0) throw std::runtime_error("stopped");
+    };
+  return maps::stream(sweeping, file, options, ranks);
+}
+
+// Stops it again and again, a few blocks later each time.
+void in_pieces(const Sweep& sweep, const fs::path& file) {
+  for (std::size_t blocks = 1;; ++blocks) try {
+      streamed(sweep, file, true, blocks);
+      return;
+    } catch (const std::runtime_error& error) {
+      BOOST_TEST_REQUIRE(std::string(error.what()) == "stopped");
+      BOOST_TEST_REQUIRE(!fs::exists(file));
+      BOOST_TEST_REQUIRE(fs::exists(maps::part_of(file)));
+    }
+}
+
+std::string message(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != text.npos; }
+
+std::vector<double> read_array(const fs::path& file, const std::string& name, std::size_t size) {
+  const hdf5::Object opened(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose,
+                            "H5Fopen");
+  const hdf5::Object array = hdf5::open_array(opened, name);
+  std::vector<double> values(size);
+  hdf5::checked(
+      H5Dread(array.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
+      "H5Dread");
+  return values;
+}
+
+bool same(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
+
+BOOST_AUTO_TEST_CASE(an_array_holds_the_sweep) {
+  const test::PrivateFolder folder;
+  const fs::path file = folder.path() / "map.h5";
+  const Sweep sweep = motion_map();
+  const SweptTable table = swept(sweep);
+  const maps::Streamed result = streamed(sweep, file);
+  BOOST_TEST(result.rows == table.rows);
+  BOOST_TEST(result.found == table.rows);
+  BOOST_TEST(result.outside == table.outside);
+  BOOST_TEST(table.outside > 0U);
+  for (std::size_t q = 0; q < 3; ++q) {
+    const auto values = read_array(file, table.columns[3 + q], table.rows);
+    for (std::size_t row = 0; row < table.rows; ++row)
+      BOOST_TEST_REQUIRE(same(values[row], table.values[6 * row + 3 + q]));
+  }
+  for (std::size_t a = 0; a < 3; ++a)
+    BOOST_TEST(read_array(file, sweep.axes[a].name, sweep.axes[a].values.size()) ==
+               sweep.axes[a].values);
+}
+
+BOOST_AUTO_TEST_CASE(a_table_holds_the_sweep) {
+  const test::PrivateFolder folder;
+  const fs::path file = folder.path() / "new" / "map.csv";
+  const Sweep sweep = motion_map();
+  const SweptTable table = swept(sweep);
+  streamed(sweep, file);
+  std::ifstream in(file);
+  std::string line;
+  std::getline(in, line);
+  BOOST_TEST(line == "amplitude,k1,velocity_ratio,friction_ratio,regime,critical_velocity");
+  for (std::size_t row = 0; row < table.rows; ++row) {
+    std::getline(in, line);
+    std::istringstream cells(line);
+    for (std::size_t c = 0; c < 6; ++c) {
+      std::string cell;
+      std::getline(cells, cell, ',');
+      const double value = table.values[6 * row + c];
+      if (c == 4)
+        BOOST_TEST_REQUIRE(
+            cell ==
+            (value == 0 ? "" : words(sweep.quantities[1]).at(static_cast<std::size_t>(value) - 1)));
+      else
+        BOOST_TEST_REQUIRE(same(*to_double(cell), value));
+    }
+  }
+  BOOST_TEST(!std::getline(in, line));
+  BOOST_TEST(!fs::exists(file.string() + ".part"));
+  BOOST_TEST(!fs::exists(file.string() + ".part.sweep"));
+}
+
+BOOST_AUTO_TEST_CASE(pieces_make_the_same_bytes) {
+  const test::PrivateFolder folder;
+  const Sweep sweep = motion_map();
+  for (const char* ending : {".csv", ".h5"}) {
+    const fs::path whole = folder.path() / (std::string("whole") + ending);
+    const fs::path pieces = folder.path() / (std::string("pieces") + ending);
+    streamed(sweep, whole);
+    in_pieces(sweep, pieces);
+    BOOST_TEST_CONTEXT(ending) BOOST_TEST((test::contents(whole) == test::contents(pieces)));
+  }
+}
+
+// A kill may tear the last line of a table.
+BOOST_AUTO_TEST_CASE(a_torn_table_is_gone_on_with) {
+  const test::PrivateFolder folder;
+  const fs::path whole = folder.path() / "whole.csv", torn = folder.path() / "torn.csv";
+  const Sweep sweep = motion_map();
+  streamed(sweep, whole);
+  const std::string text = test::contents(whole);
+  for (const std::size_t size : {std::size_t{0}, std::size_t{3}, std::size_t{70}, text.size() / 3,
+                                 text.size() / 2, text.size() - 1, text.size()}) {
+    std::ofstream(maps::part_of(torn), std::ios::binary) << text.substr(0, size);
+    std::ofstream(maps::part_of(torn).string() + ".sweep", std::ios::binary)
+        << maps::signature(sweep);
+    streamed(sweep, torn, true);
+    BOOST_TEST_CONTEXT(size << " bytes") BOOST_TEST((test::contents(torn) == text));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(what_an_unfinished_array_lacks_is_declared_missing) {
+  const test::PrivateFolder folder;
+  const fs::path file = folder.path() / "map.h5";
+  const Sweep sweep = motion_map();
+  BOOST_CHECK_THROW(streamed(sweep, file, false, 3), std::runtime_error);
+  const std::size_t blocks = Sweeping(sweep).grid().blocks();
+  const auto done = read_array(maps::part_of(file), "/progress/blocks", blocks);
+  BOOST_TEST(std::count(done.begin(), done.end(), 1.0) >= 3);
+  const auto values = read_array(maps::part_of(file), "critical_velocity", 9 * 20 * 80);
+  for (std::size_t block = 0; block < blocks; ++block)
+    BOOST_TEST((values[Sweeping(sweep).grid().block(block).first] != 0) == (done[block] == 1));
+  const auto missing = [](const fs::path& path) {
+    const hdf5::Object opened(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, "");
+    return H5Aexists(hdf5::open_array(opened, "critical_velocity").id(), "_FillValue") > 0;
+  };
+  BOOST_TEST(missing(maps::part_of(file)));
+  streamed(sweep, file, true);
+  BOOST_TEST(!missing(file));
+}
+
+BOOST_AUTO_TEST_CASE(another_sweep_is_refused) {
+  const test::PrivateFolder folder;
+  const Sweep sweep = motion_map();
+  Sweep other = sweep;
+  other.axes[1].values[7] += 1;
+  for (const char* name : {"map.csv", "map.h5"}) {
+    const fs::path file = folder.path() / name;
+    BOOST_CHECK_THROW(streamed(sweep, file, false, 1), std::runtime_error);
+    BOOST_TEST(has(message([&] { streamed(other, file, true); }), "of another sweep"));
+    BOOST_TEST(has(message([&] { streamed(sweep, file); }), "--resume to go on"));
+    streamed(sweep, file, true);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(mistakes_are_named_and_leave_nothing) {
+  const test::PrivateFolder folder;
+  const Sweep sweep = sweep_over({"k1=lin:1e6:9e6:20"}, {"critical_velocity"});
+  BOOST_TEST(has(message([&] { streamed(sweep, folder.path() / "map.xls"); }), "ending in .csv"));
+  const fs::path in_a_file = folder.path() / "file" / "map";
+  std::ofstream(folder.path() / "file") << "text";
+  for (const char* ending : {".csv", ".h5"})
+    BOOST_TEST(has(message([&] { streamed(sweep, in_a_file.string() + ending); }), "file/map"));
+  Sweep outside = sweep_over({"amplitude=lin:1 mm:2 mm:20"}, {"friction_ratio"});
+  outside.velocity = 1;
+  for (const char* name : {"map.csv", "map.h5"})
+    BOOST_CHECK_THROW(streamed(outside, folder.path() / name), ModelError);
+  BOOST_TEST(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()) == 1);
+}
+
+}  // namespace

@@ -1,0 +1,197 @@
+"""v* over arrays: NumPy's rules, the right values, and no copies."""
+
+import unittest
+
+import numpy as np
+import vcrit
+from support import PROJECT, U, in_python, relative_difference, rows
+
+ZENER = vcrit.Scene("scenes/zener.toml")
+ELASTIC = vcrit.Scene("scenes/elastic.toml")
+
+# What the C++ batch call promises: 1280 u an element (src/critical/batch.hpp); Zener and drive have
+# four. Both sides round the units' factors alike.
+BATCH = 4 * 1280 * U
+
+
+def one_by_one(scene, **arrays):
+    """The same by a correctly rounded call for each point."""
+    broadcast = np.broadcast_arrays(*arrays.values())
+    result = [scene.with_values(dict(zip(arrays, map(float, point)))).critical_velocity()
+              for point in zip(*(values.flat for values in broadcast))]
+    return np.reshape(result, broadcast[0].shape)
+
+
+class Values(unittest.TestCase):
+    def test_are_those_of_the_reference(self):
+        for row in rows("scenes_expected.csv"):
+            scene = vcrit.Scene(f"scenes/{row['scene']}")
+            # The scene's own number, three times; a unit's factor rounds before, as in test_scene.py.
+            found = scene.critical_velocity(mu0=np.full(3, scene.parameters["mu0"].value))
+            self.assertEqual(found.shape, (3,))
+            elements = len(scene.parameters) - 4
+            for value in found:
+                self.assertLess(relative_difference(float(value), row["critical_velocity"]),
+                                (1280 * elements + 16) * U, row["scene"])
+
+    def test_of_every_parameter_are_those_one_by_one(self):
+        random = np.random.default_rng(1)
+        for name, parameter in ZENER.parameters.items():
+            with self.subTest(name=name):
+                values = parameter.value * random.uniform(0.7, 1.3, 5)
+                np.testing.assert_allclose(ZENER.critical_velocity({name: values}),
+                                           one_by_one(ZENER, **{name: values}), rtol=BATCH)
+
+    def test_of_synonyms_are_the_same(self):
+        frequency = np.array([10e3, 20e3, 35e3])
+        by_frequency = ZENER.critical_velocity(frequency=frequency)
+        np.testing.assert_allclose(ZENER.critical_velocity(omega=2 * np.pi * frequency), by_frequency, rtol=BATCH)
+        np.testing.assert_allclose(one_by_one(ZENER, frequency=frequency), by_frequency, rtol=BATCH)
+
+    def test_of_arrays_in_a_scene(self):
+        prony = vcrit.Scene("scenes/prony.toml")
+        values = np.array([1e5, 2e5])
+        found = prony.critical_velocity({"k[3]": values, "frequency": 25e3})
+        expected = [prony.with_values({"k[3]": value, "frequency": 25e3}).critical_velocity() for value in values]
+        np.testing.assert_allclose(found, expected, rtol=22 * 1280 * U)
+
+    def test_fill_in_symbols(self):
+        text = (PROJECT / "scenes/zener.toml").read_text().replace('"5 g"', '"m"')
+        masses = np.array([1e-3, 5e-3])
+        np.testing.assert_allclose(vcrit.Scene.from_text(text).critical_velocity(m=masses),
+                                   one_by_one(ZENER, m=masses), rtol=BATCH)
+
+    def test_of_other_values_of_the_scene(self):
+        frequency = np.array([10e3, 30e3])
+        np.testing.assert_array_equal(ZENER.with_values(k0=9e6).critical_velocity(frequency=frequency),
+                                      ZENER.critical_velocity(frequency=frequency, k0=9e6))
+        np.testing.assert_array_equal(ZENER.critical_velocity(frequency=frequency, k0="9 N/um"),
+                                      ZENER.critical_velocity(frequency=frequency, k0=9e6))
+
+
+class Shapes(unittest.TestCase):
+    # By hand: Eq. (31), v* = mu0 omega du_z kn/kt, so that all factors multiply.
+    def test_are_broadcast(self):
+        kn, kt, mu0 = np.array([[1e6], [2e6], [3e6]]), np.array([1e6, 5e6]), np.full((2, 1, 1), 0.5)
+        found = ELASTIC.critical_velocity(kn=kn, kt=kt, mu0=mu0, omega=10.0, du_z=1e-7)
+        self.assertEqual(found.shape, (2, 3, 2))
+        np.testing.assert_allclose(found, mu0 * 10.0 * 1e-7 * kn / kt, rtol=2 * 1280 * U + 5 * U)
+
+    def test_of_plain_numbers_is_a_number(self):
+        value = ZENER.critical_velocity(frequency=25e3, k0=9e6)
+        self.assertIsInstance(value, float)
+        self.assertLess(relative_difference(value, ZENER.with_values(frequency=25e3, k0=9e6).critical_velocity()),
+                        BATCH)
+
+    def test_may_be_empty_or_have_one_value(self):
+        self.assertEqual(ZENER.critical_velocity(k0=np.ones((0, 3))).shape, (0, 3))
+        self.assertEqual(ZENER.critical_velocity(k0=[8e6], frequency=[[2e4]]).shape, (1, 1))
+
+    def test_that_do_not_fit_are_refused(self):
+        with self.assertRaisesRegex(ValueError, "could not be broadcast"):
+            ZENER.critical_velocity(k0=np.ones(2), k1=np.ones(3))
+        for out in [np.empty(3), np.empty((1, 2)), np.empty(1)]:
+            with self.assertRaises(ValueError):
+                ZENER.critical_velocity(k0=np.ones((2, 2)), out=out)
+
+    def test_larger_than_a_block(self):
+        n = 300_001  # several blocks, and a rest
+        kn = np.linspace(1e6, 2e6, n)
+        found = ELASTIC.critical_velocity(kn=kn)
+        np.testing.assert_allclose(found, found[0] * kn / kn[0], rtol=2 * (2 * 1280 * U + 5 * U))
+        # Columns are read across blocks, and beside them a value for all and a strided one.
+        grid = ELASTIC.critical_velocity(kn=kn[:, np.newaxis], kt=np.array([1e6, 2e6]))
+        np.testing.assert_allclose(grid[:, 0], 2 * grid[:, 1], rtol=2 * (2 * 1280 * U + 5 * U))
+        np.testing.assert_allclose(grid[:, 0] / grid[0, 0], kn / kn[0], rtol=2 * (2 * 1280 * U + 5 * U))
+
+
+class Memory(unittest.TestCase):
+    def setUp(self):
+        self.frequency = np.linspace(10e3, 30e3, 1000)
+        self.expected = ZENER.critical_velocity(frequency=self.frequency)
+
+    def test_of_the_result_may_be_given(self):
+        out = np.full(1000, np.nan)
+        self.assertIs(ZENER.critical_velocity(frequency=self.frequency, out=out), out)
+        np.testing.assert_array_equal(out, self.expected)
+        room = np.full((1000, 2), -1.0)
+        ZENER.critical_velocity(frequency=self.frequency, out=room[:, 0])
+        np.testing.assert_array_equal(room[:, 0], self.expected)
+        np.testing.assert_array_equal(room[:, 1], -1)
+
+    def test_may_be_an_argument_as_well(self):
+        values = self.frequency.copy()
+        ZENER.critical_velocity(frequency=values, out=values)
+        np.testing.assert_array_equal(values, self.expected)
+        # Backwards, over several blocks: what is written must not be read later.
+        values = np.linspace(10e3, 30e3, 300_000)
+        expected = ZENER.critical_velocity(frequency=values[::-1])
+        ZENER.critical_velocity(frequency=values[::-1], out=values)
+        np.testing.assert_array_equal(values, expected)
+
+    def test_may_lie_anyhow(self):
+        strided = np.zeros((1000, 3))
+        strided[:, 1] = self.frequency
+        unaligned = np.zeros(8001, np.uint8)[1:].view(np.float64)
+        unaligned[:] = self.frequency
+        self.assertFalse(unaligned.flags.aligned)
+        for name, values in {
+                "strided": strided[:, 1], "reversed": self.frequency[::-1][::-1], "unaligned": unaligned,
+                "other bytes": self.frequency.astype(">f8"), "list": self.frequency.tolist()}.items():
+            with self.subTest(name):
+                np.testing.assert_array_equal(ZENER.critical_velocity(frequency=values), self.expected)
+        columns = np.asfortranarray(self.frequency.reshape(20, 50))
+        np.testing.assert_array_equal(ZENER.critical_velocity(frequency=columns), self.expected.reshape(20, 50))
+
+    def test_of_whole_numbers_and_short_ones(self):
+        np.testing.assert_array_equal(ZENER.critical_velocity(frequency=np.array([10_000, 20_000])),
+                                      ZENER.critical_velocity(frequency=np.array([10e3, 20e3])))
+        np.testing.assert_array_equal(ZENER.critical_velocity(frequency=np.array([10e3, 20e3], np.float32)),
+                                      ZENER.critical_velocity(frequency=np.array([10e3, 20e3])))
+        with self.assertRaises(TypeError):
+            ZENER.critical_velocity(frequency=np.array([1e3 + 1j]))
+
+    def test_that_may_only_be_read_is_read_and_not_written(self):
+        fixed = self.frequency.copy()
+        fixed.flags.writeable = False
+        np.testing.assert_array_equal(ZENER.critical_velocity(frequency=fixed), self.expected)
+        with self.assertRaisesRegex(ValueError, "read-only|writeable"):
+            ZENER.critical_velocity(frequency=self.frequency, out=fixed)
+        np.testing.assert_array_equal(fixed, self.frequency)
+
+    def test_of_arguments_is_not_copied(self):
+        """128 MiB an array, in a process that may take half of that beside them."""
+        result = in_python(CROWDED)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(result.stdout.split(), ["contiguous", "strided", "broadcast", "copy", "refused"])
+
+
+CROWDED = """
+import resource
+import numpy as np
+import vcrit
+
+MIB = 2**20
+n = 16 * MIB
+scene = vcrit.Scene("scenes/elastic.toml")
+kn, pairs, out = np.full(n, 2e6), np.full((n, 2), 3e6), np.zeros(n)
+scene.critical_velocity(kn=kn[:1000], kt=pairs[:1000, 0])  # what the first call needs for itself
+used = int(open("/proc/self/statm").read().split()[0]) * resource.getpagesize()
+resource.setrlimit(resource.RLIMIT_AS, (used + 64 * MIB,) * 2)
+scene.critical_velocity(kn=kn, out=out)
+assert out[-1] == out[0] > 0
+print("contiguous")
+scene.critical_velocity(kt=pairs[:, 1], kn=kn, out=out)
+assert out[-1] == out[0] > 0
+print("strided")
+scene.critical_velocity(kn=np.broadcast_to(2e6, n), kt=pairs[:, 0], mu0=0.1, out=out)
+assert out[-1] == out[0] > 0
+print("broadcast")
+try:
+    kn.copy()
+except MemoryError:
+    print("copy refused")
+"""
+
+if __name__ == "__main__":
+    unittest.main()

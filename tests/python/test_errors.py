@@ -1,0 +1,116 @@
+"""What vcrit refuses: Python exceptions with the text that the program prints."""
+
+import tempfile
+import unittest
+from pathlib import Path
+
+import numpy as np
+import vcrit
+from support import PROJECT, program
+from test_scene import RESONANT
+
+ZENER = "scenes/zener.toml"
+
+
+class TheProgram(unittest.TestCase):
+    """Each error beside the program's."""
+
+    def assert_same(self, error, call, *arguments):
+        result = program(*arguments)
+        self.assertEqual(result.returncode, {vcrit.InputError: 2, vcrit.ModelError: 3}[error], result.stderr)
+        with self.assertRaises(error) as caught:
+            call()
+        self.assertEqual(f"vcrit: {caught.exception}\n", result.stderr)
+
+    def assert_same_text(self, error, text, use, *command):
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "scene.toml"
+            file.write_text(text)
+            self.assert_same(error, lambda: use(vcrit.Scene(file)), command[0], str(file), *command[1:])
+
+    def test_on_a_missing_file(self):
+        self.assert_same(vcrit.InputError, lambda: vcrit.Scene("no such file"), "eval", "no such file")
+
+    def test_on_a_mistake_in_a_scene(self):
+        good = (PROJECT / ZENER).read_text()
+        for old, new in [('normal  = "k0 | (k1 - c1)"', 'normal = "k0 | (k1 - "'), ('"20 kHz"', '"20 kN"'),
+                         ("coefficient = 0.3", "coefficient = -1"), ("[body]", "[bodies]"), ('"5 g"', "[")]:
+            self.assertIn(old, good)
+            with self.subTest(new=new):
+                self.assert_same_text(vcrit.InputError, good.replace(old, new), lambda scene: scene, "eval")
+
+    def test_on_values_that_cannot_be_set(self):
+        scene = vcrit.Scene(ZENER)
+        for name, value in [("k9", 1.0), ("k0", -1.0), ("k0", "8 Hz"), ("mass", float("inf")), ("k0", float("nan"))]:
+            with self.subTest(name=name, value=value):
+                self.assert_same(vcrit.InputError, lambda: scene.with_values({name: value}),
+                                 "eval", ZENER, "--set", f"{name}={value}")
+
+    def test_on_missing_values(self):
+        text = (PROJECT / ZENER).read_text().replace('"5 g"', '"m"').replace('kd = "2 N/um"', "")
+        self.assert_same_text(vcrit.InputError, text, lambda scene: scene.critical_velocity(), "eval")
+
+    def test_on_speeds(self):
+        scene = vcrit.Scene(ZENER)
+        command = ["simulate", ZENER]
+        for speed in [-1, 0]:
+            self.assert_same(vcrit.InputError, lambda: scene.simulate(speed), *command, f"--velocity={speed}")
+            self.assert_same(vcrit.InputError, lambda: scene.friction_curve([0.1, speed]),
+                             *command, f"--velocity={speed}")
+            self.assert_same(vcrit.InputError, lambda: scene.friction_curve(velocity_ratios=[1, speed]),
+                             *command, f"--velocity-ratio={speed}")
+        for speed in [float("nan"), float("inf")]:
+            self.assert_same(vcrit.InputError, lambda: scene.simulate(velocity_ratio=speed),
+                             *command, f"--velocity-ratio={speed}")
+        self.assert_same(vcrit.InputError, lambda: scene.simulate("2 mm"), *command, "--velocity=2 mm")
+
+    def test_outside_the_model(self):
+        file = "scenes/inadmissible.toml"
+        self.assert_same(vcrit.ModelError, lambda: vcrit.Scene(file).simulate(1), "simulate", file, "--velocity=1")
+        self.assert_same(vcrit.ModelError, lambda: vcrit.Scene(file).friction_curve([1]),
+                         "simulate", file, "--velocity=1")
+        self.assert_same_text(vcrit.ModelError, RESONANT, lambda scene: scene.simulate(velocity_ratio=0.5),
+                              "simulate", "--velocity-ratio=0.5")
+        file = "scenes/measured_drive.toml"
+        self.assert_same(vcrit.ModelError, lambda: vcrit.Scene(file).with_values(frequency=1e6).critical_velocity(),
+                         "eval", file, "--set", "frequency=1e6")
+
+    def test_on_a_rational_form_too_large(self):
+        scene = vcrit.Scene("scenes/prony.toml")
+        self.assert_same(vcrit.ModelError, lambda: vcrit.derive(scene, form="rational"),
+                         "derive", "scenes/prony.toml", "--form", "rational")
+
+
+class Exceptions(unittest.TestCase):
+    def test_are_kinds_of_pythons_own(self):
+        self.assertTrue(issubclass(vcrit.InputError, (vcrit.Error,)) and issubclass(vcrit.InputError, ValueError))
+        self.assertTrue(issubclass(vcrit.ModelError, (vcrit.Error,)) and issubclass(vcrit.ModelError, ArithmeticError))
+        self.assertFalse(issubclass(vcrit.Error, (ValueError, ArithmeticError)))
+
+    def test_reach_python_from_arrays(self):
+        scene = vcrit.Scene(ZENER)
+        with self.assertRaisesRegex(vcrit.InputError, 'k9.*found "k9", which this scene does not have'):
+            scene.critical_velocity(k9=np.ones(3))
+        with self.assertRaisesRegex(vcrit.InputError, "k0 = -1; expected a finite value"):
+            scene.critical_velocity(k0=np.array([1e6, -1]))
+
+    def test_name_methods_forms_and_formats(self):
+        scene = vcrit.Scene(ZENER)
+        with self.assertRaisesRegex(vcrit.InputError, '^--method: found "other"; expected one of exact, moreau'):
+            scene.simulate(0.1, method="other")
+        with self.assertRaisesRegex(vcrit.InputError, '^--start: found "top"; expected sliding or rest'):
+            scene.simulate(0.1, start="top")
+        with self.assertRaisesRegex(vcrit.InputError, '^--form: found "short"; expected one of by-size, dim'):
+            vcrit.derive(scene, form="short")
+        with self.assertRaisesRegex(vcrit.InputError, '^--format: found "odt"; expected one of json, latex'):
+            vcrit.derive(scene).document("odt")
+
+    def test_ask_for_one_kind_of_speed(self):
+        scene = vcrit.Scene(ZENER)
+        for call in [lambda: scene.simulate(), lambda: scene.simulate(1, velocity_ratio=1),
+                     lambda: scene.friction_curve(), lambda: scene.friction_curve([1], velocity_ratios=[1])]:
+            self.assertRaisesRegex(TypeError, "either velocities or their ratios", call)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,39 @@
+"""`cmake --install` puts the package where the system's Python finds it, and there it works."""
+
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+BUILD = sys.argv.pop(3)
+from support import PROJECT  # noqa: E402
+
+
+class Installed(unittest.TestCase):
+    def test_package_works(self):
+        with tempfile.TemporaryDirectory() as prefix:
+            subprocess.run(["cmake", "--install", BUILD, "--component", "python", "--prefix", prefix],
+                           check=True, capture_output=True)
+            # Debian's Python adds dist-packages to the folder of its version, under /usr/local.
+            folder = Path(prefix) / f"lib/python3.{sys.version_info.minor}/dist-packages"
+            code = ("import vcrit; print(vcrit.__file__);"
+                    "print(vcrit.Scene('scenes/elastic.toml').critical_velocity())")
+            result = subprocess.run([sys.executable, "-B", "-c", code], cwd=PROJECT, env={"PYTHONPATH": str(folder)},
+                                    capture_output=True, text=True)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            file, value = result.stdout.split()
+            self.assertEqual(file, str(folder / "vcrit/__init__.py"))
+            # tests/data/scenes_expected.csv, to the digits of a double.
+            self.assertAlmostEqual(float(value), 0.0045780336451466888, delta=1e-17)
+            self.assertTrue((folder / "vcrit/py.typed").is_file())
+            self.assertTrue((folder / "vcrit/_vcrit.pyi").is_file())
+
+    def test_folder_is_one_that_python_looks_in(self):
+        result = subprocess.run([sys.executable, "-I", "-c", "import sys; print(sys.path)"],
+                                capture_output=True, text=True)
+        self.assertIn(f"/usr/local/lib/python3.{sys.version_info.minor}/dist-packages", result.stdout)
+
+
+if __name__ == "__main__":
+    unittest.main()

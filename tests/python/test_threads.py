@@ -1,0 +1,146 @@
+"""Other threads run while C++ works, several may call at once, and Ctrl-C is heard."""
+
+import sys
+import threading
+import time
+import unittest
+from concurrent.futures import ThreadPoolExecutor
+
+import numpy as np
+import vcrit
+from support import in_python
+from vcrit import _vcrit
+
+# A drive with a mass of its own: each v* takes microseconds.
+SLOW = vcrit.Scene("scenes/sonotrode.toml")
+KELVIN = vcrit.Scene("scenes/kelvin.toml")
+ATTEMPTS = 200
+
+
+class Watched:
+    """A call in a thread of its own, while Python is never made to change threads: another one
+    sees it under way only if the call itself lets go of the interpreter."""
+
+    def __init__(self, call):
+        self.call, self.under_way, self.done = call, False, False
+
+    def run(self):
+        self.under_way = True
+        self.call()
+        self.done = True
+
+    def seen_under_way(self):
+        worker = threading.Thread(target=self.run)
+        worker.start()
+        seen = False
+        while not self.done:
+            seen = seen or (self.under_way and not self.done)
+            time.sleep(0)
+        worker.join()
+        return seen
+
+
+def lets_others_run(call):
+    before = sys.getswitchinterval()
+    sys.setswitchinterval(1000)
+    try:
+        return any(Watched(call).seen_under_way() for _ in range(ATTEMPTS))
+    finally:
+        sys.setswitchinterval(before)
+
+
+class OtherThreads(unittest.TestCase):
+    # Below 500 values NumPy itself does not let go.
+    def test_run_while_arrays_are_evaluated(self):
+        formula = _vcrit.CriticalVelocities(SLOW._handle, ["frequency"])
+        frequency, out = np.linspace(10e3, 30e3, 400), np.empty(400)
+        self.assertTrue(lets_others_run(lambda: formula([frequency], out)))
+
+    def test_run_during_a_simulation(self):
+        speeds = np.linspace(0.01, 0.02, 30)
+        room = np.empty(30), np.empty(30)
+        self.assertTrue(lets_others_run(lambda: _vcrit.friction_curve(KELVIN._handle, speeds, *room)))
+        self.assertTrue(lets_others_run(lambda: _vcrit.simulate(KELVIN._handle, 0.01, "moreau", "sliding")))
+
+    def test_run_while_one_value_is_certified(self):
+        self.assertTrue(lets_others_run(lambda: [_vcrit.certified(SLOW._handle) for _ in range(20)]))
+
+    def test_wait_for_a_derivation(self):
+        # GiNaC works in one thread at a time. Besides, this shows that what is asserted above can fail.
+        self.assertFalse(lets_others_run(
+            lambda: _vcrit.document(KELVIN._handle, "text", "by-size", False, False)))
+
+
+class SeveralThreads(unittest.TestCase):
+    FILES = [f"scenes/{name}.toml" for name in ["zener", "kelvin", "elastic", "burgers", "bridge"]]
+
+    def everything(self, file):
+        scene = vcrit.Scene(file)
+        frequency = np.linspace(10e3, 12e3, 70_000)
+        curve = scene.friction_curve(velocity_ratios=np.linspace(0.1, 1.1, 40))
+        return [scene.critical_velocity(frequency=frequency), curve.friction_ratio, curve.regime,
+                scene.certified_critical_velocity, scene.simulate(velocity_ratio=0.5).friction_ratio,
+                vcrit.derive(scene).latex, scene.with_values(mu0=0.1).critical_velocity()]
+
+    def test_get_the_answers_of_one(self):
+        alone = [self.everything(file) for file in self.FILES]
+        with ThreadPoolExecutor(10) as pool:
+            together = list(pool.map(self.everything, self.FILES * 4))
+        self.assertEqual(len(together), 4 * len(alone))
+        for found, expected in zip(together, alone * 4):
+            for one, other in zip(found, expected):
+                np.testing.assert_array_equal(one, other)
+
+    def test_may_share_a_scene_and_a_formula(self):
+        formula = _vcrit.CriticalVelocities(KELVIN._handle, ["frequency"])
+        frequency = np.linspace(10e3, 30e3, 10_000)
+
+        def run(_):
+            out = np.empty_like(frequency)
+            formula([frequency], out)
+            return out
+
+        with ThreadPoolExecutor(8) as pool:
+            for out in pool.map(run, range(64)):
+                np.testing.assert_array_equal(out, KELVIN.critical_velocity(frequency=frequency))
+
+
+class KeyboardInterrupts(unittest.TestCase):
+    """A thread watches the first value appear and presses Ctrl-C."""
+
+    def assert_interrupted(self, call):
+        result = in_python(INTERRUPTED.replace("CALL", call))
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(result.stdout, "interrupted\n")
+
+    def test_end_an_evaluation(self):
+        self.assert_interrupted("scene.critical_velocity(frequency=values, out=out)")
+
+    def test_end_a_friction_curve(self):
+        self.assert_interrupted("vcrit._vcrit.friction_curve("
+                                "vcrit.Scene('scenes/kelvin.toml')._handle, values / 1e6, out, np.empty(n))")
+
+
+INTERRUPTED = """
+import signal, threading, time
+import numpy as np
+import vcrit
+
+n = 10**6
+scene = vcrit.Scene("scenes/sonotrode.toml")
+values, out = np.linspace(10e3, 30e3, n), np.full(n, -1.0)
+
+def press():
+    while out[0] == -1:
+        time.sleep(0.001)
+    signal.raise_signal(signal.SIGINT)
+
+threading.Thread(target=press).start()
+try:
+    CALL
+except KeyboardInterrupt:
+    print("interrupted" if out[-1] == -1 else "too late")
+"""
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,64 @@
+"""The package's types: mypy --strict on package and example, and the stubs against the extension."""
+
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+import vcrit
+from support import PROJECT
+
+PACKAGE = Path(vcrit.__file__).parent
+CACHE = tempfile.TemporaryDirectory()
+
+
+def checked(module, *arguments):
+    environment = os.environ | {"MYPYPATH": str(PACKAGE.parent), "MYPY_CACHE_DIR": CACHE.name}
+    return subprocess.run([sys.executable, "-B", "-m", module, *arguments], cwd=CACHE.name, env=environment,
+                          capture_output=True, text=True, timeout=300)
+
+
+def mypy(*arguments):
+    return checked("mypy", "--strict", *map(str, arguments))
+
+
+class Types(unittest.TestCase):
+    def test_of_package_and_example_are_right(self):
+        result = mypy("-p", "vcrit")
+        self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+        result = mypy(PROJECT / "examples/notebook.py")
+        self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+
+    def test_find_wrong_use(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "wrong.py"
+            file.write_text(
+                "import vcrit, numpy as np\n"
+                "scene = vcrit.Scene('a')\n"
+                "scene.critical_velocity() + 'm/s'\n"
+                "scene.simulate(velocity_ratio='fast')\n"
+                "scene.friction_curve([1.0]).friction\n"
+                "vcrit.derive('a')\n"
+                "vcrit.derive(scene).limits[0].latex + 1\n"
+                "scene.critical_velocity(k0=1.0).shape\n"
+                "reveal_type(scene.certified_critical_velocity.value)\n"
+                "reveal_type(scene.critical_velocity(k0=np.ones(3)))\n")
+            result = mypy(file)
+        found = [line.split(":", 1)[1].split(": ")[:2] for line in result.stdout.splitlines()[:-1]]
+        self.assertEqual(found, [[str(line), "error"] for line in range(3, 9)] + [["9", "note"], ["10", "note"]], result.stdout)
+        self.assertIn('"builtins.float"', result.stdout)
+        self.assertIn('"numpy.ndarray[', result.stdout)
+
+    def test_of_the_extension_are_those_of_its_stub(self):
+        allowed = PROJECT / "tests/python/stubtest_allowed.txt"
+        result = checked("mypy.stubtest", "vcrit._vcrit", "--allowlist", str(allowed))
+        self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+
+    def test_are_announced(self):
+        self.assertTrue((PACKAGE / "py.typed").is_file())
+
+
+if __name__ == "__main__":
+    unittest.main()
