@@ -12,6 +12,8 @@ void add_generate(CLI::App& program);
 void add_simulate(CLI::App& program);
 void add_critical(CLI::App& program, int& status);
 void add_sweep(CLI::App& program);
+void add_solve(CLI::App& program);
+void add_fit(CLI::App& program);
 void add_validate(CLI::App& program, int& status);
 
 }  // namespace vcrit::app

@@ -39,6 +39,8 @@ int run(int argc, char** argv) {
   vcrit::app::add_simulate(program);
   vcrit::app::add_critical(program, status);
   vcrit::app::add_sweep(program);
+  vcrit::app::add_solve(program);
+  vcrit::app::add_fit(program);
   vcrit::app::add_validate(program, status);
   vcrit::app::add_shell(program);
   try {

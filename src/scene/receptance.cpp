@@ -3,49 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <sstream>
 
+#include "base/csv.hpp"
 #include "base/files.hpp"
-#include "base/numbers.hpp"
 
 namespace vcrit {
 
 namespace {
 
 constexpr const char* header = "omega,Re,Im";
-
-/// The next line without what Windows leaves at its end; nothing but blanks counts as no line.
-bool next_line(std::istream& in, std::string& line, Place& place) {
-  while (std::getline(in, line)) {
-    ++place.line;
-    line.erase(line.find_last_not_of(" \t\r") + 1);
-    if (!line.empty()) return true;
-  }
-  return false;
-}
-
-std::string without_blanks(std::string text) {
-  std::erase_if(text, [](char c) { return c == ' ' || c == '\t'; });
-  return text;
-}
-
-Receptance::Row row_of(const std::string& line, const Place& place) {
-  std::istringstream cells(without_blanks(line));
-  std::array<double, 3> numbers{};
-  std::string cell;
-  std::size_t count = 0;
-  for (; std::getline(cells, cell, ','); ++count) {
-    const auto number = to_double(cell);
-    if (!number || !std::isfinite(*number))
-      throw InputError(place, fmt::format("\"{}\"", cell), "a finite number");
-    if (count < numbers.size()) numbers.at(count) = *number;
-  }
-  if (count != numbers.size() || line.back() == ',')
-    throw InputError(place, fmt::format("\"{}\"", line), "three numbers: omega, Re, Im");
-  return {numbers[0], numbers[1], numbers[2]};
-}
+const std::vector<std::string> columns{"omega", "Re", "Im"};
 
 void refuse_order(const Receptance& receptance, const Receptance::Row& row, const Place& place) {
   if (row.omega < 0)
@@ -75,20 +43,20 @@ Receptance read_receptance(const std::filesystem::path& file, const Place& place
     throw InputError(place, fmt::format("receptance = \"{}\", which is no file", file.string()),
                      fmt::format("a table in CSV with the header {}", header));
   Receptance receptance{file.string(), {}};
-  std::istringstream in(read_file(file));
-  Place at{receptance.file};
-  std::string line;
-  const bool any = next_line(in, line, at);
-  if (!any || without_blanks(line) != header)
-    throw InputError(at, any ? fmt::format("\"{}\"", line) : "an empty table",
+  CsvLines lines(read_file(file), receptance.file);
+  const bool any = lines.next();
+  if (!any || lines.cells() != columns)
+    throw InputError(lines.place(), any ? fmt::format("\"{}\"", lines.line()) : "an empty table",
                      fmt::format("the header {}", header));
-  while (next_line(in, line, at)) {
-    const Receptance::Row row = row_of(line, at);
-    refuse_order(receptance, row, at);
+  while (lines.next()) {
+    const auto numbers = lines.numbers(columns.size(), "three numbers: omega, Re, Im");
+    const Receptance::Row row{numbers[0], numbers[1], numbers[2]};
+    refuse_order(receptance, row, lines.place());
     receptance.rows.push_back(row);
   }
   if (receptance.rows.size() < 2)
-    throw InputError(at, receptance.rows.empty() ? "no row of numbers" : "one row of numbers",
+    throw InputError(lines.place(),
+                     receptance.rows.empty() ? "no row of numbers" : "one row of numbers",
                      "at least two rows, to interpolate between them");
   return receptance;
 }

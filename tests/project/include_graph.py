@@ -22,6 +22,8 @@ ROOMS = [
     "src/simulation/methods",
     "src/sweep",
     "src/maps",
+    "src/design",
+    "src/fit",
     "symbolic/formula",
     "symbolic/polynomial",
     "symbolic/derivation",

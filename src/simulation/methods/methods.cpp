@@ -8,7 +8,7 @@
 #include <memory>
 
 #include "base/errors.hpp"
-#include "simulation/methods/gsl_errors.hpp"
+#include "base/gsl_errors.hpp"
 #include "simulation/methods/moreau.hpp"
 #include "simulation/methods/reduced.hpp"
 #include "simulation/methods/steady.hpp"
@@ -84,7 +84,7 @@ SteadyState steady_state(Method method, const System& system, double velocity,
                          const MethodOptions& options) {
   ensure(velocity > 0, "the drive moves forward");
   check(options);
-  const methods::GslErrorsOff errors_off;
+  const GslErrorsOff errors_off;
   if (method == Method::reduced) return methods::reduced_model(system, velocity);
   try {
     return methods::settle(*period_map(method, system, velocity, options), options);

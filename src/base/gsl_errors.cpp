@@ -1,10 +1,10 @@
-#include "simulation/methods/gsl_errors.hpp"
+#include "base/gsl_errors.hpp"
 
 #include <gsl/gsl_errno.h>
 
 #include <mutex>
 
-namespace vcrit::simulation::methods {
+namespace vcrit {
 
 namespace {
 
@@ -24,4 +24,4 @@ GslErrorsOff::~GslErrorsOff() {
   if (--alive == 0) gsl_set_error_handler(host);
 }
 
-}  // namespace vcrit::simulation::methods
+}  // namespace vcrit

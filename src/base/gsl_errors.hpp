@@ -1,7 +1,7 @@
 // GSL's error handler ends the program unless told otherwise; statuses are checked here instead.
 #pragma once
 
-namespace vcrit::simulation::methods {
+namespace vcrit {
 
 /// Off from the first of these alive, in any thread, to the last; then the host's handler again.
 class GslErrorsOff {
@@ -12,4 +12,4 @@ class GslErrorsOff {
   GslErrorsOff& operator=(const GslErrorsOff&) = delete;
 };
 
-}  // namespace vcrit::simulation::methods
+}  // namespace vcrit

@@ -1,0 +1,142 @@
+// vcrit fit: a Prony series from measured storage and loss stiffness, as a scene and a page.
+#include "fit/fit.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+
+#include "base/files.hpp"
+#include "commands.hpp"
+#include "figures/gnuplot.hpp"
+#include "fit/scene_text.hpp"
+#include "options.hpp"
+#include "report/figure_files.hpp"
+#include "report/fit_figures.hpp"
+#include "report/fit_page.hpp"
+
+namespace vcrit::app {
+
+namespace {
+
+using fit::Data;
+using fit::Fit;
+using fit::Uncertain;
+
+struct Options {
+  std::string data, out, figures;
+  fit::Options fit;
+  fit::Rest rest;
+  bool json = false;
+};
+
+nlohmann::ordered_json branches(const Fit& fit) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const auto& [k, tau] : fit.branches)
+    list.push_back({{"stiffness", k.value},
+                    {"stiffness_error", number(k.error)},
+                    {"time", tau.value},
+                    {"time_error", number(tau.error)}});
+  return list;
+}
+
+void print_json(const Data& data, const Fit& fit, const std::string& scene,
+                const std::string& page) {
+  nlohmann::ordered_json object{{"scene", scene}, {"page", page}, {"rows", data.rows.size()}};
+  if (fit.equilibrium) {
+    object["equilibrium"] = fit.equilibrium->value;
+    object["equilibrium_error"] = number(fit.equilibrium->error);
+  }
+  if (fit.damper) {
+    object["damper"] = fit.damper->value;
+    object["damper_error"] = number(fit.damper->error);
+  }
+  object["branches"] = branches(fit);
+  object["rms_relative_misfit"] = fit.rms_relative;
+  object["degrees_of_freedom"] = fit.degrees_of_freedom;
+  if (fit.noise) object["noise"] = *fit.noise;
+  if (fit.chance) {
+    object["chi_squared"] = fit.sum_of_squares;
+    object["chance"] = *fit.chance;
+  }
+  object["exhausted"] = fit.exhausted;
+  object["words"] = validation::report::fit_in_words(data, fit);
+  print(object);
+}
+
+void print_line(const char* name, const Uncertain& a, const char* unit) {
+  fmt::print("{:<4} {:<12.6g} +- {:<8.2g} {}", name, a.value, a.error, unit);
+}
+
+void print_text(const Data& data, const Fit& fit, const std::string& scene,
+                const std::string& page) {
+  for (const std::string& words : validation::report::fit_in_words(data, fit))
+    fmt::print("{}\n", words);
+  if (fit.equilibrium) {
+    print_line("k0", *fit.equilibrium, "N/m\n");
+  }
+  if (fit.damper) print_line("c0", *fit.damper, "N s/m\n");
+  for (const auto& [k, tau] : fit.branches) {
+    print_line("k", k, "N/m   ");
+    print_line("tau", tau, "s\n");
+  }
+  fmt::print("{}\n{}\n", scene, page);
+}
+
+void write_figures(const Data& data, const Fit& fit, const std::string& directory) {
+  std::vector<validation::report::FigureFile> files;
+  for (const auto& figure : validation::report::fit_figures(data, fit))
+    files.push_back({"", figure.name, validation::figures::gnuplot(figure)});
+  validation::report::write_figures(files, directory, [](const auto&) {});
+}
+
+// All that may be wrong is found before the first file is written.
+void run(const Options& options) {
+  const std::filesystem::path out = options.out;
+  if (out.extension() != ".toml")
+    throw InputError({"--out"}, fmt::format("\"{}\"", options.out), "a file ending in .toml");
+  if (!options.figures.empty()) validation::report::require_gnuplot();
+  const Data data = fit::read_data(options.data);
+  const Fit fit = fit::fitted(data, options.fit);
+  const std::string text = scene_text(fit, data, options.rest);
+  parse_scene(text, options.out);
+  const std::string page = std::filesystem::path(out).replace_extension(".html").string();
+  const std::string html = validation::report::fit_page(data, fit, text);
+  write_file(out, text);
+  write_file(page, html);
+  if (!options.figures.empty()) write_figures(data, fit, options.figures);
+  if (options.json)
+    print_json(data, fit, options.out, page);
+  else
+    print_text(data, fit, options.out, page);
+}
+
+}  // namespace
+
+void add_fit(CLI::App& program) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = program.add_subcommand(
+      "fit", "Fit a Prony series to measured storage and loss stiffness; write a scene");
+  command
+      ->add_option("DATA", options->data,
+                   "table (CSV) with the columns frequency or angular_frequency, storage, loss")
+      ->required();
+  command
+      ->add_option("--out", options->out, "the scene, FILE.toml; a page FILE.html stands beside it")
+      ->required();
+  command->add_flag("--damper", options->fit.damper, "try a damper beside the branches");
+  command->add_option("--max-branches", options->fit.most_branches, "no more branches than that")
+      ->capture_default_str();
+  command->add_option("--title", options->rest.title, "of the scene");
+  command->add_option("--poisson", options->rest.poisson, "Poisson's ratio for the scene");
+  command->add_option("--frequency", options->rest.frequency, "of the oscillation: \"20 kHz\"");
+  command->add_option("--amplitude", options->rest.amplitude, "of the oscillation: \"0.1 um\"");
+  command->add_option("--indentation", options->rest.indentation, "the mean: \"0.5 um\"");
+  command->add_option("--coefficient", options->rest.coefficient, "of friction");
+  command->add_option("--figures", options->figures, "folder for the figures as SVG and PDF")
+      ->type_name("DIR");
+  command->add_flag("--json", options->json, "print one JSON object");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace vcrit::app

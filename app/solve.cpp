@@ -1,0 +1,168 @@
+// vcrit solve: what amplitude, frequency or speed reaches a wanted friction ratio.
+#include "design/solve.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <memory>
+#include <optional>
+
+#include "base/units.hpp"
+#include "commands.hpp"
+#include "options.hpp"
+
+namespace vcrit::app {
+
+namespace {
+
+using design::Answer;
+using design::Question;
+using design::Sought;
+
+struct Options {
+  SceneOptions scene;
+  std::string sought, velocity, from, to;
+  double friction_ratio = 0;
+  int samples = Question{}.samples;
+  bool json = false;
+};
+
+constexpr std::array all_sought{Sought::amplitude, Sought::frequency, Sought::velocity};
+
+std::vector<std::string> names_of_sought() {
+  std::vector<std::string> names;
+  for (const Sought sought : all_sought) names.emplace_back(to_text(sought));
+  return names;
+}
+
+Sought sought_by(const std::string& name) {
+  for (const Sought sought : all_sought)
+    if (name == to_text(sought)) return sought;
+  throw Bug("a name that is not offered");
+}
+
+Dimension dimension_of(Sought sought) {
+  switch (sought) {
+    case Sought::amplitude:
+      return Dimension::length;
+    case Sought::frequency:
+      return Dimension::frequency;
+    case Sought::velocity:
+      return Dimension::velocity;
+  }
+  throw Bug("something sought without a dimension");
+}
+
+std::vector<std::string> names_in_scene(Sought sought) {
+  if (sought == Sought::amplitude) return {"amplitude", "du_z"};
+  if (sought == Sought::frequency) return {"frequency", "angular_frequency", "omega"};
+  return {};
+}
+
+std::optional<double> end_of_range(const std::string& text, Sought sought, const char* option) {
+  if (text.empty()) return std::nullopt;
+  const double value = parse_quantity(text, dimension_of(sought), {option});
+  if (!(value > 0)) throw InputError({option}, fmt::format("\"{}\"", text), "a number above 0");
+  return value;
+}
+
+Question question_of(const Options& options) {
+  Question question;
+  question.sought = sought_by(options.sought);
+  const bool speed = question.sought == Sought::velocity;
+  if (options.velocity.empty() != speed)
+    throw InputError({"--velocity"}, speed ? "a velocity with --for velocity" : "none",
+                     speed ? "none: it is what is sought" : "the velocity of the drive");
+  if (!speed)
+    question.velocity = parse_quantity(options.velocity, Dimension::velocity, {"--velocity"});
+  for (const auto& [name, value] : options.scene.split_settings())
+    for (const std::string& sought : names_in_scene(question.sought))
+      if (name == sought)
+        throw InputError({"--set"}, fmt::format("{} with --for {}", name, options.sought),
+                         "no value for what is sought");
+  question.friction_ratio = options.friction_ratio;
+  question.from = end_of_range(options.from, question.sought, "--from");
+  question.to = end_of_range(options.to, question.sought, "--to");
+  question.samples = options.samples;
+  question.scene = options.scene.read();
+  return question;
+}
+
+void print_json(const Question& question, const Answer& answer) {
+  nlohmann::ordered_json limits{{"amplitude", number(answer.largest_amplitude)},
+                                {"frequency", nullptr}};
+  if (answer.largest_frequency) limits["frequency"] = number(*answer.largest_frequency);
+  print({{"for", to_text(question.sought)},
+         {"value", number(answer.value)},
+         {"unit", unit_of(question.sought)},
+         {"value_error", number(answer.value_error)},
+         {"at_start", answer.at_start},
+         {"wanted_friction_ratio", question.friction_ratio},
+         {"friction_ratio", answer.state.friction_ratio},
+         {"friction_ratio_error", number(answer.state.friction_ratio_error)},
+         {"regime", to_text(answer.state.regime)},
+         {"velocity", answer.velocity},
+         {"critical_velocity", number(answer.critical_velocity)},
+         {"limits", limits},
+         {"searched",
+          {{"from", answer.from},
+           {"to", answer.to},
+           {"samples", question.samples},
+           {"evaluations", answer.evaluations},
+           {"unanswered", answer.unanswered}}}});
+}
+
+void print_text(const Question& question, const Answer& answer) {
+  const char* const unit = unit_of(question.sought);
+  const char* const extreme = question.sought == Sought::velocity ? "largest" : "smallest";
+  fmt::print("{:<15} {} {}, the {} (error about {:.1g})\n", to_text(question.sought), answer.value,
+             unit, extreme, answer.value_error);
+  if (answer.at_start)
+    fmt::print("  the range begins with it: what lies before was not searched\n");
+  fmt::print("friction ratio  {:.10g} (wanted: {}), {}\n", answer.state.friction_ratio,
+             question.friction_ratio, to_text(answer.state.regime));
+  fmt::print("velocity        {:.6g} m/s ({:.6g} v*)\n", answer.velocity,
+             answer.velocity / answer.critical_velocity);
+  fmt::print("contact closed  below an amplitude of {:.6g} m", answer.largest_amplitude);
+  if (answer.largest_frequency)
+    fmt::print(", or a frequency of {:.6g} Hz", *answer.largest_frequency);
+  fmt::print(
+      "\nsearched        {:.6g} to {:.6g} {}, {} steps: a lower dip within one of them is missed\n",
+      answer.from, answer.to, unit, question.samples);
+  if (answer.unanswered > 0)
+    fmt::print("                {} of {} steady states were not found\n", answer.unanswered,
+               answer.evaluations);
+}
+
+void run(const Options& options) {
+  const Question question = question_of(options);
+  const Answer answer = design::solve(question);
+  if (options.json)
+    print_json(question, answer);
+  else
+    print_text(question, answer);
+}
+
+}  // namespace
+
+void add_solve(CLI::App& program) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = program.add_subcommand(
+      "solve", "Smallest amplitude or frequency, or largest velocity, for a friction ratio");
+  options->scene.add_to(*command);
+  command->add_option("--for", options->sought, "what is sought")
+      ->required()
+      ->check(CLI::IsMember(names_of_sought()));
+  command->add_option("--friction-ratio", options->friction_ratio, "mu_macro/mu0 to reach, below 1")
+      ->required();
+  command->add_option("--velocity", options->velocity,
+                      "mean velocity of the drive: 0.02 or \"20 mm/s\"; not with --for velocity");
+  command->add_option("--from", options->from, "begin of the range to search");
+  command->add_option("--to", options->to, "its end");
+  command->add_option("--samples", options->samples, "how many values of the range are tried")
+      ->capture_default_str();
+  command->add_flag("--json", options->json, "print one JSON object");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace vcrit::app

@@ -1,0 +1,59 @@
+#include "base/csv.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "base/numbers.hpp"
+
+namespace vcrit {
+
+namespace {
+
+constexpr const char* byte_order_mark = "\xEF\xBB\xBF";
+constexpr const char* blanks = " \t\r";
+
+std::string trimmed(const std::string& text) {
+  const auto first = text.find_first_not_of(blanks);
+  if (first == text.npos) return {};
+  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+}  // namespace
+
+CsvLines::CsvLines(const std::string& text, const std::string& file)
+    : in_(text.starts_with(byte_order_mark) ? text.substr(3) : text), place_{file} {}
+
+bool CsvLines::next() {
+  while (std::getline(in_, line_)) {
+    ++place_.line;
+    line_ = trimmed(line_);
+    if (!line_.empty()) return true;
+  }
+  return false;
+}
+
+std::vector<std::string> CsvLines::cells() const {
+  std::vector<std::string> result;
+  for (std::size_t begin = 0;;) {
+    const auto comma = line_.find(',', begin);
+    result.push_back(trimmed(line_.substr(begin, comma - begin)));
+    if (comma == line_.npos) return result;
+    begin = comma + 1;
+  }
+}
+
+std::vector<double> CsvLines::numbers(std::size_t count, const std::string& expected) const {
+  const std::vector<std::string> words = cells();
+  if (words.size() != count) throw InputError(place_, fmt::format("\"{}\"", line_), expected);
+  std::vector<double> result;
+  for (const std::string& word : words) {
+    const auto number = to_double(word);
+    if (!number || !std::isfinite(*number))
+      throw InputError(place_, fmt::format("\"{}\"", word), "a finite number");
+    result.push_back(*number);
+  }
+  return result;
+}
+
+}  // namespace vcrit

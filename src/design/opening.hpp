@@ -1,0 +1,39 @@
+// How far a scene may oscillate before its contact opens, as bounds on amplitude and frequency:
+// (3), (4) and (35) of the paper solved for them. |K_n| never falls with the frequency, so both are
+// single bounds.
+#pragma once
+
+#include <optional>
+
+#include "scene/scene.hpp"
+#include "stiffness/relaxation.hpp"
+
+namespace vcrit::design {
+
+class NormalContact {
+ public:
+  /// Amplitude and frequency of the scene need no values. Throws InputError for other missing
+  /// values, ModelError where the normal network carries no static load.
+  explicit NormalContact(const Scene& scene);
+
+  /// The amplitude (m) below which the contact stays closed at omega (rad/s).
+  double largest_amplitude(double omega) const;
+  /// The angular frequency (rad/s) below which it does with this amplitude (m); nothing without a
+  /// bound. Throws ModelError where it opens at any.
+  std::optional<double> largest_angular_frequency(double amplitude) const;
+  /// Amplitude of F_n over its mean.
+  double oscillating_part(double amplitude, double omega) const;
+
+ private:
+  Relaxation normal_;
+  double indentation_ = 0;
+};
+
+/// The scene with other values of what oscillates: amplitude (m) and omega (rad/s).
+Scene with_amplitude(Scene scene, double amplitude);
+Scene with_angular_frequency(Scene scene, double omega);
+
+/// The drive velocity (m/s) up to which the oscillation reduces friction: v* and the creep.
+double reduced_up_to(const Scene& scene);
+
+}  // namespace vcrit::design

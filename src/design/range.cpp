@@ -1,0 +1,143 @@
+#include "design/range.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "critical/admissibility.hpp"
+#include "critical/critical_velocity.hpp"
+
+namespace vcrit::design {
+
+namespace {
+
+constexpr double turn = 2 * std::numbers::pi;
+
+// The bounds themselves are not admissible: there the normal force touches zero.
+constexpr double inside = 0.999999;
+
+// Speeds below this part of the largest are not asked for. Friction is within its square root of
+// the static limit there.
+constexpr double slowest = 1e-9;
+
+void refuse_empty(const Question& question, double from, double to) {
+  if (from < to && std::isfinite(to)) return;
+  throw InputError({"--from, --to"},
+                   fmt::format("from {} to {} {}", from, to, unit_of(question.sought)),
+                   "a range that rises and ends");
+}
+
+// Evenly from a to b, both included.
+std::vector<double> even(double a, double b, int samples) {
+  std::vector<double> places;
+  for (int i = 0; i < samples; ++i)
+    places.push_back(i + 1 == samples ? b : a + (b - a) * i / (samples - 1));
+  return places;
+}
+
+std::vector<double> even_ratios(double a, double b, int samples) {
+  std::vector<double> places = even(std::log(a), std::log(b), samples);
+  for (double& place : places) place = std::clamp(std::exp(place), std::min(a, b), std::max(a, b));
+  places.front() = a, places.back() = b;
+  return places;
+}
+
+// v* grows in proportion to the amplitude, the creep does not: below some amplitude friction is
+// full.
+Range amplitudes(const Question& question, const NormalContact& contact) {
+  const Scene scene = with_amplitude(question.scene, 1);
+  const double most =
+      contact.largest_amplitude(values_of(scene).at(scene.angular_frequency.symbol));
+  Range range{
+      question.from.value_or(0), std::min(question.to.value_or(most), inside * most), {}, 0, 0};
+  refuse_empty(question, range.from, range.to);
+  range.largest_velocity = reduced_up_to(with_amplitude(scene, range.to));
+  range.largest_at = range.to;
+  const double first =
+      std::max(range.from, (question.velocity - creep_velocity(scene)) / critical_velocity(scene));
+  if (!(question.velocity < range.largest_velocity) || !(first < range.to)) return range;
+  if (first > 0)
+    range.rows.push_back(even(first, range.to, question.samples));
+  else
+    range.rows.push_back(even_ratios(slowest * range.to, range.to, question.samples));
+  return range;
+}
+
+// Each stretch gets its part of the samples by its width, and enough to show its shape.
+Range frequencies(const Question& question, const NormalContact& contact) {
+  const auto omega = question.scene.angular_frequency.value;
+  if (!omega && !(question.from && question.to))
+    throw InputError({"--for frequency"}, "a scene without a frequency",
+                     "--from and --to, the range to search");
+  const auto most = contact.largest_angular_frequency(*question.scene.amplitude.value);
+  Range range{question.from ? *question.from : *omega / turn / 100,
+              question.to ? *question.to : *omega / turn * 100,
+              {},
+              0,
+              0};
+  refuse_empty(question, range.from, range.to);
+  if (most && range.from >= *most / turn)
+    throw ModelError(fmt::format(
+        "the contact opens at all frequencies from {:.6g} Hz on, and the range begins at {:.6g} Hz",
+        *most / turn, range.from));
+  if (most) range.to = std::min(range.to, inside * *most / turn);
+  refuse_empty(question, range.from, range.to);
+  const Stretches found =
+      reducing_stretches(with_angular_frequency(question.scene, turn * range.from),
+                         turn * range.from, turn * range.to, question.velocity);
+  range.largest_velocity = found.largest_velocity;
+  range.largest_at = found.largest_at / turn;
+  for (const Stretch& part : found.parts) {
+    if (!(part.from < part.to)) continue;
+    const double width = std::log(part.to / part.from) / std::log(range.to / range.from);
+    const int samples = std::max(32, static_cast<int>(std::ceil(width * question.samples)));
+    // 2 pi f / 2 pi is not f to the last bit either.
+    const auto in_hertz = [](double at, double end) { return at == turn * end ? end : at / turn; };
+    range.rows.push_back(
+        even_ratios(in_hertz(part.from, range.from), in_hertz(part.to, range.to), samples));
+  }
+  return range;
+}
+
+// From the fastest on, which is worth most: finely where friction begins to fall, then by even
+// ratios. Above the limit it is full.
+Range velocities(const Question& question) {
+  const double limit = reduced_up_to(question.scene);
+  Range range{question.from.value_or(0), std::min(question.to.value_or(limit), limit), {}, 0, 0};
+  if (std::isinf(range.to))
+    throw ModelError(
+        "v* is infinite here, so that no speed is the largest: give a range with --to");
+  if (!(range.to > 0))
+    throw ModelError(
+        "v* is 0 here: at an antiresonance the oscillation reduces friction at no speed");
+  range.largest_velocity = range.largest_at = limit;
+  if (range.from < limit) refuse_empty(question, range.from, range.to);
+  if (!(range.from < range.to)) return range;
+  const double end = std::max(range.from, slowest * range.to);
+  const double joint = std::max(end, range.to / 20);
+  std::vector<double> row = even(range.to, joint, question.samples);
+  if (joint > end) {
+    const std::vector<double> slow = even_ratios(joint, end, question.samples / 2 + 2);
+    row.insert(row.end(), slow.begin() + 1, slow.end());
+  }
+  range.rows.push_back(std::move(row));
+  return range;
+}
+
+}  // namespace
+
+Range range_of(const Question& question, const NormalContact& contact) {
+  switch (question.sought) {
+    case Sought::amplitude:
+      return amplitudes(question, contact);
+    case Sought::frequency:
+      return frequencies(question, contact);
+    case Sought::velocity:
+      return velocities(question);
+  }
+  throw Bug("something sought without a range");
+}
+
+}  // namespace vcrit::design

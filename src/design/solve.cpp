@@ -1,0 +1,170 @@
+#include "design/solve.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "critical/critical_velocity.hpp"
+#include "design/explain.hpp"
+#include "design/first_reach.hpp"
+#include "design/opening.hpp"
+#include "design/range.hpp"
+#include "simulation/steady/exact.hpp"
+
+namespace vcrit::design {
+
+namespace {
+
+constexpr double turn = 2 * std::numbers::pi;
+
+// A step for the slope at the answer: far above rounding, far below what bends the curve.
+constexpr double part_for_slope = 1e-4;
+
+class Solving {
+ public:
+  explicit Solving(const Question& question)
+      : question_(question), contact_(checked(question).scene), range_(range()) {}
+
+  Answer run() {
+    for (const std::vector<double>& row : range_.rows) {
+      const Search search =
+          first_reach([&](double value) { return ratio(value); }, row, question_.friction_ratio);
+      count(search);
+      if (search.reach) return answer(*search.reach, row.front());
+    }
+    throw ModelError(
+        explanation({question_, contact_, range_, least_, least_at_, evaluations_, unanswered_}));
+  }
+
+ private:
+  static const Question& checked(const Question& question) {
+    if (!(question.friction_ratio > 0 && question.friction_ratio < 1))
+      throw InputError({"--friction-ratio"}, fmt::format("{}", question.friction_ratio),
+                       "a ratio between 0 and 1, both excluded");
+    if (question.sought != Sought::velocity &&
+        !(question.velocity > 0 && std::isfinite(question.velocity)))
+      throw InputError({"--velocity"}, fmt::format("a speed of {} m/s", question.velocity),
+                       "a finite speed above 0");
+    if (question.samples < 3)
+      throw InputError({"--samples"}, fmt::format("{}", question.samples), "at least 3");
+    Scene scene = question.scene;  // what is sought needs no value
+    if (question.sought == Sought::amplitude) scene.amplitude.value = 1;
+    if (question.sought == Sought::frequency) scene.angular_frequency.value = 1;
+    values_of(scene);
+    return question;
+  }
+
+  // A drive that is not simulated is named before anything is searched.
+  Range range() const {
+    Scene scene = question_.scene;
+    if (question_.sought != Sought::velocity) {
+      if (!scene.angular_frequency.value) scene.angular_frequency.value = 1;
+      scene.amplitude.value = contact_.largest_amplitude(*scene.angular_frequency.value) / 2;
+    }
+    simulation::system_of(scene);
+    return range_of(question_, contact_);
+  }
+
+  Scene scene_at(double value) const {
+    switch (question_.sought) {
+      case Sought::amplitude:
+        return with_amplitude(question_.scene, value);
+      case Sought::frequency:
+        return with_angular_frequency(question_.scene, turn * value);
+      case Sought::velocity:
+        return question_.scene;
+    }
+    throw Bug("something sought without a scene");
+  }
+
+  double velocity_at(double value) const {
+    return question_.sought == Sought::velocity ? value : question_.velocity;
+  }
+
+  simulation::SteadyState state_at(double value) const {
+    return simulation::steady_state(simulation::system_of(scene_at(value)), velocity_at(value));
+  }
+
+  std::optional<double> ratio(double value) const {
+    try {
+      return state_at(value).friction_ratio;
+    } catch (const ModelError&) {
+      return std::nullopt;
+    }
+  }
+
+  void count(const Search& search) {
+    evaluations_ += search.evaluations;
+    unanswered_ += search.unanswered;
+    if (search.least && (!least_ || *search.least < *least_))
+      least_ = search.least, least_at_ = search.least_at;
+  }
+
+  // The bracket's width, and what the error of the ratio moves the answer by.
+  double error_of(const Reach& reach, const simulation::SteadyState& state) const {
+    const double width = std::abs(reach.at - reach.before);
+    const double step = part_for_slope * (reach.sample - reach.at);
+    const std::optional<double> other = ratio(reach.at + step);
+    const double rise = other ? *other - state.friction_ratio : 0;
+    if (!(rise > 0)) return width + std::abs(step);
+    return width + std::abs(step) * state.friction_ratio_error / rise;
+  }
+
+  Answer answer(const Reach& reach, double row_start) const {
+    const Scene scene = scene_at(reach.at);
+    Answer result;
+    result.value = reach.at;
+    result.velocity = velocity_at(reach.at);
+    result.critical_velocity = critical_velocity(scene);
+    result.state = state_at(reach.at);
+    result.at_start = reach.at == row_start;
+    if (!result.at_start) result.value_error = error_of(reach, result.state);
+    const double omega = *scene.angular_frequency.value;
+    result.largest_amplitude = contact_.largest_amplitude(omega);
+    if (const auto most = contact_.largest_angular_frequency(*scene.amplitude.value))
+      result.largest_frequency = *most / turn;
+    result.from = range_.from;
+    result.to = range_.to;
+    result.evaluations = evaluations_;
+    result.unanswered = unanswered_;
+    return result;
+  }
+
+  Question question_;
+  NormalContact contact_;
+  Range range_;
+  std::optional<double> least_;
+  double least_at_ = 0;
+  int evaluations_ = 0, unanswered_ = 0;
+};
+
+}  // namespace
+
+const char* to_text(Sought sought) {
+  switch (sought) {
+    case Sought::amplitude:
+      return "amplitude";
+    case Sought::frequency:
+      return "frequency";
+    case Sought::velocity:
+      return "velocity";
+  }
+  throw Bug("something sought without a name");
+}
+
+const char* unit_of(Sought sought) {
+  switch (sought) {
+    case Sought::amplitude:
+      return "m";
+    case Sought::frequency:
+      return "Hz";
+    case Sought::velocity:
+      return "m/s";
+  }
+  throw Bug("something sought without a unit");
+}
+
+Answer solve(const Question& question) { return Solving(question).run(); }
+
+}  // namespace vcrit::design

@@ -1,0 +1,47 @@
+// Design questions: the smallest amplitude or frequency, or the largest speed, that reaches a
+// wanted friction ratio. The simulator says what the ratio is; Eq. 24 only tells where to ask:
+// above v* and the creep friction is full.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "scene/scene.hpp"
+#include "simulation/system/steady_state.hpp"
+
+namespace vcrit::design {
+
+enum class Sought { amplitude, frequency, velocity };
+
+const char* to_text(Sought sought);  ///< "amplitude", "frequency", "velocity"
+const char* unit_of(Sought sought);  ///< "m", "Hz", "m/s"
+
+struct Question {
+  Scene scene;  ///< its value of what is sought is not used, but for the range of frequencies
+  Sought sought = Sought::amplitude;
+  double friction_ratio = 0;       ///< wanted: mu_macro/mu0 at most this, in (0, 1)
+  double velocity = 0;             ///< of the drive, m/s; not for Sought::velocity
+  std::optional<double> from, to;  ///< the range to search, in unit_of(sought); none: all that is
+                                   ///< admissible, for frequencies two decades to each side
+  int samples = 400;               ///< of the range, at least 3
+};
+
+struct Answer {
+  double value = 0;              ///< in unit_of(sought): reaches the wanted ratio
+  double value_error = 0;        ///< estimate: by this much less (of a speed: more) may do as well
+  bool at_start = false;         ///< the range begins with it: what lies before was not searched
+  double velocity = 0;           ///< of the drive, m/s
+  double critical_velocity = 0;  ///< v* there, m/s
+  simulation::SteadyState state;
+  double largest_amplitude = 0;             ///< m, at this frequency
+  std::optional<double> largest_frequency;  ///< Hz, at this amplitude; nothing without a bound
+  double from = 0, to = 0;                  ///< what was searched, in unit_of(sought)
+  int evaluations = 0;                      ///< steady states that were asked for
+  int unanswered = 0;                       ///< of them, without an answer
+};
+
+/// Throws InputError for a wrong question, ModelError outside the model and where nothing in the
+/// range reaches the ratio: it says why, and what would.
+Answer solve(const Question& question);
+
+}  // namespace vcrit::design

@@ -1,0 +1,171 @@
+#include "fit/data.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <numbers>
+
+#include "base/csv.hpp"
+#include "base/files.hpp"
+#include "base/units.hpp"
+
+namespace vcrit::fit {
+
+namespace {
+
+enum Quantity {
+  frequency,
+  angular_frequency,
+  storage,
+  loss,
+  storage_error,
+  loss_error,
+  quantities
+};
+
+struct Known {
+  const char* name;
+  Dimension dimension;
+};
+constexpr std::array<Known, quantities> known{{{"frequency", Dimension::frequency},
+                                               {"angular_frequency", Dimension::angular_frequency},
+                                               {"storage", Dimension::stiffness},
+                                               {"loss", Dimension::stiffness},
+                                               {"storage_error", Dimension::stiffness},
+                                               {"loss_error", Dimension::stiffness}}};
+
+struct Column {
+  std::size_t index = 0;
+  double factor = 1;  // to SI
+};
+using Columns = std::array<std::optional<Column>, quantities>;
+
+std::string names() {
+  std::vector<std::string> list;
+  for (const Known& each : known) list.emplace_back(each.name);
+  return fmt::format("{}", fmt::join(list, ", "));
+}
+
+// "Storage error [N/um]" is storage_error and N/um; quotes around the whole do no harm.
+struct Heading {
+  std::string name, unit;
+};
+Heading heading(std::string cell, const Place& place) {
+  if (cell.size() >= 2 && cell.front() == '"' && cell.back() == '"')
+    cell = cell.substr(1, cell.size() - 2);
+  const auto open = cell.find_first_of("([");
+  Heading result{cell.substr(0, open), ""};
+  if (open != cell.npos) {
+    const auto close = cell.find_last_of(")]");
+    if (close == cell.npos || close < open || close + 1 != cell.size())
+      throw InputError(place, fmt::format("\"{}\"", cell),
+                       "a name and its unit: \"storage [N/um]\"");
+    result.unit = cell.substr(open + 1, close - open - 1);
+  }
+  auto& name = result.name;
+  name.erase(name.find_last_not_of(' ') + 1);
+  name.erase(0, name.find_first_not_of(' '));
+  for (char& c : name)
+    c = c == ' ' ? '_' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return result;
+}
+
+double factor(const Heading& heading, Dimension dimension, const Place& place) {
+  return heading.unit.empty() ? 1 : parse_quantity("1 " + heading.unit, dimension, place);
+}
+
+void refuse_sets(const Columns& columns, const Place& place) {
+  std::vector<std::string> missing;
+  if (!columns[frequency] && !columns[angular_frequency])
+    missing.emplace_back("frequency or angular_frequency");
+  for (const Quantity needed : {storage, loss})
+    if (!columns[needed]) missing.emplace_back(known[needed].name);
+  if (!missing.empty())
+    throw InputError(place, fmt::format("no column {}", fmt::join(missing, ", ")),
+                     "the columns " + names());
+  if (columns[frequency] && columns[angular_frequency])
+    throw InputError(place, "frequency and angular_frequency", "one of the two");
+  if (columns[storage_error].has_value() != columns[loss_error].has_value())
+    throw InputError(place, "one of storage_error and loss_error", "both or none");
+}
+
+Columns columns_of(const CsvLines& header) {
+  Columns columns;
+  const std::vector<std::string> cells = header.cells();
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const Heading found = heading(cells[i], header.place());
+    const auto match = std::find_if(known.begin(), known.end(),
+                                    [&](const Known& each) { return found.name == each.name; });
+    if (match == known.end())
+      throw InputError(header.place(), fmt::format("a column \"{}\"", cells[i]),
+                       "the columns " + names());
+    auto& column = columns[static_cast<std::size_t>(match - known.begin())];
+    if (column)
+      throw InputError(header.place(), fmt::format("two columns {}", match->name), "one of each");
+    column = Column{i, factor(found, match->dimension, header.place())};
+  }
+  refuse_sets(columns, header.place());
+  return columns;
+}
+
+Row row_of(const std::vector<double>& numbers, const Columns& columns) {
+  const auto value = [&](Quantity quantity) {
+    const auto& column = columns[quantity];
+    return column ? column->factor * numbers[column->index] : 0;
+  };
+  return {columns[frequency] ? 2 * std::numbers::pi * value(frequency) : value(angular_frequency),
+          value(storage), value(loss), value(storage_error), value(loss_error)};
+}
+
+void refuse_values(const Row& row, bool errors, const Place& place) {
+  if (!(row.omega > 0))
+    throw InputError(place, fmt::format("an angular frequency of {} rad/s", row.omega),
+                     "a frequency above 0");
+  const auto refuse = [&](const char* name, double value, const char* expected) {
+    throw InputError(place, fmt::format("{} = {} N/m", name, value), expected);
+  };
+  if (!(row.storage >= 0)) refuse("storage", row.storage, "a storage stiffness of at least 0");
+  if (!(row.loss >= 0)) refuse("loss", row.loss, "a loss stiffness of at least 0");
+  if (row.storage == 0 && row.loss == 0) refuse("storage = loss", 0, "one of them above 0");
+  if (!errors) return;
+  if (!(row.storage_error > 0)) refuse("storage_error", row.storage_error, "an error above 0");
+  if (!(row.loss_error > 0)) refuse("loss_error", row.loss_error, "an error above 0");
+}
+
+// Rising or falling, whichever the first two rows do.
+void refuse_order(const std::vector<Row>& rows, const Place& place) {
+  if (rows.size() < 2) return;
+  const double before = rows[rows.size() - 2].omega, now = rows.back().omega;
+  const bool rises = rows[1].omega > rows[0].omega;
+  if (now != before && (now > before) == rises) return;
+  throw InputError(place, fmt::format("omega = {} rad/s after {}", now, before),
+                   rises ? "frequencies that go on rising" : "frequencies that go on falling");
+}
+
+}  // namespace
+
+Data parse_data(const std::string& text, const std::string& file) {
+  CsvLines lines(text, file);
+  if (!lines.next()) throw InputError({file}, "an empty table", "a header with " + names());
+  const Columns columns = columns_of(lines);
+  const std::size_t count = lines.cells().size();
+  Data data{file, {}, columns[storage_error].has_value()};
+  while (lines.next()) {
+    data.rows.push_back(
+        row_of(lines.numbers(count, fmt::format("{} numbers, as the header has", count)), columns));
+    refuse_values(data.rows.back(), data.has_errors, lines.place());
+    refuse_order(data.rows, lines.place());
+  }
+  if (data.rows.size() < 2)
+    throw InputError(lines.place(), data.rows.empty() ? "no row of numbers" : "one row of numbers",
+                     "at least two rows");
+  if (data.rows[1].omega < data.rows[0].omega) std::reverse(data.rows.begin(), data.rows.end());
+  return data;
+}
+
+Data read_data(const std::string& file) { return parse_data(read_file(file), file); }
+
+}  // namespace vcrit::fit

@@ -1,0 +1,117 @@
+#include "fit/scene_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <numbers>
+
+#include "base/numbers.hpp"
+#include "base/units.hpp"
+
+namespace vcrit::fit {
+
+namespace {
+
+// Ten digits: rounding far below what the search settles to.
+std::string digits(double value) { return fmt::format("{:.10g}", value); }
+
+std::string list(const std::vector<FittedBranch>& branches, Uncertain FittedBranch::*number) {
+  std::string text;
+  for (const FittedBranch& branch : branches)
+    text += (text.empty() ? "" : ", ") + digits((branch.*number).value);
+  return "[" + text + "]";
+}
+
+// A basic string of TOML.
+std::string quoted(const std::string& text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') result += '\\';
+    result += std::iscntrl(static_cast<unsigned char>(c)) != 0 ? ' ' : c;
+  }
+  return result + "\"";
+}
+
+// Of one line, for a comment.
+std::string plain(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(),
+      [](char c) { return std::iscntrl(static_cast<unsigned char>(c)) != 0; }, ' ');
+  return text;
+}
+
+struct Line {
+  const char* key;
+  const std::string& value;
+  Dimension dimension;
+  const char* example;  ///< with what it means
+};
+
+// A bare number stays one; anything else is a text with a unit.
+std::string given(const Line& line) {
+  if (line.value.empty()) return fmt::format("# {} = {}\n", line.key, line.example);
+  parse_quantity(line.value, line.dimension, {fmt::format("--{}", line.key)});
+  return fmt::format("{} = {}\n", line.key, quoted(line.value));
+}
+
+std::string network(const Fit& fit) {
+  std::string text = fit.branches.empty() ? "k0" : "prony(k0, k, tau)";
+  if (fit.damper) text += " | c0";
+  return text;
+}
+
+std::string contact(const Fit& fit, const Rest& rest) {
+  std::string text = fmt::format("[contact]\nnormal  = \"{}\"\n", network(fit));
+  if (rest.poisson.empty())
+    return text +
+           "poisson = \"nu\"  # a symbol: put Poisson's ratio here, or a tangential network\n";
+  parse_quantity(rest.poisson, Dimension::none, {"--poisson"});
+  return text + fmt::format("poisson = {}\n", quoted(rest.poisson));
+}
+
+std::string elements(const Fit& fit) {
+  std::string text = "[elements]  # N/m";
+  if (!fit.branches.empty()) text += ", s";
+  if (fit.damper) text += ", N s/m";
+  text += "\n";
+  text += fit.equilibrium
+              ? fmt::format("k0  = {}\n", digits(fit.equilibrium->value))
+              : "k0  = 0  # the data need no equilibrium spring: without one this contact carries "
+                "no static load\n";
+  if (fit.damper) text += fmt::format("c0  = {}\n", digits(fit.damper->value));
+  if (fit.branches.empty()) return text;
+  return text + fmt::format("k   = {}\ntau = {}\n", list(fit.branches, &FittedBranch::stiffness),
+                            list(fit.branches, &FittedBranch::time));
+}
+
+std::string origin(const Fit& fit, const Data& data) {
+  constexpr double hertz = 2 * std::numbers::pi;
+  return fmt::format(
+      "# Prony series with {} branch{}, fitted by `vcrit fit` to {} frequencies of {}, {:.4g} to "
+      "{:.4g} Hz,\n# with a root mean square misfit of {:.2g} %. It says little beyond these "
+      "frequencies.\n",
+      fit.branches.size(), fit.branches.size() == 1 ? "" : "es", data.rows.size(),
+      plain(std::filesystem::path(data.file).filename().string()), data.rows.front().omega / hertz,
+      data.rows.back().omega / hertz, 100 * fit.rms_relative);
+}
+
+}  // namespace
+
+std::string scene_text(const Fit& fit, const Data& data, const Rest& rest) {
+  const std::string title =
+      rest.title.empty()
+          ? "Contact fitted to " + std::filesystem::path(data.file).filename().string()
+          : rest.title;
+  return origin(fit, data) + "title = " + quoted(title) + "\n\n" + contact(fit, rest) +
+         "\n[oscillation]\n" +
+         given({"frequency", rest.frequency, Dimension::frequency, "\"20 kHz\""}) +
+         given({"amplitude", rest.amplitude, Dimension::length, "\"0.1 um\""}) +
+         given({"indentation", rest.indentation, Dimension::length,
+                "\"0.5 um\"  # the mean; the contact stays closed for smaller amplitudes only"}) +
+         "\n[friction]\n" + given({"coefficient", rest.coefficient, Dimension::none, "0.3"}) +
+         "\n" + elements(fit);
+}
+
+}  // namespace vcrit::fit

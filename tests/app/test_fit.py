@@ -1,0 +1,182 @@
+"""vcrit fit as a user meets it: a table in, a scene and a page out, and nothing written for a bad table."""
+
+import cmath
+import json
+import math
+import random
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+PROGRAM = str(Path(sys.argv.pop(1)).resolve())
+K0, BRANCHES = 2e6, [(1e6, 1e-5), (3e6, 1e-3), (5e5, 2e-2)]
+
+
+def stiffness(omega):
+    return K0 + sum(k * 1j * omega * tau / (1 + 1j * omega * tau) for k, tau in BRANCHES)
+
+
+def spring_pot(omega):
+    return 1e5 * cmath.exp(0.4 * cmath.log(1j * omega))
+
+
+def table(model, noise=0.0, errors=False, rows=60, first=0.1, last=1e6):
+    """Hz and N/um, each component off by a relative normal deviate."""
+    draw = random.Random(11)
+    text = "frequency [Hz],storage [N/um],loss [N/um]" + (",storage_error [N/um],loss_error [N/um]" if errors else "")
+    for i in range(rows):
+        frequency = first * (last / first) ** (i / (rows - 1))
+        k = model(2 * math.pi * frequency) / 1e6
+        cells = [frequency, k.real * (1 + noise * draw.gauss(0, 1)), k.imag * (1 + noise * draw.gauss(0, 1))]
+        text += "\n" + ",".join(map(repr, cells + ([noise * k.real, noise * k.imag] if errors else [])))
+    return text + "\n"
+
+
+class Fit(unittest.TestCase):
+    def setUp(self):
+        self.folder = Path(tempfile.mkdtemp(prefix="vcrit-test-"))
+        self.addCleanup(shutil.rmtree, self.folder)
+
+    def run_program(self, *arguments):
+        return subprocess.run([PROGRAM, *map(str, arguments)], cwd=self.folder, capture_output=True, text=True,
+                              timeout=120)
+
+    def fit(self, text, *arguments):
+        (self.folder / "data.csv").write_text(text)
+        result = self.run_program("fit", "data.csv", "--out", "out/scene.toml", "--json", *arguments)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        return json.loads(result.stdout)
+
+    def test_exact_data_give_the_series_back(self):
+        result = self.fit(table(stiffness))
+        self.assertEqual(
+            list(result),
+            ["scene", "page", "rows", "equilibrium", "equilibrium_error", "branches", "rms_relative_misfit",
+             "degrees_of_freedom", "noise", "exhausted", "words"])
+        self.assertEqual((result["scene"], result["page"], result["rows"]), ("out/scene.toml", "out/scene.html", 60))
+        found = [result["equilibrium"]] + [b[key] for key in ("stiffness", "time") for b in result["branches"]]
+        truth = [K0] + [k for k, _ in BRANCHES] + [tau for _, tau in BRANCHES]
+        self.assertEqual(len(found), len(truth))
+        for a, b in zip(found, truth):
+            self.assertAlmostEqual(a / b, 1, delta=1e-9)  # the search settles to 1e-11; a hundredfold
+
+    def test_noise_is_measured_and_the_numbers_are_within_their_errors(self):
+        result = self.fit(table(stiffness, 0.01))
+        self.assertEqual(len(result["branches"]), 3)
+        # 113 degrees of freedom: the estimate scatters by 6.7 %; four times that.
+        self.assertAlmostEqual(result["noise"] / 0.01, 1, delta=0.27)
+        for branch, (k, tau) in zip(result["branches"], BRANCHES):
+            # Five standard deviations; none may be larger than 5 % either.
+            self.assertLess(abs(branch["stiffness"] - k), 5 * branch["stiffness_error"])
+            self.assertLess(abs(branch["time"] - tau), 5 * branch["time_error"])
+            self.assertLess(branch["stiffness_error"], 0.05 * k)
+
+    def test_given_errors_bring_chi_squared(self):
+        result = self.fit(table(stiffness, 0.01, errors=True))
+        self.assertNotIn("noise", result)
+        self.assertEqual(result["degrees_of_freedom"], 113)
+        # Mean 113, deviation 15: four of them.
+        self.assertAlmostEqual(result["chi_squared"], 113, delta=60)
+
+    def test_a_spring_pot_over_eight_decades_is_fitted_to_the_noise(self):
+        result = self.fit(table(spring_pot, 0.01, rows=81, first=0.01))
+        self.assertFalse(result["exhausted"])
+        self.assertAlmostEqual(result["noise"] / 0.01, 1, delta=0.3)
+        self.assertAlmostEqual(result["rms_relative_misfit"] / 0.01, 1, delta=0.3)
+
+    def test_the_scene_is_one_for_the_other_commands(self):
+        self.fit(table(stiffness, 0.01))
+        for command in [["derive", "out/scene.toml"], ["generate", "out/scene.toml", "--out", "lib"]]:
+            result = self.run_program(*command)
+            self.assertEqual((result.returncode, result.stderr), (0, ""), command)
+        missing = self.run_program("eval", "out/scene.toml")
+        self.assertEqual(missing.returncode, 2)
+        for symbol in ["nu", "omega", "du_z", "u_z0", "mu0"]:
+            self.assertIn(symbol, missing.stderr)
+        text = (self.folder / "out/scene.toml").read_text()
+        self.assertNotIn("[body]", text)
+        self.assertNotIn("[drive]", text)
+
+    def test_what_is_given_makes_it_complete(self):
+        self.fit(table(stiffness), "--frequency", "20 kHz", "--amplitude", "0.1 um", "--indentation", "0.5 um",
+                 "--coefficient", "0.3", "--poisson", "0.4", "--title", "Pad")
+        result = self.run_program("eval", "out/scene.toml", "--json")
+        # Rigid drive, isotropic contact: v* = mu0 omega du_z (2 - nu)/(2 - 2 nu).
+        expected = 0.3 * 2 * math.pi * 20e3 * 1e-7 * 1.6 / 1.2
+        self.assertAlmostEqual(json.loads(result.stdout)["critical_velocity"] / expected, 1, delta=1e-14)
+
+    def test_the_page_shows_data_fit_and_residuals_and_needs_nothing_else(self):
+        self.fit(table(stiffness, 0.01))
+        page = (self.folder / "out/scene.html").read_text()
+        charts = [json.loads(part.split("</script>")[0])
+                  for part in page.split('<script type="application/json">')[1:]]
+        self.assertEqual(len(charts), 3)
+        drawn = [layer["data"]["values"] for layer in charts[0]["layer"]]
+        self.assertEqual([len(values) for values in drawn], [301, 301, 60, 60])
+        # The drawn line is the model within what 1 % of noise leaves of it.
+        for value in drawn[0]:
+            self.assertAlmostEqual(value["y"] / stiffness(2 * math.pi * value["x"]).real, 1, delta=0.01)
+        residuals = [row["y"] for layer in charts[1]["layer"][:2] for row in layer["data"]["values"]]
+        self.assertEqual(len(residuals), 120)
+        # In per cent, of 1 % noise: the mean square is 1 less 7 of 120 parameters, scattering by 13 %.
+        self.assertAlmostEqual(sum(r * r for r in residuals) / 120, 113 / 120, delta=0.52)
+        self.assertIn("Content-Security-Policy", page)
+        self.assertNotIn('src="http', page)
+
+    @unittest.skipUnless(shutil.which("gnuplot"), "no gnuplot")
+    def test_figures_are_files_too(self):
+        self.fit(table(stiffness, 0.01), "--figures", "figures")
+        self.assertEqual(
+            sorted(path.name for path in (self.folder / "figures").iterdir()),
+            sorted(f"{name}.{ending}" for name in ["branches", "residuals", "stiffness"] for ending in ["gp", "pdf", "svg"]))
+
+    def test_the_terminal_says_what_was_found(self):
+        (self.folder / "d.csv").write_text(table(stiffness))
+        result = self.run_program("fit", "d.csv", "--out", "s.toml")
+        self.assertEqual(result.stdout.splitlines()[0], "3 branches and an equilibrium spring")
+        self.assertEqual(result.stdout.splitlines()[-2:], ["s.toml", "s.html"])
+        self.assertIn("k    3e+06", result.stdout)
+
+    # Storage that swings up and down is no network's.
+    def test_data_that_no_series_comes_near_are_called_so(self):
+        result = self.fit(table(lambda omega: 1e6 * complex(2 + math.cos(5 * math.log(omega)), 0.01)))
+        self.assertIn("no series of springs and dampers comes near these data", result["words"])
+        self.assertNotIn("comes near", str(self.fit(table(stiffness, 0.01))["words"]))
+
+    def test_a_bad_table_is_one_message_with_file_and_line_and_nothing_is_written(self):
+        head = "frequency,storage,loss\n"
+        for text, line, words in [
+            ("frequency,storage\n1,2\n", 1, "no column loss"),
+            (head + "1,2,1\n2,-2,1\n", 3, "storage = -2 N/m"),
+            (head + "1,2,1\n3,2,1\n2,2,1\n", 4, "go on rising"),
+            (head + "1,2,nan\n2,2,1\n", 2, "\"nan\""),
+            (head + "1,2,1\n", 2, "one row of numbers"),
+        ]:
+            with self.subTest(words=words):
+                (self.folder / "bad.csv").write_text(text)
+                result = self.run_program("fit", "bad.csv", "--out", "out/s.toml")
+                self.assertEqual((result.returncode, result.stdout), (2, ""))
+                self.assertEqual(len(result.stderr.splitlines()), 1)
+                self.assertTrue(result.stderr.startswith(f"vcrit: bad.csv:{line}: "), result.stderr)
+                self.assertIn(words, result.stderr)
+                self.assertFalse((self.folder / "out").exists())
+
+    def test_wrong_options_write_nothing(self):
+        (self.folder / "d.csv").write_text(table(stiffness))
+        for arguments, words in [
+            (["--out", "o/s.txt"], ".toml"), (["--out", "o/s.toml", "--max-branches", "0"], "at least 1"),
+            (["--out", "o/s.toml", "--frequency", "1 mm"], "--frequency"), ([], "--out"),
+            (["--out", "o/s.toml", "--amplitude", "-1 um"], "amplitude"),
+        ]:
+            with self.subTest(arguments=arguments):
+                result = self.run_program("fit", "d.csv", *arguments)
+                self.assertEqual(result.returncode, 2)
+                self.assertIn(words, result.stderr)
+                self.assertFalse((self.folder / "o").exists())
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,40 @@
+// Lines of a table: blanks, line ends and places.
+#include "base/csv.hpp"
+
+#include <boost/test/unit_test.hpp>
+
+using namespace vcrit;
+
+namespace {
+
+std::string message(const std::string& line, std::size_t count) {
+  CsvLines lines(line, "t.csv");
+  lines.next();
+  try {
+    lines.numbers(count, "two numbers");
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "numbers";
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(lines_know_their_places_and_empty_ones_are_passed) {
+  CsvLines lines("\xEF\xBB\xBFname, b c ,\"d\"\r\n\r\n \t\n 1 ,-2e3\t,+3", "t.csv");
+  BOOST_TEST_REQUIRE(lines.next());
+  BOOST_TEST((lines.cells() == std::vector<std::string>{"name", "b c", "\"d\""}));
+  BOOST_TEST(lines.place().line == 1);
+  BOOST_TEST_REQUIRE(lines.next());
+  BOOST_TEST(lines.place().line == 4);
+  BOOST_TEST((lines.numbers(3, "three") == std::vector<double>{1, -2000, 3}));
+  BOOST_TEST(!lines.next());
+}
+
+BOOST_AUTO_TEST_CASE(what_is_no_number_is_named) {
+  BOOST_TEST(message("1,2", 2) == "numbers");
+  BOOST_TEST(message("1,", 2) == "t.csv:1: found \"\"; expected a finite number");
+  BOOST_TEST(message("1,2 3", 2) == "t.csv:1: found \"2 3\"; expected a finite number");
+  BOOST_TEST(message("1,inf", 2) == "t.csv:1: found \"inf\"; expected a finite number");
+  BOOST_TEST(message("1,2,3", 2) == "t.csv:1: found \"1,2,3\"; expected two numbers");
+}

@@ -1,0 +1,71 @@
+// Bounds on amplitude and frequency against the paper's (52) for a Kelvin contact, and against the
+// scene reader's own admissibility on both sides.
+#include "design/opening.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <numbers>
+
+#include "critical/admissibility.hpp"
+
+namespace {
+
+using namespace vcrit;
+using design::NormalContact;
+
+Scene scene(const std::string& name) { return read_scene(VCRIT_SCENES "/" + name); }
+
+// Kelvin: |K_n|/k_n = sqrt(1 + (omega c/k)^2), so D sqrt(1 + delta^2) < 1 (52).
+BOOST_AUTO_TEST_CASE(a_kelvin_contact_opens_where_the_paper_says) {
+  const NormalContact contact(scene("kelvin.toml"));  // kn 10 N/um, cn 20 N s/m, u_z0 0.3 um
+  const double omega = 2 * std::numbers::pi * 20e3, delta = omega * 20 / 10e6;
+  // A handful of roundings each way.
+  BOOST_TEST(std::abs(contact.largest_amplitude(omega) * std::sqrt(1 + delta * delta) / 0.3e-6 -
+                      1) < 1e-14);
+  // 0.1 um of 0.3 um: sqrt(1 + delta^2) = 3, omega = sqrt(8) k/c.
+  const auto most = contact.largest_angular_frequency(0.1e-6);
+  BOOST_TEST_REQUIRE(most.has_value());
+  BOOST_TEST(std::abs(*most / (std::sqrt(8.0) * 10e6 / 20) - 1) < 1e-14);
+}
+
+BOOST_AUTO_TEST_CASE(both_bounds_part_admissible_scenes_from_others) {
+  for (const char* name : {"kelvin.toml", "zener.toml", "prony.toml", "bridge.toml"}) {
+    const Scene given = scene(name);
+    const NormalContact contact(given);
+    const double most = contact.largest_amplitude(*given.angular_frequency.value);
+    BOOST_TEST(inadmissible_reasons(design::with_amplitude(given, most * (1 - 1e-12))).empty());
+    BOOST_TEST(!inadmissible_reasons(design::with_amplitude(given, most * (1 + 1e-12))).empty());
+    if (const auto bound = contact.largest_angular_frequency(*given.amplitude.value)) {
+      // |K_n| may change slowly with omega, so that its rounding moves the bound: 1e-9 leaves room.
+      const auto at = [&](double part) {
+        return inadmissible_reasons(design::with_angular_frequency(given, *bound * part)).empty();
+      };
+      BOOST_TEST(at(1 - 1e-9));
+      BOOST_TEST(!at(1 + 1e-9));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(springs_that_end_the_rise_leave_no_bound) {
+  // zener.toml at most stiffens from 8 to 12 N/um: 0.1 um against 0.5 um never opens it, 0.4 um
+  // does.
+  const NormalContact contact(scene("zener.toml"));
+  BOOST_TEST(!contact.largest_angular_frequency(0.1e-6).has_value());
+  BOOST_TEST(contact.largest_angular_frequency(0.4e-6).has_value());
+  BOOST_CHECK_THROW(contact.largest_angular_frequency(0.5e-6), ModelError);
+}
+
+BOOST_AUTO_TEST_CASE(a_contact_without_load_is_outside_the_model) {
+  const auto with = [](const char* elements) {
+    return parse_scene(std::string("[contact]\nnormal = \"k1 - c1\"\ntangential_ratio = 0.8\n"
+                                   "[oscillation]\nfrequency = 1\n") +
+                           elements,
+                       "s.toml");
+  };
+  BOOST_CHECK_THROW(NormalContact(with("indentation = 1\n[friction]\ncoefficient = 0.3\n"
+                                       "[elements]\nk1 = 1\nc1 = 1\n")),
+                    ModelError);
+  BOOST_CHECK_THROW(NormalContact(with("[elements]\nk1 = 1\n")), InputError);
+}
+
+}  // namespace

@@ -1,0 +1,105 @@
+// Tables of measured stiffness: headers with units, and one clear message for what is wrong.
+#include "fit/data.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <numbers>
+
+#include "base/errors.hpp"
+
+using namespace vcrit;
+using fit::Data;
+using fit::parse_data;
+
+namespace {
+
+std::string message(const std::string& text) {
+  try {
+    parse_data(text, "d.csv");
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "data";
+}
+
+// A few roundings of the unit's factor and of 2 pi.
+bool close(double a, double b) { return std::abs(a / b - 1) < 1e-15 * 4; }
+
+constexpr const char* header = "frequency,storage,loss\n";
+constexpr const char* columns =
+    "; expected the columns frequency, angular_frequency, storage, loss, storage_error, loss_error";
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(units_stand_in_the_header) {
+  const Data data = parse_data(
+      "Loss [N/mm], \"Frequency (kHz)\" ,storage (MN/m),Loss Error [N/mm],storage_error\n"
+      "2,1,3,0.5,7\n4,2,5,0.25,8\n",
+      "d.csv");
+  BOOST_TEST_REQUIRE(data.rows.size() == 2U);
+  BOOST_TEST(data.has_errors);
+  BOOST_TEST(close(data.rows[0].omega, 2000 * std::numbers::pi));
+  BOOST_TEST(close(data.rows[0].loss, 2000));
+  BOOST_TEST(close(data.rows[0].storage, 3e6));
+  BOOST_TEST(close(data.rows[1].loss_error, 250));
+  BOOST_TEST(data.rows[1].storage_error == 8);
+}
+
+BOOST_AUTO_TEST_CASE(bare_numbers_are_si_and_frequencies_may_fall) {
+  const Data data = parse_data("angular_frequency,storage,loss\n30,3,0\n20,2,1\n10,0,2\n", "d.csv");
+  BOOST_TEST(!data.has_errors);
+  BOOST_TEST(data.rows[0].omega == 10);
+  BOOST_TEST(data.rows[0].storage == 0);
+  BOOST_TEST(data.rows[2].omega == 30);
+  BOOST_TEST(data.rows[2].loss == 0);
+  BOOST_TEST(
+      parse_data("angular_frequency (rad/s),storage,loss\n1,1,1\n2,2,2\n", "d").rows[1].omega == 2);
+}
+
+BOOST_AUTO_TEST_CASE(wrong_headers) {
+  BOOST_TEST(message("") ==
+             "d.csv: found an empty table; expected a header with frequency, angular_frequency, "
+             "storage, loss, storage_error, loss_error");
+  BOOST_TEST(message("frequency,storage\n1,2\n") ==
+             std::string("d.csv:1: found no column loss") + columns);
+  BOOST_TEST(message("storage,loss\n1,2\n") ==
+             std::string("d.csv:1: found no column frequency or angular_frequency") + columns);
+  BOOST_TEST(message("1,2,3\n4,5,6\n") == std::string("d.csv:1: found a column \"1\"") + columns);
+  BOOST_TEST(message("frequency,angular_frequency,storage,loss\n") ==
+             "d.csv:1: found frequency and angular_frequency; expected one of the two");
+  BOOST_TEST(message("frequency,loss,storage,loss\n") ==
+             "d.csv:1: found two columns loss; expected one of each");
+  BOOST_TEST(message("frequency,storage,loss,loss_error\n") ==
+             "d.csv:1: found one of storage_error and loss_error; expected both or none");
+  BOOST_TEST(message("frequency (rad/s),storage,loss\n").starts_with("d.csv:1: found \"1 rad/s\""));
+  BOOST_TEST(message("frequency,storage [Pa],loss\n").starts_with("d.csv:1: found \"1 Pa\""));
+  BOOST_TEST(message("frequency,storage [N/m,loss\n") ==
+             "d.csv:1: found \"storage [N/m\"; expected a name and its unit: \"storage [N/um]\"");
+}
+
+BOOST_AUTO_TEST_CASE(wrong_rows) {
+  const auto with = [](const std::string& rows) { return message(header + rows); };
+  BOOST_TEST(with("") == "d.csv:1: found no row of numbers; expected at least two rows");
+  BOOST_TEST(with("1,2,3\n") == "d.csv:2: found one row of numbers; expected at least two rows");
+  BOOST_TEST(with("1,2,3\n2,nan,3\n") == "d.csv:3: found \"nan\"; expected a finite number");
+  BOOST_TEST(with("1,2,3\n2,,3\n") == "d.csv:3: found \"\"; expected a finite number");
+  BOOST_TEST(with("1,2,3\n2,3\n") ==
+             "d.csv:3: found \"2,3\"; expected 3 numbers, as the header has");
+  BOOST_TEST(with("0,2,3\n2,2,3\n") ==
+             "d.csv:2: found an angular frequency of 0 rad/s; expected a frequency above 0");
+  BOOST_TEST(with("1,-2,3\n2,2,3\n") ==
+             "d.csv:2: found storage = -2 N/m; expected a storage stiffness of at least 0");
+  BOOST_TEST(with("1,2,3\n2,2,-3\n") ==
+             "d.csv:3: found loss = -3 N/m; expected a loss stiffness of at least 0");
+  BOOST_TEST(with("1,0,0\n2,2,3\n") ==
+             "d.csv:2: found storage = loss = 0 N/m; expected one of them above 0");
+  const auto order = [](const std::string& rows) {
+    return message("angular_frequency,storage,loss\n" + rows);
+  };
+  BOOST_TEST(order("1,2,3\n2,2,3\n2,2,3\n") ==
+             "d.csv:4: found omega = 2 rad/s after 2; expected frequencies that go on rising");
+  BOOST_TEST(order("3,2,3\n2,2,3\n\n4,2,3\n") ==
+             "d.csv:5: found omega = 4 rad/s after 2; expected frequencies that go on falling");
+  BOOST_TEST(message("frequency,storage,loss,storage_error,loss_error\n1,2,3,0,1\n") ==
+             "d.csv:2: found storage_error = 0 N/m; expected an error above 0");
+}

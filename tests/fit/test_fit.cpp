@@ -1,0 +1,228 @@
+// Series recovered from data that the test makes itself, with and without noise.
+#include "fit/fit.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <complex>
+#include <functional>
+#include <numbers>
+#include <random>
+
+#include "base/errors.hpp"
+
+namespace {
+
+using namespace vcrit;
+using fit::Data;
+using fit::Fit;
+using Stiffness = std::function<std::complex<double>(double)>;
+
+using namespace std::complex_literals;
+
+/// Normal deviates by Box and Muller from a seeded engine, the same everywhere.
+class Noise {
+ public:
+  explicit Noise(unsigned seed) : engine_(seed) {}
+  double operator()() {
+    const double u = uniform(), v = uniform();
+    return std::sqrt(-2 * std::log(u)) * std::cos(2 * std::numbers::pi * v);
+  }
+
+ private:
+  double uniform() { return (static_cast<double>(engine_() >> 11) + 0.5) / 9007199254740992.0; }
+  std::mt19937_64 engine_;
+};
+
+// Each component off by a relative `noise`; with `stated` that many times the true errors are
+// given.
+Data measured(const Stiffness& stiffness, double from, double to, int count, double noise,
+              unsigned seed, double stated = 0) {
+  Noise deviate(seed);
+  Data data{"made", {}, stated > 0};
+  for (int i = 0; i < count; ++i) {
+    const double omega = from * std::pow(to / from, static_cast<double>(i) / (count - 1));
+    const std::complex<double> k = stiffness(omega);
+    data.rows.push_back({omega, k.real() * (1 + noise * deviate()),
+                         k.imag() * (1 + noise * deviate()), stated * noise * k.real(),
+                         stated * noise * k.imag()});
+  }
+  return data;
+}
+
+struct Truth {
+  double k0;
+  std::vector<std::pair<double, double>> branches;  // k, tau
+  std::complex<double> operator()(double omega) const {
+    std::complex<double> sum = k0;
+    for (const auto& [k, tau] : branches) sum += k * 1i * omega * tau / (1.0 + 1i * omega * tau);
+    return sum;
+  }
+};
+const Truth three{2e6, {{1e6, 1e-5}, {3e6, 1e-3}, {5e5, 2e-2}}};
+
+std::complex<double> spring_pot(double omega) { return 1e5 * std::pow(1i * omega, 0.4); }
+
+BOOST_AUTO_TEST_CASE(exact_data_give_the_series_back) {
+  const Fit fit = fit::fitted(measured(three, 1, 1e7, 60, 0, 1));
+  BOOST_TEST_REQUIRE(fit.branches.size() == 3U);
+  BOOST_TEST_REQUIRE(fit.equilibrium.has_value());
+  // The search ends where no logarithm moves by 1e-11; a hundredfold for the condition.
+  const auto same = [](double a, double b) { return std::abs(a / b - 1) < 1e-9; };
+  BOOST_TEST(same(fit.equilibrium->value, 2e6));
+  for (std::size_t i = 0; i < 3; ++i) {
+    BOOST_TEST(same(fit.branches[i].stiffness.value, three.branches[i].first));
+    BOOST_TEST(same(fit.branches[i].time.value, three.branches[i].second));
+  }
+  BOOST_TEST(fit.rms_relative < 1e-10);
+}
+
+// Two branches of nearly one time: a factor of two apart, a third of what one branch is wide.
+BOOST_AUTO_TEST_CASE(neighbours_are_told_apart_without_noise) {
+  const Truth pair{1e6, {{1e6, 1e-3}, {1e6, 2e-3}}};
+  const Fit fit = fit::fitted(measured(pair, 1, 1e6, 50, 0, 1));
+  BOOST_TEST_REQUIRE(fit.branches.size() == 2U);
+  BOOST_TEST(std::abs(fit.branches[0].time.value / 1e-3 - 1) < 1e-7);
+  // A tenth apart their loss differs from one branch's by (ln 1.1/2)^2 = 0.2 %: noise of 1 % hides
+  // it.
+  const Truth close{1e6, {{1e6, 1e-3}, {1e6, 1.1e-3}}};
+  BOOST_TEST(fit::fitted(measured(close, 1, 1e6, 50, 0.01, 1)).branches.size() == 1U);
+}
+
+BOOST_AUTO_TEST_CASE(noisy_data_give_as_many_branches_and_honest_errors) {
+  int within_one = 0, within_two = 0, all = 0;
+  for (unsigned seed = 1; seed <= 30; ++seed) {
+    const Fit fit = fit::fitted(measured(three, 1, 1e7, 60, 0.01, seed));
+    BOOST_TEST_CONTEXT("seed " << seed) {
+      BOOST_TEST_REQUIRE(fit.branches.size() == 3U);
+      BOOST_TEST_REQUIRE(fit.equilibrium.has_value());
+      // 120 numbers less 7 parameters: the estimate scatters by 1/sqrt(226) = 6.7 %, and four times
+      // that is never met in 30 draws.
+      BOOST_TEST_REQUIRE(fit.noise.has_value());
+      BOOST_TEST(std::abs(*fit.noise / 0.01 - 1) < 0.27);
+      BOOST_TEST(std::abs(fit.rms_relative / 0.01 - 1) < 0.4);
+      const auto count = [&](const fit::Uncertain& found, double truth) {
+        const double off = std::abs(found.value - truth) / found.error;
+        BOOST_TEST(off < 6);  // one of 210 in 10^6 such tests
+        within_one += off < 1;
+        within_two += off < 2;
+        ++all;
+      };
+      count(*fit.equilibrium, 2e6);
+      for (std::size_t i = 0; i < 3; ++i) {
+        count(fit.branches[i].stiffness, three.branches[i].first);
+        count(fit.branches[i].time, three.branches[i].second);
+      }
+    }
+  }
+  // 68.3 % and 95.4 % of 210, which scatter by 3.2 % and 1.4 % (the seven of one fit go together,
+  // so that it is somewhat more): four times that.
+  BOOST_TEST(std::abs(static_cast<double>(within_one) / all - 0.683) < 0.13);
+  BOOST_TEST(std::abs(static_cast<double>(within_two) / all - 0.954) < 0.06);
+}
+
+BOOST_AUTO_TEST_CASE(given_errors_are_believed_and_judged) {
+  const Fit right = fit::fitted(measured(three, 1, 1e7, 60, 0.01, 3, 1));
+  BOOST_TEST(right.branches.size() == 3U);
+  BOOST_TEST(!right.noise.has_value());
+  BOOST_TEST(right.degrees_of_freedom == 113);
+  // chi-squared has mean 113 and deviation sqrt(226) = 15: four of them.
+  BOOST_TEST(std::abs(right.sum_of_squares - 113) < 60);
+  BOOST_TEST_REQUIRE(right.chance.has_value());
+  BOOST_TEST(*right.chance > 1e-4);
+  // With a third of the errors chi-squared is nine times as large, whatever is fitted.
+  const Fit wrong = fit::fitted(measured(three, 1, 1e7, 60, 0.01, 3, 1.0 / 3));
+  BOOST_TEST(*wrong.chance < 1e-10);
+}
+
+// No finite series is a spring-pot, |K| ~ omega^0.4 over eight decades: the noise says how long a
+// series is.
+BOOST_AUTO_TEST_CASE(a_spring_pot_over_eight_decades_is_fitted_to_the_noise) {
+  std::size_t before = 0;
+  for (const double noise : {0.1, 0.01, 0.001}) {
+    const Fit fit = fit::fitted(measured(spring_pot, 0.1, 1e7, 81, noise, 5));
+    BOOST_TEST_CONTEXT("noise " << noise) {
+      BOOST_TEST(!fit.exhausted);
+      // 162 numbers less some 30: the estimate scatters by 1/sqrt(264) = 6.2 %; four times that,
+      // and what a shorter series may leave without being significant.
+      BOOST_TEST(std::abs(*fit.noise / noise - 1) < 0.3);
+      BOOST_TEST(fit.branches.size() > before);
+      // Between the data and off their ends it is the spring-pot, too, not the noise: some ten
+      // numbers make a branch, so that it is known to a third of the noise; four times that.
+      for (double omega = 1; omega < 1e6; omega *= 1.37) {
+        const std::complex<double> k = spring_pot(omega);
+        BOOST_TEST(std::abs(dynamic_stiffness(fit.series, omega) / k - 1.0) < 4.0 / 3 * noise);
+      }
+    }
+    before = fit.branches.size();
+  }
+}
+
+// As few as the noise allows: all lengths below are worse by more than chance, and one or two more
+// branches are better by no more.
+BOOST_AUTO_TEST_CASE(the_length_is_where_chance_takes_over) {
+  const Fit fit = fit::fitted(measured(spring_pot, 0.1, 1e7, 81, 0.01, 5));
+  const int n = static_cast<int>(fit.branches.size());
+  BOOST_TEST_REQUIRE(fit.trials.size() >= fit.branches.size() + 2);
+  for (const fit::Trial& trial : fit.trials) {
+    if (trial.branches == n) BOOST_TEST(*trial.chance < fit::significance);
+    if (trial.branches > n) BOOST_TEST(*trial.chance >= fit::significance);
+    // Dropping a branch leaves clearly more than the noise: chi-squared of 1 % errors.
+    if (trial.branches == n - 2) BOOST_TEST(trial.sum_of_squares / 1e-4 > 162 + 4 * 18);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(exact_data_that_no_series_matches_stop_at_the_most_branches) {
+  fit::Options options;
+  options.most_branches = 9;
+  const Fit fit = fit::fitted(measured(spring_pot, 0.1, 1e7, 81, 0, 1), options);
+  BOOST_TEST(fit.exhausted);
+  BOOST_TEST(fit.branches.size() == 9U);
+}
+
+BOOST_AUTO_TEST_CASE(terms_that_the_data_do_not_need_are_left_out) {
+  const Truth maxwell{0, {{1e6, 1e-3}}};
+  fit::Options options;
+  options.damper = true;
+  const Fit fluid = fit::fitted(measured(maxwell, 1, 1e6, 60, 0.01, 2), options);
+  BOOST_TEST(fluid.branches.size() == 1U);
+  BOOST_TEST(!fluid.equilibrium.has_value());
+  BOOST_TEST(!fluid.damper.has_value());
+  BOOST_TEST(fluid.series.equilibrium == 0);
+  const auto kelvin = [](double omega) { return 1e6 + 20i * omega; };
+  const Fit damped = fit::fitted(measured(kelvin, 1e3, 1e6, 40, 0.01, 2), options);
+  BOOST_TEST(damped.branches.empty());
+  BOOST_TEST_REQUIRE(damped.damper.has_value());
+  BOOST_TEST(std::abs(damped.damper->value - 20) < 5 * damped.damper->error);
+  BOOST_TEST(damped.damper->error < 0.1);
+  const Fit spring = fit::fitted(measured([](double) { return 7.0 + 0i; }, 1, 100, 5, 0, 1));
+  BOOST_TEST(spring.branches.empty());
+  BOOST_TEST(std::abs(spring.equilibrium->value / 7 - 1) < 1e-12);
+}
+
+BOOST_AUTO_TEST_CASE(the_unit_of_stiffness_and_time_does_not_matter) {
+  for (const double stiffness : {1e-12, 1e12})
+    for (const double time : {1e-9, 1e9}) {
+      const auto scaled = [&](double omega) { return stiffness * three(omega * time); };
+      const Fit fit = fit::fitted(measured(scaled, 1 / time, 1e7 / time, 60, 0.01, 1));
+      BOOST_TEST(fit.branches.size() == 3U);
+      BOOST_TEST(std::abs(fit.equilibrium->value / (2e6 * stiffness) - 1) < 0.02);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(few_rows_are_not_overfitted) {
+  const Fit fit = fit::fitted(measured(three, 10, 1e4, 2, 0.01, 1));
+  BOOST_TEST(fit.degrees_of_freedom >= 1);
+  BOOST_CHECK_THROW(fit::fitted(measured(three, 1, 10, 3, 0, 1), {false, 0}), InputError);
+}
+
+// Chi-squared and F distributions with two degrees of freedom more have closed forms: exp(-x/2),
+// and (after/before)^(nu/2).
+BOOST_AUTO_TEST_CASE(chances_are_those_of_the_closed_forms) {
+  BOOST_TEST(std::abs(fit::chance_of_fall(30, 20, 2, 50, true) / std::exp(-5.0) - 1) < 1e-13);
+  BOOST_TEST(std::abs(fit::chance_of_fall(30, 20, 2, 50, false) / std::pow(2.0 / 3, 25) - 1) <
+             1e-13);
+  BOOST_TEST(fit::chance_of_fall(20, 20, 2, 50, false) == 1);
+  BOOST_TEST(fit::chance_of_fall(20, 21, 2, 50, true) == 1);
+}
+
+}  // namespace

@@ -1,0 +1,137 @@
+#include "report/fit_figures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace vcrit::validation::report {
+
+namespace {
+
+using figures::Figure;
+using figures::Point;
+using figures::Series;
+using figures::Style;
+
+constexpr double turn = 2 * std::numbers::pi;
+constexpr int points_of_line = 300;
+
+enum Colour { storage_colour = 0, loss_colour = 1 };
+
+Series measured(const fit::Data& data, const char* name, double fit::Row::*part, int colour) {
+  Series series{name, Style::circles, {}, colour};
+  for (const fit::Row& row : data.rows) series.points.push_back({row.omega / turn, row.*part, ""});
+  return series;
+}
+
+Series line(const fit::Data& data, const Relaxation& form, const char* name, bool storage) {
+  Series series{name, Style::line, {}, storage ? storage_colour : loss_colour};
+  const double from = data.rows.front().omega, to = data.rows.back().omega;
+  for (int i = 0; i <= points_of_line; ++i) {
+    const double omega = from * std::pow(to / from, static_cast<double>(i) / points_of_line);
+    const std::complex<double> k = dynamic_stiffness(form, omega);
+    series.points.push_back({omega / turn, storage ? k.real() : k.imag(), ""});
+  }
+  return series;
+}
+
+Figure stiffness(const fit::Data& data, const fit::Fit& fit) {
+  Figure figure;
+  figure.name = "stiffness";
+  figure.title = "Storage and loss stiffness, measured and fitted";
+  figure.caption = "Circles: measured. Lines: the series.";
+  figure.x = {"frequency, Hz", true, {}, {}};
+  figure.y = {"stiffness, N/m", true, {}, {}};
+  figure.series = {line(data, fit.series, "storage", true), line(data, fit.series, "loss", false),
+                   measured(data, "storage", &fit::Row::storage, storage_colour),
+                   measured(data, "loss", &fit::Row::loss, loss_colour)};
+  return figure;
+}
+
+// What the fit weighed it by: the given error, else one per cent of the component.
+double unit_of(const fit::Row& row, bool errors, bool storage) {
+  if (errors) return storage ? row.storage_error : row.loss_error;
+  return std::max(storage ? row.storage : row.loss,
+                  fit::least_part * std::hypot(row.storage, row.loss)) /
+         100;
+}
+
+Series left(const fit::Data& data, const fit::Fit& fit, bool storage) {
+  Series series{storage ? "storage" : "loss",
+                storage ? Style::circles : Style::crosses,
+                {},
+                storage ? storage_colour : loss_colour};
+  for (const fit::Row& row : data.rows) {
+    const std::complex<double> difference =
+        std::complex<double>(row.storage, row.loss) - dynamic_stiffness(fit.series, row.omega);
+    const double part = storage ? difference.real() : difference.imag();
+    series.points.push_back({row.omega / turn, part / unit_of(row, data.has_errors, storage), ""});
+  }
+  return series;
+}
+
+Figure residuals(const fit::Data& data, const fit::Fit& fit) {
+  Figure figure;
+  figure.name = "residuals";
+  figure.title = "Residuals";
+  figure.caption =
+      data.has_errors
+          ? "Measured less fitted, in units of the standard deviations that the data give. Two "
+            "thirds of all should lie between -1 and 1, without a pattern."
+          : "Measured less fitted, in per cent of the component itself. A pattern would be "
+            "something that the "
+            "series "
+            "does not have; without one they are noise.";
+  figure.x = {"frequency, Hz", true, {}, {}};
+  figure.y = {data.has_errors ? "residual, standard deviations" : "residual, %", false, {}, {}};
+  figure.series = {left(data, fit, true), left(data, fit, false)};
+  figure.rules = {{0, "", true}};
+  figure.height = 220;
+  return figure;
+}
+
+Figure spectrum(const fit::Data& data, const fit::Fit& fit) {
+  Figure figure;
+  figure.name = "branches";
+  figure.title = "Relaxation spectrum";
+  figure.caption =
+      "Stiffness and relaxation time of each branch, with bars of one standard deviation each way. "
+      "Shaded: the inverse of the measured angular frequencies.";
+  figure.x = {"relaxation time, s", true, {}, {}};
+  figure.y = {"stiffness, N/m", true, {}, {}};
+  Series dots{"", Style::dots, {}, storage_colour};
+  for (const fit::FittedBranch& branch : fit.branches) {
+    const auto& [k, tau] = branch;
+    dots.points.push_back({tau.value, k.value,
+                           fmt::format("k = {:.4g} ± {:.2g} N/m, τ = {:.4g} ± {:.2g} s", k.value,
+                                       k.error, tau.value, tau.error)});
+    const double up = 1 + k.error / k.value, aside = 1 + tau.error / tau.value;
+    figure.series.push_back({"",
+                             Style::line,
+                             {{tau.value, k.value / up, ""}, {tau.value, k.value * up, ""}},
+                             storage_colour});
+    figure.series.push_back({"",
+                             Style::line,
+                             {{tau.value / aside, k.value, ""}, {tau.value * aside, k.value, ""}},
+                             storage_colour});
+  }
+  figure.series.push_back(std::move(dots));
+  const double first = 1 / data.rows.back().omega, last = 1 / data.rows.front().omega;
+  figure.x.range = {std::min(first, fit.branches.front().time.value) / 2,
+                    2 * std::max(last, fit.branches.back().time.value)};
+  figure.bands = {{first, last, "measured"}};
+  figure.height = 260;
+  return figure;
+}
+
+}  // namespace
+
+std::vector<figures::Figure> fit_figures(const fit::Data& data, const fit::Fit& fit) {
+  std::vector<Figure> list{stiffness(data, fit), residuals(data, fit)};
+  if (!fit.branches.empty()) list.push_back(spectrum(data, fit));
+  return list;
+}
+
+}  // namespace vcrit::validation::report
