@@ -52,7 +52,19 @@ const std::map<std::string, std::vector<Example>> command_examples{
        "critical_velocity --out table.csv"},
       {"Friction over the speed",
        "vcrit sweep scenes/kelvin.toml --over velocity_ratio=lin:0.1:1:10 --quantity "
-       "friction_ratio --out friction.csv"}}},
+       "friction_ratio --out friction.csv"},
+      {"A map of a million points for xarray, h5py or MATLAB; mpirun may stand before it, and "
+       "--resume goes on with it after a kill",
+       "vcrit sweep scenes/zener.toml --over \"frequency=log:1 kHz:1 MHz:1000\" --over "
+       "k1=lin:1e6:8e6:1000 --quantity critical_velocity --out map.nc"}}},
+    {"solve",
+     {{"The smallest amplitude that halves friction at a speed",
+       "vcrit solve scenes/zener.toml --for amplitude --friction-ratio 0.5 --velocity \"2 mm/s\""},
+      {"Up to which speed friction is halved",
+       "vcrit solve scenes/zener.toml --for velocity --friction-ratio 0.5"}}},
+    {"fit",
+     {{"A scene from measured storage and loss stiffness",
+       "vcrit fit scenes/measured_pad.csv --out pad.toml"}}},
     {"validate",
      {{"A page for each scene and an index",
        "vcrit validate scenes/elastic.toml scenes/measured_drive.toml --out report"},

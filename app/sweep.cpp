@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <thread>
 
 #include "base/units.hpp"
 #include "commands.hpp"
@@ -85,16 +86,20 @@ void run_on(maps::Ranks& ranks, const Options& options) {
   if (ranks.first()) tell(options, streamed);
 }
 
-// Errors that all ranks meet alike are told by the first one; when one of several fails alone, the
-// others must not wait for it.
+// Long enough for the first rank to meet the same error.
+constexpr std::chrono::seconds turn_of_the_first{2};
+
+// Errors that all ranks meet alike are told by the first one, which ends them all; when another one
+// fails alone, nobody must wait for it.
 void run(const Options& options) {
   maps::Ranks ranks;
   if (ranks.size() == 1) return run_on(ranks, options);
   try {
     run_on(ranks, options);
   } catch (const maps::Ranks::Silent&) {
-    std::_Exit(0);
+    std::this_thread::sleep_for(turn_of_the_first);
   } catch (const std::exception& error) {
+    if (!ranks.first()) std::this_thread::sleep_for(turn_of_the_first);
     fmt::print(stderr, "vcrit: {}\n", error.what());
     ranks.abort(dynamic_cast<const ModelError*>(&error) != nullptr ? 3 : 2);
   }

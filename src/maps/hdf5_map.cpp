@@ -84,6 +84,20 @@ void variable(const Object& file, const SweptQuantity& quantity, const std::vect
   hdf5::put(array, "flag_meanings", text);
 }
 
+void lay_out(const Object& file, const Sweeping& sweeping) {
+  describe(file, sweeping.sweep());
+  std::vector<Object> coordinates;
+  std::vector<hsize_t> size;
+  for (const Axis& axis : sweeping.grid().axes()) {
+    coordinates.push_back(coordinate(file, axis));
+    size.push_back(axis.values.size());
+  }
+  for (const SweptQuantity& quantity : sweeping.sweep().quantities)
+    variable(file, quantity, size, coordinates);
+  const Object group = hdf5::create_group(file, "/progress");
+  hdf5::create_array(file, blocks_done, H5T_STD_U8LE, {sweeping.grid().blocks()});
+}
+
 void to_disk(const fs::path& file) {
   const int descriptor = ::open(file.c_str(), O_RDWR | O_CLOEXEC);
   if (descriptor < 0) return;
@@ -95,6 +109,8 @@ void to_disk(const fs::path& file) {
 
 Hdf5Map::Hdf5Map(const Sweeping& sweeping, const fs::path& file, bool resume, const Ranks& ranks)
     : sweeping_(sweeping), ranks_(ranks), file_(file), part_(part_of(file)) {
+  // HDF5's own clean-up at the end of the program crashes over a file that could not be written.
+  H5dont_atexit();
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   ranks.first_alone([&] {
     if (resume && fs::exists(part_)) return check();
@@ -110,20 +126,8 @@ void Hdf5Map::create() const try {
   std::error_code error;
   if (part_.has_parent_path()) fs::create_directories(part_.parent_path(), error);
   Object file = new_file(part_);
-  describe(file, sweeping_.sweep());
-  std::vector<Object> coordinates;
-  std::vector<hsize_t> size;
-  for (const Axis& axis : sweeping_.grid().axes()) {
-    coordinates.push_back(coordinate(file, axis));
-    size.push_back(axis.values.size());
-  }
-  for (const SweptQuantity& quantity : sweeping_.sweep().quantities)
-    variable(file, quantity, size, coordinates);
-  const Object group = hdf5::create_group(file, "/progress");
-  Object progress =
-      hdf5::create_array(file, blocks_done, H5T_STD_U8LE, {sweeping_.grid().blocks()});
-  progress.close();
-  coordinates.clear();
+  lay_out(file, sweeping_);
+  // The file is closed, and its errors are told, only when nothing in it is open any more.
   file.close();
 } catch (const hdf5::Error& error) {
   std::error_code ignored;

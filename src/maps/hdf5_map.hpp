@@ -28,7 +28,6 @@ class Hdf5Map : public MapFile {
   void create() const;
   void check() const;
   void open();
-  [[noreturn]] void refuse() const;
 
   const Sweeping& sweeping_;
   const Ranks& ranks_;

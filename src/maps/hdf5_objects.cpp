@@ -2,6 +2,8 @@
 
 #include <hdf5_hl.h>
 
+#include <algorithm>
+
 namespace vcrit::hdf5 {
 
 namespace {
@@ -12,9 +14,16 @@ herr_t take_innermost(unsigned, const H5E_error2_t* error, void* text) {
   return 0;
 }
 
+// The system's own words are among much else: "..., error message = 'No space left on device',
+// ...".
 std::string message(const char* function) {
   std::string text;
   H5Ewalk2(H5E_DEFAULT, H5E_WALK_DOWNWARD, take_innermost, &text);
+  const std::string mark = "error message = '";
+  if (const auto begin = text.find(mark); begin != text.npos) {
+    text.erase(0, begin + mark.size());
+    text.erase(std::min(text.find('\''), text.size()));
+  }
   return text.empty() ? std::string("HDF5 failed in ") + function : text;
 }
 

@@ -24,6 +24,7 @@ constexpr std::size_t speeds_at_once = 32;
 
 // So that a block takes about a millisecond with the formula alone, and tens of them else.
 constexpr std::size_t rows_of_formula = 131072, rows_of_scenes = 4096, rows_of_motion = 1024;
+constexpr std::size_t rows_of_columns = 4096;
 
 // Up to so many scenes v* is correctly rounded, the same double as that of a single scene; it takes
 // a fraction of a second.
@@ -83,6 +84,12 @@ void refuse_speeds(const Sweep& sweep, const Grid& grid) {
       throw InputError({"sweep"}, fmt::format("a speed of {}", value), "speeds above 0");
 }
 
+void refuse_repetition(const Sweep& sweep) {
+  for (auto q = sweep.quantities.begin(); q != sweep.quantities.end(); ++q)
+    if (std::find(sweep.quantities.begin(), q, *q) != q)
+      throw InputError({"--quantity"}, column_name(*q) + " twice", "each quantity once");
+}
+
 // Wrong values are found before the first block, however late their rows come.
 void refuse_values(const Sweep& sweep, const Grid& grid) {
   for (const std::size_t a : parameters_of(grid)) {
@@ -104,42 +111,52 @@ class Sweeping::Rows {
         critical_(block_.rows) {
     answer_.block = index;
     for (const SweptQuantity& quantity : sweeping.sweep_.quantities)
-      answer_.values.emplace_back(block_.rows, words(quantity).empty() ? nothing : 0);
+      answer_.values.emplace_back(quantity.kind == Kind::critical_velocity ? 0 : block_.rows,
+                                  words(quantity).empty() ? nothing : 0);
     outside_.resize(block_.rows);
   }
 
   BlockAnswer run() {
     find_critical();
     if (any_of(sweeping_.sweep_, needs_scene)) find_others();
-    for (const bool outside : outside_) answer_.outside += outside ? 1 : 0;
+    for (std::size_t q = 0; q < answer_.values.size(); ++q)
+      if (sweeping_.sweep_.quantities[q].kind == Kind::critical_velocity)
+        answer_.values[q].swap(critical_);
+    answer_.outside = static_cast<std::size_t>(std::count(outside_.begin(), outside_.end(), true));
     return std::move(answer_);
   }
 
  private:
+  // A few thousand rows at a time, whose columns stay in the cache.
   void find_critical() {
-    std::vector<std::vector<double>> columns;
-    for (const std::size_t a : sweeping_.parameters_) columns.push_back(column(a));
-    const std::vector<std::span<const double>> views(columns.begin(), columns.end());
-    sweeping_.critical_(views, critical_);
-    put(Kind::critical_velocity, critical_);
+    std::vector<std::vector<double>> columns(sweeping_.parameters_.size());
+    for (std::size_t begin = 0; begin < block_.rows; begin += rows_of_columns) {
+      const std::size_t rows = std::min(rows_of_columns, block_.rows - begin);
+      for (std::size_t i = 0; i < columns.size(); ++i)
+        fill(columns[i], sweeping_.parameters_[i], begin, rows);
+      const std::vector<std::span<const double>> views(columns.begin(), columns.end());
+      sweeping_.critical_(views, std::span(critical_).subspan(begin, rows));
+    }
     for (std::size_t row = 0; row < block_.rows; ++row)
       if (std::isnan(critical_[row])) note(row, why_no_velocity(row));
   }
 
-  // One value for axes that do not change within the block.
-  std::vector<double> column(std::size_t axis) const {
-    std::vector<double> values(block_.count[axis] == 1 ? 1 : block_.rows);
+  // The values along an axis; one value where it does not change within the block.
+  void fill(std::vector<double>& column, std::size_t axis, std::size_t begin,
+            std::size_t rows) const {
+    column.resize(block_.count[axis] == 1 ? 1 : rows);
     const std::vector<double>& all = grid_.axes()[axis].values;
-    const std::size_t stride = grid_.stride(axis);
-    std::size_t index = block_.start[axis];
-    for (std::size_t row = 0; row < values.size();) {
-      const std::size_t end = std::min(values.size(), row + stride);
-      std::fill(values.begin() + static_cast<std::ptrdiff_t>(row),
-                values.begin() + static_cast<std::ptrdiff_t>(end), all[index]);
-      row = end;
-      if (++index == block_.start[axis] + block_.count[axis]) index = block_.start[axis];
+    const std::size_t stride = grid_.stride(axis), first = block_.start[axis],
+                      end = first + block_.count[axis];
+    std::size_t index = first + begin / stride % block_.count[axis];
+    std::size_t left = stride - begin % stride;  // rows with this value
+    for (std::size_t row = 0; row < column.size();) {
+      const std::size_t next = std::min(column.size(), row + left);
+      std::fill(column.data() + row, column.data() + next, all[index]);
+      row = next;
+      left = stride;
+      if (++index == end) index = first;
     }
-    return values;
   }
 
   std::string why_no_velocity(std::size_t row) {
@@ -231,10 +248,6 @@ class Sweeping::Rows {
     }
   }
 
-  void put(Kind kind, const std::vector<double>& column) {
-    for (std::size_t q = 0; q < answer_.values.size(); ++q)
-      if (sweeping_.sweep_.quantities[q].kind == kind) answer_.values[q] = column;
-  }
   void put(Kind kind, std::size_t row, double value) {
     for (std::size_t q = 0; q < answer_.values.size(); ++q)
       if (sweeping_.sweep_.quantities[q].kind == kind) answer_.values[q][row] = value;
@@ -255,6 +268,7 @@ Sweeping::Sweeping(Sweep sweep)
       parameters_(parameters_of(grid_)),
       critical_(sweep_.scene, names_of(grid_, parameters_), grade_of(grid_)) {
   refuse_settings(sweep_);
+  refuse_repetition(sweep_);
   refuse_speeds(sweep_, grid_);
   refuse_values(sweep_, grid_);
 }

@@ -14,6 +14,7 @@ from pathlib import Path
 
 PROJECT, PROGRAM = Path(sys.argv.pop(1)).resolve(), Path(sys.argv.pop(1)).resolve()
 ELASTIC, KELVIN = str(PROJECT / "scenes/elastic.toml"), str(PROJECT / "scenes/kelvin.toml")
+PAD = str(PROJECT / "scenes/measured_pad.csv")
 CALLS = {
     "derive": [KELVIN],
     "eval": [KELVIN],
@@ -21,6 +22,8 @@ CALLS = {
     "simulate": [KELVIN, "--velocity-ratio", "0.5"],
     "critical": [KELVIN],
     "sweep": [KELVIN, "--over", "velocity_ratio=lin:0.5:1:2", "--quantity", "friction_ratio", "--out", "out.csv"],
+    "solve": [KELVIN, "--for", "velocity", "--friction-ratio", "0.5"],
+    "fit": [PAD, "--out", "pad.toml"],
     "validate": ["--paper", "--out", "out"],
 }
 
@@ -55,13 +58,14 @@ class Json(unittest.TestCase):
 
     def test_every_key_is_in_the_readme(self):
         readme = (PROJECT / "README.md").read_text().split("### JSON")[1]
+        readme += (PROJECT / "docs/design.md").read_text()  # solve and fit
         for command, arguments in CALLS.items():
             for key in self.object(command, *arguments):
                 self.assertIn(f"`{key}`", readme, command)
 
     def test_wrong_input_leaves_standard_output_empty(self):
         for command, arguments in CALLS.items():
-            ended = run(command, *["absent.toml" if word == KELVIN else word for word in arguments], "--json",
+            ended = run(command, *["absent.toml" if word in (KELVIN, PAD) else word for word in arguments], "--json",
                         *(["absent.toml"] if command == "validate" else []), folder=self.folder)
             self.assertEqual((ended.returncode, ended.stdout), (2, ""), command)
 

@@ -169,6 +169,9 @@ BOOST_AUTO_TEST_CASE(rows_outside_the_model_are_told) {
 BOOST_AUTO_TEST_CASE(mistakes_are_named) {
   Sweep sweep = sweep_over("kelvin.toml", {"mass=lin:1:2:2"}, {"friction_ratio"});
   BOOST_TEST(has(message(sweep), "a friction ratio at no speed"));
+  BOOST_TEST(has(message(sweep_over("kelvin.toml", {"mass=lin:1:2:2"},
+                                    {"critical_velocity", "admissible", "critical_velocity"})),
+                 "critical_velocity twice"));
   sweep.velocity = 1;
   sweep.velocity_ratio = 1;
   BOOST_TEST(has(message(sweep), "several speeds"));
