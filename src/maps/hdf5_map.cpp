@@ -105,6 +105,18 @@ void to_disk(const fs::path& file) {
   ::close(descriptor);
 }
 
+// The system would let gigabytes wait and the disk rest until the end.
+constexpr std::size_t bytes_that_wait = 32U << 20U;
+
+void begin_writing_out(const fs::path& file) {
+#ifdef SYNC_FILE_RANGE_WRITE
+  const int descriptor = ::open(file.c_str(), O_RDWR | O_CLOEXEC);
+  if (descriptor < 0) return;
+  ::sync_file_range(descriptor, 0, 0, SYNC_FILE_RANGE_WRITE);
+  ::close(descriptor);
+#endif
+}
+
 }  // namespace
 
 Hdf5Map::Hdf5Map(const Sweeping& sweeping, const fs::path& file, bool resume, const Ranks& ranks)
@@ -161,6 +173,11 @@ void Hdf5Map::write(const BlockAnswer& answer, const std::string&) try {
   const std::vector<hsize_t> count(block.count.begin(), block.count.end());
   for (std::size_t q = 0; q < variables_.size(); ++q)
     hdf5::write_part(variables_[q], start, count, H5T_NATIVE_DOUBLE, answer.values[q].data());
+  waiting_ += block.rows * sizeof(double) * variables_.size();
+  if (waiting_ > bytes_that_wait) {
+    begin_writing_out(part_);
+    waiting_ = 0;
+  }
   const unsigned char one = 1;
   hdf5::write_part(progress_, {answer.block}, {1}, H5T_NATIVE_UINT8, &one);
 } catch (const hdf5::Error& error) {

@@ -35,6 +35,7 @@ class Hdf5Map : public MapFile {
   hdf5::Object opened_, progress_;
   std::vector<hdf5::Object> variables_;
   std::vector<bool> done_;
+  std::size_t waiting_ = 0;  // bytes since the system was last told to write to the disk
 };
 
 }  // namespace vcrit::maps
