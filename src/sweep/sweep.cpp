@@ -130,32 +130,46 @@ class Sweeping::Rows {
   // A few thousand rows at a time, whose columns stay in the cache.
   void find_critical() {
     std::vector<std::vector<double>> columns(sweeping_.parameters_.size());
-    for (std::size_t begin = 0; begin < block_.rows; begin += rows_of_columns) {
-      const std::size_t rows = std::min(rows_of_columns, block_.rows - begin);
+    for (std::size_t begin = 0; begin < block_.rows;) {
+      const std::size_t rows = rows_from(begin);
       for (std::size_t i = 0; i < columns.size(); ++i)
         fill(columns[i], sweeping_.parameters_[i], begin, rows);
       const std::vector<std::span<const double>> views(columns.begin(), columns.end());
       sweeping_.critical_(views, std::span(critical_).subspan(begin, rows));
+      begin += rows;
     }
     for (std::size_t row = 0; row < block_.rows; ++row)
       if (std::isnan(critical_[row])) note(row, why_no_velocity(row));
   }
 
-  // The values along an axis; one value where it does not change within the block.
+  // Where the last axis is long, no more than its rows: all that the other axes decide is the same.
+  std::size_t rows_from(std::size_t begin) const {
+    std::size_t rows = std::min(rows_of_columns, block_.rows - begin);
+    if (grid_.axes().empty()) return rows;
+    const std::size_t last = grid_.axes().size() - 1;
+    if (block_.count[last] >= rows_of_columns / 4)
+      rows = std::min(rows, block_.count[last] - begin % block_.count[last]);
+    return rows;
+  }
+
+  // The values along an axis; one value where it does not change within these rows.
   void fill(std::vector<double>& column, std::size_t axis, std::size_t begin,
             std::size_t rows) const {
-    column.resize(block_.count[axis] == 1 ? 1 : rows);
-    const std::vector<double>& all = grid_.axes()[axis].values;
-    const std::size_t stride = grid_.stride(axis), first = block_.start[axis],
-                      end = first + block_.count[axis];
-    std::size_t index = first + begin / stride % block_.count[axis];
-    std::size_t left = stride - begin % stride;  // rows with this value
+    const double* const values = grid_.axes()[axis].values.data() + block_.start[axis];
+    const std::size_t stride = grid_.stride(axis), count = block_.count[axis];
+    const bool constant = begin / stride == (begin + rows - 1) / stride;
+    column.resize(constant ? 1 : rows);
+    std::size_t index = begin / stride % count;
     for (std::size_t row = 0; row < column.size();) {
-      const std::size_t next = std::min(column.size(), row + left);
-      std::fill(column.data() + row, column.data() + next, all[index]);
-      row = next;
-      left = stride;
-      if (++index == end) index = first;
+      const std::size_t left = stride - (begin + row) % stride;
+      // Neighbours in the file are neighbours along the last axis.
+      const std::size_t run = std::min(column.size() - row, stride == 1 ? count - index : left);
+      if (stride == 1)
+        std::copy_n(values + index, run, column.data() + row);
+      else
+        std::fill_n(column.data() + row, run, values[index]);
+      row += run;
+      index = stride == 1 ? 0 : (index + 1) % count;
     }
   }
 
