@@ -163,6 +163,8 @@ void Hdf5Map::open() try {
   progress_ = hdf5::open_array(opened_, blocks_done);
   for (const unsigned char byte : hdf5::read_bytes(progress_, sweeping_.grid().blocks()))
     done_.push_back(byte != 0);
+  // All ranks count the same blocks as open: nobody may write before everybody has read.
+  ranks_.wait_for_all();
 } catch (const hdf5::Error& error) {
   throw InputError({part_.string()}, error.what(), "the unfinished file of a sweep");
 }
