@@ -102,6 +102,19 @@ std::size_t Ranks::sum(std::size_t value) const {
   return static_cast<std::size_t>(all);
 }
 
+std::string Ranks::first_text(std::string text) const {
+  if (!counter_) return text;
+  const int mine = text.empty() ? size_ : rank_;
+  int from = size_;
+  MPI_Allreduce(&mine, &from, 1, MPI_INT, MPI_MIN, MPI_COMM_WORLD);
+  if (from == size_) return {};
+  auto length = static_cast<int>(text.size());
+  MPI_Bcast(&length, 1, MPI_INT, from, MPI_COMM_WORLD);
+  text.resize(static_cast<std::size_t>(length));
+  MPI_Bcast(text.data(), length, MPI_CHAR, from, MPI_COMM_WORLD);
+  return text;
+}
+
 void Ranks::abort(int status) const {
   if (counter_) MPI_Abort(MPI_COMM_WORLD, status);
 }
@@ -126,6 +139,7 @@ void Ranks::attend() const {}
 void Ranks::first_alone(const std::function<void()>& action) const { action(); }
 void Ranks::wait_for_all() const {}
 std::size_t Ranks::sum(std::size_t value) const { return value; }
+std::string Ranks::first_text(std::string text) const { return text; }
 void Ranks::abort(int) const {}
 void share(const Ranks&, std::int64_t) {}
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <string>
 
 namespace vcrit::maps {
 
@@ -29,6 +30,8 @@ class Ranks {
   void first_alone(const std::function<void()>& action) const;
   void wait_for_all() const;
   std::size_t sum(std::size_t value) const;
+  /// The text of the first rank that has one.
+  std::string first_text(std::string text) const;
   /// Ends all ranks at once, when one of several cannot go on.
   void abort(int status) const;
 

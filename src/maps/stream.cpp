@@ -173,6 +173,7 @@ Streamed stream(const Sweeping& sweeping, const std::filesystem::path& file,
   Streamed result = Run(sweeping, *map, options, ranks).run();
   result.found = ranks.sum(result.found);
   result.outside = ranks.sum(result.outside);
+  result.reason = ranks.first_text(result.reason);
   if (result.outside == result.rows) {
     map->discard();
     throw ModelError(result.reason);

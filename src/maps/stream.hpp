@@ -26,7 +26,7 @@ struct Streamed {
   std::size_t rows = 0;
   std::size_t found = 0;    ///< rows that this run and its ranks found; the others were there
   std::size_t outside = 0;  ///< of them, outside the model
-  std::string reason;       ///< of one of them, on the first rank
+  std::string reason;       ///< of one of them
 };
 
 /// Throws InputError, and ModelError where no row is inside the model (then there is no file).

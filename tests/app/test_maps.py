@@ -22,11 +22,14 @@ import numpy
 import xarray
 
 PROJECT, PROGRAM = Path(sys.argv.pop(1)).resolve(), str(Path(sys.argv.pop(1)).resolve())
+WITH_MPI = sys.argv.pop(1) == "ON"
 ZENER = str(PROJECT / "scenes/zener.toml")
 MPIRUN = shutil.which("mpirun")
 # Some thirty blocks, long enough to be hit.
 FRICTION = [ZENER, "--over", "k1=lin:1e6:9e6:30", "--over", "amplitude=lin:0.01 um:0.6 um:20", "--over",
             "velocity_ratio=lin:0.2:1.2:50", "--quantity", "friction_ratio", "regime"]
+# Some seconds: long enough to be caught in the middle.
+LONGER = [word.replace(":30", ":90").replace(":20", ":40") for word in FRICTION]
 VELOCITY = [ZENER, "--over", "frequency=log:1 kHz:1 MHz:2000", "--over", "k1=lin:1e6:8e6:2500", "--quantity",
             "critical_velocity"]
 
@@ -94,7 +97,7 @@ class Killed(Case):
     def test_what_is_there_can_be_read(self):
         file = self.folder / "map.h5"
         part = Path(f"{file}.part")
-        process = subprocess.Popen([PROGRAM, "sweep", *FRICTION, "--out", str(file)])
+        process = subprocess.Popen([PROGRAM, "sweep", *LONGER, "--out", str(file)])
         done = 0
         while not 0.2 < done < 0.9:
             if part.exists():
@@ -107,7 +110,7 @@ class Killed(Case):
             self.assertIsNone(process.poll(), "the map is too small to be caught in the middle")
         process.kill()
         process.wait()
-        whole = xarray.open_dataset(self.whole(FRICTION, "whole.h5"), engine="netcdf4")
+        whole = xarray.open_dataset(self.whole(LONGER, "whole.h5"), engine="netcdf4")
         partial = xarray.open_dataset(part, engine="netcdf4")
         there = partial.friction_ratio.notnull()
         self.assertGreater(float(there.mean()), 0.1)
@@ -206,11 +209,10 @@ class Array(Case):
 
     def test_progress_is_shown_on_a_terminal_alone(self):
         # A second or two; the line comes after a quarter of one. Without a terminal there are warnings at most.
-        longer = [word.replace(":30", ":90").replace(":20", ":40") for word in FRICTION]
-        stderr = self.done(sweep(*longer, "--out", str(self.folder / "a.h5"))).stderr
+        stderr = self.done(sweep(*LONGER, "--out", str(self.folder / "a.h5"))).stderr
         self.assertEqual([line for line in stderr.splitlines() if not line.startswith("vcrit: warning:")], [])
         controller, terminal = pty.openpty()
-        process = subprocess.Popen([PROGRAM, "sweep", *longer, "--out", str(self.folder / "b.h5")], stderr=terminal)
+        process = subprocess.Popen([PROGRAM, "sweep", *LONGER, "--out", str(self.folder / "b.h5")], stderr=terminal)
         os.close(terminal)
         shown = b""
         while True:
@@ -237,7 +239,16 @@ class Array(Case):
         self.assertLess(large, small + 20_000)
 
 
-@unittest.skipUnless(MPIRUN, "no mpirun")
+@unittest.skipUnless(MPIRUN and not WITH_MPI, "built with MPI")
+class WithoutMpi(Case):
+    def test_several_processes_are_refused(self):
+        result = sweep(*VELOCITY, "--out", str(self.folder / "map.h5"), mpi=2)
+        self.assertEqual(result.returncode, 2, result.stderr)
+        self.assertIn("expected one: this program was built without MPI", result.stderr)
+        self.assertEqual(list(self.folder.iterdir()), [])
+
+
+@unittest.skipUnless(MPIRUN and WITH_MPI, "built without MPI")
 class Processes(Case):
     def test_the_number_of_ranks_does_not_change_a_bit(self):
         for name, arguments in [("friction", FRICTION), ("velocity", VELOCITY)]:
@@ -275,11 +286,11 @@ class Processes(Case):
         return children.read_text().split() if children.exists() else []
 
     def test_a_killed_rank_loses_nothing_that_is_written(self):
-        whole = self.whole(FRICTION, "whole.h5")
+        whole = self.whole(LONGER, "whole.h5")
         file = self.folder / "map.h5"
         environment = os.environ | {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
         process = subprocess.Popen([MPIRUN, "--oversubscribe", "--bind-to", "none", "-n", "4", PROGRAM, "sweep",
-                                    *FRICTION, "--out", str(file)], env=environment, stderr=subprocess.DEVNULL,
+                                    *LONGER, "--out", str(file)], env=environment, stderr=subprocess.DEVNULL,
                                    stdout=subprocess.DEVNULL)
         done = 0
         while done < 0.2:
@@ -295,7 +306,7 @@ class Processes(Case):
             there = opened["friction_ratio"][:] != 0
             self.assertGreaterEqual(there.mean(), 0.15)
             numpy.testing.assert_array_equal(opened["friction_ratio"][:][there], complete["friction_ratio"][:][there])
-        told = json.loads(self.done(sweep(*FRICTION, "--out", str(file), "--resume", "--json", mpi=2)).stdout)
+        told = json.loads(self.done(sweep(*LONGER, "--out", str(file), "--resume", "--json", mpi=2)).stdout)
         self.assertLess(told["rows_found"], told["rows"])
         self.same(file, whole)
 
