@@ -46,6 +46,12 @@ std::string signature(const Sweep& sweep) {
   if (sweep.velocity) text += fmt::format("--velocity {}\n", to_text(*sweep.velocity));
   if (sweep.velocity_ratio)
     text += fmt::format("--velocity-ratio {}\n", to_text(*sweep.velocity_ratio));
+  if (sweep.scene.receptance) {
+    std::vector<double> numbers;
+    for (const Receptance::Row& row : sweep.scene.receptance->rows)
+      numbers.insert(numbers.end(), {row.omega, row.re, row.im});
+    text += fmt::format("receptance, fingerprint {:016x}\n", fingerprint(numbers));
+  }
   return text + sweep.scene.text;
 }
 

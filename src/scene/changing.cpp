@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
-#include <set>
 #include <utility>
 
 #include "base/numbers.hpp"
@@ -26,13 +26,14 @@ bool fits(const ChangingScene::Target& target, double value) {
 
 ChangingScene::ChangingScene(const Scene& scene, std::vector<std::string> names)
     : names_(std::move(names)), scene_(scene) {
-  std::set<Symbol> seen;
+  std::map<Symbol, std::string> seen;
   for (const std::string& name : names_) {
     known_dimension(name, scene_.settable, OverridingValues::place(name));
     targets_.push_back(target(name));
-    if (!seen.insert(targets_.back().symbol).second)
-      throw InputError(OverridingValues::place(name), fmt::format("{} twice", name),
-                       "each quantity once");
+    const auto [other, is_new] = seen.emplace(targets_.back().symbol, name);
+    if (!is_new)
+      throw InputError(OverridingValues::place(name),
+                       fmt::format("{} as well as {}", name, other->second), "one of the two");
     std::erase_if(scene_.settings, [&](const auto& setting) {
       return target(setting.first).symbol == targets_.back().symbol;
     });

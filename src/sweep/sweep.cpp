@@ -24,6 +24,7 @@ constexpr std::size_t speeds_at_once = 32;
 
 // So that a block takes about a millisecond with the formula alone, and tens of them else.
 constexpr std::size_t rows_of_formula = 131072, rows_of_scenes = 4096, rows_of_motion = 1024;
+// Rows whose columns stay in the cache while the formula runs over them.
 constexpr std::size_t rows_of_columns = 4096;
 
 // Up to so many scenes v* is correctly rounded, the same double as that of a single scene; it takes
@@ -127,7 +128,6 @@ class Sweeping::Rows {
   }
 
  private:
-  // A few thousand rows at a time, whose columns stay in the cache.
   void find_critical() {
     std::vector<std::vector<double>> columns(sweeping_.parameters_.size());
     for (std::size_t begin = 0; begin < block_.rows;) {
@@ -200,8 +200,8 @@ class Sweeping::Rows {
     const std::optional<std::size_t> axis = grid_.speed();
     const std::size_t between = axis ? grid_.stride(*axis) : 1;
     const std::size_t speeds = axis ? block_.count[*axis] : 1;
-    const bool inside = between <= block_.rows;
-    const std::size_t stride = inside ? between : 1;
+    // Before the block's own axes, the speed is one and the same for all of its rows.
+    const std::size_t stride = between <= block_.rows ? between : 1;
     for (std::size_t row = 0; row < block_.rows; row += speeds * stride)
       for (std::size_t i = 0; i < stride; ++i) find_scene(row + i, speeds, stride);
   }

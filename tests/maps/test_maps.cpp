@@ -193,6 +193,15 @@ BOOST_AUTO_TEST_CASE(another_sweep_is_refused) {
   }
 }
 
+// The table of a measured drive is no part of the scene's text.
+BOOST_AUTO_TEST_CASE(another_receptance_is_another_sweep) {
+  const Sweep sweep =
+      sweep_over({"frequency=lin:16 kHz:26 kHz:9"}, {"critical_velocity"}, "measured_drive.toml");
+  Sweep other = sweep;
+  other.scene.receptance->rows[3].im *= 1.01;
+  BOOST_TEST(maps::signature(other) != maps::signature(sweep));
+}
+
 BOOST_AUTO_TEST_CASE(mistakes_are_named_and_leave_nothing) {
   const test::PrivateFolder folder;
   const Sweep sweep = sweep_over({"k1=lin:1e6:9e6:20"}, {"critical_velocity"});

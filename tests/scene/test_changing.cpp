@@ -55,7 +55,7 @@ std::string refused(const std::vector<std::string>& names, const std::vector<dou
 BOOST_AUTO_TEST_CASE(what_reading_refuses_is_refused) {
   BOOST_TEST(refused({"k8"}, {1}).find("\"k8\", which this scene does not have") !=
              std::string::npos);
-  BOOST_TEST(refused({"mu0", "coefficient"}, {1, 1}).find("each quantity once") !=
+  BOOST_TEST(refused({"mu0", "coefficient"}, {1, 1}).find("coefficient as well as mu0") !=
              std::string::npos);
   BOOST_TEST(refused({"frequency"}, {0}).find("a finite value above 0") != std::string::npos);
   BOOST_TEST(refused({"poisson"}, {0.6}).find("up to 0.5") != std::string::npos);

@@ -194,7 +194,7 @@ BOOST_AUTO_TEST_CASE(mistakes_are_named) {
           "a second axis of speeds"));
   BOOST_TEST(has(message(sweep_over("kelvin.toml", {"amplitude=lin:1:2:2", "du_z=lin:1:2:2"},
                                     {"critical_velocity"})),
-                 "du_z twice"));
+                 "du_z as well as amplitude"));
 }
 
 }  // namespace

@@ -81,9 +81,8 @@ Figure residuals(const fit::Data& data, const fit::Fit& fit) {
           ? "Measured less fitted, in units of the standard deviations that the data give. Two "
             "thirds of all should lie between -1 and 1, without a pattern."
           : "Measured less fitted, in per cent of the component itself. A pattern would be "
-            "something that the "
-            "series "
-            "does not have; without one they are noise.";
+            "something that "
+            "the series does not have; without one they are noise.";
   figure.x = {"frequency, Hz", true, {}, {}};
   figure.y = {data.has_errors ? "residual, standard deviations" : "residual, %", false, {}, {}};
   figure.series = {left(data, fit, true), left(data, fit, false)};
