@@ -78,7 +78,12 @@ void CsvMap::begin() {
   if (fs::exists(part_))
     throw InputError({part_.string()}, "an unfinished sweep",
                      "--resume to go on with it, or that you remove it");
-  write_file(sweep_file_, signature(sweeping_.sweep()));
+  std::error_code error;
+  if (part_.has_parent_path()) fs::create_directories(part_.parent_path(), error);
+  // Whole before the part is there: whatever has that name can be gone on with.
+  out_.open(sweep_file_, std::ios::binary);
+  append(signature(sweeping_.sweep()));
+  out_.close();
   out_.open(part_, std::ios::binary);
   append(csv_header(sweeping_.sweep()));
 }

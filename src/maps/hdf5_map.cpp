@@ -40,7 +40,7 @@ Object new_file(const fs::path& file) {
       H5Pset_link_creation_order(creation.id(), H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED),
       "H5Pset_link_creation_order");
   hdf5::checked(H5Pset_obj_track_times(creation.id(), false), "H5Pset_obj_track_times");
-  return {H5Fcreate(file.c_str(), H5F_ACC_EXCL, creation.id(), access(nullptr).id()), H5Fclose,
+  return {H5Fcreate(file.c_str(), H5F_ACC_TRUNC, creation.id(), access(nullptr).id()), H5Fclose,
           "H5Fcreate"};
 }
 
@@ -134,17 +134,27 @@ Hdf5Map::Hdf5Map(const Sweeping& sweeping, const fs::path& file, bool resume, co
   open();
 }
 
-void Hdf5Map::create() const try {
+void Hdf5Map::create() const {
+  // The part gets its name when it is laid out: whatever has this name can be gone on with.
+  fs::path unnamed = part_;
+  unnamed += ".new";
+  const auto refuse = [&](const std::string& found) {
+    std::error_code ignored;
+    fs::remove(unnamed, ignored);
+    throw InputError({part_.string()}, found, "a place that can be written");
+  };
   std::error_code error;
   if (part_.has_parent_path()) fs::create_directories(part_.parent_path(), error);
-  Object file = new_file(part_);
-  lay_out(file, sweeping_);
-  // The file is closed, and its errors are told, only when nothing in it is open any more.
-  file.close();
-} catch (const hdf5::Error& error) {
-  std::error_code ignored;
-  fs::remove(part_, ignored);
-  throw InputError({part_.string()}, error.what(), "a place that can be written");
+  try {
+    Object file = new_file(unnamed);
+    lay_out(file, sweeping_);
+    // The file is closed, and its errors are told, only when nothing in it is open any more.
+    file.close();
+  } catch (const hdf5::Error& failure) {
+    refuse(failure.what());
+  }
+  fs::rename(unnamed, part_, error);
+  if (error) refuse(error.message());
 }
 
 void Hdf5Map::check() const try {

@@ -69,19 +69,22 @@ class Killed(Case):
         whole = self.whole(arguments, "whole" + ending)
         duration = time.monotonic() - start
         file = self.folder / ("killed" + ending)
-        hits, chance = 0, random.Random(7)
+        # Other moments in every run of the suite; half of them early, while the file is laid out.
+        hits, chance = 0, random.Random()
         while hits < kills:
             for path in self.folder.glob("killed*"):
                 path.unlink()
             while not file.exists():
                 process = subprocess.Popen([PROGRAM, "sweep", *arguments, "--out", str(file), "--resume"],
-                                           stderr=subprocess.DEVNULL)
+                                           stderr=subprocess.PIPE, text=True)
                 try:
                     # The later runs have less left to do.
-                    process.wait(duration * chance.uniform(0, 0.8) if hits < kills else None)
+                    moment = duration * chance.choice([0.1, 0.8]) * chance.random()
+                    told = process.communicate(timeout=moment if hits < kills else 100)[1]
+                    self.assertEqual(process.returncode, 0, told)
                 except subprocess.TimeoutExpired:
-                    process.send_signal(signal.SIGKILL)
-                    process.wait()
+                    process.kill()
+                    process.communicate()
                     hits += not file.exists()
             self.same(file, whole)
 
@@ -93,6 +96,11 @@ class Killed(Case):
 
     def test_a_table(self):
         self.interrupted(FRICTION, ".csv", 20)
+
+    def test_a_file_that_was_not_laid_out_yet_is_begun_again(self):
+        (self.folder / "map.h5.part.new").write_bytes(b"\x89HDF\r\n\x1a\n" + 40 * b"\0")
+        self.done(sweep(*FRICTION, "--out", str(self.folder / "map.h5"), "--resume"))
+        self.same(self.folder / "map.h5", self.whole(FRICTION, "whole.h5"))
 
     def test_what_is_there_can_be_read(self):
         file = self.folder / "map.h5"
@@ -220,7 +228,7 @@ class Array(Case):
                 shown += os.read(controller, 4096)
             except OSError:
                 break
-        self.assertEqual(process.wait(), 0)
+        self.assertEqual(process.wait(60), 0)
         os.close(controller)
         self.assertRegex(shown.decode(), r"\d+\.\d % of 180000 points, [0-9.e+]+ a second, \d+ s left")
         self.assertIn(b"\r\x1b[Kvcrit: warning:", shown)
@@ -301,7 +309,7 @@ class Processes(Case):
                 pass
             self.assertIsNone(process.poll(), "the map is too small to be caught in the middle")
         os.kill(int(self.ranks(process.pid)[2]), signal.SIGKILL)
-        self.assertNotEqual(process.wait(), 0)
+        self.assertNotEqual(process.wait(60), 0)
         with h5py.File(f"{file}.part", "r") as opened, h5py.File(whole) as complete:
             there = opened["friction_ratio"][:] != 0
             self.assertGreaterEqual(there.mean(), 0.15)
