@@ -3,6 +3,7 @@ netCDF see of them. Everything is compared with an undisturbed run, byte by byte
 
 import csv
 import filecmp
+import itertools
 import json
 import os
 import pty
@@ -23,6 +24,7 @@ import xarray
 
 PROJECT, PROGRAM = Path(sys.argv.pop(1)).resolve(), str(Path(sys.argv.pop(1)).resolve())
 WITH_MPI = sys.argv.pop(1) == "ON"
+KILLED_AT = str(Path(sys.argv.pop(1)).resolve())
 ZENER = str(PROJECT / "scenes/zener.toml")
 MPIRUN = shutil.which("mpirun")
 # Some thirty blocks, long enough to be hit.
@@ -34,11 +36,11 @@ VELOCITY = [ZENER, "--over", "frequency=log:1 kHz:1 MHz:2000", "--over", "k1=lin
             "critical_velocity"]
 
 
-def sweep(*arguments, mpi=0, **options):
+def sweep(*arguments, mpi=0, env={}, **options):
     command = [PROGRAM, "sweep", *arguments]
     if mpi:
         command = [MPIRUN, "--oversubscribe", "--bind-to", "none", "-n", str(mpi), *command]
-    environment = os.environ | {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
+    environment = os.environ | {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"} | env
     return subprocess.run(command, capture_output=True, text=True, timeout=300, env=environment, **options)
 
 
@@ -97,10 +99,23 @@ class Killed(Case):
     def test_a_table(self):
         self.interrupted(FRICTION, ".csv", 20)
 
-    def test_a_file_that_was_not_laid_out_yet_is_begun_again(self):
-        (self.folder / "map.h5.part.new").write_bytes(b"\x89HDF\r\n\x1a\n" + 40 * b"\0")
-        self.done(sweep(*FRICTION, "--out", str(self.folder / "map.h5"), "--resume"))
-        self.same(self.folder / "map.h5", self.whole(FRICTION, "whole.h5"))
+    def test_before_each_of_its_writes(self):
+        # A few blocks: the file's beginning and end are what is at stake.
+        few = [word.replace(":30", ":3") for word in FRICTION]
+        for ending in (".h5", ".csv"):
+            whole = self.whole(few, "whole" + ending)
+            for number in itertools.count(1):
+                file = self.folder / f"killed{number}{ending}"
+                arguments = [*few, "--out", str(file)]
+                status = sweep(*arguments, env={"LD_PRELOAD": KILLED_AT, "KILLED_AT": str(number)}).returncode
+                if status == 0:
+                    break
+                self.assertEqual(status, -signal.SIGKILL)
+                self.assertFalse(file.exists())
+                self.done(sweep(*arguments, "--resume"))
+                self.same(file, whole)
+            # At least the layout, the blocks and the name.
+            self.assertGreater(number, 5)
 
     def test_what_is_there_can_be_read(self):
         file = self.folder / "map.h5"
