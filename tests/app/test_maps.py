@@ -34,14 +34,17 @@ FRICTION = [ZENER, "--over", "k1=lin:1e6:9e6:30", "--over", "amplitude=lin:0.01 
 LONGER = [word.replace(":30", ":90").replace(":20", ":40") for word in FRICTION]
 VELOCITY = [ZENER, "--over", "frequency=log:1 kHz:1 MHz:2000", "--over", "k1=lin:1e6:8e6:2500", "--quantity",
             "critical_velocity"]
+ENVIRONMENT = os.environ | {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
 
 
-def sweep(*arguments, mpi=0, env={}, **options):
-    command = [PROGRAM, "sweep", *arguments]
-    if mpi:
-        command = [MPIRUN, "--oversubscribe", "--bind-to", "none", "-n", str(mpi), *command]
-    environment = os.environ | {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"} | env
-    return subprocess.run(command, capture_output=True, text=True, timeout=300, env=environment, **options)
+def command(arguments, mpi=0):
+    processes = [MPIRUN, "--oversubscribe", "--bind-to", "none", "-n", str(mpi)] if mpi else []
+    return [*processes, PROGRAM, "sweep", *arguments]
+
+
+def sweep(*arguments, mpi=0, preload=(), **options):
+    return subprocess.run(command(arguments, mpi), capture_output=True, text=True, timeout=300,
+                          env=ENVIRONMENT | dict(preload), **options)
 
 
 class Case(unittest.TestCase):
@@ -77,7 +80,7 @@ class Killed(Case):
             for path in self.folder.glob("killed*"):
                 path.unlink()
             while not file.exists():
-                process = subprocess.Popen([PROGRAM, "sweep", *arguments, "--out", str(file), "--resume"],
+                process = subprocess.Popen(command([*arguments, "--out", str(file), "--resume"]),
                                            stderr=subprocess.PIPE, text=True)
                 try:
                     # The later runs have less left to do.
@@ -107,7 +110,7 @@ class Killed(Case):
             for number in itertools.count(1):
                 file = self.folder / f"killed{number}{ending}"
                 arguments = [*few, "--out", str(file)]
-                status = sweep(*arguments, env={"LD_PRELOAD": KILLED_AT, "KILLED_AT": str(number)}).returncode
+                status = sweep(*arguments, preload={"LD_PRELOAD": KILLED_AT, "KILLED_AT": str(number)}).returncode
                 if status == 0:
                     break
                 self.assertEqual(status, -signal.SIGKILL)
@@ -120,7 +123,7 @@ class Killed(Case):
     def test_what_is_there_can_be_read(self):
         file = self.folder / "map.h5"
         part = Path(f"{file}.part")
-        process = subprocess.Popen([PROGRAM, "sweep", *LONGER, "--out", str(file)])
+        process = subprocess.Popen(command([*LONGER, "--out", str(file)]))
         done = 0
         while not 0.2 < done < 0.9:
             if part.exists():
@@ -235,7 +238,7 @@ class Array(Case):
         stderr = self.done(sweep(*LONGER, "--out", str(self.folder / "a.h5"))).stderr
         self.assertEqual([line for line in stderr.splitlines() if not line.startswith("vcrit: warning:")], [])
         controller, terminal = pty.openpty()
-        process = subprocess.Popen([PROGRAM, "sweep", *LONGER, "--out", str(self.folder / "b.h5")], stderr=terminal)
+        process = subprocess.Popen(command([*LONGER, "--out", str(self.folder / "b.h5")]), stderr=terminal)
         os.close(terminal)
         shown = b""
         while True:
@@ -252,7 +255,7 @@ class Array(Case):
         def peak(rows):
             before = self.folder / "peak"
             result = subprocess.run(
-                ["/usr/bin/python3", "-c", "import os, resource, subprocess, sys; subprocess.run(sys.argv[1:], check=True); "
+                ["/usr/bin/python3", "-c", "import resource, subprocess, sys; subprocess.run(sys.argv[1:], check=True); "
                  "print(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss)", PROGRAM, "sweep", ZENER, "--over",
                  f"frequency=log:1 kHz:1 MHz:{rows}", "--over", "k1=lin:1e6:8e6:1000", "--quantity",
                  "critical_velocity", "--out", f"{before}{rows}.h5"], capture_output=True, text=True, check=True)
@@ -287,9 +290,8 @@ class Processes(Case):
     def test_every_rank_works(self):
         # Blocks go to whoever asks: two ranks of one thread each take part in the same map.
         file = self.folder / "map.h5"
-        process = subprocess.Popen(
-            [MPIRUN, "--oversubscribe", "--bind-to", "none", "-n", "2", PROGRAM, "sweep", *FRICTION, "--threads", "1",
-             "--out", str(file)], stderr=subprocess.DEVNULL, env=os.environ | {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"})
+        process = subprocess.Popen(command([*FRICTION, "--threads", "1", "--out", str(file)], mpi=2),
+                                   stderr=subprocess.DEVNULL, env=ENVIRONMENT)
         used = {}
         while process.poll() is None:
             for pid in self.ranks(process.pid):
@@ -311,10 +313,8 @@ class Processes(Case):
     def test_a_killed_rank_loses_nothing_that_is_written(self):
         whole = self.whole(LONGER, "whole.h5")
         file = self.folder / "map.h5"
-        environment = os.environ | {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
-        process = subprocess.Popen([MPIRUN, "--oversubscribe", "--bind-to", "none", "-n", "4", PROGRAM, "sweep",
-                                    *LONGER, "--out", str(file)], env=environment, stderr=subprocess.DEVNULL,
-                                   stdout=subprocess.DEVNULL)
+        process = subprocess.Popen(command([*LONGER, "--out", str(file)], mpi=4), env=ENVIRONMENT,
+                                   stderr=subprocess.DEVNULL, stdout=subprocess.DEVNULL)
         done = 0
         while done < 0.2:
             try:
