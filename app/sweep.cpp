@@ -10,7 +10,6 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <thread>
 
 #include "base/units.hpp"
 #include "commands.hpp"
@@ -77,29 +76,25 @@ void tell(const Options& options, const maps::Streamed& streamed) {
 }
 
 void run_on(maps::Ranks& ranks, const Options& options) {
-  const Sweeping sweeping(sweep_of(options));
+  std::optional<Sweeping> sweeping;
+  ranks.together([&] { sweeping.emplace(sweep_of(options)); });
   maps::StreamOptions stream = options.stream;
   const bool terminal = ::isatty(STDERR_FILENO) == 1;
   if (terminal) stream.told = [line = ProgressLine()](const auto& p) mutable { line(p); };
-  const maps::Streamed streamed = maps::stream(sweeping, options.out, stream, ranks);
+  const maps::Streamed streamed = maps::stream(*sweeping, options.out, stream, ranks);
   if (terminal && ranks.first()) ProgressLine::end();
   if (ranks.first()) tell(options, streamed);
 }
 
-// Long enough for the first rank to meet the same error.
-constexpr std::chrono::seconds turn_of_the_first{2};
-
-// Errors that all ranks meet alike are told by the first one, which ends them all; when another one
-// fails alone, nobody must wait for it.
+// A rank that cannot go on tells why and ends them all.
 void run(const Options& options) {
   maps::Ranks ranks;
   if (ranks.size() == 1) return run_on(ranks, options);
   try {
     run_on(ranks, options);
   } catch (const maps::Ranks::Silent&) {
-    std::this_thread::sleep_for(turn_of_the_first);
+    return;
   } catch (const std::exception& error) {
-    if (!ranks.first()) std::this_thread::sleep_for(turn_of_the_first);
     fmt::print(stderr, "vcrit: {}\n", error.what());
     ranks.abort(dynamic_cast<const ModelError*>(&error) != nullptr ? 3 : 2);
   }

@@ -134,6 +134,15 @@ Hdf5Map::Hdf5Map(const Sweeping& sweeping, const fs::path& file, bool resume, co
   open();
 }
 
+// Several ranks close a file together: one that fails alone must not wait there for the others, who
+// wait for it.
+Hdf5Map::~Hdf5Map() {
+  if (ranks_.size() == 1) return;
+  for (hdf5::Object& variable : variables_) variable.leave();
+  progress_.leave();
+  opened_.leave();
+}
+
 void Hdf5Map::create() const {
   // The part gets its name when it is laid out: whatever has this name can be gone on with.
   fs::path unnamed = part_;
@@ -173,8 +182,6 @@ void Hdf5Map::open() try {
   progress_ = hdf5::open_array(opened_, blocks_done);
   for (const unsigned char byte : hdf5::read_bytes(progress_, sweeping_.grid().blocks()))
     done_.push_back(byte != 0);
-  // All ranks count the same blocks as open: nobody may write before everybody has read.
-  ranks_.wait_for_all();
 } catch (const hdf5::Error& error) {
   throw InputError({part_.string()}, error.what(), "the unfinished file of a sweep");
 }

@@ -17,6 +17,9 @@ class Hdf5Map : public MapFile {
  public:
   Hdf5Map(const Sweeping& sweeping, const std::filesystem::path& file, bool resume,
           const Ranks& ranks);
+  Hdf5Map(const Hdf5Map&) = delete;
+  Hdf5Map& operator=(const Hdf5Map&) = delete;
+  ~Hdf5Map() override;
 
   std::vector<bool> done() const override { return done_; }
   std::string prepare(const BlockAnswer&) const override { return {}; }

@@ -46,6 +46,8 @@ class Object {
     const hid_t id = std::exchange(id_, -1);
     if (id >= 0) checked(close_(id), "close");
   }
+  /// Never closes it.
+  void leave() { id_ = -1; }
   hid_t id() const { return id_; }
 
  private:

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <cstdlib>
+#include <exception>
 #include <string>
 
 #include "base/errors.hpp"
@@ -77,21 +78,19 @@ void Ranks::attend() const {
   if (counter_) MPI_Iprobe(MPI_ANY_SOURCE, MPI_ANY_TAG, MPI_COMM_WORLD, &there, MPI_STATUS_IGNORE);
 }
 
-void Ranks::first_alone(const std::function<void()>& action) const {
-  int failed = 0;
-  if (first()) try {
-      action();
-    } catch (...) {
-      failed = 1;
-      if (counter_) MPI_Bcast(&failed, 1, MPI_INT, 0, MPI_COMM_WORLD);
-      throw;
-    }
-  if (counter_) MPI_Bcast(&failed, 1, MPI_INT, 0, MPI_COMM_WORLD);
-  if (failed != 0) throw Silent{};
-}
-
-void Ranks::wait_for_all() const {
-  if (counter_) MPI_Barrier(MPI_COMM_WORLD);
+void Ranks::together(const std::function<void()>& action) const {
+  std::exception_ptr error;
+  try {
+    action();
+  } catch (...) {
+    error = std::current_exception();
+  }
+  const int mine = error ? rank_ : size_;
+  int failed = mine;
+  if (counter_) MPI_Allreduce(&mine, &failed, 1, MPI_INT, MPI_MIN, MPI_COMM_WORLD);
+  if (failed == size_) return;
+  if (failed == rank_) std::rethrow_exception(error);
+  throw Silent{};
 }
 
 std::size_t Ranks::sum(std::size_t value) const {
@@ -136,13 +135,18 @@ Ranks::Ranks() {
 Ranks::~Ranks() = default;
 std::size_t Ranks::next() { return alone_++; }
 void Ranks::attend() const {}
-void Ranks::first_alone(const std::function<void()>& action) const { action(); }
-void Ranks::wait_for_all() const {}
+void Ranks::together(const std::function<void()>& action) const { action(); }
 std::size_t Ranks::sum(std::size_t value) const { return value; }
 std::string Ranks::first_text(std::string text) const { return text; }
 void Ranks::abort(int) const {}
 void share(const Ranks&, std::int64_t) {}
 
 #endif
+
+void Ranks::first_alone(const std::function<void()>& action) const {
+  together([&] {
+    if (first()) action();
+  });
+}
 
 }  // namespace vcrit::maps

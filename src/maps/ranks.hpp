@@ -25,17 +25,18 @@ class Ranks {
   std::size_t next();
   /// Lets other ranks' calls of next() get on; to be called now and then.
   void attend() const;
-  /// Runs `action` on the first rank while the others wait; what it throws ends all ranks' work:
-  /// there itself, elsewhere as Silent.
+  /// Runs `action` on all ranks, and waits for all. Where it throws, the first rank of those throws
+  /// the same and all others Silent.
+  void together(const std::function<void()>& action) const;
+  /// The same for an action of the first rank alone.
   void first_alone(const std::function<void()>& action) const;
-  void wait_for_all() const;
   std::size_t sum(std::size_t value) const;
   /// The text of the first rank that has one.
   std::string first_text(std::string text) const;
-  /// Ends all ranks at once, when one of several cannot go on.
+  /// Ends all ranks at once, those too that wait for this one.
   void abort(int status) const;
 
-  /// Something went wrong on the first rank, which tells it.
+  /// Something went wrong, and another rank tells it.
   struct Silent {};
 
  private:

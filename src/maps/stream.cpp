@@ -169,14 +169,16 @@ class Run {
 
 Streamed stream(const Sweeping& sweeping, const std::filesystem::path& file,
                 const StreamOptions& options, Ranks& ranks) {
-  const auto map = open_map(sweeping, file, options.resume, ranks);
+  std::unique_ptr<MapFile> map;
+  // All ranks count the same blocks as open: nobody may write before everybody has read.
+  ranks.together([&] { map = open_map(sweeping, file, options.resume, ranks); });
   Streamed result = Run(sweeping, *map, options, ranks).run();
   result.found = ranks.sum(result.found);
   result.outside = ranks.sum(result.outside);
   result.reason = ranks.first_text(result.reason);
   if (result.outside == result.rows) {
     map->discard();
-    throw ModelError(result.reason);
+    ranks.first_alone([&] { throw ModelError(result.reason); });
   }
   map->finish();
   return result;

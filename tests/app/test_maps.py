@@ -24,7 +24,7 @@ import xarray
 
 PROJECT, PROGRAM = Path(sys.argv.pop(1)).resolve(), str(Path(sys.argv.pop(1)).resolve())
 WITH_MPI = sys.argv.pop(1) == "ON"
-KILLED_AT = str(Path(sys.argv.pop(1)).resolve())
+FAULTS = str(Path(sys.argv.pop(1)).resolve())
 ZENER = str(PROJECT / "scenes/zener.toml")
 MPIRUN = shutil.which("mpirun")
 # Some thirty blocks, long enough to be hit.
@@ -34,17 +34,24 @@ FRICTION = [ZENER, "--over", "k1=lin:1e6:9e6:30", "--over", "amplitude=lin:0.01 
 LONGER = [word.replace(":30", ":90").replace(":20", ":40") for word in FRICTION]
 VELOCITY = [ZENER, "--over", "frequency=log:1 kHz:1 MHz:2000", "--over", "k1=lin:1e6:8e6:2500", "--quantity",
             "critical_velocity"]
+# A few blocks: the file's beginning and end are what is at stake.
+FEW = [word.replace(":30", ":3") for word in FRICTION]
 ENVIRONMENT = os.environ | {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
 
 
-def command(arguments, mpi=0):
+def command(arguments, mpi=0, through=()):
     processes = [MPIRUN, "--oversubscribe", "--bind-to", "none", "-n", str(mpi)] if mpi else []
-    return [*processes, PROGRAM, "sweep", *arguments]
+    return [*processes, *through, PROGRAM, "sweep", *arguments]
 
 
-def sweep(*arguments, mpi=0, preload=(), **options):
-    return subprocess.run(command(arguments, mpi), capture_output=True, text=True, timeout=300,
-                          env=ENVIRONMENT | dict(preload), **options)
+def sweep(*arguments, mpi=0, through=(), **options):
+    return subprocess.run(command(arguments, mpi, through), capture_output=True, text=True, timeout=300,
+                          env=ENVIRONMENT, **options)
+
+
+def with_fault(fault, number):
+    """What to start the program through, so that its change of files with this number goes wrong."""
+    return ["env", f"LD_PRELOAD={FAULTS}", f"FAULT={fault}", f"FAULT_AT={number}"]
 
 
 class Case(unittest.TestCase):
@@ -103,14 +110,12 @@ class Killed(Case):
         self.interrupted(FRICTION, ".csv", 20)
 
     def test_before_each_of_its_writes(self):
-        # A few blocks: the file's beginning and end are what is at stake.
-        few = [word.replace(":30", ":3") for word in FRICTION]
         for ending in (".h5", ".csv"):
-            whole = self.whole(few, "whole" + ending)
+            whole = self.whole(FEW, "whole" + ending)
             for number in itertools.count(1):
                 file = self.folder / f"killed{number}{ending}"
-                arguments = [*few, "--out", str(file)]
-                status = sweep(*arguments, preload={"LD_PRELOAD": KILLED_AT, "KILLED_AT": str(number)}).returncode
+                arguments = [*FEW, "--out", str(file)]
+                status = sweep(*arguments, through=with_fault("kill", number)).returncode
                 if status == 0:
                     break
                 self.assertEqual(status, -signal.SIGKILL)
@@ -163,6 +168,23 @@ class FullDisk(Case):
         self.assertFalse((self.folder / "map.csv").exists())
         self.done(sweep(*FRICTION, "--out", str(self.folder / "map.csv"), "--resume"))
         self.same(self.folder / "map.csv", whole)
+
+    def test_full_at_each_of_its_writes(self):
+        for ending in (".h5", ".csv"):
+            whole = self.whole(FEW, "whole" + ending)
+            for number in itertools.count(1):
+                file = self.folder / f"full{number}{ending}"
+                arguments = [*FEW, "--out", str(file)]
+                result = sweep(*arguments, through=with_fault("full", number))
+                if result.returncode == 0:
+                    break
+                self.assertEqual(result.returncode, 2, result.stderr)
+                self.assertRegex(result.stderr, f"{file.name}(.part)?: found No space left on device; expected")
+                self.assertEqual(len(result.stderr.splitlines()), 1, result.stderr)
+                self.assertFalse(file.exists())
+                self.done(sweep(*arguments, "--resume"))
+                self.same(file, whole)
+            self.assertGreater(number, 5)
 
     def test_an_array_without_room_leaves_nothing(self):
         result = self.limited("map.h5", 100_000)
@@ -254,9 +276,10 @@ class Array(Case):
     def test_memory_does_not_grow_with_the_map(self):
         def peak(rows):
             before = self.folder / "peak"
+            measure = ("import resource, subprocess, sys; subprocess.run(sys.argv[1:], check=True); "
+                       "print(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss)")
             result = subprocess.run(
-                ["/usr/bin/python3", "-c", "import resource, subprocess, sys; subprocess.run(sys.argv[1:], check=True); "
-                 "print(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss)", PROGRAM, "sweep", ZENER, "--over",
+                ["/usr/bin/python3", "-c", measure, PROGRAM, "sweep", ZENER, "--over",
                  f"frequency=log:1 kHz:1 MHz:{rows}", "--over", "k1=lin:1e6:8e6:1000", "--quantity",
                  "critical_velocity", "--out", f"{before}{rows}.h5"], capture_output=True, text=True, check=True)
             return int(result.stdout)
@@ -331,6 +354,20 @@ class Processes(Case):
             numpy.testing.assert_array_equal(opened["friction_ratio"][:][there], complete["friction_ratio"][:][there])
         told = json.loads(self.done(sweep(*LONGER, "--out", str(file), "--resume", "--json", mpi=2)).stdout)
         self.assertLess(told["rows_found"], told["rows"])
+        self.same(file, whole)
+
+    def test_a_rank_that_cannot_write_ends_all(self):
+        whole, file = self.whole(LONGER, "whole.h5"), self.folder / "map.h5"
+        # The first rank cannot lay out the file, the other one not write its first block.
+        script = """[ "$OMPI_COMM_WORLD_RANK" != "$1" ] && shift 4; exec "${@:2}" """
+        for rank in ("0", "1"):
+            result = sweep(*LONGER, "--out", str(file), mpi=2,
+                           through=["bash", "-c", script, "bash", rank, *with_fault("full", 1)])
+            self.assertEqual(result.returncode, 2, result.stderr)
+            self.assertIn("map.h5.part: found ", result.stderr)
+            self.assertEqual(result.stderr.count("vcrit: "), 1, result.stderr)
+            self.assertEqual(Path(f"{file}.part").exists(), rank == "1")
+        self.done(sweep(*LONGER, "--out", str(file), "--resume", mpi=2))
         self.same(file, whole)
 
     def test_mistakes_end_all_ranks_with_one_message(self):
