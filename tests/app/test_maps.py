@@ -69,6 +69,23 @@ class Case(unittest.TestCase):
         self.done(sweep(*arguments, "--out", str(file)))
         return file
 
+    def resumed_after_each(self, fault):
+        """Sweeps whose first, second, ... change of a file goes wrong, until none does; each is resumed then."""
+        for ending in (".h5", ".csv"):
+            whole = self.whole(FEW, "whole" + ending)
+            for number in itertools.count(1):
+                file = self.folder / f"{fault}{number}{ending}"
+                arguments = [*FEW, "--out", str(file)]
+                result = sweep(*arguments, through=with_fault(fault, number))
+                if result.returncode == 0:
+                    break
+                self.assertFalse(file.exists())
+                yield result, file
+                self.done(sweep(*arguments, "--resume"))
+                self.same(file, whole)
+            # At least the layout, the blocks and the name.
+            self.assertGreater(number, 5)
+
     def same(self, file, whole):
         self.assertTrue(filecmp.cmp(file, whole, shallow=False))
         self.assertEqual([p.name for p in self.folder.iterdir() if ".part" in p.name], [])
@@ -110,20 +127,8 @@ class Killed(Case):
         self.interrupted(FRICTION, ".csv", 20)
 
     def test_before_each_of_its_writes(self):
-        for ending in (".h5", ".csv"):
-            whole = self.whole(FEW, "whole" + ending)
-            for number in itertools.count(1):
-                file = self.folder / f"killed{number}{ending}"
-                arguments = [*FEW, "--out", str(file)]
-                status = sweep(*arguments, through=with_fault("kill", number)).returncode
-                if status == 0:
-                    break
-                self.assertEqual(status, -signal.SIGKILL)
-                self.assertFalse(file.exists())
-                self.done(sweep(*arguments, "--resume"))
-                self.same(file, whole)
-            # At least the layout, the blocks and the name.
-            self.assertGreater(number, 5)
+        for result, _ in self.resumed_after_each("kill"):
+            self.assertEqual(result.returncode, -signal.SIGKILL)
 
     def test_what_is_there_can_be_read(self):
         file = self.folder / "map.h5"
@@ -170,21 +175,10 @@ class FullDisk(Case):
         self.same(self.folder / "map.csv", whole)
 
     def test_full_at_each_of_its_writes(self):
-        for ending in (".h5", ".csv"):
-            whole = self.whole(FEW, "whole" + ending)
-            for number in itertools.count(1):
-                file = self.folder / f"full{number}{ending}"
-                arguments = [*FEW, "--out", str(file)]
-                result = sweep(*arguments, through=with_fault("full", number))
-                if result.returncode == 0:
-                    break
-                self.assertEqual(result.returncode, 2, result.stderr)
-                self.assertRegex(result.stderr, f"{file.name}(.part)?: found No space left on device; expected")
-                self.assertEqual(len(result.stderr.splitlines()), 1, result.stderr)
-                self.assertFalse(file.exists())
-                self.done(sweep(*arguments, "--resume"))
-                self.same(file, whole)
-            self.assertGreater(number, 5)
+        for result, file in self.resumed_after_each("full"):
+            self.assertEqual(result.returncode, 2, result.stderr)
+            self.assertRegex(result.stderr, f"{file.name}(.part)?: found No space left on device; expected")
+            self.assertEqual(len(result.stderr.splitlines()), 1, result.stderr)
 
     def test_an_array_without_room_leaves_nothing(self):
         result = self.limited("map.h5", 100_000)
