@@ -3,6 +3,8 @@
 
 #include <CLI/CLI.hpp>
 #include <exception>
+#include <new>
+#include <stdexcept>
 #include <string>
 #include <system_error>
 
@@ -68,6 +70,8 @@ int main(int argc, char** argv) {
     return complain(error, outside_the_model);
   } catch (const std::system_error& error) {
     return complain(vcrit::app::in_words(error), input_wrong);
+  } catch (const std::bad_alloc&) {
+    return complain(std::runtime_error("the memory that it may use does not suffice"), input_wrong);
   } catch (const std::exception& error) {
     return complain(error, bug);
   }

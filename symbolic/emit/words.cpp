@@ -17,9 +17,9 @@ std::string harmless(std::string_view text) {
   while (!text.empty()) {
     const std::size_t size = std::max<std::size_t>(steering(text), 1);
     const bool shown = steering(text) == 0 && text.front() != '\\';
-    out += shown ? text.front() : ' ';
+    if (shown || size == 1) out += shown ? text.front() : ' ';
     text.remove_prefix(size);
-    const bool trigraph = out.ends_with('?') && text.starts_with("?/");
+    const bool trigraph = out.ends_with("??") && text.starts_with('/');
     const bool tag = out.ends_with('<') && (text.starts_with('/') || text.starts_with('!'));
     if (trigraph || tag) out += ' ';
   }

@@ -7,6 +7,7 @@ test_faults.py PROJECT PROGRAM FAULTS
 import filecmp
 import itertools
 import os
+import resource
 import shutil
 import signal
 import stat
@@ -252,6 +253,32 @@ class Folders(Case):
                     self.one_message(result, "found a symbolic link")
         self.assertEqual(outside.read_text(), "somebody else's")
         self.assertFalse((self.folder / "absent").exists())
+
+
+class Limits(Case):
+    """A scene uses what memory and time it is given, and no more."""
+
+    def scene(self, networks, normal):
+        path = self.folder / "large.toml"
+        path.write_text(Path(KELVIN).read_text().replace("[contact]", f"[networks]\n{networks}\n[contact]", 1)
+                        .replace('"kelvin(k, c)"', f'"{normal}"'))
+        return path
+
+    def test_networks_of_networks_end(self):
+        # 2^60 elements in 60 lines.
+        lines = ['n0 = "k | c"', *(f'n{i} = "n{i - 1} - n{i - 1}"' for i in range(1, 60))]
+        result = run("eval", self.scene("\n".join(lines), "n59"),
+                     preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (1 << 30, 1 << 30)))
+        self.assertEqual(result.returncode, 2)
+        self.one_message(result, "found more than 1000000 elements; expected a smaller network")
+
+    def test_too_little_memory_is_told(self):
+        lines = ['n0 = "k | c"', *(f'n{i} = "n{i - 1} - n{i - 1}"' for i in range(1, 18))]
+        scene = self.scene("\n".join(lines), "n17")
+        # Enough for the program itself, with its libraries.
+        result = run("eval", scene, preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (1 << 27, 1 << 27)))
+        self.assertEqual(result.returncode, 2, result.stderr)
+        self.one_message(result, "the memory that it may use does not suffice")
 
 
 class Validate(Case):
