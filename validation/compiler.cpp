@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <climits>
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
@@ -74,6 +75,7 @@ void become(const Command& command, char* const* arguments, char* const* environ
   if (memory) limit_to(RLIMIT_AS, *memory);
   limit_to(RLIMIT_FSIZE, largest_file);
   limit_to(RLIMIT_CORE, 0);
+  close_range(STDERR_FILENO + 1, UINT_MAX, CLOSE_RANGE_CLOEXEC);
   if (set_streams(command) && chdir(command.folder.c_str()) == 0)
     execve(arguments[0], arguments, environment);
 }
