@@ -83,11 +83,11 @@ void print_text(const Data& data, const Fit& fit, const std::string& scene,
   fmt::print("{}\n{}\n", scene, page);
 }
 
-void write_figures(const Data& data, const Fit& fit, const std::string& directory) {
+std::vector<NewFile> figure_files(const Data& data, const Fit& fit, const std::string& directory) {
   std::vector<validation::report::FigureFile> files;
   for (const auto& figure : validation::report::fit_figures(data, fit))
     files.push_back({"", figure.name, validation::figures::gnuplot(figure)});
-  validation::report::write_figures(files, directory, [](const auto&) {});
+  return validation::report::draw_figures(files, directory, [](const auto&) {});
 }
 
 // All that may be wrong is found before the first file is written.
@@ -101,10 +101,10 @@ void run(const Options& options) {
   const std::string text = scene_text(fit, data, options.rest);
   parse_scene(text, options.out);
   const std::string page = std::filesystem::path(out).replace_extension(".html").string();
-  const std::string html = validation::report::fit_page(data, fit, text);
-  write_file(out, text);
-  write_file(page, html);
-  if (!options.figures.empty()) write_figures(data, fit, options.figures);
+  std::vector<NewFile> files{{out, text}, {page, validation::report::fit_page(data, fit, text)}};
+  if (!options.figures.empty())
+    for (NewFile& file : figure_files(data, fit, options.figures)) files.push_back(std::move(file));
+  write_files(files);
   if (options.json)
     print_json(data, fit, options.out, page);
   else

@@ -2,21 +2,25 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <cstdio>
 #include <exception>
+#include <new>
+#include <stdexcept>
 #include <string>
+#include <system_error>
 
 #include "base/errors.hpp"
 #include "commands.hpp"
 #include "machine.hpp"
 #include "shell.hpp"
+#include "streams.hpp"
+#include "workers.hpp"
 
 namespace {
 
 enum Status { done = 0, input_wrong = 2, outside_the_model = 3, bug = 70 };
 
 int complain(const std::exception& error, Status status) {
-  fmt::print(stderr, "vcrit: {}\n", error.what());
+  vcrit::app::tell_line(fmt::format("vcrit: {}", error.what()));
   return status;
 }
 
@@ -46,20 +50,28 @@ int run(int argc, char** argv) {
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return program.exit(error) == 0 ? done : input_wrong;
+    status = program.exit(error) == 0 ? done : input_wrong;
   }
+  vcrit::app::finish_stdout();
   return status;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  vcrit::app::open_missing_streams();
   try {
     return run(argc, argv);
   } catch (const vcrit::InputError& error) {
     return complain(error, input_wrong);
+  } catch (const vcrit::validation::JobRefused& error) {
+    return complain(error, input_wrong);
   } catch (const vcrit::ModelError& error) {
     return complain(error, outside_the_model);
+  } catch (const std::system_error& error) {
+    return complain(vcrit::app::in_words(error), input_wrong);
+  } catch (const std::bad_alloc&) {
+    return complain(std::runtime_error("the memory that it may use does not suffice"), input_wrong);
   } catch (const std::exception& error) {
     return complain(error, bug);
   }

@@ -3,7 +3,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <cstdio>
+
+#include "streams.hpp"
 
 namespace vcrit::app {
 
@@ -30,8 +31,7 @@ Settings SceneOptions::split_settings() const {
 
 Scene SceneOptions::read() const {
   Scene scene = read_scene(file, split_settings());
-  for (const std::string& warning : scene.warnings)
-    fmt::print(stderr, "vcrit: warning: {}\n", warning);
+  for (const std::string& warning : scene.warnings) tell_line("vcrit: warning: " + warning);
   return scene;
 }
 
@@ -40,6 +40,9 @@ nlohmann::ordered_json number(double value) {
   return value;
 }
 
-void print(const nlohmann::ordered_json& object) { fmt::print("{}\n", object.dump(2)); }
+void print(const nlohmann::ordered_json& object) {
+  // Names of files may be no UTF-8.
+  fmt::print("{}\n", object.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+}
 
 }  // namespace vcrit::app

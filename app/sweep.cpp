@@ -15,6 +15,7 @@
 #include "commands.hpp"
 #include "maps/stream.hpp"
 #include "options.hpp"
+#include "streams.hpp"
 
 namespace vcrit::app {
 
@@ -51,22 +52,22 @@ class ProgressLine {
     const double seconds = std::chrono::duration<double>(now - start_).count();
     const double rate = static_cast<double>(progress.in_this_run) / seconds;
     const double left = static_cast<double>(progress.rows - progress.done) / rate;
-    fmt::print(stderr, "\r\033[K{:5.1f} % of {} points, {:.3g} a second, {:.0f} s left",
-               100 * static_cast<double>(progress.done) / static_cast<double>(progress.rows),
-               progress.rows, rate, left);
-    std::fflush(stderr);
+    tell("\r\033[K{:5.1f} % of {} points, {:.3g} a second, {:.0f} s left",
+         100 * static_cast<double>(progress.done) / static_cast<double>(progress.rows),
+         progress.rows, rate, left);
   }
-  static void end() { fmt::print(stderr, "\r\033[K"); }
+  static void end() { tell("\r\033[K"); }
 
  private:
   using Clock = std::chrono::steady_clock;
   Clock::time_point start_ = Clock::now(), shown_ = start_;
 };
 
-void tell(const Options& options, const maps::Streamed& streamed) {
+void report(const Options& options, const maps::Streamed& streamed) {
   if (streamed.outside > 0)
-    fmt::print(stderr, "vcrit: warning: {} of {} rows are outside the model (nan); the first: {}\n",
-               streamed.outside, streamed.found, streamed.reason);
+    tell_line(
+        fmt::format("vcrit: warning: {} of {} rows are outside the model (nan); the first: {}",
+                    streamed.outside, streamed.found, streamed.reason));
   if (options.json)
     print({{"file", options.out},
            {"rows", streamed.rows},
@@ -83,7 +84,7 @@ void run_on(maps::Ranks& ranks, const Options& options) {
   if (terminal) stream.told = [line = ProgressLine()](const auto& p) mutable { line(p); };
   const maps::Streamed streamed = maps::stream(*sweeping, options.out, stream, ranks);
   if (terminal && ranks.first()) ProgressLine::end();
-  if (ranks.first()) tell(options, streamed);
+  if (ranks.first()) report(options, streamed);
 }
 
 // A rank that cannot go on tells why and ends them all.
@@ -95,7 +96,7 @@ void run(const Options& options) {
   } catch (const maps::Ranks::Silent&) {
     return;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "vcrit: {}\n", error.what());
+    tell_line(fmt::format("vcrit: {}", error.what()));
     ranks.abort(dynamic_cast<const ModelError*>(&error) != nullptr ? 3 : 2);
   }
 }

@@ -6,13 +6,13 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
-#include <cstdio>
 #include <memory>
 
 #include "base/errors.hpp"
 #include "commands.hpp"
 #include "options.hpp"
 #include "report/validate_extremes.hpp"
+#include "streams.hpp"
 
 namespace vcrit::app {
 
@@ -37,12 +37,11 @@ void show_progress(const validation::Standing& standing) {
       fmt::format("[{}{}] {}/{}", std::string(filled, '='), std::string(bar_width - filled, ' '),
                   standing.done, standing.jobs);
   for (const auto& [name, step] : standing.running) line += fmt::format("  {}: {}", name, step);
-  fmt::print(stderr, "\r\033[K{}", line.substr(0, line_width()));
-  std::fflush(stderr);
+  tell("\r\033[K{}", line.substr(0, line_width()));
 }
 
 void clear_progress() {
-  if (isatty(STDERR_FILENO) != 0) fmt::print(stderr, "\r\033[K");
+  if (isatty(STDERR_FILENO) != 0) tell("\r\033[K");
 }
 
 void print_json(const Validation& validation) {
@@ -60,11 +59,9 @@ void print_json(const Validation& validation) {
 }
 
 void print(const Validation& validation, bool json) {
-  for (const std::string& warning : validation.warnings)
-    fmt::print(stderr, "vcrit: warning: {}\n", warning);
-  for (const std::string& line : validation.not_run)
-    fmt::print(stderr, "vcrit: warning: not run: {}\n", line);
-  for (const std::string& line : validation.failed) fmt::print(stderr, "vcrit: FAILED: {}\n", line);
+  for (const std::string& warning : validation.warnings) tell_line("vcrit: warning: " + warning);
+  for (const std::string& line : validation.not_run) tell_line("vcrit: warning: not run: " + line);
+  for (const std::string& line : validation.failed) tell_line("vcrit: FAILED: " + line);
   if (json) return print_json(validation);
   fmt::print("{}\n", validation.page.string());
 }

@@ -1,17 +1,20 @@
 #include "compiler.hpp"
 
 #include <fcntl.h>
-#include <spawn.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
-#include <csignal>
 
 #include <algorithm>
 #include <cerrno>
+#include <climits>
+#include <csignal>
 #include <cstdlib>
 #include <fstream>
 #include <system_error>
 #include <thread>
+
+#include "cleaner.hpp"
 
 namespace vcrit::validation {
 
@@ -22,75 +25,104 @@ using Clock = std::chrono::steady_clock;
 constexpr std::chrono::seconds compile_limit{120};
 constexpr std::size_t most_output = 1 << 20;
 
-void check(int error, const std::string& what) {
-  if (error != 0) throw std::system_error(error, std::generic_category(), what);
+constexpr const char* output_name = "output.txt";
+
+[[noreturn]] void fail(int error, const std::string& what) {
+  throw std::system_error(error, std::generic_category(), what);
 }
 
-/// In a folder, stdin empty, stdout and stderr to one file.
-class Surroundings {
- public:
-  Surroundings(const std::filesystem::path& folder, const std::filesystem::path& file) {
-    check(posix_spawn_file_actions_init(&actions_), "posix_spawn_file_actions_init");
-    posix_spawn_file_actions_addopen(&actions_, 0, "/dev/null", O_RDONLY, 0);
-    posix_spawn_file_actions_addopen(&actions_, 1, file.c_str(), O_WRONLY | O_CREAT | O_TRUNC,
-                                     0600);
-    posix_spawn_file_actions_adddup2(&actions_, 1, 2);
-    posix_spawn_file_actions_addchdir_np(&actions_, folder.c_str());
+/// What a child needs between fork and exec, made before: it may not allocate.
+struct Command {
+  Command(const std::vector<std::string>& words, const std::filesystem::path& in)
+      : arguments(words), folder(in.string()), output((in / output_name).string()) {
+    for (char** variable = environ; *variable != nullptr; ++variable)
+      if (!std::string_view(*variable).starts_with("TMPDIR=")) environment.emplace_back(*variable);
+    // What a compiler that is stopped leaves behind goes with the folder.
+    environment.push_back("TMPDIR=" + folder);
   }
-  ~Surroundings() { posix_spawn_file_actions_destroy(&actions_); }
-  Surroundings(const Surroundings&) = delete;
-  Surroundings& operator=(const Surroundings&) = delete;
-  const posix_spawn_file_actions_t* get() const { return &actions_; }
 
- private:
-  posix_spawn_file_actions_t actions_{};
+  std::vector<std::string> arguments, environment;
+  std::string folder, output;
 };
 
-/// A process group of its own, so that a compiler's children can be stopped with it.
-class OwnGroup {
- public:
-  OwnGroup() {
-    check(posix_spawnattr_init(&attributes_), "posix_spawnattr_init");
-    posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETPGROUP);
-    posix_spawnattr_setpgroup(&attributes_, 0);
-  }
-  ~OwnGroup() { posix_spawnattr_destroy(&attributes_); }
-  OwnGroup(const OwnGroup&) = delete;
-  OwnGroup& operator=(const OwnGroup&) = delete;
-  const posix_spawnattr_t* get() const { return &attributes_; }
-
- private:
-  posix_spawnattr_t attributes_{};
-};
-
-pid_t start(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
-            const std::filesystem::path& output) {
+std::vector<char*> pointers_to(std::vector<std::string>& words) {
   std::vector<char*> pointers;
-  for (const std::string& argument : arguments)
-    pointers.push_back(const_cast<char*>(argument.c_str()));
+  for (std::string& word : words) pointers.push_back(word.data());
   pointers.push_back(nullptr);
-  const Surroundings surroundings(folder, output);
-  const OwnGroup group;
-  pid_t process = 0;
-  check(
-      posix_spawn(&process, pointers[0], surroundings.get(), group.get(), pointers.data(), environ),
-      arguments.front());
-  return process;
+  return pointers;
 }
 
-/// Nothing while the process still runs.
-std::optional<int> status_of(pid_t process, int options) {
-  int status = 0;
-  const pid_t ended = waitpid(process, &status, options);
-  if (ended == 0 || (ended < 0 && errno == EINTR)) return std::nullopt;
-  if (ended < 0) throw std::system_error(errno, std::generic_category(), "waitpid");
-  return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+void limit_to(int resource, rlim_t most) {
+  rlimit limit{};
+  getrlimit(static_cast<__rlimit_resource>(resource), &limit);
+  limit.rlim_cur = std::min(limit.rlim_max, most);
+  limit.rlim_max = limit.rlim_cur;
+  setrlimit(static_cast<__rlimit_resource>(resource), &limit);
 }
 
-int stop(pid_t process) {
+bool set_streams(const Command& command) {
+  const int empty = open("/dev/null", O_RDONLY | O_CLOEXEC);
+  const int output = open(command.output.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
+  return dup2(empty, 0) == 0 && dup2(output, 1) == 1 && dup2(output, 2) == 2;
+}
+
+/// In a process group of its own, so that a compiler's children can be stopped with it. Returns
+/// only when something went wrong, which errno tells.
+void become(const Command& command, char* const* arguments, char* const* environment,
+            std::optional<std::uint64_t> memory) {
+  setpgid(0, 0);
+  Cleaner::get().watch(getpid());
+  if (memory) limit_to(RLIMIT_AS, *memory);
+  limit_to(RLIMIT_FSIZE, largest_file);
+  limit_to(RLIMIT_CORE, 0);
+  close_range(STDERR_FILENO + 1, UINT_MAX, CLOSE_RANGE_CLOEXEC);
+  if (set_streams(command) && chdir(command.folder.c_str()) == 0)
+    execve(arguments[0], arguments, environment);
+}
+
+pid_t start(Command command, std::optional<std::uint64_t> memory) {
+  const std::vector<char*> arguments = pointers_to(command.arguments);
+  const std::vector<char*> environment = pointers_to(command.environment);
+  Cleaner::get();
+  int ends[2] = {};
+  if (pipe2(ends, O_CLOEXEC) != 0) fail(errno, "pipe");
+  const pid_t process = fork();
+  if (process == 0) {
+    become(command, arguments.data(), environment.data(), memory);
+    const int error = errno;
+    _exit(write(ends[1], &error, sizeof error) == sizeof error ? 127 : 126);
+  }
+  const int fork_error = errno;
+  close(ends[1]);
+  int error = 0;
+  // Nothing comes when exec has closed the pipe.
+  const bool failed = process > 0 && read(ends[0], &error, sizeof error) == sizeof error;
+  close(ends[0]);
+  if (process < 0) fail(fork_error, "fork");
+  if (!failed) return process;
+  Cleaner::get().forget(process);
+  waitpid(process, nullptr, 0);
+  fail(error, command.arguments.front());
+}
+
+/// Whether it has ended; it is still there to be waited for.
+bool has_ended(pid_t process) {
+  siginfo_t information{};
+  const int options = WEXITED | WNOHANG | WNOWAIT;
+  if (waitid(P_PID, static_cast<id_t>(process), &information, options) != 0 && errno != EINTR)
+    fail(errno, "waitid");
+  return information.si_pid == process;
+}
+
+/// The exit status, after all that it had started is stopped. Its number belongs to nobody else
+/// before it is waited for.
+int end(pid_t process) {
   kill(-process, SIGKILL);
-  for (;;)
-    if (const auto status = status_of(process, 0)) return *status;
+  Cleaner::get().forget(process);
+  int status = 0;
+  while (waitpid(process, &status, 0) < 0)
+    if (errno != EINTR) fail(errno, "waitpid");
+  return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
 }
 
 std::string beginning_of(const std::filesystem::path& file) {
@@ -120,9 +152,8 @@ std::optional<std::filesystem::path> find_program(const std::string& name,
 }
 
 std::filesystem::path new_folder() {
-  std::string name = (std::filesystem::temp_directory_path() / "vcrit-XXXXXX").string();
-  if (mkdtemp(name.data()) == nullptr)
-    throw std::system_error(errno, std::generic_category(), "a folder like " + name);
+  std::string name = (Cleaner::get().folder() / "XXXXXX").string();
+  if (mkdtemp(name.data()) == nullptr) fail(errno, "a folder like " + name);
   return name;
 }
 
@@ -136,24 +167,17 @@ PrivateFolder::~PrivateFolder() {
 }
 
 ProgramResult run_program(const std::vector<std::string>& arguments,
-                          const std::filesystem::path& folder, std::chrono::milliseconds limit) {
-  const std::filesystem::path output = folder / "output.txt";
-  const pid_t process = start(arguments, folder, output);
+                          const std::filesystem::path& folder, std::chrono::milliseconds limit,
+                          std::optional<std::uint64_t> memory) {
+  const pid_t process = start(Command(arguments, folder), memory);
   const auto deadline = Clock::now() + limit;
   ProgramResult result;
-  for (;;) {
-    if (const auto status = status_of(process, WNOHANG)) {
-      result.status = *status;
-      break;
-    }
-    if (Clock::now() >= deadline) {
-      result.timed_out = true;
-      result.status = stop(process);
-      break;
-    }
-    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  while (!has_ended(process) && !result.timed_out) {
+    result.timed_out = Clock::now() >= deadline;
+    std::this_thread::sleep_for(std::chrono::milliseconds(result.timed_out ? 0 : 2));
   }
-  result.output = beginning_of(output);
+  result.status = end(process);
+  result.output = beginning_of(folder / output_name);
   return result;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -11,7 +12,8 @@
 
 namespace vcrit::validation {
 
-/// A new folder that only this user can enter, removed with all it holds at the end.
+/// A new folder that only this user can enter, removed with all it holds at the end, also when this
+/// process is killed.
 class PrivateFolder {
  public:
   PrivateFolder();
@@ -31,10 +33,16 @@ struct ProgramResult {
   bool succeeded() const { return status == 0 && !timed_out; }
 };
 
+/// Of a started program, in bytes: the address space, and each file that it writes.
+inline constexpr std::uint64_t most_memory = 4ULL << 30, largest_file = 1ULL << 30;
+
 /// Runs `arguments` (the program's path first) as they stand, without input, in `folder`, where its
-/// output is kept meanwhile (both absolute). Throws std::system_error if it cannot be started.
+/// output and its temporary files are kept meanwhile (both absolute). When it has ended, and when
+/// this process is killed, nothing that it started runs on. Throws std::system_error if it cannot
+/// be started.
 ProgramResult run_program(const std::vector<std::string>& arguments,
-                          const std::filesystem::path& folder, std::chrono::milliseconds limit);
+                          const std::filesystem::path& folder, std::chrono::milliseconds limit,
+                          std::optional<std::uint64_t> memory = most_memory);
 
 /// The program of that name in the first of the folders of PATH that has one; folders of PATH that
 /// are not absolute are passed over.

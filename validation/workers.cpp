@@ -1,5 +1,6 @@
 #include "workers.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
 #include <sys/prctl.h>
@@ -17,12 +18,13 @@
 #include <system_error>
 
 #include "base/errors.hpp"
+#include "cleaner.hpp"
 
 namespace vcrit::validation {
 
 namespace {
 
-enum class Kind : char { step, answer, model_error, error };
+enum class Kind : char { step, answer, input_error, model_error, error };
 
 /// What goes before each text in a pipe.
 struct Head {
@@ -54,6 +56,10 @@ void tell(int pipe, Kind kind, const std::string& text) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   try {
     tell(pipe, Kind::answer, work([&](const std::string& step) { tell(pipe, Kind::step, step); }));
+  } catch (const InputError& error) {
+    tell(pipe, Kind::input_error, error.what());
+  } catch (const std::system_error& error) {
+    tell(pipe, Kind::input_error, error.what());
   } catch (const ModelError& error) {
     tell(pipe, Kind::model_error, error.what());
   } catch (const std::exception& error) {
@@ -67,7 +73,8 @@ class Worker {
  public:
   Worker(std::size_t job, const std::function<std::string(const Step&)>& work) : job_(job) {
     int ends[2] = {};
-    if (pipe(ends) != 0) throw std::system_error(errno, std::generic_category(), "pipe");
+    if (pipe2(ends, O_CLOEXEC) != 0)
+      throw std::system_error(errno, std::generic_category(), "pipe");
     process_ = fork();
     if (process_ < 0) throw std::system_error(errno, std::generic_category(), "fork");
     if (process_ == 0) {
@@ -121,6 +128,7 @@ class Worker {
     received_.erase(0, sizeof head + head.size);
     if (head.kind == Kind::step) step_ = text;
     if (head.kind == Kind::answer) answer_ = text;
+    if (head.kind == Kind::input_error) throw JobRefused(name + ": " + text);
     if (head.kind == Kind::model_error) throw ModelError(text);
     if (head.kind == Kind::error) throw std::runtime_error(name + ": " + text);
     return true;
@@ -159,6 +167,7 @@ std::vector<std::string> in_processes(
     const std::vector<std::string>& names, unsigned at_once,
     const std::function<std::string(std::size_t, const Step&)>& work, const Watch& watch) {
   std::vector<std::string> answers(names.size());
+  Cleaner::get();  // one for all of them
   Workers workers;
   for (std::size_t begun = 0, done = 0; done < names.size();) {
     for (; begun < names.size() && workers.size() < std::max(at_once, 1u); ++begun)

@@ -3,13 +3,21 @@
 #pragma once
 
 #include <functional>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace vcrit::validation {
 
 /// What a job says of itself while it runs.
 using Step = std::function<void(const std::string& step)>;
+
+/// An InputError in a job, or that the system refused it something; names the job.
+class JobRefused : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
 
 /// How far everything is.
 struct Standing {
@@ -20,8 +28,9 @@ using Watch = std::function<void(const Standing&)>;
 
 /// work(i, step) for each i below names.size(), at most `at_once` at a time, each in a copy of this
 /// process as it is now; the answers in order. `watch` is told of each step. A job's ModelError is
-/// thrown again as one, another exception or a crash as std::runtime_error that names the job; the
-/// other jobs are then ended. Must not be called while other threads run.
+/// thrown again as one, what the input or the system refused as JobRefused, another exception or a
+/// crash as std::runtime_error that names the job; the other jobs are then ended. Must not be
+/// called while other threads run.
 std::vector<std::string> in_processes(
     const std::vector<std::string>& names, unsigned at_once,
     const std::function<std::string(std::size_t, const Step&)>& work, const Watch& watch);

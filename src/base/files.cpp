@@ -1,16 +1,100 @@
 #include "base/files.hpp"
 
+#include <fcntl.h>
+#include <signal.h>
 #include <unistd.h>
 
+#include <cerrno>
+#include <cstdio>
 #include <fstream>
 #include <iterator>
 #include <system_error>
+#include <utility>
 
 #include "base/errors.hpp"
 
 namespace vcrit {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+[[noreturn]] void refuse(const fs::path& file, const std::error_code& error) {
+  throw InputError({file.string()}, error.message(), "a place that can be written");
+}
+
+[[noreturn]] void refuse(const fs::path& file) {
+  refuse(file, {errno == 0 ? EIO : errno, std::generic_category()});
+}
+
+/// Ctrl-C and its like come after the last rename, not between two.
+class SignalsWait {
+ public:
+  SignalsWait() {
+    sigset_t ending;
+    sigemptyset(&ending);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) sigaddset(&ending, signal);
+    pthread_sigmask(SIG_BLOCK, &ending, &before_);
+  }
+  ~SignalsWait() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+  SignalsWait(const SignalsWait&) = delete;
+  SignalsWait& operator=(const SignalsWait&) = delete;
+
+ private:
+  sigset_t before_{};
+};
+
+/// A file beside its place, removed unless it was put there.
+class Part {
+ public:
+  explicit Part(fs::path place) : place_(std::move(place)) {
+    std::error_code error;
+    if (place_.has_parent_path()) fs::create_directories(place_.parent_path(), error);
+    if (error) refuse(place_, error);
+    // A new file: neither what somebody has put there, nor where a link of theirs leads.
+    constexpr int tries = 100;
+    for (int i = 0; i < tries && file_ < 0; ++i) {
+      part_ = place_;
+      part_ += ".part" + std::to_string(::getpid()) + (i == 0 ? "" : "-" + std::to_string(i));
+      file_ = ::open(part_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+      if (file_ < 0 && errno != EEXIST) break;
+    }
+    if (file_ < 0) refuse(place_);
+  }
+  Part(Part&& other) noexcept
+      : place_(std::move(other.place_)),
+        part_(std::exchange(other.part_, {})),
+        file_(std::exchange(other.file_, -1)) {}
+  Part& operator=(Part&&) = delete;
+  ~Part() {
+    if (file_ >= 0) ::close(file_);
+    if (!part_.empty()) ::unlink(part_.c_str());
+  }
+
+  /// All of it on the disk: a file of that name will be whole even after a loss of power.
+  void fill(std::string_view text) {
+    while (!text.empty()) {
+      const ssize_t size = ::write(file_, text.data(), text.size());
+      if (size < 0 && errno == EINTR) continue;
+      if (size <= 0) refuse(place_);
+      text.remove_prefix(static_cast<std::size_t>(size));
+    }
+    // Not every kind of file can be synchronised.
+    if (::fsync(file_) != 0 && errno != EINVAL && errno != ENOTSUP) refuse(place_);
+    if (::close(std::exchange(file_, -1)) != 0) refuse(place_);
+  }
+
+  void put_into_place() {
+    if (std::rename(part_.c_str(), place_.c_str()) != 0) refuse(place_);
+    part_.clear();
+  }
+
+ private:
+  fs::path place_, part_;
+  int file_ = -1;
+};
+
+}  // namespace
 
 std::string read_file(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
@@ -21,24 +105,21 @@ std::string read_file(const fs::path& file) {
   return text;
 }
 
-void write_file(const fs::path& file, std::string_view text) {
-  const auto refuse = [&](const std::string& found) {
-    throw InputError({file.string()}, found, "a place that can be written");
-  };
-  std::error_code error;
-  if (file.has_parent_path()) fs::create_directories(file.parent_path(), error);
-  if (error) refuse(error.message());
-  fs::path beside = file;
-  beside += ".part" + std::to_string(::getpid());
-  std::ofstream out(beside, std::ios::binary);
-  out << text;
-  out.close();
-  if (out) fs::rename(beside, file, error);
-  if (!out || error) {
-    std::error_code ignored;
-    fs::remove(beside, ignored);
-    refuse(error ? error.message() : "no room or no permission");
+void write_files(const std::vector<NewFile>& files) {
+  const SignalsWait wait;
+  std::vector<Part> parts;
+  for (const NewFile& file : files) {
+    std::error_code error;
+    // A folder in the way would be found by the renames, too late for the files before it.
+    if (fs::is_directory(fs::symlink_status(file.place, error)))
+      refuse(file.place, std::make_error_code(std::errc::is_a_directory));
+    parts.emplace_back(file.place).fill(file.text);
   }
+  for (Part& part : parts) part.put_into_place();
+}
+
+void write_file(const fs::path& file, std::string_view text) {
+  write_files({{file, std::string(text)}});
 }
 
 }  // namespace vcrit

@@ -4,14 +4,26 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace vcrit {
 
 /// Throws InputError naming the file.
 std::string read_file(const std::filesystem::path& file);
 
-/// Creates missing folders, writes beside the place and renames, so that a reader sees the old file
-/// or the new one. Throws InputError naming the file.
+struct NewFile {
+  std::filesystem::path place;
+  std::string text;
+};
+
+/// Creates missing folders, writes all files beside their places as NAME.part<PID>, and when all of
+/// them are on the disk, renames them in this order, so that a reader sees old files or new ones
+/// and whatever cannot be written leaves the old ones, all of them. A symbolic link at a place is
+/// replaced, not followed. Signals that would end the process wait until it is done. Throws
+/// InputError naming the file.
+void write_files(const std::vector<NewFile>& files);
+
+/// One file in the same way.
 void write_file(const std::filesystem::path& file, std::string_view text);
 
 }  // namespace vcrit

@@ -64,6 +64,7 @@ CsvMap::CsvMap(const Sweeping& sweeping, const fs::path& file, bool resume, cons
   if (ranks.size() > 1)
     throw InputError({"--out"}, fmt::format("\"{}\" under mpirun", file.string()),
                      "a file ending in .h5, which several processes can write");
+  refuse_links(part_);
   if (resume && fs::exists(part_))
     go_on();
   else
@@ -80,11 +81,12 @@ void CsvMap::begin() {
                      "--resume to go on with it, or that you remove it");
   std::error_code error;
   if (part_.has_parent_path()) fs::create_directories(part_.parent_path(), error);
+  fs::remove(sweep_file_, error);  // or what somebody has linked there would be written over
   // Whole before the part is there: whatever has that name can be gone on with.
-  out_.open(sweep_file_, std::ios::binary);
+  open(sweep_file_, std::ios::out);
   append(signature(sweeping_.sweep()));
   out_.close();
-  out_.open(part_, std::ios::binary);
+  open(part_, std::ios::out);
   append(csv_header(sweeping_.sweep()));
 }
 
@@ -100,7 +102,7 @@ void CsvMap::go_on() {
   std::error_code error;
   fs::resize_file(part_, whole.bytes, error);
   if (error) refuse(error.message());
-  out_.open(part_, std::ios::binary | std::ios::app);
+  open(part_, std::ios::app);
   if (whole.bytes == 0) append(header);
 }
 
@@ -122,6 +124,12 @@ std::string CsvMap::prepare(const BlockAnswer& answer) const {
       text += cell(quantities[q], answer.values[q][row]) + (q + 1 < quantities.size() ? "," : "\n");
   }
   return text;
+}
+
+void CsvMap::open(const fs::path& file, std::ios::openmode mode) {
+  errno = 0;
+  out_.open(file, mode | std::ios::binary);
+  if (!out_) refuse(errno != 0 ? std::strerror(errno) : "no file");
 }
 
 void CsvMap::append(const std::string& text) {

@@ -23,6 +23,7 @@ class CsvMap : public MapFile {
  private:
   void begin();
   void go_on();
+  void open(const std::filesystem::path& file, std::ios::openmode mode);
   void append(const std::string& text);
   [[noreturn]] void refuse(const std::string& found) const;
 

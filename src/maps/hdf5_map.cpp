@@ -125,6 +125,7 @@ Hdf5Map::Hdf5Map(const Sweeping& sweeping, const fs::path& file, bool resume, co
   H5dont_atexit();
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   ranks.first_alone([&] {
+    refuse_links(part_);
     if (resume && fs::exists(part_)) return check();
     if (fs::exists(part_))
       throw InputError({part_.string()}, "an unfinished sweep",
@@ -154,6 +155,7 @@ void Hdf5Map::create() const {
   };
   std::error_code error;
   if (part_.has_parent_path()) fs::create_directories(part_.parent_path(), error);
+  fs::remove(unnamed, error);  // or what somebody has linked there would be written over
   try {
     Object file = new_file(unnamed);
     lay_out(file, sweeping_);

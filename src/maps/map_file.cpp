@@ -33,6 +33,12 @@ std::filesystem::path part_of(const std::filesystem::path& file) {
   return part += ".part";
 }
 
+void refuse_links(const std::filesystem::path& part) {
+  std::error_code error;
+  if (std::filesystem::is_symlink(part, error))
+    throw InputError({part.string()}, "a symbolic link", "a place of its own for the sweep");
+}
+
 std::string signature(const Sweep& sweep) {
   std::string text = "vcrit " VCRIT_VERSION "\n";
   for (const auto& [name, value] : sweep.scene.settings)

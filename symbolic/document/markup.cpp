@@ -1,5 +1,6 @@
 #include "document/markup.hpp"
 
+#include "base/plain_text.hpp"
 #include "formula/dialect.hpp"
 
 namespace vcrit::symbolic {
@@ -52,7 +53,7 @@ class Markup {
 
 class Text : public Markup {
   const Dialect& dialect() const override { return text_dialect(); }
-  std::string titled(const std::string& title) const override { return title + "\n\n"; }
+  std::string titled(const std::string& title) const override { return one_line(title) + "\n\n"; }
   std::string headed(const std::string& title) const override { return "\n" + title + ":\n"; }
   std::string paragraph(const std::string& words) const override { return words + "\n"; }
   std::string display(const std::string& equation) const override {
@@ -64,7 +65,7 @@ class Text : public Markup {
 class Latex : public Markup {
   const Dialect& dialect() const override { return latex_dialect(); }
   std::string titled(const std::string& title) const override {
-    return "\\section*{" + words(title) + "}\n";
+    return "\\section*{" + words(one_line(title)) + "}\n";
   }
   std::string headed(const std::string& title) const override {
     return "\\subsection*{" + words(title) + "}\n";
@@ -76,11 +77,11 @@ class Latex : public Markup {
   std::string words(const std::string& text) const override {
     std::string out;
     for (const char c : text) {
-      if (std::string("_%&#$").find(c) != std::string::npos) out += '\\';
-      if (c == '^')
-        out += "\\^{}";
+      if (std::string("_%&#${}").find(c) != std::string::npos) out += '\\';
+      if (c == '\\')
+        out += "\\textbackslash{}";
       else
-        out += c;
+        out += c == '^' || c == '~' ? "\\" + std::string(1, c) + "{}" : std::string(1, c);
     }
     return out;
   }
@@ -88,11 +89,22 @@ class Latex : public Markup {
 
 class Markdown : public Markup {
   const Dialect& dialect() const override { return latex_dialect(); }
-  std::string titled(const std::string& title) const override { return "# " + title + "\n\n"; }
+  std::string titled(const std::string& title) const override {
+    return "# " + escaped(one_line(title)) + "\n\n";
+  }
   std::string headed(const std::string& title) const override { return "## " + title + "\n\n"; }
   std::string paragraph(const std::string& words) const override { return words + "\n\n"; }
   std::string display(const std::string& equation) const override {
     return "\n$$" + equation + "$$\n\n";
+  }
+  // What would begin a tag, a link, code or a formula.
+  static std::string escaped(const std::string& text) {
+    std::string out;
+    for (const char c : text) {
+      if (std::string("\\`*_[]<>&$~|#").find(c) != std::string::npos) out += '\\';
+      out += c;
+    }
+    return out;
   }
 };
 

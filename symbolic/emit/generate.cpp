@@ -1,28 +1,71 @@
 #include "emit/generate.hpp"
 
+#include <fmt/format.h>
+
+#include <cstdint>
 #include <utility>
 
+#include "base/errors.hpp"
 #include "base/files.hpp"
 
 namespace vcrit::symbolic {
+
+namespace {
+
+/// FNV-1a, as a literal.
+std::string hash_of(const std::string& text) {
+  std::uint64_t hash = 14695981039346656037U;
+  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211U;
+  return fmt::format("0x{:016x}ULL", hash);
+}
+
+std::string guard_of(const std::string& name) { return "VCRIT_GENERATED_" + name + "_HPP"; }
+
+void insert_after(std::string& text, const std::string& line, const std::string& inserted) {
+  const std::size_t at = text.find(line + "\n");
+  ensure(at != std::string::npos, "the line is there");
+  text.insert(at + line.size(), inserted);
+}
+
+/// The files are renamed one by one. Whoever is killed between two of them leaves whole files of
+/// two runs, which the compiler must not take for one library: the header's guard carries its hash,
+/// and what includes it asks for that.
+void stamp(std::string& header, const std::string& name, const std::string& hash) {
+  insert_after(header, "#define " + guard_of(name), " " + hash);
+}
+
+void insert_check(std::string& text, const std::string& file, const std::string& name,
+                  const std::string& hash) {
+  const std::string included = name + (file == "test_" + name + ".cpp" ? "_batch" : "");
+  insert_after(text, fmt::format("#include \"{}.hpp\"", included),
+               fmt::format("\n\n#if {} != {}\n#error \"{} and {}.hpp are of two runs: vcrit "
+                           "generate again\"\n#endif",
+                           guard_of(name), hash, file, name));
+}
+
+}  // namespace
 
 std::vector<std::filesystem::path> generate(const Scene& scene,
                                             const std::filesystem::path& directory,
                                             const std::string& name,
                                             const GenerateOptions& options) {
-  // All texts first, so that an error leaves nothing half written.
-  std::vector<std::pair<std::string, std::string>> texts{
-      {name + ".hpp", emit_header(scene, name, options)},
-      {name + "_batch.hpp", emit_batch_header(scene, name, options)}};
+  std::string header = emit_header(scene, name, options);
+  const std::string hash = hash_of(header);
+  stamp(header, name, hash);
+  std::vector<NewFile> written;
+  const auto companion = [&](const std::string& file, std::string text) {
+    insert_check(text, file, name, hash);
+    written.push_back({directory / file, std::move(text)});
+  };
+  companion(name + "_batch.hpp", emit_batch_header(scene, name, options));
   if (options.quantities)
-    texts.emplace_back(name + "_quantities.hpp", emit_quantities(scene, name, options));
-  texts.emplace_back("test_" + name + ".cpp", emit_test(scene, name, options));
-  texts.emplace_back("CMakeLists.txt", emit_cmake(name));
+    companion(name + "_quantities.hpp", emit_quantities(scene, name, options));
+  companion("test_" + name + ".cpp", emit_test(scene, name, options));
+  written.push_back({directory / "CMakeLists.txt", emit_cmake(name)});
+  written.insert(written.begin(), {directory / (name + ".hpp"), std::move(header)});
+  write_files(written);
   std::vector<std::filesystem::path> files;
-  for (const auto& [file, text] : texts) {
-    files.push_back(directory / file);
-    write_file(files.back(), text);
-  }
+  for (const NewFile& file : written) files.push_back(file.place);
   return files;
 }
 

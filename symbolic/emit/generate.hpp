@@ -33,7 +33,8 @@ std::string emit_quantities(const Scene& scene, const std::string& name,
 std::string emit_cmake(const std::string& name);
 
 /// Writes DIR/NAME.hpp, DIR/NAME_batch.hpp, DIR/CMakeLists.txt, DIR/test_NAME.cpp and, if asked
-/// for, DIR/NAME_quantities.hpp, each beside its place and renamed. Returns the files.
+/// for, DIR/NAME_quantities.hpp, all beside their places and then renamed. The others refuse to be
+/// compiled with a NAME.hpp of another run. Returns the files.
 std::vector<std::filesystem::path> generate(const Scene& scene,
                                             const std::filesystem::path& directory,
                                             const std::string& name,

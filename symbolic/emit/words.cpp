@@ -1,29 +1,27 @@
 #include "emit/words.hpp"
 
+#include <algorithm>
 #include <string_view>
+
+#include "base/plain_text.hpp"
 
 namespace vcrit::symbolic {
 
 namespace {
 
-// U+200E, U+200F, U+202A to U+202E and U+2066 to U+2069 in UTF-8.
-bool turns_direction(std::string_view text) {
-  if (text.size() < 3 || text[0] != '\xE2') return false;
-  const auto second = static_cast<unsigned char>(text[1]);
-  const auto third = static_cast<unsigned char>(text[2]);
-  return (second == 0x80 && (third == 0x8E || third == 0x8F || (third >= 0xAA && third <= 0xAE))) ||
-         (second == 0x81 && third >= 0xA6 && third <= 0xA9);
-}
-
-std::string harmless(const std::string& text) {
+// Nothing that ends a line in one of the languages (U+2028 does in JavaScript), goes on with it on
+// the next (a backslash, or the trigraph that stands for it in C99), shows it in another order, or
+// ends the script of a page.
+std::string harmless(std::string_view text) {
   std::string out;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (turns_direction(std::string_view(text).substr(i))) {
-      i += 2;
-      continue;
-    }
-    const auto c = static_cast<unsigned char>(text[i]);
-    out += c < 0x20 || c == 0x7F || c == '\\' ? ' ' : text[i];
+  while (!text.empty()) {
+    const std::size_t size = std::max<std::size_t>(steering(text), 1);
+    const bool shown = steering(text) == 0 && text.front() != '\\';
+    if (shown || size == 1) out += shown ? text.front() : ' ';
+    text.remove_prefix(size);
+    const bool trigraph = out.ends_with("??") && text.starts_with('/');
+    const bool tag = out.ends_with('<') && (text.starts_with('/') || text.starts_with('!'));
+    if (trigraph || tag) out += ' ';
   }
   return out;
 }

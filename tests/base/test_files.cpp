@@ -39,6 +39,31 @@ BOOST_FIXTURE_TEST_CASE(a_place_that_cannot_be_written_is_named_and_left_clean, 
   BOOST_CHECK_THROW(write_file(path / "file" / "below", "text"), InputError);
 }
 
+BOOST_FIXTURE_TEST_CASE(either_all_files_of_a_set_are_new_or_none, Folder) {
+  write_file(path / "a", "old");
+  // The last one cannot be written: a file is where its folder should be, or a folder where it
+  // should be.
+  BOOST_CHECK_THROW(write_files({{path / "a", "new"}, {path / "a" / "below", "new"}}), InputError);
+  fs::create_directories(path / "taken");
+  BOOST_CHECK_THROW(write_files({{path / "a", "new"}, {path / "taken", "new"}}), InputError);
+  BOOST_TEST(read_file(path / "a") == "old");
+  BOOST_TEST(std::distance(fs::directory_iterator(path), {}) == 2);
+  write_files({{path / "a", "new"}, {path / "b" / "c", "new"}});
+  BOOST_TEST(read_file(path / "a") + read_file(path / "b" / "c") == "newnew");
+}
+
+BOOST_FIXTURE_TEST_CASE(neither_a_link_nor_what_stands_beside_the_place_is_written_over, Folder) {
+  write_file(path / "outside", "theirs");
+  const std::string part = "file.part" + std::to_string(::getpid());
+  fs::create_symlink(path / "outside", path / part);
+  fs::create_symlink(path / "outside", path / "file");
+  write_file(path / "file", "ours");
+  BOOST_TEST(read_file(path / "outside") == "theirs");
+  BOOST_TEST(!fs::is_symlink(path / "file"));
+  BOOST_TEST(read_file(path / "file") == "ours");
+  BOOST_TEST(fs::is_symlink(path / part));
+}
+
 BOOST_FIXTURE_TEST_CASE(a_missing_file_is_wrong_input, Folder) {
   BOOST_CHECK_THROW(read_file(path / "none"), InputError);
   BOOST_CHECK_THROW(read_file(path), InputError);

@@ -54,6 +54,33 @@ BOOST_AUTO_TEST_CASE(the_time_limit_stops_the_program_and_its_children) {
   BOOST_TEST(!fs::exists(folder.path() / "late"));
 }
 
+BOOST_AUTO_TEST_CASE(what_a_program_leaves_running_is_stopped_with_it) {
+  const PrivateFolder folder;
+  const std::string child = "(sleep 1; touch " + (folder.path() / "late").string() + ") & exit 0";
+  BOOST_TEST(run_program({"/bin/sh", "-c", child}, folder.path(), 10s).succeeded());
+  run_program({"/bin/sleep", "1.3"}, folder.path(), 10s);
+  BOOST_TEST(!fs::exists(folder.path() / "late"));
+}
+
+BOOST_AUTO_TEST_CASE(temporary_files_of_a_program_are_in_its_folder) {
+  const PrivateFolder folder;
+  const ProgramResult result = run_program({"/bin/sh", "-c", "echo $TMPDIR"}, folder.path(), 10s);
+  BOOST_TEST(result.output == folder.path().string() + "\n");
+}
+
+BOOST_AUTO_TEST_CASE(a_program_has_limits_and_no_files_of_ours) {
+  const PrivateFolder folder;
+  // In units of 1024 bytes.
+  const ProgramResult limits =
+      run_program({"/bin/bash", "-c", "ulimit -v; ulimit -f; ulimit -c"}, folder.path(), 10s);
+  BOOST_TEST(limits.output == "4194304\n1048576\n0\n");
+  BOOST_TEST(run_program({"/bin/bash", "-c", "ulimit -v"}, folder.path(), 10s, 1 << 30).output ==
+             "1048576\n");
+  // Its three streams, and the folder that ls itself has open.
+  const ProgramResult open = run_program({"/bin/ls", "/proc/self/fd"}, folder.path(), 10s);
+  BOOST_TEST(open.output == "0\n1\n2\n3\n");
+}
+
 BOOST_AUTO_TEST_CASE(what_is_no_program_is_an_error) {
   const PrivateFolder folder;
   BOOST_CHECK_THROW(run_program({folder.path() / "absent"}, folder.path(), 10s), std::system_error);

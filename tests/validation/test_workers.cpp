@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
+#include <cerrno>
 #include <stdexcept>
+#include <system_error>
 
 #include "base/errors.hpp"
 #include "base/files.hpp"
@@ -76,6 +78,20 @@ BOOST_AUTO_TEST_CASE(errors_keep_their_kind_and_their_words) {
   };
   BOOST_CHECK_EXCEPTION(in_processes(names, 2, outside, nobody), ModelError,
                         [](const auto& error) { return error.what() == std::string("0/0"); });
+  // As where there is no room for temporary files.
+  const auto refused = [](std::size_t i, const Step&) -> std::string {
+    if (i == 0) throw InputError({"place"}, "no room", "room");
+    throw std::system_error(ENOSPC, std::generic_category(), "mkdtemp");
+  };
+  for (const char* words : {"place: found no room; expected room", "mkdtemp: No space left"}) {
+    const std::vector<std::string> one{words[0] == 'p' ? "input" : "system"};
+    const auto job = [&](std::size_t, const Step& step) {
+      return refused(words[0] == 'p' ? 0 : 1, step);
+    };
+    BOOST_CHECK_EXCEPTION(in_processes(one, 1, job, nobody), JobRefused, [&](const auto& error) {
+      return mentions(error, (one[0] + ": " + words).c_str());
+    });
+  }
   const auto broken = [](std::size_t, const Step&) -> std::string {
     throw std::logic_error("a bug");
   };

@@ -4,6 +4,7 @@
 #include <openssl/evp.h>
 
 #include <array>
+#include <cctype>
 
 #include "base/errors.hpp"
 #include "report/assets.hpp"
@@ -19,6 +20,16 @@ std::vector<std::string_view> scripts_of(const Document& content) {
     for (const Script& script : scripts()) result.push_back(script.text);
   result.insert(result.end(), content.scripts.begin(), content.scripts.end());
   return result;
+}
+
+/// HTML reads a script's text for these alone, in whatever case.
+bool ends_early(std::string_view script) {
+  for (std::size_t at = script.find('<'); at != script.npos; at = script.find('<', at + 1)) {
+    std::string next(script.substr(at, 8));
+    for (char& c : next) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    if (next == "</script" || next.starts_with("<!--")) return true;
+  }
+  return false;
 }
 
 std::string policy(const std::vector<std::string_view>& scripts) {
@@ -46,6 +57,7 @@ std::string script_hash(std::string_view text) {
 
 std::string document(const Document& content) {
   const auto scripts = scripts_of(content);
+  for (const std::string_view script : scripts) ensure(!ends_early(script), "a script is whole");
   std::string html = fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta http-equiv=\"Content-Security-Policy\" content=\"{}\">\n"

@@ -19,41 +19,42 @@ std::filesystem::path program() {
   throw InputError({"--figures"}, "no gnuplot on the PATH", "gnuplot, which draws the figures");
 }
 
-void write(const FigureFile& file, const std::filesystem::path& directory) {
+/// The SVG, a zero, the PDF.
+std::string drawn(const FigureFile& file) {
   const PrivateFolder folder;
   write_file(folder.path() / "figure.gp", file.script);
   const ProgramResult result = run_program({program(), "figure.gp"}, folder.path(), limit);
   if (!result.succeeded())
     throw std::runtime_error("gnuplot failed on " + file.name + ": " +
                              result.output.substr(0, 400));
-  const std::filesystem::path target = directory / file.folder;
-  for (const char* ending : {".svg", ".pdf"})
-    write_file(target / (file.name + ending), read_file(folder.path() / (file.name + ending)));
-  write_file(target / (file.name + ".gp"), file.script);
+  return read_file(folder.path() / (file.name + ".svg")) + '\0' +
+         read_file(folder.path() / (file.name + ".pdf"));
 }
 
 }  // namespace
 
 void require_gnuplot() { program(); }
 
-std::vector<std::filesystem::path> write_figures(const std::vector<FigureFile>& files,
-                                                 const std::filesystem::path& directory,
-                                                 const Watch& watch) {
+std::vector<NewFile> draw_figures(const std::vector<FigureFile>& files,
+                                  const std::filesystem::path& directory, const Watch& watch) {
   std::vector<std::string> names;
   for (const FigureFile& file : files) names.push_back(file.name);
-  in_processes(
+  const std::vector<std::string> pictures = in_processes(
       names, std::thread::hardware_concurrency(),
       [&](std::size_t i, const Step& step) {
         step("drawing");
-        write(files[i], directory);
-        return std::string();
+        return drawn(files[i]);
       },
       watch);
-  std::vector<std::filesystem::path> written;
-  for (const FigureFile& file : files)
-    for (const char* ending : {".svg", ".pdf", ".gp"})
-      written.push_back(directory / file.folder / (file.name + ending));
-  return written;
+  std::vector<NewFile> result;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    const std::filesystem::path target = directory / files[i].folder;
+    const std::size_t end = pictures[i].find('\0');
+    result.push_back({target / (files[i].name + ".svg"), pictures[i].substr(0, end)});
+    result.push_back({target / (files[i].name + ".pdf"), pictures[i].substr(end + 1)});
+    result.push_back({target / (files[i].name + ".gp"), files[i].script});
+  }
+  return result;
 }
 
 }  // namespace vcrit::validation::report

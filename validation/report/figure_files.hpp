@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/files.hpp"
 #include "workers.hpp"
 
 namespace vcrit::validation::report {
@@ -19,11 +20,9 @@ struct FigureFile {
 /// Throws InputError unless gnuplot is on the PATH.
 void require_gnuplot();
 
-/// Writes FOLDER/NAME.svg, .pdf and .gp (the script, for changes) of each below `directory`,
-/// several at a time, and returns all these files. Throws InputError where a file cannot be
-/// written, std::runtime_error where gnuplot fails.
-std::vector<std::filesystem::path> write_figures(const std::vector<FigureFile>& files,
-                                                 const std::filesystem::path& directory,
-                                                 const Watch& watch);
+/// FOLDER/NAME.svg, .pdf and .gp (the script, for changes) of each below `directory`, drawn several
+/// at a time, to be written. Throws std::runtime_error where gnuplot fails.
+std::vector<NewFile> draw_figures(const std::vector<FigureFile>& files,
+                                  const std::filesystem::path& directory, const Watch& watch);
 
 }  // namespace vcrit::validation::report

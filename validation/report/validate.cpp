@@ -54,15 +54,15 @@ void summarise(const ordered_json& scene, Validation& validation) {
 }
 
 /// The index comes last: whoever sees it finds the pages that it names.
-void write_suite(const std::vector<ordered_json>& scenes, const std::vector<std::string>& names,
-                 const Origin& origin, Validation& validation) {
-  const std::filesystem::path directory = validation.page.parent_path();
+void add_suite(const std::vector<ordered_json>& scenes, const std::vector<std::string>& names,
+               const Origin& origin, const std::filesystem::path& index,
+               std::vector<NewFile>& files) {
   std::vector<IndexEntry> entries;
   for (std::size_t i = 0; i < scenes.size(); ++i) {
-    validation.write(directory / (names[i] + ".html"), scenes[i].at("page").get<std::string>());
+    files.push_back({index.parent_path() / (names[i] + ".html"), scenes[i].at("page")});
     entries.push_back({scene_line(scenes[i].at("line")), names[i] + ".html"});
   }
-  validation.write(validation.page, index_page(entries, origin));
+  files.push_back({index, index_page(entries, origin)});
 }
 
 std::vector<FigureFile> figure_files(const std::vector<ordered_json>& scenes,
@@ -102,12 +102,13 @@ Validation validate(const Request& request, const Watch& watch) {
   }
   validation.page = request.directory / "index.html";
   const std::vector<std::string> names = page_names(request.files);
-  validation.files = write_figures(figure_files(all, names), request.figures, watch);
-  validation.write(request.directory / "report.json", report_json(origin, data));
+  std::vector<NewFile> files = draw_figures(figure_files(all, names), request.figures, watch);
+  files.push_back({request.directory / "report.json", report_json(origin, data)});
   if (all.size() > 1)
-    write_suite(all, names, origin, validation);
+    add_suite(all, names, origin, validation.page, files);
   else
-    validation.write(validation.page, all.front().at("page").get<std::string>());
+    files.push_back({validation.page, all.front().at("page")});
+  validation.write(files);
   return validation;
 }
 
@@ -122,12 +123,14 @@ Validation report_paper(const PaperContents& contents, const Request& request, c
   Validation validation;
   validation.add("the paper", all_comparisons(contents.paper));
   validation.page = request.directory / "index.html";
-  std::vector<FigureFile> files;
-  for (const figures::Figure& figure : all_figures(contents.paper))
-    files.push_back({"", figure.name, gnuplot(figure)});
-  if (!request.figures.empty()) validation.files = write_figures(files, request.figures, watch);
-  validation.write(request.directory / "report.json", paper_json(contents));
-  validation.write(validation.page, paper_page(contents));
+  std::vector<FigureFile> figures;
+  if (!request.figures.empty())
+    for (const figures::Figure& figure : all_figures(contents.paper))
+      figures.push_back({"", figure.name, gnuplot(figure)});
+  std::vector<NewFile> files = draw_figures(figures, request.figures, watch);
+  files.push_back({request.directory / "report.json", paper_json(contents)});
+  files.push_back({validation.page, paper_page(contents)});
+  validation.write(files);
   return validation;
 }
 

@@ -19,12 +19,14 @@ Validation report_extremes(const ExtremesContents& contents, const Request& requ
   Validation validation;
   validation.add("extremes", all_comparisons(contents.extremes));
   validation.page = request.directory / "index.html";
-  std::vector<FigureFile> files;
-  for (const figures::Figure& figure : pictures(contents.extremes))
-    files.push_back({"", figure.name, gnuplot(figure)});
-  if (!request.figures.empty()) validation.files = write_figures(files, request.figures, watch);
-  validation.write(request.directory / "report.json", extremes_json(contents));
-  validation.write(validation.page, extremes_page(contents));
+  std::vector<FigureFile> figures;
+  if (!request.figures.empty())
+    for (const figures::Figure& figure : pictures(contents.extremes))
+      figures.push_back({"", figure.name, gnuplot(figure)});
+  std::vector<NewFile> files = draw_figures(figures, request.figures, watch);
+  files.push_back({request.directory / "report.json", extremes_json(contents)});
+  files.push_back({validation.page, extremes_page(contents)});
+  validation.write(files);
   return validation;
 }
 

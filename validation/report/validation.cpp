@@ -1,7 +1,5 @@
 #include "report/validation.hpp"
 
-#include "base/files.hpp"
-
 namespace vcrit::validation::report {
 
 void Validation::add(const Verdict& verdict) {
@@ -17,9 +15,9 @@ void Validation::add(const std::string& subject, const std::vector<Comparison>& 
     add({subject, comparison.key, comparison.name, to_text(outcome(comparison))});
 }
 
-void Validation::write(const std::filesystem::path& file, const std::string& text) {
-  write_file(file, text);
-  files.push_back(file);
+void Validation::write(const std::vector<NewFile>& all) {
+  write_files(all);
+  for (const NewFile& file : all) files.push_back(file.place);
 }
 
 }  // namespace vcrit::validation::report

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/files.hpp"
 #include "scene_report.hpp"
 
 namespace vcrit::validation::report {
@@ -27,8 +28,8 @@ struct Validation {
 
   void add(const Verdict& verdict);
   void add(const std::string& subject, const std::vector<Comparison>& comparisons);
-  /// Throws InputError where the file cannot be written.
-  void write(const std::filesystem::path& file, const std::string& text);
+  /// Writes all of them or none. Throws InputError naming the file that cannot be written.
+  void write(const std::vector<NewFile>& all);
 };
 
 }  // namespace vcrit::validation::report

@@ -74,7 +74,7 @@ std::optional<double> run(std::vector<std::string> words, const std::string& scr
   const std::filesystem::path file = folder.path() / "script";
   write_file(file, script);
   words.push_back(file.string());
-  const auto result = validation::run_program(words, folder.path(), longest);
+  const auto result = validation::run_program(words, folder.path(), longest, std::nullopt);
   const std::size_t at = result.output.rfind("seconds ");
   if (!result.succeeded() || at == std::string::npos) return std::nullopt;
   const double seconds = std::atof(result.output.c_str() + at + 8);

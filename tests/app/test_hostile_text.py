@@ -1,0 +1,268 @@
+"""Texts from scenes stay texts: in terminals, in documents, in the code of every language, and on pages in a browser.
+
+test_hostile_text.py PROJECT PROGRAM
+"""
+
+import ast
+import html.parser
+import json
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import unicodedata
+import unittest
+from pathlib import Path
+
+from selenium import webdriver
+from selenium.webdriver.chrome.service import Service
+from selenium.webdriver.support.ui import WebDriverWait
+
+PROJECT, PROGRAM = (str(Path(sys.argv.pop(1)).resolve()) for _ in range(2))
+SCENE = Path(PROJECT, "scenes/kelvin_rigid.toml").read_text()
+# One title that would do harm in a terminal, HTML, a shell, LaTeX, Markdown, TOML, and in comments of C (the trigraph
+# of a backslash), C++, JavaScript (U+2028 ends a line there) and Python.
+HOSTILE = ('"></title></script><script>window.hostile=1</script><img src=x onerror="window.hostile=1">'
+           '<meta http-equiv="refresh" content="0;url=https://vcrit.invalid/"> ${window.hostile=1} $(touch intruder) '
+           '`touch intruder` ../../intruder */ \\input{/etc/passwd} ~ [a](javascript:alert(1)) '
+           "\u2028window.hostile=1;// \u2029window.hostile=1;// \u202eturned\u2066 \x1b[2J\x1b]0;intruder\x07 \x85\x9b "
+           '\nimport os\r#error intruder\n\x0b\x0c"""\n[contact]\n<!-- --> ???/')
+PLAIN = "A contact"
+LANGUAGES = {"c++": "critical.hpp", "c99": "critical.h", "python": "critical.py", "javascript": "critical.mjs",
+             "cuda": "critical.cuh"}
+# A Zener element, to a per mille.
+DATA = "frequency,storage,loss\n" + "".join(f"{1e4 * x},{8e6 + 4e6 * x * x / (1 + x * x) + 1e4 * (i % 3)},"
+                                             f"{4e6 * x / (1 + x * x)}\n"
+                                             for i in range(17) for x in [10 ** (i / 8 - 1)])
+PATIENCE = 60  # seconds, for what takes one; the machine may be busy
+
+
+def scene(title):
+    # A string of JSON is one of TOML, but for DEL.
+    return re.sub(r"^title = .*$", lambda _: "title = " + json.dumps(title), SCENE, count=1, flags=re.M)
+
+
+def run(*arguments, **options):
+    return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, timeout=300, **options)
+
+
+def steering(text):
+    """Characters that are not shown, but for newlines and tabulators."""
+    return [c for c in text if unicodedata.category(c) in ("Cc", "Zl", "Zp") and c not in "\n\t"
+            or unicodedata.bidirectional(c) in ("LRE", "RLE", "LRO", "RLO", "PDF", "LRI", "RLI", "FSI", "PDI")]
+
+
+class Case(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory(prefix="vcrit-hostile-")
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+        self.addCleanup(self.no_intruder)
+
+    def no_intruder(self):
+        self.assertEqual(list(self.folder.rglob("intruder*")), [])
+
+    def file(self, title, name="scene.toml"):
+        path = self.folder / name
+        path.write_text(scene(title))
+        return path
+
+    def out(self, *arguments):
+        result = run(*arguments, cwd=self.folder)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        return result.stdout.decode()
+
+
+class Documents(Case):
+    def documents(self, form):
+        plain, hostile = (self.out("derive", self.file(title), "--format", form) for title in (PLAIN, HOSTILE))
+        self.assertEqual(steering(hostile), [])
+        # All but the title is the same, and that is one line.
+        self.assertEqual(plain.splitlines()[1:], hostile.split("\n")[1:-1])
+        return hostile.split("\n")[0]
+
+    def test_text(self):
+        self.assertIn("\\u{1b}[2J\\u{1b}]0;intruder\\u{7} \\u{85}\\u{9b}", self.documents("text"))
+
+    def test_latex(self):
+        title = self.documents("latex")
+        self.assertIn("\\textbackslash{}input\\{/etc/passwd\\} \\~{}", title)
+        begin, end = "\\section*{", "}"
+        self.assertTrue(title.startswith(begin) and title.endswith(end))
+        # Every command in it is one of those that print a character.
+        commands = set(re.findall(r"\\(?:[a-zA-Z]+|.)", title[len(begin):-len(end)]))
+        self.assertLessEqual(commands, {"\\textbackslash", *(f"\\{c}" for c in "_%&#${}^~")})
+
+    def test_markdown(self):
+        title = self.documents("markdown")
+        self.assertIn("\\[a\\](javascript", title)
+        self.assertIsNone(re.search(r"(?<!\\)(\\\\)*[`*_\[\]<>&$~]", title))
+
+    def test_json(self):
+        for command in [["derive", "--format", "json"], ["eval", "--json"]]:
+            text = self.out(command[0], self.file(HOSTILE), *command[1:])
+            told = json.loads(text)
+            self.assertEqual(told.get("title", HOSTILE), HOSTILE)
+
+    def test_messages(self):
+        for broken in [scene(HOSTILE).replace("normal", '"\\u001b[2J\\u202e\\u0085"'),
+                       scene(HOSTILE).replace('"k', '"\\u001b[2J\\u202e\\u0085k'), "\x1b[2J", "a = '\u202e'"]:
+            path = self.folder / "broken.toml"
+            path.write_text(broken)
+            result = run("eval", path)
+            self.assertEqual(result.returncode, 2)
+            self.assertEqual(steering(result.stderr.decode()), [])
+        result = run("eval", b"absent\x1b[2J\xff.toml")
+        self.assertEqual(result.returncode, 2)
+        self.assertNotIn(b"\x1b", result.stderr)
+
+    def test_a_fitted_scene(self):
+        (self.folder / "data.csv").write_text(DATA)
+        fitted = self.folder / "fitted.toml"
+        self.out("fit", self.folder / "data.csv", "--title", HOSTILE.replace("\x85\x9b", ""), "--out", fitted)
+        self.assertEqual(len(re.findall(r"(?m)^\[contact\]", fitted.read_text())), 1)
+        self.assertIn('title = "\\"></title>', fitted.read_text())
+
+
+class Code(Case):
+    def generated(self, title, language, file="scene.toml"):
+        folder = self.folder / "generated"
+        self.out("generate", self.file(title, file), "--language", language, "--out", folder)
+        return {name.name: name.read_text() for name in folder.iterdir()}
+
+    def without_comments(self, text):
+        """By the widest meaning of an end of line, and of a line that goes on with the next one."""
+        lines = re.sub(r"(\\|\?\?/)\n", "", text)
+        return [line for line in re.split("[\n\r\v\f\x85\u2028\u2029]", lines)
+                if not line.startswith(("//", "#include <", "# ")) and "VCRIT_GENERATED" not in line]
+
+    def test_comments_stay_comments(self):
+        for language, main in LANGUAGES.items():
+            with self.subTest(language):
+                plain, hostile = self.generated(PLAIN, language)[main], self.generated(HOSTILE, language)[main]
+                self.assertIn("window.hostile", hostile)
+                self.assertEqual(self.without_comments(hostile), self.without_comments(plain))
+                self.assertEqual(steering(hostile), [])
+                self.assertIsNone(re.search("</script|<!--", hostile, re.I))
+                if language == "python":
+                    self.assertEqual(ast.dump(ast.parse(hostile)), ast.dump(ast.parse(plain)))
+
+    # Only the compiler knows all that ends a comment.
+    def test_it_compiles(self):
+        for language, main, command in [("c99", "critical.h", ["gcc", "-std=c99", "-x", "c"]),
+                                        ("c++", "critical.hpp", ["g++", "-std=c++20", "-x", "c++"])]:
+            self.generated(HOSTILE, language)
+            result = subprocess.run([*command, "-fsyntax-only", "-Wall", "-Werror",
+                                     self.folder / "generated" / main], capture_output=True, text=True)
+            self.assertEqual(result.returncode, 0, result.stderr)
+
+    def test_names_of_files(self):
+        odd = "odd \"><img src=x>\n$(touch intruder) ';`touch intruder`;'??\u2028.toml"
+        text = self.generated("", "c++", odd)["critical.hpp"]
+        self.assertEqual(self.without_comments(text), self.without_comments(self.generated("", "c++")["critical.hpp"]))
+
+    def test_names_are_refused(self):
+        path, out = self.file(PLAIN), self.folder / "out"
+        for name in ["../intruder", "a/b", "a b", "$(touch intruder)", "a;b", "", ".", "-O3", "x\ny", "é", "a\u2028b",
+                     "int", "/tmp/intruder"]:
+            for language in LANGUAGES:
+                result = run("generate", path, "--language", language, f"--name={name}", "--out", out)
+                self.assertEqual(result.returncode, 2, (language, name))
+        for name in ["k 0", "k/0", "../k", "$(k)", "k\\\"", "k\\n", "<b>", "k}", "é"]:
+            for text in [re.sub('(?m)^normal .*$', lambda _: f"normal = {json.dumps(name)}", f'{SCENE}\n"{name}" = 1'),
+                         f'{SCENE}\n[networks]\n"{name}" = "k"']:
+                path.write_text(text)
+                result = run("generate", path, "--out", out)
+                self.assertEqual(result.returncode, 2, text[-40:])
+        self.assertFalse(out.exists())
+
+
+class Tags(html.parser.HTMLParser):
+    def __init__(self, text):
+        super().__init__()
+        self.tags = []
+        self.feed(text)
+
+    def handle_starttag(self, tag, attributes):
+        self.tags.append((tag, sorted(name for name, _ in attributes)))
+
+
+class Pages(Case):
+    def setUp(self):
+        super().setUp()
+        options = webdriver.ChromeOptions()
+        options.binary_location = "/usr/bin/chromium"
+        for argument in ["--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--disable-gpu", "--no-first-run",
+                         "--disable-background-networking", "--disable-component-update", "--disable-sync",
+                         f"--user-data-dir={self.folder}/profile"]:
+            options.add_argument(argument)
+        options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
+        self.browser = webdriver.Chrome(service=Service("/usr/bin/chromedriver"), options=options)
+        self.addCleanup(self.browser.quit)
+
+    def opened(self, page):
+        for kind in ["browser", "performance"]:
+            self.browser.get_log(kind)  # what was left of other pages
+        self.browser.get(page.as_uri())
+        drawn = "return [...document.querySelectorAll('.chart')].every((c) => c.querySelector('svg'))"
+        WebDriverWait(self.browser, PATIENCE).until(lambda _: self.browser.execute_script(drawn))
+
+    def nothing_happened(self, page):
+        self.opened(page)
+        self.assertEqual(self.browser.current_url, page.as_uri())
+        self.assertIsNone(self.browser.execute_script("return window.hostile ?? null"))
+        self.assertEqual(self.browser.get_log("browser"), [])  # nor has the policy had anything to forbid
+        messages = [json.loads(entry["message"])["message"] for entry in self.browser.get_log("performance")]
+        asked = {message["params"]["request"]["url"] for message in messages
+                 if message["method"] == "Network.requestWillBeSent"}
+        outward = {url for url in asked if not url.startswith(("data:", "blob:", "chrome:"))}
+        self.assertEqual(outward, {page.as_uri()})
+        self.policy_is_kept(page.read_text())
+
+    def policy_is_kept(self, text):
+        """It comes before all that it is for, and lets nothing but the page's own scripts run."""
+        policy = re.search(r'<meta http-equiv="Content-Security-Policy" content="([^"]*)">', text)
+        self.assertLess(policy.start(), text.index("<style"))
+        rules = dict(rule.strip().split(" ", 1) for rule in policy[1].split(";"))
+        self.assertEqual(rules["default-src"], "'none'")
+        self.assertTrue(all(source.startswith("'sha256-") for source in rules.get("script-src", "").split()))
+        self.assertLessEqual(set(rules), {"default-src", "script-src", "img-src", "style-src", "base-uri",
+                                          "form-action"})
+
+    # What is wrong with a title, a name of a file and a comment of the scene is wrong on the page and in the index.
+    def test_a_report(self):
+        # Without a compiler it takes half the time; what one says of a scene is in the page's tests.
+        environment = os.environ | {"PATH": "/nowhere"}
+        files = [self.file(HOSTILE, "a\"><img src=x onerror='window.hostile=1'>$(touch intruder).toml"),
+                 self.file(PLAIN, "b.toml")]
+        files[0].write_text(files[0].read_text() + "\n# </script><script>window.hostile=1</script>\n")
+        out = self.folder / "out"
+        result = run("validate", *files, "--out", out, cwd=self.folder, env=environment)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        pages = sorted(path.name for path in out.iterdir())
+        self.assertEqual(len(pages), 4)
+        for name in pages:
+            self.assertRegex(name, r"^[A-Za-z0-9_-]+\.(html|json)$")
+            if name.endswith(".html"):
+                self.nothing_happened(out / name)
+        # Tag by tag the pages of both scenes are the same.
+        hostile = next(out / name for name in pages if name.startswith("a") and name.endswith(".html"))
+        self.assertEqual(Tags(hostile.read_text()).tags, Tags((out / "b.html").read_text()).tags)
+        self.assertIn("window.hostile", hostile.read_text())
+
+    def test_a_fit(self):
+        data = self.folder / "d\"><img src=x onerror='window.hostile=1'>.csv"
+        data.write_text(DATA)
+        self.out("fit", data, "--title", HOSTILE.replace("\x85\x9b", ""), "--out", self.folder / "f.toml")
+        self.nothing_happened(self.folder / "f.html")
+
+    def test_pages_without_a_scene(self):
+        catalogue = self.folder / "catalogue.html"
+        catalogue.write_text(self.out("derive", "--catalogue"))
+        self.nothing_happened(catalogue)
+
+
+if __name__ == "__main__":
+    os.environ.setdefault("HOME", tempfile.gettempdir())
+    unittest.main()
