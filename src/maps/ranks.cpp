@@ -47,7 +47,7 @@ struct Ranks::Counter {
     MPI_Win_unlock_all(window);
     MPI_Win_free(&window);
   }
-  std::size_t next() {
+  std::size_t next() const {
     const std::int64_t one = 1;
     std::int64_t before = 0;
     MPI_Fetch_and_op(&one, &before, MPI_INT64_T, 0, 0, MPI_SUM, window);

@@ -110,6 +110,7 @@ class Sweeping::Rows {
         block_(grid_.block(index)),
         changing_(sweeping.sweep_.scene, names_of(grid_, sweeping.parameters_)),
         critical_(block_.rows) {
+    velocities_.reserve(speeds_at_once);
     answer_.block = index;
     for (const SweptQuantity& quantity : sweeping.sweep_.quantities)
       answer_.values.emplace_back(quantity.kind == Kind::critical_velocity ? 0 : block_.rows,
@@ -244,22 +245,22 @@ class Sweeping::Rows {
 
   void find_motion(const simulation::System& system, std::size_t row, std::size_t speeds,
                    std::size_t stride) {
-    std::vector<double> velocities;
-    for (std::size_t i = 0; i < speeds; ++i) velocities.push_back(velocity(row + i * stride));
-    if (!std::all_of(velocities.begin(), velocities.end(),
+    velocities_.clear();
+    for (std::size_t i = 0; i < speeds; ++i) velocities_.push_back(velocity(row + i * stride));
+    if (!std::all_of(velocities_.begin(), velocities_.end(),
                      [](double v) { return v > 0 && std::isfinite(v); }))
       throw ModelError("v* is 0 or infinite, so that velocity_ratio has no meaning");
-    const auto curve = simulation::friction_curve(system, velocities);
-    for (std::size_t i = 0; i < speeds; ++i) {
-      if (!curve[i].state) {
-        note(row + i * stride, curve[i].reason);
-        continue;
-      }
-      const simulation::SteadyState& state = *curve[i].state;
-      put(Kind::friction_ratio, row + i * stride, state.friction_ratio);
-      put(Kind::friction_ratio_error, row + i * stride, state.friction_ratio_error);
-      put(Kind::regime, row + i * stride, 1 + static_cast<double>(state.regime));
-    }
+    simulation::friction_curve(system, velocities_,
+                               [&](std::size_t i, const simulation::PassingPoint& point) {
+                                 put_motion(row + i * stride, point);
+                               });
+  }
+
+  void put_motion(std::size_t row, const simulation::PassingPoint& point) {
+    if (point.state == nullptr) return note(row, point.reason);
+    put(Kind::friction_ratio, row, point.state->friction_ratio);
+    put(Kind::friction_ratio_error, row, point.state->friction_ratio_error);
+    put(Kind::regime, row, 1 + static_cast<double>(point.state->regime));
   }
 
   void put(Kind kind, std::size_t row, double value) {
@@ -271,7 +272,7 @@ class Sweeping::Rows {
   const Grid& grid_;
   Block block_;
   ChangingScene changing_;
-  std::vector<double> point_, critical_;
+  std::vector<double> point_, velocities_, critical_;
   std::vector<bool> outside_;
   BlockAnswer answer_;
 };

@@ -19,45 +19,48 @@ double wrapped(double angle) {
   return result < turn ? result : 0;
 }
 
-// One steady state in the user's units.
+// One steady state in the user's units, in the memory of another.
 class Answer {
  public:
-  Answer(const Model& model, double velocity, int samples)
-      : model_(model), velocity_(velocity), samples_(samples) {}
+  Answer(const Model& model, double velocity, int samples, SteadyState& state)
+      : model_(model), velocity_(velocity), samples_(samples), state_(state) {
+    state_.events.clear();
+    state_.cycle.clear();
+    state_.periods = 1;
+  }
 
   // F is mu0 F_n throughout, so the ratio is 1 by the balance of forces alone.
-  SteadyState sliding() const {
-    SteadyState state{1, 0, Regime::sliding, 1, {}, {}};
+  void sliding() const {
+    set(1, 0, Regime::sliding);
     for (int i = 0; i < samples_; ++i) {
       const double t = phase_of(i) + model_.phase;
       const double velocity =
           velocity_ - model_.creep + (model_.sliding_velocity * std::exp(1i * t)).real();
-      state.cycle.push_back(point(phase_of(i), velocity, model_.bound(t)));
+      state_.cycle.push_back(point(phase_of(i), velocity, model_.bound(t)));
     }
-    return state;
   }
 
-  SteadyState stick() const {
+  void stick() const {
     const double force = velocity_ / model_.creep;
-    SteadyState state{force, 8 * 2.3e-16 * force, Regime::stick, 1, {}, {}};
-    for (int i = 0; i < samples_; ++i) state.cycle.push_back(point(phase_of(i), 0, force));
-    return state;
+    set(force, 8 * 2.3e-16 * force, Regime::stick);
+    for (int i = 0; i < samples_; ++i) state_.cycle.push_back(point(phase_of(i), 0, force));
   }
 
-  SteadyState cycle(const SteadyCycle& found) const {
-    SteadyState state;
-    state.friction_ratio = found.ratio;
-    state.friction_ratio_error = found.error;
-    state.periods = 1;
-    state.events = events(found.period);
-    state.regime = regime(state.events);
-    for (int i = 0; i < samples_; ++i) state.cycle.push_back(sample(found.period, phase_of(i)));
-    return state;
+  void cycle(const SteadyCycle& found) const {
+    list_events(found.period);
+    set(found.ratio, found.error, regime(state_.events));
+    for (int i = 0; i < samples_; ++i) state_.cycle.push_back(sample(found.period, phase_of(i)));
   }
 
  private:
-  std::vector<Event> events(const Trace& period) const {
-    std::vector<Event> list;
+  void set(double ratio, double error, Regime regime) const {
+    state_.friction_ratio = ratio;
+    state_.friction_ratio_error = error;
+    state_.regime = regime;
+  }
+
+  void list_events(const Trace& period) const {
+    std::vector<Event>& list = state_.events;
     for (std::size_t i = 1; i < period.parts.size(); ++i) {
       const State& start = period.parts[i].piece.start();
       if (start.motion == period.parts[i - 1].piece.start().motion) continue;
@@ -65,7 +68,6 @@ class Answer {
     }
     std::sort(list.begin(), list.end(),
               [](const Event& a, const Event& b) { return a.phase < b.phase; });
-    return list;
   }
 
   static Regime regime(const std::vector<Event>& events) {
@@ -98,20 +100,25 @@ class Answer {
   const Model& model_;
   double velocity_;
   int samples_;
+  SteadyState& state_;
 };
 
 }  // namespace
 
-SteadyState Answers::at(double velocity, Start start, int samples) {
-  return answer(velocity, start, samples, false);
+const SteadyState& Answers::at(double velocity, Start start, int samples) {
+  answer(velocity, start, samples, false);
+  return state_;
 }
 
-SteadyState Answers::next(double velocity) { return answer(velocity, Start::sliding, 0, true); }
+const SteadyState& Answers::next(double velocity) {
+  answer(velocity, Start::sliding, 0, true);
+  return state_;
+}
 
-SteadyState Answers::answer(double velocity, Start start, int samples, bool near_last) {
+void Answers::answer(double velocity, Start start, int samples, bool near_last) {
   ensure(velocity > 0, "the drive moves forward");
   const double v = velocity / model_.velocity_unit, threshold = std::abs(model_.sliding_velocity);
-  const Answer result(model_, v, samples);
+  const Answer result(model_, v, samples, state_);
   if (v >= threshold + model_.creep) return result.sliding();
   // A path that creeps carries F = eta v in stick; the bound may never be reached.
   if (model_.creep * (1 - model_.amplitude) >= v) return result.stick();

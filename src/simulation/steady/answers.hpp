@@ -11,25 +11,30 @@ namespace vcrit::simulation {
 /// Speeds of the drive in m/s, > 0. ModelError where no steady state is found.
 class Answers {
  public:
-  explicit Answers(const System& system) : model_(system) {}
+  explicit Answers(const System& system) : model_(system) { state_.events.reserve(usual_events); }
   Answers(const Answers&) = delete;  // cycles refer to the model
   Answers& operator=(const Answers&) = delete;
 
-  SteadyState at(double velocity, Start start, int samples);
+  /// Answers last until the next one, which takes their memory.
+  const SteadyState& at(double velocity, Start start, int samples);
 
   /// The search begins at the cycle of the speed before, where that leads to one; else anew from
   /// sliding.
-  SteadyState next(double velocity);
+  const SteadyState& next(double velocity);
 
   /// What all searches took together.
   int traced_periods() const { return traced_periods_; }
 
  private:
-  SteadyState answer(double velocity, Start start, int samples, bool near_last);
+  /// More than most cycles have.
+  static constexpr std::size_t usual_events = 16;
+
+  void answer(double velocity, Start start, int samples, bool near_last);
   bool follow(double velocity);
 
   Model model_;
   std::optional<SteadyCycle> last_;
+  SteadyState state_;
   int traced_periods_ = 0;
 };
 

@@ -23,13 +23,21 @@ std::vector<std::size_t> falling(std::span<const double> velocities) {
 
 std::vector<CurvePoint> friction_curve(const System& system, std::span<const double> velocities) {
   std::vector<CurvePoint> curve(velocities.size());
+  friction_curve(system, velocities, [&](std::size_t i, const PassingPoint& point) {
+    if (point.state != nullptr) curve[i].state = *point.state;
+    curve[i].reason = point.reason;
+  });
+  return curve;
+}
+
+void friction_curve(const System& system, std::span<const double> velocities,
+                    const std::function<void(std::size_t, const PassingPoint&)>& use) {
   Answers answers(system);
   for (const std::size_t i : falling(velocities)) try {
-      curve[i].state = answers.next(velocities[i]);
+      use(i, {&answers.next(velocities[i]), ""});
     } catch (const ModelError& error) {
-      curve[i].reason = error.what();
+      use(i, {nullptr, error.what()});
     }
-  return curve;
 }
 
 }  // namespace vcrit::simulation

@@ -1,25 +1,13 @@
 // The search for a steady cycle takes no memory from the heap for systems of usual size.
-#include <atomic>
 #include <boost/test/unit_test.hpp>
 #include <cstdlib>
+#include <functional>
 #include <new>
 
 #include "simulation/random_systems.hpp"
+#include "simulation/steady/answers.hpp"
 #include "simulation/steady/steady_cycle.hpp"
-
-namespace {
-
-std::atomic<long> taken = 0;
-
-}  // namespace
-
-void* operator new(std::size_t size) {
-  ++taken;
-  if (void* memory = std::malloc(size)) return memory;
-  throw std::bad_alloc();
-}
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+#include "support/heap.hpp"
 
 namespace {
 
@@ -41,18 +29,33 @@ long taken_by_search(const System& system, double share, Start start) {
   const double velocity = share * std::abs(model.sliding_velocity) + model.creep;
   const State from =
       start == Start::sliding ? sliding_start(model, velocity) : rest_start(model, velocity);
-  const long before = taken;
-  const SteadyCycle cycle = steady_cycle(model, velocity, from);
-  BOOST_TEST(cycle.period.parts.size() > 1U);
-  return taken - before;
+  return test::heap_requests([&] {
+    const SteadyCycle cycle = steady_cycle(model, velocity, from);
+    if (cycle.period.parts.size() < 2) throw Bug("a cycle without events");
+  });
 }
 
 }  // namespace
 
+// All ways to the heap.
 BOOST_AUTO_TEST_CASE(memory_is_counted) {
-  const long before = taken;
-  const std::vector<double> some(100);
-  BOOST_TEST(taken == before + 1);
+  [[maybe_unused]] static void* volatile kept;  // nothing is left out as unused
+  const auto keep = [](void* memory) {
+    kept = memory;
+    return memory;
+  };
+  constexpr std::align_val_t line{64};
+  const std::vector<std::function<void()>> ways{
+      [&] { ::operator delete(keep(::operator new(10))); },
+      [&] { ::operator delete[](keep(::operator new[](64, line)), line); },
+      [&] { std::free(keep(std::malloc(10))); },
+      [&] { std::free(keep(std::calloc(10, 1))); },
+      [&] { std::free(keep(std::realloc(nullptr, 10))); },
+      [&] { std::free(keep(std::aligned_alloc(64, 64))); },
+  };
+  for (std::size_t i = 0; i < ways.size(); ++i)
+    BOOST_TEST(test::heap_requests(ways[i]) == 1, "way " << i);
+  BOOST_TEST(test::heap_requests([] {}) == 0);
 }
 
 BOOST_AUTO_TEST_CASE(search_of_up_to_four_branches_each) {
@@ -64,5 +67,24 @@ BOOST_AUTO_TEST_CASE(search_of_up_to_four_branches_each) {
     system.mass = random.logarithmic(0.1, 10);
     for (const Start start : {Start::sliding, Start::rest})
       BOOST_TEST(taken_by_search(system, 0.5, start) == 0, "system " << i);
+  }
+}
+
+// With room for what is common, one speed after the other takes none, down to v*/50.
+BOOST_AUTO_TEST_CASE(speeds_of_a_curve) {
+  for (unsigned i = 0; i < 20; ++i) {
+    reference::RandomSystems random(7100 + i, 1);
+    System system = random.system();
+    system.contact = four_branches(random);
+    system.drive = four_branches(random);
+    system.mass = random.logarithmic(0.1, 10);
+    const Model model(system);
+    const double threshold = std::abs(model.sliding_velocity) + model.creep;
+    Answers answers(system);
+    const auto run = [&](int first, int last) {
+      for (int j = first; j > last; --j) answers.next(0.01 * j * threshold * model.velocity_unit);
+    };
+    run(101, 99);
+    BOOST_TEST(test::heap_requests([&] { run(99, 2); }) == 0);
   }
 }

@@ -1,0 +1,51 @@
+// Points of a sweep take no memory from the heap, but what each stretch of 4096 rows of formula, or
+// of 32 speeds, takes for itself.
+#include <fmt/format.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include "support/heap.hpp"
+#include "sweep/sweep.hpp"
+
+namespace {
+
+using namespace vcrit;
+
+long requests(const std::string& scene, const std::vector<std::string>& axes,
+              const std::vector<std::string>& quantities) {
+  Sweep sweep{read_scene(VCRIT_SCENES "/" + scene), {}, {}, {}, {}};
+  for (const std::string& axis : axes) sweep.axes.push_back(parse_axis(axis, sweep.scene));
+  for (const std::string& quantity : quantities)
+    sweep.quantities.push_back(parse_swept_quantity(quantity, sweep.scene));
+  const Sweeping sweeping(sweep);
+  BOOST_TEST_REQUIRE(sweeping.grid().blocks() == 1U);
+  BlockAnswer answer = sweeping.answer(0);
+  BOOST_TEST(answer.outside == 0U);
+  return test::heap_requests([&] { answer = sweeping.answer(0); });
+}
+
+}  // namespace
+
+// Four stretches each, 4000 rows apart.
+BOOST_AUTO_TEST_CASE(rows_of_formula) {
+  const auto rows = [](int count) {
+    return requests("zener.toml", {fmt::format("frequency=log:1 kHz:100 kHz:{}", count)},
+                    {"critical_velocity"});
+  };
+  const long few = rows(12'300);
+  BOOST_TEST(rows(16'300) == few);
+  BOOST_TEST(few > 0);
+}
+
+BOOST_AUTO_TEST_CASE(speeds_of_a_scene) {
+  for (const char* scene : {"zener.toml", "kelvin.toml", "kelvin_rigid.toml", "bridge.toml"}) {
+    const auto speeds = [scene](int count) {
+      return requests(scene, {fmt::format("velocity_ratio=lin:0.05:1.2:{}", count)},
+                      {"friction_ratio", "friction_ratio_error", "regime", "critical_velocity"});
+    };
+    const long few = speeds(8), full = speeds(32);
+    BOOST_TEST(full == few);
+    // The second stretch costs no more than the first, which sets up the scene as well.
+    BOOST_TEST(speeds(64) <= 2 * few);
+  }
+}
