@@ -1,0 +1,155 @@
+"""Does the suite notice a fault? Thirty of them, each one token in one room, are planted one after the other
+into a copy of the sources; the test that stands beside each has to fail.
+
+    plant_faults.py [--folder FOLDER] [NUMBER...]
+
+Builds in FOLDER (build/mutation), from the last commit. Prints a line for each fault and how many were
+caught; ends with status 1 if one was not. Takes a minute or two for each, and is no part of the suite.
+`--list` checks only that each place is still there, which the suite does.
+"""
+
+import argparse
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+PROJECT = Path(__file__).resolve().parents[2]
+
+# File, where (the only place with this text), its token, what is planted, the test that has to fail.
+FAULTS = [
+    ("src/base/csv.cpp", "begin = comma + 1;", "1", "0", "base/test_csv"),
+    ("src/base/units.cpp", "dimension == Dimension::frequency && angular", "&&", "||", "base/test_units"),
+    ("src/network/reduction.cpp", "is_new) known->second = combine(Step::Kind::parallel", "parallel", "series",
+     "network/test_reduction"),
+    ("src/network/masses.cpp", "!from_is_far && !to_is_far", "&&", "||", "network/test_mass_networks"),
+    ("src/scene/receptance.cpp", "return {*(above - 1), *above};", "1", "2", "scene/test_receptance"),
+    ("src/stiffness/graph_relaxation.cpp", "m(j, i) -= value;", "-=", "+=", "stiffness/test_relaxation"),
+    ("src/stiffness/secular.cpp", "((value > 0) == rising ? high : low) = d;", ">", "<", "stiffness/test_secular"),
+    ("src/critical/admissibility.cpp", "if (!(oscillating < mean))", "<", ">", "critical/test_admissibility"),
+    ("src/critical/log_derivative.cpp", "return Dual{2} * (Dual{1} - value) / (Dual{2} - value)", "Dual{1}", "Dual{2}",
+     "sweep/test_sweep"),
+    ("src/simulation/system/system.cpp", "system.mean_normal_force = normal.equilibrium * indentation", "*", "/",
+     "simulation/system/test_system"),
+    ("src/simulation/motion/switching.cpp", "dx[i] -= rate_after[i] * shifts[j]", "-=", "+=",
+     "simulation/steady/test_exact"),
+    ("src/simulation/steady/energy.cpp", "heat.add(state.x[2 + j], drive.rates[j] / drive.weights[j]", "/", "*",
+     "simulation/steady/test_energy"),
+    ("src/simulation/methods/moreau.cpp", "y[0] += (top - y[0]) / theta_;", "/", "*", "simulation/methods/test_moreau"),
+    ("src/sweep/axis.cpp", "a * (1 - share) + b * share", "+", "-", "sweep/test_axis"),
+    ("src/maps/csv_map.cpp", "if (whole.bytes == 0) append(header);", "==", "!=", "maps/test_maps"),
+    ("src/design/first_reach.cpp", "if (reached) search_.reach = refined(before, *reached)", "before", "after",
+     "design/test_first_reach"),
+    ("src/fit/nnls.cpp", "from / (from - to) > part) continue", ">", "<", "fit/test_nnls"),
+    ("src/fit/refine.cpp", "result.col(branches_ + i++) = branch.stiffness *", "stiffness", "time", "fit/test_fit"),
+    ("symbolic/formula/form.cpp", "if (prefactor && form.text == \"omega\") return -2;", "&&", "||",
+     "document/test_print"),
+    ("symbolic/polynomial/polynomial.cpp", "lowest = std::min(lowest, exponents(i)[index])", "min", "max",
+     "polynomial/test_polynomial"),
+    ("symbolic/derivation/leading_reduction.cpp", "(a > b) == (step.kind == Step::Kind::parallel)", ">", "<",
+     "analysis/test_limits"),
+    ("symbolic/analysis/resonance.cpp", "(p.odd * q.even - p.even * q.odd)", "-", "+", "analysis/test_resonance"),
+    ("symbolic/program/star_mesh.cpp", "program_.multiply(b.roundings, b.size)", "b.size", "a.size",
+     "emit/test_compiled"),
+    ("symbolic/program/gradient.cpp", "add(b, change, c);", "c", "b", "emit/test_gradients"),
+    ("symbolic/emit/groups.cpp", "program_.divide(product(monomial.above), product(monomial.below))", "below", "above",
+     "emit/test_quantities"),
+    ("symbolic/document/markup.cpp", "asymptotic ? dialect().asymptote(left, right)", "asymptote", "equation",
+     "document/test_print"),
+    ("validation/agreement.cpp", "if (closed_form) report.curve.back().closed_form", "closed_form", "!closed_form",
+     "validation/test_scene_report"),
+    ("validation/reduced_difference.cpp", "percent / 100.0", "100.0", "10.0", "validation/test_reduced_difference"),
+    ("app/eval.cpp", "critical.value + creep_velocity(scene)", "+", "-", "app/test_program"),
+    ("python/batch.cpp", "ensure(column.size() == 1 ||", "1", "0", "python/test_arrays"),
+]
+
+
+def planted(number):
+    """The file's text with the fault; refuses a place that is not there, or not alone."""
+    file, where, token, fault, _ = FAULTS[number - 1]
+    text = (PROJECT / file).read_text()
+    if text.count(where) != 1:
+        sys.exit(f"fault {number}: {file} has {text.count(where)} places \"{where}\", expected one")
+    if token not in where:
+        sys.exit(f"fault {number}: no \"{token}\" in \"{where}\"")
+    return text.replace(where, where.replace(token, fault, 1))
+
+
+class Copy:
+    """The last commit, in a folder of its own, with its build."""
+
+    def __init__(self, folder):
+        self.folder, self.build = folder, folder / "build/release"
+        if not (folder / ".git").exists():
+            self.run("git", "clone", "--quiet", "--shared", PROJECT, folder, place=PROJECT)
+        head = self.run("git", "rev-parse", "HEAD", place=PROJECT).stdout.strip()
+        self.run("git", "fetch", "--quiet", "origin", head)
+        self.run("git", "checkout", "--quiet", "--force", "--detach", head)
+        assets, own = PROJECT / "validation/report/node_modules", folder / "validation/report/node_modules"
+        if not own.exists():
+            own.symlink_to(assets)
+        self.run("cmake", "--preset", "release")
+        self.targets = set(self.run("ninja", "-C", self.build, "-t", "targets", "all").stdout.split())
+
+    def run(self, *words, place=None, check=True):
+        ended = subprocess.run([str(word) for word in words], cwd=place or self.folder, text=True,
+                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        if check and ended.returncode != 0:
+            sys.exit(f"{' '.join(map(str, words))} ended with {ended.returncode}:\n{ended.stdout[-4000:]}")
+        return ended
+
+    def built(self, test):
+        room, name = test.rsplit("/", 1)
+        targets = [name] if f"{name}:" in self.targets else ["_vcrit"] if room == "python" else ["vcrit"]
+        return self.run("ninja", "-C", self.build, *targets, check=False)
+
+    def passes(self, test):
+        ended = self.run("ctest", "--preset", "release", "--timeout", "300", "-R", f"^{test}$", "--no-tests=error",
+                         check=False)
+        if "No tests were found" in ended.stdout:
+            sys.exit(f"there is no test {test}")
+        return ended.returncode == 0
+
+
+def is_caught(copy, number):
+    file, _, _, _, test = FAULTS[number - 1]
+    place = copy.folder / file
+    sound = place.read_text()
+    try:
+        place.write_text(planted(number))
+        built = copy.built(test)
+        if built.returncode != 0:
+            sys.exit(f"fault {number} does not compile:\n{built.stdout[-3000:]}")
+        return not copy.passes(test)
+    finally:
+        place.write_text(sound)
+
+
+def main():
+    options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    options.add_argument("--folder", type=Path, default=PROJECT / "build/mutation")
+    options.add_argument("--list", action="store_true")
+    options.add_argument("numbers", nargs="*", type=int, metavar="NUMBER")
+    chosen = options.parse_args()
+    numbers = chosen.numbers or range(1, len(FAULTS) + 1)
+    for number in numbers:
+        planted(number)
+    if chosen.list:
+        return
+    copy, caught = Copy(chosen.folder.resolve()), 0
+    for number in numbers:
+        file, where, token, fault, test = FAULTS[number - 1]
+        began = time.monotonic()
+        built = copy.built(test)
+        if built.returncode != 0 or not copy.passes(test):
+            sys.exit(f"{test} fails without a fault:\n{built.stdout[-3000:]}")
+        found = is_caught(copy, number)
+        caught += found
+        print(f"{number:2} {'caught' if found else 'MISSED'}  {test}: {token} -> {fault} in {file}: {where}"
+              f"  ({time.monotonic() - began:.0f} s)", flush=True)
+    print(f"{caught} of {len(numbers)} caught")
+    sys.exit(0 if caught == len(numbers) else 1)
+
+
+if __name__ == "__main__":
+    main()
