@@ -85,7 +85,9 @@ double convert(double number, std::string_view unit, Dimension dimension, const 
   const Unit from = parse_unit(std::string(unit));
   if (!from) refuse(fmt::format("\"{}\" is no unit", unit));
   const Unit to = parse_unit(text_of(dimension).unit);
-  if (!ut_are_convertible(from.get(), to.get())) refuse("a unit of another dimension");
+  // To udunits a unit and its reciprocal are convertible: "5 ms" would be a frequency, 200 Hz.
+  const Unit ratio(ut_divide(from.get(), to.get()));
+  if (!ratio || ut_is_dimensionless(ratio.get()) == 0) refuse("a unit of another dimension");
   if (dimension == Dimension::frequency && angular(from.get()))
     refuse("an angular frequency, not cycles a second");
   if (dimension == Dimension::angular_frequency && !angular(from.get()))

@@ -11,7 +11,7 @@ using namespace vcrit;
 
 namespace {
 
-constexpr const char* scene_text = R"([contact]
+constexpr const char* scene_text = R"scene([contact]
 normal = "k0 | c0"
 poisson = 0.3
 [oscillation]
@@ -23,7 +23,7 @@ coefficient = 0.3
 [elements]
 k0 = 1e6
 c0 = 10
-)";
+)scene";
 
 // Long axes take long and show nothing that short ones do not.
 bool long_axis(const std::string& text) {

@@ -1,5 +1,6 @@
 // `--set NAME=VALUE` on a scene with a drive, a body and arrays. What is accepted is the scene that
 // ChangingScene makes with the same number, and v* is a number, infinity or an error.
+#include <array>
 #include <cmath>
 
 #include "critical/certified.hpp"
@@ -11,7 +12,7 @@ using namespace vcrit;
 
 namespace {
 
-constexpr const char* text = R"([contact]
+constexpr const char* text = R"scene([contact]
 normal = "prony(k0, k, tau)"
 poisson = "nu"
 [drive]
@@ -30,7 +31,7 @@ k = [2e6, 3e6]
 tau = [1e-6, 1e-5]
 kd = 1e6
 cd = 10
-)";
+)scene";
 
 void check_setting(const std::string& setting) {
   static const Scene plain = parse_scene(text, "scene.toml");
