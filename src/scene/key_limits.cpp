@@ -55,7 +55,12 @@ class Keys {
       if (!multiline && text_[at] == '\n') break;
       at += quote == '"' && text_[at] == '\\' ? 2 : 1;
     }
-    move_to(at + end.size());
+    at += end.size();
+    // One or two quotes right before the end belong to the string.
+    for (const std::size_t last = at + 2;
+         multiline && at < last && text_.substr(at, 1) == end.substr(0, 1);)
+      ++at;
+    move_to(at);
   }
 
   void move_to(std::size_t position) {
