@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
+#include <new>
 #include <string>
 
 #include "base/errors.hpp"
@@ -60,6 +61,9 @@ int main(int argc, char** argv) {
     return complain(error, input_wrong);
   } catch (const vcrit::ModelError& error) {
     return complain(error, outside_the_model);
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "vcrit: not enough memory for this input\n");
+    return input_wrong;
   } catch (const std::exception& error) {
     return complain(error, bug);
   }

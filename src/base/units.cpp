@@ -8,6 +8,7 @@
 #include <memory>
 #include <mutex>
 
+#include "base/messages.hpp"
 #include "base/numbers.hpp"
 
 namespace vcrit {
@@ -83,7 +84,8 @@ double convert(double number, std::string_view unit, Dimension dimension, const 
     refuse(fmt::format("a unit of {} characters, more than {}", unit.size(), longest_unit));
   const std::scoped_lock lock(units_mutex());
   const Unit from = parse_unit(std::string(unit));
-  if (!from) refuse(fmt::format("\"{}\" is no unit", unit));
+  // To udunits the byte 0xFF is the end of a unit.
+  if (!from || printable(unit) != unit) refuse(fmt::format("\"{}\" is no unit", unit));
   const Unit to = parse_unit(text_of(dimension).unit);
   // To udunits a unit and its reciprocal are convertible: "5 ms" would be a frequency, 200 Hz.
   const Unit ratio(ut_divide(from.get(), to.get()));

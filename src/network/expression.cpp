@@ -22,7 +22,7 @@ class Parser {
   Network whole() {
     Network network = parallel_chain();
     if (peek() == ')') refuse("\")\" without an opening parenthesis", "the end or an operator");
-    if (peek() != '\0') refuse(found(), "\"|\" (parallel), \"-\" (series) or the end");
+    if (peek() != '\0' || !at_end()) refuse(found(), "\"|\" (parallel), \"-\" (series) or the end");
     return network;
   }
 
@@ -191,6 +191,9 @@ class Parser {
     return position_ < text_.size() ? text_[position_] : '\0';
   }
 
+  // peek() gives 0 there, but a text may hold that character, too.
+  bool at_end() const { return position_ == text_.size(); }
+
   bool accept(char c) {
     if (peek() != c) return false;
     ++position_;
@@ -198,8 +201,8 @@ class Parser {
   }
 
   std::string found() {
-    const char c = peek();
-    return c == '\0' ? "the end of the network" : fmt::format("\"{}\"", text_.substr(position_, 1));
+    peek();
+    return at_end() ? "the end of the network" : fmt::format("\"{}\"", text_.substr(position_, 1));
   }
 
   Place here() {
