@@ -131,7 +131,8 @@ class Exponents(Hostile):
             for quoted in (f'"{number}"', f'"{number} N/m"'):
                 with self.subTest(quoted):
                     self.refuse(scene(elements=f"kd = {quoted}"), "s.toml:15:6", f"{number}", "beyond the range of doubles")
-            self.refuse(scene(elements=f"kd = {number}"), "s.toml:15:", number)
+            if number != "1e-400":  # in TOML, that is 0
+                self.refuse(scene(elements=f"kd = {number}"), "s.toml:15:", number)
 
     def test_of_settings(self):
         # Once "1e401" was 1e40 of a unit "1".
