@@ -131,23 +131,22 @@ const char* const result =
     R"(struct Result : Certified { unsigned long long unsafe; };
 // v* = factor @ROOT@(above/below). Factors (1 + e_j)^(+-1) with sum |e_j| = e < 2^-10 change it by less than 1.01 e, the
 // last rounding by u, and another one by 2^-1075 where numbers are subnormal. unsafe is 0 if none left the range of doubles.
-template <class T>
-[[gnu::always_inline]] inline Result finished(const Parameters& p, T above, T below, T factor, auto roundings) {
+template <class T> [[gnu::always_inline]] inline Result finished(const Parameters& p, T above, T below, T factor, auto n) {
   constexpr bool plain = std::is_same_v<T, double>, wide = std::is_same_v<T, Wide>;
-  const double h = head(above) / head(below), e = double(roundings) * (plain ? 0x1p-53 : 0x1p-102);
+  const double h = std::fabs(head(above) / head(below)), e = double(n) * (plain ? 0x1p-53 : 0x1p-102);
   const double whole = double(@ROOT@(above / below) * factor), u = plain ? 0.0 : 0x1p-53;
   const double v = wide && !(h > 0 && h < HUGE_VAL) ? @SIMPLE@ * head(factor) : whole;
   const double last = !wide || v >= 0x1p-1022 ? u : v > 0 ? u + 0x1p-1074 / (2.0 * v - 0x1p-1074) : 1.0;
-  const bool inside = in_range(p), known = (e < 0x1p-10) & (v < HUGE_VAL) & (!plain | inside);
+  const bool inside = in_range(p), known = (e < 0x1p-10) & (v < 0x1.fffffffffffffp1023) & (!plain | inside);
   const bool safe = wide | ((h > 0x1p-900) & (h < 0x1p900) & (v >= 0x1p-1022) & inside);
-  return {{v, known ? (1.01 * e + last) * (1.0 + 0x1p-50) : HUGE_VAL}, plain ? @PLAIN@ : safe ? 0ULL : 1ULL};
+  const auto far = (std::bit_cast<unsigned long long>(h) - 0x1ff0000000000000) >> 62;  // 0 within 2^512, 2^-512
+  return {{v, known ? (1.01 * e + last) * (1.0 + 0x1p-50) : HUGE_VAL}, plain ? far : safe ? 0ULL : 1ULL};
 }
 )";
 
 const char* const sweep =
     R"(template <class T> [[gnu::noinline]] Result result(const Parameters& p, auto&... partial) {
-  const Result r = evaluate<T>(p, partial...);
-  return r.unsafe == 0 ? r : result<Wide>(p, partial...);
+  if (const Result r = evaluate<T>(p, partial...); r.unsafe == 0) return r; else return result<Wide>(p, partial...);
 }
 template <class T> Gradient gradient(const Parameters& p) { Gradient g{}; g.value = result<T>(p, g.partial).value; return g; }
 // The first loop is vectorised, straight from `omega` to `out` if they are apart; what is not safe again, one by one.
@@ -275,7 +274,7 @@ template <class T, Varying S>
 )";
 
 const char* const calls_comment =
-    R"(// Infinite at resonance, 0 at antiresonance, NaN for 0/0; `out` may be `omega` itself.
+    R"(// Infinite at resonance and above the largest double, 0 at antiresonance, NaN for 0/0 alone; `out` may be `omega` itself.
 )";
 
 const char* const calls =

@@ -176,10 +176,9 @@ bool has(const Program& program, Node::Operation operation) {
                      [&](const Node& node) { return node.operation == operation; });
 }
 
-std::string includes(const Program& program, bool takes_steps) {
-  const bool scales = has(program, Node::Operation::unit);
-  return std::string(scales || takes_steps ? "#include <bit>\n" : "") +
-         (scales ? "#include <cstdint>\n" : "") + text::includes;
+std::string includes(const Program& program) {
+  return std::string("#include <bit>\n") +
+         (has(program, Node::Operation::unit) ? "#include <cstdint>\n" : "") + text::includes;
 }
 
 /// What of the optional arithmetic the program needs.
@@ -217,8 +216,6 @@ std::string emit_header(const Scene& scene, const std::string& name,
   const int count =
       gradient.program.operations(gradient.program.needed_for({gradient.ratio, velocity.factor}));
   const bool is_long = count > short_program;
-  // Within 2^100 no device leaves the range, and plain double need not look.
-  const bool looks = !velocity.fits || velocity.exponent < 100, takes_steps = looks || sweep;
 
   std::string out = banner(scene, derivation, command_line(scene, name, options), fixed);
   out += comment(fmt::format(
@@ -226,15 +223,15 @@ std::string emit_header(const Scene& scene, const std::string& name,
       "-O3 -march=native -fno-math-errno.",
       count + 2));
   const std::string guard = guard_of(name);
-  out += fmt::format("#ifndef {0}\n#define {0}\n", guard) + includes(gradient.program, takes_steps);
+  out += fmt::format("#ifndef {0}\n#define {0}\n", guard) + includes(gradient.program);
   out += fmt::format("namespace {} {{\n", name) + comment(meanings(parameters)) +
          structure("struct Parameters", members(parameters, "double", "")) + text::structs;
   out += std::string("namespace detail {\n") + (is_long ? text::inline_all : "");
-  out += text::numbers + operations(gradient.program) + (takes_steps ? text::steps : "") +
+  out += text::numbers + operations(gradient.program) + (sweep ? text::steps : "") +
          range_function(velocity, parameters, "in_range");
   std::string result = replaced(text::result, "@ROOT@", velocity.rooted ? "sqrt" : "");
   result = replaced(result, "@SIMPLE@", velocity.rooted ? "std::sqrt(h)" : "h");
-  out += replaced(result, "@PLAIN@", looks ? "steps(h, 0x1p-512) >> 62" : "0ULL");
+  out += result;
   out += evaluate_function(velocity, gradient, parameters) + (is_long ? text::inline_no_more : "");
   if (sweep) out += polynomial_functions(*sweep, parameters);
   out += std::string(text::sweep) + "}  // namespace detail\n" + text::calls_comment;

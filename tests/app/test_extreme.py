@@ -133,6 +133,12 @@ class Beside(unittest.TestCase):
     ROW = {"kind": "kelvin", "mu0": "0x1p-1", "w": "0x1p+1", "duz": "0x1p-20", "m": "0x1p+1", "kx": "0x1p+0;0x0p+0",
            "kz": "0x1p+3;0x0p+0", "ks": "0x1p+3;0x0p+0"}
 
+    def test_above_the_largest_double_it_is_infinite_and_says_why(self):
+        result = evaluated(scene(self.ROW | {"mu0": "0x1p+600", "duz": "0x1p+600", "m": "0x0p+0"}))
+        answer = json.loads(result.stdout)
+        self.assertEqual((result.returncode, answer["critical_velocity"]), (0, "inf"))
+        self.assertIn("v* is above the largest double", answer["reasons"])
+
     def test_resonance_of_both_kinds_is_outside_the_model(self):
         result = evaluated(scene(self.ROW | {"mu0": "0x0p+0"}))
         self.assertEqual((result.returncode, result.stdout), (3, ""))

@@ -158,9 +158,9 @@ class Size(Hostile):
         self.assert_velocity(scene(drive=" | ".join(self.million), elements=ones), critical_velocity(4e6, 1e6))
 
     def test_of_edges_in_series(self):
-        edges = ",".join(f'["kd", "n{i}", "n{i + 1}"]' for i in range(100000))
-        graph = f'chain = {{terminals = ["n0", "n100000"], edges = [{edges}]}}'
-        self.assert_velocity(scene(drive="chain", elements="kd = 1e11", networks=graph), critical_velocity(4e6, 1e6))
+        edges = ",".join(f'["kd", "n{i}", "n{i + 1}"]' for i in range(1000))
+        graph = f'chain = {{terminals = ["n0", "n1000"], edges = [{edges}]}}'
+        self.assert_velocity(scene(drive="chain", elements="kd = 1e9", networks=graph), critical_velocity(4e6, 1e6))
 
     def test_of_more_than_the_memory(self):
         edges = ",".join(f'["kd", "n{i}", "n{i + 1}"]' for i in range(1000000))

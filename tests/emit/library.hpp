@@ -29,6 +29,12 @@ inline std::vector<std::string> compilers(const PrivateFolder& folder) {
   return found;
 }
 
+/// How the processor rounds and treats subnormal numbers around the calls.
+struct ArithmeticState {
+  std::string rounding = "FE_TONEAREST";
+  bool flush_to_zero = false;  ///< results and operands; of the processors, x86-64 alone has a test
+};
+
 /// One call of a generated library: the scene with all values, and what the functions gave.
 struct Call {
   std::size_t library = 0;
@@ -81,8 +87,8 @@ class Libraries {
     return outcome.status == 0 ? "" : outcome.output + " ";
   }
 
-  /// Fills in the results.
-  void evaluate(std::vector<Call>& calls) const {
+  /// Fills in the results; fails where a function leaves another arithmetic behind.
+  void evaluate(std::vector<Call>& calls, const ArithmeticState& state = {}) const {
     std::string input;
     for (const Call& call : calls) {
       input += std::to_string(call.library);
@@ -92,7 +98,9 @@ class Libraries {
     }
     const std::string file = (folder_.path() / "input.txt").string();
     write_file(file, input);
-    const Outcome outcome = run({(folder_.path() / "driver").string()}, folder_.path(), file);
+    const Outcome outcome = run(
+        {(folder_.path() / "driver").string(), state.rounding, state.flush_to_zero ? "flush" : ""},
+        folder_.path(), file);
     if (outcome.status != 0) throw std::runtime_error("driver failed: " + outcome.output);
     std::istringstream lines(outcome.output);
     const auto next = [&lines] {
@@ -116,28 +124,67 @@ class Libraries {
   std::string driver() const {
     std::string out;
     for (std::size_t i = 0; i < scenes_.size(); ++i) out += "#include \"" + name(i) + ".hpp\"\n";
-    out +=
-        "#include <array>\n#include <cstdio>\n#include <cstdlib>\n#include <cstring>\n"
-        "template <class Parameters, class Function, class Gradient>\n"
-        "void call(Function accurate, Function fast, Gradient gradient, Gradient fast_gradient) {\n"
-        "  std::array<double, sizeof(Parameters) / sizeof(double)> x{};\n"
-        "  char word[64];\n"
-        "  for (double& each : x) {\n"
-        "    if (std::scanf(\"%63s\", word) != 1) std::exit(1);\n"
-        "    each = std::strtod(word, nullptr);\n"
-        "  }\n"
-        "  Parameters p;\n"
-        "  std::memcpy(&p, x.data(), sizeof p);\n"
-        "  const auto a = accurate(p);\n"
-        "  const auto f = fast(p);\n"
-        "  std::printf(\"%a %a %a %a\\n\", a.value, a.relative_error_bound, f.value,\n"
-        "              f.relative_error_bound);\n"
-        "  for (const Parameters& partials : {gradient(p).partial, fast_gradient(p).partial}) {\n"
-        "    std::memcpy(x.data(), &partials, sizeof partials);\n"
-        "    for (double each : x) std::printf(\"%a\\n\", each);\n"
-        "  }\n"
-        "}\n"
-        "int main() {\n  int scene = 0;\n  while (std::scanf(\"%d\", &scene) == 1) {\n";
+    out += R"(#include <array>
+#include <cfenv>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <map>
+#include <string>
+#ifdef __SSE2__
+#include <immintrin.h>
+unsigned control() { return _mm_getcsr() & ~0x3Fu; }  // without the flags of what happened
+void flush_to_zero() { _mm_setcsr(_mm_getcsr() | 0x8040u); }
+#else
+unsigned control() { return static_cast<unsigned>(std::fegetround()); }
+void flush_to_zero() {}
+#endif
+bool flush = false;
+int rounding = FE_TONEAREST;
+
+// Volatile: nothing is computed before or after the arithmetic has been changed.
+template <class Function, class Parameters>
+auto within(Function function, const Parameters& parameters) {
+  std::fenv_t before;
+  std::fegetenv(&before);
+  std::fesetround(rounding);
+  if (flush) flush_to_zero();
+  const unsigned set = control();
+  const Parameters* volatile here = &parameters;
+  Function volatile called = function;
+  const auto result = called(*here);
+  if (control() != set) std::exit(2);
+  std::fesetenv(&before);
+  return result;
+}
+
+template <class Parameters, class Function, class Gradient>
+void call(Function accurate, Function fast, Gradient gradient, Gradient fast_gradient) {
+  std::array<double, sizeof(Parameters) / sizeof(double)> x{};
+  char word[64];
+  for (double& each : x) {
+    if (std::scanf("%63s", word) != 1) std::exit(1);
+    each = std::strtod(word, nullptr);
+  }
+  Parameters p;
+  std::memcpy(&p, x.data(), sizeof p);
+  const auto a = within(accurate, p);
+  const auto f = within(fast, p);
+  std::printf("%a %a %a %a\n", a.value, a.relative_error_bound, f.value, f.relative_error_bound);
+  for (const Parameters& partials : {within(gradient, p).partial, within(fast_gradient, p).partial}) {
+    std::memcpy(x.data(), &partials, sizeof partials);
+    for (double each : x) std::printf("%a\n", each);
+  }
+}
+
+int main(int, char** arguments) {
+  const std::map<std::string, int> modes{{"FE_TONEAREST", FE_TONEAREST}, {"FE_UPWARD", FE_UPWARD},
+                                         {"FE_DOWNWARD", FE_DOWNWARD}, {"FE_TOWARDZERO", FE_TOWARDZERO}};
+  rounding = modes.at(arguments[1]);
+  flush = std::string(arguments[2]) == "flush";
+  int scene = 0;
+  while (std::scanf("%d", &scene) == 1) {
+)";
     for (std::size_t i = 0; i < scenes_.size(); ++i)
       out += fmt::format(
           "    if (scene == {0})\n"

@@ -124,7 +124,7 @@ const char* const finished =
 /* v* = factor root(above/below). Factors (1 + e_j)^(+-1) with sum |e_j| = e < 2^-10 change it by less than 1.01 e, the
    last rounding by u, and another one by 2^-1075 where numbers are subnormal. safe: none has left the range of doubles. */
 static inline @Result @finished(double v, double e, double u, int safe) {
-  const int known = e < 0x1p-10 && v < HUGE_VAL;
+  const int known = e < 0x1p-10 && v < 0x1.fffffffffffffp1023;
   const @Result r = {{v, known ? (1.01 * e + u) * (1.0 + 0x1p-50) : HUGE_VAL}, safe};
   return r;
 }
@@ -140,7 +140,7 @@ static inline @Result @dd_finished(@dd above, @dd below, @dd factor, double roun
   return @finished(v, roundings * 0x1p-102, 0x1p-53, @safe(above.hi / below.hi, v, inside));
 }
 static inline @Result @wide_finished(@wide above, @wide below, @wide factor, @wide roundings) {
-  const double h = above.t.hi / below.t.hi;
+  const double h = fabs(above.t.hi / below.t.hi);
   const double v = h > 0.0 && h < HUGE_VAL ? @wide_rounded(@wide_mul(@ROOT_WIDE(@wide_div(above, below)), factor))
                                            : @SQRT(h) * factor.t.hi;
   const double tiny = v > 0.0 ? 0x1p-53 + 0x1p-1074 / (2.0 * v - 0x1p-1074) : 1.0;

@@ -134,11 +134,11 @@ const char* const finished =
 // last rounding by u, and another one by 2^-1075 where numbers are subnormal. safe: none has left the range of doubles.
 template <class T, class E> @CALL Result finished(const Parameters& p, T above, T below, T factor, E roundings) {
   constexpr bool plain = std::is_same_v<T, double>, wide = std::is_same_v<T, Wide>;
-  const double h = head(above) / head(below), e = double(roundings) * (plain ? 0x1p-53 : 0x1p-102);
+  const double h = std::fabs(head(above) / head(below)), e = double(roundings) * (plain ? 0x1p-53 : 0x1p-102);
   const double whole = double(@ROOT(above / below) * factor), u = plain ? 0.0 : 0x1p-53;
   const double v = wide && !(h > 0 && h < HUGE_VAL) ? @SQRT(h) * head(factor) : whole;
   const double last = !wide || v >= 0x1p-1022 ? u : v > 0 ? u + 0x1p-1074 / (2.0 * v - 0x1p-1074) : 1.0;
-  const bool inside = in_range(p), known = (e < 0x1p-10) & (v < HUGE_VAL);
+  const bool inside = in_range(p), known = (e < 0x1p-10) & (v < 0x1.fffffffffffffp1023);
   const bool safe = (h > 0x1p-900) & (h < 0x1p900) & (v >= 0x1p-1022) & inside;
   return {{v, known ? (1.01 * e + last) * (1.0 + 0x1p-50) : HUGE_VAL}, {}, wide || safe};
 }

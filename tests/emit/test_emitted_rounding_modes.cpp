@@ -1,0 +1,110 @@
+// What generated evaluators give where the caller has changed how the processor rounds, or has it
+// flush subnormal numbers to zero: the cases of every size of value, in all eight states.
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <cfloat>
+#include <cmath>
+
+#include "derivation/scenes.hpp"
+#include "emit/extreme_cases.hpp"
+#include "emit/library.hpp"
+
+using namespace vcrit;
+using test::Call;
+using test::scene_of;
+
+namespace {
+
+std::vector<test::ArithmeticState> all_states() {
+  std::vector<test::ArithmeticState> states;
+  for (const char* rounding : {"FE_TONEAREST", "FE_UPWARD", "FE_DOWNWARD", "FE_TOWARDZERO"})
+    for (const bool flush : {false, true}) states.push_back({rounding, flush});
+  return states;
+}
+
+bool is_subnormal(double x) { return x != 0 && std::abs(x) < DBL_MIN; }
+
+/// Operands that flush to zero make another scene, whose v* is not in the table.
+bool is_known(const Scene& scene, const test::ArithmeticState& state) {
+  const Values values = values_of(scene);
+  return !state.flush_to_zero || std::none_of(values.begin(), values.end(), [](const auto& value) {
+    return is_subnormal(value.second);
+  });
+}
+
+/// The bound counts roundings to the nearest, half a unit each. Other modes lose up to a unit, so
+/// that all is twice as much. Two half units for the table's own rounding, and where v* is
+/// subnormal the unit is 2^-1074, or all of it.
+bool is_right(double value, double bound, double expected, const test::ArithmeticState& state) {
+  if (std::isnan(value) || std::isnan(expected)) return std::isnan(value) == std::isnan(expected);
+  if (value == expected || !std::isfinite(bound)) return true;
+  if (expected < DBL_MIN) return value <= (state.flush_to_zero ? DBL_MIN : expected + 0x1p-1073);
+  const double times = state.rounding == "FE_TONEAREST" ? 1 : 2;
+  return std::abs(value / expected - 1) <= times * bound + 0x1p-52;
+}
+
+std::vector<Call> calls_of(const test::ExtremeCases& cases) {
+  std::vector<Call> calls;
+  for (const test::ExtremeCase& row : cases.rows) {
+    calls.emplace_back();
+    calls.back().library = row.shape;
+    calls.back().scene = row.scene;
+  }
+  return calls;
+}
+
+/// kn = kt = kd = 1, no damping to speak of, du_z and mu0 far beyond any device: v* is 2^1200.
+Call overflowing_call() {
+  Call call;
+  call.scene = scene_of("normal = \"kn\"\ntangential = \"kt\"", "kd");
+  call.scene.angular_frequency.value = call.scene.indentation.value = 1.0;
+  call.scene.coefficient.value = call.scene.amplitude.value = 0x1p600;
+  for (auto& [symbol, value] : call.scene.elements) value = 1.0;
+  return call;
+}
+
+}  // namespace
+
+// Infinite; the largest double where the processor rounds to no larger number. Nothing is claimed.
+BOOST_AUTO_TEST_CASE(above_the_largest_double) {
+  std::vector<Call> calls{overflowing_call()};
+  const test::Libraries libraries({calls[0].scene});
+  BOOST_REQUIRE_EQUAL(libraries.compile(test::compilers(libraries.folder()).front(), {"-O1"}), "");
+  for (const test::ArithmeticState& state : all_states()) {
+    libraries.evaluate(calls, state);
+    for (const auto& [value, bound] : {std::pair(calls[0].value, calls[0].bound),
+                                       std::pair(calls[0].fast_value, calls[0].fast_bound)}) {
+      BOOST_TEST(value >= DBL_MAX, state.rounding);
+      if (state.rounding == "FE_TONEAREST") BOOST_TEST(std::isinf(value));
+      BOOST_TEST(std::isinf(bound), state.rounding);
+    }
+  }
+}
+
+// The driver fails if a function leaves another state behind than it found.
+BOOST_AUTO_TEST_CASE(twice_the_bound_in_every_state) {
+  const test::ExtremeCases cases = test::extreme_cases(12);
+  std::vector<Call> calls = calls_of(cases);
+  const test::Libraries libraries(cases.shapes);
+  const std::string compiler = test::compilers(libraries.folder()).front();
+  for (const char* processor : {"-march=x86-64", "-march=native"}) {
+    if (libraries.compile(compiler, {"-O0", processor}) != "") continue;
+    for (const test::ArithmeticState& state : all_states()) {
+      libraries.evaluate(calls, state);
+      for (std::size_t i = 0; i < calls.size(); ++i) {
+        const Call& call = calls[i];
+        const bool known = is_known(call.scene, state);
+        const double expected = known ? cases.rows[i].expected : call.value;
+        BOOST_TEST_CONTEXT(processor << " " << state.rounding << " " << state.flush_to_zero << ", "
+                                     << call.scene.file << ": " << call.value << ", fast "
+                                     << call.fast_value << ", expected " << expected) {
+          BOOST_TEST(!std::isnan(call.value));
+          BOOST_TEST(!std::isnan(call.fast_value));
+          BOOST_TEST(is_right(call.value, call.bound, expected, state));
+          if (known) BOOST_TEST(is_right(call.fast_value, call.fast_bound, expected, state));
+        }
+      }
+    }
+  }
+}

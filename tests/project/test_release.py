@@ -1,0 +1,133 @@
+"""What a release promises: one version everywhere, Debian packages that hold what they should, and the same
+bytes from the same sources, wherever they lie.
+
+    test_release.py PROJECT BUILD
+"""
+
+import concurrent.futures
+import json
+import os
+import re
+import shlex
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+PROJECT, BUILD = (Path(sys.argv.pop(1)).resolve() for _ in range(2))
+VCRIT = BUILD / "vcrit"
+
+
+def done(*command, **how):
+    return subprocess.run([str(word) for word in command], check=True, capture_output=True, text=True, **how).stdout
+
+
+def folder_of(test):
+    return Path(test.enterClassContext(tempfile.TemporaryDirectory()))
+
+
+class Version(unittest.TestCase):
+    def test_is_one(self):
+        cmake = re.search(r"project\(vcrit VERSION ([\d.]+)", (PROJECT / "CMakeLists.txt").read_text())[1]
+        newest = re.search(r"^## \[(\d[\d.]*)\] - (\d{4}-\d\d-\d\d)$", (PROJECT / "CHANGELOG.md").read_text(), re.M)
+        citation = dict(re.findall(r"^(version|date-released): (\S+)$", (PROJECT / "CITATION.cff").read_text(), re.M))
+        self.assertEqual(newest.groups(), (cmake, citation["date-released"]))
+        self.assertEqual(citation["version"], cmake)
+        self.assertIn(cmake, done(VCRIT, "--version").splitlines()[0])
+
+
+class DebianPackages(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = folder_of(cls)
+        done("cpack", "-B", cls.folder, cwd=BUILD)
+        cls.package = {file.name.split("_")[0]: file for file in cls.folder.glob("*.deb")}
+        cls.root = cls.folder / "root"
+        for file in cls.package.values():
+            done("dpkg-deb", "-x", file, cls.root)
+
+    def field(self, package, name):
+        return done("dpkg-deb", "-f", self.package[package], name).strip()
+
+    def test_need_what_they_use(self):
+        needs = self.field("vcrit", "Depends")
+        for library in ("libginac", "libgsl", "libflint-arb", "libudunits2", "libhdf5", "libstdc++6"):
+            self.assertIn(library, needs)
+        self.assertIn("libgsl-dev", self.field("libvcrit-dev", "Depends"))
+
+    def test_hold_files_of_the_system_alone(self):
+        for file in self.package.values():
+            for line in done("dpkg-deb", "-c", file).splitlines():
+                with self.subTest(line=line):
+                    self.assertRegex(line, r"^[d-]rw[x-]r-[x-]r-[x-] root/root .* \./(usr/.*)?$")
+
+    def test_name_no_place_of_the_build(self):
+        for file in self.root.rglob("*"):
+            if file.is_file():
+                self.assertNotIn(str(PROJECT).encode(), file.read_bytes(), file)
+
+    def test_have_manual_copyright_and_examples(self):
+        for path in ("man/man1/vcrit.1", "doc/vcrit/copyright", "doc/vcrit/CHANGELOG.md", "doc/libvcrit-dev/copyright",
+                     "bash-completion/completions/vcrit", "zsh/site-functions/_vcrit"):
+            self.assertTrue((self.root / "usr/share" / path).stat().st_size > 0)
+
+    def test_program_runs_from_its_package(self):
+        scene = self.root / "usr/share/doc/vcrit/examples/zener.toml"
+        self.assertEqual(done(self.root / "usr/bin/vcrit", "eval", scene, "--json"),
+                         done(VCRIT, "eval", PROJECT / "scenes/zener.toml", "--json"))
+
+
+class SameBytes(unittest.TestCase):
+    UNITS = ("src/scene/reader.cpp", "src/critical/certified.cpp", "src/simulation/steady/steady_cycle.cpp")
+
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = folder_of(cls)
+        cls.commands = {entry["file"]: entry for entry in json.loads((BUILD / "compile_commands.json").read_text())}
+
+    def compiled(self, unit, place):
+        """The object of a unit of the library, from a copy of the sources in `place`, without a cache."""
+        entry = self.commands[str(PROJECT / unit)]
+        words = shlex.split(entry["command"].replace(str(PROJECT / "src"), str(place / "src")))
+        words = words[next(i for i, word in enumerate(words) if "ccache" not in word):]
+        words[words.index("-o") + 1] = str(place / "unit.o")
+        place.mkdir(parents=True)
+        shutil.copytree(PROJECT / "src", place / "src")
+        done(*words, "-g0", cwd=place)
+        return (place / "unit.o").read_bytes()
+
+    # The whole library twice: ./dev reproducible.
+    def test_of_the_library_wherever_its_sources_lie(self):
+        places = [self.folder / "a", self.folder / "another/much/longer/place"]
+        with concurrent.futures.ThreadPoolExecutor(2) as pool:
+            for unit in self.UNITS:
+                name = Path(unit).stem
+                first, second = pool.map(lambda place: self.compiled(unit, place / name), places)
+                self.assertEqual(first, second, unit)
+
+    def generated(self, scene, language, place, **environment):
+        place.mkdir(parents=True)
+        shutil.copy(scene, place)
+        done(VCRIT, "generate", scene.name, "--language", language, "--out", "out", cwd=place,
+             env=os.environ | environment)
+        return {file.name: file.read_bytes() for file in (place / "out").rglob("*") if file.is_file()}
+
+    def test_of_generated_code_at_any_time_and_place(self):
+        with_masses = {"measured_drive", "sonotrode"}  # of the drive: they have no evaluators
+        for scene in sorted((PROJECT / "scenes").glob("*.toml")):
+            if scene.stem in with_masses:
+                continue
+            for language in ("c++", "c99", "cuda", "python", "javascript"):
+                name = f"{scene.stem}-{language}"
+                with self.subTest(name):
+                    first = self.generated(scene, language, self.folder / "here" / name)
+                    second = self.generated(scene, language, self.folder / "there/there" / name, TZ="Asia/Tokyo",
+                                            LC_ALL="C", HOME="/nonexistent")
+                    self.assertTrue(first)
+                    self.assertEqual(first, second)
+
+
+if __name__ == "__main__":
+    unittest.main()
