@@ -158,9 +158,9 @@ class Size(Hostile):
         self.assert_velocity(scene(drive=" | ".join(self.million), elements=ones), critical_velocity(4e6, 1e6))
 
     def test_of_edges_in_series(self):
-        edges = ",".join(f'["kd", "n{i}", "n{i + 1}"]' for i in range(1000))
-        graph = f'chain = {{terminals = ["n0", "n1000"], edges = [{edges}]}}'
-        self.assert_velocity(scene(drive="chain", elements="kd = 1e9", networks=graph), critical_velocity(4e6, 1e6))
+        edges = ",".join(f'["kd", "n{i}", "n{i + 1}"]' for i in range(100))
+        graph = f'chain = {{terminals = ["n0", "n100"], edges = [{edges}]}}'
+        self.assert_velocity(scene(drive="chain", elements="kd = 1e8", networks=graph), critical_velocity(4e6, 1e6))
 
     def test_of_more_than_the_memory(self):
         edges = ",".join(f'["kd", "n{i}", "n{i + 1}"]' for i in range(1000000))
@@ -172,7 +172,7 @@ class Size(Hostile):
         self.refuse(scene(drive=" | ".join(["prony(kd, k, tau, 100000)"] * 1000000)), "more than 1000000 elements")
         doubled = "".join(f'n{i} = "n{i + 1} | n{i + 1}"\n' for i in range(60)) + 'n60 = "kd"'
         self.refuse(scene(drive="n0", networks=doubled), "more than 1000000 elements")
-        edges = ",".join(f'["prony(kd, k, tau, 100000)", "a", "n{i}"]' for i in range(1000))
+        edges = ",".join(f'["prony(kd, k, tau, 100000)", "a", "n{i}"]' for i in range(100))
         graph = f'g = {{terminals = ["a", "b"], edges = [{edges}]}}'
         self.refuse(scene(drive="g", networks=graph), "more than 4000000 elements")
 
