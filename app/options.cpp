@@ -6,6 +6,8 @@
 
 #include "streams.hpp"
 
+#include "scene/settings.hpp"
+
 namespace vcrit::app {
 
 void SceneOptions::add_to(CLI::App& command) {
@@ -20,12 +22,7 @@ void SceneOptions::add_to(CLI::App& command) {
 
 Settings SceneOptions::split_settings() const {
   Settings result;
-  for (const std::string& text : settings) {
-    const auto equals = text.find('=');
-    if (equals == text.npos || equals == 0)
-      throw InputError({"--set"}, fmt::format("\"{}\"", text), "NAME=VALUE");
-    result.emplace_back(text.substr(0, equals), text.substr(equals + 1));
-  }
+  for (const std::string& text : settings) result.push_back(parse_setting(text));
   return result;
 }
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "base/messages.hpp"
+
 namespace vcrit {
 
 std::string to_text(const Place& place) {
@@ -12,8 +14,8 @@ std::string to_text(const Place& place) {
 }
 
 InputError::InputError(const Place& place, const std::string& found, const std::string& expected)
-    : std::runtime_error(
-          fmt::format("{}: found {}; expected {}", to_text(place), found, expected)) {}
+    : std::runtime_error(fmt::format("{}: found {}; expected {}", printable(to_text(place)),
+                                     printable(found), printable(expected))) {}
 
 Bug::Bug(const std::string& what, const char* function, int line)
     : std::logic_error(fmt::format("bug in vcrit ({}, line {}): {}", function, line, what)) {}

@@ -18,7 +18,8 @@ struct Place {
 /// "file:12:5", with the parts that are known.
 std::string to_text(const Place& place);
 
-/// Wrong input: says where, what was found, and what was expected instead.
+/// Wrong input: says where, what was found, and what was expected instead, each as printable() has
+/// it (messages.hpp).
 class InputError : public std::runtime_error {
  public:
   InputError(const Place& place, const std::string& found, const std::string& expected);

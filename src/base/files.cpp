@@ -7,9 +7,9 @@
 #include <cerrno>
 #include <cstdio>
 #include <fstream>
-#include <iterator>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include "base/errors.hpp"
 
@@ -94,14 +94,28 @@ class Part {
   int file_ = -1;
 };
 
+// Stops at the first buffer beyond `largest`.
+std::string read_up_to(std::ifstream& in, std::size_t largest) {
+  std::string text;
+  std::vector<char> buffer(1U << 16U);
+  while (text.size() <= largest && in) {
+    in.read(buffer.data(), static_cast<std::streamsize>(buffer.size()));
+    text.append(buffer.data(), static_cast<std::size_t>(in.gcount()));
+  }
+  return text;
+}
+
 }  // namespace
 
-std::string read_file(const fs::path& file) {
+std::string read_file(const fs::path& file, std::size_t largest) {
   std::ifstream in(file, std::ios::binary);
   if (!in || fs::is_directory(file))
     throw InputError({file.string()}, "no readable file", "a file");
-  std::string text{std::istreambuf_iterator<char>(in), {}};
+  std::string text = read_up_to(in, largest);
   if (in.bad()) throw InputError({file.string()}, "a read error", "a readable file");
+  if (text.size() > largest)
+    throw InputError({file.string()}, "more than " + std::to_string(largest) + " bytes",
+                     "a file of at most so many");
   return text;
 }
 

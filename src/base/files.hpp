@@ -1,6 +1,7 @@
 // Reading and writing whole files.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -8,8 +9,12 @@
 
 namespace vcrit {
 
-/// Throws InputError naming the file.
-std::string read_file(const std::filesystem::path& file);
+/// The most bytes that are ever read of one file (512 MiB).
+constexpr std::size_t largest_file = 1U << 29U;
+
+/// Throws InputError naming the file, also for one of more than `largest` bytes or without end
+/// (/dev/zero).
+std::string read_file(const std::filesystem::path& file, std::size_t largest = largest_file);
 
 struct NewFile {
   std::filesystem::path place;

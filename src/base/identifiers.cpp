@@ -10,6 +10,8 @@ namespace vcrit {
 
 namespace {
 
+constexpr std::size_t longest_name = 64;
+
 // Keywords of C++20 and of the other languages code may be generated for, and macros that common
 // compilers define without being asked.
 constexpr auto reserved = std::to_array<std::string_view>(
@@ -67,7 +69,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 std::optional<std::string> unsafe_as_identifier(std::string_view name) {
   if (name.empty() || !letter(name.front()) || !std::all_of(name.begin(), name.end(), word))
     return "is not a letter followed by letters, digits and underscores";
-  if (name.size() > 64) return "is longer than 64 characters";
+  if (name.size() > longest_name) return "is longer than 64 characters";
   if (name.find("__") != name.npos) return "has two underscores in a row, which C++ reserves";
   if (std::binary_search(reserved.begin(), reserved.end(), name))
     return "is a reserved word of C++ or another target language";
@@ -82,8 +84,10 @@ std::optional<std::string> unsafe_as_identifier(std::string_view name) {
 std::optional<std::string> nearest(std::string_view name,
                                    const std::vector<std::string>& candidates) {
   std::optional<std::string> best;
+  if (name.size() > longest_name) return best;
   std::size_t distance = std::max<std::size_t>(2, name.size() / 3) + 1;
   for (const std::string& candidate : candidates) {
+    if (candidate.size() >= name.size() + distance) continue;
     const std::size_t d = edit_distance(name, candidate);
     if (d < distance && d < std::max(name.size(), candidate.size())) best = candidate, distance = d;
   }

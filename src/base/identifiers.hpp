@@ -11,7 +11,8 @@ namespace vcrit {
 /// Why `name` cannot be a name in generated code ("is a keyword of C++", ...); nothing if it can.
 std::optional<std::string> unsafe_as_identifier(std::string_view name);
 
-/// The candidate most like `name`, if one is close enough to be what was meant.
+/// The candidate most like `name`, if one is close enough to be what was meant; for
+/// no name longer than any can be.
 std::optional<std::string> nearest(std::string_view name,
                                    const std::vector<std::string>& candidates);
 

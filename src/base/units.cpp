@@ -8,11 +8,15 @@
 #include <memory>
 #include <mutex>
 
+#include "base/messages.hpp"
 #include "base/numbers.hpp"
 
 namespace vcrit {
 
 namespace {
+
+// "kg.m2.s-2" has nine characters; udunits' parser needs the more stack the longer a unit is.
+constexpr std::size_t longest_unit = 64;
 
 struct UnitDeleter {
   void operator()(ut_unit* unit) const { ut_free(unit); }
@@ -76,11 +80,16 @@ double convert(double number, std::string_view unit, Dimension dimension, const 
   const auto refuse = [&](const std::string& why) {
     throw InputError(place, fmt::format("{} ({})", found, why), describe(dimension));
   };
+  if (unit.size() > longest_unit)
+    refuse(fmt::format("a unit of {} characters, more than {}", unit.size(), longest_unit));
   const std::scoped_lock lock(units_mutex());
   const Unit from = parse_unit(std::string(unit));
-  if (!from) refuse(fmt::format("\"{}\" is no unit", unit));
+  // To udunits the byte 0xFF is the end of a unit.
+  if (!from || printable(unit) != unit) refuse(fmt::format("\"{}\" is no unit", unit));
   const Unit to = parse_unit(text_of(dimension).unit);
-  if (!ut_are_convertible(from.get(), to.get())) refuse("a unit of another dimension");
+  // To udunits a unit and its reciprocal are convertible: "5 ms" would be a frequency, 200 Hz.
+  const Unit ratio(ut_divide(from.get(), to.get()));
+  if (!ratio || ut_is_dimensionless(ratio.get()) == 0) refuse("a unit of another dimension");
   if (dimension == Dimension::frequency && angular(from.get()))
     refuse("an angular frequency, not cycles a second");
   if (dimension == Dimension::angular_frequency && !angular(from.get()))
@@ -103,16 +112,18 @@ std::string describe(Dimension dimension) {
 
 double parse_quantity(std::string_view text, Dimension dimension, const Place& place) {
   const std::string_view whole = trimmed(text);
+  // No inf or nan; and of "2eV" it is the 2 that is the number.
   const auto end = std::min(whole.find_first_not_of("0123456789.+-eE"), whole.size());
-  // "3e" of "3 eV" never occurs with the blank, but "2e" of "2eV" does: the longest number wins.
-  auto digits = end;
-  while (digits > 0 && !to_double(whole.substr(0, digits))) --digits;
-  if (digits == 0)
+  const LeadingNumber number = leading_number(whole.substr(0, end));
+  if (number.length == 0)
     throw InputError(place, fmt::format("\"{}\"", text),
                      "a number and a unit: " + describe(dimension));
-  const double number = *to_double(whole.substr(0, digits));
-  const std::string_view unit = trimmed(whole.substr(digits));
-  const double value = unit.empty() ? number : convert(number, unit, dimension, place, whole);
+  if (!number.value)
+    throw InputError(place, fmt::format("\"{}\", beyond the range of doubles", text),
+                     describe(dimension));
+  const std::string_view unit = trimmed(whole.substr(number.length));
+  const double value =
+      unit.empty() ? *number.value : convert(*number.value, unit, dimension, place, whole);
   if (!std::isfinite(value))
     throw InputError(place, fmt::format("\"{}\", which is not finite", text), describe(dimension));
   return value;

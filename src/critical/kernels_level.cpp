@@ -63,7 +63,7 @@ void mesh(Result out, Stiffness a, Stiffness b, Stiffness total) {
 void isotropic(double* __restrict out, double* __restrict lost, const double* poisson) {
   for (std::size_t i = 0; i < lanes; ++i) {
     out[i] = 2 * (1 - poisson[i]) / (2 - poisson[i]);
-    lost[i] = (poisson[i] > -1) & (poisson[i] <= 0.5) ? lost[i] : 1;
+    lost[i] = ((poisson[i] > -1) & (poisson[i] <= 0.5)) ? lost[i] : 1;
   }
 }
 

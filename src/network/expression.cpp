@@ -12,18 +12,17 @@ namespace vcrit {
 
 namespace {
 
-constexpr int deepest_nesting = 500;
 constexpr int most_branches = 100000;
 
 class Parser {
  public:
   Parser(std::string_view text, Place place, const Surroundings& around)
-      : text_(text), place_(std::move(place)), around_(around) {}
+      : text_(text), place_(std::move(place)), around_(around), depth_(around.level) {}
 
   Network whole() {
     Network network = parallel_chain();
     if (peek() == ')') refuse("\")\" without an opening parenthesis", "the end or an operator");
-    if (peek() != '\0') refuse(found(), "\"|\" (parallel), \"-\" (series) or the end");
+    if (peek() != '\0' || !at_end()) refuse(found(), "\"|\" (parallel), \"-\" (series) or the end");
     return network;
   }
 
@@ -45,20 +44,41 @@ class Parser {
     const Place at = here();
     const std::string name = identifier("an element, a network or \"(\"");
     if (peek() == '(') return call(name, at);
-    if (auto network = around_.named_network(name, at)) return std::move(*network);
+    if (auto network = around_.named_network(name, at, depth_)) {
+      count(size(*network), at);
+      return std::move(*network);
+    }
+    count(1, at);
     return element(name, at);
   }
 
   Network group() {
     const Place opening = here();
-    if (++depth_ > deepest_nesting)
-      refuse("deeper nesting",
-             fmt::format("at most {} parentheses in one another", deepest_nesting));
+    if (++depth_ > deepest_nesting) refuse_nesting();
     accept('(');
     Network network = parallel_chain();
     close(opening);
     --depth_;
     return network;
+  }
+
+  [[noreturn]] void refuse_nesting() {
+    int level = depth_, deepest = depth_;
+    for (const char c : text_.substr(position_ + 1)) {
+      if (c == '(') deepest = std::max(deepest, ++level);
+      if (c == ')') --level;
+    }
+    throw InputError(
+        here(), fmt::format("{} levels of brackets", deepest),
+        fmt::format("at most {}, named networks counted as one each", deepest_nesting));
+  }
+
+  // An element beside the branches of an array does not count.
+  void count(std::size_t elements, const Place& at) {
+    elements_ += elements;
+    if (elements_ > most_elements)
+      throw InputError(at, fmt::format("more than {} elements", most_elements),
+                       "a smaller network");
   }
 
   static Network element(const std::string& name, const Place& at) {
@@ -78,7 +98,7 @@ class Parser {
     std::optional<int> branches;
     do {
       if (rheology.has_arrays() && names.size() == rheology.arguments.size() && !branches)
-        branches = count();
+        branches = number_of_branches();
       else
         names.push_back(identifier("the name of an element"));
     } while (accept(','));
@@ -86,7 +106,13 @@ class Parser {
     if (names.size() != rheology.arguments.size())
       throw InputError(at, fmt::format("{} with {} names", name, names.size()),
                        rheology.signature());
-    return rheology.build(names, rheology.has_arrays() ? length(rheology, names, branches, at) : 0);
+    if (!rheology.has_arrays()) {
+      count(names.size(), at);
+      return rheology.build(names, 0);
+    }
+    const int built = length(rheology, names, branches, at);
+    count(static_cast<std::size_t>(built), at);
+    return rheology.build(names, built);
   }
 
   static const Rheology& named_rheology(const std::string& name, const Place& at) {
@@ -119,7 +145,7 @@ class Parser {
     return *branches;
   }
 
-  int count() {
+  int number_of_branches() {
     peek();
     const Place at = here();
     int value = 0;
@@ -165,6 +191,9 @@ class Parser {
     return position_ < text_.size() ? text_[position_] : '\0';
   }
 
+  // peek() gives 0 there, but a text may hold that character, too.
+  bool at_end() const { return position_ == text_.size(); }
+
   bool accept(char c) {
     if (peek() != c) return false;
     ++position_;
@@ -172,8 +201,8 @@ class Parser {
   }
 
   std::string found() {
-    const char c = peek();
-    return c == '\0' ? "the end of the network" : fmt::format("\"{}\"", text_.substr(position_, 1));
+    peek();
+    return at_end() ? "the end of the network" : fmt::format("\"{}\"", text_.substr(position_, 1));
   }
 
   Place here() {
@@ -191,7 +220,8 @@ class Parser {
   Place place_;
   const Surroundings& around_;
   std::size_t position_ = 0;
-  int depth_ = 0;
+  int depth_;
+  std::size_t elements_ = 0;
 };
 
 }  // namespace

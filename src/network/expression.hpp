@@ -3,6 +3,7 @@
 // rheologies as calls: "kelvin(k, c)".
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>
@@ -13,15 +14,23 @@
 
 namespace vcrit {
 
+constexpr int deepest_nesting = 200;  ///< brackets in one another, named networks counted as such
+constexpr std::size_t most_elements = 1'000'000;  ///< of one network
+
 /// What an expression's names may refer to besides elements.
 struct Surroundings {
-  /// The network of that name, if there is one; may throw InputError (cycles).
-  std::function<std::optional<Network>(const std::string& name, const Place&)> named_network;
+  /// The network of that name, if there is one; may throw InputError (cycles). `level`: how deep in
+  /// brackets the name stands.
+  std::function<std::optional<Network>(const std::string& name, const Place&, int level)>
+      named_network;
   /// The length of the array of that name, if there is one.
   std::function<std::optional<int>(const std::string& name)> array_length;
+  /// How deep in brackets the text itself stands.
+  int level = 0;
 };
 
-/// `place` is where the first character of `text` stands. Throws InputError with the column.
+/// `place` is where the first character of `text` stands. Throws InputError with the column,
+/// also beyond the two limits above.
 Network parse_expression(std::string_view text, const Place& place, const Surroundings& around);
 
 }  // namespace vcrit

@@ -56,6 +56,24 @@ void for_each_element(const Network& network, const std::function<void(const Ele
   if (const auto* g = std::get_if<Graph>(&network.form)) visit_parts(g->parts);
 }
 
+int depth(const Network& network) {
+  const auto below = [](const std::vector<Network>& parts) {
+    int deepest = 0;
+    for (const Network& part : parts) deepest = std::max(deepest, depth(part));
+    return deepest + 1;
+  };
+  if (const auto* s = std::get_if<Series>(&network.form)) return below(s->parts);
+  if (const auto* p = std::get_if<Parallel>(&network.form)) return below(p->parts);
+  if (const auto* g = std::get_if<Graph>(&network.form)) return below(g->parts);
+  return 0;
+}
+
+std::size_t size(const Network& network) {
+  std::size_t elements = 0;
+  for_each_element(network, [&](const Element&) { ++elements; });
+  return elements;
+}
+
 std::vector<Symbol> symbols_of(const Network& network) {
   std::vector<Symbol> symbols;
   std::set<Symbol> seen;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <compare>
+#include <cstddef>
 #include <functional>
 #include <map>
 #include <string>
@@ -78,6 +79,12 @@ Network mass(Symbol m);
 /// One part stands for itself; nested combinations of the same kind are flattened.
 Network series(std::vector<Network> parts);
 Network parallel(std::vector<Network> parts);
+
+/// Levels of combinations in one another; 0 for an element.
+int depth(const Network& network);
+
+/// How many elements it has.
+std::size_t size(const Network& network);
 
 /// Calls `visit` for every element, in the order of writing.
 void for_each_element(const Network& network, const std::function<void(const Element&)>& visit);

@@ -28,6 +28,10 @@ struct Reduction {
   std::vector<Step> steps;  ///< the last step is the network's stiffness; each step is used
 };
 
+/// The elimination of a graph's inner nodes can make far more edges than the graph has.
+constexpr std::size_t most_steps = 4'000'000;
+
+/// Throws InputError beyond `most_steps`.
 Reduction reduce(const Network& network);
 
 /// Runs the program. `Algebra` gives the type Value and

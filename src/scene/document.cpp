@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/identifiers.hpp"
+#include "scene/key_limits.hpp"
 
 namespace vcrit::document {
 
@@ -40,6 +41,10 @@ Place place_of(const toml::node& node, const std::string& file) {
 }
 
 toml::table parse(const std::string& text, const std::string& file) {
+  if (text.size() > longest_scene)
+    throw InputError({file}, fmt::format("a scene of more than {} bytes", longest_scene),
+                     "a shorter one");
+  check_keys(text, file);
   try {
     return toml::parse(text, file);
   } catch (const toml::parse_error& error) {

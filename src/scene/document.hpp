@@ -3,6 +3,7 @@
 #pragma once
 
 #include <toml++/toml.h>
+#include <cstddef>
 #include <initializer_list>
 #include <string>
 #include <string_view>
@@ -11,7 +12,11 @@
 
 namespace vcrit::document {
 
-/// Throws InputError with line and column where the text is no TOML.
+/// Bytes of a scene file (64 MiB): a million elements with a value each take less.
+constexpr std::size_t longest_scene = 1U << 26U;
+
+/// Throws InputError with line and column where the text is no TOML; for one that is longer than
+/// `longest_scene` or has too many dotted keys (key_limits.hpp).
 toml::table parse(const std::string& text, const std::string& file);
 
 /// What stands there, for messages: `"8 N/um"`, `12`, "an array".

@@ -15,8 +15,11 @@ namespace vcrit {
 
 namespace {
 
-// Named networks may use one another, so that a short file could ask for an endless network.
-constexpr std::size_t most_elements = 1'000'000;
+// Of all networks of a scene, where each use of a name is a copy of its network.
+constexpr std::size_t most_elements_together = 4 * most_elements;
+
+// Combinations in one another; a level of brackets makes two of them.
+constexpr int deepest_network = 2 * deepest_nesting;
 
 using document::describe;
 using document::place_of;
@@ -59,16 +62,20 @@ Networks::Networks(const toml::table& document, std::string file)
   }
 }
 
-Network Networks::read(const std::string& text, const Place& place) {
-  const Surroundings around{
-      [this](const std::string& name, const Place& at) { return named(name, at); },
-      [this](const std::string& name) -> std::optional<int> {
-        const toml::node* node = elements_ == nullptr ? nullptr : elements_->get(name);
-        if (node == nullptr || !node->is_array()) return std::nullopt;
-        return static_cast<int>(node->as_array()->size());
-      }};
+Network Networks::read(const std::string& text, const Place& place, int level) {
+  const Surroundings around{[this](const std::string& name, const Place& at, int depth) {
+                              return named(name, at, depth + 1);
+                            },
+                            [this](const std::string& name) -> std::optional<int> {
+                              const toml::node* node =
+                                  elements_ == nullptr ? nullptr : elements_->get(name);
+                              if (node == nullptr || !node->is_array()) return std::nullopt;
+                              return static_cast<int>(node->as_array()->size());
+                            },
+                            level};
   // The place is that of the opening quote.
   Network network = parse_expression(text, {place.file, place.line, place.column + 1}, around);
+  check_size(network, place);
   note_uses(network, place);
   return network;
 }
@@ -78,13 +85,13 @@ void Networks::read_unused() {
   for (const auto& [key, value] : *named_) {
     const std::string name(key.str());
     if (known_.contains(name)) continue;
-    named(name, place_of(value, file_));
+    named(name, place_of(value, file_), 0);
     warnings_.push_back(fmt::format("{}: network \"{}\" is not used by this scene",
                                     to_text(place_of(value, file_)), name));
   }
 }
 
-std::optional<Network> Networks::named(const std::string& name, const Place& place) {
+std::optional<Network> Networks::named(const std::string& name, const Place& place, int level) {
   const toml::node* node = named_ == nullptr ? nullptr : named_->get(name);
   if (node == nullptr) return std::nullopt;
   auto known = known_.find(name);
@@ -92,21 +99,25 @@ std::optional<Network> Networks::named(const std::string& name, const Place& pla
     if (!being_read_.insert(name).second)
       throw InputError(place, fmt::format("network \"{}\" inside itself", name),
                        "networks that do not contain themselves");
-    known = known_.emplace(name, read_named(name, *node)).first;
+    if (level > deepest_nesting)
+      throw InputError(
+          place, fmt::format("network \"{}\" at level {}", name, level),
+          fmt::format("at most {} levels of brackets and named networks in one another",
+                      deepest_nesting));
+    known = known_.emplace(name, read_named(name, *node, level)).first;
     being_read_.erase(name);
   }
-  count(known->second, place);
   return known->second;
 }
 
-Network Networks::read_named(const std::string& name, const toml::node& node) {
-  if (node.is_string()) return read(node.ref<std::string>(), place_of(node, file_));
-  if (node.is_table()) return read_graph(name, *node.as_table());
+Network Networks::read_named(const std::string& name, const toml::node& node, int level) {
+  if (node.is_string()) return read(node.ref<std::string>(), place_of(node, file_), level);
+  if (node.is_table()) return read_graph(name, *node.as_table(), level);
   throw InputError(place_of(node, file_), fmt::format("network \"{}\" = {}", name, describe(node)),
                    "a network in quotes, or a table with terminals and edges");
 }
 
-Network Networks::read_graph(const std::string& name, const toml::table& table) {
+Network Networks::read_graph(const std::string& name, const toml::table& table, int level) {
   const document::Section section(&table, "networks." + name, file_, {"terminals", "edges"});
   const toml::node* terminals = section.find("terminals");
   const toml::node* edges = section.find("edges");
@@ -117,10 +128,12 @@ Network Networks::read_graph(const std::string& name, const toml::table& table) 
     throw InputError(section.place("edges"), "no edges", "edges = [[\"k1\", \"a\", \"b\"], ...]");
 
   Graph graph;
-  for (const toml::node& terminal : *terminals->as_array()) read_node(terminal, "terminals", graph);
-  if (graph.nodes.size() != 2)
+  NamedNodes nodes;
+  for (const toml::node& terminal : *terminals->as_array()) read_node(terminal, "terminals", nodes);
+  if (nodes.names.size() != 2)
     throw InputError(section.place("terminals"), "one node twice", expected_terminals);
-  for (const toml::node& edge : *edges->as_array()) read_edge(edge, graph);
+  for (const toml::node& edge : *edges->as_array()) read_edge(edge, graph, nodes, level);
+  graph.nodes = std::move(nodes.names);
   if (graph.nodes[0] == ground && carries_mass(graph))
     throw InputError(section.place("terminals"), "\"ground\" as the first terminal",
                      "the body's end first; \"ground\" is inertial ground, where masses end");
@@ -140,10 +153,12 @@ Network Networks::read_graph(const std::string& name, const toml::table& table) 
                     to_text(section.place(*edges->as_array()->get(i))), i + 1, name,
                     graph.nodes[static_cast<std::size_t>(graph.wires[i].from)],
                     graph.nodes[static_cast<std::size_t>(graph.wires[i].to)]));
-  return {std::move(loaded->graph)};
+  Network network{std::move(loaded->graph)};
+  check_size(network, section.place("edges"));
+  return network;
 }
 
-void Networks::read_edge(const toml::node& node, Graph& graph) {
+void Networks::read_edge(const toml::node& node, Graph& graph, NamedNodes& nodes, int level) {
   const toml::array* edge = node.as_array();
   const Place place = place_of(node, file_);
   const std::string expected = "[\"network\", \"node\", \"node\"]";
@@ -151,10 +166,10 @@ void Networks::read_edge(const toml::node& node, Graph& graph) {
     throw InputError(place,
                      fmt::format("edge {}", edge == nullptr ? describe(node) : "of another form"),
                      expected);
-  const int from = read_node(*edge->get(1), expected, graph);
-  graph.wires.push_back({from, read_node(*edge->get(2), expected, graph)});
+  const int from = read_node(*edge->get(1), expected, nodes);
+  graph.wires.push_back({from, read_node(*edge->get(2), expected, nodes)});
   const toml::node& network = *edge->get(0);
-  graph.parts.push_back(read(network.ref<std::string>(), place_of(network, file_)));
+  graph.parts.push_back(read(network.ref<std::string>(), place_of(network, file_), level));
 }
 
 // To an oscillation inertial ground and the second terminal, which moves uniformly, are one node.
@@ -175,22 +190,29 @@ void Networks::merge_ground(Graph& graph, const toml::array& edges) const {
   }
 }
 
-int Networks::read_node(const toml::node& node, const std::string& expected, Graph& graph) const {
+int Networks::read_node(const toml::node& node, const std::string& expected,
+                        NamedNodes& nodes) const {
   if (!node.is_string())
     throw InputError(place_of(node, file_), describe(node),
                      "the name of a node in quotes: " + expected);
   const auto& name = node.ref<std::string>();
-  const auto known = std::find(graph.nodes.begin(), graph.nodes.end(), name);
-  const auto index = static_cast<int>(known - graph.nodes.begin());
-  if (known == graph.nodes.end()) graph.nodes.push_back(name);
-  return index;
+  const auto [known, is_new] = nodes.places.emplace(name, static_cast<int>(nodes.names.size()));
+  if (is_new) nodes.names.push_back(name);
+  return known->second;
 }
 
-void Networks::count(const Network& network, const Place& place) {
-  for_each_element(network, [this](const Element&) { ++elements_used_; });
-  if (elements_used_ > most_elements)
-    throw InputError(place, fmt::format("more than {} elements", most_elements),
-                     "a smaller network");
+void Networks::check_size(const Network& network, const Place& place) {
+  if (const int levels = depth(network); levels > deepest_network)
+    throw InputError(place, fmt::format("{} combinations in one another", levels),
+                     fmt::format("at most {}", deepest_network));
+  const std::size_t elements = size(network);
+  elements_read_ += elements;
+  if (elements > most_elements)
+    throw InputError(place, fmt::format("{} elements", elements),
+                     fmt::format("at most {} in a network", most_elements));
+  if (elements_read_ > most_elements_together)
+    throw InputError(place, fmt::format("more than {} elements", most_elements_together),
+                     "at most so many in all networks of a scene, each use of a name counted");
 }
 
 void Networks::note_uses(const Network& network, const Place& place) {

@@ -26,8 +26,9 @@ class Networks {
  public:
   Networks(const toml::table& document, std::string file);
 
-  /// The network written as `text` at `place` (of the opening quote). Throws InputError.
-  Network read(const std::string& text, const Place& place);
+  /// The network written as `text` at `place` (of the opening quote), as deep in brackets as
+  /// `level` says. Throws InputError, also for networks that are too deep or too large.
+  Network read(const std::string& text, const Place& place, int level = 0);
   /// Reads the named networks that nothing has used yet, for their errors.
   void read_unused();
 
@@ -35,15 +36,21 @@ class Networks {
   const std::vector<std::string>& warnings() const { return warnings_; }
 
  private:
-  std::optional<Network> named(const std::string& name, const Place& place);
-  Network read_named(const std::string& name, const toml::node& node);
-  Network read_graph(const std::string& name, const toml::table& table);
+  /// The nodes of a graph that is being read, and the place of each among them.
+  struct NamedNodes {
+    std::vector<std::string> names;
+    std::map<std::string, int> places;
+  };
+
+  std::optional<Network> named(const std::string& name, const Place& place, int level);
+  Network read_named(const std::string& name, const toml::node& node, int level);
+  Network read_graph(const std::string& name, const toml::table& table, int level);
   void merge_ground(Graph& graph, const toml::array& edges) const;
-  int read_node(const toml::node& node, const std::string& expected, Graph& graph) const;
-  void read_edge(const toml::node& node, Graph& graph);
+  int read_node(const toml::node& node, const std::string& expected, NamedNodes& nodes) const;
+  void read_edge(const toml::node& node, Graph& graph, NamedNodes& nodes, int level);
   void note_uses(const Network& network, const Place& place);
   void note_use(const Symbol& symbol, Dimension dimension, const Place& place);
-  void count(const Network& network, const Place& place);
+  void check_size(const Network& network, const Place& place);
 
   std::string file_;
   const toml::table* named_;     // [networks]
@@ -52,7 +59,7 @@ class Networks {
   std::set<std::string> being_read_;
   std::map<std::string, ElementUse> uses_;
   std::vector<std::string> warnings_;
-  std::size_t elements_used_ = 0;
+  std::size_t elements_read_ = 0;
 };
 
 }  // namespace vcrit

@@ -353,7 +353,7 @@ Scene parse_scene(const std::string& text, const std::string& file, const Settin
 }
 
 Scene read_scene(const std::string& file, const Settings& settings) {
-  return parse_scene(read_file(file), file, settings);
+  return parse_scene(read_file(file, document::longest_scene), file, settings);
 }
 
 }  // namespace vcrit

@@ -42,8 +42,12 @@ Receptance read_receptance(const std::filesystem::path& file, const Place& place
   if (!std::filesystem::is_regular_file(file))
     throw InputError(place, fmt::format("receptance = \"{}\", which is no file", file.string()),
                      fmt::format("a table in CSV with the header {}", header));
-  Receptance receptance{file.string(), {}};
-  CsvLines lines(read_file(file), receptance.file);
+  return parse_receptance(read_file(file), file.string());
+}
+
+Receptance parse_receptance(const std::string& text, const std::string& file) {
+  Receptance receptance{file, {}};
+  CsvLines lines(text, file);
   const bool any = lines.next();
   if (!any || lines.cells() != columns)
     throw InputError(lines.place(), any ? fmt::format("\"{}\"", lines.line()) : "an empty table",

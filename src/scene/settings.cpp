@@ -18,6 +18,13 @@ Dimension known_dimension(const std::string& name, const std::map<std::string, D
       meant ? fmt::format("\"{}\"", *meant) : fmt::format("one of {}", fmt::join(names, ", ")));
 }
 
+std::pair<std::string, std::string> parse_setting(const std::string& text) {
+  const auto equals = text.find('=');
+  if (equals == text.npos || equals == 0)
+    throw InputError({"--set"}, fmt::format("\"{}\"", text), "NAME=VALUE");
+  return {text.substr(0, equals), text.substr(equals + 1)};
+}
+
 OverridingValues::OverridingValues(const Settings& settings) {
   for (const auto& [name, text] : settings) settings_[name] = text;
 }

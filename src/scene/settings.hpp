@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "base/units.hpp"
 #include "scene/scene.hpp"
@@ -14,6 +15,9 @@ namespace vcrit {
 /// for others.
 Dimension known_dimension(const std::string& name, const std::map<std::string, Dimension>& known,
                           const Place& place);
+
+/// "NAME=VALUE" of --set. Throws InputError if it has another form.
+std::pair<std::string, std::string> parse_setting(const std::string& text);
 
 class OverridingValues {
  public:

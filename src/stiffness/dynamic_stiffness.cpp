@@ -1,5 +1,6 @@
 #include "stiffness/dynamic_stiffness.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace vcrit {
@@ -27,7 +28,9 @@ struct Pairs {
   }
 
   static double scale_of(Complex z) {
-    return std::ldexp(1.0, -std::ilogb(std::max(std::abs(z.real()), std::abs(z.imag()))));
+    // ilogb(0), where a mass cancels a spring, and of infinity have no negative or no power.
+    const int exponent = std::ilogb(std::max(std::abs(z.real()), std::abs(z.imag())));
+    return std::ldexp(1.0, -std::clamp(exponent, -1023, 1023));
   }
 
   static Complex parallel(Complex a, Complex b) { return a + b; }

@@ -49,39 +49,42 @@ std::size_t count(const std::string& text, const Place& place) {
   return n;
 }
 
-// The ends as given; between them 15 digits, so that round numbers come out round.
+// The ends as given; between them 15 digits, so that round numbers come out round, but never beyond
+// the ends (nor, there, beyond the largest double).
 std::vector<double> spaced(bool logarithmic, double from, double to, std::size_t n) {
   const double a = logarithmic ? std::log10(from) : from, b = logarithmic ? std::log10(to) : to;
   std::vector<double> values{from};
   for (std::size_t i = 1; i + 1 < n; ++i) {
     const double share = static_cast<double>(i) / static_cast<double>(n - 1);
     const double value = a * (1 - share) + b * share;
-    values.push_back(*to_double(fmt::format("{:.15g}", logarithmic ? std::pow(10, value) : value)));
+    const double exact = logarithmic ? std::pow(10, value) : value;
+    const double round = to_double(fmt::format("{:.15g}", exact)).value_or(exact);
+    values.push_back(std::clamp(round, std::min(from, to), std::max(from, to)));
   }
   if (n > 1) values.push_back(to);
   return values;
 }
 
-// Numbers with or without a unit, one a line.
-std::vector<double> listed(const std::string& file, Dimension dimension) {
-  std::istringstream lines(read_file(file));
+}  // namespace
+
+std::vector<double> parse_list(const std::string& text, const std::string& file,
+                               Dimension dimension) {
+  std::istringstream lines(text);
   std::vector<double> values;
   int line = 0;
-  for (std::string text; std::getline(lines, text);) {
+  for (std::string entry; std::getline(lines, entry);) {
     ++line;
-    text.erase(std::min(text.find('#'), text.size()));
-    const auto begin = text.find_first_not_of(" \t\r");
-    if (begin == text.npos) continue;
-    const auto end = text.find_last_not_of(" \t\r");
-    values.push_back(parse_quantity(text.substr(begin, end - begin + 1), dimension, {file, line}));
+    entry.erase(std::min(entry.find('#'), entry.size()));
+    const auto begin = entry.find_first_not_of(" \t\r");
+    if (begin == entry.npos) continue;
+    const auto end = entry.find_last_not_of(" \t\r");
+    values.push_back(parse_quantity(entry.substr(begin, end - begin + 1), dimension, {file, line}));
     if (values.size() > most_values)
       throw InputError({file, line}, "too many values", fmt::format("at most {}", most_values));
   }
   if (values.empty()) throw InputError({file}, "no values", "at least one");
   return values;
 }
-
-}  // namespace
 
 Axis parse_axis(const std::string& text, const Scene& scene) {
   const Place whole{fmt::format("--over {}", text)};
@@ -91,7 +94,7 @@ Axis parse_axis(const std::string& text, const Scene& scene) {
   const Place place{fmt::format("--over {}", name)};
   if (range.starts_with("list:")) {
     const Dimension dimension = dimension_of(name, scene, place);
-    return {name, listed(range.substr(5), dimension), dimension};
+    return {name, parse_list(read_file(range.substr(5)), range.substr(5), dimension), dimension};
   }
   const auto parts = split(range, ':');
   if (parts.size() != 4 || (parts[0] != "lin" && parts[0] != "log"))

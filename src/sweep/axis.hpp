@@ -20,4 +20,8 @@ struct Axis {
 /// `scene` does not have.
 Axis parse_axis(const std::string& text, const Scene& scene);
 
+/// The values of a list: the text of the file named `file`. Throws InputError with file and line.
+std::vector<double> parse_list(const std::string& text, const std::string& file,
+                               Dimension dimension);
+
 }  // namespace vcrit

@@ -69,6 +69,13 @@ BOOST_FIXTURE_TEST_CASE(a_missing_file_is_wrong_input, Folder) {
   BOOST_CHECK_THROW(read_file(path), InputError);
 }
 
+BOOST_FIXTURE_TEST_CASE(a_file_larger_than_asked_for_is_wrong_input, Folder) {
+  write_file(path / "file", std::string(100000, 'x'));
+  BOOST_TEST(read_file(path / "file", 100000).size() == 100000u);
+  BOOST_CHECK_THROW(read_file(path / "file", 99999), InputError);
+  BOOST_CHECK_THROW(read_file("/dev/zero", 100000), InputError);
+}
+
 BOOST_AUTO_TEST_CASE(numbers_read_back_to_the_same_double) {
   for (const double value : {0.1, 1e-310, 5e-324, 1.7976931348623157e308, 1.0 / 3, 2e6})
     BOOST_TEST(to_double(to_text(value)).value() == value);

@@ -52,6 +52,23 @@ BOOST_AUTO_TEST_CASE(bare_numbers_are_si) {
   BOOST_TEST(parse_quantity("-2", Dimension::none, place) == -2);
 }
 
+BOOST_AUTO_TEST_CASE(a_reciprocal_unit_is_refused) {
+  BOOST_TEST(has(message("5 ms", Dimension::frequency), "a unit of another dimension"));
+  BOOST_TEST(has(message("20 kHz", Dimension::time), "a unit of another dimension"));
+  BOOST_TEST(has(message("2 um/N", Dimension::stiffness), "a unit of another dimension"));
+  BOOST_TEST(has(message("1 ln(re 1 N/m)", Dimension::stiffness), "a unit of another dimension"));
+}
+
+BOOST_AUTO_TEST_CASE(a_number_beyond_the_doubles_is_refused) {
+  BOOST_TEST(has(message("1e401", Dimension::none), "beyond the range of doubles"));
+  BOOST_TEST(has(message("1e-401 N/m", Dimension::stiffness), "beyond the range of doubles"));
+}
+
+BOOST_AUTO_TEST_CASE(a_long_unit_is_refused) {
+  const std::string unit = message("1 " + std::string(65, 'm'), Dimension::length);
+  BOOST_TEST(has(unit, "a unit of 65 characters, more than 64"));
+}
+
 BOOST_AUTO_TEST_CASE(a_unit_of_another_dimension_is_refused) {
   const std::string text = message("8 N.s/m", Dimension::stiffness);
   BOOST_TEST(has(text, "scene.toml:3:8"));

@@ -45,6 +45,16 @@ BOOST_AUTO_TEST_CASE(even_ratios_with_units) {
     BOOST_TEST(std::abs(uneven[i] / uneven[i - 1] / std::pow(7e-6 / 3e-9, 1 / 49.0) - 1) < 1e-14);
 }
 
+// 15 digits of the largest double are beyond it.
+BOOST_AUTO_TEST_CASE(values_up_to_the_largest_double) {
+  const std::string largest = "1.7976931348623157e308";
+  BOOST_TEST((values("velocity=lin:" + largest + ":" + largest + ":3") ==
+              std::vector<double>(3, 1.7976931348623157e308)));
+  const std::vector<double> narrow = values("velocity=lin:0.1:0.10000000000000003:3");
+  BOOST_TEST(narrow[1] >= narrow[0]);
+  BOOST_TEST(narrow[1] <= narrow[2]);
+}
+
 BOOST_AUTO_TEST_CASE(values_from_a_file) {
   const test::PrivateFolder folder;
   const auto file = folder.path() / "values.txt";

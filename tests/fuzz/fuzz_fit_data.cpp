@@ -1,0 +1,48 @@
+// Tables of measured stiffness. What is accepted rises in omega, is finite with loss and storage at
+// least 0, and reads back from its own numbers.
+#include <cmath>
+
+#include "base/numbers.hpp"
+#include "fit/data.hpp"
+#include "fuzz.hpp"
+
+using namespace vcrit;
+
+namespace {
+
+std::string line_of(const fit::Row& row, bool errors) {
+  std::string line = to_text(row.omega) + "," + to_text(row.storage) + "," + to_text(row.loss);
+  if (errors) line += "," + to_text(row.storage_error) + "," + to_text(row.loss_error);
+  return line + "\n";
+}
+
+void check_row(const fit::Row& row, bool errors) {
+  fuzz::check(std::isfinite(row.omega) && row.omega > 0, "omega is finite and above 0");
+  fuzz::check(std::isfinite(row.storage) && row.storage >= 0, "storage is finite, at least 0");
+  fuzz::check(std::isfinite(row.loss) && row.loss >= 0, "loss is finite, at least 0");
+  fuzz::check(row.storage + row.loss > 0, "one of them is above 0");
+  if (!errors) return;
+  fuzz::check(std::isfinite(row.storage_error) && row.storage_error > 0, "an error is above 0");
+  fuzz::check(std::isfinite(row.loss_error) && row.loss_error > 0, "an error is above 0");
+}
+
+}  // namespace
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  fuzz::answered([&] {
+    const fit::Data table = fit::parse_data(fuzz::text_of(data, size), "data.csv");
+    fuzz::check(table.rows.size() >= 2, "a table has two rows");
+    std::string text = "angular_frequency,storage,loss";
+    text += table.has_errors ? ",storage_error,loss_error\n" : "\n";
+    for (std::size_t i = 0; i < table.rows.size(); ++i) {
+      check_row(table.rows[i], table.has_errors);
+      fuzz::check(i == 0 || table.rows[i].omega > table.rows[i - 1].omega, "omega rises");
+      text += line_of(table.rows[i], table.has_errors);
+    }
+    std::string again;
+    for (const fit::Row& row : fit::parse_data(text, "again.csv").rows)
+      again += line_of(row, table.has_errors);
+    fuzz::check(text.ends_with(again), "a table reads back");
+  });
+  return 0;
+}

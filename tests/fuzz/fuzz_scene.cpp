@@ -1,0 +1,36 @@
+// Scene files. What is accepted reads the same again, and v* is a number of at least 0, infinity
+// with its reason, or an error.
+#include <cmath>
+
+#include "critical/admissibility.hpp"
+#include "critical/certified.hpp"
+#include "fuzz.hpp"
+#include "scene/scene.hpp"
+
+using namespace vcrit;
+
+namespace {
+
+void check_velocity(const Scene& scene) {
+  values_of(scene);
+  const CertifiedVelocity critical = certified_critical_velocity(scene);
+  fuzz::check(critical.value >= 0, "v* is no NaN and not negative");
+  fuzz::check(std::isfinite(critical.value) || !critical.reason.empty(), "infinity has a reason");
+  inadmissible_reasons(scene);
+  fuzz::check(!std::isnan(creep_velocity(scene)), "creep is no NaN");
+}
+
+}  // namespace
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string text = fuzz::text_of(data, size);
+  if (fuzz::many_branches(text)) return 0;
+  fuzz::answered([&] {
+    const Scene scene = parse_scene(text, "scene.toml");
+    const Scene again = parse_scene(text, "scene.toml");
+    fuzz::check(scene.normal == again.normal && scene.elements == again.elements,
+                "one text is one scene");
+    check_velocity(scene);
+  });
+  return 0;
+}

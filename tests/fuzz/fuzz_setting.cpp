@@ -1,0 +1,55 @@
+// `--set NAME=VALUE` on a scene with a drive, a body and arrays. What is accepted is the scene that
+// ChangingScene makes with the same number, and v* is a number, infinity or an error.
+#include <array>
+#include <cmath>
+
+#include "critical/certified.hpp"
+#include "fuzz.hpp"
+#include "scene/changing.hpp"
+#include "scene/settings.hpp"
+
+using namespace vcrit;
+
+namespace {
+
+constexpr const char* text = R"scene([contact]
+normal = "prony(k0, k, tau)"
+poisson = "nu"
+[drive]
+network = "kd | cd"
+[body]
+mass = 5e-3
+[oscillation]
+frequency = "20 kHz"
+amplitude = 1e-7
+indentation = 1e-6
+[friction]
+coefficient = 0.3
+[elements]
+k0 = 1e6
+k = [2e6, 3e6]
+tau = [1e-6, 1e-5]
+kd = 1e6
+cd = 10
+)scene";
+
+void check_setting(const std::string& setting) {
+  static const Scene plain = parse_scene(text, "scene.toml");
+  const auto [name, value] = parse_setting(setting);
+  const Scene scene = parse_scene(text, "scene.toml", {{name, value}, {"poisson", "0.25"}});
+  const double number =
+      parse_quantity(value, known_dimension(name, plain.settable, {"--set"}), {"--set"});
+  const double velocity = certified_critical_velocity(scene).value;
+  fuzz::check(velocity >= 0, "v* is no NaN and not negative");
+  if (name == "poisson" || name == "nu") return;
+  ChangingScene changing(parse_scene(text, "scene.toml", {{"poisson", "0.25"}}), {name});
+  const double changed = certified_critical_velocity(changing.at(std::array{number})).value;
+  fuzz::check(velocity == changed, "a setting read is a setting changed");
+}
+
+}  // namespace
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  fuzz::answered([&] { check_setting(fuzz::text_of(data, size)); });
+  return 0;
+}
