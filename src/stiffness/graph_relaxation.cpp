@@ -1,5 +1,7 @@
 #include "stiffness/graph_relaxation.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/Dense>
 #include <algorithm>
 #include <boost/multiprecision/cpp_bin_float.hpp>
@@ -45,14 +47,19 @@ class Groups {
   std::vector<std::size_t> parent_;
 };
 
+// The nodes, and one in the middle of each branch.
+std::size_t size_of(const RelaxationGraph& graph) {
+  std::size_t count = graph.nodes;
+  for (const Relaxation& edge : graph.edges) count += edge.branches.size();
+  return count;
+}
+
 // Springs and dampers between nodes; node 1, a terminal, is held and has no row.
 class NodalPair {
  public:
-  NodalPair(std::size_t nodes, const std::vector<Wire>& wires, const std::vector<Relaxation>& edges)
-      : springs_(nodes), dampers_(nodes) {
-    std::size_t count = nodes;
-    for (const Relaxation& edge : edges) count += edge.branches.size();
-    const auto size = static_cast<Eigen::Index>(count);
+  explicit NodalPair(const RelaxationGraph& graph) : springs_(graph.nodes), dampers_(graph.nodes) {
+    const auto& [nodes, wires, edges] = graph;
+    const auto size = static_cast<Eigen::Index>(size_of(graph));
     stiffness_ = damping_ = Matrix::Zero(size, size);
     std::size_t inner = nodes;
     for (std::size_t i = 0; i < edges.size(); ++i) {
@@ -151,9 +158,13 @@ Real middle_rate(const Matrix& stiffness, const Matrix& damping) {
 
 }  // namespace
 
-Relaxation graph_relaxation(std::size_t nodes, const std::vector<Wire>& wires,
-                            const std::vector<Relaxation>& edges) {
-  const NodalPair pair(nodes, wires, edges);
+Relaxation graph_relaxation(const RelaxationGraph& graph) {
+  if (graph.edges.size() == 1) return graph.edges[0];
+  if (const std::size_t modes = size_of(graph) - 2; modes > most_modes)
+    throw InputError({"a graph"},
+                     fmt::format("{} inner nodes and branches after series and parallel", modes),
+                     fmt::format("at most {}", most_modes));
+  const NodalPair pair(graph);
   Collected collected(pair.stiffness()(0, 0), pair.damping()(0, 0));
   if (pair.stiffness().rows() > 2) {
     const Real alpha = middle_rate(pair.stiffness(), pair.damping());

@@ -7,16 +7,16 @@
 #pragma once
 
 #include <cstddef>
-#include <vector>
 
-#include "stiffness/relaxation.hpp"
+#include "stiffness/condensation.hpp"
 
 namespace vcrit {
 
-/// Edge i, of the form edges[i], lies between nodes wires[i]; the terminals are nodes 0 and 1,
-/// every node is connected with them. Times that agree to rounding become one branch, and branches
-/// of less than 1e-30 of K are left out.
-Relaxation graph_relaxation(std::size_t nodes, const std::vector<Wire>& wires,
-                            const std::vector<Relaxation>& edges);
+/// Time grows with the cube of these: a minute for so many.
+constexpr std::size_t most_modes = 200;
+
+/// Times that agree to rounding become one branch, and branches of less than 1e-30 of K are left
+/// out. Throws InputError where inner nodes and branches of the edges are more than `most_modes`.
+Relaxation graph_relaxation(const RelaxationGraph& graph);
 
 }  // namespace vcrit

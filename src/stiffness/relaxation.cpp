@@ -1,11 +1,14 @@
 #include "stiffness/relaxation.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
 
 #include "base/errors.hpp"
+#include "stiffness/condensation.hpp"
 #include "stiffness/graph_relaxation.hpp"
 
 namespace vcrit {
@@ -31,18 +34,25 @@ bool same_rate(double a, double b) {
   return b - a <= 4 * std::numeric_limits<double>::epsilon() * b;
 }
 
-PoleSum sum_of(const PoleSum& a, const PoleSum& b) {
-  PoleSum sum{a.direct + b.direct, {}, {}};
-  std::size_t i = 0, j = 0;
-  while (i < a.rates.size() || j < b.rates.size()) {
-    const bool from_a = j == b.rates.size() || (i < a.rates.size() && a.rates[i] <= b.rates[j]);
-    const double rate = from_a ? a.rates[i] : b.rates[j];
-    const double weight = from_a ? a.weights[i++] : b.weights[j++];
-    if (!sum.rates.empty() && same_rate(sum.rates.back(), rate)) {
-      sum.weights.back() += weight;
+struct Pole {
+  double rate, weight;
+};
+
+PoleSum sum_of(const std::vector<PoleSum>& parts) {
+  PoleSum sum;
+  std::vector<Pole> poles;
+  for (const PoleSum& part : parts) {
+    sum.direct += part.direct;
+    for (std::size_t j = 0; j < part.rates.size(); ++j)
+      poles.push_back({part.rates[j], part.weights[j]});
+  }
+  std::ranges::stable_sort(poles, {}, &Pole::rate);
+  for (const Pole& pole : poles) {
+    if (!sum.rates.empty() && same_rate(sum.rates.back(), pole.rate)) {
+      sum.weights.back() += pole.weight;
     } else {
-      sum.rates.push_back(rate);
-      sum.weights.push_back(weight);
+      sum.rates.push_back(pole.rate);
+      sum.weights.push_back(pole.weight);
     }
   }
   return sum;
@@ -70,34 +80,20 @@ PoleSum compliance_poles(const Relaxation& relaxation) {
   return plain(dual(stiffness_poles(relaxation)));
 }
 
-template <class Combine>
-Relaxation fold(const std::vector<Network>& parts, const Values& values, const Combine& combine) {
-  Relaxation form = relaxation_form(parts.at(0), values);
-  for (std::size_t i = 1; i < parts.size(); ++i)
-    form = combine(form, relaxation_form(parts[i], values));
-  return form;
-}
-
-// All compliances are added before the one way back: each crossing costs rounding errors.
-Relaxation series_of(const std::vector<Network>& parts, const Values& values) {
-  PoleSum compliance = compliance_poles(relaxation_form(parts.at(0), values));
-  for (std::size_t i = 1; i < parts.size(); ++i)
-    compliance = sum_of(compliance, compliance_poles(relaxation_form(parts[i], values)));
-  return relaxation_of(plain(dual(compliance)));
+std::vector<Relaxation> forms_of(const std::vector<Network>& parts, const Values& values) {
+  std::vector<Relaxation> forms;
+  for (const Network& part : parts) forms.push_back(relaxation_form(part, values));
+  return forms;
 }
 
 struct FormOf {
   const Values& values;
   Relaxation operator()(const Element& element) const { return form_of(element, values); }
-  Relaxation operator()(const Series& s) const { return series_of(s.parts, values); }
-  Relaxation operator()(const Parallel& p) const {
-    return fold(p.parts, values,
-                [](const Relaxation& a, const Relaxation& b) { return parallel(a, b); });
-  }
+  Relaxation operator()(const Series& s) const { return series(forms_of(s.parts, values)); }
+  Relaxation operator()(const Parallel& p) const { return parallel(forms_of(p.parts, values)); }
   Relaxation operator()(const Graph& graph) const {
-    std::vector<Relaxation> edges;
-    for (const Network& part : graph.parts) edges.push_back(relaxation_form(part, values));
-    return graph_relaxation(graph.nodes.size(), graph.wires, edges);
+    return graph_relaxation(
+        condensed({graph.nodes.size(), graph.wires, forms_of(graph.parts, values)}));
   }
 };
 
@@ -128,6 +124,9 @@ Relaxation relaxation_of(const PoleSum& stiffness) {
 }
 
 DualPoles dual(const PoleSum& sum) {
+  if (sum.rates.size() > most_rates)
+    throw InputError({"a network"}, fmt::format("{} different relaxation times", sum.rates.size()),
+                     fmt::format("at most {} where networks are in series", most_rates));
   DualPoles result;
   if (sum.direct == 0)
     result.direct = 1 / std::accumulate(sum.weights.begin(), sum.weights.end(), 0.0);
@@ -148,12 +147,19 @@ DualPoles dual(const PoleSum& sum) {
   return result;
 }
 
-Relaxation parallel(const Relaxation& a, const Relaxation& b) {
-  return relaxation_of(sum_of(stiffness_poles(a), stiffness_poles(b)));
+Relaxation parallel(const std::vector<Relaxation>& parts) {
+  if (parts.size() == 1) return parts[0];
+  std::vector<PoleSum> stiffnesses;
+  for (const Relaxation& part : parts) stiffnesses.push_back(stiffness_poles(part));
+  return relaxation_of(sum_of(stiffnesses));
 }
 
-Relaxation series(const Relaxation& a, const Relaxation& b) {
-  return relaxation_of(plain(dual(sum_of(compliance_poles(a), compliance_poles(b)))));
+// All compliances are added before the one way back: each crossing costs rounding errors.
+Relaxation series(const std::vector<Relaxation>& parts) {
+  if (parts.size() == 1) return parts[0];
+  std::vector<PoleSum> compliances;
+  for (const Relaxation& part : parts) compliances.push_back(compliance_poles(part));
+  return relaxation_of(plain(dual(sum_of(compliances))));
 }
 
 Relaxation relaxation_form(const Network& network, const Values& values) {

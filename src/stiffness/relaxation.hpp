@@ -34,9 +34,9 @@ std::complex<double> dynamic_stiffness(const Relaxation& relaxation, double omeg
 /// All stiffnesses and dampers times `factor`.
 Relaxation scaled(Relaxation relaxation, double factor);
 
-/// Side by side, and one behind the other.
-Relaxation parallel(const Relaxation& a, const Relaxation& b);
-Relaxation series(const Relaxation& a, const Relaxation& b);
+/// Side by side, and one behind the other; at least one.
+Relaxation parallel(const std::vector<Relaxation>& parts);
+Relaxation series(const std::vector<Relaxation>& parts);
 
 /// direct + sum_j weight_j/(s + rate_j), rates increasing from >= 0, weights > 0: K(s)/s of a
 /// network (direct: c_inf; rate 0: k_inf) or 1/K(s) (direct: J_g; rate 0: the free damper 1/eta).
@@ -57,6 +57,11 @@ struct DualPoles {
   std::vector<OffsetRate> rates;
   std::vector<double> weights;
 };
+
+/// Time grows with the square of the rates: a minute for so many.
+constexpr std::size_t most_rates = 20'000;
+
+/// Throws InputError beyond `most_rates`.
 DualPoles dual(const PoleSum& sum);
 
 }  // namespace vcrit

@@ -158,14 +158,29 @@ class Size(Hostile):
         self.assert_velocity(scene(drive=" | ".join(self.million), elements=ones), critical_velocity(4e6, 1e6))
 
     def test_of_edges_in_series(self):
-        edges = ",".join(f'["kd", "n{i}", "n{i + 1}"]' for i in range(100))
-        graph = f'chain = {{terminals = ["n0", "n100"], edges = [{edges}]}}'
-        self.assert_velocity(scene(drive="chain", elements="kd = 1e8", networks=graph), critical_velocity(4e6, 1e6))
-
-    def test_of_more_than_the_memory(self):
         edges = ",".join(f'["kd", "n{i}", "n{i + 1}"]' for i in range(1000000))
         graph = f'chain = {{terminals = ["n0", "n1000000"], edges = [{edges}]}}'
-        self.refuse(scene(drive="chain", networks=graph), "not enough memory")
+        self.assert_velocity(scene(drive="chain", elements="kd = 1e12", networks=graph), critical_velocity(4e6, 1e6))
+
+    # Each pair of a rung and a post halves what is left: of springs of 1e6 the stiffness of the endless ladder is the
+    # golden section of one, to rounding after 40 of them.
+    def test_of_a_ladder(self):
+        rungs = ",".join(f'["kd", "n{i}", "n{i + 1}"], ["kd", "n{i + 1}", "b"]' for i in range(100000))
+        graph = f'ladder = {{terminals = ["n0", "b"], edges = [{rungs}]}}'
+        golden = 1e6 * (math.sqrt(5) - 1) / 2
+        self.assert_velocity(scene(drive="ladder", networks=graph), critical_velocity(4e6, golden))
+
+    def test_of_what_series_and_parallel_leave(self):
+        grid = [(f"{x}.{y}", f"{x + dx}.{y + dy}") for x in range(20) for y in range(20) for dx, dy in ((0, 1), (1, 0))
+                if x + dx < 20 and y + dy < 20]
+        edges = ",".join(f'["kd", "{a}", "{b}"]' for a, b in grid)
+        graph = f'grid = {{terminals = ["0.0", "19.19"], edges = [{edges}]}}'
+        self.refuse(scene(drive="grid", networks=graph), "inner nodes and branches", "at most 200")
+
+    def test_of_relaxation_times(self):
+        branches = " | ".join(f"(kk{i} - c{i})" for i in range(20001))
+        values = "".join(f"kk{i} = 1\nc{i} = {i + 1}\n" for i in range(20001))
+        self.refuse(scene(drive=f"kd - ({branches})", elements="kd = 1\n" + values), "relaxation times", "at most 20000")
 
     def test_of_more(self):
         self.refuse(scene(drive=" | ".join(["kd"] * 1000001)), "found more than 1000000 elements")
@@ -178,7 +193,8 @@ class Size(Hostile):
 
     def test_of_a_complete_graph(self):
         edges = ",".join(f'["kd", "{a}", "{b}"]' for a, b in combinations(range(400), 2))
-        self.refuse(scene(drive="g", networks=f'g = {{terminals = ["0", "1"], edges = [{edges}]}}'), "more than 4000000 steps")
+        graph = f'g = {{terminals = ["0", "1"], edges = [{edges}]}}'
+        self.refuse(scene(drive="g", networks=graph), "more than 4000000 steps")
 
     def test_of_keys(self):
         self.refuse("".join(f"a{i}.b = 1\n" for i in range(10001)), "s.toml:10001: found more than 10000 dotted keys")

@@ -61,7 +61,7 @@ std::size_t Chain::main_branch() const {
 Equations::Equations(const System& system, double drive_velocity) {
   const bool moves = system.drive && system.mass && *system.mass > 0;
   const Relaxation path =
-      system.drive && !moves ? series(system.contact, *system.drive) : system.contact;
+      system.drive && !moves ? series({system.contact, *system.drive}) : system.contact;
   const double stiffness_unit = std::abs(dynamic_stiffness(path, system.omega));
   const double force_unit = system.friction * system.mean_normal_force;
   velocity = drive_velocity / (force_unit * system.omega / stiffness_unit);

@@ -107,7 +107,7 @@ Index slow(const Rates& rates) {
 Model::Model(const System& system) {
   const bool moves = system.drive && system.mass && *system.mass > 0;
   const Relaxation path =
-      system.drive && !moves ? series(system.contact, *system.drive) : system.contact;
+      system.drive && !moves ? series({system.contact, *system.drive}) : system.contact;
   const double stiffness_unit = std::abs(dynamic_stiffness(path, system.omega));
   force_unit = system.friction * system.mean_normal_force;
   velocity_unit = force_unit * system.omega / stiffness_unit;
