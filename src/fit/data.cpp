@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 #include <numbers>
 
 #include "base/csv.hpp"
@@ -121,6 +122,9 @@ Row row_of(const std::vector<double>& numbers, const Columns& columns) {
 }
 
 void refuse_values(const Row& row, bool errors, const Place& place) {
+  for (const double value : {row.omega, row.storage, row.loss, row.storage_error, row.loss_error})
+    if (!std::isfinite(value))
+      throw InputError(place, "a number that is infinite in SI units", "the range of doubles");
   if (!(row.omega > 0))
     throw InputError(place, fmt::format("an angular frequency of {} rad/s", row.omega),
                      "a frequency above 0");

@@ -85,6 +85,8 @@ BOOST_AUTO_TEST_CASE(wrong_rows) {
   BOOST_TEST(with("1,2,3\n2,,3\n") == "d.csv:3: found \"\"; expected a finite number");
   BOOST_TEST(with("1,2,3\n2,3\n") ==
              "d.csv:3: found \"2,3\"; expected 3 numbers, as the header has");
+  BOOST_TEST(message("frequency,storage,loss\n1e308,2,3\n") ==
+             "d.csv:2: found a number that is infinite in SI units; expected the range of doubles");
   BOOST_TEST(with("0,2,3\n2,2,3\n") ==
              "d.csv:2: found an angular frequency of 0 rad/s; expected a frequency above 0");
   BOOST_TEST(with("1,-2,3\n2,2,3\n") ==
