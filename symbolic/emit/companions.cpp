@@ -193,13 +193,14 @@ int main() {{
   other.du_z = 0.5 * p.du_z;
   expect(critical_velocity(other) == 0.5 * v.value, "linear in du_z");
 {doubled}
-  // v* does not change with a common factor of all elements: Euler's identity for their partial derivatives.
+  // v* does not change with a common factor of all elements: Euler's identity for their partial derivatives. Each is
+  // what is left of parts of the size of v*.
   const Gradient g = critical_velocity_gradient(p), fast_g = fast::critical_velocity_gradient(p);
   expect(g.value == v.value && fast_g.value == f.value, "value beside the gradient");
   expect(std::abs(g.partial.mu0 * p.mu0 - v.value) <= 0x1p-51 * v.value, "d v/d mu0 = v/mu0");
   const auto identity = [&]([[maybe_unused]] const Parameters& d) {{
     const double terms[] = {{{euler}}};
-    double sum = 0, size = 0;
+    double sum = 0, size = v.value;
     for (const double term : terms) sum += term, size += std::abs(term);
     return std::abs(sum) <= 1e-12 * size;
   }};

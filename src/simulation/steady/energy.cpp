@@ -1,5 +1,6 @@
 #include "simulation/steady/energy.hpp"
 
+#include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <limits>
@@ -55,28 +56,32 @@ Heat heat_of_dampers(const Model& model, const State& state) {
   return heat;
 }
 
-// No swing of the body is faster than it would be on all springs at once; the oscillation is 1.
-double fastest_swing(const Model& model) {
-  if (!model.body) return 1;
-  double stiffness = 0;
-  for (const double branch : model.contact.branch_stiffness) stiffness += branch;
-  for (const double weight : model.body->drive.weights) stiffness += weight;
-  return std::max(1.0, std::sqrt(stiffness / model.body->mass));
-}
+// Longer ones are seconds of computing.
+constexpr double most_panels = 50'000;
 
 // Integrates over pieces by Gauss's rule on panels that grow by 2 from the piece's start, where
-// fast modes decay, up to the radian or two that 30 nodes follow a product of two swings over. A
-// mode e^{-rate t} with rate * panel < 40 is integrated to rounding (the rule is exact to degree
-// 59), and above that its start lies in panels before.
+// fast modes decay, up to the radian or two that 30 nodes follow a product of two swings over: that
+// of the oscillation, which is 1, and while it lasts the one of the body. A mode e^{-rate t} with
+// rate * panel < 40 is integrated to rounding (the rule is exact to degree 59), and above that its
+// start lies in panels before.
 class Quadrature {
  public:
-  explicit Quadrature(const Model& model) : longest_(2 / fastest_swing(model)) {}
+  explicit Quadrature(const Spectrum& spectrum) {
+    if (!spectrum.pair || spectrum.pair->q >= 0) return;
+    swing_ = std::sqrt(-spectrum.pair->q);
+    lasts_ = 40 / spectrum.pair->decay;
+  }
+
+  bool can_follow(double duration) const {
+    return std::min(duration, lasts_) * swing_ < 2 * most_panels;
+  }
 
   template <class Rate>
   void over(double duration, const Rate& rate) const {
     double begin = 0;
     while (begin < duration) {
-      const double panel = begin == 0 ? shortest : std::min(begin, longest_);
+      const double longest = begin < lasts_ ? 2 / std::max(1.0, swing_) : 2;
+      const double panel = begin == 0 ? shortest : std::min(begin, longest);
       const double end = std::min(begin + panel, duration);
       rule(0.5 * (begin + end), 0.5 * (end - begin), rate);
       begin = end;
@@ -94,7 +99,7 @@ class Quadrature {
         rate(middle + side * half * Gauss::abscissa()[i], half * Gauss::weights()[i]);
   }
 
-  double longest_;
+  double swing_ = 0, lasts_ = 0;
 };
 
 // A path that creeps and never slips: the drive works against a steady force.
@@ -120,10 +125,17 @@ double rounding_of_velocity(const Model& model, double velocity, const State& st
 class Account {
  public:
   Account(const Model& model, double velocity)
-      : model_(model), quadrature_(model), velocity_(velocity) {}
+      : model_(model),
+        stick_(model.stick.modes.spectrum),
+        slip_(model.slip.modes.spectrum),
+        velocity_(velocity) {}
+
+  bool can_follow(const Piece& piece, double duration) const {
+    return of(piece).can_follow(duration);
+  }
 
   void add(const Piece& piece, double duration) {
-    quadrature_.over(duration, [&](double time, double weight) {
+    of(piece).over(duration, [&](double time, double weight) {
       const State state = piece.after(time);
       const double force = state.x[0], slip = contact_velocity(model_, velocity_, state);
       distance_ += weight * slip;
@@ -146,39 +158,48 @@ class Account {
   }
 
  private:
+  const Quadrature& of(const Piece& piece) const { return piece.stuck() ? stick_ : slip_; }
+
   const Model& model_;
-  Quadrature quadrature_;
+  Quadrature stick_, slip_;
   double velocity_;
   EnergyBalance energy_;
   double distance_ = 0;
 };
 
-EnergyBalance energy_of_cycle(const Model& model, double velocity) {
+std::optional<EnergyBalance> energy_of_cycle(const Model& model, double velocity) {
   const SteadyCycle cycle = steady_cycle(model, velocity, sliding_start(model, velocity));
   Account account(model, velocity);
-  for (const Trace::Part& part : cycle.period.parts) account.add(part.piece, part.duration);
+  for (const Trace::Part& part : cycle.period.parts) {
+    if (!account.can_follow(part.piece, part.duration)) return std::nullopt;
+    account.add(part.piece, part.duration);
+  }
   return account.closed(cycle.period.impulse(), cycle.error);
 }
 
 // Without end; F is the bound throughout, of which the mean is 1.
-EnergyBalance energy_of_sliding(const Model& model, double velocity) {
+std::optional<EnergyBalance> energy_of_sliding(const Model& model, double velocity) {
   Account account(model, velocity);
-  account.add(Piece(model, velocity, sliding_start(model, velocity)), period);
+  const Piece piece(model, velocity, sliding_start(model, velocity));
+  if (!account.can_follow(piece, period)) return std::nullopt;
+  account.add(piece, period);
   return account.closed(period, 0);
 }
 
 }  // namespace
 
-EnergyBalance energy_balance(const System& system, double velocity) {
+std::optional<EnergyBalance> energy_balance(const System& system, double velocity) {
   ensure(velocity > 0, "the drive moves forward");
   const Model model(system);
   const double v = velocity / model.velocity_unit;
   const double unit = model.force_unit * model.velocity_unit / system.omega;
-  const EnergyBalance found =
+  const std::optional<EnergyBalance> found =
       v >= std::abs(model.sliding_velocity) + model.creep ? energy_of_sliding(model, v)
       : v <= model.creep * (1 - model.amplitude)          ? energy_of_creep(model, v)
                                                           : energy_of_cycle(model, v);
-  return {unit * found.drive, unit * found.friction, unit * found.dampers, unit * found.error};
+  if (!found) return std::nullopt;
+  return EnergyBalance{unit * found->drive, unit * found->friction, unit * found->dampers,
+                       unit * found->error};
 }
 
 }  // namespace vcrit::simulation

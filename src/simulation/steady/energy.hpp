@@ -3,6 +3,8 @@
 // that their balance tries it.
 #pragma once
 
+#include <optional>
+
 #include "simulation/steady/exact.hpp"
 
 namespace vcrit::simulation {
@@ -16,8 +18,9 @@ struct EnergyBalance {
   double error = 0;     ///< J, estimate of the error of each; what the balance may miss
 };
 
-/// velocity: mean velocity of the drive, m/s, > 0. Throws ModelError where no steady state is
-/// found.
-EnergyBalance energy_balance(const System& system, double velocity);
+/// velocity: mean velocity of the drive, m/s, > 0. Nothing where the body swings on its own more
+/// than some 16,000 times a period without coming to rest: following it would take too long. Throws
+/// ModelError where no steady state is found.
+std::optional<EnergyBalance> energy_balance(const System& system, double velocity);
 
 }  // namespace vcrit::simulation

@@ -15,7 +15,7 @@ using namespace vcrit::simulation;
 
 EnergyBalance balance_of(const Draw& draw, double ratio) {
   const System system = properties::system_of(draw);
-  return energy_balance(system, drive_velocity(system, ratio));
+  return energy_balance(system, drive_velocity(system, ratio)).value();
 }
 
 void check_balance(const EnergyBalance& energy, double tolerance) {

@@ -112,7 +112,7 @@ BOOST_AUTO_TEST_CASE(heat_of_friction_and_dampers) {
   std::size_t fine = 0, all = 0;
   double worst = 0, worst_share = 0;
   for (const Row& row : rows()) {
-    const EnergyBalance energy = energy_balance(row.system, row.velocity);
+    const EnergyBalance energy = energy_balance(row.system, row.velocity).value();
     const double work = row.friction_heat + row.damper_heat;
     const double error =
         std::max({std::abs(energy.drive - work), std::abs(energy.friction - row.friction_heat),

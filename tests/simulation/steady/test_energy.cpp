@@ -1,9 +1,11 @@
 // Heat of friction and of dampers in cases that have a closed form.
 #include "simulation/steady/energy.hpp"
 
+#include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace {
 
@@ -23,12 +25,13 @@ System under(const Relaxation& contact, double omega) {
   return system;
 }
 
-void check(const EnergyBalance& energy, double friction, double dampers) {
+// The estimate counts the rounding of the phase of what could swing, `swings` times a period.
+void check(const EnergyBalance& energy, double friction, double dampers, double swings = 1) {
   const double work = friction + dampers, tolerance = 40 * u * work;
   BOOST_TEST(std::abs(energy.drive - work) <= tolerance);
   BOOST_TEST(std::abs(energy.friction - friction) <= tolerance);
   BOOST_TEST(std::abs(energy.dampers - dampers) <= tolerance);
-  BOOST_TEST(energy.error <= 100 * tolerance);
+  BOOST_TEST(energy.error <= 100 * tolerance * swings);
 }
 
 }  // namespace
@@ -39,24 +42,36 @@ BOOST_AUTO_TEST_CASE(kelvin_contact_in_sliding) {
   const double k = 2, c = 0.3, omega = 7, velocity = 40;
   const double swing = 3 * 0.8 / std::hypot(k, c * omega);
   const double dampers = pi * c * omega * swing * swing;
-  check(energy_balance(under({k, c, {}}, omega), velocity), velocity * 3 * 2 * pi / omega - dampers,
-        dampers);
+  check(energy_balance(under({k, c, {}}, omega), velocity).value(),
+        velocity * 3 * 2 * pi / omega - dampers, dampers);
 }
 
-// A body on a damped drive swings by 3 * 0.8/|k_d - m w^2 + i c_d w| in sliding.
+// A body on a damped drive swings by 3 * 0.8/|k_d - m w^2 + i c_d w| in sliding. The light one
+// would swing 350,000 times a period on its own, but comes to rest after 300.
 BOOST_AUTO_TEST_CASE(drive_with_a_damper_in_sliding) {
-  const double k = 5, c = 0.2, m = 0.6, omega = 2, velocity = 40;
-  System system = under({1, 0, {}}, omega);
-  system.drive = Relaxation{k, c, {}};
-  system.mass = m;
-  const double swing = 3 * 0.8 / std::hypot(k - m * omega * omega, c * omega);
-  const double dampers = pi * c * omega * swing * swing;
-  check(energy_balance(system, velocity), velocity * 3 * 2 * pi / omega - dampers, dampers);
+  const double k = 5, omega = 2, velocity = 40;
+  for (const auto& [m, c] : {std::pair(0.6, 0.2), std::pair(1e-12, 1e-7)}) {
+    System system = under({1, 0, {}}, omega);
+    system.drive = Relaxation{k, c, {}};
+    system.mass = m;
+    const double swing = 3 * 0.8 / std::hypot(k - m * omega * omega, c * omega);
+    const double dampers = pi * c * omega * swing * swing;
+    check(energy_balance(system, velocity).value(), velocity * 3 * 2 * pi / omega - dampers,
+          dampers, std::max(1.0, std::sqrt(k / m) / omega));
+  }
+}
+
+// Undamped it goes on, and nobody would wait for the sum of it.
+BOOST_AUTO_TEST_CASE(swings_without_end_are_not_followed) {
+  System system = under({1, 0, {}}, 2);
+  system.drive = Relaxation{5, 0, {}};
+  system.mass = 1e-12;
+  BOOST_TEST(!energy_balance(system, 40).has_value());
 }
 
 // An elastic contact has friction alone.
 BOOST_AUTO_TEST_CASE(elastic_contact_has_no_dampers) {
-  const EnergyBalance energy = energy_balance(under({2, 0, {}}, 1), 0.4);
+  const EnergyBalance energy = energy_balance(under({2, 0, {}}, 1), 0.4).value();
   BOOST_TEST(energy.dampers == 0.0);
   BOOST_TEST(std::abs(energy.drive - energy.friction) <= 40 * u * energy.drive);
 }
@@ -72,12 +87,13 @@ BOOST_AUTO_TEST_CASE(damper_alone) {
   const double square =
       (f * f * (pi - a) + a - 1.6 * std::sin(a) + 0.32 * (a + std::sin(a) * std::cos(a))) / pi;
   const double unit = 2 * pi * 9 / eta;
-  check(energy_balance(under({0, eta, {}}, 1), velocity), unit * (f * mean - square),
+  check(energy_balance(under({0, eta, {}}, 1), velocity).value(), unit * (f * mean - square),
         unit * square);
 }
 
 // Below the bound it creeps for ever.
 BOOST_AUTO_TEST_CASE(damper_alone_that_never_slips) {
   const double eta = 0.7, velocity = 0.1;
-  check(energy_balance(under({0, eta, {}}, 1), velocity), 0, eta * velocity * velocity * 2 * pi);
+  check(energy_balance(under({0, eta, {}}, 1), velocity).value(), 0,
+        eta * velocity * velocity * 2 * pi);
 }
