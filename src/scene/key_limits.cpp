@@ -57,9 +57,8 @@ class Keys {
     }
     at += end.size();
     // One or two quotes right before the end belong to the string.
-    for (const std::size_t last = at + 2;
-         multiline && at < last && text_.substr(at, 1) == end.substr(0, 1);)
-      ++at;
+    const std::size_t last = multiline ? std::min(at + 2, text_.size()) : 0;
+    while (at < last && text_[at] == quote) ++at;
     move_to(at);
   }
 
