@@ -213,6 +213,7 @@ class Trial:
             require(slow.returncode == 3 and fast.returncode == 3, "a motion outside the model")
             return
         for ended in (slow, fast):
+            require("null" not in ended.stdout, "a motion without a number:", ended.stdout[:500])
             if ended.returncode != 0:
                 self.found["no motion: " + re.sub(r"[-\d.e+]+", "#", ended.stderr.strip())[:100]] += 1
         if fast.returncode == 0:
@@ -245,7 +246,7 @@ def attempt(program, folder, seed, compiles):
     place.mkdir()
     try:
         found = Trial(program, place, seed, compiles).run()
-    except (Failed, subprocess.TimeoutExpired) as error:
+    except Exception as error:  # whatever it is, the others go on
         return Counter(), f"{place}: {error}"
     shutil.rmtree(place)
     return found, None

@@ -21,6 +21,7 @@ struct Trace : Passage {
     double duration;
   };
   List<Part, 8> parts;
+  double unlawful = 0;  ///< time passed in motions outside their law, where rounding left no other
 };
 
 /// Many times what a period of any sensible motion has.

@@ -265,13 +265,15 @@ class Search {
   }
 
   // Below the threshold a cycle that only slips is one whose stick is lost in rounding: no error of
-  // its own tells of that. The ratio is taken not to be below that of the speeds.
+  // its own tells of that. The ratio is taken not to be below that of the speeds. What passes
+  // outside the law moves forces by no more than its time. All ratios lie between 1 - a and 1.
   SteadyCycle finished(Mapped now, double more = 0) const {
     if (now.trace.parts.size() == 1)
       more = 1 - velocity_ / (std::abs(model_.sliding_velocity) + model_.creep);
     const double ratio = now.trace.impulse() / period;
     const auto [change, rounding] = error(now);
-    return {std::move(now.trace), ratio, change + rounding + more, traced_};
+    const double sum = change + rounding + more + now.trace.unlawful;
+    return {std::move(now.trace), ratio, sum < model_.amplitude ? sum : model_.amplitude, traced_};
   }
 
   const Model& model_;

@@ -61,20 +61,69 @@ BOOST_AUTO_TEST_CASE(reference_values_from_both_starts) {
   BOOST_TEST_MESSAGE("largest error " << worst);
 }
 
-// shared closed form: mu_macro/mu0 = 1 - D G(v0/v*), values of G to 20 digits.
+// Closed form of the elastic contact: mu_macro/mu0 = 1 - D G(v0/v*), values of G to 20 digits.
+constexpr double elastic_values[][2] = {
+    {0.001, 0.99693266303416232517},   {0.1, 0.75717136015312994339},
+    {0.25, 0.4918816026829403061},     {0.5, 0.2014522033336686888},
+    {0.75, 0.047238266278833194827},   {0.9, 0.0073108103345282100357},
+    {0.99, 0.000071763498506863749421}};
+
 BOOST_AUTO_TEST_CASE(elastic_closed_form) {
-  const double values[][2] = {{0.001, 0.99693266303416232517},   {0.1, 0.75717136015312994339},
-                              {0.25, 0.4918816026829403061},     {0.5, 0.2014522033336686888},
-                              {0.75, 0.047238266278833194827},   {0.9, 0.0073108103345282100357},
-                              {0.99, 0.000071763498506863749421}};
   for (const double d : {0.1, 0.9, 0.999})
-    for (const auto& [ratio, g] : values)
+    for (const auto& [ratio, g] : elastic_values)
       for (const Start start : both_starts()) {
         const SteadyState state = steady_state(elastic(d), ratio * d, start);
         // One stick, a handful of operations on numbers of order 1 each, phases up to 2 pi.
         BOOST_TEST(std::abs(state.friction_ratio - (1 - d * g)) <= 40 * u);
         BOOST_TEST(state.events.size() == 2U);
       }
+}
+
+// A unit that relaxes within a rounding error of the period is a spring more: k = 1 again. Its
+// rounding error as stick begins is far above what decides there between stick and slip.
+BOOST_AUTO_TEST_CASE(fast_units_of_an_elastic_contact) {
+  for (const double time : {1e-17, 1e-19, 1e-21, 1e-25})
+    for (const double branch : {0.01, 0.055, 1.0, 20.0})
+      for (const double d : {0.1, 0.45832, 0.999})
+        for (const auto& [ratio, g] : elastic_values)
+          for (const Start start : both_starts()) {
+            System system = elastic(d);
+            system.contact = {1, 0, {{branch, time}}};
+            const SteadyState state = steady_state(system, ratio * d, start);
+            BOOST_TEST_CONTEXT("time " << time << ", branch " << branch << ", D " << d << ", at "
+                                       << ratio << " v*") {
+              // As above, with rates up to 1 + branch times as large before the branch has relaxed.
+              BOOST_TEST(std::abs(state.friction_ratio - (1 - d * g)) <= 40 * u * (1 + branch));
+              BOOST_TEST(std::abs(state.friction_ratio - (1 - d * g)) <=
+                         state.friction_ratio_error + 10 * u);
+              BOOST_TEST(state.events.size() == 2U);
+            }
+          }
+}
+
+// So is a body that swings and rests within a touch of each event, between contact and drive: the
+// springs in series. What the drive's damper does to an elastic path is of the order of its share.
+BOOST_AUTO_TEST_CASE(light_bodies_between_elastic_paths) {
+  for (const double mass : {1e-28, 1e-24, 1e-22})
+    for (const double share : {1e-14, 1e-12})
+      for (const double stiffness : {0.1, 100.0})
+        for (const double branch : {0.0, 0.07, 3.0})
+          for (const auto& [ratio, g] : elastic_values)
+            for (const Start start : both_starts()) {
+              System system = elastic(0.45832);
+              if (branch > 0) system.contact = {1, 0, {{branch, 1e-11}}};
+              system.drive = Relaxation{stiffness, share * stiffness, {}};
+              system.mass = mass;
+              const double path = 1 / (1 + 1 / stiffness), velocity = ratio * 0.45832 / path;
+              const SteadyState state = steady_state(system, velocity, start);
+              const double error = std::abs(state.friction_ratio - (1 - 0.45832 * g));
+              BOOST_TEST_CONTEXT("mass " << mass << ", damper " << share << ", drive " << stiffness
+                                         << ", branch " << branch << ", at " << ratio << " v*") {
+                BOOST_TEST(error <=
+                           state.friction_ratio_error + 10 * u + 10 * (share + 1e-11 * branch));
+                BOOST_TEST(state.friction_ratio_error <= 0.45832);
+              }
+            }
 }
 
 // v0 = v* (1 - eps): G -> 9/(4 pi) eps^2, and the stick's length is sqrt(18 eps) to leading order
