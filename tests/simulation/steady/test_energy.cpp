@@ -61,6 +61,22 @@ BOOST_AUTO_TEST_CASE(drive_with_a_damper_in_sliding) {
   }
 }
 
+// So it does on a drive with a Maxwell branch, K_d = k + k_1 i x/(1 + i x), x = w tau, whose damper
+// takes pi Im K_d times the square of it.
+BOOST_AUTO_TEST_CASE(drive_with_a_branch_in_sliding) {
+  const double k = 5, branch = 3, omega = 2, m = 0.6, velocity = 40;
+  for (const double time : {0.02, 0.7, 40.0}) {
+    System system = under({1, 0, {}}, omega);
+    system.drive = Relaxation{k, 0, {{branch, time}}};
+    system.mass = m;
+    const double x = omega * time, loss = branch * x / (1 + x * x);
+    const double swing = 3 * 0.8 / std::hypot(k + loss * x - m * omega * omega, loss);
+    const double dampers = pi * loss * swing * swing;
+    check(energy_balance(system, velocity).value(), velocity * 3 * 2 * pi / omega - dampers,
+          dampers);
+  }
+}
+
 // Undamped it goes on, and nobody would wait for the sum of it.
 BOOST_AUTO_TEST_CASE(swings_without_end_are_not_followed) {
   System system = under({1, 0, {}}, 2);
