@@ -59,7 +59,7 @@ FAULTS = [
     ("validation/agreement.cpp", "if (closed_form) report.curve.back().closed_form", "closed_form", "!closed_form",
      "validation/test_validate"),
     ("validation/reduced_difference.cpp", "percent / 100.0", "100.0", "10.0", "validation/test_reduced_difference"),
-    ("app/eval.cpp", "critical.value + creep_velocity(scene)", "+", "-", "app/test_program"),
+    ("app/eval.cpp", "critical.value + creep_velocity(scene)", "+", "-", "project/test_scenes"),
     ("python/batch.cpp", "ensure(column.size() == 1 ||", "1", "0", "python/test_arrays"),
 ]
 
