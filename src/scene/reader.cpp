@@ -6,6 +6,7 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <numbers>
 #include <set>
@@ -47,7 +48,9 @@ double checked(double value, const Range& range, const std::string& name, const 
 /// A number, a text with a unit, or a bare name, which has no value.
 std::optional<double> number(const toml::node& node, Dimension dimension, const std::string& name,
                              const Place& place) {
-  if (node.is_number()) return *node.value<double>();
+  // Not node.value<double>(), which has none for an integer that no double equals.
+  if (node.is_integer()) return static_cast<double>(node.ref<std::int64_t>());
+  if (node.is_floating_point()) return node.ref<double>();
   if (!node.is_string())
     throw InputError(place, fmt::format("{} = {}", name, describe(node)),
                      vcrit::describe(dimension));

@@ -72,6 +72,18 @@ BOOST_AUTO_TEST_CASE(a_full_scene) {
   BOOST_TEST(s.warnings.empty());
 }
 
+// As decimals do, those that no double equals become the nearest.
+BOOST_AUTO_TEST_CASE(whole_numbers_of_any_length) {
+  for (const auto& [text, value] :
+       {std::pair("9007199254740993", 9007199254740992.0), std::pair("9999999999999999", 1e16),
+        std::pair("9223372036854775807", 9223372036854775808.0),
+        std::pair("0x7fffffffffffffff", 9223372036854775808.0)}) {
+    const Scene s = scene(kelvin + oscillation + friction + "[elements]\nkn = " + text +
+                          "\ncn = 10\nkt = 3\nct = 7\n");
+    BOOST_TEST(values_of(s).at({"kn"}) == value, text);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(what_is_not_named_is_not_there) {
   const Scene s = scene(kelvin + oscillation + friction + kelvin_values);
   BOOST_TEST(!s.drive.has_value());
