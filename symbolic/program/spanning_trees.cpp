@@ -132,21 +132,10 @@ class Trees {
     outside.t_range = outside.t_range + range;
   }
 
-  /// Loops, dead ends, parallel edges and nodes of two edges, until there are none.
+  /// Dead ends, parallel edges and nodes of two edges, until there are none.
   void reduce(std::vector<Edge>& edges, Pair& outside) {
-    while (drop_loop(edges, outside) || drop_dead_end(edges, outside) || join_parallel(edges) ||
-           join_series(edges)) {
+    while (drop_dead_end(edges, outside) || join_parallel(edges) || join_series(edges)) {
     }
-  }
-
-  // In no spanning tree.
-  bool drop_loop(std::vector<Edge>& edges, Pair& outside) {
-    const auto loop =
-        std::find_if(edges.begin(), edges.end(), [](const Edge& e) { return e.from == e.to; });
-    if (loop == edges.end()) return false;
-    multiply_outside(outside, loop->pair.q, loop->pair.q_error, loop->pair.q_range);
-    edges.erase(loop);
-    return true;
   }
 
   static std::map<int, std::vector<std::size_t>> edges_at_inner_nodes(
@@ -204,6 +193,7 @@ class Trees {
     return 0;
   }
 
+  /// No edge becomes a loop: none was parallel to the joined one.
   static std::vector<Edge> contracted(std::vector<Edge> edges, const Edge& joined) {
     const auto [kept, gone] = std::minmax(joined.from, joined.to);
     for (Edge& e : edges)

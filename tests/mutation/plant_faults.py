@@ -50,7 +50,7 @@ FAULTS = [
      "analysis/test_limits"),
     ("symbolic/analysis/resonance.cpp", "(p.odd * q.even - p.even * q.odd)", "-", "+", "analysis/test_resonance"),
     ("symbolic/program/star_mesh.cpp", "program_.multiply(b.roundings, b.size)", "b.size", "a.size",
-     "emit/test_graph_roundings"),
+     "emit/test_graphs"),
     ("symbolic/program/gradient.cpp", "add(b, change, c);", "change, c", "change, b", "emit/test_gradients"),
     ("symbolic/emit/groups.cpp", "program_.divide(product(monomial.above), product(monomial.below))", "below", "above",
      "emit/test_quantities"),
