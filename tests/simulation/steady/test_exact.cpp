@@ -119,9 +119,8 @@ BOOST_AUTO_TEST_CASE(light_bodies_between_elastic_paths) {
               const double error = std::abs(state.friction_ratio - (1 - 0.45832 * g));
               BOOST_TEST_CONTEXT("mass " << mass << ", damper " << share << ", drive " << stiffness
                                          << ", branch " << branch << ", at " << ratio << " v*") {
-                BOOST_TEST(error <=
-                           state.friction_ratio_error + 10 * u + 10 * (share + 1e-11 * branch));
-                BOOST_TEST(state.friction_ratio_error <= 0.45832);
+                // Whatever it states: rounding as above, and what damper and branch may change.
+                BOOST_TEST(error <= 40 * u * (1 + branch) + 10 * (share + 1e-11 * branch));
               }
             }
 }
