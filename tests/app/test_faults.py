@@ -255,6 +255,7 @@ class Folders(Case):
         self.assertFalse((self.folder / "absent").exists())
 
 
+@unittest.skipIf("VCRIT_SANITIZED" in os.environ, "the sanitizer alone takes more memory")
 class Limits(Case):
     """A scene uses what memory and time it is given, and no more."""
 
