@@ -1,5 +1,6 @@
 #include "analysis/dimensionless.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <set>
 
@@ -128,10 +129,9 @@ DimensionlessForm dimensionless(const Scene& scene) {
   for (const Line& line : formula->definitions)
     form.definitions.push_back({line.words, line.left, line.right.subs(units)});
   const auto holds = [&](const ex& group) {
-    if (form.velocity.has(group)) return true;
-    for (const Line& line : form.definitions)
-      if (line.right.has(group)) return true;
-    return false;
+    return form.velocity.has(group) ||
+           std::any_of(form.definitions.begin(), form.definitions.end(),
+                       [&](const Line& line) { return line.right.has(group); });
   };
   for (const Line& line : groups.lines)
     if (holds(line.left)) form.groups.push_back(line);

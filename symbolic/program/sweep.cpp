@@ -74,7 +74,7 @@ class SweepWriter {
             program_.constant(GiNaC::pow(GiNaC::numeric(2), GiNaC::numeric(usual_omega * j))),
             size);
     const NodeId unit = program_.unit(size);
-    const auto range = [&k](const Complex& z, double low) {
+    const auto range = [](const Complex& z, double low) {
       const double extent = octaves * static_cast<double>(z.coefficients.size() - 1);
       return Range{low - 3 - extent, 2 + extent};
     };

@@ -84,6 +84,6 @@ const std::vector<RegionName>& regions();
 
 /// Of all regions of all families, in their order.
 std::vector<Comparison> all_comparisons(const Extremes& extremes);
-std::vector<Comparison> comparisons_of(const Extremes& extremes, const std::string& region);
+std::vector<Comparison> comparisons_of(const Extremes& extremes, const std::string& key);
 
 }  // namespace vcrit::validation::extremes

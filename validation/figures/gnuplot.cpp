@@ -116,7 +116,7 @@ std::string all_data(const Figure& figure) {
 std::string plots(const Figure& figure) {
   std::vector<std::string> parts;
   if (figure.map)
-    parts.push_back(
+    parts.emplace_back(
         "$map using 1:2:3:4:5:6:7 with boxxyerror fillstyle solid noborder fillcolor palette "
         "notitle");
   std::set<std::string> named{""};

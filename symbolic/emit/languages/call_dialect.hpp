@@ -41,7 +41,7 @@ class CallDialect : public CodeDialect {
   Operand sum(const Operand& a, const Operand& b) const;
   Operand product(const Operand& a, const Operand& b) const;
   /// A call of a function of the grade.
-  Operand call(const std::string& function, const std::vector<std::string>& arguments) const;
+  Operand call(const std::string& name, const std::vector<std::string>& arguments) const;
   std::string function(const std::string& name) const;
 
   const ParameterList& parameters_;
