@@ -13,7 +13,7 @@ namespace vcrit::validation::extremes {
 std::vector<figures::Figure> maps(const Extremes& extremes, const std::string& region);
 
 /// Of "resonance" or "antiresonance": one for an undamped and one for a damped drive.
-std::vector<figures::Figure> approach_pictures(const Extremes& extremes, const std::string& region);
+std::vector<figures::Figure> approach_pictures(const Extremes& extremes, const std::string& key);
 
 /// All of them.
 std::vector<figures::Figure> pictures(const Extremes& extremes);

@@ -7,7 +7,6 @@
 namespace vcrit::validation::extremes {
 
 using accuracy::Balance;
-using accuracy::Cells;
 
 namespace {
 

@@ -9,7 +9,7 @@
 namespace vcrit::validation::extremes {
 
 /// One way over regions or families put together; without `digits` and `worst`.
-Tally total(const Extremes& extremes, const std::string& way, const std::string& region = {});
+Tally total(const Extremes& extremes, const std::string& way, const std::string& key = {});
 
 Simulated simulated_total(const Extremes& extremes);
 

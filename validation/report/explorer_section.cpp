@@ -32,7 +32,7 @@ std::string slider(const Slider& slider, std::size_t number, bool coarse) {
 }
 
 /// Drawn again and again: the series named "now" is what the sliders say.
-ordered_json specification(Figure figure) {
+ordered_json specification(const Figure& figure) {
   ordered_json spec = vega_lite(figure);
   for (ordered_json& layer : spec["layer"])
     if (layer["encoding"].contains("color") &&

@@ -8,10 +8,10 @@
 namespace vcrit::validation::report {
 
 /// Losses of each family in one region.
-std::string loss_table(const extremes::Extremes& extremes, const std::string& region);
+std::string loss_table(const extremes::Extremes& extremes, const std::string& key);
 
 /// The worst inputs in one region, folded; empty where nothing is lost.
-std::string worst_table(const extremes::Extremes& extremes, const std::string& region);
+std::string worst_table(const extremes::Extremes& extremes, const std::string& key);
 
 std::string simulator_table(const extremes::Extremes& extremes);
 

@@ -11,7 +11,6 @@ namespace vcrit::validation::report {
 namespace {
 
 using figures::Figure;
-using figures::Point;
 using figures::Series;
 using figures::Style;
 
