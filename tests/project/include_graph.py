@@ -17,6 +17,7 @@ ROOMS = [
     "src/stiffness",
     "src/critical",
     "src/simulation/system",
+    "src/simulation/modes",
     "src/simulation/motion",
     "src/simulation/steady",
     "src/simulation/methods",
@@ -53,6 +54,7 @@ FORBIDDEN = {
     ("src/simulation", "src/critical"),
     ("symbolic", "src/simulation"),
     # Methods beside the exact one are witnesses against it, too: they share no code but the system.
+    ("src/simulation/methods", "src/simulation/modes"),
     ("src/simulation/methods", "src/simulation/motion"),
     ("src/simulation/methods", "src/simulation/steady"),
     # The benchmark brings SUNDIALS with it; the program does not.

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "base/errors.hpp"
-#include "simulation/motion/body_modes.hpp"
+#include "simulation/modes/body_modes.hpp"
 
 namespace vcrit::simulation {
 

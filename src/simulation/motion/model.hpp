@@ -13,7 +13,7 @@
 #include <complex>
 #include <optional>
 
-#include "simulation/motion/contact_modes.hpp"
+#include "simulation/modes/contact_modes.hpp"
 #include "simulation/system/system.hpp"
 
 namespace vcrit::simulation {

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "base/errors.hpp"
-#include "simulation/motion/first_zero.hpp"
+#include "simulation/modes/first_zero.hpp"
 
 namespace vcrit::simulation {
 

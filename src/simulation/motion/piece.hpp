@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "simulation/motion/event_function.hpp"
+#include "simulation/modes/event_function.hpp"
 #include "simulation/motion/flow.hpp"
 #include "simulation/system/steady_state.hpp"
 

@@ -4,8 +4,8 @@
 #include <limits>
 #include <numbers>
 
+#include "simulation/modes/linear_solver.hpp"
 #include "simulation/steady/closing.hpp"
-#include "simulation/steady/linear_solver.hpp"
 
 namespace vcrit::simulation {
 

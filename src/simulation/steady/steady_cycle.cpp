@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "base/errors.hpp"
+#include "simulation/modes/linear_solver.hpp"
 #include "simulation/motion/course.hpp"
 #include "simulation/steady/closing.hpp"
-#include "simulation/steady/linear_solver.hpp"
 #include "simulation/steady/shooting.hpp"
 
 namespace vcrit::simulation {

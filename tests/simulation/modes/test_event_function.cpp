@@ -1,5 +1,5 @@
 // The first zero of event functions: known roots, grazing, and random sums against fine sampling.
-#include "simulation/motion/first_zero.hpp"
+#include "simulation/modes/first_zero.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "simulation/motion/body_modes.hpp"
+#include "simulation/modes/body_modes.hpp"
 
 #include <algorithm>
 #include <cmath>

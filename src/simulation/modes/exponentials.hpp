@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-#include "simulation/motion/pair_number.hpp"
+#include "simulation/modes/pair_number.hpp"
 
 namespace vcrit::simulation {
 

@@ -5,7 +5,7 @@
 // from a numeric eigensolver: rates over twenty decades keep their relative accuracy.
 #pragma once
 
-#include "simulation/motion/spectrum.hpp"
+#include "simulation/modes/spectrum.hpp"
 #include "stiffness/relaxation.hpp"
 
 namespace vcrit::simulation {

@@ -1,4 +1,4 @@
-#include "simulation/motion/contact_modes.hpp"
+#include "simulation/modes/contact_modes.hpp"
 
 namespace vcrit::simulation {
 

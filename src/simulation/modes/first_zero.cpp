@@ -1,4 +1,4 @@
-#include "simulation/motion/first_zero.hpp"
+#include "simulation/modes/first_zero.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // Modes of a held body: exact ones, critical damping, and the body's own transfer function.
-#include "simulation/motion/body_modes.hpp"
+#include "simulation/modes/body_modes.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>

@@ -3,7 +3,7 @@
 // unknowns may be of any scale, and a missing rank does no harm.
 #pragma once
 
-#include "simulation/motion/storage.hpp"
+#include "simulation/modes/storage.hpp"
 
 namespace vcrit::simulation {
 

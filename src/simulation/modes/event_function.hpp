@@ -6,8 +6,8 @@
 
 #include <complex>
 
-#include "simulation/motion/bernstein.hpp"
-#include "simulation/motion/spectrum.hpp"
+#include "simulation/modes/bernstein.hpp"
+#include "simulation/modes/spectrum.hpp"
 
 namespace vcrit::simulation {
 

@@ -1,4 +1,4 @@
-#include "simulation/motion/spectrum.hpp"
+#include "simulation/modes/spectrum.hpp"
 
 #include "base/errors.hpp"
 

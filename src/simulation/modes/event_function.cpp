@@ -1,4 +1,4 @@
-#include "simulation/motion/event_function.hpp"
+#include "simulation/modes/event_function.hpp"
 
 #include <algorithm>
 #include <cmath>

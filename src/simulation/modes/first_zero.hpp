@@ -14,7 +14,7 @@
 
 #include <optional>
 
-#include "simulation/motion/event_function.hpp"
+#include "simulation/modes/event_function.hpp"
 
 namespace vcrit::simulation {
 

@@ -9,7 +9,7 @@
 // small difference of large terms. In stick the r_j are carried along instead, driven by F'.
 #pragma once
 
-#include "simulation/motion/spectrum.hpp"
+#include "simulation/modes/spectrum.hpp"
 #include "stiffness/relaxation.hpp"
 
 namespace vcrit::simulation {

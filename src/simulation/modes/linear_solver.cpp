@@ -1,4 +1,4 @@
-#include "simulation/steady/linear_solver.hpp"
+#include "simulation/modes/linear_solver.hpp"
 
 #include <algorithm>
 #include <limits>

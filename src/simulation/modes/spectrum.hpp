@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "simulation/motion/exponentials.hpp"
-#include "simulation/motion/storage.hpp"
+#include "simulation/modes/exponentials.hpp"
+#include "simulation/modes/storage.hpp"
 
 namespace vcrit::simulation {
 
