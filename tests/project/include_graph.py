@@ -18,6 +18,7 @@ ROOMS = [
     "src/critical",
     "src/simulation/system",
     "src/simulation/modes",
+    "src/simulation/normal",
     "src/simulation/motion",
     "src/simulation/steady",
     "src/simulation/methods",
