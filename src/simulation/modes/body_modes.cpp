@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "base/errors.hpp"
 
@@ -32,7 +33,7 @@ class BodyModes {
   Modes modes() const {
     Modes result;
     for (const OffsetRate& root : roots_) result.spectrum.rates.push_back(root.value());
-    if (pair_) result.spectrum.pair.emplace(pair_->decay.value(), pair_->q);
+    if (pair_) result.spectrum.pairs.emplace_back(pair_->decay.value(), pair_->q);
     const Index n = result.spectrum.size();
     result.to_modes = result.from_modes = Matrix(n, n);
     for (Index i = 0; i < result.spectrum.singles(); ++i) single(result, i);

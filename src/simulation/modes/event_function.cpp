@@ -31,18 +31,19 @@ EventFunction::EventFunction(const Spectrum& spectrum, int order, double value, 
       order_(static_cast<std::size_t>(order)),
       value_(value),
       size_(size),
-      singles_(spectrum.singles()),
-      pair_{0, 0, spectrum.pair ? spectrum.pair->q : -1} {
+      singles_(spectrum.singles()) {
   ensure(order == 1 || order == 2, "event functions are integrals of order 1 or 2");
+  for (const ModePair& pair : spectrum.pairs) pairs_.push_back({0, 0, pair.q});
 }
 
 void EventFunction::add_modes(ConstView row, ConstView z, double factor, int derivative) {
   for (Index i = 0; i < spectrum_->singles(); ++i)
     singles_[i] += factor * row[i] * z[i] * (derivative == 1 ? -spectrum_->rates[i] : 1);
-  if (!spectrum_->pair) return;
-  PairNumber amplitude = spectrum_->weight(row) * spectrum_->amplitude(z) * factor;
-  if (derivative == 1) amplitude = amplitude * spectrum_->pair->exponent;
-  pair_ = pair_ + amplitude;
+  for (Index p = 0; p < pairs_.size(); ++p) {
+    PairNumber amplitude = spectrum_->weight(row, p) * spectrum_->amplitude(z, p) * factor;
+    if (derivative == 1) amplitude = amplitude * spectrum_->pairs[p].exponent;
+    pairs_[p] = pairs_[p] + amplitude;
+  }
 }
 
 void EventFunction::add_sinusoid(std::complex<double> amplitude) {
@@ -69,7 +70,8 @@ EventFunction::Point EventFunction::at(const Factors& factors) const {
     add(amplitude * factor[order_], amplitude * factor[order_ - 1],
         amplitude * factor[0] * (order_ == 1 ? -spectrum_->rates[i] : 1));
   }
-  if (spectrum_->pair) add_pair(pair_, factors.pair(), spectrum_->pair->exponent);
+  for (Index i = 0; i < pairs_.size(); ++i)
+    add_pair(pairs_[i], factors.pair(i), spectrum_->pairs[i].exponent);
   add_pair(sinusoid_, factors.turn(), oscillation.exponent);
   p.noise *= rounding;
   return p;
@@ -95,7 +97,7 @@ double EventFunction::ceiling(double t) const {
     const PairNumber once = amplitude * pair.receptance;
     add(largest(once, pair.exponent) - once.b);
   };
-  if (spectrum_->pair) add_pair(pair_, *spectrum_->pair);
+  for (Index p = 0; p < pairs_.size(); ++p) add_pair(pairs_[p], spectrum_->pairs[p]);
   add_pair(sinusoid_, oscillation);
   return sum + rounding * size;
 }
@@ -147,8 +149,8 @@ EventFunction::Safe EventFunction::safe_duration(double value, double h) const {
   Derivatives bound{value};
   if (order_ == 2) bound[1] = slope_;
   bool fast = bound_decays(bound, h);
-  if (spectrum_->pair)
-    fast = bound_pair(bound, h, pair_ * here_.pair()[0], *spectrum_->pair) || fast;
+  for (Index p = 0; p < pairs_.size(); ++p)
+    fast = bound_pair(bound, h, pairs_[p] * here_.pair(p)[0], spectrum_->pairs[p]) || fast;
   fast = bound_pair(bound, h, sinusoid_ * here_.turn()[0], oscillation) || fast;
   return {negative_duration(bound, h), fast};
 }

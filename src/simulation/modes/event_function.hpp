@@ -53,7 +53,8 @@ class EventFunction {
   std::size_t order_;
   double value_, size_;
   Vector singles_;
-  PairNumber pair_, sinusoid_;
+  List<PairNumber, 1> pairs_;
+  PairNumber sinusoid_;
 
   Factors here_;  ///< of the present point
   double slope_ = 0;

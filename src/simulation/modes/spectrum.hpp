@@ -1,8 +1,7 @@
-// Modes of linear motion: real decay rates, and at most one pair of modes that belong together
-// (see pair_number.hpp). A body held by springs and dampers has no more than one.
+// Modes of linear motion: real decay rates, and pairs of modes that belong together (see
+// pair_number.hpp). A body held by springs and dampers has no more than one pair of its own.
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "simulation/modes/exponentials.hpp"
@@ -24,18 +23,23 @@ struct ModePair {
   double rate;                      ///< |s|, of two real ones the larger
 };
 
-/// Modal coordinates: one a single mode, amplitude of e^{-rate t}; then, with a pair, the parts a,
-/// b of its amplitude a + b sigma. A pair's contribution to an output is the sigma part of weight *
-/// amplitude * e^{(-decay + sigma) t}, so a row of coefficients (x, y) on (a, b) is the weight y +
-/// x sigma.
+/// Modal coordinates: one a single mode, amplitude of e^{-rate t}; then, for each pair, the parts
+/// a, b of its amplitude a + b sigma. A pair's contribution to an output is the sigma part of
+/// weight * amplitude * e^{(-decay + sigma) t}, so a row of coefficients (x, y) on (a, b) is the
+/// weight y + x sigma.
 struct Spectrum {
   Vector rates;
-  std::optional<ModePair> pair;
+  List<ModePair, 1> pairs;
 
   Index singles() const { return rates.size(); }
-  Index size() const { return singles() + (pair ? 2 : 0); }
-  PairNumber amplitude(ConstView z) const { return {z[singles()], z[singles() + 1], pair->q}; }
-  PairNumber weight(ConstView row) const { return {row[singles() + 1], row[singles()], pair->q}; }
+  Index size() const { return singles() + 2 * pairs.size(); }
+  Index place(Index pair) const { return singles() + 2 * pair; }  ///< of its coordinates
+  PairNumber amplitude(ConstView z, Index pair) const {
+    return {z[place(pair)], z[place(pair) + 1], pairs[pair].q};
+  }
+  PairNumber weight(ConstView row, Index pair) const {
+    return {row[place(pair) + 1], row[place(pair)], pairs[pair].q};
+  }
 };
 
 /// What a spectrum and the oscillation do over one duration.
@@ -46,7 +50,7 @@ class Factors {
 
   double duration() const { return duration_; }
   const Integrals<double>& single(Index i) const { return singles_[i]; }
-  const Integrals<PairNumber>& pair() const { return pair_; }
+  const Integrals<PairNumber>& pair(Index i) const { return pairs_[i]; }
   const Integrals<PairNumber>& turn() const { return turn_; }
 
   /// For each modal coordinate and its integrals: use(i, {z_i, once, twice}) after the duration.
@@ -56,17 +60,20 @@ class Factors {
     for (Index i = 0; i < n; ++i)
       use(i,
           Integrals<double>{z[i] * singles_[i][0], z[i] * singles_[i][1], z[i] * singles_[i][2]});
-    if (z.size() == n) return;
-    const PairNumber start{z[n], z[n + 1], pair_[0].q};
-    const PairNumber none = start * pair_[0], once = start * pair_[1], twice = start * pair_[2];
-    use(n, Integrals<double>{none.a, once.a, twice.a});
-    use(n + 1, Integrals<double>{none.b, once.b, twice.b});
+    for (Index p = 0, i = n; p < pairs_.size(); ++p, i += 2) {
+      const Integrals<PairNumber>& pair = pairs_[p];
+      const PairNumber start{z[i], z[i + 1], pair[0].q};
+      const PairNumber none = start * pair[0], once = start * pair[1], twice = start * pair[2];
+      use(i, Integrals<double>{none.a, once.a, twice.a});
+      use(i + 1, Integrals<double>{none.b, once.b, twice.b});
+    }
   }
 
  private:
   double duration_ = 0;
   List<Integrals<double>> singles_;
-  Integrals<PairNumber> pair_, turn_;
+  List<Integrals<PairNumber>, 1> pairs_;
+  Integrals<PairNumber> turn_;
 };
 
 /// Modes with the way to them and back: z = to_modes y, y = from_modes z.
@@ -76,7 +83,7 @@ struct Modes {
   Matrix from_modes;
 };
 
-/// Both systems beside each other, y = (y_a, y_b). Only `a` may have a pair.
+/// Both systems beside each other, y = (y_a, y_b).
 Modes beside(const Modes& a, const Modes& b);
 
 /// Modes that are the states themselves: y_i' = -rate_i y_i.

@@ -28,12 +28,12 @@ void Flow::filter_units() {
     for (Index i = 0; i < n; ++i)
       answer(-spectrum.rates[i], factors_.single(i), fluidity * phase().event[i],
              [&](Matrix& matrix, double value) { matrix(j, i) = value; });
-    if (!spectrum.pair) continue;
-    answer(spectrum.pair->exponent, factors_.pair(), spectrum.weight(phase().event) * fluidity,
-           [&](Matrix& matrix, PairNumber value) {
-             matrix(j, n) = value.b;
-             matrix(j, n + 1) = value.a;
-           });
+    for (Index p = 0; p < spectrum.pairs.size(); ++p)
+      answer(spectrum.pairs[p].exponent, factors_.pair(p),
+             spectrum.weight(phase().event, p) * fluidity, [&](Matrix& matrix, PairNumber value) {
+               matrix(j, spectrum.place(p)) = value.b;
+               matrix(j, spectrum.place(p) + 1) = value.a;
+             });
   }
 }
 

@@ -33,8 +33,10 @@ double swing_of_phase(double amplitude) { return 2 * period * amplitude; }
 
 // The same of the body's velocity on its own pair of modes.
 double swing_of_body(const Model& model, const State& state) {
-  const std::optional<ModePair>& own = model.slip.modes.spectrum.pair;
-  return own ? swing_of_phase(std::abs(state.x[1]) * own->rate) : 0;
+  double fastest = 0;
+  for (const ModePair& pair : model.slip.modes.spectrum.pairs)
+    fastest = std::max(fastest, pair.rate);
+  return swing_of_phase(std::abs(state.x[1]) * fastest);
 }
 
 // Contact as Kelvin units behind a free damper, each under the same force F and creeping at r_j;
@@ -67,9 +69,11 @@ constexpr double most_panels = 50'000;
 class Quadrature {
  public:
   explicit Quadrature(const Spectrum& spectrum) {
-    if (!spectrum.pair || spectrum.pair->q >= 0) return;
-    swing_ = std::sqrt(-spectrum.pair->q);
-    lasts_ = 40 / spectrum.pair->decay;
+    for (const ModePair& pair : spectrum.pairs) {
+      if (pair.q >= 0) continue;
+      swing_ = std::sqrt(-pair.q);
+      lasts_ = 40 / pair.decay;
+    }
   }
 
   bool can_follow(double duration) const {

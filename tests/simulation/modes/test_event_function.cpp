@@ -23,7 +23,7 @@ class Sum {
         sinusoid_(sinusoid) {}
 
   void add_pair(ModePair pair, double a, double b) {
-    spectrum_.pair = pair;
+    spectrum_.pairs = {pair};
     amplitudes_.push_back(a);
     amplitudes_.push_back(b);
   }
