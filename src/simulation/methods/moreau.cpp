@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "simulation/methods/equations.hpp"
+#include "simulation/methods/normal_steps.hpp"
 
 namespace vcrit::simulation::methods {
 
@@ -57,18 +58,21 @@ class SteppedChain {
 
 class Stepper {
  public:
-  Stepper(const Equations& equations, int steps, double theta)
+  /// bounds: at each step, or none for those of a contact that stays closed.
+  Stepper(const Equations& equations, int steps, double theta, std::vector<double> bounds)
       : equations_(equations),
         h_(turn / steps),
         theta_(theta),
         contact_(equations.contact, h_, theta),
         drive_(equations.body ? equations.body->drive : Chain{}, h_, theta),
         on_body_(contact_.force(theta)),
-        from_drive_(drive_.force(theta)) {
+        from_drive_(drive_.force(theta)),
+        bounds_(std::move(bounds)) {
     const double rate = equations.contact.glassy / equations.contact.damper;
     const double law = std::max(theta, 1 - 1 / (rate * h_));
     on_point_ = contact_.force(law);
     if (equations.body) inertia_ = equations.body->mass / (theta * h_);
+    if (!bounds_.empty()) return;
     for (int i = 0; i < steps; ++i) bounds_.push_back(equations.bound((i + law) * h_));
   }
 
@@ -103,8 +107,8 @@ class Stepper {
     double top = moves ? push / (resistance + on_body_.slope) : equations_.velocity;
     double deformation = top, force = law + on_point_.slope * top;
     Motion motion = Motion::stick;
-    if (std::abs(force) > bound) {
-      motion = force > 0 ? Motion::slip : Motion::backslip;
+    if (std::abs(force) > bound || bound == 0) {
+      motion = bound == 0 ? Motion::apart : (force > 0 ? Motion::slip : Motion::backslip);
       force = std::copysign(bound, force);
       deformation = (force - law) / on_point_.slope;
       if (moves) top = (push - on_body_.slope * deformation) / resistance;
@@ -125,14 +129,37 @@ class Stepper {
   std::vector<double> bounds_;
 };
 
+// A contact that opens, as one that stays closed under the mean of its steps' own normal force.
+struct Normal {
+  Normal(const System& given, const MethodOptions& options) : system(given), theta(options.theta) {
+    if (!given.opening) return;
+    theta = 1;  // the bound is known at the end of a step
+    asked = normal_force_steps(*given.opening, given.omega, options.steps_per_period);
+    coarser = normal_force_steps(*given.opening, given.omega, options.steps_per_period / 3);
+    double sum = 0;
+    for (const double force : asked) sum += force;
+    system.opening.reset();
+    system.mean_normal_force = sum / options.steps_per_period;
+    for (std::vector<double>* forces : {&asked, &coarser})
+      for (double& force : *forces) force /= system.mean_normal_force;
+  }
+
+  System system;
+  double theta;
+  std::vector<double> asked, coarser;  ///< in units of the mean
+};
+
 class MoreauMap final : public PeriodMap {
  public:
-  MoreauMap(const System& system, double velocity, const MethodOptions& options)
-      : equations_(system, velocity),
+  MoreauMap(const Normal& normal, double velocity, const MethodOptions& options)
+      : equations_(normal.system, velocity),
         scales_(equations_.scales()),
         target_(1e-3 / options.steps_per_period),
-        asked_(equations_, options.steps_per_period, options.theta),
-        coarser_(equations_, options.steps_per_period / 3, options.theta) {}
+        asked_(equations_, options.steps_per_period, normal.theta, normal.asked),
+        coarser_(equations_, options.steps_per_period / 3, normal.theta, normal.coarser) {
+    for (std::size_t i = 1; i < normal.asked.size(); ++i)
+      resolution_ += std::abs(normal.asked[i] - normal.asked[i - 1]) / options.steps_per_period;
+  }
 
   State start(Start start) const override {
     const std::vector<double> y = equations_.start(start);
@@ -151,6 +178,7 @@ class MoreauMap final : public PeriodMap {
     return scales_[static_cast<std::size_t>(variable)];
   }
   double noise() const override { return 1e-13; }
+  double resolution() const override { return resolution_; }
   double target() const override { return target_; }
   double slowest_rate() const override { return equations_.slowest_rate(); }
 
@@ -159,13 +187,16 @@ class MoreauMap final : public PeriodMap {
   std::vector<double> scales_;
   double target_;
   Stepper asked_, coarser_;
+  // Where in a step the surfaces part or meet, steps of another length do not tell: the mean of
+  // what a step changes the bound by.
+  double resolution_ = 0;
 };
 
 }  // namespace
 
 std::unique_ptr<PeriodMap> moreau_map(const System& system, double velocity,
                                       const MethodOptions& options) {
-  return std::make_unique<MoreauMap>(system, velocity, options);
+  return std::make_unique<MoreauMap>(Normal(system, options), velocity, options);
 }
 
 }  // namespace vcrit::simulation::methods

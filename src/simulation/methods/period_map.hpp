@@ -40,6 +40,8 @@ class PeriodMap {
   /// friction may still change when plain periods end.
   virtual double noise() const = 0;
   virtual double target() const = 0;
+  /// An error of the friction that no comparison of accuracies tells.
+  virtual double resolution() const { return 0; }
   /// Smallest rate above 0 at which a force in the system relaxes.
   virtual double slowest_rate() const = 0;
 };

@@ -14,10 +14,15 @@ namespace {
 constexpr double rounding = 1e-14;
 
 Regime regime(const Period& period) {
-  const auto is_backslip = [](const Event& event) { return event.to == Motion::backslip; };
-  if (std::any_of(period.events.begin(), period.events.end(), is_backslip))
-    return Regime::stick_slip_backslip;
-  if (!period.events.empty()) return Regime::stick_slip;
+  const auto there = [&](Motion motion) {
+    return std::any_of(period.events.begin(), period.events.end(),
+                       [&](const Event& event) { return event.to == motion; });
+  };
+  const bool apart = there(Motion::apart);
+  if (there(Motion::backslip))
+    return apart ? Regime::stick_slip_backslip_apart : Regime::stick_slip_backslip;
+  if (there(Motion::stick)) return apart ? Regime::stick_slip_apart : Regime::stick_slip;
+  if (apart) return Regime::sliding_apart;
   return period.end.motion == Motion::stick ? Regime::stick : Regime::sliding;
 }
 
@@ -74,8 +79,10 @@ SteadyState answer(Period period, double error) {
 SteadyState settle(PeriodMap& map, const MethodOptions& options) {
   Periods periods(map, options.most_periods);
   State state = map.start(options.start);
-  return options.newton ? by_newton(periods, std::move(state))
-                        : plain_periods(periods, std::move(state));
+  SteadyState found = options.newton ? by_newton(periods, std::move(state))
+                                     : plain_periods(periods, std::move(state));
+  found.friction_ratio_error += map.resolution();
+  return found;
 }
 
 }  // namespace vcrit::simulation::methods

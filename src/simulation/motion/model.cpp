@@ -6,6 +6,7 @@
 
 #include "base/errors.hpp"
 #include "simulation/modes/body_modes.hpp"
+#include "simulation/modes/driven_modes.hpp"
 
 namespace vcrit::simulation {
 
@@ -109,11 +110,8 @@ Model::Model(const System& system) {
   const Relaxation path =
       system.drive && !moves ? series({system.contact, *system.drive}) : system.contact;
   const double stiffness_unit = std::abs(dynamic_stiffness(path, system.omega));
-  force_unit = system.friction * system.mean_normal_force;
+  set_bound(system);
   velocity_unit = force_unit * system.omega / stiffness_unit;
-  amplitude = std::abs(system.normal_force_amplitude) / system.mean_normal_force;
-  phase = std::arg(system.normal_force_amplitude);
-  ensure(amplitude < 1, "the normal force stays positive");
   contact = contact_modes(without_dimensions(path, system.omega, stiffness_unit));
   if (moves) {
     const PoleSum drive =
@@ -128,15 +126,39 @@ Model::Model(const System& system) {
   set_sliding();
 }
 
+void Model::set_bound(const System& system) {
+  if (system.opening) {
+    opening.emplace(*system.opening, system.omega);
+    force_unit = system.friction * opening->mean_force;
+    mean = opening->constant;
+    amplitude = opening->amplitude;
+    phase = opening->phase;
+    return;
+  }
+  force_unit = system.friction * system.mean_normal_force;
+  amplitude = std::abs(system.normal_force_amplitude) / system.mean_normal_force;
+  phase = std::arg(system.normal_force_amplitude);
+  ensure(amplitude < 1, "the normal force stays positive");
+}
+
+// Both phases have the decaying parts of b behind their own y: stick beside it, for its end, and
+// slip under F = b (or -b, with the parts taken negative), whose rate pushes the body and the
+// units.
 void Model::set_stick() {
   stick.modes = body ? stuck_modes(*body, contact) : uncoupled(contact.branch_rates);
+  const Index first = stick.modes.to_modes.columns(), states = body_states();
+  if (opening) stick.modes = beside(stick.modes, uncoupled(opening->rates));
   const Matrix& from = stick.modes.from_modes;
-  const Index states = body_states();
   stick.own = rows(from, states, branches());
   for (Index j = 0; j < from.columns(); ++j) {
     double force_rate = body ? contact.damper * from(0, j) : 0;
     for (const double rate : stick.own.column(j)) force_rate += rate;
     stick.event.push_back(force_rate);
+    if (!opening) continue;
+    double bound_rate = 0;
+    for (Index i = 0; i < opening->rates.size(); ++i)
+      bound_rate -= opening->rates[i] * from(first + i, j);
+    stick.bound.push_back(bound_rate);
   }
   stick.levels = levels(stick.event, rows(from, 0, states));
 }
@@ -144,13 +166,28 @@ void Model::set_stick() {
 void Model::set_slip() {
   const Modes creeping = uncoupled(contact.unit_rates);
   slip.modes = body ? beside(body_modes(body->mass, body->drive), creeping) : creeping;
+  const Index first = slip.modes.to_modes.columns(), states = body_states();
+  double flexible = contact.fluidity;
+  if (opening) {
+    Vector push(first);
+    if (body) push[0] = -1 / body->mass;
+    for (Index j = 0; j < units(); ++j) {
+      push[states + j] = contact.unit_fluidity[j];
+      flexible += contact.unit_fluidity[j];
+    }
+    slip.modes = driven(slip.modes, push, opening->rates);
+  }
   const Matrix& from = slip.modes.from_modes;
-  const Index states = body_states();
   slip.own = rows(from, states, units());
   slip.levels = levels(Vector(from.columns()), rows(from, 0, states));
   for (Index j = 0; j < from.columns(); ++j) {
     double acceleration = body ? from(0, j) : 0;
     for (Index i = 0; i < units(); ++i) acceleration += contact.unit_rates[i] * slip.own(i, j);
+    for (Index i = 0; opening && i < opening->rates.size(); ++i) {
+      // -J_g F'' - (phi + sum_j psi_j) F'
+      const double rate = opening->rates[i];
+      acceleration += (flexible - contact.glassy * rate) * rate * from(first + i, j);
+    }
     slip.event.push_back(acceleration);
   }
 }

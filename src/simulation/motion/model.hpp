@@ -1,7 +1,9 @@
 // A system without dimensions: time 1/omega, force mu0 <F_n>, stiffness |K(i omega)| of the path
-// from drive to contact point (or of the contact, with a body); t = 0 where F_n is largest, so that
-// the friction bound is b(t) = 1 + amplitude cos t. States are only those that the system has:
-// without a mass, contact and drive are one network in series, and nothing else moves.
+// from drive to contact point (or of the contact, with a body); t = 0 where the harmonic part of
+// F_n is largest, so that the friction bound is b(t) = 1 + amplitude cos t, or, of a contact that
+// opens, mean + amplitude cos t + sum_i q_i with q_i' = -a_i q_i while the surfaces touch. States
+// are only those that the system has: without a mass, contact and drive are one network in series,
+// and nothing else moves.
 //
 //   state  x = (F | u, g_1..g_M | contact),   rates  y = (u', g_1'..g_M' | contact)
 //   contact: r in slip; rho and r in stick, of which y has rho alone
@@ -14,6 +16,7 @@
 #include <optional>
 
 #include "simulation/modes/contact_modes.hpp"
+#include "simulation/motion/opening.hpp"
 #include "simulation/system/system.hpp"
 
 namespace vcrit::simulation {
@@ -30,6 +33,7 @@ struct Phase {
   Matrix levels;  ///< rates of the levels: F (in stick), u, g_j
   Matrix own;     ///< the contact's part of y
   Vector event;   ///< stick: F'; slip: contact acceleration
+  Vector bound;   ///< stick, of a contact that opens: rate of the decaying parts of b
 };
 
 /// A time with its place in the oscillation.
@@ -43,12 +47,14 @@ struct Instant {
 struct Model {
   explicit Model(const System& system);
 
-  double amplitude = 0;      ///< of b(t); < 1
+  double mean = 1;           ///< of b(t), without what decays
+  double amplitude = 0;      ///< of b(t); < 1 unless the contact opens
   double phase = 0;          ///< t = omega t_physical + phase
   double force_unit = 0;     ///< N
   double velocity_unit = 0;  ///< m/s
   ContactModes contact;
   std::optional<Body> body;
+  std::optional<Opening> opening;
   Phase stick, slip;
 
   /// Response to b(t) in steady forward sliding: amplitudes of e^{it} of y and of the contact
@@ -74,14 +80,35 @@ struct Model {
   Index integrated_levels() const { return body ? 2 + slow_branches : 1; }
   Index integrals() const { return integrated_levels() + slow_units; }
 
-  double bound(const Instant& t) const { return 1 + amplitude * t.turn.real(); }
-  double bound_rate(const Instant& t) const { return -amplitude * t.turn.imag(); }
-  double bound_curvature(const Instant& t) const { return -amplitude * t.turn.real(); }
+  /// b(t) while the surfaces touch, by its decaying parts.
+  double bound(const Instant& t, ConstView decaying = {}) const {
+    double sum = mean + amplitude * t.turn.real();
+    for (const double part : decaying) sum += part;
+    return sum;
+  }
+  double bound_rate(const Instant& t, ConstView decaying = {}) const {
+    return -amplitude * t.turn.imag() + decay(decaying, 1);
+  }
+  double bound_curvature(const Instant& t, ConstView decaying = {}) const {
+    return -amplitude * t.turn.real() + decay(decaying, 2);
+  }
+
+  /// Estimate of the relative error of <F_n>.
+  double bound_error() const { return opening ? opening->error : 0; }
 
   /// y from x, or a change of y from a change of x.
   void rates(ConstView x, bool stuck, View y) const;
 
  private:
+  double decay(ConstView decaying, int derivative) const {
+    double sum = 0;
+    for (Index i = 0; i < decaying.size(); ++i) {
+      const double rate = opening->rates[i];
+      sum += derivative == 1 ? -rate * decaying[i] : rate * (rate * decaying[i]);
+    }
+    return sum;
+  }
+  void set_bound(const System& system);
   void set_stick();
   void set_slip();
   void set_sliding();

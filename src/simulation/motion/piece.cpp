@@ -10,7 +10,7 @@ namespace vcrit::simulation {
 using Complex = std::complex<double>;
 
 Index states(const Model& model, Motion motion) {
-  return direction(motion) == 0 ? model.stick_states() : model.slip_states();
+  return motion == Motion::stick ? model.stick_states() : model.slip_states();
 }
 
 namespace {
@@ -38,22 +38,32 @@ Piece::Piece(const Model& model, double velocity, State start)
   if (const int side = direction(start_.motion))
     for (Index i = 0; i < y.size(); ++i)
       y[i] -= side * real_product(model.sliding_rates[i], start_.at.turn);
+  const Index first = y.size() - start_.decaying.size();
+  for (Index i = 0; i < start_.decaying.size(); ++i)
+    y[first + i] = (stuck() ? 1 : direction(start_.motion)) * start_.decaying[i];
   modes_.resize(to_modes.rows());
   add_product(to_modes, y, modes_);
 }
 
 State Piece::after(const Flow& flow, View integrals) const {
-  State state{start_.motion, start_.at.time + flow.duration(), start_.x, 0};
-  const double impulse = integrals[0];
-  flow.move(modes_, state.x, integrals);
   const int side = direction(start_.motion);
+  State state{start_.motion,  start_.at.time + flow.duration(), start_.x, 0, start_.touch,
+              start_.decaying};
+  double impulse = integrals[0];
+  flow.move(modes_, state.x, integrals);
+  for (Index i = 0; i < state.decaying.size(); ++i) {
+    const auto passed = simulation::integrals(model_->opening->rates[i], flow.duration());
+    impulse += side * state.decaying[i] * passed[1];
+    state.decaying[i] *= passed[0];
+  }
   if (side == 0) return state;
   const Index body = model_->body_states(), levels = model_->level_states();
   const Index held = model_->integrated_levels();
   const Complex once = turned(start_.at, flow.factors().turn()[1]);
   const Complex twice = turned(start_.at, flow.factors().turn()[2]);
-  state.x[0] = side * model_->bound(state.at);
-  integrals[0] = impulse + side * (flow.duration() + model_->amplitude * once.real());
+  state.x[0] = side * model_->bound(state.at, state.decaying);
+  integrals[0] =
+      impulse + side * (model_->mean * flow.duration() + model_->amplitude * once.real());
   for (Index i = 0; i < body; ++i) {
     state.x[1 + i] += side * real_product(model_->sliding_rates[i], once);
     if (1 + i < held) integrals[1 + i] += side * real_product(model_->sliding_rates[i], twice);
@@ -78,6 +88,7 @@ std::optional<Piece::Event> Piece::next_event(double horizon) const {
     if (!zero || *zero >= end) return std::nullopt;
     return Event{*zero, to};
   };
+  if (start_.motion == Motion::apart) return std::nullopt;
   if (!stuck()) return before(Motion::stick, horizon);
   const auto forward = before(Motion::slip, horizon);
   const auto backward = before(Motion::backslip, forward ? forward->duration : horizon);
@@ -89,7 +100,7 @@ EventFunction Piece::event_function(Motion to) const {
 }
 
 bool Piece::leaving(Motion to) const {
-  if (stuck()) return start_.entered == direction(to);
+  if (stuck()) return start_.entered == direction(to) || start_.entered == both_sides;
   const double velocity = simulation::contact_velocity(*model_, velocity_, start_);
   return start_.entered != 0 &&
          (model_->contact.damper > 0 || direction(start_.motion) * velocity <= 0);
@@ -112,22 +123,23 @@ EventFunction Piece::slip_end() const {
 // f = side F - b. Where stick began from slip on that side without a direct damper, F and F' were
 // those of the bound, and f = f' = 0 there.
 EventFunction Piece::stick_end(int side) const {
-  const bool entered = start_.entered == side;
+  const bool entered = leaving(side > 0 ? Motion::slip : Motion::backslip);
   const Complex bound = model_->amplitude * start_.at.turn;
-  const int order = entered && model_->contact.damper == 0 ? 2 : 1;
-  const double gap = side * start_.x[0] - model_->bound(start_.at);
+  const int order = start_.entered == side && model_->contact.damper == 0 ? 2 : 1;
+  const double gap = side * start_.x[0] - model_->bound(start_.at, start_.decaying);
   EventFunction f(model_->stick.modes.spectrum, order, entered ? 0 : std::min(gap, 0.0),
                   entered ? 0 : std::abs(start_.x[0]));
   f.add_modes(model_->stick.event, modes_, side, order - 1);
+  if (model_->opening) f.add_modes(model_->stick.bound, modes_, -1, order - 1);
   f.add_sinusoid(order == 2 ? bound : Complex{bound.imag(), -bound.real()});
   return f;
 }
 
 double contact_velocity(const Model& model, double velocity, const State& state) {
+  if (state.motion == Motion::stick) return 0;
   const int side = direction(state.motion);
-  if (side == 0) return 0;
   double w = velocity - model.contact.fluidity * state.x[0] -
-             side * model.contact.glassy * model.bound_rate(state.at);
+             side * model.contact.glassy * model.bound_rate(state.at, state.decaying);
   if (model.body) w += state.x[1];
   for (Index j = model.level_states(); j < state.x.size(); ++j) w -= state.x[j];
   return w;

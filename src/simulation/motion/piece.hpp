@@ -1,4 +1,5 @@
-// Event-driven motion of a model: exact pieces of slip, stick and backslip, one after the other.
+// Event-driven motion of a model: exact pieces of slip, stick, backslip and, of a contact that
+// opens, of the surfaces apart, one after the other.
 #pragma once
 
 #include <optional>
@@ -11,15 +12,19 @@ namespace vcrit::simulation {
 
 /// The state at one instant; x as in model.hpp, its contact part that of the motion. `entered`: the
 /// motion begins here, so its event function starts at zero (in stick: that of the direction from
-/// which it came, +1 or -1).
+/// which it came, +1 or -1, or `both_sides` where the surfaces just met). Apart, x is that of slip.
 struct State {
   Motion motion = Motion::slip;
   Instant at = 0;
   Vector x;
   int entered = 0;
+  Index touch = 0;       ///< of a contact that opens: the present or, apart, the next one
+  Vector decaying = {};  ///< parts of b, while the surfaces touch
 };
 
-/// +1 in slip, -1 in backslip, 0 in stick.
+inline constexpr int both_sides = 2;
+
+/// +1 in slip, -1 in backslip, 0 without slip.
 inline int direction(Motion motion) {
   return motion == Motion::slip ? 1 : (motion == Motion::backslip ? -1 : 0);
 }
@@ -62,6 +67,11 @@ class Piece {
 
 /// How many numbers x has in a motion.
 Index states(const Model& model, Motion motion);
+
+/// b of a state; 0 while the surfaces are apart.
+inline double bound_of(const Model& model, const State& state) {
+  return state.motion == Motion::apart ? 0 : model.bound(state.at, state.decaying);
+}
 
 /// Contact velocity of a state; 0 in stick.
 double contact_velocity(const Model& model, double velocity, const State& state);

@@ -44,7 +44,7 @@ Vector rate_of(const Model& model, const State& state) {
           contact.branch_stiffness[i] * body_acceleration - contact.branch_rates[i] * branch;
     }
   } else {
-    rate[0] = direction(state.motion) * model.bound_rate(state.at);
+    rate[0] = direction(state.motion) * model.bound_rate(state.at, state.decaying);
   }
   for (Index j = 0; j < model.units(); ++j)
     rate[units + j] =
@@ -54,12 +54,100 @@ Vector rate_of(const Model& model, const State& state) {
 
 State switched(const Model& model, const State& before, Motion to) {
   ensure((before.motion == Motion::stick) != (to == Motion::stick), "stick and slip take turns");
-  State after{to, before.at, Vector(states(model, to)), direction(before.motion) + direction(to)};
+  State after{to,
+              before.at,
+              Vector(states(model, to)),
+              direction(before.motion) + direction(to),
+              before.touch,
+              before.decaying};
   carry_over(model, before.x, after.x);
-  after.x[0] = after.entered * model.bound(before.at);
+  after.x[0] = after.entered * model.bound(before.at, before.decaying);
   if (to == Motion::stick)
-    add_force_rate(model, after.entered * model.bound_rate(before.at), after.x);
+    add_force_rate(model, after.entered * model.bound_rate(before.at, before.decaying), after.x);
   return after;
+}
+
+State parted(const Model& model, const State& before) {
+  State after{Motion::apart,
+              before.at,
+              Vector(model.slip_states()),
+              0,
+              (before.touch + 1) % model.opening->touches.size(),
+              {}};
+  carry_over(model, before.x, after.x);
+  after.x[0] = 0;
+  return after;
+}
+
+namespace {
+
+// How fast the surface would leave the contact point where the surfaces meet, with no force.
+double free_velocity(const Model& model, ConstView x) {
+  double velocity = model.body ? x[1] : 0;
+  for (const double unit : x.last(model.units())) velocity -= unit;
+  return velocity;
+}
+
+// A force that jumps deforms each unit the faster.
+void add_jump(const Model& model, double force, View x) {
+  x[0] += force;
+  add(model.contact.unit_fluidity, force, x.last(model.units()));
+}
+
+}  // namespace
+
+State met(const Model& model, double velocity, const State& before) {
+  const ContactModes& contact = model.contact;
+  State after{Motion::stick, before.at,
+              before.x,      0,
+              before.touch,  model.opening->touches[before.touch].decaying};
+  const bool jumps = model.opening->jumps;
+  const double pull = velocity + free_velocity(model, before.x);
+  const double bound = jumps ? model.bound(after.at, after.decaying) : 0;
+  const auto stick = [&](double force, double force_rate) {
+    after.x = Vector(model.stick_states());
+    Vector x = before.x;
+    add_jump(model, force, x);
+    carry_over(model, x, after.x);
+    if (contact.damper == 0) add_force_rate(model, force_rate, after.x);
+    after.entered = jumps ? 0 : both_sides;
+  };
+  const auto slip = [&](int side) {
+    after.motion = side > 0 ? Motion::slip : Motion::backslip;
+    if (contact.damper > 0) add_jump(model, side * bound, after.x);
+  };
+  if (contact.damper > 0) {
+    const double force = contact.damper * pull;
+    std::abs(force) < bound ? stick(force, 0) : slip(pull > 0 ? 1 : -1);
+  } else {
+    const double rate = pull / contact.glassy;
+    jumps || std::abs(rate) < model.bound_rate(after.at, after.decaying) ? stick(0, rate)
+                                                                         : slip(pull > 0 ? 1 : -1);
+  }
+  return after;
+}
+
+void carry_to_parting(const Model& model, Matrix& changes) {
+  Matrix result(model.slip_states(), changes.columns());
+  for (Index j = 0; j < changes.columns(); ++j) {
+    carry_over(model, changes.column(j), result.column(j));
+    result(0, j) = 0;
+  }
+  changes = result;
+}
+
+void carry_to_meeting(const Model& model, const State& after, Matrix& changes) {
+  if (after.motion != Motion::stick) return;
+  Matrix result(model.stick_states(), changes.columns());
+  for (Index j = 0; j < changes.columns(); ++j) {
+    const View before = changes.column(j);
+    const double pull = free_velocity(model, before);
+    if (model.contact.damper > 0) add_jump(model, model.contact.damper * pull, before);
+    carry_over(model, before, result.column(j));
+    if (model.contact.damper == 0)
+      add_force_rate(model, pull / model.contact.glassy, result.column(j));
+  }
+  changes = result;
 }
 
 // The event's function is F or -w towards the side of the slip.
@@ -87,8 +175,9 @@ void carry_across(const Model& model, const State& before, const State& after, c
     for (Index i = 0; i < moved.size(); ++i) moved[i] += rate_before[i] * shifts[j];
     carry_over(model, moved, dx);
     if (after.motion == Motion::stick)
-      add_force_rate(model, after.entered * model.bound_curvature(after.at) * shifts[j], dx);
-    dx[0] = after.entered * model.bound_rate(after.at) * shifts[j];
+      add_force_rate(
+          model, after.entered * model.bound_curvature(after.at, after.decaying) * shifts[j], dx);
+    dx[0] = after.entered * model.bound_rate(after.at, after.decaying) * shifts[j];
     for (Index i = 0; i < dx.size(); ++i) dx[i] -= rate_after[i] * shifts[j];
   }
   changes = result;

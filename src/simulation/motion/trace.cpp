@@ -44,8 +44,10 @@ class Tracer {
     auto& [piece, length] =
         record_.parts.emplace_back(Trace::Part{Piece(model_, velocity_, record_.end), 0});
     length = end - record_.end.at.time;
+    const auto change = next_parting_or_meeting(length);
+    if (change) length = *change;
     auto event = piece.next_event(length);
-    const bool to_end = !event;
+    const bool to_end = !event && !change, undisturbed = !event;
     if (event && event->duration == 0)
       if (const auto passed = touched(piece, event->to)) {
         event.reset();
@@ -58,6 +60,26 @@ class Tracer {
     record_.end = piece.after(flow, record_.integrals);
     if (to_end) record_.end.at = end;
     if (event) change_motion(piece, flow, event->to);
+    if (change && undisturbed) part_or_meet();
+  }
+
+  // Of a contact that opens: how long until then, if that is before the end.
+  std::optional<double> next_parting_or_meeting(double end) const {
+    if (!model_.opening) return std::nullopt;
+    const State& now = record_.end;
+    const double left = now.motion == Motion::apart
+                            ? model_.opening->until_met(now.touch, now.at.time)
+                            : model_.opening->until_parted(now.touch, now.at.time);
+    return left < end ? std::optional(left) : std::nullopt;
+  }
+
+  void part_or_meet() {
+    const bool apart = record_.end.motion == Motion::apart;
+    State& now = record_.end;
+    now = apart ? met(model_, velocity_, now) : parted(model_, now);
+    Matrix& changes = record_.changes.state;
+    if (changes.columns() == 0) return;
+    apart ? carry_to_meeting(model_, now, changes) : carry_to_parting(model_, changes);
   }
 
   // How long the motion goes on in spite of an event at its beginning.

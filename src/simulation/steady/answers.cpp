@@ -36,14 +36,17 @@ class Answer {
       const double t = phase_of(i) + model_.phase;
       const double velocity =
           velocity_ - model_.creep + (model_.sliding_velocity * std::exp(1i * t)).real();
-      state_.cycle.push_back(point(phase_of(i), velocity, model_.bound(t)));
+      state_.cycle.push_back(point(phase_of(i), velocity, model_.bound(t), model_.bound(t)));
     }
   }
 
   void stick() const {
     const double force = velocity_ / model_.creep;
     set(force, 8 * 2.3e-16 * force, Regime::stick);
-    for (int i = 0; i < samples_; ++i) state_.cycle.push_back(point(phase_of(i), 0, force));
+    for (int i = 0; i < samples_; ++i) {
+      const double bound = model_.bound(phase_of(i) + model_.phase);
+      state_.cycle.push_back(point(phase_of(i), 0, force, bound));
+    }
   }
 
   void cycle(const SteadyCycle& found) const {
@@ -71,19 +74,22 @@ class Answer {
   }
 
   static Regime regime(const std::vector<Event>& events) {
-    const auto is = [](Motion motion) {
-      return [motion](const Event& event) { return event.to == motion; };
+    const auto there = [&](Motion motion) {
+      return std::any_of(events.begin(), events.end(),
+                         [&](const Event& event) { return event.to == motion; });
     };
-    if (std::any_of(events.begin(), events.end(), is(Motion::backslip)))
-      return Regime::stick_slip_backslip;
-    return events.empty() ? Regime::sliding : Regime::stick_slip;
+    const bool apart = there(Motion::apart);
+    if (there(Motion::backslip))
+      return apart ? Regime::stick_slip_backslip_apart : Regime::stick_slip_backslip;
+    if (there(Motion::stick)) return apart ? Regime::stick_slip_apart : Regime::stick_slip;
+    return apart ? Regime::sliding_apart : Regime::sliding;
   }
 
   double phase_of(int sample) const { return turn * sample / samples_; }
 
-  CyclePoint point(double phase, double velocity, double force) const {
+  CyclePoint point(double phase, double velocity, double force, double bound) const {
     return {phase, velocity * model_.velocity_unit, force * model_.force_unit,
-            model_.bound(phase + model_.phase) * model_.force_unit};
+            bound * model_.force_unit};
   }
 
   CyclePoint sample(const Trace& period, double phase) const {
@@ -94,7 +100,8 @@ class Answer {
       ++part;
     const double duration = t - part->piece.start().at.time;
     const State state = part->piece.after(duration);
-    return point(phase, contact_velocity(model_, velocity_, state), state.x[0]);
+    return point(phase, contact_velocity(model_, velocity_, state), state.x[0],
+                 bound_of(model_, state));
   }
 
   const Model& model_;
@@ -119,9 +126,11 @@ void Answers::answer(double velocity, Start start, int samples, bool near_last) 
   ensure(velocity > 0, "the drive moves forward");
   const double v = velocity / model_.velocity_unit, threshold = std::abs(model_.sliding_velocity);
   const Answer result(model_, v, samples, state_);
-  if (v >= threshold + model_.creep) return result.sliding();
-  // A path that creeps carries F = eta v in stick; the bound may never be reached.
-  if (model_.creep * (1 - model_.amplitude) >= v) return result.stick();
+  if (!model_.opening) {
+    if (v >= threshold + model_.creep) return result.sliding();
+    // A path that creeps carries F = eta v in stick; the bound may never be reached.
+    if (model_.creep * (1 - model_.amplitude) >= v) return result.stick();
+  }
   if (!near_last || !follow(v)) {
     last_.reset();
     last_.emplace(steady_cycle(

@@ -198,9 +198,10 @@ std::optional<EnergyBalance> energy_balance(const System& system, double velocit
   const double v = velocity / model.velocity_unit;
   const double unit = model.force_unit * model.velocity_unit / system.omega;
   const std::optional<EnergyBalance> found =
-      v >= std::abs(model.sliding_velocity) + model.creep ? energy_of_sliding(model, v)
-      : v <= model.creep * (1 - model.amplitude)          ? energy_of_creep(model, v)
-                                                          : energy_of_cycle(model, v);
+      model.opening                                         ? energy_of_cycle(model, v)
+      : v >= std::abs(model.sliding_velocity) + model.creep ? energy_of_sliding(model, v)
+      : v <= model.creep * (1 - model.amplitude)            ? energy_of_creep(model, v)
+                                                            : energy_of_cycle(model, v);
   if (!found) return std::nullopt;
   return EnergyBalance{unit * found->drive, unit * found->friction, unit * found->dampers,
                        unit * found->error};

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/errors.hpp"
+#include "simulation/steady/forward_sliding.hpp"
 #include "simulation/steady/steady_cycle.hpp"
 
 namespace vcrit::simulation {
@@ -15,7 +16,7 @@ constexpr double lowest_speed = 1e-30, highest_speed = 1e30;
 
 bool sticks(const Model& model, double velocity) {
   // A path that creeps carries F = eta v in stick; here the bound is never reached.
-  if (model.creep * (1 - model.amplitude) >= velocity) return true;
+  if (!model.opening && model.creep * (1 - model.amplitude) >= velocity) return true;
   const auto& parts = steady_cycle(model, velocity, rest_start(model, velocity)).period.parts;
   return std::any_of(parts.begin(), parts.end(), [](const Trace::Part& part) {
     return part.piece.start().motion == Motion::stick;
@@ -28,6 +29,10 @@ bool sticks(const Model& model, double velocity) {
 // minimum is the mean less the amplitude.
 Onset sliding_threshold(const System& system) {
   const Model model(system);
+  if (model.opening) {
+    const double drive = forward_sliding_threshold(model);
+    return {(drive - model.creep) * model.velocity_unit, drive * model.velocity_unit};
+  }
   const double lowest = std::abs(model.sliding_velocity);
   return {lowest * model.velocity_unit, (lowest + model.creep) * model.velocity_unit};
 }

@@ -13,6 +13,8 @@ struct Onset {
 };
 
 /// The lowest speed at which steady pure sliding exists, from the minimum of the contact velocity.
+/// Of a contact that opens: at which it slips forward whenever it touches; infinite where it sticks
+/// each time the surfaces meet (see forward_sliding.hpp).
 Onset sliding_threshold(const System& system);
 
 /// The highest speed at which the steady motion still sticks, from starts at rest. Takes some 60

@@ -8,7 +8,22 @@ namespace vcrit::simulation {
 
 using namespace std::complex_literals;
 
+State apart_start(const Model& model, double velocity, bool at_rest) {
+  const Opening::Middle middle = model.opening->middle();
+  State state{Motion::apart, middle.time, Vector(model.slip_states()), 0, middle.next, {}};
+  if (model.body && at_rest) state.x[1] = -velocity;
+  if (model.body && !at_rest) {
+    const PoleSum& drive = model.body->drive;
+    state.x[1] = -model.body->fluidity;
+    for (Index j = 0; j < drive.rates.size(); ++j)
+      state.x[2 + j] =
+          drive.rates[j] == 0 ? -1 : -drive.weights[j] * model.body->fluidity / drive.rates[j];
+  }
+  return state;
+}
+
 State sliding_start(const Model& model, double velocity) {
+  if (model.opening) return apart_start(model, velocity, false);
   State state{Motion::slip, -std::arg(model.sliding_velocity), Vector(model.slip_states()), 0};
   const Index body = model.body_states(), levels = model.level_states();
   state.x[0] = model.bound(state.at);
@@ -30,6 +45,7 @@ State sliding_start(const Model& model, double velocity) {
 }
 
 State rest_start(const Model& model, double velocity) {
+  if (model.opening) return apart_start(model, velocity, true);
   const double top = model.body ? 0 : velocity;
   const Index levels = model.level_states(), branches = model.branches();
   State stick{Motion::stick, 0, Vector(model.stick_states()), 0};

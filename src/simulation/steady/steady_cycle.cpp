@@ -109,7 +109,8 @@ class Search {
 
   // The steady cycle, if it is near the last period. Slip alone has no events to shoot at.
   std::optional<SteadyCycle> closed(bool patient) {
-    if (last_.parts.size() == 1 && state_.motion == Motion::slip) return newton(patient);
+    if (model_.opening || (last_.parts.size() == 1 && state_.motion == Motion::slip))
+      return newton(patient);
     const auto course = course_of(last_);
     if (!course) return std::nullopt;
     const auto hit = shoot(model_, velocity_, *course);
@@ -138,10 +139,12 @@ class Search {
   };
 
   std::optional<Mapped> mapped(const State& state) {
-    if (contact_velocity(model_, velocity_, state) <= 0) return std::nullopt;
+    const Motion section = model_.opening ? Motion::apart : Motion::slip;
+    if (section == Motion::slip && contact_velocity(model_, velocity_, state) <= 0)
+      return std::nullopt;
     ++traced_;
     Trace once = trace(model_, velocity_, state, period, unit_changes(state, state.x.size() - 1));
-    if (once.end.motion != Motion::slip) return std::nullopt;
+    if (once.end.motion != section) return std::nullopt;
     const Closing left = closing(model_, state, once);
     return Mapped{std::move(once), left, size(left.residual, state)};
   }
@@ -212,6 +215,7 @@ class Search {
 
   // The period map from where shooting along the last period's course leads.
   std::optional<Mapped> shot_from(const Mapped& now) {
+    if (model_.opening) return std::nullopt;
     const auto course = course_of(now.trace);
     const auto hit = course ? shoot(model_, velocity_, *course) : std::nullopt;
     return hit ? mapped(*hit) : std::nullopt;
@@ -238,6 +242,7 @@ class Search {
 
   // The slip may have moved away from the stroboscope on the way.
   std::optional<Mapped> centred(const Mapped& now) {
+    if (model_.opening) return mapped(now.start());
     if (const auto course = course_of(now.trace)) state_ = in_slip(*course);
     return mapped(state_);
   }
@@ -272,8 +277,9 @@ class Search {
       more = 1 - velocity_ / (std::abs(model_.sliding_velocity) + model_.creep);
     const double ratio = now.trace.impulse() / period;
     const auto [change, rounding] = error(now);
-    const double sum = change + rounding + more + now.trace.unlawful;
-    return {std::move(now.trace), ratio, sum < model_.amplitude ? sum : model_.amplitude, traced_};
+    const double sum = change + rounding + more + now.trace.unlawful + model_.bound_error();
+    const double most = model_.opening ? 1 : model_.amplitude;
+    return {std::move(now.trace), ratio, sum < most ? sum : most, traced_};
   }
 
   const Model& model_;

@@ -12,8 +12,10 @@ const char* to_text(Motion motion) {
       return "stick";
     case Motion::backslip:
       return "backslip";
+    case Motion::apart:
+      return "apart";
   }
-  throw Bug("a motion is slip, stick or backslip");
+  throw Bug("a motion is slip, stick, backslip or apart");
 }
 
 const char* to_text(Regime regime) {
@@ -26,8 +28,14 @@ const char* to_text(Regime regime) {
       return "stick-slip-backslip";
     case Regime::stick:
       return "stick";
+    case Regime::sliding_apart:
+      return "sliding-apart";
+    case Regime::stick_slip_apart:
+      return "stick-slip-apart";
+    case Regime::stick_slip_backslip_apart:
+      return "stick-slip-backslip-apart";
   }
-  throw Bug("a regime is one of four");
+  throw Bug("a regime is one of seven");
 }
 
 }  // namespace vcrit::simulation

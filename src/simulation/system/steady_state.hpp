@@ -7,11 +7,20 @@
 namespace vcrit::simulation {
 
 enum class Start { sliding, rest };
-enum class Motion { slip, stick, backslip };
-enum class Regime { sliding, stick_slip, stick_slip_backslip, stick };
+enum class Motion { slip, stick, backslip, apart };
+enum class Regime {
+  sliding,
+  stick_slip,
+  stick_slip_backslip,
+  stick,
+  sliding_apart,  ///< and the surfaces part once in a while
+  stick_slip_apart,
+  stick_slip_backslip_apart
+};
 
-const char* to_text(Motion motion);  ///< "slip", "stick", "backslip"
-const char* to_text(Regime regime);  ///< "sliding", "stick-slip", "stick-slip-backslip", "stick"
+const char* to_text(Motion motion);  ///< "slip", "stick", "backslip", "apart"
+/// "sliding", "stick-slip", "stick-slip-backslip", "stick", and all but the last with "-apart".
+const char* to_text(Regime regime);
 
 struct Event {
   double phase = 0;  ///< omega t in [0, 2 pi)
@@ -21,7 +30,7 @@ struct Event {
 /// The motion at one instant of the steady cycle.
 struct CyclePoint {
   double phase = 0;             ///< rad
-  double contact_velocity = 0;  ///< m/s
+  double contact_velocity = 0;  ///< m/s, of the surface also while apart
   double force = 0;             ///< N, of the contact network on the contact point
   double friction_bound = 0;    ///< mu0 F_n, N
 };

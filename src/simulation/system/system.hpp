@@ -9,6 +9,13 @@
 
 namespace vcrit::simulation {
 
+/// Of a contact that opens: the normal network below the indentation mean + amplitude cos(omega t).
+struct NormalMotion {
+  Relaxation network;    ///< with a spring that carries the static load
+  double mean = 0;       ///< m, of any sign
+  double amplitude = 0;  ///< m, > 0
+};
+
 /// A body drawn through the drive with its contact below; what the scene lacks is absent.
 struct System {
   Relaxation contact;               ///< tangential network between body and contact point
@@ -18,7 +25,8 @@ struct System {
   double friction = 0;              ///< mu0
   double mean_normal_force = 0;     ///< N
   std::complex<double>
-      normal_force_amplitude;  ///< N; F_n(t) = mean + Re[amplitude e^{i omega t}] > 0
+      normal_force_amplitude;           ///< N; F_n(t) = mean + Re[amplitude e^{i omega t}] > 0
+  std::optional<NormalMotion> opening;  ///< in place of both forces: F_n = max(0, reaction)
 };
 
 /// Throws InputError for missing values, ModelError unless the normal force stays positive and the

@@ -1,0 +1,77 @@
+#include "simulation/motion/opening.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/errors.hpp"
+
+namespace vcrit::simulation {
+
+namespace {
+
+constexpr double period = 2 * std::numbers::pi;
+
+// The surfaces neither touch nor part for a shorter time than this: the force, or the gap, would be
+// a rounding error of its amplitude.
+constexpr double shortest = 1e-9;
+
+double wrapped(double t) {
+  const double result = t - period * std::floor(t / period);
+  return result < period ? result : 0;
+}
+
+double until(double phase, double t) {
+  const double result = wrapped(phase - t);
+  return result < period - shortest ? result : 0;
+}
+
+Relaxation in_radians(Relaxation form, double omega) {
+  form.damper *= omega;
+  for (MaxwellBranch& branch : form.branches) branch.time *= omega;
+  return form;
+}
+
+}  // namespace
+
+Opening::Opening(const NormalMotion& motion, double omega) : jumps(motion.network.damper > 0) {
+  const ContactModes network = contact_modes(in_radians(motion.network, omega));
+  const NormalCycle cycle = normal_cycle(network, {motion.mean, motion.amplitude});
+  if (cycle.touches.empty()) throw ModelError("the surfaces never meet: there is no friction");
+  mean_force = cycle.mean;
+  error = cycle.error / cycle.mean;
+  amplitude = std::abs(cycle.swing) / cycle.mean;
+  phase = std::arg(cycle.swing);
+  constant = cycle.touches.front().decays[0] / cycle.mean;
+  rates.assign(network.branch_rates.begin() + 1, network.branch_rates.end());
+  for (const NormalCycle::Touch& touch : cycle.touches) {
+    Vector decaying(touch.decays.begin() + 1, touch.decays.end());
+    for (double& part : decaying) part /= cycle.mean;
+    touches.push_back({wrapped(touch.begin + phase), touch.duration, std::move(decaying)});
+  }
+  std::sort(touches.begin(), touches.end(),
+            [](const Touch& a, const Touch& b) { return a.begin < b.begin; });
+}
+
+double Opening::until_parted(Index touch, double t) const {
+  return until(touches[touch].begin + touches[touch].duration, t);
+}
+
+double Opening::until_met(Index touch, double t) const { return until(touches[touch].begin, t); }
+
+Opening::Middle Opening::middle() const {
+  Middle result;
+  double longest = 0;
+  for (Index i = 0; i < touches.size(); ++i) {
+    const Index before = (i == 0 ? touches.size() : i) - 1;
+    const double parted = touches[before].begin + touches[before].duration;
+    const double apart = until_met(i, parted);
+    if (apart <= longest) continue;
+    longest = apart;
+    result = {wrapped(parted + 0.5 * apart), i};
+  }
+  ensure(longest > 0, "the surfaces part");
+  return result;
+}
+
+}  // namespace vcrit::simulation

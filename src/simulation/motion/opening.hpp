@@ -1,0 +1,40 @@
+// When the surfaces of a contact that opens meet and part, and what of the friction bound decays
+// while they touch. It does not depend on what the contact does along the surface.
+#pragma once
+
+#include "simulation/normal/normal_cycle.hpp"
+#include "simulation/system/system.hpp"
+
+namespace vcrit::simulation {
+
+/// Times and forces as in model.hpp.
+struct Opening {
+  explicit Opening(const NormalMotion& motion, double omega);
+
+  struct Touch {
+    double begin = 0;  ///< [0, 2 pi)
+    double duration = 0;
+    Vector decaying;  ///< parts of b at its begin
+  };
+
+  double mean_force = 0;  ///< N
+  double error = 0;       ///< estimate of its relative error
+  double constant = 0;    ///< part of b
+  double amplitude = 0, phase = 0;
+  bool jumps = false;  ///< F_n jumps up where the surfaces meet: a direct damper
+  Vector rates;        ///< of the decaying parts
+  List<Touch, 2> touches;
+
+  /// From t to where the surfaces part in a touch, or meet for it; 0 where t is there within
+  /// rounding.
+  double until_parted(Index touch, double t) const;
+  double until_met(Index touch, double t) const;
+  /// The middle of the longest time apart, and the touch that ends it.
+  struct Middle {
+    double time = 0;
+    Index next = 0;
+  };
+  Middle middle() const;
+};
+
+}  // namespace vcrit::simulation

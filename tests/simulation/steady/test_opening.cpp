@@ -1,0 +1,178 @@
+// Friction of a contact that opens: 20-digit references by another formulation, closed forms, both
+// starts, the balance of energy.
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+#include "base/csv.hpp"
+#include "simulation/random_systems.hpp"
+#include "simulation/steady/energy.hpp"
+#include "simulation/steady/exact.hpp"
+#include "simulation/steady/onset.hpp"
+
+namespace {
+
+using namespace vcrit;
+using namespace vcrit::simulation;
+
+Relaxation network(const std::string& text) {
+  std::istringstream in(text);
+  Relaxation form;
+  in >> form.equilibrium >> form.damper;
+  for (std::string branch; in >> branch;) {
+    const auto colon = branch.find(':');
+    form.branches.push_back(
+        {std::stod(branch.substr(0, colon)), std::stod(branch.substr(colon + 1))});
+  }
+  return form;
+}
+
+struct Reference {
+  std::string name, motions;
+  System system;
+  double velocity, friction_ratio;
+};
+
+std::vector<Reference> references() {
+  const std::string path = VCRIT_TEST_DATA "/opening_friction.csv";
+  std::ifstream in(path);
+  std::ostringstream text;
+  text << in.rdbuf();
+  CsvLines lines(text.str(), path);
+  std::vector<Reference> result;
+  for (lines.next(); lines.next();) {
+    const auto c = lines.cells();
+    System system;
+    system.contact = network(c.at(1));
+    if (!c.at(3).empty()) {
+      system.drive = network(c.at(3));
+      system.mass = std::stod(c.at(4));
+    }
+    system.omega = 1;
+    system.friction = std::stod(c.at(7));
+    system.opening = {network(c.at(2)), std::stod(c.at(5)), std::stod(c.at(6))};
+    result.push_back({c.at(0), c.at(10), system, std::stod(c.at(8)), std::stod(c.at(9))});
+  }
+  return result;
+}
+
+std::string motions_of(const SteadyState& state) {
+  std::set<std::string> motions;
+  for (const Event& event : state.events) motions.insert(to_text(event.to));
+  std::string all;
+  for (const std::string& motion : motions) all += (all.empty() ? "" : " ") + motion;
+  return all;
+}
+
+System elastic(double mean, double amplitude) {
+  System system;
+  system.contact = {1, 0, {}};
+  system.omega = 1;
+  system.friction = 1;
+  system.opening = {{1, 0, {}}, mean, amplitude};
+  return system;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(agrees_with_references) {
+  const auto rows = references();
+  BOOST_REQUIRE(rows.size() == 14u);
+  for (const Reference& row : rows)
+    for (const Start start : {Start::sliding, Start::rest}) {
+      const SteadyState state = steady_state(row.system, row.velocity, start);
+      BOOST_TEST(std::abs(state.friction_ratio - row.friction_ratio) <= state.friction_ratio_error,
+                 row.name);
+      // Some hundred rounding errors; bodies swing a few times before they come to rest.
+      BOOST_TEST(state.friction_ratio_error <= 1e-13, row.name);
+      BOOST_TEST(motions_of(state) == row.motions, row.name);
+    }
+}
+
+// The figures of the flat punch that started this, right to 1e-8 in each digit given.
+BOOST_AUTO_TEST_CASE(flat_punch_ten_times_open) {
+  const std::pair<double, double> table[] = {{0.1, 0.21837443},
+                                             {0.25, 0.47846050},
+                                             {0.5, 0.77652343},
+                                             {0.75, 0.94298467},
+                                             {0.9, 0.98976639}};
+  for (const auto& [ratio, friction] : table)
+    BOOST_TEST(std::abs(steady_state(elastic(1, 10), 10 * ratio).friction_ratio - friction) <=
+               1e-8);
+}
+
+// Above v* = du_z K_n/K_t (here the amplitude) the contact slips whenever it touches.
+BOOST_AUTO_TEST_CASE(slides_above_the_critical_velocity) {
+  const SteadyState above = steady_state(elastic(1, 3), 3 * (1 + 1e-9));
+  BOOST_TEST((above.regime == Regime::sliding_apart));
+  BOOST_TEST(std::abs(above.friction_ratio - 1) <= above.friction_ratio_error);
+  const SteadyState below = steady_state(elastic(1, 3), 3 * (1 - 1e-6));
+  BOOST_TEST((below.regime == Regime::stick_slip_apart));
+  BOOST_TEST(below.friction_ratio < 1);
+}
+
+// v* of an elastic contact under a rigid drive is that of one that never opens; with two witnesses,
+// the minimum of the contact velocity in sliding and the last stick.
+BOOST_AUTO_TEST_CASE(critical_velocity) {
+  for (const double amplitude : {1.001, 3.0, 1000.0}) {
+    const Onset onset = sliding_threshold(elastic(1, amplitude));
+    BOOST_TEST(std::abs(onset.contact_velocity / amplitude - 1) <= 1e-14);
+    BOOST_TEST(onset.drive_velocity == onset.contact_velocity);
+  }
+  int infinite = 0;
+  for (const Reference& row : references()) {
+    const Onset threshold = sliding_threshold(row.system);
+    if (std::isinf(threshold.drive_velocity)) {
+      ++infinite;
+      BOOST_TEST((row.system.opening->network.damper > 0 && row.system.contact.damper == 0));
+      const SteadyState fast = steady_state(row.system, 1e6 * row.velocity);
+      BOOST_TEST((fast.regime == Regime::stick_slip_apart));
+      continue;
+    }
+    // Sticks that last less than 1e-6 of a period are found.
+    const Onset last = stick_onset(row.system);
+    BOOST_TEST(std::abs(last.drive_velocity / threshold.drive_velocity - 1) <= 1e-11, row.name);
+  }
+  BOOST_TEST(infinite == 2);
+}
+
+// Where the surfaces hardly part, friction goes over into that of those that never do.
+BOOST_AUTO_TEST_CASE(goes_over_into_contact) {
+  System never = elastic(1, 0);
+  never.opening.reset();
+  never.mean_normal_force = 1;
+  never.normal_force_amplitude = 1 - 1e-9;
+  for (const double velocity : {0.1, 0.5, 0.9}) {
+    const double open = steady_state(elastic(1, 1 + 1e-9), velocity).friction_ratio;
+    const double touching = steady_state(never, velocity).friction_ratio;
+    // The forces differ by less than 4e-9 of their mean.
+    BOOST_TEST(std::abs(open - touching) <= 1e-8);
+  }
+}
+
+// The drive's work is the heat of friction and dampers, and neither start nor rounding decide.
+BOOST_AUTO_TEST_CASE(random_systems) {
+  reference::RandomSystems random(21, 2);
+  int tried = 0;
+  while (tried < 150) {
+    System system = random.system();
+    const Relaxation normal = random.network(true);
+    const double dynamic = std::abs(dynamic_stiffness(normal, 1)), mean = random.uniform(-0.5, 1);
+    const double amplitude = random.logarithmic(0.3, 10);
+    if (mean + amplitude < 0.1 || dynamic * amplitude < 1.02 * normal.equilibrium * mean) continue;
+    system.opening = {normal, mean, amplitude};
+    const double velocity = random.logarithmic(0.01, 3);
+    ++tried;
+    const SteadyState one = steady_state(system, velocity, Start::sliding);
+    const SteadyState other = steady_state(system, velocity, Start::rest);
+    BOOST_TEST(std::abs(one.friction_ratio - other.friction_ratio) <=
+               one.friction_ratio_error + other.friction_ratio_error);
+    const auto energy = energy_balance(system, velocity);
+    if (!energy) continue;
+    BOOST_TEST(std::abs(energy->drive - energy->friction - energy->dampers) <= energy->error);
+    BOOST_TEST(energy->friction >= 0);
+    BOOST_TEST(energy->dampers >= 0);
+  }
+}
