@@ -77,6 +77,7 @@ class Tracer {
     const bool apart = record_.end.motion == Motion::apart;
     State& now = record_.end;
     now = apart ? met(model_, velocity_, now) : parted(model_, now);
+    left_ = Motion::apart;  // nothing before this can be undone
     Matrix& changes = record_.changes.state;
     if (changes.columns() == 0) return;
     apart ? carry_to_meeting(model_, now, changes) : carry_to_parting(model_, changes);
