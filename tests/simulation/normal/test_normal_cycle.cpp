@@ -5,13 +5,11 @@
 #include <Eigen/Dense>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
-#include <fstream>
 #include <numbers>
-#include <sstream>
 #include <unsupported/Eigen/MatrixFunctions>
 
-#include "base/csv.hpp"
 #include "simulation/random_systems.hpp"
+#include "simulation/reference_tables.hpp"
 
 namespace {
 
@@ -19,17 +17,6 @@ using namespace vcrit;
 using namespace vcrit::simulation;
 
 constexpr double u = 1.1e-16, period = 2 * std::numbers::pi;
-
-Relaxation network(const std::string& damper, const std::string& branches) {
-  Relaxation form{1, std::stod(damper), {}};
-  std::istringstream in(branches);
-  for (std::string branch; in >> branch;) {
-    const auto colon = branch.find(':');
-    form.branches.push_back(
-        {std::stod(branch.substr(0, colon)), std::stod(branch.substr(colon + 1))});
-  }
-  return form;
-}
 
 struct Reference {
   std::string name;
@@ -39,21 +26,14 @@ struct Reference {
 };
 
 std::vector<Reference> references() {
-  const std::string path = VCRIT_TEST_DATA "/normal_cycle.csv";
-  std::ifstream in(path);
-  std::ostringstream text;
-  text << in.rdbuf();
-  CsvLines lines(text.str(), path);
   std::vector<Reference> result;
-  for (lines.next(); lines.next();) {
-    const auto c = lines.cells();
+  for (const auto& c : reference::rows_of("normal_cycle.csv"))
     result.push_back({c.at(0),
-                      network(c.at(1), c.at(2)),
+                      reference::network("1 " + c.at(1) + " " + c.at(2)),
                       {std::stod(c.at(3)), std::stod(c.at(4))},
                       std::stod(c.at(5)),
                       std::stod(c.at(6)),
                       std::stod(c.at(7))});
-  }
   return result;
 }
 

@@ -2,12 +2,10 @@
 // starts, the balance of energy.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
-#include <fstream>
 #include <set>
-#include <sstream>
 
-#include "base/csv.hpp"
 #include "simulation/random_systems.hpp"
+#include "simulation/reference_tables.hpp"
 #include "simulation/steady/energy.hpp"
 #include "simulation/steady/exact.hpp"
 #include "simulation/steady/onset.hpp"
@@ -17,18 +15,6 @@ namespace {
 using namespace vcrit;
 using namespace vcrit::simulation;
 
-Relaxation network(const std::string& text) {
-  std::istringstream in(text);
-  Relaxation form;
-  in >> form.equilibrium >> form.damper;
-  for (std::string branch; in >> branch;) {
-    const auto colon = branch.find(':');
-    form.branches.push_back(
-        {std::stod(branch.substr(0, colon)), std::stod(branch.substr(colon + 1))});
-  }
-  return form;
-}
-
 struct Reference {
   std::string name, motions;
   System system;
@@ -36,23 +22,17 @@ struct Reference {
 };
 
 std::vector<Reference> references() {
-  const std::string path = VCRIT_TEST_DATA "/opening_friction.csv";
-  std::ifstream in(path);
-  std::ostringstream text;
-  text << in.rdbuf();
-  CsvLines lines(text.str(), path);
   std::vector<Reference> result;
-  for (lines.next(); lines.next();) {
-    const auto c = lines.cells();
+  for (const auto& c : reference::rows_of("opening_friction.csv")) {
     System system;
-    system.contact = network(c.at(1));
+    system.contact = reference::network(c.at(1));
     if (!c.at(3).empty()) {
-      system.drive = network(c.at(3));
+      system.drive = reference::network(c.at(3));
       system.mass = std::stod(c.at(4));
     }
     system.omega = 1;
     system.friction = std::stod(c.at(7));
-    system.opening = {network(c.at(2)), std::stod(c.at(5)), std::stod(c.at(6))};
+    system.opening = {reference::network(c.at(2)), std::stod(c.at(5)), std::stod(c.at(6))};
     result.push_back({c.at(0), c.at(10), system, std::stod(c.at(8)), std::stod(c.at(9))});
   }
   return result;
