@@ -80,17 +80,15 @@ struct Model {
   Index integrated_levels() const { return body ? 2 + slow_branches : 1; }
   Index integrals() const { return integrated_levels() + slow_units; }
 
-  /// b(t) while the surfaces touch, by its decaying parts.
-  double bound(const Instant& t, ConstView decaying = {}) const {
-    double sum = mean + amplitude * t.turn.real();
-    for (const double part : decaying) sum += part;
-    return sum;
+  /// b(t) while the surfaces touch.
+  double bound(const Instant& t, Index touch = 0) const {
+    return mean + amplitude * t.turn.real() + decaying(t, touch, 0);
   }
-  double bound_rate(const Instant& t, ConstView decaying = {}) const {
-    return -amplitude * t.turn.imag() + decay(decaying, 1);
+  double bound_rate(const Instant& t, Index touch = 0) const {
+    return -amplitude * t.turn.imag() + decaying(t, touch, 1);
   }
-  double bound_curvature(const Instant& t, ConstView decaying = {}) const {
-    return -amplitude * t.turn.real() + decay(decaying, 2);
+  double bound_curvature(const Instant& t, Index touch = 0) const {
+    return -amplitude * t.turn.real() + decaying(t, touch, 2);
   }
 
   /// Estimate of the relative error of <F_n>.
@@ -100,13 +98,10 @@ struct Model {
   void rates(ConstView x, bool stuck, View y) const;
 
  private:
-  double decay(ConstView decaying, int derivative) const {
-    double sum = 0;
-    for (Index i = 0; i < decaying.size(); ++i) {
-      const double rate = opening->rates[i];
-      sum += derivative == 1 ? -rate * decaying[i] : rate * (rate * decaying[i]);
-    }
-    return sum;
+  double decaying(const Instant& t, Index touch, int derivative) const {
+    if (!opening) [[likely]]
+      return 0;
+    return opening->decaying(touch, t.time, derivative);
   }
   void set_bound(const System& system);
   void set_stick();

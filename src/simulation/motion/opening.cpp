@@ -59,6 +59,19 @@ double Opening::until_parted(Index touch, double t) const {
 
 double Opening::until_met(Index touch, double t) const { return until(touches[touch].begin, t); }
 
+double Opening::part(Index i, Index touch, double t) const {
+  const double since = wrapped(t - touches[touch].begin);
+  const double passed = since < period - shortest ? since : 0;
+  return touches[touch].decaying[i] * std::exp(-rates[i] * passed);
+}
+
+double Opening::decaying(Index touch, double t, int derivative) const {
+  double sum = 0;
+  for (Index i = 0; i < rates.size(); ++i)
+    sum += std::pow(-rates[i], derivative) * part(i, touch, t);
+  return sum;
+}
+
 Opening::Middle Opening::middle() const {
   Middle result;
   double longest = 0;

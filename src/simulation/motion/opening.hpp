@@ -30,6 +30,9 @@ struct Opening {
   double until_parted(Index touch, double t) const;
   double until_met(Index touch, double t) const;
   /// The middle of the longest time apart, and the touch that ends it.
+  /// A decaying part of b at a time of its touch, or the sum of the derivatives of all of them.
+  double part(Index i, Index touch, double t) const;
+  double decaying(Index touch, double t, int derivative) const;
   struct Middle {
     double time = 0;
     Index next = 0;

@@ -38,30 +38,30 @@ Piece::Piece(const Model& model, double velocity, State start)
   if (const int side = direction(start_.motion))
     for (Index i = 0; i < y.size(); ++i)
       y[i] -= side * real_product(model.sliding_rates[i], start_.at.turn);
-  const Index first = y.size() - start_.decaying.size();
-  for (Index i = 0; i < start_.decaying.size(); ++i)
-    y[first + i] = (stuck() ? 1 : direction(start_.motion)) * start_.decaying[i];
+  if (const auto& opening = model.opening) {
+    const int side = stuck() ? 1 : direction(start_.motion);
+    const Index first = y.size() - opening->rates.size();
+    for (Index i = 0; i < opening->rates.size(); ++i)
+      y[first + i] = side * opening->part(i, start_.touch, start_.at.time);
+  }
   modes_.resize(to_modes.rows());
   add_product(to_modes, y, modes_);
 }
 
 State Piece::after(const Flow& flow, View integrals) const {
   const int side = direction(start_.motion);
-  State state{start_.motion,  start_.at.time + flow.duration(), start_.x, 0, start_.touch,
-              start_.decaying};
+  State state{start_.motion, start_.at.time + flow.duration(), start_.x, 0, start_.touch};
   double impulse = integrals[0];
   flow.move(modes_, state.x, integrals);
-  for (Index i = 0; i < state.decaying.size(); ++i) {
-    const auto passed = simulation::integrals(model_->opening->rates[i], flow.duration());
-    impulse += side * state.decaying[i] * passed[1];
-    state.decaying[i] *= passed[0];
-  }
   if (side == 0) return state;
+  for (Index i = 0; model_->opening && i < model_->opening->rates.size(); ++i)
+    impulse += side * model_->opening->part(i, start_.touch, start_.at.time) *
+               simulation::integrals(model_->opening->rates[i], flow.duration())[1];
   const Index body = model_->body_states(), levels = model_->level_states();
   const Index held = model_->integrated_levels();
   const Complex once = turned(start_.at, flow.factors().turn()[1]);
   const Complex twice = turned(start_.at, flow.factors().turn()[2]);
-  state.x[0] = side * model_->bound(state.at, state.decaying);
+  state.x[0] = side * model_->bound(state.at, state.touch);
   integrals[0] =
       impulse + side * (model_->mean * flow.duration() + model_->amplitude * once.real());
   for (Index i = 0; i < body; ++i) {
@@ -126,7 +126,7 @@ EventFunction Piece::stick_end(int side) const {
   const bool entered = leaving(side > 0 ? Motion::slip : Motion::backslip);
   const Complex bound = model_->amplitude * start_.at.turn;
   const int order = start_.entered == side && model_->contact.damper == 0 ? 2 : 1;
-  const double gap = side * start_.x[0] - model_->bound(start_.at, start_.decaying);
+  const double gap = side * start_.x[0] - model_->bound(start_.at, start_.touch);
   EventFunction f(model_->stick.modes.spectrum, order, entered ? 0 : std::min(gap, 0.0),
                   entered ? 0 : std::abs(start_.x[0]));
   f.add_modes(model_->stick.event, modes_, side, order - 1);
@@ -139,7 +139,7 @@ double contact_velocity(const Model& model, double velocity, const State& state)
   if (state.motion == Motion::stick) return 0;
   const int side = direction(state.motion);
   double w = velocity - model.contact.fluidity * state.x[0] -
-             side * model.contact.glassy * model.bound_rate(state.at, state.decaying);
+             side * model.contact.glassy * model.bound_rate(state.at, state.touch);
   if (model.body) w += state.x[1];
   for (Index j = model.level_states(); j < state.x.size(); ++j) w -= state.x[j];
   return w;

@@ -18,8 +18,7 @@ struct State {
   Instant at = 0;
   Vector x;
   int entered = 0;
-  Index touch = 0;       ///< of a contact that opens: the present or, apart, the next one
-  Vector decaying = {};  ///< parts of b, while the surfaces touch
+  Index touch = 0;  ///< of a contact that opens: the present or, apart, the next one
 };
 
 inline constexpr int both_sides = 2;
@@ -70,7 +69,7 @@ Index states(const Model& model, Motion motion);
 
 /// b of a state; 0 while the surfaces are apart.
 inline double bound_of(const Model& model, const State& state) {
-  return state.motion == Motion::apart ? 0 : model.bound(state.at, state.decaying);
+  return state.motion == Motion::apart ? 0 : model.bound(state.at, state.touch);
 }
 
 /// Contact velocity of a state; 0 in stick.

@@ -44,7 +44,7 @@ Vector rate_of(const Model& model, const State& state) {
           contact.branch_stiffness[i] * body_acceleration - contact.branch_rates[i] * branch;
     }
   } else {
-    rate[0] = direction(state.motion) * model.bound_rate(state.at, state.decaying);
+    rate[0] = direction(state.motion) * model.bound_rate(state.at, state.touch);
   }
   for (Index j = 0; j < model.units(); ++j)
     rate[units + j] =
@@ -54,26 +54,18 @@ Vector rate_of(const Model& model, const State& state) {
 
 State switched(const Model& model, const State& before, Motion to) {
   ensure((before.motion == Motion::stick) != (to == Motion::stick), "stick and slip take turns");
-  State after{to,
-              before.at,
-              Vector(states(model, to)),
-              direction(before.motion) + direction(to),
-              before.touch,
-              before.decaying};
+  State after{to, before.at, Vector(states(model, to)), direction(before.motion) + direction(to),
+              before.touch};
   carry_over(model, before.x, after.x);
-  after.x[0] = after.entered * model.bound(before.at, before.decaying);
+  after.x[0] = after.entered * model.bound(before.at, before.touch);
   if (to == Motion::stick)
-    add_force_rate(model, after.entered * model.bound_rate(before.at, before.decaying), after.x);
+    add_force_rate(model, after.entered * model.bound_rate(before.at, before.touch), after.x);
   return after;
 }
 
 State parted(const Model& model, const State& before) {
-  State after{Motion::apart,
-              before.at,
-              Vector(model.slip_states()),
-              0,
-              (before.touch + 1) % model.opening->touches.size(),
-              {}};
+  State after{Motion::apart, before.at, Vector(model.slip_states()), 0,
+              (before.touch + 1) % model.opening->touches.size()};
   carry_over(model, before.x, after.x);
   after.x[0] = 0;
   return after;
@@ -98,12 +90,10 @@ void add_jump(const Model& model, double force, View x) {
 
 State met(const Model& model, double velocity, const State& before) {
   const ContactModes& contact = model.contact;
-  State after{Motion::stick, before.at,
-              before.x,      0,
-              before.touch,  model.opening->touches[before.touch].decaying};
+  State after{Motion::stick, before.at, before.x, 0, before.touch};
   const bool jumps = model.opening->jumps;
   const double pull = velocity + free_velocity(model, before.x);
-  const double bound = jumps ? model.bound(after.at, after.decaying) : 0;
+  const double bound = jumps ? model.bound(after.at, after.touch) : 0;
   const auto stick = [&](double force, double force_rate) {
     after.x = Vector(model.stick_states());
     Vector x = before.x;
@@ -121,8 +111,8 @@ State met(const Model& model, double velocity, const State& before) {
     std::abs(force) < bound ? stick(force, 0) : slip(pull > 0 ? 1 : -1);
   } else {
     const double rate = pull / contact.glassy;
-    jumps || std::abs(rate) < model.bound_rate(after.at, after.decaying) ? stick(0, rate)
-                                                                         : slip(pull > 0 ? 1 : -1);
+    jumps || std::abs(rate) < model.bound_rate(after.at, after.touch) ? stick(0, rate)
+                                                                      : slip(pull > 0 ? 1 : -1);
   }
   return after;
 }
@@ -175,9 +165,9 @@ void carry_across(const Model& model, const State& before, const State& after, c
     for (Index i = 0; i < moved.size(); ++i) moved[i] += rate_before[i] * shifts[j];
     carry_over(model, moved, dx);
     if (after.motion == Motion::stick)
-      add_force_rate(
-          model, after.entered * model.bound_curvature(after.at, after.decaying) * shifts[j], dx);
-    dx[0] = after.entered * model.bound_rate(after.at, after.decaying) * shifts[j];
+      add_force_rate(model,
+                     after.entered * model.bound_curvature(after.at, after.touch) * shifts[j], dx);
+    dx[0] = after.entered * model.bound_rate(after.at, after.touch) * shifts[j];
     for (Index i = 0; i < dx.size(); ++i) dx[i] -= rate_after[i] * shifts[j];
   }
   changes = result;

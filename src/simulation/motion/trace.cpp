@@ -17,9 +17,12 @@ namespace {
 // once leaves its rounding error in the rates of what comes after.
 constexpr double touch = 1e-9, longest_touch = 1e-7;
 
-Trace begun(const Model& model, const State& start, const Matrix& changes) {
+// Member by member: an initialiser would clear the room for all parts first.
+void begin(Trace& record, const Model& model, const State& start, const Matrix& changes) {
   const Index integrals = model.integrals();
-  return {{start, Vector(integrals), {changes, Matrix(integrals, changes.columns())}}, {}};
+  record.end = start;
+  record.integrals.resize(integrals);
+  record.changes = {changes, Matrix(integrals, changes.columns())};
 }
 
 class Tracer {
@@ -41,8 +44,7 @@ class Tracer {
 
  private:
   void add_part(double end) {
-    auto& [piece, length] =
-        record_.parts.emplace_back(Trace::Part{Piece(model_, velocity_, record_.end), 0});
+    auto& [piece, length] = record_.parts.emplace_back(model_, velocity_, record_.end);
     length = end - record_.end.at.time;
     const auto change = next_parting_or_meeting(length);
     if (change) length = *change;
@@ -119,7 +121,8 @@ class Tracer {
 
 Trace trace(const Model& model, double velocity, const State& start, double duration,
             const Matrix& changes, std::size_t parts) {
-  Trace record = begun(model, start, changes);
+  Trace record;
+  begin(record, model, start, changes);
   Tracer(model, velocity, record).run(duration, parts);
   return record;
 }

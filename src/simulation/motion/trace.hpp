@@ -17,8 +17,10 @@ struct Passage {
 
 struct Trace : Passage {
   struct Part {
+    Part(const Model& model, double velocity, const State& start) : piece(model, velocity, start) {}
+
     Piece piece;
-    double duration;
+    double duration = 0;
   };
   List<Part, 8> parts;
   double unlawful = 0;  ///< time passed in motions outside their law, where rounding left no other

@@ -10,7 +10,7 @@ using namespace std::complex_literals;
 
 State apart_start(const Model& model, double velocity, bool at_rest) {
   const Opening::Middle middle = model.opening->middle();
-  State state{Motion::apart, middle.time, Vector(model.slip_states()), 0, middle.next, {}};
+  State state{Motion::apart, middle.time, Vector(model.slip_states()), 0, middle.next};
   if (model.body && at_rest) state.x[1] = -velocity;
   if (model.body && !at_rest) {
     const PoleSum& drive = model.body->drive;

@@ -25,8 +25,8 @@ struct System {
   double friction = 0;              ///< mu0
   double mean_normal_force = 0;     ///< N
   std::complex<double>
-      normal_force_amplitude;           ///< N; F_n(t) = mean + Re[amplitude e^{i omega t}] > 0
-  std::optional<NormalMotion> opening;  ///< in place of both forces: F_n = max(0, reaction)
+      normal_force_amplitude;                ///< N; F_n(t) = mean + Re[amplitude e^{i omega t}] > 0
+  std::optional<NormalMotion> opening = {};  ///< in place of both forces: F_n = max(0, reaction)
 };
 
 /// Throws InputError for missing values, ModelError unless the normal force stays positive and the

@@ -81,7 +81,7 @@ BOOST_AUTO_TEST_CASE(a_point_outside_the_model_says_why_and_stops_nothing) {
 }
 
 BOOST_AUTO_TEST_CASE(no_points) {
-  BOOST_TEST(friction_curve(System{{1, 0, {}}, {}, {}, 1, 0.5, 1, 0.5, {}}, {}).empty());
+  BOOST_TEST(friction_curve(System{{1, 0, {}}, {}, {}, 1, 0.5, 1, 0.5}, {}).empty());
 }
 
 }  // namespace
