@@ -28,15 +28,18 @@ struct DimensionText {
   const char* unit;
 };
 
-constexpr std::array<DimensionText, 9> dimensions{{{"a plain number", "1"},
-                                                   {"a stiffness", "N/m"},
-                                                   {"a damping coefficient", "N.s/m"},
-                                                   {"a time", "s"},
-                                                   {"a mass", "kg"},
-                                                   {"a length", "m"},
-                                                   {"a velocity", "m/s"},
-                                                   {"a frequency", "Hz"},
-                                                   {"an angular frequency", "rad/s"}}};
+constexpr std::array<DimensionText, 12> dimensions{{{"a plain number", "1"},
+                                                    {"a stiffness", "N/m"},
+                                                    {"a damping coefficient", "N.s/m"},
+                                                    {"a modulus", "Pa"},
+                                                    {"a viscosity", "Pa.s"},
+                                                    {"a time", "s"},
+                                                    {"a mass", "kg"},
+                                                    {"a length", "m"},
+                                                    {"an angle", "rad"},
+                                                    {"a velocity", "m/s"},
+                                                    {"a frequency", "Hz"},
+                                                    {"an angular frequency", "rad/s"}}};
 
 const DimensionText& text_of(Dimension dimension) {
   return dimensions.at(static_cast<std::size_t>(dimension));

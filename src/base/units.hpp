@@ -13,9 +13,12 @@ enum class Dimension {
   none,              ///< 1
   stiffness,         ///< N/m
   damping,           ///< N s/m
+  modulus,           ///< Pa
+  viscosity,         ///< Pa s
   time,              ///< s
   mass,              ///< kg
   length,            ///< m
+  angle,             ///< rad
   velocity,          ///< m/s
   frequency,         ///< Hz, cycles a second: "20 kHz" is 20000
   angular_frequency  ///< rad/s; a frequency in Hz is refused, and the other way round

@@ -55,6 +55,9 @@ ChangingScene::Target ChangingScene::target(const std::string& name) {
         name == (poisson ? "poisson" : "tangential_ratio"))
       return {&isotropic->quantity.value, isotropic->quantity.symbol, 1, poisson};
   }
+  if (scene_.indenter)
+    for (Quantity& size : scene_.indenter->sizes)
+      if (size.symbol.name == name) return of(size);
   for (auto& [symbol, value] : scene_.elements)
     if (to_text(symbol) == name) return {&value, symbol};
   return {nullptr, {name}};

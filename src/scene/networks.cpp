@@ -27,14 +27,9 @@ using document::place_of;
 const char* kind_name(const ElementUse& use) {
   if (use.dimension == Dimension::time) return "relaxation times";
   if (use.dimension == Dimension::mass) return "a mass";
-  const bool stiffness = use.dimension == Dimension::stiffness;
-  if (use.length > 0) return stiffness ? "an array of stiffnesses" : "an array of dampers";
-  return stiffness ? "a spring" : "a damper";
-}
-
-Dimension dimension_of(const Element& element) {
-  if (element.kind == ElementKind::damper) return Dimension::damping;
-  return element.kind == ElementKind::mass ? Dimension::mass : Dimension::stiffness;
+  const bool spring = use.dimension == Dimension::stiffness || use.dimension == Dimension::modulus;
+  if (use.length > 0) return spring ? "an array of stiffnesses" : "an array of dampers";
+  return spring ? "a spring" : "a damper";
 }
 
 constexpr const char* ground = "ground";
@@ -47,6 +42,7 @@ bool carries_mass(const Graph& graph) {
 
 Networks::Networks(const toml::table& document, std::string file)
     : file_(std::move(file)),
+      of_half_space_(document.contains("indenter")),
       named_(document::table(document, "networks", file_)),
       elements_(document::table(document, "elements", file_)) {
   if (named_ == nullptr) return;
@@ -213,6 +209,13 @@ void Networks::check_size(const Network& network, const Place& place) {
   if (elements_read_ > most_elements_together)
     throw InputError(place, fmt::format("more than {} elements", most_elements_together),
                      "at most so many in all networks of a scene, each use of a name counted");
+}
+
+Dimension Networks::dimension_of(const Element& element) const {
+  if (element.kind == ElementKind::mass) return Dimension::mass;
+  if (element.kind == ElementKind::damper)
+    return of_half_space_ ? Dimension::viscosity : Dimension::damping;
+  return of_half_space_ ? Dimension::modulus : Dimension::stiffness;
 }
 
 void Networks::note_uses(const Network& network, const Place& place) {

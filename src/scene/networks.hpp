@@ -48,11 +48,13 @@ class Networks {
   void merge_ground(Graph& graph, const toml::array& edges) const;
   int read_node(const toml::node& node, const std::string& expected, NamedNodes& nodes) const;
   void read_edge(const toml::node& node, Graph& graph, NamedNodes& nodes, int level);
+  Dimension dimension_of(const Element& element) const;
   void note_uses(const Network& network, const Place& place);
   void note_use(const Symbol& symbol, Dimension dimension, const Place& place);
   void check_size(const Network& network, const Place& place);
 
   std::string file_;
+  bool of_half_space_;           // elements are moduli and viscosities
   const toml::table* named_;     // [networks]
   const toml::table* elements_;  // [elements], for the length of its arrays
   std::map<std::string, Network> known_;

@@ -4,9 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
-#include <cmath>
-#include <cstdint>
 #include <filesystem>
 #include <numbers>
 #include <set>
@@ -17,9 +14,10 @@
 #include "network/graph.hpp"
 #include "network/masses.hpp"
 #include "scene/document.hpp"
+#include "scene/indenter.hpp"
 #include "scene/networks.hpp"
+#include "scene/quantities.hpp"
 #include "scene/scene.hpp"
-#include "scene/settings.hpp"
 
 namespace vcrit {
 
@@ -28,68 +26,33 @@ namespace {
 using document::describe;
 using document::Section;
 
-/// What a quantity's value must satisfy.
-struct Range {
-  bool (*holds)(double);
-  const char* expected;
-};
-constexpr Range nonnegative{[](double v) { return std::isfinite(v) && v >= 0; },
-                            "a finite value of at least 0"};
-constexpr Range positive{[](double v) { return std::isfinite(v) && v > 0; },
-                         "a finite value above 0"};
-constexpr Range poisson_range{[](double v) { return v > -1 && v <= 0.5; },
-                              "a Poisson's ratio above -1, up to 0.5"};
-
-double checked(double value, const Range& range, const std::string& name, const Place& place) {
-  if (range.holds(value)) return value;
-  throw InputError(place, fmt::format("{} = {}", name, value), range.expected);
-}
-
-/// A number, a text with a unit, or a bare name, which has no value.
-std::optional<double> number(const toml::node& node, Dimension dimension, const std::string& name,
-                             const Place& place) {
-  // Not node.value<double>(), which has none for an integer that no double equals.
-  if (node.is_integer()) return static_cast<double>(node.ref<std::int64_t>());
-  if (node.is_floating_point()) return node.ref<double>();
-  if (!node.is_string())
-    throw InputError(place, fmt::format("{} = {}", name, describe(node)),
-                     vcrit::describe(dimension));
-  const auto& text = node.ref<std::string>();
-  const auto word = [](char c) {
-    return c == '_' || std::isalnum(static_cast<unsigned char>(c)) != 0;
-  };
-  const bool bare = !text.empty() && std::isalpha(static_cast<unsigned char>(text.front())) != 0 &&
-                    std::all_of(text.begin(), text.end(), word) && text != "inf" && text != "nan";
-  if (bare) return std::nullopt;
-  return parse_quantity(text, dimension, place);
-}
-
 class Reader {
  public:
   Reader(const std::string& text, const std::string& file, const Settings& settings)
       : document_(document::parse(text, file)),
         file_(file),
         networks_(document_, file),
-        settings_(settings) {
+        quantities_(settings) {
     scene_.file = file;
     scene_.text = text;
     scene_.settings = settings;
   }
 
   Scene read() {
-    const Section top(
-        &document_, "", file_,
-        {"title", "contact", "drive", "body", "oscillation", "friction", "elements", "networks"});
+    const Section top(&document_, "", file_,
+                      {"title", "contact", "indenter", "drive", "body", "oscillation", "friction",
+                       "elements", "networks"});
     if (top.find("title") != nullptr) scene_.title = top.text("title");
     read_contact();
     read_drive();
+    read_indenter();
     networks_.read_unused();
     read_body();
     read_oscillation();
     read_friction();
     read_elements();
-    settings_.refuse_untaken();
-    scene_.settable = settings_.known();
+    settings().refuse_untaken();
+    scene_.settable = settings().known();
     leave_out_zeros();
     collect_elements();
     std::copy(networks_.warnings().begin(), networks_.warnings().end(),
@@ -112,9 +75,10 @@ class Reader {
 
   void read_contact() {
     const Section contact =
-        section("contact", {"normal", "poisson", "tangential_ratio", "tangential"});
+        section("contact", {"normal", "poisson", "tangential_ratio", "tangential", "separation"});
     if (!contact.exists()) throw InputError({file_}, "no [contact]", "a section [contact]");
     scene_.normal = contact_network(contact, "normal");
+    scene_.separation = flag(contact, "separation");
     const auto given = std::count_if(ways_.begin(), ways_.end(),
                                      [&](const char* key) { return contact.find(key) != nullptr; });
     if (given != 1)
@@ -128,8 +92,17 @@ class Reader {
     const char* key = poisson ? "poisson" : "tangential_ratio";
     const std::string symbol = ratio_symbol(contact, key);
     const Quantity ratio =
-        quantity(contact, key, symbol, Dimension::none, poisson ? poisson_range : positive);
+        quantities_.read(contact, key, symbol, Dimension::none, poisson ? poisson_range : positive);
     scene_.tangential = Isotropic{poisson ? Isotropic::By::poisson : Isotropic::By::ratio, ratio};
+  }
+
+  static bool flag(const Section& section, const char* key) {
+    const toml::node* node = section.find(key);
+    if (node == nullptr) return false;
+    if (!node->is_boolean())
+      throw InputError(section.place(key), fmt::format("{} = {}", key, describe(*node)),
+                       "true or false");
+    return node->ref<bool>();
   }
 
   // A ratio without a value keeps the name it was given; the other quantities have canonical
@@ -161,6 +134,27 @@ class Reader {
         read_receptance(folder / drive.text("receptance"), drive.place("receptance"));
   }
 
+  void read_indenter() {
+    const Section indenter = section("indenter", indenter_keys);
+    if (!indenter.exists()) return;
+    refuse_beside_indenter(indenter);
+    scene_.indenter =
+        vcrit::read_indenter(indenter, std::filesystem::path(file_).parent_path(), quantities_);
+  }
+
+  // Cells of the contact that would move one another, or are of no half-space.
+  void refuse_beside_indenter(const Section& indenter) const {
+    if (has_drive(scene_))
+      throw InputError(indenter.place(""), "[indenter] with [drive]",
+                       "a rigid drive: one that gives would let the parts of the contact move one "
+                       "another");
+    const auto* isotropic = std::get_if<Isotropic>(&scene_.tangential);
+    if (isotropic == nullptr || isotropic->by != Isotropic::By::poisson)
+      throw InputError(indenter.place(""), "[indenter] without poisson",
+                       "poisson = ... in [contact], of the half-space whose Young's modulus "
+                       "normal = \"...\" is");
+  }
+
   void refuse_misplaced_masses(const Place& place) const {
     const std::vector<Symbol> off = masses_off_the_far_end(*scene_.drive);
     if (!off.empty())
@@ -179,7 +173,7 @@ class Reader {
     if (body.find("mass") == nullptr)
       throw InputError(body.place(""), "[body] without mass",
                        "mass = \"5 g\", or no section [body]");
-    const Quantity mass = quantity(body, "mass", "m", Dimension::mass, nonnegative);
+    const Quantity mass = quantities_.read(body, "mass", "m", Dimension::mass, nonnegative);
     if (mass.value == 0.0) return;
     if (has_drive(scene_))
       scene_.mass = mass;
@@ -196,50 +190,29 @@ class Reader {
         oscillation.find("angular_frequency") != nullptr)
       throw InputError(oscillation.place("angular_frequency"), "frequency and angular_frequency",
                        "one of the two");
-    Quantity omega =
-        quantity(oscillation, "angular_frequency", "omega", Dimension::angular_frequency, positive);
+    Quantity omega = quantities_.read(oscillation, "angular_frequency", "omega",
+                                      Dimension::angular_frequency, positive);
     const Quantity frequency =
-        quantity(oscillation, "frequency", "frequency", Dimension::frequency, positive);
-    refuse_both("frequency", "angular_frequency");
-    refuse_both("frequency", "omega");
-    if (frequency.value && (!omega.value || settings_.has("frequency")))
+        quantities_.read(oscillation, "frequency", "frequency", Dimension::frequency, positive);
+    quantities_.refuse_both("frequency", "angular_frequency");
+    quantities_.refuse_both("frequency", "omega");
+    if (frequency.value && (!omega.value || settings().has("frequency")))
       omega.value = 2 * std::numbers::pi * *frequency.value;
     scene_.angular_frequency = omega;
-    scene_.amplitude = quantity(oscillation, "amplitude", "du_z", Dimension::length, nonnegative);
+    scene_.amplitude =
+        quantities_.read(oscillation, "amplitude", "du_z", Dimension::length, nonnegative);
     scene_.indentation =
-        quantity(oscillation, "indentation", "u_z0", Dimension::length, nonnegative);
+        quantities_.read(oscillation, "indentation", "u_z0", Dimension::length, nonnegative);
   }
 
   void read_friction() {
     const Section friction = section("friction", {"coefficient"});
-    scene_.coefficient = quantity(friction, "coefficient", "mu0", Dimension::none, nonnegative);
+    scene_.coefficient =
+        quantities_.read(friction, "coefficient", "mu0", Dimension::none, nonnegative);
   }
 
   Section section(const char* name, std::initializer_list<const char*> keys) const {
     return {document_.get(name), name, file_, keys};
-  }
-
-  /// The value under `key`, unless --set gives one for the key or for the symbol.
-  Quantity quantity(const Section& section, const char* key, const std::string& symbol,
-                    Dimension dimension, const Range& range) {
-    Quantity quantity{{symbol}, std::nullopt};
-    if (key != symbol) refuse_both(key, symbol);
-    for (const std::string& name : {std::string(key), symbol})
-      if (const auto value = settings_.take(name, dimension))
-        quantity.value = checked(*value, range, name, OverridingValues::place(name));
-    const toml::node* node = section.find(key);
-    if (node == nullptr) return quantity;
-    const auto value = number(*node, dimension, key, section.place(key));
-    if (value) checked(*value, range, key, section.place(key));
-    if (!quantity.value) quantity.value = value;
-    return quantity;
-  }
-
-  // Two names of one quantity.
-  void refuse_both(const std::string& name, const std::string& other) const {
-    if (settings_.has(name) && settings_.has(other))
-      throw InputError(OverridingValues::place(other), fmt::format("{} as well as {}", other, name),
-                       "one of the two");
   }
 
   void read_elements() {
@@ -258,10 +231,9 @@ class Reader {
 
   // Without a body, m is free for a mass of the drive.
   void refuse_clash(const std::string& name, const ElementUse& use) const {
-    std::set<std::string> taken{"mu0", "omega", "du_z", "u_z0"};
+    std::set<std::string> taken;
     if (document_.contains("body") || use.dimension != Dimension::mass) taken.insert("m");
-    if (const auto* isotropic = std::get_if<Isotropic>(&scene_.tangential))
-      taken.insert(isotropic->quantity.symbol.name);
+    for (const Quantity* quantity : quantities(scene_)) taken.insert(quantity->symbol.name);
     if (taken.contains(name))
       throw InputError(
           use.place, fmt::format("\"{}\" as an element", name),
@@ -270,7 +242,7 @@ class Reader {
 
   void read_element(const std::string& name, const ElementUse& use, const toml::node* node) {
     if (use.length > 0) return read_array(name, use, node);
-    const auto set = settings_.take(name, use.dimension);
+    const auto set = settings().take(name, use.dimension);
     if (set) values_[{name}] = checked(*set, nonnegative, name, OverridingValues::place(name));
     if (node == nullptr) return;
     const Place place = document::place_of(*node, file_);
@@ -287,7 +259,7 @@ class Reader {
     for (int entry = 1; entry <= use.length; ++entry) {
       const Symbol symbol{name, entry};
       const std::string label = to_text(symbol);
-      const auto set = settings_.take(label, use.dimension);
+      const auto set = settings().take(label, use.dimension);
       if (set) values_[symbol] = checked(*set, nonnegative, label, OverridingValues::place(label));
       if (node == nullptr) continue;
       const toml::node& item = *node->as_array()->get(static_cast<std::size_t>(entry - 1));
@@ -340,11 +312,13 @@ class Reader {
     if (scene_.drive) add(*scene_.drive);
   }
 
+  OverridingValues& settings() { return quantities_.settings(); }
+
   static constexpr std::array<const char*, 3> ways_{"poisson", "tangential_ratio", "tangential"};
   toml::table document_;
   std::string file_;
   Networks networks_;
-  OverridingValues settings_;
+  Quantities quantities_;
   Values values_;
   Scene scene_;
 };

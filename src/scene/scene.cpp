@@ -15,6 +15,19 @@ void refuse_missing(const Scene& scene, const std::vector<std::string>& missing)
 
 }  // namespace
 
+std::vector<const Quantity*> quantities(const Scene& scene) {
+  std::vector<const Quantity*> all;
+  const auto* isotropic = std::get_if<Isotropic>(&scene.tangential);
+  if (isotropic != nullptr && !isotropic->quantity.symbol.name.empty())
+    all.push_back(&isotropic->quantity);
+  all.insert(all.end(),
+             {&scene.coefficient, &scene.angular_frequency, &scene.amplitude, &scene.indentation});
+  if (scene.mass) all.push_back(&*scene.mass);
+  if (scene.indenter)
+    for (const Quantity& size : scene.indenter->sizes) all.push_back(&size);
+  return all;
+}
+
 bool has_drive(const Scene& scene) {
   return scene.drive.has_value() || scene.receptance.has_value();
 }
@@ -35,13 +48,7 @@ Values values_of(const Scene& scene) {
       missing.push_back(to_text(symbol));
   };
   for (const auto& [symbol, value] : scene.elements) add(symbol, value);
-  const auto* isotropic = std::get_if<Isotropic>(&scene.tangential);
-  if (isotropic != nullptr && !isotropic->quantity.symbol.name.empty())
-    add(isotropic->quantity.symbol, isotropic->quantity.value);
-  for (const Quantity* quantity :
-       {&scene.coefficient, &scene.angular_frequency, &scene.amplitude, &scene.indentation})
-    add(quantity->symbol, quantity->value);
-  if (scene.mass) add(scene.mass->symbol, scene.mass->value);
+  for (const Quantity* quantity : quantities(scene)) add(quantity->symbol, quantity->value);
   refuse_missing(scene, missing);
   return values;
 }

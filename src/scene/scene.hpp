@@ -13,6 +13,7 @@
 #include "base/errors.hpp"
 #include "base/units.hpp"
 #include "network/network.hpp"
+#include "scene/profile.hpp"
 #include "scene/receptance.hpp"
 
 namespace vcrit {
@@ -30,6 +31,16 @@ struct Isotropic {
   Quantity quantity;  ///< Poisson's ratio nu, ratio = 2(1 - nu)/(2 - nu), or the ratio itself
 };
 
+/// An axisymmetric indenter, pressed into a half-space whose Young's modulus the normal network is.
+struct Indenter {
+  enum class Shape { flat, cone, parabola, power, table };
+  Shape shape = Shape::flat;
+  /// flat, parabola: radius (m), of the punch or of curvature; cone: angle (rad) between flank and
+  /// surface; power: prefactor (SI) and exponent of f(r) = prefactor r^exponent; table: none
+  std::vector<Quantity> sizes;
+  std::optional<Profile> profile;  ///< of a table
+};
+
 /// The values of --set, by name ("k0", "k[3]", "mu0", "frequency", ...); a number in SI or with a
 /// unit.
 using Settings = std::vector<std::pair<std::string, std::string>>;
@@ -39,12 +50,14 @@ struct Scene {
   std::string title;
   std::string text;   ///< the file's content
   Settings settings;  ///< that replaced values of it
-  Network normal;     ///< K_n
+  Network normal;     ///< K_n; E of the half-space below an indenter
   std::variant<Isotropic, Network>
       tangential;                ///< K_t; equal networks have become Isotropic, ratio 1
   std::optional<Network> drive;  ///< K_d, may hold masses; rigid without this and a receptance
   std::optional<Receptance> receptance;  ///< R_d = 1/K_d, measured; never beside a drive network
   std::optional<Quantity> mass;          ///< m (kg) of the body; only under a drive that gives
+  bool separation = false;               ///< the surfaces may part: F_n = max(0, reaction)
+  std::optional<Indenter> indenter;      ///< only under a rigid drive, of an isotropic half-space
   Quantity coefficient, angular_frequency, amplitude, indentation;  ///< mu0, omega, du_z, u_z0
   std::vector<std::pair<Symbol, std::optional<double>>>
       elements;                               ///< of the networks, in order of writing
@@ -57,6 +70,10 @@ struct Scene {
 Scene read_scene(const std::string& file, const Settings& settings = {});
 /// The same from text; `file` only names it in messages.
 Scene parse_scene(const std::string& text, const std::string& file, const Settings& settings = {});
+
+/// The quantities that have names of their own; those of isotropic contact, body and indenter among
+/// them.
+std::vector<const Quantity*> quantities(const Scene& scene);
 
 /// Whether the drive is a network or measured, and not rigid.
 bool has_drive(const Scene& scene);

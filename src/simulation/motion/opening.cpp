@@ -34,6 +34,11 @@ Relaxation in_radians(Relaxation form, double omega) {
 
 }  // namespace
 
+NormalCycle steady_normal_force(const NormalMotion& motion, double omega) {
+  return normal_cycle(contact_modes(in_radians(motion.network, omega)),
+                      {motion.mean, motion.amplitude});
+}
+
 Opening::Opening(const NormalMotion& motion, double omega) : jumps(motion.network.damper > 0) {
   const ContactModes network = contact_modes(in_radians(motion.network, omega));
   const NormalCycle cycle = normal_cycle(network, {motion.mean, motion.amplitude});

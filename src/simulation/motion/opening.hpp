@@ -7,6 +7,9 @@
 
 namespace vcrit::simulation {
 
+/// The cycle of the normal force, in N, with omega t for time.
+NormalCycle steady_normal_force(const NormalMotion& motion, double omega);
+
 /// Times and forces as in model.hpp.
 struct Opening {
   explicit Opening(const NormalMotion& motion, double omega);

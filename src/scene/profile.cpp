@@ -1,0 +1,61 @@
+#include "scene/profile.hpp"
+
+#include <fmt/format.h>
+
+#include "base/csv.hpp"
+#include "base/files.hpp"
+
+namespace vcrit {
+
+namespace {
+
+constexpr const char* header = "r,f";
+const std::vector<std::string> columns{"r", "f"};
+
+void refuse_order(const Profile& profile, const Profile::Row& row, const Place& place) {
+  if (profile.rows.empty()) {
+    if (row != Profile::Row{})
+      throw InputError(place, fmt::format("r = {}, f = {} first", row.r, row.f),
+                       "0,0: the tip of the indenter");
+    return;
+  }
+  const Profile::Row& last = profile.rows.back();
+  if (!(row.r > last.r))
+    throw InputError(place, fmt::format("r = {} after {}", row.r, last.r),
+                     "r increasing from row to row");
+  if (row.f < last.f)
+    throw InputError(place, fmt::format("f = {} after {}", row.f, last.f),
+                     "f that never decreases: one contact area without holes");
+}
+
+}  // namespace
+
+Profile read_profile(const std::filesystem::path& file, const Place& place) {
+  if (!std::filesystem::is_regular_file(file))
+    throw InputError(
+        place, fmt::format("shape = \"{}\", which is no file", file.string()),
+        fmt::format("flat, cone, parabola, power, or a table in CSV with the header {}", header));
+  return parse_profile(read_file(file), file.string());
+}
+
+Profile parse_profile(const std::string& text, const std::string& file) {
+  Profile profile{file, {}};
+  CsvLines lines(text, file);
+  const bool any = lines.next();
+  if (!any || lines.cells() != columns)
+    throw InputError(lines.place(), any ? fmt::format("\"{}\"", lines.line()) : "an empty table",
+                     fmt::format("the header {}", header));
+  while (lines.next()) {
+    const auto numbers = lines.numbers(columns.size(), "two numbers: r, f");
+    const Profile::Row row{numbers[0], numbers[1]};
+    refuse_order(profile, row, lines.place());
+    profile.rows.push_back(row);
+  }
+  if (profile.rows.size() < 2)
+    throw InputError(lines.place(),
+                     profile.rows.empty() ? "no row of numbers" : "one row of numbers",
+                     "at least two rows: the tip and the outer radius");
+  return profile;
+}
+
+}  // namespace vcrit

@@ -1,0 +1,46 @@
+// Numbers of a scene file: bare ones in SI, texts with a unit, and names, which have no value.
+#pragma once
+
+#include <toml++/toml.h>
+#include <optional>
+#include <string>
+
+#include "base/units.hpp"
+#include "scene/document.hpp"
+#include "scene/scene.hpp"
+#include "scene/settings.hpp"
+
+namespace vcrit {
+
+/// What a quantity's value must satisfy.
+struct Range {
+  bool (*holds)(double);
+  const char* expected;
+};
+extern const Range nonnegative, positive, poisson_range, slope_range;
+
+/// The value. Throws InputError, with `name`, where it is out of range.
+double checked(double value, const Range& range, const std::string& name, const Place& place);
+
+/// In SI; nothing for a bare name. Throws InputError for anything else.
+std::optional<double> number(const toml::node& node, Dimension dimension, const std::string& name,
+                             const Place& place);
+
+/// The quantities of one scene file, with what --set gives in their place.
+class Quantities {
+ public:
+  explicit Quantities(const Settings& settings) : settings_(settings) {}
+
+  /// The value under `key`, unless --set gives one for the key or for the symbol.
+  Quantity read(const document::Section& section, const char* key, const std::string& symbol,
+                Dimension dimension, const Range& range);
+  /// Two names of one quantity, of which --set may give one.
+  void refuse_both(const std::string& name, const std::string& other) const;
+
+  OverridingValues& settings() { return settings_; }
+
+ private:
+  OverridingValues settings_;
+};
+
+}  // namespace vcrit

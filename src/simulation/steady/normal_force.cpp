@@ -1,0 +1,12 @@
+#include "simulation/steady/normal_force.hpp"
+
+#include "simulation/motion/opening.hpp"
+
+namespace vcrit::simulation {
+
+double mean_normal_force(const System& system) {
+  if (!system.opening) return system.mean_normal_force;
+  return steady_normal_force(*system.opening, system.omega).mean;
+}
+
+}  // namespace vcrit::simulation
