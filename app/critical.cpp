@@ -8,6 +8,7 @@
 
 #include "commands.hpp"
 #include "critical/certified.hpp"
+#include "onset/critical_onset.hpp"
 #include "options.hpp"
 #include "simulation/steady/onset.hpp"
 
@@ -34,6 +35,10 @@ struct Comparison {
 };
 
 Comparison compared(const Scene& scene) {
+  if (scene.separation && critical_onset(scene).by == CriticalOnset::By::simulation)
+    throw ModelError(
+        "no closed form of v* where these surfaces part: nothing to compare; vcrit eval gives the "
+        "simulated one");
   const simulation::System system = simulation::system_of(scene);
   const auto [formula, bound, reason] = certified_critical_velocity(scene);
   if (std::isinf(formula)) throw ModelError(reason + ": nothing to compare");

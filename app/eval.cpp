@@ -5,7 +5,7 @@
 
 #include "commands.hpp"
 #include "critical/admissibility.hpp"
-#include "critical/certified.hpp"
+#include "onset/critical_onset.hpp"
 #include "options.hpp"
 
 namespace vcrit::app {
@@ -13,34 +13,43 @@ namespace vcrit::app {
 namespace {
 
 struct Result {
-  CertifiedVelocity critical;
+  CriticalOnset critical;
   std::vector<std::string> reasons;  // why not admissible
-  double drive_velocity;
+  bool simulated() const { return critical.by == CriticalOnset::By::simulation; }
 };
 
-Result evaluate(const Scene& scene) {
-  const CertifiedVelocity critical = certified_critical_velocity(scene);
-  return {critical, inadmissible_reasons(scene), critical.value + creep_velocity(scene)};
-}
-
-void print_json(const Result& result) {
+// What the surfaces do is told where the scene lets them part.
+void print_json(const Scene& scene, const Result& result) {
   std::vector<std::string> reasons = result.reasons;
   if (!result.critical.reason.empty()) reasons.push_back(result.critical.reason);
-  print({{"critical_velocity", number(result.critical.value)},
-         {"relative_error_bound", number(result.critical.relative_error_bound)},
-         {"admissible", result.reasons.empty()},
-         {"reasons", reasons},
-         {"drive_velocity", number(result.drive_velocity)}});
+  nlohmann::ordered_json object{
+      {"critical_velocity", number(result.critical.contact_velocity)},
+      {"relative_error_bound",
+       result.simulated() ? nullptr : number(result.critical.relative_error_bound)},
+      {"admissible", result.reasons.empty()},
+      {"reasons", reasons},
+      {"drive_velocity", number(result.critical.drive_velocity)}};
+  if (scene.separation) {
+    object["opens"] = opens(scene);
+    object["critical_velocity_by"] = result.simulated() ? "simulation" : "formula";
+  }
+  print(object);
 }
 
 void print_text(const Scene& scene, const Result& result) {
   if (!scene.title.empty()) fmt::print("{}\n", scene.title);
-  fmt::print("critical velocity v*  {} m/s\n", result.critical.value);
+  const double critical = result.critical.contact_velocity;
+  fmt::print("critical velocity v*  {} m/s{}\n", critical,
+             result.simulated() ? " (simulated)" : "");
   if (!result.critical.reason.empty())
     fmt::print("                      {}\n", result.critical.reason);
-  fmt::print("relative error        at most {:.2g}\n", result.critical.relative_error_bound);
-  if (result.drive_velocity != result.critical.value)
-    fmt::print("drive velocity        {} m/s (the path creeps)\n", result.drive_velocity);
+  if (!result.simulated())
+    fmt::print("relative error        at most {:.2g}\n", result.critical.relative_error_bound);
+  if (result.critical.drive_velocity != critical)
+    fmt::print("drive velocity        {} m/s (the path creeps)\n", result.critical.drive_velocity);
+  if (scene.separation)
+    fmt::print("surfaces              {}\n",
+               opens(scene) ? "part for a while in each period" : "always touch");
   fmt::print("admissible            {}\n", result.reasons.empty() ? "yes" : "no");
   for (const std::string& reason : result.reasons) fmt::print("                      {}\n", reason);
 }
@@ -58,9 +67,9 @@ void add_eval(CLI::App& program) {
   command->add_flag("--json", options->json, "print one JSON object");
   command->callback([options] {
     const Scene scene = options->scene.read();
-    const Result result = evaluate(scene);
+    const Result result{critical_onset(scene), inadmissible_reasons(scene)};
     if (options->json)
-      print_json(result);
+      print_json(scene, result);
     else
       print_text(scene, result);
   });

@@ -59,6 +59,14 @@ void MethodChoice::add_to(CLI::App& command) {
   command.add_flag("--plain", plain_, "run periods until they repeat, without Newton's method");
 }
 
+simulation::Start MethodChoice::start() const {
+  return start_ == "rest" ? simulation::Start::rest : simulation::Start::sliding;
+}
+
+simulation::Start MethodChoice::other_start() const {
+  return start() == simulation::Start::rest ? simulation::Start::sliding : simulation::Start::rest;
+}
+
 simulation::SteadyState MethodChoice::steady_state(const simulation::System& system,
                                                    double velocity) const {
   for (const auto& [option, methods] : taken)
@@ -68,7 +76,7 @@ simulation::SteadyState MethodChoice::steady_state(const simulation::System& sys
                        fmt::format("{}, which take it", fmt::join(methods, ", ")));
   simulation::MethodOptions options = options_;
   options.newton = !plain_;
-  options.start = start_ == "rest" ? simulation::Start::rest : simulation::Start::sliding;
+  options.start = start();
   const auto method = simulation::method_named(name_);
   return method ? simulation::steady_state(*method, system, velocity, options)
                 : simulation::steady_state(system, velocity, options.start);

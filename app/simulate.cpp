@@ -9,10 +9,12 @@
 
 #include "base/units.hpp"
 #include "commands.hpp"
-#include "critical/certified.hpp"
 #include "method_choice.hpp"
+#include "onset/critical_onset.hpp"
 #include "options.hpp"
 #include "simulation/steady/energy.hpp"
+#include "simulation/steady/exact.hpp"
+#include "simulation/steady/normal_force.hpp"
 
 namespace vcrit::app {
 
@@ -34,9 +36,10 @@ struct Speed {
 };
 
 Speed speed_of(const Options& options, const Scene& scene) {
-  const auto [critical, bound, reason] = certified_critical_velocity(scene);
+  const CriticalOnset onset = critical_onset(scene);
+  const double critical = onset.contact_velocity;
   if (options.velocity_ratio && std::isinf(critical))
-    throw ModelError(reason + ": --velocity-ratio has no meaning, give --velocity");
+    throw ModelError(onset.reason + ": --velocity-ratio has no meaning, give --velocity");
   const double velocity =
       options.velocity_ratio
           ? *options.velocity_ratio * critical
@@ -47,9 +50,49 @@ Speed speed_of(const Options& options, const Scene& scene) {
   return {velocity, velocity / critical};
 }
 
-// The energy is known for the exact method alone.
-void print_json(const Speed& speed, const SteadyState& steady,
-                const std::optional<EnergyBalance>& energy, const std::string& method) {
+// Where the surfaces part, the motion may depend on where it comes from.
+struct Parting {
+  double mean_normal_force;  // N
+  SteadyState other_start;
+};
+
+// Parting and energy are known for the exact method alone.
+struct Answer {
+  SteadyState steady;
+  std::optional<EnergyBalance> energy;
+  std::optional<Parting> parting;
+
+  double disagreement() const {
+    return std::abs(parting->other_start.friction_ratio - steady.friction_ratio);
+  }
+  bool starts_agree() const {
+    return disagreement() <=
+           steady.friction_ratio_error + parting->other_start.friction_ratio_error;
+  }
+};
+
+Answer answer_of(const Options& options, const simulation::System& system, double velocity) {
+  Answer answer{options.method.steady_state(system, velocity), {}, {}};
+  if (!options.method.is_exact()) return answer;
+  answer.energy = simulation::energy_balance(system, velocity);
+  if (system.opening)
+    answer.parting = {simulation::mean_normal_force(system),
+                      simulation::steady_state(system, velocity, options.method.other_start())};
+  return answer;
+}
+
+nlohmann::ordered_json to_json(const Answer& answer) {
+  const SteadyState& other = answer.parting->other_start;
+  return {{"mean_normal_force", answer.parting->mean_normal_force},
+          {"other_start",
+           {{"friction_ratio", other.friction_ratio},
+            {"friction_ratio_error", number(other.friction_ratio_error)},
+            {"regime", to_text(other.regime)}}},
+          {"starts_agree", answer.starts_agree()}};
+}
+
+void print_json(const Speed& speed, const Answer& answer, const std::string& method) {
+  const SteadyState& steady = answer.steady;
   nlohmann::ordered_json events = nlohmann::ordered_json::array();
   for (const simulation::Event& event : steady.events)
     events.push_back({{"phase", event.phase}, {"to", to_text(event.to)}});
@@ -63,40 +106,49 @@ void print_json(const Speed& speed, const SteadyState& steady,
                                 {"method", method},
                                 {"periods", periods},
                                 {"events", events}};
-  if (energy)
-    object["energy"] = {{"drive", energy->drive},
-                        {"friction", energy->friction},
-                        {"dampers", energy->dampers},
-                        {"error", number(energy->error)}};
+  if (answer.energy)
+    object["energy"] = {{"drive", answer.energy->drive},
+                        {"friction", answer.energy->friction},
+                        {"dampers", answer.energy->dampers},
+                        {"error", number(answer.energy->error)}};
+  if (answer.parting) object["separation"] = to_json(answer);
   print(object);
 }
 
 // omega: rad/s
-void print_text(const Speed& speed, const SteadyState& steady,
-                const std::optional<EnergyBalance>& energy, double omega) {
+void print_text(const Speed& speed, const Answer& answer, double omega) {
+  const SteadyState& steady = answer.steady;
   fmt::print("velocity        {} m/s ({:.6g} v*)\n", speed.velocity, speed.ratio);
   fmt::print("friction ratio  {} (error about {:.1g})\n", steady.friction_ratio,
              steady.friction_ratio_error);
   fmt::print("regime          {}\n", to_text(steady.regime));
   for (const simulation::Event& event : steady.events)
     fmt::print("  at phase {:<20.15g} to {}\n", event.phase, to_text(event.to));
-  if (!energy) return;
+  if (!answer.energy) return;
   const double frequency = omega / (2 * std::numbers::pi);
   fmt::print("power of drive  {:.6g} W: friction {:.6g} W, dampers {:.6g} W\n",
-             energy->drive * frequency, energy->friction * frequency, energy->dampers * frequency);
+             answer.energy->drive * frequency, answer.energy->friction * frequency,
+             answer.energy->dampers * frequency);
+  if (!answer.parting) return;
+  fmt::print("normal force    {:.6g} N on average, while the surfaces part in each period\n",
+             answer.parting->mean_normal_force);
+  if (answer.starts_agree())
+    fmt::print("starts          agree, in sliding and at rest\n");
+  else
+    fmt::print("starts          DISAGREE: the other one ends in {}, {}\n",
+               answer.parting->other_start.friction_ratio,
+               to_text(answer.parting->other_start.regime));
 }
 
 void simulate(const Options& options) {
   const Scene scene = options.scene.read();
   const simulation::System system = simulation::system_of(scene);
   const Speed speed = speed_of(options, scene);
-  const SteadyState steady = options.method.steady_state(system, speed.velocity);
-  std::optional<EnergyBalance> energy;
-  if (options.method.is_exact()) energy = simulation::energy_balance(system, speed.velocity);
+  const Answer answer = answer_of(options, system, speed.velocity);
   if (options.json)
-    print_json(speed, steady, energy, options.method.name());
+    print_json(speed, answer, options.method.name());
   else
-    print_text(speed, steady, energy, system.omega);
+    print_text(speed, answer, system.omega);
 }
 
 }  // namespace

@@ -35,7 +35,7 @@ bool has_closed_form(const SceneReport& report, const simulation::System& system
     return form.damper == 0 && form.branches.empty() && form.equilibrium > 0;
   };
   const Values values = values_of(report.scene);
-  return !system.drive && elastic(system.contact) &&
+  return !system.opening && !system.drive && elastic(system.contact) &&
          elastic(relaxation_form(report.scene.normal, values));
 }
 

@@ -56,6 +56,7 @@ std::optional<double> usable_from(double delta, double a, double allowed) {
 std::optional<ReducedModel> reduced_model(const Scene& scene) {
   if (scene.drive || !std::holds_alternative<Isotropic>(scene.tangential)) return std::nullopt;
   const simulation::System system = simulation::system_of(scene);
+  if (system.opening) return std::nullopt;
   const Relaxation& contact = system.contact;
   if (!(contact.equilibrium > 0 && contact.damper > 0) || !contact.branches.empty())
     return std::nullopt;

@@ -51,10 +51,18 @@ std::mutex& units_mutex() {
   return mutex;
 }
 
+// The database says "degree" only.
+void add_short_names(ut_system* system) {
+  const Unit degree(ut_parse(system, "degree", UT_ASCII));
+  if (degree) ut_map_name_to_unit("deg", UT_ASCII, degree.get());
+}
+
 ut_system* units() {
   static ut_system* const system = [] {
     ut_set_error_message_handler(ut_ignore);
-    return ut_read_xml(nullptr);
+    ut_system* const all = ut_read_xml(nullptr);
+    if (all != nullptr) add_short_names(all);
+    return all;
   }();
   if (system == nullptr) throw Bug("the database of udunits cannot be read");
   return system;

@@ -31,17 +31,28 @@ Network resting(const Network& drive) {
   return *rest;
 }
 
+// Of the closed contact, in N.
+struct NormalForce {
+  double mean, oscillating;
+};
+
+NormalForce normal_force(const Scene& scene, const Values& values) {
+  const double omega = values.at(scene.angular_frequency.symbol);
+  return {
+      relaxation_form(scene.normal, values).equilibrium * values.at(scene.indentation.symbol),
+      values.at(scene.amplitude.symbol) * std::abs(dynamic_stiffness(scene.normal, values, omega))};
+}
+
 }  // namespace
 
 std::vector<std::string> inadmissible_reasons(const Scene& scene) {
   const Values values = values_of(scene);
   const double amplitude = values.at(scene.amplitude.symbol);
   const double indentation = values.at(scene.indentation.symbol);
-  const double omega = values.at(scene.angular_frequency.symbol);
   const double equilibrium = relaxation_form(scene.normal, values).equilibrium;
 
   std::vector<std::string> reasons;
-  if (!(amplitude < indentation))
+  if (!scene.separation && !(amplitude < indentation))
     reasons.push_back(
         fmt::format("the amplitude du_z = {} m is not below the indentation u_z0 = {} m (3)",
                     amplitude, indentation));
@@ -49,14 +60,18 @@ std::vector<std::string> inadmissible_reasons(const Scene& scene) {
     reasons.emplace_back("the normal network carries no static load: K_n(0) = 0");
     return reasons;
   }
-  const double oscillating = amplitude * std::abs(dynamic_stiffness(scene.normal, values, omega));
-  const double mean = equilibrium * indentation;
-  if (!(oscillating < mean))
+  const NormalForce force = normal_force(scene, values);
+  if (!scene.separation && !(force.oscillating < force.mean))
     reasons.push_back(
         fmt::format("the contact opens: the normal force oscillates by du_z |K_n| = {:.6g} N about "
                     "a mean of K_n(0) u_z0 = {:.6g} N (4)",
-                    oscillating, mean));
+                    force.oscillating, force.mean));
   return reasons;
+}
+
+bool opens(const Scene& scene) {
+  const NormalForce force = normal_force(scene, values_of(scene));
+  return force.oscillating > force.mean;
 }
 
 double creep_velocity(const Scene& scene) {

@@ -9,8 +9,13 @@
 
 namespace vcrit {
 
-/// Why the scene is not admissible, one sentence a reason; empty when it is.
+/// Why the scene is not admissible, one sentence a reason; empty when it is. Surfaces that may part
+/// need not stay closed.
 std::vector<std::string> inadmissible_reasons(const Scene& scene);
+
+/// Whether the normal force would pull for a part of the period (4): the surfaces part there if the
+/// scene lets them. Throws InputError for missing values.
+bool opens(const Scene& scene);
 
 /// mu0 <F_n> (1/eta_t + 1/eta_d) in m/s: what the drive must run faster than the contact point;
 /// 0 where both networks carry a static load.

@@ -31,11 +31,11 @@ SweptQuantity parse_swept_quantity(const std::string& text, const Scene& scene) 
     const std::string name = text.substr(sensitivity.size());
     known_dimension(name, scene.settable, place);
     const ChangingScene changing(scene, {name});
-    return {Kind::sensitivity, changing.targets().front().symbol};
+    return {Kind::sensitivity, changing.targets().front().symbol, scene.separation};
   }
   const auto& names = swept_quantity_names();
   for (std::size_t i = 0; i + 1 < names.size(); ++i)
-    if (names[i] == text) return {static_cast<Kind>(i)};
+    if (names[i] == text) return {static_cast<Kind>(i), {}, scene.separation};
   const auto meant = nearest(text, names);
   throw InputError(
       place, fmt::format("\"{}\"", text),
@@ -54,7 +54,8 @@ std::string unit(const SweptQuantity& quantity) {
 std::string description(const SweptQuantity& quantity) {
   switch (quantity.kind) {
     case Kind::critical_velocity:
-      return "critical velocity v* (Eq. 24)";
+      return quantity.parting ? "critical velocity v* (Eq. 24, or simulated where surfaces part)"
+                              : "critical velocity v* (Eq. 24)";
     case Kind::friction_ratio:
       return "macroscopic over microscopic coefficient of friction, simulated";
     case Kind::friction_ratio_error:
@@ -73,9 +74,16 @@ std::string description(const SweptQuantity& quantity) {
 const std::vector<std::string>& words(const SweptQuantity& quantity) {
   using simulation::Regime;
   static const std::vector<std::string> none, answers{"no", "yes"},
-      regimes{to_text(Regime::sliding), to_text(Regime::stick_slip),
-              to_text(Regime::stick_slip_backslip), to_text(Regime::stick)};
-  if (quantity.kind == Kind::regime) return regimes;
+      touching{to_text(Regime::sliding), to_text(Regime::stick_slip),
+               to_text(Regime::stick_slip_backslip), to_text(Regime::stick)},
+      parting{to_text(Regime::sliding),
+              to_text(Regime::stick_slip),
+              to_text(Regime::stick_slip_backslip),
+              to_text(Regime::stick),
+              to_text(Regime::sliding_apart),
+              to_text(Regime::stick_slip_apart),
+              to_text(Regime::stick_slip_backslip_apart)};
+  if (quantity.kind == Kind::regime) return quantity.parting ? parting : touching;
   return quantity.kind == Kind::admissible ? answers : none;
 }
 

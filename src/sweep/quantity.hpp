@@ -18,7 +18,8 @@ struct SweptQuantity {
     sensitivity            ///< (p/v*) dv*/dp
   };
   Kind kind = Kind::critical_velocity;
-  Symbol parameter{};  ///< p of a sensitivity
+  Symbol parameter{};    ///< p of a sensitivity
+  bool parting = false;  ///< of a scene whose surfaces may part
   friend bool operator==(const SweptQuantity&, const SweptQuantity&) = default;
 };
 

@@ -10,6 +10,7 @@
 #include "critical/admissibility.hpp"
 #include "critical/certified.hpp"
 #include "critical/log_derivative.hpp"
+#include "onset/critical_onset.hpp"
 #include "scene/changing.hpp"
 #include "simulation/steady/curve.hpp"
 
@@ -40,7 +41,7 @@ bool any_of(const Sweep& sweep, bool (*holds)(const SweptQuantity&)) {
 bool needs_scene(const SweptQuantity& quantity) { return quantity.kind != Kind::critical_velocity; }
 
 std::size_t rows_at_once(const Sweep& sweep) {
-  if (any_of(sweep, needs_motion)) return rows_of_motion;
+  if (any_of(sweep, needs_motion) || sweep.scene.separation) return rows_of_motion;
   return any_of(sweep, needs_scene) ? rows_of_scenes : rows_of_formula;
 }
 
@@ -141,6 +142,28 @@ class Sweeping::Rows {
     }
     for (std::size_t row = 0; row < block_.rows; ++row)
       if (std::isnan(critical_[row])) note(row, why_no_velocity(row));
+    if (sweeping_.sweep_.scene.separation) find_critical_of_parting();
+  }
+
+  // Eq. (24) need not hold where the surfaces part.
+  void find_critical_of_parting() {
+    std::vector<double> last;
+    for (std::size_t row = 0; row < block_.rows; ++row) {
+      if (outside_[row]) continue;
+      const Scene& scene = scene_at(row);
+      if (!opens(scene)) continue;
+      if (row > 0 && point_ == last) {
+        critical_[row] = critical_[row - 1];
+        continue;
+      }
+      try {
+        critical_[row] = critical_onset(scene).contact_velocity;
+        last = point_;
+      } catch (const ModelError& error) {
+        critical_[row] = nothing;
+        note(row, error.what());
+      }
+    }
   }
 
   // Where the last axis is long, no more than its rows: all that the other axes decide is the same.

@@ -136,11 +136,24 @@ Section sensitivities_section(const Findings& findings) {
   return section;
 }
 
+Section parting_section(const Findings& findings) {
+  Section section{"Surfaces that part", "", {}, ""};
+  if (!findings.parting) return section;
+  for (const Line& line : *findings.parting) section.blocks.push_back({"", "", line.words, {line}});
+  if (!section.blocks.empty()) return section;
+  section.note =
+      "The contact point follows the normal deformation with memory: v* above holds while the "
+      "contact stays closed, and is simulated where it opens.";
+  section.blocks.emplace_back();
+  return section;
+}
+
 }  // namespace
 
 std::vector<Section> sections(const Findings& findings) {
   std::vector<Section> all{derivation_section(findings),
                            form_section(findings),
+                           parting_section(findings),
                            limits_section(findings),
                            asymptotes_section(findings.asymptotes),
                            resonances_section(findings.resonances),

@@ -1,6 +1,7 @@
 // What the derivation of a scene says, apart from its markup.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,7 @@ struct Findings {
   std::vector<Resonance> resonances;
   std::vector<Line> extrema;
   std::vector<Sensitivity> sensitivities;
+  std::optional<std::vector<Line>> parting;  ///< of surfaces that may part
 };
 
 /// Some lines under a heading: a formula, words or both.

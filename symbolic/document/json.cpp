@@ -99,6 +99,9 @@ std::string json_document(const Scene& scene, const Findings& findings) {
            {"asymptotes", list(findings.asymptotes)},
            {"resonances", list(findings.resonances)},
            {"sensitivities", list(findings.sensitivities)}};
+  if (findings.parting)
+    out["separation"] = {{"closed_form", !findings.parting->empty()},
+                         {"lines", lines(*findings.parting)}};
   if (!findings.extrema.empty()) out["extrema"] = lines(findings.extrema);
   if (!findings.form_lines.empty())
     out[findings.form == ResultForm::rational ? "rational" : "dimensionless"] =

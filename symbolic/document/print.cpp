@@ -1,5 +1,6 @@
 #include "document/print.hpp"
 
+#include "analysis/parting.hpp"
 #include "analysis/residues.hpp"
 #include "document/content.hpp"
 #include "document/form_lines.hpp"
@@ -22,7 +23,9 @@ Findings find(const Scene& scene, const DocumentOptions& options) {
                     {},
                     {},
                     {},
+                    {},
                     {}};
+  if (scene.separation) findings.parting = parting_lines(scene);
   if (options.limits) {
     findings.limits = limits(scene);
     findings.asymptotes = asymptotes(scene);

@@ -163,7 +163,7 @@ class Writer {
 }  // namespace
 
 QuantityProgram quantity_program(const Scene& scene, const SymbolValue& value) {
-  refuse_other_drives(scene);
+  refuse_other_scenes(scene);
   return Writer(scene, value).write();
 }
 

@@ -255,7 +255,7 @@ int operations_at_each_omega(const VelocityProgram& velocity) {
 }  // namespace
 
 std::optional<SweepProgram> sweep_program(const Scene& scene, const SymbolValue& value) {
-  refuse_other_drives(scene);
+  refuse_other_scenes(scene);
   const int others = operations_at_each_omega(velocity_program(scene, value));
   for (const bool normalised : {false, true}) {
     SweepProgram program = SweepWriter(scene, value, normalised).write();

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "analysis/parting.hpp"
 #include "network/masses.hpp"
 
 namespace vcrit::symbolic {
@@ -226,17 +227,21 @@ class Writer {
 
 }  // namespace
 
-void refuse_other_drives(const Scene& scene) {
+void refuse_other_scenes(const Scene& scene) {
   if (scene.receptance)
     throw ModelError("the generator needs a network; this drive is a measured receptance");
   if (scene.drive && has_masses(*scene.drive))
     throw ModelError("the generator knows one body; this drive holds masses of its own");
+  if (scene.separation && parting_lines(scene).empty())
+    throw ModelError(
+        "no closed form of v* where these surfaces part (separation = true); of the closed contact "
+        "there is one, without it");
 }
 
 // The widest range for which all numbers stay among the doubles, and scaling only where there is
 // none otherwise: it costs a tenth of the time.
 VelocityProgram velocity_program(const Scene& scene, const SymbolValue& value) {
-  refuse_other_drives(scene);
+  refuse_other_scenes(scene);
   for (const int exponent : {200, 150, 100, 64, 40}) {
     VelocityProgram program = Writer(scene, value, exponent, Writer::Form::plain).write();
     if (program.fits) return program;

@@ -254,7 +254,8 @@ def evaluate(scene):
     if drive is not None and static_stiffness(drive) == 0:
         creep += 1 / viscosity(drive)
     creep *= mu * kn0 * u0
-    return velocity, du < u0 and du * abs(kn) < kn0 * u0, creep
+    closed = du < u0 and du * abs(kn) < kn0 * u0
+    return velocity, closed or contact.get("separation", False), creep
 
 
 def main():

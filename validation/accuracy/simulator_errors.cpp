@@ -80,7 +80,7 @@ bool elastic(const Relaxation& form) {
 
 /// The elastic contact's closed form, where the scene is one.
 std::optional<double> closed_form(const Scene& scene, const System& system, double ratio) {
-  if (system.drive || !elastic(system.contact) ||
+  if (system.opening || system.drive || !elastic(system.contact) ||
       !elastic(relaxation_form(scene.normal, values_of(scene))))
     return std::nullopt;
   return elastic_friction(std::abs(system.normal_force_amplitude) / system.mean_normal_force,

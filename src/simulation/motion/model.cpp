@@ -138,7 +138,7 @@ void Model::set_bound(const System& system) {
   force_unit = system.friction * system.mean_normal_force;
   amplitude = std::abs(system.normal_force_amplitude) / system.mean_normal_force;
   phase = std::arg(system.normal_force_amplitude);
-  ensure(amplitude < 1, "the normal force stays positive");
+  ensure(amplitude <= 1 + std::numeric_limits<double>::epsilon(), "the normal force never pulls");
 }
 
 // Both phases have the decaying parts of b behind their own y: stick beside it, for its end, and

@@ -1,5 +1,8 @@
 #include "simulation/steady/normal_force.hpp"
 
+#include <algorithm>
+#include <numbers>
+
 #include "simulation/motion/opening.hpp"
 
 namespace vcrit::simulation {
@@ -7,6 +10,16 @@ namespace vcrit::simulation {
 double mean_normal_force(const System& system) {
   if (!system.opening) return system.mean_normal_force;
   return steady_normal_force(*system.opening, system.omega).mean;
+}
+
+bool touches_at(const System& system, double phase) {
+  if (!system.opening) return true;
+  const NormalCycle cycle = steady_normal_force(*system.opening, system.omega);
+  return std::any_of(cycle.touches.begin(), cycle.touches.end(),
+                     [&](const NormalCycle::Touch& touch) {
+                       const double since = phase - touch.begin;
+                       return (since < 0 ? since + 2 * std::numbers::pi : since) <= touch.duration;
+                     });
 }
 
 }  // namespace vcrit::simulation

@@ -1,4 +1,4 @@
-// The mean of the normal force, by which friction is measured.
+// The steady normal force, which does not depend on what the contact does along the surface.
 #pragma once
 
 #include "simulation/system/system.hpp"
@@ -7,5 +7,8 @@ namespace vcrit::simulation {
 
 /// <F_n> in N. Of a contact that opens: 0 where the surfaces never meet.
 double mean_normal_force(const System& system);
+
+/// Whether the surfaces touch at omega t = phase in [0, 2 pi).
+bool touches_at(const System& system, double phase);
 
 }  // namespace vcrit::simulation

@@ -9,18 +9,26 @@ namespace vcrit::simulation {
 
 namespace {
 
-void require_admissible(const System& system, double amplitude, double indentation) {
+// Surfaces that part for less than rounding can tell only touch at one instant of the period.
+constexpr double hardly = 1e-14;
+
+void require_contact(const System& system, double amplitude, double indentation) {
   if (!(amplitude < indentation))
     throw ModelError(
         fmt::format("the amplitude du_z = {} m is not below the indentation u_z0 = {} m (3)",
                     amplitude, indentation));
-  if (!(system.mean_normal_force > 0))
-    throw ModelError("the normal network carries no static load: K_n(0) = 0");
   if (!(std::abs(system.normal_force_amplitude) < system.mean_normal_force))
     throw ModelError(
         fmt::format("the contact opens: F_n oscillates by {:.6g} N about a mean of {:.6g} N (4)",
                     std::abs(system.normal_force_amplitude), system.mean_normal_force));
-  if (!(system.friction > 0)) throw ModelError("with mu0 = 0 there is no friction to compare with");
+}
+
+void let_open(System& system, const Relaxation& normal, double amplitude, double indentation) {
+  const double share = std::abs(system.normal_force_amplitude) / system.mean_normal_force;
+  if (share > 1 + hardly)
+    system.opening = {normal, indentation, amplitude};
+  else if (share > 1)
+    system.normal_force_amplitude /= share;
 }
 
 }  // namespace
@@ -48,7 +56,13 @@ System system_of(const Scene& scene) {
     system.drive = relaxation_form(*scene.drive, values);
     if (scene.mass) system.mass = values.at(scene.mass->symbol);
   }
-  require_admissible(system, amplitude, indentation);
+  if (!(normal.equilibrium > 0))
+    throw ModelError("the normal network carries no static load: K_n(0) = 0");
+  if (!(system.friction > 0)) throw ModelError("with mu0 = 0 there is no friction to compare with");
+  if (scene.separation)
+    let_open(system, normal, amplitude, indentation);
+  else
+    require_contact(system, amplitude, indentation);
   return system;
 }
 

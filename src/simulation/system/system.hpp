@@ -25,12 +25,12 @@ struct System {
   double friction = 0;              ///< mu0
   double mean_normal_force = 0;     ///< N
   std::complex<double>
-      normal_force_amplitude;                ///< N; F_n(t) = mean + Re[amplitude e^{i omega t}] > 0
+      normal_force_amplitude;  ///< N; F_n(t) = mean + Re[amplitude e^{i omega t}] >= 0
   std::optional<NormalMotion> opening = {};  ///< in place of both forces: F_n = max(0, reaction)
 };
 
-/// Throws InputError for missing values, ModelError unless the normal force stays positive and the
-/// normal network carries the mean load.
+/// Throws InputError for missing values, ModelError unless the normal network carries the mean load
+/// and the normal force stays positive or the surfaces may part.
 System system_of(const Scene& scene);
 
 }  // namespace vcrit::simulation

@@ -58,3 +58,40 @@ BOOST_AUTO_TEST_CASE(outside_the_model) {
   BOOST_CHECK_THROW(system_from(scene("normal = \"k - c\"\npoisson = 0.3", elements)), ModelError);
   BOOST_CHECK_THROW(system_from(scene(kelvin, "[elements]\nk = 8.0\n")), InputError);
 }
+
+// Beyond du_z |K_n| = K_n(0) u_z0 the surfaces part; up to it, the very border included, the force
+// is one sinusoid.
+BOOST_AUTO_TEST_CASE(surfaces_that_may_part) {
+  const auto with = [](const std::string& amplitude) {
+    return system_from(scene("normal = \"k\"\npoisson = 0.3\nseparation = true",
+                             "[elements]\nk = 8.0\n", amplitude));
+  };
+  BOOST_TEST(!with("0.49").opening.has_value());
+  const System border = with("0.5");
+  BOOST_TEST(!border.opening.has_value());
+  BOOST_TEST(std::abs(border.normal_force_amplitude) == border.mean_normal_force);
+  const System open = with("0.6");
+  BOOST_REQUIRE(open.opening.has_value());
+  BOOST_TEST(open.opening->mean == 0.5);
+  BOOST_TEST(open.opening->amplitude == 0.6);
+  BOOST_TEST(open.opening->network.equilibrium == 8);
+  BOOST_CHECK_THROW(system_from(scene("normal = \"k - c\"\npoisson = 0.3\nseparation = true",
+                                      "[elements]\nk = 8.0\nc = 1.0\n", "0.6")),
+                    ModelError);
+}
+
+// The flat punch at the border, D = 1: figures right to 1e-8 in each digit given.
+BOOST_AUTO_TEST_CASE(flat_punch_at_the_border) {
+  const System system = system_from(scene("normal = \"k\"\ntangential_ratio = 1\nseparation = true",
+                                          "[elements]\nk = 8.0\n", "0.5"));
+  const double critical = 0.25 * 2 * 0.5;
+  const std::pair<double, double> table[] = {{0.1, 0.24282864},
+                                             {0.25, 0.50811840},
+                                             {0.5, 0.79854780},
+                                             {0.75, 0.95276173},
+                                             {0.9, 0.99268919}};
+  for (const auto& [ratio, friction] : table)
+    for (const Start start : {Start::sliding, Start::rest})
+      BOOST_TEST(std::abs(steady_state(system, ratio * critical, start).friction_ratio -
+                          friction) <= 1e-8);
+}

@@ -1,0 +1,63 @@
+#include "onset/critical_onset.hpp"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "critical/admissibility.hpp"
+#include "critical/certified.hpp"
+#include "simulation/steady/normal_force.hpp"
+#include "simulation/steady/onset.hpp"
+
+namespace vcrit {
+
+namespace {
+
+bool elastic(const Network& network) {
+  bool only_springs = true;
+  for_each_element(network, [&](const Element& element) {
+    only_springs = only_springs && element.kind == ElementKind::spring;
+  });
+  return only_springs;
+}
+
+bool elastic(const Scene& scene) {
+  return elastic(scene.normal) && elastic(*tangential_network(scene).network) && !scene.mass &&
+         !scene.receptance && (!scene.drive || elastic(*scene.drive));
+}
+
+bool isotropic(const Scene& scene) {
+  return std::holds_alternative<Isotropic>(scene.tangential) && !has_drive(scene);
+}
+
+// u_z = u_z0 + du_z cos(omega t) rises fastest there.
+constexpr double steepest = 1.5 * std::numbers::pi;
+
+CriticalOnset by_formula(const Scene& scene) {
+  const auto [value, bound, reason] = certified_critical_velocity(scene);
+  return {CriticalOnset::By::formula, value, value + creep_velocity(scene), bound, reason};
+}
+
+CriticalOnset by_simulation(const simulation::System& system) {
+  const simulation::Onset onset = simulation::sliding_threshold(system);
+  return {CriticalOnset::By::simulation, onset.contact_velocity, onset.drive_velocity,
+          std::numeric_limits<double>::quiet_NaN(),
+          std::isinf(onset.contact_velocity)
+              ? "the contact sticks for a moment each time the surfaces meet: the normal force "
+                "jumps and the tangential one cannot"
+              : ""};
+}
+
+}  // namespace
+
+bool survives_parting(const Scene& scene) { return elastic(scene) || isotropic(scene); }
+
+CriticalOnset critical_onset(const Scene& scene) {
+  if (!scene.separation || !opens(scene)) return by_formula(scene);
+  if (elastic(scene)) return by_formula(scene);
+  const simulation::System system = simulation::system_of(scene);
+  if (isotropic(scene) && simulation::touches_at(system, steepest)) return by_formula(scene);
+  return by_simulation(system);
+}
+
+}  // namespace vcrit

@@ -1,0 +1,18 @@
+// Eq. (24) where the surfaces part. In sliding the contact carries F = mu0 F_n at all times,
+// touching and apart, so that the contact point follows the normal deformation by the ratio of both
+// stiffnesses. Where that ratio is a number, free of s, it follows without memory, and the closed
+// form holds on whatever the contact does in between.
+#pragma once
+
+#include <vector>
+
+#include "formula/line.hpp"
+#include "scene/scene.hpp"
+
+namespace vcrit::symbolic {
+
+/// The derivation of v* for surfaces that part, or no lines where the contact point follows with
+/// memory: v* is not Eq. (24) there.
+std::vector<Line> parting_lines(const Scene& scene);
+
+}  // namespace vcrit::symbolic

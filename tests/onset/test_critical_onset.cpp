@@ -1,0 +1,120 @@
+// v* where the surfaces part: Eq. (24) against the simulator, which does not know it, where the
+// closed form is said to hold; and the simulator's own where it is not.
+#include "onset/critical_onset.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <random>
+
+#include "critical/admissibility.hpp"
+#include "critical/certified.hpp"
+#include "simulation/steady/normal_force.hpp"
+#include "simulation/steady/onset.hpp"
+
+using namespace vcrit;
+
+namespace {
+
+std::string scene_text(const std::string& contact, double amplitude, const std::string& rest) {
+  return "[contact]\n" + contact + "\nseparation = true\n[oscillation]\nangular_frequency = 1.0\n" +
+         "amplitude = " + std::to_string(amplitude) +
+         "\nindentation = 1.0\n[friction]\ncoefficient = 0.5\n" + rest;
+}
+
+Scene scene_of(const std::string& contact, double amplitude, const std::string& rest) {
+  return parse_scene(scene_text(contact, amplitude, rest), "s.toml");
+}
+
+double simulated(const Scene& scene) {
+  return simulation::sliding_threshold(simulation::system_of(scene)).contact_velocity;
+}
+
+// Both lose some hundred roundings: the simulator its modes, over a few decades of rates.
+constexpr double rounding = 1e-11;
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(elastic_paths_keep_the_closed_form) {
+  for (const double amplitude : {1.5, 4.0, 300.0}) {
+    const Scene rigid = scene_of("normal = \"k\"\ntangential = \"kt\"", amplitude,
+                                 "[elements]\nk = 3.0\nkt = 2.0\n");
+    const CriticalOnset onset = critical_onset(rigid);
+    BOOST_TEST((onset.by == CriticalOnset::By::formula));
+    BOOST_TEST(onset.contact_velocity == certified_critical_velocity(rigid).value);
+    BOOST_TEST(std::abs(simulated(rigid) / onset.contact_velocity - 1) <= rounding);
+    const Scene drive =
+        scene_of("normal = \"k\"\ntangential = \"kt\"", amplitude,
+                 "[drive]\nnetwork = \"kd\"\n[elements]\nk = 3.0\nkt = 2.0\nkd = 0.7\n");
+    const CriticalOnset driven = critical_onset(drive);
+    BOOST_TEST((driven.by == CriticalOnset::By::formula));
+    BOOST_TEST(std::abs(simulated(drive) / driven.contact_velocity - 1) <= rounding);
+  }
+}
+
+// In sliding the tangential deformations are mu0 K_n/K_t times the normal ones whatever the
+// network: v* is Eq. (24) where the surfaces touch as u_z rises fastest, and less elsewhere.
+BOOST_AUTO_TEST_CASE(isotropic_contacts_under_a_rigid_drive) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> exponent(-1.5, 1.5), size(1.2, 6);
+  int kept = 0, lower = 0, opened = 0;
+  for (int i = 0; i < 120; ++i) {
+    const auto number = [&] { return std::to_string(std::pow(10, exponent(random))); };
+    const char* const networks[] = {"k0 | c1", "zener(k0, k1, c1)", "(k0 | c1) - k1",
+                                    "k0 | (k1 - c1) | c2"};
+    const Scene scene = scene_of(
+        std::string("normal = \"") + networks[i % 4] + "\"\ntangential_ratio = 0.8", size(random),
+        "[elements]\nk0 = " + number() + "\nk1 = " + number() + "\nc1 = " + number() +
+            "\nc2 = " + number() + "\n");
+    if (!opens(scene)) continue;
+    ++opened;
+    const CriticalOnset onset = critical_onset(scene);
+    const double formula = certified_critical_velocity(scene).value, found = simulated(scene);
+    BOOST_TEST(found <= formula * (1 + rounding), i);
+    if (onset.by == CriticalOnset::By::formula) {
+      ++kept;
+      BOOST_TEST(onset.contact_velocity == formula);
+      BOOST_TEST(std::abs(found / formula - 1) <= rounding, i);
+    } else {
+      ++lower;
+      BOOST_TEST(onset.contact_velocity == found);
+      BOOST_TEST(found < formula * (1 - 1e-6), i);
+    }
+  }
+  BOOST_TEST(opened >= 100);
+  BOOST_TEST(kept >= 30);
+  BOOST_TEST(lower >= 5);
+}
+
+// With a network of its own the tangential contact remembers: the last stick of a start at rest,
+// the simulator's other witness, vanishes at the same speed, and Eq. (24) is off.
+BOOST_AUTO_TEST_CASE(other_contacts_are_simulated) {
+  const Scene scene = scene_of("normal = \"k | c\"\ntangential = \"kt | ct\"", 3,
+                               "[elements]\nk = 1.0\nc = 0.6\nkt = 0.8\nct = 2.0\n");
+  const CriticalOnset onset = critical_onset(scene);
+  BOOST_TEST((onset.by == CriticalOnset::By::simulation));
+  BOOST_TEST(std::isnan(onset.relative_error_bound));
+  const double rest = simulation::stick_onset(simulation::system_of(scene)).contact_velocity;
+  // Sticks that last less than 1e-6 of a period are found.
+  BOOST_TEST(std::abs(onset.contact_velocity / rest - 1) <= 1e-11);
+  BOOST_TEST(std::abs(certified_critical_velocity(scene).value / rest - 1) > 0.01);
+}
+
+BOOST_AUTO_TEST_CASE(a_force_that_jumps_sticks_at_any_speed) {
+  const CriticalOnset onset = critical_onset(scene_of("normal = \"k | c\"\ntangential = \"kt\"", 3,
+                                                      "[elements]\nk = 1.0\nc = 0.6\nkt = 0.8\n"));
+  BOOST_TEST(std::isinf(onset.contact_velocity));
+  BOOST_TEST(onset.reason.find("sticks for a moment") != std::string::npos);
+}
+
+// Surfaces that may part and do not: the same numbers as without.
+BOOST_AUTO_TEST_CASE(closed_contacts_are_as_ever) {
+  const std::string text = scene_text("normal = \"k | c\"\ntangential = \"kt | ct\"", 0.2,
+                                      "[elements]\nk = 1.0\nc = 0.6\nkt = 0.8\nct = 2.0\n");
+  const Scene may = parse_scene(text, "s.toml");
+  BOOST_TEST(!opens(may));
+  std::string closed = text;
+  closed.erase(closed.find("separation = true\n"), 18);
+  const Scene never = parse_scene(closed, "s.toml");
+  BOOST_TEST(critical_onset(may).contact_velocity == critical_onset(never).contact_velocity);
+  BOOST_TEST((critical_onset(may).by == CriticalOnset::By::formula));
+}
