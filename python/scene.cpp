@@ -11,6 +11,7 @@
 #include "bindings.hpp"
 #include "critical/admissibility.hpp"
 #include "critical/certified.hpp"
+#include "onset/critical_onset.hpp"
 
 namespace vcrit::python {
 
@@ -50,6 +51,13 @@ std::tuple<double, double, std::string> certified(const Scene& scene) {
   return {value, bound, reason};
 }
 
+std::tuple<double, double, std::string, std::string> onset(const Scene& scene) {
+  const py::gil_scoped_release others_run;
+  const CriticalOnset found = critical_onset(scene);
+  return {found.contact_velocity, found.drive_velocity,
+          found.by == CriticalOnset::By::formula ? "formula" : "simulation", found.reason};
+}
+
 std::string read(const std::string& file) { return read_file(file); }
 
 }  // namespace
@@ -65,7 +73,7 @@ void add_scene(py::module_& module) {
   module.def("settable", &settable, arg("scene"));
   module.def("certified", &certified, arg("scene"));
   module.def("reasons", &inadmissible_reasons, arg("scene"));
-  module.def("creep_velocity", &creep_velocity, arg("scene"));
+  module.def("critical_onset", &onset, arg("scene"));
 }
 
 }  // namespace vcrit::python

@@ -12,6 +12,7 @@
 #include "friction.hpp"
 #include "method_curves.hpp"
 #include "network/masses.hpp"
+#include "parting.hpp"
 #include "reduced_difference.hpp"
 #include "simulation/steady/onset.hpp"
 #include "values.hpp"
@@ -65,7 +66,8 @@ void trace_curve(SceneReport& report, const simulation::System& system, double t
     if (closed_form) report.curve.back().closed_form = elastic_friction(amplitude_ratio, ratio);
   }
   report.comparisons.push_back(compare_starts(report.curve));
-  report.comparisons.push_back(compare_pure_sliding(report.curve));
+  if (!report.parting || std::isfinite(report.parting->critical_velocity))
+    report.comparisons.push_back(compare_pure_sliding(report.curve));
   if (closed_form) report.comparisons.push_back(compare_closed_form(report.curve));
 }
 
@@ -84,12 +86,22 @@ void simulate(SceneReport& report, const Witnesses& witnesses, const Progress& p
   }
   try {
     const simulation::System system = witnesses.system(report.scene);
-    const auto threshold = simulation::sliding_threshold(system);
-    report.comparisons.push_back(simulated_velocity(report, threshold));
-    if (report.creep_velocity > 0) report.comparisons.push_back(simulated_creep(report, threshold));
+    if (report.scene.separation) {
+      progress("letting the surfaces part");
+      examine_parting(report, system);
+    }
+    const bool closed_form = !report.parting || report.parting->closed_form;
+    double drive_velocity = report.critical_velocity + report.creep_velocity;
+    if (closed_form) {
+      const auto threshold = simulation::sliding_threshold(system);
+      report.comparisons.push_back(simulated_velocity(report, threshold));
+      if (report.creep_velocity > 0)
+        report.comparisons.push_back(simulated_creep(report, threshold));
+    } else if (const double found = report.parting->drive_velocity; std::isfinite(found)) {
+      drive_velocity = found;
+    }
     pending = velocity_comparison(report, "curve", "friction curve");
     progress("tracing the friction curve");
-    const double drive_velocity = report.critical_velocity + report.creep_velocity;
     trace_curve(report, system, drive_velocity);
     report.cycle = steady_cycle(system, drive_velocity, 0.5);
     progress("simulating by other methods");

@@ -173,6 +173,34 @@ struct Explorer {
   std::optional<FrictionGrid> friction;
 };
 
+/// Friction over speed at another amplitude or of another shape.
+struct FrictionCurve {
+  std::string name;
+  bool own = false;              ///< the scene as it is
+  std::vector<double> ratios;    ///< v0 over v* by Eq. 24 at its amplitude
+  std::vector<double> friction;  ///< mu_macro/mu0; NaN where there is no answer
+};
+
+/// What the contact does over one period, for each of `rows`.
+struct StateMap {
+  std::vector<double> rows;    ///< increasing
+  std::vector<double> phases;  ///< omega t, increasing
+  std::vector<simulation::Motion>
+      motions;  ///< of each row over all phases, one row after the other
+};
+
+/// A scene whose surfaces may part.
+struct Parting {
+  bool opens = false;
+  bool closed_form = true;            ///< v* is Eq. 24, else simulated
+  double critical_velocity = 0;       ///< of the motion, m/s; may be infinite
+  double drive_velocity = 0;          ///< the same of the drive
+  double border = 0;                  ///< du_z/u_z0 beyond which the surfaces part
+  std::vector<Equation> derivation;   ///< of v* where the surfaces part; empty without closed form
+  std::vector<FrictionCurve> curves;  ///< by increasing amplitude
+  StateMap map;                       ///< rows: v0 over v* by Eq. 24
+};
+
 struct SceneReport {
   Scene scene;
   std::vector<std::string> reasons;  ///< why the scene is not admissible; empty when it is
@@ -195,6 +223,7 @@ struct SceneReport {
   FrequencyResponse response;
   std::optional<Explorer> explorer;
   std::optional<ReducedModel> reduced_model;  ///< where the paper's reduced model applies
+  std::optional<Parting> parting;             ///< of surfaces that may part
 };
 
 std::size_t count(const std::vector<Comparison>& comparisons, Comparison::Outcome what);

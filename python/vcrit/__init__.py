@@ -14,11 +14,20 @@ All numbers are in SI units. A text carries its unit: "8 N/um".
 from ._vcrit import Error, InputError, ModelError
 from ._vcrit import version as __version__
 from .derivation import Derivation, Equation, Limit, derive
-from .results import CertifiedVelocity, Energy, Event, FrictionCurve, Parameter, SteadyState
+from .results import (
+    CertifiedVelocity,
+    CriticalOnset,
+    Energy,
+    Event,
+    FrictionCurve,
+    Parameter,
+    SteadyState,
+)
 from .scene import Scene
 
 __all__ = [
     "CertifiedVelocity",
+    "CriticalOnset",
     "Derivation",
     "Energy",
     "Equation",

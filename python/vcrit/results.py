@@ -26,13 +26,26 @@ class CertifiedVelocity(NamedTuple):
     """Why the value is infinite, else empty."""
 
 
+class CriticalOnset(NamedTuple):
+    """v* of the motion."""
+
+    contact_velocity: float
+    """m/s; may be infinite."""
+    drive_velocity: float
+    """m/s, of the drive there; larger only where a network on the path creeps."""
+    by: str
+    """"formula" (Eq. 24) or, where surfaces part and it does not hold, "simulation"."""
+    reason: str
+    """Why the velocity is infinite, else empty."""
+
+
 class Event(NamedTuple):
-    """Where the contact point begins to slip or to stick."""
+    """Where the contact point begins to slip or to stick, or the surfaces part."""
 
     phase: float
     """omega t in [0, 2 pi)."""
     to: str
-    """"slip", "stick" or "backslip"."""
+    """"slip", "stick", "backslip" or "apart"."""
 
 
 class Energy(NamedTuple):

@@ -11,7 +11,15 @@ import numpy.typing as npt
 
 from . import _vcrit
 from .batch import evaluated
-from .results import CertifiedVelocity, Energy, Event, FrictionCurve, Parameter, SteadyState
+from .results import (
+    CertifiedVelocity,
+    CriticalOnset,
+    Energy,
+    Event,
+    FrictionCurve,
+    Parameter,
+    SteadyState,
+)
 
 Value: TypeAlias = float | str
 Array: TypeAlias = npt.NDArray[np.float64]
@@ -109,9 +117,18 @@ class Scene:
         return CertifiedVelocity(*_vcrit.certified(self._handle))
 
     @property
+    def critical_onset(self) -> CriticalOnset:
+        """v* of the motion: by Eq. (24) where it holds, else, where surfaces part, simulated.
+
+        Raises InputError for missing values, ModelError where v* is 0/0 or the scene is outside
+        the model.
+        """
+        return CriticalOnset(*_vcrit.critical_onset(self._handle))
+
+    @property
     def drive_velocity(self) -> float:
         """m/s: v*, and what the drive must run faster where a network on the path creeps."""
-        return self.certified_critical_velocity.value + _vcrit.creep_velocity(self._handle)
+        return self.critical_onset.drive_velocity
 
     @overload
     def critical_velocity(  # type: ignore[misc]  # numbers are array-like, too
@@ -178,7 +195,7 @@ class Scene:
             raise TypeError("either velocities or their ratios to v* must be given")
         given = velocities if ratios is None else ratios
         speeds = np.array(given, dtype=np.float64, order="C")
-        critical, _, reason = self.certified_critical_velocity
+        critical, _, _, reason = self.critical_onset
         if ratios is not None:
             if np.isinf(critical):
                 raise _vcrit.ModelError(

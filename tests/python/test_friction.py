@@ -111,5 +111,29 @@ class Friction(unittest.TestCase):
                              sum(each.friction_ratio_error for each in ends))
 
 
+class SurfacesThatPart(unittest.TestCase):
+    def test_as_the_program_says(self):
+        scene = vcrit.Scene("scenes/jumping.toml")
+        onset = scene.critical_onset
+        self.assertEqual(onset.by, "formula")
+        self.assertEqual(onset.contact_velocity, scene.critical_velocity())
+        curve = scene.friction_curve(velocity_ratios=[0.3, 1.1])
+        self.assertEqual(list(curve.regime), ["stick-slip-apart", "sliding-apart"])
+        state = scene.simulate(curve.velocity[0])
+        self.assertIn("apart", {event.to for event in state.events})
+        printed = json.loads(program("simulate", "scenes/jumping.toml", "--velocity-ratio", "0.3", "--json").stdout)
+        self.assertEqual(printed["friction_ratio"], state.friction_ratio)
+
+    def test_simulated_critical_velocity(self):
+        text = open("scenes/jumping.toml").read().replace("poisson    = 0.3", 'tangential = "kelvin(k0, c1)"')
+        scene = vcrit.Scene.from_text(text)
+        onset = scene.critical_onset
+        self.assertEqual(onset.by, "simulation")
+        self.assertNotAlmostEqual(onset.contact_velocity / scene.critical_velocity(), 1, delta=0.01)
+        curve = scene.friction_curve(velocity_ratios=[0.99, 1.01])
+        self.assertEqual(list(curve.regime), ["stick-slip-apart", "sliding-apart"])
+        self.assertAlmostEqual(curve.velocity[0] / onset.contact_velocity, 0.99, delta=1e-15)
+
+
 if __name__ == "__main__":
     unittest.main()

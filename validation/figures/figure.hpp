@@ -47,7 +47,8 @@ struct Rule {
 
 /// Colours over a grid. What has no value (NaN) stays empty.
 struct Map {
-  Axis value;                  ///< what the colour means; a range and a logarithm as of any axis
+  Axis value;  ///< what the colour means; a range and a logarithm as of any axis; with ticks it has
+               ///< no other values than these, 0, 1, ..., and each has the colour of the palette
   std::vector<double> x, y;    ///< middles of the cells, increasing, at least two of each
   std::vector<double> values;  ///< x.size() y.size() of them, a row of one y after the other
 };

@@ -132,8 +132,17 @@ std::string plots(const Figure& figure) {
 }
 
 // Viridis, as in the page.
-constexpr const char* colours =
+constexpr const char* viridis =
     "set palette defined (0 '#440154', 1 '#3b528b', 2 '#21918c', 3 '#5ec962', 4 '#fde725')\n";
+
+std::string colours(const Axis& value) {
+  if (value.ticks.empty()) return viridis;
+  std::string all;
+  for (const auto& [at, words] : value.ticks)
+    all += fmt::format("{}{} '{}'", all.empty() ? "" : ", ", at, palette(static_cast<int>(at)));
+  return fmt::format("set palette maxcolors {} defined ({})\nset cbrange [-0.5:{}]\n",
+                     value.ticks.size(), all, static_cast<double>(value.ticks.size()) - 0.5);
+}
 
 std::string output(const Figure& figure, const char* terminal, const char* ending) {
   return fmt::format("set terminal {}\nset output '{}.{}'\n", terminal, figure.name, ending) +
@@ -146,7 +155,7 @@ std::string gnuplot(const Figure& figure) {
   std::string text = "# " + quoted(figure.title) + "\nset encoding utf8\nset terminal unknown\n" +
                      "set key top outside horizontal center\nset tics nomirror\nset border 3\n" +
                      "set boxwidth 0.9 relative\n" + axis("x", figure.x) + axis("y", figure.y);
-  if (figure.map) text += axis("cb", figure.map->value) + colours;
+  if (figure.map) text += axis("cb", figure.map->value) + colours(figure.map->value);
   text += bands(figure);
   int row = 0;
   for (const Rule& each : figure.rules) text += rule(each, row++ % 6);

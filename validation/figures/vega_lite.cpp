@@ -179,13 +179,28 @@ ordered_json drawn(const std::vector<double>& values, const Axis& axis) {
   return result;
 }
 
+/// The colours of a map that has few values, with words for them.
+ordered_json classes(const Axis& axis) {
+  ordered_json domain = ordered_json::array(), range = ordered_json::array();
+  for (const auto& [at, words] : axis.ticks) {
+    domain.push_back(at);
+    range.push_back(palette(static_cast<int>(at)));
+  }
+  return {{"field", "v"},
+          {"type", "ordinal"},
+          {"title", axis.title},
+          {"scale", {{"domain", std::move(domain)}, {"range", std::move(range)}}},
+          {"legend", {{"labelExpr", labels(axis)}}}};
+}
+
 ordered_json layer(const Figure& figure, const Map& map) {
   ordered_json colours = scale(map.value);
   colours["scheme"] = "viridis";
   ordered_json seen{{"field", "v"}, {"type", "quantitative"}, {"title", map.value.title}};
-  ordered_json fill = seen;
-  fill["scale"] = colours;
-  fill["legend"] = {{"orient", "top"}, {"titleLimit", 400}};
+  ordered_json fill = map.value.ticks.empty() ? seen : classes(map.value);
+  if (map.value.ticks.empty()) fill["scale"] = colours;
+  fill["legend"]["orient"] = "top";
+  fill["legend"]["titleLimit"] = 400;
   const ordered_json grid{{"x", drawn(edges(map.x, figure.x.logarithmic), figure.x)},
                           {"y", drawn(edges(map.y, figure.y.logarithmic), figure.y)},
                           {"v", drawn(map.values, map.value)}};

@@ -53,6 +53,7 @@ ordered_json json(const MethodPoint& point);
 ordered_json json(const MethodCurve& curve);
 ordered_json json(const ResponsePoint& point);
 ordered_json json(const AsymptoteLine& line);
+ordered_json json(const FrictionCurve& curve);
 ordered_json json(const ResonanceMark& mark);
 
 template <class Item>
@@ -137,6 +138,36 @@ ordered_json json(const ReducedModel& model) {
   return object;
 }
 
+ordered_json json(const FrictionCurve& curve) {
+  ordered_json ratios = ordered_json::array();
+  for (const double value : curve.friction) ratios.push_back(json_number(value));
+  return {{"name", curve.name},
+          {"own", curve.own},
+          {"velocity_ratio", curve.ratios},
+          {"friction_ratio", std::move(ratios)}};
+}
+
+ordered_json json(const StateMap& map) {
+  ordered_json rows = ordered_json::array();
+  for (std::size_t row = 0; row < map.rows.size(); ++row) {
+    ordered_json states = ordered_json::array();
+    for (std::size_t i = 0; i < map.phases.size(); ++i)
+      states.push_back(to_text(map.motions[row * map.phases.size() + i]));
+    rows.push_back(std::move(states));
+  }
+  return {{"velocity_ratio", map.rows}, {"phase", map.phases}, {"states", std::move(rows)}};
+}
+
+ordered_json json(const Parting& parting) {
+  return {{"opens", parting.opens},
+          {"critical_velocity_by", parting.closed_form ? "formula" : "simulation"},
+          {"critical_velocity", json_number(parting.critical_velocity)},
+          {"border", json_number(parting.border)},
+          {"derivation", list(parting.derivation)},
+          {"curves", list(parting.curves)},
+          {"state_map", json(parting.map)}};
+}
+
 ordered_json failing(const SceneReport& report) {
   ordered_json keys = ordered_json::array();
   for (const Comparison& comparison : report.comparisons)
@@ -180,6 +211,7 @@ ordered_json scene_json(const SceneContents& contents) {
   if (!report.methods.empty()) object["methods"] = list(report.methods);
   if (!report.response.points.empty()) object["frequency_response"] = json(report.response);
   if (report.cycle) object["cycle"] = json(*report.cycle);
+  if (report.parting) object["separation"] = json(*report.parting);
   if (report.reduced_model) object["reduced_model"] = json(*report.reduced_model);
   if (contents.accuracy) object["accuracy"] = accuracy_json(*contents.accuracy);
   object["text"] = report.scene.text;

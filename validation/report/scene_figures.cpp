@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "accuracy/pictures.hpp"
+#include "report/parting_section.hpp"
 #include "report/stretches.hpp"
 #include "report/units.hpp"
 
@@ -123,6 +124,10 @@ std::vector<Figure> scene_figures(const SceneContents& contents) {
   if (report.cycle) {
     all.push_back(force_figure(report));
     all.push_back(velocity_figure(report));
+  }
+  if (report.parting) {
+    if (!report.parting->curves.empty()) all.push_back(amplitude_figure(*report.parting));
+    all.push_back(state_figure(*report.parting));
   }
   if (contents.accuracy)
     for (Figure& figure : accuracy::pictures(*contents.accuracy)) all.push_back(std::move(figure));

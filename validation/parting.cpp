@@ -1,0 +1,263 @@
+#include "parting.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "analysis/parting.hpp"
+#include "critical/admissibility.hpp"
+#include "critical/critical_velocity.hpp"
+#include "formulas.hpp"
+#include "onset/critical_onset.hpp"
+#include "simulation/steady/curve.hpp"
+#include "simulation/steady/energy.hpp"
+#include "simulation/steady/exact.hpp"
+#include "simulation/steady/normal_force.hpp"
+#include "simulation/steady/onset.hpp"
+
+namespace vcrit::validation {
+
+namespace {
+
+using simulation::Motion;
+using simulation::System;
+constexpr double period = 2 * std::numbers::pi;
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+
+// Of the border of separation, on both sides of it.
+constexpr double amplitudes[] = {0.5, 0.9, 1, 1.5, 3, 10};
+
+std::vector<double> speeds() {
+  std::vector<double> ratios{0.005, 0.01, 0.02, 0.03};
+  for (int i = 2; i <= 40; ++i) ratios.push_back(i / 40.0);
+  for (const double ratio : {1.05, 1.1, 1.2}) ratios.push_back(ratio);
+  return ratios;
+}
+
+std::vector<double> even(double from, double to, int count) {
+  std::vector<double> values;
+  for (int i = 0; i < count; ++i) values.push_back(from + (to - from) * (i + 0.5) / count);
+  return values;
+}
+
+Scene at_amplitude(Scene scene, double amplitude) {
+  scene.amplitude.value = amplitude;
+  return scene;
+}
+
+double border_of(const Scene& scene) {
+  const Relaxation normal = relaxation_form(scene.normal, values_of(scene));
+  return normal.equilibrium /
+         std::abs(dynamic_stiffness(normal, scene.angular_frequency.value.value()));
+}
+
+std::vector<double> friction_over(const System& system, const std::vector<double>& velocities) {
+  std::vector<double> friction;
+  for (const auto& point : simulation::friction_curve(system, velocities))
+    friction.push_back(point.state ? point.state->friction_ratio : nothing);
+  return friction;
+}
+
+// Speeds over v* by Eq. 24, of the drive: a path that creeps is left behind by it.
+std::vector<double> times(const std::vector<double>& ratios, double speed) {
+  std::vector<double> result;
+  for (const double ratio : ratios) result.push_back(ratio * speed);
+  return result;
+}
+
+FrictionCurve curve_of(const Scene& scene) {
+  FrictionCurve curve;
+  curve.ratios = speeds();
+  curve.friction =
+      friction_over(simulation::system_of(scene), times(curve.ratios, critical_velocity(scene)));
+  return curve;
+}
+
+// Within this share of the border two amplitudes are drawn as one.
+constexpr double same_amplitude = 0.05;
+
+std::vector<FrictionCurve> curves_of(const Scene& scene, double border) {
+  const double indentation = scene.indentation.value.value();
+  const double own = scene.amplitude.value.value() / (border * indentation);
+  std::vector<double> shares(std::begin(amplitudes), std::end(amplitudes));
+  std::erase_if(shares, [&](double share) { return std::abs(share / own - 1) < same_amplitude; });
+  shares.push_back(own);
+  std::sort(shares.begin(), shares.end());
+  std::vector<FrictionCurve> curves;
+  for (const double share : shares) {
+    curves.push_back(
+        curve_of(share == own ? scene : at_amplitude(scene, share * border * indentation)));
+    curves.back().name = fmt::format("{:.3g} of the border", share);
+    curves.back().own = share == own;
+  }
+  return curves;
+}
+
+StateMap map_of(const System& system, double speed) {
+  StateMap map{even(0, 1.2, 48), even(0, period, 180), {}};
+  for (const double ratio : map.rows) {
+    std::vector<Motion> row(map.phases.size(), Motion::slip);
+    try {
+      const auto state = simulation::steady_state(system, ratio * speed);
+      row = motions_at(state.events, map.phases,
+                       state.regime == simulation::Regime::stick ? Motion::stick : Motion::slip);
+    } catch (const ModelError&) {
+      row.assign(map.phases.size(), Motion::slip);
+    }
+    map.motions.insert(map.motions.end(), row.begin(), row.end());
+  }
+  return map;
+}
+
+Comparison comparison_of(const char* key, const std::string& name, const std::string& reference) {
+  Comparison comparison;
+  comparison.key = key;
+  comparison.name = name;
+  comparison.reference = reference;
+  comparison.measure = Comparison::Measure::absolute;
+  return comparison;
+}
+
+// So slow that the contact sticks from one meeting of the surfaces to their parting: its force is
+// less than that of the glassy network for the way of one period.
+Comparison static_limit(const System& system, double speed) {
+  Comparison comparison = comparison_of("static_limit", "friction at rest, v0 -> 0",
+                                        "0: whenever the surfaces meet, the contact begins anew");
+  const double velocity = 1e-9 * speed;
+  double glassy = system.contact.equilibrium;
+  for (const MaxwellBranch& branch : system.contact.branches) glassy += branch.stiffness;
+  const double force = (glassy * period / system.omega + system.contact.damper) * velocity;
+  comparison.found = simulation::steady_state(system, velocity).friction_ratio;
+  comparison.tolerance = force / (system.friction * simulation::mean_normal_force(system)) + 1e-12;
+  comparison.reason = "at 10⁻⁹ of v*, the stiffest that the network answers with over one period";
+  return comparison;
+}
+
+// Half the border and a quarter of it: friction falls short of mu0 in proportion, as nothing slips
+// backward.
+std::optional<Comparison> small_amplitude(const Scene& scene, double border) {
+  const auto shortfall = [&](double share) -> std::optional<simulation::SteadyState> {
+    const Scene there = at_amplitude(scene, share * border * scene.indentation.value.value());
+    auto state = simulation::steady_state(simulation::system_of(there),
+                                          0.5 * critical_velocity(there) + creep_velocity(there));
+    if (state.regime != simulation::Regime::stick_slip) return std::nullopt;
+    return state;
+  };
+  const auto half = shortfall(0.02), quarter = shortfall(0.01);
+  if (!half || !quarter) return std::nullopt;
+  Comparison comparison =
+      comparison_of("small_amplitude", "1 − friction ratio at 1 % of the border, at half of v*",
+                    "half of that at 2 %");
+  comparison.measure = Comparison::Measure::relative;
+  comparison.expected = (1 - half->friction_ratio) / 2;
+  comparison.found = 1 - quarter->friction_ratio;
+  comparison.tolerance =
+      (half->friction_ratio_error + 2 * quarter->friction_ratio_error + 4e-16) / comparison.found;
+  comparison.reason = "the errors of both, over what is left of them";
+  return comparison;
+}
+
+// So slow an oscillation that every network is as at rest.
+std::optional<Comparison> quasi_static(const System& system) {
+  const auto& form = system.opening->network;
+  if (!(system.contact.equilibrium > 0) || system.drive) return std::nullopt;
+  System slow = system, elastic = system;
+  double slowest =
+      std::max(form.damper / form.equilibrium, system.contact.damper / system.contact.equilibrium);
+  for (const Relaxation* network : {&form, &system.contact})
+    for (const MaxwellBranch& branch : network->branches)
+      slowest = std::max(slowest, branch.time * (1 + branch.stiffness / network->equilibrium));
+  if (slowest == 0) return std::nullopt;
+  constexpr double slowness = 1e-6;
+  slow.omega = elastic.omega = slowness / slowest;
+  elastic.contact = {system.contact.equilibrium, 0, {}};
+  elastic.opening->network = {form.equilibrium, 0, {}};
+  const double speed = system.friction * elastic.omega * elastic.opening->amplitude *
+                       form.equilibrium / system.contact.equilibrium;
+  Comparison comparison = comparison_of(
+      "quasi_static", "friction at a frequency far below all relaxation, at half of v*",
+      "elastic contact of the stiffness at rest");
+  comparison.expected = simulation::steady_state(elastic, 0.5 * speed).friction_ratio;
+  comparison.found = simulation::steady_state(slow, 0.5 * speed).friction_ratio;
+  comparison.tolerance = 50 * slowness;
+  comparison.reason =
+      "forces, and times of parting, change by ω times the slowest relaxation, 10⁻⁶";
+  return comparison;
+}
+
+std::optional<Comparison> energy(const System& system, double velocity) {
+  const auto found = simulation::energy_balance(system, velocity);
+  if (!found) return std::nullopt;
+  const simulation::EnergyBalance& balance = *found;
+  Comparison comparison = comparison_of("energy", "heat of friction and dampers over a cycle",
+                                        "work of drive and oscillation");
+  comparison.unit = "J";
+  comparison.expected = balance.drive;
+  comparison.found = balance.friction + balance.dampers;
+  comparison.tolerance = balance.error;
+  comparison.reason = "the simulator's own estimate";
+  return comparison;
+}
+
+// Where Eq. 24 does not hold: the slowest steady sliding, and the last stick of starts at rest.
+std::optional<Comparison> witnesses(const SceneReport& report, const System& system) {
+  const double expected = report.parting->drive_velocity;
+  if (!std::isfinite(expected)) return std::nullopt;
+  Comparison comparison = comparison_of("witnesses", "v* by the last stick of starts at rest",
+                                        "v* by the slowest steady sliding");
+  comparison.unit = "m/s";
+  comparison.measure = Comparison::Measure::relative;
+  comparison.expected = expected;
+  comparison.found = simulation::stick_onset(system).drive_velocity;
+  comparison.tolerance = 1e-9;
+  comparison.reason = "sticks shorter than 10⁻⁶ of a period are found: their depth is its square";
+  return comparison;
+}
+
+void compare(SceneReport& report, const System& system, double speed) {
+  const auto add = [&](std::optional<Comparison> comparison) {
+    if (comparison) report.comparisons.push_back(std::move(*comparison));
+  };
+  add(energy(system, 0.5 * speed));
+  if (!report.parting->closed_form) add(witnesses(report, system));
+  if (report.parting->border > 0 && report.scene.indentation.value.value() > 0)
+    add(small_amplitude(report.scene, report.parting->border));
+  if (!system.opening) return;
+  add(static_limit(system, speed));
+  add(quasi_static(system));
+}
+
+}  // namespace
+
+std::vector<Motion> motions_at(const std::vector<simulation::Event>& events,
+                               const std::vector<double>& phases, Motion resting) {
+  std::vector<Motion> motions;
+  for (const double phase : phases) {
+    Motion now = events.empty() ? resting : events.back().to;
+    for (const simulation::Event& event : events)
+      if (event.phase <= phase) now = event.to;
+    motions.push_back(now);
+  }
+  return motions;
+}
+
+void examine_parting(SceneReport& report, const System& system) {
+  const Scene& scene = report.scene;
+  const CriticalOnset onset = critical_onset(scene);
+  Parting& parting = report.parting.emplace();
+  parting.opens = system.opening.has_value();
+  parting.closed_form = onset.by == CriticalOnset::By::formula;
+  parting.critical_velocity = onset.contact_velocity;
+  parting.drive_velocity = onset.drive_velocity;
+  parting.border = border_of(scene);
+  parting.derivation = equations_of(symbolic::parting_lines(scene));
+  const double speed = critical_velocity(scene);
+  if (scene.indentation.value.value() > 0) parting.curves = curves_of(scene, parting.border);
+  parting.map = map_of(system, speed);
+  compare(report, system, speed);
+}
+
+}  // namespace vcrit::validation

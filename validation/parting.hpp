@@ -1,0 +1,18 @@
+// Of a scene whose surfaces may part: v* of the motion, friction against amplitude across the
+// border of separation, the state of the contact over the period, and the limits that must hold.
+#pragma once
+
+#include "scene_report.hpp"
+#include "simulation/system/system.hpp"
+
+namespace vcrit::validation {
+
+/// Adds `parting` and its comparisons. The system is the scene's.
+void examine_parting(SceneReport& report, const simulation::System& system);
+
+/// What each of `events` (of one period, in order) says of `phases`; `resting` where there is none.
+std::vector<simulation::Motion> motions_at(const std::vector<simulation::Event>& events,
+                                           const std::vector<double>& phases,
+                                           simulation::Motion resting);
+
+}  // namespace vcrit::validation
