@@ -39,13 +39,12 @@ std::vector<Line> parting_lines(const Scene& scene) {
   const ex velocity = omega() * swing.modulus();
   ensure((velocity - derive(scene).critical_velocity).normal().is_zero(),
          "v* of surfaces that part is that of a closed contact");
-  return {
-      {"In sliding contact force and friction balance at all times, also apart, where both are "
-       "0; so the contact point follows the normal deformation z without memory",
-       quantity("y"), ratio * mu0 * z},
-      {"Touching, z = u_z; where u_z rises fastest while they touch, the contact is slowest, as "
-       "without parting",
-       quantity("v*"), velocity}};
+  return {{"In sliding contact force and friction balance at all times, also apart, where both are "
+           "0; so the contact point follows the normal deformation z without memory",
+           quantity("y"), ratio * mu0 * z},
+          {"While they touch z is the indentation; where it grows fastest, and they touch there, "
+           "the contact is slowest, as without parting",
+           quantity("v*"), velocity}};
 }
 
 }  // namespace vcrit::symbolic
