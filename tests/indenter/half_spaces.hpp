@@ -11,12 +11,11 @@ namespace vcrit::reference {
 inline Scene scene_of(const std::string& indenter, double indentation, double amplitude,
                       const std::string& normal = "k0",
                       const std::string& elements = "k0 = \"5 GPa\"", bool separation = true) {
-  return parse_scene("[contact]\nnormal = \"" + normal +
-                         "\"\npoisson = 0.3\nseparation = " + (separation ? "true" : "false") +
-                         "\n[indenter]\n" + indenter +
+  return parse_scene("[contact]\nnormal = \"" + normal + "\"\npoisson = 0.3\nseparation = " +
+                         (separation ? "true" : "false") + "\n[indenter]\n" + indenter +
                          "\n[oscillation]\nfrequency = \"20 kHz\"\namplitude = " +
-                         std::to_string(amplitude * 1e9) + "e-9\nindentation = " +
-                         std::to_string(indentation * 1e9) +
+                         std::to_string(amplitude * 1e9) +
+                         "e-9\nindentation = " + std::to_string(indentation * 1e9) +
                          "e-9\n[friction]\ncoefficient = 0.3\n[elements]\n" + elements + "\n",
                      "scene.toml");
 }
