@@ -17,9 +17,8 @@ using simulation::Start;
 // What a touch reaches down to, in amplitudes; it lasts for 2 sqrt(2 shallow) of 2 pi.
 constexpr double shallow = 5e-12;
 
-bool empty(const HalfSpace& half_space, double x) {
-  const double mean = half_space.indentation() - half_space.gap().at(x);
-  return !(mean + half_space.amplitude() > shallow * half_space.amplitude());
+bool empty(const HalfSpace& half_space, double depth) {
+  return !(depth + half_space.amplitude() > shallow * half_space.amplitude());
 }
 
 }  // namespace
@@ -56,8 +55,9 @@ Motions motions_of(Regime regime) {
 }
 
 CellFriction cell_friction(const HalfSpace& half_space, double x, double velocity) {
-  if (empty(half_space, x)) return {};
-  const simulation::System system = half_space.cell(x);
+  const double depth = half_space.depth(x);
+  if (empty(half_space, depth)) return {};
+  const simulation::System system = half_space.cell_under(depth);
   simulation::Answers answers(system);
   const simulation::SteadyState& state = answers.at(velocity, Start::sliding, 0);
   CellFriction result{simulation::mean_normal_force(system), state.friction_ratio,
@@ -76,8 +76,9 @@ double counted_edge(const HalfSpace& half_space) {
 
 Course course(const HalfSpace& half_space, double x, double velocity) {
   Course result{};
-  if (empty(half_space, x)) return result;
-  simulation::Answers answers(half_space.cell(x));
+  const double depth = half_space.depth(x);
+  if (empty(half_space, depth)) return result;
+  simulation::Answers answers(half_space.cell_under(depth));
   for (const simulation::Event& event : answers.at(velocity, Start::sliding, 0).events)
     ++result[static_cast<std::size_t>(event.to)];
   return result;

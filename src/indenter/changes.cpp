@@ -78,7 +78,8 @@ std::vector<double> changes(const HalfSpace& half_space, double velocity) {
   std::vector<std::vector<double>> found(all.size() - 1);
   tbb::parallel_for(std::size_t{0}, found.size(),
                     [&](std::size_t i) { found[i] = search.between(all[i], all[i + 1]); });
-  std::vector<double> points = known;
+  std::vector<double> points = half_space.gap().edges();
+  points.insert(points.end(), known.begin(), known.end());
   for (const std::vector<double>& some : found)
     points.insert(points.end(), some.begin(), some.end());
   return increasing(std::move(points), edge);

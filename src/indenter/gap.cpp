@@ -103,19 +103,18 @@ Gap::Parts Gap::polygon_slope(double x) const {
 // The largest g up to `high`, between two radii, from that up to `low`. Halves until g surely grows
 // or can fall no more than it may.
 double Gap::highest_after(double highest, double low, double high) const {
-  const double end = at(high);
+  const double end = at(high), middle = 0.5 * (low + high);
   const Parts at_low = polygon(low), at_high = polygon(high);
-  if (at_high.fall - at_low.fall <= 0.5 * harmless_fall * highest ||
+  if (middle <= low || middle >= high ||
+      at_high.fall - at_low.fall <= 0.5 * harmless_fall * highest ||
       polygon_slope(high).rise >= polygon_slope(low).fall) {
     if (end < (1 - harmless_fall) * highest)
-      throw ModelError(
-          fmt::format("the contact would have holes: the table's one-dimensional profile g(x) "
-                      "falls from {:.6g} "
-                      "m to {:.6g} m near r = {:.6g} m, where the slope of f decreases",
-                      highest, end, high));
+      throw ModelError(fmt::format(
+          "the contact would have holes: the profile g(x) of the table falls from {:.6g} m to "
+          "{:.6g} m near r = {:.6g} m, where the slope of f decreases",
+          highest, end, high));
     return std::max(highest, end);
   }
-  const double middle = 0.5 * (low + high);
   return highest_after(highest_after(highest, low, middle), middle, high);
 }
 
@@ -133,9 +132,8 @@ double Gap::half_width(double depth) const {
   if (radii_.empty()) return std::pow(depth / factor_, 1 / exponent_);
   if (at(end_) <= depth) return end_;
   const auto above = std::upper_bound(at_radii_.begin(), at_radii_.end(), depth);
-  double low = radii_[static_cast<std::size_t>(above - at_radii_.begin()) - 1];
-  double high =
-      above == at_radii_.end() ? end_ : radii_[static_cast<std::size_t>(above - at_radii_.begin())];
+  const auto next = radii_.begin() + (above - at_radii_.begin());
+  double low = *std::prev(next), high = next == radii_.end() ? end_ : *next;
   for (double middle = 0.5 * (low + high); middle > low && middle < high;
        middle = 0.5 * (low + high))
     (at(middle) <= depth ? low : high) = middle;

@@ -61,26 +61,22 @@ void HalfSpace::require_admissible(bool separation) const {
         swing_ / indentation_));
 }
 
-bool HalfSpace::touches(double x) const { return indentation_ - gap_.at(x) + amplitude_ > 0; }
-
-bool HalfSpace::stays_closed(double x) const {
-  const double mean = indentation_ - gap_.at(x);
-  return mean > 0 && mean >= swing_ * (1 - hardly_parting);
+bool HalfSpace::never_parts(double depth) const {
+  return depth > 0 && depth >= swing_ * (1 - hardly_parting);
 }
 
-simulation::System HalfSpace::cell(double x) const {
-  ensure(touches(x), "the surfaces meet there");
-  const double mean = indentation_ - gap_.at(x);
+simulation::System HalfSpace::cell_under(double depth) const {
+  ensure(meets(depth), "the surfaces meet there");
   simulation::System system;
   system.contact = tangential_;
   system.omega = omega_;
   system.friction = friction_;
-  if (stays_closed(x)) {
-    system.mean_normal_force = normal_.equilibrium * mean;
+  if (never_parts(depth)) {
+    system.mean_normal_force = normal_.equilibrium * depth;
     system.normal_force_amplitude =
-        amplitude_ * response_ * std::min(1.0, nearly_all * mean / swing_);
+        amplitude_ * response_ * std::min(1.0, nearly_all * depth / swing_);
   } else {
-    system.opening = {normal_, mean, amplitude_};
+    system.opening = {normal_, depth, amplitude_};
   }
   return system;
 }

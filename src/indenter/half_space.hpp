@@ -16,14 +16,19 @@ class HalfSpace {
   /// friction, no static load, no contact, or one that opens all over without scene.separation.
   explicit HalfSpace(const Scene& scene);
 
-  /// The contact at x where the surfaces touch; forces per length, N/m.
-  simulation::System cell(double x) const;
+  /// The mean indentation at x, u_z0 - g(x), m.
+  double depth(double x) const { return indentation_ - gap_.at(x); }
+
+  /// The contact at x, where the surfaces touch; forces per length, N/m.
+  simulation::System cell(double x) const { return cell_under(depth(x)); }
+  /// The same by its mean indentation.
+  simulation::System cell_under(double depth) const;
 
   /// Whether the surfaces meet at x at all.
-  bool touches(double x) const;
+  bool touches(double x) const { return meets(depth(x)); }
 
   /// Whether they always touch at x.
-  bool stays_closed(double x) const;
+  bool stays_closed(double x) const { return never_parts(depth(x)); }
 
   double edge() const { return gap_.half_width(indentation_ + amplitude_); }  ///< m
   /// Half the width (m) of contact under the mean indentation.
@@ -45,6 +50,8 @@ class HalfSpace {
 
  private:
   void require_admissible(bool separation) const;
+  bool meets(double depth) const { return depth + amplitude_ > 0; }
+  bool never_parts(double depth) const;
 
   Gap gap_;
   Relaxation normal_, tangential_;  ///< E* and ratio E*

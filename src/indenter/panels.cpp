@@ -40,7 +40,9 @@ std::array<Node, nodes> all_nodes() {
 }
 
 struct Panel {
-  double low = 0, high = 0;  // m
+  Panel(double from, double to) : low(from), high(to) {}
+
+  double low, high;  // m
   double friction = 0, normal_force = 0;
   double friction_fault = 0, normal_force_fault = 0;  // Kronrod's sum less Gauss's
   double cell_error = 0;
@@ -50,6 +52,7 @@ struct Panel {
   double ratio_error(double ratio) const {
     return std::abs(friction_fault - ratio * normal_force_fault);
   }
+  double normal_force_error() const { return std::abs(normal_force_fault); }
 };
 
 class Quadrature {
@@ -60,7 +63,7 @@ class Quadrature {
   Integrals run(const std::vector<double>& breaks, double tolerance) {
     std::vector<Panel> fresh;
     for (std::size_t i = 0; i + 1 < breaks.size(); ++i)
-      fresh.push_back({breaks[i], breaks[i + 1], 0, 0, 0, 0, 0});
+      fresh.emplace_back(breaks[i], breaks[i + 1]);
     while (true) {
       evaluate(fresh);
       const Integrals sum = summed();
@@ -102,7 +105,7 @@ class Quadrature {
     for (const Panel& panel : panels_) {
       sum.friction += panel.friction;
       sum.normal_force += panel.normal_force;
-      sum.normal_force_error += std::abs(panel.normal_force_fault);
+      sum.normal_force_error += panel.normal_force_error();
       sum.cell_error += panel.cell_error;
     }
     const double ratio = sum.friction / sum.normal_force;
@@ -124,34 +127,18 @@ class Quadrature {
     const double share = tolerance * sum.normal_force / static_cast<double>(panels_.size());
     std::vector<Panel> kept, halves;
     for (const Panel& panel : panels_) {
-      const double error = std::max(panel.ratio_error(ratio), std::abs(panel.normal_force_fault));
+      const double error = std::max(panel.ratio_error(ratio), panel.normal_force_error());
       const double least = std::max(panel.cell_error, rounding * panel.normal_force);
-      const double middle = middle_of(panel);
+      const double middle = 0.5 * (panel.low + panel.high);
       if (error <= std::max(share, least) || middle <= panel.low || middle >= panel.high) {
         kept.push_back(panel);
         continue;
       }
-      halves.push_back({panel.low, middle, 0, 0, 0, 0, 0});
-      halves.push_back({middle, panel.high, 0, 0, 0, 0, 0});
+      halves.emplace_back(panel.low, middle);
+      halves.emplace_back(middle, panel.high);
     }
     panels_ = std::move(kept);
     return halves;
-  }
-
-  // A table's slope changes best where panels meet.
-  double middle_of(const Panel& panel) const {
-    const double middle = 0.5 * (panel.low + panel.high);
-    const std::vector<double>& edges = half_space_.gap().edges();
-    double best = middle, distance = std::numeric_limits<double>::infinity();
-    const auto next = std::lower_bound(edges.begin(), edges.end(), middle);
-    const auto consider = [&](double edge) {
-      if (edge <= panel.low || edge >= panel.high || std::abs(edge - middle) >= distance) return;
-      best = edge;
-      distance = std::abs(edge - middle);
-    };
-    if (next != edges.end()) consider(*next);
-    if (next != edges.begin()) consider(*std::prev(next));
-    return best;
   }
 
   const HalfSpace& half_space_;
