@@ -22,6 +22,7 @@ ROOMS = [
     "src/simulation/motion",
     "src/simulation/steady",
     "src/simulation/methods",
+    "src/indenter",
     "src/onset",
     "src/sweep",
     "src/maps",

@@ -1,0 +1,87 @@
+#include "indenter/cell.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "simulation/steady/answers.hpp"
+#include "simulation/steady/normal_force.hpp"
+
+namespace vcrit::indenter {
+
+namespace {
+
+using simulation::Motion;
+using simulation::Regime;
+using simulation::Start;
+
+// What a touch reaches down to, in amplitudes; it lasts for 2 sqrt(2 shallow) of 2 pi.
+constexpr double shallow = 5e-12;
+
+bool empty(const HalfSpace& half_space, double depth) {
+  return !(depth + half_space.amplitude() > shallow * half_space.amplitude());
+}
+
+}  // namespace
+
+void Motions::add(const Motions& other) {
+  apart = apart || other.apart;
+  stick = stick || other.stick;
+  backslip = backslip || other.backslip;
+}
+
+Regime Motions::regime() const {
+  if (backslip) return apart ? Regime::stick_slip_backslip_apart : Regime::stick_slip_backslip;
+  if (stick) return apart ? Regime::stick_slip_apart : Regime::stick_slip;
+  return apart ? Regime::sliding_apart : Regime::sliding;
+}
+
+Motions motions_of(Regime regime) {
+  switch (regime) {
+    case Regime::sliding:
+      return {};
+    case Regime::stick_slip:
+    case Regime::stick:
+      return {false, true, false};
+    case Regime::stick_slip_backslip:
+      return {false, true, true};
+    case Regime::sliding_apart:
+      return {true, false, false};
+    case Regime::stick_slip_apart:
+      return {true, true, false};
+    case Regime::stick_slip_backslip_apart:
+      return {true, true, true};
+  }
+  return {};
+}
+
+CellFriction cell_friction(const HalfSpace& half_space, double x, double velocity) {
+  const double depth = half_space.depth(x);
+  if (empty(half_space, depth)) return {};
+  const simulation::System system = half_space.cell_under(depth);
+  simulation::Answers answers(system);
+  const simulation::SteadyState& state = answers.at(velocity, Start::sliding, 0);
+  CellFriction result{simulation::mean_normal_force(system), state.friction_ratio,
+                      state.friction_ratio_error, 0, motions_of(state.regime)};
+  answers.at(velocity, Start::rest, 0);  // in the memory of the other
+  result.disagreement = std::abs(state.friction_ratio - result.ratio);
+  result.error = std::max(result.error, state.friction_ratio_error);
+  result.motions.add(motions_of(state.regime));
+  return result;
+}
+
+double counted_edge(const HalfSpace& half_space) {
+  return half_space.gap().half_width(half_space.indentation() +
+                                     half_space.amplitude() * (1 - shallow));
+}
+
+Course course(const HalfSpace& half_space, double x, double velocity) {
+  Course result{};
+  const double depth = half_space.depth(x);
+  if (empty(half_space, depth)) return result;
+  simulation::Answers answers(half_space.cell_under(depth));
+  for (const simulation::Event& event : answers.at(velocity, Start::sliding, 0).events)
+    ++result[static_cast<std::size_t>(event.to)];
+  return result;
+}
+
+}  // namespace vcrit::indenter

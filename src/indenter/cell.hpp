@@ -1,0 +1,40 @@
+// What one cell adds to the friction of the indenter.
+#pragma once
+
+#include <array>
+
+#include "indenter/half_space.hpp"
+#include "simulation/system/steady_state.hpp"
+
+namespace vcrit::indenter {
+
+/// Which motions there are besides slip.
+struct Motions {
+  bool apart = false, stick = false, backslip = false;
+
+  void add(const Motions& other);
+  simulation::Regime regime() const;
+};
+
+Motions motions_of(simulation::Regime regime);
+
+struct CellFriction {
+  double normal_force = 0;  ///< mean, N/m
+  double ratio = 0;         ///< of friction to mu0 times it
+  double error = 0;         ///< estimate of the ratio's error; the larger of two starts
+  double disagreement = 0;  ///< between a start in sliding and one at rest
+  Motions motions;
+};
+
+/// velocity in m/s, > 0. A cell that touches for less than some 1e-6 of a period is empty. Throws
+/// ModelError where no steady state is found.
+CellFriction cell_friction(const HalfSpace& half_space, double x, double velocity);
+
+/// Outside of this half of width (m) cells are empty; less than the edge by some 1e-11 of it.
+double counted_edge(const HalfSpace& half_space);
+
+/// How often each motion begins in a period; where this changes with x, friction is not smooth.
+using Course = std::array<int, 4>;
+Course course(const HalfSpace& half_space, double x, double velocity);
+
+}  // namespace vcrit::indenter

@@ -1,0 +1,88 @@
+#include "indenter/changes.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+
+#include "indenter/cell.hpp"
+
+namespace vcrit::indenter {
+
+namespace {
+
+constexpr std::size_t samples = 16;  // between two places known before
+constexpr double width = 1e-12;      // of the edge
+constexpr int most_changes = 8;      // between two samples
+
+struct Sample {
+  double x = 0;
+  Course course{};
+};
+
+// Between two samples of different course, each found by bisection.
+class Search {
+ public:
+  Search(const HalfSpace& half_space, double velocity)
+      : half_space_(half_space), velocity_(velocity), narrow_(width * half_space.edge()) {}
+
+  Sample sample(double x) const { return {x, course(half_space_, x, velocity_)}; }
+
+  std::vector<double> between(Sample low, const Sample& high) const {
+    std::vector<double> found;
+    for (int i = 0; i < most_changes && low.course != high.course; ++i) {
+      const Sample changed = first(low, high);
+      found.push_back(changed.x);
+      low = changed;
+    }
+    return found;
+  }
+
+ private:
+  // A sample just behind a place where the course ceases to be that of `low`.
+  Sample first(Sample low, Sample high) const {
+    while (high.x - low.x > narrow_) {
+      const Sample middle = sample(0.5 * (low.x + high.x));
+      (middle.course == low.course ? low : high) = middle;
+    }
+    return high;
+  }
+
+  const HalfSpace& half_space_;
+  double velocity_, narrow_;
+};
+
+std::vector<double> increasing(std::vector<double> points, double edge) {
+  std::sort(points.begin(), points.end());
+  std::vector<double> result{0};
+  for (const double x : points)
+    if (x > result.back() + width * edge && x < edge * (1 - width)) result.push_back(x);
+  result.push_back(edge);
+  return result;
+}
+
+}  // namespace
+
+std::vector<double> changes(const HalfSpace& half_space, double velocity) {
+  const double edge = half_space.edge();
+  const std::vector<double> known =
+      increasing({half_space.closed_radius(), half_space.radius()}, edge);
+  std::vector<double> places;
+  for (std::size_t i = 0; i + 1 < known.size(); ++i)
+    for (std::size_t j = 0; j < samples; ++j)
+      places.push_back(known[i] + (known[i + 1] - known[i]) * (static_cast<double>(j) + 0.5) /
+                                      static_cast<double>(samples));
+  const Search search(half_space, velocity);
+  std::vector<Sample> all(places.size());
+  tbb::parallel_for(std::size_t{0}, all.size(),
+                    [&](std::size_t i) { all[i] = search.sample(places[i]); });
+  std::vector<std::vector<double>> found(all.size() - 1);
+  tbb::parallel_for(std::size_t{0}, found.size(),
+                    [&](std::size_t i) { found[i] = search.between(all[i], all[i + 1]); });
+  std::vector<double> points = half_space.gap().edges();
+  points.insert(points.end(), known.begin(), known.end());
+  for (const std::vector<double>& some : found)
+    points.insert(points.end(), some.begin(), some.end());
+  return increasing(std::move(points), edge);
+}
+
+}  // namespace vcrit::indenter

@@ -1,0 +1,107 @@
+#include "indenter/friction.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <boost/math/tools/minima.hpp>
+#include <cmath>
+#include <limits>
+
+#include "base/errors.hpp"
+#include "indenter/changes.hpp"
+#include "indenter/panels.hpp"
+#include "simulation/steady/exact.hpp"
+#include "simulation/steady/normal_force.hpp"
+
+namespace vcrit::indenter {
+
+namespace {
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+constexpr std::size_t scanned = 64;
+
+Friction of_one_cell(const HalfSpace& half_space, double velocity) {
+  const CellFriction cell = cell_friction(half_space, 0, velocity);
+  const double force = 2 * half_space.edge() * cell.normal_force;
+  return {cell.ratio, cell.error,       force, 16 * epsilon * force, cell.motions.regime(),
+          1,          cell.disagreement};
+}
+
+// N: of u_z0 - g(x) + du_z in rounding, as the normal force feels it.
+double depth_error(const HalfSpace& half_space) {
+  const double depth = half_space.indentation() + half_space.amplitude();
+  return 4 * epsilon * half_space.static_modulus() * depth * half_space.edge();
+}
+
+// N: the normal force of cells that touch for too short a time, which decreases outwards.
+double left_out(const HalfSpace& half_space) {
+  const double edge = counted_edge(half_space);
+  if (!half_space.touches(edge)) return 0;
+  return (half_space.edge() - edge) * simulation::mean_normal_force(half_space.cell(edge));
+}
+
+}  // namespace
+
+Friction friction(const HalfSpace& half_space, double velocity, double tolerance) {
+  ensure(velocity > 0, "the indenter moves forward");
+  ensure(tolerance > 0, "a tolerance is positive");
+  if (half_space.uniform()) return of_one_cell(half_space, velocity);
+  const Integrals sum = integrals(half_space, velocity, changes(half_space, velocity), tolerance);
+  const double outside =
+      left_out(half_space) + depth_error(half_space) + 16 * epsilon * sum.normal_force;
+  Friction result;
+  result.ratio = sum.friction / sum.normal_force;
+  result.error = sum.ratio_error + (sum.cell_error + outside) / sum.normal_force;
+  result.normal_force = 2 * sum.normal_force;
+  result.normal_force_error = 2 * (sum.normal_force_error + outside);
+  result.regime = sum.motions.regime();
+  result.cells = sum.cells;
+  result.disagreement = sum.disagreement;
+  return result;
+}
+
+std::vector<CurvePoint> friction_curve(const HalfSpace& half_space,
+                                       std::span<const double> velocities, double tolerance) {
+  std::vector<CurvePoint> curve(velocities.size());
+  tbb::parallel_for(std::size_t{0}, curve.size(), [&](std::size_t i) {
+    try {
+      curve[i].friction = friction(half_space, velocities[i], tolerance);
+    } catch (const ModelError& error) {
+      curve[i].reason = error.what();
+    }
+  });
+  return curve;
+}
+
+std::vector<Cell> cells(const HalfSpace& half_space, double velocity, int count, int samples) {
+  ensure(count > 0 && samples >= 0, "some cells");
+  std::vector<Cell> result(static_cast<std::size_t>(count));
+  tbb::parallel_for(std::size_t{0}, result.size(), [&](std::size_t i) {
+    const double x = half_space.edge() * static_cast<double>(i) / count;
+    const simulation::System system = half_space.cell(x);
+    result[i] = {x, simulation::mean_normal_force(system),
+                 simulation::steady_state(system, velocity, simulation::Start::sliding, samples)};
+  });
+  return result;
+}
+
+simulation::Onset critical_velocity(const HalfSpace& half_space) {
+  const auto at = [&](double x) { return simulation::sliding_threshold(half_space.cell(x)); };
+  if (half_space.elastic() || half_space.uniform()) return at(0);
+  const double step = half_space.edge() / static_cast<double>(scanned);
+  std::vector<simulation::Onset> all(scanned);
+  tbb::parallel_for(std::size_t{0}, scanned,
+                    [&](std::size_t i) { all[i] = at(step * static_cast<double>(i)); });
+  const auto lower = [](const simulation::Onset& a, const simulation::Onset& b) {
+    return a.drive_velocity < b.drive_velocity;
+  };
+  const auto best = std::max_element(all.begin(), all.end(), lower);
+  const auto i = static_cast<double>(best - all.begin());
+  const double x = boost::math::tools::brent_find_minima(
+                       [&](double place) { return -at(place).drive_velocity; },
+                       step * std::max(i - 1, 0.0), step * std::min(i + 1, scanned - 1.0), 26)
+                       .first;
+  return std::max(*best, at(x), lower);
+}
+
+}  // namespace vcrit::indenter

@@ -1,0 +1,56 @@
+// Friction of an oscillating indenter: that of its cells, weighted by their mean normal force,
+//   mu_macro/mu0 = int r(x) <f_n(x)> dx / int <f_n(x)> dx.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "indenter/half_space.hpp"
+#include "simulation/steady/onset.hpp"
+#include "simulation/system/steady_state.hpp"
+
+namespace vcrit::indenter {
+
+struct Friction {
+  double ratio = 0;                                         ///< mu_macro/mu0
+  double error = 0;                                         ///< estimate of its absolute error
+  double normal_force = 0;                                  ///< mean, N
+  double normal_force_error = 0;                            ///< estimate of its absolute error, N
+  simulation::Regime regime = simulation::Regime::sliding;  ///< all motions of all cells
+  int cells = 0;                                            ///< that the integrals took
+  double disagreement =
+      0;  ///< largest difference of a cell's ratio, started in sliding and at rest
+};
+
+/// velocity: of the indenter, m/s, > 0; tolerance: on ratio and relative normal force, > 0, below
+/// some 1e-14 of no use. Cells are shared among the threads; the result is the same for any number
+/// of them. Throws ModelError where no steady state of a cell is found.
+Friction friction(const HalfSpace& half_space, double velocity, double tolerance = 1e-9);
+
+struct CurvePoint {
+  std::optional<Friction> friction;
+  std::string reason;  ///< why there is none
+};
+
+/// One point for each velocity, in their order.
+std::vector<CurvePoint> friction_curve(const HalfSpace& half_space,
+                                       std::span<const double> velocities, double tolerance = 1e-9);
+
+struct Cell {
+  double x = 0;                   ///< m
+  double mean_normal_force = 0;   ///< N/m
+  simulation::SteadyState state;  ///< forces in N/m
+};
+
+/// `count` cells evenly spaced from 0 on, before the edge, where nothing may be pressed; with
+/// `samples` points of each cycle.
+std::vector<Cell> cells(const HalfSpace& half_space, double velocity, int count, int samples);
+
+/// The lowest velocity at which all cells slide forward whenever they touch. That of the centre
+/// where the half-space is elastic; else the highest of 64 cells, refined to about 1e-12 where the
+/// threshold is a smooth function of x. Throws ModelError where no steady sliding is found.
+simulation::Onset critical_velocity(const HalfSpace& half_space);
+
+}  // namespace vcrit::indenter

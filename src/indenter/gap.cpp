@@ -1,0 +1,143 @@
+#include "indenter/gap.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/math/special_functions/gamma.hpp>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "base/errors.hpp"
+
+namespace vcrit::indenter {
+
+namespace {
+
+using Shape = Indenter::Shape;
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+// Of rounded heights; what g falls by is of second order in their error.
+constexpr double harmless_fall = 1e-6;
+
+double size(const Indenter& indenter, std::size_t i) {
+  ensure(i < indenter.sizes.size() && indenter.sizes[i].value, "the indenter has its sizes");
+  return *indenter.sizes[i].value;
+}
+
+// sqrt(pi)/2 n Gamma(n/2)/Gamma((n + 1)/2)
+double kappa(double n) {
+  const double root = 1 / std::numbers::inv_sqrtpi;
+  return 0.5 * root * n * boost::math::tgamma_delta_ratio(0.5 * n, 0.5);
+}
+
+// Right also where x hardly exceeds r, which arccos(r/x) is not.
+double angle(double r, double x) { return std::atan2(std::sqrt((x - r) * (x + r)), r); }
+
+}  // namespace
+
+Gap::Gap(const Indenter& indenter) : end_(infinite) {
+  switch (indenter.shape) {
+    case Shape::flat:
+      end_ = size(indenter, 0);
+      break;
+    case Shape::cone:
+      set_power(std::tan(size(indenter, 0)), 1);
+      break;
+    case Shape::parabola:
+      set_power(0.5 / size(indenter, 0), 2);
+      break;
+    case Shape::power:
+      set_power(size(indenter, 0), size(indenter, 1));
+      break;
+    case Shape::table:
+      ensure(indenter.profile.has_value(), "the table has been read");
+      set_table(*indenter.profile);
+  }
+}
+
+void Gap::set_power(double factor, double exponent) {
+  factor_ = kappa(exponent) * factor;
+  exponent_ = exponent;
+}
+
+// With the slopes changing by d_i at r_i, g(x) = |x| sum_{r_i < |x|} d_i arccos(r_i/|x|).
+void Gap::set_table(const Profile& profile) {
+  constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
+  double before = 0;
+  for (std::size_t i = 0; i + 1 < profile.rows.size(); ++i) {
+    const Profile::Row &row = profile.rows[i], &next = profile.rows[i + 1];
+    const double slope = (next.f - row.f) / (next.r - row.r);
+    if (std::abs(slope - before) <= rounding * slope) continue;
+    radii_.push_back(row.r);
+    changes_.push_back(slope - before);
+    before = slope;
+  }
+  end_ = profile.rows.back().r;
+  double highest = 0;
+  for (std::size_t i = 0; i < radii_.size(); ++i) {
+    at_radii_.push_back(highest);
+    highest = highest_after(highest, radii_[i], i + 1 < radii_.size() ? radii_[i + 1] : end_);
+  }
+}
+
+Gap::Parts Gap::polygon(double x) const {
+  Parts sum;
+  for (std::size_t i = 0; i < radii_.size() && radii_[i] < x; ++i)
+    (changes_[i] > 0 ? sum.rise : sum.fall) += x * std::abs(changes_[i]) * angle(radii_[i], x);
+  return sum;
+}
+
+// Each term becomes less steep with x.
+Gap::Parts Gap::polygon_slope(double x) const {
+  Parts sum;
+  for (std::size_t i = 0; i < radii_.size() && radii_[i] <= x; ++i) {
+    const double r = radii_[i];
+    const double steep = r > 0 ? r / std::sqrt((x - r) * (x + r)) : 0;
+    (changes_[i] > 0 ? sum.rise : sum.fall) += std::abs(changes_[i]) * (angle(r, x) + steep);
+  }
+  return sum;
+}
+
+// The largest g up to `high`, between two radii, from that up to `low`. Halves until g surely grows
+// or can fall no more than it may.
+double Gap::highest_after(double highest, double low, double high) const {
+  const double end = at(high), middle = 0.5 * (low + high);
+  const Parts at_low = polygon(low), at_high = polygon(high);
+  if (middle <= low || middle >= high ||
+      at_high.fall - at_low.fall <= 0.5 * harmless_fall * highest ||
+      polygon_slope(high).rise >= polygon_slope(low).fall) {
+    if (end < (1 - harmless_fall) * highest)
+      throw ModelError(fmt::format(
+          "the contact would have holes: the profile g(x) of the table falls from {:.6g} m to "
+          "{:.6g} m near r = {:.6g} m, where the slope of f decreases",
+          highest, end, high));
+    return std::max(highest, end);
+  }
+  return highest_after(highest_after(highest, low, middle), middle, high);
+}
+
+double Gap::at(double x) const {
+  const double distance = std::abs(x);
+  if (distance > end_) return infinite;
+  if (radii_.empty()) return factor_ == 0 ? 0 : factor_ * std::pow(distance, exponent_);
+  const Parts parts = polygon(distance);
+  return parts.rise - parts.fall;
+}
+
+double Gap::half_width(double depth) const {
+  if (depth < 0) return 0;
+  if (flat()) return end_;
+  if (radii_.empty()) return std::pow(depth / factor_, 1 / exponent_);
+  if (at(end_) <= depth) return end_;
+  const auto above = std::upper_bound(at_radii_.begin(), at_radii_.end(), depth);
+  const auto next = radii_.begin() + (above - at_radii_.begin());
+  double low = *std::prev(next), high = next == radii_.end() ? end_ : *next;
+  for (double middle = 0.5 * (low + high); middle > low && middle < high;
+       middle = 0.5 * (low + high))
+    (at(middle) <= depth ? low : high) = middle;
+  return low;
+}
+
+}  // namespace vcrit::indenter

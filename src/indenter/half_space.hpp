@@ -1,0 +1,64 @@
+// A half-space and the indenter that is pressed into it with an oscillation, as the independent
+// contacts of the method of dimensionality reduction: springs at x, of normal stiffness E* dx with
+// E* = E/(1 - nu^2), each of which is a contact of the simulator under the indentation
+// u_z0 + du_z cos(omega t) - g(x).
+#pragma once
+
+#include "indenter/gap.hpp"
+#include "scene/scene.hpp"
+#include "simulation/system/system.hpp"
+
+namespace vcrit::indenter {
+
+class HalfSpace {
+ public:
+  /// A scene with an indenter. Throws InputError for missing values, ModelError where there is no
+  /// friction, no static load, no contact, or one that opens all over without scene.separation.
+  explicit HalfSpace(const Scene& scene);
+
+  /// The mean indentation at x, u_z0 - g(x), m.
+  double depth(double x) const { return indentation_ - gap_.at(x); }
+
+  /// The contact at x, where the surfaces touch; forces per length, N/m.
+  simulation::System cell(double x) const { return cell_under(depth(x)); }
+  /// The same by its mean indentation.
+  simulation::System cell_under(double depth) const;
+
+  /// Whether the surfaces meet at x at all.
+  bool touches(double x) const { return meets(depth(x)); }
+
+  /// Whether they always touch at x.
+  bool stays_closed(double x) const { return never_parts(depth(x)); }
+
+  double edge() const { return gap_.half_width(indentation_ + amplitude_); }  ///< m
+  /// Half the width (m) of contact under the mean indentation.
+  double radius() const { return gap_.half_width(indentation_); }
+  /// Half the width (m) of where the surfaces never part.
+  double closed_radius() const { return gap_.half_width(indentation_ - swing_); }
+
+  /// Whether all cells are the same: under a flat punch.
+  bool uniform() const { return gap_.flat(); }
+
+  const Gap& gap() const { return gap_; }
+  double indentation() const { return indentation_; }  ///< u_z0, m
+  double amplitude() const { return amplitude_; }      ///< du_z, m
+
+  /// E*(0), Pa.
+  double static_modulus() const { return normal_.equilibrium; }
+  /// Whether E* is the same at all frequencies.
+  bool elastic() const { return normal_.branches.empty() && normal_.damper == 0; }
+
+ private:
+  void require_admissible(bool separation) const;
+  bool meets(double depth) const { return depth + amplitude_ > 0; }
+  bool never_parts(double depth) const;
+
+  Gap gap_;
+  Relaxation normal_, tangential_;  ///< E* and ratio E*
+  double omega_ = 0, friction_ = 0;
+  double indentation_ = 0, amplitude_ = 0;
+  std::complex<double> response_;  ///< E*(i omega)
+  double swing_ = 0;               ///< du_z |E*(i omega)|/E*(0), m
+};
+
+}  // namespace vcrit::indenter

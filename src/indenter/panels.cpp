@@ -1,0 +1,160 @@
+#include "indenter/panels.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <boost/math/quadrature/gauss_kronrod.hpp>
+#include <cmath>
+#include <limits>
+
+namespace vcrit::indenter {
+
+namespace {
+
+constexpr std::size_t nodes = 21;
+using Kronrod = boost::math::quadrature::gauss_kronrod<double, nodes>;
+using Gauss = boost::math::quadrature::gauss<double, nodes / 2>;
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+// Of a panel's integral: differences of its two sums below this say nothing.
+constexpr double rounding = 16 * epsilon;
+constexpr int most_cells = 200'000;
+
+struct Node {
+  double place = 0;               // in (0, 1)
+  double kronrod = 0, gauss = 0;  // weights; no Gauss node: 0
+};
+
+// Boost lists the nodes >= 0 of (-1, 1), those of the Gauss rule of even order in odd places.
+std::array<Node, nodes> all_nodes() {
+  std::array<Node, nodes> result;
+  const auto& abscissa = Kronrod::abscissa();
+  for (std::size_t i = 0; i < abscissa.size(); ++i) {
+    const double kronrod = 0.5 * Kronrod::weights()[i];
+    const double gauss = i % 2 == 1 ? 0.5 * Gauss::weights()[i / 2] : 0;
+    result[nodes / 2 - i] = {0.5 * (1 - abscissa[i]), kronrod, gauss};
+    result[nodes / 2 + i] = {0.5 * (1 + abscissa[i]), kronrod, gauss};
+  }
+  return result;
+}
+
+struct Panel {
+  Panel(double from, double to) : low(from), high(to) {}
+
+  double low, high;  // m
+  double friction = 0, normal_force = 0;
+  double friction_fault = 0, normal_force_fault = 0;  // Kronrod's sum less Gauss's
+  double cell_error = 0;
+
+  double x(double s) const { return low + (high - low) * s * s * (3 - 2 * s); }
+  double slope(double s) const { return (high - low) * 6 * s * (1 - s); }
+  double ratio_error(double ratio) const {
+    return std::abs(friction_fault - ratio * normal_force_fault);
+  }
+  double normal_force_error() const { return std::abs(normal_force_fault); }
+};
+
+class Quadrature {
+ public:
+  Quadrature(const HalfSpace& half_space, double velocity)
+      : half_space_(half_space), velocity_(velocity), nodes_(all_nodes()) {}
+
+  Integrals run(const std::vector<double>& breaks, double tolerance) {
+    std::vector<Panel> fresh;
+    for (std::size_t i = 0; i + 1 < breaks.size(); ++i)
+      fresh.emplace_back(breaks[i], breaks[i + 1]);
+    while (true) {
+      evaluate(fresh);
+      const Integrals sum = summed();
+      if (done(sum, tolerance) || sum.cells > most_cells) return sum;
+      fresh = split(sum, tolerance);
+      if (fresh.empty()) return sum;
+    }
+  }
+
+ private:
+  void evaluate(const std::vector<Panel>& fresh) {
+    std::vector<CellFriction> cells(fresh.size() * nodes);
+    tbb::parallel_for(std::size_t{0}, cells.size(), [&](std::size_t i) {
+      cells[i] = cell_friction(half_space_, fresh[i / nodes].x(nodes_[i % nodes].place), velocity_);
+    });
+    for (std::size_t i = 0; i < fresh.size(); ++i) {
+      panels_.push_back(fresh[i]);
+      for (std::size_t j = 0; j < nodes; ++j) add(nodes_[j], cells[i * nodes + j], panels_.back());
+    }
+    cells_ += static_cast<int>(cells.size());
+    std::sort(panels_.begin(), panels_.end(),
+              [](const Panel& a, const Panel& b) { return a.low < b.low; });
+  }
+
+  void add(const Node& node, const CellFriction& cell, Panel& panel) {
+    const double force = panel.slope(node.place) * cell.normal_force;
+    const double friction = force * cell.ratio;
+    panel.friction += node.kronrod * friction;
+    panel.normal_force += node.kronrod * force;
+    panel.friction_fault += (node.kronrod - node.gauss) * friction;
+    panel.normal_force_fault += (node.kronrod - node.gauss) * force;
+    panel.cell_error += node.kronrod * force * cell.error;
+    disagreement_ = std::max(disagreement_, cell.disagreement);
+    motions_.add(cell.motions);
+  }
+
+  Integrals summed() const {
+    Integrals sum;
+    for (const Panel& panel : panels_) {
+      sum.friction += panel.friction;
+      sum.normal_force += panel.normal_force;
+      sum.normal_force_error += panel.normal_force_error();
+      sum.cell_error += panel.cell_error;
+    }
+    const double ratio = sum.friction / sum.normal_force;
+    for (const Panel& panel : panels_) sum.ratio_error += panel.ratio_error(ratio);
+    sum.ratio_error /= sum.normal_force;
+    sum.disagreement = disagreement_;
+    sum.motions = motions_;
+    sum.cells = cells_;
+    return sum;
+  }
+
+  static bool done(const Integrals& sum, double tolerance) {
+    return sum.ratio_error <= tolerance && sum.normal_force_error <= tolerance * sum.normal_force;
+  }
+
+  // Takes out panels with more than their share of the error and returns their halves.
+  std::vector<Panel> split(const Integrals& sum, double tolerance) {
+    const double ratio = sum.friction / sum.normal_force;
+    const double share = tolerance * sum.normal_force / static_cast<double>(panels_.size());
+    std::vector<Panel> kept, halves;
+    for (const Panel& panel : panels_) {
+      const double error = std::max(panel.ratio_error(ratio), panel.normal_force_error());
+      const double least = std::max(panel.cell_error, rounding * panel.normal_force);
+      const double middle = 0.5 * (panel.low + panel.high);
+      if (error <= std::max(share, least) || middle <= panel.low || middle >= panel.high) {
+        kept.push_back(panel);
+        continue;
+      }
+      halves.emplace_back(panel.low, middle);
+      halves.emplace_back(middle, panel.high);
+    }
+    panels_ = std::move(kept);
+    return halves;
+  }
+
+  const HalfSpace& half_space_;
+  double velocity_;
+  std::array<Node, nodes> nodes_;
+  std::vector<Panel> panels_;  // by place
+  int cells_ = 0;
+  double disagreement_ = 0;
+  Motions motions_;
+};
+
+}  // namespace
+
+Integrals integrals(const HalfSpace& half_space, double velocity, const std::vector<double>& breaks,
+                    double tolerance) {
+  return Quadrature(half_space, velocity).run(breaks, tolerance);
+}
+
+}  // namespace vcrit::indenter
