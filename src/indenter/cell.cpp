@@ -17,6 +17,10 @@ using simulation::Start;
 // What a touch reaches down to, in amplitudes; it lasts for 2 sqrt(2 shallow) of 2 pi.
 constexpr double shallow = 5e-12;
 
+// No friction ratio changes by more than so many times what the normal force's amplitude does; by
+// the balance of both it is about as much.
+constexpr double neglect = 4;
+
 bool empty(const HalfSpace& half_space, double depth) {
   return !(depth + half_space.amplitude() > shallow * half_space.amplitude());
 }
@@ -64,7 +68,8 @@ CellFriction cell_friction(const HalfSpace& half_space, double x, double velocit
                       state.friction_ratio_error, 0, motions_of(state.regime)};
   answers.at(velocity, Start::rest, 0);  // in the memory of the other
   result.disagreement = std::abs(state.friction_ratio - result.ratio);
-  result.error = std::max(result.error, state.friction_ratio_error);
+  result.error =
+      std::max(result.error, state.friction_ratio_error) + neglect * half_space.neglected(depth);
   result.motions.add(motions_of(state.regime));
   return result;
 }

@@ -10,9 +10,8 @@ namespace vcrit::indenter {
 
 namespace {
 
-constexpr std::size_t samples = 16;  // between two places known before
-constexpr double width = 1e-12;      // of the edge
-constexpr int most_changes = 8;      // between two samples
+constexpr double width = 1e-12;  // of the edge
+constexpr int most_changes = 8;  // between two samples
 
 struct Sample {
   double x = 0;
@@ -51,6 +50,22 @@ class Search {
   double velocity_, narrow_;
 };
 
+// Where to look between two places known before, as parts of their distance: evenly, and ever
+// closer to both, where courses change at low speeds.
+std::vector<double> parts() {
+  constexpr int even = 8, close = 9;
+  std::vector<double> result;
+  for (int i = 1; i < even; ++i) result.push_back(static_cast<double>(i) / even);
+  double part = 1.0 / even;
+  for (int i = 0; i < close; ++i) {
+    part /= 4;
+    result.push_back(part);
+    result.push_back(1 - part);
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
 std::vector<double> increasing(std::vector<double> points, double edge) {
   std::sort(points.begin(), points.end());
   std::vector<double> result{0};
@@ -68,9 +83,7 @@ std::vector<double> changes(const HalfSpace& half_space, double velocity) {
       increasing({half_space.closed_radius(), half_space.radius()}, edge);
   std::vector<double> places;
   for (std::size_t i = 0; i + 1 < known.size(); ++i)
-    for (std::size_t j = 0; j < samples; ++j)
-      places.push_back(known[i] + (known[i + 1] - known[i]) * (static_cast<double>(j) + 0.5) /
-                                      static_cast<double>(samples));
+    for (const double part : parts()) places.push_back(known[i] + (known[i + 1] - known[i]) * part);
   const Search search(half_space, velocity);
   std::vector<Sample> all(places.size());
   tbb::parallel_for(std::size_t{0}, all.size(),

@@ -17,8 +17,9 @@ const Indenter& indenter_of(const Scene& scene) {
 }
 
 // Cells that part by less than this of their indentation are taken for closed, with an amplitude of
-// the normal force just below its mean: they would be apart for some 1e-7 of a period.
-constexpr double hardly_parting = 1e-13, nearly_all = 1 - 1e-15;
+// the normal force just below its mean. They would be apart for some 1e-4 of a period, and where a
+// strongly damped surface hardly parts the simulator finds no steady normal force.
+constexpr double hardly_parting = 1e-8, nearly_all = 1 - 1e-15;
 
 // Of the half-space; the reader of scenes lets no indenter stand without it.
 const Isotropic& isotropic_of(const Scene& scene) {
@@ -63,6 +64,10 @@ void HalfSpace::require_admissible(bool separation) const {
 
 bool HalfSpace::never_parts(double depth) const {
   return depth > 0 && depth >= swing_ * (1 - hardly_parting);
+}
+
+double HalfSpace::neglected(double depth) const {
+  return never_parts(depth) ? std::max(0.0, swing_ / depth - 1) : 0;
 }
 
 simulation::System HalfSpace::cell_under(double depth) const {

@@ -24,10 +24,14 @@ class HalfSpace {
   /// The same by its mean indentation.
   simulation::System cell_under(double depth) const;
 
+  /// The part of the normal force's amplitude that is left out of a cell under this indentation,
+  /// which would hardly part and is taken for closed; at most 1e-8.
+  double neglected(double depth) const;
+
   /// Whether the surfaces meet at x at all.
   bool touches(double x) const { return meets(depth(x)); }
 
-  /// Whether they always touch at x.
+  /// Whether they always touch at x, or part by less than 1e-8 of the indentation.
   bool stays_closed(double x) const { return never_parts(depth(x)); }
 
   double edge() const { return gap_.half_width(indentation_ + amplitude_); }  ///< m

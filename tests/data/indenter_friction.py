@@ -32,7 +32,7 @@ from mpmath import acos, asin, cos, exp, mp, mpc, mpf, nstr, pi, quad, sin, sqrt
 
 mp.dps = 30
 
-SPEEDS = [".1", ".25", ".5", ".75", ".9"]
+SPEEDS = [".01", ".1", ".25", ".5", ".75", ".9"]
 ELASTIC = [
     ("parabola", "2", "0.5"),
     ("parabola", "2", "2"),

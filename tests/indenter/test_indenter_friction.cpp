@@ -20,7 +20,6 @@ using simulation::Regime;
 constexpr double indentation = 5e-7;  // u_z0 throughout, m
 const std::string parabola = "shape = \"parabola\"\nradius = \"10 mm\"";
 
-// A spring of 5 GPa with branches of other stiffness, and what they relax at 20 kHz.
 const std::string zener = "k0 | maxwell(k1, c1)";
 // k1/k0 = 2, and c1 = k1/omega to 16 digits.
 const std::string zener_elements = "k0 = \"5 GPa\"\nk1 = \"10 GPa\"\nc1 = 79577.47154594767";
@@ -92,7 +91,7 @@ double mean_depth_power(double amplitude) {
 
 BOOST_AUTO_TEST_CASE(agrees_with_references) {
   const auto all = references();
-  BOOST_REQUIRE(all.size() == 37u);
+  BOOST_REQUIRE(all.size() == 44u);
   for (const Reference& row : all) {
     const Friction found = friction(row.half_space, row.velocity, 1e-13);
     BOOST_TEST(std::abs(found.ratio - row.ratio) <= found.error + row.digits, row.name);
@@ -275,6 +274,21 @@ BOOST_AUTO_TEST_CASE(curve) {
     BOOST_TEST(points[i].reason.empty());
     BOOST_TEST(points[i].friction->ratio == friction(h, speeds[i]).ratio);
   }
+}
+
+// A punch that parts by 6e-9 of its indentation is taken for one that does not, and its error says
+// so; where only some cells hardly part, it is theirs alone.
+BOOST_AUTO_TEST_CASE(hardly_parting) {
+  const std::string punch = indenter_of("flat");
+  const HalfSpace parting(reference::scene_of(punch, indentation, (1 + 6e-9) * indentation));
+  const Friction found = friction(parting, velocity(1 + 6e-9, 0.5));
+  // D = 1 of the references.
+  BOOST_TEST(std::abs(found.ratio - 0.7985477966663313) <= found.error);
+  BOOST_TEST(found.error <= 1e-7);
+  for (const double amplitude : {0.1, 0.25, 0.6})
+    BOOST_TEST(
+        friction(viscoelastic(amplitude, kelvin, kelvin_elements), velocity(amplitude, 0.1), 1e-13)
+            .error <= 1e-12);
 }
 
 // Nothing oscillates, so nothing ever sticks.
