@@ -8,6 +8,7 @@
 
 #include "commands.hpp"
 #include "critical/certified.hpp"
+#include "indenter/friction.hpp"
 #include "onset/critical_onset.hpp"
 #include "options.hpp"
 #include "simulation/steady/onset.hpp"
@@ -34,11 +35,17 @@ struct Comparison {
   bool agrees() const { return agrees(simulated) && (!stick_onset || agrees(*stick_onset)); }
 };
 
+Comparison below_indenter(const Scene& scene) {
+  const double found = indenter::critical_velocity(indenter::HalfSpace(scene)).contact_velocity;
+  return {certified_critical_velocity(scene).value, found, {}, "looked for in one contact only"};
+}
+
 Comparison compared(const Scene& scene) {
   if (scene.separation && critical_onset(scene).by == CriticalOnset::By::simulation)
     throw ModelError(
         "no closed form of v* where these surfaces part: nothing to compare; vcrit eval gives the "
         "simulated one");
+  if (scene.indenter) return below_indenter(scene);
   const simulation::System system = simulation::system_of(scene);
   const auto [formula, bound, reason] = certified_critical_velocity(scene);
   if (std::isinf(formula)) throw ModelError(reason + ": nothing to compare");

@@ -12,6 +12,7 @@
 #include "method_choice.hpp"
 #include "onset/critical_onset.hpp"
 #include "options.hpp"
+#include "simulate_indenter.hpp"
 #include "simulation/steady/energy.hpp"
 #include "simulation/steady/exact.hpp"
 #include "simulation/steady/normal_force.hpp"
@@ -91,7 +92,8 @@ nlohmann::ordered_json to_json(const Answer& answer) {
           {"starts_agree", answer.starts_agree()}};
 }
 
-void print_json(const Speed& speed, const Answer& answer, const std::string& method) {
+nlohmann::ordered_json to_json(const Speed& speed, const Answer& answer,
+                               const std::string& method) {
   const SteadyState& steady = answer.steady;
   nlohmann::ordered_json events = nlohmann::ordered_json::array();
   for (const simulation::Event& event : steady.events)
@@ -112,7 +114,7 @@ void print_json(const Speed& speed, const Answer& answer, const std::string& met
                         {"dampers", answer.energy->dampers},
                         {"error", number(answer.energy->error)}};
   if (answer.parting) object["separation"] = to_json(answer);
-  print(object);
+  return object;
 }
 
 // omega: rad/s
@@ -140,13 +142,29 @@ void print_text(const Speed& speed, const Answer& answer, double omega) {
                to_text(answer.parting->other_start.regime));
 }
 
+// Of the whole; what the cells do is told beside it.
+void simulate_below_indenter(const Options& options, const Scene& scene) {
+  if (!options.method.is_exact()) throw ModelError(options.method.name() + " knows no indenter");
+  const Speed speed = speed_of(options, scene);
+  const IndenterAnswer answer = simulate_indenter(scene, speed.velocity);
+  const Answer whole{indenter::steady_state_of(answer.friction), {}, {}};
+  if (options.json) {
+    nlohmann::ordered_json object = to_json(speed, whole, options.method.name());
+    object["indenter"] = to_json(answer);
+    return print(object);
+  }
+  print_text(speed, whole, 0);
+  print_indenter(answer);
+}
+
 void simulate(const Options& options) {
   const Scene scene = options.scene.read();
+  if (scene.indenter) return simulate_below_indenter(options, scene);
   const simulation::System system = simulation::system_of(scene);
   const Speed speed = speed_of(options, scene);
   const Answer answer = answer_of(options, system, speed.velocity);
   if (options.json)
-    print_json(speed, answer, options.method.name());
+    print(to_json(speed, answer, options.method.name()));
   else
     print_text(speed, answer, system.omega);
 }

@@ -5,11 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <span>
 
 #include "base/units.hpp"
 #include "bindings.hpp"
+#include "indenter/friction.hpp"
 #include "simulation/methods/methods.hpp"
 #include "simulation/steady/curve.hpp"
 #include "simulation/steady/energy.hpp"
@@ -49,6 +51,10 @@ SteadyState steady_state(const Scene& scene, double velocity, const std::string&
     throw InputError({"--start"}, '"' + start + '"', "sliding or rest");
   simulation::MethodOptions options;
   if (start == "rest") options.start = simulation::Start::rest;
+  if (scene.indenter) {
+    if (method != "exact") throw ModelError(method + " knows no indenter");
+    return indenter::steady_state_of(indenter::friction(indenter::HalfSpace(scene), velocity));
+  }
   const simulation::System system = simulation::system_of(scene);
   if (method == "exact") return simulation::steady_state(system, velocity, options.start);
   if (const auto other = simulation::method_named(method))
@@ -68,7 +74,7 @@ Simulated simulated(const Scene& scene, double velocity, const std::string& meth
                     const std::string& start) {
   const py::gil_scoped_release others_run;
   Simulated result{steady_state(scene, velocity, method, start), std::nullopt};
-  if (method == "exact")
+  if (method == "exact" && !scene.indenter)
     result.energy = simulation::energy_balance(simulation::system_of(scene), velocity);
   return result;
 }
@@ -102,17 +108,34 @@ struct Curve {
 // Speeds that are found one from another, as in `vcrit sweep`; Ctrl-C is heard between two lots.
 constexpr std::size_t speeds_at_once = 32;
 
+using CurveOf = std::function<std::vector<simulation::CurvePoint>(std::span<const double>)>;
+
+CurveOf curves_of(const Scene& scene) {
+  if (!scene.indenter)
+    return [system = simulation::system_of(scene)](std::span<const double> velocities) {
+      return simulation::friction_curve(system, velocities);
+    };
+  return [half_space = indenter::HalfSpace(scene)](std::span<const double> velocities) {
+    std::vector<simulation::CurvePoint> points;
+    for (const indenter::CurvePoint& point : indenter::friction_curve(half_space, velocities)) {
+      points.push_back({std::nullopt, point.reason});
+      if (point.friction) points.back().state = indenter::steady_state_of(*point.friction);
+    }
+    return points;
+  };
+}
+
 py::tuple friction_curve(const Scene& scene, const Array& velocities, Array ratio, Array error) {
   const std::span<const double> speeds = values(velocities);
   Curve curve{values(ratio), values(error), {}, {}};
   ensure(curve.ratio.size() == speeds.size() && curve.error.size() == speeds.size(),
          "friction_curve has room for all its answers");
-  const simulation::System system = simulation::system_of(scene);
+  const auto curve_of = curves_of(scene);
   for (std::size_t first = 0; first < speeds.size(); first += speeds_at_once) {
     {
       const py::gil_scoped_release others_run;
       const auto lot = speeds.subspan(first, std::min(speeds_at_once, speeds.size() - first));
-      const auto points = simulation::friction_curve(system, lot);
+      const auto points = curve_of(lot);
       for (std::size_t i = 0; i < points.size(); ++i) curve.add(first + i, points[i]);
     }
     if (PyErr_CheckSignals() != 0) throw py::error_already_set();

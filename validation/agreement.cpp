@@ -10,6 +10,7 @@
 #include "formulas.hpp"
 #include "frequency_response.hpp"
 #include "friction.hpp"
+#include "indented.hpp"
 #include "method_curves.hpp"
 #include "network/masses.hpp"
 #include "parting.hpp"
@@ -85,6 +86,7 @@ void simulate(SceneReport& report, const Witnesses& witnesses, const Progress& p
     return;
   }
   try {
+    if (report.scene.indenter) return examine_indenter(report);
     const simulation::System system = witnesses.system(report.scene);
     if (report.scene.separation) {
       progress("letting the surfaces part");

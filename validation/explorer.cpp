@@ -147,7 +147,7 @@ std::optional<Explorer> explorer(const Scene& scene, const symbolic::Derivation&
     return std::nullopt;
   }
   result.sliders = sliders(derivation, values);
-  if (scene.separation || !inadmissible_reasons(scene).empty()) return result;
+  if (scene.separation || scene.indenter || !inadmissible_reasons(scene).empty()) return result;
   const Simulated simulated(scene);
   if (simulated.affordable())
     result.friction = friction_grid(simulated, values_of(scene).at(scene.angular_frequency.symbol));

@@ -48,12 +48,6 @@ Scene at_amplitude(Scene scene, double amplitude) {
   return scene;
 }
 
-double border_of(const Scene& scene) {
-  const Relaxation normal = relaxation_form(scene.normal, values_of(scene));
-  return normal.equilibrium /
-         std::abs(dynamic_stiffness(normal, scene.angular_frequency.value.value()));
-}
-
 std::vector<double> friction_over(const System& system, const std::vector<double>& velocities) {
   std::vector<double> friction;
   for (const auto& point : simulation::friction_curve(system, velocities))
@@ -232,6 +226,12 @@ void compare(SceneReport& report, const System& system, double speed) {
 
 }  // namespace
 
+double opening_border(const Scene& scene) {
+  const Relaxation normal = relaxation_form(scene.normal, values_of(scene));
+  return normal.equilibrium /
+         std::abs(dynamic_stiffness(normal, scene.angular_frequency.value.value()));
+}
+
 std::vector<Motion> motions_at(const std::vector<simulation::Event>& events,
                                const std::vector<double>& phases, Motion resting) {
   std::vector<Motion> motions;
@@ -252,7 +252,7 @@ void examine_parting(SceneReport& report, const System& system) {
   parting.closed_form = onset.by == CriticalOnset::By::formula;
   parting.critical_velocity = onset.contact_velocity;
   parting.drive_velocity = onset.drive_velocity;
-  parting.border = border_of(scene);
+  parting.border = opening_border(scene);
   parting.derivation = equations_of(symbolic::parting_lines(scene));
   const double speed = critical_velocity(scene);
   if (scene.indentation.value.value() > 0) parting.curves = curves_of(scene, parting.border);

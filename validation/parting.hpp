@@ -10,6 +10,9 @@ namespace vcrit::validation {
 /// Adds `parting` and its comparisons. The system is the scene's.
 void examine_parting(SceneReport& report, const simulation::System& system);
 
+/// du_z/u_z0 beyond which the surfaces part, K_n(0)/|K_n(i omega)|.
+double opening_border(const Scene& scene);
+
 /// What each of `events` (of one period, in order) says of `phases`; `resting` where there is none.
 std::vector<simulation::Motion> motions_at(const std::vector<simulation::Event>& events,
                                            const std::vector<double>& phases,

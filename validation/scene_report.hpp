@@ -201,6 +201,18 @@ struct Parting {
   StateMap map;                       ///< rows: v0 over v* by Eq. 24
 };
 
+/// A scene with an indenter.
+struct Indented {
+  bool closed_form = true;       ///< v* is Eq. 24, else simulated
+  double critical_velocity = 0;  ///< m/s
+  double radius = 0, edge = 0;   ///< of contact, under the mean and the largest indentation, m
+  double normal_force = 0;       ///< mean, N
+  std::vector<FrictionCurve> amplitudes;  ///< of this shape, by increasing du_z/u_z0
+  std::vector<FrictionCurve> shapes;      ///< at this du_z/u_z0
+  double map_ratio = 0;                   ///< v0 over v* of the map
+  StateMap map;                           ///< rows: x over `edge`
+};
+
 struct SceneReport {
   Scene scene;
   std::vector<std::string> reasons;  ///< why the scene is not admissible; empty when it is
@@ -224,6 +236,7 @@ struct SceneReport {
   std::optional<Explorer> explorer;
   std::optional<ReducedModel> reduced_model;  ///< where the paper's reduced model applies
   std::optional<Parting> parting;             ///< of surfaces that may part
+  std::optional<Indented> indented;           ///< below an indenter, in place of curve and cycle
 };
 
 std::size_t count(const std::vector<Comparison>& comparisons, Comparison::Outcome what);

@@ -21,16 +21,18 @@ void visit_elements(const Scene& scene, const std::function<void(const Element&)
 
 std::map<Symbol, Kind> kinds_of_elements(const Scene& scene) {
   std::map<Symbol, Kind> kinds;
+  const char* const spring = scene.indenter ? "Pa" : "N/m";
+  const char* const damper = scene.indenter ? "Pa s" : "N s/m";
   visit_elements(scene, [&](const Element& element) {
     switch (element.kind) {
       case ElementKind::spring:
-        kinds[element.coefficient] = {"N/m", "spring"};
+        kinds[element.coefficient] = {spring, "spring"};
         break;
       case ElementKind::damper:
-        kinds[element.coefficient] = {"N s/m", "damper"};
+        kinds[element.coefficient] = {damper, "damper"};
         break;
       case ElementKind::maxwell:
-        kinds[element.coefficient] = {"N/m", "spring of a Maxwell branch"};
+        kinds[element.coefficient] = {spring, "spring of a Maxwell branch"};
         kinds[element.time] = {"s", "relaxation time of a Maxwell branch"};
         break;
       case ElementKind::mass:
@@ -55,6 +57,9 @@ std::vector<ValueLine> value_lines(const Scene& scene) {
   add(scene.indentation.symbol, {"m", "mean indentation"});
   add(scene.coefficient.symbol, {"", "coefficient of friction"});
   if (scene.mass) add(scene.mass->symbol, {"kg", "mass of the body"});
+  if (scene.indenter)
+    for (const Quantity& size : scene.indenter->sizes)
+      add(size.symbol, {si_unit(scene.settable.at(size.symbol.name)), "size of the indenter"});
   const auto kinds = kinds_of_elements(scene);
   for (const auto& [symbol, value] : scene.elements)
     if (const auto kind = kinds.find(symbol); kind != kinds.end()) add(symbol, kind->second);

@@ -13,8 +13,9 @@ namespace vcrit {
 /// need not stay closed.
 std::vector<std::string> inadmissible_reasons(const Scene& scene);
 
-/// Whether the normal force would pull for a part of the period (4): the surfaces part there if the
-/// scene lets them. Throws InputError for missing values.
+/// Whether the normal force would pull for a part of the period (4), under an indenter the pressure
+/// at its centre: the surfaces part there if the scene lets them. Throws InputError for missing
+/// values.
 bool opens(const Scene& scene);
 
 /// mu0 <F_n> (1/eta_t + 1/eta_d) in m/s: what the drive must run faster than the contact point;

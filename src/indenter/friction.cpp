@@ -60,6 +60,14 @@ Friction friction(const HalfSpace& half_space, double velocity, double tolerance
   return result;
 }
 
+simulation::SteadyState steady_state_of(const Friction& friction) {
+  simulation::SteadyState state;
+  state.friction_ratio = friction.ratio;
+  state.friction_ratio_error = friction.error;
+  state.regime = friction.regime;
+  return state;
+}
+
 std::vector<CurvePoint> friction_curve(const HalfSpace& half_space,
                                        std::span<const double> velocities, double tolerance) {
   std::vector<CurvePoint> curve(velocities.size());

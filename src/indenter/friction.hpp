@@ -29,6 +29,9 @@ struct Friction {
 /// of them. Throws ModelError where no steady state of a cell is found.
 Friction friction(const HalfSpace& half_space, double velocity, double tolerance = 1e-9);
 
+/// As that of one contact: of the whole, without events.
+simulation::SteadyState steady_state_of(const Friction& friction);
+
 struct CurvePoint {
   std::optional<Friction> friction;
   std::string reason;  ///< why there is none

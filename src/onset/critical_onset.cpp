@@ -6,6 +6,7 @@
 
 #include "critical/admissibility.hpp"
 #include "critical/certified.hpp"
+#include "indenter/friction.hpp"
 #include "simulation/steady/normal_force.hpp"
 #include "simulation/steady/onset.hpp"
 
@@ -38,8 +39,7 @@ CriticalOnset by_formula(const Scene& scene) {
   return {CriticalOnset::By::formula, value, value + creep_velocity(scene), bound, reason};
 }
 
-CriticalOnset by_simulation(const simulation::System& system) {
-  const simulation::Onset onset = simulation::sliding_threshold(system);
+CriticalOnset by_simulation(const simulation::Onset& onset) {
   return {CriticalOnset::By::simulation, onset.contact_velocity, onset.drive_velocity,
           std::numeric_limits<double>::quiet_NaN(),
           std::isinf(onset.contact_velocity)
@@ -48,16 +48,22 @@ CriticalOnset by_simulation(const simulation::System& system) {
               : ""};
 }
 
-}  // namespace
+// All cells have the same v* while they are closed, and none has more; the centre parts last.
+CriticalOnset of_indenter(const Scene& scene) {
+  const indenter::HalfSpace half_space(scene);
+  if (simulation::touches_at(half_space.cell(0), steepest)) return by_formula(scene);
+  return by_simulation(indenter::critical_velocity(half_space));
+}
 
-bool survives_parting(const Scene& scene) { return elastic(scene) || isotropic(scene); }
+}  // namespace
 
 CriticalOnset critical_onset(const Scene& scene) {
   if (!scene.separation || !opens(scene)) return by_formula(scene);
   if (elastic(scene)) return by_formula(scene);
+  if (scene.indenter) return of_indenter(scene);
   const simulation::System system = simulation::system_of(scene);
   if (isotropic(scene) && simulation::touches_at(system, steepest)) return by_formula(scene);
-  return by_simulation(system);
+  return by_simulation(simulation::sliding_threshold(system));
 }
 
 }  // namespace vcrit

@@ -24,9 +24,6 @@ struct CriticalOnset {
   std::string reason;  ///< why v* is infinite, else empty
 };
 
-/// Whether Eq. (24) may hold where the surfaces part: what the networks alone tell, without values.
-bool survives_parting(const Scene& scene);
-
 /// Throws InputError for missing values, ModelError where v* is 0/0 and outside the model.
 CriticalOnset critical_onset(const Scene& scene);
 

@@ -31,11 +31,12 @@ SweptQuantity parse_swept_quantity(const std::string& text, const Scene& scene) 
     const std::string name = text.substr(sensitivity.size());
     known_dimension(name, scene.settable, place);
     const ChangingScene changing(scene, {name});
-    return {Kind::sensitivity, changing.targets().front().symbol, scene.separation};
+    return {Kind::sensitivity, changing.targets().front().symbol,
+            scene.separation || scene.indenter};
   }
   const auto& names = swept_quantity_names();
   for (std::size_t i = 0; i + 1 < names.size(); ++i)
-    if (names[i] == text) return {static_cast<Kind>(i), {}, scene.separation};
+    if (names[i] == text) return {static_cast<Kind>(i), {}, scene.separation || scene.indenter};
   const auto meant = nearest(text, names);
   throw InputError(
       place, fmt::format("\"{}\"", text),

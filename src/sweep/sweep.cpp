@@ -10,6 +10,7 @@
 #include "critical/admissibility.hpp"
 #include "critical/certified.hpp"
 #include "critical/log_derivative.hpp"
+#include "indenter/friction.hpp"
 #include "onset/critical_onset.hpp"
 #include "scene/changing.hpp"
 #include "simulation/steady/curve.hpp"
@@ -239,6 +240,7 @@ class Sweeping::Rows {
       for (std::size_t i = 0; i < speeds; ++i) answer_.values[q][row + i * stride] = value;
     }
     if (!any_of(sweeping_.sweep_, needs_motion)) return;
+    if (scene.indenter) return find_indenter(scene, row, speeds, stride);
     try {
       const simulation::System system = simulation::system_of(scene);
       for (std::size_t i = 0; i < speeds; i += speeds_at_once)
@@ -266,13 +268,33 @@ class Sweeping::Rows {
     return speed * (grid_.axes()[*grid_.speed()].name == "velocity" ? 1 : critical_[row]);
   }
 
-  void find_motion(const simulation::System& system, std::size_t row, std::size_t speeds,
-                   std::size_t stride) {
+  void take_velocities(std::size_t row, std::size_t speeds, std::size_t stride) {
     velocities_.clear();
     for (std::size_t i = 0; i < speeds; ++i) velocities_.push_back(velocity(row + i * stride));
     if (!std::all_of(velocities_.begin(), velocities_.end(),
                      [](double v) { return v > 0 && std::isfinite(v); }))
       throw ModelError("v* is 0 or infinite, so that velocity_ratio has no meaning");
+  }
+
+  void find_indenter(const Scene& scene, std::size_t row, std::size_t speeds, std::size_t stride) {
+    try {
+      const indenter::HalfSpace half_space(scene);
+      take_velocities(row, speeds, stride);
+      const auto curve = indenter::friction_curve(half_space, velocities_);
+      for (std::size_t i = 0; i < speeds; ++i) {
+        const auto& friction = curve[i].friction;
+        const auto state =
+            friction ? std::optional(indenter::steady_state_of(*friction)) : std::nullopt;
+        put_motion(row + i * stride, {state ? &*state : nullptr, curve[i].reason.c_str()});
+      }
+    } catch (const ModelError& error) {
+      for (std::size_t i = 0; i < speeds; ++i) note(row + i * stride, error.what());
+    }
+  }
+
+  void find_motion(const simulation::System& system, std::size_t row, std::size_t speeds,
+                   std::size_t stride) {
+    take_velocities(row, speeds, stride);
     simulation::friction_curve(system, velocities_,
                                [&](std::size_t i, const simulation::PassingPoint& point) {
                                  put_motion(row + i * stride, point);

@@ -136,6 +136,13 @@ Section sensitivities_section(const Findings& findings) {
   return section;
 }
 
+Section half_space_section(const Findings& findings) {
+  Section section{"Below the indenter", "", {}, ""};
+  for (const Line& line : findings.half_space)
+    section.blocks.push_back({"", "", line.words, {line}});
+  return section;
+}
+
 Section parting_section(const Findings& findings) {
   Section section{"Surfaces that part", "", {}, ""};
   if (!findings.parting) return section;
@@ -153,6 +160,7 @@ Section parting_section(const Findings& findings) {
 std::vector<Section> sections(const Findings& findings) {
   std::vector<Section> all{derivation_section(findings),
                            form_section(findings),
+                           half_space_section(findings),
                            parting_section(findings),
                            limits_section(findings),
                            asymptotes_section(findings.asymptotes),

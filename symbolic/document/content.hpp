@@ -28,6 +28,7 @@ struct Findings {
   std::vector<Line> extrema;
   std::vector<Sensitivity> sensitivities;
   std::optional<std::vector<Line>> parting;  ///< of surfaces that may part
+  std::vector<Line> half_space;              ///< below an indenter
 };
 
 /// Some lines under a heading: a formula, words or both.

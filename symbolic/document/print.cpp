@@ -1,5 +1,6 @@
 #include "document/print.hpp"
 
+#include "analysis/half_space.hpp"
 #include "analysis/parting.hpp"
 #include "analysis/residues.hpp"
 #include "document/content.hpp"
@@ -24,7 +25,9 @@ Findings find(const Scene& scene, const DocumentOptions& options) {
                     {},
                     {},
                     {},
+                    {},
                     {}};
+  if (scene.indenter) findings.half_space = half_space_lines(scene);
   if (scene.separation) findings.parting = parting_lines(scene);
   if (options.limits) {
     findings.limits = limits(scene);

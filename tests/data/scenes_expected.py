@@ -26,6 +26,7 @@ SCENES = Path(__file__).resolve().parents[2] / "scenes"
 UNITS = {
     "N/um": "1e6", "N/m": "1", "N.s/m": "1", "kg": "1", "g": "1e-3", "mg": "1e-6",
     "kHz": "1e3", "Hz": "1", "rad/s": "1", "um": "1e-6", "nm": "1e-9", "m": "1", "s": "1", "us": "1e-6",
+    "GPa": "1e9", "kPa.s": "1e3",
 }
 
 

@@ -124,6 +124,18 @@ class SurfacesThatPart(unittest.TestCase):
         printed = json.loads(program("simulate", "scenes/jumping.toml", "--velocity-ratio", "0.3", "--json").stdout)
         self.assertEqual(printed["friction_ratio"], state.friction_ratio)
 
+    def test_below_an_indenter(self):
+        scene = vcrit.Scene("scenes/sphere.toml")
+        curve = scene.friction_curve(velocity_ratios=[0.5, 1.1])
+        self.assertEqual(list(curve.regime), ["stick-slip-apart", "sliding-apart"])
+        state = scene.simulate(curve.velocity[0])
+        self.assertEqual(state.friction_ratio, curve.friction_ratio[0])
+        self.assertIsNone(state.energy)
+        printed = json.loads(program("simulate", "scenes/sphere.toml", "--velocity-ratio", "0.5", "--json").stdout)
+        self.assertEqual(printed["friction_ratio"], state.friction_ratio)
+        with self.assertRaises(vcrit.ModelError):
+            scene.simulate("1 mm/s", method="moreau")
+
     def test_simulated_critical_velocity(self):
         text = open("scenes/jumping.toml").read().replace("poisson    = 0.3", 'tangential = "kelvin(k0, c1)"')
         scene = vcrit.Scene.from_text(text)

@@ -147,7 +147,7 @@ ordered_json json(const FrictionCurve& curve) {
           {"friction_ratio", std::move(ratios)}};
 }
 
-ordered_json json(const StateMap& map) {
+ordered_json json(const StateMap& map, const char* rows_are) {
   ordered_json rows = ordered_json::array();
   for (std::size_t row = 0; row < map.rows.size(); ++row) {
     ordered_json states = ordered_json::array();
@@ -155,7 +155,20 @@ ordered_json json(const StateMap& map) {
       states.push_back(to_text(map.motions[row * map.phases.size() + i]));
     rows.push_back(std::move(states));
   }
-  return {{"velocity_ratio", map.rows}, {"phase", map.phases}, {"states", std::move(rows)}};
+  return {{rows_are, map.rows}, {"phase", map.phases}, {"states", std::move(rows)}};
+}
+
+ordered_json json(const Indented& indented) {
+  ordered_json map = json(indented.map, "place");
+  map["velocity_ratio"] = indented.map_ratio;
+  return {{"critical_velocity_by", indented.closed_form ? "formula" : "simulation"},
+          {"critical_velocity", json_number(indented.critical_velocity)},
+          {"contact_radius", indented.radius},
+          {"largest_contact_radius", indented.edge},
+          {"mean_normal_force", indented.normal_force},
+          {"amplitudes", list(indented.amplitudes)},
+          {"shapes", list(indented.shapes)},
+          {"state_map", std::move(map)}};
 }
 
 ordered_json json(const Parting& parting) {
@@ -165,7 +178,7 @@ ordered_json json(const Parting& parting) {
           {"border", json_number(parting.border)},
           {"derivation", list(parting.derivation)},
           {"curves", list(parting.curves)},
-          {"state_map", json(parting.map)}};
+          {"state_map", json(parting.map, "velocity_ratio")}};
 }
 
 ordered_json failing(const SceneReport& report) {
@@ -212,6 +225,7 @@ ordered_json scene_json(const SceneContents& contents) {
   if (!report.response.points.empty()) object["frequency_response"] = json(report.response);
   if (report.cycle) object["cycle"] = json(*report.cycle);
   if (report.parting) object["separation"] = json(*report.parting);
+  if (report.indented) object["indenter"] = json(*report.indented);
   if (report.reduced_model) object["reduced_model"] = json(*report.reduced_model);
   if (contents.accuracy) object["accuracy"] = accuracy_json(*contents.accuracy);
   object["text"] = report.scene.text;

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "accuracy/pictures.hpp"
+#include "report/indenter_section.hpp"
 #include "report/parting_section.hpp"
 #include "report/stretches.hpp"
 #include "report/units.hpp"
@@ -129,6 +130,8 @@ std::vector<Figure> scene_figures(const SceneContents& contents) {
     if (!report.parting->curves.empty()) all.push_back(amplitude_figure(*report.parting));
     all.push_back(state_figure(*report.parting));
   }
+  if (report.indented)
+    for (Figure& figure : indenter_figures(*report.indented)) all.push_back(std::move(figure));
   if (contents.accuracy)
     for (Figure& figure : accuracy::pictures(*contents.accuracy)) all.push_back(std::move(figure));
   return all;
@@ -195,7 +198,10 @@ Figure stiffness_figure(const SceneReport& report) {
   figure.height = 240;
   figure.title = "Dynamic stiffness over angular frequency";
   figure.caption = "Absolute values of the dynamic stiffness of each network.";
-  figure.y = {"dynamic stiffness |K|, N/m", true, {}, {}};
+  figure.y = {report.scene.indenter ? "dynamic modulus |E|, Pa" : "dynamic stiffness |K|, N/m",
+              true,
+              {},
+              {}};
   figure.series = {
       over_frequency(report, "normal contact", 0, [](const ResponsePoint& p) { return p.normal; }),
       over_frequency(report, "tangential contact", 1,

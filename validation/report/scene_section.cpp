@@ -11,6 +11,7 @@
 #include "report/explorer_section.hpp"
 #include "report/formula_section.hpp"
 #include "report/html.hpp"
+#include "report/indenter_section.hpp"
 #include "report/parting_section.hpp"
 #include "report/reduced_section.hpp"
 #include "report/scene_figures.hpp"
@@ -133,6 +134,8 @@ std::string state_words(const SceneReport& report) {
 }
 
 std::string velocity_words(const SceneReport& report) {
+  if (report.indented && !report.indented->closed_form)
+    return "v* = " + quantity(report.indented->critical_velocity, "m/s", 5) + ", simulated";
   if (report.parting && !report.parting->closed_form)
     return std::isinf(report.parting->critical_velocity)
                ? "no v*"
@@ -145,7 +148,7 @@ std::string scene_section(const SceneContents& contents) {
   return "<section class=\"scene\">\n" + verdict(report) + drawings(report) +
          comparison_table(report.comparisons) + formula_section(report) + response_section(report) +
          explorer_section(report) + friction_section(report) + cycle_section(report) +
-         parting_section(report) + reduced_section(report) +
+         parting_section(report) + indenter_section(report) + reduced_section(report) +
          (contents.accuracy ? accuracy_section(*contents.accuracy) : std::string()) +
          values_section(report) + file_section(report) + "</section>\n";
 }

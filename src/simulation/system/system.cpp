@@ -38,6 +38,9 @@ System system_of(const Scene& scene) {
     throw ModelError(
         "the simulator needs a network; this drive is a measured receptance, which says nothing of "
         "motion that is not harmonic");
+  if (scene.indenter)
+    throw ModelError(
+        "below an indenter each place has a motion of its own: this asks for that of one contact");
   if (scene.drive && has_masses(*scene.drive))
     throw ModelError("the simulator knows one body; this drive holds masses of its own");
   const Values values = values_of(scene);

@@ -1,0 +1,23 @@
+// Friction below an indenter at one speed, as `vcrit simulate` prints it.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "indenter/friction.hpp"
+
+namespace vcrit::app {
+
+struct IndenterAnswer {
+  indenter::Friction friction;
+  std::vector<indenter::Cell> cells;  ///< evenly spaced over half of the width
+  double radius = 0;                  ///< of contact under the mean indentation, m
+  double edge = 0;                    ///< the largest radius of contact, m
+};
+
+/// velocity in m/s. Throws InputError, ModelError.
+IndenterAnswer simulate_indenter(const Scene& scene, double velocity);
+
+nlohmann::ordered_json to_json(const IndenterAnswer& answer);
+void print_indenter(const IndenterAnswer& answer);
+
+}  // namespace vcrit::app

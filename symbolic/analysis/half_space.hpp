@@ -1,0 +1,15 @@
+// Below an indenter, by the method of dimensionality reduction: springs side by side, of stiffness
+// E* dx along the normal and G* dx along the surface, E* = E/(1 - nu^2), G* = 4 G/(2 - nu).
+#pragma once
+
+#include <vector>
+
+#include "formula/line.hpp"
+#include "scene/scene.hpp"
+
+namespace vcrit::symbolic {
+
+/// Why one v* holds for all of them, and thereby for any shape. The scene has an indenter.
+std::vector<Line> half_space_lines(const Scene& scene);
+
+}  // namespace vcrit::symbolic

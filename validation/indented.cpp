@@ -1,0 +1,213 @@
+#include "indented.hpp"
+
+#include <fmt/format.h>
+#include <gsl/gsl_integration.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <numbers>
+
+#include "critical/critical_velocity.hpp"
+#include "indenter/friction.hpp"
+#include "onset/critical_onset.hpp"
+#include "parting.hpp"
+#include "velocity_comparisons.hpp"
+
+namespace vcrit::validation {
+
+namespace {
+
+using indenter::Friction;
+using indenter::HalfSpace;
+using simulation::Motion;
+constexpr double period = 2 * std::numbers::pi;
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+
+// For curves to look at, and for figures that are compared.
+constexpr double drawn = 1e-6, compared = 1e-11;
+
+const std::vector<double>& speeds() {
+  static const std::vector<double> ratios = [] {
+    std::vector<double> all{0.005, 0.02};
+    for (int i = 1; i <= 20; ++i) all.push_back(i / 20.0);
+    all.push_back(1.1);
+    return all;
+  }();
+  return ratios;
+}
+
+FrictionCurve curve_of(const Scene& scene, std::string name, bool own) {
+  FrictionCurve curve{std::move(name), own, speeds(), {}};
+  std::vector<double> velocities;
+  for (const double ratio : curve.ratios) velocities.push_back(ratio * critical_velocity(scene));
+  for (const auto& point : indenter::friction_curve(HalfSpace(scene), velocities, drawn))
+    curve.friction.push_back(point.friction ? point.friction->ratio : nothing);
+  return curve;
+}
+
+// Beyond the whole indentation the indenter jumps, which the scene must allow.
+std::vector<FrictionCurve> amplitudes_of(const Scene& scene) {
+  const double indentation = scene.indentation.value.value();
+  const double own = scene.amplitude.value.value() / indentation;
+  std::vector<double> shares{0.05, 0.2, 0.5, 0.9};
+  if (scene.separation) shares.insert(shares.end(), {1.5, 4});
+  std::erase_if(shares, [&](double share) { return std::abs(share / own - 1) < 0.05; });
+  shares.push_back(own);
+  std::sort(shares.begin(), shares.end());
+  std::vector<FrictionCurve> curves;
+  for (const double share : shares) {
+    Scene there = scene;
+    there.amplitude.value = share == own ? scene.amplitude.value.value() : share * indentation;
+    try {
+      curves.push_back(curve_of(there, fmt::format("Δu_z = {:.3g} u_z0", share), share == own));
+    } catch (const ModelError&) {
+      // The pressure of a viscoelastic half-space swings more than its indentation: outside (4).
+    }
+  }
+  return curves;
+}
+
+std::vector<FrictionCurve> shapes_of(const Scene& scene) {
+  using Shape = Indenter::Shape;
+  const auto power = [](double exponent) {
+    return Indenter{Shape::power, {{{"prefactor"}, 1.0}, {{"exponent"}, exponent}}, {}};
+  };
+  const std::pair<const char*, Indenter> shapes[] = {
+      {"cone, r", power(1)},
+      {"parabola, r²", power(2)},
+      {"r⁴", power(4)},
+      {"flat", Indenter{Shape::flat, {{{"radius"}, 1.0}}, {}}}};
+  std::vector<FrictionCurve> curves;
+  for (const auto& [name, shape] : shapes) {
+    Scene other = scene;
+    other.indenter = shape;
+    curves.push_back(curve_of(other, name, false));
+  }
+  curves.push_back(curve_of(scene, "this scene", true));
+  return curves;
+}
+
+StateMap map_of(const HalfSpace& half_space, double velocity) {
+  constexpr int count = 60, samples = 180;
+  StateMap map;
+  for (int i = 0; i < samples; ++i) map.phases.push_back(period * (i + 0.5) / samples);
+  const auto cells = indenter::cells(half_space, velocity, count, 0);
+  for (const indenter::Cell& cell : cells) {
+    map.rows.push_back(cell.x / half_space.edge());
+    const auto row =
+        motions_at(cell.state.events, map.phases,
+                   cell.state.regime == simulation::Regime::stick ? Motion::stick : Motion::slip);
+    map.motions.insert(map.motions.end(), row.begin(), row.end());
+  }
+  return map;
+}
+
+// The force (N) of the half-space at rest under a depth (m), the springs' sum, by another
+// quadrature than that of the cells.
+double static_force(const HalfSpace& half_space, double depth) {
+  if (!(depth > 0)) return 0;
+  struct Data {
+    const HalfSpace* half_space;
+    double depth;
+  } data{&half_space, depth};
+  gsl_function function{[](double x, void* given) {
+                          const Data& d = *static_cast<const Data*>(given);
+                          return std::max(d.depth - d.half_space->gap().at(x), 0.0);
+                        },
+                        &data};
+  const std::unique_ptr<gsl_integration_workspace, void (*)(gsl_integration_workspace*)> workspace(
+      gsl_integration_workspace_alloc(1000), gsl_integration_workspace_free);
+  double sum = 0, error = 0;
+  gsl_integration_qag(&function, 0, half_space.gap().half_width(depth), 0, 1e-10, 1000,
+                      GSL_INTEG_GAUSS21, workspace.get(), &sum, &error);
+  return 2 * half_space.static_modulus() * sum;
+}
+
+Comparison comparison_of(const char* key, const char* name, const char* reference) {
+  Comparison comparison;
+  comparison.key = key;
+  comparison.name = name;
+  comparison.reference = reference;
+  comparison.measure = Comparison::Measure::absolute;
+  return comparison;
+}
+
+Comparison simulated_velocity(const SceneReport& report, const HalfSpace& half_space) {
+  Comparison comparison = velocity_comparison(report, "simulation", "stick-slip simulation");
+  comparison.found = indenter::critical_velocity(half_space).contact_velocity;
+  comparison.tolerance = 1e-9;
+  comparison.reason = "the fastest of all cells, motion in closed form, in doubles";
+  return comparison;
+}
+
+Comparison starts(const Friction& friction) {
+  Comparison comparison =
+      comparison_of("starts", "friction of each cell, started from rest", "started from sliding");
+  comparison.found = friction.disagreement;
+  comparison.tolerance = 2e-9;
+  comparison.reason = "each steady value is promised to 10⁻⁹, and both may be off";
+  comparison.detail = fmt::format("worst of {} cells, at half of v*", friction.cells);
+  return comparison;
+}
+
+Comparison pure_sliding(const HalfSpace& half_space, double speed) {
+  Comparison comparison =
+      comparison_of("pure_sliding", "friction above the critical velocity", "full friction, 1");
+  const Friction friction = indenter::friction(half_space, 1.01 * speed, compared);
+  comparison.expected = 1;
+  comparison.found = friction.ratio;
+  comparison.tolerance = friction.error + 2e-9;
+  comparison.reason = "the stated error of quadrature and cells";
+  return comparison;
+}
+
+// Each cell then carries the least force of the period, that under the depth u_z0 - s, where s is
+// the amplitude grown by |E(i omega)|/E(0); the contact's own answer to the way of one period is on
+// top.
+Comparison static_limit(const SceneReport& report, const HalfSpace& half_space, double speed) {
+  Comparison comparison = comparison_of("static_limit", "friction at rest, v0 → 0",
+                                        "least over mean normal force of the cells");
+  const double velocity = 1e-9 * speed;
+  const Friction friction = indenter::friction(half_space, velocity, compared);
+  const double swing = half_space.amplitude() / opening_border(report.scene);
+  const simulation::System centre = half_space.cell(0);
+  double glassy = centre.contact.equilibrium;
+  for (const MaxwellBranch& branch : centre.contact.branches) glassy += branch.stiffness;
+  const double answer =
+      (glassy * period / centre.omega + centre.contact.damper) * velocity * 2 * half_space.edge();
+  const double mu0 = report.scene.coefficient.value.value();
+  comparison.expected =
+      static_force(half_space, half_space.indentation() - swing) / friction.normal_force;
+  comparison.found = friction.ratio;
+  comparison.tolerance = answer / (mu0 * friction.normal_force) + friction.error + 1e-9;
+  comparison.reason = "at 10⁻⁹ of v*, the stiffest answer over one period, and the stated error";
+  return comparison;
+}
+
+}  // namespace
+
+void examine_indenter(SceneReport& report) {
+  const Scene& scene = report.scene;
+  const HalfSpace half_space(scene);
+  const CriticalOnset onset = critical_onset(scene);
+  const double speed = critical_velocity(scene);
+  Indented& indented = report.indented.emplace();
+  indented.closed_form = onset.by == CriticalOnset::By::formula;
+  indented.critical_velocity = onset.contact_velocity;
+  indented.radius = half_space.radius();
+  indented.edge = half_space.edge();
+  indented.amplitudes = amplitudes_of(scene);
+  indented.shapes = shapes_of(scene);
+  indented.map_ratio = 0.5;
+  indented.map = map_of(half_space, indented.map_ratio * speed);
+  const Friction half = indenter::friction(half_space, 0.5 * speed, compared);
+  indented.normal_force = half.normal_force;
+  if (indented.closed_form) report.comparisons.push_back(simulated_velocity(report, half_space));
+  report.comparisons.push_back(starts(half));
+  report.comparisons.push_back(pure_sliding(half_space, onset.drive_velocity));
+  report.comparisons.push_back(static_limit(report, half_space, speed));
+}
+
+}  // namespace vcrit::validation

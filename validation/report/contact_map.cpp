@@ -1,0 +1,68 @@
+#include "report/contact_map.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numbers>
+
+#include "base/errors.hpp"
+
+namespace vcrit::validation::report {
+
+namespace {
+
+using figures::Figure;
+using figures::Series;
+using figures::Style;
+using simulation::Motion;
+
+// Its place among the classes of a map.
+double class_of(Motion motion) {
+  switch (motion) {
+    case Motion::stick:
+      return 0;
+    case Motion::slip:
+      return 1;
+    case Motion::apart:
+      return 2;
+    case Motion::backslip:
+      return 3;
+  }
+  throw Bug("a motion without a class");
+}
+
+}  // namespace
+
+figures::Map contact_map(const StateMap& states) {
+  figures::Map map;
+  map.value = {"contact", false, {}, {}};
+  for (const Motion motion : {Motion::stick, Motion::slip, Motion::apart, Motion::backslip})
+    if (std::find(states.motions.begin(), states.motions.end(), motion) != states.motions.end())
+      map.value.ticks.emplace_back(class_of(motion), to_text(motion));
+  for (const double phase : states.phases) map.x.push_back(phase / (2 * std::numbers::pi));
+  map.y = states.rows;
+  for (const Motion motion : states.motions) map.values.push_back(class_of(motion));
+  return map;
+}
+
+Figure curves_figure(const std::vector<FrictionCurve>& curves) {
+  Figure figure;
+  figure.x = {"v₀ / v* of Eq. 24", false, std::pair{0.0, 1.2}, {}};
+  figure.y = {"friction ratio μ macro / μ₀", false, std::pair{0.0, 1.05}, {}};
+  int colour = 0;
+  for (const FrictionCurve& curve : curves) {
+    Series series{curve.name, Style::line, {}, colour++};
+    for (std::size_t i = 0; i < curve.ratios.size(); ++i)
+      series.points.push_back({curve.ratios[i], curve.friction[i],
+                               fmt::format("{}: {:.9f}", curve.name, curve.friction[i])});
+    if (curve.own) {
+      Series own = series;
+      own.style = Style::dots;
+      figure.series.push_back(std::move(own));
+    }
+    figure.series.push_back(std::move(series));
+  }
+  return figure;
+}
+
+}  // namespace vcrit::validation::report
