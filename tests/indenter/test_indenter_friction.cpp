@@ -237,6 +237,8 @@ BOOST_AUTO_TEST_CASE(table_of_a_parabola) {
   scene.indenter = table;
   const Friction lines = friction(HalfSpace(scene), velocity(0.5, 0.4), 1e-6);
   BOOST_TEST(lines.error <= 1.1e-6);
+  const Friction finer = friction(HalfSpace(scene), velocity(0.5, 0.4), 1e-12);
+  BOOST_TEST(std::abs(lines.ratio - finer.ratio) <= lines.error + finer.error);
   BOOST_TEST(std::abs(lines.ratio - smooth.ratio) <= 1.2 * std::pow(50, -1.5));
   // Cut at half the radius of contact, its rim holds cells that never part.
   table.profile->rows.resize(26);
