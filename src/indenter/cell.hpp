@@ -26,11 +26,11 @@ struct CellFriction {
   Motions motions;
 };
 
-/// velocity in m/s, > 0. A cell that touches for less than some 1e-6 of a period is empty. Throws
-/// ModelError where no steady state is found.
+/// velocity in m/s, > 0. A cell into which the indenter dips by less than 1e-6 of its amplitude is
+/// empty. Throws ModelError where no steady state is found.
 CellFriction cell_friction(const HalfSpace& half_space, double x, double velocity);
 
-/// Outside of this half of width (m) cells are empty; less than the edge by some 1e-11 of it.
+/// Half the width (m) outside of which cells are empty.
 double counted_edge(const HalfSpace& half_space);
 
 /// How often each motion begins in a period; where this changes with x, friction is not smooth.

@@ -37,7 +37,8 @@ double depth_error(const HalfSpace& half_space) {
 double left_out(const HalfSpace& half_space) {
   const double edge = counted_edge(half_space);
   if (!half_space.touches(edge)) return 0;
-  return (half_space.edge() - edge) * simulation::mean_normal_force(half_space.cell(edge));
+  return (half_space.edge() - edge) *
+         std::abs(simulation::mean_normal_force(half_space.cell(edge)));
 }
 
 }  // namespace

@@ -98,7 +98,7 @@ class Quadrature {
     panel.normal_force += node.kronrod * force;
     panel.friction_fault += (node.kronrod - node.gauss) * friction;
     panel.normal_force_fault += (node.kronrod - node.gauss) * force;
-    panel.cell_error += node.kronrod * force * cell.error;
+    panel.cell_error += node.kronrod * std::abs(force) * cell.error;
     disagreement_ = std::max(disagreement_, cell.disagreement);
     motions_.add(cell.motions);
   }
