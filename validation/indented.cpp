@@ -61,7 +61,8 @@ std::vector<FrictionCurve> amplitudes_of(const Scene& scene) {
     Scene there = scene;
     there.amplitude.value = share == own ? scene.amplitude.value.value() : share * indentation;
     try {
-      curves.push_back(curve_of(there, fmt::format("Δu_z = {:.3g} u_z0", share), share == own));
+      curves.push_back(
+          curve_of(there, fmt::format("{:.3g} of the indentation", share), share == own));
     } catch (const ModelError&) {
       // The pressure of a viscoelastic half-space swings more than its indentation: outside (4).
     }
@@ -186,6 +187,56 @@ Comparison static_limit(const SceneReport& report, const HalfSpace& half_space, 
   return comparison;
 }
 
+Scene at_amplitude(Scene scene, double share) {
+  scene.amplitude.value = share * scene.indentation.value.value();
+  return scene;
+}
+
+Friction at_half(const Scene& scene) {
+  return indenter::friction(HalfSpace(scene), 0.5 * critical_velocity(scene), compared);
+}
+
+// Cells that stay closed fall short of mu0 in proportion to the amplitude; the rim that parts is as
+// wide as the amplitude and carries as little force.
+std::optional<Comparison> small_amplitude(const Scene& scene) {
+  constexpr double share = 1e-3;
+  const Friction once = at_half(at_amplitude(scene, share)),
+                 twice = at_half(at_amplitude(scene, 2 * share));
+  if (once.regime == simulation::Regime::stick_slip_backslip_apart) return std::nullopt;
+  Comparison comparison =
+      comparison_of("small_amplitude", "1 − friction ratio at Δu_z = 0.001 u_z0, at half of v*",
+                    "half of that at 0.002 u_z0");
+  comparison.measure = Comparison::Measure::relative;
+  comparison.expected = (1 - twice.ratio) / 2;
+  comparison.found = 1 - once.ratio;
+  comparison.tolerance = 10 * share;
+  comparison.reason = "the rim that parts: some of its share of the width, 10⁻³";
+  return comparison;
+}
+
+// So slow an oscillation that the half-space is as at rest.
+std::optional<Comparison> quasi_static(const Scene& scene) {
+  constexpr double slowness = 1e-6;
+  const Relaxation modulus = relaxation_form(scene.normal, values_of(scene));
+  const double slowest = slowest_relaxation(modulus);
+  if (slowest == 0) return std::nullopt;
+  Scene slow = scene;
+  slow.angular_frequency.value = slowness / slowest;
+  Scene elastic = slow;
+  const Symbol at_rest{"E"};
+  elastic.normal = {Element{ElementKind::spring, at_rest, {}}};
+  elastic.elements = {{at_rest, modulus.equilibrium}};
+  Comparison comparison = comparison_of(
+      "quasi_static", "friction at a frequency far below all relaxation, at half of v*",
+      "elastic half-space of the modulus at rest");
+  comparison.expected = at_half(elastic).ratio;
+  comparison.found = at_half(slow).ratio;
+  comparison.tolerance = 10 * slowness;
+  comparison.reason =
+      "forces, and times of parting, change by some ω times the slowest relaxation, 10⁻⁶";
+  return comparison;
+}
+
 }  // namespace
 
 void examine_indenter(SceneReport& report) {
@@ -208,6 +259,8 @@ void examine_indenter(SceneReport& report) {
   report.comparisons.push_back(starts(half));
   report.comparisons.push_back(pure_sliding(half_space, onset.drive_velocity));
   report.comparisons.push_back(static_limit(report, half_space, speed));
+  for (const auto& comparison : {small_amplitude(scene), quasi_static(scene)})
+    if (comparison) report.comparisons.push_back(*comparison);
 }
 
 }  // namespace vcrit::validation

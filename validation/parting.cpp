@@ -159,11 +159,7 @@ std::optional<Comparison> quasi_static(const System& system) {
   const auto& form = system.opening->network;
   if (!(system.contact.equilibrium > 0) || system.drive) return std::nullopt;
   System slow = system, elastic = system;
-  double slowest =
-      std::max(form.damper / form.equilibrium, system.contact.damper / system.contact.equilibrium);
-  for (const Relaxation* network : {&form, &system.contact})
-    for (const MaxwellBranch& branch : network->branches)
-      slowest = std::max(slowest, branch.time * (1 + branch.stiffness / network->equilibrium));
+  const double slowest = std::max(slowest_relaxation(form), slowest_relaxation(system.contact));
   if (slowest == 0) return std::nullopt;
   constexpr double slowness = 1e-6;
   slow.omega = elastic.omega = slowness / slowest;
@@ -225,6 +221,13 @@ void compare(SceneReport& report, const System& system, double speed) {
 }
 
 }  // namespace
+
+double slowest_relaxation(const Relaxation& solid) {
+  double slowest = solid.damper / solid.equilibrium;
+  for (const MaxwellBranch& branch : solid.branches)
+    slowest = std::max(slowest, branch.time * (1 + branch.stiffness / solid.equilibrium));
+  return slowest;
+}
 
 double opening_border(const Scene& scene) {
   const Relaxation normal = relaxation_form(scene.normal, values_of(scene));

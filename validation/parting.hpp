@@ -13,6 +13,10 @@ void examine_parting(SceneReport& report, const simulation::System& system);
 /// du_z/u_z0 beyond which the surfaces part, K_n(0)/|K_n(i omega)|.
 double opening_border(const Scene& scene);
 
+/// The longest time (s) in which a solid forgets what was done to it, by order of magnitude; 0 of
+/// an elastic one.
+double slowest_relaxation(const Relaxation& solid);
+
 /// What each of `events` (of one period, in order) says of `phases`; `resting` where there is none.
 std::vector<simulation::Motion> motions_at(const std::vector<simulation::Event>& events,
                                            const std::vector<double>& phases,

@@ -123,8 +123,8 @@ std::string names(const std::vector<Symbol>& symbols) {
 }
 
 bool can_be_simulated(const Scene& scene) {
-  return !scene.receptance && !(scene.drive && has_masses(*scene.drive)) &&
-         inadmissible_reasons(scene).empty();
+  return !scene.receptance && !scene.separation && !scene.indenter &&
+         !(scene.drive && has_masses(*scene.drive)) && inadmissible_reasons(scene).empty();
 }
 
 bool is_too_large(const Scene& scene) {
