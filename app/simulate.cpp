@@ -117,10 +117,14 @@ nlohmann::ordered_json to_json(const Speed& speed, const Answer& answer,
   return object;
 }
 
+void print_velocity(const Speed& speed) {
+  fmt::print("velocity        {} m/s ({:.6g} v*)\n", speed.velocity, speed.ratio);
+}
+
 // omega: rad/s
 void print_text(const Speed& speed, const Answer& answer, double omega) {
   const SteadyState& steady = answer.steady;
-  fmt::print("velocity        {} m/s ({:.6g} v*)\n", speed.velocity, speed.ratio);
+  print_velocity(speed);
   fmt::print("friction ratio  {} (error about {:.1g})\n", steady.friction_ratio,
              steady.friction_ratio_error);
   fmt::print("regime          {}\n", to_text(steady.regime));
@@ -153,7 +157,7 @@ void simulate_below_indenter(const Options& options, const Scene& scene) {
     object["indenter"] = to_json(answer);
     return print(object);
   }
-  print_text(speed, whole, 0);
+  print_velocity(speed);
   print_indenter(answer);
 }
 

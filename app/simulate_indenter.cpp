@@ -8,7 +8,10 @@ namespace vcrit::app {
 
 namespace {
 
-constexpr int shown_cells = 16;
+constexpr int shown_cells = 8;
+
+// Each steady value is promised to 1e-9, and both may be off.
+constexpr double starts_tolerance = 2e-9;
 
 }  // namespace
 
@@ -35,14 +38,20 @@ nlohmann::ordered_json to_json(const IndenterAnswer& answer) {
           {"cells", cells}};
 }
 
+// As many digits as the default tolerance leaves.
 void print_indenter(const IndenterAnswer& answer) {
-  fmt::print("normal force    {:.6g} N on average\n", answer.friction.normal_force);
+  const indenter::Friction& friction = answer.friction;
+  fmt::print("friction ratio  {:.10f} (error about {:.1g})\n", friction.ratio, friction.error);
+  fmt::print("regime          {}\n", to_text(friction.regime));
+  fmt::print("normal force    {:.6g} N on average\n", friction.normal_force);
   fmt::print("contact radius  {:.6g} m, at most {:.6g} m\n", answer.radius, answer.edge);
-  fmt::print("cells           {}, in which both starts differ by at most {:.1g}\n",
-             answer.friction.cells, answer.friction.disagreement);
+  if (friction.disagreement <= starts_tolerance)
+    fmt::print("starts          agree in all cells, in sliding and at rest\n");
+  else
+    fmt::print("starts          DISAGREE, by up to {:.2g} in a cell\n", friction.disagreement);
   for (const indenter::Cell& cell : answer.cells)
-    fmt::print("  at x = {:<12.6g} friction ratio {:<20.15g} {}\n", cell.x,
-               cell.state.friction_ratio, to_text(cell.state.regime));
+    fmt::print("  at x = {:<12.6g} friction ratio {:.10f}  {}\n", cell.x, cell.state.friction_ratio,
+               to_text(cell.state.regime));
 }
 
 }  // namespace vcrit::app

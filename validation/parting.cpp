@@ -106,19 +106,10 @@ StateMap map_of(const System& system, double speed) {
   return map;
 }
 
-Comparison comparison_of(const char* key, const std::string& name, const std::string& reference) {
-  Comparison comparison;
-  comparison.key = key;
-  comparison.name = name;
-  comparison.reference = reference;
-  comparison.measure = Comparison::Measure::absolute;
-  return comparison;
-}
-
 // So slow that the contact sticks from one meeting of the surfaces to their parting: its force is
 // less than that of the glassy network for the way of one period.
 Comparison static_limit(const System& system, double speed) {
-  Comparison comparison = comparison_of("static_limit", "friction at rest, v0 -> 0",
+  Comparison comparison = by_difference("static_limit", "friction at rest, v0 -> 0",
                                         "0: whenever the surfaces meet, the contact begins anew");
   const double velocity = 1e-9 * speed;
   double glassy = system.contact.equilibrium;
@@ -143,7 +134,7 @@ std::optional<Comparison> small_amplitude(const Scene& scene, double border) {
   const auto half = shortfall(0.02), quarter = shortfall(0.01);
   if (!half || !quarter) return std::nullopt;
   Comparison comparison =
-      comparison_of("small_amplitude", "1 − friction ratio at 1 % of the border, at half of v*",
+      by_difference("small_amplitude", "1 − friction ratio at 1 % of the border, at half of v*",
                     "half of that at 2 %");
   comparison.measure = Comparison::Measure::relative;
   comparison.expected = (1 - half->friction_ratio) / 2;
@@ -167,7 +158,7 @@ std::optional<Comparison> quasi_static(const System& system) {
   elastic.opening->network = {form.equilibrium, 0, {}};
   const double speed = system.friction * elastic.omega * elastic.opening->amplitude *
                        form.equilibrium / system.contact.equilibrium;
-  Comparison comparison = comparison_of(
+  Comparison comparison = by_difference(
       "quasi_static", "friction at a frequency far below all relaxation, at half of v*",
       "elastic contact of the stiffness at rest");
   comparison.expected = simulation::steady_state(elastic, 0.5 * speed).friction_ratio;
@@ -182,7 +173,7 @@ std::optional<Comparison> energy(const System& system, double velocity) {
   const auto found = simulation::energy_balance(system, velocity);
   if (!found) return std::nullopt;
   const simulation::EnergyBalance& balance = *found;
-  Comparison comparison = comparison_of("energy", "heat of friction and dampers over a cycle",
+  Comparison comparison = by_difference("energy", "heat of friction and dampers over a cycle",
                                         "work of drive and oscillation");
   comparison.unit = "J";
   comparison.expected = balance.drive;
@@ -196,7 +187,7 @@ std::optional<Comparison> energy(const System& system, double velocity) {
 std::optional<Comparison> witnesses(const SceneReport& report, const System& system) {
   const double expected = report.parting->drive_velocity;
   if (!std::isfinite(expected)) return std::nullopt;
-  Comparison comparison = comparison_of("witnesses", "v* by the last stick of starts at rest",
+  Comparison comparison = by_difference("witnesses", "v* by the last stick of starts at rest",
                                         "v* by the slowest steady sliding");
   comparison.unit = "m/s";
   comparison.measure = Comparison::Measure::relative;
@@ -221,6 +212,15 @@ void compare(SceneReport& report, const System& system, double speed) {
 }
 
 }  // namespace
+
+Comparison by_difference(const char* key, const char* name, const char* reference) {
+  Comparison comparison;
+  comparison.key = key;
+  comparison.name = name;
+  comparison.reference = reference;
+  comparison.measure = Comparison::Measure::absolute;
+  return comparison;
+}
 
 double slowest_relaxation(const Relaxation& solid) {
   double slowest = solid.damper / solid.equilibrium;

@@ -17,6 +17,9 @@ double opening_border(const Scene& scene);
 /// an elastic one.
 double slowest_relaxation(const Relaxation& solid);
 
+/// A comparison of two numbers by their difference, still without them.
+Comparison by_difference(const char* key, const char* name, const char* reference);
+
 /// What each of `events` (of one period, in order) says of `phases`; `resting` where there is none.
 std::vector<simulation::Motion> motions_at(const std::vector<simulation::Event>& events,
                                            const std::vector<double>& phases,

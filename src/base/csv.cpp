@@ -1,6 +1,7 @@
 #include "base/csv.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 
@@ -31,6 +32,13 @@ bool CsvLines::next() {
     if (!line_.empty()) return true;
   }
   return false;
+}
+
+void CsvLines::take_header(const std::vector<std::string>& columns) {
+  const bool any = next();
+  if (!any || cells() != columns)
+    throw InputError(place_, any ? fmt::format("\"{}\"", line_) : "an empty table",
+                     fmt::format("the header {}", fmt::join(columns, ",")));
 }
 
 std::vector<std::string> CsvLines::cells() const {

@@ -61,12 +61,12 @@ std::vector<std::string> inadmissible_reasons(const Scene& scene) {
     return reasons;
   }
   const NormalForce force = normal_force(scene, values);
-  if (!scene.separation && !(force.oscillating < force.mean) && scene.indenter)
+  if (scene.separation || force.oscillating < force.mean) return reasons;
+  if (scene.indenter)
     reasons.emplace_back(
         "the contact opens all over: at its centre, too, the pressure would oscillate beyond its "
-        "mean "
-        "(4)");
-  else if (!scene.separation && !(force.oscillating < force.mean))
+        "mean (4)");
+  else
     reasons.push_back(
         fmt::format("the contact opens: the normal force oscillates by du_z |K_n| = {:.6g} N about "
                     "a mean of K_n(0) u_z0 = {:.6g} N (4)",

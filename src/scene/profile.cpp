@@ -41,10 +41,7 @@ Profile read_profile(const std::filesystem::path& file, const Place& place) {
 Profile parse_profile(const std::string& text, const std::string& file) {
   Profile profile{file, {}};
   CsvLines lines(text, file);
-  const bool any = lines.next();
-  if (!any || lines.cells() != columns)
-    throw InputError(lines.place(), any ? fmt::format("\"{}\"", lines.line()) : "an empty table",
-                     fmt::format("the header {}", header));
+  lines.take_header(columns);
   while (lines.next()) {
     const auto numbers = lines.numbers(columns.size(), "two numbers: r, f");
     const Profile::Row row{numbers[0], numbers[1]};

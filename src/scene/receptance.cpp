@@ -48,10 +48,7 @@ Receptance read_receptance(const std::filesystem::path& file, const Place& place
 Receptance parse_receptance(const std::string& text, const std::string& file) {
   Receptance receptance{file, {}};
   CsvLines lines(text, file);
-  const bool any = lines.next();
-  if (!any || lines.cells() != columns)
-    throw InputError(lines.place(), any ? fmt::format("\"{}\"", lines.line()) : "an empty table",
-                     fmt::format("the header {}", header));
+  lines.take_header(columns);
   while (lines.next()) {
     const auto numbers = lines.numbers(columns.size(), "three numbers: omega, Re, Im");
     const Receptance::Row row{numbers[0], numbers[1], numbers[2]};

@@ -11,7 +11,7 @@ from pathlib import Path
 PROJECT, PROGRAM = Path(sys.argv.pop(1)), sys.argv.pop(1)
 
 PARABOLA = """[contact]
-normal = "E"
+normal = "spring(E)"
 poisson = 0.3
 {separation}
 [indenter]
@@ -65,7 +65,7 @@ class Indenters(unittest.TestCase):
             self.assertAlmostEqual(self.json("eval", scene)["critical_velocity"] / expected, 1, delta=1e-14)
             compared = self.json("critical", scene)
             self.assertTrue(compared["agree"])
-            self.assertIsNone(compared["stick_onset"])
+            self.assertLess(compared["stick_onset_difference"], 1e-9)
 
     # Hertz: F = 4/3 E* sqrt(R) d^(3/2); at a small amplitude its mean is that at rest, (1 + 3/16 D^2) of it.
     def test_normal_force_is_that_of_hertz(self):

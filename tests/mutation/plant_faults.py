@@ -26,7 +26,7 @@ FAULTS = [
     ("src/scene/receptance.cpp", "return {*(above - 1), *above};", "1", "2", "scene/test_receptance"),
     ("src/stiffness/graph_relaxation.cpp", "m(j, i) -= value;", "-=", "+=", "stiffness/test_relaxation"),
     ("src/stiffness/secular.cpp", "((value > 0) == rising ? high : low) = d;", ">", "<", "stiffness/test_secular"),
-    ("src/critical/admissibility.cpp", "if (!(oscillating < mean))", "<", ">", "critical/test_admissibility"),
+    ("src/critical/admissibility.cpp", "|| force.oscillating < force.mean)", "<", ">", "critical/test_admissibility"),
     ("src/critical/log_derivative.cpp", "return Dual{2} * (Dual{1} - value) / (Dual{2} - value)", "Dual{1}", "Dual{2}",
      "sweep/test_sweep"),
     ("src/simulation/system/system.cpp", "system.mean_normal_force = normal.equilibrium * indentation", "*", "/",
@@ -59,7 +59,7 @@ FAULTS = [
     ("validation/agreement.cpp", "if (closed_form) report.curve.back().closed_form", "closed_form", "!closed_form",
      "validation/test_validate"),
     ("validation/reduced_difference.cpp", "percent / 100.0", "100.0", "10.0", "validation/test_reduced_difference"),
-    ("app/eval.cpp", "critical.value + creep_velocity(scene)", "+", "-", "project/test_scenes"),
+    ("src/onset/critical_onset.cpp", "value + creep_velocity(scene)", "+", "-", "project/test_scenes"),
     ("python/batch.cpp", "ensure(column.size() == 1 ||", "1", "0", "python/test_arrays"),
 ]
 

@@ -1,0 +1,157 @@
+// The report on surfaces that part and on indenters: what is compared, and what its pictures show.
+#include <algorithm>
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <set>
+
+#include "agreement.hpp"
+#include "critical/critical_velocity.hpp"
+#include "report/indenter_section.hpp"
+#include "report/parting_section.hpp"
+#include "report/report_json.hpp"
+#include "report/scene_section.hpp"
+#include "simulation/steady/exact.hpp"
+
+using namespace vcrit;
+using namespace vcrit::validation;
+
+namespace {
+
+SceneReport report_of(const Scene& scene) {
+  return agree(scene, [](const std::string&) {});
+}
+
+const Comparison& comparison(const SceneReport& report, const std::string& key) {
+  const auto found = std::find_if(report.comparisons.begin(), report.comparisons.end(),
+                                  [&](const Comparison& each) { return each.key == key; });
+  BOOST_REQUIRE_MESSAGE(found != report.comparisons.end(), key);
+  return *found;
+}
+
+std::set<std::string> keys(const SceneReport& report) {
+  std::set<std::string> all;
+  for (const Comparison& each : report.comparisons) all.insert(each.key);
+  return all;
+}
+
+std::string text_of(const std::string& scene) {
+  return parse_scene(read_scene(std::string(VCRIT_SCENES) + "/" + scene).text, scene).text;
+}
+
+Scene jumping_with_memory() {
+  std::string text = text_of("jumping.toml");
+  const std::string isotropic = "poisson    = 0.3";
+  text.replace(text.find(isotropic), isotropic.size(), "tangential = \"kelvin(k0, c1)\"");
+  return parse_scene(text, "jumping.toml");
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(surfaces_that_part) {
+  const Scene scene = read_scene(std::string(VCRIT_SCENES) + "/jumping.toml");
+  const SceneReport report = report_of(scene);
+  for (const char* key : {"simulation", "starts", "pure_sliding", "energy", "static_limit",
+                          "small_amplitude", "quasi_static"})
+    BOOST_TEST((outcome(comparison(report, key)) == Comparison::Outcome::passed), key);
+  const Parting& parting = report.parting.value();
+  BOOST_TEST(parting.opens);
+  BOOST_TEST(parting.closed_form);
+  BOOST_TEST(parting.derivation.size() == 2u);
+  // Each curve, at its own amplitude, ends in full friction at v*; the largest one begins near 0.
+  for (const FrictionCurve& curve : parting.curves) {
+    BOOST_TEST(std::abs(curve.friction.back() - 1) <= 1e-12);
+    for (std::size_t i = 1; i < curve.friction.size(); ++i)
+      BOOST_TEST(curve.friction[i] - curve.friction[i - 1] >= -1e-12);
+  }
+  BOOST_TEST(parting.curves.back().friction.front() < 0.05);
+  BOOST_TEST(std::count_if(parting.curves.begin(), parting.curves.end(),
+                           [](const FrictionCurve& curve) { return curve.own; }) == 1);
+}
+
+// The map against a motion simulated here.
+BOOST_AUTO_TEST_CASE(the_map_of_states) {
+  const Scene scene = read_scene(std::string(VCRIT_SCENES) + "/jumping.toml");
+  const StateMap map = report_of(scene).parting.value().map;
+  const std::size_t row = map.rows.size() / 3, columns = map.phases.size();
+  BOOST_REQUIRE(map.motions.size() == map.rows.size() * columns);
+  const auto state = simulation::steady_state(simulation::system_of(scene),
+                                              map.rows[row] * critical_velocity(scene),
+                                              simulation::Start::sliding, 180);
+  BOOST_REQUIRE(state.cycle.size() == columns);
+  int apart = 0, stuck = 0;
+  for (std::size_t i = 0; i + 1 < columns; ++i) {
+    const auto motion = map.motions[row * columns + i];
+    // Samples stand at the cells' edges: a cell between two samples of one kind is of that kind.
+    const auto& before = state.cycle[i];
+    const auto& after = state.cycle[i + 1];
+    if (before.friction_bound == 0 && after.friction_bound == 0) {
+      BOOST_TEST((motion == simulation::Motion::apart));
+      ++apart;
+    } else if (before.friction_bound > 0 && after.friction_bound > 0 &&
+               before.contact_velocity == 0 && after.contact_velocity == 0) {
+      BOOST_TEST((motion == simulation::Motion::stick));
+      ++stuck;
+    }
+  }
+  BOOST_TEST(apart > 20);
+  BOOST_TEST(stuck > 20);
+}
+
+BOOST_AUTO_TEST_CASE(without_closed_form) {
+  const SceneReport report = report_of(jumping_with_memory());
+  BOOST_TEST((outcome(comparison(report, "witnesses")) == Comparison::Outcome::passed));
+  BOOST_TEST(!keys(report).contains("simulation"));
+  BOOST_TEST(passed(report));
+  BOOST_TEST(!report.parting.value().closed_form);
+  BOOST_TEST(report::velocity_words(report).find("simulated") != std::string::npos);
+  BOOST_TEST(report::parting_section(report).find("Eq. 24 does not hold then") !=
+             std::string::npos);
+}
+
+// An elastic sphere: friction at rest is (1 - D)^(3/2)/<(1 + D sin t)^(3/2)>.
+BOOST_AUTO_TEST_CASE(below_an_indenter) {
+  std::string text = text_of("sphere.toml");
+  const std::string network = "zener(E0, E1, c1)", amplitude = "0.2 um";
+  const SceneReport report = report_of(parse_scene(text, "sphere.toml"));
+  for (const char* key :
+       {"simulation", "starts", "pure_sliding", "static_limit", "small_amplitude", "quasi_static"})
+    BOOST_TEST((outcome(comparison(report, key)) == Comparison::Outcome::passed), key);
+  text.replace(text.find(network), network.size(), "spring(E0)");
+  text.replace(text.find(amplitude), amplitude.size(), "0.3 um");
+  const SceneReport elastic = report_of(parse_scene(text, "sphere.toml"));
+  BOOST_TEST(!keys(elastic).contains("quasi_static"));
+  double mean = 0;
+  constexpr int nodes = 256;  // the mean of a smooth period: exact to rounding
+  for (int i = 0; i < nodes; ++i)
+    mean += std::pow(1 + 0.3 * std::sin(2 * std::numbers::pi * i / nodes), 1.5) / nodes;
+  const Comparison& rest = comparison(elastic, "static_limit");
+  // Two quadratures to 1e-10, and a tolerance of the report below 1e-7.
+  BOOST_TEST(std::abs(rest.expected - std::pow(0.7, 1.5) / mean) <= 1e-9);
+  BOOST_TEST(std::abs(rest.found - std::pow(0.7, 1.5) / mean) <= 1e-7);
+  const Indented& indented = elastic.indented.value();
+  BOOST_TEST(indented.shapes.size() == 5u);
+  // The sphere is the parabola of any radius; drawn to 1e-6 each.
+  for (std::size_t i = 0; i < indented.shapes[1].friction.size(); ++i)
+    BOOST_TEST(std::abs(indented.shapes[1].friction[i] - indented.shapes[4].friction[i]) <= 2e-6);
+  // At the rim the surfaces part, in the middle they do not.
+  const auto rim = indented.map.motions.end() - static_cast<long>(indented.map.phases.size());
+  BOOST_TEST((std::count(rim, indented.map.motions.end(), simulation::Motion::apart) > 0));
+  BOOST_TEST(
+      (std::count(indented.map.motions.begin(),
+                  indented.map.motions.begin() + static_cast<long>(indented.map.phases.size()),
+                  simulation::Motion::apart) == 0));
+  for (const auto& figure : report::indenter_figures(indented))
+    BOOST_TEST((!figure.series.empty() || figure.map.has_value()), figure.name);
+}
+
+BOOST_AUTO_TEST_CASE(plain_scenes_say_nothing_of_it) {
+  const SceneReport report =
+      report_of(read_scene(std::string(VCRIT_SCENES) + "/kelvin_rigid.toml"));
+  const auto json = report::scene_json({report, {}});
+  BOOST_TEST(!json.contains("separation"));
+  BOOST_TEST(!json.contains("indenter"));
+  BOOST_TEST(report::parting_section(report).empty());
+  BOOST_TEST(report::indenter_section(report).empty());
+}
