@@ -12,6 +12,9 @@ namespace {
 constexpr const char* header = "r,f";
 const std::vector<std::string> columns{"r", "f"};
 
+// Seconds for one speed; the profile takes the square of it.
+constexpr std::size_t most_rows = 2000;
+
 void refuse_order(const Profile& profile, const Profile::Row& row, const Place& place) {
   if (profile.rows.empty()) {
     if (row != Profile::Row{})
@@ -46,6 +49,9 @@ Profile parse_profile(const std::string& text, const std::string& file) {
     const auto numbers = lines.numbers(columns.size(), "two numbers: r, f");
     const Profile::Row row{numbers[0], numbers[1]};
     refuse_order(profile, row, lines.place());
+    if (profile.rows.size() == most_rows)
+      throw InputError(lines.place(), fmt::format("more than {} rows", most_rows),
+                       "at most so many: each is a place where the contact changes");
     profile.rows.push_back(row);
   }
   if (profile.rows.size() < 2)

@@ -117,6 +117,12 @@ BOOST_AUTO_TEST_CASE(a_table_is_read) {
       read("r,f\n0,0\n") ==
       "tip.csv:2: found one row of numbers; expected at least two rows: the tip and the outer "
       "radius");
+  std::string long_table = "r,f\n";
+  for (int i = 0; i <= 2000; ++i) long_table += std::to_string(i) + ",0\n";
+  BOOST_TEST(
+      read(long_table) ==
+      "tip.csv:2002: found more than 2000 rows; expected at most so many: each is a place where "
+      "the contact changes");
   BOOST_TEST(read("r,h\n0,0\n") == "tip.csv:1: found \"r,h\"; expected the header r,f");
   BOOST_TEST(read("r,f\n1,0\n2,1\n") ==
              "tip.csv:2: found r = 1, f = 0 first; expected 0,0: the tip of the indenter");
