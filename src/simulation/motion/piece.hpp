@@ -67,11 +67,6 @@ class Piece {
 /// How many numbers x has in a motion.
 Index states(const Model& model, Motion motion);
 
-/// b of a state; 0 while the surfaces are apart.
-inline double bound_of(const Model& model, const State& state) {
-  return state.motion == Motion::apart ? 0 : model.bound(state.at, state.touch);
-}
-
 /// Contact velocity of a state; 0 in stick.
 double contact_velocity(const Model& model, double velocity, const State& state);
 

@@ -100,8 +100,9 @@ class Answer {
       ++part;
     const double duration = t - part->piece.start().at.time;
     const State state = part->piece.after(duration);
-    return point(phase, contact_velocity(model_, velocity_, state), state.x[0],
-                 bound_of(model_, state));
+    return point(
+        phase, contact_velocity(model_, velocity_, state), state.x[0],
+        state.motion == Motion::apart ? 0 : model_.bound(phase + model_.phase, state.touch));
   }
 
   const Model& model_;
