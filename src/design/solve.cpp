@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "critical/admissibility.hpp"
 #include "critical/critical_velocity.hpp"
 #include "design/explain.hpp"
 #include "design/first_reach.hpp"
@@ -122,8 +123,9 @@ class Solving {
     if (!result.at_start) result.value_error = error_of(reach, result.state);
     const double omega = *scene.angular_frequency.value;
     result.largest_amplitude = contact_.largest_amplitude(omega);
-    if (const auto most = contact_.largest_angular_frequency(*scene.amplitude.value))
-      result.largest_frequency = *most / turn;
+    if (!opens(scene))
+      if (const auto most = contact_.largest_angular_frequency(*scene.amplitude.value))
+        result.largest_frequency = *most / turn;
     result.from = range_.from;
     result.to = range_.to;
     result.evaluations = evaluations_;

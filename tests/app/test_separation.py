@@ -103,6 +103,12 @@ class Separation(unittest.TestCase):
             answer = self.json("eval", scene, *setting)
             self.assertAlmostEqual(answer["critical_velocity"] / float(row["critical_velocity"]), 1, delta=1e-12)
 
+    def test_a_velocity_is_found(self):
+        found = self.json("solve", "scenes/jumping.toml", "--for", "velocity", "--friction-ratio", 0.5)
+        motion = self.json("simulate", "scenes/jumping.toml", "--velocity", found["velocity"])
+        self.assertAlmostEqual(motion["friction_ratio"], 0.5, delta=1e-9)
+        self.assertEqual(motion["regime"], "stick-slip-apart")
+
     def test_derive_says_where_the_formula_holds(self):
         self.assertTrue(self.json("derive", "scenes/jumping.toml")["separation"]["closed_form"])
         scene = self.scene(("poisson    = 0.3", 'tangential = "kelvin(k0, c1)"'))

@@ -81,6 +81,21 @@ BOOST_AUTO_TEST_CASE(a_map_is_its_edges_and_values) {
   BOOST_TEST(grid["v"].dump() == "[1.0,2.0,3.0,4.0,null,6.0]");
 }
 
+// Values with words are classes: each has its colour of the palette, and its words in the legend.
+BOOST_AUTO_TEST_CASE(a_map_of_classes) {
+  Figure figure = everything();
+  figure.map->value.ticks = {{0, "stick"}, {2, "apart"}};
+  figure.map->values = {0, 2, 0, 2, 0, 0};
+  const ordered_json fill = vega_lite(figure)["layer"][0]["encoding"]["fill"];
+  BOOST_TEST(fill["type"] == "ordinal");
+  BOOST_TEST(fill["scale"]["domain"].dump() == "[0.0,2.0]");
+  BOOST_TEST(fill["scale"]["range"][1] == palette(2));
+  BOOST_TEST(fill["legend"]["labelExpr"].get<std::string>().find("apart") != std::string::npos);
+  const std::string script = gnuplot(figure);
+  BOOST_TEST(script.find("set palette maxcolors 3 ") != std::string::npos);
+  BOOST_TEST(script.find("set cbrange [-0.5:2.5]") != std::string::npos);
+}
+
 BOOST_AUTO_TEST_CASE(one_entry_of_the_legend_for_one_name) {
   const ordered_json spec = vega_lite(everything());
   BOOST_TEST(layer_with(spec, "line")["encoding"]["color"]["scale"]["domain"].dump() == "[\"a\"]");

@@ -138,10 +138,11 @@ constexpr const char* viridis =
 std::string colours(const Axis& value) {
   if (value.ticks.empty()) return viridis;
   std::string all;
-  for (const auto& [at, words] : value.ticks)
-    all += fmt::format("{}{} '{}'", all.empty() ? "" : ", ", at, palette(static_cast<int>(at)));
-  return fmt::format("set palette maxcolors {} defined ({})\nset cbrange [-0.5:{}]\n",
-                     value.ticks.size(), all, static_cast<double>(value.ticks.size()) - 0.5);
+  const int classes = 1 + static_cast<int>(value.ticks.back().first);
+  for (int i = 0; i < classes; ++i)
+    all += fmt::format("{}{} '{}'", all.empty() ? "" : ", ", i, palette(i));
+  return fmt::format("set palette maxcolors {} defined ({})\nset cbrange [-0.5:{}]\n", classes, all,
+                     classes - 0.5);
 }
 
 std::string output(const Figure& figure, const char* terminal, const char* ending) {

@@ -194,25 +194,27 @@ ordered_json classes(const Axis& axis) {
 }
 
 ordered_json layer(const Figure& figure, const Map& map) {
-  ordered_json colours = scale(map.value);
-  colours["scheme"] = "viridis";
-  ordered_json seen{{"field", "v"}, {"type", "quantitative"}, {"title", map.value.title}};
-  ordered_json fill = map.value.ticks.empty() ? seen : classes(map.value);
-  if (map.value.ticks.empty()) fill["scale"] = colours;
+  const ordered_json seen{{"field", "v"}, {"type", "quantitative"}, {"title", map.value.title}};
+  const bool few = !map.value.ticks.empty();
+  ordered_json fill = few ? classes(map.value) : seen;
+  if (!few) {
+    fill["scale"] = scale(map.value);
+    fill["scale"]["scheme"] = "viridis";
+  }
   fill["legend"]["orient"] = "top";
   fill["legend"]["titleLimit"] = 400;
   const ordered_json grid{{"x", drawn(edges(map.x, figure.x.logarithmic), figure.x)},
                           {"y", drawn(edges(map.y, figure.y.logarithmic), figure.y)},
                           {"v", drawn(map.values, map.value)}};
+  ordered_json encoding{{"x", position("x", figure.x)},
+                        {"x2", {{"field", "x2"}}},
+                        {"y", position("y", figure.y)},
+                        {"y2", {{"field", "y2"}}},
+                        {"fill", std::move(fill)}};
+  if (!few) encoding["tooltip"] = seen;
   return {{"data", {{"grid", grid}}},
           {"mark", mark("rect", {{"clip", true}})},
-          {"encoding",
-           {{"x", position("x", figure.x)},
-            {"x2", {{"field", "x2"}}},
-            {"y", position("y", figure.y)},
-            {"y2", {{"field", "y2"}}},
-            {"fill", std::move(fill)},
-            {"tooltip", std::move(seen)}}}};
+          {"encoding", std::move(encoding)}};
 }
 
 ordered_json layer(const Figure& figure, const std::vector<Band>& bands) {

@@ -43,6 +43,8 @@ Opening::Opening(const NormalMotion& motion, double omega) : jumps(motion.networ
   const ContactModes network = contact_modes(in_radians(motion.network, omega));
   const NormalCycle cycle = normal_cycle(network, {motion.mean, motion.amplitude});
   if (cycle.touches.empty()) throw ModelError("the surfaces never meet: there is no friction");
+  if (cycle.touches.size() == 1 && cycle.touches.front().duration > period - shortest)
+    throw ModelError("the surfaces never part: their normal force is that of a closed contact");
   mean_force = cycle.mean;
   error = cycle.error / cycle.mean;
   amplitude = std::abs(cycle.swing) / cycle.mean;

@@ -118,6 +118,11 @@ BOOST_AUTO_TEST_CASE(critical_velocity) {
   BOOST_TEST(infinite == 2);
 }
 
+BOOST_AUTO_TEST_CASE(outside_the_model) {
+  BOOST_CHECK_THROW(steady_state(elastic(2, 1), 0.5), ModelError);   // never part
+  BOOST_CHECK_THROW(steady_state(elastic(-2, 1), 0.5), ModelError);  // never meet
+}
+
 // Where the surfaces hardly part, friction goes over into that of those that never do.
 BOOST_AUTO_TEST_CASE(goes_over_into_contact) {
   System never = elastic(1, 0);
