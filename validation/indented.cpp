@@ -21,12 +21,14 @@ namespace {
 
 using indenter::Friction;
 using indenter::HalfSpace;
-using simulation::Motion;
 constexpr double period = 2 * std::numbers::pi;
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 // For curves to look at, and for figures that are compared.
 constexpr double drawn = 1e-6, compared = 1e-11;
+
+// Relative, of the force at rest.
+constexpr double quadrature = 1e-10;
 
 const std::vector<double>& speeds() {
   static const std::vector<double> ratios = [] {
@@ -97,9 +99,7 @@ StateMap map_of(const HalfSpace& half_space, double velocity) {
   const auto cells = indenter::cells(half_space, velocity, count, 0);
   for (const indenter::Cell& cell : cells) {
     map.rows.push_back(cell.x / half_space.edge());
-    const auto row =
-        motions_at(cell.state.events, map.phases,
-                   cell.state.regime == simulation::Regime::stick ? Motion::stick : Motion::slip);
+    const auto row = motions_in(cell.state, map.phases);
     map.motions.insert(map.motions.end(), row.begin(), row.end());
   }
   return map;
@@ -121,7 +121,7 @@ double static_force(const HalfSpace& half_space, double depth) {
   const std::unique_ptr<gsl_integration_workspace, void (*)(gsl_integration_workspace*)> workspace(
       gsl_integration_workspace_alloc(1000), gsl_integration_workspace_free);
   double sum = 0, error = 0;
-  gsl_integration_qag(&function, 0, half_space.gap().half_width(depth), 0, 1e-10, 1000,
+  gsl_integration_qag(&function, 0, half_space.gap().half_width(depth), 0, quadrature, 1000,
                       GSL_INTEG_GAUSS21, workspace.get(), &sum, &error);
   return 2 * half_space.static_modulus() * sum;
 }
@@ -173,7 +173,7 @@ Comparison static_limit(const SceneReport& report, const HalfSpace& half_space, 
   comparison.expected =
       static_force(half_space, half_space.indentation() - swing) / friction.normal_force;
   comparison.found = friction.ratio;
-  comparison.tolerance = answer / (mu0 * friction.normal_force) + friction.error + 1e-9;
+  comparison.tolerance = answer / (mu0 * friction.normal_force) + friction.error + quadrature;
   comparison.reason = "at 10⁻⁹ of v*, the stiffest answer over one period, and the stated error";
   return comparison;
 }

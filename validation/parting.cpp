@@ -93,13 +93,11 @@ std::vector<FrictionCurve> curves_of(const Scene& scene, double border) {
 StateMap map_of(const System& system, double speed) {
   StateMap map{even(0, 1.2, 48), even(0, period, 180), {}};
   for (const double ratio : map.rows) {
-    std::vector<Motion> row(map.phases.size(), Motion::slip);
+    std::vector<std::optional<Motion>> row(map.phases.size());
     try {
-      const auto state = simulation::steady_state(system, ratio * speed);
-      row = motions_at(state.events, map.phases,
-                       state.regime == simulation::Regime::stick ? Motion::stick : Motion::slip);
+      row = motions_in(simulation::steady_state(system, ratio * speed), map.phases);
     } catch (const ModelError&) {
-      row.assign(map.phases.size(), Motion::slip);
+      // No steady state was found: the row stays empty.
     }
     map.motions.insert(map.motions.end(), row.begin(), row.end());
   }
@@ -115,14 +113,16 @@ Comparison static_limit(const System& system, double speed) {
   double glassy = system.contact.equilibrium;
   for (const MaxwellBranch& branch : system.contact.branches) glassy += branch.stiffness;
   const double force = (glassy * period / system.omega + system.contact.damper) * velocity;
-  comparison.found = simulation::steady_state(system, velocity).friction_ratio;
-  comparison.tolerance = force / (system.friction * simulation::mean_normal_force(system)) + 1e-12;
+  const simulation::SteadyState state = simulation::steady_state(system, velocity);
+  comparison.found = state.friction_ratio;
+  comparison.tolerance = force / (system.friction * simulation::mean_normal_force(system)) +
+                         state.friction_ratio_error;
   comparison.reason = "at 10⁻⁹ of v*, the stiffest that the network answers with over one period";
   return comparison;
 }
 
-// Half the border and a quarter of it: friction falls short of mu0 in proportion, as nothing slips
-// backward.
+// At 2 % of the border and at half of that: friction falls short of mu0 in proportion, as nothing
+// slips backward.
 std::optional<Comparison> small_amplitude(const Scene& scene, double border) {
   const auto shortfall = [&](double share) -> std::optional<simulation::SteadyState> {
     const Scene there = at_amplitude(scene, share * border * scene.indentation.value.value());
@@ -131,16 +131,16 @@ std::optional<Comparison> small_amplitude(const Scene& scene, double border) {
     if (state.regime != simulation::Regime::stick_slip) return std::nullopt;
     return state;
   };
-  const auto half = shortfall(0.02), quarter = shortfall(0.01);
-  if (!half || !quarter) return std::nullopt;
+  const auto twice = shortfall(0.02), once = shortfall(0.01);
+  if (!twice || !once) return std::nullopt;
   Comparison comparison =
       by_difference("small_amplitude", "1 − friction ratio at 1 % of the border, at half of v*",
                     "half of that at 2 %");
   comparison.measure = Comparison::Measure::relative;
-  comparison.expected = (1 - half->friction_ratio) / 2;
-  comparison.found = 1 - quarter->friction_ratio;
+  comparison.expected = (1 - twice->friction_ratio) / 2;
+  comparison.found = 1 - once->friction_ratio;
   comparison.tolerance =
-      (half->friction_ratio_error + 2 * quarter->friction_ratio_error + 4e-16) / comparison.found;
+      (twice->friction_ratio_error + 2 * once->friction_ratio_error + 4e-16) / comparison.found;
   comparison.reason = "the errors of both, over what is left of them";
   return comparison;
 }
@@ -235,14 +235,16 @@ double opening_border(const Scene& scene) {
          std::abs(dynamic_stiffness(normal, scene.angular_frequency.value.value()));
 }
 
-std::vector<Motion> motions_at(const std::vector<simulation::Event>& events,
-                               const std::vector<double>& phases, Motion resting) {
-  std::vector<Motion> motions;
+std::vector<std::optional<Motion>> motions_in(const simulation::SteadyState& state,
+                                              const std::vector<double>& phases) {
+  const auto& events = state.events;
+  const Motion resting = state.regime == simulation::Regime::stick ? Motion::stick : Motion::slip;
+  std::vector<std::optional<Motion>> motions;
   for (const double phase : phases) {
     Motion now = events.empty() ? resting : events.back().to;
     for (const simulation::Event& event : events)
       if (event.phase <= phase) now = event.to;
-    motions.push_back(now);
+    motions.emplace_back(now);
   }
   return motions;
 }

@@ -20,9 +20,8 @@ double slowest_relaxation(const Relaxation& solid);
 /// A comparison of two numbers by their difference, still without them.
 Comparison by_difference(const char* key, const char* name, const char* reference);
 
-/// What each of `events` (of one period, in order) says of `phases`; `resting` where there is none.
-std::vector<simulation::Motion> motions_at(const std::vector<simulation::Event>& events,
-                                           const std::vector<double>& phases,
-                                           simulation::Motion resting);
+/// What the contact does at each of `phases` of a steady state of one period.
+std::vector<std::optional<simulation::Motion>> motions_in(const simulation::SteadyState& state,
+                                                          const std::vector<double>& phases);
 
 }  // namespace vcrit::validation

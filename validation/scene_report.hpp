@@ -185,8 +185,8 @@ struct FrictionCurve {
 struct StateMap {
   std::vector<double> rows;    ///< increasing
   std::vector<double> phases;  ///< omega t, increasing
-  std::vector<simulation::Motion>
-      motions;  ///< of each row over all phases, one row after the other
+  std::vector<std::optional<simulation::Motion>>
+      motions;  ///< of each row over all phases, row after row; none: no steady state
 };
 
 /// A scene whose surfaces may part.

@@ -82,7 +82,7 @@ BOOST_AUTO_TEST_CASE(the_map_of_states) {
   BOOST_REQUIRE(state.cycle.size() == columns);
   int apart = 0, stuck = 0;
   for (std::size_t i = 0; i + 1 < columns; ++i) {
-    const auto motion = map.motions[row * columns + i];
+    const auto motion = map.motions[row * columns + i].value();
     // Samples stand at the cells' edges: a cell between two samples of one kind is of that kind.
     const auto& before = state.cycle[i];
     const auto& after = state.cycle[i + 1];
@@ -97,6 +97,21 @@ BOOST_AUTO_TEST_CASE(the_map_of_states) {
   }
   BOOST_TEST(apart > 20);
   BOOST_TEST(stuck > 20);
+}
+
+// What has no steady state is no motion: nothing is drawn, and null is written.
+BOOST_AUTO_TEST_CASE(a_row_without_an_answer_stays_empty) {
+  SceneReport report;
+  report.parting.emplace();
+  StateMap& map = report.parting->map;
+  map.rows = {0.5, 1};
+  map.phases = {1, 2};
+  map.motions = {simulation::Motion::stick, simulation::Motion::apart, std::nullopt, std::nullopt};
+  const auto figure = report::state_figure(*report.parting);
+  BOOST_TEST(figure.map->values[1] == 2);
+  BOOST_TEST(std::isnan(figure.map->values[2]));
+  const auto states = report::scene_json({report, {}})["separation"]["state_map"]["states"];
+  BOOST_TEST(states.dump() == "[[\"stick\",\"apart\"],[null,null]]");
 }
 
 BOOST_AUTO_TEST_CASE(without_closed_form) {

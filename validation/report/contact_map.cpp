@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <numbers>
 
 #include "base/errors.hpp"
@@ -41,7 +42,8 @@ figures::Map contact_map(const StateMap& states) {
       map.value.ticks.emplace_back(class_of(motion), to_text(motion));
   for (const double phase : states.phases) map.x.push_back(phase / (2 * std::numbers::pi));
   map.y = states.rows;
-  for (const Motion motion : states.motions) map.values.push_back(class_of(motion));
+  for (const auto& motion : states.motions)
+    map.values.push_back(motion ? class_of(*motion) : std::numeric_limits<double>::quiet_NaN());
   return map;
 }
 

@@ -151,8 +151,10 @@ ordered_json json(const StateMap& map, const char* rows_are) {
   ordered_json rows = ordered_json::array();
   for (std::size_t row = 0; row < map.rows.size(); ++row) {
     ordered_json states = ordered_json::array();
-    for (std::size_t i = 0; i < map.phases.size(); ++i)
-      states.push_back(to_text(map.motions[row * map.phases.size() + i]));
+    for (std::size_t i = 0; i < map.phases.size(); ++i) {
+      const auto& motion = map.motions[row * map.phases.size() + i];
+      states.push_back(motion ? ordered_json(to_text(*motion)) : ordered_json());
+    }
     rows.push_back(std::move(states));
   }
   return {{rows_are, map.rows}, {"phase", map.phases}, {"states", std::move(rows)}};
