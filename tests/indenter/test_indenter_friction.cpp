@@ -278,6 +278,19 @@ BOOST_AUTO_TEST_CASE(curve) {
   }
 }
 
+// All cells of a punch are the same, and no other shape's are.
+BOOST_AUTO_TEST_CASE(only_cells_that_differ_are_evaluated) {
+  for (const double amplitude : {0.5, 2.0}) {
+    const auto cells = [&](const std::string& shape) {
+      const HalfSpace h(
+          reference::scene_of(indenter_of(shape), indentation, amplitude * indentation));
+      return friction(h, velocity(amplitude, 0.5)).cells;
+    };
+    BOOST_TEST(cells("flat") == 1);
+    BOOST_TEST(cells("cone") > 20);  // the nodes of one panel
+  }
+}
+
 // A punch that parts by 6e-9 of its indentation is taken for one that does not, and its error says
 // so; where only some cells hardly part, it is theirs alone.
 BOOST_AUTO_TEST_CASE(hardly_parting) {
