@@ -1,0 +1,139 @@
+"""One name, one meaning.
+
+1. Files of a library may be compiled together, so what their anonymous namespaces declare bears names of its own.
+2. A name of a nested namespace hides that of an outer one: a function `to_text(const GiNaC::ex&)` in vcrit::symbolic
+   once stood in the way of vcrit::to_text(double), and whoever saw both got other digits without a word. So a nested
+   namespace, anonymous ones too, does not declare again what a header declares in a namespace around it, unless the
+   same file brings the outer one in beside it (`using vcrit::to_text;`).
+
+Run with the project's folder. With --list [FOLDER...], prints what breaks a rule instead.
+"""
+
+import itertools
+import pathlib
+import subprocess
+import sys
+import unittest
+
+from declarations import declarations
+
+ROOT = pathlib.Path(sys.argv.pop(1))
+LIBRARIES = ("src", "symbolic", "validation", "app", "python")
+PROGRAMS = ("validation/benchmark", "validation/bounds", "validation/scaling", "validation/speed")
+
+
+def library(name):
+    """What the file is compiled into."""
+    return next((p for p in PROGRAMS if name.startswith(p + "/")), name.split("/")[0])
+
+
+def around(outer, inner):
+    """Whether the namespace `outer` is `inner` or one around it."""
+    return inner[:len(outer)] == outer
+
+
+def named(namespace):
+    return tuple(part for part in namespace if part)
+
+
+def clashes(sources):
+    """Names that two anonymous namespaces of a library declare, seen from a common place."""
+    found = {}
+    for name, declared in sources.items():
+        for one in declared:
+            if name.endswith(".cpp") and "" in one.namespace and one.kind != "using":
+                found.setdefault((library(name), one.name), {}).setdefault((named(one.namespace), name), one.line)
+    result = []
+    for (_, name), places in sorted(found.items()):
+        for (a, b) in itertools.combinations(sorted(places), 2):
+            if a[1] != b[1] and (around(a[0], b[0]) or around(b[0], a[0])):
+                result.append(f"{a[1]}:{places[a]} and {b[1]}:{places[b]} both declare `{name}` in an anonymous namespace")
+    return result
+
+
+def hidden(sources):
+    """Declarations that hide one of a header, in a namespace around them."""
+    seen = {}
+    for file, declared in sources.items():
+        if file.endswith(".hpp"):
+            for one in declared:
+                if one.kind != "using" and "" not in one.namespace:
+                    seen.setdefault(one.name, []).append((one.namespace, file, one.line))
+    result = []
+    for file, declared in sources.items():
+        beside = {(named(one.namespace), one.name) for one in declared if one.kind == "using"}
+        for one in declared:
+            mine = named(one.namespace)
+            if (mine, one.name) in beside or one.kind == "using" or not (file.endswith(".hpp") or "" in one.namespace):
+                continue
+            for namespace, header, line in seen.get(one.name, []):
+                nested = around(namespace, mine) and ("" in one.namespace or namespace != mine)
+                if nested and header != file and visible(library(header), library(file)):
+                    result.append(f"{file}:{one.line} declares `{one.name}`, which hides {'::'.join(namespace)}::{one.name} "
+                                  f"of {header}:{line}")
+    return sorted(set(result))
+
+
+def visible(header, file):
+    """Whether files of the library `file` can include headers of `header`."""
+    return header == file or header in ("src", "symbolic", "validation")
+
+
+def sources():
+    names = subprocess.run(["git", "ls-files", *LIBRARIES], cwd=ROOT, capture_output=True, text=True, check=True).stdout
+    return {name: declarations((ROOT / name).read_text())
+            for name in names.split() if name.endswith((".cpp", ".hpp")) and (ROOT / name).exists()}
+
+
+def trial(**texts):
+    """Sources written here: `src_a_hpp="..."` is src/a.hpp."""
+    places = ((name.replace("_", "/", 1), text) for name, text in texts.items())
+    return {"".join(name.rpartition("_")[:1]) + "." + name.rpartition("_")[2]: declarations(text) for name, text in places}
+
+
+class Names(unittest.TestCase):
+    def test_the_sources_are_read(self):
+        declared = {(one.namespace, one.name) for each in sources().values() for one in each}
+        self.assertGreater(len(declared), 3000)
+        self.assertIn((("vcrit",), "to_text"), declared)
+
+    def test_files_of_a_library_can_be_compiled_together(self):
+        self.assertEqual([], clashes(sources()))
+
+    def test_no_name_hides_that_of_an_outer_namespace(self):
+        self.assertEqual([], hidden(sources()))
+
+
+class Rules(unittest.TestCase):
+    OUTER = "namespace vcrit {\nstd::string to_text(double value);\n}\n"
+
+    def hides(self, **texts):
+        return len(hidden(trial(src_numbers_hpp=self.OUTER, **texts)))
+
+    def test_an_overload_in_a_nested_namespace_is_found(self):
+        self.assertEqual(1, self.hides(symbolic_text_hpp="namespace vcrit::symbolic { std::string to_text(const ex& e); }"))
+        self.assertEqual(1, self.hides(symbolic_a_cpp="namespace vcrit::symbolic { namespace { int to_text(T t) { return 1; } } }"))
+
+    def test_one_that_brings_the_outer_ones_in_is_none(self):
+        self.assertEqual(0, self.hides(
+            symbolic_text_hpp="namespace vcrit::symbolic { using vcrit::to_text; std::string to_text(const ex& e); }"))
+
+    def test_siblings_and_the_same_namespace_hide_nothing(self):
+        self.assertEqual(0, self.hides(src_units_hpp="namespace vcrit { std::string to_text(const Unit& u); }",
+                                       src_other_hpp="namespace other { std::string to_text(int i); }"))
+
+    def test_anonymous_names_of_two_files_clash(self):
+        a = "namespace vcrit { namespace { constexpr double turn = 2 * pi; struct Kind { int turn; }; } }"
+        b = "namespace vcrit::fit { namespace { template <class T> T turn(std::vector<T> v) { return v[0]; } } }"
+        self.assertEqual(1, len(clashes(trial(src_a_cpp=a, src_b_cpp=b))))
+        self.assertEqual([], clashes(trial(src_a_cpp=a, symbolic_b_cpp=b)))
+        self.assertEqual([], clashes(trial(src_a_cpp=a.replace("vcrit", "vcrit::maps"), src_b_cpp=b)))
+
+
+if __name__ == "__main__":
+    if sys.argv[1:2] == ["--list"]:
+        for line in clashes(sources()) + hidden(sources()):
+            if line.startswith(tuple(sys.argv[2:])):
+                print(line)
+    else:
+        unittest.main(verbosity=2)
