@@ -3,13 +3,13 @@
 # for whoever links them.
 #
 #   vcrit_needs(COMPONENT TARGET... PACKAGE name [argument...] PKGCONFIG name)  found by find_package
-#   vcrit_needs(COMPONENT TARGET PKGCONFIG name)                  has a pkg-config file and no more
+#   vcrit_needs(COMPONENT TARGET PKGCONFIG name VERSION least)    has a pkg-config file and no more
 #   vcrit_needs(COMPONENT TARGET HEADER file LIBRARIES name...)   has neither
 #
 # Only components in vcrit_components are looked for; what is not there is in
 # vcrit_COMPONENT_MISSING.
 macro(vcrit_needs component)
-  cmake_parse_arguments(need "" "HEADER;PKGCONFIG" "PACKAGE;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(need "" "HEADER;PKGCONFIG;VERSION" "PACKAGE;LIBRARIES" ${ARGN})
   if(${component} IN_LIST vcrit_components)
     if(need_PACKAGE)
       find_package(${need_PACKAGE} QUIET)
@@ -18,7 +18,7 @@ macro(vcrit_needs component)
         list(APPEND vcrit_${component}_MISSING ${need_name})
       endif()
     elseif(need_PKGCONFIG)
-      vcrit_find_by_pkgconfig(${component} ${need_PKGCONFIG})
+      vcrit_find_by_pkgconfig(${component} ${need_PKGCONFIG} ${need_VERSION})
     else()
       vcrit_find_by_header(${component} ${need_UNPARSED_ARGUMENTS} ${need_HEADER} ${need_LIBRARIES})
     endif()
@@ -30,14 +30,14 @@ macro(vcrit_needs component)
 endmacro()
 
 # The target PkgConfig::NAME, its name in capitals.
-macro(vcrit_find_by_pkgconfig component name)
+macro(vcrit_find_by_pkgconfig component name version)
   string(TOUPPER ${name} need_prefix)
   find_package(PkgConfig QUIET)
   if(PkgConfig_FOUND)
-    pkg_check_modules(${need_prefix} QUIET IMPORTED_TARGET ${name})
+    pkg_check_modules(${need_prefix} QUIET IMPORTED_TARGET ${name}>=${version})
   endif()
   if(NOT ${need_prefix}_FOUND)
-    list(APPEND vcrit_${component}_MISSING ${name})
+    list(APPEND vcrit_${component}_MISSING "${name} ${version}")
   endif()
 endmacro()
 
@@ -57,10 +57,10 @@ macro(vcrit_find_by_header component target header)
   endif()
 endmacro()
 
-vcrit_needs(numeric fmt::fmt PACKAGE fmt PKGCONFIG fmt)
-vcrit_needs(numeric GSL::gsl GSL::gslcblas PACKAGE GSL PKGCONFIG gsl)
-vcrit_needs(numeric TBB::tbb PACKAGE TBB PKGCONFIG tbb)
-vcrit_needs(numeric tomlplusplus::tomlplusplus PACKAGE tomlplusplus PKGCONFIG tomlplusplus)
+vcrit_needs(numeric fmt::fmt PACKAGE fmt 9.1 PKGCONFIG fmt)
+vcrit_needs(numeric GSL::gsl GSL::gslcblas PACKAGE GSL 2.7 PKGCONFIG gsl)
+vcrit_needs(numeric TBB::tbb PACKAGE TBB 2021.8 PKGCONFIG tbb)
+vcrit_needs(numeric tomlplusplus::tomlplusplus PACKAGE tomlplusplus 3.3 PKGCONFIG tomlplusplus)
 vcrit_needs(numeric vcrit_udunits HEADER udunits2.h LIBRARIES udunits2)
 vcrit_needs(numeric vcrit_arb HEADER arb.h LIBRARIES flint-arb flint gmp)  # GMP: called from FLINT's headers
-vcrit_needs(symbolic PkgConfig::GINAC PKGCONFIG ginac)
+vcrit_needs(symbolic PkgConfig::GINAC PKGCONFIG ginac VERSION 1.8)

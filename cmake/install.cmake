@@ -34,3 +34,10 @@ install(FILES ${CMAKE_BINARY_DIR}/share/bash-completion/completions/vcrit
         DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT program)
 install(FILES ${CMAKE_BINARY_DIR}/share/zsh/site-functions/_vcrit
         DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions COMPONENT program)
+
+# What `cmake --install` takes; every command of ./dev that builds this folder builds it.
+add_custom_target(vcrit_installed)
+add_dependencies(vcrit_installed vcrit vcrit_numeric vcrit_symbolic)
+if(VCRIT_PYTHON)
+  add_dependencies(vcrit_installed _vcrit)
+endif()

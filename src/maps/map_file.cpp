@@ -8,7 +8,9 @@
 
 #include "base/numbers.hpp"
 #include "maps/csv_map.hpp"
+#ifdef VCRIT_WITH_HDF5
 #include "maps/hdf5_map.hpp"
+#endif
 
 namespace vcrit::maps {
 
@@ -66,7 +68,12 @@ std::unique_ptr<MapFile> open_map(const Sweeping& sweeping, const std::filesyste
   const std::string ending = file.extension();
   if (ending == ".csv") return std::make_unique<CsvMap>(sweeping, file, resume, ranks);
   if (ending == ".h5" || ending == ".hdf5" || ending == ".nc")
+#ifdef VCRIT_WITH_HDF5
     return std::make_unique<Hdf5Map>(sweeping, file, resume, ranks);
+#else
+    throw InputError({"--out"}, fmt::format("\"{}\" and a vcrit built without HDF5", file.string()),
+                     "a file ending in .csv; or install libhdf5-dev and build vcrit again");
+#endif
   throw InputError({"--out"}, fmt::format("\"{}\"", file.string()),
                    "a file ending in .csv, .h5, .hdf5 or .nc");
 }

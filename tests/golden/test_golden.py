@@ -1,0 +1,203 @@
+"""The bytes of every command's output on every scene of scenes/, as transcripts beside this file.
+
+    test_golden.py PROJECT VCRIT               compares
+    test_golden.py PROJECT VCRIT --update      takes the new output: read the difference before you commit it
+    test_golden.py PROJECT VCRIT --reports     the report of each scene, too (minutes); with --update as well
+
+A transcript shows short outputs as they are and long ones, files among them, by size and SHA-256. Times, the
+machine and the commit are left out of reports; of pages the words count, not scripts and style. Numbers are
+printed with all digits, so the library of elementary functions has to be the same on every processor: it is
+told to use nothing newer than SSE2, as vcrit's own results do not depend on the processor.
+"""
+
+import concurrent.futures
+import hashlib
+import json
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+from html.parser import HTMLParser
+from pathlib import Path
+
+PROJECT, VCRIT = (Path(sys.argv.pop(1)).resolve() for _ in range(2))
+FOLDER = PROJECT / "tests/golden"
+UPDATE, REPORTS = ("--" + word in sys.argv for word in ("update", "reports"))
+ENVIRONMENT = {**os.environ, "LC_ALL": "C.UTF-8", "GLIBC_TUNABLES": "glibc.cpu.hwcaps=-FMA,-FMA4,-AVX2,-AVX512F"}
+SHOWN = 1200  # bytes: what is longer is told by its hash
+
+LANGUAGES = ("c++", "c99", "python", "javascript", "cuda")
+METHODS = ("moreau", "tanh", "rkf45", "msbdf")
+
+SCENE = [
+    "eval {scene}",
+    "eval {scene} --json",
+    "eval {scene} --set mu0=0.2 --set amplitude=0.11um --json",
+    "derive {scene}",
+    "derive {scene} --limits --sensitivities",
+    "derive {scene} --limits --sensitivities --format latex",
+    "derive {scene} --limits --sensitivities --format markdown",
+    "derive {scene} --limits --sensitivities --format json",
+    *(f"derive {{scene}} --form {form}" for form in ("nested", "rational", "dimensionless")),
+    "derive {scene} --equal scenes/zener.toml",
+    *(f"generate {{scene}} --out {{out}} --language {language}" for language in LANGUAGES),
+    "generate {scene} --out {out} --quantities --name other --json",
+    "generate {scene} --out {out} --fix mu0",
+    *(f"simulate {{scene}} --velocity-ratio {ratio} --json" for ratio in (0.05, 0.5, 0.97, 1.5)),
+    "simulate {scene} --velocity-ratio 0.5",
+    "simulate {scene} --velocity 1mm/s --start rest --json",
+    "critical {scene}",
+    "critical {scene} --json",
+    "sweep {scene} --over frequency=log:1kHz:1MHz:7 --quantity critical_velocity --quantity admissible --out {out}/a.csv",
+    "sweep {scene} --over amplitude=lin:0.01um:0.3um:4 --over velocity_ratio=lin:0.1:0.9:3 "
+    "--quantity friction_ratio --quantity regime --out {out}/b.csv",
+    "sweep {scene} --over coefficient=lin:0.1:0.3:2 --quantity sensitivity:amplitude --out {out}/c.csv",
+    "solve {scene} --for velocity --friction-ratio 0.8 --json",
+    "solve {scene} --for amplitude --friction-ratio 0.8 --velocity 1mm/s --json",
+    "solve {scene} --for frequency --friction-ratio 0.8 --velocity 1mm/s",
+]
+METHODS_OF = {"zener.toml": METHODS, "kelvin_rigid.toml": METHODS, "jumping.toml": ("moreau",)}
+
+ALONE = [
+    "--help",
+    *(f"{command} --help" for command in
+      ("derive", "eval", "generate", "simulate", "critical", "sweep", "solve", "fit", "validate")),
+    "",
+    "frobnicate",
+    "eval",
+    "eval scenes/none.toml",
+    "--completion bash",
+    "--completion zsh",
+    "derive --catalogue",
+    "fit scenes/measured_pad.csv --out {out}/pad.toml --json",
+    "fit scenes/measured_pad.csv --out {out}/pad.toml",
+]
+REPORT = "validate {scene} --out {out} --json"
+PAPER = "validate --paper --out {out}"
+
+
+class Words(HTMLParser):
+    """What a reader of a page sees, without what scripts draw."""
+
+    def __init__(self):
+        super().__init__()
+        self.words, self.hidden = [], 0
+
+    def handle_starttag(self, tag, attributes):
+        self.hidden += tag in ("script", "style")
+
+    def handle_endtag(self, tag):
+        self.hidden -= tag in ("script", "style")
+
+    def handle_data(self, data):
+        if not self.hidden:
+            self.words += data.split()
+
+
+def words_of(page):
+    reader = Words()
+    reader.feed(page)
+    return " ".join(reader.words)
+
+
+def shown(data):
+    text = data.decode("utf-8", "backslashreplace")
+    if len(data) <= SHOWN:
+        return text if text.endswith("\n") or not text else text + "\n[no line end]\n"
+    return f"[{len(data)} bytes, sha256 {hashlib.sha256(data).hexdigest()}]\n"
+
+
+MEASURED = re.compile(r"time|second|rate|speed|machine|commit|program|version|command|cost|run_|ns|flags|order|cores")
+
+
+def without_measurements(value):
+    """A report's JSON less times, what follows from them, and the machine."""
+    if isinstance(value, dict):
+        return {key: without_measurements(part) for key, part in value.items() if not MEASURED.search(key)}
+    if isinstance(value, list):
+        return [without_measurements(part) for part in value]
+    return value
+
+
+def file_bytes(path):
+    data = path.read_bytes()
+    if path.name == "report.json":
+        data = json.dumps(without_measurements(json.loads(data)), indent=1).encode()
+    elif path.suffix == ".html":
+        data = words_of(data.decode()).encode()
+    return data
+
+
+def transcript(command, scene=""):
+    """What `vcrit COMMAND` prints and writes, as text."""
+    with tempfile.TemporaryDirectory() as out:
+        words = [word.replace("{scene}", f"scenes/{scene}").replace("{out}", out) for word in command.split(" ") if word]
+        done = subprocess.run([VCRIT, *words], cwd=PROJECT, env=ENVIRONMENT, capture_output=True, timeout=600)
+        clean = lambda data: data.replace(out.encode(), b"OUT")
+        stdout = clean(done.stdout)
+        if "--catalogue" in command:
+            stdout = words_of(stdout.decode()).encode()
+        line = " ".join(words).replace(out, "OUT")
+        text = f"$ vcrit {line}\n".replace(" \n", "\n") + shown(stdout)
+        if done.stderr:
+            text += "[stderr]\n" + shown(clean(done.stderr))
+        if done.returncode:
+            text += f"[status {done.returncode}]\n"
+        for path in sorted(Path(out).rglob("*")):
+            if path.is_file() and not ("validate" in command and path.suffix == ".html"):
+                text += f"[{path.relative_to(out)}]\n" + shown(clean(file_bytes(path)))
+        return text + "\n"
+
+
+def commands(scene):
+    methods = [f"simulate {{scene}} --velocity-ratio 0.4 --method {name} --json" for name in METHODS_OF.get(scene, ())]
+    return [REPORT] if REPORTS else SCENE + methods
+
+
+def plan():
+    """Name of the transcript -> its commands and their scene."""
+    scenes = {path.stem: [(command, path.name) for command in commands(path.name)]
+              for path in sorted((PROJECT / "scenes").glob("*.toml"))}
+    return {**scenes, "program": [(command, "") for command in ([PAPER] if REPORTS else ALONE)]}
+
+
+def differing(expected, found):
+    """The first command whose output is another: expected and found."""
+    pairs = zip(re.split(r"(?m)^(?=\$ vcrit)", expected), re.split(r"(?m)^(?=\$ vcrit)", found))
+    return next(((a, b) for a, b in pairs if a != b), (expected[-500:], found[-500:]))
+
+
+class Golden(unittest.TestCase):
+    maxDiff = None
+
+    @classmethod
+    def setUpClass(cls):
+        flat = [(name, *entry) for name, entries in plan().items() for entry in entries]
+        with concurrent.futures.ThreadPoolExecutor(1 if REPORTS else os.cpu_count()) as pool:
+            texts = pool.map(lambda entry: transcript(*entry[1:]), flat)
+            cls.found = {}
+            for (name, *_), text in zip(flat, texts):
+                cls.found[name] = cls.found.get(name, "") + text
+
+    def file(self, name):
+        return FOLDER / (name + (".report.txt" if REPORTS else ".txt"))
+
+    def test_every_command_on_every_scene(self):
+        for name, found in self.found.items():
+            with self.subTest(scene=name):
+                if UPDATE:
+                    self.file(name).write_text(found)
+                expected = self.file(name).read_text()
+                if expected != found:
+                    self.assertEqual(*differing(expected, found))
+                    self.assertEqual(expected, found)
+
+    def test_every_transcript_belongs_to_a_scene(self):
+        expected = {path.name.split(".")[0] for path in FOLDER.glob("*.txt")}
+        self.assertEqual(expected, set(self.found))
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
