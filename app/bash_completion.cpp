@@ -8,7 +8,8 @@ namespace vcrit::app {
 
 namespace {
 
-constexpr const char* head = R"(# vcrit completion for bash, printed by `vcrit --completion bash`.
+constexpr const char* bash_head =
+    R"(# vcrit completion for bash, printed by `vcrit --completion bash`.
 _vcrit() {
   local word=${COMP_WORDS[COMP_CWORD]} option=${COMP_WORDS[COMP_CWORD - 1]} i command= greedy=
   if [[ $word == '=' ]]; then
@@ -26,15 +27,15 @@ _vcrit() {
   [[ $word == -* ]] || case "$command $option" in
 )";
 
-constexpr const char* middle = R"(  esac
+constexpr const char* bash_middle = R"(  esac
   [[ $word == -* ]] || case "$command $greedy" in
 )";
 
-constexpr const char* options = R"(  esac
+constexpr const char* bash_options = R"(  esac
   case "$command" in
 )";
 
-constexpr const char* tail = R"(  esac
+constexpr const char* bash_tail = R"(  esac
   [[ $word == -* ]] || _vcrit_files "$word" '!*.toml'
 }
 
@@ -52,7 +53,7 @@ complete -F _vcrit vcrit
 )";
 
 /// What completes the value of an option; nothing for a flag.
-std::string action(const Argument& argument) {
+std::string bash_action(const Argument& argument) {
   switch (kind_of(argument)) {
     case Kind::choice:
       return fmt::format("_vcrit_words \"$word\" '{}'; return", fmt::join(argument.choices, " "));
@@ -82,7 +83,7 @@ std::string value_cases(const std::vector<Command>& commands, bool further) {
   std::string out;
   for (const Command& command : commands)
     for (const Argument& argument : command.arguments) {
-      const std::string what = action(argument);
+      const std::string what = bash_action(argument);
       if (argument.positional || what.empty()) continue;
       if (further && !(argument.greedy && kind_of(argument) == Kind::choice)) continue;
       // Behind a greedy option a scene may follow as well.
@@ -115,12 +116,12 @@ std::vector<std::string> names_of(const std::vector<Command>& commands) {
 
 std::string bash_completion(const std::vector<Command>& commands) {
   const std::vector<std::string> names = names_of(commands);
-  std::string out = head;
+  std::string out = bash_head;
   out.replace(out.find("COMMANDS"), 8, fmt::format("{}", fmt::join(names, " | ")));
-  out += value_cases(commands, false) + middle + value_cases(commands, true) + options;
+  out += value_cases(commands, false) + bash_middle + value_cases(commands, true) + bash_options;
   for (const Command& command : commands)
     out += option_case(command, fmt::format("{}", fmt::join(names, " ")));
-  return out + tail;
+  return out + bash_tail;
 }
 
 }  // namespace vcrit::app

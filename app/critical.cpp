@@ -62,25 +62,25 @@ Comparison compared(const Scene& scene) {
   return result;
 }
 
-void print_json(const Comparison& c) {
+void print_critical_json(const Comparison& c) {
   const auto optional = [](const std::optional<double>& value) {
-    return value ? number(*value) : nlohmann::ordered_json();
+    return value ? json_number(*value) : nlohmann::ordered_json();
   };
-  nlohmann::ordered_json object{{"formula", number(c.formula)},
-                                {"simulated", number(c.simulated)},
-                                {"relative_difference", number(c.difference(c.simulated))},
+  nlohmann::ordered_json object{{"formula", json_number(c.formula)},
+                                {"simulated", json_number(c.simulated)},
+                                {"relative_difference", json_number(c.difference(c.simulated))},
                                 {"stick_onset", optional(c.stick_onset)},
                                 {"stick_onset_difference", nullptr},
                                 {"tolerance", tolerance},
                                 {"agree", c.agrees()}};
   if (c.stick_onset)
-    object["stick_onset_difference"] = number(c.difference(*c.stick_onset));
+    object["stick_onset_difference"] = json_number(c.difference(*c.stick_onset));
   else
     object["stick_onset_missing"] = c.missing;
   print(object);
 }
 
-void print_text(const Comparison& c) {
+void print_critical_text(const Comparison& c) {
   const auto line = [&](const char* name, double value, const char* what) {
     fmt::print("{:<12} {:<22} m/s  {}; differs by {:.2g}{}\n", name, value, what,
                c.difference(value), c.agrees(value) ? "" : fmt::format(", ABOVE {:g}", tolerance));
@@ -109,9 +109,9 @@ void add_critical(CLI::App& program, int& status) {
     const Comparison comparison = compared(options->scene.read());
     if (!comparison.agrees()) status = 1;
     if (options->json)
-      print_json(comparison);
+      print_critical_json(comparison);
     else
-      print_text(comparison);
+      print_critical_text(comparison);
   });
 }
 

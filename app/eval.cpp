@@ -19,16 +19,16 @@ struct Result {
 };
 
 // What the surfaces do is told where the scene lets them part.
-void print_json(const Scene& scene, const Result& result) {
+void print_eval_json(const Scene& scene, const Result& result) {
   std::vector<std::string> reasons = result.reasons;
   if (!result.critical.reason.empty()) reasons.push_back(result.critical.reason);
   nlohmann::ordered_json object{
-      {"critical_velocity", number(result.critical.contact_velocity)},
+      {"critical_velocity", json_number(result.critical.contact_velocity)},
       {"relative_error_bound",
-       result.simulated() ? nullptr : number(result.critical.relative_error_bound)},
+       result.simulated() ? nullptr : json_number(result.critical.relative_error_bound)},
       {"admissible", result.reasons.empty()},
       {"reasons", reasons},
-      {"drive_velocity", number(result.critical.drive_velocity)}};
+      {"drive_velocity", json_number(result.critical.drive_velocity)}};
   if (scene.separation) {
     object["opens"] = opens(scene);
     object["critical_velocity_by"] = result.simulated() ? "simulation" : "formula";
@@ -36,7 +36,7 @@ void print_json(const Scene& scene, const Result& result) {
   print(object);
 }
 
-void print_text(const Scene& scene, const Result& result) {
+void print_eval_text(const Scene& scene, const Result& result) {
   if (!scene.title.empty()) fmt::print("{}\n", scene.title);
   const double critical = result.critical.contact_velocity;
   fmt::print("critical velocity v*  {} m/s{}\n", critical,
@@ -69,9 +69,9 @@ void add_eval(CLI::App& program) {
     const Scene scene = options->scene.read();
     const Result result{critical_onset(scene), inadmissible_reasons(scene)};
     if (options->json)
-      print_json(scene, result);
+      print_eval_json(scene, result);
     else
-      print_text(scene, result);
+      print_eval_text(scene, result);
   });
 }
 

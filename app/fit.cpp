@@ -23,7 +23,7 @@ using fit::Data;
 using fit::Fit;
 using fit::Uncertain;
 
-struct Options {
+struct FitOptions {
   std::string data, out, figures;
   fit::Options fit;
   fit::Rest rest;
@@ -34,22 +34,22 @@ nlohmann::ordered_json branches(const Fit& fit) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const auto& [k, tau] : fit.branches)
     list.push_back({{"stiffness", k.value},
-                    {"stiffness_error", number(k.error)},
+                    {"stiffness_error", json_number(k.error)},
                     {"time", tau.value},
-                    {"time_error", number(tau.error)}});
+                    {"time_error", json_number(tau.error)}});
   return list;
 }
 
-void print_json(const Data& data, const Fit& fit, const std::string& scene,
-                const std::string& page) {
+void print_fit_json(const Data& data, const Fit& fit, const std::string& scene,
+                    const std::string& page) {
   nlohmann::ordered_json object{{"scene", scene}, {"page", page}, {"rows", data.rows.size()}};
   if (fit.equilibrium) {
     object["equilibrium"] = fit.equilibrium->value;
-    object["equilibrium_error"] = number(fit.equilibrium->error);
+    object["equilibrium_error"] = json_number(fit.equilibrium->error);
   }
   if (fit.damper) {
     object["damper"] = fit.damper->value;
-    object["damper_error"] = number(fit.damper->error);
+    object["damper_error"] = json_number(fit.damper->error);
   }
   object["branches"] = branches(fit);
   object["rms_relative_misfit"] = fit.rms_relative;
@@ -68,8 +68,8 @@ void print_line(const char* name, const Uncertain& a, const char* unit) {
   fmt::print("{:<4} {:<12.6g} +- {:<8.2g} {}", name, a.value, a.error, unit);
 }
 
-void print_text(const Data& data, const Fit& fit, const std::string& scene,
-                const std::string& page) {
+void print_fit_text(const Data& data, const Fit& fit, const std::string& scene,
+                    const std::string& page) {
   for (const std::string& words : validation::report::fit_in_words(data, fit))
     fmt::print("{}\n", words);
   if (fit.equilibrium) {
@@ -91,7 +91,7 @@ std::vector<NewFile> figure_files(const Data& data, const Fit& fit, const std::s
 }
 
 // All that may be wrong is found before the first file is written.
-void run(const Options& options) {
+void run_fit(const FitOptions& options) {
   const std::filesystem::path out = options.out;
   if (out.extension() != ".toml")
     throw InputError({"--out"}, fmt::format("\"{}\"", options.out), "a file ending in .toml");
@@ -106,15 +106,15 @@ void run(const Options& options) {
     for (NewFile& file : figure_files(data, fit, options.figures)) files.push_back(std::move(file));
   write_files(files);
   if (options.json)
-    print_json(data, fit, options.out, page);
+    print_fit_json(data, fit, options.out, page);
   else
-    print_text(data, fit, options.out, page);
+    print_fit_text(data, fit, options.out, page);
 }
 
 }  // namespace
 
 void add_fit(CLI::App& program) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<FitOptions>();
   CLI::App* command = program.add_subcommand(
       "fit", "Fit a Prony series to measured storage and loss stiffness; write a scene");
   command
@@ -136,7 +136,7 @@ void add_fit(CLI::App& program) {
   command->add_option("--figures", options->figures, "folder for the figures as SVG and PDF")
       ->type_name("DIR");
   command->add_flag("--json", options->json, "print one JSON object");
-  command->callback([options] { run(*options); });
+  command->callback([options] { run_fit(*options); });
 }
 
 }  // namespace vcrit::app

@@ -23,7 +23,7 @@ std::vector<std::string> all_languages() {
   return names;
 }
 
-struct Options {
+struct GenerateArguments {
   SceneOptions scene;
   std::string directory, name = "critical";
   symbolic::GenerateOptions generated;
@@ -36,7 +36,7 @@ struct Written {
   std::vector<std::filesystem::path> all;
 };
 
-Written write_cpp(const Scene& scene, const Options& options) {
+Written write_cpp(const Scene& scene, const GenerateArguments& options) {
   const std::filesystem::path directory = options.directory;
   Written written{{directory / (options.name + ".hpp")}, {}};
   if (options.generated.quantities)
@@ -45,7 +45,7 @@ Written write_cpp(const Scene& scene, const Options& options) {
   return written;
 }
 
-Written write(const Scene& scene, const Options& options) {
+Written write(const Scene& scene, const GenerateArguments& options) {
   const std::vector<std::string>& names = symbolic::language_names();
   const auto other = std::find(names.begin(), names.end(), options.generated.language);
   if (other == names.end()) return write_cpp(scene, options);
@@ -62,7 +62,7 @@ std::vector<std::string> as_text(const std::vector<std::filesystem::path>& files
   return {files.begin(), files.end()};
 }
 
-void generate(const Options& options) {
+void generate(const GenerateArguments& options) {
   const Written written = write(options.scene.read(), options);
   if (options.json)
     return print({{"language", options.generated.language},
@@ -74,7 +74,7 @@ void generate(const Options& options) {
 }  // namespace
 
 void add_generate(CLI::App& program) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<GenerateArguments>();
   CLI::App* command =
       program.add_subcommand("generate", "Generate an evaluator for exactly this scene");
   options->scene.add_to(*command);

@@ -32,7 +32,7 @@ std::string version_text() {
   return text;
 }
 
-int run(int argc, char** argv) {
+int run_program(int argc, char** argv) {
   CLI::App program{"Up to which sliding velocity can normal oscillation reduce friction?", "vcrit"};
   program.require_subcommand(1);
   program.set_version_flag("--version", version_text, "print the versions of vcrit and its parts");
@@ -61,7 +61,7 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
   vcrit::app::open_missing_streams();
   try {
-    return run(argc, argv);
+    return run_program(argc, argv);
   } catch (const vcrit::InputError& error) {
     return complain(error, input_wrong);
   } catch (const vcrit::validation::JobRefused& error) {

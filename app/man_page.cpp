@@ -8,7 +8,7 @@ namespace vcrit::app {
 
 namespace {
 
-constexpr const char* description =
+constexpr const char* program_description =
     R"(.SH DESCRIPTION
 .B vcrit
 finds the velocity up to which ultrasonic normal oscillation reduces sliding
@@ -113,7 +113,7 @@ std::string man_page(const std::vector<Command>& commands) {
       ".TH VCRIT 1 {} \"vcrit {}\"\n.SH NAME\nvcrit \\- critical velocity of friction control by "
       "normal oscillation\n",
       VCRIT_DATE, VCRIT_VERSION);
-  out += synopsis(commands) + description + ".SH OPTIONS\n";
+  out += synopsis(commands) + program_description + ".SH OPTIONS\n";
   for (const Argument& argument : commands.front().arguments) out += entry(argument);
   out += ".SH COMMANDS\n";
   for (const Command& command : commands)

@@ -32,7 +32,7 @@ Scene SceneOptions::read() const {
   return scene;
 }
 
-nlohmann::ordered_json number(double value) {
+nlohmann::ordered_json json_number(double value) {
   if (std::isinf(value)) return value > 0 ? "inf" : "-inf";
   return value;
 }

@@ -42,7 +42,7 @@ void add_choice(CLI::App& command, const std::string& option, T& target, const C
 }
 
 /// A number that reads back to the same double; "inf" for an infinite one.
-nlohmann::ordered_json number(double value);
+nlohmann::ordered_json json_number(double value);
 
 /// Prints one object on stdout.
 void print(const nlohmann::ordered_json& object);

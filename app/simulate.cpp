@@ -24,7 +24,7 @@ namespace {
 using simulation::EnergyBalance;
 using simulation::SteadyState;
 
-struct Options {
+struct SimulateOptions {
   SceneOptions scene;
   std::string velocity;
   std::optional<double> velocity_ratio;
@@ -36,7 +36,7 @@ struct Speed {
   double velocity, ratio;
 };
 
-Speed speed_of(const Options& options, const Scene& scene) {
+Speed speed_of(const SimulateOptions& options, const Scene& scene) {
   const CriticalOnset onset = critical_onset(scene);
   const double critical = onset.contact_velocity;
   if (options.velocity_ratio && std::isinf(critical))
@@ -58,7 +58,7 @@ struct Parting {
 };
 
 // Parting and energy are known for the exact method alone.
-struct Answer {
+struct SimulationAnswer {
   SteadyState steady;
   std::optional<EnergyBalance> energy;
   std::optional<Parting> parting;
@@ -72,8 +72,9 @@ struct Answer {
   }
 };
 
-Answer answer_of(const Options& options, const simulation::System& system, double velocity) {
-  Answer answer{options.method.steady_state(system, velocity), {}, {}};
+SimulationAnswer answer_of(const SimulateOptions& options, const simulation::System& system,
+                           double velocity) {
+  SimulationAnswer answer{options.method.steady_state(system, velocity), {}, {}};
   if (!options.method.is_exact()) return answer;
   answer.energy = simulation::energy_balance(system, velocity);
   if (system.opening)
@@ -82,18 +83,18 @@ Answer answer_of(const Options& options, const simulation::System& system, doubl
   return answer;
 }
 
-nlohmann::ordered_json to_json(const Answer& answer) {
+nlohmann::ordered_json parting_json(const SimulationAnswer& answer) {
   const SteadyState& other = answer.parting->other_start;
   return {{"mean_normal_force", answer.parting->mean_normal_force},
           {"other_start",
            {{"friction_ratio", other.friction_ratio},
-            {"friction_ratio_error", number(other.friction_ratio_error)},
+            {"friction_ratio_error", json_number(other.friction_ratio_error)},
             {"regime", to_text(other.regime)}}},
           {"starts_agree", answer.starts_agree()}};
 }
 
-nlohmann::ordered_json to_json(const Speed& speed, const Answer& answer,
-                               const std::string& method) {
+nlohmann::ordered_json answer_json(const Speed& speed, const SimulationAnswer& answer,
+                                   const std::string& method) {
   const SteadyState& steady = answer.steady;
   nlohmann::ordered_json events = nlohmann::ordered_json::array();
   for (const simulation::Event& event : steady.events)
@@ -101,9 +102,9 @@ nlohmann::ordered_json to_json(const Speed& speed, const Answer& answer,
   nlohmann::ordered_json periods = nullptr;
   if (steady.periods) periods = *steady.periods;
   nlohmann::ordered_json object{{"velocity", speed.velocity},
-                                {"velocity_ratio", number(speed.ratio)},
+                                {"velocity_ratio", json_number(speed.ratio)},
                                 {"friction_ratio", steady.friction_ratio},
-                                {"friction_ratio_error", number(steady.friction_ratio_error)},
+                                {"friction_ratio_error", json_number(steady.friction_ratio_error)},
                                 {"regime", to_text(steady.regime)},
                                 {"method", method},
                                 {"periods", periods},
@@ -112,8 +113,8 @@ nlohmann::ordered_json to_json(const Speed& speed, const Answer& answer,
     object["energy"] = {{"drive", answer.energy->drive},
                         {"friction", answer.energy->friction},
                         {"dampers", answer.energy->dampers},
-                        {"error", number(answer.energy->error)}};
-  if (answer.parting) object["separation"] = to_json(answer);
+                        {"error", json_number(answer.energy->error)}};
+  if (answer.parting) object["separation"] = parting_json(answer);
   return object;
 }
 
@@ -122,7 +123,7 @@ void print_velocity(const Speed& speed) {
 }
 
 // omega: rad/s
-void print_text(const Speed& speed, const Answer& answer, double omega) {
+void print_simulate_text(const Speed& speed, const SimulationAnswer& answer, double omega) {
   const SteadyState& steady = answer.steady;
   print_velocity(speed);
   fmt::print("friction ratio  {} (error about {:.1g})\n", steady.friction_ratio,
@@ -147,13 +148,13 @@ void print_text(const Speed& speed, const Answer& answer, double omega) {
 }
 
 // Of the whole; what the cells do is told beside it.
-void simulate_below_indenter(const Options& options, const Scene& scene) {
+void simulate_below_indenter(const SimulateOptions& options, const Scene& scene) {
   if (!options.method.is_exact()) throw ModelError(options.method.name() + " knows no indenter");
   const Speed speed = speed_of(options, scene);
   const IndenterAnswer answer = simulate_indenter(scene, speed.velocity);
-  const Answer whole{indenter::steady_state_of(answer.friction), {}, {}};
+  const SimulationAnswer whole{indenter::steady_state_of(answer.friction), {}, {}};
   if (options.json) {
-    nlohmann::ordered_json object = to_json(speed, whole, options.method.name());
+    nlohmann::ordered_json object = answer_json(speed, whole, options.method.name());
     object["indenter"] = to_json(answer);
     return print(object);
   }
@@ -161,22 +162,22 @@ void simulate_below_indenter(const Options& options, const Scene& scene) {
   print_indenter(answer);
 }
 
-void simulate(const Options& options) {
+void simulate(const SimulateOptions& options) {
   const Scene scene = options.scene.read();
   if (scene.indenter) return simulate_below_indenter(options, scene);
   const simulation::System system = simulation::system_of(scene);
   const Speed speed = speed_of(options, scene);
-  const Answer answer = answer_of(options, system, speed.velocity);
+  const SimulationAnswer answer = answer_of(options, system, speed.velocity);
   if (options.json)
-    print(to_json(speed, answer, options.method.name()));
+    print(answer_json(speed, answer, options.method.name()));
   else
-    print_text(speed, answer, system.omega);
+    print_simulate_text(speed, answer, system.omega);
 }
 
 }  // namespace
 
 void add_simulate(CLI::App& program) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<SimulateOptions>();
   CLI::App* command = program.add_subcommand("simulate", "Simulate stick-slip at one speed");
   options->scene.add_to(*command);
   CLI::Option_group* speed = command->add_option_group("speed");

@@ -30,7 +30,7 @@ nlohmann::ordered_json to_json(const IndenterAnswer& answer) {
                      {"friction_ratio", cell.state.friction_ratio},
                      {"regime", to_text(cell.state.regime)}});
   return {{"mean_normal_force", answer.friction.normal_force},
-          {"mean_normal_force_error", number(answer.friction.normal_force_error)},
+          {"mean_normal_force_error", json_number(answer.friction.normal_force_error)},
           {"contact_radius", answer.radius},
           {"largest_contact_radius", answer.edge},
           {"cells_evaluated", answer.friction.cells},

@@ -19,7 +19,7 @@ using design::Answer;
 using design::Question;
 using design::Sought;
 
-struct Options {
+struct SolveOptions {
   SceneOptions scene;
   std::string sought, velocity, from, to;
   double friction_ratio = 0;
@@ -66,7 +66,7 @@ std::optional<double> end_of_range(const std::string& text, Sought sought, const
   return value;
 }
 
-Question question_of(const Options& options) {
+Question question_of(const SolveOptions& options) {
   Question question;
   question.sought = sought_by(options.sought);
   const bool speed = question.sought == Sought::velocity;
@@ -88,21 +88,21 @@ Question question_of(const Options& options) {
   return question;
 }
 
-void print_json(const Question& question, const Answer& answer) {
-  nlohmann::ordered_json limits{{"amplitude", number(answer.largest_amplitude)},
+void print_solve_json(const Question& question, const Answer& answer) {
+  nlohmann::ordered_json limits{{"amplitude", json_number(answer.largest_amplitude)},
                                 {"frequency", nullptr}};
-  if (answer.largest_frequency) limits["frequency"] = number(*answer.largest_frequency);
+  if (answer.largest_frequency) limits["frequency"] = json_number(*answer.largest_frequency);
   print({{"for", to_text(question.sought)},
-         {"value", number(answer.value)},
+         {"value", json_number(answer.value)},
          {"unit", unit_of(question.sought)},
-         {"value_error", number(answer.value_error)},
+         {"value_error", json_number(answer.value_error)},
          {"at_start", answer.at_start},
          {"wanted_friction_ratio", question.friction_ratio},
          {"friction_ratio", answer.state.friction_ratio},
-         {"friction_ratio_error", number(answer.state.friction_ratio_error)},
+         {"friction_ratio_error", json_number(answer.state.friction_ratio_error)},
          {"regime", to_text(answer.state.regime)},
          {"velocity", answer.velocity},
-         {"critical_velocity", number(answer.critical_velocity)},
+         {"critical_velocity", json_number(answer.critical_velocity)},
          {"limits", limits},
          {"searched",
           {{"from", answer.from},
@@ -112,7 +112,7 @@ void print_json(const Question& question, const Answer& answer) {
            {"unanswered", answer.unanswered}}}});
 }
 
-void print_text(const Question& question, const Answer& answer) {
+void print_solve_text(const Question& question, const Answer& answer) {
   const char* const unit = unit_of(question.sought);
   const char* const extreme = question.sought == Sought::velocity ? "largest" : "smallest";
   fmt::print("{:<15} {} {}, the {} (error about {:.1g})\n", to_text(question.sought), answer.value,
@@ -134,19 +134,19 @@ void print_text(const Question& question, const Answer& answer) {
                answer.evaluations);
 }
 
-void run(const Options& options) {
+void run_solve(const SolveOptions& options) {
   const Question question = question_of(options);
   const Answer answer = design::solve(question);
   if (options.json)
-    print_json(question, answer);
+    print_solve_json(question, answer);
   else
-    print_text(question, answer);
+    print_solve_text(question, answer);
 }
 
 }  // namespace
 
 void add_solve(CLI::App& program) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<SolveOptions>();
   CLI::App* command = program.add_subcommand(
       "solve", "Smallest amplitude or frequency, or largest velocity, for a friction ratio");
   options->scene.add_to(*command);
@@ -162,7 +162,7 @@ void add_solve(CLI::App& program) {
   command->add_option("--samples", options->samples, "how many values of the range are tried")
       ->capture_default_str();
   command->add_flag("--json", options->json, "print one JSON object");
-  command->callback([options] { run(*options); });
+  command->callback([options] { run_solve(*options); });
 }
 
 }  // namespace vcrit::app

@@ -21,7 +21,7 @@ namespace vcrit::app {
 
 namespace {
 
-struct Options {
+struct SweepOptions {
   SceneOptions scene;
   std::vector<std::string> over;
   std::vector<std::string> quantities;
@@ -31,7 +31,7 @@ struct Options {
   bool json = false;
 };
 
-Sweep sweep_of(const Options& options) {
+Sweep sweep_of(const SweepOptions& options) {
   Sweep sweep{options.scene.read(), {}, {}, {}, {}};
   for (const std::string& axis : options.over) sweep.axes.push_back(parse_axis(axis, sweep.scene));
   for (const std::string& name : options.quantities)
@@ -63,7 +63,7 @@ class ProgressLine {
   Clock::time_point start_ = Clock::now(), shown_ = start_;
 };
 
-void report(const Options& options, const maps::Streamed& streamed) {
+void report(const SweepOptions& options, const maps::Streamed& streamed) {
   if (streamed.outside > 0)
     tell_line(
         fmt::format("vcrit: warning: {} of {} rows are outside the model (nan); the first: {}",
@@ -76,7 +76,7 @@ void report(const Options& options, const maps::Streamed& streamed) {
            {"reason", streamed.reason}});
 }
 
-void run_on(maps::Ranks& ranks, const Options& options) {
+void run_on(maps::Ranks& ranks, const SweepOptions& options) {
   std::optional<Sweeping> sweeping;
   ranks.together([&] { sweeping.emplace(sweep_of(options)); });
   maps::StreamOptions stream = options.stream;
@@ -88,7 +88,7 @@ void run_on(maps::Ranks& ranks, const Options& options) {
 }
 
 // A rank that cannot go on tells why and ends them all.
-void run(const Options& options) {
+void run_sweep(const SweepOptions& options) {
   maps::Ranks ranks;
   if (ranks.size() == 1) return run_on(ranks, options);
   try {
@@ -104,7 +104,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_sweep(CLI::App& program) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<SweepOptions>();
   CLI::App* command = program.add_subcommand("sweep", "Quantities over a grid of parameters");
   options->scene.add_to(*command);
   command
@@ -129,7 +129,7 @@ void add_sweep(CLI::App& program) {
   command->add_option("--threads", options->stream.threads, "instead of one for each core")
       ->check(CLI::Range(1, 4096));
   command->add_flag("--json", options->json, "print one JSON object");
-  command->callback([options] { run(*options); });
+  command->callback([options] { run_sweep(*options); });
 }
 
 }  // namespace vcrit::app

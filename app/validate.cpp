@@ -44,34 +44,34 @@ void clear_progress() {
   if (isatty(STDERR_FILENO) != 0) tell("\r\033[K");
 }
 
-void print_json(const Validation& validation) {
+void print_validate_json(const Validation& validation) {
   using nlohmann::ordered_json;
   ordered_json comparisons = ordered_json::array(), files = ordered_json::array();
   for (const auto& [subject, key, name, outcome] : validation.verdicts)
     comparisons.push_back(
         {{"subject", subject}, {"key", key}, {"name", name}, {"outcome", outcome}});
   for (const std::filesystem::path& file : validation.files) files.push_back(file.string());
-  app::print({{"passed", validation.passed},
-              {"comparisons", comparisons},
-              {"warnings", validation.warnings},
-              {"page", validation.page.string()},
-              {"files", files}});
+  print({{"passed", validation.passed},
+         {"comparisons", comparisons},
+         {"warnings", validation.warnings},
+         {"page", validation.page.string()},
+         {"files", files}});
 }
 
-void print(const Validation& validation, bool json) {
+void print_validation(const Validation& validation, bool json) {
   for (const std::string& warning : validation.warnings) tell_line("vcrit: warning: " + warning);
   for (const std::string& line : validation.not_run) tell_line("vcrit: warning: not run: " + line);
   for (const std::string& line : validation.failed) tell_line("vcrit: FAILED: " + line);
-  if (json) return print_json(validation);
+  if (json) return print_validate_json(validation);
   fmt::print("{}\n", validation.page.string());
 }
 
-struct Options {
+struct ValidateOptions {
   validation::report::Request request;
   bool paper = false, extremes = false, json = false;
 };
 
-Validation validated(const Options& options) {
+Validation validated(const ValidateOptions& options) {
   const validation::report::Request& request = options.request;
   const char* const instead = options.paper ? "--paper" : "--extremes";
   if (options.paper && options.extremes)
@@ -88,7 +88,7 @@ Validation validated(const Options& options) {
 }  // namespace
 
 void add_validate(CLI::App& program, int& status) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ValidateOptions>();
   CLI::App* command = program.add_subcommand(
       "validate", "Compare formula, evaluators and simulation; write a report");
   command->add_option("SCENE", options->request.files, "scene files (TOML)");
@@ -106,7 +106,7 @@ void add_validate(CLI::App& program, int& status) {
   command->callback([options, &status] {
     const Validation validation = validated(*options);
     clear_progress();
-    print(validation, options->json);
+    print_validation(validation, options->json);
     if (!validation.passed) status = 1;
   });
 }

@@ -8,7 +8,7 @@ namespace vcrit::app {
 
 namespace {
 
-constexpr const char* head = R"(#compdef vcrit
+constexpr const char* zsh_head = R"(#compdef vcrit
 # vcrit completion for zsh, printed by `vcrit --completion zsh`.
 _vcrit() {
   local curcontext="$curcontext" state line
@@ -16,7 +16,7 @@ _vcrit() {
   local -a commands=(
 )";
 
-constexpr const char* tail = R"(  esac
+constexpr const char* zsh_tail = R"(  esac
 }
 
 # Loaded from a folder in fpath this file is the function itself; else it is sourced.
@@ -37,7 +37,7 @@ std::string quoted(const std::string& text, const std::string& special) {
   return out;
 }
 
-std::string action(const Argument& argument) {
+std::string zsh_action(const Argument& argument) {
   switch (kind_of(argument)) {
     case Kind::choice:
       return fmt::format("({})",
@@ -58,14 +58,14 @@ std::string action(const Argument& argument) {
 /// One specification a name: '*--set=[words]:NAME=VALUE: '.
 std::string specifications(const Argument& argument, const std::string& indent) {
   if (argument.positional)
-    return fmt::format("{}'*:{}:{}'", indent, argument.names.front(), action(argument));
+    return fmt::format("{}'*:{}:{}'", indent, argument.names.front(), zsh_action(argument));
   std::string out;
   for (const std::string& name : argument.names) {
     const bool value = kind_of(argument) != Kind::nothing;
     const bool lengthy = value && name.starts_with("--");
     out += fmt::format("{}'{}{}{}[{}]", indent, argument.repeated ? "*" : "", name,
                        lengthy ? "=" : "", quoted(argument.words, "[]\\"));
-    if (value) out += fmt::format(":{}:{}", quoted(argument.value, ":\\"), action(argument));
+    if (value) out += fmt::format(":{}:{}", quoted(argument.value, ":\\"), zsh_action(argument));
     out += "'";
   }
   return out;
@@ -80,7 +80,7 @@ std::string all_specifications(const Command& command, const std::string& indent
 }  // namespace
 
 std::string zsh_completion(const std::vector<Command>& commands) {
-  std::string out = head;
+  std::string out = zsh_head;
   for (const Command& command : commands)
     if (!command.name.empty())
       out += fmt::format("    '{}:{}'\n", command.name, quoted(command.words, ":\\"));
@@ -91,7 +91,7 @@ std::string zsh_completion(const std::vector<Command>& commands) {
     if (!command.name.empty())
       out += fmt::format("    {}) _arguments{} ;;\n", command.name,
                          all_specifications(command, " \\\n      "));
-  return out + tail;
+  return out + zsh_tail;
 }
 
 }  // namespace vcrit::app

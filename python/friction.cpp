@@ -1,6 +1,5 @@
 // Friction by simulation: what `vcrit simulate` answers, at one speed or at many.
 #include <fmt/format.h>
-#include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
 #include <algorithm>
@@ -9,6 +8,7 @@
 #include <limits>
 #include <span>
 
+#include "arrays.hpp"
 #include "base/units.hpp"
 #include "bindings.hpp"
 #include "indenter/friction.hpp"
@@ -24,15 +24,6 @@ namespace py = pybind11;
 namespace {
 
 using simulation::SteadyState;
-using Array = py::array_t<double, py::array::c_style>;
-
-std::span<const double> values(const Array& array) {
-  return {array.data(), static_cast<std::size_t>(array.size())};
-}
-
-std::span<double> values(Array& array) {
-  return {array.mutable_data(), static_cast<std::size_t>(array.size())};
-}
 
 void check_speeds(const Array& velocities, const std::string& option) {
   for (const double velocity : values(velocities))

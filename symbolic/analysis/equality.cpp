@@ -97,7 +97,7 @@ class Filled {
   Scene scene_;
 };
 
-std::set<Symbol> symbols_in(const Scene& scene, bool with_elements) {
+std::set<Symbol> compared_symbols(const Scene& scene, bool with_elements) {
   std::set<Symbol> result{scene.coefficient.symbol, scene.angular_frequency.symbol,
                           scene.amplitude.symbol};
   if (!with_elements) return result;
@@ -109,7 +109,7 @@ std::set<Symbol> symbols_in(const Scene& scene, bool with_elements) {
 }
 
 /// Small numbers for the symbols; Poisson's ratio among them needs to be below 1/2.
-std::map<Symbol, double> numbers(const std::set<Symbol>& symbols, std::uint64_t point) {
+std::map<Symbol, double> small_numbers(const std::set<Symbol>& symbols, std::uint64_t point) {
   std::map<Symbol, double> result;
   for (const Symbol& symbol : symbols)
     result[symbol] = static_cast<double>(named_point(point)(to_text(symbol)).value() % 19 + 1) / 40;
@@ -137,11 +137,11 @@ void refuse_two_tables(const Scene& a, const Scene& b) {
 Comparison different(Comparison::Scope scope, const Scene& a, const Scene& b) {
   Comparison result;
   result.scope = scope;
-  std::set<Symbol> symbols = symbols_in(a, scope == Comparison::Scope::symbols);
-  symbols.merge(symbols_in(b, scope == Comparison::Scope::symbols));
+  std::set<Symbol> symbols = compared_symbols(a, scope == Comparison::Scope::symbols);
+  symbols.merge(compared_symbols(b, scope == Comparison::Scope::symbols));
   double largest = 1e-12;
   for (std::uint64_t point = 0; point < 64 && largest < clear_difference; ++point) {
-    auto values = numbers(symbols, point);
+    auto values = small_numbers(symbols, point);
     // Elements with values of their own show their difference somewhere over these decades.
     if (scope == Comparison::Scope::values)
       values[a.angular_frequency.symbol] *= std::pow(10, point % 16);

@@ -22,7 +22,7 @@ namespace {
 using GiNaC::ex;
 
 /// Elements that go to a limit together: one, or all entries of an array.
-struct Group {
+struct ElementGroup {
   ex label;
   std::vector<Symbol> symbols;
   bool dissipates;
@@ -56,14 +56,15 @@ std::map<Symbol, bool> dissipates(const Scene& scene) {
 }
 
 /// The groups of elements among `parameters`, in the order of writing.
-std::vector<Group> element_groups(const Scene& scene, const std::vector<Symbol>& parameters) {
+std::vector<ElementGroup> element_groups(const Scene& scene,
+                                         const std::vector<Symbol>& parameters) {
   const std::map<Symbol, bool> elements = dissipates(scene);
-  std::vector<Group> groups;
+  std::vector<ElementGroup> groups;
   for (const Symbol& parameter : parameters) {
     const auto found = elements.find(parameter);
     if (found == elements.end()) continue;
     const ex label = symbol({parameter.name});
-    const auto same = std::find_if(groups.begin(), groups.end(), [&](const Group& g) {
+    const auto same = std::find_if(groups.begin(), groups.end(), [&](const ElementGroup& g) {
       return g.label.is_equal(label) && g.dissipates == found->second;
     });
     if (same == groups.end())
@@ -152,7 +153,7 @@ class Collector {
   void single_limits() {
     if (has_drive()) add({{}, true, false, {}}, {drive_label(scene_)}, true);
     if (scene_.mass) add({{}, false, true, {}}, {symbol({"m"})}, false);
-    for (const Group& group : elements_)
+    for (const ElementGroup& group : elements_)
       for (const bool infinite : {false, true}) {
         if (infinite && is_drive(group)) continue;
         Change change;
@@ -160,14 +161,14 @@ class Collector {
         add(change, {group.label}, infinite);
       }
   }
-  bool is_drive(const Group& group) const {
+  bool is_drive(const ElementGroup& group) const {
     return scene_.drive && group.label.is_equal(drive_label(scene_));
   }
 
   void all_dampers_to_zero() {
     Change change;
     std::vector<ex> labels;
-    for (const Group& group : elements_) {
+    for (const ElementGroup& group : elements_) {
       if (!group.dissipates) continue;
       labels.push_back(group.label);
       for (const Symbol& symbol : group.symbols) change.rates[symbol] = -1;
@@ -207,7 +208,7 @@ class Collector {
   const Scene& scene_;
   Model model_;
   Derivation own_;
-  std::vector<Group> elements_;
+  std::vector<ElementGroup> elements_;
   std::vector<Limit> limits_;
 };
 

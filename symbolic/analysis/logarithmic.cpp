@@ -35,9 +35,9 @@ std::size_t terms(const ex& polynomial) {
 }
 
 /// sum of exponent x f'/f over the powers that depend on x, over one denominator.
-class Fraction {
+class LogarithmicSum {
  public:
-  explicit Fraction(ex x) : x_(std::move(x)) {}
+  explicit LogarithmicSum(ex x) : x_(std::move(x)) {}
 
   void add(const Power& power) {
     const ex slope = (x_ * power.base.diff(GiNaC::ex_to<GiNaC::symbol>(x_))).expand();
@@ -86,26 +86,26 @@ class Fraction {
 
 // Longer ones are not worth the time, as nobody reads them.
 constexpr double quick = 3000;
-constexpr std::size_t readable_terms = 40;
-constexpr std::size_t readable_text = 600;
+constexpr std::size_t readable_derivative_terms = 40;
+constexpr std::size_t readable_derivative_text = 600;
 
 }  // namespace
 
 std::optional<ex> logarithmic_derivative(const ex& f, const ex& x) {
   std::vector<Power> powers;
   flatten(f, 1, powers);
-  Fraction whole(x);
+  LogarithmicSum whole(x);
   ex sum = 0;
   for (const Power& power : powers) {
     whole.add(power);
-    Fraction alone(x);
+    LogarithmicSum alone(x);
     alone.add(power);
-    if (terms(alone.numerator()) > readable_terms) return std::nullopt;
+    if (terms(alone.numerator()) > readable_derivative_terms) return std::nullopt;
     sum += alone.value();
   }
   const std::size_t length = to_text(sum).size();
-  if (length > readable_text) return std::nullopt;
-  if (whole.size() <= quick && terms(whole.numerator()) <= readable_terms)
+  if (length > readable_derivative_text) return std::nullopt;
+  if (whole.size() <= quick && terms(whole.numerator()) <= readable_derivative_terms)
     if (const ex one = whole.value(); 2 * to_text(one).size() <= 3 * length) return one;
   return sum;
 }

@@ -147,7 +147,7 @@ std::map<unsigned long, Polynomial> by_omega(const Polynomial& polynomial) {
 }
 
 /// From B/(mu0 du_z).
-RationalForm squared(const std::shared_ptr<const Ring>& ring, const Quotient& b) {
+RationalForm squared_form(const std::shared_ptr<const Ring>& ring, const Quotient& b) {
   const Polynomial omega_squared = Polynomial::power(*ring, "omega", 2);
   return {ring, cancelled({omega_squared * squared_modulus(b.over), squared_modulus(b.under)})};
 }
@@ -157,7 +157,7 @@ RationalForm squared(const std::shared_ptr<const Ring>& ring, const Quotient& b)
 double terms_before_squaring(const Model& model) {
   std::map<std::string, TermNumbers> networks;
   for (const Part& part : model.networks()) networks[part.name] = term_numbers(part.network);
-  const TermNumbers count = evaluate(model.per_friction(), CountAlgebra{networks});
+  const TermNumbers count = evaluate_rational(model.per_friction(), CountAlgebra{networks});
   return std::max(count.over, count.under);
 }
 
@@ -175,7 +175,7 @@ RationalForm rational_form(const Model& model, double budget) {
   for (const Part& part : model.networks())
     if (amplitude.has(quantity(part.name)))
       algebra.known.emplace(part.name, stiffness(part.network, *ring));
-  return squared(ring, evaluate(amplitude, algebra));
+  return squared_form(ring, evaluate_rational(amplitude, algebra));
 }
 
 RationalForm rational_form(const Model& model,
@@ -187,7 +187,7 @@ RationalForm rational_form(const Model& model,
   for (const Part& part : model.networks())
     if (amplitude.has(quantity(part.name)))
       algebra.known.emplace(part.name, evaluate(part.reduction, algebra));
-  return squared(ring, evaluate(amplitude, algebra));
+  return squared_form(ring, evaluate_rational(amplitude, algebra));
 }
 
 std::string canonical_text(const RationalForm& form) {

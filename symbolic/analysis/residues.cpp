@@ -53,7 +53,7 @@ Residue amplitude_at(const Model& model, const GiNaC::ex& amplitude, const Point
   for (const Part& part : model.networks())
     if (amplitude.has(quantity(part.name)))
       algebra.known[part.name] = evaluate(part.reduction, algebra);
-  return evaluate(amplitude, algebra);
+  return evaluate_rational(amplitude, algebra);
 }
 
 // The finalizer of SplitMix64: every bit of the input moves half the bits of the output.

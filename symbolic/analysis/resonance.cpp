@@ -13,31 +13,24 @@ namespace {
 using GiNaC::ex;
 
 // Real and imaginary parts with more terms than this are not shown.
-constexpr std::size_t readable_terms = 40;
-
-ex tidy(const ex& rational) {
-  Factors factors;
-  factors.multiply_rational(rational);
-  factors.cancel();
-  return factors.value();
-}
+constexpr std::size_t readable_part_terms = 40;
 
 /// The factor that vanishes, as (stiffness) + m s^2.
-struct Balance {
+struct MassBalance {
   ex stiffness;  ///< of K_n, K_t, K_d
   ex whole;
 };
 
-Balance per_mass(const ex& factor, const Model& model) {
+MassBalance per_mass(const ex& factor, const Model& model) {
   const ex m = symbol({"m"}), unit = factor.coeff(m, 1).coeff(laplace(), 2);
   ex stiffness = 0;
   for (const auto& [name, network, reduction] : model.networks())
-    stiffness += tidy(factor.coeff(quantity(name), 1) / unit) * quantity(name);
+    stiffness += factored(factor.coeff(quantity(name), 1) / unit) * quantity(name);
   return {stiffness, stiffness + m * GiNaC::pow(laplace(), 2)};
 }
 
-bool is_readable(const ex& polynomial) {
-  return !GiNaC::is_a<GiNaC::add>(polynomial) || polynomial.nops() <= readable_terms;
+bool is_readable_part(const ex& polynomial) {
+  return !GiNaC::is_a<GiNaC::add>(polynomial) || polynomial.nops() <= readable_part_terms;
 }
 
 /// p/q at s = i omega, times |q|^2 and without what both parts share.
@@ -54,12 +47,12 @@ Resonance::Parts real_and_imaginary(const ex& rational) {
 
 // A sum under the root: GiNaC would take the number of a product out of it.
 ex root_of(const ex& stiffness) {
-  const ex square = tidy(stiffness / symbol({"m"}));
+  const ex square = factored(stiffness / symbol({"m"}));
   return GiNaC::sqrt(square.integer_content().is_equal(1) ? square : square.expand());
 }
 
 /// The kinds of element in the stiffness.
-std::set<ElementKind> kinds(const Balance& balance, const Model& model) {
+std::set<ElementKind> kinds(const MassBalance& balance, const Model& model) {
   std::set<ElementKind> found;
   for (const auto& [name, network, reduction] : model.networks())
     for (const Step& step : reduction.steps)
@@ -69,7 +62,7 @@ std::set<ElementKind> kinds(const Balance& balance, const Model& model) {
 }
 
 Resonance resonance(const ex& factor, Resonance::Kind kind, const Model& model) {
-  const Balance balance = per_mass(factor, model);
+  const MassBalance balance = per_mass(factor, model);
   Resonance found{kind, balance.whole.subs(laplace() == GiNaC::I * omega()), {}, {}, {}, {}, {}};
   const std::set<ElementKind> inside = kinds(balance, model);
   found.damped = inside.contains(ElementKind::damper) || inside.contains(ElementKind::maxwell);
@@ -80,7 +73,7 @@ Resonance resonance(const ex& factor, Resonance::Kind kind, const Model& model) 
     found.frequency = root_of(known ? balance.stiffness.subs(*known) : balance.stiffness);
   if (found.damped && known) {
     const Resonance::Parts parts = real_and_imaginary(balance.whole.subs(*known));
-    if (is_readable(parts.real) && is_readable(parts.imaginary)) found.parts = parts;
+    if (is_readable_part(parts.real) && is_readable_part(parts.imaginary)) found.parts = parts;
   }
   return found;
 }

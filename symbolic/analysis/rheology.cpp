@@ -16,29 +16,21 @@ namespace {
 using GiNaC::ex;
 
 /// K(s) without common factors; all coefficients are positive.
-Fraction stiffness(const Network& network) {
+Fraction stiffness_in_lowest_terms(const Network& network) {
   const Fraction k = fraction(reduce(network), {}).value;
   const ex parts = (k.numerator / k.denominator).normal().numer_denom();
   const int sign = leads_with_minus(parts.op(1)) ? -1 : 1;
   return {(sign * parts.op(0)).expand(), (sign * parts.op(1)).expand()};
 }
 
-/// One fraction, with monomials and numbers drawn out.
-ex simplified(const ex& function) {
-  Factors factors;
-  factors.multiply_rational(function);
-  factors.cancel();
-  return factors.value();
-}
-
 /// s^power of a polynomial; 0 beyond its degree.
 ex coefficient(const ex& polynomial, int power) { return polynomial.coeff(laplace(), power); }
 
 ex leading_ratio(const Fraction& k) {
-  return simplified(k.numerator.lcoeff(laplace()) / k.denominator.lcoeff(laplace()));
+  return factored(k.numerator.lcoeff(laplace()) / k.denominator.lcoeff(laplace()));
 }
 
-int degree(const ex& polynomial) { return polynomial.degree(laplace()); }
+int degree_in_s(const ex& polynomial) { return polynomial.degree(laplace()); }
 
 /// The networks side by side that make up this one.
 std::vector<Network> parts_of(const Network& network) {
@@ -55,13 +47,13 @@ class SpectrumMaker {
   bool add(const Network& part) {
     const auto* element = std::get_if<Element>(&part.form);
     if (element != nullptr && element->kind == ElementKind::maxwell) return add_given(*element);
-    const Fraction k = stiffness(part);
+    const Fraction k = stiffness_in_lowest_terms(part);
     const Extremes ends = extremes(part);
     spectrum_.equilibrium += ends.equilibrium;
     spectrum_.damper += ends.damper;
-    if (degree(k.denominator) > 2) return false;
-    if (degree(k.denominator) == 1) add_single(k);
-    if (degree(k.denominator) == 2) add_pair(k);
+    if (degree_in_s(k.denominator) > 2) return false;
+    if (degree_in_s(k.denominator) == 1) add_single(k);
+    if (degree_in_s(k.denominator) == 2) add_pair(k);
     return true;
   }
   Spectrum result() && { return std::move(spectrum_); }
@@ -75,7 +67,7 @@ class SpectrumMaker {
 
   void add_single(const Fraction& k) {
     const ex slope = coefficient(k.denominator, 1);
-    const ex time = simplified(slope / coefficient(k.denominator, 0));
+    const ex time = factored(slope / coefficient(k.denominator, 0));
     put(time, strength(k, time, slope));
   }
 
@@ -93,7 +85,7 @@ class SpectrumMaker {
 
   /// The residue of K/s at s = -1/tau, where `slope` is D'.
   static ex strength(const Fraction& k, const ex& tau, const ex& slope) {
-    return simplified(-tau * k.numerator.subs(laplace() == -1 / tau) / slope);
+    return factored(-tau * k.numerator.subs(laplace() == -1 / tau) / slope);
   }
 
   void put(const ex& time, const ex& strength) {
@@ -105,15 +97,15 @@ class SpectrumMaker {
 };
 
 /// Re and Im of N(i omega) conj(D(i omega)), polynomials in omega.
-struct Complex {
+struct ComplexParts {
   ex real, imaginary;
 };
 
-Complex product_with_conjugate(const Fraction& k) {
+ComplexParts product_with_conjugate(const Fraction& k) {
   const ex s = laplace(), w = omega();
   const ex product =
       (k.numerator.subs(s == GiNaC::I * w) * k.denominator.subs(s == -GiNaC::I * w)).expand();
-  Complex parts;
+  ComplexParts parts;
   for (int n = 0; n <= product.degree(w); ++n) {
     const ex c = product.coeff(w, n) * GiNaC::pow(w, n);
     if (n % 2 == 0)
@@ -134,8 +126,8 @@ ex over_square(const ex& over, const ex& denominator) {
 }
 
 Response as_one_fraction(const Fraction& k) {
-  const Complex product = product_with_conjugate(k);
-  return {simplified(k.numerator / k.denominator), over_square(product.real, k.denominator),
+  const ComplexParts product = product_with_conjugate(k);
+  return {factored(k.numerator / k.denominator), over_square(product.real, k.denominator),
           over_square(product.imaginary, k.denominator)};
 }
 
@@ -168,11 +160,11 @@ std::optional<Spectrum> spectrum(const Network& network) {
 
 Response response(const Network& network) {
   constexpr std::size_t readable = 12;
-  const Fraction whole = stiffness(network);
+  const Fraction whole = stiffness_in_lowest_terms(network);
   if (whole.numerator.nops() <= readable) return as_one_fraction(whole);
   Response sum;
   for (const Network& part : parts_of(network)) {
-    const Response one = as_one_fraction(stiffness(part));
+    const Response one = as_one_fraction(stiffness_in_lowest_terms(part));
     sum.stiffness += one.stiffness;
     sum.storage += one.storage;
     sum.loss += one.loss;
@@ -182,12 +174,12 @@ Response response(const Network& network) {
 
 // A spring-damper network has neither a pole at rest nor more than a damper's growth.
 Extremes extremes(const Network& network) {
-  const Fraction k = stiffness(network);
+  const Fraction k = stiffness_in_lowest_terms(network);
   const ex under = coefficient(k.denominator, 0);
-  const ex at_rest = simplified(coefficient(k.numerator, 0) / under);
+  const ex at_rest = factored(coefficient(k.numerator, 0) / under);
   const bool flows = at_rest.is_zero();
-  const bool damped = degree(k.numerator) > degree(k.denominator);
-  return {at_rest, flows ? simplified(coefficient(k.numerator, 1) / under) : ex(0),
+  const bool damped = degree_in_s(k.numerator) > degree_in_s(k.denominator);
+  return {at_rest, flows ? factored(coefficient(k.numerator, 1) / under) : ex(0),
           damped ? ex(0) : leading_ratio(k), damped ? leading_ratio(k) : ex(0)};
 }
 

@@ -15,7 +15,7 @@ namespace {
 using GiNaC::ex;
 
 // What is longer anyway is not worth the time to make it one fraction.
-constexpr std::size_t readable_text = 120;
+constexpr std::size_t longest_joined_text = 120;
 
 bool is_poisson(const Scene& scene, const Symbol& parameter) {
   const auto* isotropic = std::get_if<Isotropic>(&scene.tangential);
@@ -27,18 +27,12 @@ ex variable(const Scene& scene, const Symbol& parameter) {
   return is_poisson(scene, parameter) ? poisson_ratio(parameter) : symbol(parameter);
 }
 
-ex tidy(const ex& polynomial) {
-  Factors factors;
-  factors.multiply(polynomial, 1);
-  return factors.value();
-}
-
 /// The shorter of the expression and the same as one fraction.
 ex shorter(const ex& expression) {
   const std::size_t length = to_text(expression).size();
-  if (length > readable_text) return expression;
+  if (length > longest_joined_text) return expression;
   const ex fraction = expression.normal().numer_denom();
-  const ex whole = tidy(fraction.op(0)) / GiNaC::sqrfree(fraction.op(1));
+  const ex whole = factored_polynomial(fraction.op(0)) / GiNaC::sqrfree(fraction.op(1));
   return to_text(whole).size() < length ? whole : expression;
 }
 
@@ -56,7 +50,7 @@ class Chain {
     const Changes changes(is_frequency ? laplace() : variable, stiffnesses_);
     ex sum = 0;
     for (const auto& [factor, exponent] : amplitude_.parts())
-      sum += exponent * tidy(changes.of(factor)) / factor;
+      sum += exponent * factored_polynomial(changes.of(factor)) / factor;
     const ex relative = real_part_of(sum.subs(laplace() == GiNaC::I * omega()));
     GiNaC::lst formulas{sum};
     for (const Line& line : changes.lines) formulas.append(line.right);

@@ -43,9 +43,9 @@ Equations equations(const Surrounding& there, const ex& x, const ex& acceleratio
   return {body, contact_force - n.mu0 * f_n};
 }
 
-class Writer {
+class BalanceWriter {
  public:
-  explicit Writer(const Surrounding& there) : there_(there) {}
+  explicit BalanceWriter(const Surrounding& there) : there_(there) {}
 
   Balance solve() {
     write_motion();
@@ -103,8 +103,8 @@ class Writer {
     }
     const ex solution = GiNaC::lsolve(equations, unknowns);
     if (there_.drive)
-      write("Solved for the amplitude of the body", n_.A, tidy(n_.A.subs(solution)));
-    const ex B = tidy(n_.B.subs(solution));
+      write("Solved for the amplitude of the body", n_.A, factored(n_.A.subs(solution)));
+    const ex B = factored(n_.B.subs(solution));
     write("Solved for the amplitude of the contact point", n_.B, B);
     return B;
   }
@@ -116,25 +116,18 @@ class Writer {
     const ex whole = (-B / (n_.mu0 * n_.du_z * n_.K_n)).subs(contact == 1 / compliance).normal();
     const ex of_body = whole.subs(compliance == 0);
     const ex of_contact = (whole - of_body).normal().subs(compliance == 1 / contact);
-    return tidy(of_contact) + tidy(of_body);
+    return factored(of_contact) + factored(of_body);
   }
 
   /// B with the receptance as a quantity H of its own.
   ex general_amplitude(const ex& B) {
-    const ex H = receptance(B), general = tidy(B / H) * quantity("H");
+    const ex H = receptance(B), general = factored(B / H) * quantity("H");
     write(
         "Receptance of the contact point, its displacement over the force on it (driving-point "
         "compliance)",
         quantity("H"), H);
     write("With it, whatever it is made of", n_.B, general);
     return general;
-  }
-
-  static ex tidy(const ex& rational) {
-    Factors factors;
-    factors.multiply_rational(rational);
-    factors.cancel();
-    return factors.value();
   }
 
   const Names& n_ = names();
@@ -148,8 +141,9 @@ const Balance& solve_balance(const Surrounding& surrounding) {
   static std::map<std::pair<bool, bool>, Balance> solved;
   const std::pair key{surrounding.drive, surrounding.mass};
   const auto found = solved.find(key);
-  return found != solved.end() ? found->second
-                               : solved.emplace(key, Writer(surrounding).solve()).first->second;
+  return found != solved.end()
+             ? found->second
+             : solved.emplace(key, BalanceWriter(surrounding).solve()).first->second;
 }
 
 }  // namespace vcrit::symbolic

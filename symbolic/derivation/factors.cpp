@@ -53,11 +53,7 @@ bool is_complex(const ex& f) {
   });
 }
 
-ex squared(const ex& polynomial) {
-  Factors factors;
-  factors.multiply(polynomial, 1);
-  return GiNaC::pow(factors.value(), 2);
-}
+ex squared(const ex& polynomial) { return GiNaC::pow(factored_polynomial(polynomial), 2); }
 
 /// |f|, or |f|^2 where f is complex.
 struct Modulus {
@@ -75,6 +71,19 @@ Modulus modulus_of(const ex& f) {
 }
 
 }  // namespace
+
+ex factored(const ex& rational) {
+  Factors factors;
+  factors.multiply_rational(rational);
+  factors.cancel();
+  return factors.value();
+}
+
+ex factored_polynomial(const ex& polynomial) {
+  Factors factors;
+  factors.multiply(polynomial, 1);
+  return factors.value();
+}
 
 // Poisson's ratio has values up to 1/2, everything else has 1.
 bool is_negative(const ex& expression) {

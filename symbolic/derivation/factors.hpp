@@ -38,6 +38,11 @@ class Factors {
   std::vector<GiNaC::ex> over_, under_;
 };
 
+/// A rational function as one fraction: numbers and monomials drawn out, common factors cancelled.
+GiNaC::ex factored(const GiNaC::ex& rational);
+/// A polynomial with its number and its monomial drawn out.
+GiNaC::ex factored_polynomial(const GiNaC::ex& polynomial);
+
 /// Whether an expression that keeps its sign for all values of its symbols is negative.
 bool is_negative(const GiNaC::ex& expression);
 

@@ -14,7 +14,7 @@ namespace {
 using GiNaC::ex;
 
 // Formulas with more terms in one polynomial than this are not multiplied out: nobody reads them.
-constexpr double readable_terms = 24;
+constexpr double readable_formula_terms = 24;
 
 // "First the dampers to zero, then the drive to rigid": a rate that beats every other.
 constexpr int much_faster = 1000;
@@ -38,13 +38,15 @@ Leading<ex> leading_part(const ex& polynomial, const std::map<std::string, int>&
   return leading;
 }
 
-bool is_readable(const TermCount& count) {
-  return std::max(count.numerator, count.denominator) <= readable_terms;
+bool is_readable_count(const TermCount& count) {
+  return std::max(count.numerator, count.denominator) <= readable_formula_terms;
 }
 
-bool has(const ex& expression, const std::string& name) { return expression.has(quantity(name)); }
+bool has_quantity(const ex& expression, const std::string& name) {
+  return expression.has(quantity(name));
+}
 
-Fraction scaled(const Fraction& k, const GiNaC::exmap& scale) {
+Fraction scaled_fraction(const Fraction& k, const GiNaC::exmap& scale) {
   return {k.numerator.subs(scale), k.denominator.subs(scale)};
 }
 
@@ -112,10 +114,7 @@ ex Model::amplitude(const Change& change) const {
   for (const Line& identity : identities_)
     if (!change.rigid || !identity.left.is_equal(quantity("K_d")))
       amplitude = amplitude.subs(identity.left == identity.right);
-  Factors factors;
-  factors.multiply_rational(amplitude.subs(change.scale));
-  factors.cancel();
-  return factors.value();
+  return factored(amplitude.subs(change.scale));
 }
 
 ex Model::per_friction() const {
@@ -126,7 +125,7 @@ bool Model::is_small(const ex& amplitude, const Change& change) const {
   std::map<std::string, TermCount> counts;
   double largest = 0, sum = 0, product = 1;
   for (const auto& [name, network, reduction] : networks_) {
-    if (!has(amplitude, name)) continue;
+    if (!has_quantity(amplitude, name)) continue;
     const TermCount count = term_count(reduction, change.rates).value;
     largest = std::max({largest, count.numerator, count.denominator});
     // K_t + K_d - m omega^2 over one denominator.
@@ -134,7 +133,8 @@ bool Model::is_small(const ex& amplitude, const Change& change) const {
     product *= count.denominator;
   }
   const bool joint = surrounding_.drive && !change.rigid;
-  return std::max(largest, joint ? sum + (surrounding_.mass ? product : 0) : 0) <= readable_terms;
+  return std::max(largest, joint ? sum + (surrounding_.mass ? product : 0) : 0) <=
+         readable_formula_terms;
 }
 
 std::map<std::string, int> Model::powers(const Change& change) const {
@@ -205,8 +205,8 @@ Asymptotic Model::asymptotic(int direction) const {
 std::map<std::string, Fraction> Model::fractions(const Change& change) const {
   std::map<std::string, Fraction> fractions;
   for (const auto& [name, network, reduction] : networks_)
-    if (is_readable(term_count(reduction, change.rates).value))
-      fractions[name] = scaled(fraction(reduction, change.rates).value, change.scale);
+    if (is_readable_count(term_count(reduction, change.rates).value))
+      fractions[name] = scaled_fraction(fraction(reduction, change.rates).value, change.scale);
   return fractions;
 }
 
@@ -230,7 +230,7 @@ Formula Model::nested_in(const Factors& amplitude, const Change& change) const {
 std::vector<Line> Model::definitions(const ex& formula, const Change& change) const {
   std::vector<Line> lines;
   for (const auto& [name, network, reduction] : networks_) {
-    if (!has(formula, name)) continue;
+    if (!has_quantity(formula, name)) continue;
     const ex k = nested(reduction, change.rates, lines).value;
     lines.push_back({"", quantity(name), k});
   }
@@ -242,7 +242,7 @@ std::optional<GiNaC::exmap> Model::multiplied_out(const ex& expression) const {
   if (!is_small(expression, {})) return std::nullopt;
   GiNaC::exmap put;
   for (const auto& [name, k] : fractions({}))
-    if (has(expression, name)) put[quantity(name)] = k.numerator / k.denominator;
+    if (has_quantity(expression, name)) put[quantity(name)] = k.numerator / k.denominator;
   return put;
 }
 

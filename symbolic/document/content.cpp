@@ -62,7 +62,7 @@ Section form_section(const Findings& findings) {
 Section limits_section(const Findings& findings) {
   Section section{"Limits and special cases", "", {}, ""};
   for (const Limit& limit : findings.limits) {
-    Block block{limit.name, limit.latex_name, limit.equation, {}};
+    DocumentBlock block{limit.name, limit.latex_name, limit.equation, {}};
     if (!same(limit.definitions, findings.derivation.definitions)) block.lines = limit.definitions;
     block.lines.push_back(velocity_line(limit.result));
     section.blocks.push_back(block);
@@ -73,7 +73,7 @@ Section limits_section(const Findings& findings) {
 Section asymptotes_section(const std::vector<Asymptote>& asymptotes) {
   Section section{"Low and high frequency", "", {}, ""};
   for (const Asymptote& asymptote : asymptotes) {
-    Block block{asymptote.name, asymptote.latex_name, "", asymptote.definitions, true};
+    DocumentBlock block{asymptote.name, asymptote.latex_name, "", asymptote.definitions, true};
     block.lines.push_back(asymptote_line(asymptote));
     section.blocks.push_back(block);
     if (!asymptote.definitions.empty())
@@ -88,7 +88,7 @@ std::vector<Line> resonance_lines(const Resonance& resonance) {
   return lines;
 }
 
-std::string words(const Resonance& resonance) {
+std::string resonance_words(const Resonance& resonance) {
   const bool infinite = resonance.kind == Resonance::Kind::resonance;
   if (!resonance.damped) return infinite ? "Resonance, v* infinite" : "Antiresonance, v* = 0";
   const std::string value = infinite ? "Resonance, damped: v* stays finite, as this "
@@ -97,8 +97,9 @@ std::string words(const Resonance& resonance) {
          (resonance.absorbing ? "holds only where masses keep all dampers still" : "never holds");
 }
 
-std::vector<Block> resonance_blocks(const Resonance& resonance) {
-  std::vector<Block> blocks{{"", "", words(resonance), resonance_lines(resonance)}};
+std::vector<DocumentBlock> resonance_blocks(const Resonance& resonance) {
+  std::vector<DocumentBlock> blocks{
+      {"", "", resonance_words(resonance), resonance_lines(resonance)}};
   if (!resonance.parts) return blocks;
   const Resonance::Parts& parts = *resonance.parts;
   blocks.push_back({"", "", "Its real part asks for", {{"", parts.real, 0}}});
@@ -109,7 +110,7 @@ std::vector<Block> resonance_blocks(const Resonance& resonance) {
 Section resonances_section(const std::vector<Resonance>& resonances) {
   Section section{"Resonance and antiresonance", "", {}, ""};
   for (const Resonance& resonance : resonances)
-    for (const Block& block : resonance_blocks(resonance)) section.blocks.push_back(block);
+    for (const DocumentBlock& block : resonance_blocks(resonance)) section.blocks.push_back(block);
   return section;
 }
 

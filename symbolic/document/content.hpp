@@ -32,7 +32,7 @@ struct Findings {
 };
 
 /// Some lines under a heading: a formula, words or both.
-struct Block {
+struct DocumentBlock {
   std::string formula, latex_formula, words;
   std::vector<Line> lines;
   bool asymptotic = false;  ///< the last line is left ~ right
@@ -41,7 +41,7 @@ struct Block {
 struct Section {
   std::string title;  ///< empty: the derivation itself
   std::string note;   ///< in front of the blocks
-  std::vector<Block> blocks;
+  std::vector<DocumentBlock> blocks;
   std::string remark;  ///< behind them
 };
 

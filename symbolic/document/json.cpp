@@ -20,7 +20,7 @@ Json condition(const GiNaC::ex& expression) {
           {"latex", latex_dialect().equation(form_of(expression), form_of(0))}};
 }
 
-Json lines(const std::vector<Line>& all) {
+Json json_lines(const std::vector<Line>& all) {
   Json out = Json::array();
   for (const Line& line : all) {
     const Signed left = form_of(line.left), right = form_of(line.right);
@@ -36,14 +36,14 @@ Json json(const Limit& limit) {
           {"equation", limit.equation},
           {"text", to_text(limit.result)},
           {"latex", to_latex(limit.result)},
-          {"definitions", lines(limit.definitions)}};
+          {"definitions", json_lines(limit.definitions)}};
 }
 
 Json json(const Asymptote& asymptote) {
   return {{"name", asymptote.name},
           {"power", asymptote.power},
           {"coefficient", formula(asymptote.coefficient)},
-          {"definitions", lines(asymptote.definitions)}};
+          {"definitions", json_lines(asymptote.definitions)}};
 }
 
 Json json(const Resonance& resonance) {
@@ -54,7 +54,7 @@ Json json(const Resonance& resonance) {
            {"frequency", resonance.frequency ? formula(*resonance.frequency) : Json()},
            {"real_part", Json()},
            {"imaginary_part", Json()},
-           {"definitions", lines(resonance.definitions)}};
+           {"definitions", json_lines(resonance.definitions)}};
   if (!resonance.parts) return out;
   out["real_part"] = condition(resonance.parts->real);
   out["imaginary_part"] = condition(resonance.parts->imaginary);
@@ -67,7 +67,7 @@ Json json(const Sensitivity& sensitivity) {
   return {{"parameter", to_text(sensitivity.parameter)},
           {"relative", formula(sensitivity.relative)},
           {"derivative", formula(sensitivity.derivative)},
-          {"definitions", lines(definitions)}};
+          {"definitions", json_lines(definitions)}};
 }
 
 template <class Finding>
@@ -77,7 +77,7 @@ Json list(const std::vector<Finding>& all) {
   return out;
 }
 
-Json names(const std::vector<Symbol>& symbols) {
+Json json_names(const std::vector<Symbol>& symbols) {
   Json out = Json::array();
   for (const Symbol& symbol : symbols) out.push_back(to_text(symbol));
   return out;
@@ -90,23 +90,23 @@ std::string json_document(const Scene& scene, const Findings& findings) {
   Json out{{"title", scene.title},
            {"form", d.definitions.empty() ? "multiplied out" : "nested"},
            {"fingerprint", findings.fingerprint},
-           {"lines", lines(d.lines)},
-           {"parameters", names(d.parameters)},
+           {"lines", json_lines(d.lines)},
+           {"parameters", json_names(d.parameters)},
            {"equation", d.equation},
            {"critical_velocity", formula(d.critical_velocity)},
-           {"definitions", lines(d.definitions)},
+           {"definitions", json_lines(d.definitions)},
            {"limits", list(findings.limits)},
            {"asymptotes", list(findings.asymptotes)},
            {"resonances", list(findings.resonances)},
            {"sensitivities", list(findings.sensitivities)}};
-  if (!findings.half_space.empty()) out["indenter"] = lines(findings.half_space);
+  if (!findings.half_space.empty()) out["indenter"] = json_lines(findings.half_space);
   if (findings.parting)
     out["separation"] = {{"closed_form", !findings.parting->empty()},
-                         {"lines", lines(*findings.parting)}};
-  if (!findings.extrema.empty()) out["extrema"] = lines(findings.extrema);
+                         {"lines", json_lines(*findings.parting)}};
+  if (!findings.extrema.empty()) out["extrema"] = json_lines(findings.extrema);
   if (!findings.form_lines.empty())
     out[findings.form == ResultForm::rational ? "rational" : "dimensionless"] =
-        lines(findings.form_lines);
+        json_lines(findings.form_lines);
   return out.dump(2) + "\n";
 }
 

@@ -24,18 +24,20 @@ class Markup {
   virtual std::string paragraph(const std::string& words) const = 0;
   virtual std::string display(const std::string& equation) const = 0;
   virtual std::string words(const std::string& text) const { return text; }
-  virtual std::string formula(const Block& block) const { return "$" + block.latex_formula + "$"; }
+  virtual std::string formula(const DocumentBlock& block) const {
+    return "$" + block.latex_formula + "$";
+  }
 
  private:
   std::string section(const Section& section) const {
     std::string out = section.title.empty() ? "" : headed(section.title);
     if (!section.note.empty()) out += paragraph(section.note);
-    for (const Block& each : section.blocks) out += block(each);
+    for (const DocumentBlock& each : section.blocks) out += block(each);
     if (!section.remark.empty()) out += paragraph(section.remark);
     return out;
   }
 
-  std::string block(const Block& block) const {
+  std::string block(const DocumentBlock& block) const {
     std::string heading = block.formula.empty() ? "" : formula(block);
     if (!heading.empty() && !block.words.empty()) heading += " ";
     heading += words(block.words);
@@ -51,7 +53,7 @@ class Markup {
   }
 };
 
-class Text : public Markup {
+class TextMarkup : public Markup {
   const Dialect& dialect() const override { return text_dialect(); }
   std::string titled(const std::string& title) const override { return one_line(title) + "\n\n"; }
   std::string headed(const std::string& title) const override { return "\n" + title + ":\n"; }
@@ -59,10 +61,10 @@ class Text : public Markup {
   std::string display(const std::string& equation) const override {
     return "    " + equation + "\n";
   }
-  std::string formula(const Block& block) const override { return block.formula; }
+  std::string formula(const DocumentBlock& block) const override { return block.formula; }
 };
 
-class Latex : public Markup {
+class LatexMarkup : public Markup {
   const Dialect& dialect() const override { return latex_dialect(); }
   std::string titled(const std::string& title) const override {
     return "\\section*{" + words(one_line(title)) + "}\n";
@@ -87,7 +89,7 @@ class Latex : public Markup {
   }
 };
 
-class Markdown : public Markup {
+class MarkdownMarkup : public Markup {
   const Dialect& dialect() const override { return latex_dialect(); }
   std::string titled(const std::string& title) const override {
     return "# " + escaped(one_line(title)) + "\n\n";
@@ -111,15 +113,15 @@ class Markdown : public Markup {
 }  // namespace
 
 std::string text_document(const std::string& title, const std::vector<Section>& sections) {
-  return Text().document(title, sections);
+  return TextMarkup().document(title, sections);
 }
 
 std::string latex_document(const std::string& title, const std::vector<Section>& sections) {
-  return Latex().document(title, sections);
+  return LatexMarkup().document(title, sections);
 }
 
 std::string markdown_document(const std::string& title, const std::vector<Section>& sections) {
-  return Markdown().document(title, sections);
+  return MarkdownMarkup().document(title, sections);
 }
 
 }  // namespace vcrit::symbolic

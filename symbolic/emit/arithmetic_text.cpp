@@ -95,7 +95,7 @@ const char* const less_inertia =
 }
 )";
 
-const char* const unit =
+const char* const power_unit =
     R"(inline double unit(double x) {  // a power of two near 1/x
   return std::bit_cast<double>(0x7fe0000000000000 - (std::bit_cast<std::uint64_t>(x) & 0x7ff0000000000000));
 }

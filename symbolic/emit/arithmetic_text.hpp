@@ -13,7 +13,7 @@ extern const char* const numbers;
 extern const char* const operations;
 /// Operations that few programs use.
 extern const char* const less_inertia;
-extern const char* const unit;
+extern const char* const power_unit;
 extern const char* const nonzero;
 extern const char* const magnitude;
 extern const char* const unless_moderate;

@@ -7,6 +7,7 @@
 
 #include "base/errors.hpp"
 #include "base/files.hpp"
+#include "emit/pieces.hpp"
 
 namespace vcrit::symbolic {
 
@@ -18,8 +19,6 @@ std::string hash_of(const std::string& text) {
   for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211U;
   return fmt::format("0x{:016x}ULL", hash);
 }
-
-std::string guard_of(const std::string& name) { return "VCRIT_GENERATED_" + name + "_HPP"; }
 
 void insert_after(std::string& text, const std::string& line, const std::string& inserted) {
   const std::size_t at = text.find(line + "\n");

@@ -51,9 +51,9 @@ struct GroupName {
   }
 };
 
-class Writer {
+class GroupWriter {
  public:
-  Writer(const Scene& scene, Program& program, const SymbolValue& value)
+  GroupWriter(const Scene& scene, Program& program, const SymbolValue& value)
       : scene_(scene), program_(program), value_(value) {
     symbols_["omega"] = {"omega"};
     if (scene.mass) symbols_["m"] = scene.mass->symbol;
@@ -109,7 +109,7 @@ class Writer {
 
 std::vector<Group> dimensionless_groups(const Scene& scene, Program& program,
                                         const SymbolValue& value) {
-  return Writer(scene, program, value).write();
+  return GroupWriter(scene, program, value).write();
 }
 
 }  // namespace vcrit::symbolic

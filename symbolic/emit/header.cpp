@@ -22,8 +22,6 @@ namespace vcrit::symbolic {
 
 namespace {
 
-constexpr std::size_t width = 120;
-
 /// Neighbours of one type share a declaration.
 std::string members(const ParameterList& parameters, const std::string& type,
                     const std::string& initial) {
@@ -90,13 +88,13 @@ std::string reused_flags(const ParameterList& parameters, const VelocityProgram&
 
 std::string structure(const std::string& head, const std::string& members) {
   const bool is_short =
-      members.find('\n') + 1 == members.size() && head.size() + members.size() < width;
+      members.find('\n') + 1 == members.size() && head.size() + members.size() < line_width;
   if (!is_short) return head + " {\n" + members + "};\n";
   return head + " {" + members.substr(1, members.size() - 2) + " };\n";
 }
 
-std::string range_function(const VelocityProgram& velocity, const ParameterList& parameters,
-                           const std::string& name) {
+std::string cpp_range_function(const VelocityProgram& velocity, const ParameterList& parameters,
+                               const std::string& name) {
   const GuardDialect dialect(parameters);
   const StraightLine code(velocity.program, dialect);
   std::vector<std::string> checked{fmt::format("0x1p{}", velocity.exponent)};
@@ -118,8 +116,8 @@ std::string declarations(StraightLine& code, const std::vector<NodeId>& results,
 }
 
 /// The program's value and bound and, if they are asked for, the partial derivatives after it.
-std::string evaluate_function(const VelocityProgram& velocity, const GradientProgram& gradient,
-                              const ParameterList& parameters) {
+std::string cpp_evaluation(const VelocityProgram& velocity, const GradientProgram& gradient,
+                           const ParameterList& parameters) {
   const CppDialect dialect(parameters);
   StraightLine code(gradient.program, dialect);
   const auto text = [&](NodeId id) { return code.expression(id).text; };
@@ -155,7 +153,7 @@ std::string polynomial_functions(const SweepProgram& sweep, const ParameterList&
   const CppDialect dialect(parameters);
   StraightLine code(sweep.program, dialect);
   std::string out = text::polynomials;
-  out += range_function(sweep, parameters, "has_polynomials");
+  out += cpp_range_function(sweep, parameters, "has_polynomials");
   out += "inline Result evaluate_polynomials(const Parameters& p) {\n  using T = double;\n";
   out += declarations(code, {sweep.above, sweep.below, sweep.factor}, dialect);
   out += statement(fmt::format("const T above = {}, below = {};", code.expression(sweep.above).text,
@@ -168,27 +166,19 @@ std::string polynomial_functions(const SweepProgram& sweep, const ParameterList&
   return out + replaced(last, "@SQUARE@", std::to_string(sweep.least_square));
 }
 
-/// Not #pragma once, which compilers complain about when they are given the header itself.
-std::string guard_of(const std::string& name) { return "VCRIT_GENERATED_" + name + "_HPP"; }
-
-bool has(const Program& program, Node::Operation operation) {
-  return std::any_of(program.nodes().begin(), program.nodes().end(),
-                     [&](const Node& node) { return node.operation == operation; });
-}
-
 std::string includes(const Program& program) {
   return std::string("#include <bit>\n") +
-         (has(program, Node::Operation::unit) ? "#include <cstdint>\n" : "") + text::includes;
+         (program.has(Node::Operation::unit) ? "#include <cstdint>\n" : "") + text::includes;
 }
 
 /// What of the optional arithmetic the program needs.
-std::string operations(const Program& program) {
+std::string cpp_operations(const Program& program) {
   std::string out = text::operations;
-  if (has(program, Node::Operation::less_inertia)) out += text::less_inertia;
-  if (has(program, Node::Operation::unit)) out += text::unit;
-  if (has(program, Node::Operation::nonzero)) out += text::nonzero;
-  if (has(program, Node::Operation::magnitude)) out += text::magnitude;
-  if (has(program, Node::Operation::unless_moderate)) out += text::unless_moderate;
+  if (program.has(Node::Operation::less_inertia)) out += text::less_inertia;
+  if (program.has(Node::Operation::unit)) out += text::power_unit;
+  if (program.has(Node::Operation::nonzero)) out += text::nonzero;
+  if (program.has(Node::Operation::magnitude)) out += text::magnitude;
+  if (program.has(Node::Operation::unless_moderate)) out += text::unless_moderate;
   return out;
 }
 
@@ -227,12 +217,12 @@ std::string emit_header(const Scene& scene, const std::string& name,
   out += fmt::format("namespace {} {{\n", name) + comment(meanings(parameters)) +
          structure("struct Parameters", members(parameters, "double", "")) + text::structs;
   out += std::string("namespace detail {\n") + (is_long ? text::inline_all : "");
-  out += text::numbers + operations(gradient.program) + (sweep ? text::steps : "") +
-         range_function(velocity, parameters, "in_range");
+  out += text::numbers + cpp_operations(gradient.program) + (sweep ? text::steps : "") +
+         cpp_range_function(velocity, parameters, "in_range");
   std::string result = replaced(text::result, "@ROOT@", velocity.rooted ? "sqrt" : "");
   result = replaced(result, "@SIMPLE@", velocity.rooted ? "std::sqrt(h)" : "h");
   out += result;
-  out += evaluate_function(velocity, gradient, parameters) + (is_long ? text::inline_no_more : "");
+  out += cpp_evaluation(velocity, gradient, parameters) + (is_long ? text::inline_no_more : "");
   if (sweep) out += polynomial_functions(*sweep, parameters);
   out += std::string(text::sweep) + "}  // namespace detail\n" + text::calls_comment;
   out += replaced(text::calls, "@T@", "detail::Twofold");

@@ -12,12 +12,6 @@
 
 namespace vcrit::symbolic {
 
-namespace {
-
-constexpr std::size_t width = 120;
-
-}  // namespace
-
 std::string banner(const Scene& scene, const Derivation& derivation, const std::string& command,
                    const FixedValues& fixed) {
   const std::string file = std::filesystem::path(scene.file).filename().string();
@@ -32,6 +26,8 @@ std::string banner(const Scene& scene, const Derivation& derivation, const std::
   return out + comment(fmt::format("Formula {}; again: {}", fingerprint(Model(scene)), command));
 }
 
+std::string guard_of(const std::string& name) { return "VCRIT_GENERATED_" + name + "_HPP"; }
+
 std::string replaced(std::string text, const std::string& what, const std::string& with) {
   for (std::size_t at = text.find(what); at != std::string::npos;
        at = text.find(what, at + with.size()))
@@ -41,8 +37,8 @@ std::string replaced(std::string text, const std::string& what, const std::strin
 
 std::string statement(const std::string& text) {
   std::string rest = "  " + text, out;
-  while (rest.size() > width) {
-    const std::size_t end = rest.rfind(' ', width);
+  while (rest.size() > line_width) {
+    const std::size_t end = rest.rfind(' ', line_width);
     if (end == std::string::npos || end < 8) break;
     out += rest.substr(0, end) + "\n";
     rest = "      " + rest.substr(end + 1);

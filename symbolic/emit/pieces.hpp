@@ -1,6 +1,7 @@
 // Parts of generated files that are the same in several languages.
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "derivation/derivation.hpp"
@@ -14,7 +15,14 @@ namespace vcrit::symbolic {
 std::string banner(const Scene& scene, const Derivation& derivation, const std::string& command,
                    const FixedValues& fixed);
 
+/// The macro around a generated C++ header. Not #pragma once, which compilers complain about when
+/// they are given the header itself.
+std::string guard_of(const std::string& name);
+
 std::string replaced(std::string text, const std::string& what, const std::string& with);
+
+/// Of generated code.
+constexpr std::size_t line_width = 120;
 
 /// A statement on as many lines as it takes.
 std::string statement(const std::string& text);

@@ -42,7 +42,7 @@ std::vector<Symbol> symbols(const Scene& scene) {
 }
 
 /// Declarations and what they mean, one a line.
-std::string lines(const std::vector<std::pair<std::string, std::string>>& members) {
+std::string member_lines(const std::vector<std::pair<std::string, std::string>>& members) {
   std::size_t width = 0;
   for (const auto& [declaration, meaning] : members) width = std::max(width, declaration.size());
   std::string out;
@@ -67,7 +67,7 @@ struct Oscillation {
 };
 )";
 
-const char* const less_inertia = R"(namespace detail {
+const char* const exact_less_inertia_text = R"(namespace detail {
 /// k - m w^2 with the rounding errors of the product
 inline double exact_less_inertia(double k, double m, double w) noexcept {
   const double p = m * w, rest = std::fma(m, w, -p);
@@ -93,7 +93,8 @@ class Header {
     std::string out = banner() + fmt::format("#ifndef {0}\n#define {0}\n", guard);
     out += fmt::format("#include <array>\n#include <cmath>\n\n#include \"{}.hpp\"\n", name_);
     out += fmt::format("\nnamespace {} {{\n\n", name_) + parameter_struct() + "\n" + structs;
-    if (uses_inertia()) out += "\n" + std::string(less_inertia);
+    if (quantities_.program.has(Node::Operation::less_inertia))
+      out += "\n" + std::string(exact_less_inertia_text);
     out += stiffnesses() + oscillations() + admissible() + groups();
     return out + fmt::format("\n}}  // namespace {}\n#endif  // {}\n", name_, guard);
   }
@@ -125,14 +126,7 @@ class Header {
     for (const Member& member : parameters_.members())
       members.emplace_back(declaration(member.name, static_cast<std::size_t>(member.length)),
                            member.comment + unit_of(member));
-    return "struct QuantityParameters {\n" + lines(members) + "};\n";
-  }
-
-  bool uses_inertia() const {
-    const auto& nodes = quantities_.program.nodes();
-    return std::any_of(nodes.begin(), nodes.end(), [](const Node& node) {
-      return node.operation == Node::Operation::less_inertia;
-    });
+    return "struct QuantityParameters {\n" + member_lines(members) + "};\n";
   }
 
   /// A function that returns what `result` makes of the texts of the nodes.
@@ -221,7 +215,7 @@ class Header {
       places.push_back(group.is_array ? "{{" + list + "}}" : list);
     }
     return "\n" + comment("What v*/(mu0 omega du_z) depends on.") +
-           "struct DimensionlessGroups {\n" + lines(members) + "};\n" +
+           "struct DimensionlessGroups {\n" + member_lines(members) + "};\n" +
            function(quantities_.program, "The groups at these parameters.",
                     "DimensionlessGroups dimensionless_groups", nodes,
                     fmt::format("{{{{{}}}}}", fmt::join(places, ", ")));

@@ -12,7 +12,7 @@ namespace vcrit::symbolic {
 
 namespace {
 
-Form number(const GiNaC::numeric& value) {
+Form number_form(const GiNaC::numeric& value) {
   std::ostringstream digits;
   digits << value;
   return {Form::Kind::number, digits.str(), {}, {}, {}, 1};
@@ -21,17 +21,17 @@ Form number(const GiNaC::numeric& value) {
 Form named(const std::string& name) { return {Form::Kind::name, name, {}, {}, {}, 1}; }
 
 /// The power of omega (or s) in a term, by which sums are ordered first.
-int degree(const Form& form) {
+int frequency_degree(const Form& form) {
   const auto total = [](const std::vector<Form>& factors) {
     int sum = 0;
-    for (const Form& factor : factors) sum += degree(factor);
+    for (const Form& factor : factors) sum += frequency_degree(factor);
     return sum;
   };
   switch (form.kind) {
     case Form::Kind::name:
       return form.text == "omega" || form.text == "s" ? 1 : 0;
     case Form::Kind::power:
-      return form.exponent * degree(form.over[0]);
+      return form.exponent * frequency_degree(form.over[0]);
     case Form::Kind::product:
       return total(form.over) - total(form.under);
     default:
@@ -52,7 +52,7 @@ void sort_terms(std::vector<Signed>& terms) {
   using Key = std::tuple<int, bool, std::string>;
   std::vector<std::pair<Key, Signed>> keyed;
   for (Signed& term : terms) {
-    Key rank{degree(term.form), holds_sum(term.form), key(term.form)};
+    Key rank{frequency_degree(term.form), holds_sum(term.form), key(term.form)};
     keyed.emplace_back(std::move(rank), std::move(term));
   }
   std::sort(keyed.begin(), keyed.end(), [](const auto& a, const auto& b) {
@@ -147,7 +147,7 @@ class ProductForm {
     take_coefficient();
     sort_factors(over_);
     sort_factors(under_);
-    if (under_.empty() && over_.empty()) return {minus_, number(1)};
+    if (under_.empty() && over_.empty()) return {minus_, number_form(1)};
     if (under_.empty() && over_.size() == 1) return {minus_, std::move(over_.front())};
     return {minus_, {Form::Kind::product, "", std::move(over_), std::move(under_), {}, 1}};
   }
@@ -181,9 +181,9 @@ class ProductForm {
     if (size.is_negative()) minus_ = !minus_;
     size = GiNaC::abs(size);
     // A fraction stands in front, unless there is something else below the bar anyway.
-    if (under_.empty() && !size.is_integer()) return over_.push_back(number(size));
-    if (!size.numer().is_equal(1)) over_.push_back(number(size.numer()));
-    if (!size.denom().is_equal(1)) under_.push_back(number(size.denom()));
+    if (under_.empty() && !size.is_integer()) return over_.push_back(number_form(size));
+    if (!size.numer().is_equal(1)) over_.push_back(number_form(size.numer()));
+    if (!size.denom().is_equal(1)) under_.push_back(number_form(size.denom()));
   }
 
   GiNaC::numeric coefficient_ = 1;
@@ -205,7 +205,7 @@ Signed form_of(const GiNaC::ex& expression) {
     return {false, named(GiNaC::ex_to<GiNaC::symbol>(expression).get_name())};
   if (GiNaC::is_a<GiNaC::add>(expression)) return sum_form(expression);
   if (GiNaC::is_a<GiNaC::function>(expression)) return call_form(expression);
-  if (expression.is_zero()) return {false, number(0)};
+  if (expression.is_zero()) return {false, number_form(0)};
   ProductForm product;
   if (GiNaC::is_a<GiNaC::mul>(expression))
     for (const GiNaC::ex& factor : expression) product.multiply(factor);

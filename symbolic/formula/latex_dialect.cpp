@@ -12,14 +12,14 @@ namespace vcrit::symbolic {
 
 namespace {
 
-std::string index_part(const std::string& part) {
+std::string latex_index_part(const std::string& part) {
   const auto letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
   if (is_greek(part)) return "\\" + part;
   const bool word = part.size() > 2 && std::count_if(part.begin(), part.end(), letter) > 2;
   return word ? "\\mathrm{" + part + "}" : part;
 }
 
-class Latex : public Dialect {
+class LatexDialect : public Dialect {
   std::string number(const std::string& digits) const override {
     const std::size_t bar = digits.find('/');
     if (bar == std::string::npos) return digits;
@@ -35,7 +35,7 @@ class Latex : public Dialect {
     if (dots > 0) result = (dots == 1 ? "\\dot{" : "\\ddot{") + result + "}";
     if (!n.index.empty()) {
       std::vector<std::string> parts;
-      for (const std::string& part : n.index) parts.push_back(index_part(part));
+      for (const std::string& part : n.index) parts.push_back(latex_index_part(part));
       result += fmt::format("_{{{}}}", fmt::join(parts, ","));
     }
     if (n.above == "*") result += "^{*}";
@@ -78,7 +78,7 @@ class Latex : public Dialect {
 }  // namespace
 
 const Dialect& latex_dialect() {
-  static const Latex dialect;
+  static const LatexDialect dialect;
   return dialect;
 }
 

@@ -25,12 +25,12 @@ std::string letter(const std::string& word) {
   return found == characters.end() ? word : found->second;
 }
 
-std::string index_part(const std::string& part) {
+std::string mathml_index_part(const std::string& part) {
   const bool digits = std::isdigit(static_cast<unsigned char>(part.front())) != 0;
   return digits ? "<mn>" + part + "</mn>" : "<mi>" + letter(part) + "</mi>";
 }
 
-class MathMl : public Dialect {
+class MathMlDialect : public Dialect {
   std::string number(const std::string& digits) const override {
     const std::size_t bar = digits.find('/');
     if (bar == std::string::npos) return "<mn>" + digits + "</mn>";
@@ -45,7 +45,7 @@ class MathMl : public Dialect {
     if (dots > 0)
       result = fmt::format("<mover>{}<mo>{}</mo></mover>", result, dots == 1 ? "˙" : "¨");
     std::vector<std::string> parts;
-    for (const std::string& part : n.index) parts.push_back(index_part(part));
+    for (const std::string& part : n.index) parts.push_back(mathml_index_part(part));
     const std::string index = fmt::format("{}", fmt::join(parts, "<mo>,</mo>"));
     const bool star = n.above == "*";
     if (!index.empty() && !star)
@@ -92,7 +92,7 @@ class MathMl : public Dialect {
 }  // namespace
 
 const Dialect& mathml_dialect() {
-  static const MathMl dialect;
+  static const MathMlDialect dialect;
   return dialect;
 }
 

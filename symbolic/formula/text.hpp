@@ -5,10 +5,13 @@
 
 #include <string>
 
+#include "base/numbers.hpp"
 #include "formula/line.hpp"
 
 namespace vcrit::symbolic {
 
+// Hidden, it would leave numbers to the overload below: a double turns into an expression unasked.
+using vcrit::to_text;
 std::string to_text(const GiNaC::ex& expression);
 std::string to_latex(const GiNaC::ex& expression);
 /// Presentation MathML, <math>...</math>.

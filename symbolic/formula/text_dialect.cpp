@@ -8,7 +8,7 @@ namespace vcrit::symbolic {
 
 namespace {
 
-class Text : public Dialect {
+class TextDialect : public Dialect {
   std::string number(const std::string& digits) const override { return digits; }
   std::string name(const std::string& text) const override { return text; }
   std::string negative(const std::string& term) const override { return "-" + term; }
@@ -41,7 +41,7 @@ class Text : public Dialect {
 }  // namespace
 
 const Dialect& text_dialect() {
-  static const Text dialect;
+  static const TextDialect dialect;
   return dialect;
 }
 

@@ -10,11 +10,11 @@ namespace vcrit::symbolic {
 
 namespace {
 
-TermNumbers parallel(const TermNumbers& a, const TermNumbers& b) {
+TermNumbers terms_in_parallel(const TermNumbers& a, const TermNumbers& b) {
   return {a.over * b.under + b.over * a.under, a.under * b.under};
 }
 
-TermNumbers series(const TermNumbers& a, const TermNumbers& b) {
+TermNumbers terms_in_series(const TermNumbers& a, const TermNumbers& b) {
   return {a.over * b.over, a.over * b.under + b.over * a.under};
 }
 
@@ -51,9 +51,9 @@ Value folded(const std::vector<Network>& parts, const Of& of, const Combine& com
 
 // The minors of a graph's nodal matrix, its edges y0, y1, ...: row by row, each set of columns used
 // so far with the sum of products that used it. Sets stay few where neighbours stand close.
-class Trees {
+class TreePolynomials {
  public:
-  explicit Trees(const Graph& graph) : graph_(graph), ring_(names(graph.parts.size())) {
+  explicit TreePolynomials(const Graph& graph) : graph_(graph), ring_(names(graph.parts.size())) {
     minors_.emplace(std::vector<bool>(graph.nodes.size()), Polynomial(ring_, 1));
     for (std::size_t node = 2; node < graph.nodes.size(); ++node) add_row(node);
     std::vector<bool> inner(graph.nodes.size(), true);
@@ -167,7 +167,7 @@ class Expansion {
   Quotient operator()(const Graph& graph) const {
     std::vector<Quotient> edges;
     for (const Network& part : graph.parts) edges.push_back(of(part));
-    const Trees trees(graph);
+    const TreePolynomials trees(graph);
     return {put_in(trees.whole(), edges), put_in(trees.pairs(), edges)};
   }
 
@@ -206,9 +206,9 @@ TermNumbers term_numbers(const Network& network) {
   if (const auto* element = std::get_if<Element>(&network.form))
     return {1, element->kind == ElementKind::maxwell ? 2.0 : 1.0};
   if (const auto* form = std::get_if<Series>(&network.form))
-    return folded<TermNumbers>(form->parts, term_numbers, series);
+    return folded<TermNumbers>(form->parts, term_numbers, terms_in_series);
   if (const auto* form = std::get_if<Parallel>(&network.form))
-    return folded<TermNumbers>(form->parts, term_numbers, parallel);
+    return folded<TermNumbers>(form->parts, term_numbers, terms_in_parallel);
   return terms_of(std::get<Graph>(network.form));
 }
 

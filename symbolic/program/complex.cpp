@@ -11,7 +11,7 @@ using Product = std::pair<NodeId, NodeId>;
 bool is_zero(const Program& program, NodeId id) { return program.is_constant(id, 0); }
 
 /// Terms without a factor first: what follows are multiply_adds.
-NodeId sum(Program& program, std::vector<Product> terms, int& roundings) {
+NodeId sum_of_terms(Program& program, std::vector<Product> terms, int& roundings) {
   std::erase_if(terms, [&](const Product& t) {
     return is_zero(program, t.first) || is_zero(program, t.second);
   });
@@ -64,7 +64,8 @@ static ComplexSum sum_of_polynomials(Program& program,
       }
   ComplexSum result;
   for (std::vector<Product>& coefficient : terms)
-    result.value.coefficients.push_back(sum(program, std::move(coefficient), result.roundings));
+    result.value.coefficients.push_back(
+        sum_of_terms(program, std::move(coefficient), result.roundings));
   return result;
 }
 
@@ -79,12 +80,12 @@ ComplexSum sum_of_products(Program& program,
     im.emplace_back(a.im, b.re);
   }
   ComplexSum result;
-  result.value.re = sum(program, std::move(re), result.roundings);
-  result.value.im = sum(program, std::move(im), result.roundings);
+  result.value.re = sum_of_terms(program, std::move(re), result.roundings);
+  result.value.im = sum_of_terms(program, std::move(im), result.roundings);
   return result;
 }
 
-Complex scaled(Program& program, NodeId factor, const Complex& z) {
+Complex real_multiple(Program& program, NodeId factor, const Complex& z) {
   return {program.multiply(factor, z.re), program.multiply(factor, z.im)};
 }
 
@@ -92,7 +93,7 @@ NodeId square(Program& program, const Complex& z) {
   return program.multiply_add(z.im, z.im, program.multiply(z.re, z.re));
 }
 
-NodeId size(Program& program, const Complex& z) {
+NodeId size_bound(Program& program, const Complex& z) {
   return program.add(program.size(z.re), program.size(z.im));
 }
 

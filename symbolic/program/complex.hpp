@@ -29,11 +29,11 @@ Complex at(Program& program, const Complex& polynomial, NodeId omega);
 bool is_one(const Program& program, const Complex& z);
 ComplexSum sum_of_products(Program& program,
                            const std::vector<std::pair<Complex, Complex>>& products);
-Complex scaled(Program& program, NodeId factor, const Complex& z);
+Complex real_multiple(Program& program, NodeId factor, const Complex& z);
 
 /// |z|^2.
 NodeId square(Program& program, const Complex& z);
 /// |re| + |im|, from |z| to sqrt(2) |z|, as a bound.
-NodeId size(Program& program, const Complex& z);
+NodeId size_bound(Program& program, const Complex& z);
 
 }  // namespace vcrit::symbolic

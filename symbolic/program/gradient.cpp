@@ -6,8 +6,6 @@ namespace vcrit::symbolic {
 
 namespace {
 
-using Operation = Node::Operation;
-
 class Backward {
  public:
   Backward(Program& program, NodeId result) : program_(program), last_(result) {
@@ -26,6 +24,8 @@ class Backward {
   }
 
  private:
+  using Operation = Node::Operation;
+
   /// adjoint of `id` += a b
   void add(NodeId id, NodeId a, NodeId b) {
     if (program_[id].operation == Operation::constant) return;
@@ -100,7 +100,7 @@ GradientProgram gradient_program(VelocityProgram velocity) {
   Backward backward(program, result.value);
   backward.run();
   for (NodeId id = 0; id <= result.value; ++id)
-    if (program[id].operation == Operation::parameter)
+    if (program[id].operation == Node::Operation::parameter)
       result.partials[program[id].parameter] = backward.of(id);
   result.program = std::move(program);
   return result;

@@ -1,5 +1,6 @@
 #include "program/program.hpp"
 
+#include <algorithm>
 #include <cstdlib>
 
 #include "base/errors.hpp"
@@ -8,8 +9,6 @@
 namespace vcrit::symbolic {
 
 namespace {
-
-using Operation = Node::Operation;
 
 // Exact fractions beyond this size gain nothing: the literals have 107 bits.
 constexpr int longest_fold = 4000;
@@ -31,7 +30,8 @@ bool is_double(const GiNaC::numeric& x) { return exact_binary(x.to_double()) == 
 
 }  // namespace
 
-std::size_t arity(Operation operation) {
+std::size_t arity(Node::Operation operation) {
+  using Operation = Node::Operation;
   switch (operation) {
     case Operation::parameter:
     case Operation::constant:
@@ -67,6 +67,11 @@ NodeId Program::constant(const GiNaC::numeric& value) {
   if (known != constants_.end()) return known->second;
   const NodeKind kind = is_double(value) ? NodeKind::exact : NodeKind::value;
   return constants_[value] = push({Operation::constant, kind, {}, value, {}});
+}
+
+bool Program::has(Operation operation) const {
+  return std::any_of(nodes_.begin(), nodes_.end(),
+                     [&](const Node& node) { return node.operation == operation; });
 }
 
 bool Program::is_constant(NodeId id) const { return nodes_[id].operation == Operation::constant; }

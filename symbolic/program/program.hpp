@@ -79,15 +79,17 @@ class Program {
   const std::vector<Node>& nodes() const { return nodes_; }
   const Node& operator[](NodeId id) const { return nodes_[id]; }
   bool is_constant(NodeId id, int value) const;
+  bool has(Node::Operation operation) const;
   /// Operations of kind value; a multiply_add counts two, less_inertia four.
   int operations(const std::set<NodeId>& among) const;
   /// Every node that these depend on, themselves included.
   std::set<NodeId> needed_for(const std::vector<NodeId>& results) const;
 
  private:
-  using Key = std::tuple<Node::Operation, std::array<NodeId, 3>>;
+  using Operation = Node::Operation;
+  using Key = std::tuple<Operation, std::array<NodeId, 3>>;
   using Fold = std::function<GiNaC::numeric(const GiNaC::numeric&, const GiNaC::numeric&)>;
-  NodeId apply(Node::Operation operation, std::array<NodeId, 3> arguments);
+  NodeId apply(Operation operation, std::array<NodeId, 3> arguments);
   /// Two constants as one, unless that grows too long or leaves the range of doubles.
   std::optional<NodeId> fold(NodeId a, NodeId b, const Fold& operation);
   NodeId push(Node node);

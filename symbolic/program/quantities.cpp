@@ -9,7 +9,7 @@ namespace vcrit::symbolic {
 
 namespace {
 
-constexpr int exponent = 64;
+constexpr int element_exponent = 64;
 // Squares of T and Q stay far within the doubles.
 constexpr double largest_part = 400;
 
@@ -19,7 +19,7 @@ Complex times(Program& program, const Complex& a, const Complex& b) {
 
 Complex conjugate(Program& program, const Complex& z) { return {z.re, program.negate(z.im)}; }
 
-Complex sum(Program& program, const Complex& a, const Complex& b) {
+Complex complex_sum(Program& program, const Complex& a, const Complex& b) {
   return {program.add(a.re, b.re), program.add(a.im, b.im)};
 }
 
@@ -35,13 +35,14 @@ std::optional<Network> static_part(const Network& network) {
   return without(network, [](const Element& e) { return e.kind != ElementKind::spring; });
 }
 
-class Writer {
+class QuantityWriter {
  public:
-  Writer(const Scene& scene, const SymbolValue& value)
+  QuantityWriter(const Scene& scene, const SymbolValue& value)
       : scene_(scene),
         value_(value),
         omega_(symbol({"omega"})),
-        stiffness_(program_, omega_, exponent, [this](const Symbol& s) { return symbol(s); }) {}
+        stiffness_(program_, omega_, element_exponent,
+                   [this](const Symbol& s) { return symbol(s); }) {}
 
   QuantityProgram write() {
     result_.normal = network(scene_.normal);
@@ -61,7 +62,7 @@ class Writer {
 
   StiffnessResult network(const Network& network) {
     Stiffness k = stiffness_.write(network);
-    const auto fits = [](const Range& range) {
+    const auto fits = [](const ExponentRange& range) {
       return range.low > -largest_part && range.high < largest_part;
     };
     if (!fits(k.t_range) || !fits(k.q_range)) k = stiffness_.normalised(k);
@@ -86,8 +87,8 @@ class Writer {
       return;
     }
     ratio_ = ratio(*isotropic);
-    result_.tangential = {scaled(program_, *ratio_, result_.normal.k), result_.normal.roundings,
-                          false};
+    result_.tangential = {real_multiple(program_, *ratio_, result_.normal.k),
+                          result_.normal.roundings, false};
     // 1 - nu, 2 - nu, their quotient, and its product with K_n.
     if (result_.tangential.roundings) *result_.tangential.roundings += 4;
   }
@@ -127,7 +128,7 @@ class Writer {
     NodeId amplitude = program_.divide(modulus(program_, above), modulus(program_, below));
     Complex direction = ratio_ ? unity : times(program_, above, conjugate(program_, below));
     if (dynamic_) {
-      const Complex whole = sum(program_, result_.tangential.k, *dynamic_);
+      const Complex whole = complex_sum(program_, result_.tangential.k, *dynamic_);
       amplitude = program_.multiply(
           amplitude, program_.divide(modulus(program_, whole), modulus(program_, *dynamic_)));
       direction =
@@ -164,7 +165,7 @@ class Writer {
 
 QuantityProgram quantity_program(const Scene& scene, const SymbolValue& value) {
   refuse_other_scenes(scene);
-  return Writer(scene, value).write();
+  return QuantityWriter(scene, value).write();
 }
 
 }  // namespace vcrit::symbolic

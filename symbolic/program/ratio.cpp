@@ -26,14 +26,10 @@ Ratio of_poisson(Program& program, StiffnessWriter& stiffness, NodeId given) {
   const NodeId two = program.constant(2);
   const NodeId one_less = program.subtract(program.constant(1), given);
   const NodeId q = program.subtract(two, given);
-  const Range range = stiffness.guarded(program.size(one_less));
+  const ExponentRange range = stiffness.guarded(program.size(one_less));
   stiffness.guarded(program.size(q));
-  return {program.multiply(two, one_less),
-          q,
-          2,
-          range - range + Range{-1, 2},
-          range + Range{1, 1},
-          range};
+  return {program.multiply(two, one_less), q,    2, range - range + ExponentRange{-1, 2},
+          range + ExponentRange{1, 1},     range};
 }
 
 }  // namespace
@@ -44,7 +40,7 @@ Ratio contact_ratio(Program& program, StiffnessWriter& stiffness, const Isotropi
   if (isotropic.quantity.value) return of_number(program, *isotropic.quantity.value, poisson);
   const NodeId given = value(program, isotropic.quantity.symbol);
   if (poisson) return of_poisson(program, stiffness, given);
-  const Range range = stiffness.guarded(program.size(given));
+  const ExponentRange range = stiffness.guarded(program.size(given));
   return {given, program.constant(1), 0, range, range, {}};
 }
 

@@ -13,7 +13,7 @@ using SymbolValue = std::function<NodeId(Program&, const Symbol&)>;
 struct Ratio {
   NodeId t = 0, q = 0;
   int path = 0;  ///< roundings
-  Range range, t_range, q_range;
+  ExponentRange range, t_range, q_range;
 };
 
 Ratio contact_ratio(Program& program, StiffnessWriter& stiffness, const Isotropic& isotropic,

@@ -20,7 +20,7 @@ constexpr std::size_t most_nodes = 1500;
 struct Pair {
   Complex t, q;
   double t_error = 0, q_error = 0;
-  Range t_range, q_range;
+  ExponentRange t_range, q_range;
 };
 
 struct Edge {
@@ -30,9 +30,9 @@ struct Edge {
 
 class TooLong {};
 
-class Trees {
+class TreeWriter {
  public:
-  Trees(Program& program, std::size_t limit) : program_(program), limit_(limit) {}
+  TreeWriter(Program& program, std::size_t limit) : program_(program), limit_(limit) {}
 
   Pair between_terminals(std::vector<Edge> edges) {
     if (program_.nodes().size() > limit_) throw TooLong();
@@ -71,7 +71,7 @@ class Trees {
   struct Term {
     Complex a, b;
     double error;
-    Range range;
+    ExponentRange range;
   };
 
   Complex unity(const std::vector<Edge>& edges) {
@@ -82,7 +82,7 @@ class Trees {
 
   // Both sums of spanning trees are the same multiple of two stiffnesses that add up: they lie in
   // one quadrant, |a| + |b| <= sqrt(2) |a + b|.
-  void add(const Term& a, const Term& b, Complex& sum, double& error, Range& range) {
+  void add(const Term& a, const Term& b, Complex& sum, double& error, ExponentRange& range) {
     const ComplexSum whole = sum_of_products(program_, {{a.a, a.b}, {b.a, b.b}});
     sum = whole.value;
     error = 1.4143 * std::max(a.error, b.error) + 2 * whole.roundings;
@@ -126,7 +126,7 @@ class Trees {
     return whole;
   }
 
-  void multiply_outside(Pair& outside, const Complex& factor, double error, Range range) {
+  void multiply_outside(Pair& outside, const Complex& factor, double error, ExponentRange range) {
     outside.t_error += error;
     outside.t = product(outside.t, factor, outside.t_error);
     outside.t_range = outside.t_range + range;
@@ -225,7 +225,8 @@ std::optional<Stiffness> by_spanning_trees(Program& program, const Graph& graph,
   }
   const Program before = program;
   try {
-    const Pair pair = Trees(program, program.nodes().size() + most_nodes).between_terminals(edges);
+    const Pair pair =
+        TreeWriter(program, program.nodes().size() + most_nodes).between_terminals(edges);
     whole.t = pair.t;
     whole.q = pair.q;
     if (pair.q.coefficients.empty()) whole.q.re = program.nonzero(pair.q.re, pair.q.im);

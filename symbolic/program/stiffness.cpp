@@ -17,7 +17,7 @@ int of_product(const ComplexSum& z) { return static_cast<int>(std::ceil(1.4143 *
 int of_sum(const ComplexSum& z) { return 2 * z.roundings; }
 
 // 1e3 to 1e10 N/m, omega tau from 1e-3 to 1e3: what polynomials are laid out for.
-constexpr Range ordinary_stiffness{10, 33}, ordinary_quotient{-10, 10};
+constexpr ExponentRange ordinary_stiffness{10, 33}, ordinary_quotient{-10, 10};
 
 double extent(const Stiffness& k) {
   return std::max({std::abs(k.t_range.low), std::abs(k.t_range.high), std::abs(k.q_range.low),
@@ -33,7 +33,7 @@ NodeId roundings(Program& program, const Stiffness& k) {
   return program.add(program.multiply(program.constant(GiNaC::numeric(3, 2)), *k.roundings), known);
 }
 
-Range network_range(Range elements, int count) {
+ExponentRange network_range(ExponentRange elements, int count) {
   const double sums = std::log2(count) + 1;
   return {elements.low - sums, elements.high + sums};
 }
@@ -45,7 +45,7 @@ void StiffnessWriter::join_elements(Stiffness& whole, const Stiffness& a, const 
   whole.range = both(whole.range, network_range(whole.elements, whole.count));
 }
 
-Range StiffnessWriter::guarded(NodeId size) {
+ExponentRange StiffnessWriter::guarded(NodeId size) {
   const Node& node = program_[size];
   if (node.operation == Node::Operation::constant) {
     const double exponent = std::log2(std::abs(node.constant.to_double()));
@@ -106,21 +106,21 @@ Stiffness StiffnessWriter::element(const Element& e) {
   const NodeId k = value_(e.coefficient);
   const Complex unity{one, zero};
   if (e.kind == ElementKind::spring) {
-    const Range range = guarded(program_.size(k));
+    const ExponentRange range = guarded(program_.size(k));
     return {{k, zero}, unity, range, {}, range, 0, {}, true, range, 1};
   }
   ensure(e.kind != ElementKind::mass, "the program knows one body");
   if (e.kind == ElementKind::damper) {
-    const Range range = guarded(program_.multiply(program_.size(omega_), program_.size(k)));
+    const ExponentRange range = guarded(program_.multiply(program_.size(omega_), program_.size(k)));
     return {{zero, program_.multiply(omega_, k)}, unity, range, {}, range, 1, {}, true, range, 1};
   }
   const NodeId tau = value_(e.time);
-  const Range stiffness = guarded(program_.size(k));
-  const Range x = guarded(program_.multiply(program_.size(omega_), program_.size(tau)));
+  const ExponentRange stiffness = guarded(program_.size(k));
+  const ExponentRange x = guarded(program_.multiply(program_.size(omega_), program_.size(tau)));
   const NodeId product = program_.multiply(omega_, tau);
   // |K| = k x/|1 + i x|; x is rounded once, k x and 1 + i x once more.
-  const Range quotient{0, std::max(x.high, 0.0) + 0.5};
-  const Range range{stiffness.low + std::min(x.low, 0.0) - 0.5, stiffness.high};
+  const ExponentRange quotient{0, std::max(x.high, 0.0) + 0.5};
+  const ExponentRange range{stiffness.low + std::min(x.low, 0.0) - 0.5, stiffness.high};
   return {{zero, program_.multiply(product, k)},
           {one, product},
           stiffness + x,
@@ -139,8 +139,8 @@ Stiffness StiffnessWriter::normalised(const Stiffness& k) {
     if (!program_.is_constant(part, 0)) size = program_.add(size, program_.magnitude(part));
   const NodeId unit = program_.unit(size);
   Stiffness result = k;
-  result.t = scaled(program_, unit, k.t);
-  result.q = scaled(program_, unit, k.q);
+  result.t = real_multiple(program_, unit, k.t);
+  result.q = real_multiple(program_, unit, k.q);
   // The sum of four absolute values, 1 to 4 after scaling, is 1 to 2.8 times |T| + |Q|.
   result.t_range = {std::min(k.range.low, 0.0) - 3, 2};
   result.q_range = {-std::max(k.range.high, 0.0) - 3, 2};
@@ -195,8 +195,8 @@ Stiffness StiffnessWriter::series(Stiffness a, Stiffness b) {
   join_elements(whole, a, b);
   whole.q_range =
       both(whole.t_range - whole.range,
-           Range{std::max((a.t_range + b.q_range).low, (b.t_range + a.q_range).low),
-                 std::max((a.t_range + b.q_range).high, (b.t_range + a.q_range).high) + 1});
+           ExponentRange{std::max((a.t_range + b.q_range).low, (b.t_range + a.q_range).low),
+                         std::max((a.t_range + b.q_range).high, (b.t_range + a.q_range).high) + 1});
   whole.path = std::max(a.path, b.path) + of_product(t) + of_sum(q);
   whole.roundings = sum_of_roundings(a, b);
   return whole;

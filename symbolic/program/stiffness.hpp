@@ -35,17 +35,17 @@ struct Guard {
 
 struct Stiffness {
   Complex t, q;  ///< K = t/q
-  Range t_range, q_range, range;
+  ExponentRange t_range, q_range, range;
   int path = 0;                     ///< roundings on the longest path
   std::optional<NodeId> roundings;  ///< those of meshes, known at run time, on top of `path`
   bool exact_re = false;            ///< q = 1, Re t as it was given, and Im t nearly so
-  Range elements;                   ///< of the elements' |K|
+  ExponentRange elements;           ///< of the elements' |K|
   int count = 1;                    ///< of elements
 };
 
 /// That of any network of such elements: from 1/n of the softest to n times the stiffest, and
 /// sqrt(2) for the complex sums.
-Range network_range(Range elements, int count);
+ExponentRange network_range(ExponentRange elements, int count);
 
 /// The error of K as a bound, in roundings of |K|.
 NodeId roundings(Program& program, const Stiffness& k);
@@ -68,7 +68,7 @@ class StiffnessWriter {
   /// T and Q times a common power of two that brings the larger one near 1.
   Stiffness normalised(const Stiffness& k);
   /// The range of an expression that is checked or, a constant, known.
-  Range guarded(NodeId size);
+  ExponentRange guarded(NodeId size);
 
   const std::vector<Guard>& guards() const { return guards_; }
 

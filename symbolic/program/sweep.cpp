@@ -9,8 +9,6 @@ namespace {
 // Degree 10 and degree 5.
 constexpr std::size_t longest_polynomial = 11, longest_square = 6;
 constexpr int guard_exponent = 40;
-// Twice the digits of a double, and some: a difference that is not 0 is not smaller, relatively.
-constexpr double cancellation = 110;
 // Coefficients are scaled for 20 kHz, and good for 2^8 times less or more.
 constexpr int usual_omega = 17, octaves = 8;
 
@@ -44,7 +42,7 @@ class SweepWriter {
   /// A factor of v*: a polynomial, or its value at omega where it is not multiplied out.
   struct Factor {
     Complex polynomial, value;
-    Range range;
+    ExponentRange range;
     bool is_passive = true;  ///< roots real and negative
   };
   enum class Side { above, below };
@@ -76,7 +74,7 @@ class SweepWriter {
     const NodeId unit = program_.unit(size);
     const auto range = [](const Complex& z, double low) {
       const double extent = octaves * static_cast<double>(z.coefficients.size() - 1);
-      return Range{low - 3 - extent, 2 + extent};
+      return ExponentRange{low - 3 - extent, 2 + extent};
     };
     k.t_range = range(k.t, std::min(k.range.low, 0.0));
     k.q_range = range(k.q, -std::max(k.range.high, 0.0));
@@ -90,7 +88,7 @@ class SweepWriter {
     return z;
   }
 
-  Factor passive(const Complex& z, Range range) {
+  Factor passive(const Complex& z, ExponentRange range) {
     return {z, at(program_, z, omega_), range, true};
   }
 
@@ -127,7 +125,7 @@ class SweepWriter {
   Factor loaded(const Stiffness& d) {
     if (!scene_.mass) return passive(d.t, d.t_range);
     const NodeId m = symbol(scene_.mass->symbol);
-    const Range inertia = stiffness_.guarded(program_.size(m));
+    const ExponentRange inertia = stiffness_.guarded(program_.size(m));
     Factor result;
     result.is_passive = false;
     result.range = {std::max(d.t_range.low, d.q_range.low + inertia.low) - cancellation,
@@ -156,7 +154,7 @@ class SweepWriter {
 
   /// N
   Factor sum(const Stiffness& t, const Stiffness& d, const Factor& body) {
-    const Range first = t.t_range + d.q_range, second = t.q_range + body.range;
+    const ExponentRange first = t.t_range + d.q_range, second = t.q_range + body.range;
     check(first);
     check(second);
     Factor result;
@@ -174,7 +172,7 @@ class SweepWriter {
     return result;
   }
 
-  void check(Range range) { result_.fits = result_.fits && fits(range); }
+  void check(ExponentRange range) { result_.fits = result_.fits && fits(range); }
 
   void multiply(Side side, const Factor& factor) {
     sides_[side == Side::above ? 0 : 1].push_back(factor);
@@ -202,7 +200,7 @@ class SweepWriter {
 
   NodeId product(const std::vector<Factor>& factors) {
     NodeId whole = program_.constant(1);
-    Range range;
+    ExponentRange range;
     for (const Factor& factor : factors) {
       check(twice(factor.range));
       check(range = range + twice(factor.range));

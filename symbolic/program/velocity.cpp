@@ -9,16 +9,14 @@ namespace vcrit::symbolic {
 
 namespace {
 
-// Twice the digits of a double, and some: a difference that is not 0 is not smaller, relatively.
-constexpr double cancellation = 110;
 // less_inertia subtracts exactly: 53 digits of each of three factors.
 constexpr double exact_cancellation = 160;
 
-class Writer {
+class VelocityWriter {
  public:
   enum class Form { plain, normalised };
 
-  Writer(const Scene& scene, const SymbolValue& value, int exponent, Form form)
+  VelocityWriter(const Scene& scene, const SymbolValue& value, int exponent, Form form)
       : scene_(scene),
         value_(value),
         form_(form),
@@ -52,8 +50,8 @@ class Writer {
   /// K_t = ratio K_n: T and Q each times a number.
   Stiffness isotropic_tangential(const Stiffness& normal) {
     Stiffness k = normal;
-    k.t = scaled(program_, ratio_.t, normal.t);
-    k.q = scaled(program_, ratio_.q, normal.q);
+    k.t = real_multiple(program_, ratio_.t, normal.t);
+    k.q = real_multiple(program_, ratio_.q, normal.q);
     k.t_range = normal.t_range + ratio_.t_range;
     k.range = normal.range + ratio_.range;
     k.q_range = normal.q_range + ratio_.q_range;
@@ -71,7 +69,7 @@ class Writer {
   /// D with a bound of |error| in roundings, absolute.
   struct Difference {
     Complex value;
-    Range range;
+    ExponentRange range;
     NodeId error = 0;
   };
 
@@ -79,16 +77,17 @@ class Writer {
     const NodeId m = symbol(scene_.mass->symbol);
     const NodeId inertia_size = program_.multiply(
         program_.multiply(program_.size(m), program_.size(omega_)), program_.size(omega_));
-    const Range inertia = stiffness_.guarded(inertia_size);
+    const ExponentRange inertia = stiffness_.guarded(inertia_size);
     Difference result;
-    const Range larger{0, std::max(d.t_range.high, d.q_range.high + inertia.high) + 1};
+    const ExponentRange larger{0, std::max(d.t_range.high, d.q_range.high + inertia.high) + 1};
     if (d.exact_re) {
       result.value = {program_.less_inertia(d.t.re, m, omega_), d.t.im};
       // Both components nearly exact, but for what the parts of m omega^2 below three doubles'
       // digits can do: far less than 2^-50 of it.
       const NodeId tail =
           program_.multiply(program_.constant(GiNaC::numeric(1, 1L << 50)), inertia_size);
-      result.error = program_.add(times(std::max(3, d.path), size(program_, result.value)), tail);
+      result.error =
+          program_.add(times(std::max(3, d.path), size_bound(program_, result.value)), tail);
       result.range = {std::max(d.t_range.low, inertia.low) - exact_cancellation, larger.high};
       return result;
     }
@@ -99,9 +98,10 @@ class Writer {
     result.value = sum.value;
     const int local = static_cast<int>(std::ceil(1.4143 * sum.roundings));
     // m omega^2 itself errs by two roundings.
-    result.error = program_.add(
-        program_.multiply(program_.add(roundings(program_, d), number(local)), size(program_, d.t)),
-        times(local + 2, program_.multiply(inertia_size, size(program_, d.q))));
+    result.error =
+        program_.add(program_.multiply(program_.add(roundings(program_, d), number(local)),
+                                       size_bound(program_, d.t)),
+                     times(local + 2, program_.multiply(inertia_size, size_bound(program_, d.q))));
     result.range = {std::max(d.t_range.low, d.q_range.low + inertia.low) - cancellation,
                     larger.high};
     return result;
@@ -116,7 +116,8 @@ class Writer {
     if (scene_.mass) body = difference(d);
     const ComplexSum sum = sum_of_products(program_, {{t.t, d.q}, {t.q, body.value}});
     const Complex whole = sum.value;
-    Range range{0, std::max((t.t_range + d.q_range).high, (t.q_range + body.range).high) + 1};
+    ExponentRange range{0,
+                        std::max((t.t_range + d.q_range).high, (t.q_range + body.range).high) + 1};
     range.low = std::max((t.t_range + d.q_range).low, (t.q_range + body.range).low) -
                 (scene_.mass ? cancellation : 1);
     check(t.t_range + d.q_range);
@@ -131,7 +132,7 @@ class Writer {
            program_.add(errors, program_.add(roundings(program_, n), roundings(program_, t))));
   }
 
-  // Relative errors of D and N, where |z| >= size(z)/sqrt(2).
+  // Relative errors of D and N, where |z| >= size_bound(z)/sqrt(2).
   NodeId with_drive_errors(const Stiffness& t, const Stiffness& d, const Difference& body,
                            const ComplexSum& whole) {
     const int local = static_cast<int>(std::ceil(1.4143 * whole.roundings));
@@ -142,15 +143,15 @@ class Writer {
                        number(2 * local));
       return program_.add(sum, roundings(program_, d));
     }
-    const NodeId d_size = size(program_, body.value);
+    const NodeId d_size = size_bound(program_, body.value);
     const NodeId d_error = program_.divide(body.error, d_size);
     const NodeId t_part =
         program_.multiply(program_.add(roundings(program_, t), number(local)),
-                          program_.multiply(size(program_, t.t), size(program_, d.q)));
-    const NodeId d_part =
-        program_.multiply(program_.add(body.error, times(local, d_size)), size(program_, t.q));
+                          program_.multiply(size_bound(program_, t.t), size_bound(program_, d.q)));
+    const NodeId d_part = program_.multiply(program_.add(body.error, times(local, d_size)),
+                                            size_bound(program_, t.q));
     const NodeId n_error =
-        program_.divide(program_.add(t_part, d_part), size(program_, whole.value));
+        program_.divide(program_.add(t_part, d_part), size_bound(program_, whole.value));
     return one_and_a_half(program_.add(d_error, n_error));
   }
 
@@ -161,13 +162,13 @@ class Writer {
            program_.add(roundings(program_, n), roundings(program_, t)));
   }
 
-  void check(Range range) { result_.fits = result_.fits && fits(range); }
+  void check(ExponentRange range) { result_.fits = result_.fits && fits(range); }
 
   /// The product of absolute values, or of their squares.
-  NodeId product(const std::vector<Complex>& factors, const std::vector<Range>& ranges,
+  NodeId product(const std::vector<Complex>& factors, const std::vector<ExponentRange>& ranges,
                  bool squared) {
     NodeId whole = number(1);
-    Range range;
+    ExponentRange range;
     for (std::size_t i = 0; i < factors.size(); ++i) {
       const Complex& z = factors[i];
       range = range + (squared ? twice(ranges[i]) : ranges[i]);
@@ -184,8 +185,8 @@ class Writer {
   }
 
   void finish(const std::vector<Complex>& above, const std::vector<Complex>& below,
-              const std::vector<Range>& above_ranges, const std::vector<Range>& below_ranges,
-              NodeId errors) {
+              const std::vector<ExponentRange>& above_ranges,
+              const std::vector<ExponentRange>& below_ranges, NodeId errors) {
     const auto has_both = [this](const Complex& z) {
       return !program_.is_constant(z.re, 0) && !program_.is_constant(z.im, 0);
     };
@@ -243,11 +244,13 @@ void refuse_other_scenes(const Scene& scene) {
 VelocityProgram velocity_program(const Scene& scene, const SymbolValue& value) {
   refuse_other_scenes(scene);
   for (const int exponent : {200, 150, 100, 64, 40}) {
-    VelocityProgram program = Writer(scene, value, exponent, Writer::Form::plain).write();
+    VelocityProgram program =
+        VelocityWriter(scene, value, exponent, VelocityWriter::Form::plain).write();
     if (program.fits) return program;
   }
   for (const int exponent : {100, 64, 48, 40, 32}) {
-    VelocityProgram program = Writer(scene, value, exponent, Writer::Form::normalised).write();
+    VelocityProgram program =
+        VelocityWriter(scene, value, exponent, VelocityWriter::Form::normalised).write();
     if (program.fits || exponent == 32) return program;
   }
   throw Bug("the last range is returned");

@@ -52,7 +52,7 @@ BOOST_AUTO_TEST_CASE(sums_and_products_have_one_order) {
   BOOST_TEST(to_text(-k / 3) == "-1/3*k0");
   BOOST_TEST(to_text(GiNaC::I * w * c) == "i*c1*omega");
   BOOST_TEST(to_text(1 / (1 / k + 1 / (c * laplace()))) == "1/(1/(c1*s) + 1/k0)");
-  BOOST_TEST(to_text(0) == "0");
+  BOOST_TEST(to_text(ex(0)) == "0");
 }
 
 BOOST_AUTO_TEST_CASE(names_are_ordered_as_people_count) {

@@ -21,7 +21,8 @@ class C99 {
            statement(fmt::format("return {};", in_range(evaluator_, spelling_, " && ", "0"))) +
            "}\n";
     out += finished();
-    for (const Grade grade : {Grade::accurate, Grade::fast, Grade::wide}) out += evaluate(grade);
+    for (const CallGrade grade : {CallGrade::accurate, CallGrade::fast, CallGrade::wide})
+      out += evaluate(grade);
     out += "\n" + comment(
                       "v* is infinite at resonance, 0 at antiresonance, NaN for 0/0. Batches: a "
                       "value for each "
@@ -50,7 +51,7 @@ class C99 {
     using Operation = Node::Operation;
     std::string out;
     if (evaluator_.has(Operation::less_inertia)) out += c99::less_inertia;
-    if (evaluator_.has(Operation::unit)) out += c99::unit;
+    if (evaluator_.has(Operation::unit)) out += c99::power_unit;
     if (evaluator_.has(Operation::nonzero)) out += c99::nonzero;
     if (evaluator_.has(Operation::magnitude)) out += c99::magnitude;
     if (evaluator_.has(Operation::unless_moderate)) out += c99::unless_moderate;
@@ -64,12 +65,12 @@ class C99 {
     return prefixed(replaced(out, "@ROOT_WIDE", rooted ? "@wide_root" : ""));
   }
 
-  std::string evaluate(Grade grade) const {
+  std::string evaluate(CallGrade grade) const {
     const CallDialect dialect(evaluator_.parameters, grade, spelling_);
     const Body code = body(evaluator_, dialect);
-    const std::string kind = grade == Grade::accurate ? "dd"
-                             : grade == Grade::fast   ? "plain"
-                                                      : "wide";
+    const std::string kind = grade == CallGrade::accurate ? "dd"
+                             : grade == CallGrade::fast   ? "plain"
+                                                          : "wide";
     std::string out = prefixed("static inline @Result @" + kind +
                                "_evaluate(const @Parameters p, @Parameters *partial) {\n");
     out +=
@@ -77,7 +78,7 @@ class C99 {
     const std::vector<std::string> names = entries(evaluator_.parameters);
     for (std::size_t i = 0; i < names.size(); ++i)
       out += statement(fmt::format("partial->{} = {};", names[i], code.partials[i]));
-    const std::string inside = grade == Grade::wide ? "" : prefixed(", @in_range(p)");
+    const std::string inside = grade == CallGrade::wide ? "" : prefixed(", @in_range(p)");
     return out + "  }\n" +
            statement(fmt::format("return {}{}_finished({}, {}, {}, {}{});", spelling_.prefix, kind,
                                  code.above, code.below, code.factor, code.roundings, inside)) +

@@ -95,7 +95,7 @@ static inline @wide @wide_less_inertia(double k, double m, double w) {
 }
 )";
 
-const char* const unit =
+const char* const power_unit =
     R"(/* a power of two near 1/x */
 static inline double @unit(double x) {
   int e = 0;

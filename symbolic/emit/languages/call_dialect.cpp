@@ -11,16 +11,14 @@ namespace vcrit::symbolic {
 
 namespace {
 
-using Operation = Node::Operation;
-
-bool is_double(const Operand& operand) { return operand.kind == NodeKind::exact; }
+bool is_plain_double(const Operand& operand) { return operand.kind == NodeKind::exact; }
 
 }  // namespace
 
 std::string CallDialect::function(const std::string& name) const {
-  const char* grade = grade_ == Grade::accurate ? "dd_"
-                      : grade_ == Grade::wide   ? "wide_"
-                                                : "plain_";
+  const char* grade = grade_ == CallGrade::accurate ? "dd_"
+                      : grade_ == CallGrade::wide   ? "wide_"
+                                                    : "plain_";
   return spelling_.prefix + grade + name;
 }
 
@@ -31,39 +29,39 @@ Operand CallDialect::call(const std::string& name,
 
 std::string CallDialect::type(NodeKind kind) const {
   if (!spelling_.typed) return "const";
-  if (kind == NodeKind::exact || grade_ == Grade::fast) return "const double";
-  if (grade_ == Grade::wide) return "const " + spelling_.prefix + "wide";
+  if (kind == NodeKind::exact || grade_ == CallGrade::fast) return "const double";
+  if (grade_ == CallGrade::wide) return "const " + spelling_.prefix + "wide";
   return kind == NodeKind::bound ? "const double" : "const " + spelling_.prefix + "dd";
 }
 
 Operand CallDialect::constant(const Node& node) const {
   const double high = node.constant.to_double();
-  if (node.kind == NodeKind::exact || grade_ == Grade::fast)
+  if (node.kind == NodeKind::exact || grade_ == CallGrade::fast)
     return {literal(high), node.kind, high >= 0};
   const double low = (node.constant - exact_binary(high)).to_double();
   return call("number", {literal(high), literal(low)});
 }
 
 std::string CallDialect::number(const Operand& operand) const {
-  if (grade_ == Grade::fast || !is_double(operand)) return operand.text;
+  if (grade_ == CallGrade::fast || !is_plain_double(operand)) return operand.text;
   return call("of", {operand.text}).text;
 }
 
 std::string CallDialect::bound(const Operand& operand) const {
-  return grade_ == Grade::wide ? number(operand) : rounded(operand);
+  return grade_ == CallGrade::wide ? number(operand) : rounded(operand);
 }
 
 std::string CallDialect::rounded(const Operand& operand) const {
-  if (grade_ == Grade::fast || is_double(operand)) return operand.text;
-  if (grade_ == Grade::wide) return call("rounded", {operand.text}).text;
+  if (grade_ == CallGrade::fast || is_plain_double(operand)) return operand.text;
+  if (grade_ == CallGrade::wide) return call("rounded", {operand.text}).text;
   return operand.kind == NodeKind::bound ? operand.text : operand.text + ".hi";
 }
 
 Operand CallDialect::apply(const Node& node, const std::vector<Operand>& arguments) const {
-  const bool bound = node.kind == NodeKind::bound && grade_ != Grade::wide;
+  const bool bound = node.kind == NodeKind::bound && grade_ != CallGrade::wide;
   const bool exact = node.kind == NodeKind::exact;
-  Operand result = grade_ == Grade::fast || bound || exact ? in_doubles(node, arguments)
-                                                           : in_calls(node, arguments);
+  Operand result = grade_ == CallGrade::fast || bound || exact ? in_doubles(node, arguments)
+                                                               : in_calls(node, arguments);
   result.kind = node.kind;
   return result;
 }
@@ -82,7 +80,7 @@ Operand CallDialect::in_doubles(const Node& node, const Arguments& arguments) co
     case Operation::root:
       return calling(spelling_.sqrt);
     case Operation::unit:
-      if (grade_ == Grade::wide) return call("unit", {number(arguments[0])});
+      if (grade_ == CallGrade::wide) return call("unit", {number(arguments[0])});
       return calling(spelling_.prefix + "unit");
     case Operation::nonzero:
       return arguments[0];
@@ -97,23 +95,23 @@ Operand CallDialect::in_doubles(const Node& node, const Arguments& arguments) co
 }
 
 Operand CallDialect::negated(const Operand& a) const {
-  if (is_double(a)) return {"-" + in_brackets(a), NodeKind::exact, false};
+  if (is_plain_double(a)) return {"-" + in_brackets(a), NodeKind::exact, false};
   return call("negated", {a.text});
 }
 
 Operand CallDialect::sum(const Operand& a, const Operand& b) const {
-  if (grade_ == Grade::wide) return call("add", {number(a), number(b)});
-  if (is_double(a) && is_double(b)) return call("sum", {a.text, b.text});
-  if (is_double(b)) return call("add_d", {a.text, b.text});
-  if (is_double(a)) return call("add_d", {b.text, a.text});
+  if (grade_ == CallGrade::wide) return call("add", {number(a), number(b)});
+  if (is_plain_double(a) && is_plain_double(b)) return call("sum", {a.text, b.text});
+  if (is_plain_double(b)) return call("add_d", {a.text, b.text});
+  if (is_plain_double(a)) return call("add_d", {b.text, a.text});
   return call("add", {a.text, b.text});
 }
 
 Operand CallDialect::product(const Operand& a, const Operand& b) const {
-  if (grade_ == Grade::wide) return call("mul", {number(a), number(b)});
-  if (is_double(a) && is_double(b)) return call("product", {a.text, b.text});
-  if (is_double(b)) return call("mul_d", {a.text, b.text});
-  if (is_double(a)) return call("mul_d", {b.text, a.text});
+  if (grade_ == CallGrade::wide) return call("mul", {number(a), number(b)});
+  if (is_plain_double(a) && is_plain_double(b)) return call("product", {a.text, b.text});
+  if (is_plain_double(b)) return call("mul_d", {a.text, b.text});
+  if (is_plain_double(a)) return call("mul_d", {b.text, a.text});
   return call("mul", {a.text, b.text});
 }
 
@@ -138,7 +136,7 @@ Operand CallDialect::in_calls(const Node& node, const Arguments& arguments) cons
     case Operation::root:
       return call("root", {number(a())});
     case Operation::nonzero:
-      if (grade_ == Grade::wide) return call("nonzero", {number(a()), number(b())});
+      if (grade_ == CallGrade::wide) return call("nonzero", {number(a()), number(b())});
       return {number(a()), NodeKind::value, true};
     case Operation::magnitude:
     case Operation::size:

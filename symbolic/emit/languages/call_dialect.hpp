@@ -8,7 +8,7 @@
 namespace vcrit::symbolic {
 
 /// accurate: twice the digits. fast: doubles. wide: twice the digits, exponents without end.
-enum class Grade { accurate, fast, wide };
+enum class CallGrade { accurate, fast, wide };
 
 struct Spelling {
   std::string prefix;     ///< of the functions that the generated file brings along
@@ -18,7 +18,7 @@ struct Spelling {
 
 class CallDialect : public CodeDialect {
  public:
-  CallDialect(const ParameterList& parameters, Grade grade, Spelling spelling)
+  CallDialect(const ParameterList& parameters, CallGrade grade, Spelling spelling)
       : parameters_(parameters), grade_(grade), spelling_(std::move(spelling)) {}
 
   std::string parameter(const Symbol& symbol) const override {
@@ -34,6 +34,7 @@ class CallDialect : public CodeDialect {
   std::string rounded(const Operand& operand) const;
 
  private:
+  using Operation = Node::Operation;
   using Arguments = std::vector<Operand>;
   Operand in_doubles(const Node& node, const Arguments& arguments) const;
   Operand in_calls(const Node& node, const Arguments& arguments) const;
@@ -45,7 +46,7 @@ class CallDialect : public CodeDialect {
   std::string function(const std::string& name) const;
 
   const ParameterList& parameters_;
-  Grade grade_;
+  CallGrade grade_;
   Spelling spelling_;
 };
 
@@ -53,7 +54,7 @@ class CallDialect : public CodeDialect {
 class GuardCalls : public CallDialect {
  public:
   GuardCalls(const ParameterList& parameters, const Spelling& spelling)
-      : CallDialect(parameters, Grade::fast, spelling) {}
+      : CallDialect(parameters, CallGrade::fast, spelling) {}
   Operand apply(const Node& node, const std::vector<Operand>& arguments) const override {
     return node.operation == Node::Operation::size ? arguments[0]
                                                    : CallDialect::apply(node, arguments);

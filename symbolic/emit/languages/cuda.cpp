@@ -12,30 +12,30 @@ namespace vcrit::symbolic {
 
 namespace {
 
-std::string operations(const Evaluator& evaluator) {
+std::string cuda_operations(const Evaluator& evaluator) {
   using Operation = Node::Operation;
   std::string out = std::string(cuda::numbers) + cuda::operations;
   if (evaluator.has(Operation::less_inertia)) out += cuda::less_inertia;
-  if (evaluator.has(Operation::unit)) out += cuda::unit;
+  if (evaluator.has(Operation::unit)) out += cuda::power_unit;
   if (evaluator.has(Operation::nonzero)) out += cuda::nonzero;
   if (evaluator.has(Operation::magnitude)) out += cuda::magnitude;
   if (evaluator.has(Operation::unless_moderate)) out += cuda::unless_moderate;
   return out;
 }
 
-std::string range_function(const Evaluator& evaluator) {
+std::string cuda_range_function(const Evaluator& evaluator) {
   const Spelling spelling{"", "::fabs", "::sqrt", true};
   return "@CALL bool in_range(const Parameters& p) {\n" +
          statement(fmt::format("return {};", in_range(evaluator, spelling, " && ", "false"))) +
          "}\n";
 }
 
-std::string finished(bool rooted) {
+std::string cuda_finished(bool rooted) {
   const std::string out = replaced(cuda::finished, "@SQRT", rooted ? "::sqrt" : "");
   return replaced(out, "@ROOT", rooted ? "sqrt" : "");
 }
 
-std::string evaluate_function(const Evaluator& evaluator) {
+std::string cuda_evaluation(const Evaluator& evaluator) {
   const VelocityProgram& velocity = evaluator.velocity;
   const GradientProgram& gradient = evaluator.gradient;
   const CppDialect dialect(evaluator.parameters);
@@ -65,8 +65,8 @@ std::string cuda_text(const Evaluator& evaluator, const std::string& name) {
   std::string out = fmt::format("#ifndef {0}\n#define {0}\n", guard) + cuda::includes;
   out += fmt::format("namespace {} {{\n", name) + comment(meanings(evaluator.parameters)) +
          "struct Parameters {\n" + c_members(evaluator.parameters) + "};\n" + cuda::structs;
-  out += "namespace detail {\n" + operations(evaluator) + range_function(evaluator) +
-         finished(evaluator.velocity.rooted) + evaluate_function(evaluator) + cuda::result +
+  out += "namespace detail {\n" + cuda_operations(evaluator) + cuda_range_function(evaluator) +
+         cuda_finished(evaluator.velocity.rooted) + cuda_evaluation(evaluator) + cuda::result +
          "}  // namespace detail\n\n";
   out += comment(
       "v* is infinite at resonance, 0 at antiresonance, NaN for 0/0. Batches: a value for each "

@@ -102,7 +102,7 @@ const char* const less_inertia =
 }
 )";
 
-const char* const unit =
+const char* const power_unit =
     R"(@CALL double unit(double x) {  // a power of two near 1/x
   int e = 0;
   (void)::frexp(x, &e);

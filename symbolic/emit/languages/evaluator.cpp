@@ -24,12 +24,6 @@ Evaluator::Evaluator(const Scene& scene, const FixedValues& fixed)
   operations = program.operations(program.needed_for({gradient.ratio, velocity.factor})) + 2;
 }
 
-bool Evaluator::has(Node::Operation operation) const {
-  const std::vector<Node>& nodes = gradient.program.nodes();
-  return std::any_of(nodes.begin(), nodes.end(),
-                     [&](const Node& node) { return node.operation == operation; });
-}
-
 Body body(const Evaluator& evaluator, const CallDialect& dialect) {
   const VelocityProgram& velocity = evaluator.velocity;
   const GradientProgram& gradient = evaluator.gradient;

@@ -21,7 +21,7 @@ struct Evaluator {
   GradientProgram gradient;
   int operations;  ///< of the value
 
-  bool has(Node::Operation operation) const;
+  bool has(Node::Operation operation) const { return gradient.program.has(operation); }
 };
 
 /// Declarations that lead to v*, then those that lead from there to its derivatives.

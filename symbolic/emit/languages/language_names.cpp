@@ -61,13 +61,13 @@ bool is_keyword(std::string_view name, Language language) {
          (language == Language::javascript && is_among(javascript_keywords, name));
 }
 
-bool is_taken(std::string_view name, Language language) {
+bool is_taken_in_language(std::string_view name, Language language) {
   return (language == Language::python && is_among(python_modules, name)) ||
          (language == Language::cuda && is_among(cuda_names, name));
 }
 
-[[noreturn]] void refuse(const std::string& place, const std::string& name, const std::string& why,
-                         Language language) {
+[[noreturn]] void refuse_in_language(const std::string& place, const std::string& name,
+                                     const std::string& why, Language language) {
   throw InputError({place},
                    fmt::format("\"{}\", which is {} (--language {})", name, why,
                                language_names()[static_cast<std::size_t>(language)]),
@@ -78,15 +78,16 @@ bool is_taken(std::string_view name, Language language) {
 
 void check_library_name(const std::string& name, Language language) {
   check_library_name(name);
-  if (is_keyword(name, language)) refuse("--name", name, "a reserved word", language);
-  if (is_taken(name, language)) refuse("--name", name, "taken", language);
+  if (is_keyword(name, language)) refuse_in_language("--name", name, "a reserved word", language);
+  if (is_taken_in_language(name, language)) refuse_in_language("--name", name, "taken", language);
 }
 
 void check_member_names(const std::vector<Symbol>& symbols, const std::string& file,
                         Language language) {
   check_member_names(symbols, file);
   for (const Symbol& symbol : symbols)
-    if (is_keyword(symbol.name, language)) refuse(file, symbol.name, "a reserved word", language);
+    if (is_keyword(symbol.name, language))
+      refuse_in_language(file, symbol.name, "a reserved word", language);
 }
 
 }  // namespace vcrit::symbolic

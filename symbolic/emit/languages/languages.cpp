@@ -33,7 +33,7 @@ std::string accuracy_lines(Language language) {
   return comment(accuracy) + comment(wide ? unlimited : limited);
 }
 
-std::string text(const Evaluator& evaluator, const std::string& name, Language language) {
+std::string evaluator_text(const Evaluator& evaluator, const std::string& name, Language language) {
   switch (language) {
     case Language::c99:
       return c99_text(evaluator, name);
@@ -71,7 +71,7 @@ std::string emit(const Scene& scene, const std::string& name, Language language,
                      comment(fmt::format("{} operations.", evaluator.operations)) +
                      accuracy_lines(language);
   if (language == Language::python) head = "#" + replaced(head.substr(2), "\n//", "\n#");
-  return head + text(evaluator, name, language);
+  return head + evaluator_text(evaluator, name, language);
 }
 
 std::filesystem::path generate(const Scene& scene, const std::filesystem::path& directory,

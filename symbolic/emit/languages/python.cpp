@@ -10,20 +10,20 @@ namespace vcrit::symbolic {
 
 namespace {
 
-std::string operations(const Evaluator& evaluator) {
+std::string python_operations(const Evaluator& evaluator) {
   using Operation = Node::Operation;
   std::string out = python::numbers;
   if (evaluator.velocity.rooted) out += python::root;
   out += python::within;
   if (evaluator.has(Operation::less_inertia)) out += python::less_inertia;
-  if (evaluator.has(Operation::unit)) out += python::unit;
+  if (evaluator.has(Operation::unit)) out += python::power_unit;
   if (evaluator.has(Operation::magnitude)) out += python::magnitude;
   if (evaluator.has(Operation::unless_moderate)) out += python::unless_moderate;
   return out;
 }
 
 /// A statement of any length has to stand on one line.
-std::string lines(const std::vector<StraightLine::Declarations>& declarations) {
+std::string python_lines(const std::vector<StraightLine::Declarations>& declarations) {
   std::string out;
   for (const auto& [kind, items] : declarations)
     for (const std::string& item : items) out += "    " + item + "\n";
@@ -60,14 +60,15 @@ std::string conversions(const ParameterList& parameters) {
       fmt::join(given, ",\n        "), fmt::join(gathered, ",\n        "));
 }
 
-std::string evaluate(const Evaluator& evaluator, Grade grade, const Spelling& spelling) {
+std::string python_evaluation(const Evaluator& evaluator, CallGrade grade,
+                              const Spelling& spelling) {
   const CallDialect dialect(evaluator.parameters, grade, spelling);
   const Body code = body(evaluator, dialect);
-  const std::string kind = grade == Grade::accurate ? "dd" : "plain";
-  return fmt::format("\n\ndef _{}_evaluate(p, gradient):\n", kind) + lines(code.value) +
+  const std::string kind = grade == CallGrade::accurate ? "dd" : "plain";
+  return fmt::format("\n\ndef _{}_evaluate(p, gradient):\n", kind) + python_lines(code.value) +
          fmt::format("    r = _{}_finished({}, {}, {}, {}, _in_range(p))\n", kind, code.above,
                      code.below, code.factor, code.roundings) +
-         "    if not gradient:\n        return r\n" + lines(code.gradient) +
+         "    if not gradient:\n        return r\n" + python_lines(code.gradient) +
          fmt::format("    return r._replace(partial=[\n        {},\n    ])\n",
                      fmt::join(code.partials, ",\n        "));
 }
@@ -78,13 +79,13 @@ std::string python_text(const Evaluator& evaluator) {
   const Spelling spelling{"_", "np.abs", "np.sqrt", false};
   const bool rooted = evaluator.velocity.rooted;
   std::string out = python::imports + parameters_class(evaluator.parameters) + python::tuples;
-  out += conversions(evaluator.parameters) + operations(evaluator);
+  out += conversions(evaluator.parameters) + python_operations(evaluator);
   out += "\n\ndef _in_range(p):\n    return (\n        " +
          in_range(evaluator, spelling, "\n        & ", "np.False_") + "\n    )\n";
   out += replaced(replaced(python::finished, "@SQRT", rooted ? "np.sqrt" : ""), "@ROOT",
                   rooted ? "_dd_root" : "");
-  out += evaluate(evaluator, Grade::accurate, spelling);
-  out += evaluate(evaluator, Grade::fast, spelling);
+  out += python_evaluation(evaluator, CallGrade::accurate, spelling);
+  out += python_evaluation(evaluator, CallGrade::fast, spelling);
   return out + python::calls;
 }
 

@@ -144,7 +144,7 @@ def _plain_less_inertia(k, m, w):
     return s.hi + ((s.lo - p.lo) - t.lo * w)
 )";
 
-const char* const unit =
+const char* const power_unit =
     R"(
 
 def _unit(x):  # a power of two near 1/x

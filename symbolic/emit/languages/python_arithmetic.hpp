@@ -11,7 +11,7 @@ extern const char* const within;
 /// Operations that not every program uses.
 extern const char* const root;
 extern const char* const less_inertia;
-extern const char* const unit;
+extern const char* const power_unit;
 extern const char* const magnitude;
 extern const char* const unless_moderate;
 /// The error bound; @ROOT and @SQRT are the root in each grade, or nothing.

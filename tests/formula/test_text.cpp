@@ -1,0 +1,32 @@
+// Numbers beside expressions: a double is written with its own digits whether formula/text.hpp is
+// included or not. As an expression 17/14 would be 1.2142857142857141906.
+#include "formula/text.hpp"
+
+#include <boost/test/unit_test.hpp>
+
+#include "emit/cpp_dialect.hpp"
+
+namespace vcrit::symbolic {
+
+namespace {
+
+constexpr double value = 17.0 / 14;
+const std::string shortest = "1.2142857142857142";  // the neighbours are 2.2e-16 away
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_double_is_no_expression) {
+  BOOST_TEST(to_text(value) == shortest);
+  BOOST_TEST(to_text(GiNaC::ex(17) / 14) == "17/14");
+  BOOST_TEST(to_text(Symbol{"k", 3}) == "k[3]");
+}
+
+BOOST_AUTO_TEST_CASE(generated_code_holds_the_digits_of_the_double) {
+  BOOST_TEST(literal(value) == shortest);
+  Node node;
+  node.constant = GiNaC::numeric(17, 14);
+  const ParameterList none({}, std::vector<Symbol>{}, {});
+  BOOST_TEST(CppDialect(none).constant(node).text == shortest);
+}
+
+}  // namespace vcrit::symbolic
