@@ -7,13 +7,11 @@
 #include <string>
 
 #include "derivation/derivation.hpp"
+#include "progress.hpp"
 #include "scene_report.hpp"
 #include "simulation/system/system.hpp"
 
 namespace vcrit::validation {
-
-/// Told what is being done now, in a few words.
-using Progress = std::function<void(const std::string& step)>;
 
 /// Who is heard against the certified value besides the generated evaluator. Tests put a false one
 /// among them.

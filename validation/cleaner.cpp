@@ -14,6 +14,8 @@
 #include <string>
 #include <system_error>
 
+#include "system_failure.hpp"
+
 namespace vcrit::validation {
 
 namespace {
@@ -29,10 +31,6 @@ struct Made {
   int error;
   std::array<char, PATH_MAX> path;
 };
-
-void fail(int error, const std::string& what) {
-  throw std::system_error(error, std::generic_category(), what);
-}
 
 /// Ctrl-C goes to all processes of a terminal, and nobody may wait for the end of our outputs.
 void stand_aside(int line) {
@@ -91,9 +89,10 @@ Cleaner::Cleaner() : owner_(getpid()) {
   const std::filesystem::path all = chosen == nullptr || *chosen == '\0' ? "/tmp" : chosen;
   const std::string pattern = (std::filesystem::absolute(all) / "vcrit-XXXXXX").string();
   int ends[2] = {};
-  if (socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends) != 0) fail(errno, "socketpair");
+  if (socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends) != 0)
+    system_failure(errno, "socketpair");
   process_ = fork();
-  if (process_ < 0) fail(errno, "fork");
+  if (process_ < 0) system_failure(errno, "fork");
   if (process_ == 0) clean(ends[1], pattern);
   close(ends[1]);
   line_ = ends[0];
@@ -104,7 +103,7 @@ Cleaner::Cleaner() : owner_(getpid()) {
   if (size != sizeof made || made.error != 0) {
     close(line_);
     waitpid(process_, nullptr, 0);
-    fail(size == sizeof made ? made.error : EPIPE, "a folder like " + pattern);
+    system_failure(size == sizeof made ? made.error : EPIPE, "a folder like " + pattern);
   }
   folder_ = made.path.data();
 }

@@ -1,6 +1,7 @@
 #include "compiler.hpp"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -11,10 +12,12 @@
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
+#include <stdexcept>
 #include <system_error>
 #include <thread>
 
 #include "cleaner.hpp"
+#include "system_failure.hpp"
 
 namespace vcrit::validation {
 
@@ -26,10 +29,6 @@ constexpr std::chrono::seconds compile_limit{120};
 constexpr std::size_t most_output = 1 << 20;
 
 constexpr const char* output_name = "output.txt";
-
-[[noreturn]] void fail(int error, const std::string& what) {
-  throw std::system_error(error, std::generic_category(), what);
-}
 
 /// What a child needs between fork and exec, made before: it may not allocate.
 struct Command {
@@ -85,7 +84,7 @@ pid_t start(Command command, std::optional<std::uint64_t> memory) {
   const std::vector<char*> environment = pointers_to(command.environment);
   Cleaner::get();
   int ends[2] = {};
-  if (pipe2(ends, O_CLOEXEC) != 0) fail(errno, "pipe");
+  if (pipe2(ends, O_CLOEXEC) != 0) system_failure(errno, "pipe");
   const pid_t process = fork();
   if (process == 0) {
     become(command, arguments.data(), environment.data(), memory);
@@ -98,11 +97,11 @@ pid_t start(Command command, std::optional<std::uint64_t> memory) {
   // Nothing comes when exec has closed the pipe.
   const bool failed = process > 0 && read(ends[0], &error, sizeof error) == sizeof error;
   close(ends[0]);
-  if (process < 0) fail(fork_error, "fork");
+  if (process < 0) system_failure(fork_error, "fork");
   if (!failed) return process;
   Cleaner::get().forget(process);
   waitpid(process, nullptr, 0);
-  fail(error, command.arguments.front());
+  system_failure(error, command.arguments.front());
 }
 
 /// Whether it has ended; it is still there to be waited for.
@@ -110,7 +109,7 @@ bool has_ended(pid_t process) {
   siginfo_t information{};
   const int options = WEXITED | WNOHANG | WNOWAIT;
   if (waitid(P_PID, static_cast<id_t>(process), &information, options) != 0 && errno != EINTR)
-    fail(errno, "waitid");
+    system_failure(errno, "waitid");
   return information.si_pid == process;
 }
 
@@ -121,7 +120,7 @@ int end(pid_t process) {
   Cleaner::get().forget(process);
   int status = 0;
   while (waitpid(process, &status, 0) < 0)
-    if (errno != EINTR) fail(errno, "waitpid");
+    if (errno != EINTR) system_failure(errno, "waitpid");
   return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
 }
 
@@ -138,8 +137,8 @@ std::string_view search_path() {
   return path == nullptr ? "" : path;
 }
 
-std::optional<std::filesystem::path> find_program(const std::string& name,
-                                                  std::string_view search_path) {
+std::optional<std::filesystem::path> program_in(const std::string& name,
+                                                std::string_view search_path) {
   for (std::string_view rest = search_path; !rest.empty();) {
     const std::string_view folder = rest.substr(0, rest.find(':'));
     rest.remove_prefix(std::min(rest.size(), folder.size() + 1));
@@ -153,7 +152,7 @@ std::optional<std::filesystem::path> find_program(const std::string& name,
 
 std::filesystem::path new_folder() {
   std::string name = (Cleaner::get().folder() / "XXXXXX").string();
-  if (mkdtemp(name.data()) == nullptr) fail(errno, "a folder like " + name);
+  if (mkdtemp(name.data()) == nullptr) system_failure(errno, "a folder like " + name);
   return name;
 }
 
@@ -181,23 +180,31 @@ ProgramResult run_program(const std::vector<std::string>& arguments,
   return result;
 }
 
+std::string output_or_throw(const ProgramResult& result, const char* what) {
+  if (result.succeeded()) return result.output;
+  const char* how = result.timed_out ? "took too long" : "failed";
+  throw std::runtime_error(fmt::format("{} {}: {}", what, how, result.output.substr(0, 400)));
+}
+
 std::optional<std::filesystem::path> find_compiler(std::string_view search_path) {
   for (const char* name : {"g++", "clang++", "c++"})
-    if (const auto program = find_program(name, search_path)) return program;
+    if (const auto program = program_in(name, search_path)) return program;
   return std::nullopt;
 }
 
 std::optional<std::filesystem::path> find_compiler() { return find_compiler(search_path()); }
 
 std::optional<std::filesystem::path> find_program(const std::string& name) {
-  return find_program(name, search_path());
+  return program_in(name, search_path());
 }
 
 ProgramResult compile(const std::filesystem::path& compiler, const std::filesystem::path& folder,
-                      const std::string& source, const std::string& target) {
-  return run_program(
-      {compiler, "-std=c++20", "-O2", "-ffp-contract=off", "-o", folder / target, folder / source},
-      folder, compile_limit);
+                      const std::string& source, const std::string& target,
+                      const std::vector<std::string>& flags) {
+  std::vector<std::string> command{compiler, "-std=c++20"};
+  command.insert(command.end(), flags.begin(), flags.end());
+  command.insert(command.end(), {"-ffp-contract=off", "-o", folder / target, folder / source});
+  return run_program(command, folder, compile_limit);
 }
 
 std::string describe_compiler(const std::filesystem::path& compiler,

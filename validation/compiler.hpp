@@ -44,6 +44,10 @@ ProgramResult run_program(const std::vector<std::string>& arguments,
                           const std::filesystem::path& folder, std::chrono::milliseconds limit,
                           std::optional<std::uint64_t> memory = most_memory);
 
+/// What the program wrote. Throws std::runtime_error, which begins with `what` and ends with the
+/// beginning of that, when it failed.
+std::string output_or_throw(const ProgramResult& result, const char* what);
+
 /// The program of that name in the first of the folders of PATH that has one; folders of PATH that
 /// are not absolute are passed over.
 std::optional<std::filesystem::path> find_program(const std::string& name);
@@ -53,9 +57,11 @@ std::optional<std::filesystem::path> find_compiler(std::string_view search_path)
 /// The same with this process's PATH.
 std::optional<std::filesystem::path> find_compiler();
 
-/// Compiles one C++20 source in `folder` to the program `target` there.
+/// Compiles one C++20 source in `folder` to the program `target` there. Nothing is contracted, so
+/// that values do not change with the processor that `flags` name.
 ProgramResult compile(const std::filesystem::path& compiler, const std::filesystem::path& folder,
-                      const std::string& source, const std::string& target);
+                      const std::string& source, const std::string& target,
+                      const std::vector<std::string>& flags = {"-O2"});
 
 /// "g++ (Debian 12.2.0-14) 12.2.0": the first line of what it says of itself.
 std::string describe_compiler(const std::filesystem::path& compiler,

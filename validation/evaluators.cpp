@@ -50,16 +50,6 @@ GeneratedVelocities parse(const std::string& output) {
   return velocities;
 }
 
-std::string run_or_throw(const ProgramResult& result, const char* what) {
-  if (result.succeeded()) return result.output;
-  const char* how = result.timed_out ? "took too long" : "failed";
-  throw std::runtime_error(fmt::format("{} {}: {}", what, how, result.output.substr(0, 400)));
-}
-
-}  // namespace
-
-namespace {
-
 /// R_d between two rows of its table, as exact as the table's doubles.
 GiNaC::ex interpolated(const Receptance& receptance, double omega) {
   const auto [below, above] = bracket(receptance, omega);
@@ -122,9 +112,9 @@ GeneratedVelocities generated_velocities(const Scene& scene, const symbolic::Der
                                          const std::filesystem::path& folder) {
   symbolic::generate(scene, folder, "scene");
   write_file(folder / "ask.cpp", asking_program(derivation.parameters, values));
-  run_or_throw(compile(compiler, folder, "ask.cpp", "ask"), "compiling the generated evaluator");
+  output_or_throw(compile(compiler, folder, "ask.cpp", "ask"), "compiling the generated evaluator");
   return parse(
-      run_or_throw(run_program({folder / "ask"}, folder, run_limit), "the generated evaluator"));
+      output_or_throw(run_program({folder / "ask"}, folder, run_limit), "the generated evaluator"));
 }
 
 }  // namespace vcrit::validation

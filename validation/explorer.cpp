@@ -17,8 +17,8 @@ namespace {
 
 using simulation::Regime;
 
-constexpr int stops_per_decade = 5, decades = 2;  // to each side
-constexpr double largest_amplitude = 0.99;        // of the normal force, over its mean
+constexpr int stops_per_decade = 5, decades_each_way = 2;  // to each side
+constexpr double largest_amplitude = 0.99;                 // of the normal force, over its mean
 
 /// The generated module as the body of a function that returns what it exports.
 std::string evaluator_script(const Scene& scene) {
@@ -51,12 +51,12 @@ std::vector<Slider> sliders(const symbolic::Derivation& derivation,
 
 std::vector<double> stops(double omega) {
   std::vector<double> result;
-  for (int i = -stops_per_decade * decades; i <= stops_per_decade * decades; ++i)
+  for (int i = -stops_per_decade * decades_each_way; i <= stops_per_decade * decades_each_way; ++i)
     result.push_back(omega * std::pow(10, static_cast<double>(i) / stops_per_decade));
   return result;
 }
 
-std::vector<double> ratios() {
+std::vector<double> explored_ratios() {
   std::vector<double> result{0.01, 0.03};
   for (int i = 1; i <= 19; ++i) result.push_back(i / 20.0);
   for (const double ratio : {0.97, 0.985, 1.0, 1.2}) result.push_back(ratio);
@@ -64,7 +64,7 @@ std::vector<double> ratios() {
 }
 
 /// Friction at one frequency and amplitude.
-struct Row {
+struct FrictionRow {
   std::vector<double> friction;
   bool backslip = false;
 };
@@ -86,7 +86,7 @@ class Simulated {
            values_.at(scene_.amplitude.symbol) / system_.mean_normal_force;
   }
 
-  Row row(double omega, double amplitude, const std::vector<double>& ratios) const {
+  FrictionRow row(double omega, double amplitude, const std::vector<double>& ratios) const {
     simulation::System system = system_;
     system.omega = omega;
     const auto stiffness = dynamic_stiffness(normal_, values_, omega);
@@ -96,7 +96,7 @@ class Simulated {
                              creep_velocity(scene_);
     std::vector<double> velocities;
     for (const double ratio : ratios) velocities.push_back(ratio * threshold);
-    Row result;
+    FrictionRow result;
     if (!(threshold > 0 && std::isfinite(threshold))) {
       result.friction.assign(ratios.size(), std::numeric_limits<double>::quiet_NaN());
       return result;
@@ -119,10 +119,10 @@ class Simulated {
 // Without backward slip friction falls short of mu0 in proportion to the amplitude, and one curve
 // is all; else the reader sees what lies between some amplitudes interpolated.
 FrictionGrid friction_grid(const Simulated& simulated, double omega) {
-  FrictionGrid grid{stops(omega), ratios(), {largest_amplitude}, {}, {}};
+  FrictionGrid grid{stops(omega), explored_ratios(), {largest_amplitude}, {}, {}};
   bool backslip = false;
   for (const double at : grid.omegas) {
-    const Row row = simulated.row(at, largest_amplitude, grid.ratios);
+    const FrictionRow row = simulated.row(at, largest_amplitude, grid.ratios);
     grid.amplitude_ratios.push_back(simulated.amplitude_ratio(at));
     grid.friction.push_back(row.friction);
     backslip |= row.backslip;

@@ -57,7 +57,7 @@ class Response {
   std::optional<Reduction> drive_;
 };
 
-struct Range {
+struct FrequencyRange {
   double from, to;
   void include(double omega) {
     if (!(omega > 0 && std::isfinite(omega))) return;
@@ -66,14 +66,14 @@ struct Range {
   }
 };
 
-void include_relaxation(Range& range, const Network& network, const Values& values) {
+void include_relaxation(FrequencyRange& range, const Network& network, const Values& values) {
   if (has_masses(network)) return;
   for (const auto& branch : relaxation_form(network, values).branches)
     range.include(1 / branch.time);
 }
 
 /// The mass against each stiffness that it may swing on.
-void include_resonances(Range& range, const Scene& scene, const Values& values) {
+void include_resonances(FrequencyRange& range, const Scene& scene, const Values& values) {
   if (!scene.mass || !scene.drive) return;
   const double mass = values.at(scene.mass->symbol),
                omega = values.at(scene.angular_frequency.symbol);
@@ -84,11 +84,11 @@ void include_resonances(Range& range, const Scene& scene, const Values& values) 
       std::sqrt((drive + factor * std::abs(dynamic_stiffness(*contact, values, omega))) / mass));
 }
 
-Range range_of(const Scene& scene, const Values& values) {
+FrequencyRange range_of(const Scene& scene, const Values& values) {
   if (scene.receptance)
     return {scene.receptance->rows.front().omega, scene.receptance->rows.back().omega};
   const double omega = values.at(scene.angular_frequency.symbol);
-  Range range{omega, omega};
+  FrequencyRange range{omega, omega};
   include_relaxation(range, scene.normal, values);
   include_relaxation(range, *tangential_network(scene).network, values);
   if (scene.drive) include_relaxation(range, *scene.drive, values);
@@ -96,7 +96,7 @@ Range range_of(const Scene& scene, const Values& values) {
   return {range.from / 100, range.to * 100};
 }
 
-std::vector<double> even_steps(const Range& range) {
+std::vector<double> even_steps(const FrequencyRange& range) {
   const double decades = std::log10(range.to / range.from);
   const auto count =
       static_cast<int>(std::clamp(std::ceil(points_per_decade * decades), 2.0, most_points));

@@ -1,5 +1,4 @@
 #include "friction.hpp"
-#include "simulation/steady/exact.hpp"
 
 #include <fmt/format.h>
 #include <gsl/gsl_errno.h>
@@ -8,17 +7,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
-#include <numbers>
+
+#include "base/constants.hpp"
+#include "simulation/steady/exact.hpp"
 
 namespace vcrit::validation {
 
 namespace {
 
 using simulation::Start;
-constexpr double pi = std::numbers::pi;
-constexpr int samples = 240;
+constexpr int cycle_samples = 240;
 
 // The simulator's promise for steady values, twice: the two starts may err in opposite directions.
 constexpr double curve_tolerance = 2e-9;
@@ -58,7 +57,7 @@ template <class Value>
 const CurvePoint* worst_point(const std::vector<CurvePoint>& curve, Value difference) {
   const auto severity = [&](const CurvePoint& point) {
     const double value = difference(point);
-    return std::isnan(value) ? std::numeric_limits<double>::infinity() : value;
+    return std::isnan(value) ? infinity : value;
   };
   const auto worst = std::max_element(
       curve.begin(), curve.end(),
@@ -106,7 +105,8 @@ CurvePoint friction_at(const simulation::System& system, double threshold, doubl
 }
 
 Cycle steady_cycle(const simulation::System& system, double threshold, double ratio) {
-  const auto steady = simulation::steady_state(system, ratio * threshold, Start::sliding, samples);
+  const auto steady =
+      simulation::steady_state(system, ratio * threshold, Start::sliding, cycle_samples);
   return {ratio,        ratio * threshold, steady.friction_ratio, to_text(steady.regime),
           steady.cycle, steady.events};
 }

@@ -5,10 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
-#include <numbers>
 
+#include "base/constants.hpp"
 #include "critical/critical_velocity.hpp"
 #include "indenter/friction.hpp"
 #include "onset/critical_onset.hpp"
@@ -21,16 +20,14 @@ namespace {
 
 using indenter::Friction;
 using indenter::HalfSpace;
-constexpr double period = 2 * std::numbers::pi;
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 // For curves to look at, and for figures that are compared.
-constexpr double drawn = 1e-6, compared = 1e-11;
+constexpr double drawn_error = 1e-6, compared_error = 1e-11;
 
 // Relative, of the force at rest.
 constexpr double quadrature = 1e-10;
 
-const std::vector<double>& speeds() {
+const std::vector<double>& indenter_ratios() {
   static const std::vector<double> ratios = [] {
     std::vector<double> all{0.005, 0.02};
     for (int i = 1; i <= 20; ++i) all.push_back(i / 20.0);
@@ -40,12 +37,12 @@ const std::vector<double>& speeds() {
   return ratios;
 }
 
-FrictionCurve curve_of(const Scene& scene, std::string name, bool own) {
-  FrictionCurve curve{std::move(name), own, speeds(), {}};
+FrictionCurve indenter_curve(const Scene& scene, std::string name, bool own) {
+  FrictionCurve curve{std::move(name), own, indenter_ratios(), {}};
   std::vector<double> velocities;
   for (const double ratio : curve.ratios) velocities.push_back(ratio * critical_velocity(scene));
-  for (const auto& point : indenter::friction_curve(HalfSpace(scene), velocities, drawn))
-    curve.friction.push_back(point.friction ? point.friction->ratio : nothing);
+  for (const auto& point : indenter::friction_curve(HalfSpace(scene), velocities, drawn_error))
+    curve.friction.push_back(point.friction ? point.friction->ratio : no_friction);
   return curve;
 }
 
@@ -64,7 +61,7 @@ std::vector<FrictionCurve> amplitudes_of(const Scene& scene) {
     there.amplitude.value = share == own ? scene.amplitude.value.value() : share * indentation;
     try {
       curves.push_back(
-          curve_of(there, fmt::format("{:.3g} of the indentation", share), share == own));
+          indenter_curve(there, fmt::format("{:.3g} of the indentation", share), share == own));
     } catch (const ModelError&) {
       // The pressure of a viscoelastic half-space swings more than its indentation: outside (4).
     }
@@ -86,16 +83,16 @@ std::vector<FrictionCurve> shapes_of(const Scene& scene) {
   for (const auto& [name, shape] : shapes) {
     Scene other = scene;
     other.indenter = shape;
-    curves.push_back(curve_of(other, name, false));
+    curves.push_back(indenter_curve(other, name, false));
   }
-  curves.push_back(curve_of(scene, "this scene", true));
+  curves.push_back(indenter_curve(scene, "this scene", true));
   return curves;
 }
 
-StateMap map_of(const HalfSpace& half_space, double velocity) {
+StateMap indenter_map(const HalfSpace& half_space, double velocity) {
   constexpr int count = 60, samples = 180;
   StateMap map;
-  for (int i = 0; i < samples; ++i) map.phases.push_back(period * (i + 0.5) / samples);
+  for (int i = 0; i < samples; ++i) map.phases.push_back(two_pi * (i + 0.5) / samples);
   const auto cells = indenter::cells(half_space, velocity, count, 0);
   for (const indenter::Cell& cell : cells) {
     map.rows.push_back(cell.x / half_space.edge());
@@ -126,7 +123,7 @@ double static_force(const HalfSpace& half_space, double depth) {
   return 2 * half_space.static_modulus() * sum;
 }
 
-Comparison simulated_velocity(const SceneReport& report, const HalfSpace& half_space) {
+Comparison indenter_velocity(const SceneReport& report, const HalfSpace& half_space) {
   Comparison comparison = velocity_comparison(report, "simulation", "stick-slip simulation");
   comparison.found = indenter::critical_velocity(half_space).contact_velocity;
   comparison.tolerance = 1e-9;
@@ -147,7 +144,7 @@ Comparison starts(const Friction& friction) {
 Comparison pure_sliding(const HalfSpace& half_space, double speed) {
   Comparison comparison =
       by_difference("pure_sliding", "friction above the critical velocity", "full friction, 1");
-  const Friction friction = indenter::friction(half_space, 1.01 * speed, compared);
+  const Friction friction = indenter::friction(half_space, 1.01 * speed, compared_error);
   comparison.expected = 1;
   comparison.found = friction.ratio;
   comparison.tolerance = friction.error + 2e-9;
@@ -158,17 +155,18 @@ Comparison pure_sliding(const HalfSpace& half_space, double speed) {
 // Each cell then carries the least force of the period, that under the depth u_z0 - s, where s is
 // the amplitude grown by |E(i omega)|/E(0); the contact's own answer to the way of one period is on
 // top.
-Comparison static_limit(const SceneReport& report, const HalfSpace& half_space, double speed) {
+Comparison indenter_static_limit(const SceneReport& report, const HalfSpace& half_space,
+                                 double speed) {
   Comparison comparison = by_difference("static_limit", "friction at rest, v0 → 0",
                                         "least over mean normal force of the cells");
   const double velocity = 1e-9 * speed;
-  const Friction friction = indenter::friction(half_space, velocity, compared);
+  const Friction friction = indenter::friction(half_space, velocity, compared_error);
   const double swing = half_space.amplitude() / opening_border(report.scene);
   const simulation::System centre = half_space.cell(0);
   double glassy = centre.contact.equilibrium;
   for (const MaxwellBranch& branch : centre.contact.branches) glassy += branch.stiffness;
   const double answer =
-      (glassy * period / centre.omega + centre.contact.damper) * velocity * 2 * half_space.edge();
+      (glassy * two_pi / centre.omega + centre.contact.damper) * velocity * 2 * half_space.edge();
   const double mu0 = report.scene.coefficient.value.value();
   comparison.expected =
       static_force(half_space, half_space.indentation() - swing) / friction.normal_force;
@@ -178,21 +176,21 @@ Comparison static_limit(const SceneReport& report, const HalfSpace& half_space, 
   return comparison;
 }
 
-Scene at_amplitude(Scene scene, double share) {
+Scene at_share(Scene scene, double share) {
   scene.amplitude.value = share * scene.indentation.value.value();
   return scene;
 }
 
 Friction at_half(const Scene& scene) {
-  return indenter::friction(HalfSpace(scene), 0.5 * critical_velocity(scene), compared);
+  return indenter::friction(HalfSpace(scene), 0.5 * critical_velocity(scene), compared_error);
 }
 
 // Cells that stay closed fall short of mu0 in proportion to the amplitude; the rim that parts is as
 // wide as the amplitude and carries as little force.
-std::optional<Comparison> small_amplitude(const Scene& scene) {
+std::optional<Comparison> indenter_small_amplitude(const Scene& scene) {
   constexpr double share = 1e-3;
-  const Friction once = at_half(at_amplitude(scene, share)),
-                 twice = at_half(at_amplitude(scene, 2 * share));
+  const Friction once = at_half(at_share(scene, share)),
+                 twice = at_half(at_share(scene, 2 * share));
   if (once.regime == simulation::Regime::stick_slip_backslip_apart) return std::nullopt;
   Comparison comparison =
       by_difference("small_amplitude", "1 − friction ratio at Δu_z = 0.001 u_z0, at half of v*",
@@ -207,7 +205,7 @@ std::optional<Comparison> small_amplitude(const Scene& scene) {
 }
 
 // So slow an oscillation that the half-space is as at rest.
-std::optional<Comparison> quasi_static(const Scene& scene) {
+std::optional<Comparison> indenter_quasi_static(const Scene& scene) {
   constexpr double slowness = 1e-6;
   const Relaxation modulus = relaxation_form(scene.normal, values_of(scene));
   const double slowest = slowest_relaxation(modulus);
@@ -244,14 +242,14 @@ void examine_indenter(SceneReport& report) {
   indented.amplitudes = amplitudes_of(scene);
   indented.shapes = shapes_of(scene);
   indented.map_ratio = 0.5;
-  indented.map = map_of(half_space, indented.map_ratio * speed);
-  const Friction half = indenter::friction(half_space, 0.5 * speed, compared);
+  indented.map = indenter_map(half_space, indented.map_ratio * speed);
+  const Friction half = indenter::friction(half_space, 0.5 * speed, compared_error);
   indented.normal_force = half.normal_force;
-  if (indented.closed_form) report.comparisons.push_back(simulated_velocity(report, half_space));
+  if (indented.closed_form) report.comparisons.push_back(indenter_velocity(report, half_space));
   report.comparisons.push_back(starts(half));
   report.comparisons.push_back(pure_sliding(half_space, onset.drive_velocity));
-  report.comparisons.push_back(static_limit(report, half_space, speed));
-  for (const auto& comparison : {small_amplitude(scene), quasi_static(scene)})
+  report.comparisons.push_back(indenter_static_limit(report, half_space, speed));
+  for (const auto& comparison : {indenter_small_amplitude(scene), indenter_quasi_static(scene)})
     if (comparison) report.comparisons.push_back(*comparison);
 }
 

@@ -15,7 +15,7 @@ namespace {
 
 using simulation::Method;
 
-constexpr double ratios[] = {0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 0.97, 1.05};
+constexpr double method_ratios[] = {0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 0.97, 1.05};
 
 /// Some hundred times what they need where they do well.
 simulation::MethodOptions options(const simulation::System& system) {
@@ -39,7 +39,8 @@ std::string setting(Method method, const simulation::MethodOptions& options) {
   }
 }
 
-MethodPoint point(Method method, const simulation::System& system, double threshold, double ratio) {
+MethodPoint method_point(Method method, const simulation::System& system, double threshold,
+                         double ratio) {
   MethodPoint result;
   result.ratio = ratio;
   const double exact = simulation::steady_state(system, ratio * threshold).friction_ratio;
@@ -60,8 +61,8 @@ std::vector<MethodCurve> method_curves(const simulation::System& system, double 
   for (const Method method : simulation::all_methods()) {
     if (is_large(system) && (method == Method::msbdf || method == Method::tanh)) continue;
     MethodCurve curve{to_text(method), setting(method, options(system)), {}};
-    for (const double ratio : ratios)
-      curve.points.push_back(point(method, system, threshold, ratio));
+    for (const double ratio : method_ratios)
+      curve.points.push_back(method_point(method, system, threshold, ratio));
     if (std::any_of(curve.points.begin(), curve.points.end(),
                     [](const MethodPoint& one) { return one.reason.empty(); }))
       curves.push_back(std::move(curve));

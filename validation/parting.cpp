@@ -4,10 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numbers>
 
 #include "analysis/parting.hpp"
+#include "base/constants.hpp"
 #include "critical/admissibility.hpp"
 #include "critical/critical_velocity.hpp"
 #include "formulas.hpp"
@@ -24,13 +23,11 @@ namespace {
 
 using simulation::Motion;
 using simulation::System;
-constexpr double period = 2 * std::numbers::pi;
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 // Of the border of separation, on both sides of it.
-constexpr double amplitudes[] = {0.5, 0.9, 1, 1.5, 3, 10};
+constexpr double border_shares[] = {0.5, 0.9, 1, 1.5, 3, 10};
 
-std::vector<double> speeds() {
+std::vector<double> parting_ratios() {
   std::vector<double> ratios{0.005, 0.01, 0.02, 0.03};
   for (int i = 2; i <= 40; ++i) ratios.push_back(i / 40.0);
   for (const double ratio : {1.05, 1.1, 1.2}) ratios.push_back(ratio);
@@ -51,22 +48,22 @@ Scene at_amplitude(Scene scene, double amplitude) {
 std::vector<double> friction_over(const System& system, const std::vector<double>& velocities) {
   std::vector<double> friction;
   for (const auto& point : simulation::friction_curve(system, velocities))
-    friction.push_back(point.state ? point.state->friction_ratio : nothing);
+    friction.push_back(point.state ? point.state->friction_ratio : no_friction);
   return friction;
 }
 
 // Speeds over v* by Eq. 24, of the drive: a path that creeps is left behind by it.
-std::vector<double> times(const std::vector<double>& ratios, double speed) {
+std::vector<double> speeds_at(const std::vector<double>& ratios, double speed) {
   std::vector<double> result;
   for (const double ratio : ratios) result.push_back(ratio * speed);
   return result;
 }
 
-FrictionCurve curve_of(const Scene& scene) {
+FrictionCurve parting_curve(const Scene& scene) {
   FrictionCurve curve;
-  curve.ratios = speeds();
-  curve.friction =
-      friction_over(simulation::system_of(scene), times(curve.ratios, critical_velocity(scene)));
+  curve.ratios = parting_ratios();
+  curve.friction = friction_over(simulation::system_of(scene),
+                                 speeds_at(curve.ratios, critical_velocity(scene)));
   return curve;
 }
 
@@ -76,22 +73,22 @@ constexpr double same_amplitude = 0.05;
 std::vector<FrictionCurve> curves_of(const Scene& scene, double border) {
   const double indentation = scene.indentation.value.value();
   const double own = scene.amplitude.value.value() / (border * indentation);
-  std::vector<double> shares(std::begin(amplitudes), std::end(amplitudes));
+  std::vector<double> shares(std::begin(border_shares), std::end(border_shares));
   std::erase_if(shares, [&](double share) { return std::abs(share / own - 1) < same_amplitude; });
   shares.push_back(own);
   std::sort(shares.begin(), shares.end());
   std::vector<FrictionCurve> curves;
   for (const double share : shares) {
     curves.push_back(
-        curve_of(share == own ? scene : at_amplitude(scene, share * border * indentation)));
+        parting_curve(share == own ? scene : at_amplitude(scene, share * border * indentation)));
     curves.back().name = fmt::format("{:.3g} of the border", share);
     curves.back().own = share == own;
   }
   return curves;
 }
 
-StateMap map_of(const System& system, double speed) {
-  StateMap map{even(0, 1.2, 48), even(0, period, 180), {}};
+StateMap parting_map(const System& system, double speed) {
+  StateMap map{even(0, 1.2, 48), even(0, two_pi, 180), {}};
   for (const double ratio : map.rows) {
     std::vector<std::optional<Motion>> row(map.phases.size());
     try {
@@ -106,13 +103,13 @@ StateMap map_of(const System& system, double speed) {
 
 // So slow that the contact sticks from one meeting of the surfaces to their parting: its force is
 // less than that of the glassy network for the way of one period.
-Comparison static_limit(const System& system, double speed) {
+Comparison parting_static_limit(const System& system, double speed) {
   Comparison comparison = by_difference("static_limit", "friction at rest, v0 -> 0",
                                         "0: whenever the surfaces meet, the contact begins anew");
   const double velocity = 1e-9 * speed;
   double glassy = system.contact.equilibrium;
   for (const MaxwellBranch& branch : system.contact.branches) glassy += branch.stiffness;
-  const double force = (glassy * period / system.omega + system.contact.damper) * velocity;
+  const double force = (glassy * two_pi / system.omega + system.contact.damper) * velocity;
   const simulation::SteadyState state = simulation::steady_state(system, velocity);
   comparison.found = state.friction_ratio;
   comparison.tolerance = force / (system.friction * simulation::mean_normal_force(system)) +
@@ -123,7 +120,7 @@ Comparison static_limit(const System& system, double speed) {
 
 // At 2 % of the border and at half of that: friction falls short of mu0 in proportion, as nothing
 // slips backward.
-std::optional<Comparison> small_amplitude(const Scene& scene, double border) {
+std::optional<Comparison> parting_small_amplitude(const Scene& scene, double border) {
   const auto shortfall = [&](double share) -> std::optional<simulation::SteadyState> {
     const Scene there = at_amplitude(scene, share * border * scene.indentation.value.value());
     auto state = simulation::steady_state(simulation::system_of(there),
@@ -146,7 +143,7 @@ std::optional<Comparison> small_amplitude(const Scene& scene, double border) {
 }
 
 // So slow an oscillation that every network is as at rest.
-std::optional<Comparison> quasi_static(const System& system) {
+std::optional<Comparison> parting_quasi_static(const System& system) {
   const auto& form = system.opening->network;
   if (!(system.contact.equilibrium > 0) || system.drive) return std::nullopt;
   System slow = system, elastic = system;
@@ -198,17 +195,17 @@ std::optional<Comparison> witnesses(const SceneReport& report, const System& sys
   return comparison;
 }
 
-void compare(SceneReport& report, const System& system, double speed) {
+void compare_parting(SceneReport& report, const System& system, double speed) {
   const auto add = [&](std::optional<Comparison> comparison) {
     if (comparison) report.comparisons.push_back(std::move(*comparison));
   };
   add(energy(system, 0.5 * speed));
   if (!report.parting->closed_form) add(witnesses(report, system));
   if (report.parting->border > 0 && report.scene.indentation.value.value() > 0)
-    add(small_amplitude(report.scene, report.parting->border));
+    add(parting_small_amplitude(report.scene, report.parting->border));
   if (!system.opening) return;
-  add(static_limit(system, speed));
-  add(quasi_static(system));
+  add(parting_static_limit(system, speed));
+  add(parting_quasi_static(system));
 }
 
 }  // namespace
@@ -261,8 +258,8 @@ void examine_parting(SceneReport& report, const System& system) {
   parting.derivation = equations_of(symbolic::parting_lines(scene));
   const double speed = critical_velocity(scene);
   if (scene.indentation.value.value() > 0) parting.curves = curves_of(scene, parting.border);
-  parting.map = map_of(system, speed);
-  compare(report, system, speed);
+  parting.map = parting_map(system, speed);
+  compare_parting(report, system, speed);
 }
 
 }  // namespace vcrit::validation

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "base/constants.hpp"
 
 namespace vcrit::validation {
 
@@ -10,7 +11,7 @@ double difference(const Comparison& comparison) {
   if (comparison.found == comparison.expected) return 0;
   double apart = std::abs(comparison.found - comparison.expected);
   if (comparison.measure == Comparison::Measure::relative) apart /= std::abs(comparison.expected);
-  return std::isnan(apart) ? std::numeric_limits<double>::infinity() : apart;
+  return std::isnan(apart) ? infinity : apart;
 }
 
 Comparison::Outcome outcome(const Comparison& comparison) {
@@ -41,7 +42,7 @@ std::size_t count(const std::vector<Comparison>& comparisons, Comparison::Outcom
 const Comparison* tightest(const std::vector<Comparison>& comparisons) {
   const auto severity = [](const Comparison& comparison) {
     if (comparison.not_run) return -1.0;
-    if (comparison.broken) return std::numeric_limits<double>::infinity();
+    if (comparison.broken) return infinity;
     const double apart = difference(comparison);
     return apart == 0 ? 0 : apart / comparison.tolerance;
   };

@@ -2,14 +2,18 @@
 // no way to compute it and no way to show it.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "base/numbers.hpp"
 #include "scene/scene.hpp"
 #include "simulation/system/steady_state.hpp"
 
 namespace vcrit::validation {
+
+using vcrit::to_text;  // beside that of an outcome
 
 /// Two numbers for one thing, and how far they may be apart.
 struct Comparison {
@@ -178,8 +182,9 @@ struct FrictionCurve {
   std::string name;
   bool own = false;              ///< the scene as it is
   std::vector<double> ratios;    ///< v0 over v* by Eq. 24 at its amplitude
-  std::vector<double> friction;  ///< mu_macro/mu0; NaN where there is no answer
+  std::vector<double> friction;  ///< mu_macro/mu0; no_friction where there is no answer
 };
+inline constexpr double no_friction = std::numeric_limits<double>::quiet_NaN();
 
 /// What the contact does over one period, for each of `rows`.
 struct StateMap {

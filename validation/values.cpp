@@ -7,7 +7,7 @@ namespace vcrit::validation {
 
 namespace {
 
-struct Kind {
+struct ValueKind {
   const char* unit;
   const char* meaning;
 };
@@ -19,8 +19,8 @@ void visit_elements(const Scene& scene, const std::function<void(const Element&)
   if (scene.drive) for_each_element(*scene.drive, visit);
 }
 
-std::map<Symbol, Kind> kinds_of_elements(const Scene& scene) {
-  std::map<Symbol, Kind> kinds;
+std::map<Symbol, ValueKind> kinds_of_elements(const Scene& scene) {
+  std::map<Symbol, ValueKind> kinds;
   const char* const spring = scene.indenter ? "Pa" : "N/m";
   const char* const damper = scene.indenter ? "Pa s" : "N s/m";
   visit_elements(scene, [&](const Element& element) {
@@ -48,7 +48,7 @@ std::map<Symbol, Kind> kinds_of_elements(const Scene& scene) {
 std::vector<ValueLine> value_lines(const Scene& scene) {
   const Values values = values_of(scene);
   std::vector<ValueLine> lines;
-  const auto add = [&](const Symbol& symbol, const Kind& kind) {
+  const auto add = [&](const Symbol& symbol, const ValueKind& kind) {
     const Formula name = formula_of(symbolic::symbol(symbol));
     lines.push_back({symbol, name, values.at(symbol), kind.unit, kind.meaning});
   };

@@ -19,16 +19,17 @@
 
 #include "base/errors.hpp"
 #include "cleaner.hpp"
+#include "system_failure.hpp"
 
 namespace vcrit::validation {
 
 namespace {
 
-enum class Kind : char { step, answer, input_error, model_error, error };
+enum class MessageKind : char { step, answer, input_error, model_error, error };
 
 /// What goes before each text in a pipe.
 struct Head {
-  Kind kind;
+  MessageKind kind;
   std::uint64_t size;
 };
 
@@ -42,7 +43,7 @@ void write_all(int pipe, const char* data, std::size_t size) {
   }
 }
 
-void tell(int pipe, Kind kind, const std::string& text) {
+void tell(int pipe, MessageKind kind, const std::string& text) {
   Head head{};
   head.kind = kind;
   head.size = text.size();
@@ -52,18 +53,19 @@ void tell(int pipe, Kind kind, const std::string& text) {
   write_all(pipe, text.data(), text.size());
 }
 
-[[noreturn]] void serve(int pipe, const std::function<std::string(const Step&)>& work) {
+[[noreturn]] void serve(int pipe, const std::function<std::string(const Progress&)>& work) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   try {
-    tell(pipe, Kind::answer, work([&](const std::string& step) { tell(pipe, Kind::step, step); }));
+    tell(pipe, MessageKind::answer,
+         work([&](const std::string& step) { tell(pipe, MessageKind::step, step); }));
   } catch (const InputError& error) {
-    tell(pipe, Kind::input_error, error.what());
+    tell(pipe, MessageKind::input_error, error.what());
   } catch (const std::system_error& error) {
-    tell(pipe, Kind::input_error, error.what());
+    tell(pipe, MessageKind::input_error, error.what());
   } catch (const ModelError& error) {
-    tell(pipe, Kind::model_error, error.what());
+    tell(pipe, MessageKind::model_error, error.what());
   } catch (const std::exception& error) {
-    tell(pipe, Kind::error, error.what());
+    tell(pipe, MessageKind::error, error.what());
   }
   _exit(0);
 }
@@ -71,12 +73,11 @@ void tell(int pipe, Kind kind, const std::string& text) {
 /// One running job; its process is ended with it.
 class Worker {
  public:
-  Worker(std::size_t job, const std::function<std::string(const Step&)>& work) : job_(job) {
+  Worker(std::size_t job, const std::function<std::string(const Progress&)>& work) : job_(job) {
     int ends[2] = {};
-    if (pipe2(ends, O_CLOEXEC) != 0)
-      throw std::system_error(errno, std::generic_category(), "pipe");
+    if (pipe2(ends, O_CLOEXEC) != 0) system_failure(errno, "pipe");
     process_ = fork();
-    if (process_ < 0) throw std::system_error(errno, std::generic_category(), "fork");
+    if (process_ < 0) system_failure(errno, "fork");
     if (process_ == 0) {
       close(ends[0]);
       serve(ends[1], work);
@@ -126,11 +127,11 @@ class Worker {
     if (received_.size() - sizeof head < head.size) return false;
     const std::string text = received_.substr(sizeof head, head.size);
     received_.erase(0, sizeof head + head.size);
-    if (head.kind == Kind::step) step_ = text;
-    if (head.kind == Kind::answer) answer_ = text;
-    if (head.kind == Kind::input_error) throw JobRefused(name + ": " + text);
-    if (head.kind == Kind::model_error) throw ModelError(text);
-    if (head.kind == Kind::error) throw std::runtime_error(name + ": " + text);
+    if (head.kind == MessageKind::step) step_ = text;
+    if (head.kind == MessageKind::answer) answer_ = text;
+    if (head.kind == MessageKind::input_error) throw JobRefused(name + ": " + text);
+    if (head.kind == MessageKind::model_error) throw ModelError(text);
+    if (head.kind == MessageKind::error) throw std::runtime_error(name + ": " + text);
     return true;
   }
 
@@ -155,7 +156,7 @@ std::vector<bool> listen(const Workers& workers) {
   std::vector<pollfd> waiting;
   for (const auto& worker : workers) waiting.push_back({worker->pipe_end(), POLLIN, 0});
   while (poll(waiting.data(), waiting.size(), -1) < 0)
-    if (errno != EINTR) throw std::system_error(errno, std::generic_category(), "poll");
+    if (errno != EINTR) system_failure(errno, "poll");
   std::vector<bool> ready;
   for (const pollfd& one : waiting) ready.push_back(one.revents != 0);
   return ready;
@@ -165,14 +166,14 @@ std::vector<bool> listen(const Workers& workers) {
 
 std::vector<std::string> in_processes(
     const std::vector<std::string>& names, unsigned at_once,
-    const std::function<std::string(std::size_t, const Step&)>& work, const Watch& watch) {
+    const std::function<std::string(std::size_t, const Progress&)>& work, const Watch& watch) {
   std::vector<std::string> answers(names.size());
   Cleaner::get();  // one for all of them
   Workers workers;
   for (std::size_t begun = 0, done = 0; done < names.size();) {
     for (; begun < names.size() && workers.size() < std::max(at_once, 1u); ++begun)
       workers.push_back(std::make_unique<Worker>(
-          begun, [&, begun](const Step& step) { return work(begun, step); }));
+          begun, [&, begun](const Progress& step) { return work(begun, step); }));
     const std::vector<bool> ready = listen(workers);
     for (std::size_t i = workers.size(); i-- > 0;) {
       if (!ready[i] || workers[i]->receive(names[workers[i]->job()])) continue;

@@ -8,10 +8,9 @@
 #include <utility>
 #include <vector>
 
-namespace vcrit::validation {
+#include "progress.hpp"
 
-/// What a job says of itself while it runs.
-using Step = std::function<void(const std::string& step)>;
+namespace vcrit::validation {
 
 /// An InputError in a job, or that the system refused it something; names the job.
 class JobRefused : public std::runtime_error {
@@ -33,6 +32,6 @@ using Watch = std::function<void(const Standing&)>;
 /// called while other threads run.
 std::vector<std::string> in_processes(
     const std::vector<std::string>& names, unsigned at_once,
-    const std::function<std::string(std::size_t, const Step&)>& work, const Watch& watch);
+    const std::function<std::string(std::size_t, const Progress&)>& work, const Watch& watch);
 
 }  // namespace vcrit::validation

@@ -15,28 +15,28 @@ inline const extremes::Family& family(const std::string& key) {
 }
 
 /// Compiled once.
-inline const extremes::Witnesses& honest() {
+inline const extremes::Subjects& honest() {
   static const Scene scene = scene_of(family("elastic"));
-  static const extremes::Witnesses witnesses = extremes::witnesses_of(scene, find_compiler());
-  return witnesses;
+  static const extremes::Subjects subjects = extremes::subjects_of(scene, find_compiler());
+  return subjects;
 }
 
-inline extremes::FamilyResult elastic(const extremes::Witnesses& witnesses) {
+inline extremes::FamilyResult elastic(const extremes::Subjects& subjects) {
   const Scene scene = scene_of(family("elastic"));
-  return examine(family("elastic"), scene, witnesses, {4, 5, 2}, [](const std::string&) {});
+  return examine(family("elastic"), scene, subjects, {4, 5, 2}, [](const std::string&) {});
 }
 
 /// The answers of one way changed: change(way, cells).
 template <class Change>
-extremes::Witnesses faulty(const std::string& way, const Change& change) {
-  extremes::Witnesses witnesses = honest();
-  witnesses.evaluate = [way, change](const accuracy::Cells& cells) {
+extremes::Subjects faulty(const std::string& way, const Change& change) {
+  extremes::Subjects subjects = honest();
+  subjects.evaluate = [way, change](const accuracy::Cells& cells) {
     auto all = honest().evaluate(cells);
     for (extremes::Claimed& claimed : all)
       if (claimed.way == way) change(claimed, cells);
     return all;
   };
-  return witnesses;
+  return subjects;
 }
 
 inline extremes::Extremes extremes_of(const extremes::FamilyResult& result) {

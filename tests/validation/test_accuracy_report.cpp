@@ -125,7 +125,7 @@ BOOST_AUTO_TEST_CASE(a_scene_without_a_body_does_not_hear_of_resonance) {
 
 BOOST_AUTO_TEST_CASE(errors_of_0_are_on_the_logarithmic_axes) {
   for (const figures::Figure& figure : pictures(example()))
-    for (const figures::Series& series : figure.series)
+    for (const figures::FigureSeries& series : figure.series)
       for (const figures::Point& point : series.points) {
         BOOST_TEST(point.x > 0);
         BOOST_TEST(point.y > 0);
@@ -134,7 +134,7 @@ BOOST_AUTO_TEST_CASE(errors_of_0_are_on_the_logarithmic_axes) {
 
 BOOST_AUTO_TEST_CASE(failed_answers_are_crossed_out_and_off_the_lines) {
   const figures::Figure figure = simulator_picture(example().simulators[0]);
-  for (const figures::Series& series : figure.series)
+  for (const figures::FigureSeries& series : figure.series)
     BOOST_TEST((series.name != "rkf45"), series.name);
   BOOST_TEST(figure.series.back().name == "failed");
   BOOST_TEST((figure.series.back().style == figures::Style::crosses));

@@ -30,7 +30,7 @@ std::vector<std::string> texts(const std::vector<Symbol>& symbols) {
   return result;
 }
 
-constexpr Grid small{8, 6, 4};
+constexpr MapGrid small{8, 6, 4};
 
 using Names = std::vector<std::string>;
 

@@ -199,11 +199,11 @@ BOOST_AUTO_TEST_CASE(a_limit_that_is_reached_too_soon_or_never_fails) {
 }
 
 BOOST_AUTO_TEST_CASE(a_simulator_that_always_slides_fails) {
-  extremes::Witnesses witnesses = example::honest();
-  witnesses.ask = [](const Scene&, double right) {
+  extremes::Subjects subjects = example::honest();
+  subjects.ask = [](const Scene&, double right) {
     return accuracy::SimulatedCell{right, "misses the stick below v*"};
   };
-  const FamilyResult result = example::elastic(witnesses);
+  const FamilyResult result = example::elastic(subjects);
   BOOST_TEST((failures(result) ==
               std::vector<std::string>{"stiffness/simulation", "corners/simulation",
                                        "resonance/simulation", "antiresonance/simulation"}));
@@ -211,11 +211,11 @@ BOOST_AUTO_TEST_CASE(a_simulator_that_always_slides_fails) {
 }
 
 BOOST_AUTO_TEST_CASE(a_simulator_without_answers_is_a_loss) {
-  extremes::Witnesses witnesses = example::honest();
-  witnesses.ask = [](const Scene&, double) {
+  extremes::Subjects subjects = example::honest();
+  subjects.ask = [](const Scene&, double) {
     return accuracy::SimulatedCell{none, "no answer: tired"};
   };
-  const FamilyResult result = example::elastic(witnesses);
+  const FamilyResult result = example::elastic(subjects);
   BOOST_TEST(failures(result).empty());
   const Simulated all = simulated_total(extremes_of(result));
   BOOST_TEST(all.silent == all.asked);

@@ -22,9 +22,9 @@ namespace {
 
 bool has(const std::string& text, const std::string& part) { return text.find(part) != text.npos; }
 
-ExtremesContents contents_of(const extremes::Witnesses& witnesses) {
+ExtremesContents contents_of(const extremes::Subjects& subjects) {
   return {{example::origin().machine, extremes_command},
-          example::extremes_of(example::elastic(witnesses))};
+          example::extremes_of(example::elastic(subjects))};
 }
 
 const ExtremesContents& honest_contents() {
@@ -97,7 +97,7 @@ BOOST_AUTO_TEST_CASE(a_fault_is_the_verdict_and_the_files_are_written_all_the_sa
 
 BOOST_AUTO_TEST_CASE(without_a_compiler_generated_code_is_not_run) {
   const Scene scene = scene_of(example::family("elastic"));
-  const auto result = example::elastic(extremes::witnesses_of(scene, std::nullopt));
+  const auto result = example::elastic(extremes::subjects_of(scene, std::nullopt));
   const auto folder = std::filesystem::temp_directory_path() /
                       ("vcrit_test_extremes_bare_" + std::to_string(::getpid()));
   const Validation validation = report_extremes({example::origin(), {"", {result}}},

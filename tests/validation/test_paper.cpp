@@ -36,7 +36,7 @@ const std::vector<Row> rows{{1, 0.1, 0.4642607132736, 0.39759612266688192},
                             {100, 0.1, 0.7535068053240, 0.43532479146986869},
                             {100, 0.5, 0.9008758004292, 0.84580444804485728}};
 
-double y_at(const figures::Series& series, double x) {
+double y_at(const figures::FigureSeries& series, double x) {
   const auto point =
       std::find_if(series.points.begin(), series.points.end(),
                    [&](const figures::Point& p) { return std::abs(p.x - x) < 1e-15; });
@@ -44,7 +44,7 @@ double y_at(const figures::Series& series, double x) {
   return point->y;
 }
 
-const figures::Series& last_but_one(const figures::Figure& figure) {
+const figures::FigureSeries& last_but_one(const figures::Figure& figure) {
   return figure.series.at(figure.series.size() - 2);
 }
 
@@ -133,7 +133,7 @@ BOOST_AUTO_TEST_CASE(panels_have_six_amplitudes_and_their_elastic_curves) {
     for (const figures::Figure& panel : *panels) {
       const auto with = [&](figures::Style style) {
         return std::count_if(panel.series.begin(), panel.series.end(),
-                             [&](const figures::Series& s) { return s.style == style; });
+                             [&](const figures::FigureSeries& s) { return s.style == style; });
       };
       BOOST_TEST(with(figures::Style::line) == 6);
       BOOST_TEST(with(figures::Style::dashed) == 5);
@@ -141,7 +141,7 @@ BOOST_AUTO_TEST_CASE(panels_have_six_amplitudes_and_their_elastic_curves) {
       // Elastic curve of D: 1 - D G(0.1), G in docs/physics.md; D = 0.2/sqrt(1 + delta^2).
       BOOST_TEST(panel.series[0].points[0].y == 1);
     }
-  const figures::Series& elastic = the_paper().figure4.full[0].series.at(2);
+  const figures::FigureSeries& elastic = the_paper().figure4.full[0].series.at(2);
   BOOST_TEST((elastic.style == figures::Style::dashed));
   const double d = 0.2 / std::sqrt(2.0);
   // Some twenty roundings of terms up to 4.

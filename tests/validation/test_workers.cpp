@@ -30,7 +30,7 @@ bool mentions(const std::exception& error, const std::string& part) {
 
 BOOST_AUTO_TEST_CASE(answers_come_in_order_however_long_they_are) {
   // Longer than a pipe holds (64 KiB), the first the longest.
-  const auto work = [](std::size_t i, const Step&) {
+  const auto work = [](std::size_t i, const Progress&) {
     return std::string(300000 >> i, char('a' + i));
   };
   for (const unsigned at_once : {0u, 1u, 2u, 9u}) {
@@ -45,7 +45,7 @@ BOOST_AUTO_TEST_CASE(no_more_jobs_run_at_once_than_asked_for) {
   std::size_t most = 0, told = 0;
   in_processes(
       names, 2,
-      [](std::size_t, const Step& step) {
+      [](std::size_t, const Progress& step) {
         step("working");
         return "done";
       },
@@ -61,7 +61,7 @@ BOOST_AUTO_TEST_CASE(no_more_jobs_run_at_once_than_asked_for) {
 // Two that wait for each other's file end only if both run.
 BOOST_AUTO_TEST_CASE(jobs_do_run_at_once) {
   const PrivateFolder folder;
-  const auto meet = [&](std::size_t i, const Step&) -> std::string {
+  const auto meet = [&](std::size_t i, const Progress&) -> std::string {
     write_file(folder.path() / std::to_string(i), "here");
     while (!std::filesystem::exists(folder.path() / std::to_string(1 - i))) usleep(1000);
     return "met";
@@ -72,27 +72,27 @@ BOOST_AUTO_TEST_CASE(jobs_do_run_at_once) {
 }
 
 BOOST_AUTO_TEST_CASE(errors_keep_their_kind_and_their_words) {
-  const auto outside = [](std::size_t i, const Step&) -> std::string {
+  const auto outside = [](std::size_t i, const Progress&) -> std::string {
     if (i == 3) throw ModelError("0/0");
     return "";
   };
   BOOST_CHECK_EXCEPTION(in_processes(names, 2, outside, nobody), ModelError,
                         [](const auto& error) { return error.what() == std::string("0/0"); });
   // As where there is no room for temporary files.
-  const auto refused = [](std::size_t i, const Step&) -> std::string {
+  const auto refused = [](std::size_t i, const Progress&) -> std::string {
     if (i == 0) throw InputError({"place"}, "no room", "room");
     throw std::system_error(ENOSPC, std::generic_category(), "mkdtemp");
   };
   for (const char* words : {"place: found no room; expected room", "mkdtemp: No space left"}) {
     const std::vector<std::string> one{words[0] == 'p' ? "input" : "system"};
-    const auto job = [&](std::size_t, const Step& step) {
+    const auto job = [&](std::size_t, const Progress& step) {
       return refused(words[0] == 'p' ? 0 : 1, step);
     };
     BOOST_CHECK_EXCEPTION(in_processes(one, 1, job, nobody), JobRefused, [&](const auto& error) {
       return mentions(error, (one[0] + ": " + words).c_str());
     });
   }
-  const auto broken = [](std::size_t, const Step&) -> std::string {
+  const auto broken = [](std::size_t, const Progress&) -> std::string {
     throw std::logic_error("a bug");
   };
   BOOST_CHECK_EXCEPTION(in_processes(names, 2, broken, nobody), std::runtime_error,
@@ -100,7 +100,7 @@ BOOST_AUTO_TEST_CASE(errors_keep_their_kind_and_their_words) {
 }
 
 BOOST_AUTO_TEST_CASE(a_crash_names_its_job) {
-  const auto crash = [](std::size_t i, const Step&) -> std::string {
+  const auto crash = [](std::size_t i, const Progress&) -> std::string {
     if (i == 2) raise(SIGKILL);
     return "fine";
   };

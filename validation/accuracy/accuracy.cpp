@@ -16,8 +16,8 @@ namespace vcrit::validation::accuracy {
 
 namespace {
 
-constexpr std::uint64_t seed = 20261121;
-constexpr std::size_t sets = 4096;
+constexpr std::uint64_t draw_seed = 20261121;
+constexpr std::size_t drawn_sets = 4096;
 
 std::unique_ptr<const Driver> compiled(const Scene& scene, Accuracy& result) {
   if (scene.receptance) {
@@ -43,7 +43,7 @@ std::string compiler_version() {
   return describe_compiler(*find_compiler(), folder.path());
 }
 
-void simulate(const Scene& scene, Accuracy& result) {
+void add_simulators(const Scene& scene, Accuracy& result) {
   if (const auto reasons = inadmissible_reasons(scene); !reasons.empty()) {
     result.left_out.push_back(fmt::format("No simulations: {}.", reasons.front()));
     return;
@@ -66,10 +66,10 @@ Accuracy measure(const Scene& scene, const Progress& progress) {
   const std::vector<Symbol> symbols =
       driver ? driver->symbols() : symbolic::derive(scene).parameters;
   result.evaluators =
-      evaluator_errors(scene, driver.get(), draw_inputs(scene, symbols, sets, seed));
+      evaluator_errors(scene, driver.get(), draw_inputs(scene, symbols, drawn_sets, draw_seed));
   if (driver) result.evaluators.compiler = compiler_version();
   progress("simulators: error against run time");
-  simulate(scene, result);
+  add_simulators(scene, result);
   progress("stability maps");
   result.maps = stability_maps(scene, driver.get(), result.left_out);
   return result;

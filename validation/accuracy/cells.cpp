@@ -28,14 +28,6 @@ std::vector<double> logarithmic(double middle, double decades, std::size_t size)
   return result;
 }
 
-double certified_or_nan(const Scene& scene) {
-  try {
-    return certified_critical_velocity(scene).value;
-  } catch (const ModelError&) {
-    return std::numeric_limits<double>::quiet_NaN();
-  }
-}
-
 /// The column whose cell holds omega; none beside the grid.
 std::optional<std::size_t> column_of(const std::vector<double>& middles, double omega) {
   const double step = std::log(middles[1] / middles[0]);
@@ -56,6 +48,14 @@ std::vector<double> row_of(const std::vector<double>& middles, const Resonances&
 }
 
 }  // namespace
+
+double certified_or_nan(const Scene& scene) {
+  try {
+    return certified_critical_velocity(scene).value;
+  } catch (const ModelError&) {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+}
 
 double closed_amplitude(const Scene& scene, const Reduction& normal, const Values& values) {
   const double amplitude = values.at(scene.amplitude.symbol);
@@ -84,7 +84,7 @@ std::vector<double> correctly_rounded(const Scene& scene, const Cells& cells) {
   return right;
 }
 
-Cells cells_of(const Scene& scene, const std::vector<Symbol>& scaled, const Grid& grid) {
+Cells cells_of(const Scene& scene, const std::vector<Symbol>& scaled, const MapGrid& grid) {
   const Values base = values_of(scene);
   const Reduction normal = reduce(scene.normal);
   const Resonances resonances(scene);

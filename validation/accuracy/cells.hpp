@@ -25,6 +25,9 @@ struct Cells {
                 const std::function<void(const Scene& each, std::size_t i)>& visit) const;
 };
 
+/// v* correctly rounded, m/s; NaN where it is 0/0.
+double certified_or_nan(const Scene& scene);
+
 /// v* correctly rounded of each cell, from its values.
 std::vector<double> correctly_rounded(const Scene& scene, const Cells& cells);
 
@@ -35,6 +38,6 @@ double closed_amplitude(const Scene& scene, const Reduction& normal, const Value
 /// By how much, relatively, omega lies beside the resonance or antiresonance of its cell.
 constexpr double beside_balance = 1e-8;
 
-Cells cells_of(const Scene& scene, const std::vector<Symbol>& scaled, const Grid& grid);
+Cells cells_of(const Scene& scene, const std::vector<Symbol>& scaled, const MapGrid& grid);
 
 }  // namespace vcrit::validation::accuracy

@@ -16,15 +16,7 @@ namespace vcrit::validation::accuracy {
 
 namespace {
 
-constexpr std::chrono::seconds compile_limit{120}, run_limit{60};
-
-void run_or_throw(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
-                  std::chrono::milliseconds limit, const char* what) {
-  const ProgramResult result = run_program(arguments, folder, limit);
-  if (result.succeeded()) return;
-  const char* how = result.timed_out ? "took too long" : "failed";
-  throw std::runtime_error(fmt::format("{} {}: {}", what, how, result.output.substr(0, 400)));
-}
+constexpr std::chrono::seconds answer_limit{60};
 
 /// Why there is no generated library; empty if there is one, in `folder`.
 std::string generate_into(const Scene& scene, const std::filesystem::path& folder) {
@@ -71,10 +63,10 @@ Driver::Driver(const Scene& scene, const std::filesystem::path& compiler) {
   if (no_library.empty()) calls.insert(calls.end(), bound_calls().begin(), bound_calls().end());
   write_file(folder / "driver.cpp",
              driver_source(scene, nested, formula, symbols_, calls, no_library.empty()));
-  // What the generated headers ask for; values do not change with it, as nothing is contracted.
-  run_or_throw({compiler, "-std=c++20", "-O3", "-march=native", "-fno-math-errno",
-                "-ffp-contract=off", "-o", folder / "driver", folder / "driver.cpp"},
-               folder, compile_limit, "compiling the driver program");
+  // What the generated headers ask for.
+  output_or_throw(compile(compiler, folder, "driver.cpp", "driver",
+                          {"-O3", "-march=native", "-fno-math-errno"}),
+                  "compiling the driver program");
 }
 
 bool Driver::has(const std::string& key) const {
@@ -106,7 +98,7 @@ std::vector<Answers> Driver::run(const std::vector<std::vector<double>>& sets,
   write_file(in, text);
   std::vector<std::string> command{folder_.path() / "driver", in, out};
   for (const Way& way : ways) command.push_back(way.key);
-  run_or_throw(command, folder_.path(), run_limit, "the driver program");
+  output_or_throw(run_program(command, folder_.path(), answer_limit), "the driver program");
   std::istringstream stream(read_file(out));
   std::vector<Answers> result;
   for (const Way& way : ways) result.push_back(read_answers(stream, way, sets.size()));

@@ -5,13 +5,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
+#include "accuracy/cells.hpp"
 #include "accuracy/front.hpp"
 #include "accuracy/varied_scene.hpp"
 #include "conditioning.hpp"
-#include "critical/certified.hpp"
 #include "critical/critical_velocity.hpp"
 
 namespace vcrit::validation::accuracy {
@@ -28,14 +27,6 @@ void for_each_set(const Scene& scene, const Inputs& inputs, const Visit& visit) 
   for (const std::vector<double>& set : inputs.sets) {
     for (std::size_t j = 0; j < set.size(); ++j) varied.set(inputs.symbols[j], set[j]);
     visit(varied.scene());
-  }
-}
-
-double certified_or_nan(const Scene& scene) {
-  try {
-    return certified_critical_velocity(scene).value;
-  } catch (const ModelError&) {
-    return std::numeric_limits<double>::quiet_NaN();
   }
 }
 

@@ -12,11 +12,11 @@ namespace vcrit::validation::accuracy {
 namespace {
 
 using figures::Figure;
-using figures::Series;
+using figures::FigureSeries;
 using figures::Style;
 
-// Where an error of 0 stands on a logarithmic axis, in units in the last place and of friction.
-constexpr double no_ulps = 0.25, no_error = 1e-17;
+// The same for units in the last place.
+constexpr double no_ulps = 0.25;
 
 struct Family {
   const char* name;
@@ -36,29 +36,29 @@ bool among(const std::string& key, const std::vector<std::string>& keys) {
   return std::find(keys.begin(), keys.end(), key) != keys.end();
 }
 
-std::string words(const EvaluatorError& way) {
+std::string hover_words(const EvaluatorError& way) {
   return fmt::format("{}: {:.3g} ns, at worst {:.3g} ulp{}", way.name, way.nanoseconds, way.worst,
                      way.failure.empty() ? "" : "; failed: " + way.failure);
 }
 
 figures::Point point(const EvaluatorError& way) {
-  return {way.nanoseconds, std::max(way.worst, no_ulps), words(way)};
+  return {way.nanoseconds, std::max(way.worst, no_ulps), hover_words(way)};
 }
 
-std::string words(const Solve& solve) {
+std::string hover_words(const Solve& solve) {
   return fmt::format("{} {}: {:.3g} µs, error {:.1e}{}", solve.method, solve.setting,
                      1e6 * solve.seconds, solve.error,
                      solve.failure.empty() ? "" : "; failed: " + solve.failure);
 }
 
 figures::Point point(const Solve& solve) {
-  return {1e6 * solve.seconds, std::max(solve.error, no_error), words(solve)};
+  return {1e6 * solve.seconds, std::max(solve.error, no_error), hover_words(solve)};
 }
 
 /// The points on the front, by cost.
 template <class Item>
-Series front(const std::vector<Item>& items) {
-  Series series{"Pareto front", Style::dashed, {}, 2};
+FigureSeries front(const std::vector<Item>& items) {
+  FigureSeries series{"Pareto front", Style::dashed, {}, 2};
   for (const Item& item : items)
     if (item.on_front) series.points.push_back(point(item));
   std::sort(series.points.begin(), series.points.end(),
@@ -70,14 +70,14 @@ bool answered(const EvaluatorError& way) { return way.measured; }
 bool answered(const Solve& solve) { return solve.answered; }
 
 template <class Item>
-Series failed(const std::vector<Item>& items) {
-  Series series{"failed", Style::crosses, {}, 4};
+FigureSeries failed(const std::vector<Item>& items) {
+  FigureSeries series{"failed", Style::crosses, {}, 4};
   for (const Item& item : items)
     if (answered(item) && !item.failure.empty()) series.points.push_back(point(item));
   return series;
 }
 
-void add(Figure& figure, Series series) {
+void add(Figure& figure, FigureSeries series) {
   if (!series.points.empty()) figure.series.push_back(std::move(series));
 }
 
@@ -93,8 +93,8 @@ std::string short_name(const std::string& key) {
   return found == names.end() ? key : found->second;
 }
 
-Series histogram(const EvaluatorError& way, int colour) {
-  Series series{short_name(way.key), Style::line, {}, colour};
+FigureSeries histogram(const EvaluatorError& way, int colour) {
+  FigureSeries series{short_name(way.key), Style::line, {}, colour};
   for (std::size_t i = 0; i + 1 < Histogram::size; ++i) {
     const double upper = Histogram::upper(i);
     const std::size_t count = way.histogram.counts[i];
@@ -117,18 +117,12 @@ std::string near_words(const EvaluatorErrors& errors) {
 }
 
 /// Without a name: the caption says what they are, their words what each is.
-Series marks(const Layer& layer, bool asked) {
-  Series series{"", asked ? Style::crosses : Style::dots, {}, asked ? 1 : 2};
+FigureSeries marks(const Layer& layer, bool asked) {
+  FigureSeries series{"", asked ? Style::crosses : Style::dots, {}, asked ? 1 : 2};
   for (const Mark& mark : layer.marks)
     if (mark.words.starts_with("not asked") != asked)
       series.points.push_back({mark.omega, mark.factor, mark.words});
   return series;
-}
-
-/// An axis that ends with the cells.
-figures::Axis over(const std::string& title, const std::vector<double>& middles) {
-  const std::vector<double> edges = figures::edges(middles, true);
-  return {title, true, std::pair{edges.front(), edges.back()}, {}};
 }
 
 }  // namespace
@@ -145,7 +139,7 @@ Figure evaluator_picture(const EvaluatorErrors& errors) {
   figure.y = {"worst error, units in the last place", true, {}, {}};
   add(figure, front(errors.ways));
   for (std::size_t i = 0; i < families().size(); ++i) {
-    Series series{families()[i].name, Style::circles, {}, colour_of(i)};
+    FigureSeries series{families()[i].name, Style::circles, {}, colour_of(i)};
     for (const EvaluatorError& way : errors.ways)
       if (among(way.key, families()[i].keys) && way.measured && way.failure.empty())
         series.points.push_back(point(way));
@@ -191,7 +185,7 @@ Figure simulator_picture(const SpeedSolves& speed) {
     colour.try_emplace(solve.method, colour_of(colour.size()));
   for (const Style style : {Style::line, Style::circles})
     for (const auto& [method, own] : colour) {
-      Series series{method, style, {}, own};
+      FigureSeries series{method, style, {}, own};
       for (const Solve& solve : speed.solves)
         if (solve.method == method && solve.answered && solve.failure.empty())
           series.points.push_back(point(solve));
@@ -210,7 +204,7 @@ Figure map_picture(const StabilityMap& map, const Layer& layer) {
     figure.caption +=
         " Where a line crosses a cell (resonance K_d = m ω², antiresonance K_t + K_d = m ω², with "
         "storage stiffnesses), ω lies a relative 10⁻⁸ beside it.";
-  const Series wrong = marks(layer, true), not_asked = marks(layer, false);
+  const FigureSeries wrong = marks(layer, true), not_asked = marks(layer, false);
   if (!wrong.points.empty())
     figure.caption += layer.key == "simulator"
                           ? " Crosses: asked at 1 ∓ 10⁻⁶ of the lowest speed of pure sliding, the "
@@ -218,15 +212,15 @@ Figure map_picture(const StabilityMap& map, const Layer& layer) {
                           : " Crosses: not finite.";
   if (!not_asked.points.empty())
     figure.caption += " Dots: not asked, as the stuck body swings too often in one period.";
-  figure.x = over("ω, rad/s", map.omega);
-  figure.y = over("factor on " + map.name, map.factor);
+  figure.x = figures::cells_axis("ω, rad/s", map.omega);
+  figure.y = figures::cells_axis("factor on " + map.name, map.factor);
   figure.map = figures::Map{
       {"digits lost", false, std::pair{0.0, 16.0}, {}}, map.omega, map.factor, layer.lost};
   // More digits would only make the page longer.
   for (double& lost : figure.map->values) lost = std::round(100 * lost) / 100;
   int colour = 5;
   for (const Line& line : map.lines) {
-    Series series{line.name, colour == 5 ? Style::dashed : Style::dotted, {}, colour};
+    FigureSeries series{line.name, colour == 5 ? Style::dashed : Style::dotted, {}, colour};
     for (const auto& [omega, factor] : line.points)
       series.points.push_back({omega, factor, line.name});
     add(figure, std::move(series));

@@ -8,6 +8,9 @@
 
 namespace vcrit::validation::accuracy {
 
+/// Where an error of 0 stands on a logarithmic axis.
+inline constexpr double no_error = 1e-17;
+
 /// Worst error over time a value; the Pareto front is joined.
 figures::Figure evaluator_picture(const EvaluatorErrors& errors);
 

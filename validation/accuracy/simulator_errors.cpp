@@ -97,8 +97,8 @@ const Solved* witness(const std::vector<Solved>& all) {
   return best;
 }
 
-std::optional<FrictionReference> reference_of(const std::vector<Solved>& all,
-                                              std::optional<double> closed) {
+std::optional<FrictionReference> friction_reference(const std::vector<Solved>& all,
+                                                    std::optional<double> closed) {
   if (closed)
     return FrictionReference{*closed, *closed < 1, "closed form of the elastic contact", {}};
   const Solved& exact = all.front();
@@ -169,7 +169,7 @@ std::vector<SpeedSolves> simulator_errors(const Scene& scene, const std::vector<
   std::vector<SpeedSolves> result;
   for (const double ratio : ratios) {
     std::vector<Solved> all = solve_all(settings, system, ratio * threshold);
-    const auto reference = reference_of(all, closed_form(scene, system, ratio));
+    const auto reference = friction_reference(all, closed_form(scene, system, ratio));
     SpeedSolves speed;
     speed.ratio = ratio;
     if (reference) {

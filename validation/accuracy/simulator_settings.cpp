@@ -17,7 +17,7 @@ using simulation::MethodOptions;
 using simulation::System;
 
 // Some 20 to 60 ms of an integrator.
-constexpr int most_steps = 100'000;
+constexpr int integrator_steps = 100'000;
 // Errors of single steps add up over hundreds of them and some periods; more than so many times
 // what was asked for has another cause.
 constexpr double accumulation = 1e3;
@@ -39,7 +39,7 @@ Setting exact_setting() {
 
 MethodOptions limited(double share) {
   MethodOptions options;
-  options.most_steps = static_cast<long>(most_steps * share);
+  options.most_steps = static_cast<long>(integrator_steps * share);
   options.most_periods = static_cast<int>(2000 * share);
   return options;
 }
@@ -58,7 +58,7 @@ void add_moreau(std::vector<Setting>& all, double share) {
   for (const int steps : {100, 400, 1600}) {
     MethodOptions options = limited(share);
     options.steps_per_period = steps;
-    options.most_periods = static_cast<int>(most_steps * share) / steps;
+    options.most_periods = static_cast<int>(integrator_steps * share) / steps;
     all.push_back(
         with(Method::moreau, fmt::format("{} steps", steps), wrong_by_any_measure, options));
   }

@@ -162,7 +162,7 @@ std::vector<Symbol> relaxation_symbols(const Scene& scene) {
 }
 
 StabilityMap stability_map(const Scene& scene, const Driver* driver, const std::string& key,
-                           const std::vector<Symbol>& scaled, const Grid& grid) {
+                           const std::vector<Symbol>& scaled, const MapGrid& grid) {
   StabilityMap map;
   map.key = key;
   map.name = names(scaled);

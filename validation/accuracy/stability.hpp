@@ -8,7 +8,7 @@
 
 namespace vcrit::validation::accuracy {
 
-struct Grid {
+struct MapGrid {
   std::size_t omegas = 32, factors = 24;
   double decades = 6;                         ///< to either side of the scene
   std::optional<double> factor_decades = {};  ///< of the factor; none: the same
@@ -30,7 +30,7 @@ std::vector<Symbol> relaxation_symbols(const Scene& scene);
 /// a driver, where it has them), and "simulator" (where the scene can be simulated), whose marks
 /// are wrong answers to a speed of 1 +- 1e-6 of the lowest of pure sliding.
 StabilityMap stability_map(const Scene& scene, const Driver* driver, const std::string& key,
-                           const std::vector<Symbol>& scaled, const Grid& grid);
+                           const std::vector<Symbol>& scaled, const MapGrid& grid);
 
 /// The maps that the scene has. What it does not have is said in `left_out`.
 std::vector<StabilityMap> stability_maps(const Scene& scene, const Driver* driver,

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <fstream>
 #include <map>
-#include <numbers>
 
+#include "base/constants.hpp"
 #include "base/errors.hpp"
 
 namespace vcrit::benchmark {
@@ -26,7 +26,7 @@ std::vector<std::string> split(const std::string& line) {
   return cells;
 }
 
-double number(const Cells& cells, const char* key) { return std::stod(cells.at(key)); }
+double number_of(const Cells& cells, const char* key) { return std::stod(cells.at(key)); }
 
 std::string name_of(const Cells& cells) {
   std::string name = cells.at("problem");
@@ -41,18 +41,17 @@ std::string name_of(const Cells& cells) {
 
 simulation::System system_of(const Cells& cells) {
   simulation::System system;
-  system.contact = {number(cells, "k0"), number(cells, "c"), {}};
+  system.contact = {number_of(cells, "k0"), number_of(cells, "c"), {}};
   if (!cells.at("k1").empty())
-    system.contact.branches = {
-        {number(cells, "k1"), number(cells, "tau_periods") * 2 * std::numbers::pi}};
+    system.contact.branches = {{number_of(cells, "k1"), number_of(cells, "tau_periods") * two_pi}};
   if (cells.at("k_d") != "inf") {
-    system.drive = Relaxation{number(cells, "k_d"), number(cells, "c_d"), {}};
-    system.mass = number(cells, "m");
+    system.drive = Relaxation{number_of(cells, "k_d"), number_of(cells, "c_d"), {}};
+    system.mass = number_of(cells, "m");
   }
   system.omega = 1;
-  system.friction = number(cells, "mu0");
+  system.friction = number_of(cells, "mu0");
   system.mean_normal_force = 1;
-  system.normal_force_amplitude = number(cells, "F_n_amplitude");
+  system.normal_force_amplitude = number_of(cells, "F_n_amplitude");
   return system;
 }
 
@@ -61,13 +60,13 @@ Case case_of(const Cells& cells) {
   row.problem = cells.at("problem");
   row.name = name_of(cells);
   row.system = system_of(cells);
-  row.threshold = number(cells, "v_star");
-  row.velocity = number(cells, "velocity");
-  row.friction_ratio = number(cells, "friction_ratio");
+  row.threshold = number_of(cells, "v_star");
+  row.velocity = number_of(cells, "velocity");
+  row.friction_ratio = number_of(cells, "friction_ratio");
   row.events = std::stoul(cells.at("events_per_cycle"));
-  row.grazing = number(cells, "velocity_ratio") > 0.9;
+  row.grazing = number_of(cells, "velocity_ratio") > 0.9;
   if (!cells.at("k1").empty()) {
-    const double periods = number(cells, "tau_periods");
+    const double periods = number_of(cells, "tau_periods");
     row.stiff = periods <= 1e-3 || periods >= 1e3;
   }
   return row;

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numbers>
+
+#include "base/constants.hpp"
 
 namespace vcrit::benchmark {
 
@@ -13,8 +13,6 @@ using Eigen::VectorXd;
 using simulation::Motion;
 
 namespace {
-
-constexpr double turn = 2 * std::numbers::pi;
 
 // More events than any steady cycle has: the switching chatters.
 constexpr int most_events = 400;
@@ -120,10 +118,10 @@ bool Search::settled(double last, double ratio) {
 
 CvodeSteady Search::by_marching() {
   last_change_ = 0;
-  Cycle cycle = march(turn);
+  Cycle cycle = march(two_pi);
   for (double last = 2; periods_ < 4 || !settled(last, cycle.ratio);) {
     last = cycle.ratio;
-    cycle = march(turn);
+    cycle = march(two_pi);
   }
   return answer(cycle);
 }
@@ -136,7 +134,7 @@ Search::Return Search::period_from(const VectorXd& y) {
   integrator_.restart(state_);
   const VectorXd start = state_.y.head(y.size());
   Return result;
-  result.cycle = march(turn);
+  result.cycle = march(two_pi);
   result.change = state_.y.head(y.size()) - start;
   return result;
 }
@@ -170,8 +168,8 @@ bool Search::improve(VectorXd& y, Return& now, const MatrixXd& map) {
 
 CvodeSteady Search::by_newton() {
   Cycle cycle;
-  for (int i = 0; i < 5; ++i) cycle = march(turn);
-  phase_ = std::fmod(cycle.middle, turn);
+  for (int i = 0; i < 5; ++i) cycle = march(two_pi);
+  phase_ = std::fmod(cycle.middle, two_pi);
   if (cycle.middle == 0) return by_marching();
   march(cycle.middle);
   const Index n = state_.y.size() - 1;

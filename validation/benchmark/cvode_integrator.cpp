@@ -7,7 +7,8 @@
 #include <sunmatrix/sunmatrix_dense.h>
 
 #include <cmath>
-#include <numbers>
+
+#include "base/constants.hpp"
 
 namespace vcrit::benchmark {
 
@@ -66,7 +67,7 @@ void CvodeIntegrator::create(Multistep formula, double relative_tolerance) {
   check(CVodeSetNoInactiveRootWarn(memory_), "CVodeSetNoInactiveRootWarn");
   check(CVodeSetMaxNumSteps(memory_, 20'000'000), "CVodeSetMaxNumSteps");
   // Roots are looked for between steps only: short ones leave fewer pairs of events unseen.
-  check(CVodeSetMaxStep(memory_, 2 * std::numbers::pi / 40), "CVodeSetMaxStep");
+  check(CVodeSetMaxStep(memory_, two_pi / 40), "CVodeSetMaxStep");
 }
 
 CvodeIntegrator::~CvodeIntegrator() {

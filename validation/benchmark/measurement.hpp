@@ -5,9 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "base/numbers.hpp"
 #include "benchmark/peers.hpp"
 
 namespace vcrit::benchmark {
+
+using vcrit::to_text;  // beside that of a verdict
 
 enum class Verdict {
   right,

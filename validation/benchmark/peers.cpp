@@ -14,8 +14,8 @@ using simulation::Method;
 using simulation::MethodOptions;
 
 // Limits that no method reaches before its time is over.
-constexpr int most_periods = 1'000'000'000;
-constexpr long most_steps = 1'000'000'000'000;
+constexpr int period_limit = 1'000'000'000;
+constexpr long step_limit = 1'000'000'000'000;
 
 Peer exact() {
   Peer peer{.name = exact_name};
@@ -37,7 +37,7 @@ Peer cvode(const std::string& name, Multistep formula, bool newton,
     peer.settings.push_back(
         {fmt::format("{:.0e}", tolerance), tolerance, [=](const Case& row) {
            const auto found = cvode_steady_state(row.system, row.velocity,
-                                                 {formula, tolerance, newton, most_periods});
+                                                 {formula, tolerance, newton, period_limit});
            return Answer{found.friction_ratio, static_cast<std::size_t>(found.events)};
          }});
   return peer;
@@ -56,8 +56,8 @@ MethodOptions options(bool newton) {
   result.newton = newton;
   // From sliding, periods may repeat for long before the first stick.
   if (!newton) result.start = simulation::Start::rest;
-  result.most_periods = most_periods;
-  result.most_steps = most_steps;
+  result.most_periods = period_limit;
+  result.most_steps = step_limit;
   return result;
 }
 

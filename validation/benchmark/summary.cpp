@@ -1,7 +1,8 @@
 #include "benchmark/summary.hpp"
 
 #include <algorithm>
-#include <limits>
+
+#include "base/constants.hpp"
 
 namespace vcrit::benchmark {
 
@@ -84,7 +85,7 @@ Comparison compare(const std::vector<Point>& points, double error, const Taken& 
   for (const Point& point : points) {
     if (point.peer->name != exact_name || !taken(*point.row)) continue;
     if (!point.answered) {
-      result.largest_error = std::numeric_limits<double>::infinity();
+      result.largest_error = infinity;
       continue;
     }
     result.races.push_back(race(points, point.row, error));

@@ -129,14 +129,14 @@ void Cases::leave_out(std::span<double> x) {
 }
 
 // Only what is hardly damped comes near a resonance.
-void Cases::weaken_dampers(const Range& range, std::span<double> x) {
+void Cases::weaken_dampers(const SlotRange& range, std::span<double> x) {
   const double factor = decade(-20, 0);
   for (std::size_t i = range.first; i < range.first + range.count; ++i)
     if (system_.slots[i].role == Role::damper || system_.slots[i].role == Role::time)
       x[i] *= factor;
 }
 
-void Cases::undamp(const Range& range, std::span<double> x) {
+void Cases::undamp(const SlotRange& range, std::span<double> x) {
   const double spring = power(10, 30);
   for (std::size_t i = range.first; i < range.first + range.count; ++i)
     x[i] = system_.slots[i].role == Role::spring ? spring : 0;

@@ -57,8 +57,8 @@ class Cases {
   void any(std::span<double> x);
   void extreme(std::span<double> x);
   void powers(std::span<double> x);
-  void undamp(const Range& range, std::span<double> x);
-  void weaken_dampers(const Range& range, std::span<double> x);
+  void undamp(const SlotRange& range, std::span<double> x);
+  void weaken_dampers(const SlotRange& range, std::span<double> x);
 
   const System& system_;
   Reference& reference_;

@@ -46,7 +46,7 @@ int main(int, char** words) {
 }
 )";
 
-void run(const std::vector<std::string>& command, const std::filesystem::path& folder) {
+void run_or_throw(const std::vector<std::string>& command, const std::filesystem::path& folder) {
   const validation::ProgramResult result = validation::run_program(command, folder, limit);
   if (!result.succeeded())
     throw std::runtime_error(fmt::format("{} failed: {}", command.front(), result.output));
@@ -84,7 +84,8 @@ void Evaluator::compile() const {
   const auto compiler = validation::find_compiler();
   if (!compiler) throw std::runtime_error("no C++ compiler on the path");
   const std::filesystem::path folder = program_.parent_path();
-  run({*compiler, "-std=c++20", "-O2", "-march=native", "-o", program_, folder / "evaluate.cpp"},
+  run_or_throw(
+      {*compiler, "-std=c++20", "-O2", "-march=native", "-o", program_, folder / "evaluate.cpp"},
       folder);
 }
 
@@ -104,7 +105,7 @@ std::vector<Answers> Evaluator::evaluate(std::span<const double> x,
   std::ofstream(in, std::ios::binary)
       .write(reinterpret_cast<const char*>(numbers.data()),
              static_cast<std::streamsize>(numbers.size() * sizeof(double)));
-  run({program_, in, out}, folder);
+  run_or_throw({program_, in, out}, folder);
   std::vector<Answers> answers(x.size() / system_.slots.size());
   const auto bytes = static_cast<std::streamsize>(answers.size() * sizeof(Answers));
   std::ifstream stream(out, std::ios::binary);

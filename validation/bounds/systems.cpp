@@ -39,7 +39,7 @@ class Builder {
     return {};
   }
 
-  Range network(Shape shape, const std::string& letter, std::string& expression) {
+  SlotRange network(Shape shape, const std::string& letter, std::string& expression) {
     const std::size_t first = slots.size();
     expression = network(shape, letter);
     return {first, slots.size() - first};

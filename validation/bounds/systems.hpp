@@ -26,7 +26,7 @@ struct Slot {
 };
 
 /// Slots of one network.
-struct Range {
+struct SlotRange {
   std::size_t first = 0, count = 0;
   template <class Number>
   std::span<Number> of(std::span<Number> all) const {
@@ -40,7 +40,7 @@ struct System {
   std::vector<Slot> slots;
   Shape contact{};
   std::optional<Shape> drive;
-  Range normal, tangential, driving;
+  SlotRange normal, tangential, driving;
   std::optional<std::size_t> mass, poisson;  ///< slots; an isotropic contact has no tangential one
 };
 

@@ -20,7 +20,7 @@ std::string percent(std::uint64_t part, std::uint64_t whole) {
       "{:.3f} %", std::floor(1e5 * static_cast<double>(part) / static_cast<double>(whole)) / 1e3);
 }
 
-std::string number(double x) {
+std::string number_text(double x) {
   return x < 1000 ? fmt::format("{:.6f}", x) : fmt::format("{:.1e}", x);
 }
 
@@ -43,10 +43,10 @@ Row row(const std::string& name, const Tally& tally) {
           std::to_string(tally.undefined),
           percent(tally.doubles, tally.cases),
           percent(tally.certified, tally.doubles),
-          number(tally.ulps),
-          number(tally.ratio),
+          number_text(tally.ulps),
+          number_text(tally.ratio),
           percent(tally.fast_bounded, tally.doubles),
-          number(tally.fast_ratio),
+          number_text(tally.fast_ratio),
           violations(tally)};
 }
 
@@ -83,7 +83,7 @@ Tallies by_draw(const std::vector<Result>& results) {
   return all;
 }
 
-nlohmann::ordered_json as_json(const Tally& tally) {
+nlohmann::ordered_json tally_json(const Tally& tally) {
   nlohmann::ordered_json out{{"cases", tally.cases},
                              {"undefined", tally.undefined},
                              {"doubles", tally.doubles},
@@ -116,9 +116,9 @@ nlohmann::ordered_json as_json(const std::vector<Result>& results, const TrialOp
   nlohmann::ordered_json out{{"cases", options.cases}, {"seed", options.seed}};
   for (const Result& result : results) {
     nlohmann::ordered_json& system = out["systems"][result.system];
-    system["all"] = as_json(sum_of(result.tallies));
+    system["all"] = tally_json(sum_of(result.tallies));
     for (const auto& [draw, tally] : result.tallies)
-      system["draws"][std::string(name_of(draw))] = as_json(tally);
+      system["draws"][std::string(name_of(draw))] = tally_json(tally);
   }
   return out;
 }

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/constants.hpp"
+
 namespace vcrit::bounds {
 
 namespace {
@@ -33,9 +35,8 @@ double last_places(const Exact& exact) {
 std::optional<double> ratio(double value, double bound, const Exact& exact) {
   if (!std::isfinite(bound)) return std::nullopt;
   const bool is_number = exact.kind == Exact::Kind::number;
-  const double known =
-      exact.kind == Exact::Kind::zero ? 0 : std::numeric_limits<double>::infinity();
-  if (!is_number) return value == known ? 0 : std::numeric_limits<double>::infinity();
+  const double known = exact.kind == Exact::Kind::zero ? 0 : infinity;
+  if (!is_number) return value == known ? 0 : infinity;
   const double error = relative_error(value, exact);
   return error < unknown ? 0 : error / bound;
 }

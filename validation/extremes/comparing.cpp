@@ -43,7 +43,7 @@ Comparison worst(const Words& words, const std::vector<Comparison>& all) {
   return nothing;
 }
 
-Comparison not_run(const Words& words, const std::string& why) {
+Comparison not_compared(const Words& words, const std::string& why) {
   Comparison result = named(words);
   result.not_run = true;
   result.detail = why;

@@ -21,6 +21,6 @@ Comparison relative(const Words& words, double expected, double found, double to
 /// The one nearest to its tolerance; broken where there are none.
 Comparison worst(const Words& words, const std::vector<Comparison>& all);
 
-Comparison not_run(const Words& words, const std::string& why);
+Comparison not_compared(const Words& words, const std::string& why);
 
 }  // namespace vcrit::validation::extremes

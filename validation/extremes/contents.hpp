@@ -2,12 +2,12 @@
 // compute it and no way to show it.
 #pragma once
 
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "accuracy/data.hpp"
+#include "base/constants.hpp"
 #include "scene_report.hpp"
 
 namespace vcrit::validation::extremes {
@@ -32,7 +32,7 @@ struct Tally {
   double over_bound = 0;        ///< the largest error over the claimed bound
   std::string over_bound_at;    ///< where
   /// The least condition number at which the bound is infinite.
-  double uncertified_from = std::numeric_limits<double>::infinity();
+  double uncertified_from = infinity;
   std::vector<BadAnswer> worst;  ///< a few, the worst first
   std::vector<double> digits;    ///< lost, of 16, one a cell; NaN: no number or no normal v*
 };

@@ -101,7 +101,7 @@ std::vector<std::size_t> asked_cells(const CellsOf& made, std::size_t every) {
   return which;
 }
 
-Region examined(const Family& family, const Scene& scene, const Witnesses& witnesses,
+Region examined(const Family& family, const Scene& scene, const Subjects& subjects,
                 const symbolic::Derivation& derivation, const CellsOf& made,
                 const Fineness& fineness) {
   const std::string where = fmt::format("{}, {}", family.title, made.region);
@@ -109,31 +109,32 @@ Region examined(const Family& family, const Scene& scene, const Witnesses& witne
   Region region{made.region, made.cells.omega, made.cells.factor, known.condition, {}, {}, {}};
   if (!made.distances.empty()) region.x = made.distances;
   std::vector<double> best = made.cells.right;
-  for (const Claimed& claimed : witnesses.evaluate(made.cells)) {
+  for (const Claimed& claimed : subjects.evaluate(made.cells)) {
     region.tallies.push_back(tally(claimed, known));
     if (!claimed.bounds.empty())
       region.comparisons.push_back(bounds_hold(region.tallies.back(), where));
     if (claimed.way == "accurate") best = claimed.values;
   }
-  if (!witnesses.generated)
-    region.comparisons.push_back(not_run({"accurate", where + ": generated evaluators", {}, {}},
-                                         "there is no C++ compiler on the PATH"));
+  if (!subjects.generated)
+    region.comparisons.push_back(
+        not_compared({"accurate", where + ": generated evaluators", {}, {}},
+                     "there is no C++ compiler on the PATH"));
   region.comparisons.push_back(by_algebra(scene, made.cells, derivation, known, where));
   if (!made.approach.empty()) {
-    const auto limits = compare_limits(family, scene, made, best,
-                                       witnesses.generated ? way_name("accurate") : "v*");
+    const auto limits =
+        compare_limits(family, scene, made, best, subjects.generated ? way_name("accurate") : "v*");
     region.comparisons.insert(region.comparisons.end(), limits.begin(), limits.end());
     return region;
   }
-  region.simulated = simulate(scene, made.cells, known, asked_cells(made, fineness.simulated_every),
-                              witnesses.ask);
+  region.simulated =
+      simulate(scene, made.cells, known, asked_cells(made, fineness.simulated_every), subjects.ask);
   region.comparisons.push_back(stick_found(*region.simulated, where));
   return region;
 }
 
 }  // namespace
 
-Witnesses witnesses_of(const Scene& scene, const std::optional<std::filesystem::path>& compiler) {
+Subjects subjects_of(const Scene& scene, const std::optional<std::filesystem::path>& compiler) {
   std::shared_ptr<const accuracy::Driver> driver;
   if (compiler) driver = std::make_shared<accuracy::Driver>(scene, *compiler);
   const Evaluate evaluate = [&scene, driver](const Cells& cells) {
@@ -146,14 +147,14 @@ Witnesses witnesses_of(const Scene& scene, const std::optional<std::filesystem::
   return {evaluate, accuracy::simulated_cell, driver != nullptr};
 }
 
-FamilyResult examine(const Family& family, const Scene& scene, const Witnesses& witnesses,
+FamilyResult examine(const Family& family, const Scene& scene, const Subjects& subjects,
                      const Fineness& fineness, const Progress& progress) {
   FamilyResult result{family.key, family.title, {}};
   const symbolic::Derivation derivation = symbolic::derive(scene);
   progress("v* correctly rounded");
   for (const CellsOf& made : all_cells(family, scene, fineness)) {
     progress(made.region);
-    result.regions.push_back(examined(family, scene, witnesses, derivation, made, fineness));
+    result.regions.push_back(examined(family, scene, subjects, derivation, made, fineness));
   }
   return result;
 }

@@ -17,7 +17,7 @@ namespace vcrit::validation::extremes {
 using Evaluate = std::function<std::vector<Claimed>(const accuracy::Cells& cells)>;
 
 /// What is examined, replaceable one by one.
-struct Witnesses {
+struct Subjects {
   Evaluate evaluate;
   Ask ask;
   bool generated = true;  ///< whether there are generated evaluators among them
@@ -26,9 +26,9 @@ struct Witnesses {
 /// The library's own evaluator, the generated ones (with a compiler; takes seconds to compile) and
 /// the exact simulator. `scene` must stay. Throws std::runtime_error when a generated evaluator
 /// does not compile.
-Witnesses witnesses_of(const Scene& scene, const std::optional<std::filesystem::path>& compiler);
+Subjects subjects_of(const Scene& scene, const std::optional<std::filesystem::path>& compiler);
 
-FamilyResult examine(const Family& family, const Scene& scene, const Witnesses& witnesses,
+FamilyResult examine(const Family& family, const Scene& scene, const Subjects& subjects,
                      const Fineness& fineness, const Progress& progress);
 
 }  // namespace vcrit::validation::extremes

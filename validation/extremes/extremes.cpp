@@ -10,10 +10,10 @@ namespace vcrit::validation::extremes {
 namespace {
 
 std::string work_on(const Family& family, const std::optional<std::filesystem::path>& compiler,
-                    const Step& step) {
+                    const Progress& step) {
   const Scene scene = scene_of(family);
   step("compiling its evaluators");
-  return handed_over(examine(family, scene, witnesses_of(scene, compiler), {}, step));
+  return handed_over(examine(family, scene, subjects_of(scene, compiler), {}, step));
 }
 
 }  // namespace
@@ -24,7 +24,7 @@ Extremes go_to_extremes(const Watch& watch) {
   if (compiler) result.compiler = describe_compiler(*compiler, PrivateFolder().path());
   std::vector<std::string> names;
   for (const Family& family : families()) names.push_back(family.key);
-  const auto work = [&](std::size_t i, const Step& step) {
+  const auto work = [&](std::size_t i, const Progress& step) {
     return work_on(families()[i], compiler, step);
   };
   for (const std::string& answer :

@@ -30,7 +30,7 @@ using To = Approach::To;
 // The masses: resonance at omega = 2, and where the contact has 3 N/m, antiresonance at 4.
 const char* const quarter = "0.25";
 
-Family elastic() {
+Family elastic_family() {
   const std::string title = "Elastic contact, elastic drive, body";
   const std::string contact = "normal = \"kn\"\ntangential = \"kt\"";
   const std::string elements = "kn = 2.0\nkt = 3.0\n";
@@ -42,7 +42,7 @@ Family elastic() {
 }
 
 // The drive's damper takes up a 2^-20 of its force at resonance.
-Family damped() {
+Family damped_family() {
   const std::string title = "Elastic contact, weakly damped drive, body";
   const std::string contact = "normal = \"kn\"\ntangential = \"kt\"";
   const std::string elements = "kn = 2.0\nkt = 3.0\nkd = 1.0\n", cd = "cd = 4.76837158203125e-07\n";
@@ -52,7 +52,7 @@ Family damped() {
           {{{"m"}, To::zero, text_of(title, {contact, "kd | cd", {}, elements + cd})}}};
 }
 
-Family kelvin() {
+Family kelvin_family() {
   const std::string title = "Kelvin contact, elastic drive, body";
   const std::string ratio = "\ntangential_ratio = 0.75", contact = "normal = \"k | c\"" + ratio;
   const std::string elements = "k = 4.0\nc = 4.0\n", kd = "kd = 1.0\n";
@@ -66,7 +66,7 @@ Family kelvin() {
             text_of(title, {"normal = \"k\"" + ratio, "kd", quarter, "k = 4.0\n" + kd})}}};
 }
 
-Family zener() {
+Family zener_family() {
   const std::string title = "Zener contact, elastic drive, body";
   const std::string ratio = "\ntangential_ratio = 0.75";
   const std::string springs = "k0 = 1.0\nk1 = 3.0\nkd = 1.0\n";
@@ -82,7 +82,7 @@ Family zener() {
             text_of(title, {"normal = \"k0 | k1\"" + ratio, "kd", quarter, springs})}}};
 }
 
-Family maxwell() {
+Family maxwell_family() {
   const std::string title = "Maxwell branch as tangential contact, elastic drive, body";
   return {"maxwell",
           title,
@@ -92,7 +92,7 @@ Family maxwell() {
 }
 
 // 20 decades of relaxation times.
-Family prony() {
+Family prony_family() {
   const std::string title = "Ten Maxwell branches over 20 decades, elastic drive, body";
   std::string stiffnesses, times;
   for (int i = 0; i < 10; ++i) {
@@ -107,7 +107,7 @@ Family prony() {
           {}};
 }
 
-Family bridge() {
+Family bridge_family() {
   const std::string title = "Bridge network as contact, damped drive, body";
   return {
       "bridge",
@@ -120,7 +120,7 @@ Family bridge() {
       {}};
 }
 
-Family burgers() {
+Family burgers_family() {
   const std::string title = "Burgers body as tangential contact, elastic drive, no mass";
   return {"burgers",
           title,
@@ -131,7 +131,7 @@ Family burgers() {
           {}};
 }
 
-Family rigid() {
+Family rigid_family() {
   const std::string title = "Two Zener networks as contact, rigid drive";
   return {"rigid",
           title,
@@ -146,8 +146,9 @@ Family rigid() {
 
 const std::vector<Family>& families() {
   // The longest first: they are worked on side by side.
-  static const std::vector<Family> all{prony(),   bridge(), zener(),   kelvin(), maxwell(),
-                                       burgers(), rigid(),  elastic(), damped()};
+  static const std::vector<Family> all{prony_family(),  bridge_family(),  zener_family(),
+                                       kelvin_family(), maxwell_family(), burgers_family(),
+                                       rigid_family(),  elastic_family(), damped_family()};
   return all;
 }
 

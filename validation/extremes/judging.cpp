@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "accuracy/stability.hpp"
+#include "base/constants.hpp"
 #include "extremes/comparing.hpp"
 
 namespace vcrit::validation::extremes {
@@ -11,7 +12,6 @@ namespace vcrit::validation::extremes {
 namespace {
 
 constexpr std::size_t most_worst = 3;
-constexpr double infinite = std::numeric_limits<double>::infinity();
 // As for `formula` in docs/report.md.
 constexpr double roundings = 32 * 0x1p-53;
 
@@ -39,7 +39,7 @@ struct Judge {
     }
     if (!(over > 1)) return;
     ++result.violated;
-    add_worst("beyond its bound", i, infinite);
+    add_worst("beyond its bound", i, infinity);
   }
 
   void value(std::size_t i) {
@@ -69,7 +69,7 @@ struct Judge {
       value(i);
     } else {
       ++result.no_number;
-      add_worst("no number", i, infinite);
+      add_worst("no number", i, infinity);
     }
   }
 };
@@ -78,7 +78,7 @@ struct Judge {
 
 double over_bound(double found, double right, double bound) {
   if (found == right) return 0;
-  if (!std::isfinite(found) || !std::isfinite(right)) return infinite;
+  if (!std::isfinite(found) || !std::isfinite(right)) return infinity;
   // Below the normal doubles both sides are known to half a last place.
   const double allowed = bound * right + std::max(0x1p-53 * right, 0x1p-1074);
   return std::abs(found - right) / allowed;
@@ -88,11 +88,14 @@ Tally tally(const Claimed& claimed, const Known& known) {
   Judge judge{claimed, known, {}};
   judge.result.way = claimed.way;
   for (std::size_t i = 0; i < known.right.size(); ++i) judge.cell(i);
-  std::vector<BadAnswer>& all = judge.result.worst;
-  std::stable_sort(all.begin(), all.end(),
-                   [](const BadAnswer& a, const BadAnswer& b) { return a.lost > b.lost; });
-  all.resize(std::min(all.size(), most_worst));
+  keep_worst(judge.result.worst);
   return judge.result;
+}
+
+void keep_worst(std::vector<BadAnswer>& answers) {
+  std::stable_sort(answers.begin(), answers.end(),
+                   [](const BadAnswer& a, const BadAnswer& b) { return a.lost > b.lost; });
+  answers.resize(std::min(answers.size(), most_worst));
 }
 
 Comparison bounds_hold(const Tally& tally, const std::string& where) {

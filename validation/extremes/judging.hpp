@@ -30,6 +30,9 @@ double over_bound(double found, double right, double bound);
 /// Digits are lost where the error is above 32 roundings of 2^-53 times the condition number.
 Tally tally(const Claimed& claimed, const Known& known);
 
+/// Leaves a few, those that lost most digits first.
+void keep_worst(std::vector<BadAnswer>& answers);
+
 /// Whether every claimed bound held.
 Comparison bounds_hold(const Tally& tally, const std::string& where);
 

@@ -16,7 +16,7 @@ namespace vcrit::validation::extremes {
 namespace {
 
 // Both sides are rounded once, and the tolerance is computed in doubles.
-constexpr double roundings = 4 * 0x1p-53;
+constexpr double limit_roundings = 4 * 0x1p-53;
 constexpr long limit_digits = 120;
 
 std::string name_of(const Approach& approach) {
@@ -56,17 +56,17 @@ double distance_allowed(const Scene& scene, const Approach& approach, const Valu
   const double factor = tangential_network(scene).factor;
   if (scene.mass && approach.what == scene.mass->symbol) {
     const std::complex<double> contact = contact_of(scene, values, omega);
-    return roundings + 2 * inertia * (1 / std::abs(contact + drive) + 1 / std::abs(drive));
+    return limit_roundings + 2 * inertia * (1 / std::abs(contact + drive) + 1 / std::abs(drive));
   }
   if (approach.what.name == "kd")
-    return roundings + std::abs(contact_of(scene, values, omega)) / std::abs(drive - inertia);
+    return limit_roundings + std::abs(contact_of(scene, values, omega)) / std::abs(drive - inertia);
   const std::complex<double> contact = contact_of(scene, values, omega);
   const double left = std::abs(contact.real() + drive - inertia);
   const double loss = factor * omega * value;
-  if (approach.what.name == "c") return roundings + loss / left * (loss / left) / 2;
-  if (approach.to == Approach::To::zero) return roundings + loss / left;
+  if (approach.what.name == "c") return limit_roundings + loss / left * (loss / left) / 2;
+  if (approach.to == Approach::To::zero) return limit_roundings + loss / left;
   const double k = values.at({"k1"});
-  return roundings + factor * k / (omega * value / k) / left;
+  return limit_roundings + factor * k / (omega * value / k) / left;
 }
 
 std::vector<Comparison> compare_limits(const Family& family, const Scene& scene,
@@ -87,7 +87,7 @@ std::vector<Comparison> compare_limits(const Family& family, const Scene& scene,
       const Values& values = made.cells.values[i];
       const double there = value_in_digits(limit.result, limit.definitions, values, limit_digits);
       const double rest = certified_critical_velocity(remaining(approach, scene, values)).value;
-      rests.push_back(relative(of_rest, rest, there, roundings, {}));
+      rests.push_back(relative(of_rest, rest, there, limit_roundings, {}));
       points.push_back(relative(words, there, found[i], distance_allowed(scene, approach, values),
                                 fmt::format("at {:g}", values.at(approach.what))));
     }

@@ -6,23 +6,18 @@
 #include <cmath>
 #include <map>
 
+#include "accuracy/pictures.hpp"
+
 namespace vcrit::validation::extremes {
 
+using accuracy::no_error;
 using figures::Figure;
-using figures::Series;
+using figures::FigureSeries;
 using figures::Style;
 
 namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
-// Where an error of 0 stands on a logarithmic axis.
-constexpr double no_error = 1e-17;
-
-/// An axis that ends with the cells.
-figures::Axis over(const std::string& title, const std::vector<double>& middles) {
-  const std::vector<double> edges = figures::edges(middles, true);
-  return {title, true, std::pair{edges.front(), edges.back()}, {}};
-}
 
 /// More digits would only make the page longer.
 double rounded(double digits) { return std::round(100 * digits) / 100; }
@@ -40,8 +35,8 @@ class Marks {
     std::string& all = words_[{y, x}];
     all += (all.empty() ? "" : "; ") + words;
   }
-  Series series(Style style, int colour) const {
-    Series result{"", style, {}, colour};
+  FigureSeries series(Style style, int colour) const {
+    FigureSeries result{"", style, {}, colour};
     for (const auto& [at, words] : words_) result.points.push_back({at.second, at.first, words});
     return result;
   }
@@ -56,8 +51,9 @@ Figure empty_map(const Region& like, const std::string& name, const std::string&
   figure.name = like.key + "_" + name;
   figure.title = title;
   figure.caption = "Decimal digits of v* that are lost, 0 to 16, by the family that loses most.";
-  figure.x = over("ω, rad/s", like.x);
-  figure.y = over(like.key == "relaxation" ? "factor on times" : "factor on springs", like.y);
+  figure.x = figures::cells_axis("ω, rad/s", like.x);
+  figure.y = figures::cells_axis(like.key == "relaxation" ? "factor on times" : "factor on springs",
+                                 like.y);
   figure.map = figures::Map{{"digits lost", false, std::pair{0.0, 16.0}, {}}, like.x, like.y, {}};
   return figure;
 }
@@ -78,7 +74,7 @@ const Tally* tally_of(const Region& region, const std::string& way) {
   return found == region.tallies.end() ? nullptr : &*found;
 }
 
-Figure map_of(const Extremes& extremes, const std::string& key, const std::string& way) {
+Figure way_map(const Extremes& extremes, const std::string& key, const std::string& way) {
   const auto all = all_of(extremes, key);
   Figure figure = empty_map(*all.front().second, way, way_name(way));
   for (const auto& [family, region] : all)
@@ -156,9 +152,9 @@ Figure approach_of(const FamilyResult& family, const Region& region) {
 std::vector<Figure> maps(const Extremes& extremes, const std::string& region) {
   if (all_of(extremes, region).empty() || all_of(extremes, region).front().second->y.empty())
     return {};
-  std::vector<Figure> result{map_of(extremes, region, "library")};
+  std::vector<Figure> result{way_map(extremes, region, "library")};
   for (const char* way : {"fast", "accurate"})
-    if (!extremes.compiler.empty()) result.push_back(map_of(extremes, region, way));
+    if (!extremes.compiler.empty()) result.push_back(way_map(extremes, region, way));
   result.push_back(simulator_map(extremes, region));
   return result;
 }

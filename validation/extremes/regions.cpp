@@ -27,7 +27,7 @@ CellsOf finished(const Scene& scene, CellsOf made) {
 void add_map(std::vector<CellsOf>& all, const Scene& scene, const char* key,
              const std::vector<Symbol>& scaled, double decades, const Fineness& fineness) {
   if (scaled.empty()) return;
-  const accuracy::Grid grid{fineness.omegas, fineness.factors, omega_decades, decades};
+  const accuracy::MapGrid grid{fineness.omegas, fineness.factors, omega_decades, decades};
   all.push_back({key, accuracy::cells_of(scene, scaled, grid), {}, {}});
 }
 

@@ -10,9 +10,8 @@ namespace vcrit::validation::extremes {
 
 namespace {
 
-constexpr std::size_t most_worst = 3;
 // The speeds asked for are a relative 1e-6 beside v*; a tenth of it may be rounding.
-constexpr double sharpest = 1e-7 / (32 * 0x1p-53);
+constexpr double largest_condition = 1e-7 / (32 * 0x1p-53);
 constexpr double most_swings = 1e4;
 
 struct Asking {
@@ -29,7 +28,7 @@ struct Asking {
   /// Why the simulator is not asked; empty if it is.
   std::string why_not(std::size_t i, double omega) const {
     if (!std::isnormal(known.right[i])) return "v* is no normal double";
-    if (!(known.condition[i] < sharpest)) return "too near to resonance for 10⁻⁶ of v*";
+    if (!(known.condition[i] < largest_condition)) return "too near to resonance for 10⁻⁶ of v*";
     if (resonances.above(accuracy::Balance::antiresonance, cells.values[i], most_swings * omega))
       return "the stuck body swings over 10,000 times in a period";
     return {};
@@ -68,10 +67,7 @@ Simulated simulate(const Scene& scene, const accuracy::Cells& cells, const Known
       asking.mark(i, "not asked: " + reason);
     }
   });
-  std::vector<BadAnswer>& all = asking.result.worst;
-  std::stable_sort(all.begin(), all.end(),
-                   [](const BadAnswer& a, const BadAnswer& b) { return a.lost > b.lost; });
-  all.resize(std::min(all.size(), most_worst));
+  keep_worst(asking.result.worst);
   return asking.result;
 }
 

@@ -28,4 +28,9 @@ std::vector<double> edges(const std::vector<double>& middles, bool logarithmic) 
   return result;
 }
 
+FigureAxis cells_axis(const std::string& title, const std::vector<double>& middles) {
+  const std::vector<double> ends = edges(middles, true);
+  return {title, true, std::pair{ends.front(), ends.back()}, {}};
+}
+
 }  // namespace vcrit::validation::figures

@@ -9,7 +9,7 @@
 
 namespace vcrit::validation::figures {
 
-struct Axis {
+struct FigureAxis {
   std::string title;  ///< with its unit: "time, µs"
   bool logarithmic = false;
   std::optional<std::pair<double, double>> range;  ///< none: what the data needs
@@ -25,7 +25,7 @@ struct Point {
 enum class Style { line, dashed, dotted, circles, dots, crosses, bars };
 
 /// Series of one name share one entry of the legend and one colour; one without a name has none.
-struct Series {
+struct FigureSeries {
   std::string name;
   Style style = Style::line;
   std::vector<Point> points;  ///< a line goes through them in this order
@@ -47,8 +47,9 @@ struct Rule {
 
 /// Colours over a grid. What has no value (NaN) stays empty.
 struct Map {
-  Axis value;  ///< what the colour means; a range and a logarithm as of any axis; with ticks it has
-               ///< no other values than these, 0, 1, ..., and each has the colour of the palette
+  /// What the colour means; a range and a logarithm as of any axis; with ticks it has no other
+  /// values than these, 0, 1, ..., and each has the colour of the palette.
+  FigureAxis value;
   std::vector<double> x, y;    ///< middles of the cells, increasing, at least two of each
   std::vector<double> values;  ///< x.size() y.size() of them, a row of one y after the other
 };
@@ -57,10 +58,10 @@ struct Figure {
   std::string name;     ///< of its files: small letters, digits, underscores
   std::string title;    ///< in a few words, for people who cannot see it and over its panel
   std::string caption;  ///< what it shows, in plain text
-  Axis x, y;
-  std::optional<Map> map;      ///< under everything else
-  std::vector<Band> bands;     ///< under the series
-  std::vector<Series> series;  ///< later ones lie on top
+  FigureAxis x, y;
+  std::optional<Map> map;            ///< under everything else
+  std::vector<Band> bands;           ///< under the series
+  std::vector<FigureSeries> series;  ///< later ones lie on top
   std::vector<Rule> rules;
   int height = 320;  ///< of the drawing on the page, in pixels
 };
@@ -72,5 +73,8 @@ const char* palette(int colour);
 /// The edges of cells around increasing middles: halfway between them, by ratio on a logarithmic
 /// axis.
 std::vector<double> edges(const std::vector<double>& middles, bool logarithmic);
+
+/// A logarithmic axis that ends with the cells around these middles.
+FigureAxis cells_axis(const std::string& title, const std::vector<double>& middles);
 
 }  // namespace vcrit::validation::figures

@@ -22,19 +22,19 @@ std::string quoted(const std::string& text) {
   return result + "'";
 }
 
-std::string number(double value, const Axis& axis) {
+std::string coordinate(double value, const FigureAxis& axis) {
   return std::isfinite(value) && !(axis.logarithmic && value <= 0) ? fmt::format("{:.9g}", value)
                                                                    : "NaN";
 }
 
-std::string ticks(const char* letter, const Axis& axis) {
+std::string ticks(const char* letter, const FigureAxis& axis) {
   std::string list;
   for (const auto& [at, words] : axis.ticks)
     list += fmt::format("{}{} {:.17g}", list.empty() ? "" : ", ", quoted(words), at);
   return list.empty() ? "" : fmt::format("set {}tics ({})\n", letter, list);
 }
 
-std::string axis(const char* letter, const Axis& axis) {
+std::string axis(const char* letter, const FigureAxis& axis) {
   std::string text = fmt::format("set {}label {}\n", letter, quoted(axis.title));
   if (axis.logarithmic) text += fmt::format("set logscale {0}\nset format {0} '%h'\n", letter);
   if (axis.range)
@@ -68,7 +68,7 @@ std::string rule(const Rule& rule, int row) {
   return text;
 }
 
-std::string with(const Series& series) {
+std::string with(const FigureSeries& series) {
   const std::string colour = fmt::format("linecolor rgb '{}'", palette(series.colour));
   switch (series.style) {
     case Style::line:
@@ -89,10 +89,10 @@ std::string with(const Series& series) {
   throw Bug("a style without a way to plot it");
 }
 
-std::string data(const Figure& figure, const Series& series, std::size_t number_of) {
+std::string data(const Figure& figure, const FigureSeries& series, std::size_t number_of) {
   std::string text = fmt::format("$series{} << END\n", number_of);
   for (const Point& point : series.points)
-    text += fmt::format("{} {}\n", number(point.x, figure.x), number(point.y, figure.y));
+    text += fmt::format("{} {}\n", coordinate(point.x, figure.x), coordinate(point.y, figure.y));
   return text + "END\n";
 }
 
@@ -103,7 +103,7 @@ std::string data(const Figure& figure, const Map& map) {
     for (std::size_t i = 0; i < map.x.size(); ++i)
       text += fmt::format("{:.9g} {:.9g} {:.9g} {:.9g} {:.9g} {:.9g} {}\n", map.x[i], map.y[j],
                           x[i], x[i + 1], y[j], y[j + 1],
-                          number(map.values.at(j * map.x.size() + i), map.value));
+                          coordinate(map.values.at(j * map.x.size() + i), map.value));
   return text + "END\n";
 }
 
@@ -121,7 +121,7 @@ std::string plots(const Figure& figure) {
         "notitle");
   std::set<std::string> named{""};
   for (std::size_t i = 0; i < figure.series.size(); ++i) {
-    const Series& series = figure.series[i];
+    const FigureSeries& series = figure.series[i];
     const std::string title =
         named.insert(series.name).second ? "title " + quoted(series.name) : "notitle";
     parts.push_back(fmt::format("$series{} using 1:2 with {} {}", i, with(series), title));
@@ -135,7 +135,7 @@ std::string plots(const Figure& figure) {
 constexpr const char* viridis =
     "set palette defined (0 '#440154', 1 '#3b528b', 2 '#21918c', 3 '#5ec962', 4 '#fde725')\n";
 
-std::string colours(const Axis& value) {
+std::string colours(const FigureAxis& value) {
   if (value.ticks.empty()) return viridis;
   std::string all;
   const int classes = 1 + static_cast<int>(value.ticks.back().first);

@@ -17,12 +17,12 @@ using nlohmann::ordered_json;
 const char* const neutral = palette(2);
 const char* const shade = palette(1);
 
-ordered_json drawn(double value, const Axis& axis) {
+ordered_json drawn(double value, const FigureAxis& axis) {
   if (!std::isfinite(value) || (axis.logarithmic && value <= 0)) return nullptr;
   return to_double(fmt::format("{:.7g}", value)).value();
 }
 
-ordered_json scale(const Axis& axis) {
+ordered_json scale(const FigureAxis& axis) {
   ordered_json result{{"zero", false}, {"nice", !axis.range}};
   if (axis.logarithmic) result = {{"type", "log"}, {"nice", !axis.range}};
   if (axis.range) result["domain"] = {axis.range->first, axis.range->second};
@@ -30,7 +30,7 @@ ordered_json scale(const Axis& axis) {
 }
 
 /// Words in place of the numbers at an axis, as an expression of Vega.
-std::string labels(const Axis& axis) {
+std::string labels(const FigureAxis& axis) {
   std::string expression;
   for (const auto& [at, words] : axis.ticks)
     expression += fmt::format("abs(datum.value - {0:.17g}) <= 1e-9 * abs({0:.17g}) ? {1} : ", at,
@@ -52,14 +52,14 @@ ordered_json logarithmic_axis() {
                                     exponent, size, power)}};
 }
 
-ordered_json axis_of(const Axis& axis) {
+ordered_json axis_of(const FigureAxis& axis) {
   if (axis.ticks.empty()) return axis.logarithmic ? logarithmic_axis() : ordered_json::object();
   ordered_json values = ordered_json::array();
   for (const auto& [at, words] : axis.ticks) values.push_back(at);
   return {{"values", values}, {"labelExpr", labels(axis)}, {"labelOverlap", true}};
 }
 
-ordered_json position(const char* field, const Axis& axis) {
+ordered_json position(const char* field, const FigureAxis& axis) {
   return {{"field", field},
           {"type", "quantitative"},
           {"title", axis.title},
@@ -96,7 +96,7 @@ bool is_line(Style style) {
   return style == Style::line || style == Style::dashed || style == Style::dotted;
 }
 
-std::vector<double> middles(const Series& series) {
+std::vector<double> middles(const FigureSeries& series) {
   std::vector<double> result;
   for (const Point& point : series.points) result.push_back(point.x);
   return result;
@@ -108,7 +108,7 @@ double ground(const Figure& figure) {
   return figure.y.logarithmic ? 0.5 : 0;
 }
 
-ordered_json rows(const Figure& figure, const Series& series) {
+ordered_json rows(const Figure& figure, const FigureSeries& series) {
   const bool bars = series.style == Style::bars;
   const auto sides = bars ? edges(middles(series), figure.x.logarithmic) : std::vector<double>{};
   ordered_json result = ordered_json::array();
@@ -125,7 +125,7 @@ ordered_json rows(const Figure& figure, const Series& series) {
   return result;
 }
 
-ordered_json tooltip(const Figure& figure, const Series& series) {
+ordered_json tooltip(const Figure& figure, const FigureSeries& series) {
   const bool words = std::any_of(series.points.begin(), series.points.end(),
                                  [](const Point& point) { return !point.words.empty(); });
   if (words) return {{{"field", "words"}, {"type", "nominal"}, {"title", series.name}}};
@@ -140,7 +140,7 @@ struct Legend {
 
 Legend legend(const Figure& figure) {
   Legend result;
-  for (const Series& series : figure.series) {
+  for (const FigureSeries& series : figure.series) {
     const bool known =
         std::find(result.names.begin(), result.names.end(), series.name) != result.names.end();
     if (series.name.empty() || known) continue;
@@ -150,7 +150,7 @@ Legend legend(const Figure& figure) {
   return result;
 }
 
-ordered_json colour(const Series& series, const Legend& legend) {
+ordered_json colour(const FigureSeries& series, const Legend& legend) {
   if (series.name.empty()) return {{"value", palette(series.colour)}};
   return {{"datum", series.name},
           {"type", "nominal"},
@@ -158,7 +158,7 @@ ordered_json colour(const Series& series, const Legend& legend) {
           {"legend", {{"title", nullptr}, {"orient", "top"}, {"labelLimit", 260}}}};
 }
 
-ordered_json layer(const Figure& figure, const Series& series, const Legend& legend) {
+ordered_json layer(const Figure& figure, const FigureSeries& series, const Legend& legend) {
   ordered_json encoding{{"x", position("x", figure.x)},
                         {"y", position("y", figure.y)},
                         {"color", colour(series, legend)}};
@@ -173,14 +173,14 @@ ordered_json layer(const Figure& figure, const Series& series, const Legend& leg
           {"encoding", std::move(encoding)}};
 }
 
-ordered_json drawn(const std::vector<double>& values, const Axis& axis) {
+ordered_json drawn(const std::vector<double>& values, const FigureAxis& axis) {
   ordered_json result = ordered_json::array();
   for (const double value : values) result.push_back(drawn(value, axis));
   return result;
 }
 
 /// The colours of a map that has few values, with words for them.
-ordered_json classes(const Axis& axis) {
+ordered_json classes(const FigureAxis& axis) {
   ordered_json domain = ordered_json::array(), range = ordered_json::array();
   for (const auto& [at, words] : axis.ticks) {
     domain.push_back(at);
@@ -234,7 +234,7 @@ ordered_json layer(const Figure& figure, const std::vector<Band>& bands) {
 /// `row`: words of neighbours stand in different rows, one above the other.
 void add(ordered_json& layers, const Figure& figure, const Rule& rule, int row) {
   const char* const along = rule.horizontal ? "y" : "x";
-  const Axis& axis = rule.horizontal ? figure.y : figure.x;
+  const FigureAxis& axis = rule.horizontal ? figure.y : figure.x;
   const ordered_json data{{"values", {{{"at", drawn(rule.at, axis)}}}}};
   const ordered_json at = position("at", axis);
   layers.push_back(
@@ -264,7 +264,7 @@ void take_grid_lines_away(ordered_json& layers) {
 
 /// A map fills its picture.
 Figure with_ranges(Figure figure) {
-  const auto set = [](Axis& axis, const std::vector<double>& middles) {
+  const auto set = [](FigureAxis& axis, const std::vector<double>& middles) {
     const std::vector<double> all = edges(middles, axis.logarithmic);
     if (!axis.range) axis.range = {all.front(), all.back()};
   };
@@ -283,7 +283,7 @@ ordered_json vega_lite(const Figure& given) {
   if (figure.map) layers.push_back(layer(figure, *figure.map));
   if (!figure.bands.empty()) layers.push_back(layer(figure, figure.bands));
   const Legend names = legend(figure);
-  for (const Series& series : figure.series) layers.push_back(layer(figure, series, names));
+  for (const FigureSeries& series : figure.series) layers.push_back(layer(figure, series, names));
   int row = 0;
   for (const Rule& rule : figure.rules) add(layers, figure, rule, row++ % 6);
   if (figure.map) take_grid_lines_away(layers);

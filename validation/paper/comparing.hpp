@@ -8,6 +8,9 @@
 
 namespace vcrit::validation::paper {
 
+/// Of friction, and of what it is compared with.
+inline constexpr double friction_rounding = 0x1p-52;
+
 /// What two numbers are and how far apart they may be; the numbers are still missing.
 struct Measured {
   std::string key, name, reference, reason;

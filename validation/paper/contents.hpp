@@ -13,6 +13,8 @@
 
 namespace vcrit::validation::paper {
 
+using validation::to_text;  // beside that of a verdict
+
 /// An equation of the paper, derived from a scene and as printed.
 struct Proof {
   std::string equation;  ///< "(29)"

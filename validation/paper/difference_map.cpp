@@ -13,7 +13,6 @@ namespace vcrit::validation::paper {
 namespace {
 
 constexpr double allowed = 0.01;
-constexpr double a = reference_amplitude;
 constexpr double slowest = 0.01, fastest = 0.9999;
 constexpr int columns = 41, lines = 49;  // eight columns a decade, besides the first
 
@@ -29,7 +28,9 @@ std::vector<double> ratios() {
   return result;
 }
 
-double apart(double delta, double ratio) { return reduced_and_full(delta, ratio, a).difference(); }
+double apart(double delta, double ratio) {
+  return reduced_and_full(delta, ratio, reference_amplitude).difference();
+}
 
 /// The speed at which the difference falls to `allowed`; 0 where it is less at the slowest.
 /// Bisection to a thousandth of a cell of the map.
@@ -43,7 +44,7 @@ double line_at(double delta) {
   return (low + high) / 2;
 }
 
-figures::Figure figure_of(const ReducedTable& table) {
+figures::Figure map_figure(const ReducedTable& table) {
   figures::Figure figure;
   figure.name = "reduced_less_full";
   figure.title = "Reduced model less full motion";
@@ -51,7 +52,7 @@ figures::Figure figure_of(const ReducedTable& table) {
       "Friction ratio by the reduced model less that of the full motion at {} of the largest "
       "amplitude; it is in proportion to the amplitude. On the line it is {}, to its left and "
       "above less.",
-      a, allowed);
+      reference_amplitude, allowed);
   figure.x = {"δ = ω c/k", true, std::nullopt, {}};
   figure.y = {"v₀ / v*", false, std::pair{0.0, 1.0}, {}};
   figures::Map map{{"difference", false, std::nullopt, {}}, table.deltas, table.ratios, {}};
@@ -62,7 +63,7 @@ figures::Figure figure_of(const ReducedTable& table) {
 }
 
 void add_line(DifferenceMap& result, const std::vector<double>& along) {
-  figures::Series line{fmt::format("off by {}", allowed), figures::Style::line, {}, 1};
+  figures::FigureSeries line{fmt::format("off by {}", allowed), figures::Style::line, {}, 1};
   for (const double delta : along) {
     const double ratio = line_at(delta);
     if (ratio > 0)
@@ -109,8 +110,8 @@ Comparison least_difference(const ReducedTable& table) {
 }  // namespace
 
 DifferenceMap map_difference() {
-  const ReducedTable table = reduced_table(a, deltas(), ratios());
-  DifferenceMap result{figure_of(table), allowed, 0, {}};
+  const ReducedTable table = reduced_table(reference_amplitude, deltas(), ratios());
+  DifferenceMap result{map_figure(table), allowed, 0, {}};
   add_line(result, table.deltas);
   result.comparisons = {against_references(), least_difference(table)};
   return result;

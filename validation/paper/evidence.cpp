@@ -4,8 +4,8 @@
 
 #include <array>
 #include <cmath>
-#include <numbers>
 
+#include "base/constants.hpp"
 #include "paper/comparing.hpp"
 #include "paper/motions.hpp"
 #include "paper/references.hpp"
@@ -21,7 +21,6 @@ using simulation::Method;
 using simulation::MethodOptions;
 
 constexpr std::array steps{2000, 4000, 8000};
-constexpr double rounding = 0x1p-52;  // of friction, and of what it is compared with
 
 std::vector<double> by_moreau(const simulation::System& system, double velocity) {
   std::vector<double> frictions;
@@ -35,7 +34,7 @@ std::vector<double> by_moreau(const simulation::System& system, double velocity)
 
 Witness witness_of(const Reference& row) {
   const simulation::System system = kelvin_contact(row.delta, reference_amplitude);
-  const double velocity = row.ratio * critical_velocity(row.delta, reference_amplitude);
+  const double velocity = row.ratio * kelvin_critical_velocity(row.delta, reference_amplitude);
   MethodOptions options;
   options.tolerance = 1e-12;
   const auto exact = simulation::steady_state(system, velocity);
@@ -57,7 +56,7 @@ Comparison threshold(double delta) {
       {"threshold", fmt::format("lowest speed of pure sliding by simulation, δ = {}", delta),
        "(31): μ₀ ω du_z k_n/k_t", "closed forms in doubles: room for 4000 roundings",
        Comparison::Measure::relative},
-      {critical_velocity(delta, reference_amplitude),
+      {kelvin_critical_velocity(delta, reference_amplitude),
        simulation::sliding_threshold(system).contact_velocity, 1e-12, ""});
 }
 
@@ -69,7 +68,7 @@ Comparison last_stick(double delta) {
        "sticks of 10⁻⁶ of a period are found, and v* − v₀ is their "
        "length squared",
        Comparison::Measure::relative},
-      {critical_velocity(delta, reference_amplitude),
+      {kelvin_critical_velocity(delta, reference_amplitude),
        simulation::stick_onset(system).contact_velocity, 1e-11, ""});
 }
 
@@ -104,22 +103,21 @@ std::vector<Comparison> compare_witness(const Witness& w) {
   };
   std::vector<Pair> by_steps;
   for (std::size_t i = 0; i < w.moreau.size(); ++i) {
-    const double h = 2 * std::numbers::pi / steps.at(i);
-    by_steps.push_back({w.reference, w.moreau[i],
-                        2 * reference_amplitude * h * h / std::numbers::pi,
+    const double h = two_pi / steps.at(i);
+    by_steps.push_back({w.reference, w.moreau[i], 2 * reference_amplitude * h * h / pi,
                         fmt::format("worst with {} steps a period", steps.at(i))});
   }
   return {
       comparison(what("exact", "exact event-driven motion",
                       "its own estimate of its error, and a rounding of each"),
-                 {w.reference, w.exact, w.exact_error + rounding, ""}),
+                 {w.reference, w.exact, w.exact_error + friction_rounding, ""}),
       worst(what("moreau", "Moreau time stepping, steps halved twice",
                  "2 a h²/π with steps h: events are known to a step, and friction is stationary in "
                  "them"),
             by_steps),
       comparison(what("adaptive", "adaptive integrator, rk8pd",
                       "three times its own estimate, of an error that scatters, and two roundings"),
-                 {w.reference, w.adaptive, 3 * w.adaptive_error + rounding, ""})};
+                 {w.reference, w.adaptive, 3 * w.adaptive_error + friction_rounding, ""})};
 }
 
 Evidence hear_witnesses() {

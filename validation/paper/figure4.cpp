@@ -14,19 +14,21 @@ namespace vcrit::validation::paper {
 namespace {
 
 using figures::Figure;
-using figures::Series;
+using figures::FigureSeries;
 using figures::Style;
 using Friction = double (*)(double delta, double a, double ratio);
 
 // With the largest amplitude F_n touches zero; the motion needs F_n > 0.
 constexpr double largest = 0.999999;
-constexpr int amplitudes = 5;  // besides 0
+constexpr int amplitude_count = 5;  // besides 0
 
 /// Of the largest; evenly from 0, since the paper does not say which it drew.
-double share(int number) { return number == amplitudes ? largest : double(number) / amplitudes; }
+double share(int number) {
+  return number == amplitude_count ? largest : double(number) / amplitude_count;
+}
 
 /// Denser where the curves bend most.
-std::vector<double> speeds() {
+std::vector<double> figure4_ratios() {
   std::vector<double> ratios{0.002, 0.004, 0.007, 0.01, 0.015, 0.02, 0.03, 0.04};
   for (int i = 2; i <= 39; ++i) ratios.push_back(i / 40.0);
   for (const double ratio : {0.985, 0.995, 0.999}) ratios.push_back(ratio);
@@ -36,9 +38,9 @@ std::vector<double> speeds() {
 double amplitude_ratio(double delta, double a) { return a / std::hypot(1, delta); }
 
 template <class Value>
-Series curve(const std::string& name, Style style, int colour, Value value) {
-  Series series{name, style, {}, colour};
-  for (const double ratio : speeds()) series.points.push_back({ratio, value(ratio), {}});
+FigureSeries curve(const std::string& name, Style style, int colour, Value value) {
+  FigureSeries series{name, style, {}, colour};
+  for (const double ratio : figure4_ratios()) series.points.push_back({ratio, value(ratio), {}});
   series.points.push_back({1, 1, {}});
   return series;
 }
@@ -59,12 +61,12 @@ void add_amplitude(Figure& figure, Friction friction, double delta, int number) 
 }
 
 void add_references(Figure& figure, Friction friction, double delta) {
-  constexpr int colour = amplitudes + 1;
+  constexpr int colour = amplitude_count + 1;
   const std::string name = name_of(delta, reference_amplitude);
   figure.series.push_back(curve(name, Style::dotted, colour, [&](double ratio) {
     return friction(delta, reference_amplitude, ratio);
   }));
-  Series circles{name, Style::circles, {}, colour};
+  FigureSeries circles{name, Style::circles, {}, colour};
   for (const Reference& row : friction_references())
     if (row.delta == delta)
       circles.points.push_back({row.ratio, row.friction, fmt::format("{:.15f}", row.friction)});
@@ -78,22 +80,21 @@ Figure panel(char letter, const char* model, const char* words, double delta, Fr
   figure.caption = fmt::format("By amplitude D, up to {:.4g}.", amplitude_ratio(delta, 1));
   figure.x = {"v₀ / v*", false, std::pair{0.0, 1.0}, {}};
   figure.y = {"μ macro / μ₀", false, std::pair{0.0, 1.05}, {}};
-  for (int number = 0; number <= amplitudes; ++number)
+  for (int number = 0; number <= amplitude_count; ++number)
     add_amplitude(figure, friction, delta, number);
   add_references(figure, friction, delta);
   figure.height = 260;
   return figure;
 }
 
-constexpr double rounding = 0x1p-52;  // of friction, and of what it is compared with
-
 /// Full motion against 25 digits.
-Comparison against_references(double delta) {
+Comparison full_against_references(double delta) {
   std::vector<Pair> pairs;
   for (const Reference& row : friction_references()) {
     if (row.delta != delta) continue;
     const auto motion = full_motion(delta, reference_amplitude, row.ratio);
-    pairs.push_back({row.friction, motion.friction_ratio, motion.friction_ratio_error + rounding,
+    pairs.push_back({row.friction, motion.friction_ratio,
+                     motion.friction_ratio_error + friction_rounding,
                      fmt::format("worst at v₀/v* = {}", row.ratio)});
   }
   return worst({"figure4_full", fmt::format("Fig. 4, δ = {}: full motion", delta),
@@ -115,12 +116,12 @@ Comparison reduced_against_references() {
 /// Whatever moves is proportional to the oscillating part of F_n while v0/v* is kept.
 void add_proportional(double delta, double ratio, std::vector<Pair>& pairs) {
   const auto known = full_motion(delta, reference_amplitude, ratio);
-  for (int number = 1; number <= amplitudes; ++number) {
+  for (int number = 1; number <= amplitude_count; ++number) {
     const double factor = share(number) / reference_amplitude;
     const auto found = full_motion(delta, share(number), ratio);
     pairs.push_back(
         {1 - factor * (1 - known.friction_ratio), found.friction_ratio,
-         factor * known.friction_ratio_error + found.friction_ratio_error + 2 * rounding,
+         factor * known.friction_ratio_error + found.friction_ratio_error + 2 * friction_rounding,
          fmt::format("worst at δ = {}, v₀/v* = {}", delta, ratio)});
   }
 }
@@ -142,7 +143,7 @@ Figure4 draw_figure4() {
   for (const double delta : figure4_deltas) {
     result.reduced.push_back(panel(letter, "reduced", "reduced model", delta, reduced_friction));
     result.full.push_back(panel(letter++, "full", "full motion", delta, full_friction));
-    result.comparisons.push_back(against_references(delta));
+    result.comparisons.push_back(full_against_references(delta));
   }
   result.comparisons.push_back(reduced_against_references());
   result.comparisons.push_back(proportionality());

@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numbers>
 
+#include "base/constants.hpp"
 #include "friction.hpp"
 #include "paper/comparing.hpp"
 #include "paper/motions.hpp"
@@ -17,22 +17,22 @@ namespace vcrit::validation::paper {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr double a = reference_amplitude;
 // Terms up to 20 over 2 pi, some twenty roundings; the simulation's share is divided by a.
-constexpr double rounding = 2e-14;
-const char* const rounding_reason = "twenty roundings of terms up to 4";
+constexpr double punch_rounding = 2e-14;
+const char* const punch_rounding_reason = "twenty roundings of terms up to 4";
 
 double closed_form(double ratio) { return 1 - elastic_friction(1, ratio); }
-double simulated(double ratio) { return (1 - full_friction(0, a, ratio)) / a; }
+double simulated(double ratio) {
+  return (1 - full_friction(0, reference_amplitude, ratio)) / reference_amplitude;
+}
 double fit(double ratio) { return 0.75 * std::pow(1 - ratio, 2) + 0.25 * std::pow(1 - ratio, 4); }
 
 Comparison table(const char* key, const char* name, double (*value)(double)) {
   std::vector<Pair> pairs;
   for (const PunchReference& row : punch_references())
     pairs.push_back(
-        {row.g, value(row.ratio), rounding, fmt::format("worst at v₀/v* = {}", row.ratio)});
-  return worst({key, name, "20 digits, computed with 50", rounding_reason}, pairs);
+        {row.g, value(row.ratio), punch_rounding, fmt::format("worst at v₀/v* = {}", row.ratio)});
+  return worst({key, name, "20 digits, computed with 50", punch_rounding_reason}, pairs);
 }
 
 Comparison slope_at_rest() {
@@ -59,8 +59,8 @@ Comparison fit_band() {
                     {0.0144, most, 0.00005, ""});
 }
 
-figures::Figure figure_of() {
-  using figures::Series;
+figures::Figure punch_figure() {
+  using figures::FigureSeries;
   using figures::Style;
   figures::Figure figure;
   figure.name = "flat_punch";
@@ -70,8 +70,8 @@ figures::Figure figure_of() {
       "digits.";
   figure.x = {"v₀ / v*", false, std::pair{0.0, 1.0}, {}};
   figure.y = {"G", false, std::pair{0.0, 1.0}, {}};
-  Series closed{"closed form", Style::line, {}, 0}, often{"fit", Style::dashed, {}, 1};
-  Series digits{"20 digits", Style::circles, {}, 2};
+  FigureSeries closed{"closed form", Style::line, {}, 0}, often{"fit", Style::dashed, {}, 1};
+  FigureSeries digits{"20 digits", Style::circles, {}, 2};
   for (int i = 1; i <= 100; ++i) {
     closed.points.push_back({i / 100.0, closed_form(i / 100.0), {}});
     often.points.push_back({i / 100.0, fit(i / 100.0), {}});
@@ -89,7 +89,7 @@ FlatPunch press_flat_punch() {
   FlatPunch result;
   for (const auto& [ratio, g] : punch_references())
     result.rows.push_back({ratio, g, closed_form(ratio), simulated(ratio), fit(ratio)});
-  result.figure = figure_of();
+  result.figure = punch_figure();
   result.comparisons = {table("punch_simulated", "G by simulation", simulated),
                         table("punch_closed", "G by its closed form", closed_form), slope_at_rest(),
                         end_of_reduction(), fit_band()};

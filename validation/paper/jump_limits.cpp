@@ -14,7 +14,7 @@ namespace vcrit::validation::paper {
 
 namespace {
 
-Scene scene_of(double delta, double amplitude) {
+Scene kelvin_scene(double delta, double amplitude) {
   return parse_scene(
       fmt::format("[contact]\nnormal = \"kelvin(k, c)\"\ntangential_ratio = 1.0\n[oscillation]\n"
                   "angular_frequency = 1.0\namplitude = {}\nindentation = 1.0\n[friction]\n"
@@ -39,12 +39,12 @@ double bisect(double delta, const std::function<bool(const Scene&)>& accepts) {
   double low = 0, high = 1;
   for (int i = 0; i < 60; ++i) {
     const double middle = (low + high) / 2;
-    (accepts(scene_of(delta, middle)) ? low : high) = middle;
+    (accepts(kelvin_scene(delta, middle)) ? low : high) = middle;
   }
   return (low + high) / 2;
 }
 
-void compare(JumpLimits& limits, const JumpLimit& row, double half_unit) {
+void compare_jump_limit(JumpLimits& limits, const JumpLimit& row, double half_unit) {
   const auto add = [&](const char* key, const std::string& name, const char* reference,
                        double found, double expected, double tolerance, const char* reason) {
     limits.comparisons.push_back(comparison(
@@ -69,7 +69,7 @@ JumpLimits find_jump_limits() {
     const double delta = printed.delta;
     limits.rows.push_back({delta, printed.amplitude, 1 / std::hypot(1, delta),
                            bisect(delta, admissible), bisect(delta, simulator_takes)});
-    compare(limits, limits.rows.back(), printed.half_unit);
+    compare_jump_limit(limits, limits.rows.back(), printed.half_unit);
   }
   return limits;
 }

@@ -7,10 +7,11 @@
 
 namespace vcrit::validation::paper {
 
-double critical_velocity(double delta, double a) { return a / std::hypot(1, delta); }
+double kelvin_critical_velocity(double delta, double a) { return a / std::hypot(1, delta); }
 
 simulation::SteadyState full_motion(double delta, double a, double ratio) {
-  return simulation::steady_state(kelvin_contact(delta, a), ratio * critical_velocity(delta, a));
+  return simulation::steady_state(kelvin_contact(delta, a),
+                                  ratio * kelvin_critical_velocity(delta, a));
 }
 
 double full_friction(double delta, double a, double ratio) {
@@ -18,7 +19,7 @@ double full_friction(double delta, double a, double ratio) {
 }
 
 double reduced_friction(double delta, double a, double ratio) {
-  const double velocity = ratio * critical_velocity(delta, a);
+  const double velocity = ratio * kelvin_critical_velocity(delta, a);
   return steady_state(simulation::Method::reduced, kelvin_contact(delta, a), velocity)
       .friction_ratio;
 }

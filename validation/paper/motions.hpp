@@ -8,7 +8,7 @@
 namespace vcrit::validation::paper {
 
 /// v* by (31): mu0 omega du_z k_n/k_t, which is D = a/sqrt(1 + delta^2) here.
-double critical_velocity(double delta, double a);
+double kelvin_critical_velocity(double delta, double a);
 
 /// At ratio = v0/v* > 0, by the exact method.
 simulation::SteadyState full_motion(double delta, double a, double ratio);

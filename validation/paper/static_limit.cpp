@@ -10,8 +10,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numbers>
 
+#include "base/constants.hpp"
 #include "paper/comparing.hpp"
 #include "paper/limits.hpp"
 #include "paper/motions.hpp"
@@ -21,23 +21,22 @@ namespace vcrit::validation::paper {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr double a = reference_amplitude;
 constexpr double near_rest = 1e-9;
 
 double leading(double delta, double ratio) {
-  return a / 2 * std::pow(3 * pi * delta / std::hypot(1, delta) * ratio, 2 / 3.0);
+  return reference_amplitude / 2 * std::pow(3 * pi * delta / std::hypot(1, delta) * ratio, 2 / 3.0);
 }
 
 double reduced_limit(double delta) {
-  return 1 - a / std::hypot(1, delta) * (delta + pi / 2 + std::atan(1 / delta)) / pi;
+  return 1 -
+         reference_amplitude / std::hypot(1, delta) * (delta + pi / 2 + std::atan(1 / delta)) / pi;
 }
 
 StaticRow row_of(double delta, const std::vector<double>& ratios) {
-  StaticRow row{delta, 1 - a, {}, {}, {}, reduced_limit(delta)};
+  StaticRow row{delta, 1 - reference_amplitude, {}, {}, {}, reduced_limit(delta)};
   for (const double ratio : ratios) {
-    row.full.push_back(full_friction(delta, a, ratio));
-    row.reduced.push_back(reduced_friction(delta, a, ratio));
+    row.full.push_back(full_friction(delta, reference_amplitude, ratio));
+    row.reduced.push_back(reduced_friction(delta, reference_amplitude, ratio));
   }
   for (std::size_t i = 1; i < ratios.size(); ++i)
     row.slopes.push_back(std::log((row.full[i] - row.limit) / (row.full[i - 1] - row.limit)) /
@@ -50,14 +49,16 @@ Comparison full_at_rest(double delta) {
       {"static_full", fmt::format("full motion at v₀/v* = 10⁻⁹, δ = {}", delta),
        "min F_n/⟨F_n⟩ = 1 − D √(1 + δ²)",
        "twice the leading term of what is left at this speed, (a/2)(3π δ/√(1 + δ²) v₀/v*)^⅔"},
-      {1 - a, full_friction(delta, a, near_rest), 2 * leading(delta, near_rest), ""});
+      {1 - reference_amplitude, full_friction(delta, reference_amplitude, near_rest),
+       2 * leading(delta, near_rest), ""});
 }
 
 /// Relative to the leading term come: the rise in stick, pi D v, 2 pi/(sqrt(1 + delta^2) (3 pi
 /// sin(atan delta))^(2/3)) v^(1/3); the spring's part in the slip, (4/3) t1/delta; the dip in the
 /// slip, t1/5. For delta >= 1 that is at most 1.3, 2.6 and 0.5 times v^(1/3), in all below 5.
 Comparison approach(double delta) {
-  const double found = full_friction(delta, a, near_rest) - (1 - a);
+  const double found =
+      full_friction(delta, reference_amplitude, near_rest) - (1 - reference_amplitude);
   return comparison({"static_rate", fmt::format("what is left at v₀/v* = 10⁻⁹, δ = {}", delta),
                      "its leading term, of power ⅔", "the next terms, in all below 5 (v₀/v*)^⅓",
                      Comparison::Measure::relative},
@@ -65,17 +66,17 @@ Comparison approach(double delta) {
 }
 
 Comparison reduced_at_rest(double delta) {
-  const double ratio = 1e-6, d = a / std::hypot(1, delta);
-  return comparison(
-      {"static_reduced", fmt::format("reduced model at v₀/v* = 10⁻⁶, δ = {}", delta),
-       "1 − D (δ + π/2 + atan 1/δ)/π", "its slope is below D (π + δ)"},
-      {reduced_limit(delta), reduced_friction(delta, a, ratio), d * (pi + delta) * ratio, ""});
+  const double ratio = 1e-6, d = reference_amplitude / std::hypot(1, delta);
+  return comparison({"static_reduced", fmt::format("reduced model at v₀/v* = 10⁻⁶, δ = {}", delta),
+                     "1 − D (δ + π/2 + atan 1/δ)/π", "its slope is below D (π + δ)"},
+                    {reduced_limit(delta), reduced_friction(delta, reference_amplitude, ratio),
+                     d * (pi + delta) * ratio, ""});
 }
 
 }  // namespace
 
 StaticLimit approach_rest() {
-  StaticLimit result{a, {1e-2, 1e-3, 1e-4}, {}, {}};
+  StaticLimit result{reference_amplitude, {1e-2, 1e-3, 1e-4}, {}, {}};
   for (const double delta : figure4_deltas) {
     result.rows.push_back(row_of(delta, result.ratios));
     result.comparisons.push_back(full_at_rest(delta));

@@ -13,7 +13,14 @@ namespace vcrit::validation::report {
 
 namespace {
 
-using namespace accuracy;
+using accuracy::Accuracy;
+using accuracy::EvaluatorError;
+using accuracy::EvaluatorErrors;
+using accuracy::Layer;
+using accuracy::Solve;
+using accuracy::SpeedSolves;
+using accuracy::StabilityMap;
+using accuracy::WorstInput;
 
 std::string table(const std::string& head, const std::string& rows) {
   return fmt::format(

@@ -20,15 +20,15 @@ namespace {
 
 using GiNaC::ex;
 
-constexpr int branches = 3;  // of what takes arrays
-const char* const stiffness =
+constexpr int shown_branches = 3;  // of what takes arrays
+const char* const stiffness_sign =
     "<math><mi>K</mi><mo stretchy=\"false\">(</mo><mi>s</mi><mo stretchy=\"false\">)</mo></math>";
-const char* const storage = "<math><mi>K</mi><mo lspace=\"0\" rspace=\"0\">′</mo></math>";
-const char* const loss = "<math><mi>K</mi><mo lspace=\"0\" rspace=\"0\">″</mo></math>";
+const char* const storage_sign = "<math><mi>K</mi><mo lspace=\"0\" rspace=\"0\">′</mo></math>";
+const char* const loss_sign = "<math><mi>K</mi><mo lspace=\"0\" rspace=\"0\">″</mo></math>";
 
 std::string signature(const Rheology& rheology) {
   std::string text = rheology.signature();
-  if (rheology.has_arrays()) text.insert(text.size() - 1, fmt::format(", {}", branches));
+  if (rheology.has_arrays()) text.insert(text.size() - 1, fmt::format(", {}", shown_branches));
   return text;
 }
 
@@ -40,7 +40,7 @@ Scene scene_of(const std::string& normal, const std::string& rest) {
 Network network_of(const Rheology& rheology) {
   std::vector<std::string> names;
   for (const auto& [name, kind] : rheology.arguments) names.push_back(name);
-  return rheology.build(names, branches);
+  return rheology.build(names, shown_branches);
 }
 
 /// One rheology and what is asked of it.
@@ -66,12 +66,12 @@ std::string equation_of(const char* left, const ex& right) {
 
 std::string stiffness_part(const Network& network) {
   const symbolic::Response response = symbolic::response(network);
-  return "<h3>Dynamic stiffness</h3>\n" + equation_of(stiffness, response.stiffness) +
-         equation_of(storage, response.storage) + equation_of(loss, response.loss);
+  return "<h3>Dynamic stiffness</h3>\n" + equation_of(stiffness_sign, response.stiffness) +
+         equation_of(storage_sign, response.storage) + equation_of(loss_sign, response.loss);
 }
 
 /// A row of a table; none for what is zero.
-std::string row(const char* name, const ex& value) {
+std::string expression_row(const char* name, const ex& value) {
   if (value.is_zero()) return {};
   return fmt::format(
       "<tr><th scope=\"row\">{}</th><td><div class=\"scroll\" tabindex=\"0\">{}</div></td></tr>\n",
@@ -80,10 +80,10 @@ std::string row(const char* name, const ex& value) {
 
 std::string extremes_part(const symbolic::Extremes& extremes) {
   return "<h3>At rest and at once</h3>\n<table class=\"plain behaviour\"><tbody>\n" +
-         row("Equilibrium stiffness K(0)", extremes.equilibrium) +
-         row("Viscosity of steady flow", extremes.viscosity) +
-         row("Glassy stiffness K(∞)", extremes.glassy) + row("Direct damper", extremes.damper) +
-         "</tbody></table>\n";
+         expression_row("Equilibrium stiffness K(0)", extremes.equilibrium) +
+         expression_row("Viscosity of steady flow", extremes.viscosity) +
+         expression_row("Glassy stiffness K(∞)", extremes.glassy) +
+         expression_row("Direct damper", extremes.damper) + "</tbody></table>\n";
 }
 
 /// Nothing for a quantity that is given as such.
@@ -97,14 +97,14 @@ std::string spectrum_part(const Network& network) {
   std::string lines;
   for (const auto& [time, strength] : spectrum->lines) lines += named(time) + named(strength);
   if (lines.empty()) lines = "<p>The times and strengths are those that are given.</p>\n";
-  return "<h3>Relaxation spectrum</h3>\n" + equation_of(stiffness, spectrum->sum()) + lines;
+  return "<h3>Relaxation spectrum</h3>\n" + equation_of(stiffness_sign, spectrum->sum()) + lines;
 }
 
 /// Arrays are not multiplied out: even three branches would give hundreds of terms.
 std::string velocity_part(const char* heading, const Scene& scene) {
   const symbolic::Derivation derivation = symbolic::derive(scene, !scene.arrays.empty());
   return fmt::format("<h3>{}</h3>\n{}", heading, numbered(derivation.equation)) +
-         equation(velocity, formula_of(derivation.critical_velocity).mathml) +
+         equation(velocity_sign, formula_of(derivation.critical_velocity).mathml) +
          definitions(equations_of(derivation.definitions));
 }
 
@@ -138,7 +138,7 @@ std::string drive_part(const Entry& entry) {
          limits_table(limits_of(scene));
 }
 
-std::string section(const Entry& entry) {
+std::string rheology_section(const Entry& entry) {
   return fmt::format(
              "<section class=\"scene\" id=\"{}\">\n<h2>{}: <code>{}</code></h2>\n<p>{}</p>\n",
              entry.name, escape(entry.words.called), escape(entry.call),
@@ -157,7 +157,7 @@ std::string index_line(const Entry& entry) {
                               : "carries a lasting load");
 }
 
-std::string opening() {
+std::string catalogue_opening() {
   return "<a class=\"skip\" href=\"#content\">To the rheologies</a>\n"
          "<header class=\"page\"><p class=\"program\">vcrit " VCRIT_VERSION
          "</p>\n<h1>Named rheologies</h1>\n"
@@ -182,11 +182,11 @@ std::string catalogue_page() {
   for (const Rheology& rheology : catalogue()) {
     const Entry entry(rheology);
     index += index_line(entry);
-    sections += section(entry);
+    sections += rheology_section(entry);
   }
   return document({"Named rheologies",
-                   opening() + "<nav aria-label=\"Rheologies\"><ol class=\"index\">\n" + index +
-                       "</ol></nav>\n<main id=\"content\">\n" + sections + "</main>\n",
+                   catalogue_opening() + "<nav aria-label=\"Rheologies\"><ol class=\"index\">\n" +
+                       index + "</ol></nav>\n<main id=\"content\">\n" + sections + "</main>\n",
                    false,
                    {}});
 }

@@ -12,13 +12,13 @@ namespace vcrit::validation::report {
 
 namespace {
 
-std::string number(double value, const std::string& unit) {
+std::string with_unit(double value, const std::string& unit) {
   const std::string text = vcrit::to_text(value);
   return unit.empty() ? text : text + " " + unit;
 }
 
 /// The name of an outcome as a class of the style sheet.
-std::string style_of(Comparison::Outcome outcome) {
+std::string outcome_style(Comparison::Outcome outcome) {
   std::string style = to_text(outcome);
   std::replace(style.begin(), style.end(), ' ', '-');
   return style;
@@ -31,7 +31,7 @@ std::string cell(const char* heading, const std::string& content, const char* st
 std::string outcome_cell(const Comparison& comparison) {
   const auto result = outcome(comparison);
   return fmt::format("<td class=\"outcome\"><span class=\"badge {}\">{}</span></td>",
-                     style_of(result), validation::to_text(result));
+                     outcome_style(result), validation::to_text(result));
 }
 
 std::string name_cell(const Comparison& comparison) {
@@ -47,8 +47,8 @@ std::string without_numbers(const Comparison& comparison) {
 std::string with_numbers(const Comparison& comparison) {
   const char* kind = comparison.measure == Comparison::Measure::relative ? "relative" : "absolute";
   const std::string value =
-      fmt::format("{}<small>{}</small>", escape(number(comparison.found, comparison.unit)),
-                  escape(number(comparison.expected, comparison.unit)));
+      fmt::format("{}<small>{}</small>", escape(with_unit(comparison.found, comparison.unit)),
+                  escape(with_unit(comparison.expected, comparison.unit)));
   const std::string apart =
       fmt::format("{}<small>{}{}</small>", magnitude(difference(comparison)), kind,
                   comparison.detail.empty() ? "" : ", " + escape(comparison.detail));

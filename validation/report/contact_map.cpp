@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <limits>
-#include <numbers>
 
+#include "base/constants.hpp"
 #include "base/errors.hpp"
 
 namespace vcrit::validation::report {
@@ -13,7 +13,7 @@ namespace vcrit::validation::report {
 namespace {
 
 using figures::Figure;
-using figures::Series;
+using figures::FigureSeries;
 using figures::Style;
 using simulation::Motion;
 
@@ -40,7 +40,7 @@ figures::Map contact_map(const StateMap& states) {
   for (const Motion motion : {Motion::stick, Motion::slip, Motion::apart, Motion::backslip})
     if (std::find(states.motions.begin(), states.motions.end(), motion) != states.motions.end())
       map.value.ticks.emplace_back(class_of(motion), to_text(motion));
-  for (const double phase : states.phases) map.x.push_back(phase / (2 * std::numbers::pi));
+  for (const double phase : states.phases) map.x.push_back(phase / (two_pi));
   map.y = states.rows;
   for (const auto& motion : states.motions)
     map.values.push_back(motion ? class_of(*motion) : std::numeric_limits<double>::quiet_NaN());
@@ -53,12 +53,12 @@ Figure curves_figure(const std::vector<FrictionCurve>& curves) {
   figure.y = {"friction ratio μ macro / μ₀", false, std::pair{0.0, 1.05}, {}};
   int colour = 0;
   for (const FrictionCurve& curve : curves) {
-    Series series{curve.name, Style::line, {}, colour++};
+    FigureSeries series{curve.name, Style::line, {}, colour++};
     for (std::size_t i = 0; i < curve.ratios.size(); ++i)
       series.points.push_back({curve.ratios[i], curve.friction[i],
                                fmt::format("{}: {:.9f}", curve.name, curve.friction[i])});
     if (curve.own) {
-      Series own = series;
+      FigureSeries own = series;
       own.style = Style::dots;
       figure.series.push_back(std::move(own));
     }

@@ -11,9 +11,9 @@ namespace {
 // More would push the numbers out of sight.
 constexpr std::size_t shown_limits = 8;
 
-std::string limit(const LimitLine& line) {
+std::string limit_row(const LimitLine& line) {
   return fmt::format("<tr><th scope=\"row\">{}{}</th><td>{}{}</td></tr>\n", line.mathml_name,
-                     numbered(line.equation), equation(velocity, line.result.mathml),
+                     numbered(line.equation), equation(velocity_sign, line.result.mathml),
                      definitions(line.definitions));
 }
 
@@ -25,7 +25,7 @@ std::string equation(const std::string& left, const std::string& right, const ch
                      left, relation, right);
 }
 
-const char* const velocity = "<math><msup><mi>v</mi><mo>*</mo></msup></math>";
+const char* const velocity_sign = "<math><msup><mi>v</mi><mo>*</mo></msup></math>";
 
 std::string equation(const Equation& line) { return equation(line.left.mathml, line.right.mathml); }
 
@@ -44,7 +44,7 @@ std::string definitions(const std::vector<Equation>& lines) {
 std::string limits_table(const std::vector<LimitLine>& lines) {
   if (lines.empty()) return {};
   std::string rows;
-  for (const LimitLine& line : lines) rows += limit(line);
+  for (const LimitLine& line : lines) rows += limit_row(line);
   const std::string table = "<table class=\"limits\"><tbody>\n" + rows + "</tbody></table>\n";
   if (lines.size() <= shown_limits) return "<h3>Limits</h3>\n" + table;
   return fmt::format("<h3>Limits</h3>\n<details><summary>{} limits</summary>\n{}</details>\n",
@@ -57,7 +57,7 @@ std::string asymptotes_table(const std::vector<AsymptoteLine>& lines) {
   for (const AsymptoteLine& line : lines)
     rows += fmt::format(
         "<tr><th scope=\"row\"><math><mi>ω</mi><mo>→</mo>{}</math></th><td>{}{}</td></tr>\n",
-        line.low ? "<mn>0</mn>" : "<mi>∞</mi>", equation(velocity, line.formula.mathml, "∼"),
+        line.low ? "<mn>0</mn>" : "<mi>∞</mi>", equation(velocity_sign, line.formula.mathml, "∼"),
         definitions(line.definitions));
   return "<table class=\"limits\"><tbody>\n" + rows + "</tbody></table>\n";
 }

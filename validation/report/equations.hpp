@@ -9,7 +9,7 @@
 namespace vcrit::validation::report {
 
 /// v* in MathML.
-extern const char* const velocity;
+extern const char* const velocity_sign;
 
 /// The two sides of an equation, in MathML, as one line that scrolls if it must.
 std::string equation(const std::string& left, const std::string& right, const char* relation = "=");

@@ -14,7 +14,7 @@ namespace vcrit::validation::report {
 namespace {
 
 using figures::Figure;
-using figures::Series;
+using figures::FigureSeries;
 using figures::Style;
 using nlohmann::ordered_json;
 
@@ -43,7 +43,7 @@ ordered_json specification(const Figure& figure) {
 
 ordered_json response_specification(const SceneReport& report) {
   Figure figure = velocity_response_figure(report);
-  const Series own = figure.series.back();
+  const FigureSeries own = figure.series.back();
   figure.series = {{"this scene", Style::dashed, own.points, 2},
                    {"now", Style::line, own.points, 0}};
   figure.rules.resize(1);
@@ -53,14 +53,14 @@ ordered_json response_specification(const SceneReport& report) {
 
 ordered_json friction_specification(const SceneReport& report) {
   Figure figure = friction_figure(report);
-  const Series own = figure.series.front();
+  const FigureSeries own = figure.series.front();
   figure.series = {{"this scene", Style::dashed, own.points, 2},
                    {"now", Style::line, own.points, 0}};
   figure.height = 260;
   return specification(figure);
 }
 
-ordered_json json(const Slider& slider) {
+ordered_json slider_json(const Slider& slider) {
   return {{"name", slider.name},
           {"array", slider.array},
           {"unit", slider.unit},
@@ -68,7 +68,7 @@ ordered_json json(const Slider& slider) {
           {"role", slider.meaning}};
 }
 
-ordered_json json(const FrictionGrid& grid) {
+ordered_json grid_json(const FrictionGrid& grid) {
   ordered_json rows = ordered_json::array();
   for (const auto& row : grid.friction) {
     ordered_json numbers = ordered_json::array();
@@ -86,12 +86,12 @@ ordered_json data(const SceneReport& report) {
   const Explorer& explorer = *report.explorer;
   ordered_json object{{"sliders", ordered_json::array()},
                       {"response", response_specification(report)}};
-  for (const Slider& slider : explorer.sliders) object["sliders"].push_back(json(slider));
+  for (const Slider& slider : explorer.sliders) object["sliders"].push_back(slider_json(slider));
   ordered_json omegas = ordered_json::array();
   for (const ResponsePoint& point : report.response.points) omegas.push_back(point.omega);
   object["omegas"] = std::move(omegas);
   if (explorer.friction && !report.curve.empty()) {
-    object["grid"] = json(*explorer.friction);
+    object["grid"] = grid_json(*explorer.friction);
     object["friction"] = friction_specification(report);
   }
   return object;

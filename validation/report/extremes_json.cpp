@@ -11,14 +11,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-template <class Item, class Write>
-ordered_json list(const std::vector<Item>& items, const Write& write) {
-  ordered_json array = ordered_json::array();
-  for (const Item& item : items) array.push_back(write(item));
-  return array;
-}
-
-ordered_json bad_answer(const extremes::BadAnswer& answer) {
+ordered_json bad_answer_json(const extremes::BadAnswer& answer) {
   return {{"words", answer.words},
           {"inputs", answer.inputs},
           {"found", json_number(answer.found)},
@@ -26,7 +19,7 @@ ordered_json bad_answer(const extremes::BadAnswer& answer) {
           {"digits_lost", json_number(answer.lost)}};
 }
 
-ordered_json tally(const extremes::Tally& tally) {
+ordered_json tally_json(const extremes::Tally& tally) {
   return {{"way", tally.way},
           {"values", tally.values},
           {"lost", tally.lost},
@@ -36,27 +29,27 @@ ordered_json tally(const extremes::Tally& tally) {
           {"worst_digits_lost", json_number(tally.worst_lost)},
           {"error_over_bound", json_number(tally.over_bound)},
           {"uncertified_from_condition", json_number(tally.uncertified_from)},
-          {"worst_inputs", list(tally.worst, bad_answer)}};
+          {"worst_inputs", json_list(tally.worst, bad_answer_json)}};
 }
 
-ordered_json simulated(const extremes::Simulated& simulated) {
+ordered_json simulated_json(const extremes::Simulated& simulated) {
   return {{"asked", simulated.asked},
           {"right", simulated.right},
           {"wrong", simulated.wrong},
           {"no_answer", simulated.silent},
           {"not_asked", simulated.left_out},
-          {"worst_inputs", list(simulated.worst, [](const extremes::BadAnswer& answer) {
-             ordered_json object = bad_answer(answer);
+          {"worst_inputs", json_list(simulated.worst, [](const extremes::BadAnswer& answer) {
+             ordered_json object = bad_answer_json(answer);
              object.erase("digits_lost");
              return object;
            })}};
 }
 
-ordered_json region(const extremes::Region& region) {
-  ordered_json object{{"key", region.key}, {"evaluators", list(region.tallies, tally)}};
-  if (region.simulated) object["simulator"] = simulated(*region.simulated);
+ordered_json region_json(const extremes::Region& region) {
+  ordered_json object{{"key", region.key}, {"evaluators", json_list(region.tallies, tally_json)}};
+  if (region.simulated) object["simulator"] = simulated_json(*region.simulated);
   object["comparisons"] =
-      list(region.comparisons, [](const Comparison& each) { return json(each); });
+      json_list(region.comparisons, [](const Comparison& each) { return json(each); });
   return object;
 }
 
@@ -74,13 +67,14 @@ std::string extremes_json(const ExtremesContents& contents) {
   report["extremes"] = {
       {"compiler", all.compiler},
       {"in_words", in_words(all)},
-      {"families", list(all.families,
-                        [](const extremes::FamilyResult& family) -> ordered_json {
-                          return {{"key", family.key},
-                                  {"title", family.title},
-                                  {"regions", list(family.regions, region)}};
-                        })},
-      {"figures", list(pictures(all), [](const figures::Figure& figure) { return json(figure); })}};
+      {"families", json_list(all.families,
+                             [](const extremes::FamilyResult& family) -> ordered_json {
+                               return {{"key", family.key},
+                                       {"title", family.title},
+                                       {"regions", json_list(family.regions, region_json)}};
+                             })},
+      {"figures",
+       json_list(pictures(all), [](const figures::Figure& figure) { return json(figure); })}};
   return text_of(report);
 }
 

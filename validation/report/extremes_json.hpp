@@ -13,6 +13,7 @@ struct ExtremesContents {
   extremes::Extremes extremes;
 };
 
+using validation::passed;  // beside this
 /// No comparison failed.
 bool passed(const extremes::Extremes& extremes);
 

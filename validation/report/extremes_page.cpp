@@ -65,7 +65,7 @@ std::string judging_section(const Extremes& all) {
          scenes + "</ul>\n</section>\n";
 }
 
-std::string opening(const ExtremesContents& contents) {
+std::string extremes_opening(const ExtremesContents& contents) {
   std::string lines;
   for (const std::string& words : in_words(contents.extremes))
     lines += fmt::format("<li>{}</li>\n", escape(words));
@@ -81,7 +81,7 @@ std::string opening(const ExtremesContents& contents) {
 }  // namespace
 
 std::string extremes_page(const ExtremesContents& contents) {
-  std::string body = opening(contents) + judging_section(contents.extremes);
+  std::string body = extremes_opening(contents) + judging_section(contents.extremes);
   for (const extremes::RegionName& region : extremes::regions())
     body += region_section(contents.extremes, region);
   body += simulator_section(contents.extremes) + machine_section(contents.origin) + "</main>\n";

@@ -52,13 +52,14 @@ Cells loss_row(const FamilyResult& family, const Region& region) {
   return cells;
 }
 
-std::string speed(double value) {
+std::string speed_text(double value) {
   return std::isfinite(value) ? fmt::format("{:.17g}", value) : fmt::format("{}", value);
 }
 
 Cells worst_row(const std::string& family, const std::string& way, const BadAnswer& answer) {
-  return {escape(family),      escape(way),         escape(answer.words),
-          speed(answer.found), speed(answer.right), "<code>" + escape(answer.inputs) + "</code>"};
+  return {escape(family),           escape(way),
+          escape(answer.words),     speed_text(answer.found),
+          speed_text(answer.right), "<code>" + escape(answer.inputs) + "</code>"};
 }
 
 std::string folded(const std::string& summary, const std::string& content) {

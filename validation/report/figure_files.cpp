@@ -12,7 +12,7 @@ namespace vcrit::validation::report {
 
 namespace {
 
-constexpr std::chrono::minutes limit{1};
+constexpr std::chrono::minutes drawing_limit{1};
 
 std::filesystem::path program() {
   if (const auto found = find_program("gnuplot")) return *found;
@@ -20,10 +20,10 @@ std::filesystem::path program() {
 }
 
 /// The SVG, a zero, the PDF.
-std::string drawn(const FigureFile& file) {
+std::string plotted(const FigureFile& file) {
   const PrivateFolder folder;
   write_file(folder.path() / "figure.gp", file.script);
-  const ProgramResult result = run_program({program(), "figure.gp"}, folder.path(), limit);
+  const ProgramResult result = run_program({program(), "figure.gp"}, folder.path(), drawing_limit);
   if (!result.succeeded())
     throw std::runtime_error("gnuplot failed on " + file.name + ": " +
                              result.output.substr(0, 400));
@@ -41,9 +41,9 @@ std::vector<NewFile> draw_figures(const std::vector<FigureFile>& files,
   for (const FigureFile& file : files) names.push_back(file.name);
   const std::vector<std::string> pictures = in_processes(
       names, std::thread::hardware_concurrency(),
-      [&](std::size_t i, const Step& step) {
+      [&](std::size_t i, const Progress& step) {
         step("drawing");
-        return drawn(files[i]);
+        return plotted(files[i]);
       },
       watch);
   std::vector<NewFile> result;

@@ -4,34 +4,37 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "base/constants.hpp"
 
 namespace vcrit::validation::report {
 
 namespace {
 
 using figures::Figure;
-using figures::Series;
+using figures::FigureSeries;
 using figures::Style;
 
-constexpr double turn = 2 * std::numbers::pi;
 constexpr int points_of_line = 300;
 
 enum Colour { storage_colour = 0, loss_colour = 1 };
 
-Series measured(const fit::Data& data, const char* name, double fit::Row::*part, int colour) {
-  Series series{name, Style::circles, {}, colour};
-  for (const fit::Row& row : data.rows) series.points.push_back({row.omega / turn, row.*part, ""});
+FigureSeries measured_series(const fit::Data& data, const char* name, double fit::Row::*part,
+                             int colour) {
+  FigureSeries series{name, Style::circles, {}, colour};
+  for (const fit::Row& row : data.rows)
+    series.points.push_back({row.omega / two_pi, row.*part, ""});
   return series;
 }
 
-Series line(const fit::Data& data, const Relaxation& form, const char* name, bool storage) {
-  Series series{name, Style::line, {}, storage ? storage_colour : loss_colour};
+FigureSeries fitted_series(const fit::Data& data, const Relaxation& form, const char* name,
+                           bool storage) {
+  FigureSeries series{name, Style::line, {}, storage ? storage_colour : loss_colour};
   const double from = data.rows.front().omega, to = data.rows.back().omega;
   for (int i = 0; i <= points_of_line; ++i) {
     const double omega = from * std::pow(to / from, static_cast<double>(i) / points_of_line);
     const std::complex<double> k = dynamic_stiffness(form, omega);
-    series.points.push_back({omega / turn, storage ? k.real() : k.imag(), ""});
+    series.points.push_back({omega / two_pi, storage ? k.real() : k.imag(), ""});
   }
   return series;
 }
@@ -43,9 +46,10 @@ Figure stiffness(const fit::Data& data, const fit::Fit& fit) {
   figure.caption = "Circles: measured. Lines: the series.";
   figure.x = {"frequency, Hz", true, {}, {}};
   figure.y = {"stiffness, N/m", true, {}, {}};
-  figure.series = {line(data, fit.series, "storage", true), line(data, fit.series, "loss", false),
-                   measured(data, "storage", &fit::Row::storage, storage_colour),
-                   measured(data, "loss", &fit::Row::loss, loss_colour)};
+  figure.series = {fitted_series(data, fit.series, "storage", true),
+                   fitted_series(data, fit.series, "loss", false),
+                   measured_series(data, "storage", &fit::Row::storage, storage_colour),
+                   measured_series(data, "loss", &fit::Row::loss, loss_colour)};
   return figure;
 }
 
@@ -57,16 +61,17 @@ double unit_of(const fit::Row& row, bool errors, bool storage) {
          100;
 }
 
-Series left(const fit::Data& data, const fit::Fit& fit, bool storage) {
-  Series series{storage ? "storage" : "loss",
-                storage ? Style::circles : Style::crosses,
-                {},
-                storage ? storage_colour : loss_colour};
+FigureSeries left(const fit::Data& data, const fit::Fit& fit, bool storage) {
+  FigureSeries series{storage ? "storage" : "loss",
+                      storage ? Style::circles : Style::crosses,
+                      {},
+                      storage ? storage_colour : loss_colour};
   for (const fit::Row& row : data.rows) {
     const std::complex<double> difference =
         std::complex<double>(row.storage, row.loss) - dynamic_stiffness(fit.series, row.omega);
     const double part = storage ? difference.real() : difference.imag();
-    series.points.push_back({row.omega / turn, part / unit_of(row, data.has_errors, storage), ""});
+    series.points.push_back(
+        {row.omega / two_pi, part / unit_of(row, data.has_errors, storage), ""});
   }
   return series;
 }
@@ -99,7 +104,7 @@ Figure spectrum(const fit::Data& data, const fit::Fit& fit) {
       "Shaded: the inverse of the measured angular frequencies.";
   figure.x = {"relaxation time, s", true, {}, {}};
   figure.y = {"stiffness, N/m", true, {}, {}};
-  Series dots{"", Style::dots, {}, storage_colour};
+  FigureSeries dots{"", Style::dots, {}, storage_colour};
   for (const fit::FittedBranch& branch : fit.branches) {
     const auto& [k, tau] = branch;
     dots.points.push_back({tau.value, k.value,

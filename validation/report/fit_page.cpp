@@ -2,8 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <numbers>
-
+#include "base/constants.hpp"
 #include "report/chart.hpp"
 #include "report/document.hpp"
 #include "report/fit_figures.hpp"
@@ -19,7 +18,7 @@ constexpr double unlikely = fit::significance;
 // Measurements of stiffness are better than that, root mean square.
 constexpr double far_off = 0.2;
 
-std::string count(const fit::Fit& fit) {
+std::string series_words(const fit::Fit& fit) {
   const std::size_t n = fit.branches.size();
   std::string text = fmt::format("{} branch{}", n, n == 1 ? "" : "es");
   if (fit.equilibrium)
@@ -37,15 +36,15 @@ std::string noise(const fit::Fit& fit) {
                      fit.sum_of_squares / fit.degrees_of_freedom);
 }
 
-std::string row(const char* name, const fit::Uncertain& a, const char* unit) {
+std::string uncertain_row(const char* name, const fit::Uncertain& a, const char* unit) {
   return fmt::format("<tr><th>{}</th><td>{:.5g} ± {:.2g} {}</td><td></td></tr>\n", name, a.value,
                      a.error, unit);
 }
 
 std::string branch_table(const fit::Fit& fit) {
   std::string rows;
-  if (fit.equilibrium) rows += row("k<sub>0</sub>", *fit.equilibrium, "N/m");
-  if (fit.damper) rows += row("c<sub>0</sub>", *fit.damper, "N s/m");
+  if (fit.equilibrium) rows += uncertain_row("k<sub>0</sub>", *fit.equilibrium, "N/m");
+  if (fit.damper) rows += uncertain_row("c<sub>0</sub>", *fit.damper, "N s/m");
   int j = 0;
   for (const auto& [k, tau] : fit.branches)
     rows += fmt::format(
@@ -74,9 +73,9 @@ std::string trial_table(const fit::Fit& fit) {
 }  // namespace
 
 std::vector<std::string> fit_in_words(const fit::Data& data, const fit::Fit& fit) {
-  std::vector<std::string> words{
-      count(fit), fmt::format("the root mean square misfit is {:.3g} %; {}", 100 * fit.rms_relative,
-                              noise(fit))};
+  std::vector<std::string> words{series_words(fit),
+                                 fmt::format("the root mean square misfit is {:.3g} %; {}",
+                                             100 * fit.rms_relative, noise(fit))};
   if (fit.exhausted)
     words.push_back(
         fmt::format("the last of {} branches still helped: more may be needed (--max-branches)",
@@ -108,7 +107,6 @@ std::string fit_page(const fit::Data& data, const fit::Fit& fit, const std::stri
   std::string charts;
   for (const figures::Figure& figure : pictures)
     charts += "<h3>" + escape(figure.title) + "</h3>\n" + chart(figure);
-  const double hertz = 2 * std::numbers::pi;
   const std::string title = "Prony series fitted to " + data.file;
   return document(
       {title,
@@ -116,8 +114,8 @@ std::string fit_page(const fit::Data& data, const fit::Fit& fit, const std::stri
            "<a class=\"skip\" href=\"#content\">To the results</a>\n<header><p "
            "class=\"program\">vcrit</p>\n<h1>{}</h1>\n<p class=\"lead\">{} frequencies from "
            "{:.4g} to {:.4g} Hz</p></header>\n<main id=\"content\">\n<ul>\n{}</ul>\n",
-           escape(title), data.rows.size(), data.rows.front().omega / hertz,
-           data.rows.back().omega / hertz, words) +
+           escape(title), data.rows.size(), data.rows.front().omega / two_pi,
+           data.rows.back().omega / two_pi, words) +
            charts + branch_table(fit) + trial_table(fit) + "<h3>The scene</h3>\n<pre><code>" +
            escape(scene) + "</code></pre>\n</main>\n",
        true,

@@ -51,7 +51,7 @@ std::string derivation(const SceneReport& report) {
 std::string formula_section(const SceneReport& report) {
   if (report.formula.mathml.empty()) return {};
   return "<h3>The formula</h3>\n" + numbered(report.equation) +
-         equation(velocity, report.formula.mathml) + definitions(report.definitions) +
+         equation(velocity_sign, report.formula.mathml) + definitions(report.definitions) +
          copyable(latex_of(report)) + derivation(report) + limits_table(report.limits);
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 using figures::Figure;
 
-std::string words_of(const Indented& indented) {
+std::string indenter_words(const Indented& indented) {
   const std::string text = fmt::format(
       "By the method of dimensionality reduction the contact is a row of independent ones, each "
       "with "
@@ -29,7 +29,7 @@ std::string words_of(const Indented& indented) {
          quantity(indented.critical_velocity, "m/s", 5) + ".";
 }
 
-Figure amplitude_figure(const Indented& indented) {
+Figure indenter_amplitude_figure(const Indented& indented) {
   Figure figure = curves_figure(indented.amplitudes);
   figure.name = "indenter_by_amplitude";
   figure.title = "Friction ratio over speed, by amplitude";
@@ -37,7 +37,7 @@ Figure amplitude_figure(const Indented& indented) {
   return figure;
 }
 
-Figure shape_figure(const Indented& indented) {
+Figure indenter_shape_figure(const Indented& indented) {
   Figure figure = curves_figure(indented.shapes);
   figure.name = "indenter_by_shape";
   figure.title = "Friction ratio over speed, by shape";
@@ -48,7 +48,7 @@ Figure shape_figure(const Indented& indented) {
   return figure;
 }
 
-Figure state_figure(const Indented& indented) {
+Figure indenter_state_figure(const Indented& indented) {
   Figure figure;
   figure.name = "contact_state";
   figure.title = "What the contact does over its width and one period";
@@ -66,13 +66,14 @@ Figure state_figure(const Indented& indented) {
 }  // namespace
 
 std::vector<Figure> indenter_figures(const Indented& indented) {
-  return {amplitude_figure(indented), shape_figure(indented), state_figure(indented)};
+  return {indenter_amplitude_figure(indented), indenter_shape_figure(indented),
+          indenter_state_figure(indented)};
 }
 
 std::string indenter_section(const SceneReport& report) {
   if (!report.indented) return {};
   std::string html =
-      "<h3>Below the indenter</h3>\n<p>" + escape(words_of(*report.indented)) + "</p>\n";
+      "<h3>Below the indenter</h3>\n<p>" + escape(indenter_words(*report.indented)) + "</p>\n";
   for (const Figure& figure : indenter_figures(*report.indented)) html += chart(figure);
   return html;
 }

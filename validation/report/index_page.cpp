@@ -29,7 +29,7 @@ std::string summary(const std::vector<IndexEntry>& entries) {
   return fmt::format("<p class=\"total {}\">{}.</p>\n", state, words);
 }
 
-std::string row(const IndexEntry& entry) {
+std::string entry_line(const IndexEntry& entry) {
   const SceneLine& line = entry.line;
   std::string words = escape(line.state_words);
   if (!line.failed.empty())
@@ -42,7 +42,7 @@ std::string row(const IndexEntry& entry) {
 }
 
 /// What a link and every file system takes as it stands.
-std::string plain(const std::string& stem) {
+std::string plain_stem(const std::string& stem) {
   std::string result;
   for (const char c : stem) {
     const auto letter = static_cast<unsigned char>(c);
@@ -62,7 +62,7 @@ std::string small(std::string text) {
 
 std::string index_page(const std::vector<IndexEntry>& entries, const Origin& origin) {
   std::string rows;
-  for (const IndexEntry& entry : entries) rows += row(entry);
+  for (const IndexEntry& entry : entries) rows += entry_line(entry);
   const std::string body = fmt::format(
       "<a class=\"skip\" href=\"#content\">To the scenes</a>\n"
       "<header class=\"page\"><p class=\"program\">vcrit {}</p>\n"
@@ -79,7 +79,7 @@ std::vector<std::string> page_names(const std::vector<std::string>& scene_files)
   std::set<std::string> taken{"index"};
   std::vector<std::string> names;
   for (const std::string& file : scene_files) {
-    const std::string stem = plain(std::filesystem::path(file).stem().string());
+    const std::string stem = plain_stem(std::filesystem::path(file).stem().string());
     std::string name = stem;
     for (int i = 2; !taken.insert(small(name)).second; ++i) name = fmt::format("{}-{}", stem, i);
     names.push_back(name);

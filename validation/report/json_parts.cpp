@@ -8,7 +8,7 @@ using nlohmann::ordered_json;
 
 namespace {
 
-const char* style_of(figures::Style style) {
+const char* style_name(figures::Style style) {
   using figures::Style;
   switch (style) {
     case Style::line:
@@ -29,11 +29,11 @@ const char* style_of(figures::Style style) {
   throw Bug("a style without a name");
 }
 
-ordered_json series(const figures::Series& series) {
+ordered_json series_json(const figures::FigureSeries& series) {
   ordered_json points = ordered_json::array();
   for (const figures::Point& point : series.points)
     points.push_back({json_number(point.x), json_number(point.y)});
-  return {{"name", series.name}, {"style", style_of(series.style)}, {"points", points}};
+  return {{"name", series.name}, {"style", style_name(series.style)}, {"points", points}};
 }
 
 }  // namespace
@@ -73,7 +73,8 @@ ordered_json json(const figures::Figure& figure) {
                       {"x", figure.x.title},
                       {"y", figure.y.title},
                       {"series", ordered_json::array()}};
-  for (const figures::Series& each : figure.series) object["series"].push_back(series(each));
+  for (const figures::FigureSeries& each : figure.series)
+    object["series"].push_back(series_json(each));
   if (figure.map)
     object["map"] = {{"value", figure.map->value.title},
                      {"x", numbers(figure.map->x)},

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "base/constants.hpp"
 #include "report/graph_layout.hpp"
 #include "report/html.hpp"
 
@@ -124,7 +124,7 @@ std::string edge(const Network& part, Point from, Point to) {
       line(0, 0, lead, 0) + moved(lead, 0, drawing.svg) + line(lead + drawing.width, 0, length, 0);
   const std::string turned =
       fmt::format(R"svg(<g transform="translate({:.1f} {:.1f}) rotate({:.2f})">{}</g>)svg", from.x,
-                  from.y, angle * 180 / std::numbers::pi, lying);
+                  from.y, angle * 180 / pi, lying);
   const Point middle{(from.x + to.x) / 2, (from.y + to.y) / 2};
   return upright ? turned + edge_label(*element, middle, angle) : turned;
 }

@@ -9,14 +9,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-template <class Item>
-ordered_json list(const std::vector<Item>& items, ordered_json (*write)(const Item&)) {
-  ordered_json array = ordered_json::array();
-  for (const Item& item : items) array.push_back(write(item));
-  return array;
-}
-
-ordered_json comparisons(const std::vector<Comparison>& all) { return list<Comparison>(all, json); }
+ordered_json comparisons(const std::vector<Comparison>& all) { return json_list(all, json); }
 
 ordered_json proof(const paper::Proof& proof) {
   return {{"equation", proof.equation},
@@ -70,12 +63,12 @@ ordered_json claim(const paper::Claim& claim) {
 
 ordered_json parts(const paper::Paper& paper) {
   return {{"equations",
-           {{"proofs", list<paper::Proof>(paper.proofs.proofs, proof)},
+           {{"proofs", json_list(paper.proofs.proofs, proof)},
             {"rheologies", paper.proofs.rheologies},
             {"comparisons", comparisons(paper.proofs.comparisons)}}},
           {"figure4",
-           {{"reduced", list<figures::Figure>(paper.figure4.reduced, json)},
-            {"full", list<figures::Figure>(paper.figure4.full, json)},
+           {{"reduced", json_list(paper.figure4.reduced, json)},
+            {"full", json_list(paper.figure4.full, json)},
             {"comparisons", comparisons(paper.figure4.comparisons)}}},
           {"difference",
            {{"allowed", paper.map.allowed},
@@ -83,23 +76,23 @@ ordered_json parts(const paper::Paper& paper) {
             {"figure", json(paper.map.figure)},
             {"comparisons", comparisons(paper.map.comparisons)}}},
           {"jump_limits",
-           {{"rows", list<paper::JumpLimit>(paper.jumps.rows, jump_limit)},
+           {{"rows", json_list(paper.jumps.rows, jump_limit)},
             {"comparisons", comparisons(paper.jumps.comparisons)}}},
           {"static_limit",
            {{"normal_force_amplitude_ratio", paper.slow.a},
             {"velocity_ratios", numbers(paper.slow.ratios)},
-            {"rows", list<paper::StaticRow>(paper.slow.rows, static_row)},
+            {"rows", json_list(paper.slow.rows, static_row)},
             {"comparisons", comparisons(paper.slow.comparisons)}}},
           {"flat_punch",
-           {{"rows", list<paper::PunchRow>(paper.punch.rows, punch_row)},
+           {{"rows", json_list(paper.punch.rows, punch_row)},
             {"figure", json(paper.punch.figure)},
             {"comparisons", comparisons(paper.punch.comparisons)}}},
           {"evidence",
            {{"normal_force_amplitude_ratio", paper.evidence.a},
             {"moreau_steps", paper.evidence.steps},
-            {"rows", list<paper::Witness>(paper.evidence.rows, witness)},
+            {"rows", json_list(paper.evidence.rows, witness)},
             {"comparisons", comparisons(paper.evidence.comparisons)}}},
-          {"claims", list<paper::Claim>(paper.claims, claim)}};
+          {"claims", json_list(paper.claims, claim)}};
 }
 
 }  // namespace

@@ -13,6 +13,7 @@ struct PaperContents {
   paper::Paper paper;
 };
 
+using validation::passed;  // beside this
 /// No comparison failed.
 bool passed(const paper::Paper& paper);
 

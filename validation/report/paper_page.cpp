@@ -28,12 +28,13 @@ std::string proofs_of(const char* number, const paper::Proofs& proofs) {
     const paper::Proof& proof = proofs.proofs[i];
     if (proof.equation != number) continue;
     printed = proof.printed.mathml;
-    ways += fmt::format("<li><p>{} {}</p>{}</li>\n", escape(proof.words),
-                        badge(proofs.comparisons.at(i)), equation(velocity, proof.derived.mathml));
+    ways +=
+        fmt::format("<li><p>{} {}</p>{}</li>\n", escape(proof.words),
+                    badge(proofs.comparisons.at(i)), equation(velocity_sign, proof.derived.mathml));
   }
   return fmt::format(
       "<h3>Equation {}</h3>\n<p>As printed:</p>\n{}\n<p>As derived:</p>\n<ol>\n{}</ol>\n", number,
-      equation(velocity, printed), ways);
+      equation(velocity_sign, printed), ways);
 }
 
 std::string equations_section(const paper::Proofs& proofs) {
@@ -110,7 +111,7 @@ std::string punch_section(const paper::FlatPunch& punch) {
       punch.comparisons);
 }
 
-const char* style_of(paper::Claim::Verdict verdict) {
+const char* verdict_style(paper::Claim::Verdict verdict) {
   if (verdict == paper::Claim::Verdict::holds) return "passed";
   return verdict == paper::Claim::Verdict::does_not_hold ? "failed" : "not-run";
 }
@@ -120,7 +121,7 @@ std::string claims_section(const Paper& paper) {
   for (const paper::Claim& claim : paper.claims)
     claims += fmt::format(
         "<li><p><strong>{}</strong> <span class=\"badge {}\">{}</span></p><p>{}</p></li>\n",
-        escape(claim.words), style_of(claim.verdict), paper::to_text(claim.verdict),
+        escape(claim.words), verdict_style(claim.verdict), paper::to_text(claim.verdict),
         escape(claim.evidence));
   return section(
       "claims", "What holds",
@@ -136,12 +137,12 @@ std::string in_short(const std::vector<paper::Claim>& claims) {
   std::string lines;
   for (const paper::Claim& claim : claims)
     lines += fmt::format("<li>{} <span class=\"badge {}\">{}</span></li>\n", escape(claim.words),
-                         style_of(claim.verdict), paper::to_text(claim.verdict));
+                         verdict_style(claim.verdict), paper::to_text(claim.verdict));
   return "<p>What the paper says, <a href=\"#claims\">and what holds</a>:</p>\n<ul>\n" + lines +
          "</ul>\n";
 }
 
-std::string opening(const PaperContents& contents) {
+std::string paper_opening(const PaperContents& contents) {
   const auto comparisons = all_comparisons(contents.paper);
   return fmt::format(
       "<a class=\"skip\" href=\"#content\">To the results</a>\n"
@@ -160,7 +161,7 @@ std::string opening(const PaperContents& contents) {
 std::string paper_page(const PaperContents& contents) {
   const Paper& paper = contents.paper;
   return document({"The paper, gone through",
-                   opening(contents) + equations_section(paper.proofs) +
+                   paper_opening(contents) + equations_section(paper.proofs) +
                        figure4_section(paper.figure4) + map_section(paper.map) +
                        jump_section(paper.jumps) + slow_section(paper.slow) +
                        punch_section(paper.punch) + claims_section(paper) +

@@ -16,9 +16,9 @@ namespace {
 
 using figures::Figure;
 
-constexpr const char* speed = "v₀ / v* of Eq. 24";
+constexpr const char* speed_title = "v₀ / v* of Eq. 24";
 
-std::string words_of(const SceneReport& report) {
+std::string parting_words(const SceneReport& report) {
   const Parting& parting = *report.parting;
   std::string text = fmt::format(
       "The surfaces may part: the normal force is the reaction of the contact or 0. They "
@@ -35,7 +35,7 @@ std::string words_of(const SceneReport& report) {
          quantity(parting.critical_velocity, "m/s", 5) + ".";
 }
 
-std::string derivation(const Parting& parting) {
+std::string derivation_steps(const Parting& parting) {
   std::string steps;
   for (const Equation& line : parting.derivation)
     steps += fmt::format("<li><p>{}</p>{}</li>\n", escape(line.words), equation(line));
@@ -61,7 +61,7 @@ Figure state_figure(const Parting& parting) {
   figure.caption =
       "The indentation is largest at phase 0 and least at half a period. One row for each speed.";
   figure.x = {"phase ωt / 2π", false, std::pair{0.0, 1.0}, {}};
-  figure.y = {speed, false, std::pair{0.0, 1.2}, {}};
+  figure.y = {speed_title, false, std::pair{0.0, 1.2}, {}};
   figure.map = contact_map(parting.map);
   return figure;
 }
@@ -69,8 +69,8 @@ Figure state_figure(const Parting& parting) {
 std::string parting_section(const SceneReport& report) {
   if (!report.parting) return {};
   const Parting& parting = *report.parting;
-  std::string html = "<h3>Surfaces that part</h3>\n<p>" + escape(words_of(report)) + "</p>\n" +
-                     derivation(parting);
+  std::string html = "<h3>Surfaces that part</h3>\n<p>" + escape(parting_words(report)) + "</p>\n" +
+                     derivation_steps(parting);
   if (!parting.curves.empty()) html += chart(amplitude_figure(parting));
   return html + chart(state_figure(parting));
 }

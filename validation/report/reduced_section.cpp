@@ -22,16 +22,16 @@ std::string shown(double difference) {
 }
 
 // The wash is darkest from 0.3 on.
-std::string cell(double difference) {
+std::string heat_cell(double difference) {
   return fmt::format("<td style=\"--heat: {:.0f}%\">{}</td>",
                      100 * std::min(std::abs(difference) / 0.3, 1.0), shown(difference));
 }
 
-std::string row(const ReducedModel& model, std::size_t number) {
+std::string heat_row(const ReducedModel& model, std::size_t number) {
   const double delta = model.table.deltas[number];
   const bool own = delta == model.delta;
   std::string cells;
-  for (const ReducedAndFull& pair : model.table.rows[number]) cells += cell(pair.difference());
+  for (const ReducedAndFull& pair : model.table.rows[number]) cells += heat_cell(pair.difference());
   return fmt::format("<tr{}><th scope=\"row\">{:.3g}{}</th>{}</tr>\n", own ? " class=\"own\"" : "",
                      delta, own ? "<small>this scene</small>" : "", cells);
 }
@@ -58,7 +58,7 @@ std::string reduced_section(const SceneReport& report) {
   if (!report.reduced_model) return {};
   const ReducedModel& model = *report.reduced_model;
   std::string rows;
-  for (std::size_t i = 0; i < model.table.deltas.size(); ++i) rows += row(model, i);
+  for (std::size_t i = 0; i < model.table.deltas.size(); ++i) rows += heat_row(model, i);
   return fmt::format(
       "<h3>The reduced model</h3>\n<p>The paper’s (47)–(51) leave out what the damper still "
       "relaxes after each stick. {}</p>\n<figure><div class=\"scroll\" tabindex=\"0\">"

@@ -190,7 +190,7 @@ ordered_json failing(const SceneReport& report) {
   return keys;
 }
 
-ordered_json critical_velocity(const SceneReport& report) {
+ordered_json velocity_json(const SceneReport& report) {
   ordered_json object{{"value", json_number(report.critical_velocity)},
                       {"relative_error_bound", json_number(report.relative_error_bound)},
                       {"condition_number", json_number(report.condition)}};
@@ -213,7 +213,7 @@ ordered_json scene_json(const SceneContents& contents) {
                       {"admissible", report.reasons.empty()},
                       {"reasons", report.reasons},
                       {"warnings", report.scene.warnings},
-                      {"critical_velocity", critical_velocity(report)},
+                      {"critical_velocity", velocity_json(report)},
                       {"comparisons", list(report.comparisons)},
                       {"values", list(report.values)},
                       {"formula", json(report.formula)},

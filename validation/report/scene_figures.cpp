@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "accuracy/pictures.hpp"
+#include "base/constants.hpp"
 #include "report/indenter_section.hpp"
 #include "report/parting_section.hpp"
 #include "report/stretches.hpp"
@@ -18,24 +18,22 @@ namespace vcrit::validation::report {
 namespace {
 
 using figures::Figure;
-using figures::Series;
+using figures::FigureSeries;
 using figures::Style;
 using simulation::CyclePoint;
 
-constexpr double period = 2 * std::numbers::pi;
-
 template <class Value>
-Series over_speed(const SceneReport& report, const char* name, Style style, int colour,
-                  Value value) {
-  Series series{name, style, {}, colour};
+FigureSeries over_speed(const SceneReport& report, const char* name, Style style, int colour,
+                        Value value) {
+  FigureSeries series{name, style, {}, colour};
   for (const CurvePoint& point : report.curve)
     series.points.push_back({point.ratio, value(point), ""});
   return series;
 }
 
 template <class Value>
-Series by_method(const MethodCurve& method, int colour, Value value) {
-  Series series{method.method, Style::crosses, {}, colour};
+FigureSeries by_method(const MethodCurve& method, int colour, Value value) {
+  FigureSeries series{method.method, Style::crosses, {}, colour};
   for (const MethodPoint& point : method.points)
     if (point.reason.empty())
       series.points.push_back({point.ratio, value(point),
@@ -49,8 +47,8 @@ double omega_of(const SceneReport& report) {
 }
 
 template <class Value>
-Series over_frequency(const SceneReport& report, const char* name, int colour, Value value) {
-  Series series{name, Style::line, {}, colour};
+FigureSeries over_frequency(const SceneReport& report, const char* name, int colour, Value value) {
+  FigureSeries series{name, Style::line, {}, colour};
   for (const ResponsePoint& point : report.response.points)
     series.points.push_back({point.omega, value(point), ""});
   return series;
@@ -68,11 +66,11 @@ Figure response_figure(const SceneReport& report, const char* name) {
 }
 
 /// Drawn over the half of the picture where it holds.
-Series asymptote(const SceneReport& report, const AsymptoteLine& line) {
+FigureSeries asymptote(const SceneReport& report, const AsymptoteLine& line) {
   const double from = report.response.points.front().omega,
                to = report.response.points.back().omega;
   const double middle = std::sqrt(from) * std::sqrt(to);
-  Series series{"asymptotes", Style::dashed, {}, 2};
+  FigureSeries series{"asymptotes", Style::dashed, {}, 2};
   for (const double omega : line.low ? std::array{from, middle} : std::array{middle, to})
     series.points.push_back({omega, line.coefficient * std::pow(omega, line.power), ""});
   return series;
@@ -80,10 +78,10 @@ Series asymptote(const SceneReport& report, const AsymptoteLine& line) {
 
 /// Over one period in time.
 template <class Value>
-Series over_time(const SceneReport& report, const char* name, Style style, int colour,
-                 const Scale& scale, Value value) {
-  const double omega = omega_of(report), per_second = scale_for(period / omega, "s").factor;
-  Series series{name, style, {}, colour};
+FigureSeries over_time(const SceneReport& report, const char* name, Style style, int colour,
+                       const Scale& scale, Value value) {
+  const double omega = omega_of(report), per_second = scale_for(two_pi / omega, "s").factor;
+  FigureSeries series{name, style, {}, colour};
   for (const CyclePoint& point : report.cycle->points)
     series.points.push_back({point.phase / omega * per_second, value(point) * scale.factor, ""});
   return series;
@@ -100,11 +98,11 @@ Scale scale_of(const SceneReport& report, const char* unit, Value value) {
 /// Time and the shades of stick and backward slip.
 Figure cycle_figure(const SceneReport& report, const char* name, int height) {
   const double omega = omega_of(report);
-  const Scale time = scale_for(period / omega, "s");
+  const Scale time = scale_for(two_pi / omega, "s");
   Figure figure;
   figure.name = name;
   figure.height = height;
-  figure.x = {"time, " + time.unit, false, std::pair{0.0, period / omega * time.factor}, {}};
+  figure.x = {"time, " + time.unit, false, std::pair{0.0, two_pi / omega * time.factor}, {}};
   for (const Stretch& stretch : stretches(report.cycle->points, time.factor / omega))
     figure.bands.push_back(
         {stretch.from, stretch.to, stretch.backward ? "backward slip" : "stick"});
@@ -160,8 +158,8 @@ Figure friction_figure(const SceneReport& report) {
   if (!report.curve.empty() && report.curve.front().closed_form)
     figure.series.push_back(over_speed(report, "closed form", Style::dashed, 2,
                                        [](const CurvePoint& p) { return *p.closed_form; }));
-  Series rest = over_speed(report, "from rest", Style::circles, 1,
-                           [](const CurvePoint& p) { return p.from_rest; });
+  FigureSeries rest = over_speed(report, "from rest", Style::circles, 1,
+                                 [](const CurvePoint& p) { return p.from_rest; });
   for (std::size_t i = 0; i < rest.points.size(); ++i)
     rest.points[i].words = fmt::format("{:.4g}: {:.9f}, {}", report.curve[i].ratio,
                                        report.curve[i].from_rest, report.curve[i].regime);

@@ -11,7 +11,7 @@ namespace vcrit::validation::report {
 
 namespace {
 
-std::string opening(const SceneReport& report, const Origin& origin, bool in_suite) {
+std::string scene_opening(const SceneReport& report, const Origin& origin, bool in_suite) {
   return fmt::format(
       "<a class=\"skip\" href=\"#content\">To the results</a>\n"
       "<header class=\"page\"><p class=\"program\">{}vcrit {}</p>\n<h1>{}</h1>\n"
@@ -28,7 +28,7 @@ std::string opening(const SceneReport& report, const Origin& origin, bool in_sui
 std::string scene_page(const SceneContents& contents, const Origin& origin, bool in_suite) {
   const SceneReport& report = contents.report;
   return document({title_of(report),
-                   opening(report, origin, in_suite) + scene_section(contents) +
+                   scene_opening(report, origin, in_suite) + scene_section(contents) +
                        machine_section(origin) + "</main>\n",
                    true, explorer_scripts(report)});
 }

@@ -22,15 +22,15 @@ namespace vcrit::validation::report {
 
 namespace {
 
-bool simulated(const SceneReport& report) { return !report.curve.empty(); }
+bool was_simulated(const SceneReport& report) { return !report.curve.empty(); }
 
-std::string list(const std::vector<std::string>& items, const char* style) {
+std::string item_list(const std::vector<std::string>& items, const char* style) {
   std::string lines;
   for (const std::string& item : items) lines += "<li>" + escape(item) + "</li>\n";
   return fmt::format("<ul class=\"{}\">\n{}</ul>\n", style, lines);
 }
 
-std::string verdict(const SceneReport& report) {
+std::string scene_verdict(const SceneReport& report) {
   std::string html = fmt::format(
       "<div class=\"verdict {}\"><p class=\"state\">{}</p><p class=\"velocity\">{}</p>"
       "<p class=\"worst\">{}</p></div>\n",
@@ -40,9 +40,9 @@ std::string verdict(const SceneReport& report) {
     html +=
         "<p>The scene is not admissible, so the formula's number is not the velocity of its "
         "motion and nothing was simulated:</p>\n" +
-        list(report.reasons, "reasons");
+        item_list(report.reasons, "reasons");
   if (!report.infinite_reason.empty()) html += "<p>" + escape(report.infinite_reason) + "</p>\n";
-  if (!report.scene.warnings.empty()) html += list(report.scene.warnings, "warnings");
+  if (!report.scene.warnings.empty()) html += item_list(report.scene.warnings, "warnings");
   return html;
 }
 
@@ -88,7 +88,7 @@ std::string missing_answers(const SceneReport& report) {
     }
     if (!at.empty()) lines.push_back(fmt::format("{} at {}: {}", method.method, at, reason));
   }
-  return lines.empty() ? "" : "<p>Without an answer:</p>\n" + list(lines, "reasons");
+  return lines.empty() ? "" : "<p>Without an answer:</p>\n" + item_list(lines, "reasons");
 }
 
 std::string response_section(const SceneReport& report) {
@@ -98,7 +98,7 @@ std::string response_section(const SceneReport& report) {
 }
 
 std::string friction_section(const SceneReport& report) {
-  if (!simulated(report)) return {};
+  if (!was_simulated(report)) return {};
   std::string html = "<h3>Friction against speed</h3>\n" + chart(friction_figure(report));
   if (!report.methods.empty()) html += chart(residual_figure(report));
   return html + curve_table(report) + missing_answers(report);
@@ -145,7 +145,7 @@ std::string velocity_words(const SceneReport& report) {
 
 std::string scene_section(const SceneContents& contents) {
   const SceneReport& report = contents.report;
-  return "<section class=\"scene\">\n" + verdict(report) + drawings(report) +
+  return "<section class=\"scene\">\n" + scene_verdict(report) + drawings(report) +
          comparison_table(report.comparisons) + formula_section(report) + response_section(report) +
          explorer_section(report) + friction_section(report) + cycle_section(report) +
          parting_section(report) + indenter_section(report) + reduced_section(report) +

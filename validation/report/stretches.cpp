@@ -2,15 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "base/constants.hpp"
 
 namespace vcrit::validation::report {
 
 namespace {
 
 using simulation::CyclePoint;
-
-constexpr double period = 2 * std::numbers::pi;
 
 }  // namespace
 
@@ -23,7 +22,7 @@ std::vector<Stretch> stretches(const std::vector<CyclePoint>& cycle, double per_
   for (std::size_t i = 0; i < cycle.size(); ++i) {
     const double velocity = cycle[i].contact_velocity;
     const double from = cycle[i].phase * per_phase;
-    const double to = (i + 1 < cycle.size() ? cycle[i + 1].phase : period) * per_phase;
+    const double to = (i + 1 < cycle.size() ? cycle[i + 1].phase : two_pi) * per_phase;
     const bool backward = velocity < -still;
     if (velocity > still) {
       open = false;

@@ -79,13 +79,13 @@ Drawing oscillation() {
 }
 
 /// A drive of which only the receptance is known.
-Drawing measured() {
+Drawing measured_drive() {
   return {92, 28, 28,
           line(0, 0, 10, 0) + R"(<path class="solid" d="M10 -22H82V22H10z"/>)" +
               text(46, 5, label({"R_d"})) + line(82, 0, 92, 0)};
 }
 
-std::string speed() { return italic("v") + R"(<tspan class="index" dy="4">0</tspan>)"; }
+std::string drive_speed() { return italic("v") + R"(<tspan class="index" dy="4">0</tspan>)"; }
 
 /// An isotropic contact: the normal network within brackets, with the ratio in front.
 Drawing times(double factor, const Drawing& network) {
@@ -127,10 +127,10 @@ std::string draw_sliding(const Scene& scene) {
     description += ", drive network";
   }
   if (scene.receptance) {
-    row.add(measured());
+    row.add(measured_drive());
     description += ", measured drive";
   }
-  row.add(arrow(speed()));
+  row.add(arrow(drive_speed()));
   return row.svg(description + ", moved at constant velocity");
 }
 

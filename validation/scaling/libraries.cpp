@@ -71,7 +71,7 @@ GiNaC::matrix nodal(const Wiring& wiring, Symbols& symbols) {
   return k;
 }
 
-GiNaC::matrix without(const GiNaC::matrix& k, unsigned first) {
+GiNaC::matrix without_first(const GiNaC::matrix& k, unsigned first) {
   const unsigned n = k.rows() - first;
   return GiNaC::ex_to<GiNaC::matrix>(GiNaC::sub_matrix(k, first, n, first, n));
 }
@@ -198,8 +198,8 @@ std::optional<double> ginac_determinant(const Case& each) {
   return median_seconds([&] {
     Symbols symbols;
     const GiNaC::matrix k = held_first(nodal(wires, symbols));
-    const ex over = without(k, 1).determinant().expand();
-    const ex under = wires.nodes == 2 ? ex(1) : without(k, 2).determinant().expand();
+    const ex over = without_first(k, 1).determinant().expand();
+    const ex under = wires.nodes == 2 ? ex(1) : without_first(k, 2).determinant().expand();
     (void)(over / under);
   });
 }

@@ -69,7 +69,7 @@ struct Formula {
 Formula formula(const Problem& problem) {
   Formula result;
   std::map<Symbol, ex> symbols;
-  for (const Column& column : problem.columns) {
+  for (const VariedParameter& column : problem.columns) {
     const GiNaC::symbol symbol(fmt::format("x{}", symbols.size()));
     symbols[column.symbol] = symbol;
     result.symbols.append(symbol);
@@ -103,7 +103,7 @@ class CompilerFlags {
   CompilerFlags& operator=(const CompilerFlags&) = delete;
 };
 
-void run(GiNaC::FUNCP_CUBA function, const Samples& samples, int columns, double* out) {
+void run_on_samples(GiNaC::FUNCP_CUBA function, const Samples& samples, int columns, double* out) {
   std::vector<double> x(static_cast<std::size_t>(columns));
   const int one = 1;
   for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -130,7 +130,7 @@ std::vector<Evaluator> ginac(const Problem& problem) {
       each.method = name;
       each.mode = mode;
       each.run = [function, columns](const Samples& samples, double* out, double*) {
-        run(function, samples, columns, out);
+        run_on_samples(function, samples, columns, out);
       };
       result.push_back(std::move(each));
     }

@@ -6,9 +6,12 @@
 #include <string>
 #include <vector>
 
+#include "base/numbers.hpp"
 #include "compiler.hpp"
 
 namespace vcrit::speed {
+
+using vcrit::to_text;  // beside that of flags
 
 /// x: columns; out: n values; extra: room for n values of each column and one more column.
 using Function = void (*)(const double* const* x, std::size_t n, double* out, double* extra);

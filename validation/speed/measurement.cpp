@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <chrono>
-#include <limits>
+
+#include "base/constants.hpp"
 
 namespace vcrit::speed {
 
@@ -37,7 +38,7 @@ class Timed {
   }
   std::function<void()> run_;
   int repeats_ = 1;
-  double best_ = std::numeric_limits<double>::infinity();
+  double best_ = infinity;
 };
 
 /// One after the other, again and again: a slow phase of the machine hits all alike.

@@ -12,36 +12,36 @@ namespace {
 /// names of its elements.
 struct Part {
   std::string by_hand, expression, table;
-  std::vector<Column> columns;
+  std::vector<VariedParameter> columns;
 };
 using Kind = Part (*)(const std::string& place);
 
 // Stiff but ordinary: w c ~ k and m w^2 ~ k at w ~ 1e5.
-Column stiffness(const std::string& name) { return {{name}, 1e6, 1e8}; }
-Column damping(const std::string& name) { return {{name}, 10, 1000}; }
+VariedParameter stiffness(const std::string& name) { return {{name}, 1e6, 1e8}; }
+VariedParameter damping(const std::string& name) { return {{name}, 10, 1000}; }
 
 /// K_j at `place` has spring "k<place>j" and damper "c<place>j".
-std::vector<Column> numbered(const std::string& place, int count) {
-  std::vector<Column> columns;
+std::vector<VariedParameter> numbered(const std::string& place, int count) {
+  std::vector<VariedParameter> columns;
   for (int j = 1; j <= count; ++j) columns.push_back(stiffness(fmt::format("k{}{}", place, j)));
   for (int j = 1; j <= count; ++j) columns.push_back(damping(fmt::format("c{}{}", place, j)));
   return columns;
 }
 
-Part spring(const std::string& x) { return {"Spring", "k" + x, "", {stiffness("k" + x)}}; }
+Part spring_part(const std::string& x) { return {"Spring", "k" + x, "", {stiffness("k" + x)}}; }
 
-Part kelvin(const std::string& x) {
+Part kelvin_part(const std::string& x) {
   return {"Kelvin", fmt::format("k{0} | c{0}", x), "", {stiffness("k" + x), damping("c" + x)}};
 }
 
-Part zener(const std::string& x) {
+Part zener_part(const std::string& x) {
   return {"Zener",
           fmt::format("k{0}0 | (k{0}1 - c{0}1)", x),
           "",
           {stiffness("k" + x + "0"), stiffness("k" + x + "1"), damping("c" + x + "1")}};
 }
 
-Part burgers(const std::string& x) {
+Part burgers_part(const std::string& x) {
   return {"Burgers",
           fmt::format("k{0}1 - c{0}1 - (k{0}2 | c{0}2)", x),
           "",
@@ -49,7 +49,7 @@ Part burgers(const std::string& x) {
            damping("c" + x + "2")}};
 }
 
-Part prony(const std::string& x) {
+Part prony_part(const std::string& x) {
   Part part{
       "Prony", fmt::format("prony(k{0}0, k{0}, tau{0}, 10)", x), "", {stiffness("k" + x + "0")}};
   for (int j = 1; j <= 10; ++j) part.columns.push_back({{"k" + x, j}, 1e6, 1e8});
@@ -57,7 +57,7 @@ Part prony(const std::string& x) {
   return part;
 }
 
-Part ladder(const std::string& x) {
+Part ladder_part(const std::string& x) {
   std::string expression = fmt::format("k{0}10 | c{0}10", x);
   for (int j = 9; j > 0; --j)
     expression = fmt::format("c{0}{1} | (k{0}{1} - ({2}))", x, j, expression);
@@ -73,7 +73,7 @@ std::string graph(const std::string& name, const std::array<std::string, 5>& edg
   return table + "]\n";
 }
 
-Part bridge(const std::string& x) {
+Part bridge_part(const std::string& x) {
   std::array<std::string, 5> edges;
   for (std::size_t j = 0; j < edges.size(); ++j)
     edges[j] = fmt::format("k{0}{1} | c{0}{1}", x, j + 1);
@@ -81,7 +81,7 @@ Part bridge(const std::string& x) {
 }
 
 // As scenes/bridge.toml, its nodes 1 and 2 named C and D.
-Part single_element_bridge(const std::string& x) {
+Part single_element_bridge_part(const std::string& x) {
   const std::string k = "k" + x, c = "c" + x;
   return {"SingleElementBridge",
           "bridge_" + x,
@@ -90,7 +90,7 @@ Part single_element_bridge(const std::string& x) {
            stiffness(k + "3")}};
 }
 
-Part isotropic(const std::string&) { return {"Isotropic", "", "", {{{"ratio"}, 0.5, 1}}}; }
+Part isotropic_part(const std::string&) { return {"Isotropic", "", "", {{{"ratio"}, 0.5, 1}}}; }
 
 Problem problem(const std::string& name, Kind normal, Kind tangential, Kind drive) {
   const std::array parts{normal("n"), tangential("t"), drive("d")};
@@ -119,15 +119,15 @@ Problem problem(const std::string& name, Kind normal, Kind tangential, Kind driv
 }  // namespace
 
 std::vector<Problem> all_problems() {
-  return {problem("Kelvin", kelvin, kelvin, kelvin),
-          problem("Zener", zener, zener, zener),
-          problem("Burgers", burgers, burgers, burgers),
-          problem("Prony-10", prony, prony, prony),
-          problem("ladder-10", ladder, ladder, ladder),
-          problem("bridge", bridge, bridge, bridge),
-          problem("S1", kelvin, isotropic, spring),
-          problem("S2", prony, prony, kelvin),
-          problem("S3", single_element_bridge, single_element_bridge, spring)};
+  return {problem("Kelvin", kelvin_part, kelvin_part, kelvin_part),
+          problem("Zener", zener_part, zener_part, zener_part),
+          problem("Burgers", burgers_part, burgers_part, burgers_part),
+          problem("Prony-10", prony_part, prony_part, prony_part),
+          problem("ladder-10", ladder_part, ladder_part, ladder_part),
+          problem("bridge", bridge_part, bridge_part, bridge_part),
+          problem("S1", kelvin_part, isotropic_part, spring_part),
+          problem("S2", prony_part, prony_part, kelvin_part),
+          problem("S3", single_element_bridge_part, single_element_bridge_part, spring_part)};
 }
 
 }  // namespace vcrit::speed

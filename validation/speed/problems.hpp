@@ -9,15 +9,15 @@
 
 namespace vcrit::speed {
 
-struct Column {
+struct VariedParameter {
   Symbol symbol;
   double least = 0, greatest = 0;  ///< SI units
 };
 
 struct Problem {
-  std::string name;             ///< "Prony-10"
-  std::string by_hand;          ///< "Scene<Prony, Prony, Prony>", peers/networks.hpp
-  std::vector<Column> columns;  ///< mu0, omega, du_z, m; of K_n, K_t, K_d
+  std::string name;                      ///< "Prony-10"
+  std::string by_hand;                   ///< "Scene<Prony, Prony, Prony>", peers/networks.hpp
+  std::vector<VariedParameter> columns;  ///< mu0, omega, du_z, m; of K_n, K_t, K_d
   Scene scene;
 };
 

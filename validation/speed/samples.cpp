@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <random>
 
+#include "base/constants.hpp"
 #include "critical/certified.hpp"
 
 namespace vcrit::speed {
@@ -33,7 +33,7 @@ Scene with_values(const Problem& problem, const Samples& samples, std::size_t i)
 
 Samples::Samples(const Problem& problem, Mode mode, std::size_t size) : mode_(mode) {
   std::mt19937_64 random(seed);
-  for (const Column& column : problem.columns) {
+  for (const VariedParameter& column : problem.columns) {
     std::uniform_real_distribution exponent(std::log(column.least), std::log(column.greatest));
     std::vector<double> values(size);
     for (double& value : values) value = std::exp(exponent(random));
@@ -56,7 +56,7 @@ double worst_error(const std::vector<double>& values, const std::vector<double>&
     const double ulp = std::nextafter(reference[i], INFINITY) - reference[i];
     const double error = std::abs(values[i] - reference[i]) / ulp;
     if (!(error <= worst)) worst = error;
-    if (std::isnan(error)) return std::numeric_limits<double>::infinity();
+    if (std::isnan(error)) return infinity;
   }
   return worst;
 }

@@ -8,7 +8,7 @@
 
 #include "speed/peers/numbers.hpp"
 
-namespace vcrit::speed {
+namespace by_hand {
 
 // Elements as numbers at one frequency.
 template <class Access>
@@ -48,4 +48,4 @@ std::array<double, columns> first_values(const double* const* x) {
   return values;
 }
 
-}  // namespace vcrit::speed
+}  // namespace by_hand

@@ -3,10 +3,14 @@
 
 #include "speed/peers/columns.hpp"
 
-namespace vcrit::speed {
+namespace complex_by_hand {
 
 namespace {
 
+using by_hand::At;
+using by_hand::first_values;
+using by_hand::Fixed;
+using by_hand::Varying;
 using Number = std::complex<double>;
 
 template <class E>
@@ -141,4 +145,4 @@ extern "C" [[gnu::flatten]] void sweep(const double* const* x, std::size_t n,
     out[i] = Problem::velocity(At<Fixed>{{values.data()}, omega[i]});
 }
 
-}  // namespace vcrit::speed
+}  // namespace complex_by_hand

@@ -1,13 +1,13 @@
 // The networks of the problems by hand, K = over/under without a division, and Eq. (24) as one
 // quotient of products. The elements E give values, e[j], and products with s, e.damper(j): as
-// numbers at one frequency, or as polynomials in s.
+// numbers at one frequency, or as polynomials in s. VCRIT_SCENE is the problem that is compiled.
 #pragma once
 
 #include <type_traits>
 
 #include "speed/peers/numbers.hpp"
 
-namespace vcrit::speed {
+namespace by_hand {
 
 template <class Over, class Under>
 struct Fraction {
@@ -179,4 +179,6 @@ struct Scene {
   }
 };
 
-}  // namespace vcrit::speed
+using Problem = VCRIT_SCENE;
+
+}  // namespace by_hand

@@ -2,7 +2,7 @@
 // what it must and no more; two doubles instead of std::complex, which guards against overflow.
 #pragma once
 
-namespace vcrit::speed {
+namespace by_hand {
 
 struct One {};
 struct Imaginary {
@@ -49,4 +49,4 @@ inline double squared(double a) { return a * a; }
 inline double squared(Imaginary a) { return a.im * a.im; }
 inline double squared(Complex a) { return a.re * a.re + a.im * a.im; }
 
-}  // namespace vcrit::speed
+}  // namespace by_hand

@@ -8,11 +8,9 @@
 #include "speed/peers/networks.hpp"
 #include "speed/peers/polynomials.hpp"
 
-namespace vcrit::speed {
+namespace by_hand {
 
 namespace {
-
-using Problem = VCRIT_SCENE;
 
 // |p(i w)|^2 at W = w^2.
 inline One square_at(One, double) { return {}; }
@@ -93,4 +91,4 @@ extern "C" [[gnu::flatten]] void squares(const double* const* x, std::size_t n,
   }
 }
 
-}  // namespace vcrit::speed
+}  // namespace by_hand

@@ -6,7 +6,7 @@
 
 #include "speed/peers/numbers.hpp"
 
-namespace vcrit::speed {
+namespace by_hand {
 
 template <int n>
 struct Polynomial {
@@ -102,4 +102,4 @@ inline double horner(const Polynomial<n>& p, double x) {
     return p.a[first] + x * horner<first + step, step>(p, x);
 }
 
-}  // namespace vcrit::speed
+}  // namespace by_hand

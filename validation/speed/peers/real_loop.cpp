@@ -5,11 +5,9 @@
 #include "speed/peers/columns.hpp"
 #include "speed/peers/networks.hpp"
 
-namespace vcrit::speed {
+namespace by_hand {
 
 namespace {
-
-using Problem = VCRIT_SCENE;
 
 template <class Access>
 [[gnu::always_inline]] inline double velocity(const At<Access>& e) {
@@ -36,4 +34,4 @@ extern "C" [[gnu::flatten]] void sweep(const double* const* x, std::size_t n,
   for (std::size_t i = 0; i < n; ++i) out[i] = velocity(At<Fixed>{{values.data()}, omega[i]});
 }
 
-}  // namespace vcrit::speed
+}  // namespace by_hand
