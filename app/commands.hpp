@@ -3,10 +3,12 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <string>
 
 namespace vcrit::app {
 
-void add_derive(CLI::App& program, int& status);
+/// `catalogue` makes the page of --catalogue; without it there is no such option.
+void add_derive(CLI::App& program, int& status, std::string (*catalogue)());
 void add_eval(CLI::App& program);
 void add_generate(CLI::App& program);
 void add_simulate(CLI::App& program);

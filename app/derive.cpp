@@ -9,7 +9,6 @@
 #include "commands.hpp"
 #include "document/print.hpp"
 #include "options.hpp"
-#include "report/catalogue_page.hpp"
 
 namespace vcrit::app {
 
@@ -47,7 +46,7 @@ void add_catalogue(CLI::App& command, bool& wanted) {
 
 }  // namespace
 
-void add_derive(CLI::App& program, int& status) {
+void add_derive(CLI::App& program, int& status, std::string (*catalogue)()) {
   struct Options {
     SceneOptions scene;
     symbolic::DocumentOptions document;
@@ -77,9 +76,9 @@ void add_derive(CLI::App& program, int& status) {
       ->add_option("--equal", options->equal,
                    "instead, prove or refute that this scene has the same v*")
       ->type_name("SCENE");
-  add_catalogue(*command, options->catalogue);
-  command->callback([options, &status] {
-    if (options->catalogue) return fmt::print("{}", validation::report::catalogue_page());
+  if (catalogue) add_catalogue(*command, options->catalogue);
+  command->callback([options, &status, catalogue] {
+    if (options->catalogue) return fmt::print("{}", catalogue());
     if (options->scene.file.empty()) throw CLI::RequiredError("SCENE");
     if (!options->equal.empty()) {
       status = print_comparison(options->scene.read(), read_scene(options->equal),

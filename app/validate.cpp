@@ -11,8 +11,10 @@
 #include "base/errors.hpp"
 #include "commands.hpp"
 #include "options.hpp"
+#include "program.hpp"
 #include "report/validate_extremes.hpp"
 #include "streams.hpp"
+#include "workers.hpp"
 
 namespace vcrit::app {
 
@@ -85,6 +87,14 @@ Validation validated(const ValidateOptions& options) {
   return validation::report::validate(request, show_progress);
 }
 
+Validation in_jobs(const ValidateOptions& options) {
+  try {
+    return validated(options);
+  } catch (const validation::JobRefused& error) {
+    throw Refused(error.what());
+  }
+}
+
 }  // namespace
 
 void add_validate(CLI::App& program, int& status) {
@@ -104,7 +114,7 @@ void add_validate(CLI::App& program, int& status) {
       ->type_name("DIR");
   command->add_flag("--json", options->json, "print one JSON object");
   command->callback([options, &status] {
-    const Validation validation = validated(*options);
+    const Validation validation = in_jobs(*options);
     clear_progress();
     print_validation(validation, options->json);
     if (!validation.passed) status = 1;

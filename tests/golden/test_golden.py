@@ -26,7 +26,7 @@ PROJECT, VCRIT = (Path(sys.argv.pop(1)).resolve() for _ in range(2))
 FOLDER = PROJECT / "tests/golden"
 UPDATE, REPORTS = ("--" + word in sys.argv for word in ("update", "reports"))
 ENVIRONMENT = {**os.environ, "LC_ALL": "C.UTF-8", "GLIBC_TUNABLES": "glibc.cpu.hwcaps=-FMA,-FMA4,-AVX2,-AVX512F"}
-SHOWN = 1200  # bytes: what is longer is told by its hash
+SHOWN = 2000  # bytes: what is longer is told by its hash
 
 LANGUAGES = ("c++", "c99", "python", "javascript", "cuda")
 METHODS = ("moreau", "tanh", "rkf45", "msbdf")

@@ -1,0 +1,25 @@
+// A program of commands: what its words do, and what each kind of error means for the exit status.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <stdexcept>
+#include <string>
+
+namespace vcrit::app {
+
+/// What the user or the system refused, in words of its own: exit status 2.
+class Refused : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Adds the commands; they set the exit status where it is not 0.
+using AddCommands = std::function<void(CLI::App& program, int& status)>;
+
+/// Runs the command that the arguments name; `version` is what --version prints, no option where
+/// there is none. Returns the exit status.
+int run_program(int argc, char** argv, const AddCommands& add,
+                const std::function<std::string()>& version);
+
+}  // namespace vcrit::app
