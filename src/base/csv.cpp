@@ -6,19 +6,14 @@
 #include <cmath>
 
 #include "base/numbers.hpp"
+#include "base/trimmed.hpp"
 
 namespace vcrit {
 
 namespace {
 
 constexpr const char* byte_order_mark = "\xEF\xBB\xBF";
-constexpr const char* blanks = " \t\r";
-
-std::string trimmed(const std::string& text) {
-  const auto first = text.find_first_not_of(blanks);
-  if (first == text.npos) return {};
-  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
+constexpr const char* blanks_of_csv = " \t\r";
 
 }  // namespace
 
@@ -28,7 +23,7 @@ CsvLines::CsvLines(const std::string& text, const std::string& file)
 bool CsvLines::next() {
   while (std::getline(in_, line_)) {
     ++place_.line;
-    line_ = trimmed(line_);
+    line_ = std::string(trimmed(line_, blanks_of_csv));
     if (!line_.empty()) return true;
   }
   return false;
@@ -45,7 +40,7 @@ std::vector<std::string> CsvLines::cells() const {
   std::vector<std::string> result;
   for (std::size_t begin = 0;;) {
     const auto comma = line_.find(',', begin);
-    result.push_back(trimmed(line_.substr(begin, comma - begin)));
+    result.emplace_back(trimmed(line_.substr(begin, comma - begin), blanks_of_csv));
     if (comma == line_.npos) return result;
     begin = comma + 1;
   }

@@ -8,20 +8,20 @@ namespace vcrit {
 
 namespace {
 
-std::mutex mutex;
-int alive = 0;
-gsl_error_handler_t* host = nullptr;
+std::mutex handler_mutex;
+int errors_off = 0;  // how many are alive
+gsl_error_handler_t* host_handler = nullptr;
 
 }  // namespace
 
 GslErrorsOff::GslErrorsOff() {
-  const std::lock_guard lock(mutex);
-  if (alive++ == 0) host = gsl_set_error_handler_off();
+  const std::lock_guard lock(handler_mutex);
+  if (errors_off++ == 0) host_handler = gsl_set_error_handler_off();
 }
 
 GslErrorsOff::~GslErrorsOff() {
-  const std::lock_guard lock(mutex);
-  if (--alive == 0) gsl_set_error_handler(host);
+  const std::lock_guard lock(handler_mutex);
+  if (--errors_off == 0) gsl_set_error_handler(host_handler);
 }
 
 }  // namespace vcrit

@@ -8,22 +8,18 @@ namespace vcrit {
 
 namespace {
 
-unsigned char byte(std::string_view text, std::size_t i) {
-  return static_cast<unsigned char>(text[i]);
-}
-
 bool continues(std::string_view text, std::size_t i) {
-  return i < text.size() && (byte(text, i) & 0xC0U) == 0x80U;
+  return i < text.size() && (byte_at(text, i) & 0xC0U) == 0x80U;
 }
 
 // Bytes of the character at `i`, 0 if there is none that prints: the table of well-formed UTF-8 in
 // the Unicode standard (3-7), without those that steer.
 std::size_t character(std::string_view text, std::size_t i) {
-  const unsigned char lead = byte(text, i);
+  const unsigned lead = byte_at(text, i);
   if (steering(text.substr(i)) > 0) return 0;
   if (lead < 0x80) return 1;
   if (lead < 0xC2 || lead > 0xF4 || !continues(text, i + 1)) return 0;
-  const unsigned char second = byte(text, i + 1);
+  const unsigned second = byte_at(text, i + 1);
   if (lead < 0xE0) return 2;
   if ((lead == 0xE0 && second < 0xA0) || (lead == 0xED && second > 0x9F) || !continues(text, i + 2))
     return 0;
@@ -40,7 +36,7 @@ std::string escaped(std::string_view text) {
       result += text.substr(i, length);
       i += length;
     } else {
-      result += text[i] == '\n' ? "\\n" : fmt::format("\\x{:02x}", byte(text, i));
+      result += text[i] == '\n' ? "\\n" : fmt::format("\\x{:02x}", byte_at(text, i));
       ++i;
     }
   }

@@ -7,6 +7,9 @@
 
 namespace vcrit {
 
+/// The byte at `i`; 0 beyond the end.
+unsigned byte_at(std::string_view text, std::size_t i);
+
 /// The bytes at the beginning of `text` that make up one character that is not shown but steers:
 /// a control character (newline and tabulator among them), an end of line in Unicode, or a mark
 /// that turns the direction of writing. 0 if the first character is another one.

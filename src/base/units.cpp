@@ -10,6 +10,7 @@
 
 #include "base/messages.hpp"
 #include "base/numbers.hpp"
+#include "base/trimmed.hpp"
 
 namespace vcrit {
 
@@ -79,12 +80,6 @@ bool angular(const ut_unit* unit) {
   return length > 0 && std::string_view(definition.data()).find("rad") != std::string_view::npos;
 }
 
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t");
-  if (first == text.npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
-
 double convert(double number, std::string_view unit, Dimension dimension, const Place& place,
                std::string_view whole) {
   const std::string found = fmt::format("\"{}\"", whole);
@@ -122,7 +117,7 @@ std::string describe(Dimension dimension) {
 }
 
 double parse_quantity(std::string_view text, Dimension dimension, const Place& place) {
-  const std::string_view whole = trimmed(text);
+  const std::string_view whole = trimmed(text, " \t");
   // No inf or nan; and of "2eV" it is the 2 that is the number.
   const auto end = std::min(whole.find_first_not_of("0123456789.+-eE"), whole.size());
   const LeadingNumber number = leading_number(whole.substr(0, end));
@@ -132,7 +127,7 @@ double parse_quantity(std::string_view text, Dimension dimension, const Place& p
   if (!number.value)
     throw InputError(place, fmt::format("\"{}\", beyond the range of doubles", text),
                      describe(dimension));
-  const std::string_view unit = trimmed(whole.substr(number.length));
+  const std::string_view unit = trimmed(whole.substr(number.length), " \t");
   const double value =
       unit.empty() ? *number.value : convert(*number.value, unit, dimension, place, whole);
   if (!std::isfinite(value))

@@ -19,18 +19,50 @@ namespace {
 using kernels::lanes;
 using Given = std::span<const std::span<const double>>;
 
-/// A parameter that varies, and the unit in which it is given.
-struct Varying {
-  Symbol symbol;
-  double factor = 1;
-};
-
 double at(std::span<const double> column, std::size_t lane) {
   return column[column.size() == 1 ? 0 : lane];
 }
 
+}  // namespace
+
+class CriticalVelocities::Formula {
+ public:
+  Formula(const Scene& scene, std::vector<std::string> names, Grade grade);
+  void evaluate(Given given, std::span<double> out) const;
+
+ private:
+  /// A parameter that varies, and the unit in which it is given.
+  struct Varying {
+    Symbol symbol;
+    double factor = 1;
+  };
+  class Columns;
+  class Certified;
+  class Call;
+
+  Scene scene_;
+  std::vector<std::string> names_;
+  std::vector<Varying> varying_;
+  Values values_;  // of all symbols; of those that vary any
+  std::optional<Operations> operations_;
+};
+
+CriticalVelocities::Formula::Formula(const Scene& scene, std::vector<std::string> names,
+                                     Grade grade)
+    : scene_(scene), names_(std::move(names)) {
+  ChangingScene changing(scene_, names_);
+  bool all_there = true;
+  for (const ChangingScene::Target& target : changing.targets()) {
+    varying_.push_back({target.symbol, target.factor});
+    all_there = all_there && target.value != nullptr;
+  }
+  // A number that every quantity may have, Poisson's ratio as well.
+  values_ = values_of(changing.at(std::vector<double>(names_.size(), 0.25)));
+  if (all_there && grade == Grade::doubles) operations_ = operations_of(scene_);
+}
+
 /// Columns of `lanes` doubles that begin at lines of the cache.
-class Columns {
+class CriticalVelocities::Formula::Columns {
  public:
   explicit Columns(std::size_t count)
       : numbers_(static_cast<double*>(
@@ -46,7 +78,7 @@ class Columns {
 
 /// Lanes of which the correctly rounded value is wanted, one after the other. Neighbours may be one
 /// scene, as all rows of a sweep over speeds are: it takes memory and microseconds once.
-class Certified {
+class CriticalVelocities::Formula::Certified {
  public:
   Certified(const Scene& scene, const std::vector<std::string>& names) : changing_(scene, names) {}
 
@@ -75,37 +107,6 @@ class Certified {
   std::vector<double> values_;      // of the last lane
   std::optional<double> velocity_;  // its v*
 };
-
-}  // namespace
-
-class CriticalVelocities::Formula {
- public:
-  Formula(const Scene& scene, std::vector<std::string> names, Grade grade);
-  void evaluate(Given given, std::span<double> out) const;
-
- private:
-  class Call;
-
-  Scene scene_;
-  std::vector<std::string> names_;
-  std::vector<Varying> varying_;
-  Values values_;  // of all symbols; of those that vary any
-  std::optional<Operations> operations_;
-};
-
-CriticalVelocities::Formula::Formula(const Scene& scene, std::vector<std::string> names,
-                                     Grade grade)
-    : scene_(scene), names_(std::move(names)) {
-  ChangingScene changing(scene_, names_);
-  bool all_there = true;
-  for (const ChangingScene::Target& target : changing.targets()) {
-    varying_.push_back({target.symbol, target.factor});
-    all_there = all_there && target.value != nullptr;
-  }
-  // A number that every quantity may have, Poisson's ratio as well.
-  values_ = values_of(changing.at(std::vector<double>(names_.size(), 0.25)));
-  if (all_there && grade == Grade::doubles) operations_ = operations_of(scene_);
-}
 
 /// One call of the batch: its columns, and which operations must run for each block.
 class CriticalVelocities::Formula::Call {

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 
+#include "base/constants.hpp"
 #include "critical/balls.hpp"
 #include "critical/drive_response.hpp"
 #include "network/reduction.hpp"
@@ -93,12 +94,10 @@ std::optional<double> unique_double(const Ball& ball) {
   return low == high ? std::optional(low) : std::nullopt;
 }
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
-
 // Relative error of a correctly rounded double; a subnormal one is known to half its last place
 // only.
 double rounding_bound(double value) {
-  constexpr double half_ulp = std::numeric_limits<double>::epsilon() / 2;
+  constexpr double half_ulp = epsilon / 2;
   if (value >= std::numeric_limits<double>::min()) return half_ulp;
   return value == 0 ? 1 : std::numeric_limits<double>::denorm_min() / 2 / value;
 }
@@ -114,7 +113,7 @@ CertifiedVelocity exact_zeros(const Scene& scene, const Quotient& q) {
                     "vanishes too",
                     resonance));
   if (may_be_zero(q.denominator))
-    return {infinite, 0, fmt::format("resonance: {}, so that v* is infinite", resonance)};
+    return {infinity, 0, fmt::format("resonance: {}, so that v* is infinite", resonance)};
   return {0, 0, {}};
 }
 
@@ -129,7 +128,7 @@ CertifiedVelocity certified_critical_velocity(const Scene& scene) {
     const Ball quotient = balls.divide(balls.modulus(q.numerator), balls.modulus(q.denominator));
     if (const auto value = unique_double(balls.multiply(q.prefactor, quotient));
         value && !may_be_zero(q.numerator) && !may_be_zero(q.prefactor)) {
-      if (std::isinf(*value)) return {infinite, infinite, "v* is above the largest double"};
+      if (std::isinf(*value)) return {infinity, infinity, "v* is above the largest double"};
       return {*value, rounding_bound(*value), {}};
     }
     const bool zero =

@@ -1,15 +1,13 @@
 #include "critical/critical_velocity.hpp"
 
 #include <cmath>
-#include <complex>
 
+#include "base/complex.hpp"
 #include "stiffness/dynamic_stiffness.hpp"
 
 namespace vcrit {
 
 namespace {
-
-using Complex = std::complex<double>;
 
 // K_d - m omega^2 with the product's rounding errors kept, so that resonance loses no digits.
 double minus_inertia(double stiffness, double mass, double omega) {
@@ -26,8 +24,9 @@ double minus_inertia(double a, double b, double mass, double omega) {
 }
 
 // |K_t + K_d - m omega^2|/|K_d - m omega^2|
-double drive_factor(Complex tangential, const Scene& scene, const Values& values, double omega) {
-  const Complex drive = dynamic_stiffness(*scene.drive, values, omega);
+double drive_factor(ComplexDouble tangential, const Scene& scene, const Values& values,
+                    double omega) {
+  const ComplexDouble drive = dynamic_stiffness(*scene.drive, values, omega);
   const double mass = scene.mass ? values.at(scene.mass->symbol) : 0;
   const double n = minus_inertia(tangential.real(), drive.real(), mass, omega);
   const double d = minus_inertia(drive.real(), mass, omega);
@@ -35,14 +34,15 @@ double drive_factor(Complex tangential, const Scene& scene, const Values& values
 }
 
 // The same with K_d = 1/R: |K_t R + 1 - m omega^2 R|/|1 - m omega^2 R|
-double measured_factor(Complex tangential, const Scene& scene, const Values& values, double omega) {
+double measured_factor(ComplexDouble tangential, const Scene& scene, const Values& values,
+                       double omega) {
   const auto [below, above] = bracket(*scene.receptance, omega);
   const double width = above.omega - below.omega;
   const double share = width > 0 ? (omega - below.omega) / width : 0;
-  const Complex receptance =
-      (1 - share) * Complex{below.re, below.im} + share * Complex{above.re, above.im};
+  const ComplexDouble receptance =
+      (1 - share) * ComplexDouble{below.re, below.im} + share * ComplexDouble{above.re, above.im};
   const double inertia = scene.mass ? values.at(scene.mass->symbol) * omega * omega : 0;
-  const Complex d = 1.0 - inertia * receptance;
+  const ComplexDouble d = 1.0 - inertia * receptance;
   return std::abs(tangential * receptance + d) / std::abs(d);
 }
 
@@ -58,8 +58,8 @@ double critical_velocity(const Scene& scene, double omega) {
   // An isotropic, rigidly driven contact needs no rheology at all.
   double factor = 1 / ratio;
   if (isotropic == nullptr || has_drive(scene)) {
-    const Complex normal = dynamic_stiffness(scene.normal, values, omega);
-    const Complex tangential =
+    const ComplexDouble normal = dynamic_stiffness(scene.normal, values, omega);
+    const ComplexDouble tangential =
         isotropic != nullptr
             ? ratio * normal
             : dynamic_stiffness(std::get<Network>(scene.tangential), values, omega);

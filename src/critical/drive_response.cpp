@@ -24,14 +24,14 @@ class Massless : public DriveInBalls {
 };
 
 /// A matrix of balls that frees itself.
-class Matrix {
+class BallMatrix {
  public:
-  explicit Matrix(std::size_t size) {
+  explicit BallMatrix(std::size_t size) {
     acb_mat_init(matrix_, static_cast<slong>(size), static_cast<slong>(size));
   }
-  Matrix(const Matrix&) = delete;
-  Matrix& operator=(const Matrix&) = delete;
-  ~Matrix() { acb_mat_clear(matrix_); }
+  BallMatrix(const BallMatrix&) = delete;
+  BallMatrix& operator=(const BallMatrix&) = delete;
+  ~BallMatrix() { acb_mat_clear(matrix_); }
 
   acb_ptr at(std::size_t row, std::size_t column) {
     return acb_mat_entry(matrix_, static_cast<slong>(row), static_cast<slong>(column));
@@ -107,7 +107,7 @@ class WithMasses : public DriveInBalls {
   /// Of the nodal stiffness matrix of the nodes from `first` on, all others held.
   Ball determinant(std::size_t first, const std::vector<Ball>& stiffness,
                    const Balls& balls) const {
-    Matrix matrix(nodes_ - first);
+    BallMatrix matrix(nodes_ - first);
     for (std::size_t i = 0; i < edges_.size(); ++i) {
       const auto [from, to] = std::minmax(edges_[i].from, edges_[i].to);
       if (to < first) continue;

@@ -10,19 +10,19 @@ extern const Kernels table;
 
 namespace {
 
-void multiply(double* __restrict out, const double* a, const double* b) {
+void multiply_lanes(double* __restrict out, const double* a, const double* b) {
   for (std::size_t i = 0; i < lanes; ++i) out[i] = a[i] * b[i];
 }
 
-void divide(double* __restrict out, const double* a, const double* b) {
+void divide_lanes(double* __restrict out, const double* a, const double* b) {
   for (std::size_t i = 0; i < lanes; ++i) out[i] = a[i] / b[i];
 }
 
-void add(double* __restrict out, const double* a, const double* b) {
+void add_lanes(double* __restrict out, const double* a, const double* b) {
   for (std::size_t i = 0; i < lanes; ++i) out[i] = a[i] + b[i];
 }
 
-void maxwell(Result out, const double* k, const double* tau, const double* omega) {
+void maxwell_lanes(Result out, const double* k, const double* tau, const double* omega) {
   double* __restrict storage = out.storage;
   double* __restrict loss = out.loss;
   for (std::size_t i = 0; i < lanes; ++i) {
@@ -34,7 +34,7 @@ void maxwell(Result out, const double* k, const double* tau, const double* omega
 }
 
 // 1/(1/a + 1/b) = (a |b|^2 + b |a|^2)/|a + b|^2 in both components.
-void series(Result out, Stiffness a, Stiffness b) {
+void series_lanes(Result out, Stiffness a, Stiffness b) {
   double* __restrict storage = out.storage;
   double* __restrict loss = out.loss;
   for (std::size_t i = 0; i < lanes; ++i) {
@@ -47,7 +47,7 @@ void series(Result out, Stiffness a, Stiffness b) {
   }
 }
 
-void mesh(Result out, Stiffness a, Stiffness b, Stiffness total) {
+void mesh_lanes(Result out, Stiffness a, Stiffness b, Stiffness total) {
   double* __restrict storage = out.storage;
   double* __restrict loss = out.loss;
   for (std::size_t i = 0; i < lanes; ++i) {
@@ -60,14 +60,14 @@ void mesh(Result out, Stiffness a, Stiffness b, Stiffness total) {
   }
 }
 
-void isotropic(double* __restrict out, double* __restrict lost, const double* poisson) {
+void isotropic_lanes(double* __restrict out, double* __restrict lost, const double* poisson) {
   for (std::size_t i = 0; i < lanes; ++i) {
     out[i] = 2 * (1 - poisson[i]) / (2 - poisson[i]);
     lost[i] = ((poisson[i] > -1) & (poisson[i] <= 0.5)) ? lost[i] : 1;
   }
 }
 
-void modulus_ratio(double* __restrict out, Stiffness a, Stiffness b) {
+void modulus_ratio_lanes(double* __restrict out, Stiffness a, Stiffness b) {
   for (std::size_t i = 0; i < lanes; ++i) {
     const double above = a.storage[i] * a.storage[i] + a.loss[i] * a.loss[i];
     const double below = b.storage[i] * b.storage[i] + b.loss[i] * b.loss[i];
@@ -76,23 +76,23 @@ void modulus_ratio(double* __restrict out, Stiffness a, Stiffness b) {
 }
 
 // The last bits that stiffness - m omega^2 would lose to the rounding of the product.
-inline double minus_inertia(double stiffness, double mass, double omega) {
+inline double minus_inertia_of_lane(double stiffness, double mass, double omega) {
   const double square = omega * omega, square_error = std::fma(omega, omega, -square);
   const double inertia = mass * square, inertia_error = std::fma(mass, square, -inertia);
   return (stiffness - inertia) - (inertia_error + mass * square_error);
 }
 
-void massless_factor(double* __restrict out, Stiffness t, Stiffness d) {
+void massless_factor_lanes(double* __restrict out, Stiffness t, Stiffness d) {
   for (std::size_t i = 0; i < lanes; ++i) {
     const double re = t.storage[i] + d.storage[i], im = t.loss[i] + d.loss[i];
     out[i] = std::sqrt((re * re + im * im) / (d.storage[i] * d.storage[i] + d.loss[i] * d.loss[i]));
   }
 }
 
-void drive_factor(double* __restrict out, double* __restrict lost, Stiffness t,
-                  const Drive& drive) {
+void drive_factor_lanes(double* __restrict out, double* __restrict lost, Stiffness t,
+                        const Drive& drive) {
   const Stiffness d = drive.network;
-  if (drive.mass == nullptr) return massless_factor(out, t, d);
+  if (drive.mass == nullptr) return massless_factor_lanes(out, t, d);
   const double of_contact = drive.exact_contact ? 0 : 1, of_drive = drive.exact_drive ? 0 : 1;
   constexpr double worst = worst_cancellation * worst_cancellation;
   const double* mass = drive.mass;
@@ -101,8 +101,8 @@ void drive_factor(double* __restrict out, double* __restrict lost, Stiffness t,
     // The exact sum of both storage stiffnesses is sum + rest.
     const double sum = t.storage[i] + d.storage[i], shadow = sum - t.storage[i];
     const double rest = (t.storage[i] - (sum - shadow)) + (d.storage[i] - shadow);
-    const double above = minus_inertia(sum, mass[i], omega[i]) + rest;
-    const double below = minus_inertia(d.storage[i], mass[i], omega[i]);
+    const double above = minus_inertia_of_lane(sum, mass[i], omega[i]) + rest;
+    const double below = minus_inertia_of_lane(d.storage[i], mass[i], omega[i]);
     const double above_loss = t.loss[i] + d.loss[i];
     const double above_norm = above * above + above_loss * above_loss;
     const double below_norm = below * below + d.loss[i] * d.loss[i];
@@ -116,7 +116,7 @@ void drive_factor(double* __restrict out, double* __restrict lost, Stiffness t,
   }
 }
 
-void outside_range(double* __restrict lost, const double* x) {
+void lanes_outside_range(double* __restrict lost, const double* x) {
   for (std::size_t i = 0; i < lanes; ++i) {
     const bool usual = (x[i] >= least_usual) & (x[i] <= most_usual);
     lost[i] = usual ? lost[i] : 1;
@@ -125,7 +125,8 @@ void outside_range(double* __restrict lost, const double* x) {
 
 }  // namespace
 
-const Kernels table{multiply, divide,    add,           maxwell,      series,
-                    mesh,     isotropic, modulus_ratio, drive_factor, outside_range};
+const Kernels table{multiply_lanes,     divide_lanes,       add_lanes,       maxwell_lanes,
+                    series_lanes,       mesh_lanes,         isotropic_lanes, modulus_ratio_lanes,
+                    drive_factor_lanes, lanes_outside_range};
 
 }  // namespace vcrit::kernels::VCRIT_LEVEL

@@ -1,18 +1,15 @@
 #include "critical/log_derivative.hpp"
 
-#include <complex>
-
+#include "base/complex.hpp"
 #include "network/reduction.hpp"
 
 namespace vcrit {
 
 namespace {
 
-using Complex = std::complex<double>;
-
 /// A number and p times its derivative by p.
 struct Dual {
-  Complex value, change{};
+  ComplexDouble value, change{};
 
   friend Dual operator+(const Dual& a, const Dual& b) {
     return {a.value + b.value, a.change + b.change};
@@ -24,7 +21,7 @@ struct Dual {
     return {a.value * b.value, a.change * b.value + a.value * b.change};
   }
   friend Dual operator/(const Dual& a, const Dual& b) {
-    const Complex quotient = a.value / b.value;
+    const ComplexDouble quotient = a.value / b.value;
     return {quotient, (a.change - quotient * b.change) / b.value};
   }
   /// p d ln|value|/dp

@@ -7,8 +7,6 @@ namespace vcrit {
 
 namespace {
 
-using Kind = Operation::Kind;
-
 /// Columns of storage and loss stiffness.
 struct Pair {
   Column storage = zero_column, loss = zero_column;
@@ -18,6 +16,7 @@ struct Pair {
 class Recorder {
  public:
   using Value = Pair;
+  using Kind = Operation::Kind;
 
   explicit Recorder(Symbol omega) : omega_(std::move(omega)) {}
 
@@ -81,9 +80,9 @@ Contact isotropic_contact(Recorder& recorder, const Scene& scene, const Isotropi
   Column ratio = recorder.parameter(isotropic.quantity.symbol);
   if (isotropic.by == Isotropic::By::poisson) {
     recorder.written().poisson = ratio;
-    ratio = recorder.single(Kind::isotropic, {ratio});
+    ratio = recorder.single(Operation::Kind::isotropic, {ratio});
   }
-  velocity = recorder.single(Kind::divide, {velocity, ratio});
+  velocity = recorder.single(Operation::Kind::divide, {velocity, ratio});
   // Under a rigid drive it needs no rheology at all.
   if (!scene.drive) return {velocity, {}};
   const Pair normal = evaluate(reduce(scene.normal), recorder);
@@ -96,7 +95,7 @@ Contact anisotropic_contact(Recorder& recorder, const Scene& scene, const Networ
   const Pair n = evaluate(reduce(scene.normal), recorder);
   const Pair t = evaluate(reduce(network), recorder);
   const Column factor =
-      recorder.single(Kind::modulus_ratio, {n.storage, n.loss, t.storage, t.loss});
+      recorder.single(Operation::Kind::modulus_ratio, {n.storage, n.loss, t.storage, t.loss});
   return {recorder.multiply(velocity, factor), t};
 }
 
@@ -104,8 +103,9 @@ Column driven(Recorder& recorder, const Scene& scene, const Contact& contact) {
   const Pair drive = evaluate(reduce(*scene.drive), recorder);
   const Column mass = scene.mass ? recorder.parameter(scene.mass->symbol) : zero_column;
   const Pair t = contact.tangential;
-  const Column factor = recorder.single(
-      Kind::drive_factor, {t.storage, t.loss, drive.storage, drive.loss, mass, recorder.omega()});
+  const Column factor =
+      recorder.single(Operation::Kind::drive_factor,
+                      {t.storage, t.loss, drive.storage, drive.loss, mass, recorder.omega()});
   return recorder.multiply(contact.velocity, factor);
 }
 

@@ -3,16 +3,14 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numbers>
 
+#include "base/constants.hpp"
 #include "critical/admissibility.hpp"
 #include "critical/critical_velocity.hpp"
 
 namespace vcrit::design {
 
 namespace {
-
-constexpr double turn = 2 * std::numbers::pi;
 
 std::string needs_indentation(const Question& question, double times) {
   return fmt::format(
@@ -84,10 +82,10 @@ std::string ratio_over_amplitudes(const Failure& f) {
 
 std::string too_fast_for_frequencies(const Failure& f) {
   const double limit = f.range.largest_velocity;
-  const Scene there = with_angular_frequency(f.question.scene, turn * f.range.largest_at);
+  const Scene there = with_angular_frequency(f.question.scene, two_pi * f.range.largest_at);
   const double amplitude = *there.amplitude.value * (f.question.velocity - creep_velocity(there)) /
                            critical_velocity(there);
-  const double most = f.contact.largest_amplitude(turn * f.range.largest_at);
+  const double most = f.contact.largest_amplitude(two_pi * f.range.largest_at);
   std::string text = fmt::format(
       "at {:.6g} m/s friction stays full at every searched {}: it is reduced up to {:.6g} m/s at "
       "most, at {:.6g} Hz. It takes a velocity below that, or an amplitude above {:.6g} m there",
@@ -102,7 +100,7 @@ std::string ratio_over_frequencies(const Failure& f) {
   std::string text = fmt::format("no frequency reaches a friction ratio of {} at {:.6g} m/s: {}",
                                  f.question.friction_ratio, f.question.velocity, least_found(f));
   if (!f.least) return text;
-  const double omega = turn * f.least_at;
+  const double omega = two_pi * f.least_at;
   const double limit = 1 - f.contact.oscillating_part(*f.question.scene.amplitude.value, omega);
   text += fmt::format(
       ". Even as the velocity vanishes it tends to {:.6g} there, the least normal force over its "

@@ -11,7 +11,7 @@ namespace vcrit::design {
 struct Failure {
   const Question& question;
   const NormalContact& contact;
-  const Range& range;
+  const SearchRange& range;
   std::optional<double> least;  ///< the least ratio that was found
   double least_at = 0;          ///< where, in the unit of what is sought
   int evaluations = 0, unanswered = 0;

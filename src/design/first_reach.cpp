@@ -15,7 +15,7 @@ namespace {
 constexpr int bits_of_minimum = 26;
 // Two bits above rounding, where a root finder's bracket no longer shrinks.
 constexpr int bits_of_root = 50;
-constexpr std::uintmax_t most_steps = 200;
+constexpr std::uintmax_t most_search_steps = 200;
 
 class Searching {
  public:
@@ -48,7 +48,7 @@ class Searching {
   }
 
   Reach refined(double before, double at) {
-    std::uintmax_t steps = most_steps;
+    std::uintmax_t steps = most_search_steps;
     const auto [a, b] = boost::math::tools::toms748_solve(
         [&](double x) { return above(x); }, std::min(before, at), std::max(before, at),
         boost::math::tools::eps_tolerance<double>(bits_of_root), steps);
@@ -58,7 +58,7 @@ class Searching {
 
   void look_into_dip(double before, double after) {
     std::optional<double> reached;
-    std::uintmax_t steps = most_steps;
+    std::uintmax_t steps = most_search_steps;
     boost::math::tools::brent_find_minima(
         [&](double x) {
           const double value = above(x);

@@ -7,6 +7,7 @@
 #include <complex>
 #include <cstdint>
 
+#include "base/constants.hpp"
 #include "critical/admissibility.hpp"
 #include "critical/critical_velocity.hpp"
 
@@ -22,7 +23,7 @@ Scene complete(Scene scene) {
 }
 
 double at_infinity(const Relaxation& form) {
-  if (form.damper > 0) return std::numeric_limits<double>::infinity();
+  if (form.damper > 0) return infinity;
   double sum = form.equilibrium;
   for (const MaxwellBranch& branch : form.branches) sum += branch.stiffness;
   return sum;

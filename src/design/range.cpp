@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "base/constants.hpp"
 #include "critical/admissibility.hpp"
 #include "critical/critical_velocity.hpp"
 
@@ -13,10 +13,8 @@ namespace vcrit::design {
 
 namespace {
 
-constexpr double turn = 2 * std::numbers::pi;
-
 // The bounds themselves are not admissible: there the normal force touches zero.
-constexpr double inside = 0.999999;
+constexpr double inside_the_bound = 0.999999;
 
 // Speeds below this part of the largest are not asked for. Friction is within its square root of
 // the static limit there.
@@ -46,12 +44,15 @@ std::vector<double> even_ratios(double a, double b, int samples) {
 
 // v* grows in proportion to the amplitude, the creep does not: below some amplitude friction is
 // full.
-Range amplitudes(const Question& question, const NormalContact& contact) {
+SearchRange amplitudes(const Question& question, const NormalContact& contact) {
   const Scene scene = with_amplitude(question.scene, 1);
   const double most =
       contact.largest_amplitude(values_of(scene).at(scene.angular_frequency.symbol));
-  Range range{
-      question.from.value_or(0), std::min(question.to.value_or(most), inside * most), {}, 0, 0};
+  SearchRange range{question.from.value_or(0),
+                    std::min(question.to.value_or(most), inside_the_bound * most),
+                    {},
+                    0,
+                    0};
   refuse_empty(question, range.from, range.to);
   range.largest_velocity = reduced_up_to(with_amplitude(scene, range.to));
   range.largest_at = range.to;
@@ -66,35 +67,37 @@ Range amplitudes(const Question& question, const NormalContact& contact) {
 }
 
 // Each stretch gets its part of the samples by its width, and enough to show its shape.
-Range frequencies(const Question& question, const NormalContact& contact) {
+SearchRange frequencies(const Question& question, const NormalContact& contact) {
   const auto omega = question.scene.angular_frequency.value;
   if (!omega && !(question.from && question.to))
     throw InputError({"--for frequency"}, "a scene without a frequency",
                      "--from and --to, the range to search");
   const auto most = contact.largest_angular_frequency(*question.scene.amplitude.value);
-  Range range{question.from ? *question.from : *omega / turn / 100,
-              question.to ? *question.to : *omega / turn * 100,
-              {},
-              0,
-              0};
+  SearchRange range{question.from ? *question.from : *omega / two_pi / 100,
+                    question.to ? *question.to : *omega / two_pi * 100,
+                    {},
+                    0,
+                    0};
   refuse_empty(question, range.from, range.to);
-  if (most && range.from >= *most / turn)
+  if (most && range.from >= *most / two_pi)
     throw ModelError(fmt::format(
         "the contact opens at all frequencies from {:.6g} Hz on, and the range begins at {:.6g} Hz",
-        *most / turn, range.from));
-  if (most) range.to = std::min(range.to, inside * *most / turn);
+        *most / two_pi, range.from));
+  if (most) range.to = std::min(range.to, inside_the_bound * *most / two_pi);
   refuse_empty(question, range.from, range.to);
   const Stretches found =
-      reducing_stretches(with_angular_frequency(question.scene, turn * range.from),
-                         turn * range.from, turn * range.to, question.velocity);
+      reducing_stretches(with_angular_frequency(question.scene, two_pi * range.from),
+                         two_pi * range.from, two_pi * range.to, question.velocity);
   range.largest_velocity = found.largest_velocity;
-  range.largest_at = found.largest_at / turn;
+  range.largest_at = found.largest_at / two_pi;
   for (const Stretch& part : found.parts) {
     if (!(part.from < part.to)) continue;
     const double width = std::log(part.to / part.from) / std::log(range.to / range.from);
     const int samples = std::max(32, static_cast<int>(std::ceil(width * question.samples)));
     // 2 pi f / 2 pi is not f to the last bit either.
-    const auto in_hertz = [](double at, double end) { return at == turn * end ? end : at / turn; };
+    const auto in_hertz = [](double at, double end) {
+      return at == two_pi * end ? end : at / two_pi;
+    };
     range.rows.push_back(
         even_ratios(in_hertz(part.from, range.from), in_hertz(part.to, range.to), samples));
   }
@@ -103,9 +106,10 @@ Range frequencies(const Question& question, const NormalContact& contact) {
 
 // From the fastest on, which is worth most: finely where friction begins to fall, then by even
 // ratios. Above the limit it is full.
-Range velocities(const Question& question) {
+SearchRange velocities(const Question& question) {
   const double limit = reduced_up_to(question.scene);
-  Range range{question.from.value_or(0), std::min(question.to.value_or(limit), limit), {}, 0, 0};
+  SearchRange range{
+      question.from.value_or(0), std::min(question.to.value_or(limit), limit), {}, 0, 0};
   if (std::isinf(range.to))
     throw ModelError(
         "v* is infinite here, so that no speed is the largest: give a range with --to");
@@ -128,7 +132,7 @@ Range velocities(const Question& question) {
 
 }  // namespace
 
-Range range_of(const Question& question, const NormalContact& contact) {
+SearchRange range_of(const Question& question, const NormalContact& contact) {
   switch (question.sought) {
     case Sought::amplitude:
       return amplitudes(question, contact);

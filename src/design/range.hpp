@@ -9,7 +9,7 @@
 
 namespace vcrit::design {
 
-struct Range {
+struct SearchRange {
   double from = 0, to = 0;  ///< asked for and admissible, in the unit of what is sought
   /// Rows of places in that unit, each searched for itself, in the order of preference. None where
   /// friction is full throughout.
@@ -20,6 +20,6 @@ struct Range {
 };
 
 /// Throws InputError for an empty range, ModelError where nothing in it is admissible.
-Range range_of(const Question& question, const NormalContact& contact);
+SearchRange range_of(const Question& question, const NormalContact& contact);
 
 }  // namespace vcrit::design

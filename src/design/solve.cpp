@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numbers>
 
+#include "base/constants.hpp"
 #include "critical/admissibility.hpp"
 #include "critical/critical_velocity.hpp"
 #include "design/explain.hpp"
@@ -16,8 +16,6 @@
 namespace vcrit::design {
 
 namespace {
-
-constexpr double turn = 2 * std::numbers::pi;
 
 // A step for the slope at the answer: far above rounding, far below what bends the curve.
 constexpr double part_for_slope = 1e-4;
@@ -57,7 +55,7 @@ class Solving {
   }
 
   // A drive that is not simulated is named before anything is searched.
-  Range range() const {
+  SearchRange range() const {
     Scene scene = question_.scene;
     if (question_.sought != Sought::velocity) {
       if (!scene.angular_frequency.value) scene.angular_frequency.value = 1;
@@ -72,7 +70,7 @@ class Solving {
       case Sought::amplitude:
         return with_amplitude(question_.scene, value);
       case Sought::frequency:
-        return with_angular_frequency(question_.scene, turn * value);
+        return with_angular_frequency(question_.scene, two_pi * value);
       case Sought::velocity:
         return question_.scene;
     }
@@ -125,7 +123,7 @@ class Solving {
     result.largest_amplitude = contact_.largest_amplitude(omega);
     if (!opens(scene))
       if (const auto most = contact_.largest_angular_frequency(*scene.amplitude.value))
-        result.largest_frequency = *most / turn;
+        result.largest_frequency = *most / two_pi;
     result.from = range_.from;
     result.to = range_.to;
     result.evaluations = evaluations_;
@@ -135,7 +133,7 @@ class Solving {
 
   Question question_;
   NormalContact contact_;
-  Range range_;
+  SearchRange range_;
   std::optional<double> least_;
   double least_at_ = 0;
   int evaluations_ = 0, unanswered_ = 0;

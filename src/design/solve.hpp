@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "base/numbers.hpp"
 #include "scene/scene.hpp"
 #include "simulation/system/steady_state.hpp"
 
@@ -13,6 +14,8 @@ namespace vcrit::design {
 
 enum class Sought { amplitude, frequency, velocity };
 
+// The overload below hides none of the others.
+using vcrit::to_text;
 const char* to_text(Sought sought);  ///< "amplitude", "frequency", "velocity"
 const char* unit_of(Sought sought);  ///< "m", "Hz", "m/s"
 

@@ -7,8 +7,8 @@
 #include <array>
 #include <cctype>
 #include <cmath>
-#include <numbers>
 
+#include "base/constants.hpp"
 #include "base/csv.hpp"
 #include "base/files.hpp"
 #include "base/units.hpp"
@@ -17,7 +17,7 @@ namespace vcrit::fit {
 
 namespace {
 
-enum Quantity {
+enum MeasuredQuantity {
   frequency,
   angular_frequency,
   storage,
@@ -38,11 +38,11 @@ constexpr std::array<Known, quantities> known{{{"frequency", Dimension::frequenc
                                                {"storage_error", Dimension::stiffness},
                                                {"loss_error", Dimension::stiffness}}};
 
-struct Column {
+struct TableColumn {
   std::size_t index = 0;
   double factor = 1;  // to SI
 };
-using Columns = std::array<std::optional<Column>, quantities>;
+using TableColumns = std::array<std::optional<TableColumn>, quantities>;
 
 std::string names() {
   std::vector<std::string> list;
@@ -78,11 +78,11 @@ double factor(const Heading& heading, Dimension dimension, const Place& place) {
   return heading.unit.empty() ? 1 : parse_quantity("1 " + heading.unit, dimension, place);
 }
 
-void refuse_sets(const Columns& columns, const Place& place) {
+void refuse_sets(const TableColumns& columns, const Place& place) {
   std::vector<std::string> missing;
   if (!columns[frequency] && !columns[angular_frequency])
     missing.emplace_back("frequency or angular_frequency");
-  for (const Quantity needed : {storage, loss})
+  for (const MeasuredQuantity needed : {storage, loss})
     if (!columns[needed]) missing.emplace_back(known[needed].name);
   if (!missing.empty())
     throw InputError(place, fmt::format("no column {}", fmt::join(missing, ", ")),
@@ -93,8 +93,8 @@ void refuse_sets(const Columns& columns, const Place& place) {
     throw InputError(place, "one of storage_error and loss_error", "both or none");
 }
 
-Columns columns_of(const CsvLines& header) {
-  Columns columns;
+TableColumns columns_of(const CsvLines& header) {
+  TableColumns columns;
   const std::vector<std::string> cells = header.cells();
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const Heading found = heading(cells[i], header.place());
@@ -106,19 +106,19 @@ Columns columns_of(const CsvLines& header) {
     auto& column = columns[static_cast<std::size_t>(match - known.begin())];
     if (column)
       throw InputError(header.place(), fmt::format("two columns {}", match->name), "one of each");
-    column = Column{i, factor(found, match->dimension, header.place())};
+    column = TableColumn{i, factor(found, match->dimension, header.place())};
   }
   refuse_sets(columns, header.place());
   return columns;
 }
 
-Row row_of(const std::vector<double>& numbers, const Columns& columns) {
-  const auto value = [&](Quantity quantity) {
+Row row_of(const std::vector<double>& numbers, const TableColumns& columns) {
+  const auto value = [&](MeasuredQuantity quantity) {
     const auto& column = columns[quantity];
     return column ? column->factor * numbers[column->index] : 0;
   };
-  return {columns[frequency] ? 2 * std::numbers::pi * value(frequency) : value(angular_frequency),
-          value(storage), value(loss), value(storage_error), value(loss_error)};
+  return {columns[frequency] ? two_pi * value(frequency) : value(angular_frequency), value(storage),
+          value(loss), value(storage_error), value(loss_error)};
 }
 
 void refuse_values(const Row& row, bool errors, const Place& place) {
@@ -140,7 +140,7 @@ void refuse_values(const Row& row, bool errors, const Place& place) {
 }
 
 // Rising or falling, whichever the first two rows do.
-void refuse_order(const std::vector<Row>& rows, const Place& place) {
+void refuse_frequency_order(const std::vector<Row>& rows, const Place& place) {
   if (rows.size() < 2) return;
   const double before = rows[rows.size() - 2].omega, now = rows.back().omega;
   const bool rises = rows[1].omega > rows[0].omega;
@@ -154,14 +154,14 @@ void refuse_order(const std::vector<Row>& rows, const Place& place) {
 Data parse_data(const std::string& text, const std::string& file) {
   CsvLines lines(text, file);
   if (!lines.next()) throw InputError({file}, "an empty table", "a header with " + names());
-  const Columns columns = columns_of(lines);
+  const TableColumns columns = columns_of(lines);
   const std::size_t count = lines.cells().size();
   Data data{file, {}, columns[storage_error].has_value()};
   while (lines.next()) {
     data.rows.push_back(
         row_of(lines.numbers(count, fmt::format("{} numbers, as the header has", count)), columns));
     refuse_values(data.rows.back(), data.has_errors, lines.place());
-    refuse_order(data.rows, lines.place());
+    refuse_frequency_order(data.rows, lines.place());
   }
   if (data.rows.size() < 2)
     throw InputError(lines.place(), data.rows.empty() ? "no row of numbers" : "one row of numbers",

@@ -7,6 +7,7 @@
 #include <boost/math/special_functions/gamma.hpp>
 #include <cmath>
 
+#include "base/constants.hpp"
 #include "base/errors.hpp"
 #include "fit/starts.hpp"
 
@@ -59,7 +60,7 @@ class Fitting {
   // Terms that came out at 0 begin small instead.
   std::optional<Refined> improved(std::optional<Relaxation> start) const {
     if (!start) return std::nullopt;
-    double softest = std::numeric_limits<double>::infinity();
+    double softest = infinity;
     double thinnest = softest;
     for (const Row& row : given_.rows) {
       softest = std::min(softest, std::hypot(row.storage, row.loss));

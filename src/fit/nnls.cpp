@@ -4,6 +4,8 @@
 #include <limits>
 #include <vector>
 
+#include "base/constants.hpp"
+
 namespace vcrit::fit {
 
 namespace {
@@ -41,7 +43,7 @@ class ActiveSet {
     const VectorXd residual = b_ - a_ * x_;
     const VectorXd gradient = a_.transpose() * residual;
     // A cosine below the rounding of its own sum is none.
-    double steepest = 32 * std::numeric_limits<double>::epsilon() * b_.norm();
+    double steepest = 32 * epsilon * b_.norm();
     Index found = -1;
     for (Index i = 0; i < a_.cols(); ++i)
       if (gradient[i] > steepest && !among(free_, i) && !among(refused_, i))

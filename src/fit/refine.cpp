@@ -19,7 +19,7 @@ using Eigen::VectorXd;
 
 // Of the logarithms: digits beyond these no measurement has.
 constexpr double settled = 1e-11;
-constexpr int most_steps = 400;
+constexpr int most_refining_steps = 400;
 
 // GSL's vectors and matrices by row as Eigen sees them.
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
@@ -119,7 +119,8 @@ std::optional<VectorXd> least_squares(Problem& problem, Index size, VectorXd sta
       gsl_multifit_nlinear_init(&at.vector, &functions, workspace.get()) != GSL_SUCCESS)
     return std::nullopt;
   int info = 0;
-  gsl_multifit_nlinear_driver(most_steps, settled, 0, 0, nullptr, nullptr, &info, workspace.get());
+  gsl_multifit_nlinear_driver(most_refining_steps, settled, 0, 0, nullptr, nullptr, &info,
+                              workspace.get());
   const VectorXd found = of_gsl(gsl_multifit_nlinear_position(workspace.get()));
   return found.allFinite() ? std::optional(found) : std::nullopt;
 }

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
-#include <numbers>
 
+#include "base/constants.hpp"
 #include "base/numbers.hpp"
 #include "base/units.hpp"
 
@@ -34,8 +34,8 @@ std::string quoted(const std::string& text) {
   return result + "\"";
 }
 
-// Of one line, for a comment.
-std::string plain(std::string text) {
+// On one line, as a comment is.
+std::string in_a_comment(std::string text) {
   std::replace_if(
       text.begin(), text.end(),
       [](char c) { return std::iscntrl(static_cast<unsigned char>(c)) != 0; }, ' ');
@@ -87,14 +87,14 @@ std::string elements(const Fit& fit) {
 }
 
 std::string origin(const Fit& fit, const Data& data) {
-  constexpr double hertz = 2 * std::numbers::pi;
+  constexpr double hertz = two_pi;  // rad/s
   return fmt::format(
       "# Prony series with {} branch{}, fitted by `vcrit fit` to {} frequencies of {}, {:.4g} to "
       "{:.4g} Hz,\n# with a root mean square misfit of {:.2g} %. It says little beyond these "
       "frequencies.\n",
       fit.branches.size(), fit.branches.size() == 1 ? "" : "es", data.rows.size(),
-      plain(std::filesystem::path(data.file).filename().string()), data.rows.front().omega / hertz,
-      data.rows.back().omega / hertz, 100 * fit.rms_relative);
+      in_a_comment(std::filesystem::path(data.file).filename().string()),
+      data.rows.front().omega / hertz, data.rows.back().omega / hertz, 100 * fit.rms_relative);
 }
 
 }  // namespace

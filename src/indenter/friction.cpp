@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
-#include <limits>
 
+#include "base/constants.hpp"
 #include "base/errors.hpp"
 #include "indenter/changes.hpp"
 #include "indenter/panels.hpp"
@@ -17,7 +17,6 @@ namespace vcrit::indenter {
 
 namespace {
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr std::size_t scanned = 64;
 
 Friction of_one_cell(const HalfSpace& half_space, double velocity) {

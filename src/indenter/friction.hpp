@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "critical/critical_velocity.hpp"
 #include "indenter/half_space.hpp"
 #include "simulation/steady/onset.hpp"
 #include "simulation/system/steady_state.hpp"
@@ -51,6 +52,8 @@ struct Cell {
 /// `samples` points of each cycle.
 std::vector<Cell> cells(const HalfSpace& half_space, double velocity, int count, int samples);
 
+// The overload below does not hide that of a scene.
+using vcrit::critical_velocity;
 /// The lowest velocity at which all cells slide forward whenever they touch. That of the centre
 /// where the half-space is elastic; else the highest of 64 cells, refined to about 1e-12 where the
 /// threshold is a smooth function of x. Throws ModelError where no steady sliding is found.

@@ -5,23 +5,19 @@
 #include <algorithm>
 #include <boost/math/special_functions/gamma.hpp>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
+#include "base/constants.hpp"
 #include "base/errors.hpp"
 
 namespace vcrit::indenter {
 
 namespace {
 
-using Shape = Indenter::Shape;
-
-constexpr double infinite = std::numeric_limits<double>::infinity();
-
 // Of rounded heights; what g falls by is of second order in their error.
 constexpr double harmless_fall = 1e-6;
 
-double size(const Indenter& indenter, std::size_t i) {
+double given_size(const Indenter& indenter, std::size_t i) {
   ensure(i < indenter.sizes.size() && indenter.sizes[i].value, "the indenter has its sizes");
   return *indenter.sizes[i].value;
 }
@@ -37,21 +33,21 @@ double angle(double r, double x) { return std::atan2(std::sqrt((x - r) * (x + r)
 
 }  // namespace
 
-Gap::Gap(const Indenter& indenter) : end_(infinite) {
+Gap::Gap(const Indenter& indenter) : end_(infinity) {
   switch (indenter.shape) {
-    case Shape::flat:
-      end_ = size(indenter, 0);
+    case Indenter::Shape::flat:
+      end_ = given_size(indenter, 0);
       break;
-    case Shape::cone:
-      set_power(std::tan(size(indenter, 0)), 1);
+    case Indenter::Shape::cone:
+      set_power(std::tan(given_size(indenter, 0)), 1);
       break;
-    case Shape::parabola:
-      set_power(0.5 / size(indenter, 0), 2);
+    case Indenter::Shape::parabola:
+      set_power(0.5 / given_size(indenter, 0), 2);
       break;
-    case Shape::power:
-      set_power(size(indenter, 0), size(indenter, 1));
+    case Indenter::Shape::power:
+      set_power(given_size(indenter, 0), given_size(indenter, 1));
       break;
-    case Shape::table:
+    case Indenter::Shape::table:
       ensure(indenter.profile.has_value(), "the table has been read");
       set_table(*indenter.profile);
   }
@@ -64,12 +60,12 @@ void Gap::set_power(double factor, double exponent) {
 
 // With the slopes changing by d_i at r_i, g(x) = |x| sum_{r_i < |x|} d_i arccos(r_i/|x|).
 void Gap::set_table(const Profile& profile) {
-  constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
+  constexpr double slope_rounding = 8 * epsilon;
   double before = 0;
   for (std::size_t i = 0; i + 1 < profile.rows.size(); ++i) {
     const Profile::Row &row = profile.rows[i], &next = profile.rows[i + 1];
     const double slope = (next.f - row.f) / (next.r - row.r);
-    if (std::abs(slope - before) <= rounding * slope) continue;
+    if (std::abs(slope - before) <= slope_rounding * slope) continue;
     radii_.push_back(row.r);
     changes_.push_back(slope - before);
     before = slope;
@@ -120,7 +116,7 @@ double Gap::highest_after(double highest, double low, double high) const {
 
 double Gap::at(double x) const {
   const double distance = std::abs(x);
-  if (distance > end_) return infinite;
+  if (distance > end_) return infinity;
   if (radii_.empty()) return factor_ == 0 ? 0 : factor_ * std::pow(distance, exponent_);
   const Parts parts = polygon(distance);
   return parts.rise - parts.fall;

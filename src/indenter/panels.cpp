@@ -6,7 +6,8 @@
 #include <array>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <cmath>
-#include <limits>
+
+#include "base/constants.hpp"
 
 namespace vcrit::indenter {
 
@@ -16,9 +17,8 @@ constexpr std::size_t nodes = 21;
 using Kronrod = boost::math::quadrature::gauss_kronrod<double, nodes>;
 using Gauss = boost::math::quadrature::gauss<double, nodes / 2>;
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 // Of a panel's integral: differences of its two sums below this say nothing.
-constexpr double rounding = 16 * epsilon;
+constexpr double force_rounding = 16 * epsilon;
 constexpr int most_cells = 200'000;
 
 // Times the difference of both sums, as an unseen kink between the nodes may fool them alike.
@@ -131,7 +131,7 @@ class Quadrature {
     std::vector<Panel> kept, halves;
     for (const Panel& panel : panels_) {
       const double error = std::max(panel.ratio_error(ratio), panel.normal_force_error());
-      const double least = std::max(panel.cell_error, rounding * panel.normal_force);
+      const double least = std::max(panel.cell_error, force_rounding * panel.normal_force);
       const double middle = 0.5 * (panel.low + panel.high);
       if (error <= std::max(share, least) || middle <= panel.low || middle >= panel.high) {
         kept.push_back(panel);

@@ -22,10 +22,10 @@ constexpr const char* blocks_done = "/progress/blocks";
 // make one that a killed run left unreadable.
 Object access(const Ranks* ranks) {
   Object list(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "H5Pcreate");
-  hdf5::checked(H5Pset_libver_bounds(list.id(), H5F_LIBVER_V18, H5F_LIBVER_V18),
-                "H5Pset_libver_bounds");
+  hdf5::succeeded(H5Pset_libver_bounds(list.id(), H5F_LIBVER_V18, H5F_LIBVER_V18),
+                  "H5Pset_libver_bounds");
   // Numbers go to the file when they are written, before their block counts as done.
-  hdf5::checked(H5Pset_sieve_buf_size(list.id(), 0), "H5Pset_sieve_buf_size");
+  hdf5::succeeded(H5Pset_sieve_buf_size(list.id(), 0), "H5Pset_sieve_buf_size");
   if (ranks != nullptr) share(*ranks, list.id());
   return list;
 }
@@ -36,15 +36,15 @@ Object open_file(const fs::path& file, unsigned flags, const Ranks* ranks) {
 
 Object new_file(const fs::path& file) {
   const Object creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose, "H5Pcreate");
-  hdf5::checked(
+  hdf5::succeeded(
       H5Pset_link_creation_order(creation.id(), H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED),
       "H5Pset_link_creation_order");
-  hdf5::checked(H5Pset_obj_track_times(creation.id(), false), "H5Pset_obj_track_times");
+  hdf5::succeeded(H5Pset_obj_track_times(creation.id(), false), "H5Pset_obj_track_times");
   return {H5Fcreate(file.c_str(), H5F_ACC_TRUNC, creation.id(), access(nullptr).id()), H5Fclose,
           "H5Fcreate"};
 }
 
-void describe(const Object& file, const Sweep& sweep) {
+void put_attributes(const Object& file, const Sweep& sweep) {
   hdf5::put(file, "Conventions", "CF-1.8");
   if (!sweep.scene.title.empty()) hdf5::put(file, "title", sweep.scene.title);
   hdf5::put(file, "source", "vcrit " VCRIT_VERSION);
@@ -85,7 +85,7 @@ void variable(const Object& file, const SweptQuantity& quantity, const std::vect
 }
 
 void lay_out(const Object& file, const Sweeping& sweeping) {
-  describe(file, sweeping.sweep());
+  put_attributes(file, sweeping.sweep());
   std::vector<Object> coordinates;
   std::vector<hsize_t> size;
   for (const Axis& axis : sweeping.grid().axes()) {

@@ -35,8 +35,8 @@ Object space(const std::vector<hsize_t>& size) {
 
 Object text_type(std::size_t length) {
   Object type(H5Tcopy(H5T_C_S1), H5Tclose, "H5Tcopy");
-  checked(H5Tset_size(type.id(), length + 1), "H5Tset_size");
-  checked(H5Tset_cset(type.id(), H5T_CSET_UTF8), "H5Tset_cset");
+  succeeded(H5Tset_size(type.id(), length + 1), "H5Tset_size");
+  succeeded(H5Tset_cset(type.id(), H5T_CSET_UTF8), "H5Tset_cset");
   return type;
 }
 
@@ -47,11 +47,11 @@ Error::Error(const char* function) : std::runtime_error(message(function)) {}
 Object create_array(const Object& parent, const std::string& name, hid_t type,
                     const std::vector<hsize_t>& size) {
   const Object list(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "H5Pcreate");
-  checked(H5Pset_alloc_time(list.id(), H5D_ALLOC_TIME_EARLY), "H5Pset_alloc_time");
-  checked(H5Pset_fill_time(list.id(), H5D_FILL_TIME_NEVER), "H5Pset_fill_time");
-  checked(H5Pset_obj_track_times(list.id(), false), "H5Pset_obj_track_times");
-  checked(H5Pset_attr_creation_order(list.id(), H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED),
-          "H5Pset_attr_creation_order");
+  succeeded(H5Pset_alloc_time(list.id(), H5D_ALLOC_TIME_EARLY), "H5Pset_alloc_time");
+  succeeded(H5Pset_fill_time(list.id(), H5D_FILL_TIME_NEVER), "H5Pset_fill_time");
+  succeeded(H5Pset_obj_track_times(list.id(), false), "H5Pset_obj_track_times");
+  succeeded(H5Pset_attr_creation_order(list.id(), H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED),
+            "H5Pset_attr_creation_order");
   return {H5Dcreate2(parent.id(), name.c_str(), type, space(size).id(), H5P_DEFAULT, list.id(),
                      H5P_DEFAULT),
           H5Dclose, "H5Dcreate"};
@@ -59,9 +59,9 @@ Object create_array(const Object& parent, const std::string& name, hid_t type,
 
 Object create_group(const Object& parent, const std::string& name) {
   const Object list(H5Pcreate(H5P_GROUP_CREATE), H5Pclose, "H5Pcreate");
-  checked(H5Pset_obj_track_times(list.id(), false), "H5Pset_obj_track_times");
-  checked(H5Pset_link_creation_order(list.id(), H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED),
-          "H5Pset_link_creation_order");
+  succeeded(H5Pset_obj_track_times(list.id(), false), "H5Pset_obj_track_times");
+  succeeded(H5Pset_link_creation_order(list.id(), H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED),
+            "H5Pset_link_creation_order");
   return {H5Gcreate2(parent.id(), name.c_str(), H5P_DEFAULT, list.id(), H5P_DEFAULT), H5Gclose,
           "H5Gcreate"};
 }
@@ -75,7 +75,7 @@ void put(const Object& object, const std::string& name, const std::string& text)
   const Object attribute(
       H5Acreate2(object.id(), name.c_str(), type.id(), space({}).id(), H5P_DEFAULT, H5P_DEFAULT),
       H5Aclose, "H5Acreate");
-  checked(H5Awrite(attribute.id(), type.id(), text.c_str()), "H5Awrite");
+  succeeded(H5Awrite(attribute.id(), type.id(), text.c_str()), "H5Awrite");
 }
 
 void put(const Object& object, const std::string& name, hid_t type,
@@ -84,46 +84,46 @@ void put(const Object& object, const std::string& name, hid_t type,
   const Object attribute(
       H5Acreate2(object.id(), name.c_str(), type, space(size).id(), H5P_DEFAULT, H5P_DEFAULT),
       H5Aclose, "H5Acreate");
-  checked(H5Awrite(attribute.id(), H5T_NATIVE_DOUBLE, values.data()), "H5Awrite");
+  succeeded(H5Awrite(attribute.id(), H5T_NATIVE_DOUBLE, values.data()), "H5Awrite");
 }
 
 std::string text_of(const Object& object, const std::string& name) {
   const Object attribute(H5Aopen(object.id(), name.c_str(), H5P_DEFAULT), H5Aclose, "H5Aopen");
   const Object type(H5Aget_type(attribute.id()), H5Tclose, "H5Aget_type");
   std::string text(H5Tget_size(type.id()), '\0');
-  checked(H5Aread(attribute.id(), type.id(), text.data()), "H5Aread");
+  succeeded(H5Aread(attribute.id(), type.id(), text.data()), "H5Aread");
   return text.substr(0, text.find('\0'));
 }
 
 void remove_attribute(const Object& object, const std::string& name) {
-  if (checked(H5Aexists(object.id(), name.c_str()), "H5Aexists") > 0)
-    checked(H5Adelete(object.id(), name.c_str()), "H5Adelete");
+  if (succeeded(H5Aexists(object.id(), name.c_str()), "H5Aexists") > 0)
+    succeeded(H5Adelete(object.id(), name.c_str()), "H5Adelete");
 }
 
 void write_part(const Object& array, const std::vector<hsize_t>& start,
                 const std::vector<hsize_t>& count, hid_t memory_type, const void* numbers) {
   const Object file_space(H5Dget_space(array.id()), H5Sclose, "H5Dget_space");
-  checked(H5Sselect_hyperslab(file_space.id(), H5S_SELECT_SET, start.data(), nullptr, count.data(),
-                              nullptr),
-          "H5Sselect_hyperslab");
-  checked(
+  succeeded(H5Sselect_hyperslab(file_space.id(), H5S_SELECT_SET, start.data(), nullptr,
+                                count.data(), nullptr),
+            "H5Sselect_hyperslab");
+  succeeded(
       H5Dwrite(array.id(), memory_type, space(count).id(), file_space.id(), H5P_DEFAULT, numbers),
       "H5Dwrite");
 }
 
 std::vector<unsigned char> read_bytes(const Object& array, std::size_t size) {
   std::vector<unsigned char> bytes(size);
-  checked(H5Dread(array.id(), H5T_NATIVE_UINT8, H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()),
-          "H5Dread");
+  succeeded(H5Dread(array.id(), H5T_NATIVE_UINT8, H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()),
+            "H5Dread");
   return bytes;
 }
 
 void make_scale(const Object& array, const std::string& name) {
-  checked(H5DSset_scale(array.id(), name.c_str()), "H5DSset_scale");
+  succeeded(H5DSset_scale(array.id(), name.c_str()), "H5DSset_scale");
 }
 
 void attach_scale(const Object& array, const Object& scale, unsigned dimension) {
-  checked(H5DSattach_scale(array.id(), scale.id(), dimension), "H5DSattach_scale");
+  succeeded(H5DSattach_scale(array.id(), scale.id(), dimension), "H5DSattach_scale");
 }
 
 }  // namespace vcrit::hdf5

@@ -19,7 +19,7 @@ class Error : public std::runtime_error {
 
 /// What any function of HDF5 returned, unless it reports an error.
 template <class Result>
-Result checked(Result result, const char* function) {
+Result succeeded(Result result, const char* function) {
   if (result < 0) throw Error(function);
   return result;
 }
@@ -30,7 +30,7 @@ class Object {
   using Close = herr_t (*)(hid_t);
 
   Object() = default;
-  Object(hid_t id, Close how, const char* function) : id_(checked(id, function)), close_(how) {}
+  Object(hid_t id, Close how, const char* function) : id_(succeeded(id, function)), close_(how) {}
   Object(Object&& other) noexcept { swap(other); }
   Object& operator=(Object&& other) noexcept {
     swap(other);
@@ -44,7 +44,7 @@ class Object {
   /// Closes it now; what a destructor would hide is thrown.
   void close() {
     const hid_t id = std::exchange(id_, -1);
-    if (id >= 0) checked(close_(id), "close");
+    if (id >= 0) succeeded(close_(id), "close");
   }
   /// Never closes it.
   void leave() { id_ = -1; }

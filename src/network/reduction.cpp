@@ -27,8 +27,9 @@ class Reducer {
   std::size_t operator()(const Graph& graph);
 
   std::size_t add(Step step) {
-    if (steps.size() == most_steps)
-      throw InputError({"a graph"}, fmt::format("more than {} steps to its stiffness", most_steps),
+    if (steps.size() == most_reduction_steps)
+      throw InputError({"a graph"},
+                       fmt::format("more than {} steps to its stiffness", most_reduction_steps),
                        "fewer edges between its inner nodes");
     steps.push_back(std::move(step));
     return steps.size() - 1;

@@ -29,9 +29,9 @@ struct Reduction {
 };
 
 /// The elimination of a graph's inner nodes can make far more edges than the graph has.
-constexpr std::size_t most_steps = 4'000'000;
+constexpr std::size_t most_reduction_steps = 4'000'000;
 
-/// Throws InputError beyond `most_steps`.
+/// Throws InputError beyond `most_reduction_steps`.
 Reduction reduce(const Network& network);
 
 /// Runs the program. `Algebra` gives the type Value and

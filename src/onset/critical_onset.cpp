@@ -2,8 +2,8 @@
 
 #include <cmath>
 #include <limits>
-#include <numbers>
 
+#include "base/constants.hpp"
 #include "critical/admissibility.hpp"
 #include "critical/certified.hpp"
 #include "indenter/friction.hpp"
@@ -32,7 +32,7 @@ bool isotropic(const Scene& scene) {
 }
 
 // u_z = u_z0 + du_z cos(omega t) rises fastest there.
-constexpr double steepest = 1.5 * std::numbers::pi;
+constexpr double steepest_phase = 1.5 * pi;
 
 CriticalOnset by_formula(const Scene& scene) {
   const auto [value, bound, reason] = certified_critical_velocity(scene);
@@ -51,7 +51,7 @@ CriticalOnset by_simulation(const simulation::Onset& onset) {
 // All cells have the same v* while they are closed, and none has more; the centre parts last.
 CriticalOnset of_indenter(const Scene& scene) {
   const indenter::HalfSpace half_space(scene);
-  if (simulation::touches_at(half_space.cell(0), steepest)) return by_formula(scene);
+  if (simulation::touches_at(half_space.cell(0), steepest_phase)) return by_formula(scene);
   return by_simulation(indenter::critical_velocity(half_space));
 }
 
@@ -62,7 +62,7 @@ CriticalOnset critical_onset(const Scene& scene) {
   if (elastic(scene)) return by_formula(scene);
   if (scene.indenter) return of_indenter(scene);
   const simulation::System system = simulation::system_of(scene);
-  if (isotropic(scene) && simulation::touches_at(system, steepest)) return by_formula(scene);
+  if (isotropic(scene) && simulation::touches_at(system, steepest_phase)) return by_formula(scene);
   return by_simulation(simulation::sliding_threshold(system));
 }
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <utility>
 
+#include "base/constants.hpp"
 #include "base/numbers.hpp"
 #include "scene/settings.hpp"
 
@@ -43,7 +43,7 @@ ChangingScene::ChangingScene(const Scene& scene, std::vector<std::string> names)
 ChangingScene::Target ChangingScene::target(const std::string& name) {
   const auto of = [](Quantity& quantity) { return Target{&quantity.value, quantity.symbol}; };
   if (name == "frequency")
-    return {&scene_.angular_frequency.value, scene_.angular_frequency.symbol, 2 * std::numbers::pi};
+    return {&scene_.angular_frequency.value, scene_.angular_frequency.symbol, two_pi};
   if (name == "angular_frequency" || name == "omega") return of(scene_.angular_frequency);
   if (name == "amplitude" || name == "du_z") return of(scene_.amplitude);
   if (name == "indentation" || name == "u_z0") return of(scene_.indentation);

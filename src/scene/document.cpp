@@ -19,7 +19,7 @@ const toml::table* as_table(const toml::node* node, const std::string& name,
                             const std::string& file) {
   if (node == nullptr) return nullptr;
   if (!node->is_table())
-    throw InputError(place_of(*node, file), fmt::format("{} = {}", name, describe(*node)),
+    throw InputError(place_of(*node, file), fmt::format("{} = {}", name, describe_node(*node)),
                      fmt::format("a table [{}]", name));
   return node->as_table();
 }
@@ -54,7 +54,7 @@ toml::table parse(const std::string& text, const std::string& file) {
   }
 }
 
-std::string describe(const toml::node& node) {
+std::string describe_node(const toml::node& node) {
   if (node.is_table()) return "a table";
   if (node.is_array()) return "an array";
   std::ostringstream out;
@@ -87,7 +87,8 @@ std::string Section::text(std::string_view key) const {
     throw InputError(place(key), fmt::format("no \"{}\" in [{}]", key, name_),
                      fmt::format("{} = \"...\"", key));
   if (!node->is_string())
-    throw InputError(place(key), fmt::format("{} = {}", key, describe(*node)), "a text in quotes");
+    throw InputError(place(key), fmt::format("{} = {}", key, describe_node(*node)),
+                     "a text in quotes");
   return node->ref<std::string>();
 }
 

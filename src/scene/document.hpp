@@ -20,7 +20,7 @@ constexpr std::size_t longest_scene = 1U << 26U;
 toml::table parse(const std::string& text, const std::string& file);
 
 /// What stands there, for messages: `"8 N/um"`, `12`, "an array".
-std::string describe(const toml::node& node);
+std::string describe_node(const toml::node& node);
 
 /// One table of the file. A table that is not there has no keys.
 class Section {

@@ -38,7 +38,7 @@ const std::vector<Form>& forms() {
   return all;
 }
 
-const Form& form_of(const std::string& name) {
+const Form& form_named(const std::string& name) {
   const auto known = std::find_if(forms().begin(), forms().end() - 1,
                                   [&](const Form& form) { return name == form.name; });
   return *known;
@@ -49,7 +49,7 @@ const Form& form_of(const std::string& name) {
 Indenter read_indenter(const document::Section& section, const std::filesystem::path& folder,
                        Quantities& quantities) {
   const std::string name = section.text("shape");
-  const Form& form = form_of(name);
+  const Form& form = form_named(name);
   std::vector<std::string> keys{"shape"};
   for (const Size& size : form.sizes) keys.emplace_back(size.key);
   for (const char* key : indenter_keys)

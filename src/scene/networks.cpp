@@ -21,7 +21,7 @@ constexpr std::size_t most_elements_together = 4 * most_elements;
 // Combinations in one another; a level of brackets makes two of them.
 constexpr int deepest_network = 2 * deepest_nesting;
 
-using document::describe;
+using document::describe_node;
 using document::place_of;
 
 const char* kind_name(const ElementUse& use) {
@@ -109,7 +109,8 @@ std::optional<Network> Networks::named(const std::string& name, const Place& pla
 Network Networks::read_named(const std::string& name, const toml::node& node, int level) {
   if (node.is_string()) return read(node.ref<std::string>(), place_of(node, file_), level);
   if (node.is_table()) return read_graph(name, *node.as_table(), level);
-  throw InputError(place_of(node, file_), fmt::format("network \"{}\" = {}", name, describe(node)),
+  throw InputError(place_of(node, file_),
+                   fmt::format("network \"{}\" = {}", name, describe_node(node)),
                    "a network in quotes, or a table with terminals and edges");
 }
 
@@ -159,9 +160,9 @@ void Networks::read_edge(const toml::node& node, Graph& graph, NamedNodes& nodes
   const Place place = place_of(node, file_);
   const std::string expected = "[\"network\", \"node\", \"node\"]";
   if (edge == nullptr || edge->size() != 3 || !edge->get(0)->is_string())
-    throw InputError(place,
-                     fmt::format("edge {}", edge == nullptr ? describe(node) : "of another form"),
-                     expected);
+    throw InputError(
+        place, fmt::format("edge {}", edge == nullptr ? describe_node(node) : "of another form"),
+        expected);
   const int from = read_node(*edge->get(1), expected, nodes);
   graph.wires.push_back({from, read_node(*edge->get(2), expected, nodes)});
   const toml::node& network = *edge->get(0);
@@ -179,7 +180,7 @@ void Networks::merge_ground(Graph& graph, const toml::array& edges) const {
     if (without_masses(graph.parts[i]))
       throw InputError(place_of(*edges.get(i), file_),
                        fmt::format("an edge to \"ground\" other than a mass ({})",
-                                   describe(*edges.get(i)->as_array()->get(0))),
+                                   describe_node(*edges.get(i)->as_array()->get(0))),
                        "mass(...): springs and dampers have no end at inertial ground");
     for (int* end : {&wire.from, &wire.to})
       if (*end == node) *end = 1;
@@ -189,7 +190,7 @@ void Networks::merge_ground(Graph& graph, const toml::array& edges) const {
 int Networks::read_node(const toml::node& node, const std::string& expected,
                         NamedNodes& nodes) const {
   if (!node.is_string())
-    throw InputError(place_of(node, file_), describe(node),
+    throw InputError(place_of(node, file_), describe_node(node),
                      "the name of a node in quotes: " + expected);
   const auto& name = node.ref<std::string>();
   const auto [known, is_new] = nodes.places.emplace(name, static_cast<int>(nodes.names.size()));

@@ -9,13 +9,13 @@ namespace vcrit {
 
 namespace {
 
-constexpr const char* header = "r,f";
-const std::vector<std::string> columns{"r", "f"};
+constexpr const char* profile_header = "r,f";
+const std::vector<std::string> profile_columns{"r", "f"};
 
 // Seconds for one speed; the profile takes the square of it.
-constexpr std::size_t most_rows = 2000;
+constexpr std::size_t most_profile_rows = 2000;
 
-void refuse_order(const Profile& profile, const Profile::Row& row, const Place& place) {
+void refuse_profile_order(const Profile& profile, const Profile::Row& row, const Place& place) {
   if (profile.rows.empty()) {
     if (row != Profile::Row{})
       throw InputError(place, fmt::format("r = {}, f = {} first", row.r, row.f),
@@ -37,20 +37,21 @@ Profile read_profile(const std::filesystem::path& file, const Place& place) {
   if (!std::filesystem::is_regular_file(file))
     throw InputError(
         place, fmt::format("shape = \"{}\", which is no file", file.string()),
-        fmt::format("flat, cone, parabola, power, or a table in CSV with the header {}", header));
+        fmt::format("flat, cone, parabola, power, or a table in CSV with the header {}",
+                    profile_header));
   return parse_profile(read_file(file), file.string());
 }
 
 Profile parse_profile(const std::string& text, const std::string& file) {
   Profile profile{file, {}};
   CsvLines lines(text, file);
-  lines.take_header(columns);
+  lines.take_header(profile_columns);
   while (lines.next()) {
-    const auto numbers = lines.numbers(columns.size(), "two numbers: r, f");
+    const auto numbers = lines.numbers(profile_columns.size(), "two numbers: r, f");
     const Profile::Row row{numbers[0], numbers[1]};
-    refuse_order(profile, row, lines.place());
-    if (profile.rows.size() == most_rows)
-      throw InputError(lines.place(), fmt::format("more than {} rows", most_rows),
+    refuse_profile_order(profile, row, lines.place());
+    if (profile.rows.size() == most_profile_rows)
+      throw InputError(lines.place(), fmt::format("more than {} rows", most_profile_rows),
                        "at most so many: each is a place where the contact changes");
     profile.rows.push_back(row);
   }

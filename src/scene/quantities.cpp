@@ -6,7 +6,8 @@
 #include <cctype>
 #include <cmath>
 #include <cstdint>
-#include <numbers>
+
+#include "base/constants.hpp"
 
 namespace vcrit {
 
@@ -15,7 +16,7 @@ const Range nonnegative{[](double v) { return std::isfinite(v) && v >= 0; },
 const Range positive{[](double v) { return std::isfinite(v) && v > 0; }, "a finite value above 0"};
 const Range poisson_range{[](double v) { return v > -1 && v <= 0.5; },
                           "a Poisson's ratio above -1, up to 0.5"};
-const Range slope_range{[](double v) { return v > 0 && v < std::numbers::pi / 2; },
+const Range slope_range{[](double v) { return v > 0 && v < pi / 2; },
                         "an angle between 0 and 90 deg"};
 
 double checked(double value, const Range& range, const std::string& name, const Place& place) {
@@ -29,8 +30,8 @@ std::optional<double> number(const toml::node& node, Dimension dimension, const 
   if (node.is_integer()) return static_cast<double>(node.ref<std::int64_t>());
   if (node.is_floating_point()) return node.ref<double>();
   if (!node.is_string())
-    throw InputError(place, fmt::format("{} = {}", name, document::describe(node)),
-                     vcrit::describe(dimension));
+    throw InputError(place, fmt::format("{} = {}", name, document::describe_node(node)),
+                     describe(dimension));
   const auto& text = node.ref<std::string>();
   const auto word = [](char c) {
     return c == '_' || std::isalnum(static_cast<unsigned char>(c)) != 0;

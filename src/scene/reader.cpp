@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <numbers>
 #include <set>
 
+#include "base/constants.hpp"
 #include "base/files.hpp"
 #include "base/identifiers.hpp"
 #include "base/units.hpp"
@@ -23,7 +23,7 @@ namespace vcrit {
 
 namespace {
 
-using document::describe;
+using document::describe_node;
 using document::Section;
 
 class Reader {
@@ -100,7 +100,7 @@ class Reader {
     const toml::node* node = section.find(key);
     if (node == nullptr) return false;
     if (!node->is_boolean())
-      throw InputError(section.place(key), fmt::format("{} = {}", key, describe(*node)),
+      throw InputError(section.place(key), fmt::format("{} = {}", key, describe_node(*node)),
                        "true or false");
     return node->ref<bool>();
   }
@@ -197,7 +197,7 @@ class Reader {
     quantities_.refuse_both("frequency", "angular_frequency");
     quantities_.refuse_both("frequency", "omega");
     if (frequency.value && (!omega.value || settings().has("frequency")))
-      omega.value = 2 * std::numbers::pi * *frequency.value;
+      omega.value = two_pi * *frequency.value;
     scene_.angular_frequency = omega;
     scene_.amplitude =
         quantities_.read(oscillation, "amplitude", "du_z", Dimension::length, nonnegative);
@@ -254,7 +254,7 @@ class Reader {
     scene_.arrays[name] = use.length;
     if (node != nullptr && !node->is_array())
       throw InputError(document::place_of(*node, file_),
-                       fmt::format("{} = {}", name, describe(*node)),
+                       fmt::format("{} = {}", name, describe_node(*node)),
                        fmt::format("an array of {} entries", use.length));
     for (int entry = 1; entry <= use.length; ++entry) {
       const Symbol symbol{name, entry};

@@ -12,10 +12,11 @@ namespace vcrit {
 
 namespace {
 
-constexpr const char* header = "omega,Re,Im";
-const std::vector<std::string> columns{"omega", "Re", "Im"};
+constexpr const char* receptance_header = "omega,Re,Im";
+const std::vector<std::string> receptance_columns{"omega", "Re", "Im"};
 
-void refuse_order(const Receptance& receptance, const Receptance::Row& row, const Place& place) {
+void refuse_receptance_order(const Receptance& receptance, const Receptance::Row& row,
+                             const Place& place) {
   if (row.omega < 0)
     throw InputError(place, fmt::format("omega = {}", row.omega), "an omega of at least 0");
   if (!receptance.rows.empty() && !(row.omega > receptance.rows.back().omega))
@@ -41,18 +42,18 @@ Bracket bracket(const Receptance& receptance, double omega) {
 Receptance read_receptance(const std::filesystem::path& file, const Place& place) {
   if (!std::filesystem::is_regular_file(file))
     throw InputError(place, fmt::format("receptance = \"{}\", which is no file", file.string()),
-                     fmt::format("a table in CSV with the header {}", header));
+                     fmt::format("a table in CSV with the header {}", receptance_header));
   return parse_receptance(read_file(file), file.string());
 }
 
 Receptance parse_receptance(const std::string& text, const std::string& file) {
   Receptance receptance{file, {}};
   CsvLines lines(text, file);
-  lines.take_header(columns);
+  lines.take_header(receptance_columns);
   while (lines.next()) {
-    const auto numbers = lines.numbers(columns.size(), "three numbers: omega, Re, Im");
+    const auto numbers = lines.numbers(receptance_columns.size(), "three numbers: omega, Re, Im");
     const Receptance::Row row{numbers[0], numbers[1], numbers[2]};
-    refuse_order(receptance, row, lines.place());
+    refuse_receptance_order(receptance, row, lines.place());
     receptance.rows.push_back(row);
   }
   if (receptance.rows.size() < 2)

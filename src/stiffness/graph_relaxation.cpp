@@ -28,8 +28,8 @@ namespace vcrit {
 
 namespace {
 
-using Matrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
-using Vector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
+using RealMatrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
+using RealVector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
 
 // Which nodes hang together.
 class Groups {
@@ -60,7 +60,7 @@ class NodalPair {
   explicit NodalPair(const RelaxationGraph& graph) : springs_(graph.nodes), dampers_(graph.nodes) {
     const auto& [nodes, wires, edges] = graph;
     const auto size = static_cast<Eigen::Index>(size_of(graph));
-    stiffness_ = damping_ = Matrix::Zero(size, size);
+    stiffness_ = damping_ = RealMatrix::Zero(size, size);
     std::size_t inner = nodes;
     for (std::size_t i = 0; i < edges.size(); ++i) {
       const auto from = static_cast<std::size_t>(wires[i].from);
@@ -80,13 +80,15 @@ class NodalPair {
   bool springs_connect() const { return springs_.of(0) == springs_.of(1); }
   bool dampers_connect() const { return dampers_.of(0) == dampers_.of(1); }
 
-  Matrix inner(const Matrix& m) const { return m.bottomRightCorner(m.rows() - 2, m.cols() - 2); }
-  Vector column(const Matrix& m) const { return m.col(0).tail(m.rows() - 2); }
-  const Matrix& stiffness() const { return stiffness_; }
-  const Matrix& damping() const { return damping_; }
+  RealMatrix inner(const RealMatrix& m) const {
+    return m.bottomRightCorner(m.rows() - 2, m.cols() - 2);
+  }
+  RealVector column(const RealMatrix& m) const { return m.col(0).tail(m.rows() - 2); }
+  const RealMatrix& stiffness() const { return stiffness_; }
+  const RealMatrix& damping() const { return damping_; }
 
  private:
-  static void stamp(Matrix& m, std::size_t from, std::size_t to, const Real& value) {
+  static void stamp(RealMatrix& m, std::size_t from, std::size_t to, const Real& value) {
     const auto i = static_cast<Eigen::Index>(from), j = static_cast<Eigen::Index>(to);
     m(i, i) += value;
     m(j, j) += value;
@@ -95,7 +97,7 @@ class NodalPair {
   }
 
   Groups springs_, dampers_;
-  Matrix stiffness_, damping_;
+  RealMatrix stiffness_, damping_;
 };
 
 struct Branch {
@@ -151,7 +153,7 @@ class Collected {
 };
 
 // A rate within the range of the pair's own: it only has to keep both parts of the sum in sight.
-Real middle_rate(const Matrix& stiffness, const Matrix& damping) {
+Real middle_rate(const RealMatrix& stiffness, const RealMatrix& damping) {
   const Real a = stiffness.trace(), c = damping.trace();
   return a > 0 && c > 0 ? Real(a / c) : Real(1);
 }
@@ -168,11 +170,11 @@ Relaxation graph_relaxation(const RelaxationGraph& graph) {
   Collected collected(pair.stiffness()(0, 0), pair.damping()(0, 0));
   if (pair.stiffness().rows() > 2) {
     const Real alpha = middle_rate(pair.stiffness(), pair.damping());
-    const Matrix a = pair.inner(pair.stiffness()) / alpha, c = pair.inner(pair.damping());
-    const Eigen::GeneralizedSelfAdjointEigenSolver<Matrix> modes(a, a + c);
+    const RealMatrix a = pair.inner(pair.stiffness()) / alpha, c = pair.inner(pair.damping());
+    const Eigen::GeneralizedSelfAdjointEigenSolver<RealMatrix> modes(a, a + c);
     ensure(modes.info() == Eigen::Success, "the nodal eigenproblem has a solution");
-    const Vector p = modes.eigenvectors().transpose() * pair.column(pair.stiffness());
-    const Vector q = modes.eigenvectors().transpose() * pair.column(pair.damping());
+    const RealVector p = modes.eigenvectors().transpose() * pair.column(pair.stiffness());
+    const RealVector q = modes.eigenvectors().transpose() * pair.column(pair.damping());
     for (Eigen::Index j = 0; j < p.size(); ++j) {
       const Real share = modes.eigenvalues()(j);  // A x/alpha = share (A/alpha + C) x
       collected.take_off(p(j), q(j), share > Collected::tiny() ? Real(share * alpha) : Real(0),

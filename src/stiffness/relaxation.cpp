@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
+#include "base/constants.hpp"
 #include "base/errors.hpp"
 #include "stiffness/condensation.hpp"
 #include "stiffness/graph_relaxation.hpp"
@@ -30,9 +30,7 @@ Relaxation form_of(const Element& element, const Values& values) {
 }
 
 // Rates closer than a few rounding errors act as one: moving a rate by that much moves K no more.
-bool same_rate(double a, double b) {
-  return b - a <= 4 * std::numeric_limits<double>::epsilon() * b;
-}
+bool same_rate(double a, double b) { return b - a <= 4 * epsilon * b; }
 
 struct Pole {
   double rate, weight;
@@ -58,7 +56,7 @@ PoleSum sum_of(const std::vector<PoleSum>& parts) {
   return sum;
 }
 
-PoleSum plain(const DualPoles& dual_poles) {
+PoleSum pole_sum(const DualPoles& dual_poles) {
   PoleSum sum{dual_poles.direct, {}, {}};
   if (dual_poles.at_rest > 0) {
     sum.rates.push_back(0);
@@ -77,7 +75,7 @@ PoleSum plain(const DualPoles& dual_poles) {
 }
 
 PoleSum compliance_poles(const Relaxation& relaxation) {
-  return plain(dual(stiffness_poles(relaxation)));
+  return pole_sum(dual(stiffness_poles(relaxation)));
 }
 
 std::vector<Relaxation> forms_of(const std::vector<Network>& parts, const Values& values) {
@@ -159,7 +157,7 @@ Relaxation series(const std::vector<Relaxation>& parts) {
   if (parts.size() == 1) return parts[0];
   std::vector<PoleSum> compliances;
   for (const Relaxation& part : parts) compliances.push_back(compliance_poles(part));
-  return relaxation_of(plain(dual(sum_of(compliances))));
+  return relaxation_of(pole_sum(dual(sum_of(compliances))));
 }
 
 Relaxation relaxation_form(const Network& network, const Values& values) {

@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "base/constants.hpp"
 
 namespace vcrit {
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // f and its derivatives at reference + d. The pole at the reference is left out of the sums and
 // kept apart, since w/d alone is large there.
@@ -89,15 +88,15 @@ double solve(const Near& near, double low, double high, bool rising) {
   return d;
 }
 
-// One stretch between neighbouring poles; `left` 0 may have no pole, `right` is infinite beyond the
-// last. Places in it are offsets, since the whole of what matters may lie within rounding of a
+// The interval between neighbouring poles; `left` 0 may have no pole, `right` is infinite beyond
+// the last. Places in it are offsets, since the whole of what matters may lie within rounding of a
 // pole.
-class Stretch {
+class PoleInterval {
  public:
-  Stretch(const SecularFunction& f, double left, double right)
+  PoleInterval(const SecularFunction& f, double left, double right)
       : f_(f), left_(left), right_(right) {}
 
-  // The root in the monotone piece [from, to] of the stretch, where f changes its sign.
+  // The root in the monotone piece [from, to] of the interval, where f changes its sign.
   OffsetRate root(const OffsetRate& from, const OffsetRate& to, bool rising) const {
     const double reference = nearest(from, to, rising);
     double low = from.minus(reference), high = to.minus(reference);
@@ -157,29 +156,29 @@ class Roots {
     const auto falls = [&](double d) { return -at_right.first(d); };
     const OffsetRate top{right, bisect(falls, -right, 0)};
     if (at_right.value(top.offset) <= 0) return;
-    const Stretch stretch(f_, 0, right);
-    roots_.push_back(stretch.root({0, 0}, top, true));
-    roots_.push_back(stretch.root(top, {right, 0}, false));
+    const PoleInterval interval(f_, 0, right);
+    roots_.push_back(interval.root({0, 0}, top, true));
+    roots_.push_back(interval.root(top, {right, 0}, false));
   }
 
   // f falls from +infinity to -infinity. Its slope is concave, so it rises at most once on the way.
   void gap(double left, double right) {
-    const Stretch stretch(f_, left, right);
+    const PoleInterval interval(f_, left, right);
     if (may_rise(left, right)) {
-      const double half = stretch.half();
+      const double half = interval.half();
       const bool in_left_half = Near{f_, left}.second(half) < 0;
       const Near near{f_, in_left_half ? left : right};
       const double end = in_left_half ? half : -half;
       const double steepest =
           bisect([&](double d) { return near.second(d); }, std::min(end, 0.0), std::max(end, 0.0));
-      if (near.first(steepest) > 0 && three(stretch, left, right, {near.reference, steepest}))
+      if (near.first(steepest) > 0 && three(interval, left, right, {near.reference, steepest}))
         return;
     }
-    roots_.push_back(stretch.root({left, 0}, {right, 0}, false));
+    roots_.push_back(interval.root({left, 0}, {right, 0}, false));
   }
 
   // Seen from one pole, a steepest place near the other may be within rounding of that.
-  bool three(const Stretch& stretch, double left, double right, const OffsetRate& steepest) {
+  bool three(const PoleInterval& interval, double left, double right, const OffsetRate& steepest) {
     const Near from_left{f_, left}, from_right{f_, right};
     const double inside = std::nextafter(right - left, 0);
     const OffsetRate bottom{left, bisect([&](double d) { return from_left.first(d); }, 0,
@@ -188,9 +187,9 @@ class Roots {
                                        std::max(steepest.minus(right), -inside), 0)};
     if (!(bottom.offset > 0 && bottom.minus(top) < 0 && top.offset < 0)) return false;
     if (!(from_left.value(bottom.offset) < 0 && from_right.value(top.offset) > 0)) return false;
-    roots_.push_back(stretch.root({left, 0}, bottom, false));
-    roots_.push_back(stretch.root(bottom, top, true));
-    roots_.push_back(stretch.root(top, {right, 0}, false));
+    roots_.push_back(interval.root({left, 0}, bottom, false));
+    roots_.push_back(interval.root(bottom, top, true));
+    roots_.push_back(interval.root(top, {right, 0}, false));
     return true;
   }
 
@@ -205,9 +204,9 @@ class Roots {
 
   // Beyond the last pole f is convex with a slope (none or two roots), else it falls to -constant.
   void beyond(double left) {
-    const Stretch stretch(f_, left, infinity);
+    const PoleInterval interval(f_, left, infinity);
     if (f_.slope == 0) {
-      if (f_.constant > 0) roots_.push_back(stretch.root({left, 0}, {infinity, 0}, false));
+      if (f_.constant > 0) roots_.push_back(interval.root({left, 0}, {infinity, 0}, false));
       return;
     }
     const Near near{f_, left};
@@ -217,7 +216,7 @@ class Roots {
     const double bottom = bisect([&](double d) { return near.first(d); }, 0, far);
     if (near.value(bottom) > 0) return;
     roots_.push_back({left, solve(near, 0, bottom, false)});
-    roots_.push_back(stretch.root({left, bottom}, {infinity, 0}, true));
+    roots_.push_back(interval.root({left, bottom}, {infinity, 0}, true));
   }
 
   const SecularFunction& f_;

@@ -10,13 +10,14 @@
 
 #include "base/files.hpp"
 #include "base/numbers.hpp"
+#include "base/trimmed.hpp"
 #include "scene/settings.hpp"
 
 namespace vcrit {
 
 namespace {
 
-constexpr const char* form =
+constexpr const char* axis_form =
     "NAME=lin|log:FROM:TO:N, such as velocity_ratio=lin:0.1:1:10, or NAME=list:FILE";
 
 // They are kept in memory; more points come from more axes.
@@ -75,10 +76,9 @@ std::vector<double> parse_list(const std::string& text, const std::string& file,
   for (std::string entry; std::getline(lines, entry);) {
     ++line;
     entry.erase(std::min(entry.find('#'), entry.size()));
-    const auto begin = entry.find_first_not_of(" \t\r");
-    if (begin == entry.npos) continue;
-    const auto end = entry.find_last_not_of(" \t\r");
-    values.push_back(parse_quantity(entry.substr(begin, end - begin + 1), dimension, {file, line}));
+    const std::string_view value = trimmed(entry, " \t\r");
+    if (value.empty()) continue;
+    values.push_back(parse_quantity(value, dimension, {file, line}));
     if (values.size() > most_values)
       throw InputError({file, line}, "too many values", fmt::format("at most {}", most_values));
   }
@@ -89,7 +89,7 @@ std::vector<double> parse_list(const std::string& text, const std::string& file,
 Axis parse_axis(const std::string& text, const Scene& scene) {
   const Place whole{fmt::format("--over {}", text)};
   const auto equals = text.find('=');
-  if (equals == text.npos) throw InputError(whole, fmt::format("\"{}\"", text), form);
+  if (equals == text.npos) throw InputError(whole, fmt::format("\"{}\"", text), axis_form);
   const std::string name = text.substr(0, equals), range = text.substr(equals + 1);
   const Place place{fmt::format("--over {}", name)};
   if (range.starts_with("list:")) {
@@ -98,7 +98,7 @@ Axis parse_axis(const std::string& text, const Scene& scene) {
   }
   const auto parts = split(range, ':');
   if (parts.size() != 4 || (parts[0] != "lin" && parts[0] != "log"))
-    throw InputError(whole, fmt::format("\"{}\"", text), form);
+    throw InputError(whole, fmt::format("\"{}\"", text), axis_form);
   const Dimension dimension = dimension_of(name, scene, place);
   const double from = parse_quantity(parts[1], dimension, place);
   const double to = parse_quantity(parts[2], dimension, place);

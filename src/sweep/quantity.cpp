@@ -12,31 +12,30 @@ namespace vcrit {
 
 namespace {
 
-using Kind = SweptQuantity::Kind;
-
-const std::string sensitivity = "sensitivity:";
+const std::string sensitivity_prefix = "sensitivity:";
 
 }  // namespace
 
 const std::vector<std::string>& swept_quantity_names() {
   static const std::vector<std::string> names{"critical_velocity",    "friction_ratio",
                                               "friction_ratio_error", "regime",
-                                              "admissible",           sensitivity + "NAME"};
+                                              "admissible",           sensitivity_prefix + "NAME"};
   return names;
 }
 
 SweptQuantity parse_swept_quantity(const std::string& text, const Scene& scene) {
   const Place place{"--quantity"};
-  if (text.starts_with(sensitivity)) {
-    const std::string name = text.substr(sensitivity.size());
+  if (text.starts_with(sensitivity_prefix)) {
+    const std::string name = text.substr(sensitivity_prefix.size());
     known_dimension(name, scene.settable, place);
     const ChangingScene changing(scene, {name});
-    return {Kind::sensitivity, changing.targets().front().symbol,
+    return {SweptQuantity::Kind::sensitivity, changing.targets().front().symbol,
             scene.separation || scene.indenter};
   }
   const auto& names = swept_quantity_names();
   for (std::size_t i = 0; i + 1 < names.size(); ++i)
-    if (names[i] == text) return {static_cast<Kind>(i), {}, scene.separation || scene.indenter};
+    if (names[i] == text)
+      return {static_cast<SweptQuantity::Kind>(i), {}, scene.separation || scene.indenter};
   const auto meant = nearest(text, names);
   throw InputError(
       place, fmt::format("\"{}\"", text),
@@ -44,28 +43,29 @@ SweptQuantity parse_swept_quantity(const std::string& text, const Scene& scene) 
 }
 
 std::string column_name(const SweptQuantity& quantity) {
-  if (quantity.kind == Kind::sensitivity) return "sensitivity_" + to_text(quantity.parameter);
+  if (quantity.kind == SweptQuantity::Kind::sensitivity)
+    return "sensitivity_" + to_text(quantity.parameter);
   return swept_quantity_names()[static_cast<std::size_t>(quantity.kind)];
 }
 
 std::string unit(const SweptQuantity& quantity) {
-  return quantity.kind == Kind::critical_velocity ? "m/s" : "1";
+  return quantity.kind == SweptQuantity::Kind::critical_velocity ? "m/s" : "1";
 }
 
 std::string description(const SweptQuantity& quantity) {
   switch (quantity.kind) {
-    case Kind::critical_velocity:
+    case SweptQuantity::Kind::critical_velocity:
       return quantity.parting ? "critical velocity v* (Eq. 24, or simulated where surfaces part)"
                               : "critical velocity v* (Eq. 24)";
-    case Kind::friction_ratio:
+    case SweptQuantity::Kind::friction_ratio:
       return "macroscopic over microscopic coefficient of friction, simulated";
-    case Kind::friction_ratio_error:
+    case SweptQuantity::Kind::friction_ratio_error:
       return "estimated absolute error of the friction ratio";
-    case Kind::regime:
+    case SweptQuantity::Kind::regime:
       return "regime of the steady motion, simulated";
-    case Kind::admissible:
+    case SweptQuantity::Kind::admissible:
       return "whether Eq. 24 applies: no jumping, closed contact";
-    case Kind::sensitivity:
+    case SweptQuantity::Kind::sensitivity:
       return fmt::format("relative change of v* per relative change of {}",
                          to_text(quantity.parameter));
   }
@@ -84,13 +84,14 @@ const std::vector<std::string>& words(const SweptQuantity& quantity) {
               to_text(Regime::sliding_apart),
               to_text(Regime::stick_slip_apart),
               to_text(Regime::stick_slip_backslip_apart)};
-  if (quantity.kind == Kind::regime) return quantity.parting ? parting : touching;
-  return quantity.kind == Kind::admissible ? answers : none;
+  if (quantity.kind == SweptQuantity::Kind::regime) return quantity.parting ? parting : touching;
+  return quantity.kind == SweptQuantity::Kind::admissible ? answers : none;
 }
 
 bool needs_motion(const SweptQuantity& quantity) {
-  return quantity.kind == Kind::friction_ratio || quantity.kind == Kind::friction_ratio_error ||
-         quantity.kind == Kind::regime;
+  return quantity.kind == SweptQuantity::Kind::friction_ratio ||
+         quantity.kind == SweptQuantity::Kind::friction_ratio_error ||
+         quantity.kind == SweptQuantity::Kind::regime;
 }
 
 }  // namespace vcrit

@@ -19,8 +19,6 @@ namespace vcrit {
 
 namespace {
 
-using Kind = SweptQuantity::Kind;
-
 // Speeds that are found one from another. Fixed, so that the answers depend on the sweep alone.
 constexpr std::size_t speeds_at_once = 32;
 
@@ -39,7 +37,9 @@ bool any_of(const Sweep& sweep, bool (*holds)(const SweptQuantity&)) {
   return std::any_of(sweep.quantities.begin(), sweep.quantities.end(), holds);
 }
 
-bool needs_scene(const SweptQuantity& quantity) { return quantity.kind != Kind::critical_velocity; }
+bool needs_scene(const SweptQuantity& quantity) {
+  return quantity.kind != SweptQuantity::Kind::critical_velocity;
+}
 
 std::size_t rows_at_once(const Sweep& sweep) {
   if (any_of(sweep, needs_motion) || sweep.scene.separation) return rows_of_motion;
@@ -94,7 +94,7 @@ void refuse_repetition(const Sweep& sweep) {
 }
 
 // Wrong values are found before the first block, however late their rows come.
-void refuse_values(const Sweep& sweep, const Grid& grid) {
+void refuse_axis_values(const Sweep& sweep, const Grid& grid) {
   for (const std::size_t a : parameters_of(grid)) {
     ChangingScene changing(sweep.scene, {grid.axes()[a].name});
     for (const double value : grid.axes()[a].values) changing.at({&value, 1});
@@ -105,6 +105,8 @@ void refuse_values(const Sweep& sweep, const Grid& grid) {
 
 /// The rows of one block while they are being answered.
 class Sweeping::Rows {
+  using Kind = SweptQuantity::Kind;
+
  public:
   Rows(const Sweeping& sweeping, std::size_t index)
       : sweeping_(sweeping),
@@ -330,7 +332,7 @@ Sweeping::Sweeping(Sweep sweep)
   refuse_settings(sweep_);
   refuse_repetition(sweep_);
   refuse_speeds(sweep_, grid_);
-  refuse_values(sweep_, grid_);
+  refuse_axis_values(sweep_, grid_);
 }
 
 BlockAnswer Sweeping::answer(std::size_t block) const { return Rows(*this, block).run(); }

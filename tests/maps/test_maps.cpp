@@ -74,7 +74,7 @@ std::vector<double> read_array(const fs::path& file, const std::string& name, st
                             "H5Fopen");
   const hdf5::Object array = hdf5::open_array(opened, name);
   std::vector<double> values(size);
-  hdf5::checked(
+  hdf5::succeeded(
       H5Dread(array.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
       "H5Dread");
   return values;

@@ -1,8 +1,8 @@
 #include "simulation/methods/equations.hpp"
 
 #include <algorithm>
-#include <numbers>
 
+#include "base/constants.hpp"
 #include "base/errors.hpp"
 
 namespace vcrit::simulation::methods {
@@ -72,8 +72,8 @@ Equations::Equations(const System& system, double drive_velocity) {
   phase = std::arg(system.normal_force_amplitude);
   contact = chain(path, system.omega, stiffness_unit);
   if (moves)
-    body = Body{*system.mass * system.omega * (system.omega / stiffness_unit),
-                chain(*system.drive, system.omega, stiffness_unit)};
+    body = DrivenBody{*system.mass * system.omega * (system.omega / stiffness_unit),
+                      chain(*system.drive, system.omega, stiffness_unit)};
 }
 
 std::size_t Equations::size() const { return contact_begin() + contact.branches.size(); }
@@ -115,9 +115,8 @@ void Equations::rates(const double* y, double drive_velocity, double w, double f
 }
 
 double Equations::phase_at(double t) const {
-  constexpr double turn = 2 * std::numbers::pi;
-  const double angle = t - phase, result = angle - turn * std::floor(angle / turn);
-  return result < turn ? result : 0;
+  const double angle = t - phase, result = angle - two_pi * std::floor(angle / two_pi);
+  return result < two_pi ? result : 0;
 }
 
 }  // namespace vcrit::simulation::methods

@@ -35,7 +35,7 @@ struct Chain {
   std::size_t main_branch() const;
 };
 
-struct Body {
+struct DrivenBody {
   double mass = 0;
   Chain drive;
 };
@@ -47,7 +47,7 @@ struct Equations {
   double amplitude = 0;  ///< of b(t) = 1 + amplitude cos t, mu0 F_n
   double phase = 0;      ///< t = omega t_physical + phase
   Chain contact;
-  std::optional<Body> body;
+  std::optional<DrivenBody> body;
 
   std::size_t size() const;           ///< of a state
   std::size_t contact_begin() const;  ///< index of the contact's first branch

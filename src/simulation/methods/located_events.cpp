@@ -2,14 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
+
+#include "base/constants.hpp"
 
 namespace vcrit::simulation::methods {
 
 namespace {
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr int most_probes = 60;
 
 double inside(double candidate, double low, double high) {

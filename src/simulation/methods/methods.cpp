@@ -19,8 +19,8 @@ namespace vcrit::simulation {
 
 namespace {
 
-constexpr std::array all{Method::moreau, Method::rkf45, Method::rk8pd,
-                         Method::msbdf,  Method::tanh,  Method::reduced};
+constexpr std::array known_methods{Method::moreau, Method::rkf45, Method::rk8pd,
+                                   Method::msbdf,  Method::tanh,  Method::reduced};
 
 void check(const MethodOptions& options) {
   const auto require = [](bool holds, const char* option, auto found, const char* expected) {
@@ -54,7 +54,7 @@ std::unique_ptr<methods::PeriodMap> period_map(Method method, const System& syst
 
 }  // namespace
 
-std::span<const Method> all_methods() { return all; }
+std::span<const Method> all_methods() { return known_methods; }
 
 const char* to_text(Method method) {
   switch (method) {
@@ -75,9 +75,9 @@ const char* to_text(Method method) {
 }
 
 std::optional<Method> method_named(std::string_view name) {
-  const auto found =
-      std::find_if(all.begin(), all.end(), [&](Method method) { return name == to_text(method); });
-  return found == all.end() ? std::nullopt : std::optional(*found);
+  const auto found = std::find_if(known_methods.begin(), known_methods.end(),
+                                  [&](Method method) { return name == to_text(method); });
+  return found == known_methods.end() ? std::nullopt : std::optional(*found);
 }
 
 SteadyState steady_state(Method method, const System& system, double velocity,

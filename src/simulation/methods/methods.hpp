@@ -6,6 +6,7 @@
 #include <span>
 #include <string_view>
 
+#include "base/numbers.hpp"
 #include "simulation/system/steady_state.hpp"
 #include "simulation/system/system.hpp"
 
@@ -22,6 +23,8 @@ enum class Method {
 };
 
 std::span<const Method> all_methods();
+// The overload below hides none of the others.
+using vcrit::to_text;
 const char* to_text(Method method);  ///< the enumerator's name
 std::optional<Method> method_named(std::string_view name);
 

@@ -1,16 +1,14 @@
 #include "simulation/methods/moreau.hpp"
 
 #include <algorithm>
-#include <numbers>
 
+#include "base/constants.hpp"
 #include "simulation/methods/equations.hpp"
 #include "simulation/methods/normal_steps.hpp"
 
 namespace vcrit::simulation::methods {
 
 namespace {
-
-constexpr double turn = 2 * std::numbers::pi;
 
 /// An affine function of the network's velocity e' over the step: offset(f_0) + slope e'.
 struct Affine {
@@ -61,7 +59,7 @@ class Stepper {
   /// bounds: at each step, or none for those of a contact that stays closed.
   Stepper(const Equations& equations, int steps, double theta, std::vector<double> bounds)
       : equations_(equations),
-        h_(turn / steps),
+        h_(two_pi / steps),
         theta_(theta),
         contact_(equations.contact, h_, theta),
         drive_(equations.body ? equations.body->drive : Chain{}, h_, theta),
@@ -76,7 +74,7 @@ class Stepper {
     for (int i = 0; i < steps; ++i) bounds_.push_back(equations.bound((i + law) * h_));
   }
 
-  Period run(const State& state) const {
+  Period run(const MapState& state) const {
     Period period{state, 0, {}};
     double* const y = period.end.y.data();
     for (std::size_t i = 0; i < bounds_.size(); ++i) {
@@ -161,15 +159,15 @@ class MoreauMap final : public PeriodMap {
       resolution_ += std::abs(normal.asked[i] - normal.asked[i - 1]) / options.steps_per_period;
   }
 
-  State start(Start start) const override {
+  MapState start(Start start) const override {
     const std::vector<double> y = equations_.start(start);
     return {Eigen::Map<const Eigen::VectorXd>(y.data(), static_cast<Eigen::Index>(y.size())),
             start == Start::rest ? Motion::stick : Motion::slip};
   }
-  Period run(const State& state, Accuracy accuracy) override {
+  Period run(const MapState& state, Accuracy accuracy) override {
     return (accuracy == Accuracy::asked ? asked_ : coarser_).run(state);
   }
-  std::vector<Eigen::Index> variables(const State& state) const override {
+  std::vector<Eigen::Index> variables(const MapState& state) const override {
     std::vector<Eigen::Index> list(static_cast<std::size_t>(state.y.size()));
     for (std::size_t i = 0; i < list.size(); ++i) list[i] = static_cast<Eigen::Index>(i);
     return list;

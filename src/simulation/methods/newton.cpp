@@ -6,11 +6,11 @@ namespace vcrit::simulation::methods {
 
 namespace {
 
-constexpr int most_steps = 12;
+constexpr int most_newton_steps = 12;
 
 }  // namespace
 
-Newton::Newton(Periods& periods, State start)
+Newton::Newton(Periods& periods, MapState start)
     : periods_(periods),
       state_(std::move(start)),
       variables_(periods.map().variables(state_)),
@@ -20,7 +20,7 @@ Newton::Newton(Periods& periods, State start)
 }
 
 bool Newton::converges() {
-  for (int i = 0; i < most_steps; ++i) {
+  for (int i = 0; i < most_newton_steps; ++i) {
     solve();
     if (done()) return true;
     if (!step_.allFinite() || !advance()) return false;
@@ -37,8 +37,8 @@ SteadyState Newton::found() {
   return answer(std::move(period_), caution * std::abs(apart) + left);
 }
 
-State Newton::moved(const Vector& by) const {
-  State state = state_;
+MapState Newton::moved(const Vector& by) const {
+  MapState state = state_;
   for (Eigen::Index i = 0; i < by.size(); ++i) {
     const Eigen::Index variable = variables_[static_cast<std::size_t>(i)];
     state.y(variable) += by(i) * periods_.map().scale(variable);
@@ -77,7 +77,7 @@ bool Newton::done() const {
 }
 
 bool Newton::advance() {
-  State next = moved(step_);
+  MapState next = moved(step_);
   Period after = periods_.run(next);
   const Vector left = periods_.change(next, after);
   if (after.end.motion != next.motion || (!close() && !(left.norm() < rest_.norm()))) {

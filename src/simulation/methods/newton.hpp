@@ -10,19 +10,19 @@ namespace vcrit::simulation::methods {
 
 class Newton {
  public:
-  Newton(Periods& periods, State start);
+  Newton(Periods& periods, MapState start);
 
   bool converges();
   /// The steady cycle that it converged to.
   SteadyState found();
   /// Where it stands, and where the step that it did not take would have led after a period.
-  const State& best() const { return state_; }
-  const std::optional<State>& rejected() const { return rejected_; }
+  const MapState& best() const { return state_; }
+  const std::optional<MapState>& rejected() const { return rejected_; }
 
  private:
   using Vector = Eigen::VectorXd;
 
-  State moved(const Vector& by) const;
+  MapState moved(const Vector& by) const;
   void differentiate();
   void solve();
   bool done() const;
@@ -31,7 +31,7 @@ class Newton {
   void update(const Period& after);
 
   Periods& periods_;
-  State state_;
+  MapState state_;
   std::vector<Eigen::Index> variables_;
   Period period_;
   Vector rest_;  ///< what the period changes
@@ -41,7 +41,7 @@ class Newton {
   Eigen::PartialPivLU<Eigen::MatrixXd> solver_;
   Vector step_;
   bool stalled_ = false;
-  std::optional<State> rejected_;
+  std::optional<MapState> rejected_;
 };
 
 }  // namespace vcrit::simulation::methods

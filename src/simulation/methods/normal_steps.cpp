@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "base/constants.hpp"
 #include "base/errors.hpp"
 
 namespace vcrit::simulation::methods {
@@ -16,7 +16,7 @@ constexpr int most_periods = 20'000;
 class Steps {
  public:
   Steps(const NormalMotion& motion, double omega, int steps)
-      : motion_(motion), h_(2 * std::numbers::pi / steps), spring_(motion.network.equilibrium) {
+      : motion_(motion), h_(two_pi / steps), spring_(motion.network.equilibrium) {
     damper_ = motion.network.damper * omega / h_;
     slope_ = spring_ + damper_;
     for (const MaxwellBranch& branch : motion.network.branches) {

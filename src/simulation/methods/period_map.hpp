@@ -9,13 +9,13 @@
 
 namespace vcrit::simulation::methods {
 
-struct State {
+struct MapState {
   Eigen::VectorXd y;
   Motion motion = Motion::slip;  ///< read by methods that switch
 };
 
 struct Period {
-  State end;
+  MapState end;
   double deficit = 0;         ///< 1 - mu_macro/mu0 over the period
   std::vector<Event> events;  ///< as they came
 };
@@ -28,13 +28,13 @@ enum class Accuracy {
 class PeriodMap {
  public:
   virtual ~PeriodMap() = default;
-  virtual State start(Start start) const = 0;
+  virtual MapState start(Start start) const = 0;
   /// Throws ModelError when the integration goes wrong.
-  virtual Period run(const State& state, Accuracy accuracy = Accuracy::asked) = 0;
+  virtual Period run(const MapState& state, Accuracy accuracy = Accuracy::asked) = 0;
   /// Moves the beginning of the period to where the map is smooth; the state there.
-  virtual State to_smooth_section(const State& state) { return state; }
+  virtual MapState to_smooth_section(const MapState& state) { return state; }
   /// The entries of y that may be varied independently, and their typical sizes.
-  virtual std::vector<Eigen::Index> variables(const State& state) const = 0;
+  virtual std::vector<Eigen::Index> variables(const MapState& state) const = 0;
   virtual double scale(Eigen::Index variable) const = 0;
   /// What cycles that repeat differ by, as the method is not more accurate; and by how much the
   /// friction may still change when plain periods end.

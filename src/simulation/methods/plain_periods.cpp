@@ -3,9 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numbers>
 
+#include "base/constants.hpp"
 #include "simulation/methods/steady.hpp"
 
 namespace vcrit::simulation::methods {
@@ -25,8 +24,7 @@ class Deficits {
     const double late = spread(1), early = spread(2);
     if (early <= 2 * map_.noise()) return late;
     const double share = late / early;
-    return share < 1 ? late * std::max(0.5, share / (1 - share))
-                     : std::numeric_limits<double>::infinity();
+    return share < 1 ? late * std::max(0.5, share / (1 - share)) : infinity;
   }
 
   // The same if all of it is the beginning of the slowest relaxation, which a trend shows too late.
@@ -34,8 +32,7 @@ class Deficits {
 
   /// What is to come of the slowest relaxation, over what so many periods change.
   double slowness(std::size_t periods) const {
-    constexpr double turn = 2 * std::numbers::pi;
-    return 1 / -std::expm1(-turn * map_.slowest_rate() * static_cast<double>(periods));
+    return 1 / -std::expm1(-two_pi * map_.slowest_rate() * static_cast<double>(periods));
   }
 
  private:
@@ -54,7 +51,7 @@ class Deficits {
 };
 
 // Friction says nothing of a motion that slides: its state must come to rest.
-bool still(const Periods& periods, const Deficits& deficits, const State& begin,
+bool still(const Periods& periods, const Deficits& deficits, const MapState& begin,
            const Period& period) {
   const Eigen::VectorXd change = periods.change(begin, period);
   return !period.events.empty() || change.size() == 0 ||
@@ -63,10 +60,10 @@ bool still(const Periods& periods, const Deficits& deficits, const State& begin,
 
 }  // namespace
 
-SteadyState plain_periods(Periods& periods, State state) {
+SteadyState plain_periods(Periods& periods, MapState state) {
   Deficits deficits(periods.map());
   for (std::size_t check = 12;; check += check / 4) {
-    State begin;
+    MapState begin;
     Period period;
     while (deficits.size() < check) {
       begin = state;

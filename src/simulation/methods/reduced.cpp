@@ -8,16 +8,14 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <numbers>
 
+#include "base/constants.hpp"
 #include "base/errors.hpp"
 #include "simulation/methods/equations.hpp"
 
 namespace vcrit::simulation::methods {
 
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 /// Stick that begins at tau1.
 struct Stick {
@@ -43,9 +41,9 @@ double duration(Stick stick) {
       gsl_root_fsolver_alloc(gsl_root_fsolver_brent), gsl_root_fsolver_free);
   const double size = std::hypot(1, stick.delta);
   const double highest =
-      2 * pi - std::asin(stick.ratio / size) - std::atan(stick.delta) - stick.begin;
+      two_pi - std::asin(stick.ratio / size) - std::atan(stick.delta) - stick.begin;
   if (!(gap(highest, &stick) > 0)) return 0;  // v = 1 but for rounding
-  int status = gsl_root_fsolver_set(solver.get(), &function, highest, 2 * pi);
+  int status = gsl_root_fsolver_set(solver.get(), &function, highest, two_pi);
   for (int i = 0; i < 200 && status == GSL_SUCCESS; ++i) {
     status = gsl_root_fsolver_iterate(solver.get());
     if (gsl_root_test_interval(gsl_root_fsolver_x_lower(solver.get()),
@@ -82,11 +80,11 @@ SteadyState reduced_model(const System& system, double velocity) {
 
   const Stick stick{delta, ratio, pi + std::asin(ratio)};
   const double d = equations.amplitude / std::hypot(1, delta), x = duration(stick);
-  const double end = stick.begin + x, left = 2 * pi - x;
+  const double end = stick.begin + x, left = two_pi - x;
   const double lost = sin_change(stick.begin, x) + delta * cos_change(stick.begin, x) -
                       x * (ratio * x / 2 + std::cos(stick.begin) + delta * ratio);
   SteadyState state;
-  state.friction_ratio = 1 - d * lost / (2 * pi);
+  state.friction_ratio = 1 - d * lost / two_pi;
   // C exp(-(tau - tau2)/delta) at the end of slip, summed over the periods before.
   const double transient = d * delta * (ratio + std::sin(end));
   const double kept = delta > 0 ? std::abs(transient) / std::expm1(left / delta) : 0;

@@ -11,7 +11,7 @@ namespace vcrit::simulation::methods {
 
 namespace {
 
-constexpr double rounding = 1e-14;
+constexpr double ratio_rounding = 1e-14;
 
 Regime regime(const Period& period) {
   const auto there = [&](Motion motion) {
@@ -29,7 +29,7 @@ Regime regime(const Period& period) {
 // Plain periods never lead away from the steady cycle: where Newton's method fails, more of them go
 // first. A long step may have set right what is slow and upset what is fast, which comes to rest by
 // itself: some such steps are taken.
-SteadyState by_newton(Periods& periods, State state) {
+SteadyState by_newton(Periods& periods, MapState state) {
   constexpr int most_jumps = 4;
   int jumps = 0;
   for (int count = 4;;) {
@@ -48,13 +48,13 @@ SteadyState by_newton(Periods& periods, State state) {
 
 }  // namespace
 
-Period Periods::run(const State& state, Accuracy accuracy) {
+Period Periods::run(const MapState& state, Accuracy accuracy) {
   if (++count_ > most_)
     throw ModelError(fmt::format("has not settled after {} periods{}", most_, progress_));
   return map_.run(state, accuracy);
 }
 
-Eigen::VectorXd Periods::change(const State& begin, const Period& period) const {
+Eigen::VectorXd Periods::change(const MapState& begin, const Period& period) const {
   const std::vector<Eigen::Index> variables = map_.variables(begin);
   Eigen::VectorXd result(static_cast<Eigen::Index>(variables.size()));
   for (Eigen::Index i = 0; i < result.size(); ++i) {
@@ -67,7 +67,7 @@ Eigen::VectorXd Periods::change(const State& begin, const Period& period) const 
 SteadyState answer(Period period, double error) {
   SteadyState state;
   state.friction_ratio = 1 - period.deficit;
-  state.friction_ratio_error = error + rounding;
+  state.friction_ratio_error = error + ratio_rounding;
   state.regime = regime(period);
   state.periods = 1;
   state.events = std::move(period.events);
@@ -78,7 +78,7 @@ SteadyState answer(Period period, double error) {
 
 SteadyState settle(PeriodMap& map, const MethodOptions& options) {
   Periods periods(map, options.most_periods);
-  State state = map.start(options.start);
+  MapState state = map.start(options.start);
   SteadyState found = options.newton ? by_newton(periods, std::move(state))
                                      : plain_periods(periods, std::move(state));
   found.friction_ratio_error += map.resolution();

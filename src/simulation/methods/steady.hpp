@@ -15,13 +15,13 @@ SteadyState settle(PeriodMap& map, const MethodOptions& options);
 class Periods {
  public:
   Periods(PeriodMap& map, int most) : map_(map), most_(most) {}
-  Period run(const State& state, Accuracy accuracy = Accuracy::asked);
+  Period run(const MapState& state, Accuracy accuracy = Accuracy::asked);
   PeriodMap& map() const { return map_; }
   /// What to say when the budget is spent.
   void note(std::string progress) { progress_ = std::move(progress); }
 
   /// What a period changes in the map's variables, in units of their sizes.
-  Eigen::VectorXd change(const State& begin, const Period& period) const;
+  Eigen::VectorXd change(const MapState& begin, const Period& period) const;
 
  private:
   PeriodMap& map_;
@@ -36,6 +36,6 @@ constexpr double caution = 2;
 SteadyState answer(Period period, double error);
 
 /// By the trend of the friction over them.
-SteadyState plain_periods(Periods& periods, State state);
+SteadyState plain_periods(Periods& periods, MapState state);
 
 }  // namespace vcrit::simulation::methods

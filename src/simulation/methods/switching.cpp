@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numbers>
 
+#include "base/constants.hpp"
 #include "base/errors.hpp"
 #include "simulation/methods/located_events.hpp"
 
@@ -12,10 +12,8 @@ namespace vcrit::simulation::methods {
 
 namespace {
 
-constexpr double turn = 2 * std::numbers::pi;
-
 // Longer steps would see too little of a cosine.
-constexpr double longest_step = turn / 8;
+constexpr double longest_switching_step = two_pi / 8;
 
 constexpr int most_changes = 200;
 
@@ -36,11 +34,6 @@ const gsl_odeiv2_step_type* stepper(Method method) {
 double accuracy(Method method) { return method == Method::msbdf ? 30 : 1; }
 double coarsening(Method method) { return method == Method::msbdf ? 30 : 10; }
 
-/// Stretches of one motion, for the choice of a section.
-struct Stretch {
-  double begin, end;
-};
-
 class SwitchingMap final : public PeriodMap {
  public:
   SwitchingMap(Method method, const System& system, double velocity, const MethodOptions& options)
@@ -53,33 +46,33 @@ class SwitchingMap final : public PeriodMap {
         asked_(ode_, stepper(method), scales_, tolerance_, budget_),
         coarser_(ode_, stepper(method), scales_, coarsening(method) * tolerance_, budget_) {}
 
-  State start(Start start) const override {
+  MapState start(Start start) const override {
     const std::vector<double> y = equations_.start(start);
     return {Eigen::Map<const Eigen::VectorXd>(y.data(), static_cast<Eigen::Index>(y.size())),
             start == Start::rest ? Motion::stick : Motion::slip};
   }
 
-  Period run(const State& state, Accuracy accuracy) override {
-    return run(state, section_ + turn, accuracy == Accuracy::asked ? asked_ : coarser_);
+  Period run(const MapState& state, Accuracy accuracy) override {
+    return run(state, section_ + two_pi, accuracy == Accuracy::asked ? asked_ : coarser_);
   }
 
   // The middle of the longest motion: as far from events as can be.
-  State to_smooth_section(const State& state) override {
-    const Period period = run(state, section_ + turn, asked_);
+  MapState to_smooth_section(const MapState& state) override {
+    const Period period = run(state, section_ + two_pi, asked_);
     if (stretches_.size() < 2) return period.end;
-    stretches_.front().begin = stretches_.back().begin - turn;
+    stretches_.front().begin = stretches_.back().begin - two_pi;
     stretches_.pop_back();
     const auto longest = std::max_element(
         stretches_.begin(), stretches_.end(),
         [](const Stretch& a, const Stretch& b) { return a.end - a.begin < b.end - b.begin; });
     double middle = (longest->begin + longest->end) / 2;
-    if (middle <= section_) middle += turn;
+    if (middle <= section_) middle += two_pi;
     const Period part = run(period.end, middle, asked_);
-    section_ = middle < turn ? middle : middle - turn;
+    section_ = middle < two_pi ? middle : middle - two_pi;
     return part.end;
   }
 
-  std::vector<Eigen::Index> variables(const State& state) const override {
+  std::vector<Eigen::Index> variables(const MapState& state) const override {
     std::vector<Eigen::Index> list;
     const bool tied = state.motion != Motion::stick && equations_.contact.damper == 0;
     const std::size_t main = equations_.contact_begin() + equations_.contact.main_branch();
@@ -96,6 +89,11 @@ class SwitchingMap final : public PeriodMap {
   double slowest_rate() const override { return equations_.slowest_rate(); }
 
  private:
+  /// A time of one motion, for the choice of a section.
+  struct Stretch {
+    double begin, end;
+  };
+
   // Without a direct damper the contact's velocity follows from a_j f_j, not from forces alone.
   std::vector<double> scales() const {
     std::vector<double> list = equations_.scales();
@@ -107,9 +105,9 @@ class SwitchingMap final : public PeriodMap {
     return list;
   }
 
-  Period run(const State& state, double end, GslIntegrator& integrator) {
-    const double begin = section_,
-                 longest = &integrator == &asked_ ? longest_step : 2 * longest_step;
+  Period run(const MapState& state, double end, GslIntegrator& integrator) {
+    const double begin = section_, longest = &integrator == &asked_ ? longest_switching_step
+                                                                    : 2 * longest_switching_step;
     std::vector<double> y(state.y.data(), state.y.data() + state.y.size());
     y.push_back(0);
     ode_.motion = state.motion;
@@ -130,7 +128,7 @@ class SwitchingMap final : public PeriodMap {
       stretches_.push_back({integrator.time(), end});
     }
     const auto& at_end = integrator.state();
-    period.deficit = at_end.back() / turn;
+    period.deficit = at_end.back() / two_pi;
     period.end = {Eigen::Map<const Eigen::VectorXd>(at_end.data(), state.y.size()), ode_.motion};
     return period;
   }

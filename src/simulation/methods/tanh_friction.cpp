@@ -1,8 +1,8 @@
 #include "simulation/methods/tanh_friction.hpp"
 
 #include <algorithm>
-#include <numbers>
 
+#include "base/constants.hpp"
 #include "simulation/methods/equations.hpp"
 #include "simulation/methods/gsl_integrator.hpp"
 
@@ -10,8 +10,7 @@ namespace vcrit::simulation::methods {
 
 namespace {
 
-constexpr double turn = 2 * std::numbers::pi;
-constexpr double longest_step = turn / 16;
+constexpr double longest_tanh_step = two_pi / 16;
 
 // Slower than this many w_reg, where tanh is 0.995, is called stick.
 constexpr double stuck = 3;
@@ -115,18 +114,18 @@ class TanhMap final : public PeriodMap {
         asked_(ode_, stepper(), scales_, options.tolerance, budget_),
         coarser_(coarser_ode_, stepper(), scales_, 10 * options.tolerance, budget_) {}
 
-  State start(Start start) const override {
+  MapState start(Start start) const override {
     const std::vector<double> y = equations_.start(start);
     return {Eigen::Map<const Eigen::VectorXd>(y.data(), static_cast<Eigen::Index>(y.size())),
             start == Start::rest ? Motion::stick : Motion::slip};
   }
 
-  Period run(const State& state, Accuracy accuracy) override {
+  Period run(const MapState& state, Accuracy accuracy) override {
     const bool asked = accuracy == Accuracy::asked;
     return run(state, asked ? ode_ : coarser_ode_, asked ? asked_ : coarser_);
   }
 
-  std::vector<Eigen::Index> variables(const State& state) const override {
+  std::vector<Eigen::Index> variables(const MapState& state) const override {
     std::vector<Eigen::Index> list(static_cast<std::size_t>(state.y.size()));
     for (std::size_t i = 0; i < list.size(); ++i) list[i] = static_cast<Eigen::Index>(i);
     return list;
@@ -148,16 +147,16 @@ class TanhMap final : public PeriodMap {
     return list;
   }
   // Events to first order, between the ends of a step.
-  Period run(const State& state, const TanhOde& ode, GslIntegrator& integrator) const {
+  Period run(const MapState& state, const TanhOde& ode, GslIntegrator& integrator) const {
     std::vector<double> y(state.y.data(), state.y.data() + state.y.size());
     y.push_back(0);
     integrator.begin(0, std::move(y));
     Period period;
     double w = ode.contact_velocity(0, integrator.state().data());
     Motion motion = ode.motion(w);
-    while (integrator.time() < turn) {
+    while (integrator.time() < two_pi) {
       const double before = integrator.time();
-      integrator.step(std::min(turn, before + longest_step));
+      integrator.step(std::min(two_pi, before + longest_tanh_step));
       const double after = ode.contact_velocity(integrator.time(), integrator.state().data());
       if (ode.motion(after) != motion) {
         motion = ode.motion(after);
@@ -169,7 +168,7 @@ class TanhMap final : public PeriodMap {
       w = after;
     }
     const auto& end = integrator.state();
-    period.deficit = end.back() / turn;
+    period.deficit = end.back() / two_pi;
     period.end = {Eigen::Map<const Eigen::VectorXd>(end.data(), state.y.size()), motion};
     return period;
   }

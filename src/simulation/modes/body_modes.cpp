@@ -12,7 +12,7 @@ namespace {
 
 // Two real rates closer than this share of their distances from the nearest pole, with no pole
 // between them, are a pair: the coefficients of separate modes would grow like the share's inverse.
-constexpr double close_share = 0.1;
+constexpr double close_roots = 0.1;
 
 class BodyModes {
  public:
@@ -150,7 +150,7 @@ class BodyModes {
 
   void join_close_roots() {
     std::size_t best = roots_.size();
-    double least = close_share;
+    double least = close_roots;
     for (std::size_t i = 0; i + 1 < roots_.size(); ++i) {
       const OffsetRate &low = roots_[i], &high = roots_[i + 1];
       const double share = high.minus(low) / (std::abs(low.offset) + std::abs(high.offset));

@@ -10,7 +10,7 @@ namespace {
 
 // Rates that differ by less than this share of their sum are a pair: the coefficients of separate
 // modes would grow like the share's inverse.
-constexpr double close_share = 0.1;
+constexpr double close_rates = 0.1;
 
 // A pair of modes nearer than this to a rate would need three modes to belong together.
 constexpr double least_distance = 1e-4;
@@ -72,7 +72,7 @@ class Driven {
     }
     List<Index, 2> near;
     for (Index i = 0; i < rates_.size() && push_[k] != 0; ++i) {
-      if (std::abs(rate - rates_[i]) < close_share * (rate + rates_[i])) {
+      if (std::abs(rate - rates_[i]) < close_rates * (rate + rates_[i])) {
         near.push_back(i);
         continue;
       }

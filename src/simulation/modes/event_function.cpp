@@ -2,18 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "base/constants.hpp"
 #include "base/errors.hpp"
 
 namespace vcrit::simulation {
 
 namespace {
 
-constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
+constexpr double term_rounding = 4 * epsilon;
 
 // A decay or pair whose rate times the interval is below this enters by its Taylor series.
-constexpr double slow = 2;
+constexpr double taylor_limit = 2;
 
 const ModePair oscillation{0, -1};
 
@@ -73,7 +73,7 @@ EventFunction::Point EventFunction::at(const Factors& factors) const {
   for (Index i = 0; i < pairs_.size(); ++i)
     add_pair(pairs_[i], factors.pair(i), spectrum_->pairs[i].exponent);
   add_pair(sinusoid_, factors.turn(), oscillation.exponent);
-  p.noise *= rounding;
+  p.noise *= term_rounding;
   return p;
 }
 
@@ -85,7 +85,7 @@ EventFunction::Point EventFunction::move_to(double t) {
 }
 
 double EventFunction::ceiling(double t) const {
-  if (order_ == 2) return std::numeric_limits<double>::infinity();
+  if (order_ == 2) return infinity;
   double sum = value_, size = size_;
   const auto add = [&](double highest) {
     sum += highest;
@@ -99,7 +99,7 @@ double EventFunction::ceiling(double t) const {
   };
   for (Index p = 0; p < pairs_.size(); ++p) add_pair(pairs_[p], spectrum_->pairs[p]);
   add_pair(sinusoid_, oscillation);
-  return sum + rounding * size;
+  return sum + term_rounding * size;
 }
 
 // Slow decays' coefficients are exact but for the last; c1 of order 2 is the point's slope.
@@ -109,7 +109,7 @@ bool EventFunction::bound_decays(Derivatives& bound, double h) const {
     const double now = singles_[i] * here_.single(i)[0], rate = spectrum_->rates[i],
                  rate_h = rate * h;
     if (now == 0) continue;
-    if (rate_h > slow) {
+    if (rate_h > taylor_limit) {
       fast = true;
       if (order_ == 1)
         (now > 0 ? bound[0] : bound[1]) += now > 0 ? now / rate : now * 0.63 / rate_h;
@@ -126,7 +126,7 @@ bool EventFunction::bound_decays(Derivatives& bound, double h) const {
 
 bool EventFunction::bound_pair(Derivatives& bound, double h, PairNumber now,
                                const ModePair& pair) const {
-  if (pair.rate * h <= slow) {
+  if (pair.rate * h <= taylor_limit) {
     PairNumber derivative = now;
     for (std::size_t k = order_; k < degree; ++k, derivative = derivative * pair.exponent)
       bound[k] += derivative.b;

@@ -27,7 +27,7 @@ inline constexpr std::array<double, 17> inverse_factorial = [] {
 
 }  // namespace detail
 
-inline double size(double x) { return std::abs(x); }
+inline double magnitude(double x) { return std::abs(x); }
 
 /// phi_2(z) for a modulus |z| < 1: the terms left out are below 2e-16 of it.
 template <class Number>
@@ -78,7 +78,7 @@ inline Integrals<PairNumber> turn_integrals(double t) {
 template <class Number>
 Number convolution(Number r, Number exp_r, double s, double exp_s, double t) {
   const Number x = (r - s) * t;
-  const double modulus = size(x);
+  const double modulus = magnitude(x);
   if (modulus < 1) return (x * phi_2(x, modulus) + 1) * (t * exp_s);
   return (exp_r - exp_s) / (r - s);
 }
@@ -89,8 +89,8 @@ template <class Number>
 Number integrated_convolution(Number r, Number once_r, double s, double once_s, Number convolved,
                               double t) {
   const Number apart = r - s;
-  if (std::max(size(apart), size(r)) * t >= 0.5)
-    return size(apart) >= size(r) ? (once_r - once_s) / apart : (convolved - once_s) / r;
+  if (std::max(magnitude(apart), magnitude(r)) * t >= 0.5)
+    return magnitude(apart) >= magnitude(r) ? (once_r - once_s) / apart : (convolved - once_s) / r;
   // t^2 sum_n h_n/(n + 2)!, h_n the sum of all products of n factors r t and s t.
   Number h = r * 0.0 + 1, sum = h * detail::inverse_factorial[0];
   double power = 1;

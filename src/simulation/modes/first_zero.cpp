@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "base/constants.hpp"
 #include "base/errors.hpp"
 
 namespace vcrit::simulation {
@@ -39,9 +39,7 @@ class March {
  private:
   static constexpr int most_steps = 10'000'000;
 
-  static double least_step(double t) {
-    return t == 0 ? 1e-300 : std::numeric_limits<double>::epsilon() * t;
-  }
+  static double least_step(double t) { return t == 0 ? 1e-300 : epsilon * t; }
 
   // Intervals are narrowed while they hide fast terms and show little; they grow when all is safe.
   double safe_step(const EventFunction::Point& here) {

@@ -1,8 +1,9 @@
 #include "simulation/modes/linear_solver.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
+
+#include "base/constants.hpp"
 
 namespace vcrit::simulation {
 
@@ -23,8 +24,7 @@ LinearSolver::LinearSolver(Matrix a, ConstView sizes)
     pivot(k);
     const double here = std::abs(lu_(k, k));
     largest = std::max(largest, here);
-    if (!(here > static_cast<double>(n_) * std::numeric_limits<double>::epsilon() * largest))
-      return;
+    if (!(here > static_cast<double>(n_) * epsilon * largest)) return;
     rank_ = k + 1;
     for (Index i = k + 1; i < n_; ++i) lu_(i, k) /= lu_(k, k);
     for (Index j = k + 1; j < n_; ++j)

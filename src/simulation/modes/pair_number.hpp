@@ -26,7 +26,7 @@ struct PairNumber {
   friend PairNumber operator/(PairNumber x, PairNumber y) { return x * inverse(y); }
 
   /// |x| for q <= 0; for q > 0 the larger of both real values.
-  friend double size(PairNumber x) {
+  friend double magnitude(PairNumber x) {
     const double root = std::sqrt(std::abs(x.q)) * x.b;
     return x.q < 0 ? std::sqrt(x.a * x.a + root * root) : std::abs(x.a) + std::abs(root);
   }

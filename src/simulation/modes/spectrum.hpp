@@ -16,7 +16,7 @@ struct ModePair {
         q(of_q),
         exponent{-decay, 1, q},
         receptance(inverse(exponent)),
-        rate(size(exponent)) {}
+        rate(magnitude(exponent)) {}
 
   double decay, q;
   PairNumber exponent, receptance;  ///< s, 1/s

@@ -9,14 +9,14 @@ namespace vcrit::simulation {
 namespace {
 
 // Parts of a trace that go on in the same motion are one leg, also across its end.
-struct Stretch {
+struct TraceLeg {
   const Trace::Part* first;
   double duration;
   Motion motion() const { return first->piece.start().motion; }
 };
 
-List<Stretch, 8> stretches_of(const Trace& trace) {
-  List<Stretch, 8> result;
+List<TraceLeg, 8> legs_of(const Trace& trace) {
+  List<TraceLeg, 8> result;
   for (const Trace::Part& part : trace.parts) {
     if (!result.empty() && result.back().motion() == part.piece.start().motion)
       result.back().duration += part.duration;
@@ -33,18 +33,18 @@ List<Stretch, 8> stretches_of(const Trace& trace) {
 }  // namespace
 
 std::optional<Course> course_of(const Trace& trace) {
-  const auto stretches = stretches_of(trace);
-  const Index n = stretches.size();
+  const auto legs = legs_of(trace);
+  const Index n = legs.size();
   Index longest = n;
   for (Index i = 0; i < n; ++i)
-    if (stretches[i].motion() == Motion::slip &&
-        (longest == n || stretches[i].duration > stretches[longest].duration))
+    if (legs[i].motion() == Motion::slip &&
+        (longest == n || legs[i].duration > legs[longest].duration))
       longest = i;
   if (longest == n || n % 2 != 0) return std::nullopt;
-  Course course{stretches[longest].first->piece.start(), {}};
+  Course course{legs[longest].first->piece.start(), {}};
   course.start.entered = 1;
   for (Index i = 0; i < n; ++i) {
-    const Stretch &leg = stretches[(longest + i) % n], &next = stretches[(longest + i + 1) % n];
+    const TraceLeg &leg = legs[(longest + i) % n], &next = legs[(longest + i + 1) % n];
     if ((leg.motion() == Motion::stick) == (next.motion() == Motion::stick)) return std::nullopt;
     course.legs.push_back({leg.motion(), leg.duration});
   }

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "base/constants.hpp"
 #include "base/errors.hpp"
 #include "simulation/modes/body_modes.hpp"
 #include "simulation/modes/driven_modes.hpp"
@@ -27,7 +27,7 @@ struct SharedPoles {
 
   SharedPoles(const ContactModes& c, const PoleSum& d) : sum{c.damper + d.direct, {}, {}} {
     Index i = 0, j = 0;
-    const double close = 4 * std::numeric_limits<double>::epsilon();
+    const double close = 4 * epsilon;
     while (i < c.branch_rates.size() || j < d.rates.size()) {
       const bool no_contact = i == c.branch_rates.size(), no_drive = j == d.rates.size();
       const double a = no_contact ? d.rates[j] : c.branch_rates[i];
@@ -138,7 +138,7 @@ void Model::set_bound(const System& system) {
   force_unit = system.friction * system.mean_normal_force;
   amplitude = std::abs(system.normal_force_amplitude) / system.mean_normal_force;
   phase = std::arg(system.normal_force_amplitude);
-  ensure(amplitude <= 1 + std::numeric_limits<double>::epsilon(), "the normal force never pulls");
+  ensure(amplitude <= 1 + epsilon, "the normal force never pulls");
 }
 
 // Both phases have the decaying parts of b behind their own y: stick beside it, for its end, and
@@ -214,7 +214,7 @@ void Model::set_sliding() {
   }
   resonance = size / std::abs(impedance);
   if (impedance == 0.0) {
-    sliding_velocity = std::numeric_limits<double>::infinity();
+    sliding_velocity = infinity;
     return;
   }
   const std::complex<double> velocity = -amplitude / impedance;

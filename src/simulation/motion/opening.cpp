@@ -2,28 +2,21 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "base/constants.hpp"
 #include "base/errors.hpp"
 
 namespace vcrit::simulation {
 
 namespace {
 
-constexpr double period = 2 * std::numbers::pi;
-
 // The surfaces neither touch nor part for a shorter time than this: the force, or the gap, would be
 // a rounding error of its amplitude.
 constexpr double shortest = 1e-9;
 
-double wrapped(double t) {
-  const double result = t - period * std::floor(t / period);
-  return result < period ? result : 0;
-}
-
 double until(double phase, double t) {
   const double result = wrapped(phase - t);
-  return result < period - shortest ? result : 0;
+  return result < two_pi - shortest ? result : 0;
 }
 
 Relaxation in_radians(Relaxation form, double omega) {
@@ -34,6 +27,11 @@ Relaxation in_radians(Relaxation form, double omega) {
 
 }  // namespace
 
+double wrapped(double t) {
+  const double result = t - two_pi * std::floor(t / two_pi);
+  return result < two_pi ? result : 0;
+}
+
 NormalCycle steady_normal_force(const NormalMotion& motion, double omega) {
   return normal_cycle(contact_modes(in_radians(motion.network, omega)),
                       {motion.mean, motion.amplitude});
@@ -43,7 +41,7 @@ Opening::Opening(const NormalMotion& motion, double omega) : jumps(motion.networ
   const ContactModes network = contact_modes(in_radians(motion.network, omega));
   const NormalCycle cycle = normal_cycle(network, {motion.mean, motion.amplitude});
   if (cycle.touches.empty()) throw ModelError("the surfaces never meet: there is no friction");
-  if (cycle.touches.size() == 1 && cycle.touches.front().duration > period - shortest)
+  if (cycle.touches.size() == 1 && cycle.touches.front().duration > two_pi - shortest)
     throw ModelError("the surfaces never part: their normal force is that of a closed contact");
   mean_force = cycle.mean;
   error = cycle.error / cycle.mean;
@@ -68,7 +66,7 @@ double Opening::until_met(Index touch, double t) const { return until(touches[to
 
 double Opening::part(Index i, Index touch, double t) const {
   const double since = wrapped(t - touches[touch].begin);
-  const double passed = since < period - shortest ? since : 0;
+  const double passed = since < two_pi - shortest ? since : 0;
   return touches[touch].decaying[i] * std::exp(-rates[i] * passed);
 }
 

@@ -7,6 +7,9 @@
 
 namespace vcrit::simulation {
 
+/// A time less whole periods, in [0, 2 pi).
+double wrapped(double t);
+
 /// The cycle of the normal force, in N, with omega t for time.
 NormalCycle steady_normal_force(const NormalMotion& motion, double omega);
 

@@ -2,12 +2,11 @@
 
 #include <cmath>
 
+#include "base/complex.hpp"
 #include "base/errors.hpp"
 #include "simulation/modes/first_zero.hpp"
 
 namespace vcrit::simulation {
-
-using Complex = std::complex<double>;
 
 Index states(const Model& model, Motion motion) {
   return motion == Motion::stick ? model.stick_states() : model.slip_states();
@@ -16,12 +15,12 @@ Index states(const Model& model, Motion motion) {
 namespace {
 
 // Re(a b)
-double real_product(const Complex& a, const Complex& b) {
+double real_product(const ComplexDouble& a, const ComplexDouble& b) {
   return a.real() * b.real() - a.imag() * b.imag();
 }
 
 // The integral of e^{it} from a time on: e^{i start} times the factor.
-Complex turned(const Instant& start, PairNumber factor) {
+ComplexDouble turned(const Instant& start, PairNumber factor) {
   return {real_product(start.turn, {factor.a, factor.b}),
           start.turn.real() * factor.b + start.turn.imag() * factor.a};
 }
@@ -59,8 +58,8 @@ State Piece::after(const Flow& flow, View integrals) const {
                simulation::integrals(model_->opening->rates[i], flow.duration())[1];
   const Index body = model_->body_states(), levels = model_->level_states();
   const Index held = model_->integrated_levels();
-  const Complex once = turned(start_.at, flow.factors().turn()[1]);
-  const Complex twice = turned(start_.at, flow.factors().turn()[2]);
+  const ComplexDouble once = turned(start_.at, flow.factors().turn()[1]);
+  const ComplexDouble twice = turned(start_.at, flow.factors().turn()[2]);
   state.x[0] = side * model_->bound(state.at, state.touch);
   integrals[0] =
       impulse + side * (model_->mean * flow.duration() + model_->amplitude * once.real());
@@ -69,7 +68,7 @@ State Piece::after(const Flow& flow, View integrals) const {
     if (1 + i < held) integrals[1 + i] += side * real_product(model_->sliding_rates[i], twice);
   }
   for (Index i = 0; i < model_->units(); ++i) {
-    const Complex& rate = model_->sliding_rates[body + i];
+    const ComplexDouble& rate = model_->sliding_rates[body + i];
     state.x[levels + i] += side * real_product(rate, state.at.turn);
     if (i < model_->slow_units) integrals[held + i] += side * real_product(rate, once);
   }
@@ -115,7 +114,7 @@ EventFunction Piece::slip_end() const {
   EventFunction f(model_->slip.modes.spectrum, 1, from_zero ? 0 : -side * velocity,
                   from_zero ? 0 : size);
   f.add_modes(model_->slip.event, modes_, -side);
-  const Complex velocity_now = model_->sliding_velocity * start_.at.turn;
+  const ComplexDouble velocity_now = model_->sliding_velocity * start_.at.turn;
   f.add_sinusoid({velocity_now.imag(), -velocity_now.real()});
   return f;
 }
@@ -124,14 +123,14 @@ EventFunction Piece::slip_end() const {
 // those of the bound, and f = f' = 0 there.
 EventFunction Piece::stick_end(int side) const {
   const bool entered = leaving(side > 0 ? Motion::slip : Motion::backslip);
-  const Complex bound = model_->amplitude * start_.at.turn;
+  const ComplexDouble bound = model_->amplitude * start_.at.turn;
   const int order = start_.entered == side && model_->contact.damper == 0 ? 2 : 1;
   const double gap = side * start_.x[0] - model_->bound(start_.at, start_.touch);
   EventFunction f(model_->stick.modes.spectrum, order, entered ? 0 : std::min(gap, 0.0),
                   entered ? 0 : std::abs(start_.x[0]));
   f.add_modes(model_->stick.event, modes_, side, order - 1);
   if (model_->opening) f.add_modes(model_->stick.bound, modes_, -1, order - 1);
-  f.add_sinusoid(order == 2 ? bound : Complex{bound.imag(), -bound.real()});
+  f.add_sinusoid(order == 2 ? bound : ComplexDouble{bound.imag(), -bound.real()});
   return f;
 }
 

@@ -15,7 +15,7 @@ namespace {
 // without them for this share of a radian, over which nothing can be gained or lost. So does one
 // that ends as it begins, but is within its law a touch, or some of them, later: what relaxes at
 // once leaves its rounding error in the rates of what comes after.
-constexpr double touch = 1e-9, longest_touch = 1e-7;
+constexpr double shortest_touch = 1e-9, longest_touch = 1e-7;
 
 // Member by member: an initialiser would clear the room for all parts first.
 void begin(Trace& record, const Model& model, const State& start, const Matrix& changes) {
@@ -87,11 +87,11 @@ class Tracer {
 
   // How long the motion goes on in spite of an event at its beginning.
   std::optional<double> touched(const Piece& piece, Motion to) {
-    for (double passed = touch; passed <= longest_touch; passed *= 10)
+    for (double passed = shortest_touch; passed <= longest_touch; passed *= 10)
       if (piece.event_function(to).at(piece.flow(passed).factors()).value < 0) return passed;
     if (!stood_) return std::nullopt;
-    record_.unlawful += touch;
-    return touch;
+    record_.unlawful += shortest_touch;
+    return shortest_touch;
   }
 
   void change_motion(const Piece& piece, const Flow& flow, Motion to) {

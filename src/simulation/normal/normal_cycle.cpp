@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numbers>
 #include <optional>
 
+#include "base/constants.hpp"
 #include "base/errors.hpp"
 #include "simulation/modes/linear_solver.hpp"
 
@@ -13,15 +12,12 @@ namespace vcrit::simulation {
 
 namespace {
 
-constexpr double period = 2 * std::numbers::pi;
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
-
 // The fixed point of the period map, from a state in the middle of the longest stay apart on, by
 // Newton's method. The energy distance between two motions never grows, so plain periods are the
 // safe way where a step misses.
-class Search {
+class NormalCycleSearch {
  public:
-  Search(const ContactModes& network, const Indentation& indentation)
+  NormalCycleSearch(const ContactModes& network, const Indentation& indentation)
       : network_(network), indentation_(indentation), contact_(network, indentation) {}
 
   NormalCycle run() {
@@ -61,7 +57,7 @@ class Search {
     NormalStay stay{};
     for (std::size_t i = 0; i < most_stays; ++i) {
       const NormalState before = state;
-      const double limit = to_event ? state.time + 2 * period : end;
+      const double limit = to_event ? state.time + 2 * two_pi : end;
       const bool event = touching ? contact_.stay_touching(state, limit, stay, sums)
                                   : contact_.stay_apart(state, limit, stay, sums);
       use(stay, before, state);
@@ -74,13 +70,13 @@ class Search {
   // The middle of the longest stay apart after some periods; nothing if the surfaces never part.
   std::optional<NormalState> settled(NormalState start, int periods) const {
     start.strains = first_column(start.strains);
-    const double end = start.time + period * periods;
+    const double end = start.time + two_pi * periods;
     NormalIntegrals ignored(contact_.units(), 1);
     std::optional<NormalState> result;
     double longest = 0;
     follow(start, end, ignored, true,
            [&](const NormalStay& stay, const NormalState& before, const NormalState&) {
-             if (stay.touching || !before.released || stay.begin < end - 1.01 * period) return;
+             if (stay.touching || !before.released || stay.begin < end - 1.01 * two_pi) return;
              if (stay.duration <= longest) return;
              longest = stay.duration;
              result = before;
@@ -89,7 +85,7 @@ class Search {
     for (Index j = 0; j < contact_.units(); ++j)
       result->strains(j, 0) *= std::exp(-network_.unit_rates[j] * 0.5 * longest);
     result->time += 0.5 * longest;
-    result->time -= period * std::round(result->time / period);
+    result->time -= two_pi * std::round(result->time / two_pi);
     result->released = false;
     return result;
   }
@@ -112,14 +108,14 @@ class Search {
       state.strains(j, 0) = start->strains(j, 0);
       state.strains(j, j + 1) = 1;
     }
-    follow(state, state.time + period, result.sums, false,
+    follow(state, state.time + two_pi, result.sums, false,
            [&](const NormalStay& stay, const NormalState&, const NormalState&) {
              result.stays.push_back(stay);
            });
     if (result.stays.back().touching) return std::nullopt;
     for (Index j = 0; j < n; ++j) {
       const double rate = network_.unit_rates[j], fluidity = network_.unit_fluidity[j];
-      const double kept = std::min(1.0, period * rate) * std::abs(start->strains(j, 0));
+      const double kept = std::min(1.0, two_pi * rate) * std::abs(start->strains(j, 0));
       result.residual.push_back(fluidity * result.sums.impulse[0] -
                                 rate * result.sums.strains(j, 0));
       result.unit.push_back(8 * epsilon * (fluidity * result.sums.size + kept));
@@ -156,25 +152,25 @@ class Search {
   // One more step, and rounding as the steady state amplifies it.
   NormalCycle finished(const Period& now) const {
     NormalCycle result{
-        now.sums.impulse[0] / period, 8 * epsilon * now.sums.size, contact_.swing(), {}};
+        now.sums.impulse[0] / two_pi, 8 * epsilon * now.sums.size, contact_.swing(), {}};
     if (contact_.units() > 0) {
       const ConstView all = now.sums.impulse, changes = all.subspan(1);
       const Vector gain = solver(now).solve_transposed(changes);
       for (Index j = 0; j < gain.size(); ++j)
         result.error += std::abs(gain[j]) * (now.unit[j] + std::abs(now.residual[j]));
     }
-    result.error /= period;
+    result.error /= two_pi;
     for (const NormalStay& stay : now.stays)
       if (stay.touching)
         result.touches.push_back(
-            {stay.begin < 0 ? stay.begin + period : stay.begin, stay.duration, stay.decays});
+            {stay.begin < 0 ? stay.begin + two_pi : stay.begin, stay.duration, stay.decays});
     return result;
   }
 
   NormalCycle closed() const {
     Vector decays(network_.branch_rates.size());
     decays[0] = network_.branch_stiffness[0] * indentation_.mean;
-    return {decays[0], 2 * epsilon * decays[0], contact_.swing(), {{0, period, decays}}};
+    return {decays[0], 2 * epsilon * decays[0], contact_.swing(), {{0, two_pi, decays}}};
   }
 
   const ContactModes& network_;
@@ -189,7 +185,7 @@ NormalCycle normal_cycle(const ContactModes& network, const Indentation& indenta
          "a spring of the normal network carries the static load");
   ensure(indentation.amplitude > 0, "the indentation oscillates");
   if (indentation.mean + indentation.amplitude <= 0) return {};
-  return Search(network, indentation).run();
+  return NormalCycleSearch(network, indentation).run();
 }
 
 }  // namespace vcrit::simulation

@@ -1,16 +1,14 @@
 #include "simulation/normal/normal_stays.hpp"
 
 #include <cmath>
-#include <numbers>
 
+#include "base/complex.hpp"
+#include "base/constants.hpp"
 #include "simulation/modes/first_zero.hpp"
 
 namespace vcrit::simulation {
 
 namespace {
-
-using namespace std::complex_literals;
-using Complex = std::complex<double>;
 
 double sum(ConstView x) {
   double result = 0;
@@ -30,8 +28,9 @@ NormalStays::NormalStays(const ContactModes& network, const Indentation& indenta
     : network_(network),
       indentation_(indentation),
       branches_{network.branch_rates, {}},
-      units_{network.unit_rates, {}},
-      swing_(network.damper * 1i * indentation.amplitude) {
+      units_{network.unit_rates, {}} {
+  using namespace std::complex_literals;
+  swing_ = network.damper * 1i * indentation.amplitude;
   for (Index i = 0; i < branches_.singles(); ++i) swing_ += branch_swing(i);
 }
 
@@ -40,7 +39,7 @@ double NormalStays::gap(const NormalState& now) const {
 }
 
 NormalState NormalStays::start() const {
-  NormalState result{-std::numbers::pi, Matrix(units(), 1), false};
+  NormalState result{-pi, Matrix(units(), 1), false};
   const double deepest = indentation_.mean + indentation_.amplitude;
   for (Index j = 0; j < units(); ++j)
     result.strains(j, 0) =
@@ -78,7 +77,8 @@ double NormalStays::depth(double time) const {
   return indentation_.mean + indentation_.amplitude * std::cos(time);
 }
 
-Complex NormalStays::branch_swing(Index i) const {
+ComplexDouble NormalStays::branch_swing(Index i) const {
+  using namespace std::complex_literals;
   return network_.branch_stiffness[i] * indentation_.amplitude * 1i / (branches_.rates[i] + 1i);
 }
 
@@ -96,7 +96,7 @@ void NormalStays::strike(NormalState& now, NormalIntegrals& sums) const {
 // their swing: the spring's is that of the mean indentation. With changed strains at the same
 // place F = -sum_j eps_j/J_g begins elsewhere, too.
 Matrix NormalStays::decays_at(const NormalState& now) const {
-  const Complex turn = std::polar(1.0, now.time);
+  const ComplexDouble turn = std::polar(1.0, now.time);
   Matrix result(branches_.singles(), now.strains.columns());
   for (Index k = 0; k < result.columns(); ++k) {
     const View decays = result.column(k);
@@ -119,18 +119,20 @@ std::optional<double> NormalStays::touch_down(const NormalState& now, double hor
   const double size = std::abs(depth(now.time)) + sum_of_sizes(strains);
   EventFunction f(units_, order, now.released ? 0 : -gap(now), now.released ? 0 : size);
   f.add_modes(units_.rates, strains, 1, order - 1);
-  const Complex rate = 1i * indentation_.amplitude * std::polar(1.0, now.time);
+  using namespace std::complex_literals;
+  const ComplexDouble rate = 1i * indentation_.amplitude * std::polar(1.0, now.time);
   f.add_sinusoid(order == 2 ? 1i * rate : rate);
   return first_zero(f, horizon, now.released);
 }
 
 std::optional<double> NormalStays::lift_off(const NormalState& now, ConstView decays,
                                             double horizon) const {
-  const Complex swing = swing_ * std::polar(1.0, now.time);
+  const ComplexDouble swing = swing_ * std::polar(1.0, now.time);
   const bool jump = network_.damper > 0 && swing.real() + sum(decays) > 0;
   EventFunction f(branches_, 1, jump ? -swing.real() - sum(decays) : 0,
                   jump ? std::abs(swing) + sum_of_sizes(decays) : 0);
   f.add_modes(branches_.rates, decays, 1);
+  using namespace std::complex_literals;
   f.add_sinusoid(-1i * swing);
   return first_zero(f, horizon, !jump);
 }
@@ -139,7 +141,7 @@ std::optional<double> NormalStays::lift_off(const NormalState& now, ConstView de
 void NormalStays::press(NormalState& now, const Matrix& decays, double duration,
                         NormalIntegrals& sums) const {
   const Factors factors(branches_, duration);
-  const Complex swing = swing_ * std::polar(1.0, now.time);
+  const ComplexDouble swing = swing_ * std::polar(1.0, now.time);
   const auto swung = [&](PairNumber x) { return swing.real() * x.a - swing.imag() * x.b; };
   const Index columns = decays.columns();
   for (Index i = 0; i < decays.rows(); ++i) {
@@ -147,7 +149,7 @@ void NormalStays::press(NormalState& now, const Matrix& decays, double duration,
     sums.size += std::abs(decays(i, 0) * factors.single(i)[1]);
   }
   sums.impulse[0] += swung(factors.turn()[1]);
-  sums.size += std::abs(swing) * size(factors.turn()[1]);
+  sums.size += std::abs(swing) * magnitude(factors.turn()[1]);
   for (Index j = 0; j < units(); ++j) {
     const double rate = units_.rates[j], fluidity = network_.unit_fluidity[j];
     const Integrals<double> own = integrals(rate, duration);

@@ -2,22 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "base/constants.hpp"
 #include "base/errors.hpp"
 
 namespace vcrit::simulation {
 
 namespace {
-
-using namespace std::complex_literals;
-
-constexpr double turn = 2 * std::numbers::pi;
-
-double wrapped(double angle) {
-  const double result = angle - turn * std::floor(angle / turn);
-  return result < turn ? result : 0;
-}
 
 // One steady state in the user's units, in the memory of another.
 class Answer {
@@ -31,6 +22,7 @@ class Answer {
 
   // F is mu0 F_n throughout, so the ratio is 1 by the balance of forces alone.
   void sliding() const {
+    using namespace std::complex_literals;
     set(1, 0, Regime::sliding);
     for (int i = 0; i < samples_; ++i) {
       const double t = phase_of(i) + model_.phase;
@@ -85,7 +77,7 @@ class Answer {
     return apart ? Regime::sliding_apart : Regime::sliding;
   }
 
-  double phase_of(int sample) const { return turn * sample / samples_; }
+  double phase_of(int sample) const { return two_pi * sample / samples_; }
 
   CyclePoint point(double phase, double velocity, double force, double bound) const {
     return {phase, velocity * model_.velocity_unit, force * model_.force_unit,

@@ -1,15 +1,12 @@
 #include "simulation/steady/closing.hpp"
 
 #include <algorithm>
-#include <limits>
-#include <numbers>
+
+#include "base/constants.hpp"
 
 namespace vcrit::simulation {
 
 namespace {
-
-constexpr double turn = 2 * std::numbers::pi;
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 // residual = sum of the weights times integrals.
 class ByIntegrals {
@@ -82,13 +79,13 @@ Vector state_size(const Model& model, double velocity, const State& start) {
 // The residuals of slow states are as small as what relaxes of them in a period.
 Vector rounding(const Model& model, double velocity, const State& start) {
   Vector unit = state_size(model, velocity, start);
-  const auto relax = [&](double& size, double rate) { size *= std::min(1.0, turn * rate); };
+  const auto relax = [&](double& size, double rate) { size *= std::min(1.0, two_pi * rate); };
   double whole = 0;
   for (Index j = 0; j < model.slow_branches; ++j) {
     const PoleSum& drive = model.body->drive;
     relax(unit[1 + j], drive.rates[j]);
     if (j == 0) whole = unit[1] / drive.weights[0];
-    unit[1 + j] += drive.weights[j] * (j == 0 ? turn * unit[0] : whole);
+    unit[1 + j] += drive.weights[j] * (j == 0 ? two_pi * unit[0] : whole);
   }
   for (Index j = 0; j < model.slow_units; ++j)
     relax(unit[model.body_states() + j], model.contact.unit_rates[j]);

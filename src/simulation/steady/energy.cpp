@@ -3,18 +3,14 @@
 #include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
-#include <limits>
-#include <numbers>
 
+#include "base/constants.hpp"
 #include "base/errors.hpp"
 #include "simulation/steady/steady_cycle.hpp"
 
 namespace vcrit::simulation {
 
 namespace {
-
-constexpr double period = 2 * std::numbers::pi;
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 // A dissipated power and what its rounding may come to.
 struct Heat {
@@ -29,7 +25,7 @@ struct Heat {
 };
 
 // How much the rounding of its phase, up to two periods, moves what swings.
-double swing_of_phase(double amplitude) { return 2 * period * amplitude; }
+double swing_of_phase(double amplitude) { return 2 * two_pi * amplitude; }
 
 // The same of the body's velocity on its own pair of modes.
 double swing_of_body(const Model& model, const State& state) {
@@ -108,7 +104,7 @@ class Quadrature {
 
 // A path that creeps and never slips: the drive works against a steady force.
 EnergyBalance energy_of_creep(const Model& model, double velocity) {
-  const double work = velocity * velocity / model.creep * period;
+  const double work = velocity * velocity / model.creep * two_pi;
   return {work, 0, work, 8 * epsilon * work};
 }
 
@@ -155,8 +151,8 @@ class Account {
   EnergyBalance closed(double impulse, double ratio_error) const {
     EnergyBalance energy = energy_;
     energy.drive = velocity_ * impulse;
-    const double missing = distance_ - velocity_ * period + model_.creep * impulse;
-    energy.error += (1 + model_.amplitude) * std::abs(missing) + velocity_ * period * ratio_error +
+    const double missing = distance_ - velocity_ * two_pi + model_.creep * impulse;
+    energy.error += (1 + model_.amplitude) * std::abs(missing) + velocity_ * two_pi * ratio_error +
                     32 * epsilon * std::abs(energy.drive);
     return energy;
   }
@@ -185,9 +181,9 @@ std::optional<EnergyBalance> energy_of_cycle(const Model& model, double velocity
 std::optional<EnergyBalance> energy_of_sliding(const Model& model, double velocity) {
   Account account(model, velocity);
   const Piece piece(model, velocity, sliding_start(model, velocity));
-  if (!account.can_follow(piece, period)) return std::nullopt;
-  account.add(piece, period);
-  return account.closed(period, 0);
+  if (!account.can_follow(piece, two_pi)) return std::nullopt;
+  account.add(piece, two_pi);
+  return account.closed(two_pi, 0);
 }
 
 }  // namespace

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "base/constants.hpp"
 #include "base/errors.hpp"
 #include "simulation/modes/first_zero.hpp"
 #include "simulation/steady/steady_cycle.hpp"
@@ -13,7 +13,7 @@ namespace vcrit::simulation {
 namespace {
 
 // Many times what any contact velocity swings by, but for light bodies that ring.
-constexpr double fast = 1e6, fastest = 1e30;
+constexpr double fast_speed = 1e6, fastest_speed = 1e30;
 
 bool only_slips(const Trace& period) {
   return std::none_of(period.parts.begin(), period.parts.end(), [](const Trace::Part& part) {
@@ -23,7 +23,7 @@ bool only_slips(const Trace& period) {
 }
 
 Trace sliding_cycle(const Model& model) {
-  for (double velocity = fast; velocity < fastest; velocity *= fast) {
+  for (double velocity = fast_speed; velocity < fastest_speed; velocity *= fast_speed) {
     Trace period = steady_cycle(model, velocity, sliding_start(model, velocity)).period;
     if (only_slips(period)) return period;
   }
@@ -43,7 +43,7 @@ EventFunction::Point maximum(const EventFunction& f, const Spectrum& spectrum, d
     low += step;
   }
   if (high == end && at(end).slope > 0) return at(end);
-  for (int i = 0; i < 200 && high - low > std::numeric_limits<double>::epsilon() * high; ++i) {
+  for (int i = 0; i < 200 && high - low > epsilon * high; ++i) {
     const double middle = 0.5 * (low + high);
     (at(middle).slope > 0 ? low : high) = middle;
   }
@@ -69,10 +69,9 @@ double raised(const Model& model, double velocity, const Trace::Part& part) {
 }  // namespace
 
 double forward_sliding_threshold(const Model& model) {
-  if (model.opening->jumps && model.contact.damper == 0)
-    return std::numeric_limits<double>::infinity();
+  if (model.opening->jumps && model.contact.damper == 0) return infinity;
   const Trace period = sliding_cycle(model);
-  double velocity = -std::numeric_limits<double>::infinity();
+  double velocity = -infinity;
   for (const Trace::Part& part : period.parts)
     if (part.piece.start().motion == Motion::slip) velocity = raised(model, velocity, part);
   return velocity;

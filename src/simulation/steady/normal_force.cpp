@@ -1,8 +1,8 @@
 #include "simulation/steady/normal_force.hpp"
 
 #include <algorithm>
-#include <numbers>
 
+#include "base/constants.hpp"
 #include "simulation/motion/opening.hpp"
 
 namespace vcrit::simulation {
@@ -18,7 +18,7 @@ bool touches_at(const System& system, double phase) {
   return std::any_of(cycle.touches.begin(), cycle.touches.end(),
                      [&](const NormalCycle::Touch& touch) {
                        const double since = phase - touch.begin;
-                       return (since < 0 ? since + 2 * std::numbers::pi : since) <= touch.duration;
+                       return (since < 0 ? since + two_pi : since) <= touch.duration;
                      });
 }
 

@@ -1,9 +1,8 @@
 #include "simulation/steady/shooting.hpp"
 
 #include <algorithm>
-#include <limits>
-#include <numbers>
 
+#include "base/constants.hpp"
 #include "simulation/modes/linear_solver.hpp"
 #include "simulation/steady/closing.hpp"
 
@@ -11,23 +10,20 @@ namespace vcrit::simulation {
 
 namespace {
 
-constexpr double period = 2 * std::numbers::pi;
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 // Steps shrink quadratically: one after which the next would be shorter than the first is the last.
 // One shorter than the second that is not far shorter than the one before shows rounding.
 constexpr double precision = 1e-16, stagnation = 1e-5;
 
-constexpr int most_steps = 25;
+constexpr int most_shooting_steps = 25;
 
 // Shifts of the state, of the beginning and of all events.
-struct Step {
+struct NewtonStep {
   Vector state;
   double beginning;
   Vector events;
 };
 
-Step newton_step(const Model& model, double velocity, const Course& course) {
+NewtonStep newton_step(const Model& model, double velocity, const Course& course) {
   const CoursePassage passage = follow(model, velocity, course);
   const Closing left = closing(model, course.start, passage);
   // Unknown are the state and the beginning; the last column of changes is known.
@@ -40,12 +36,12 @@ Step newton_step(const Model& model, double velocity, const Course& course) {
   }
   for (Index j = 0; j < n; ++j) derivative(n - 1, j) = -passage.shifts(j, last);
   derivative(n - 1, n - 1) += 1;
-  residual[n - 1] = passage.end.at.time - course.start.at.time - period + passage.shifts(n, last);
+  residual[n - 1] = passage.end.at.time - course.start.at.time - two_pi + passage.shifts(n, last);
 
   Vector sizes = state_size(model, velocity, course.start);
   sizes.push_back(1);
   const Vector solution = LinearSolver(derivative, sizes).solve(residual);
-  Step step{Vector(solution.begin(), solution.end() - 1), solution.back(), {}};
+  NewtonStep step{Vector(solution.begin(), solution.end() - 1), solution.back(), {}};
   for (Index i = 0; i < course.legs.size(); ++i) {
     double shift = passage.shifts(n, i);
     for (Index j = 0; j < n; ++j) shift += passage.shifts(j, i) * solution[j];
@@ -55,7 +51,7 @@ Step newton_step(const Model& model, double velocity, const Course& course) {
 }
 
 // How much of the step leaves each motion a tenth of its duration.
-double share_in_order(const Course& course, const Step& step) {
+double share_in_order(const Course& course, const NewtonStep& step) {
   double share = 1, before = step.beginning;
   for (Index i = 0; i < course.legs.size(); ++i) {
     const double change = step.events[i] - before, duration = course.legs[i].duration;
@@ -65,7 +61,7 @@ double share_in_order(const Course& course, const Step& step) {
   return share;
 }
 
-void take(const Model& model, const Step& step, double share, Course& course) {
+void take(const Model& model, const NewtonStep& step, double share, Course& course) {
   double before = step.beginning;
   for (Index i = 0; i < course.legs.size(); ++i) {
     course.legs[i].duration += share * (step.events[i] - before);
@@ -78,7 +74,7 @@ void take(const Model& model, const Step& step, double share, Course& course) {
 }
 
 // In units of the state's size and of 1/omega.
-double length(const Model& model, double velocity, const Course& course, const Step& step) {
+double length(const Model& model, double velocity, const Course& course, const NewtonStep& step) {
   const Vector unit = state_size(model, velocity, course.start);
   double longest = std::abs(step.beginning);
   for (Index i = 0; i < unit.size(); ++i)
@@ -91,8 +87,8 @@ double length(const Model& model, double velocity, const Course& course, const S
 
 std::optional<State> shoot(const Model& model, double velocity, Course course) {
   double before = infinity;
-  for (int i = 0; i < most_steps; ++i) {
-    const Step step = newton_step(model, velocity, course);
+  for (int i = 0; i < most_shooting_steps; ++i) {
+    const NewtonStep step = newton_step(model, velocity, course);
     const double size = length(model, velocity, course, step);
     const double share = share_in_order(course, step);
     if (!(share > 0.1 && size < 4 * before)) return std::nullopt;
@@ -101,8 +97,8 @@ std::optional<State> shoot(const Model& model, double velocity, Course course) {
     const bool converged = size < stagnation && (next < precision || shrinking > 0.1);
     before = size;
     if (!converged) continue;
-    const double turns = std::floor(course.start.at.time / period);
-    course.start.at = course.start.at.time - period * turns;
+    const double turns = std::floor(course.start.at.time / two_pi);
+    course.start.at = course.start.at.time - two_pi * turns;
     course.start.x[0] = model.bound(course.start.at);
     const State middle =
         Piece(model, velocity, course.start).after(0.5 * course.legs.front().duration);

@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numbers>
 #include <utility>
 
+#include "base/constants.hpp"
 #include "base/errors.hpp"
 #include "simulation/modes/linear_solver.hpp"
 #include "simulation/motion/course.hpp"
@@ -15,10 +14,6 @@
 namespace vcrit::simulation {
 
 namespace {
-
-constexpr double period = 2 * std::numbers::pi;
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 // The share of the residual by which a step may miss what was expected of it.
 constexpr double good_miss = 0.3;
@@ -72,11 +67,12 @@ struct Patience {
   int attempts;
   std::size_t parts;  ///< of a period
 };
-constexpr Patience usual{8, 200}, last{16, most_parts};
+constexpr Patience usual_patience{8, 200}, last_patience{16, most_parts};
 
-class Search {
+class SteadyCycleSearch {
  public:
-  Search(const Model& model, double velocity, State start, const Patience& patience = usual)
+  SteadyCycleSearch(const Model& model, double velocity, State start,
+                    const Patience& patience = usual_patience)
       : model_(model), velocity_(velocity), patience_(patience), state_(std::move(start)) {}
 
   SteadyCycle run() {
@@ -103,7 +99,7 @@ class Search {
 
   void plain_period() {
     ++traced_;
-    last_ = trace(model_, velocity_, state_, period, {}, patience_.parts);
+    last_ = trace(model_, velocity_, state_, two_pi, {}, patience_.parts);
     state_ = last_.end;
   }
 
@@ -122,7 +118,7 @@ class Search {
   // The middle of a course's first slip.
   State in_slip(const Course& course) const {
     State state = Piece(model_, velocity_, course.start).after(0.5 * course.legs.front().duration);
-    state.at = state.at.time - period * std::floor(state.at.time / period);
+    state.at = state.at.time - two_pi * std::floor(state.at.time / two_pi);
     state.x[0] = model_.bound(state.at);  // whatever phase was lost on the way from rest
     return state;
   }
@@ -143,7 +139,7 @@ class Search {
     if (section == Motion::slip && contact_velocity(model_, velocity_, state) <= 0)
       return std::nullopt;
     ++traced_;
-    Trace once = trace(model_, velocity_, state, period, unit_changes(state, state.x.size() - 1));
+    Trace once = trace(model_, velocity_, state, two_pi, unit_changes(state, state.x.size() - 1));
     if (once.end.motion != section) return std::nullopt;
     const Closing left = closing(model_, state, once);
     return Mapped{std::move(once), left, size(left.residual, state)};
@@ -237,7 +233,7 @@ class Search {
 
   // By how much a step moves the friction ratio.
   static double moved(const Mapped& now, const std::optional<Mapped>& trial) {
-    return trial ? std::abs(trial->trace.impulse() - now.trace.impulse()) / period : infinity;
+    return trial ? std::abs(trial->trace.impulse() - now.trace.impulse()) / two_pi : infinity;
   }
 
   // The slip may have moved away from the stroboscope on the way.
@@ -266,7 +262,7 @@ class Search {
       rounded += std::abs(gain[i]) * unit[i];
     }
     const double summing = 8 * epsilon * static_cast<double>(now.trace.parts.size());
-    return {std::abs(change) / period, summing + rounded / period};
+    return {std::abs(change) / two_pi, summing + rounded / two_pi};
   }
 
   // Below the threshold a cycle that only slips is one whose stick is lost in rounding: no error of
@@ -275,7 +271,7 @@ class Search {
   SteadyCycle finished(Mapped now, double more = 0) const {
     if (now.trace.parts.size() == 1)
       more = 1 - velocity_ / (std::abs(model_.sliding_velocity) + model_.creep);
-    const double ratio = now.trace.impulse() / period;
+    const double ratio = now.trace.impulse() / two_pi;
     const auto [change, rounding] = error(now);
     const double sum = change + rounding + more + now.trace.unlawful + model_.bound_error();
     const double most = model_.opening ? 1 : model_.amplitude;
@@ -296,19 +292,19 @@ SteadyCycle steady_cycle(const Model& model, double velocity, State start) {
   check_reach(model);
   const auto search = [&](State from, const Patience& patience) -> std::optional<SteadyCycle> {
     try {
-      return Search(model, velocity, std::move(from), patience).run();
+      return SteadyCycleSearch(model, velocity, std::move(from), patience).run();
     } catch (const ModelError&) {
       return std::nullopt;
     }
   };
-  if (auto found = search(std::move(start), usual)) return *std::move(found);
-  if (auto found = search(sliding_start(model, velocity), last)) return *std::move(found);
-  return Search(model, velocity, rest_start(model, velocity), last).run();
+  if (auto found = search(std::move(start), usual_patience)) return *std::move(found);
+  if (auto found = search(sliding_start(model, velocity), last_patience)) return *std::move(found);
+  return SteadyCycleSearch(model, velocity, rest_start(model, velocity), last_patience).run();
 }
 
 std::optional<SteadyCycle> steady_cycle_near(const Model& model, double velocity,
                                              const SteadyCycle& other) try {
-  return Search(model, velocity, other.period.end).from(other.period);
+  return SteadyCycleSearch(model, velocity, other.period.end).from(other.period);
 } catch (const ModelError&) {
   return std::nullopt;
 }

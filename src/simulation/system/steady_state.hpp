@@ -4,6 +4,8 @@
 #include <optional>
 #include <vector>
 
+#include "base/numbers.hpp"
+
 namespace vcrit::simulation {
 
 enum class Start { sliding, rest };
@@ -18,6 +20,8 @@ enum class Regime {
   stick_slip_backslip_apart
 };
 
+// The overloads below hide none of the others.
+using vcrit::to_text;
 const char* to_text(Motion motion);  ///< "slip", "stick", "backslip", "apart"
 /// "sliding", "stick-slip", "stick-slip-backslip", "stick", and all but the last with "-apart".
 const char* to_text(Regime regime);

@@ -51,7 +51,7 @@ Sum transfer(const Modes& modes, Complex s) {
   const Complex shifted = s + spectrum.pairs[0].decay;
   const Complex denominator = shifted * shifted - spectrum.pairs[0].q;
   sum.value += (w.a + w.b * shifted) / denominator;
-  sum.size += (size(w) + std::abs(w.b * shifted)) / std::abs(denominator);
+  sum.size += (magnitude(w) + std::abs(w.b * shifted)) / std::abs(denominator);
   return sum;
 }
 
