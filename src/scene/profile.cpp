@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
+
 #include "base/csv.hpp"
 #include "base/files.hpp"
 
@@ -33,13 +35,13 @@ void refuse_profile_order(const Profile& profile, const Profile::Row& row, const
 
 }  // namespace
 
-Profile read_profile(const std::filesystem::path& file, const Place& place) {
+Profile read_profile(const std::string& file, const Place& place) {
   if (!std::filesystem::is_regular_file(file))
     throw InputError(
-        place, fmt::format("shape = \"{}\", which is no file", file.string()),
+        place, fmt::format("shape = \"{}\", which is no file", file),
         fmt::format("flat, cone, parabola, power, or a table in CSV with the header {}",
                     profile_header));
-  return parse_profile(read_file(file), file.string());
+  return parse_profile(read_file(file), file);
 }
 
 Profile parse_profile(const std::string& text, const std::string& file) {

@@ -2,7 +2,6 @@
 // between the rows. It ends at its last radius, as a punch does.
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -21,7 +20,7 @@ struct Profile {
 
 /// Reads a table in CSV with the header r,f. Throws InputError with file and line, or with `place`,
 /// where the file is named, if there is none.
-Profile read_profile(const std::filesystem::path& file, const Place& place);
+Profile read_profile(const std::string& file, const Place& place);
 /// The same from text; `file` only names it in messages.
 Profile parse_profile(const std::string& text, const std::string& file);
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "base/csv.hpp"
 #include "base/files.hpp"
@@ -39,11 +40,11 @@ Bracket bracket(const Receptance& receptance, double omega) {
   return {*(above - 1), *above};
 }
 
-Receptance read_receptance(const std::filesystem::path& file, const Place& place) {
+Receptance read_receptance(const std::string& file, const Place& place) {
   if (!std::filesystem::is_regular_file(file))
-    throw InputError(place, fmt::format("receptance = \"{}\", which is no file", file.string()),
+    throw InputError(place, fmt::format("receptance = \"{}\", which is no file", file),
                      fmt::format("a table in CSV with the header {}", receptance_header));
-  return parse_receptance(read_file(file), file.string());
+  return parse_receptance(read_file(file), file);
 }
 
 Receptance parse_receptance(const std::string& text, const std::string& file) {

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstddef>
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -31,7 +30,7 @@ Bracket bracket(const Receptance& receptance, double omega);
 
 /// Reads a table in CSV with the header omega,Re,Im. Throws InputError with file and line, or with
 /// `place`, where the file is named, if there is none.
-Receptance read_receptance(const std::filesystem::path& file, const Place& place);
+Receptance read_receptance(const std::string& file, const Place& place);
 /// The same from text; `file` only names it in messages.
 Receptance parse_receptance(const std::string& text, const std::string& file);
 

@@ -10,8 +10,6 @@ namespace vcrit::simulation {
 
 namespace {
 
-using namespace std::complex_literals;
-
 double sum(ConstView x) {
   double result = 0;
   for (const double value : x) result += value;
@@ -30,8 +28,9 @@ NormalStays::NormalStays(const ContactModes& network, const Indentation& indenta
     : network_(network),
       indentation_(indentation),
       branches_{network.branch_rates, {}},
-      units_{network.unit_rates, {}},
-      swing_(network.damper * 1i * indentation.amplitude) {
+      units_{network.unit_rates, {}} {
+  using namespace std::complex_literals;
+  swing_ = network.damper * 1i * indentation.amplitude;
   for (Index i = 0; i < branches_.singles(); ++i) swing_ += branch_swing(i);
 }
 
@@ -79,6 +78,7 @@ double NormalStays::depth(double time) const {
 }
 
 ComplexDouble NormalStays::branch_swing(Index i) const {
+  using namespace std::complex_literals;
   return network_.branch_stiffness[i] * indentation_.amplitude * 1i / (branches_.rates[i] + 1i);
 }
 
@@ -119,6 +119,7 @@ std::optional<double> NormalStays::touch_down(const NormalState& now, double hor
   const double size = std::abs(depth(now.time)) + sum_of_sizes(strains);
   EventFunction f(units_, order, now.released ? 0 : -gap(now), now.released ? 0 : size);
   f.add_modes(units_.rates, strains, 1, order - 1);
+  using namespace std::complex_literals;
   const ComplexDouble rate = 1i * indentation_.amplitude * std::polar(1.0, now.time);
   f.add_sinusoid(order == 2 ? 1i * rate : rate);
   return first_zero(f, horizon, now.released);
@@ -131,6 +132,7 @@ std::optional<double> NormalStays::lift_off(const NormalState& now, ConstView de
   EventFunction f(branches_, 1, jump ? -swing.real() - sum(decays) : 0,
                   jump ? std::abs(swing) + sum_of_sizes(decays) : 0);
   f.add_modes(branches_.rates, decays, 1);
+  using namespace std::complex_literals;
   f.add_sinusoid(-1i * swing);
   return first_zero(f, horizon, !jump);
 }

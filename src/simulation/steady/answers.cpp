@@ -10,8 +10,6 @@ namespace vcrit::simulation {
 
 namespace {
 
-using namespace std::complex_literals;
-
 // One steady state in the user's units, in the memory of another.
 class Answer {
  public:
@@ -24,6 +22,7 @@ class Answer {
 
   // F is mu0 F_n throughout, so the ratio is 1 by the balance of forces alone.
   void sliding() const {
+    using namespace std::complex_literals;
     set(1, 0, Regime::sliding);
     for (int i = 0; i < samples_; ++i) {
       const double t = phase_of(i) + model_.phase;

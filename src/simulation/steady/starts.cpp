@@ -6,8 +6,6 @@
 
 namespace vcrit::simulation {
 
-using namespace std::complex_literals;
-
 State apart_start(const Model& model, double velocity, bool at_rest) {
   const Opening::Middle middle = model.opening->middle();
   State state{Motion::apart, middle.time, Vector(model.slip_states()), 0, middle.next};
@@ -31,6 +29,7 @@ State sliding_start(const Model& model, double velocity) {
     state.x[levels + j] = (model.sliding_rates[body + j] * state.at.turn).real();
   if (!model.body)
     return contact_velocity(model, velocity, state) > 0 ? state : rest_start(model, velocity);
+  using namespace std::complex_literals;
   for (Index j = 0; j < body; ++j)
     state.x[1 + j] = (model.sliding_rates[j] * (state.at.turn / 1i)).real();
   const PoleSum& drive = model.body->drive;
