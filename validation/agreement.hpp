@@ -6,9 +6,12 @@
 #include <functional>
 #include <string>
 
-#include "derivation/derivation.hpp"
 #include "scene_report.hpp"
 #include "simulation/system/system.hpp"
+
+namespace vcrit::symbolic {
+struct Derivation;
+}
 
 namespace vcrit::validation {
 
