@@ -6,6 +6,7 @@
 #include "critical/admissibility.hpp"
 #include "critical/certified.hpp"
 #include "critical/critical_velocity.hpp"
+#include "derivation/derivation.hpp"
 #include "explorer.hpp"
 #include "formulas.hpp"
 #include "frequency_response.hpp"

@@ -6,10 +6,13 @@
 #include <functional>
 #include <string>
 
-#include "derivation/derivation.hpp"
 #include "progress.hpp"
 #include "scene_report.hpp"
 #include "simulation/system/system.hpp"
+
+namespace vcrit::symbolic {
+struct Derivation;
+}
 
 namespace vcrit::validation {
 

@@ -6,6 +6,7 @@
 
 #include "critical/admissibility.hpp"
 #include "critical/critical_velocity.hpp"
+#include "derivation/derivation.hpp"
 #include "emit/languages/languages.hpp"
 #include "simulation/steady/curve.hpp"
 #include "stiffness/dynamic_stiffness.hpp"

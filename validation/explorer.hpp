@@ -4,8 +4,11 @@
 
 #include <optional>
 
-#include "derivation/derivation.hpp"
 #include "scene_report.hpp"
+
+namespace vcrit::symbolic {
+struct Derivation;
+}
 
 namespace vcrit::validation {
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "compiler.hpp"
+#include "derivation/derivation.hpp"
 #include "evaluators.hpp"
 
 namespace vcrit::validation {

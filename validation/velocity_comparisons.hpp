@@ -3,8 +3,11 @@
 
 #include <string>
 
-#include "derivation/derivation.hpp"
 #include "scene_report.hpp"
+
+namespace vcrit::symbolic {
+struct Derivation;
+}
 
 namespace vcrit::validation {
 

@@ -3,6 +3,7 @@
 #include "accuracy/accuracy.hpp"
 
 #include <boost/test/unit_test.hpp>
+#include <nlohmann/json.hpp>
 
 #include "report/accuracy_json.hpp"
 #include "report/accuracy_section.hpp"

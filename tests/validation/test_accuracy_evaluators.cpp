@@ -7,6 +7,7 @@
 #include "accuracy/driver_source.hpp"
 #include "accuracy/evaluator_errors.hpp"
 #include "accuracy/front.hpp"
+#include "derivation/derivation.hpp"
 
 using namespace vcrit;
 using namespace vcrit::validation;

@@ -1,6 +1,7 @@
 // The page's section and the JSON of accuracy, cost and stability, of data made by hand.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "accuracy/pictures.hpp"
 #include "report/accuracy_json.hpp"

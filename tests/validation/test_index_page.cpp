@@ -2,6 +2,7 @@
 #include "report/index_page.hpp"
 
 #include <boost/test/unit_test.hpp>
+#include <nlohmann/json.hpp>
 
 #include "validation/example_report.hpp"
 

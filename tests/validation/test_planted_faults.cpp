@@ -7,6 +7,7 @@
 #include "agreement.hpp"
 #include "base/files.hpp"
 #include "compiler.hpp"
+#include "derivation/derivation.hpp"
 #include "formula/symbols.hpp"
 #include "report/index_page.hpp"
 #include "report/scene_page.hpp"

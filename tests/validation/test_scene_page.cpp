@@ -2,6 +2,7 @@
 #include "report/scene_page.hpp"
 
 #include <boost/test/unit_test.hpp>
+#include <nlohmann/json.hpp>
 #include <regex>
 
 #include "report/assets.hpp"

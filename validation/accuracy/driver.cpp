@@ -10,6 +10,7 @@
 
 #include "accuracy/driver_source.hpp"
 #include "base/files.hpp"
+#include "derivation/derivation.hpp"
 #include "emit/generate.hpp"
 
 namespace vcrit::validation::accuracy {

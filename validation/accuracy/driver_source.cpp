@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "accuracy/pasted.hpp"
+#include "derivation/derivation.hpp"
 #include "emit/parameters.hpp"
 
 namespace vcrit::validation::accuracy {

@@ -5,7 +5,10 @@
 #include <vector>
 
 #include "accuracy/driver.hpp"
-#include "derivation/derivation.hpp"
+
+namespace vcrit::symbolic {
+struct Derivation;
+}
 
 namespace vcrit::validation::accuracy {
 

@@ -9,6 +9,7 @@
 #include "accuracy/driver.hpp"
 #include "conditioning.hpp"
 #include "critical/critical_velocity.hpp"
+#include "derivation/derivation.hpp"
 #include "evaluators.hpp"
 #include "extremes/comparing.hpp"
 #include "extremes/limits.hpp"

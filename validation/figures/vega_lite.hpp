@@ -1,7 +1,7 @@
 // A figure as a Vega-Lite specification, data included.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include "figures/figure.hpp"
 

@@ -1,7 +1,7 @@
 // A scene's accuracy, cost and stability as JSON; docs/report.md describes it.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include "accuracy/data.hpp"
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
+
 #include "figures/vega_lite.hpp"
 #include "report/html.hpp"
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "figures/vega_lite.hpp"
 #include "report/assets.hpp"

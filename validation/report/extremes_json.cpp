@@ -1,5 +1,7 @@
 #include "report/extremes_json.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include "extremes/pictures.hpp"
 #include "extremes/summary.hpp"
 #include "report/html.hpp"

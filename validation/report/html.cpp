@@ -1,6 +1,7 @@
 #include "report/html.hpp"
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 namespace vcrit::validation::report {
 

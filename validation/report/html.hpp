@@ -1,7 +1,7 @@
 // Text made safe for the page. Everything that comes from a scene goes through here.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 

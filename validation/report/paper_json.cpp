@@ -1,5 +1,7 @@
 #include "report/paper_json.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include "report/html.hpp"
 #include "report/json_parts.hpp"
 

@@ -1,6 +1,7 @@
 #include "report/report_json.hpp"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "report/accuracy_json.hpp"
 #include "report/html.hpp"

@@ -1,7 +1,7 @@
 // report.json: the data of the page, for programs. Keys: docs/report.md.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 

@@ -1,5 +1,7 @@
 #include "report/scene_line.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include "report/comparison_table.hpp"
 #include "report/scene_section.hpp"
 

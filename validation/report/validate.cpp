@@ -1,5 +1,6 @@
 #include "validate.hpp"
 
+#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "accuracy/accuracy.hpp"
