@@ -1,5 +1,5 @@
 // vcrit critical: v* by the formula against v* by simulation.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 #include <memory>

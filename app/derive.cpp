@@ -1,6 +1,6 @@
 // vcrit derive: Eq. 24 derived for a scene, as text, LaTeX, Markdown or JSON; and the page about
 // all named rheologies.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <memory>
 #include <string>

@@ -1,5 +1,5 @@
 // vcrit eval: v* of a scene, correctly rounded, and whether Eq. 24 applies.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <memory>
 

@@ -1,6 +1,6 @@
 #include "examples.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <map>
 #include <string>

@@ -1,7 +1,7 @@
 // vcrit fit: a Prony series from measured storage and loss stiffness, as a scene and a page.
 #include "fit/fit.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <filesystem>
 #include <memory>

@@ -1,5 +1,5 @@
 // vcrit generate: the evaluator of one scene, in C++ or another language.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <filesystem>

@@ -1,5 +1,5 @@
 // The program `vcrit`.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <string>
 

@@ -1,5 +1,5 @@
 // vcrit simulate: the steady stick-slip motion at one speed.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 #include <map>

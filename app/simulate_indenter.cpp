@@ -1,6 +1,6 @@
 #include "simulate_indenter.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "options.hpp"
 

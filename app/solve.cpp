@@ -1,7 +1,7 @@
 // vcrit solve: what amplitude, frequency or speed reaches a wanted friction ratio.
 #include "design/solve.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <array>
 #include <memory>

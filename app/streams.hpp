@@ -1,7 +1,7 @@
 // The three standard streams: what is printed has arrived, or the program says that it has not.
 #pragma once
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <string_view>
 #include <system_error>

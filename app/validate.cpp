@@ -2,7 +2,7 @@
 // pages and one JSON file.
 #include "report/validate.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
 

@@ -1,5 +1,5 @@
 // Friction by simulation: what `vcrit simulate` answers, at one speed or at many.
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <pybind11/stl.h>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "friction.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_roots.h>

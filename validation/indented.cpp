@@ -1,6 +1,6 @@
 #include "indented.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <gsl/gsl_integration.h>
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 #include <arb.h>
 #include <cln/version.h>
 #include <flint/flint.h>
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <ginac/ginac.h>
 #include <gsl/gsl_version.h>
 #include <sys/utsname.h>

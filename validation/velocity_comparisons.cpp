@@ -1,6 +1,6 @@
 #include "velocity_comparisons.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 #include "base/errors.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "base/messages.hpp"
 

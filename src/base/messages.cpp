@@ -1,6 +1,6 @@
 #include "base/messages.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "base/plain_text.hpp"
 

@@ -1,6 +1,6 @@
 #include "base/numbers.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <charconv>
 

@@ -1,6 +1,6 @@
 #include "base/plain_text.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #include "critical/admissibility.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <complex>
 #include <optional>

@@ -1,6 +1,6 @@
 #include "critical/certified.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 #include <limits>

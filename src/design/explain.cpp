@@ -1,6 +1,6 @@
 #include "design/explain.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 #include "design/opening.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>

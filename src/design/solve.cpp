@@ -1,6 +1,6 @@
 #include "design/solve.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 #include "fit/fit.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <boost/math/special_functions/beta.hpp>

@@ -1,6 +1,6 @@
 #include "fit/scene_text.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cctype>

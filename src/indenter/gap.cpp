@@ -1,6 +1,6 @@
 #include "indenter/gap.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <boost/math/special_functions/gamma.hpp>

@@ -1,6 +1,6 @@
 #include "indenter/half_space.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 

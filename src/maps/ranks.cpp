@@ -1,6 +1,6 @@
 #include "maps/ranks.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cstdint>
 #include <cstdlib>

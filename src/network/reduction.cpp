@@ -1,6 +1,6 @@
 #include "network/reduction.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <set>
 

@@ -1,6 +1,6 @@
 #include "scene/changing.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "scene/networks.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <utility>

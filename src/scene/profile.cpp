@@ -1,6 +1,6 @@
 #include "scene/profile.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <filesystem>
 

@@ -1,6 +1,6 @@
 #include "stiffness/graph_relaxation.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <Eigen/Dense>
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "sweep/sweep.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>

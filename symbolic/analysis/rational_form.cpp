@@ -1,6 +1,6 @@
 #include "analysis/rational_form.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <set>

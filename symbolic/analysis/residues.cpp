@@ -1,6 +1,6 @@
 #include "analysis/residues.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "formula/rational.hpp"
 #include "formula/symbols.hpp"

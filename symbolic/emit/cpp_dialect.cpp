@@ -1,6 +1,6 @@
 #include "emit/cpp_dialect.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "base/errors.hpp"
 #include "base/numbers.hpp"

@@ -1,6 +1,6 @@
 #include "emit/generate.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cstdint>
 #include <utility>

@@ -1,6 +1,6 @@
 #include "emit/parameters.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <map>

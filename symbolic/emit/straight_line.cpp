@@ -1,6 +1,6 @@
 #include "emit/straight_line.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #include "accuracy/accuracy.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <exception>
 #include <memory>

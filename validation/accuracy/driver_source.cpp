@@ -1,6 +1,6 @@
 #include "accuracy/driver_source.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "accuracy/pasted.hpp"
 #include "derivation/derivation.hpp"

@@ -1,6 +1,6 @@
 #include "accuracy/evaluator_errors.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <chrono>

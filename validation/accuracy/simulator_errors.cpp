@@ -1,6 +1,6 @@
 #include "accuracy/simulator_errors.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

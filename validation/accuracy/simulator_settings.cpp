@@ -1,6 +1,6 @@
 #include "accuracy/simulator_settings.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 

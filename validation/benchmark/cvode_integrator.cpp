@@ -1,7 +1,7 @@
 #include "benchmark/cvode_integrator.hpp"
 
 #include <cvode/cvode.h>
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <nvector/nvector_serial.h>
 #include <sunlinsol/sunlinsol_dense.h>
 #include <sunmatrix/sunmatrix_dense.h>

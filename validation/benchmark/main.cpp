@@ -1,6 +1,6 @@
 // vcrit_benchmark: error against run time of all methods on the reference table, in one run.
 // Tables on stdout, progress on stderr.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
 

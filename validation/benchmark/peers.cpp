@@ -1,6 +1,6 @@
 #include "benchmark/peers.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "benchmark/cvode.hpp"
 #include "simulation/methods/methods.hpp"

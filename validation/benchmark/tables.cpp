@@ -1,6 +1,6 @@
 #include "benchmark/tables.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <sundials/sundials_config.h>
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // vcrit_bounds: whether the error bounds of generated evaluators hold, on random cases of every
 // kind and size, beside ball arithmetic. Tables on stdout, progress on stderr; exit status 1 on a
 // violation.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>

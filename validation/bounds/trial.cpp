@@ -1,7 +1,7 @@
 #include "bounds/trial.hpp"
 
 #include <flint/flint.h>
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <atomic>

@@ -1,6 +1,6 @@
 #include "extremes/families.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 namespace vcrit::validation::extremes {
 

@@ -1,6 +1,6 @@
 #include "extremes/limits.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 #include <complex>

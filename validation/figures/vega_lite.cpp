@@ -1,6 +1,6 @@
 #include "figures/vega_lite.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // What the paper says, and whether it holds: decided by the comparisons, none of it by words.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 

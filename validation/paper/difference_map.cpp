@@ -1,6 +1,6 @@
 #include "paper/difference_map.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 

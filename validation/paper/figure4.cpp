@@ -1,6 +1,6 @@
 #include "paper/figure4.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 

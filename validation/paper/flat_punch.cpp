@@ -3,7 +3,7 @@
 //   2 pi G = (9/8) s0^4 - (3/40) s0^6 + ... = (9/2) e^2 (1 + e/5 + ...).
 #include "paper/flat_punch.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // The non-jumping limits printed with Fig. 4, by formula and by two checks that reject a scene.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 #include <functional>

@@ -1,6 +1,6 @@
 #include "paper/proofs.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "analysis/limits.hpp"
 #include "derivation/derivation.hpp"

@@ -7,7 +7,7 @@
 // The reduced model at v = 0: stick from pi to tau2 = 2 pi + 2 atan(1/delta), hence
 //   1 - D (delta + pi/2 + atan(1/delta))/pi,
 // and its slope is D (x^2/2 + delta x)/(2 pi) with x <= 2 pi the length of stick.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 

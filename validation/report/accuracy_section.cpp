@@ -1,6 +1,6 @@
 #include "report/accuracy_section.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #include "report/catalogue_page.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "analysis/rheology.hpp"
 #include "derivation/derivation.hpp"

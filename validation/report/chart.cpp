@@ -1,6 +1,6 @@
 #include "report/chart.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <nlohmann/json.hpp>
 

@@ -1,6 +1,6 @@
 #include "report/comparison_table.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #include "report/contact_map.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <limits>

@@ -1,6 +1,6 @@
 #include "report/equations.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "report/html.hpp"
 

@@ -1,6 +1,6 @@
 #include "report/explorer_section.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 #include <nlohmann/json.hpp>

@@ -1,6 +1,6 @@
 #include "report/extremes_page.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "extremes/pictures.hpp"
 #include "extremes/summary.hpp"

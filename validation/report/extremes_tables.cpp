@@ -1,6 +1,6 @@
 #include "report/extremes_tables.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 #include "report/fit_page.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "base/constants.hpp"
 #include "report/chart.hpp"

@@ -1,6 +1,6 @@
 #include "report/formula_section.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "report/equations.hpp"
 #include "report/html.hpp"

@@ -1,6 +1,6 @@
 #include "report/indenter_section.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "report/chart.hpp"
 #include "report/contact_map.hpp"

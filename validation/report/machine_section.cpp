@@ -1,6 +1,6 @@
 #include "report/machine_section.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "report/assets.hpp"
 #include "report/html.hpp"

@@ -1,6 +1,6 @@
 #include "report/number_table.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 namespace vcrit::validation::report {
 

@@ -1,6 +1,6 @@
 #include "report/paper_page.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "report/chart.hpp"
 #include "report/document.hpp"

@@ -1,6 +1,6 @@
 #include "report/paper_tables.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "report/number_table.hpp"
 #include "report/units.hpp"

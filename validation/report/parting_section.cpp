@@ -1,6 +1,6 @@
 #include "report/parting_section.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 #include "report/reduced_section.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

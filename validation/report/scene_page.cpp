@@ -1,6 +1,6 @@
 #include "report/scene_page.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "report/document.hpp"
 #include "report/explorer_section.hpp"

@@ -1,6 +1,6 @@
 #include "report/scene_section.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 #include "report/sections.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "report/comparison_table.hpp"
 #include "report/html.hpp"

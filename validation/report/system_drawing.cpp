@@ -1,6 +1,6 @@
 #include "report/system_drawing.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 

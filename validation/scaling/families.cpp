@@ -1,6 +1,6 @@
 #include "scaling/families.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "network/graph.hpp"
 

@@ -1,6 +1,6 @@
 // vcrit_scaling: what it costs to derive K(s) and v*, by the size of the network, beside GiNaC,
 // FLINT, SymPy and Maxima in one run. Tables on stdout, progress on stderr.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
 

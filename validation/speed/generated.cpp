@@ -1,5 +1,5 @@
 // The generated library, each call of it that the header has.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "base/files.hpp"
 #include "derivation/derivation.hpp"

@@ -1,6 +1,6 @@
 // GiNaC's compile_ex: v* as one real expression, written to C and compiled by gcc while the program
 // runs, called value by value.
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <ginac/ginac.h>
 
 #include <cstdlib>

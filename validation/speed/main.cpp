@@ -1,6 +1,6 @@
 // vcrit_speed: time and error of all ways to evaluate v*, in one run on one core. Tables on stdout,
 // progress on stderr.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
 

@@ -1,6 +1,6 @@
 #include "speed/problems.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <array>
 

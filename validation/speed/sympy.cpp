@@ -1,6 +1,6 @@
 // SymPy: |K|^2 composed of real and imaginary parts as expressions, common subexpressions named by
 // cse, printed by ccode.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <stdexcept>
 

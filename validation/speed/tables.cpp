@@ -1,6 +1,6 @@
 #include "speed/tables.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 

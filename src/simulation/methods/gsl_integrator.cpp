@@ -1,6 +1,6 @@
 #include "simulation/methods/gsl_integrator.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <gsl/gsl_errno.h>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "simulation/methods/methods.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>

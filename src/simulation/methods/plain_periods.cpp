@@ -1,5 +1,5 @@
 // Periods run one after the other until the trend of the friction leaves no more to come.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

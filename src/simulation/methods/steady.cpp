@@ -1,6 +1,6 @@
 #include "simulation/methods/steady.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 

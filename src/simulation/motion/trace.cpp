@@ -1,6 +1,6 @@
 #include "simulation/motion/trace.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #include "simulation/system/system.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "base/errors.hpp"
 #include "network/masses.hpp"

@@ -1,5 +1,5 @@
 // The C99 header: static inline functions whose names begin with the library's.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "emit/languages/c99_arithmetic.hpp"
 #include "emit/languages/printers.hpp"

@@ -1,6 +1,6 @@
 // The CUDA header: functions for host and device, and kernels for batches. Its programs are written
 // as in C++, on number types that a device has, too.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "emit/cpp_dialect.hpp"
 #include "emit/languages/cuda_arithmetic.hpp"

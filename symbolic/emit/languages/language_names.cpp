@@ -1,6 +1,6 @@
 #include "emit/languages/language_names.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <sstream>

@@ -1,6 +1,6 @@
 #include "emit/languages/languages.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "base/files.hpp"
 #include "emit/languages/language_names.hpp"
