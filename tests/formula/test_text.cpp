@@ -8,6 +8,8 @@
 
 namespace vcrit::symbolic {
 
+BOOST_AUTO_TEST_SUITE(test_text)
+
 namespace {
 
 constexpr double value = 17.0 / 14;
@@ -28,5 +30,7 @@ BOOST_AUTO_TEST_CASE(generated_code_holds_the_digits_of_the_double) {
   const ParameterList none({}, std::vector<Symbol>{}, {});
   BOOST_TEST(CppDialect(none).constant(node).text == shortest);
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace vcrit::symbolic
