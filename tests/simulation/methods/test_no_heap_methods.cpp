@@ -32,7 +32,7 @@ constexpr double velocity = 0.3;
 
 // Of one period, after one to warm up.
 long requests(PeriodMap& map) {
-  const State begin = map.run(map.start(Start::sliding)).end;
+  const MapState begin = map.run(map.start(Start::sliding)).end;
   return test::heap_requests([&] { map.run(begin); });
 }
 
