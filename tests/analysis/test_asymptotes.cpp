@@ -9,6 +9,8 @@
 #include "formula/value.hpp"
 #include "support/random_scene.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_asymptotes)
+
 using namespace vcrit;
 using namespace vcrit::symbolic;
 using test::scene_of;
@@ -115,3 +117,5 @@ BOOST_AUTO_TEST_CASE(asymptotes_of_random_scenes_are_approached) {
   }
   BOOST_TEST(graphs > 3);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -7,6 +7,8 @@
 #include "formula/text.hpp"
 #include "formula/value.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_dimensionless)
+
 using namespace vcrit;
 using namespace vcrit::symbolic;
 
@@ -87,3 +89,5 @@ BOOST_AUTO_TEST_CASE(values_are_those_of_the_nodes) {
   BOOST_TEST(nested > 10);
   BOOST_TEST(without_springs > 0);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -6,6 +6,8 @@
 #include "analysis/residues.hpp"
 #include "derivation/scenes.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_equality)
+
 using namespace vcrit;
 using namespace vcrit::symbolic;
 
@@ -191,3 +193,5 @@ BOOST_AUTO_TEST_CASE(residues_are_a_field) {
   BOOST_TEST(Residue(GiNaC::numeric(1, 2)).value() == std::uint64_t{1} << 60);
   BOOST_TEST((Residue(GiNaC::numeric(-3, 7)) * Residue(7)).value() == Residue::prime - 3);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -7,6 +7,8 @@
 #include "derivation/scenes.hpp"
 #include "formula/symbols.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_half_space_moduli)
+
 using namespace vcrit;
 using namespace vcrit::symbolic;
 
@@ -41,3 +43,5 @@ BOOST_AUTO_TEST_CASE(one_critical_velocity_for_all_shapes) {
     BOOST_TEST((derive(other).critical_velocity - expected).normal().is_zero());
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

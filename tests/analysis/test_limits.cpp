@@ -9,6 +9,8 @@
 #include "formula/value.hpp"
 #include "support/random_scene.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_limits)
+
 using namespace vcrit;
 using namespace vcrit::symbolic;
 using test::scene_of;
@@ -162,3 +164,5 @@ BOOST_AUTO_TEST_CASE(equation_numbers_belong_to_the_limit) {
   BOOST_TEST(named(limits(two), "kd -> infinity").equation == "(31)");
   BOOST_TEST(named(limits(two), "kt -> infinity").equation.empty());
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -10,6 +10,8 @@
 #include "formula/symbols.hpp"
 #include "formula/text.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_parting_formula)
+
 using namespace vcrit;
 using namespace vcrit::symbolic;
 
@@ -54,3 +56,5 @@ BOOST_AUTO_TEST_CASE(with_memory) {
     BOOST_TEST(!emit_header(closed, "f").empty());
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

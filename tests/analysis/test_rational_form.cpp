@@ -7,6 +7,8 @@
 #include "formula/text.hpp"
 #include "formula/value.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_rational_form)
+
 using namespace vcrit;
 using namespace vcrit::symbolic;
 
@@ -135,3 +137,5 @@ BOOST_AUTO_TEST_CASE(extrema) {
                            times(2) * v("m") * w2 * (k - v("m") * w2));
   BOOST_TEST((found == expected.primitive("omega")));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -9,6 +9,8 @@
 #include "formula/value.hpp"
 #include "support/nodal.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_resonance)
+
 using namespace vcrit;
 using namespace vcrit::symbolic;
 using test::scene_of;
@@ -143,3 +145,5 @@ BOOST_AUTO_TEST_CASE(without_a_mass_nothing_resonates) {
   BOOST_TEST(resonances(scene_of("normal = \"kn\"\ntangential = \"kt\"", "kd")).empty());
   BOOST_TEST(resonances(scene_of(test::kelvin_contact)).empty());
 }
+
+BOOST_AUTO_TEST_SUITE_END()

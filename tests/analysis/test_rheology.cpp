@@ -13,6 +13,8 @@
 #include "network/masses.hpp"
 #include "stiffness/relaxation.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_rheology)
+
 using namespace vcrit;
 using namespace vcrit::symbolic;
 
@@ -220,3 +222,5 @@ BOOST_AUTO_TEST_CASE(a_mass_has_a_stiffness_and_no_spectrum) {
 BOOST_AUTO_TEST_CASE(more_than_two_times_of_one_part_have_no_closed_form) {
   BOOST_TEST(!spectrum(network_of("(k1 | c1) - (k2 | c2) - (k3 | c3) - (k4 | c4)")).has_value());
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -9,6 +9,8 @@
 #include "formula/value.hpp"
 #include "support/random_scene.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_sensitivities)
+
 using namespace vcrit;
 using namespace vcrit::symbolic;
 using test::scene_of;
@@ -213,3 +215,5 @@ BOOST_AUTO_TEST_CASE(measured_drives) {
                to_text(sensitivity.parameter));
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -3,6 +3,8 @@
 
 #include <boost/test/unit_test.hpp>
 
+BOOST_AUTO_TEST_SUITE(test_csv)
+
 using namespace vcrit;
 
 namespace {
@@ -38,3 +40,5 @@ BOOST_AUTO_TEST_CASE(what_is_no_number_is_named) {
   BOOST_TEST(message("1,inf", 2) == "t.csv:1: found \"inf\"; expected a finite number");
   BOOST_TEST(message("1,2,3", 2) == "t.csv:1: found \"1,2,3\"; expected two numbers");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

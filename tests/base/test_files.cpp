@@ -10,18 +10,16 @@
 #include "base/files.hpp"
 #include "base/numbers.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_files)
+
 using namespace vcrit;
 namespace fs = std::filesystem;
-
-namespace {
 
 struct Folder {
   fs::path path = fs::temp_directory_path() / ("vcrit_files_" + std::to_string(::getpid()));
   Folder() { fs::create_directories(path); }
   ~Folder() { fs::remove_all(path); }
 };
-
-}  // namespace
 
 BOOST_FIXTURE_TEST_CASE(what_is_written_is_read, Folder) {
   write_file(path / "new" / "file.txt", "one\ntwo\0three");
@@ -83,3 +81,5 @@ BOOST_AUTO_TEST_CASE(numbers_read_back_to_the_same_double) {
   BOOST_TEST(!to_double("1.5x").has_value());
   BOOST_TEST(!to_double("").has_value());
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -4,6 +4,8 @@
 
 #include "base/identifiers.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_identifiers)
+
 using namespace vcrit;
 
 BOOST_AUTO_TEST_CASE(names_of_elements_are_safe) {
@@ -30,3 +32,5 @@ BOOST_AUTO_TEST_CASE(the_nearest_name_is_the_one_meant) {
   BOOST_TEST(nearest("zenner", {"kelvin", "zener"}).value() == "zener");
   BOOST_TEST(!nearest("xyzzy", {"normal", "poisson"}).has_value());
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -5,6 +5,8 @@
 
 #include "base/errors.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_messages)
+
 using namespace vcrit;
 
 // Boundaries of the Unicode standard's table 3-7 (well-formed UTF-8).
@@ -40,3 +42,5 @@ BOOST_AUTO_TEST_CASE(errors_are_printable) {
   const InputError error({"a\nb", 1, 2}, "\x1b", "\xff");
   BOOST_TEST(error.what() == std::string("a\\nb:1:2: found \\x1b; expected \\xff"));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

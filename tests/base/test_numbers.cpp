@@ -3,6 +3,8 @@
 
 #include <boost/test/unit_test.hpp>
 
+BOOST_AUTO_TEST_SUITE(test_numbers)
+
 using namespace vcrit;
 
 BOOST_AUTO_TEST_CASE(a_number_goes_as_far_as_it_can) {
@@ -29,3 +31,5 @@ BOOST_AUTO_TEST_CASE(the_ends_of_the_range_are_in_it) {
   for (const double value : {1.7976931348623157e308, 4.9406564584124654e-324, -5e-324})
     BOOST_TEST((to_double(to_text(value)) == value));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

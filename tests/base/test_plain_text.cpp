@@ -4,6 +4,8 @@
 
 #include "base/plain_text.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_plain_text)
+
 using namespace vcrit;
 
 BOOST_AUTO_TEST_CASE(ordinary_text_stays) {
@@ -35,3 +37,5 @@ BOOST_AUTO_TEST_CASE(broken_text_stays_as_it_is) {
   for (const char* text : {"\xE2", "\xE2\x80", "\xC2", "\xFF\xFE"})
     BOOST_TEST(without_steering(text) == text);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

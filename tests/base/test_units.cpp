@@ -5,6 +5,8 @@
 
 #include "base/units.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_units)
+
 using namespace vcrit;
 
 namespace {
@@ -89,3 +91,5 @@ BOOST_AUTO_TEST_CASE(nonsense_is_refused) {
   BOOST_TEST(has(message("", Dimension::stiffness), "a number and a unit"));
   BOOST_TEST(has(message("1e308 N/um", Dimension::stiffness), "not finite"));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

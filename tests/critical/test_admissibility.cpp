@@ -5,6 +5,8 @@
 
 #include "critical/admissibility.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_admissibility)
+
 using namespace vcrit;
 
 namespace {
@@ -58,3 +60,5 @@ BOOST_AUTO_TEST_CASE(fluid_paths_creep_by_their_viscosities) {
   // A dozen roundings at most.
   BOOST_TEST(std::abs(creep_velocity(s) - 1.5 * (1.0 / 4 + 1.0 / 3)) < 1e-15);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

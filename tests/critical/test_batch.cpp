@@ -14,6 +14,8 @@
 #include "support/random_scene.hpp"
 #include "support/reference_scene.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_batch)
+
 namespace {
 
 using namespace vcrit;
@@ -210,3 +212,5 @@ BOOST_AUTO_TEST_CASE(all_levels_of_the_processor_give_the_same_bits) {
 }
 
 }  // namespace
+
+BOOST_AUTO_TEST_SUITE_END()

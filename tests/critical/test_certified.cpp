@@ -12,6 +12,8 @@
 #include "support/random_scene.hpp"
 #include "support/reference_scene.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_certified)
+
 using namespace vcrit;
 
 BOOST_AUTO_TEST_CASE(every_reference_row_is_correct_to_the_last_bit) {
@@ -98,3 +100,5 @@ BOOST_AUTO_TEST_CASE(zero_by_zero_is_outside_the_model) {
   scene.coefficient.value = 0.0;
   BOOST_CHECK_THROW(certified_critical_velocity(scene), ModelError);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

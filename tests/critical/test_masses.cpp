@@ -12,6 +12,8 @@
 #include "support/nodal.hpp"
 #include "support/random_scene.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_masses)
+
 using namespace vcrit;
 
 namespace {
@@ -152,3 +154,5 @@ BOOST_AUTO_TEST_CASE(a_mass_of_value_0_is_left_out) {
              certified(scene(2, 4, drive("k1 - k2"), "k1 = 2\nk2 = 1\n")));
   BOOST_CHECK(scene(2, 4, drive("k2 | k1 - mass(m1)"), values).drive.value() == spring({"k2"}));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -10,6 +10,8 @@
 #include "stiffness/dynamic_stiffness.hpp"
 #include "support/nodal.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_measured_drive)
+
 using namespace vcrit;
 
 namespace {
@@ -137,3 +139,5 @@ BOOST_AUTO_TEST_CASE(outside_the_table_nothing_is_known) {
 BOOST_AUTO_TEST_CASE(a_measured_drive_adds_no_creep) {
   BOOST_TEST(creep_velocity(measured({{1, 1, 0}, {3, 1, 0}}, 2)) == 0);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -5,6 +5,8 @@
 #include "critical/batch.hpp"
 #include "support/heap.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_no_heap_batch)
+
 namespace {
 
 using namespace vcrit;
@@ -35,3 +37,5 @@ BOOST_AUTO_TEST_CASE(a_million_lanes_take_as_much_as_two) {
     BOOST_TEST(requests(formula, frequency, amplitude, many) == two, file);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

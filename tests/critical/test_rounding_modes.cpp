@@ -11,6 +11,8 @@
 #include "support/arithmetic_state.hpp"
 #include "support/reference_scene.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_rounding_modes)
+
 namespace {
 
 using namespace vcrit;
@@ -56,3 +58,5 @@ BOOST_AUTO_TEST_CASE(reference_rows_in_every_state) {
         BOOST_TEST_CONTEXT("row " << row.id << ", " << test::to_text(state)) check(row, state);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -9,6 +9,8 @@
 #include "formula/symbols.hpp"
 #include "formula/text.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_equations)
+
 using namespace vcrit;
 using namespace vcrit::symbolic;
 using GiNaC::ex;
@@ -145,3 +147,5 @@ BOOST_AUTO_TEST_CASE(numbers_are_taken_as_written) {
   BOOST_TEST(exact_binary(0.375).is_equal(GiNaC::numeric(3, 8)));
   BOOST_TEST(!exact_binary(0.3).is_equal(GiNaC::numeric(3, 10)));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

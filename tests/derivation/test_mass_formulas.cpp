@@ -12,6 +12,8 @@
 #include "support/nodal.hpp"
 #include "support/random_scene.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_mass_formulas)
+
 using namespace vcrit;
 using namespace vcrit::symbolic;
 
@@ -140,3 +142,5 @@ BOOST_AUTO_TEST_CASE(a_parameter_is_named_once) {
   BOOST_TEST((parameters ==
               std::vector<Symbol>{{"mu0"}, {"omega"}, {"du_z"}, {"kn"}, {"kt"}, {"m"}, {"kd"}}));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -5,6 +5,8 @@
 #include "derivation/derivation.hpp"
 #include "formula/value.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_values)
+
 using namespace vcrit;
 using namespace vcrit::symbolic;
 
@@ -39,3 +41,5 @@ BOOST_AUTO_TEST_CASE(random_scenes) {
   BOOST_TEST(nested < 490);
   BOOST_TEST(graphs > 50);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

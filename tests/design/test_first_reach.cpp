@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+BOOST_AUTO_TEST_SUITE(test_first_reach)
+
 namespace {
 
 using namespace vcrit::design;
@@ -77,3 +79,5 @@ BOOST_AUTO_TEST_CASE(places_without_an_answer_do_not_reach) {
 }
 
 }  // namespace
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -8,6 +8,8 @@
 
 #include "critical/admissibility.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_opening)
+
 namespace {
 
 using namespace vcrit;
@@ -69,3 +71,5 @@ BOOST_AUTO_TEST_CASE(a_contact_without_load_is_outside_the_model) {
 }
 
 }  // namespace
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -8,6 +8,8 @@
 #include "simulation/steady/exact.hpp"
 #include "simulation/system/system.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_solve)
+
 namespace {
 
 using namespace vcrit;
@@ -216,3 +218,5 @@ BOOST_AUTO_TEST_CASE(wrong_questions_are_refused) {
 }
 
 }  // namespace
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -12,6 +12,8 @@
 #include "formula/text.hpp"
 #include "support/program.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_print)
+
 using namespace vcrit;
 using namespace vcrit::symbolic;
 using GiNaC::ex;
@@ -179,3 +181,5 @@ BOOST_AUTO_TEST_CASE(ten_runs_give_the_same_bytes) {
     BOOST_TEST((other.output == first.output), "run " << i);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -5,6 +5,8 @@
 #include "derivation/scenes.hpp"
 #include "emit/library.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_batches)
+
 using namespace vcrit;
 using test::scene_of;
 
@@ -142,3 +144,5 @@ BOOST_AUTO_TEST_CASE(loops_are_vectorised) {
   }
 #endif
 }
+
+BOOST_AUTO_TEST_SUITE_END()

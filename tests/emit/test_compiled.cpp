@@ -9,6 +9,8 @@
 #include "emit/extreme_cases.hpp"
 #include "emit/library.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_compiled)
+
 using namespace vcrit;
 using test::Call;
 using test::scene_of;
@@ -165,3 +167,5 @@ BOOST_AUTO_TEST_CASE(resonance_antiresonance_and_nothing) {
   BOOST_TEST(all[2].value == 2.0);
   BOOST_TEST(all[2].fast_value == 2.0);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -10,6 +10,8 @@
 #include "emit/extreme_cases.hpp"
 #include "emit/library.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_emitted_rounding_modes)
+
 using namespace vcrit;
 using test::Call;
 using test::scene_of;
@@ -108,3 +110,5 @@ BOOST_AUTO_TEST_CASE(twice_the_bound_in_every_state) {
     }
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

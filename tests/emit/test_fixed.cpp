@@ -9,6 +9,8 @@
 #include "derivation/scenes.hpp"
 #include "emit/library.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_fixed)
+
 using namespace vcrit;
 using symbolic::GenerateOptions;
 using test::Call;
@@ -231,3 +233,5 @@ BOOST_AUTO_TEST_CASE(wrong_names_are_refused) {
           "--fix: found \"tau\", which has no number in the scene; expected a number for it, as by "
           "--set tau[1]=VALUE");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

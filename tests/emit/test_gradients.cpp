@@ -8,6 +8,8 @@
 #include "formula/symbols.hpp"
 #include "formula/value.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_gradients)
+
 using namespace vcrit;
 using test::Call;
 using test::scene_of;
@@ -127,3 +129,5 @@ BOOST_AUTO_TEST_CASE(partial_derivatives_of_both_grades) {
     }
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

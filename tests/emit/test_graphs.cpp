@@ -13,6 +13,8 @@
 #include "program/stiffness.hpp"
 #include "support/nodal.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_graphs)
+
 using namespace vcrit;
 using namespace vcrit::symbolic;
 
@@ -122,3 +124,5 @@ BOOST_AUTO_TEST_CASE(any_graph_is_as_stiff_as_nodal_analysis_says) {
     BOOST_TEST(run[bound] < 1e5);  // leaves eleven digits
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -11,6 +11,8 @@
 #include "emit/words.hpp"
 #include "support/program.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_header)
+
 using namespace vcrit;
 using namespace vcrit::symbolic;
 using test::scene_of;
@@ -148,3 +150,5 @@ BOOST_AUTO_TEST_CASE(four_files_are_written_and_nothing_else) {
                     InputError);
   BOOST_TEST(!std::filesystem::exists(folder.path() / "other"));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -13,6 +13,8 @@
 #include "emit/languages/languages.hpp"
 #include "emit/library.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_languages)
+
 using namespace vcrit;
 using symbolic::Language;
 using test::scene_of;
@@ -391,3 +393,5 @@ BOOST_AUTO_TEST_CASE(names_are_refused_by_the_language_that_takes_them) {
   only("kn", "threadIdx", Language::cuda);
   for (const Language language : all) BOOST_TEST(refused("kn", "../up", language));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

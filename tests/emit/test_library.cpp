@@ -5,6 +5,8 @@
 #include "derivation/scenes.hpp"
 #include "emit/library.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_library)
+
 using namespace vcrit;
 using test::scene_of;
 
@@ -87,3 +89,5 @@ BOOST_AUTO_TEST_CASE(its_cmake_project_builds_and_tests) {
     BOOST_REQUIRE_MESSAGE(outcome.status == 0, outcome.output);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -4,6 +4,8 @@
 #include "derivation/scenes.hpp"
 #include "emit/library.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_no_heap_generated)
+
 using namespace vcrit;
 using test::scene_of;
 
@@ -67,3 +69,5 @@ BOOST_AUTO_TEST_CASE(values_batches_and_gradients) {
     BOOST_TEST(test::run({program}, folder.path()).output == "0 1 1\n");
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

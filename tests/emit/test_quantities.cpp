@@ -9,6 +9,8 @@
 #include "emit/quantities.hpp"
 #include "program/quantities.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_quantities)
+
 using namespace vcrit;
 using symbolic::GenerateOptions;
 using test::scene_of;
@@ -362,3 +364,5 @@ BOOST_AUTO_TEST_CASE(other_drives_are_refused) {
   const Scene scene = scene_of("normal = \"kn\"\ntangential = \"kt\"", "kd - (mass(m2) | k2)", "m");
   BOOST_CHECK_THROW(symbolic::emit_quantities(scene, "scene"), ModelError);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

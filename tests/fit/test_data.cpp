@@ -7,6 +7,8 @@
 
 #include "base/errors.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_data)
+
 using namespace vcrit;
 using fit::Data;
 using fit::parse_data;
@@ -105,3 +107,5 @@ BOOST_AUTO_TEST_CASE(wrong_rows) {
   BOOST_TEST(message("frequency,storage,loss,storage_error,loss_error\n1,2,3,0,1\n") ==
              "d.csv:2: found storage_error = 0 N/m; expected an error above 0");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -10,6 +10,8 @@
 
 #include "base/errors.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_fit)
+
 namespace {
 
 using namespace vcrit;
@@ -226,3 +228,5 @@ BOOST_AUTO_TEST_CASE(chances_are_those_of_the_closed_forms) {
 }
 
 }  // namespace
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -6,6 +6,8 @@
 #include <random>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(test_nnls)
+
 namespace {
 
 using Eigen::Index;
@@ -84,3 +86,5 @@ BOOST_AUTO_TEST_CASE(degenerate_ones_end) {
 }
 
 }  // namespace
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -9,6 +9,8 @@
 #include "scene/scene.hpp"
 #include "stiffness/dynamic_stiffness.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_scene_text)
+
 namespace {
 
 using namespace vcrit;
@@ -80,3 +82,5 @@ BOOST_AUTO_TEST_CASE(the_rest_is_symbols_until_it_is_given) {
 }
 
 }  // namespace
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -11,6 +11,8 @@
 #include "base/errors.hpp"
 #include "indenter/half_spaces.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_gap)
+
 namespace {
 
 using namespace vcrit;
@@ -157,3 +159,5 @@ BOOST_AUTO_TEST_CASE(flat_table) {
   BOOST_TEST(gap.half_width(0) == 2);
   BOOST_TEST(gap.at(2) == 0);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -9,6 +9,8 @@
 #include "base/errors.hpp"
 #include "indenter/half_spaces.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_half_space)
+
 namespace {
 
 using namespace vcrit;
@@ -119,3 +121,5 @@ BOOST_AUTO_TEST_CASE(outside_the_model) {
   scene.indenter.reset();
   BOOST_TEST(refused(scene, "no indenter"));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

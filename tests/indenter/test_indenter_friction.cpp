@@ -11,6 +11,8 @@
 #include "indenter/half_spaces.hpp"
 #include "simulation/reference_tables.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_indenter_friction)
+
 namespace {
 
 using namespace vcrit;
@@ -325,3 +327,5 @@ BOOST_AUTO_TEST_CASE(without_oscillation) {
   BOOST_TEST((found.regime == Regime::sliding));
   BOOST_TEST(found.ratio == 1);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -12,6 +12,8 @@
 #include "maps/stream.hpp"
 #include "support/program.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_maps)
+
 namespace {
 
 using namespace vcrit;
@@ -226,3 +228,5 @@ BOOST_AUTO_TEST_CASE(mistakes_are_named_and_leave_nothing) {
 }
 
 }  // namespace
+
+BOOST_AUTO_TEST_SUITE_END()

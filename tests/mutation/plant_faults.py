@@ -99,8 +99,9 @@ class Copy:
         return ended
 
     def built(self, test):
-        room, name = test.rsplit("/", 1)
-        targets = [name] if f"{name}:" in self.targets else ["_vcrit"] if room == "python" else ["vcrit"]
+        room = test.split("/")[0]
+        own = f"test_{room}"
+        targets = [own] if f"{own}:" in self.targets else ["_vcrit"] if room == "python" else ["vcrit"]
         return self.run("ninja", "-C", self.build, *targets, check=False)
 
     def passes(self, test):

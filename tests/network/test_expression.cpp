@@ -5,6 +5,8 @@
 #include "network/catalogue.hpp"
 #include "network/expression.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_expression)
+
 using namespace vcrit;
 
 namespace {
@@ -100,3 +102,5 @@ BOOST_AUTO_TEST_CASE(signatures_say_the_arguments) {
   BOOST_TEST(catalogue().front().signature() == "spring(k)");
   BOOST_TEST(catalogue().back().signature() == "prony(k0, k, tau)");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

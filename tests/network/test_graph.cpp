@@ -6,6 +6,8 @@
 
 #include "network/graph.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_graph)
+
 using namespace vcrit;
 
 namespace {
@@ -76,3 +78,5 @@ BOOST_AUTO_TEST_CASE(a_gap_in_a_graph_leaves_its_neighbours_without_load) {
   BOOST_REQUIRE(left);
   BOOST_TEST(symbols_of(*left).size() == 2);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -3,6 +3,8 @@
 
 #include "network/masses.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_mass_networks)
+
 using namespace vcrit;
 
 namespace {
@@ -63,3 +65,5 @@ BOOST_AUTO_TEST_CASE(at_rest_masses_carry_nothing) {
   BOOST_TEST(!without_masses(graph(3, {{k("k1"), {0, 2}}, {m("m1"), {2, 1}}})).has_value());
   BOOST_TEST(!has_masses(series({k("k1"), k("k2")})));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -8,6 +8,8 @@
 #include "network/expression.hpp"
 #include "network/reduction.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_reduction)
+
 using namespace vcrit;
 
 namespace {
@@ -81,3 +83,5 @@ BOOST_AUTO_TEST_CASE(series_parallel_graphs_need_no_mesh_and_linear_size) {
     for (const Step& step : reduction.steps) BOOST_TEST((step.kind != Step::Kind::mesh));
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -11,6 +11,8 @@
 #include "simulation/steady/normal_force.hpp"
 #include "simulation/steady/onset.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_critical_onset)
+
 using namespace vcrit;
 
 namespace {
@@ -118,3 +120,5 @@ BOOST_AUTO_TEST_CASE(closed_contacts_are_as_ever) {
   BOOST_TEST(critical_onset(may).contact_velocity == critical_onset(never).contact_velocity);
   BOOST_TEST((critical_onset(may).by == CriticalOnset::By::formula));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

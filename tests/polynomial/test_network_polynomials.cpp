@@ -9,6 +9,8 @@
 #include "polynomial/network_polynomials.hpp"
 #include "support/random_scene.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_network_polynomials)
+
 using namespace vcrit;
 using namespace vcrit::symbolic;
 
@@ -136,3 +138,5 @@ BOOST_AUTO_TEST_CASE(random_networks_have_their_value) {
   }
   BOOST_TEST(graphs > 20);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -4,17 +4,15 @@
 #include "base/errors.hpp"
 #include "polynomial/polynomial.hpp"
 
-using namespace vcrit::symbolic;
+BOOST_AUTO_TEST_SUITE(test_polynomial)
 
-namespace {
+using namespace vcrit::symbolic;
 
 struct Fixture {
   Ring ring{{"s", "a", "b"}};
   Polynomial s = Polynomial::variable(ring, "s"), a = Polynomial::variable(ring, "a"),
              b = Polynomial::variable(ring, "b"), one{ring, 1};
 };
-
-}  // namespace
 
 BOOST_FIXTURE_TEST_CASE(products_and_sums, Fixture) {
   BOOST_TEST(((a + b) * (a - b) == a * a - b * b));
@@ -64,3 +62,5 @@ BOOST_FIXTURE_TEST_CASE(primitive_parts, Fixture) {
   BOOST_TEST(((six * a * s + nine * a * b).primitive("s") ==
               Polynomial(ring, 2) * s - Polynomial(ring, 3) * b));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

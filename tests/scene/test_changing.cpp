@@ -6,6 +6,8 @@
 
 #include "base/numbers.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_changing)
+
 namespace {
 
 using namespace vcrit;
@@ -64,3 +66,5 @@ BOOST_AUTO_TEST_CASE(what_reading_refuses_is_refused) {
 }
 
 }  // namespace
+
+BOOST_AUTO_TEST_SUITE_END()

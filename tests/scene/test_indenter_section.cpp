@@ -8,6 +8,8 @@
 #include "scene/scene.hpp"
 #include "support/program.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_indenter_section)
+
 using namespace vcrit;
 
 namespace {
@@ -163,3 +165,5 @@ BOOST_AUTO_TEST_CASE(wrong_indenters) {
   clash.replace(clash.find("k | c"), 5, "spring(radius)");
   BOOST_TEST(message(clash).find("it is a quantity of the scene") != std::string::npos);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -3,6 +3,8 @@
 
 #include <boost/test/unit_test.hpp>
 
+BOOST_AUTO_TEST_SUITE(test_key_limits)
+
 using namespace vcrit;
 
 namespace {
@@ -63,3 +65,5 @@ BOOST_AUTO_TEST_CASE(many_dotted_keys_are_refused) {
   BOOST_TEST(message(repeated("a = 1.5\n", 10001)) == "accepted");
   BOOST_TEST(message("x = [" + repeated("1.5, ", 10001) + "1.5]\n") == "accepted");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

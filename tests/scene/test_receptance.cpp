@@ -7,9 +7,9 @@
 #include "scene/scene.hpp"
 #include "support/program.hpp"
 
-using namespace vcrit;
+BOOST_AUTO_TEST_SUITE(test_receptance)
 
-namespace {
+using namespace vcrit;
 
 struct Table {
   test::PrivateFolder folder;
@@ -29,8 +29,6 @@ struct Table {
     return "no error";
   }
 };
-
-}  // namespace
 
 BOOST_FIXTURE_TEST_CASE(a_table_is_read, Table) {
   const Receptance r = read("omega, Re, Im\r\n0,1e-6,-2e-7\r\n\r\n10.5 , 2e-6, -0\n");
@@ -110,3 +108,5 @@ BOOST_FIXTURE_TEST_CASE(a_scene_names_its_table_relative_to_itself, Table) {
                  .find("s.toml:6:14: found network and receptance; expected one of the two") !=
              std::string::npos);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

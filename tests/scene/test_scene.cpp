@@ -7,6 +7,8 @@
 #include "network/expression.hpp"
 #include "scene/scene.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_scene)
+
 using namespace vcrit;
 
 namespace {
@@ -258,3 +260,5 @@ BOOST_AUTO_TEST_CASE(one_name_is_one_kind_of_number) {
                          "\"k1\"\n[elements]\nkn = 1\n"),
                  "as a network and as an element"));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

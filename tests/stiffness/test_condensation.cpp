@@ -3,6 +3,8 @@
 
 #include <boost/test/unit_test.hpp>
 
+BOOST_AUTO_TEST_SUITE(test_condensation)
+
 namespace {
 
 using namespace vcrit;
@@ -44,3 +46,5 @@ BOOST_AUTO_TEST_CASE(a_bridge_stays) {
   for (const Relaxation& edge : left.edges) sum += edge.equilibrium;
   BOOST_TEST(sum == 2.0 + 10 + 11 + 12 + 13);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

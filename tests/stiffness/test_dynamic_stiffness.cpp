@@ -7,6 +7,8 @@
 #include "support/nodal.hpp"
 #include "support/random_scene.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_dynamic_stiffness)
+
 using namespace vcrit;
 
 namespace {
@@ -58,3 +60,5 @@ BOOST_AUTO_TEST_CASE(a_maxwell_branch_by_its_time) {
                10 * std::ldexp(1, -53));
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -7,6 +7,8 @@
 #include "stiffness/relaxation.hpp"
 #include "support/nodal.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_relaxation)
+
 namespace {
 
 using namespace vcrit;
@@ -126,3 +128,5 @@ BOOST_AUTO_TEST_CASE(dual_is_an_involution) {
   BOOST_TEST(back.rates.size() + 1 == sum.rates.size());
   BOOST_TEST(back.at_rest == 2.0, boost::test_tools::tolerance(1e-14));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -3,6 +3,8 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
+BOOST_AUTO_TEST_SUITE(test_secular)
+
 using namespace vcrit;
 
 namespace {
@@ -48,3 +50,5 @@ BOOST_AUTO_TEST_CASE(two_roots_below_the_first_pole_or_none) {
   }
   BOOST_TEST(positive_roots({2, 1, {3}, {1.001 * 25 / 8}}).empty());
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -7,6 +7,8 @@
 
 #include "support/program.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_axis)
+
 namespace {
 
 using namespace vcrit;
@@ -81,3 +83,5 @@ BOOST_AUTO_TEST_CASE(mistakes_are_named) {
 }
 
 }  // namespace
+
+BOOST_AUTO_TEST_SUITE_END()

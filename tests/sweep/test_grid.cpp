@@ -3,6 +3,8 @@
 
 #include <boost/test/unit_test.hpp>
 
+BOOST_AUTO_TEST_SUITE(test_grid)
+
 namespace {
 
 using namespace vcrit;
@@ -59,3 +61,5 @@ BOOST_AUTO_TEST_CASE(blocks_are_about_as_large_as_asked_for) {
 }
 
 }  // namespace
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -7,6 +7,8 @@
 #include "support/heap.hpp"
 #include "sweep/sweep.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_no_heap_sweep)
+
 namespace {
 
 using namespace vcrit;
@@ -49,3 +51,5 @@ BOOST_AUTO_TEST_CASE(speeds_of_a_scene) {
     BOOST_TEST(speeds(64) <= 2 * few);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

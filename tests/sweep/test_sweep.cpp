@@ -9,6 +9,8 @@
 #include "scene/changing.hpp"
 #include "simulation/steady/exact.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_sweep)
+
 namespace {
 
 using namespace vcrit;
@@ -198,3 +200,5 @@ BOOST_AUTO_TEST_CASE(mistakes_are_named) {
 }
 
 }  // namespace
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -9,6 +9,8 @@
 #include "simulation/steady/exact.hpp"
 #include "sweep/sweep.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_threads)
+
 namespace {
 
 using namespace vcrit;
@@ -64,3 +66,5 @@ BOOST_AUTO_TEST_CASE(share_a_scene) {
     BOOST_TEST(ratio[i] == ratio[0]);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

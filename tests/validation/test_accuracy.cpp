@@ -7,6 +7,8 @@
 #include "report/accuracy_json.hpp"
 #include "report/accuracy_section.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_accuracy)
+
 using namespace vcrit;
 using namespace vcrit::validation;
 
@@ -61,3 +63,5 @@ BOOST_AUTO_TEST_CASE(a_scene_that_is_not_admissible_is_not_simulated) {
     for (const accuracy::Layer& layer : map.layers) BOOST_TEST(layer.key != "simulator");
   BOOST_TEST(has(all.left_out.at(0), "No simulations: the contact opens"));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -8,6 +8,8 @@
 #include "accuracy/evaluator_errors.hpp"
 #include "accuracy/front.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_accuracy_evaluators)
+
 using namespace vcrit;
 using namespace vcrit::validation;
 using namespace vcrit::validation::accuracy;
@@ -187,3 +189,5 @@ BOOST_AUTO_TEST_CASE(a_massless_rigid_scene_has_no_mass_and_no_drive_in_its_driv
   for (const char* word : {"p.m)", "p.m ", "p.m*", "K_d", "kd", "mass", "drive"})
     BOOST_TEST(source.find(word) == std::string::npos, word);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <random>
 
+BOOST_AUTO_TEST_SUITE(test_accuracy_inputs)
+
 using namespace vcrit;
 using namespace vcrit::validation::accuracy;
 
@@ -84,3 +86,5 @@ BOOST_AUTO_TEST_CASE(in_a_measured_drive_omega_stays_in_the_table) {
     BOOST_TEST(set[0] <= scene.receptance->rows.back().omega);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -6,6 +6,8 @@
 #include "report/accuracy_json.hpp"
 #include "report/accuracy_section.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_accuracy_report)
+
 using namespace vcrit::validation;
 using namespace vcrit::validation::accuracy;
 
@@ -139,3 +141,5 @@ BOOST_AUTO_TEST_CASE(failed_answers_are_crossed_out_and_off_the_lines) {
   BOOST_TEST(figure.series.back().name == "failed");
   BOOST_TEST((figure.series.back().style == figures::Style::crosses));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

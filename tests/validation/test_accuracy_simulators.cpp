@@ -6,6 +6,8 @@
 
 #include "accuracy/simulator_errors.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_accuracy_simulators)
+
 using namespace vcrit;
 using namespace vcrit::validation::accuracy;
 
@@ -104,3 +106,5 @@ BOOST_AUTO_TEST_CASE(the_front_leaves_failed_solves_aside) {
 BOOST_AUTO_TEST_CASE(a_measured_drive_cannot_be_simulated) {
   BOOST_CHECK_THROW(simulator_errors(scene_named("measured_drive.toml"), {0.5}), ModelError);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

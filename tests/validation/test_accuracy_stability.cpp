@@ -14,6 +14,8 @@
 #include "critical/admissibility.hpp"
 #include "critical/certified.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_accuracy_stability)
+
 using namespace vcrit;
 using namespace vcrit::validation;
 using namespace vcrit::validation::accuracy;
@@ -161,3 +163,5 @@ BOOST_AUTO_TEST_CASE(a_scene_says_what_maps_it_does_not_have) {
   BOOST_TEST(maps[0].lines.empty());
   BOOST_TEST(left_out == Names{"No map over relaxation times: nothing relaxes."});
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -12,6 +12,8 @@
 #include "emit/generate.hpp"
 #include "support/nodal.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_bounds)
+
 using namespace vcrit;
 using namespace vcrit::bounds;
 
@@ -220,3 +222,5 @@ BOOST_AUTO_TEST_CASE(threads_change_nothing) {
   };
   BOOST_TEST(text(1) == text(3));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -8,6 +8,8 @@
 #include "network/catalogue.hpp"
 #include "report/assets.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_catalogue_page)
+
 using namespace vcrit;
 using namespace vcrit::validation::report;
 
@@ -114,3 +116,5 @@ BOOST_AUTO_TEST_CASE(links_lead_somewhere_and_names_are_given_once) {
 }
 
 BOOST_AUTO_TEST_CASE(the_same_bytes_again) { BOOST_TEST((catalogue_page() == html())); }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -10,6 +10,8 @@
 
 #include "base/files.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_compiler)
+
 using namespace vcrit::validation;
 using namespace std::chrono_literals;
 namespace fs = std::filesystem;
@@ -146,3 +148,5 @@ BOOST_AUTO_TEST_CASE(what_a_compiler_complains_about_comes_back) {
   BOOST_TEST(!result.succeeded());
   BOOST_TEST(result.output.find("nonsense") != std::string::npos);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

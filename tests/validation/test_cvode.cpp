@@ -12,6 +12,8 @@
 #include "simulation/steady/exact.hpp"
 #include "simulation/steady/onset.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_cvode)
+
 namespace {
 
 using namespace vcrit;
@@ -70,3 +72,5 @@ BOOST_AUTO_TEST_CASE(says_that_it_has_not_finished) {
   BOOST_CHECK_THROW(cvode_steady_state(row.system, row.velocity, {Multistep::bdf, rtol, false, 5}),
                     benchmark::NotFinished);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

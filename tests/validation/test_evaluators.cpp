@@ -7,6 +7,8 @@
 #include "base/files.hpp"
 #include "compiler.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_evaluators)
+
 using namespace vcrit;
 using namespace vcrit::validation;
 
@@ -77,3 +79,5 @@ BOOST_AUTO_TEST_CASE(numbers_reach_the_generated_library_unrounded) {
   BOOST_TEST(program.find("p.k[1] = 0x1.999999999999ap-4;") != std::string::npos);
   BOOST_TEST(program.find("p.mu0 = 0x1.0f0cf064dd592p+73;") != std::string::npos);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -10,6 +10,8 @@
 #include "simulation/steady/exact.hpp"
 #include "validation/extreme_family.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_extremes)
+
 using namespace vcrit;
 using namespace vcrit::validation;
 using namespace vcrit::validation::extremes;
@@ -284,3 +286,5 @@ kd = 4
   BOOST_TEST(std::abs(lost(0.7072)) < 1e-13);
   BOOST_TEST(lost(0.7070) > 1e-11);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -13,6 +13,8 @@
 #include "validation/example_report.hpp"
 #include "validation/extreme_family.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_extremes_page)
+
 using namespace vcrit;
 using namespace vcrit::validation;
 using namespace vcrit::validation::report;
@@ -124,3 +126,5 @@ BOOST_AUTO_TEST_CASE(the_json_has_the_losses) {
   const auto& map = all["figures"][0]["map"];
   BOOST_TEST(map["values"].size() == map["x"].size() * map["y"].size());
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -11,6 +11,8 @@
 #include "figures/gnuplot.hpp"
 #include "figures/vega_lite.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_figures)
+
 using namespace vcrit;
 using namespace vcrit::validation;
 using namespace vcrit::validation::figures;
@@ -131,3 +133,5 @@ BOOST_AUTO_TEST_CASE(gnuplot_takes_the_script) {
   BOOST_TEST(svg.find("frequency, Hz") != svg.npos);
   BOOST_TEST(read_file(folder.path() / "everything.pdf").rfind("%PDF", 0) == 0u);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -5,6 +5,8 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
+BOOST_AUTO_TEST_SUITE(test_frequency_response)
+
 using namespace vcrit;
 using namespace vcrit::validation;
 
@@ -92,3 +94,5 @@ BOOST_AUTO_TEST_CASE(a_rigid_scene_has_no_drive_and_no_resonance) {
   }
   BOOST_TEST(nearest < 0.03);  // 48 points a decade: 2.5 percent at most to the next
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -8,6 +8,8 @@
 
 #include "validation/example_report.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_friction)
+
 using namespace vcrit::validation;
 using Outcome = Comparison::Outcome;
 
@@ -82,3 +84,5 @@ BOOST_AUTO_TEST_CASE(the_closed_form_must_be_met) {
   *points[3].closed_form -= 1e-8;
   BOOST_TEST((outcome(compare_closed_form(points)) == Outcome::failed));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -5,6 +5,8 @@
 
 #include "validation/example_report.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_index_page)
+
 using namespace vcrit::validation;
 using namespace vcrit::validation::report;
 
@@ -76,3 +78,5 @@ BOOST_AUTO_TEST_CASE(a_line_comes_back_as_it_went) {
   BOOST_TEST(again.failed == line.failed, boost::test_tools::per_element());
   BOOST_TEST(again.warnings == report.scene.warnings, boost::test_tools::per_element());
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -9,6 +9,8 @@
 
 #include "benchmark/summary.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_measurement)
+
 namespace {
 
 using namespace vcrit;
@@ -175,3 +177,5 @@ BOOST_AUTO_TEST_CASE(a_slower_and_less_accurate_setting_is_behind_the_front) {
   BOOST_TEST(lines[0].front);
   BOOST_TEST(!lines[1].front);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -6,6 +6,8 @@
 
 #include "critical/certified.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_method_curves)
+
 using namespace vcrit;
 using namespace vcrit::validation;
 
@@ -50,3 +52,5 @@ BOOST_AUTO_TEST_CASE(the_reduced_model_stands_where_it_applies) {
   BOOST_REQUIRE(find(kelvin, "reduced") != nullptr);
   BOOST_TEST(worst(*find(kelvin, "reduced")) > 1e-2);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -8,6 +8,8 @@
 #include "report/system_drawing.hpp"
 #include "validation/example_report.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_network_drawing)
+
 using namespace vcrit;
 using namespace vcrit::validation::report;
 namespace example = vcrit::validation::example;
@@ -98,3 +100,5 @@ BOOST_AUTO_TEST_CASE(an_isotropic_contact_shows_its_ratio) {
   const std::string svg = draw_sliding(parse_scene(example::driven_scene, "all.toml"));
   BOOST_TEST(svg.find("0.8 ×") != std::string::npos);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -14,6 +14,8 @@
 #include "paper/proofs.hpp"
 #include "paper/references.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_paper)
+
 using namespace vcrit;
 using namespace vcrit::validation;
 using namespace vcrit::validation::paper;
@@ -243,3 +245,5 @@ BOOST_AUTO_TEST_CASE(claims_stand_and_fall_with_their_evidence) {
   for (Witness& witness : planted.evidence.rows) witness.reduced = witness.exact;
   BOOST_TEST((verdicts(planted) == std::vector{holds, holds, holds, open, open}));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

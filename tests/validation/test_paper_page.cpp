@@ -15,6 +15,8 @@
 #include "report/validate.hpp"
 #include "validation/example_report.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_paper_page)
+
 using namespace vcrit::validation;
 using namespace vcrit::validation::report;
 
@@ -156,3 +158,5 @@ BOOST_AUTO_TEST_CASE(the_json_has_all_data) {
   BOOST_TEST(map["values"].size() == map["x"].size() * map["y"].size());
   BOOST_TEST(paper["evidence"]["rows"][0]["reference"] == 0.3975961226668819235);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

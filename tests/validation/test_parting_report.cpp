@@ -14,6 +14,8 @@
 #include "report/scene_section.hpp"
 #include "simulation/steady/exact.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_parting_report)
+
 using namespace vcrit;
 using namespace vcrit::validation;
 
@@ -170,3 +172,5 @@ BOOST_AUTO_TEST_CASE(plain_scenes_say_nothing_of_it) {
   BOOST_TEST(report::parting_section(report).empty());
   BOOST_TEST(report::indenter_section(report).empty());
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -13,6 +13,8 @@
 #include "stiffness/dynamic_stiffness.hpp"
 #include "validation/example_report.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_planted_faults)
+
 using namespace vcrit;
 using namespace vcrit::validation;
 using namespace vcrit::validation::report;
@@ -104,3 +106,5 @@ BOOST_AUTO_TEST_CASE(an_evaluator_off_by_a_billionth_is_red) {
   setenv("PATH", path.c_str(), 1);
   check_red(report, {"generated", "generated_fast"});
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -4,6 +4,8 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
+BOOST_AUTO_TEST_SUITE(test_reduced_difference)
+
 namespace {
 
 using namespace vcrit;
@@ -94,3 +96,5 @@ BOOST_AUTO_TEST_CASE(a_scene_lacks_it_where_it_does_not) {
                                  "elastic.toml"))
            .has_value());
 }
+
+BOOST_AUTO_TEST_SUITE_END()

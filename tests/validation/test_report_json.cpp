@@ -8,6 +8,8 @@
 #include "report/html.hpp"
 #include "validation/example_report.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_report_json)
+
 using namespace vcrit::validation;
 using nlohmann::json;
 
@@ -110,3 +112,5 @@ BOOST_AUTO_TEST_CASE(the_command_can_be_pasted) {
   BOOST_TEST(shell_word("") == "''");
   BOOST_TEST(report::command({"a b.toml"}) == "vcrit validate 'a b.toml' --out report");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

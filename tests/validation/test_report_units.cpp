@@ -4,6 +4,8 @@
 #include <boost/test/unit_test.hpp>
 #include <limits>
 
+BOOST_AUTO_TEST_SUITE(test_report_units)
+
 using namespace vcrit::validation::report;
 
 BOOST_AUTO_TEST_CASE(quantities_take_the_prefix_that_reads_well) {
@@ -38,3 +40,5 @@ BOOST_AUTO_TEST_CASE(differences_show_their_power_of_ten) {
   BOOST_TEST(magnitude(0) == "0");
   BOOST_TEST(magnitude(std::numeric_limits<double>::infinity()) == "∞");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -9,6 +9,8 @@
 #include "report/html.hpp"
 #include "validation/example_report.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_scene_page)
+
 using namespace vcrit::validation;
 using namespace vcrit::validation::report;
 
@@ -214,3 +216,5 @@ BOOST_AUTO_TEST_CASE(a_page_stays_below_two_megabytes) {
   const SceneReport report = example::scene_report(example::driven_scene);
   BOOST_TEST(scene_page({report, {}}, example::origin()).size() < 2000000u);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -7,6 +7,8 @@
 
 #include "validation/example_report.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_scene_report)
+
 using namespace vcrit::validation;
 using Outcome = Comparison::Outcome;
 
@@ -76,3 +78,5 @@ BOOST_AUTO_TEST_CASE(the_tightest_is_one_that_was_run) {
   report.comparisons.clear();
   BOOST_TEST((tightest(report) == nullptr));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -6,6 +6,8 @@
 
 #include "speed/tables.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_speed)
+
 using namespace vcrit;
 using namespace vcrit::speed;
 
@@ -88,3 +90,5 @@ BOOST_AUTO_TEST_CASE(every_method_has_its_row) {
   }
   BOOST_TEST(as_json(all)["results"].size() == all.results.size());
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -9,6 +9,8 @@
 #include "compiler.hpp"
 #include "validation/example_report.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_validate)
+
 using namespace vcrit;
 using namespace vcrit::validation;
 using nlohmann::json;
@@ -151,3 +153,5 @@ BOOST_AUTO_TEST_CASE(figures_are_written_where_they_are_asked_for) {
   BOOST_TEST(fs::exists(two / "elastic" / "friction.svg"));
   BOOST_TEST(!fs::exists(one / "friction.svg"));  // a sonotrode is not simulated
 }
+
+BOOST_AUTO_TEST_SUITE_END()

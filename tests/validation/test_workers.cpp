@@ -14,6 +14,8 @@
 #include "base/files.hpp"
 #include "compiler.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_workers)
+
 using namespace vcrit;
 using namespace vcrit::validation;
 
@@ -109,3 +111,5 @@ BOOST_AUTO_TEST_CASE(a_crash_names_its_job) {
                           return mentions(error, "third: its process was ended by signal 9");
                         });
 }
+
+BOOST_AUTO_TEST_SUITE_END()

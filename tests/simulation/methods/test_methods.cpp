@@ -10,6 +10,8 @@
 #include "simulation/steady/exact.hpp"
 #include "simulation/steady/onset.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_methods)
+
 namespace {
 
 using namespace vcrit;
@@ -145,3 +147,5 @@ BOOST_AUTO_TEST_CASE(units_do_not_matter) {
                to_text(method));
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

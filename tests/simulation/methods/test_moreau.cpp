@@ -7,6 +7,8 @@
 
 #include "simulation/reference_systems.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_moreau)
+
 namespace {
 
 using namespace vcrit;
@@ -87,3 +89,5 @@ BOOST_AUTO_TEST_CASE(plain_periods_end_at_the_same_cycle) {
                plain.friction_ratio_error);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

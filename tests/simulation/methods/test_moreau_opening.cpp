@@ -8,6 +8,8 @@
 #include "simulation/methods/methods.hpp"
 #include "simulation/steady/exact.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_moreau_opening)
+
 namespace {
 
 using namespace vcrit;
@@ -74,3 +76,5 @@ BOOST_AUTO_TEST_CASE(other_methods_refuse) {
       return std::string(e.what()).find("opens") != std::string::npos;
     });
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -7,6 +7,8 @@
 #include "simulation/methods/tanh_friction.hpp"
 #include "support/heap.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_no_heap_methods)
+
 namespace {
 
 using namespace vcrit;
@@ -73,3 +75,5 @@ BOOST_AUTO_TEST_CASE(steps_with_smooth_friction) {
   };
   BOOST_TEST(with(1e-11) == with(1e-6));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

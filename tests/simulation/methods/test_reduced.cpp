@@ -8,6 +8,8 @@
 #include "base/errors.hpp"
 #include "simulation/reference_systems.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_reduced)
+
 namespace {
 
 using namespace vcrit;
@@ -120,3 +122,5 @@ BOOST_AUTO_TEST_CASE(refused_systems_are_named) {
   system.contact = {0, 1, {}};
   BOOST_TEST(refusal(system).find("without a spring") != std::string::npos);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

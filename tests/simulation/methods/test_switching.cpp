@@ -10,6 +10,8 @@
 #include "base/errors.hpp"
 #include "simulation/reference_systems.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_switching)
+
 namespace {
 
 using namespace vcrit;
@@ -214,3 +216,5 @@ BOOST_AUTO_TEST_CASE(the_error_handler_of_the_host_stays) {
   steady_state(Method::rk8pd, elastic(0.9), 0.5);
   BOOST_TEST((gsl_set_error_handler(before) == handler_of_the_host));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -6,6 +6,8 @@
 
 #include "simulation/reference_systems.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_tanh_friction)
+
 namespace {
 
 using namespace vcrit;
@@ -65,3 +67,5 @@ BOOST_AUTO_TEST_CASE(slides_above_the_critical_velocity) {
     BOOST_TEST((state.regime == Regime::sliding));
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

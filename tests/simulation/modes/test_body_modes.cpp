@@ -6,6 +6,8 @@
 #include <complex>
 #include <random>
 
+BOOST_AUTO_TEST_SUITE(test_body_modes)
+
 namespace {
 
 using namespace vcrit;
@@ -157,3 +159,5 @@ BOOST_AUTO_TEST_CASE(transfer_functions) {
   }
   BOOST_TEST(pairs > 100);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -11,6 +11,8 @@
 #include "base/errors.hpp"
 #include "simulation/modes/body_modes.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_driven_modes)
+
 namespace {
 
 using namespace vcrit;
@@ -106,3 +108,5 @@ BOOST_AUTO_TEST_CASE(three_at_one_place_are_refused) {
   const Case critical = swinging(1, 2, 0, 1, {1});
   BOOST_CHECK_THROW(driven(critical.own, critical.direction, critical.rates), ModelError);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

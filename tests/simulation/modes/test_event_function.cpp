@@ -6,6 +6,8 @@
 #include <numbers>
 #include <random>
 
+BOOST_AUTO_TEST_SUITE(test_event_function)
+
 namespace {
 
 using namespace vcrit::simulation;
@@ -140,3 +142,5 @@ BOOST_AUTO_TEST_CASE(random_sums_against_sampling) {
   }
   BOOST_TEST(found > 300);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

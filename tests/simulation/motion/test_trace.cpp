@@ -7,6 +7,8 @@
 #include "simulation/random_systems.hpp"
 #include "simulation/steady/steady_cycle.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_trace)
+
 namespace {
 
 using namespace vcrit;
@@ -92,3 +94,5 @@ BOOST_AUTO_TEST_CASE(a_trace_may_be_cut_anywhere) {
     BOOST_TEST(std::abs(first.impulse() + second.impulse() - whole.impulse()) <= 1e-12);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

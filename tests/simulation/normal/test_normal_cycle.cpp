@@ -11,6 +11,8 @@
 #include "simulation/random_systems.hpp"
 #include "simulation/reference_tables.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_normal_cycle)
+
 namespace {
 
 using namespace vcrit;
@@ -224,3 +226,5 @@ BOOST_AUTO_TEST_CASE(twenty_decades) {
   BOOST_TEST(one.error <= 1e-12 * one.mean);
   BOOST_TEST(std::abs(other.mean / 1e9 - one.mean) <= one.error + other.error / 1e9);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

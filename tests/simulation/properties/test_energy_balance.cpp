@@ -7,6 +7,8 @@
 #include "simulation/steady/energy.hpp"
 #include "simulation/steady/onset.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_energy_balance)
+
 namespace {
 
 using namespace vcrit;
@@ -46,3 +48,5 @@ RC_BOOST_PROP(closes_within_its_error, ()) {
   const EnergyBalance energy = balance_of(draw, ratio);
   check_balance(energy, energy.error / energy.drive);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -10,6 +10,8 @@
 #include "simulation/steady/energy.hpp"
 #include "simulation/steady/exact.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_friction_random)
+
 namespace {
 
 using namespace vcrit;
@@ -127,3 +129,5 @@ BOOST_AUTO_TEST_CASE(heat_of_friction_and_dampers) {
   BOOST_TEST_MESSAGE("largest error " << worst << ", largest error/estimate " << worst_share);
   BOOST_TEST(fine >= 0.99 * static_cast<double>(all));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -6,6 +6,8 @@
 #include "simulation/steady/exact.hpp"
 #include "simulation/steady/onset.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_friction_ratio)
+
 namespace {
 
 using namespace vcrit;
@@ -116,3 +118,5 @@ RC_BOOST_PROP(does_not_change_with_forces, ()) {
   rough.friction *= factor;
   RC_ASSERT(steady_state(rough, velocity * factor).friction_ratio == alone);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

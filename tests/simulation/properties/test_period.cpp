@@ -10,6 +10,8 @@
 #include "simulation/steady/onset.hpp"
 #include "simulation/steady/steady_cycle.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_period)
+
 namespace {
 
 using namespace vcrit;
@@ -101,3 +103,5 @@ RC_BOOST_PROP(one_period_is_the_oscillations, ()) {
   RC_ASSERT(std::abs(first.impulse() / period - steady_state(system, velocity).friction_ratio) <=
             1e-8);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

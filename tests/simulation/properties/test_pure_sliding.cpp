@@ -8,6 +8,8 @@
 #include "simulation/steady/exact.hpp"
 #include "simulation/steady/steady_cycle.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_pure_sliding)
+
 namespace {
 
 using namespace vcrit;
@@ -59,3 +61,5 @@ RC_BOOST_PROP(sticks_below_the_threshold, ()) {
   const Trace motion = system.march(1 - below);
   RC_ASSERT(motion.parts.size() > 1U);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -5,6 +5,8 @@
 #include "stiffness/relaxation.hpp"
 #include "support/nodal.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_relaxation_form)
+
 namespace {
 
 using namespace vcrit;
@@ -31,3 +33,5 @@ RC_BOOST_PROP(graphs_with_bridges, ()) {
   const auto drawn = *edges(*rc::gen::element(1, 6), 8);
   check_form(graph_of(drawn), *magnitude(8));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -7,6 +7,8 @@
 #include "simulation/steady/onset.hpp"
 #include "time_stepping.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_against_time_stepping)
+
 namespace {
 
 using namespace vcrit;
@@ -102,3 +104,5 @@ BOOST_AUTO_TEST_CASE(backward_slip) {
     compare(s, share, 16000);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

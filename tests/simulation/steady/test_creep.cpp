@@ -5,6 +5,8 @@
 #include "simulation/steady/exact.hpp"
 #include "simulation/steady/onset.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_creep)
+
 namespace {
 
 using namespace vcrit;
@@ -94,3 +96,5 @@ BOOST_AUTO_TEST_CASE(creep_adds_along_the_path) {
     BOOST_TEST(std::abs(stuck.friction_ratio - 0.1) <= 20 * u);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

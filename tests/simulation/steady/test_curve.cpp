@@ -9,6 +9,8 @@
 #include "simulation/steady/exact.hpp"
 #include "simulation/steady/onset.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_curve)
+
 namespace {
 
 using namespace vcrit;
@@ -85,3 +87,5 @@ BOOST_AUTO_TEST_CASE(no_points) {
 }
 
 }  // namespace
+
+BOOST_AUTO_TEST_SUITE_END()

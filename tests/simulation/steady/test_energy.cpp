@@ -6,6 +6,8 @@
 #include <numbers>
 #include <tuple>
 
+BOOST_AUTO_TEST_SUITE(test_energy)
+
 namespace {
 
 using namespace vcrit;
@@ -113,3 +115,5 @@ BOOST_AUTO_TEST_CASE(damper_alone_that_never_slips) {
   check(energy_balance(under({0, eta, {}}, 1), velocity).value(), 0,
         eta * velocity * velocity * 2 * pi);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

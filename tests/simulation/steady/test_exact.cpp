@@ -11,6 +11,8 @@
 #include "simulation/random_systems.hpp"
 #include "simulation/reference_systems.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_exact)
+
 namespace {
 
 using namespace vcrit;
@@ -298,3 +300,5 @@ BOOST_AUTO_TEST_CASE(events_take_turns) {
     }
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -8,6 +8,8 @@
 #include "simulation/steady/exact.hpp"
 #include "simulation/steady/onset.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_hard_systems)
+
 using namespace vcrit;
 using namespace vcrit::simulation;
 
@@ -133,3 +135,5 @@ BOOST_AUTO_TEST_CASE(creep_beyond_what_numbers_hold_is_told) {
     return std::string(error.what()).find("lost in rounding") != std::string::npos;
   });
 }
+
+BOOST_AUTO_TEST_SUITE_END()

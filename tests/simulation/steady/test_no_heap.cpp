@@ -9,6 +9,8 @@
 #include "simulation/steady/steady_cycle.hpp"
 #include "support/heap.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_no_heap)
+
 namespace {
 
 using namespace vcrit;
@@ -88,3 +90,5 @@ BOOST_AUTO_TEST_CASE(speeds_of_a_curve) {
     BOOST_TEST(test::heap_requests([&] { run(99, 2); }) == 0);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -9,6 +9,8 @@
 #include "simulation/random_systems.hpp"
 #include "simulation/reference_systems.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_onset)
+
 namespace {
 
 using namespace vcrit;
@@ -55,3 +57,5 @@ BOOST_AUTO_TEST_CASE(no_speed_is_high_enough_at_an_undamped_resonance) {
 }
 
 }  // namespace
+
+BOOST_AUTO_TEST_SUITE_END()

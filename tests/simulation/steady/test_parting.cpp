@@ -10,6 +10,8 @@
 #include "simulation/steady/exact.hpp"
 #include "simulation/steady/onset.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_parting)
+
 namespace {
 
 using namespace vcrit;
@@ -161,3 +163,5 @@ BOOST_AUTO_TEST_CASE(random_systems) {
     BOOST_TEST(energy->dampers >= 0);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

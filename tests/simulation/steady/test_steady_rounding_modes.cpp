@@ -8,6 +8,8 @@
 #include "simulation/steady/exact.hpp"
 #include "support/arithmetic_state.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_steady_rounding_modes)
+
 namespace {
 
 using namespace vcrit;
@@ -37,3 +39,5 @@ BOOST_AUTO_TEST_CASE(reference_values_in_every_state) {
         }
   BOOST_TEST_MESSAGE("largest error " << worst);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

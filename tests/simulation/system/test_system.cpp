@@ -8,6 +8,8 @@
 #include "simulation/steady/exact.hpp"
 #include "simulation/steady/onset.hpp"
 
+BOOST_AUTO_TEST_SUITE(test_system)
+
 namespace {
 
 using namespace vcrit;
@@ -95,3 +97,5 @@ BOOST_AUTO_TEST_CASE(flat_punch_at_the_border) {
       BOOST_TEST(std::abs(steady_state(system, ratio * critical, start).friction_ratio -
                           friction) <= 1e-8);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

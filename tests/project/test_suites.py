@@ -1,0 +1,60 @@
+"""Every test case of C++ runs: in a suite of its file's name, which an entry of ctest's names."""
+
+import json
+import re
+import subprocess
+import sys
+import unittest
+from pathlib import Path
+
+PROJECT, BUILD = Path(sys.argv.pop(1)), Path(sys.argv.pop(1))
+TESTS = PROJECT / "tests"
+BEGIN = re.compile(r"^BOOST_AUTO_TEST_SUITE\((\w+)\)$", re.MULTILINE)
+END = re.compile(r"^BOOST_AUTO_TEST_SUITE_END\(\)$", re.MULTILINE)
+CASE = re.compile(r"^(BOOST_\w*TEST_CASE\w*|RC_BOOST_\w*PROP)\(", re.MULTILINE)
+
+
+def fault(name, text):
+    """What is wrong with the suite of test_NAME.cpp."""
+    begins, ends = list(BEGIN.finditer(text)), list(END.finditer(text))
+    if [begin[1] for begin in begins] != [name] or len(ends) != 1:
+        return f"{name}: expected one suite, {name}"
+    cases = [case.start() for case in CASE.finditer(text)]
+    if not cases or cases[0] < begins[0].start() or cases[-1] > ends[0].start():
+        return f"{name}: no cases, or some outside the suite"
+    return None
+
+
+def entries():
+    """The entries of ctest's: name to words of the command, none where its program is not built."""
+    printed = subprocess.run(["ctest", "--test-dir", BUILD, "--show-only=json-v1"], check=True, text=True,
+                             stdout=subprocess.PIPE).stdout
+    return {test["name"]: test.get("command", []) for test in json.loads(printed)["tests"]}
+
+
+class Suites(unittest.TestCase):
+    def setUp(self):
+        self.files = {str(file.relative_to(TESTS).with_suffix("")): file for file in TESTS.rglob("test_*.cpp")}
+
+    def test_bear_their_files_names(self):
+        self.assertGreater(len(self.files), 100)
+        faults = [fault(file.stem, file.read_text()) for file in self.files.values()]
+        self.assertEqual([each for each in faults if each], [])
+
+    def test_are_all_run(self):
+        commands = entries()
+        self.assertEqual(sorted(set(self.files) - set(commands)), [])
+        self.assertEqual([name for name, file in self.files.items()
+                          if commands[name] and commands[name][1:] != [f"--run_test={file.stem}"]], [])
+
+    def test_a_fault_would_be_seen(self):
+        whole = "BOOST_AUTO_TEST_SUITE(test_a)\nBOOST_AUTO_TEST_CASE(x) {}\nBOOST_AUTO_TEST_SUITE_END()\n"
+        self.assertIsNone(fault("test_a", whole))
+        self.assertIsNotNone(fault("test_b", whole))
+        self.assertIsNotNone(fault("test_a", whole + "BOOST_FIXTURE_TEST_CASE(y, F) {}\n"))
+        self.assertIsNotNone(fault("test_a", whole.replace("BOOST_AUTO_TEST_CASE", "//")))
+        self.assertIsNotNone(fault("test_a", whole + whole))
+
+
+if __name__ == "__main__":
+    unittest.main()
