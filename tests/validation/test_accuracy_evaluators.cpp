@@ -11,6 +11,8 @@
 
 BOOST_AUTO_TEST_SUITE(test_accuracy_evaluators)
 
+BOOST_AUTO_TEST_SUITE(test_accuracy_evaluators)
+
 using namespace vcrit;
 using namespace vcrit::validation;
 using namespace vcrit::validation::accuracy;
