@@ -12,29 +12,14 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from selenium import webdriver
-from selenium.webdriver.chrome.service import Service
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
 from selenium.webdriver.support.ui import WebDriverWait
 
+from browsing import CHARTS, PATIENCE, Ruler, browser, draw_charts, places
+
 PROJECT, PROGRAM = sys.argv.pop(1), sys.argv.pop(1)
 SCENES = ["zener", "prony", "kelvin_rigid"]
-PATIENCE = 60  # seconds, for what takes one; the machine may be busy
-
-# Chromium's sandbox does not work for root, and the small /dev/shm of containers is not enough for it.
-ARGUMENTS = ["--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--disable-gpu",
-             "--window-size=1200,900", "--disable-background-networking", "--no-first-run",
-             "--disable-component-update", "--disable-sync"]
-
-
-def browser(profile):
-    options = webdriver.ChromeOptions()
-    options.binary_location = "/usr/bin/chromium"
-    for argument in [*ARGUMENTS, f"--user-data-dir={profile}"]:
-        options.add_argument(argument)
-    options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
-    return webdriver.Chrome(service=Service("/usr/bin/chromedriver"), options=options)
 
 
 class Browser(unittest.TestCase):
@@ -64,8 +49,7 @@ class Browser(unittest.TestCase):
         for kind in ["browser", "performance"]:
             self.browser.get_log(kind)  # what was left of other pages
         self.browser.get((self.report / f"{name}.html").as_uri())
-        drawn = "return [...document.querySelectorAll('.chart')].every((c) => c.querySelector('svg'))"
-        WebDriverWait(self.browser, PATIENCE).until(lambda _: self.run_script(drawn))
+        draw_charts(self.browser)
 
     def width(self, pixels):
         self.browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
@@ -87,7 +71,7 @@ class Browser(unittest.TestCase):
 
     def test_every_chart_is_drawn(self):
         count = """return [...document.querySelectorAll('.chart')].map((chart) =>
-            [...chart.querySelectorAll('.mark-line path, .mark-symbol path, .mark-rect path')].filter(
+            [...chart.querySelectorAll('.series path, .map path')].filter(
                 (path) => (path.getAttribute('d') || '').length > 10).length)"""
         for name in [*SCENES, "paper/index"]:
             with self.subTest(page=name):
@@ -149,14 +133,25 @@ class Browser(unittest.TestCase):
 
     def test_the_explorers_charts_follow(self):
         self.open("zener")
-        line = """return [...document.querySelectorAll(arguments[0] + ' .mark-line path')].map(
-            (path) => path.getAttribute('d'))"""
-        for chart in ["#explored-response", "#explored-friction"]:
-            before = self.run_script(line, chart)
-            slider = self.browser.find_element(By.ID, "slider-1")  # the amplitude
-            slider.send_keys(Keys.ARROW_LEFT * 4)
-            WebDriverWait(self.browser, PATIENCE).until(
-                lambda _: self.run_script(line, chart) != before)
+        data = json.loads(self.browser.find_element(By.ID, "explorer-data").get_attribute("textContent"))
+        self.browser.find_element(By.ID, "slider-1").send_keys(Keys.ARROW_LEFT * 4)  # the amplitude
+        settings, velocity = self.explored()
+        self.assertLess(velocity, 0.7 * self.evaluated("zener", {}))
+        response, friction = [chart for chart in self.run_script(CHARTS) if "now" in chart["legend"]]
+        omegas = data["omegas"][::40]
+        self.is_drawn(response, [[omega, self.evaluated("zener", {**settings, "angular_frequency": omega})]
+                                 for omega in omegas])
+        self.is_drawn(friction, self.run_script("return vcrit_explorer.friction()"))
+
+    def is_drawn(self, chart, points):
+        """Each of these points is one of the series named "now"."""
+        x, y = (Ruler(chart[name], chart["record"][name]) for name in ["x", "y"])
+        names = [series["name"] for series in chart["record"]["series"]]
+        line = places("line", chart["series"][names.index("now")])
+        self.assertGreater(len(points), 3)
+        for value_x, value_y in points:
+            self.assertTrue(any(abs(at_x - x.place(value_x)) < Ruler.EXACT and abs(at_y - y.place(value_y)) < Ruler.EXACT
+                                for _, at_x, at_y in line), (value_x, value_y))
 
     # The simulator's friction at the scene's own speed and amplitude, read from the page's curve.
     def test_the_explorers_friction_is_the_simulators(self):
@@ -166,7 +161,7 @@ class Browser(unittest.TestCase):
         data = json.loads(self.browser.find_element(By.ID, "explorer-data").get_attribute("textContent"))
         column = data["grid"]["ratios"].index(0.5)
         shown = self.run_script("""return new Promise((done) => requestAnimationFrame(() => done(
-            vcrit_explorer.friction()[arguments[0]].y)))""", column)
+            vcrit_explorer.friction()[arguments[0]][1])))""", column)
         options = [word for key, value in settings.items() for word in ["--set", f"{key}={value!r}"]]
         result = subprocess.run([PROGRAM, "simulate", "scenes/kelvin_rigid.toml", "--velocity-ratio", "0.5",
                                  "--json", *options], cwd=PROJECT, check=True, capture_output=True, text=True)
@@ -193,17 +188,17 @@ class Browser(unittest.TestCase):
             paper, ink = self.brightness("body", "backgroundColor"), self.brightness("body", "color")
             self.assertGreater(abs(paper - ink), 0.7)
             self.assertEqual(paper < 0.2, dark)
-            labels = self.brightness(".chart .role-axis-label text", "fill")
+            labels = self.brightness(".chart .axis text", "fill")
             self.assertGreater(abs(paper - labels), 0.5)
 
     def test_on_paper_what_cannot_be_moved_is_left_out(self):
         self.open("zener")
         self.browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "print"})
         hidden = "return getComputedStyle(document.querySelector(arguments[0])).display === 'none'"
-        for selector in ["#explorer", "button.copy", ".skip"]:
+        for selector in ["#explorer", "button.copy", ".skip", ".save"]:
             self.assertTrue(self.run_script(hidden, selector), selector)
         self.assertFalse(self.run_script(hidden, ".chart"))
-        folded = "return document.querySelectorAll('details:not([open]):not(.latex):not(.data)').length"
+        folded = "return document.querySelectorAll('details:not([open]):not(.latex):not(.data):not(.save)').length"
         before = self.run_script(folded)
         self.assertGreater(before, 0)
         self.run_script("dispatchEvent(new Event('beforeprint'))")

@@ -15,9 +15,7 @@ import unicodedata
 import unittest
 from pathlib import Path
 
-from selenium import webdriver
-from selenium.webdriver.chrome.service import Service
-from selenium.webdriver.support.ui import WebDriverWait
+from browsing import browser, draw_charts
 
 PROJECT, PROGRAM = (str(Path(sys.argv.pop(1)).resolve()) for _ in range(2))
 SCENE = Path(PROJECT, "scenes/kelvin_rigid.toml").read_text()
@@ -35,7 +33,6 @@ LANGUAGES = {"c++": "critical.hpp", "c99": "critical.h", "python": "critical.py"
 DATA = "frequency,storage,loss\n" + "".join(f"{1e4 * x},{8e6 + 4e6 * x * x / (1 + x * x) + 1e4 * (i % 3)},"
                                              f"{4e6 * x / (1 + x * x)}\n"
                                              for i in range(17) for x in [10 ** (i / 8 - 1)])
-PATIENCE = 60  # seconds, for what takes one; the machine may be busy
 
 
 def scene(title):
@@ -191,22 +188,14 @@ class Tags(html.parser.HTMLParser):
 class Pages(Case):
     def setUp(self):
         super().setUp()
-        options = webdriver.ChromeOptions()
-        options.binary_location = "/usr/bin/chromium"
-        for argument in ["--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--disable-gpu", "--no-first-run",
-                         "--disable-background-networking", "--disable-component-update", "--disable-sync",
-                         f"--user-data-dir={self.folder}/profile"]:
-            options.add_argument(argument)
-        options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
-        self.browser = webdriver.Chrome(service=Service("/usr/bin/chromedriver"), options=options)
+        self.browser = browser(self.folder / "profile")
         self.addCleanup(self.browser.quit)
 
     def opened(self, page):
         for kind in ["browser", "performance"]:
             self.browser.get_log(kind)  # what was left of other pages
         self.browser.get(page.as_uri())
-        drawn = "return [...document.querySelectorAll('.chart')].every((c) => c.querySelector('svg'))"
-        WebDriverWait(self.browser, PATIENCE).until(lambda _: self.browser.execute_script(drawn))
+        draw_charts(self.browser)
 
     def nothing_happened(self, page):
         self.opened(page)

@@ -85,9 +85,6 @@ class Copy:
         head = self.run("git", "rev-parse", "HEAD", place=PROJECT).stdout.strip()
         self.run("git", "fetch", "--quiet", "origin", head)
         self.run("git", "checkout", "--quiet", "--force", "--detach", head)
-        assets, own = PROJECT / "validation/report/node_modules", folder / "validation/report/node_modules"
-        if not own.exists():
-            own.symlink_to(assets)
         self.run("cmake", "--preset", "release")
         self.targets = set(self.run("ninja", "-C", self.build, "-t", "targets", "all").stdout.split())
 

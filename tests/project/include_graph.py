@@ -87,7 +87,7 @@ INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^">]+)[">]', re.MULTILINE)
 def sources(root):
     for folder in ROOTS:
         for file in sorted((root / folder).rglob("*")):
-            if file.suffix in {".hpp", ".cpp", ".h", ".ipp"} and "node_modules" not in file.parts:
+            if file.suffix in {".hpp", ".cpp", ".h", ".ipp"}:
                 yield file
 
 

@@ -16,7 +16,7 @@ LONGEST = 400
 def files(root):
     for folder in FOLDERS:
         for file in sorted((root / folder).rglob("*")):
-            if file.is_file() and file.suffix in SUFFIXES and "node_modules" not in file.parts:
+            if file.is_file() and file.suffix in SUFFIXES:
                 yield file
 
 

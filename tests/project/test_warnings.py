@@ -44,7 +44,7 @@ class Warnings(unittest.TestCase):
 
     def test_are_not_silenced_in_a_source(self):
         files = [file for folder in FOLDERS for ending in ("*.cpp", "*.hpp", "*.c")
-                 for file in (PROJECT / folder).rglob(ending) if "node_modules" not in file.parts]
+                 for file in (PROJECT / folder).rglob(ending)]
         self.assertGreater(len(files), 600)
         found = {str(file.relative_to(PROJECT)) for file in files if SILENT.search(file.read_text())}
         self.assertEqual(found, WRITES_CODE)

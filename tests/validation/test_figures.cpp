@@ -9,8 +9,8 @@
 
 #include "base/files.hpp"
 #include "compiler.hpp"
+#include "figures/figure_json.hpp"
 #include "figures/gnuplot.hpp"
-#include "figures/vega_lite.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_figures)
 
@@ -43,12 +43,6 @@ Figure everything() {
   return figure;
 }
 
-const ordered_json& layer_with(const ordered_json& spec, const std::string& mark) {
-  for (const ordered_json& layer : spec["layer"])
-    if (layer["mark"]["type"] == mark) return layer;
-  throw std::runtime_error("no " + mark);
-}
-
 }  // namespace
 
 // Middles 1, 10, 100: halfway by ratio, and as far beyond the outer ones.
@@ -64,53 +58,101 @@ BOOST_AUTO_TEST_CASE(edges_lie_halfway) {
   BOOST_TEST(even == by_hand, boost::test_tools::per_element());
 }
 
+// There is no place for -1 on a logarithmic axis, and none for what is no number anywhere.
 BOOST_AUTO_TEST_CASE(gaps_are_null_and_the_rest_is_there) {
-  const ordered_json spec = vega_lite(everything());
-  const ordered_json& line = layer_with(spec, "line")["data"]["values"];
-  BOOST_TEST(line.size() == 3u);
-  BOOST_TEST(line[1]["y"].is_null());
-  BOOST_TEST(line[2]["x"] == 100);
-  const ordered_json& circles = layer_with(spec, "point")["data"]["values"];
-  BOOST_TEST(circles[0]["x"].is_null());  // no place for -1 on a logarithmic axis
-  BOOST_TEST(circles[1]["words"] == "here");
+  const ordered_json series = figure_json(everything())["series"];
+  BOOST_TEST(series[0]["points"].dump() == "[[1.0,0.0],[10.0,null],[100.0,1.0]]");
+  BOOST_TEST(series[1]["points"].dump() == R"([[null,0.5,"negative"],[10.0,0.5,"here"]])");
+  BOOST_TEST(series[2]["points"].dump() == "[[10.0,0.2],[100.0,0.4]]");
+}
+
+BOOST_AUTO_TEST_CASE(numbers_have_seven_digits) {
+  Figure figure = everything();
+  figure.series = {{"", Style::line, {{1 / 3.0, 2e10 / 3, ""}}, 0}};
+  BOOST_TEST(figure_json(figure)["series"][0]["points"].dump() == "[[0.3333333,6666667000.0]]");
+}
+
+BOOST_AUTO_TEST_CASE(series_have_their_name_style_and_colour) {
+  Figure figure = everything();
+  std::vector<std::string> names;
+  for (const Style style : {Style::line, Style::dashed, Style::dotted, Style::circles, Style::dots,
+                            Style::crosses, Style::bars}) {
+    figure.series = {{"<a>", style, {{1, 0, ""}, {10, 1, ""}}, 3}};
+    const ordered_json series = figure_json(figure)["series"][0];
+    BOOST_TEST(series["name"] == "<a>");
+    BOOST_TEST(series["colour"] == palette(3));
+    BOOST_TEST(series.contains("edges") == (style == Style::bars));
+    names.push_back(series["style"]);
+  }
+  const std::vector<std::string> expected{"line", "dashed",  "dotted", "circles",
+                                          "dots", "crosses", "bars"};
+  BOOST_TEST(names == expected, boost::test_tools::per_element());
+}
+
+// Middles 10 and 100: halfway by ratio.
+BOOST_AUTO_TEST_CASE(bars_have_edges) {
+  BOOST_TEST(figure_json(everything())["series"][2]["edges"].dump() ==
+             "[3.162278,31.62278,316.2278]");
+}
+
+BOOST_AUTO_TEST_CASE(bands_and_rules_are_there) {
+  const ordered_json record = figure_json(everything());
+  BOOST_TEST(record["bands"][0]["from"] == 2);
+  BOOST_TEST(record["bands"][0]["to"] == 5);
+  BOOST_TEST(record["bands"][0]["words"] == "stick");
+  BOOST_TEST(record["rules"][0]["at"] == 30);
+  BOOST_TEST(record["rules"][0]["horizontal"] == false);
+  BOOST_TEST(record["rules"][0]["words"] == "`rm`");
+  BOOST_TEST(record["rules"][1]["at"] == 0.7);
+  BOOST_TEST(record["rules"][1]["horizontal"] == true);
 }
 
 // Rows 0 and 1 have edges -0.5, 0.5, 1.5; columns 1, 10, 100 those halfway by ratio.
 BOOST_AUTO_TEST_CASE(a_map_is_its_edges_and_values) {
-  const ordered_json spec = vega_lite(everything());
-  const ordered_json& grid = spec["layer"][0]["data"]["grid"];
-  BOOST_TEST(grid["x"].dump() == "[0.3162278,3.162278,31.62278,316.2278]");
-  BOOST_TEST(grid["y"].dump() == "[-0.5,0.5,1.5]");
-  BOOST_TEST(grid["v"].dump() == "[1.0,2.0,3.0,4.0,null,6.0]");
+  const ordered_json map = figure_json(everything())["map"];
+  BOOST_TEST(map["value"]["title"] == "value");
+  BOOST_TEST(map["x"].dump() == "[0.3162278,3.162278,31.62278,316.2278]");
+  BOOST_TEST(map["y"].dump() == "[-0.5,0.5,1.5]");
+  BOOST_TEST(map["values"].dump() == "[1.0,2.0,3.0,4.0,null,6.0]");
+  BOOST_TEST(!map.contains("colours"));
 }
 
-// Values with words are classes: each has its colour of the palette, and its words in the legend.
+// Values with words are classes: each has its colour of the palette.
 BOOST_AUTO_TEST_CASE(a_map_of_classes) {
   Figure figure = everything();
   figure.map->value.ticks = {{0, "stick"}, {2, "apart"}};
   figure.map->values = {0, 2, 0, 2, 0, 0};
-  const ordered_json fill = vega_lite(figure)["layer"][0]["encoding"]["fill"];
-  BOOST_TEST(fill["type"] == "ordinal");
-  BOOST_TEST(fill["scale"]["domain"].dump() == "[0.0,2.0]");
-  BOOST_TEST(fill["scale"]["range"][1] == palette(2));
-  BOOST_TEST(fill["legend"]["labelExpr"].get<std::string>().find("apart") != std::string::npos);
+  const ordered_json map = figure_json(figure)["map"];
+  BOOST_TEST(map["value"]["ticks"].dump() == R"([[0.0,"stick"],[2.0,"apart"]])");
+  BOOST_TEST(map["colours"].dump() == ordered_json({palette(0), palette(2)}).dump());
   const std::string script = gnuplot(figure);
   BOOST_TEST(script.find("set palette maxcolors 3 ") != std::string::npos);
   BOOST_TEST(script.find("set cbrange [-0.5:2.5]") != std::string::npos);
 }
 
-BOOST_AUTO_TEST_CASE(one_entry_of_the_legend_for_one_name) {
-  const ordered_json spec = vega_lite(everything());
-  BOOST_TEST(layer_with(spec, "line")["encoding"]["color"]["scale"]["domain"].dump() == "[\"a\"]");
+BOOST_AUTO_TEST_CASE(axes_have_their_scale_range_and_words) {
+  const ordered_json record = figure_json(everything());
+  BOOST_TEST(record["x"].dump() ==
+             R"({"title":"frequency, Hz","logarithmic":true,"range":[1.0,1000.0]})");
+  BOOST_TEST(record["y"]["logarithmic"] == false);
+  BOOST_TEST(record["y"]["ticks"].dump() == R"([[0.0,"none"],[1.0,"one"]])");
 }
 
-BOOST_AUTO_TEST_CASE(axes_have_their_scale_range_and_words) {
-  const ordered_json spec = vega_lite(everything());
-  const ordered_json& encoding = layer_with(spec, "line")["encoding"];
-  BOOST_TEST(encoding["x"]["scale"]["type"] == "log");
-  BOOST_TEST(encoding["x"]["scale"]["domain"].dump() == "[1.0,1000.0]");
-  BOOST_TEST(encoding["x"]["title"] == "frequency, Hz");
-  BOOST_TEST(encoding["y"]["axis"]["values"].dump() == "[0.0,1.0]");
+// A map fills its picture; without one the data say what an axis without a range shows.
+BOOST_AUTO_TEST_CASE(a_map_gives_axes_their_range) {
+  Figure figure = everything();
+  figure.x.range.reset();
+  BOOST_TEST(figure_json(figure)["x"]["range"].dump() == "[0.3162278,316.2278]");
+  BOOST_TEST(figure_json(figure)["y"]["range"].dump() == "[-0.5,1.5]");
+  figure.map.reset();
+  BOOST_TEST(!figure_json(figure)["x"].contains("range"));
+}
+
+BOOST_AUTO_TEST_CASE(text_in_a_record_stays_text) {
+  const ordered_json record = figure_json(everything());
+  BOOST_TEST(record["name"] == "everything");
+  BOOST_TEST(record["title"] == "Title\nwith `two` 'lines'");
+  BOOST_TEST(record["height"] == 320);
 }
 
 // Nothing in a script can begin a line or a substitution of its own.

@@ -32,10 +32,10 @@ PaperContents contents() {
 /// Without scripts and style.
 std::string page_of(const PaperContents& what) {
   std::string html = paper_page(what);
-  for (const Script& script : scripts()) {
-    const auto at = html.find(script.text);
+  for (const std::string_view script : scripts()) {
+    const auto at = html.find(script);
     BOOST_REQUIRE(at != html.npos);
-    html.erase(at, script.text.size());
+    html.erase(at, script.size());
   }
   const auto style_at = html.find(style());
   BOOST_REQUIRE(style_at != html.npos);

@@ -3,7 +3,29 @@
 #include <array>
 #include <cmath>
 
+#include "base/errors.hpp"
+
 namespace vcrit::validation::figures {
+
+const char* name_of(Style style) {
+  switch (style) {
+    case Style::line:
+      return "line";
+    case Style::dashed:
+      return "dashed";
+    case Style::dotted:
+      return "dotted";
+    case Style::circles:
+      return "circles";
+    case Style::dots:
+      return "dots";
+    case Style::crosses:
+      return "crosses";
+    case Style::bars:
+      return "bars";
+  }
+  throw Bug("a style without a name");
+}
 
 const char* palette(int colour) {
   static constexpr std::array colours{"#2090ad", "#d07a28", "#8a8f98", "#7a6bc4",

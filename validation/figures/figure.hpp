@@ -1,5 +1,5 @@
-// What a picture shows, whoever draws it: Vega-Lite in the page (vega_lite.hpp), gnuplot for papers
-// (gnuplot.hpp). Plain data, in the units that the axes name.
+// What a picture shows, whoever draws it: charts.js in the page (figure_json.hpp), gnuplot for
+// papers (gnuplot.hpp). Plain data, in the units that the axes name.
 #pragma once
 
 #include <optional>
@@ -23,6 +23,9 @@ struct Point {
 };
 
 enum class Style { line, dashed, dotted, circles, dots, crosses, bars };
+
+/// As written above.
+const char* name_of(Style style);
 
 /// Series of one name share one entry of the legend and one colour; one without a name has none.
 struct FigureSeries {

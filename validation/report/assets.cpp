@@ -1,10 +1,13 @@
 #include "report/assets.hpp"
 
-#define VCRIT_SCRIPT(symbol, name, version) \
-  extern "C" const char vcrit_##symbol[], vcrit_##symbol##_end[];
-#include "asset_scripts.inc"
-#undef VCRIT_SCRIPT
-extern "C" const char vcrit_style[], vcrit_style_end[], vcrit_explorer[], vcrit_explorer_end[];
+#define VCRIT_ASSET(name) extern "C" const char vcrit_##name[], vcrit_##name##_end[]
+VCRIT_ASSET(style);
+VCRIT_ASSET(page);
+VCRIT_ASSET(scales);
+VCRIT_ASSET(drawing);
+VCRIT_ASSET(charts);
+VCRIT_ASSET(explorer);
+#undef VCRIT_ASSET
 
 namespace vcrit::validation::report {
 
@@ -16,13 +19,10 @@ std::string_view between(const char* begin, const char* end) {
 
 }  // namespace
 
-const std::vector<Script>& scripts() {
-  static const std::vector<Script> all{
-#define VCRIT_SCRIPT(symbol, name, version) \
-  {name, version, between(vcrit_##symbol, vcrit_##symbol##_end)},
-#include "asset_scripts.inc"
-#undef VCRIT_SCRIPT
-  };
+const std::vector<std::string_view>& scripts() {
+  static const std::vector<std::string_view> all{
+      between(vcrit_page, vcrit_page_end), between(vcrit_scales, vcrit_scales_end),
+      between(vcrit_drawing, vcrit_drawing_end), between(vcrit_charts, vcrit_charts_end)};
   return all;
 }
 

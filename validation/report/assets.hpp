@@ -1,19 +1,13 @@
-// What every page carries with it: the style, the charting packages, the page's own script.
+// What every page carries with it: the style and the scripts.
 #pragma once
 
-#include <string>
 #include <string_view>
 #include <vector>
 
 namespace vcrit::validation::report {
 
-struct Script {
-  std::string name, version;
-  std::string_view text;
-};
-
-/// In the order in which they must run.
-const std::vector<Script>& scripts();
+/// Of a page with charts, in the order in which they must run.
+const std::vector<std::string_view>& scripts();
 
 std::string_view style();
 

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "figures/vega_lite.hpp"
+#include "figures/figure_json.hpp"
 #include "report/html.hpp"
 
 namespace vcrit::validation::report {
@@ -15,7 +15,7 @@ std::string drawn(const figures::Figure& figure, const std::string& heading) {
   return fmt::format(
       "<figure id=\"{}\">{}<div class=\"chart\" role=\"group\" aria-label=\"{}\"></div>"
       "<script type=\"application/json\">{}</script><figcaption>{}</figcaption></figure>\n",
-      escape(figure.name), heading, escape(figure.title), json_for_page(vega_lite(figure)),
+      escape(figure.name), heading, escape(figure.title), json_for_page(figure_json(figure)),
       escape(figure.caption));
 }
 

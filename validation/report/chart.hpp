@@ -8,7 +8,7 @@
 
 namespace vcrit::validation::report {
 
-/// A figure with its caption; page.js draws it.
+/// A figure with its caption; charts.js draws it.
 std::string chart(const figures::Figure& figure);
 
 /// The same side by side where there is room for two, each under its title.

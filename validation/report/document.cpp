@@ -17,7 +17,7 @@ namespace {
 std::vector<std::string_view> scripts_of(const Document& content) {
   std::vector<std::string_view> result;
   if (content.charts)
-    for (const Script& script : scripts()) result.push_back(script.text);
+    for (const std::string_view script : scripts()) result.push_back(script);
   result.insert(result.end(), content.scripts.begin(), content.scripts.end());
   return result;
 }

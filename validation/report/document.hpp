@@ -10,7 +10,7 @@ namespace vcrit::validation::report {
 struct Document {
   std::string title;                 ///< as text
   std::string body;                  ///< as HTML
-  bool charts = false;               ///< brings the charting packages and the page's own script
+  bool charts = false;               ///< brings the scripts that draw them
   std::vector<std::string> scripts;  ///< further ones, which run after them
 };
 

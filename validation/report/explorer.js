@@ -35,7 +35,7 @@ const vcrit_explorer = (() => {
 
   function response(p) {
     const values = vcrit_scene.critical_velocity_batch(p, Float64Array.from(data.omegas));
-    return data.omegas.map((x, n) => ({ x, y: values[n] > 0 && values[n] < Infinity ? values[n] : null, n }));
+    return data.omegas.map((omega, n) => [omega, values[n] > 0 && values[n] < Infinity ? values[n] : null]);
   }
 
   // The amplitude of the normal force over its mean; it needs the elements of the scene.
@@ -54,7 +54,7 @@ const vcrit_explorer = (() => {
   function friction() {
     const ratio = normalRatio();
     if (!(ratio < 1)) return [];
-    return data.grid.ratios.map((x, n) => ({ x, y: frictionAt(stop(), n, ratio), n }));
+    return data.grid.ratios.map((speed, n) => [speed, frictionAt(stop(), n, ratio)]);
   }
 
   function warning() {
@@ -65,12 +65,7 @@ const vcrit_explorer = (() => {
     return inside ? "" : "Not admissible: the contact would open, and v* does not hold.";
   }
 
-  const views = {};
-
-  function redraw(name, rows) {
-    if (!views[name]) return;
-    views[name].change("now", vega.changeset().remove(() => true).insert(rows)).run();
-  }
+  const chart = (name) => document.getElementById(`explored-${name}`);
 
   function update() {
     const p = parameters();
@@ -83,13 +78,8 @@ const vcrit_explorer = (() => {
     shown.textContent = quantity(velocity, "m/s");
     shown.dataset.value = String(velocity);
     document.getElementById("explored-warning").textContent = warning();
-    redraw("response", response(p));
-    if (data.grid) redraw("friction", friction());
-  }
-
-  async function draw(name) {
-    const chart = document.getElementById(`explored-${name}`);
-    views[name] = (await vegaEmbed(chart, data[name], drawing(chart))).view;
+    vcrit_charts.update(chart("response"), "now", response(p));
+    if (data.grid) vcrit_charts.update(chart("friction"), "now", friction());
   }
 
   for (const input of inputs) input.addEventListener("input", update);
@@ -97,7 +87,7 @@ const vcrit_explorer = (() => {
     for (const input of inputs) input.value = "0";
     update();
   });
+  for (const name of ["response", ...(data.grid ? ["friction"] : [])]) vcrit_charts.show(chart(name), data[name]);
   update();
-  Promise.all(["response", ...(data.grid ? ["friction"] : [])].map(draw)).then(update);
   return { friction };
 })();

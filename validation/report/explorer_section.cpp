@@ -5,7 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "figures/vega_lite.hpp"
+#include "figures/figure_json.hpp"
 #include "report/assets.hpp"
 #include "report/html.hpp"
 #include "report/scene_figures.hpp"
@@ -32,33 +32,24 @@ std::string slider(const Slider& slider, std::size_t number, bool coarse) {
       coarse ? "0.2" : "0.05", escape(name + ", " + slider.meaning));
 }
 
-/// Drawn again and again: the series named "now" is what the sliders say.
-ordered_json specification(const Figure& figure) {
-  ordered_json spec = vega_lite(figure);
-  for (ordered_json& layer : spec["layer"])
-    if (layer["encoding"].contains("color") &&
-        layer["encoding"]["color"].value("datum", "") == "now")
-      layer["data"]["name"] = "now";
-  return spec;
-}
-
-ordered_json response_specification(const SceneReport& report) {
+/// The series named "now" is what the sliders say; explorer.js gives it new points.
+ordered_json response_chart(const SceneReport& report) {
   Figure figure = velocity_response_figure(report);
   const FigureSeries own = figure.series.back();
   figure.series = {{"this scene", Style::dashed, own.points, 2},
                    {"now", Style::line, own.points, 0}};
   figure.rules.resize(1);
   figure.height = 260;
-  return specification(figure);
+  return figure_json(figure);
 }
 
-ordered_json friction_specification(const SceneReport& report) {
+ordered_json friction_chart(const SceneReport& report) {
   Figure figure = friction_figure(report);
   const FigureSeries own = figure.series.front();
   figure.series = {{"this scene", Style::dashed, own.points, 2},
                    {"now", Style::line, own.points, 0}};
   figure.height = 260;
-  return specification(figure);
+  return figure_json(figure);
 }
 
 ordered_json slider_json(const Slider& slider) {
@@ -85,15 +76,14 @@ ordered_json grid_json(const FrictionGrid& grid) {
 
 ordered_json data(const SceneReport& report) {
   const Explorer& explorer = *report.explorer;
-  ordered_json object{{"sliders", ordered_json::array()},
-                      {"response", response_specification(report)}};
+  ordered_json object{{"sliders", ordered_json::array()}, {"response", response_chart(report)}};
   for (const Slider& slider : explorer.sliders) object["sliders"].push_back(slider_json(slider));
   ordered_json omegas = ordered_json::array();
   for (const ResponsePoint& point : report.response.points) omegas.push_back(point.omega);
   object["omegas"] = std::move(omegas);
   if (explorer.friction && !report.curve.empty()) {
     object["grid"] = grid_json(*explorer.friction);
-    object["friction"] = friction_specification(report);
+    object["friction"] = friction_chart(report);
   }
   return object;
 }

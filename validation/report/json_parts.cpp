@@ -8,32 +8,11 @@ using nlohmann::ordered_json;
 
 namespace {
 
-const char* style_name(figures::Style style) {
-  using figures::Style;
-  switch (style) {
-    case Style::line:
-      return "line";
-    case Style::dashed:
-      return "dashed";
-    case Style::dotted:
-      return "dotted";
-    case Style::circles:
-      return "circles";
-    case Style::dots:
-      return "dots";
-    case Style::crosses:
-      return "crosses";
-    case Style::bars:
-      return "bars";
-  }
-  throw Bug("a style without a name");
-}
-
 ordered_json series_json(const figures::FigureSeries& series) {
   ordered_json points = ordered_json::array();
   for (const figures::Point& point : series.points)
     points.push_back({json_number(point.x), json_number(point.y)});
-  return {{"name", series.name}, {"style", style_name(series.style)}, {"points", points}};
+  return {{"name", series.name}, {"style", name_of(series.style)}, {"points", points}};
 }
 
 }  // namespace

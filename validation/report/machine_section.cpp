@@ -2,16 +2,9 @@
 
 #include <fmt/core.h>
 
-#include "report/assets.hpp"
 #include "report/html.hpp"
 
 namespace vcrit::validation::report {
-
-Machine machine_and_parts() {
-  Machine machine = this_machine();
-  for (const Script& script : scripts()) machine.versions.emplace_back(script.name, script.version);
-  return machine;
-}
 
 std::string machine_section(const Origin& origin) {
   const Machine& machine = origin.machine;

@@ -13,9 +13,6 @@ struct Origin {
   std::string command;
 };
 
-/// This machine, with the packages that draw the charts among its versions.
-Machine machine_and_parts();
-
 std::string machine_section(const Origin& origin);
 
 }  // namespace vcrit::validation::report

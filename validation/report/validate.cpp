@@ -93,7 +93,7 @@ std::vector<ordered_json> work_on(const std::vector<Scene>& scenes, const Reques
 Validation validate(const Request& request, const Watch& watch) {
   const std::vector<Scene> scenes = read_all(request.files);
   if (!request.figures.empty()) require_gnuplot();
-  const Origin origin{machine_and_parts(), command(request.files)};
+  const Origin origin{this_machine(), command(request.files)};
   const std::vector<ordered_json> all = work_on(scenes, request, origin.machine, watch);
   Validation validation;
   std::vector<ordered_json> data;
@@ -116,7 +116,7 @@ Validation validate(const Request& request, const Watch& watch) {
 Validation validate_paper(const Request& request, const Watch& watch) {
   if (!request.figures.empty()) require_gnuplot();
   const auto progress = [&](const std::string& step) { watch({0, 1, {{"the paper", step}}}); };
-  return report_paper({{machine_and_parts(), paper_command}, paper::go_through(progress)}, request,
+  return report_paper({{this_machine(), paper_command}, paper::go_through(progress)}, request,
                       watch);
 }
 

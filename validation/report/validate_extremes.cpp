@@ -10,7 +10,7 @@ namespace vcrit::validation::report {
 
 Validation validate_extremes(const Request& request, const Watch& watch) {
   if (!request.figures.empty()) require_gnuplot();
-  return report_extremes({{machine_and_parts(), extremes_command}, extremes::go_to_extremes(watch)},
+  return report_extremes({{this_machine(), extremes_command}, extremes::go_to_extremes(watch)},
                          request, watch);
 }
 

@@ -1,0 +1,91 @@
+"""For tests of pages: Debian's Chromium without a window, and what the charts in it show."""
+
+import math
+import re
+
+from selenium import webdriver
+from selenium.webdriver.chrome.service import Service
+from selenium.webdriver.support.ui import WebDriverWait
+
+PATIENCE = 60  # seconds, for what takes one; the machine may be busy
+
+# Chromium's sandbox does not work for root, and the small /dev/shm of containers is not enough for it.
+ARGUMENTS = ["--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--disable-gpu",
+             "--window-size=1200,900", "--disable-background-networking", "--no-first-run",
+             "--disable-component-update", "--disable-sync"]
+
+DRAWN = "return [...document.querySelectorAll('.chart')].every((chart) => chart.querySelector('svg'))"
+
+CHARTS = """return [...document.querySelectorAll('.chart')].map((chart) => {
+    const beside = chart.nextElementSibling, explored = document.getElementById('explorer-data');
+    const all = (selector, told) => [...chart.querySelectorAll(selector)].map(told);
+    const ticks = (axis) => all(`.axis.${axis} .tick`, (tick) => ({ words: tick.textContent,
+        at: tick.transform.baseVal[0].matrix[axis === 'x' ? 'e' : 'f'] }));
+    return {
+        record: chart.record ?? (beside?.type === 'application/json' ? JSON.parse(beside.textContent)
+            : JSON.parse(explored.textContent)[chart.id.replace('explored-', '')]),
+        x: ticks('x'), y: ticks('y'),
+        titles: all('.axis .title', (title) => title.textContent),
+        legend: all('.legend .entry', (entry) => entry.textContent),
+        series: all('.series path', (path) => path.getAttribute('d')),
+        map: all('.map path', (path) => [path.getAttribute('fill'), path.getAttribute('d')]),
+        inner: Number(chart.querySelector('clipPath rect').getAttribute('width')),
+    };
+})"""
+
+
+def browser(profile):
+    options = webdriver.ChromeOptions()
+    options.binary_location = "/usr/bin/chromium"
+    for argument in [*ARGUMENTS, f"--user-data-dir={profile}"]:
+        options.add_argument(argument)
+    options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
+    return webdriver.Chrome(service=Service("/usr/bin/chromedriver"), options=options)
+
+
+def draw_charts(driver):
+    """All of them, also those far from the screen: as before printing."""
+    driver.execute_script("for (const kind of ['beforeprint', 'afterprint']) dispatchEvent(new Event(kind))")
+    WebDriverWait(driver, PATIENCE).until(lambda _: driver.execute_script(DRAWN))
+
+
+def number(words):
+    """A tick's words: 0.5, −2, 10⁻³, 5·10⁷."""
+    plain = words.replace("−", "-")
+    power = re.fullmatch(r"(-?)(?:([\d.]+)·)?10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)", plain)
+    if not power:
+        return float(plain)
+    exponent = power[3].translate(str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789"))
+    return float(f"{power[1]}{power[2] or 1}e{exponent}")
+
+
+class Ruler:
+    """Says by an axis's first and last words where a value must lie. Lengths are written with two decimals, so each
+    tick is off by 0.005 pixels at most, and between ticks (or as far again beyond them) a place is by less than 0.02."""
+
+    EXACT = 0.03
+
+    def __init__(self, ticks, axis):
+        self.logarithmic = axis["logarithmic"]
+        self.named = [(number(tick["words"]), tick["at"]) for tick in ticks if tick["words"]]
+        (low, self.start), (high, end) = self.named[0], self.named[-1]
+        self.low = self.measure(low)
+        self.step = (end - self.start) / (self.measure(high) - self.low)
+
+    def measure(self, value):
+        return math.log10(value) if self.logarithmic else value
+
+    def place(self, value):
+        return self.start + (self.measure(value) - self.low) * self.step
+
+    def value(self, place):
+        measured = self.low + (place - self.start) / self.step
+        return 10**measured if self.logarithmic else measured
+
+
+def places(style, path):
+    """Where a series' path goes: (whether it begins anew, x, y)."""
+    found = {"circles": r"(M)([-\d.]+) ([-\d.]+)a3\.3 ", "dots": r"(M)([-\d.]+) ([-\d.]+)a3\.1 ",
+             "crosses": r"(M)([-\d.]+) ([-\d.]+)h8"}.get(style, r"([ML])([-\d.]+) ([-\d.]+)")
+    aside = {"circles": 3.3, "dots": 3.1, "crosses": 4}.get(style, 0)
+    return [(begin == "M", float(x) + aside, float(y)) for begin, x, y in re.findall(found, path)]

@@ -1,0 +1,296 @@
+// Draws a figure as SVG, from its record (figures/figure_json.hpp). Texts of a record may come from
+// anybody: they become text and attributes, never markup.
+"use strict";
+
+const vcrit_drawing = (() => {
+  const { numberWords, scaleOf } = vcrit_scales;
+  // For a picture that leaves the page; in it the style sheet has the last word on them.
+  const ink = "#1d2126", soft = "#5d6470", frame = "#a9afb8", faint = "#e2e5ea", paper = "#ffffff";
+  const fontSize = 12, family = "system-ui, sans-serif", row = 18, lineHeight = 15;  // pixels, as all lengths
+
+  const looks = {
+    line: { "stroke-width": 2.2 },
+    dashed: { "stroke-width": 1.6, "stroke-dasharray": "6 4" },
+    dotted: { "stroke-width": 1.6, "stroke-dasharray": "2 3" },
+    circles: { "stroke-width": 1.6 },
+    dots: { filled: true },
+    crosses: { "stroke-width": 2 },
+    bars: { filled: true, opacity: 0.6 },
+  };
+  const viridis = ["#440154", "#472d7b", "#3b528b", "#2c728e", "#21918c", "#28ae80", "#5ec962", "#addc30", "#fde725"]
+    .map((colour) => [1, 3, 5].map((i) => parseInt(colour.slice(i, i + 2), 16)));
+
+  const ruler = document.createElement("canvas").getContext("2d");
+  ruler.font = `${fontSize}px ${family}`;
+  const widthOf = (text) => ruler.measureText(text).width;
+
+  function add(parent, name, attributes = {}, text = "") {
+    const node = document.createElementNS("http://www.w3.org/2000/svg", name);
+    for (const [key, value] of Object.entries(attributes)) node.setAttribute(key, value);
+    node.textContent = text;
+    return parent.appendChild(node);
+  }
+
+  const short = (length) => Math.round(100 * length) / 100;
+
+  // Of 256 colours from dark to light that of a part of the scale.
+  function colourAt(part) {
+    const at = Math.round(255 * Math.min(1, Math.max(0, part))) / 255 * (viridis.length - 1);
+    const i = Math.min(viridis.length - 2, Math.floor(at));
+    const mixed = viridis[i].map((from, k) => Math.round(from + (viridis[i + 1][k] - from) * (at - i)));
+    return `rgb(${mixed.join(",")})`;
+  }
+
+  // What an axis has to show, if it has no range of its own.
+  function* shownOn(figure, horizontal) {
+    const place = horizontal ? 0 : 1;
+    for (const series of figure.series) {
+      for (const point of series.points) if (point[0] !== null && point[1] !== null) yield point[place];
+      if (series.edges && horizontal) yield* series.edges;
+      if (series.edges && !horizontal && !figure.y.logarithmic) yield 0;
+    }
+    for (const rule of figure.rules) if (rule.horizontal !== horizontal) yield rule.at;
+    if (horizontal) for (const band of figure.bands) yield* [band.from, band.to];
+  }
+
+  // Entries one after the other, in as many rows as they need: each series' name once, or each class of a map.
+  function entriesOf(figure, width) {
+    const entries = (figure.map?.colours ?? []).map((colour, i) => ({ name: figure.map.value.ticks[i][1], colour }));
+    for (const series of figure.series) {
+      const known = entries.find((entry) => entry.name === series.name && entry.series);
+      if (known) known.series.push(series);
+      else if (series.name) entries.push({ name: series.name, series: [series] });
+    }
+    let x = figure.map?.colours ? widthOf(figure.map.value.title) + 14 : 0, y = 0;
+    for (const entry of entries) {
+      const space = 26 + widthOf(entry.name);
+      if (x > 0 && x + space > width) [x, y] = [0, y + row];
+      Object.assign(entry, { x, y });
+      x += space + 16;
+    }
+    return { entries, height: entries.length > 0 ? y + row + 6 : 0 };
+  }
+
+  // Where everything lies. Lengths are from the upper left corner of the frame, in which the data are.
+  function planOf(figure, width) {
+    const { height } = figure, y = scaleOf(figure.y, shownOn(figure, false), height / 45);
+    const left = short(22 + Math.max(40, 10 + Math.max(...y.ticks.map(({ words }) => widthOf(words)))));
+    const inner = Math.max(60, width - left - 16), x = scaleOf(figure.x, shownOn(figure, true), inner / 80);
+    const aside = width < 560 ? 0 : left;  // on a phone legends need the whole width
+    const colours = figure.map && !figure.map.colours ? 52 : 0;
+    const { entries, height: legend } = entriesOf(figure, width - aside - 30);
+    const top = colours + legend + 8;
+    return { figure, width, left, aside, top, inner, height, colours, entries, total: top + height + 46,
+             xTicks: x.ticks, yTicks: y.ticks,
+             x: (value) => short(inner * x.at(value)), y: (value) => short(height * (1 - y.at(value))) };
+  }
+
+  const inside = ({ inner, height }, x, y) => x >= -1 && x <= inner + 1 && y >= -1 && y <= height + 1;
+
+  function drawGrid(plan, into) {
+    const path = (named) =>
+      plan.xTicks.filter(({ words }) => !words === !named).map(({ at }) => `M${plan.x(at)} 0v${plan.height}`).join("") +
+      plan.yTicks.filter(({ words }) => !words === !named).map(({ at }) => `M0 ${plan.y(at)}h${plan.inner}`).join("");
+    const all = add(into, "g", { class: "grid", stroke: faint, "shape-rendering": "crispEdges" });
+    add(all, "path", { d: path(true) });
+    add(all, "path", { d: path(false), opacity: 0.6 });
+  }
+
+  function drawAxis(plan, into, horizontal) {
+    const { figure, inner, height, left } = plan, ticks = horizontal ? plan.xTicks : plan.yTicks;
+    const axis = add(into, "g", { class: `axis ${horizontal ? "x" : "y"}`, stroke: frame });
+    if (horizontal) axis.setAttribute("transform", `translate(0,${height})`);
+    add(axis, "path", { d: horizontal ? `M0 0h${inner}` : `M0 0v${height}` });
+    let free = -Infinity;  // from here on there is room for words
+    for (const { at, words } of ticks) {
+      const place = horizontal ? plan.x(at) : plan.y(at), half = widthOf(words) / 2, reach = words ? 5 : 3;
+      const where = horizontal ? `${place},0` : `0,${place}`;
+      const tick = add(axis, "g", { class: "tick", transform: `translate(${where})` });
+      add(tick, "path", { d: horizontal ? `M0 0v${reach}` : `M0 0h-${reach}` });
+      const low = horizontal ? place - half : height - place - 6;
+      if (!words || low < free) continue;
+      free = horizontal ? place + half + 8 : height - place + 8;
+      const aside = Math.min(0, inner + 14 - place - half);  // so that the last words end with the picture
+      add(tick, "text", horizontal ? { x: short(aside), y: 18, "text-anchor": "middle", stroke: "none" }
+        : { x: -8, y: 4, "text-anchor": "end", stroke: "none" }, words);
+    }
+    const middle = horizontal ? { x: short(inner / 2), y: 38 }
+      : { transform: `translate(${short(14 - left)},${height / 2}) rotate(-90)` };
+    add(axis, "text", { class: "title", "text-anchor": "middle", stroke: "none", ...middle },
+        horizontal ? figure.x.title : figure.y.title);
+  }
+
+  // Cells of one colour make one path.
+  function drawMap(plan, into) {
+    const { value, x, y, values, colours } = plan.figure.map, columns = x.length - 1, cells = new Map();
+    const scale = scaleOf(value, values, 5), classes = value.ticks?.map(([at]) => at);
+    values.forEach((v, n) => {
+      if (v === null) return;
+      const colour = colours ? colours[classes.indexOf(v)] : colourAt(scale.at(v));
+      const i = n % columns, j = (n - i) / columns;
+      const [left, right, low, high] = [plan.x(x[i]), plan.x(x[i + 1]), plan.y(y[j]), plan.y(y[j + 1])];
+      cells.set(colour, `${cells.get(colour) ?? ""}M${left} ${low}H${right}V${high}H${left}Z`);
+    });
+    const all = add(into, "g", { class: "map", "shape-rendering": "crispEdges", "clip-path": `url(#${plan.clip})` });
+    for (const [colour, d] of cells) add(all, "path", { d, fill: colour });
+  }
+
+  const disc = (x, y, r) => `M${short(x - r)} ${y}a${r} ${r} 0 1 0 ${2 * r} 0a${r} ${r} 0 1 0 ${-2 * r} 0`;
+  const marks = {
+    circles: (x, y) => disc(x, y, 3.3),
+    dots: (x, y) => disc(x, y, 3.1),
+    crosses: (x, y) => `M${short(x - 4)} ${y}h8M${x} ${short(y - 4)}v8`,
+  };
+
+  function barsPath(plan, { points, edges }) {
+    const ground = plan.figure.y.logarithmic ? plan.height : Math.min(plan.height, Math.max(0, plan.y(0)));
+    return points.map(([, y], i) => (y === null ? "" :
+      `M${plan.x(edges[i])} ${ground}V${plan.y(y)}H${plan.x(edges[i + 1])}V${ground}Z`)).join("");
+  }
+
+  // A point without a place is a gap.
+  function pathOf(plan, series) {
+    if (series.edges) return barsPath(plan, series);
+    const mark = marks[series.style];
+    let path = "", next = "M";
+    for (const [valueX, valueY] of series.points) {
+      const x = plan.x(valueX), y = plan.y(valueY), gap = Number.isNaN(x + y);
+      if (mark && inside(plan, x, y)) path += mark(x, y);
+      if (!mark && !gap) path += `${next}${x} ${y}`;
+      next = gap ? "M" : "L";
+    }
+    return path;
+  }
+
+  function paint({ style, colour }) {
+    const { filled, ...look } = looks[style];
+    return { class: style, fill: filled ? colour : "none", stroke: filled ? "none" : colour, ...look };
+  }
+
+  function drawSeries(plan, into) {
+    into.setAttribute("stroke-linejoin", "round");
+    for (const series of plan.figure.series) {
+      const clip = marks[series.style] ? {} : { "clip-path": `url(#${plan.clip})` };
+      add(into, "path", { ...paint(series), ...clip, "data-name": series.name, d: pathOf(plan, series) });
+    }
+  }
+
+  const meet = (a, b) =>
+    a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
+
+  // Words stay in the frame and keep off each other and, if they can, off lines: they take the first such place.
+  function free(plan, taken, boxes) {
+    const own = boxes.filter(({ x, y, width, height }) =>
+      x >= 0 && x + width <= plan.inner && y >= 0 && y + height <= plan.height);
+    const clear = (others) => own.find((box) => !others.some((other) => meet(box, other)));
+    return clear(taken) ?? clear(taken.filter(({ line }) => !line));
+  }
+
+  // Places for a rule's words: beside its line from the bottom up, or above and below it from the left.
+  function* placesAt(plan, rule) {
+    const size = { width: widthOf(rule.words), height: lineHeight };
+    if (rule.horizontal) {
+      const y = plan.y(rule.at);
+      for (let x = 6; x + size.width <= plan.inner; x += 20)
+        yield* [{ x, y: y - lineHeight - 2, ...size }, { x, y: y + 2, ...size }];
+      return;
+    }
+    const x = plan.x(rule.at);
+    for (let y = plan.height - 4 - lineHeight; y >= 0; y -= lineHeight)
+      yield* [{ x: x + 5, y, ...size }, { x: x - 5 - size.width, y, ...size }];
+  }
+
+  function drawWords(into, box, words) {
+    add(into, "text", { x: short(box.x), y: short(box.y + 12) }, words);
+  }
+
+  // Shades, each with its words at the top if they fit. `taken` grows by the boxes of words.
+  function drawBands(plan, into, wordsInto, taken) {
+    for (const { from, to, colour, words } of plan.figure.bands) {
+      const left = Math.max(0, plan.x(from)), width = short(Math.min(plan.inner, plan.x(to)) - left);
+      const own = widthOf(words);
+      if (!(width > 0)) continue;
+      add(into, "rect", { class: "band", x: left, y: 0, width, height: plan.height, fill: colour, opacity: 0.16 });
+      if (!words || own + 8 > width) continue;
+      const box = { x: left + (width - own) / 2, y: 2, width: own, height: lineHeight };
+      taken.push(box);
+      drawWords(wordsInto, box, words);
+    }
+  }
+
+  function drawRules(plan, into, wordsInto, taken) {
+    const { inner, height } = plan;
+    const shown = plan.figure.rules.filter(({ at, horizontal }) =>
+      (horizontal ? inside(plan, 0, plan.y(at)) : inside(plan, plan.x(at), 0)));
+    for (const { at, horizontal, colour } of shown) {
+      const [x, y] = horizontal ? [0, plan.y(at)] : [plan.x(at), 0];
+      add(into, "path", { class: "rule", d: `M${x} ${y}${horizontal ? `h${inner}` : `v${height}`}`, stroke: colour,
+                          "stroke-dasharray": "4 3" });
+      taken.push({ line: true, x, y, width: horizontal ? inner : 0, height: horizontal ? 0 : height });
+    }
+    for (const rule of shown.filter(({ words }) => words)) {
+      const box = free(plan, taken, [...placesAt(plan, rule)]);
+      if (!box) continue;
+      taken.push({ ...box, x: box.x - 8, width: box.width + 16 });
+      drawWords(wordsInto, box, rule.words);
+    }
+  }
+
+  function drawLegend(plan, into) {
+    const { figure: { map }, aside, colours } = plan;
+    const all = add(into, "g", { class: "legend", transform: `translate(${aside},${colours})` });
+    if (map?.colours) add(all, "text", { x: 0, y: 13 }, map.value.title);
+    for (const { name, x, y, colour, series } of plan.entries) {
+      const entry = add(all, "g", { class: "entry", transform: `translate(${short(x)},${y})` });
+      if (colour) add(entry, "rect", { x: 4, y: 3, width: 12, height: 12, fill: colour });
+      for (const each of series ?? []) {
+        const mark = marks[each.style]?.(10, 9) ?? (each.edges ? "M3 4H17V14H3Z" : "M0 9H20");
+        add(entry, "path", { ...paint(each), d: mark });
+      }
+      add(entry, "text", { x: 26, y: 13 }, name);
+    }
+  }
+
+  // The colours of a map, from its least to its largest value.
+  function drawColours(plan, into) {
+    const { value, values } = plan.figure.map, length = Math.min(260, plan.width - 60), steps = 64;
+    const look = { transform: `translate(${plan.aside},0)`, "shape-rendering": "crispEdges" };
+    const all = add(into, "g", { class: "colours", ...look }), scale = scaleOf(value, values, length / 60);
+    add(all, "text", { x: 0, y: 13 }, value.title);
+    for (let n = 0; n < steps; ++n)
+      add(all, "rect", { x: short(n * length / steps), y: 19, width: short(length / steps + 0.5), height: 11,
+                         fill: colourAt(n / (steps - 1)) });
+    for (const { at, words } of scale.ticks) {
+      const x = Math.max(widthOf(words) / 2, length * scale.at(at));
+      add(all, "text", { x: short(x), y: 44, "text-anchor": "middle" }, words);
+    }
+  }
+
+  let drawings = 0;
+
+  function drawingOf(plan) {
+    const { figure, width, total, left, top, inner, height } = plan;
+    const svg = document.createElementNS("http://www.w3.org/2000/svg", "svg");
+    const outer = { width, height: total, viewBox: `0 0 ${width} ${total}`, role: "img", "aria-label": figure.title,
+                    "font-family": family, "font-size": fontSize, fill: ink };
+    for (const [key, each] of Object.entries(outer)) svg.setAttribute(key, each);
+    plan.clip = `frame-${++drawings}`;
+    add(add(svg, "clipPath", { id: plan.clip }), "rect", { x: 0, y: -1, width: inner, height: height + 2 });
+    if (plan.colours) drawColours(plan, svg);
+    drawLegend(plan, svg);
+    const into = add(svg, "g", { class: "frame", transform: `translate(${left},${top})` });
+    if (figure.map) drawMap(plan, into);
+    else drawGrid(plan, into);
+    const [bands, series, rules] = ["bands", "series", "rules"].map((name) => add(into, "g", { class: name }));
+    const halo = { stroke: paper, "stroke-width": 3, "stroke-linejoin": "round", "paint-order": "stroke" };
+    const words = add(into, "g", { class: "words", fill: soft, ...halo });
+    const taken = [];
+    drawBands(plan, bands, words, taken);
+    drawSeries(plan, series);
+    drawRules(plan, rules, words, taken);
+    for (const horizontal of [true, false]) drawAxis(plan, into, horizontal);
+    return svg;
+  }
+
+  return { add, drawingOf, inside, planOf, short };
+})();
