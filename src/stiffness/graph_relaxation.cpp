@@ -1,37 +1,28 @@
 #include "stiffness/graph_relaxation.hpp"
 
+#include <arb_mat.h>
 #include <fmt/core.h>
 
-#include <Eigen/Dense>
 #include <algorithm>
-#include <boost/multiprecision/cpp_bin_float.hpp>
-#include <limits>
+#include <cmath>
 #include <numeric>
+#include <optional>
 
 #include "base/errors.hpp"
-
-namespace vcrit {
-
-using Real = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<100>,
-                                           boost::multiprecision::et_off>;
-
-}  // namespace vcrit
-
-// What Eigen 3.4 asks of a scalar; Boost 1.74's own header for this is older than that.
-template <>
-struct Eigen::NumTraits<vcrit::Real> : Eigen::GenericNumTraits<vcrit::Real> {
-  enum { RequireInitialization = 1, ReadCost = 20, AddCost = 40, MulCost = 200 };
-  static int digits10() { return std::numeric_limits<vcrit::Real>::digits10; }
-};
+#include "stiffness/eigenmodes.hpp"
 
 namespace vcrit {
 
 namespace {
 
-using RealMatrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
-using RealVector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
+// The first is enough for most graphs. The last is more than graphs need whose elements span the
+// whole range of doubles.
+constexpr slong least_bits = 384, most_bits = 384 << 6;
 
-// Which nodes hang together.
+// The error of modes_coupled_to_last_row() is below 2^24 roundings for up to most_modes rows.
+constexpr slong log2_roundings = 24;
+
+// Nodes that are connected with each other.
 class Groups {
  public:
   explicit Groups(std::size_t count) : parent_(count) {
@@ -43,119 +34,238 @@ class Groups {
   }
   void join(std::size_t a, std::size_t b) { parent_[of(a)] = of(b); }
 
+  bool join_terminals() const { return of(0) == of(1); }
+  std::size_t without_terminal() const {
+    std::size_t count = 0;
+    for (std::size_t node = 0; node < parent_.size(); ++node)
+      if (parent_[node] == node && node != of(0) && node != of(1)) ++count;
+    return count;
+  }
+
  private:
   std::vector<std::size_t> parent_;
 };
 
-// The nodes, and one in the middle of each branch.
+struct Link {
+  std::size_t from, to;
+  BigFloat value;  // exact
+};
+
+// All springs between the nodes, or all dampers.
+struct Links {
+  explicit Links(std::size_t nodes) : groups(nodes) {}
+
+  void add(std::size_t from, std::size_t to, const BigFloat& value) {
+    ensure(value.is_finite(), "the forms of a graph are finite");
+    if (value == 0) return;
+    all.push_back({from, to, value});
+    groups.join(from, to);
+    total += value;
+  }
+
+  std::vector<Link> all;
+  Groups groups;
+  BigFloat total;
+};
+
+// All nodes, counting one inside each branch.
 std::size_t size_of(const RelaxationGraph& graph) {
   std::size_t count = graph.nodes;
   for (const Relaxation& edge : graph.edges) count += edge.branches.size();
   return count;
 }
 
-// Springs and dampers between nodes; node 1, a terminal, is held and has no row.
-class NodalPair {
- public:
-  explicit NodalPair(const RelaxationGraph& graph) : springs_(graph.nodes), dampers_(graph.nodes) {
-    const auto& [nodes, wires, edges] = graph;
-    const auto size = static_cast<Eigen::Index>(size_of(graph));
-    stiffness_ = damping_ = RealMatrix::Zero(size, size);
-    std::size_t inner = nodes;
-    for (std::size_t i = 0; i < edges.size(); ++i) {
-      const auto from = static_cast<std::size_t>(wires[i].from);
-      const auto to = static_cast<std::size_t>(wires[i].to);
-      if (edges[i].equilibrium > 0) springs_.join(from, to);
-      if (edges[i].damper > 0) dampers_.join(from, to);
-      stamp(stiffness_, from, to, edges[i].equilibrium);
-      stamp(damping_, from, to, edges[i].damper);
-      for (const MaxwellBranch& branch : edges[i].branches) {
-        stamp(stiffness_, from, inner, branch.stiffness);
-        stamp(damping_, inner++, to, Real(branch.stiffness) * branch.time);
+// The springs and dampers of a graph. A branch becomes a spring, a node and a damper.
+struct NodalPair {
+  explicit NodalPair(const RelaxationGraph& graph)
+      : nodes(size_of(graph)), springs(nodes), dampers(nodes) {
+    std::size_t middle = graph.nodes;
+    for (std::size_t i = 0; i < graph.edges.size(); ++i) {
+      const auto from = static_cast<std::size_t>(graph.wires[i].from);
+      const auto to = static_cast<std::size_t>(graph.wires[i].to);
+      springs.add(from, to, graph.edges[i].equilibrium);
+      dampers.add(from, to, graph.edges[i].damper);
+      for (const auto& [stiffness, time] : graph.edges[i].branches) {
+        springs.add(from, middle, stiffness);
+        dampers.add(middle++, to, BigFloat(stiffness, 2 * 53) * time);
       }
+    }
+    if (springs.total > 0 && dampers.total > 0)
+      log2_alpha = (springs.total / dampers.total).exponent();
+  }
+
+  std::size_t nodes;
+  Links springs, dampers;
+  slong log2_alpha = 0;  // any alpha will do, but one within the range of rates needs fewest bits
+};
+
+// A matrix of real balls that frees itself. Each node has a row, except terminal 1, which is held.
+// Terminal 0 has the last row.
+class NodalMatrix {
+ public:
+  NodalMatrix(std::size_t nodes, slong bits) : size_(static_cast<slong>(nodes) - 1), bits_(bits) {
+    arb_mat_init(matrix_, size_, size_);
+  }
+  NodalMatrix(const NodalMatrix&) = delete;
+  NodalMatrix& operator=(const NodalMatrix&) = delete;
+  ~NodalMatrix() { arb_mat_clear(matrix_); }
+
+  // Adds the links, each times 2^exponent.
+  void add(const Links& links, slong exponent) {
+    for (const auto& [from, to, value] : links.all) {
+      const BigFloat scaled = ldexp(value, exponent);
+      put(arb_add_arf, from, from, scaled);
+      put(arb_add_arf, to, to, scaled);
+      put(arb_sub_arf, from, to, scaled);
+      put(arb_sub_arf, to, from, scaled);
     }
   }
 
-  // Branches are open between springs as well as between dampers, so they join nothing.
-  bool springs_connect() const { return springs_.of(0) == springs_.of(1); }
-  bool dampers_connect() const { return dampers_.of(0) == dampers_.of(1); }
-
-  RealMatrix inner(const RealMatrix& m) const {
-    return m.bottomRightCorner(m.rows() - 2, m.cols() - 2);
+  // Replaces the matrix by its Cholesky factor L. Returns false unless it is proved to be positive
+  // definite and the last entry of L is accurate to more bits than a double has.
+  bool decompose() {
+    return arb_mat_cho(matrix_, matrix_, bits_) != 0 &&
+           arb_rel_accuracy_bits(arb_mat_entry(matrix_, size_ - 1, size_ - 1)) > 64;
   }
-  RealVector column(const RealMatrix& m) const { return m.col(0).tail(m.rows() - 2); }
-  const RealMatrix& stiffness() const { return stiffness_; }
-  const RealMatrix& damping() const { return damping_; }
+
+  // Replaces this matrix A by L^-1 A L^-T.
+  void transform(const NodalMatrix& l) {
+    for (int side = 0; side < 2; ++side) {
+      arb_mat_solve_tril(matrix_, l.matrix_, matrix_, 0, bits_);
+      arb_mat_transpose(matrix_, matrix_);
+    }
+  }
+
+  BigFloat middle(slong row, slong column) const {
+    return {*arb_midref(arb_mat_entry(matrix_, row, column)), bits_};
+  }
+  BigFloat last() const { return middle(size_ - 1, size_ - 1); }
+  SymmetricRows middles() const {
+    SymmetricRows rows(static_cast<std::size_t>(size_));
+    for (slong i = 0; i < size_; ++i)
+      for (slong k = 0; k <= i; ++k) rows[static_cast<std::size_t>(i)].push_back(middle(i, k));
+    return rows;
+  }
+
+  // n, where the true matrix differs from the middles by less than 2^n in norm.
+  slong log2_radius() const {
+    double largest = -most_bits;
+    for (slong i = 0; i < size_; ++i)
+      for (slong k = 0; k < size_; ++k)
+        largest =
+            std::max(largest, mag_get_d_log2_approx(arb_radref(arb_mat_entry(matrix_, i, k))));
+    largest = std::min(largest, static_cast<double>(most_bits));  // it may be infinite
+    return static_cast<slong>(largest + std::log2(size_)) + 1;
+  }
 
  private:
-  static void stamp(RealMatrix& m, std::size_t from, std::size_t to, const Real& value) {
-    const auto i = static_cast<Eigen::Index>(from), j = static_cast<Eigen::Index>(to);
-    m(i, i) += value;
-    m(j, j) += value;
-    m(i, j) -= value;
-    m(j, i) -= value;
+  using Operation = void(arb_ptr, arb_srcptr, arf_srcptr, slong);
+  void put(Operation* operation, std::size_t from, std::size_t to, const BigFloat& value) {
+    if (from == 1 || to == 1) return;
+    arb_ptr entry = arb_mat_entry(matrix_, row_of(from), row_of(to));
+    operation(entry, entry, value.get(), bits_);
+  }
+  slong row_of(std::size_t node) const {
+    return node == 0 ? size_ - 1 : static_cast<slong>(node) - 2;
   }
 
-  Groups springs_, dampers_;
-  RealMatrix stiffness_, damping_;
+  slong size_, bits_;
+  arb_mat_t matrix_{};
 };
 
-struct Branch {
-  Real stiffness, rate;
+struct LongBranch {
+  BigFloat stiffness, rate;
 };
 
-// K(s) collected term by term: equilibrium stiffness, direct damper, branches.
-class Collected {
- public:
-  Collected(const Real& a00, const Real& c00) : equilibrium_(a00), damper_(c00) {}
+// The relaxation form before it is rounded to doubles.
+struct LongForm {
+  BigFloat equilibrium, damper;
+  std::vector<LongBranch> branches;  // by decreasing rate
 
-  // (p + s q)^2/(mu + s nu), taken off.
-  void take_off(const Real& p, const Real& q, const Real& mu, const Real& nu) {
-    if (mu > tiny()) equilibrium_ -= p * p / mu;
-    if (nu <= tiny()) return;
-    damper_ -= q * q / nu;
-    if (mu <= tiny()) return;
-    const Real rate = mu / nu, force = p - q * rate;
-    branches_.push_back({force * force / mu, rate});
+  Relaxation rounded() const {
+    Relaxation form{equilibrium.to_double(), damper.to_double(), {}};
+    BigFloat together;
+    for (const auto& [stiffness, rate] : branches) {
+      if (stiffness <= 1e-30 * stiffness_at(rate)) continue;
+      const double time = (1 / rate).to_double();
+      if (form.branches.empty() || time - form.branches.back().time > 1e-15 * time) {
+        form.branches.push_back({0, time});
+        together = 0;
+      }
+      together += stiffness;
+      form.branches.back().stiffness = together.to_double();
+    }
+    return form;
   }
-
-  Relaxation form(bool springs_connect, bool dampers_connect) {
-    if (!springs_connect) equilibrium_ = 0;
-    if (!dampers_connect) damper_ = 0;
-    std::sort(branches_.begin(), branches_.end(),
-              [](const Branch& a, const Branch& b) { return a.rate > b.rate; });
-    Relaxation result{equilibrium_.convert_to<double>(), damper_.convert_to<double>(), {}};
-    for (const Branch& branch : branches_)
-      if (branch.stiffness > 1e-30 * stiffness_at(branch.rate)) add(result, branch);
-    return result;
-  }
-
-  // Eigenvalues of the scaled pair lie in [0, 1]; below this they are the rounding of zeros.
-  static Real tiny() { return Real("1e-85"); }
 
  private:
-  Real stiffness_at(const Real& s) const {
-    Real sum = equilibrium_ + damper_ * s;
-    for (const Branch& branch : branches_) sum += branch.stiffness * s / (s + branch.rate);
+  BigFloat stiffness_at(const BigFloat& s) const {
+    BigFloat sum = equilibrium + damper * s;
+    for (const auto& [stiffness, rate] : branches) sum += stiffness * s / (s + rate);
     return sum;
   }
-  static void add(Relaxation& form, const Branch& branch) {
-    const auto stiffness = branch.stiffness.convert_to<double>();
-    const auto time = Real(1 / branch.rate).convert_to<double>();
-    if (!form.branches.empty() && time - form.branches.back().time <= 1e-15 * time)
-      form.branches.back().stiffness += stiffness;
-    else
-      form.branches.push_back({stiffness, time});
-  }
-
-  Real equilibrium_, damper_;
-  std::vector<Branch> branches_;
 };
 
-// A rate within the range of the pair's own: it only has to keep both parts of the sum in sight.
-Real middle_rate(const RealMatrix& stiffness, const RealMatrix& damping) {
-  const Real a = stiffness.trace(), c = damping.trace();
-  return a > 0 && c > 0 ? Real(a / c) : Real(1);
+// The form of K/l^2 as a function of x = s/alpha, where l is the last entry of L:
+//   K/l^2 = corner + x (1 - corner) - (1 - x)^2 sum_j coupling_j^2/(mu_j + x (1 - mu_j)).
+class ShareForm {
+ public:
+  ShareForm(const NodalPair& pair, const BigFloat& corner, const std::vector<Eigenmode>& modes)
+      : form_{corner, 1 - corner, {}} {
+    // Each group of nodes that no spring (or no damper) joins to a terminal gives mu = 0 (or 1).
+    // These modes have no coupling.
+    const std::size_t first = pair.springs.groups.without_terminal();
+    for (std::size_t j = modes.size() - pair.dampers.groups.without_terminal(); j-- > first;)
+      take_off(modes[j]);
+    keep(form_.equilibrium, pair.springs.groups.join_terminals());
+    keep(form_.damper, pair.dampers.groups.join_terminals());
+  }
+
+  // Whether all numbers are accurate to 60 bits. An error e of the matrix changes a rate by a
+  // fraction of e/smallest. It changes the stiffness of a branch by a fraction of less than
+  // 2^110 e/smallest^2 if that is 1e-30 of K or more and the next time is 1e-15 away or more.
+  bool resolved(slong log2_error) const {
+    return smallest_ > 0 && 2 * (smallest_.exponent() - 1) >= log2_error + 110 + 60;
+  }
+
+  LongForm with_units(const BigFloat& l, slong log2_alpha) const {
+    LongForm form{l * l * form_.equilibrium, ldexp(l * l * form_.damper, -log2_alpha), {}};
+    for (const auto& [stiffness, rate] : form_.branches)
+      form.branches.push_back({l * l * stiffness, ldexp(rate, log2_alpha)});
+    return form;
+  }
+
+ private:
+  void take_off(const Eigenmode& mode) {
+    const BigFloat &mu = mode.value, nu = 1 - mu;
+    smallest_ = std::min({smallest_, mu, nu});
+    form_.equilibrium -= mode.squared_coupling / mu;
+    form_.damper -= mode.squared_coupling / nu;
+    form_.branches.push_back({mode.squared_coupling / (mu * nu * nu), mu / nu});
+  }
+  void keep(BigFloat& part, bool there) {
+    if (there)
+      smallest_ = std::min(smallest_, part);
+    else
+      part = 0;
+  }
+
+  LongForm form_;
+  BigFloat smallest_ = 1;  // of the parts, mu and 1 - mu that are not zero
+};
+
+std::optional<LongForm> form_with(const NodalPair& pair, slong bits) {
+  NodalMatrix shares(pair.nodes, bits), l(pair.nodes, bits);
+  shares.add(pair.springs, 0);
+  l.add(pair.springs, 0);
+  l.add(pair.dampers, pair.log2_alpha);
+  if (!l.decompose()) return {};
+  shares.transform(l);
+  const auto modes = modes_coupled_to_last_row(shares.middles());
+  if (!modes) return {};
+  const ShareForm form(pair, shares.last(), *modes);
+  if (!form.resolved(std::max(shares.log2_radius(), log2_roundings - bits) + 1)) return {};
+  return form.with_units(l.last(), pair.log2_alpha);
 }
 
 }  // namespace
@@ -167,21 +277,9 @@ Relaxation graph_relaxation(const RelaxationGraph& graph) {
                      fmt::format("{} inner nodes and branches after series and parallel", modes),
                      fmt::format("at most {}", most_modes));
   const NodalPair pair(graph);
-  Collected collected(pair.stiffness()(0, 0), pair.damping()(0, 0));
-  if (pair.stiffness().rows() > 2) {
-    const Real alpha = middle_rate(pair.stiffness(), pair.damping());
-    const RealMatrix a = pair.inner(pair.stiffness()) / alpha, c = pair.inner(pair.damping());
-    const Eigen::GeneralizedSelfAdjointEigenSolver<RealMatrix> modes(a, a + c);
-    ensure(modes.info() == Eigen::Success, "the nodal eigenproblem has a solution");
-    const RealVector p = modes.eigenvectors().transpose() * pair.column(pair.stiffness());
-    const RealVector q = modes.eigenvectors().transpose() * pair.column(pair.damping());
-    for (Eigen::Index j = 0; j < p.size(); ++j) {
-      const Real share = modes.eigenvalues()(j);  // A x/alpha = share (A/alpha + C) x
-      collected.take_off(p(j), q(j), share > Collected::tiny() ? Real(share * alpha) : Real(0),
-                         1 - share);
-    }
-  }
-  return collected.form(pair.springs_connect(), pair.dampers_connect());
+  for (slong bits = least_bits; bits <= most_bits; bits *= 2)
+    if (const auto form = form_with(pair, bits)) return form->rounded();
+  throw Bug("a relaxation form is beyond the longest numbers");
 }
 
 }  // namespace vcrit

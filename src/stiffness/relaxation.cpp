@@ -63,6 +63,7 @@ PoleSum pole_sum(const DualPoles& dual_poles) {
     sum.weights.push_back(dual_poles.at_rest);
   }
   for (std::size_t j = 0; j < dual_poles.rates.size(); ++j) {
+    if (dual_poles.weights[j] == 0) continue;  // it underflowed
     const double rate = dual_poles.rates[j].value();
     if (!sum.rates.empty() && sum.rates.back() >= rate) {
       sum.weights.back() += dual_poles.weights[j];  // two rates that round to one double

@@ -116,6 +116,31 @@ BOOST_AUTO_TEST_CASE(kelvin_chain_over_twenty_decades) {
   BOOST_TEST(largest_difference(series(units), values, 12) < tree_tolerance);
 }
 
+// Kelvin elements and a damper in series. Two of the elements hardly deform, and the stiffness of
+// their branches underflows: these branches must be absent. 1/K is a sum of few terms whose real
+// and imaginary parts have one sign each; reading K from the form adds as many roundings again: 30
+// u.
+BOOST_AUTO_TEST_CASE(stiffness_below_all_doubles_is_left_out) {
+  const std::vector<std::pair<double, double>> units{
+      {0, 3e-47}, {1.2e126, 1e230}, {1.5e221, 3e222}, {2.8e35, 1e-39}, {3e65, 1.7e-39}};
+  Values values;
+  std::vector<Network> row;
+  for (const auto& [stiffness, damping] : units) {
+    const Symbol k{"k", static_cast<int>(row.size())}, c{"c", k.entry};
+    values[c] = damping;
+    if (stiffness > 0) values[k] = stiffness;
+    row.push_back(stiffness > 0 ? parallel({spring(k), damper(c)}) : damper(c));
+  }
+  const Relaxation form = relaxation_form(series(row), values);
+  check_order(form);
+  for (const double omega : {1e-150, 1e-104, 1e-3, 1.0, 1e74, 1e90, 1e104}) {
+    std::complex<double> compliance = 0;
+    for (const auto& [k, c] : units) compliance += 1.0 / std::complex<double>{k, omega * c};
+    const std::complex<double> stiffness = dynamic_stiffness(form, omega);
+    BOOST_TEST(std::abs(stiffness * compliance - 1.0) < 3.3e-15);
+  }
+}
+
 // The dual of the dual is the sum itself. Both ways cost about 10 rounding errors a pole.
 BOOST_AUTO_TEST_CASE(dual_is_an_involution) {
   const PoleSum sum{0.25, {0, 1e-9, 1e-3, 1, 1.0000001, 1e9}, {2, 3, 1, 1e-6, 4, 1e3}};
