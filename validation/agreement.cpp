@@ -123,7 +123,8 @@ Witnesses own_witnesses() {
           [](const Scene& scene) { return simulation::system_of(scene); }};
 }
 
-SceneReport agree(const Scene& scene, const Progress& progress, const Witnesses& witnesses) {
+SceneReport agree(const Scene& scene, Driver& driver, const Progress& progress,
+                  const Witnesses& witnesses) {
   const Values values = values_of(scene);
   SceneReport report;
   report.scene = scene;
@@ -144,8 +145,8 @@ SceneReport agree(const Scene& scene, const Progress& progress, const Witnesses&
       in_doubles(report, "formula", "Eq. 24 in doubles", witnesses.formula(scene)));
   report.comparisons.push_back(derived_comparison(report, derivation, values));
   report.response = frequency_response(scene);
-  progress("compiling the generated evaluator");
-  compare_generated(report, derivation, values);
+  progress("compiling all evaluators");
+  compare_generated(report, driver, values);
 
   if (report.reasons.empty()) simulate(report, witnesses, progress);
   progress("preparing the explorer");

@@ -6,6 +6,7 @@
 #include <functional>
 #include <string>
 
+#include "driver.hpp"
 #include "progress.hpp"
 #include "scene_report.hpp"
 #include "simulation/system/system.hpp"
@@ -27,7 +28,8 @@ Witnesses own_witnesses();
 
 /// Throws InputError for missing values, ModelError where Eq. 24 is 0/0. A scene that is not
 /// admissible is not simulated; its formulas are compared all the same.
-SceneReport agree(const Scene& scene, const Progress& progress,
+/// `driver` is the scene's, compiled here if there is a compiler.
+SceneReport agree(const Scene& scene, Driver& driver, const Progress& progress,
                   const Witnesses& witnesses = own_witnesses());
 
 }  // namespace vcrit::validation

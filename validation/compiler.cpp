@@ -12,7 +12,6 @@
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
-#include <stdexcept>
 #include <system_error>
 #include <thread>
 
@@ -180,10 +179,9 @@ ProgramResult run_program(const std::vector<std::string>& arguments,
   return result;
 }
 
-std::string output_or_throw(const ProgramResult& result, const char* what) {
-  if (result.succeeded()) return result.output;
+std::string failure_words(const ProgramResult& result, const char* what) {
   const char* how = result.timed_out ? "took too long" : "failed";
-  throw std::runtime_error(fmt::format("{} {}: {}", what, how, result.output.substr(0, 400)));
+  return fmt::format("{} {}: {}", what, how, result.output.substr(0, 400));
 }
 
 std::optional<std::filesystem::path> find_compiler(std::string_view search_path) {

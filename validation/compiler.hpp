@@ -44,9 +44,8 @@ ProgramResult run_program(const std::vector<std::string>& arguments,
                           const std::filesystem::path& folder, std::chrono::milliseconds limit,
                           std::optional<std::uint64_t> memory = most_memory);
 
-/// What the program wrote. Throws std::runtime_error, which begins with `what` and ends with the
-/// beginning of that, when it failed.
-std::string output_or_throw(const ProgramResult& result, const char* what);
+/// How a program that did not succeed failed, with the beginning of what it wrote; `what` names it.
+std::string failure_words(const ProgramResult& result, const char* what);
 
 /// The program of that name in the first of the folders of PATH that has one; folders of PATH that
 /// are not absolute are passed over.
@@ -61,7 +60,7 @@ std::optional<std::filesystem::path> find_compiler();
 /// that values do not change with the processor that `flags` name.
 ProgramResult compile(const std::filesystem::path& compiler, const std::filesystem::path& folder,
                       const std::string& source, const std::string& target,
-                      const std::vector<std::string>& flags = {"-O2"});
+                      const std::vector<std::string>& flags);
 
 /// "g++ (Debian 12.2.0-14) 12.2.0": the first line of what it says of itself.
 std::string describe_compiler(const std::filesystem::path& compiler,

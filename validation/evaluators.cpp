@@ -2,13 +2,8 @@
 
 #include <fmt/core.h>
 
-#include <sstream>
 #include <stdexcept>
 
-#include "base/files.hpp"
-#include "base/numbers.hpp"
-#include "compiler.hpp"
-#include "emit/generate.hpp"
 #include "formula/symbols.hpp"
 #include "formula/value.hpp"
 
@@ -27,28 +22,6 @@ class Precision {
  private:
   long before_;
 };
-
-constexpr std::chrono::seconds run_limit{10};
-
-std::string member(const Symbol& symbol) {
-  return symbol.entry == 0 ? symbol.name : fmt::format("{}[{}]", symbol.name, symbol.entry - 1);
-}
-
-GeneratedVelocities parse(const std::string& output) {
-  std::istringstream words(output);
-  const auto next = [&] {
-    std::string word;
-    words >> word;
-    const auto value = to_double(word);
-    if (!value) throw std::runtime_error("the generated program printed \"" + output + "\"");
-    return *value;
-  };
-  GeneratedVelocities velocities;
-  for (double* value : {&velocities.accurate, &velocities.batch, &velocities.fast,
-                        &velocities.certified, &velocities.certified_bound})
-    *value = next();
-  return velocities;
-}
 
 /// R_d between two rows of its table, as exact as the table's doubles.
 GiNaC::ex interpolated(const Receptance& receptance, double omega) {
@@ -87,34 +60,12 @@ double derived_velocity(const Scene& scene, const symbolic::Derivation& derivati
   return value_in_digits(derivation.critical_velocity, definitions, values, digits);
 }
 
-std::string asking_program(const std::vector<Symbol>& parameters, const Values& values) {
-  std::string assignments;
-  for (const Symbol& symbol : parameters)
-    assignments += fmt::format("  p.{} = {:a};\n", member(symbol), values.at(symbol));
-  return "#include <cstdio>\n#include \"scene.hpp\"\n" + fmt::format(R"(
-int main() {{
-  scene::Parameters p{{}};
-{}  const double omega = p.omega;
-  double batch = 0;
-  scene::critical_velocity(p, {{&omega, 1}}, {{&batch, 1}});
-  const auto certified = scene::critical_velocity_certified(p);
-  for (double v : {{scene::critical_velocity(p), batch, scene::fast::critical_velocity(p),
-                   certified.value, certified.relative_error_bound}})
-    std::printf("%.17g\n", v);
-}}
-)",
-                                                                     assignments);
-}
-
-GeneratedVelocities generated_velocities(const Scene& scene, const symbolic::Derivation& derivation,
-                                         const Values& values,
-                                         const std::filesystem::path& compiler,
-                                         const std::filesystem::path& folder) {
-  symbolic::generate(scene, folder, "scene");
-  write_file(folder / "ask.cpp", asking_program(derivation.parameters, values));
-  output_or_throw(compile(compiler, folder, "ask.cpp", "ask"), "compiling the generated evaluator");
-  return parse(
-      output_or_throw(run_program({folder / "ask"}, folder, run_limit), "the generated evaluator"));
+GeneratedVelocities generated_velocities(const Driver& driver, const Values& values) {
+  std::vector<double> set;
+  for (const Symbol& symbol : driver.symbols()) set.push_back(values.at(symbol));
+  const auto answers = driver.run({set}, {"accurate", "accurate_sweep", "fast", "certified"});
+  const auto answer = [&](std::size_t way) { return answers[way].values.front(); };
+  return {answer(0), answer(1), answer(2), answer(3), driver.bounds({set}, "certified").front()};
 }
 
 }  // namespace vcrit::validation

@@ -1,11 +1,9 @@
 // v* of a scene by the two ways that symbolic algebra gives: the derived formula evaluated with 50
-// digits, and the generated evaluator, compiled and run as a program of its own.
+// digits, and the generated evaluator, as the driver program runs it.
 #pragma once
 
-#include <filesystem>
-#include <string>
-
 #include "derivation/derivation.hpp"
+#include "driver.hpp"
 #include "scene/scene.hpp"
 
 namespace vcrit::validation {
@@ -31,14 +29,7 @@ struct GeneratedVelocities {
   double certified = 0, certified_bound = 0;  ///< the bound is relative
 };
 
-/// Writes the scene's library to `folder`, compiles a program with it there and runs it. Throws
-/// std::runtime_error, with what the compiler or the program said, when that does not work.
-GeneratedVelocities generated_velocities(const Scene& scene, const symbolic::Derivation& derivation,
-                                         const Values& values,
-                                         const std::filesystem::path& compiler,
-                                         const std::filesystem::path& folder);
-
-/// The program that asks the library, as C++.
-std::string asking_program(const std::vector<Symbol>& parameters, const Values& values);
+/// By a driver that is compiled and has the library, at the scene's doubles. Throws as its run().
+GeneratedVelocities generated_velocities(const Driver& driver, const Values& values);
 
 }  // namespace vcrit::validation

@@ -87,8 +87,7 @@ void add_generated(SceneReport& report, const GeneratedVelocities& generated) {
 
 }  // namespace
 
-void compare_generated(SceneReport& report, const symbolic::Derivation& derivation,
-                       const Values& values) {
+void compare_generated(SceneReport& report, Driver& driver, const Values& values) {
   const Comparison plain = in_doubles(report, "generated", "generated evaluator", 0);
   const auto compiler = find_compiler();
   if (!compiler) {
@@ -96,12 +95,14 @@ void compare_generated(SceneReport& report, const symbolic::Derivation& derivati
     return;
   }
   try {
-    const PrivateFolder folder;
-    report.compiler = describe_compiler(*compiler, folder.path());
-    add_generated(report,
-                  generated_velocities(report.scene, derivation, values, *compiler, folder.path()));
-  } catch (const ModelError& error) {
-    report.comparisons.push_back(not_run(plain, error.what()));
+    report.compiler = describe_compiler(*compiler, PrivateFolder().path());
+    driver.generate();
+    if (!driver.has("accurate")) {
+      report.comparisons.push_back(not_run(plain, driver.missing().front().reason));
+      return;
+    }
+    driver.compile(*compiler);
+    add_generated(report, generated_velocities(driver, values));
   } catch (const std::runtime_error& error) {
     report.comparisons.push_back(broken(plain, error.what()));
   }

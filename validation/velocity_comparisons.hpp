@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "driver.hpp"
 #include "scene_report.hpp"
 
 namespace vcrit::symbolic {
@@ -32,7 +33,6 @@ Comparison derived_comparison(const SceneReport& report, const symbolic::Derivat
 
 /// Of each call of the generated evaluator, compiled by the first compiler on the PATH, which goes
 /// into the report.
-void compare_generated(SceneReport& report, const symbolic::Derivation& derivation,
-                       const Values& values);
+void compare_generated(SceneReport& report, Driver& driver, const Values& values);
 
 }  // namespace vcrit::validation

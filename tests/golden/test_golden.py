@@ -109,7 +109,7 @@ def shown(data):
     return f"[{len(data)} bytes, sha256 {hashlib.sha256(data).hexdigest()}]\n"
 
 
-MEASURED = re.compile(r"time|second|rate|speed|machine|commit|program|version|command|cost|run_|ns|flags|order|cores")
+MEASURED = re.compile(r"time|second|rate|speed|machine|commit|program|version|command|cost|run_|ns|flags|order|cores|on_front")
 
 
 def without_measurements(value):

@@ -16,8 +16,9 @@ using namespace vcrit::validation;
 namespace {
 
 accuracy::Accuracy measured(const std::string& name) {
-  return accuracy::measure(read_scene(std::string(VCRIT_SCENES) + "/" + name),
-                           [](const std::string&) {});
+  const Scene scene = read_scene(std::string(VCRIT_SCENES) + "/" + name);
+  Driver driver(scene);
+  return accuracy::measure(scene, driver, [](const std::string&) {});
 }
 
 bool has(const std::string& text, const std::string& part) {

@@ -134,7 +134,7 @@ BOOST_AUTO_TEST_CASE(a_program_is_compiled_and_runs) {
   const PrivateFolder folder;
   vcrit::write_file(folder.path() / "a.cpp",
                     "#include <cstdio>\nint main() { std::puts(\"42\"); }\n");
-  BOOST_TEST(compile(*compiler, folder.path(), "a.cpp", "a").succeeded());
+  BOOST_TEST(compile(*compiler, folder.path(), "a.cpp", "a", {"-O2"}).succeeded());
   BOOST_TEST(run_program({folder.path() / "a"}, folder.path(), 10s).output == "42\n");
   BOOST_TEST(!describe_compiler(*compiler, folder.path()).empty());
 }
@@ -144,7 +144,7 @@ BOOST_AUTO_TEST_CASE(what_a_compiler_complains_about_comes_back) {
   BOOST_REQUIRE(compiler.has_value());
   const PrivateFolder folder;
   vcrit::write_file(folder.path() / "b.cpp", "int main() { return nonsense; }\n");
-  const ProgramResult result = compile(*compiler, folder.path(), "b.cpp", "b");
+  const ProgramResult result = compile(*compiler, folder.path(), "b.cpp", "b", {});
   BOOST_TEST(!result.succeeded());
   BOOST_TEST(result.output.find("nonsense") != std::string::npos);
 }

@@ -22,7 +22,8 @@ using namespace vcrit::validation;
 namespace {
 
 SceneReport report_of(const Scene& scene) {
-  return agree(scene, [](const std::string&) {});
+  Driver driver(scene);
+  return agree(scene, driver, [](const std::string&) {});
 }
 
 const Comparison& comparison(const SceneReport& report, const std::string& key) {

@@ -25,8 +25,9 @@ namespace {
 const Scene zener = read_scene(VCRIT_SCENES "/zener.toml");
 
 SceneReport heard(const Witnesses& witnesses) {
+  Driver driver(zener);
   return agree(
-      zener, [](const std::string&) {}, witnesses);
+      zener, driver, [](const std::string&) {}, witnesses);
 }
 
 bool has(const std::string& text, const std::string& part) { return text.find(part) != text.npos; }

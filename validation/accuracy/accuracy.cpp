@@ -3,14 +3,13 @@
 #include <fmt/core.h>
 
 #include <exception>
-#include <memory>
 
-#include "accuracy/driver.hpp"
 #include "accuracy/evaluator_errors.hpp"
 #include "accuracy/simulator_errors.hpp"
 #include "accuracy/stability.hpp"
 #include "critical/admissibility.hpp"
 #include "derivation/derivation.hpp"
+#include "driver.hpp"
 
 namespace vcrit::validation::accuracy {
 
@@ -19,7 +18,8 @@ namespace {
 constexpr std::uint64_t draw_seed = 20261121;
 constexpr std::size_t drawn_sets = 4096;
 
-std::unique_ptr<const Driver> compiled(const Scene& scene, Accuracy& result) {
+/// Null where it cannot be compiled.
+const Driver* compiled(const Scene& scene, Driver& driver, Accuracy& result) {
   if (scene.receptance) {
     result.left_out.emplace_back(
         "No compiled evaluators: the formula needs the table of the measured drive.");
@@ -31,7 +31,8 @@ std::unique_ptr<const Driver> compiled(const Scene& scene, Accuracy& result) {
     return nullptr;
   }
   try {
-    return std::make_unique<const Driver>(scene, *compiler);
+    driver.compile(*compiler);
+    return &driver;
   } catch (const std::runtime_error& error) {
     result.left_out.push_back(fmt::format("No compiled evaluators: {}.", error.what()));
     return nullptr;
@@ -57,21 +58,21 @@ void add_simulators(const Scene& scene, Accuracy& result) {
 
 }  // namespace
 
-Accuracy measure(const Scene& scene, const Progress& progress) {
+Accuracy measure(const Scene& scene, Driver& own, const Progress& progress) {
   Accuracy result;
   result.command = fmt::format("vcrit validate {} --out DIR", scene.file);
   progress("compiling all evaluators");
-  const auto driver = compiled(scene, result);
+  const Driver* const driver = compiled(scene, own, result);
   progress("evaluators: error against run time");
   const std::vector<Symbol> symbols =
-      driver ? driver->symbols() : symbolic::derive(scene).parameters;
+      driver != nullptr ? driver->symbols() : symbolic::derive(scene).parameters;
   result.evaluators =
-      evaluator_errors(scene, driver.get(), draw_inputs(scene, symbols, drawn_sets, draw_seed));
-  if (driver) result.evaluators.compiler = compiler_version();
+      evaluator_errors(scene, driver, draw_inputs(scene, symbols, drawn_sets, draw_seed));
+  if (driver != nullptr) result.evaluators.compiler = compiler_version();
   progress("simulators: error against run time");
   add_simulators(scene, result);
   progress("stability maps");
-  result.maps = stability_maps(scene, driver.get(), result.left_out);
+  result.maps = stability_maps(scene, driver, result.left_out);
   return result;
 }
 

@@ -2,13 +2,15 @@
 #pragma once
 
 #include "accuracy/data.hpp"
-#include "agreement.hpp"
+#include "driver.hpp"
+#include "progress.hpp"
 #include "scene/scene.hpp"
 
 namespace vcrit::validation::accuracy {
 
-/// Takes some seconds, most of it simulation. Errors against run time depend on the machine; inputs
+/// Takes some seconds, most of it simulation, and compiles the scene's driver if that is not yet
+/// done. Errors against run time depend on the machine; inputs
 /// and values do not. Throws InputError for missing values.
-Accuracy measure(const Scene& scene, const Progress& progress);
+Accuracy measure(const Scene& scene, Driver& driver, const Progress& progress);
 
 }  // namespace vcrit::validation::accuracy

@@ -4,8 +4,8 @@
 #include <memory>
 
 #include "accuracy/data.hpp"
-#include "accuracy/driver.hpp"
 #include "accuracy/inputs.hpp"
+#include "driver.hpp"
 
 namespace vcrit::validation::accuracy {
 

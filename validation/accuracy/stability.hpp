@@ -3,7 +3,7 @@
 #pragma once
 
 #include "accuracy/data.hpp"
-#include "accuracy/driver.hpp"
+#include "driver.hpp"
 #include "scene/scene.hpp"
 
 namespace vcrit::validation::accuracy {

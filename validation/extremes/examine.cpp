@@ -6,10 +6,10 @@
 #include <cmath>
 #include <memory>
 
-#include "accuracy/driver.hpp"
 #include "conditioning.hpp"
 #include "critical/critical_velocity.hpp"
 #include "derivation/derivation.hpp"
+#include "driver.hpp"
 #include "evaluators.hpp"
 #include "extremes/comparing.hpp"
 #include "extremes/limits.hpp"
@@ -44,12 +44,12 @@ std::vector<std::vector<double>> sets_of(const Cells& cells, const std::vector<S
 }
 
 /// The generated library promises the same of its single and batch calls.
-std::vector<Claimed> by_driver(const accuracy::Driver& driver, const Cells& cells) {
+std::vector<Claimed> by_driver(const Driver& driver, const Cells& cells) {
   const auto sets = sets_of(cells, driver.symbols());
   const std::vector<double> accurate = driver.bounds(sets, "certified");
   const std::vector<double> fast = driver.bounds(sets, "fast");
   std::vector<Claimed> all;
-  for (const accuracy::Answers& answers :
+  for (const Answers& answers :
        driver.run(sets, {"fast", "fast_batch", "accurate", "accurate_batch", "certified"}))
     all.push_back(
         {answers.way.key, answers.values, answers.way.key.starts_with("fast") ? fast : accurate});
@@ -136,8 +136,8 @@ Region examined(const Family& family, const Scene& scene, const Subjects& subjec
 }  // namespace
 
 Subjects subjects_of(const Scene& scene, const std::optional<std::filesystem::path>& compiler) {
-  std::shared_ptr<const accuracy::Driver> driver;
-  if (compiler) driver = std::make_shared<accuracy::Driver>(scene, *compiler);
+  std::shared_ptr<const Driver> driver;
+  if (compiler) driver = std::make_shared<Driver>(scene, *compiler);
   const Evaluate evaluate = [&scene, driver](const Cells& cells) {
     std::vector<Claimed> all{by_library(scene, cells)};
     if (driver == nullptr) return all;

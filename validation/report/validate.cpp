@@ -78,8 +78,10 @@ std::vector<FigureFile> figure_files(const std::vector<ordered_json>& scenes,
 std::vector<ordered_json> work_on(const std::vector<Scene>& scenes, const Request& request,
                                   const Machine& machine, const Watch& watch) {
   const auto work = [&](std::size_t i, const Progress& step) {
-    SceneReport report = agree(scenes[i], step);
-    return handed_over({std::move(report), accuracy::measure(scenes[i], step)}, machine, request);
+    Driver driver(scenes[i]);
+    SceneReport report = agree(scenes[i], driver, step);
+    return handed_over({std::move(report), accuracy::measure(scenes[i], driver, step)}, machine,
+                       request);
   };
   std::vector<ordered_json> all;
   for (const std::string& answer :

@@ -1,4 +1,4 @@
-#include "accuracy/driver.hpp"
+#include "driver.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -8,12 +8,12 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "accuracy/driver_source.hpp"
 #include "base/files.hpp"
 #include "derivation/derivation.hpp"
+#include "driver_source.hpp"
 #include "emit/generate.hpp"
 
-namespace vcrit::validation::accuracy {
+namespace vcrit::validation {
 
 namespace {
 
@@ -33,7 +33,7 @@ std::string generate_into(const Scene& scene, const std::filesystem::path& folde
 Answers read_answers(std::istream& stream, const Way& way, std::size_t count) {
   const auto next = [&stream] {
     std::string word;
-    if (!(stream >> word)) throw std::runtime_error("the driver program wrote too little");
+    if (!(stream >> word)) throw std::runtime_error("the compiled evaluators wrote too little");
     return std::strtod(word.c_str(), nullptr);
   };
   Answers answers{way, next(), {}};
@@ -43,31 +43,41 @@ Answers read_answers(std::istream& stream, const Way& way, std::size_t count) {
 
 }  // namespace
 
-Driver::Driver(const Scene& scene, const std::filesystem::path& compiler) {
-  const std::filesystem::path& folder = folder_.path();
-  const symbolic::Derivation formula = symbolic::derive(scene);
-  const symbolic::Derivation nested = symbolic::derive(scene, true);
-  symbols_ = formula.parameters;
-  const std::string no_library = generate_into(scene, folder);
-  std::vector<Call> calls;
+Driver::Driver(const Scene& scene, const std::filesystem::path& compiler) : Driver(scene) {
+  compile(compiler);
+}
+
+void Driver::generate() {
+  if (formula_) return;
+  folder_.emplace();
+  no_library_ = generate_into(scene_, folder_->path());
+  symbolic::Derivation formula = symbolic::derive(scene_);
   for (const Call& call : generated_calls())
-    if (no_library.empty())
-      calls.push_back(call);
+    if (no_library_.empty())
+      ways_.push_back(call.way);
     else
-      missing_.push_back({call.way, no_library});
-  calls.push_back(complex_call());
+      missing_.push_back({call.way, no_library_});
+  ways_.push_back(complex_call().way);
   if (formula.definitions.empty())
-    calls.push_back(pasted_call());
+    ways_.push_back(pasted_call().way);
   else
     missing_.push_back({pasted_call().way, "it stays nested: the same as Eq. 24 as written"});
-  for (const Call& call : calls) ways_.push_back(call.way);
-  if (no_library.empty()) calls.insert(calls.end(), bound_calls().begin(), bound_calls().end());
-  write_file(folder / "driver.cpp",
-             driver_source(scene, nested, formula, symbols_, calls, no_library.empty()));
+  formula_ = std::move(formula);
+}
+
+void Driver::compile(const std::filesystem::path& compiler) {
+  generate();
+  if (compiled_) return;
+  if (!failure_.empty()) throw std::runtime_error(failure_);
+  write_file(folder_->path() / "driver.cpp",
+             driver_source(scene_, symbolic::derive(scene_, true), *formula_, no_library_.empty()));
   // What the generated headers ask for.
-  output_or_throw(compile(compiler, folder, "driver.cpp", "driver",
-                          {"-O3", "-march=native", "-fno-math-errno"}),
-                  "compiling the driver program");
+  const ProgramResult result =
+      validation::compile(compiler, folder_->path(), "driver.cpp", "driver",
+                          {"-O3", "-march=native", "-fno-math-errno"});
+  compiled_ = result.succeeded();
+  if (!compiled_) failure_ = failure_words(result, "compiling the evaluators");
+  if (!compiled_) throw std::runtime_error(failure_);
 }
 
 bool Driver::has(const std::string& key) const {
@@ -93,17 +103,18 @@ std::vector<Answers> Driver::run(const std::vector<std::vector<double>>& sets,
 
 std::vector<Answers> Driver::run(const std::vector<std::vector<double>>& sets,
                                  const std::vector<Way>& ways) const {
-  const std::filesystem::path in = folder_.path() / "sets", out = folder_.path() / "answers";
+  const std::filesystem::path in = folder_->path() / "sets", out = folder_->path() / "answers";
   std::string text;
   for (const std::vector<double>& set : sets) text += fmt::format("{:a}\n", fmt::join(set, " "));
   write_file(in, text);
-  std::vector<std::string> command{folder_.path() / "driver", in, out};
+  std::vector<std::string> command{folder_->path() / "driver", in, out};
   for (const Way& way : ways) command.push_back(way.key);
-  output_or_throw(run_program(command, folder_.path(), answer_limit), "the driver program");
+  const ProgramResult ran = run_program(command, folder_->path(), answer_limit);
+  if (!ran.succeeded()) throw std::runtime_error(failure_words(ran, "the compiled evaluators"));
   std::istringstream stream(read_file(out));
   std::vector<Answers> result;
   for (const Way& way : ways) result.push_back(read_answers(stream, way, sets.size()));
   return result;
 }
 
-}  // namespace vcrit::validation::accuracy
+}  // namespace vcrit::validation

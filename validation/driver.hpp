@@ -3,13 +3,15 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "compiler.hpp"
+#include "derivation/derivation.hpp"
 #include "scene/scene.hpp"
 
-namespace vcrit::validation::accuracy {
+namespace vcrit::validation {
 
 /// One way to evaluate v*.
 struct Way {
@@ -30,12 +32,19 @@ struct Missing {
 
 class Driver {
  public:
-  /// Derives, generates and compiles; takes a second or two. Throws std::runtime_error when the
-  /// program does not compile.
+  explicit Driver(const Scene& scene) : scene_(scene) {}
+  /// Compiled at once.
   Driver(const Scene& scene, const std::filesystem::path& compiler);
 
+  /// Derives, and generates the library; only once. From then on the ways are known.
+  void generate();
+
+  /// Compiles what is generated, for all who ask; takes a second or two. Throws std::runtime_error
+  /// when it does not compile, and the same again without another try.
+  void compile(const std::filesystem::path& compiler);
+
   /// What v* depends on: the numbers that a set holds, in the order of Inputs::symbols.
-  const std::vector<Symbol>& symbols() const { return symbols_; }
+  const std::vector<Symbol>& symbols() const { return formula_->parameters; }
   const std::vector<Way>& ways() const { return ways_; }
   const std::vector<Missing>& missing() const { return missing_; }
   bool has(const std::string& key) const;
@@ -54,10 +63,14 @@ class Driver {
   std::vector<Answers> run(const std::vector<std::vector<double>>& sets,
                            const std::vector<Way>& ways) const;
 
-  PrivateFolder folder_;
-  std::vector<Symbol> symbols_;
+  Scene scene_;
+  std::optional<PrivateFolder> folder_;
+  std::optional<symbolic::Derivation> formula_;
+  std::string no_library_;  ///< why there is no generated library; empty if there is one
+  std::string failure_;     ///< why it does not compile; empty if that is not known
+  bool compiled_ = false;
   std::vector<Way> ways_;
   std::vector<Missing> missing_;
 };
 
-}  // namespace vcrit::validation::accuracy
+}  // namespace vcrit::validation

@@ -6,7 +6,7 @@
 #include "derivation/derivation.hpp"
 #include "emit/parameters.hpp"
 
-namespace vcrit::validation::accuracy {
+namespace vcrit::validation {
 
 /// "static double NAME(const Parameters& p) {...}" of the derivation's v*, with complex numbers
 /// where it is nested. Needs what pasted_preamble() defines.
@@ -15,4 +15,4 @@ std::string pasted_function(const std::string& name, const symbolic::Derivation&
 
 std::string pasted_preamble();
 
-}  // namespace vcrit::validation::accuracy
+}  // namespace vcrit::validation

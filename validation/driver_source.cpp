@@ -1,43 +1,49 @@
-#include "accuracy/driver_source.hpp"
+#include "driver_source.hpp"
 
 #include <fmt/core.h>
 
-#include "accuracy/pasted.hpp"
 #include "derivation/derivation.hpp"
 #include "emit/parameters.hpp"
+#include "pasted.hpp"
 
-namespace vcrit::validation::accuracy {
+namespace vcrit::validation {
 
 namespace {
 
+// No more: each scene pays for what they hold. <complex> is the dearest.
 const char* const includes = R"(#include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <complex>
 #include <cstdio>
+#include <cstring>
+#include <ctime>
 #include <span>
-#include <string_view>
 #include <vector>
+)";
+
+const char* const numbers_of_all = R"(
+static std::vector<Parameters> sets;
+static std::vector<double> omegas, out;
 )";
 
 // One pass over thousands of sets takes longer than the clock's grain; the first one warms up.
 const char* const measuring = R"(
-static std::vector<Parameters> sets;
-static std::vector<double> omegas;
-
-template <class Run> static double time_of(const Run& run) {
-  using Clock = std::chrono::steady_clock;
-  std::vector<double> times;
-  for (int i = 0; i < 9; ++i) {
-    const Clock::time_point begin = Clock::now();
+static double now() {
+  std::timespec time{};
+  clock_gettime(CLOCK_MONOTONIC, &time);
+  return 1e9 * static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec);
+}
+static double time_of(void (*run)()) {
+  double times[9];
+  for (double& time : times) {
+    const double begin = now();
     run();
-    times.push_back(std::chrono::duration<double, std::nano>(Clock::now() - begin).count());
+    time = now() - begin;
   }
-  std::nth_element(times.begin(), times.begin() + 4, times.end());
+  std::nth_element(times, times + 4, times + 9);
   return times[4] / static_cast<double>(sets.size());
 }
-template <class Values, class Timed>
-static void answer(std::FILE* file, std::vector<double>& out, const Values& values, const Timed& timed) {
+static void answer(std::FILE* file, void (*values)(), void (*timed)()) {
   std::fill(out.begin(), out.end(), NAN);
   values();
   const std::vector<double> found = out;
@@ -53,15 +59,23 @@ int main(int count, char** words) {
   if (in == nullptr || file == nullptr) return 1;
   for (Parameters p{}; read(in, p);) sets.push_back(p);
   for (const Parameters& p : sets) omegas.push_back(p.omega);
-  std::vector<double> out(sets.size());
+  out.resize(sets.size());
+)";
+
+const char* const main_ends = R"(
+  for (int i = 3; i < count; ++i)
+    for (const Way& way : ways)
+      if (std::strcmp(way.key, words[i]) == 0) answer(file, way.values, way.timed);
+  return std::fclose(file);
+}
 )";
 
 std::string loop(const std::string& call) {
   return fmt::format("for (std::size_t i = 0; i < sets.size(); ++i) {}", call);
 }
 
-Call each(const char* key, const char* name, const std::string& function) {
-  return {{key, name}, loop(fmt::format("out[i] = {};", function)), {}};
+Call each(const char* key, const char* name, const std::string& function, bool unhurried = false) {
+  return {{key, name}, loop(fmt::format("out[i] = {};", function)), {}, unhurried};
 }
 
 Call sweep(const char* key, const char* name, const std::string& grade) {
@@ -93,22 +107,52 @@ std::string own_struct(const symbolic::ParameterList& parameters) {
   return fmt::format("struct Parameters {{\n{}}};\n", members);
 }
 
-std::string columns(const std::vector<Symbol>& symbols, const symbolic::ParameterList& parameters) {
+std::string fill_columns(const std::vector<Symbol>& symbols,
+                         const symbolic::ParameterList& parameters) {
   const std::string numbers = std::to_string(symbols.size());
   return "  std::vector<double> numbers[" + numbers + "];\n  for (const Parameters& p : sets) {\n" +
          for_each_number(symbols, parameters, "    numbers[{i}].push_back({member});\n") +
-         "  }\n  scene::Columns columns;\n  {\n    scene::Columns& p = columns;\n" +
+         "  }\n  {\n    scene::Columns& p = columns;\n" +
          for_each_number(symbols, parameters, "    {member} = numbers[{i}].data();\n") + "  }\n";
 }
 
-std::string answers(const std::vector<Call>& calls) {
-  std::string text =
-      "  for (int i = 3; i < count; ++i) {\n    const std::string_view key = words[i];\n";
-  for (const Call& call : calls)
-    text += fmt::format(
-        "    if (key == \"{}\")\n      answer(file, out, [&] {{ {} }}, [&] {{ {} }});\n",
-        call.way.key, call.values, call.timed.empty() ? call.values : call.timed);
-  return text + "  }\n  return std::fclose(file);\n}\n";
+/// A function for each way, and one for what is timed in its place. Where time is of no interest
+/// the compiler need not take any to save it.
+std::string functions(const std::vector<Call>& calls) {
+  std::string text, ways;
+  for (const Call& call : calls) {
+    const std::string& key = call.way.key;
+    text += fmt::format("{}static void {}_values() {{ {} }}\n",
+                        call.unhurried || !call.timed.empty() ? "[[gnu::cold]] " : "", key,
+                        call.values);
+    if (!call.timed.empty())
+      text += fmt::format("static void {}_timed() {{ {} }}\n", key, call.timed);
+    ways += fmt::format("    {{\"{0}\", {0}_values, {0}_{1}}},\n", key,
+                        call.timed.empty() ? "values" : "timed");
+  }
+  return text +
+         "struct Way {\n  const char* key;\n  void (*values)();\n  void (*timed)();\n};\n"
+         "static const Way ways[] = {\n" +
+         ways + "};\n";
+}
+
+/// The relative error bounds that both grades of the library claim.
+const std::vector<Call>& bound_calls() {
+  static const std::vector<Call> calls{
+      each("certified_bound", "bound of the accurate grade",
+           "scene::critical_velocity_certified(sets[i]).relative_error_bound", true),
+      each("fast_bound", "bound of the fast grade",
+           "scene::fast::critical_velocity_certified(sets[i]).relative_error_bound", true)};
+  return calls;
+}
+
+std::vector<Call> calls_of(const symbolic::Derivation& formula, bool has_generated) {
+  std::vector<Call> calls{complex_call()};
+  if (formula.definitions.empty()) calls.push_back(pasted_call());
+  if (!has_generated) return calls;
+  for (const std::vector<Call>& more : {generated_calls(), bound_calls()})
+    calls.insert(calls.end(), more.begin(), more.end());
+  return calls;
 }
 
 }  // namespace
@@ -126,15 +170,6 @@ const std::vector<Call>& generated_calls() {
   return calls;
 }
 
-const std::vector<Call>& bound_calls() {
-  static const std::vector<Call> calls{
-      each("certified_bound", "bound of the accurate grade",
-           "scene::critical_velocity_certified(sets[i]).relative_error_bound"),
-      each("fast_bound", "bound of the fast grade",
-           "scene::fast::critical_velocity_certified(sets[i]).relative_error_bound")};
-  return calls;
-}
-
 const Call& complex_call() {
   static const Call call =
       each("complex", "Eq. 24 in std::complex, as written", "in_complex_numbers(sets[i])");
@@ -148,11 +183,12 @@ const Call& pasted_call() {
 }
 
 std::string driver_source(const Scene& scene, const symbolic::Derivation& nested,
-                          const symbolic::Derivation& formula, const std::vector<Symbol>& symbols,
-                          const std::vector<Call>& calls, bool has_generated) {
+                          const symbolic::Derivation& formula, bool has_generated) {
   const symbolic::ParameterList parameters(scene, formula);
+  const std::vector<Symbol>& symbols = formula.parameters;
   std::string text = includes;
   text += has_generated ? "#include \"scene_batch.hpp\"\nusing scene::Parameters;\n"
+                          "static scene::Columns columns;\n"
                         : own_struct(parameters);
   text += pasted_preamble() + pasted_function("in_complex_numbers", nested, parameters);
   if (formula.definitions.empty()) text += pasted_function("derived_formula", formula, parameters);
@@ -160,10 +196,10 @@ std::string driver_source(const Scene& scene, const symbolic::Derivation& nested
           for_each_number(symbols, parameters,
                           " &&\n         std::fscanf(in, \"%la\", &{member}) == 1") +
           ";\n}\n";
-  text += measuring;
+  text += numbers_of_all + functions(calls_of(formula, has_generated)) + measuring;
   text += main_begins;
-  if (has_generated) text += columns(symbols, parameters);
-  return text + answers(calls);
+  if (has_generated) text += fill_columns(symbols, parameters);
+  return text + main_ends;
 }
 
-}  // namespace vcrit::validation::accuracy
+}  // namespace vcrit::validation

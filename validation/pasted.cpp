@@ -1,4 +1,4 @@
-#include "accuracy/pasted.hpp"
+#include "pasted.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -7,7 +7,7 @@
 
 #include "formula/dialect.hpp"
 
-namespace vcrit::validation::accuracy {
+namespace vcrit::validation {
 
 namespace {
 
@@ -81,4 +81,4 @@ std::string pasted_preamble() {
          "  T result = x;\n  while (--n > 0) result *= x;\n  return result;\n}\n";
 }
 
-}  // namespace vcrit::validation::accuracy
+}  // namespace vcrit::validation
