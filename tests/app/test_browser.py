@@ -199,6 +199,7 @@ class Browser(unittest.TestCase):
             self.assertTrue(self.run_script(hidden, selector), selector)
         self.assertFalse(self.run_script(hidden, ".chart"))
         folded = "return document.querySelectorAll('details:not([open]):not(.latex):not(.data):not(.save)').length"
+        self.run_script("document.querySelector('details:not(.latex):not(.data):not(.save)').open = false")
         before = self.run_script(folded)
         self.assertGreater(before, 0)
         self.run_script("dispatchEvent(new Event('beforeprint'))")
