@@ -73,10 +73,9 @@ const vcrit_drawing = (() => {
 
   // Where everything lies. Lengths are from the upper left corner of the frame, in which the data are.
   function planOf(figure, width) {
-    const { height } = figure, y = scaleOf(figure.y, shownOn(figure, false), Math.min(7, height / 32));
+    const { height } = figure, y = scaleOf(figure.y, shownOn(figure, false), height / 45);
     const left = short(22 + Math.max(40, 10 + Math.max(...y.ticks.map(({ words }) => widthOf(words)))));
-    const inner = Math.max(60, width - left - 16);
-    const x = scaleOf(figure.x, shownOn(figure, true), Math.min(8, inner / 60));
+    const inner = Math.max(60, width - left - 16), x = scaleOf(figure.x, shownOn(figure, true), inner / 80);
     const aside = width < 560 ? 0 : left;  // on a phone legends need the whole width
     const colours = figure.map && !figure.map.colours ? 52 : 0;
     const { entries, height: legend } = entriesOf(figure, width - aside - 30);
