@@ -114,12 +114,12 @@ class Fit(unittest.TestCase):
         charts = [json.loads(part.split("</script>")[0])
                   for part in page.split('<script type="application/json">')[1:]]
         self.assertEqual(len(charts), 3)
-        drawn = [layer["data"]["values"] for layer in charts[0]["layer"]]
+        drawn = [series["points"] for series in charts[0]["series"]]
         self.assertEqual([len(values) for values in drawn], [301, 301, 60, 60])
         # The drawn line is the model within what 1 % of noise leaves of it.
-        for value in drawn[0]:
-            self.assertAlmostEqual(value["y"] / stiffness(2 * math.pi * value["x"]).real, 1, delta=0.01)
-        residuals = [row["y"] for layer in charts[1]["layer"][:2] for row in layer["data"]["values"]]
+        for frequency, storage, *_ in drawn[0]:
+            self.assertAlmostEqual(storage / stiffness(2 * math.pi * frequency).real, 1, delta=0.01)
+        residuals = [point[1] for series in charts[1]["series"][:2] for point in series["points"]]
         self.assertEqual(len(residuals), 120)
         # In per cent, of 1 % noise: the mean square is 1 less 7 of 120 parameters, scattering by 13 %.
         self.assertAlmostEqual(sum(r * r for r in residuals) / 120, 113 / 120, delta=0.52)
