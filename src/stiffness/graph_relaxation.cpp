@@ -19,6 +19,8 @@ namespace {
 // whole range of doubles.
 constexpr slong least_bits = 384, most_bits = 384 << 6;
 
+constexpr slong product_bits = 106;  // the product of two doubles is exact with these
+
 // The error of modes_coupled_to_last_row() is below 2^24 roundings for up to most_modes rows.
 constexpr slong log2_roundings = 24;
 
@@ -87,7 +89,7 @@ struct NodalPair {
       dampers.add(from, to, graph.edges[i].damper);
       for (const auto& [stiffness, time] : graph.edges[i].branches) {
         springs.add(from, middle, stiffness);
-        dampers.add(middle++, to, BigFloat(stiffness, 2 * 53) * time);
+        dampers.add(middle++, to, BigFloat(stiffness, product_bits) * time);
       }
     }
     if (springs.total > 0 && dampers.total > 0)
