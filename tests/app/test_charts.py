@@ -3,6 +3,7 @@
 test_charts.py PROJECT PROGRAM
 """
 
+import itertools
 import os
 import re
 import subprocess
@@ -135,12 +136,19 @@ class Charts(unittest.TestCase):
         columns = len(record["x"]) - 1
         expected = [n for n, value in enumerate(record["values"]) if value is not None]
         self.assertEqual(len(cells), len(expected))
+        by_place = {}
+        for cell, colour in cells.items():
+            by_place.setdefault((round(cell[0]), round(cell[1])), []).append((cell, colour))
         by_value = {}
         for n in expected:
             row, column = divmod(n, columns)
             right = (x.place(record["x"][column]), y.place(record["y"][row]),
                      x.place(record["x"][column + 1]), y.place(record["y"][row + 1]))
-            near = [colour for cell, colour in cells.items()
+            # Ruler.EXACT is below a pixel: the cell's corner lies in this bucket or in one beside it.
+            left, low = round(right[0]), round(right[1])
+            beside = itertools.chain.from_iterable(
+                by_place.get(bucket, []) for bucket in itertools.product((left - 1, left, left + 1), (low - 1, low, low + 1)))
+            near = [colour for cell, colour in beside
                     if max(abs(a - b) for a, b in zip(cell, right)) <= Ruler.EXACT]
             self.assertEqual(len(near), 1)
             self.assertEqual(by_value.setdefault(record["values"][n], near[0]), near[0])

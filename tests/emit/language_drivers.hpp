@@ -1,7 +1,8 @@
 // Programs that call the evaluators of one language: they read lines "SCENE x x ..." with all
 // numbers of Parameters, and answer one line each,
 //   value bound fast_value fast_bound  critical_velocity fast_critical_velocity batch fast_batch
-//   gradient.value fast gradient.value  partials  fast partials.
+// and, where they are asked for,
+//   gradient.value  partials  fast gradient.value  fast partials.
 #pragma once
 
 #include <fmt/format.h>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "derivation/derivation.hpp"
+#include "emit/asked.hpp"
 #include "emit/parameters.hpp"
 
 namespace vcrit::test {
@@ -31,6 +33,19 @@ static void print(const double *y, size_t n) {
 }
 )";
 
+/// GRADIENTS(NAME) by the names of the type and of the function in both grades.
+inline std::string gradients_of_c(Asked asked, const std::string& type, const std::string& accurate,
+                                  const std::string& fast, const std::string& argument) {
+  if (asked == Asked::values) return "#define GRADIENTS(NAME)\n";
+  std::string out = "#define GRADIENTS(NAME)";
+  for (const std::string& function : {accurate, fast})
+    out += fmt::format(
+        " {{ const {} g = {}({}); print(&g.value, 1); memcpy(x, &g.partial, sizeof p); "
+        "print(x, sizeof p / sizeof(double)); }}",
+        type, function, argument);
+  return out + "\n";
+}
+
 inline std::string main_of_c(std::size_t scenes) {
   std::string out =
       "int main(void) {\n  unsigned scene = 0;\n  while (scanf(\"%u\", &scene) == 1) {\n";
@@ -39,37 +54,38 @@ inline std::string main_of_c(std::size_t scenes) {
   return out + "    printf(\"\\n\");\n  }\n  return 0;\n}\n";
 }
 
-inline std::string c99_driver(std::size_t scenes) {
+inline std::string c99_driver(std::size_t scenes, Asked asked) {
   std::string out = "#include <stdio.h>\n#include <stdlib.h>\n#include <string.h>\n";
   for (std::size_t i = 0; i < scenes; ++i) out += "#include \"" + library(i) + ".h\"\n";
-  return out + c_reading + R"(
+  return out + c_reading +
+         gradients_of_c(asked, "NAME##_Gradient", "NAME##_critical_velocity_gradient",
+                        "NAME##_fast_critical_velocity_gradient", "&p") +
+         R"(
 #define CALL(NAME) { \
   NAME##_Parameters p; \
   numbers(sizeof p / sizeof(double)); \
   memcpy(&p, x, sizeof p); \
   const NAME##_Certified a = NAME##_critical_velocity_certified(&p); \
   const NAME##_Certified f = NAME##_fast_critical_velocity_certified(&p); \
-  const NAME##_Gradient g = NAME##_critical_velocity_gradient(&p); \
-  const NAME##_Gradient h = NAME##_fast_critical_velocity_gradient(&p); \
   double batch[2]; \
   NAME##_critical_velocity_batch(&p, 1, &p.omega, batch); \
   NAME##_fast_critical_velocity_batch(&p, 1, &p.omega, batch + 1); \
   const double all[] = {a.value, a.relative_error_bound, f.value, f.relative_error_bound, \
-    NAME##_critical_velocity(&p), NAME##_fast_critical_velocity(&p), batch[0], batch[1], g.value, h.value}; \
+    NAME##_critical_velocity(&p), NAME##_fast_critical_velocity(&p), batch[0], batch[1]}; \
   print(all, sizeof all / sizeof all[0]); \
-  memcpy(x, &g.partial, sizeof p); \
-  print(x, sizeof p / sizeof(double)); \
-  memcpy(x, &h.partial, sizeof p); \
-  print(x, sizeof p / sizeof(double)); \
+  GRADIENTS(NAME) \
 }
 )" + main_of_c(scenes);
 }
 
 /// With nvcc and a device, batches go through the kernels.
-inline std::string cuda_driver(std::size_t scenes) {
+inline std::string cuda_driver(std::size_t scenes, Asked asked) {
   std::string out = "#include <cstdio>\n#include <cstdlib>\n#include <cstring>\n";
   for (std::size_t i = 0; i < scenes; ++i) out += "#include \"" + library(i) + ".cuh\"\n";
-  return out + c_reading + R"(
+  return out + c_reading +
+         gradients_of_c(asked, "NAME::Gradient", "NAME::critical_velocity_gradient",
+                        "NAME::fast::critical_velocity_gradient", "p") +
+         R"(
 #ifdef __CUDACC__
 #define BATCH(NAME) { \
   int devices = 0; \
@@ -93,19 +109,14 @@ inline std::string cuda_driver(std::size_t scenes) {
   memcpy(&p, x, sizeof p); \
   const NAME::Certified a = NAME::critical_velocity_certified(p); \
   const NAME::Certified f = NAME::fast::critical_velocity_certified(p); \
-  const NAME::Gradient g = NAME::critical_velocity_gradient(p); \
-  const NAME::Gradient h = NAME::fast::critical_velocity_gradient(p); \
   double batch[2]; \
   NAME::critical_velocity(p, 1, &p.omega, batch); \
   NAME::fast::critical_velocity(p, 1, &p.omega, batch + 1); \
   BATCH(NAME) \
   const double all[] = {a.value, a.relative_error_bound, f.value, f.relative_error_bound, \
-    NAME::critical_velocity(p), NAME::fast::critical_velocity(p), batch[0], batch[1], g.value, h.value}; \
+    NAME::critical_velocity(p), NAME::fast::critical_velocity(p), batch[0], batch[1]}; \
   print(all, sizeof all / sizeof all[0]); \
-  memcpy(x, &g.partial, sizeof p); \
-  print(x, sizeof p / sizeof(double)); \
-  memcpy(x, &h.partial, sizeof p); \
-  print(x, sizeof p / sizeof(double)); \
+  GRADIENTS(NAME) \
 }
 )" + main_of_c(scenes);
 }
@@ -125,9 +136,10 @@ inline std::string layouts(const std::vector<Scene>& scenes) {
   return fmt::format("[{}]", fmt::join(all, ",\n  "));
 }
 
-inline std::string python_driver(const std::vector<Scene>& scenes) {
+inline std::string python_driver(const std::vector<Scene>& scenes, Asked asked) {
   return "import sys\nfrom importlib import import_module\n\nimport numpy as np\n\nLAYOUTS = " +
-         layouts(scenes) + R"(
+         layouts(scenes) + (asked == Asked::values ? "\nGRADIENTS = False" : "\nGRADIENTS = True") +
+         R"(
 
 
 def parameters(module, layout, x):
@@ -151,10 +163,12 @@ def answers(scene, rows):
         one = parameters(module, layout, row)
         batches[0].append(module.critical_velocity(one, omega=[one.omega])[0])
         batches[1].append(module.fast_critical_velocity(one, omega=[one.omega])[0])
-    g, h = module.critical_velocity_gradient(p), module.fast_critical_velocity_gradient(p)
     columns = [*module.critical_velocity_certified(p), *module.fast_critical_velocity_certified(p)]
-    columns += [module.critical_velocity(p), module.fast_critical_velocity(p), *batches, g.value, h.value]
-    return np.array(columns + flat(layout, g.partial) + flat(layout, h.partial)).T
+    columns += [module.critical_velocity(p), module.fast_critical_velocity(p), *batches]
+    if GRADIENTS:
+        for g in module.critical_velocity_gradient(p), module.fast_critical_velocity_gradient(p):
+            columns += [g.value, *flat(layout, g.partial)]
+    return np.array(columns).T
 
 
 lines = [line.split() for line in sys.stdin]
@@ -170,8 +184,9 @@ for row in found:
 )";
 }
 
-inline std::string javascript_driver(const std::vector<Scene>& scenes) {
-  return "import { readFileSync } from \"node:fs\";\nconst layouts = " + layouts(scenes) + R"(;
+inline std::string javascript_driver(const std::vector<Scene>& scenes, Asked asked) {
+  return "import { readFileSync } from \"node:fs\";\nconst layouts = " + layouts(scenes) +
+         ";\nconst grades = " + (asked == Asked::values ? "[]" : R"(["", "fast_"])") + R"(;
 const modules = await Promise.all(layouts.map((_, i) => import(`./scene_${i}.mjs`)));
 const parameters = (layout, x) => {
   const p = {};
@@ -186,11 +201,13 @@ for (const line of readFileSync(0, "utf8").trim().split("\n")) {
   const [scene, ...x] = line.split(" ").map(Number);
   const m = modules[scene], layout = layouts[scene], p = parameters(layout, x);
   const a = m.critical_velocity_certified(p), f = m.fast_critical_velocity_certified(p);
-  const g = m.critical_velocity_gradient(p), h = m.fast_critical_velocity_gradient(p);
-  const flat = (q) => layout.flatMap(([name]) => q[name]);
+  const gradients = grades.flatMap((grade) => {
+    const g = m[`${grade}critical_velocity_gradient`](p);
+    return [g.value, ...layout.flatMap(([name]) => g.partial[name])];
+  });
   console.log(a.value, a.relative_error_bound, f.value, f.relative_error_bound, m.critical_velocity(p),
     m.fast_critical_velocity(p), m.critical_velocity_batch(p, [p.omega])[0],
-    m.fast_critical_velocity_batch(p, [p.omega])[0], g.value, h.value, ...flat(g.partial), ...flat(h.partial));
+    m.fast_critical_velocity_batch(p, [p.omega])[0], ...gradients);
 }
 )";
 }

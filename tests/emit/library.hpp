@@ -11,6 +11,7 @@
 #include "base/files.hpp"
 #include "base/numbers.hpp"
 #include "derivation/derivation.hpp"
+#include "emit/asked.hpp"
 #include "emit/generate.hpp"
 #include "emit/parameters.hpp"
 #include "support/nodal.hpp"
@@ -40,7 +41,8 @@ struct Call {
   std::size_t library = 0;
   Scene scene;
   double value = 0, bound = 0, fast_value = 0, fast_bound = 0;
-  std::vector<double> partials, fast_partials;  ///< in the order of the members of Parameters
+  /// In the order of the members of Parameters; empty where gradients are not asked for.
+  std::vector<double> partials, fast_partials;
 };
 
 /// The scene's values in the order of the members of Parameters; entries of arrays that the scene
@@ -62,8 +64,9 @@ inline std::vector<double> members(const Scene& scene, const Scene& generated_fo
 class Libraries {
  public:
   /// With options for each scene, or none.
-  explicit Libraries(std::vector<Scene> scenes, std::vector<symbolic::GenerateOptions> options = {})
-      : scenes_(std::move(scenes)), options_(std::move(options)) {
+  explicit Libraries(std::vector<Scene> scenes, Asked asked = Asked::values,
+                     std::vector<symbolic::GenerateOptions> options = {})
+      : scenes_(std::move(scenes)), asked_(asked), options_(std::move(options)) {
     options_.resize(scenes_.size());
     for (std::size_t i = 0; i < scenes_.size(); ++i)
       write_file(header(i), symbolic::emit_header(scenes_[i], name(i), options_[i]));
@@ -111,6 +114,7 @@ class Libraries {
     for (Call& call : calls) {
       for (double* result : {&call.value, &call.bound, &call.fast_value, &call.fast_bound})
         *result = next();
+      if (asked_ == Asked::values) continue;
       for (std::vector<double>* partials : {&call.partials, &call.fast_partials}) {
         partials->resize(members(call.scene, scenes_[call.library], options_[call.library]).size());
         for (double& partial : *partials) partial = next();
@@ -120,6 +124,11 @@ class Libraries {
 
  private:
   static std::string name(std::size_t i) { return "scene_" + std::to_string(i); }
+
+  std::string gradients(const std::string& name) const {
+    if (asked_ == Asked::values) return "";
+    return fmt::format(", {0}::critical_velocity_gradient, {0}::fast::critical_velocity_gradient", name);
+  }
 
   std::string driver() const {
     std::string out;
@@ -158,8 +167,8 @@ auto within(Function function, const Parameters& parameters) {
   return result;
 }
 
-template <class Parameters, class Function, class Gradient>
-void call(Function accurate, Function fast, Gradient gradient, Gradient fast_gradient) {
+template <class Parameters, class Function, class... Gradient>
+void call(Function accurate, Function fast, Gradient... gradients) {
   std::array<double, sizeof(Parameters) / sizeof(double)> x{};
   char word[64];
   for (double& each : x) {
@@ -171,10 +180,11 @@ void call(Function accurate, Function fast, Gradient gradient, Gradient fast_gra
   const auto a = within(accurate, p);
   const auto f = within(fast, p);
   std::printf("%a %a %a %a\n", a.value, a.relative_error_bound, f.value, f.relative_error_bound);
-  for (const Parameters& partials : {within(gradient, p).partial, within(fast_gradient, p).partial}) {
+  [[maybe_unused]] const auto print = [&x](const Parameters& partials) {
     std::memcpy(x.data(), &partials, sizeof partials);
     for (double each : x) std::printf("%a\n", each);
-  }
+  };
+  (print(within(gradients, p).partial), ...);
 }
 
 int main(int, char** arguments) {
@@ -189,15 +199,14 @@ int main(int, char** arguments) {
       out += fmt::format(
           "    if (scene == {0})\n"
           "      call<{1}::Parameters>({1}::critical_velocity_certified,\n"
-          "                            {1}::fast::critical_velocity_certified,\n"
-          "                            {1}::critical_velocity_gradient,\n"
-          "                            {1}::fast::critical_velocity_gradient);\n",
-          i, name(i));
+          "                            {1}::fast::critical_velocity_certified{2});\n",
+          i, name(i), gradients(name(i)));
     return out + "  }\n}\n";
   }
 
   PrivateFolder folder_;
   std::vector<Scene> scenes_;
+  Asked asked_;
   std::vector<symbolic::GenerateOptions> options_;
 };
 

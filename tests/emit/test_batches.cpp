@@ -14,7 +14,7 @@ namespace {
 
 std::vector<Scene> scenes() {
   return {test::kelvin_scene(),
-          scene_of("normal = \"prony(k0, k, tau, 10)\"\npoisson = \"nu\"", "kd | cd", "m"),
+          scene_of("normal = \"prony(k0, k, tau, 3)\"\npoisson = \"nu\"", "kd | cd", "m"),
           scene_of("normal = \"bridge\"\ntangential = \"k0 | (kt - ct)\"", "kd", "m",
                    test::bridge_network)};
 }

@@ -71,7 +71,7 @@ Call overflowing_call() {
 // Infinite; the largest double where the processor rounds to no larger number. Nothing is claimed.
 BOOST_AUTO_TEST_CASE(above_the_largest_double) {
   std::vector<Call> calls{overflowing_call()};
-  const test::Libraries libraries({calls[0].scene});
+  const test::Libraries libraries({calls[0].scene}, test::Asked::values_and_gradients);
   BOOST_REQUIRE_EQUAL(libraries.compile(test::compilers(libraries.folder()).front(), {"-O1"}), "");
   for (const test::ArithmeticState& state : all_states()) {
     libraries.evaluate(calls, state);

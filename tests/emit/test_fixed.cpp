@@ -131,7 +131,7 @@ BOOST_AUTO_TEST_CASE(fixed_and_unfixed_keep_their_bounds) {
         calls.push_back(call);
     }
   }
-  const test::Libraries libraries(scenes, options);
+  const test::Libraries libraries(scenes, test::Asked::values, options);
   std::vector<test::Real> exact;
   for (const Call& call : calls) exact.push_back(test::critical_velocity_by_nodes(call.scene));
   for (const std::string& compiler : test::compilers(libraries.folder())) {
@@ -185,7 +185,7 @@ BOOST_AUTO_TEST_CASE(an_entry_fixed_alone_is_not_read) {
 // There the bound is carried along at run time; what it is made of may be constant, too.
 BOOST_AUTO_TEST_CASE(a_mesh_keeps_its_bounds) {
   std::mt19937 random(seed);
-  const test::Libraries libraries({meshed()}, {{{"all"}, false}});
+  const test::Libraries libraries({meshed()}, test::Asked::values, {{{"all"}, false}});
   BOOST_TEST(test::contents(libraries.header(0)).find("unless_moderate(e") != std::string::npos);
   std::vector<Call> calls(6);
   for (Call& call : calls) call.scene = varied(meshed(), {"all"}, random);

@@ -95,7 +95,7 @@ std::vector<Symbol> member_symbols(const Scene& shape) {
 
 BOOST_AUTO_TEST_CASE(partial_derivatives_of_both_grades) {
   BOOST_TEST_MESSAGE("seed " << seed);
-  const test::Libraries libraries(scenes());
+  const test::Libraries libraries(scenes(), test::Asked::values_and_gradients);
   std::mt19937 random(seed);
   std::vector<Call> calls;
   for (std::size_t i = 0; i < libraries.size(); ++i)
