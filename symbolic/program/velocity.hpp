@@ -23,8 +23,8 @@ struct VelocityProgram {
   int exponent = 0;           ///< elements lie between 2^-exponent and 2^exponent
 };
 
-/// Throws ModelError for a drive with masses of its own or a measured one, and for surfaces that may
-/// part where Eq. (24) does not hold then.
+/// Throws ModelError for a drive with masses of its own or a measured one, and for surfaces that
+/// may part where Eq. (24) does not hold then.
 void refuse_other_scenes(const Scene& scene);
 
 /// Throws ModelError for such a scene.

@@ -1,6 +1,6 @@
-// Preloaded into a program, makes its FAULT_AT-th change of a file (a write, a rename, counted from one) go
-// wrong: with FAULT=kill the process is killed before it, with FAULT=full the disk has no room from then on.
-// With FAULT_IN=FOLDER only changes below that folder count.
+// Preloaded into a program, makes its FAULT_AT-th change of a file (a write, a rename, counted from
+// one) go wrong: with FAULT=kill the process is killed before it, with FAULT=full the disk has no
+// room from then on. With FAULT_IN=FOLDER only changes below that folder count.
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <errno.h>

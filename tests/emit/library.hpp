@@ -127,7 +127,8 @@ class Libraries {
 
   std::string gradients(const std::string& name) const {
     if (asked_ == Asked::values) return "";
-    return fmt::format(", {0}::critical_velocity_gradient, {0}::fast::critical_velocity_gradient", name);
+    return fmt::format(", {0}::critical_velocity_gradient, {0}::fast::critical_velocity_gradient",
+                       name);
   }
 
   std::string driver() const {

@@ -62,7 +62,8 @@ std::vector<Call> calls(const test::Libraries& libraries) {
 // What a header includes is one question for both compilers; below, both see all headers.
 BOOST_AUTO_TEST_CASE(each_header_compiles_alone) {
   const test::Libraries libraries(scenes());
-  std::vector<std::string> command{test::compilers(libraries.folder()).front(), "-fsyntax-only", "-x", "c++"};
+  std::vector<std::string> command{test::compilers(libraries.folder()).front(), "-fsyntax-only",
+                                   "-x", "c++"};
   command.insert(command.end(), test::strict_flags.begin(), test::strict_flags.end());
   for (std::size_t i = 0; i < libraries.size(); ++i)
     command.push_back(libraries.header(i).string());
