@@ -10,15 +10,17 @@
 #include "emit/draw.hpp"
 #include "emit/extreme_cases.hpp"
 #include "emit/language_drivers.hpp"
-#include "emit/languages/languages.hpp"
 #include "emit/library.hpp"
+#include "emit/tools.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_languages)
 
 using namespace vcrit;
 using symbolic::Language;
 using test::Asked;
+using test::Command;
 using test::scene_of;
+using test::Tool;
 
 namespace {
 
@@ -63,63 +65,6 @@ std::vector<Call> calls(const std::vector<Scene>& scenes, int count, double near
       call.exact = test::critical_velocity_by_nodes(call.scene);
       all.push_back(std::move(call));
     }
-  return all;
-}
-
-/// Words, where FOLDER/ stands for the folder of the files.
-using Command = std::vector<std::string>;
-
-struct Tool {
-  std::string label;
-  Language language;
-  Command present, compile, run;
-  bool wide = false;  ///< knows numbers out of range
-};
-
-std::vector<Tool> tools() {
-  const auto with = [](Command words, const Command& more) {
-    words.insert(words.end(), more.begin(), more.end());
-    return words;
-  };
-  const Command strict{"-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wshadow", "-Werror"};
-  const auto c = [&](const char* compiler, const Command& flags) {
-    return with(with({compiler}, flags),
-                with(strict, {"-o", "FOLDER/c", "FOLDER/driver.c", "-lm"}));
-  };
-  const Command host = with({"g++", "-std=c++17", "-x", "c++"},
-                            with(strict, {"-o", "FOLDER/host", "FOLDER/driver.cu"}));
-  const Command nvcc{"nvcc", "-std=c++17", "-x", "cu", "-o", "FOLDER/cuda", "FOLDER/driver.cu"};
-  std::vector<Tool> all{
-      {"gcc",
-       Language::c99,
-       {"gcc", "--version"},
-       c("gcc", {"-std=c99", "-O1"}),
-       {"FOLDER/c"},
-       true},
-      // With contraction to fma where the machine has it, which -std=c99 turns off.
-      {"gcc with extensions",
-       Language::c99,
-       {"gcc", "--version"},
-       c("gcc", {"-std=gnu99", "-O2", "-march=native"}),
-       {"FOLDER/c"},
-       true},
-      {"clang",
-       Language::c99,
-       {"clang", "--version"},
-       c("clang", {"-std=c99", "-O1"}),
-       {"FOLDER/c"},
-       true},
-      {"CUDA on the host alone", Language::cuda, {"g++", "--version"}, host, {"FOLDER/host"}, true},
-      {"nvcc", Language::cuda, {"nvcc", "--version"}, nvcc, {"FOLDER/cuda"}, true},
-      {"node", Language::javascript, {"node", "--version"}, {}, {"node", "FOLDER/driver.mjs"}},
-  };
-  // A Python of one's own may stand before the system's, which has the packages.
-  for (const char* python : {"python3", "/usr/bin/python3"})
-    all.push_back({python,
-                   Language::python,
-                   {python, "-c", "import numpy"},
-                   {},
-                   {python, "-B", "FOLDER/driver.py"}});
   return all;
 }
 
@@ -175,7 +120,7 @@ class Files {
   template <class Use>
   void with_each_tool(Use use, Length length = Length::usual) const {
     std::set<Language> tried;
-    for (Tool tool : tools()) {
+    for (Tool tool : test::tools()) {
       if (length != Length::usual && tool.label == "nvcc") continue;
       if (length == Length::very_large && !tool.compile.empty()) tool.compile.emplace_back("-O0");
       if (run(tool.present).status != 0) {
