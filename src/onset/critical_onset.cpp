@@ -41,11 +41,7 @@ CriticalOnset by_formula(const Scene& scene) {
 
 CriticalOnset by_simulation(const simulation::Onset& onset) {
   return {CriticalOnset::By::simulation, onset.contact_velocity, onset.drive_velocity,
-          std::numeric_limits<double>::quiet_NaN(),
-          std::isinf(onset.contact_velocity)
-              ? "the contact sticks for a moment each time the surfaces meet: the normal force "
-                "jumps and the tangential one cannot"
-              : ""};
+          std::numeric_limits<double>::quiet_NaN(), onset.why_infinite};
 }
 
 // All cells have the same v* while they are closed, and none has more; the centre parts last.

@@ -30,6 +30,8 @@ class EventFunction {
   /// f after the duration of the factors, which are those of its spectrum.
   Point at(const Factors& factors) const;
 
+  const Spectrum& spectrum() const { return *spectrum_; }
+
   /// f at t, which becomes the present point.
   Point move_to(double t);
 

@@ -118,6 +118,7 @@ Model::Model(const System& system) {
         stiffness_poles(without_dimensions(*system.drive, system.omega, stiffness_unit));
     body = Body{*system.mass * system.omega * (system.omega / stiffness_unit), drive,
                 dual(drive).at_rest};
+    free_harmonic = simulation::free_harmonic(system);
   }
   slow_units = slow(contact.unit_rates);
   if (body) slow_branches = slow(body->drive.rates);

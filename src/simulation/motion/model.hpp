@@ -65,6 +65,7 @@ struct Model {
   /// How many times the forces on the body are larger than their sum; infinite at an undamped
   /// resonance of body and drive. As many times rounding errors grow.
   double resonance = 1;
+  int free_harmonic = 0;  ///< see system.hpp
 
   Index body_states() const { return body ? 1 + body->drive.rates.size() : 0; }  ///< u, g_j
   Index branches() const { return contact.branch_stiffness.size(); }

@@ -2,79 +2,134 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/constants.hpp"
 #include "base/errors.hpp"
-#include "simulation/modes/first_zero.hpp"
+#include "simulation/modes/highest.hpp"
+#include "simulation/modes/linear_solver.hpp"
+#include "simulation/steady/closing.hpp"
 #include "simulation/steady/steady_cycle.hpp"
 
 namespace vcrit::simulation {
 
 namespace {
 
-// Many times what any contact velocity swings by, but for light bodies that ring.
-constexpr double fast_speed = 1e6, fastest_speed = 1e30;
+// Of the drive, so that the contact always slips: the motion beside it does not depend on it.
+constexpr double any_speed = 1e100;
 
-bool only_slips(const Trace& period) {
-  return std::none_of(period.parts.begin(), period.parts.end(), [](const Trace::Part& part) {
-    const Motion motion = part.piece.start().motion;
-    return motion == Motion::stick || motion == Motion::backslip;
-  });
+constexpr const char* lost_in_rounding =
+    "body and drive are so close to a resonance with the force of surfaces that part that the "
+    "swing in slip is lost in rounding";
+constexpr const char* neither_driven_nor_damped =
+    "body and drive swing freely at a harmonic that the force of surfaces that part does not have: "
+    "v* depends on a swing that nothing decides";
+
+// The map of a period is linear: one step closes the cycle, the others take off rounding errors.
+constexpr int most_steps = 8;
+
+// A cycle is closed where so many rounding errors are left of the residual.
+constexpr double closed = 100;
+
+// v* with fewer digits than this is none.
+constexpr double worst_error = 1e-6;
+
+struct SlidingCycle {
+  Trace period;
+  double error;  ///< of the contact velocity, without dimension
+};
+
+// What the velocity of a swinging body becomes a quarter of its period later.
+double swing(const Model& model, ConstView body) {
+  double sum = 0;
+  for (Index j = 0; j + 1 < body.size(); ++j)
+    sum += std::abs(body[1 + j]) / std::sqrt(model.body->mass * model.body->drive.weights[j]);
+  return sum;
 }
 
-Trace sliding_cycle(const Model& model) {
-  for (double velocity = fast_speed; velocity < fastest_speed; velocity *= fast_speed) {
-    Trace period = steady_cycle(model, velocity, sliding_start(model, velocity)).period;
-    if (only_slips(period)) return period;
-  }
-  throw ModelError("the contact sticks at any speed of the drive");
+// Of a period's residual. A body that passes through rest is as uncertain as it is half a swing
+// later.
+Vector unit_of(const Model& model, State state) {
+  if (model.body)
+    state.x[1] =
+        std::abs(state.x[1]) + swing(model, ConstView(state.x).subspan(1, model.body_states()));
+  return rounding(model, 0, state);
 }
 
-// The next maximum of a function that grows at `begin`.
-EventFunction::Point maximum(const EventFunction& f, const Spectrum& spectrum, double begin,
-                             double end) {
-  const auto at = [&](double time) { return f.at(Factors(spectrum, time)); };
-  double low = begin, high = end;
-  for (double step = 1e-9 * (end - begin); low + step < end; step *= 2) {
-    if (at(low + step).slope <= 0) {
-      high = low + step;
-      break;
-    }
-    low += step;
-  }
-  if (high == end && at(end).slope > 0) return at(end);
-  for (int i = 0; i < 200 && high - low > epsilon * high; ++i) {
-    const double middle = 0.5 * (low + high);
-    (at(middle).slope > 0 ? low : high) = middle;
-  }
-  return at(0.5 * (low + high));
+double in_roundings(const Vector& residual, const Vector& unit) {
+  double size = 0;
+  for (Index i = 0; i < unit.size(); ++i) size = std::max(size, std::abs(residual[i]) / unit[i]);
+  return size;
 }
 
-// Raises the speed until the contact never slows to 0 in a piece of slip.
-double raised(const Model& model, double velocity, const Trace::Part& part) {
-  const State& start = part.piece.start();
-  velocity = std::max(velocity, -contact_velocity(model, 0, start));
-  while (true) {
-    const Piece piece(model, velocity, start);
-    EventFunction stops = piece.event_function(Motion::stick);
-    const auto zero = first_zero(stops, part.duration, false);
-    if (!zero) return velocity;
-    const EventFunction::Point highest =
-        maximum(stops, model.slip.modes.spectrum, *zero, part.duration);
-    if (highest.value <= highest.noise) return velocity;
-    velocity += highest.value;
+// What a rounding error of each number of the state does to the steady contact velocity.
+double error_of(const Model& model, const LinearSolver& solver, const Vector& unit) {
+  double sum = 0;
+  for (Index i = 0; i < unit.size(); ++i) {
+    Vector one(unit.size());
+    one[i] = unit[i];
+    const Vector change = solver.solve(one);
+    if (model.body)
+      sum += std::abs(change[0]) + swing(model, ConstView(change).first(model.body_states()));
+    for (Index j = model.body_states(); j < change.size(); ++j) sum += std::abs(change[j]);
   }
+  return sum;
+}
+
+SlidingCycle sliding_cycle(const Model& model) {
+  State state = apart_start(model, any_speed, false);
+  const Index changing = state.x.size() - 1;
+  for (int i = 0; i < most_steps; ++i) {
+    Trace period = trace(model, any_speed, state, two_pi, unit_changes(state, changing));
+    const Closing left = closing(model, state, period);
+    const LinearSolver solver(left.derivative, state_size(model, 0, state));
+    const Vector unit = unit_of(model, state);
+    if (in_roundings(left.residual, unit) <= closed)
+      return {std::move(period), error_of(model, solver, unit)};
+    const Vector step = solver.solve(left.residual);
+    for (Index j = 0; j < changing; ++j) state.x[1 + j] += step[j];
+  }
+  throw ModelError(lost_in_rounding);
+}
+
+// Whether a period of the force leaves a body that swings freely in it with another swing: whether
+// the force has the harmonic of the swing, by more than rounding. The first one it always has, as
+// it follows the oscillation.
+bool drives_the_body(const Model& model) {
+  if (model.free_harmonic == 1) return true;
+  const State state = apart_start(model, any_speed, false);
+  const Trace period = trace(model, any_speed, state, two_pi);
+  const Vector unit = unit_of(model, period.end);
+  for (Index i = 0; i < model.body_states(); ++i)
+    if (std::abs(period.end.x[1 + i] - state.x[1 + i]) > closed * unit[i]) return true;
+  return false;
+}
+
+// The velocity of the drive that is just enough for a piece of slip.
+double least_velocity(const Model& model, const Trace::Part& part) {
+  State start = part.piece.start();
+  start.entered = 0;  // its velocity counts, whatever it is
+  EventFunction backward = Piece(model, 0, start).event_function(Motion::stick);
+  return highest(backward, part.duration);
 }
 
 }  // namespace
 
-double forward_sliding_threshold(const Model& model) {
-  if (model.opening->jumps && model.contact.damper == 0) return infinity;
-  const Trace period = sliding_cycle(model);
-  double velocity = -infinity;
-  for (const Trace::Part& part : period.parts)
-    if (part.piece.start().motion == Motion::slip) velocity = raised(model, velocity, part);
-  return velocity;
+ForwardSliding forward_sliding(const Model& model) {
+  using Ends = ForwardSliding::Ends;
+  if (model.opening->jumps && model.contact.damper == 0)
+    return {Ends::sticks_at_meetings, infinity};
+  if (model.free_harmonic > 0) {
+    if (!drives_the_body(model)) throw ModelError(neither_driven_nor_damped);
+    return {Ends::in_resonance, infinity};
+  }
+  const SlidingCycle cycle = sliding_cycle(model);
+  double least = -infinity;
+  for (const Trace::Part& part : cycle.period.parts)
+    if (part.piece.start().motion == Motion::slip)
+      least = std::max(least, least_velocity(model, part));
+  if (!(cycle.error <= worst_error * std::abs(least))) throw ModelError(lost_in_rounding);
+  return {Ends::at_a_speed, least};
 }
 
 }  // namespace vcrit::simulation

@@ -7,9 +7,19 @@
 
 namespace vcrit::simulation {
 
-/// The least velocity of the drive, without dimension, at which a contact that opens slips forward
-/// whenever it touches; infinite where it sticks for a moment each time the surfaces meet, however
-/// fast the drive: with a normal force that jumps, and a tangential one that cannot.
-double forward_sliding_threshold(const Model& model);
+struct ForwardSliding {
+  enum class Ends {
+    at_a_speed,
+    sticks_at_meetings,  ///< the normal force jumps and the tangential one cannot: at any speed
+    in_resonance,        ///< an undamped drive at a harmonic of the normal force: grows for ever
+  };
+  Ends ends = Ends::at_a_speed;
+  /// The least velocity of the drive, without dimension, at which the contact slips forward
+  /// whenever it touches; infinite where none is enough.
+  double least_velocity = 0;
+};
+
+/// Throws ModelError where the motion is lost in rounding.
+ForwardSliding forward_sliding(const Model& model);
 
 }  // namespace vcrit::simulation

@@ -23,6 +23,20 @@ bool sticks(const Model& model, double velocity) {
   });
 }
 
+std::string why_infinite(ForwardSliding::Ends ends) {
+  switch (ends) {
+    case ForwardSliding::Ends::at_a_speed:
+      return "";
+    case ForwardSliding::Ends::sticks_at_meetings:
+      return "the contact sticks for a moment each time the surfaces meet: the normal force jumps "
+             "and the tangential one cannot";
+    case ForwardSliding::Ends::in_resonance:
+      return "body and drive are in undamped resonance with a harmonic of the normal force, which "
+             "parting gives it: the swing in slip grows without bound";
+  }
+  throw Bug("an end of forward sliding without a word");
+}
+
 }  // namespace
 
 // Steady sliding answers b(t) linearly, so the contact velocity is its mean and one sinusoid; its
@@ -30,8 +44,10 @@ bool sticks(const Model& model, double velocity) {
 Onset sliding_threshold(const System& system) {
   const Model model(system);
   if (model.opening) {
-    const double drive = forward_sliding_threshold(model);
-    return {(drive - model.creep) * model.velocity_unit, drive * model.velocity_unit};
+    const ForwardSliding sliding = forward_sliding(model);
+    const double drive = sliding.least_velocity;
+    return {(drive - model.creep) * model.velocity_unit, drive * model.velocity_unit,
+            why_infinite(sliding.ends)};
   }
   const double lowest = std::abs(model.sliding_velocity);
   return {lowest * model.velocity_unit, (lowest + model.creep) * model.velocity_unit};

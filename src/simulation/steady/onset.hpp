@@ -2,6 +2,8 @@
 // exist, and where the last stick vanishes from the motion that a start at rest settles into.
 #pragma once
 
+#include <string>
+
 #include "simulation/system/system.hpp"
 
 namespace vcrit::simulation {
@@ -10,11 +12,12 @@ namespace vcrit::simulation {
 struct Onset {
   double contact_velocity = 0;  ///< mean velocity of the contact point there: the simulated v*, m/s
   double drive_velocity = 0;    ///< of the drive; larger only where a network on the path creeps
+  std::string why_infinite = {};  ///< else empty
 };
 
 /// The lowest speed at which steady pure sliding exists, from the minimum of the contact velocity.
-/// Of a contact that opens: at which it slips forward whenever it touches; infinite where it sticks
-/// each time the surfaces meet (see forward_sliding.hpp).
+/// Of a contact that opens: at which it slips forward whenever it touches; infinite where there is
+/// none (see forward_sliding.hpp). Throws ModelError where that is lost in rounding.
 Onset sliding_threshold(const System& system);
 
 /// The highest speed at which the steady motion still sticks, from starts at rest. Takes some 60

@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <cmath>
+
 #include "base/errors.hpp"
 #include "network/masses.hpp"
 
@@ -31,7 +33,31 @@ void let_open(System& system, const Relaxation& normal, double amplitude, double
     system.normal_force_amplitude /= share;
 }
 
+// A product as the sum of two doubles, right to 2^-100.
+struct Product {
+  double high, low = 0;
+
+  void times(double factor) {
+    const double next = high * factor;
+    low = std::fma(high, factor, -next) + low * factor;
+    high = next + low;
+    low -= high - next;
+  }
+};
+
 }  // namespace
+
+int free_harmonic(const System& system) {
+  if (!system.drive || !system.mass) return 0;
+  const auto& [spring, damper, branches] = *system.drive;
+  if (!(spring > 0) || !(*system.mass > 0) || damper > 0 || !branches.empty()) return 0;
+  const double n = std::round(std::sqrt(spring / *system.mass) / system.omega);
+  if (!(n >= 1 && n <= 1e6)) return 0;
+  Product inertia{*system.mass};
+  for (const double factor : {n, n, system.omega, system.omega}) inertia.times(factor);
+  return std::abs((inertia.high - spring) + inertia.low) <= 1e-30 * spring ? static_cast<int>(n)
+                                                                           : 0;
+}
 
 System system_of(const Scene& scene) {
   if (scene.receptance)

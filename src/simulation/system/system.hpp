@@ -29,6 +29,10 @@ struct System {
   std::optional<NormalMotion> opening = {};  ///< in place of both forces: F_n = max(0, reaction)
 };
 
+/// n where a body on an undamped drive swings freely at the n-th harmonic of the oscillation,
+/// K_d = m (n omega)^2, as exact numbers to 30 digits; 0 where it does not.
+int free_harmonic(const System& system);
+
 /// Throws InputError for missing values, ModelError unless the normal network carries the mean load
 /// and the normal force stays positive or the surfaces may part.
 System system_of(const Scene& scene);

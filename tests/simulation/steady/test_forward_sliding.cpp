@@ -1,0 +1,149 @@
+// v* of contacts that open, by what it means: just below it the steady motion sticks or slips
+// back, just above it only slips forward. And against an independent program's numbers.
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+
+#include "base/constants.hpp"
+#include "base/errors.hpp"
+#include "simulation/random_systems.hpp"
+#include "simulation/reference_tables.hpp"
+#include "simulation/steady/exact.hpp"
+#include "simulation/steady/onset.hpp"
+
+BOOST_AUTO_TEST_SUITE(test_forward_sliding)
+
+namespace {
+
+using namespace vcrit;
+using namespace vcrit::simulation;
+
+bool slips_forward_alone(const System& system, double velocity) {
+  return steady_state(system, velocity).regime == Regime::sliding_apart;
+}
+
+// Whether the kind of motion changes at v*, by a billionth of it; the steady state next to it is
+// not always found, which says nothing of v*.
+enum class Border { there, elsewhere, not_found };
+Border border(const System& system, double velocity) {
+  try {
+    return !slips_forward_alone(system, velocity * (1 - 1e-9)) &&
+                   slips_forward_alone(system, velocity * (1 + 1e-9))
+               ? Border::there
+               : Border::elsewhere;
+  } catch (const ModelError&) {
+    return Border::not_found;
+  }
+}
+
+std::optional<System> random_system(reference::RandomSystems& random, double largest_mass) {
+  System system = random.system();
+  const Relaxation normal = random.network(true);
+  const double dynamic = std::abs(dynamic_stiffness(normal, 1)), mean = random.uniform(-0.5, 1);
+  const double amplitude = random.logarithmic(0.3, 10);
+  if (mean + amplitude < 0.1 || dynamic * amplitude < 1.02 * normal.equilibrium * mean)
+    return std::nullopt;
+  if (system.mass) system.mass = random.logarithmic(0.01, largest_mass);
+  system.opening = {normal, mean, amplitude};
+  return system;
+}
+
+/// A body on a spring, K_d = m n^2 (1 + detuning).
+System tuned(int n, double detuning) {
+  System system;
+  system.contact = {0.7, 0.05, {}};
+  system.drive = Relaxation{n * n * (1 + detuning), 0, {}};
+  system.mass = 1;
+  system.omega = system.friction = 1;
+  system.opening = {{1, 0, {}}, 0.5, 1};
+  return system;
+}
+
+}  // namespace
+
+// 34 digits, two step lengths that agree in 25; all of them with a body.
+BOOST_AUTO_TEST_CASE(agrees_with_an_independent_program) {
+  int count = 0;
+  for (const auto& c : reference::rows_of("opening_onset.csv")) {
+    System system;
+    system.contact = reference::network(c.at(1));
+    system.drive = reference::network(c.at(3));
+    system.mass = std::stod(c.at(4));
+    system.omega = c.at(9).empty() ? two_pi * std::stod(c.at(8)) : std::stod(c.at(9));
+    system.friction = std::stod(c.at(7));
+    system.opening = {reference::network(c.at(2)), std::stod(c.at(5)), std::stod(c.at(6))};
+    const double velocity = std::stod(c.at(10));
+    const Onset found = sliding_threshold(system);
+    // Some tens of rounding errors, times a swing of some tens.
+    BOOST_TEST(std::abs(found.contact_velocity / velocity - 1) <= 1e-13, c.at(0));
+    BOOST_TEST((border(system, found.drive_velocity) == Border::there), c.at(0));
+    ++count;
+  }
+  BOOST_TEST(count == 101);
+}
+
+BOOST_AUTO_TEST_CASE(is_the_border_of_stick) {
+  reference::RandomSystems random(33, 2);
+  int tried = 0, infinite = 0, missing = 0;
+  while (tried < 1000) {
+    const auto system = random_system(random, 30);
+    if (!system) continue;
+    ++tried;
+    const Onset found = sliding_threshold(*system);
+    if (std::isinf(found.contact_velocity)) {
+      BOOST_TEST(!found.why_infinite.empty());
+      ++infinite;
+      continue;
+    }
+    BOOST_TEST(found.contact_velocity > 0);
+    const Border here = border(*system, found.drive_velocity);
+    BOOST_TEST((here != Border::elsewhere), "system " << tried);
+    missing += here == Border::not_found ? 1 : 0;
+  }
+  BOOST_TEST_MESSAGE(infinite << " infinite, " << missing << " without steady motion");
+  BOOST_TEST(infinite < 400);
+  BOOST_TEST(missing == 0);
+}
+
+// An undamped drive at a harmonic of the force swings without bound; near it, far.
+BOOST_AUTO_TEST_CASE(undamped_harmonics) {
+  for (const int n : {1, 2, 3, 4, 7, 10}) {
+    const Onset at = sliding_threshold(tuned(n, 0));
+    BOOST_TEST(std::isinf(at.contact_velocity));
+    BOOST_TEST(at.why_infinite.find("harmonic") != std::string::npos);
+    double last = 0;
+    for (const double detuning : {1e-2, 1e-4, 1e-6, -1e-6})
+      BOOST_TEST_CONTEXT(n << " " << detuning) {
+        const System system = tuned(n, detuning);
+        const Onset near = sliding_threshold(system);
+        if (detuning > 0) {
+          BOOST_TEST(near.contact_velocity > last);
+          last = near.contact_velocity;
+        }
+        // The swing grows like the inverse of the detuning.
+        if (detuning == -1e-6) BOOST_TEST(std::abs(near.contact_velocity / last - 1) < 1e-2);
+      }
+  }
+}
+
+// Closer than doubles tell: refused, or the number to six digits; nothing runs on. The second and
+// third harmonic are large in this force.
+BOOST_AUTO_TEST_CASE(lost_in_rounding) {
+  const auto distance = [](const System& system, int n) {
+    return system.drive->equilibrium / (n * n) - 1;  // exact, as both are near 1
+  };
+  int refused = 0;
+  for (const int n : {1, 2, 3})
+    for (const double detuning : {1e-7, 1e-8, 1e-10, 1e-12, 1e-14, 1e-15}) try {
+        const System near = tuned(n, detuning), far = tuned(n, 2 * detuning);
+        const double share =
+            sliding_threshold(near).contact_velocity / sliding_threshold(far).contact_velocity;
+        BOOST_TEST(std::abs(share / (distance(far, n) / distance(near, n)) - 1) < 1e-5,
+                   n << ", " << detuning);
+      } catch (const ModelError&) {
+        ++refused;
+      }
+  BOOST_TEST_MESSAGE(refused << " refused");
+  BOOST_TEST(refused > 0);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
