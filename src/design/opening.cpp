@@ -8,8 +8,7 @@
 #include <cstdint>
 
 #include "base/constants.hpp"
-#include "critical/admissibility.hpp"
-#include "critical/critical_velocity.hpp"
+#include "onset/critical_onset.hpp"
 
 namespace vcrit::design {
 
@@ -79,8 +78,6 @@ Scene with_angular_frequency(Scene scene, double omega) {
   return scene;
 }
 
-double reduced_up_to(const Scene& scene) {
-  return critical_velocity(scene) + creep_velocity(scene);
-}
+double reduced_up_to(const Scene& scene) { return critical_onset(scene).drive_velocity; }
 
 }  // namespace vcrit::design

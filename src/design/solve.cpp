@@ -6,11 +6,11 @@
 
 #include "base/constants.hpp"
 #include "critical/admissibility.hpp"
-#include "critical/critical_velocity.hpp"
 #include "design/explain.hpp"
 #include "design/first_reach.hpp"
 #include "design/opening.hpp"
 #include "design/range.hpp"
+#include "onset/critical_onset.hpp"
 #include "simulation/steady/exact.hpp"
 
 namespace vcrit::design {
@@ -115,7 +115,7 @@ class Solving {
     Answer result;
     result.value = reach.at;
     result.velocity = velocity_at(reach.at);
-    result.critical_velocity = critical_velocity(scene);
+    result.critical_velocity = critical_onset(scene).contact_velocity;
     result.state = state_at(reach.at);
     result.at_start = reach.at == row_start;
     if (!result.at_start) result.value_error = error_of(reach, result.state);

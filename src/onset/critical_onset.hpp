@@ -1,11 +1,5 @@
-// The critical velocity of any scene: by Eq. (24) where that holds, else by simulation. Where the
-// surfaces part, the closed form holds on for two kinds of scenes:
-//   - a path without mass, damper and branches: the contact velocity is v0 less the rate of the
-//     friction bound over a stiffness, and the bound is steepest where the closed contact has it;
-//   - an isotropic contact under a rigid drive: in sliding the tangential deformations are mu0
-//     K_n/K_t times the normal ones, while touching and while apart, so that the contact velocity
-//     is v0 - mu0 (K_n/K_t) du_z/dt whatever the network; as long as the surfaces touch where u_z
-//     rises fastest, which a surface that creeps back too slowly does not.
+// The critical velocity of any scene: by Eq. (24) where that holds (formula_scope.hpp), else by
+// simulation.
 #pragma once
 
 #include <string>
@@ -26,5 +20,9 @@ struct CriticalOnset {
 
 /// Throws InputError for missing values, ModelError where v* is 0/0 and outside the model.
 CriticalOnset critical_onset(const Scene& scene);
+
+/// (p/v*) dv*/dp of that v* as log_derivative.hpp has it of Eq. (24); where v* is simulated, by
+/// differences of it, right to some 1e-9. Throws as both do.
+double onset_log_derivative(const Scene& scene, const Symbol& symbol);
 
 }  // namespace vcrit

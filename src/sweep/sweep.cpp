@@ -9,7 +9,6 @@
 
 #include "critical/admissibility.hpp"
 #include "critical/certified.hpp"
-#include "critical/log_derivative.hpp"
 #include "indenter/friction.hpp"
 #include "onset/critical_onset.hpp"
 #include "scene/changing.hpp"
@@ -255,7 +254,7 @@ class Sweeping::Rows {
   double of_scene(const SweptQuantity& quantity, const Scene& scene, std::size_t row) {
     if (quantity.kind == Kind::admissible) return inadmissible_reasons(scene).empty() ? 2 : 1;
     try {
-      return log_derivative(scene, quantity.parameter);
+      return onset_log_derivative(scene, quantity.parameter);
     } catch (const ModelError& error) {
       note(row, error.what());
       return nothing;

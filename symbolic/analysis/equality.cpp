@@ -6,9 +6,11 @@
 
 #include "analysis/rational_form.hpp"
 #include "analysis/residues.hpp"
+#include "base/errors.hpp"
 #include "base/numbers.hpp"
 #include "critical/critical_velocity.hpp"
 #include "formula/symbols.hpp"
+#include "onset/formula_scope.hpp"
 
 namespace vcrit::symbolic {
 
@@ -163,6 +165,10 @@ Comparison different(Comparison::Scope scope, const Scene& a, const Scene& b) {
 Comparison compare(const Scene& a, const Scene& b) {
   using Scope = Comparison::Scope;
   refuse_two_tables(a, b);
+  for (const Scene* scene : {&a, &b})
+    if (formula_scope(*scene) != FormulaScope::always)
+      throw ModelError(
+          "where surfaces part (separation = true) v* is no formula of all symbols to compare");
   const Model first(a), second(b);
   if (agree(first, {}, second, {})) {
     const bool proved = small(first) && small(second) &&

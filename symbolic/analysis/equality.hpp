@@ -32,7 +32,8 @@ struct Comparison {
 };
 
 /// Compares as functions of the symbols; if these differ and both scenes give values to all their
-/// elements, mass and ratio, as functions of omega with these.
+/// elements, mass and ratio, as functions of omega with these. Throws ModelError where v* is no
+/// formula of either scene: where surfaces part.
 Comparison compare(const Scene& a, const Scene& b);
 
 /// What `vcrit derive A --equal B` prints.

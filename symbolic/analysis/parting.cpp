@@ -5,12 +5,20 @@
 #include "derivation/factors.hpp"
 #include "derivation/model.hpp"
 #include "formula/symbols.hpp"
+#include "onset/formula_scope.hpp"
 
 namespace vcrit::symbolic {
 
 namespace {
 
 using GiNaC::ex;
+
+constexpr const char* always_touching =
+    "While they touch z is the indentation; where it grows fastest they touch, and the contact is "
+    "slowest, as without parting";
+constexpr const char* while_touching =
+    "While they touch z is the indentation; where it grows fastest, as long as they touch there, "
+    "the contact is slowest, as without parting";
 
 // What the contact point does for each unit of mu0 times the normal deformation.
 ex following(const Model& model) {
@@ -19,19 +27,26 @@ ex following(const Model& model) {
   return stiffnesses ? ratio.subs(*stiffnesses).normal() : ratio;
 }
 
-bool remembers(const ex& following) {
-  for (const char* name : {"s", "K_n", "K_t", "K_d"})
-    if (following.has(quantity(name))) return true;
-  return false;
+// Whether the formula is v* of the scene, as far as its values are there to tell.
+bool holds(const Scene& scene) {
+  if (formula_scope(scene) == FormulaScope::never) return false;
+  try {
+    return formula_holds(scene);
+  } catch (const InputError&) {
+    return true;  // while they touch there, as the line says
+  } catch (const ModelError&) {
+    return true;
+  }
 }
 
 }  // namespace
 
 std::vector<Line> parting_lines(const Scene& scene) {
-  if (scene.receptance) return {};
+  if (!holds(scene)) return {};
   const Model model(scene);
   const ex ratio = following(model);
-  if (remembers(ratio)) return {};
+  for (const char* name : {"s", "K_n", "K_t", "K_d"})
+    ensure(!ratio.has(quantity(name)), "the contact point follows without memory");
   const ex z = quantity("z"), mu0 = symbol({"mu0"});
   Factors swing;
   swing.multiply_rational(ratio * mu0 * symbol({"du_z"}));
@@ -42,8 +57,7 @@ std::vector<Line> parting_lines(const Scene& scene) {
   return {{"In sliding contact force and friction balance at all times, also apart, where both are "
            "0; so the contact point follows the normal deformation z without memory",
            quantity("y"), ratio * mu0 * z},
-          {"While they touch z is the indentation; where it grows fastest, and they touch there, "
-           "the contact is slowest, as without parting",
+          {formula_scope(scene) == FormulaScope::always ? always_touching : while_touching,
            quantity("v*"), velocity}};
 }
 

@@ -11,8 +11,8 @@
 
 namespace vcrit::symbolic {
 
-/// The derivation of v* for surfaces that part, or no lines where the contact point follows with
-/// memory: v* is not Eq. (24) there.
+/// The derivation of v* for surfaces that part, or no lines where v* is not Eq. (24) then, by
+/// onset/formula_scope.hpp.
 std::vector<Line> parting_lines(const Scene& scene);
 
 }  // namespace vcrit::symbolic

@@ -150,8 +150,10 @@ Section parting_section(const Findings& findings) {
   for (const Line& line : *findings.parting) section.blocks.push_back({"", "", line.words, {line}});
   if (!section.blocks.empty()) return section;
   section.note =
-      "The contact point follows the normal deformation with memory: v* above holds while the "
-      "contact stays closed, and is simulated where it opens.";
+      "v* above holds while the contact stays closed. Where it opens v* is another one, which "
+      "vcrit "
+      "eval simulates: the contact point follows the normal deformation with memory, or the "
+      "surfaces are apart where it grows fastest.";
   section.blocks.emplace_back();
   return section;
 }

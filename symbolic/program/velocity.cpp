@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "analysis/parting.hpp"
 #include "network/masses.hpp"
+#include "onset/formula_scope.hpp"
 
 namespace vcrit::symbolic {
 
@@ -233,10 +233,19 @@ void refuse_other_scenes(const Scene& scene) {
     throw ModelError("the generator needs a network; this drive is a measured receptance");
   if (scene.drive && has_masses(*scene.drive))
     throw ModelError("the generator knows one body; this drive holds masses of its own");
-  if (scene.separation && parting_lines(scene).empty())
-    throw ModelError(
-        "no closed form of v* where these surfaces part (separation = true); of the closed contact "
-        "there is one, without it");
+  switch (formula_scope(scene)) {
+    case FormulaScope::always:
+      return;
+    case FormulaScope::while_touching:
+      throw ModelError(
+          "where these surfaces part (separation = true) v* is Eq. (24) only while they touch "
+          "where the indentation grows fastest, which an evaluator cannot tell; vcrit eval can, "
+          "and of the closed contact there is an evaluator, without separation");
+    case FormulaScope::never:
+      throw ModelError(
+          "no closed form of v* where these surfaces part (separation = true); of the closed "
+          "contact there is one, without it");
+  }
 }
 
 // The widest range for which all numbers stay among the doubles, and scaling only where there is

@@ -40,13 +40,19 @@ def browser(profile):
     for argument in [*ARGUMENTS, f"--user-data-dir={profile}"]:
         options.add_argument(argument)
     options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
-    return webdriver.Chrome(service=Service("/usr/bin/chromedriver"), options=options)
+    driver = webdriver.Chrome(service=Service("/usr/bin/chromedriver"), options=options)
+    driver.get("about:blank")  # away from what Chromium opens by itself, and goes on loading
+    return driver
 
 
 def draw_charts(driver):
-    """All of them, also those far from the screen: as before printing."""
-    driver.execute_script("for (const kind of ['beforeprint', 'afterprint']) dispatchEvent(new Event(kind))")
-    WebDriverWait(driver, PATIENCE).until(lambda _: driver.execute_script(DRAWN))
+    """All of them, also those far from the screen: as before printing, which the page may not have been ready for."""
+
+    def drawn(_):
+        driver.execute_script("for (const kind of ['beforeprint', 'afterprint']) dispatchEvent(new Event(kind))")
+        return driver.execute_script(DRAWN)
+
+    WebDriverWait(driver, PATIENCE).until(drawn)
 
 
 def number(words):

@@ -219,4 +219,38 @@ BOOST_AUTO_TEST_CASE(wrong_questions_are_refused) {
 
 }  // namespace
 
+// Where surfaces part, speeds are sought below the simulated v*, which may lie above Eq. (24) or
+// below: bisections on an independent simulator.
+BOOST_AUTO_TEST_CASE(speeds_of_surfaces_that_part) {
+  struct Known {
+    std::string scene;
+    double velocity, critical_velocity;
+  };
+  const std::string kelvin =
+      "[contact]\nnormal = \"kelvin(kn, cn)\"\ntangential = \"kelvin(kt, ct)\"\nseparation = true\n"
+      "[oscillation]\nfrequency = 21530.0\namplitude = 4.15364e-07\nindentation = 1.02506e-06\n"
+      "[friction]\ncoefficient = 0.579\n"
+      "[elements]\nkn = 712657\ncn = 27.8055\nkt = 765936\nct = 0.322604\n";
+  const std::string zener =
+      "[contact]\nnormal = \"zener(kn0, kn1, cn1)\"\ntangential = \"zener(kt0, kt1, ct1)\"\n"
+      "separation = true\n[drive]\nnetwork = \"spring(kd)\"\n"
+      "[oscillation]\nangular_frequency = 100000\namplitude = 1e-6\nindentation = 3e-7\n"
+      "[friction]\ncoefficient = 0.3\n[elements]\nkn0 = 300000\nkn1 = 2000000\ncn1 = 20\n"
+      "kt0 = 500000\nkt1 = 1000000\nct1 = 5\nkd = 800000\n";
+  for (const Known& known : {Known{kelvin, 2.11770218308818, 2.90363422227765774},
+                             Known{zener, 0.1256295136006581, 0.136576710646946157}}) {
+    Question asked;
+    asked.scene = parse_scene(known.scene, "parting.toml");
+    asked.sought = Sought::velocity;
+    asked.friction_ratio = 0.999;
+    const Answer answer = design::solve(asked);
+    BOOST_TEST(std::abs(answer.value - known.velocity) <=
+               answer.value_error + 1e-12 * known.velocity);
+    BOOST_TEST(answer.value_error <= 1e-9 * known.velocity);
+    BOOST_TEST(std::abs(answer.critical_velocity / known.critical_velocity - 1) <= 1e-13);
+    BOOST_TEST(ratio_of(asked.scene, answer.value) <= 0.999);
+    BOOST_TEST(ratio_of(asked.scene, answer.value * (1 + 1e-6)) > 0.999);
+  }
+}
+
 BOOST_AUTO_TEST_SUITE_END()

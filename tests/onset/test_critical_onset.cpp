@@ -121,4 +121,24 @@ BOOST_AUTO_TEST_CASE(closed_contacts_are_as_ever) {
   BOOST_TEST((critical_onset(may).by == CriticalOnset::By::formula));
 }
 
+// d ln v*/d ln p of a scene whose v* is simulated: differences of an independent program's v*, in
+// 34 digits, given to nine.
+BOOST_AUTO_TEST_CASE(sensitivities_are_those_of_the_simulated_velocity) {
+  const Scene scene = parse_scene(
+      "[contact]\nnormal = \"zener(k0, k1, c1)\"\ntangential_ratio = 0.8\nseparation = true\n"
+      "[oscillation]\nangular_frequency = 1e5\namplitude = 1e-6\nindentation = 3e-7\n"
+      "[friction]\ncoefficient = 0.3\n[elements]\nk0 = 2e5\nk1 = 2e6\nc1 = 40\n",
+      "memory.toml");
+  BOOST_TEST((critical_onset(scene).by == CriticalOnset::By::simulation));
+  BOOST_TEST(std::abs(critical_onset(scene).contact_velocity / 0.0329490394820942627 - 1) < 1e-13);
+  const std::pair<const char*, double> known[] = {
+      {"u_z0", 0.058391161}, {"c1", -0.059194201}, {"k1", -0.103276908}, {"k0", 0.162471109}};
+  for (const auto& [name, expected] : known)
+    BOOST_TEST(std::abs(onset_log_derivative(scene, {name}) - expected) <= 1e-9, name);
+  // Of Eq. (24) where that holds.
+  const Scene closed = scene_of("normal = \"k | c\"\ntangential = \"kt\"", 0.2,
+                                "[elements]\nk = 1.0\nc = 0.6\nkt = 0.8\n");
+  BOOST_TEST(onset_log_derivative(closed, {"kt"}) == -1);
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -11,7 +11,6 @@ Run with the project's folder. With --list [FOLDER...], prints what breaks a rul
 
 import itertools
 import pathlib
-import subprocess
 import sys
 import unittest
 
@@ -80,9 +79,8 @@ def visible(header, file):
 
 
 def sources():
-    names = subprocess.run(["git", "ls-files", *LIBRARIES], cwd=ROOT, capture_output=True, text=True, check=True).stdout
-    return {name: declarations((ROOT / name).read_text())
-            for name in names.split() if name.endswith((".cpp", ".hpp")) and (ROOT / name).exists()}
+    files = sorted(file for library in LIBRARIES for file in (ROOT / library).rglob("*.[ch]pp"))
+    return {str(file.relative_to(ROOT)): declarations(file.read_text()) for file in files}
 
 
 def trial(**texts):
