@@ -6,6 +6,7 @@
 #include <array>
 #include <filesystem>
 #include <set>
+#include <utility>
 
 #include "base/constants.hpp"
 #include "base/files.hpp"
@@ -114,7 +115,19 @@ class Reader {
     if (const auto why = unsafe_as_identifier(name))
       throw InputError(section.place(key), fmt::format("name \"{}\", which {}", name, *why),
                        "another name");
+    refuse_taken(name, "a ratio", section.place(key), {"mu0", "omega", "du_z", "u_z0", "m"});
     return name;
+  }
+
+  // Names by which --set, --over and messages speak of something else.
+  static void refuse_taken(const std::string& name, const char* what, const Place& place,
+                           std::set<std::string> taken) {
+    taken.insert({"amplitude", "angular_frequency", "coefficient", "frequency", "indentation",
+                  "mass", "poisson", "tangential_ratio", "velocity", "velocity_ratio"});
+    if (taken.contains(name))
+      throw InputError(
+          place, fmt::format("\"{}\" as {}", name, what),
+          fmt::format("another name: it is a quantity of the scene ({})", fmt::join(taken, ", ")));
   }
 
   void read_drive() {
@@ -234,10 +247,7 @@ class Reader {
     std::set<std::string> taken;
     if (document_.contains("body") || use.dimension != Dimension::mass) taken.insert("m");
     for (const Quantity* quantity : quantities(scene_)) taken.insert(quantity->symbol.name);
-    if (taken.contains(name))
-      throw InputError(
-          use.place, fmt::format("\"{}\" as an element", name),
-          fmt::format("another name: it is a quantity of the scene ({})", fmt::join(taken, ", ")));
+    refuse_taken(name, "an element", use.place, std::move(taken));
   }
 
   void read_element(const std::string& name, const ElementUse& use, const toml::node* node) {

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "base/errors.hpp"
-#include "base/files.hpp"
 #include "emit/pieces.hpp"
+#include "emit/written.hpp"
 
 namespace vcrit::symbolic {
 
@@ -62,7 +62,7 @@ std::vector<std::filesystem::path> generate(const Scene& scene,
   companion("test_" + name + ".cpp", emit_test(scene, name, options));
   written.push_back({directory / "CMakeLists.txt", emit_cmake(name)});
   written.insert(written.begin(), {directory / (name + ".hpp"), std::move(header)});
-  write_files(written);
+  write_generated(written);
   std::vector<std::filesystem::path> files;
   for (const NewFile& file : written) files.push_back(file.place);
   return files;

@@ -55,8 +55,9 @@ class LatexDialect : public Dialect {
             Piece::Tightness::product};
   }
   std::string power(const std::string& base, int exponent) const override {
-    // A base that carries an exponent of its own (v^*) does not occur here.
-    return fmt::format("{}^{{{}}}", base, exponent);
+    // TeX takes no second exponent of one base, as of v^{*}.
+    const bool raised = base.find('^') != std::string::npos && !base.starts_with("\\left");
+    return fmt::format("{}^{{{}}}", raised ? "{" + base + "}" : base, exponent);
   }
   std::string root(const std::string& argument) const override {
     return "\\sqrt{" + argument + "}";

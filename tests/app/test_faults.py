@@ -137,6 +137,18 @@ class Generate(Case):
                 self.assertNotIn(".part", " ".join(self.texts(self.folder / "out")))
         self.assertEqual(number, 11)
 
+    def test_files_of_another_hand_stay(self):
+        for file, language in [("CMakeLists.txt", "c++"), ("critical.hpp", "c++"), ("test_critical.cpp", "c++"),
+                               ("critical.py", "python"), ("critical.h", "c99")]:
+            with self.subTest(file):
+                out = self.folder / f"own-{file}"
+                out.mkdir()
+                (out / file).write_text("project(mine)\n")
+                result = run("generate", ZENER, "--language", language, "--out", out)
+                self.assertEqual(result.returncode, 2)
+                self.one_message(result, "found a file that vcrit did not generate; expected another folder")
+                self.assertEqual(self.texts(out), {file: b"project(mine)\n"})
+
     def preprocessed(self, *files):
         text = "".join(f'#include "{file}"\n' for file in files)
         return subprocess.run(["g++", "-std=c++20", "-E", "-o", os.devnull, "-x", "c++", "-"], input=text, text=True,

@@ -67,6 +67,8 @@ BOOST_AUTO_TEST_CASE(names_are_ordered_as_people_count) {
 
 BOOST_AUTO_TEST_CASE(notation_in_latex) {
   const auto latex = [](const Symbol& s) { return to_latex(symbol(s)); };
+  BOOST_TEST(to_latex(GiNaC::pow(quantity("v*"), 2)) == "{v^{*}}^{2}");
+  BOOST_TEST(to_latex(GiNaC::pow(k + c, 2)) == "\\left(c_{1} + k_{0}\\right)^{2}");
   BOOST_TEST(latex({"k0"}) == "k_{0}");
   BOOST_TEST(latex({"k", 3}) == "k_{(3)}");
   BOOST_TEST(latex({"tau", 12}) == "\\tau_{(12)}");

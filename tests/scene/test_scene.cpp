@@ -261,4 +261,24 @@ BOOST_AUTO_TEST_CASE(one_name_is_one_kind_of_number) {
                  "as a network and as an element"));
 }
 
+// --set amplitude=... and the like would mean two numbers.
+BOOST_AUTO_TEST_CASE(names_of_quantities_are_free_for_nothing_else) {
+  const std::string body = "[body]\nmass = \"m\"\n";
+  for (const char* name : {"mu0", "omega", "du_z", "u_z0", "m", "amplitude", "angular_frequency",
+                           "coefficient", "frequency", "indentation", "mass", "poisson",
+                           "tangential_ratio", "velocity", "velocity_ratio"}) {
+    const std::string quoted(name);
+    BOOST_TEST(
+        has(message("[contact]\nnormal = \"spring(" + quoted + ")\"\ntangential = \"kt\"\n" + body),
+            "found \"" + quoted + "\" as an element; expected another name"),
+        name);
+    for (const char* key : {"poisson", "tangential_ratio"})
+      if (quoted != key)
+        BOOST_TEST(has(message("[contact]\nnormal = \"k\"\n" + std::string(key) + " = \"" + quoted +
+                               "\"\n" + body),
+                       "found \"" + quoted + "\" as a ratio; expected another name"),
+                   name);
+  }
+}
+
 BOOST_AUTO_TEST_SUITE_END()

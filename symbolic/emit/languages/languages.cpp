@@ -2,11 +2,11 @@
 
 #include <fmt/core.h>
 
-#include "base/files.hpp"
 #include "emit/languages/language_names.hpp"
 #include "emit/languages/printers.hpp"
 #include "emit/pieces.hpp"
 #include "emit/words.hpp"
+#include "emit/written.hpp"
 
 namespace vcrit::symbolic {
 
@@ -79,7 +79,7 @@ std::filesystem::path generate(const Scene& scene, const std::filesystem::path& 
                                const GenerateOptions& options) {
   const std::string text = emit(scene, name, language, options);
   std::filesystem::path file = directory / (name + extension(language));
-  write_file(file, text);
+  write_generated({{file, text}});
   return file;
 }
 
