@@ -41,8 +41,18 @@ def browser(profile):
         options.add_argument(argument)
     options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
     driver = webdriver.Chrome(service=Service("/usr/bin/chromedriver"), options=options)
-    driver.get("about:blank")  # away from what Chromium opens by itself, and goes on loading
+    load(driver, "about:blank")
     return driver
+
+
+def load(driver, address):
+    """The driver may take the end of what Chromium opens by itself for this page's."""
+
+    def there(_):
+        return driver.execute_script("return location.href === arguments[0] && document.readyState === 'complete'", address)
+
+    driver.get(address)
+    WebDriverWait(driver, PATIENCE).until(there)
 
 
 def draw_charts(driver):

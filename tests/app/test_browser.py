@@ -16,7 +16,7 @@ from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
 from selenium.webdriver.support.ui import WebDriverWait
 
-from browsing import CHARTS, PATIENCE, Ruler, browser, draw_charts, places
+from browsing import CHARTS, PATIENCE, Ruler, browser, draw_charts, load, places
 
 PROJECT, PROGRAM = sys.argv.pop(1), sys.argv.pop(1)
 SCENES = ["zener", "prony", "kelvin_rigid"]
@@ -48,7 +48,7 @@ class Browser(unittest.TestCase):
     def open(self, name):
         for kind in ["browser", "performance"]:
             self.browser.get_log(kind)  # what was left of other pages
-        self.browser.get((self.report / f"{name}.html").as_uri())
+        load(self.browser, (self.report / f"{name}.html").as_uri())
         draw_charts(self.browser)
 
     def width(self, pixels):

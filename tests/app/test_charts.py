@@ -17,7 +17,7 @@ from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
 from selenium.webdriver.support.ui import WebDriverWait
 
-from browsing import CHARTS, PATIENCE, Ruler, browser, draw_charts, number, places
+from browsing import CHARTS, PATIENCE, Ruler, browser, draw_charts, load, number, places
 
 PROJECT, PROGRAM = (str(Path(sys.argv.pop(1)).resolve()) for _ in range(2))
 PAGES = ["zener", "jumping", "paper/index"]
@@ -70,7 +70,7 @@ class Charts(unittest.TestCase):
 
     def load(self, page):
         self.browser.get_log("browser")  # what was left of other pages
-        self.browser.get((self.report / f"{page}.html").as_uri())
+        load(self.browser, (self.report / f"{page}.html").as_uri())
 
     def open(self, page):
         self.load(page)

@@ -15,7 +15,7 @@ import unicodedata
 import unittest
 from pathlib import Path
 
-from browsing import browser, draw_charts
+from browsing import browser, draw_charts, load
 
 PROJECT, PROGRAM = (str(Path(sys.argv.pop(1)).resolve()) for _ in range(2))
 SCENE = Path(PROJECT, "scenes/kelvin_rigid.toml").read_text()
@@ -194,7 +194,7 @@ class Pages(Case):
     def opened(self, page):
         for kind in ["browser", "performance"]:
             self.browser.get_log(kind)  # what was left of other pages
-        self.browser.get(page.as_uri())
+        load(self.browser, page.as_uri())
         draw_charts(self.browser)
 
     def nothing_happened(self, page):
