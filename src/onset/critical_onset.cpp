@@ -40,8 +40,8 @@ CriticalOnset critical_onset(const Scene& scene) {
 
 double onset_log_derivative(const Scene& scene, const Symbol& symbol) {
   if (formula_holds(scene)) return log_derivative(scene, symbol);
-  const double value = values_of(scene).at(symbol);
   ChangingScene changing(scene, {to_text(symbol)});
+  const double value = changing.targets().front().value->value();
   const auto log_velocity = [&](double steps) {
     const double changed = value * std::exp(steps * log_step);
     return std::log(critical_onset(changing.at({&changed, 1})).contact_velocity);

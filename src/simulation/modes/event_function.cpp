@@ -155,4 +155,22 @@ EventFunction::Safe EventFunction::safe_duration(double value, double h) const {
   return {negative_duration(bound, h), fast};
 }
 
+double EventFunction::safe_step(double value, double& h) const {
+  const double time = here_.duration(), least = time == 0 ? 1e-300 : epsilon * time;
+  while (true) {
+    const Safe safe = safe_duration(value, h);
+    if (safe.duration >= h) {
+      const double whole = h;
+      h *= 2;
+      return whole;
+    }
+    if (safe.finer && safe.duration < h / 4 && h > least) {
+      h /= 4;
+      continue;
+    }
+    h = std::max(4 * safe.duration, 1e-290);
+    return safe.duration;
+  }
+}
+
 }  // namespace vcrit::simulation

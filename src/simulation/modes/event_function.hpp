@@ -47,6 +47,10 @@ class EventFunction {
   };
   Safe safe_duration(double value, double h) const;
 
+  /// The longest such duration that `h` leads to, and with it the h to try next: intervals are
+  /// narrowed while they hide fast terms and show little, and grow when all is safe.
+  double safe_step(double value, double& h) const;
+
  private:
   bool bound_decays(Derivatives& bound, double h) const;
   bool bound_pair(Derivatives& bound, double h, PairNumber now, const ModePair& pair) const;

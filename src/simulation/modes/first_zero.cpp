@@ -25,7 +25,7 @@ class March {
         here = f_.move_to(here.time + past(here));
         continue;
       }
-      const double step = safe_step(here);
+      const double step = f_.safe_step(here.value, h_);
       if (step <= least_step(here.time)) {
         if (!at_start) return polished(here);
         return 0.0;
@@ -40,24 +40,6 @@ class March {
   static constexpr int most_steps = 10'000'000;
 
   static double least_step(double t) { return t == 0 ? 1e-300 : epsilon * t; }
-
-  // Intervals are narrowed while they hide fast terms and show little; they grow when all is safe.
-  double safe_step(const EventFunction::Point& here) {
-    while (true) {
-      const EventFunction::Safe safe = f_.safe_duration(here.value, h_);
-      if (safe.duration >= h_) {
-        const double whole = h_;
-        h_ *= 2;
-        return whole;
-      }
-      if (safe.finer && safe.duration < h_ / 4 && h_ > least_step(here.time)) {
-        h_ /= 4;
-        continue;
-      }
-      h_ = std::max(4 * safe.duration, 1e-290);
-      return safe.duration;
-    }
-  }
 
   // f is within rounding of zero and turning down: a touch, left behind by twice the time that it
   // takes f to get out of the rounding.

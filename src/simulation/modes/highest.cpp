@@ -21,7 +21,7 @@ class Ascent {
     EventFunction::Point here = f_.move_to(0);
     for (int i = 0; i < most_steps; ++i) {
       if (here.time >= end_) return highest_;
-      const double step = safe_step(here);
+      const double step = f_.safe_step(here.value - level(), h_);
       if (here.slope * step > 0.5 * (level() - here.value) && climb(here, step)) continue;
       here = f_.move_to(std::min(end_, here.time + std::max(step, least_step(here.time))));
       take(here);
@@ -30,7 +30,7 @@ class Ascent {
   }
 
  private:
-  // As many as oscillations of a period that are still told apart by doubles' phases.
+  // A few for each swing of a touch, of which sensible motions have some thousand at the most.
   static constexpr int most_steps = 1'000'000;
 
   static double least_step(double t) { return std::max(epsilon * t, 1e-300); }
@@ -43,24 +43,6 @@ class Ascent {
   }
   // Nothing counts as higher within rounding.
   double level() const { return highest_ + 2 * noise_; }
-
-  // How long f stays below the level from here on.
-  double safe_step(const EventFunction::Point& here) {
-    while (true) {
-      const EventFunction::Safe safe = f_.safe_duration(here.value - level(), h_);
-      if (safe.duration >= h_) {
-        const double whole = h_;
-        h_ *= 2;
-        return whole;
-      }
-      if (safe.finer && safe.duration < h_ / 4 && h_ > least_step(here.time)) {
-        h_ /= 4;
-        continue;
-      }
-      h_ = std::max(4 * safe.duration, 1e-290);
-      return safe.duration;
-    }
-  }
 
   // Follows f uphill to where it turns; whether that is above the level. What lies between is
   // gone through again below the new one.
