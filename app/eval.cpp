@@ -29,6 +29,10 @@ void print_eval_json(const Scene& scene, const Result& result) {
       {"admissible", result.reasons.empty()},
       {"reasons", reasons},
       {"drive_velocity", json_number(result.critical.drive_velocity)}};
+  if (result.critical.free_harmonic > 0) {
+    object["sliding_from"] = json_number(result.critical.sliding_from);
+    object["free_harmonic"] = result.critical.free_harmonic;
+  }
   if (scene.separation) {
     object["opens"] = opens(scene);
     object["critical_velocity_by"] = result.simulated() ? "simulation" : "formula";
@@ -47,6 +51,10 @@ void print_eval_text(const Scene& scene, const Result& result) {
     fmt::print("relative error        at most {:.2g}\n", result.critical.relative_error_bound);
   if (result.critical.drive_velocity != critical)
     fmt::print("drive velocity        {} m/s (the path creeps)\n", result.critical.drive_velocity);
+  if (result.critical.free_harmonic > 0)
+    fmt::print(
+        "steady sliding        from {} m/s on: the undamped body swings freely at harmonic {}\n",
+        result.critical.sliding_from, result.critical.free_harmonic);
   if (scene.separation)
     fmt::print("surfaces              {}\n",
                opens(scene) ? "part for a while in each period" : "always touch");

@@ -3,10 +3,12 @@
 #include <cmath>
 #include <limits>
 
+#include "base/constants.hpp"
 #include "critical/admissibility.hpp"
 #include "critical/certified.hpp"
 #include "critical/log_derivative.hpp"
 #include "indenter/friction.hpp"
+#include "network/masses.hpp"
 #include "onset/formula_scope.hpp"
 #include "scene/changing.hpp"
 #include "simulation/steady/onset.hpp"
@@ -15,14 +17,33 @@ namespace vcrit {
 
 namespace {
 
+// Of a body on springs, whose contact never opens.
+int free_harmonic(const Scene& scene) {
+  if (!scene.mass || !scene.drive || scene.receptance || has_masses(*scene.drive)) return 0;
+  const Values values = values_of(scene);
+  return simulation::free_harmonic(relaxation_form(*scene.drive, values),
+                                   values.at(scene.mass->symbol),
+                                   values.at(scene.angular_frequency.symbol));
+}
+
 CriticalOnset by_formula(const Scene& scene) {
   const auto [value, bound, reason] = certified_critical_velocity(scene);
-  return {CriticalOnset::By::formula, value, value + creep_velocity(scene), bound, reason};
+  CriticalOnset onset{
+      CriticalOnset::By::formula, value, value + creep_velocity(scene), bound, reason, value};
+  if (const int n = free_harmonic(scene); n > 1) {
+    onset.free_harmonic = n;
+    onset.sliding_from *= std::cos(pi / (2 * n));
+  }
+  return onset;
 }
 
 CriticalOnset by_simulation(const simulation::Onset& onset) {
-  return {CriticalOnset::By::simulation, onset.contact_velocity, onset.drive_velocity,
-          std::numeric_limits<double>::quiet_NaN(), onset.why_infinite};
+  return {CriticalOnset::By::simulation,
+          onset.contact_velocity,
+          onset.drive_velocity,
+          std::numeric_limits<double>::quiet_NaN(),
+          onset.why_infinite,
+          onset.contact_velocity};
 }
 
 // Steps of ln p. Differences of fourth order err by their fourth power, 1e-12, and the 1e-13 to

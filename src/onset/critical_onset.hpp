@@ -16,6 +16,10 @@ struct CriticalOnset {
   double relative_error_bound =
       0;               ///< of v*; of a simulated one NaN: no bound is known, only rounding is lost
   std::string reason;  ///< why v* is infinite, else empty
+  /// m/s, of a body that swings freely at harmonic n > 1 of the oscillation, K_d = m (n omega)^2
+  /// without damping: friction is full from v* cos(pi/(2 n)) on; else v*.
+  double sliding_from = 0;
+  int free_harmonic = 0;  ///< n, else 0
 };
 
 /// Throws InputError for missing values, ModelError where v* is 0/0 and outside the model.

@@ -125,6 +125,12 @@ Model::Model(const System& system) {
   set_stick();
   set_slip();
   set_sliding();
+  threshold = std::abs(sliding_velocity);
+  if (free_harmonic > 1) {
+    const double quarter = pi / (2 * free_harmonic);
+    free_swing = threshold * std::sin(quarter) / free_harmonic;
+    threshold *= std::cos(quarter);
+  }
 }
 
 void Model::set_bound(const System& system) {
@@ -136,6 +142,7 @@ void Model::set_bound(const System& system) {
     phase = opening->phase;
     return;
   }
+  load = mean;
   force_unit = system.friction * system.mean_normal_force;
   amplitude = std::abs(system.normal_force_amplitude) / system.mean_normal_force;
   phase = std::arg(system.normal_force_amplitude);
@@ -224,6 +231,16 @@ void Model::set_sliding() {
   for (Index j = 0; j < drive.rates.size(); ++j)
     sliding_rates[j + 1] = 1i * velocity * drive.weights[j] / (drive.rates[j] + 1i);
   creep += body->fluidity;
+}
+
+void Model::add_steady(double times, View x) const {
+  x[0] += times;
+  if (!body) return;
+  x[1] -= times * body->fluidity;
+  for (Index j = 0; j < body->drive.rates.size(); ++j) {
+    const double rate = body->drive.rates[j];
+    x[2 + j] -= rate == 0 ? times : times * body->drive.weights[j] * body->fluidity / rate;
+  }
 }
 
 void Model::rates(ConstView x, bool stuck, View y) const {

@@ -9,7 +9,10 @@
 //   contact: r in slip; rho and r in stick, of which y has rho alone
 //
 // F force of the contact on the contact point, u body velocity less drive velocity, g_j the drive's
-// branch forces taken negative (g_j' = k_j u - a_j g_j), contact as in contact_modes.hpp.
+// branch forces taken negative (g_j' = k_j u - a_j g_j), contact as in contact_modes.hpp. All less
+// what they are in steady sliding under a constant bound `load`, as the velocity of a motion is
+// that of the contact there: of a contact that never opens the mean bound, so that the numbers of a
+// state are as small as the oscillation, and as exact; of one that opens 0.
 #pragma once
 
 #include <complex>
@@ -49,6 +52,7 @@ struct Model {
 
   double mean = 1;           ///< of b(t), without what decays
   double amplitude = 0;      ///< of b(t); < 1 unless the contact opens
+  double load = 0;           ///< from which F is measured
   double phase = 0;          ///< t = omega t_physical + phase
   double force_unit = 0;     ///< N
   double velocity_unit = 0;  ///< m/s
@@ -66,6 +70,11 @@ struct Model {
   /// resonance of body and drive. As many times rounding errors grow.
   double resonance = 1;
   int free_harmonic = 0;  ///< see system.hpp
+  /// Of a contact that never opens, the least velocity of steady sliding: the amplitude of the
+  /// contact velocity. A body that swings freely at the n-th harmonic, n > 1, may take off that
+  /// swing's part of it, down to cos(pi/(2 n)): a measure on the two instants +-pi/(2 n) gives no
+  /// such swing a mean, and `free_swing` cos(n t), t from the slowest instant, attains it.
+  double threshold = 0, free_swing = 0;
 
   Index body_states() const { return body ? 1 + body->drive.rates.size() : 0; }  ///< u, g_j
   Index branches() const { return contact.branch_stiffness.size(); }
@@ -82,8 +91,10 @@ struct Model {
   Index integrals() const { return integrated_levels() + slow_units; }
 
   /// b(t) while the surfaces touch.
-  double bound(const Instant& t, Index touch = 0) const {
-    return mean + amplitude * t.turn.real() + decaying(t, touch, 0);
+  double bound(const Instant& t, Index touch = 0) const { return mean + swing(t, touch); }
+  /// F of slip forward (side = 1) or backward (-1), less the load.
+  double slip_force(int side, const Instant& t, Index touch = 0) const {
+    return (side * mean - load) + side * swing(t, touch);
   }
   double bound_rate(const Instant& t, Index touch = 0) const {
     return -amplitude * t.turn.imag() + decaying(t, touch, 1);
@@ -92,6 +103,20 @@ struct Model {
     return -amplitude * t.turn.real() + decaying(t, touch, 2);
   }
 
+  /// What forces change by: b(t) of a contact that never opens by its amplitude, else all of it.
+  double force_size() const { return opening ? 1 : amplitude; }
+
+  /// Of a contact that never opens: whether its steady motion is sliding without end, and whether
+  /// it is none, as a path that creeps carries F = eta v0 below the bound. velocity: of a motion.
+  bool slides(double velocity) const { return !opening && velocity >= threshold; }
+  bool never_slips(double velocity) const { return !opening && velocity <= -creep * amplitude; }
+
+  /// The velocity of a motion, of that of the drive.
+  double motion_velocity(double drive_velocity) const { return drive_velocity - creep * load; }
+
+  /// Adds so many times what steady sliding under a constant bound of 1 has to x = (F | u, g_j).
+  void add_steady(double times, View x) const;
+
   /// Estimate of the relative error of <F_n>.
   double bound_error() const { return opening ? opening->error : 0; }
 
@@ -99,6 +124,9 @@ struct Model {
   void rates(ConstView x, bool stuck, View y) const;
 
  private:
+  double swing(const Instant& t, Index touch) const {
+    return amplitude * t.turn.real() + decaying(t, touch, 0);
+  }
   double decaying(const Instant& t, Index touch, int derivative) const {
     if (!opening) [[likely]]
       return 0;

@@ -60,9 +60,9 @@ State Piece::after(const Flow& flow, View integrals) const {
   const Index held = model_->integrated_levels();
   const ComplexDouble once = turned(start_.at, flow.factors().turn()[1]);
   const ComplexDouble twice = turned(start_.at, flow.factors().turn()[2]);
-  state.x[0] = side * model_->bound(state.at, state.touch);
-  integrals[0] =
-      impulse + side * (model_->mean * flow.duration() + model_->amplitude * once.real());
+  state.x[0] = model_->slip_force(side, state.at, state.touch);
+  integrals[0] = impulse + (side * model_->mean - model_->load) * flow.duration() +
+                 side * model_->amplitude * once.real();
   for (Index i = 0; i < body; ++i) {
     state.x[1 + i] += side * real_product(model_->sliding_rates[i], once);
     if (1 + i < held) integrals[1 + i] += side * real_product(model_->sliding_rates[i], twice);
@@ -110,7 +110,8 @@ EventFunction Piece::slip_end() const {
   const int side = direction(start_.motion);
   const bool from_zero = leaving(Motion::stick);
   const double velocity = simulation::contact_velocity(*model_, velocity_, start_);
-  const double size = velocity_ + sum_of_sizes(start_.x) + model_->contact.glassy;
+  const double size =
+      velocity_ + sum_of_sizes(start_.x) + model_->contact.glassy * model_->force_size();
   EventFunction f(model_->slip.modes.spectrum, 1, from_zero ? 0 : -side * velocity,
                   from_zero ? 0 : size);
   f.add_modes(model_->slip.event, modes_, -side);
@@ -125,7 +126,7 @@ EventFunction Piece::stick_end(int side) const {
   const bool entered = leaving(side > 0 ? Motion::slip : Motion::backslip);
   const ComplexDouble bound = model_->amplitude * start_.at.turn;
   const int order = start_.entered == side && model_->contact.damper == 0 ? 2 : 1;
-  const double gap = side * start_.x[0] - model_->bound(start_.at, start_.touch);
+  const double gap = side * (start_.x[0] - model_->slip_force(side, start_.at, start_.touch));
   EventFunction f(model_->stick.modes.spectrum, order, entered ? 0 : std::min(gap, 0.0),
                   entered ? 0 : std::abs(start_.x[0]));
   f.add_modes(model_->stick.event, modes_, side, order - 1);

@@ -28,8 +28,8 @@ inline int direction(Motion motion) {
   return motion == Motion::slip ? 1 : (motion == Motion::backslip ? -1 : 0);
 }
 
-/// One piece of motion from a state on, in closed form. Velocities without dimension; `velocity` is
-/// that of the drive.
+/// One piece of motion from a state on, in closed form. Velocities without dimension; `velocity` as
+/// in model.hpp.
 class Piece {
  public:
   Piece(const Model& model, double velocity, State start);

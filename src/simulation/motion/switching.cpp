@@ -57,7 +57,7 @@ State switched(const Model& model, const State& before, Motion to) {
   State after{to, before.at, Vector(states(model, to)), direction(before.motion) + direction(to),
               before.touch};
   carry_over(model, before.x, after.x);
-  after.x[0] = after.entered * model.bound(before.at, before.touch);
+  after.x[0] = model.slip_force(after.entered, before.at, before.touch);
   if (to == Motion::stick)
     add_force_rate(model, after.entered * model.bound_rate(before.at, before.touch), after.x);
   return after;

@@ -5,6 +5,7 @@
 
 #include "base/constants.hpp"
 #include "base/errors.hpp"
+#include "simulation/steady/near_resonance.hpp"
 
 namespace vcrit::simulation {
 
@@ -26,14 +27,15 @@ class Answer {
     set(1, 0, Regime::sliding);
     for (int i = 0; i < samples_; ++i) {
       const double t = phase_of(i) + model_.phase;
-      const double velocity =
-          velocity_ - model_.creep + (model_.sliding_velocity * std::exp(1i * t)).real();
+      const double slowest = t + std::arg(model_.sliding_velocity) + pi;
+      const double velocity = velocity_ + (model_.sliding_velocity * std::exp(1i * t)).real() +
+                              model_.free_swing * std::cos(model_.free_harmonic * slowest);
       state_.cycle.push_back(point(phase_of(i), velocity, model_.bound(t), model_.bound(t)));
     }
   }
 
   void stick() const {
-    const double force = velocity_ / model_.creep;
+    const double force = 1 + velocity_ / model_.creep;
     set(force, 8 * 2.3e-16 * force, Regime::stick);
     for (int i = 0; i < samples_; ++i) {
       const double bound = model_.bound(phase_of(i) + model_.phase);
@@ -93,7 +95,7 @@ class Answer {
     const double duration = t - part->piece.start().at.time;
     const State state = part->piece.after(duration);
     return point(
-        phase, contact_velocity(model_, velocity_, state), state.x[0],
+        phase, contact_velocity(model_, velocity_, state), model_.load + state.x[0],
         state.motion == Motion::apart ? 0 : model_.bound(phase + model_.phase, state.touch));
   }
 
@@ -104,6 +106,11 @@ class Answer {
 };
 
 }  // namespace
+
+Answers::Answers(const System& system) : model_(system) {
+  state_.events.reserve(usual_events);
+  if (lost_in_resonance(model_)) near_resonance_ = system;
+}
 
 const SteadyState& Answers::at(double velocity, Start start, int samples) {
   answer(velocity, start, samples, false);
@@ -117,13 +124,11 @@ const SteadyState& Answers::next(double velocity) {
 
 void Answers::answer(double velocity, Start start, int samples, bool near_last) {
   ensure(velocity > 0, "the drive moves forward");
-  const double v = velocity / model_.velocity_unit, threshold = std::abs(model_.sliding_velocity);
+  const double v = model_.motion_velocity(velocity / model_.velocity_unit);
   const Answer result(model_, v, samples, state_);
-  if (!model_.opening) {
-    if (v >= threshold + model_.creep) return result.sliding();
-    // A path that creeps carries F = eta v in stick; the bound may never be reached.
-    if (model_.creep * (1 - model_.amplitude) >= v) return result.stick();
-  }
+  if (model_.slides(v)) return result.sliding();
+  if (model_.never_slips(v)) return result.stick();
+  if (near_resonance_) return answer_near_resonance(velocity, v, start, samples);
   if (!near_last || !follow(v)) {
     last_.reset();
     last_.emplace(steady_cycle(
@@ -131,6 +136,18 @@ void Answers::answer(double velocity, Start start, int samples, bool near_last) 
   }
   traced_periods_ += last_->traced;
   return result.cycle(*last_);
+}
+
+void Answers::answer_near_resonance(double velocity, double motion_velocity, Start start,
+                                    int samples) {
+  const Neighbours all = neighbours(*near_resonance_, model_, motion_velocity);
+  std::array<SteadyState, 4> states;
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    Answers neighbour(all.systems[i]);
+    states[i] = neighbour.at(velocity, start, samples);
+    traced_periods_ += neighbour.traced_periods();
+  }
+  state_ = between(all, states);
 }
 
 bool Answers::follow(double velocity) {

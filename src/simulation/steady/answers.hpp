@@ -11,7 +11,7 @@ namespace vcrit::simulation {
 /// Speeds of the drive in m/s, > 0. ModelError where no steady state is found.
 class Answers {
  public:
-  explicit Answers(const System& system) : model_(system) { state_.events.reserve(usual_events); }
+  explicit Answers(const System& system);
   Answers(const Answers&) = delete;  // cycles refer to the model
   Answers& operator=(const Answers&) = delete;
 
@@ -30,9 +30,11 @@ class Answers {
   static constexpr std::size_t usual_events = 16;
 
   void answer(double velocity, Start start, int samples, bool near_last);
+  void answer_near_resonance(double velocity, double motion_velocity, Start start, int samples);
   bool follow(double velocity);
 
   Model model_;
+  std::optional<System> near_resonance_;  ///< the system, where its motion is told from neighbours
   std::optional<SteadyCycle> last_;
   SteadyState state_;
   int traced_periods_ = 0;

@@ -62,6 +62,7 @@ Closing closing(const Model& model, const State& start, const Passage& period) {
 
 Vector state_size(const Model& model, double velocity, const State& start) {
   const Index n = start.x.size() - 1, body = model.body_states();
+  const double force = model.force_size();
   Vector size(n);
   for (Index i = 0; i < n; ++i)
     size[i] = std::abs(start.x[1 + i]) + std::abs(model.sliding_rates[i]);
@@ -69,10 +70,11 @@ Vector state_size(const Model& model, double velocity, const State& start) {
   // A branch's force follows the body's swing, and creeps with the whole drive.
   for (Index j = 0; j + 1 < body; ++j) {
     const double rate = model.body->drive.rates[j], weight = model.body->drive.weights[j];
-    size[1 + j] += rate == 0 ? 1 : weight * (size[0] / (1 + rate) + model.body->fluidity / rate);
+    const double creep = force * model.body->fluidity;
+    size[1 + j] += rate == 0 ? force : weight * (size[0] / (1 + rate) + creep / rate);
   }
   for (Index j = 0; j < model.units(); ++j)
-    size[body + j] += model.contact.unit_fluidity[j] / (1 + model.contact.unit_rates[j]);
+    size[body + j] += force * model.contact.unit_fluidity[j] / (1 + model.contact.unit_rates[j]);
   return size;
 }
 

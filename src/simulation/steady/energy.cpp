@@ -6,6 +6,7 @@
 
 #include "base/constants.hpp"
 #include "base/errors.hpp"
+#include "simulation/steady/near_resonance.hpp"
 #include "simulation/steady/steady_cycle.hpp"
 
 namespace vcrit::simulation {
@@ -37,10 +38,11 @@ double swing_of_body(const Model& model, const State& state) {
 
 // Contact as Kelvin units behind a free damper, each under the same force F and creeping at r_j;
 // the drive as branches beside a damper, all moving at u. A branch's damper k_j/a_j carries g_j.
-Heat heat_of_dampers(const Model& model, const State& state) {
+Heat heat_of_dampers(const Model& model, State state) {
   const ContactModes& contact = model.contact;
   const auto swing = [&](Index j) { return swing_of_phase(std::abs(model.sliding_rates[j])); };
   Heat heat;
+  model.add_steady(model.load, state.x);
   heat.add(state.x[0], contact.fluidity, swing_of_phase(model.amplitude));
   const Index units = model.units(), body = model.body_states();
   const Index first = states(model, state.motion) - units;
@@ -114,7 +116,8 @@ double rounding_of_velocity(const Model& model, double velocity, const State& st
   if (state.motion == Motion::stick) return 0;
   double swing = model.contact.glassy * model.amplitude;
   for (const std::complex<double>& rate : model.sliding_rates) swing += std::abs(rate);
-  double size = velocity + model.contact.fluidity + swing_of_phase(swing);
+  double size = std::abs(velocity) + model.contact.fluidity * model.force_size();
+  size += swing_of_phase(swing);
   if (model.body) size += std::abs(state.x[1]) + swing_of_body(model, state);
   for (Index j = model.level_states(); j < model.slip_states(); ++j) size += std::abs(state.x[j]);
   return 4 * epsilon * size;
@@ -124,11 +127,12 @@ double rounding_of_velocity(const Model& model, double velocity, const State& st
 // missing there is missing in the heat of friction.
 class Account {
  public:
-  Account(const Model& model, double velocity)
+  Account(const Model& model, double drive_velocity)
       : model_(model),
         stick_(model.stick.modes.spectrum),
         slip_(model.slip.modes.spectrum),
-        velocity_(velocity) {}
+        drive_velocity_(drive_velocity),
+        velocity_(model.motion_velocity(drive_velocity)) {}
 
   bool can_follow(const Piece& piece, double duration) const {
     return of(piece).can_follow(duration);
@@ -137,7 +141,8 @@ class Account {
   void add(const Piece& piece, double duration) {
     of(piece).over(duration, [&](double time, double weight) {
       const State state = piece.after(time);
-      const double force = state.x[0], slip = contact_velocity(model_, velocity_, state);
+      const double force = model_.load + state.x[0];
+      const double slip = contact_velocity(model_, velocity_, state);
       distance_ += weight * slip;
       energy_.friction += weight * force * slip;
       const Heat heat = heat_of_dampers(model_, state);
@@ -147,13 +152,13 @@ class Account {
     });
   }
 
-  /// ratio_error: of <F>.
+  /// impulse: of F less the load; ratio_error: of <F>.
   EnergyBalance closed(double impulse, double ratio_error) const {
     EnergyBalance energy = energy_;
-    energy.drive = velocity_ * impulse;
+    energy.drive = drive_velocity_ * (model_.load * two_pi + impulse);
     const double missing = distance_ - velocity_ * two_pi + model_.creep * impulse;
-    energy.error += (1 + model_.amplitude) * std::abs(missing) + velocity_ * two_pi * ratio_error +
-                    32 * epsilon * std::abs(energy.drive);
+    energy.error += (1 + model_.amplitude) * std::abs(missing) +
+                    drive_velocity_ * two_pi * ratio_error + 32 * epsilon * std::abs(energy.drive);
     return energy;
   }
 
@@ -162,14 +167,15 @@ class Account {
 
   const Model& model_;
   Quadrature stick_, slip_;
-  double velocity_;
+  double drive_velocity_, velocity_;
   EnergyBalance energy_;
   double distance_ = 0;
 };
 
-std::optional<EnergyBalance> energy_of_cycle(const Model& model, double velocity) {
+std::optional<EnergyBalance> energy_of_cycle(const Model& model, double drive_velocity) {
+  const double velocity = model.motion_velocity(drive_velocity);
   const SteadyCycle cycle = steady_cycle(model, velocity, sliding_start(model, velocity));
-  Account account(model, velocity);
+  Account account(model, drive_velocity);
   for (const Trace::Part& part : cycle.period.parts) {
     if (!account.can_follow(part.piece, part.duration)) return std::nullopt;
     account.add(part.piece, part.duration);
@@ -178,12 +184,33 @@ std::optional<EnergyBalance> energy_of_cycle(const Model& model, double velocity
 }
 
 // Without end; F is the bound throughout, of which the mean is 1.
-std::optional<EnergyBalance> energy_of_sliding(const Model& model, double velocity) {
-  Account account(model, velocity);
+std::optional<EnergyBalance> energy_of_sliding(const Model& model, double drive_velocity) {
+  const double velocity = model.motion_velocity(drive_velocity);
+  Account account(model, drive_velocity);
   const Piece piece(model, velocity, sliding_start(model, velocity));
   if (!account.can_follow(piece, two_pi)) return std::nullopt;
   account.add(piece, two_pi);
-  return account.closed(two_pi, 0);
+  return account.closed(0, 0);
+}
+
+std::optional<EnergyBalance> energy_near_resonance(const Neighbours& neighbours, double velocity) {
+  std::array<EnergyBalance, 4> balances;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto balance = energy_balance(neighbours.systems[i], velocity);
+    if (!balance) return std::nullopt;
+    balances[i] = *balance;
+  }
+  EnergyBalance result{0, 0, 0, 0};
+  for (double EnergyBalance::*member :
+       {&EnergyBalance::drive, &EnergyBalance::friction, &EnergyBalance::dampers}) {
+    std::array<double, 4> f{};
+    for (std::size_t i = 0; i < 4; ++i) f[i] = balances[i].*member;
+    result.*member = neighbours.mean(f);
+    result.error += neighbours.error(f);
+  }
+  for (std::size_t i = 0; i < 4; ++i)
+    result.error += std::abs(Neighbours::weights[i]) * balances[i].error;
+  return result;
 }
 
 }  // namespace
@@ -192,12 +219,13 @@ std::optional<EnergyBalance> energy_balance(const System& system, double velocit
   ensure(velocity > 0, "the drive moves forward");
   const Model model(system);
   const double v = velocity / model.velocity_unit;
+  if (lost_in_resonance(model) && !model.slides(model.motion_velocity(v)))
+    return energy_near_resonance(neighbours(system, model, model.motion_velocity(v)), velocity);
   const double unit = model.force_unit * model.velocity_unit / system.omega;
   const std::optional<EnergyBalance> found =
-      model.opening                                         ? energy_of_cycle(model, v)
-      : v >= std::abs(model.sliding_velocity) + model.creep ? energy_of_sliding(model, v)
-      : v <= model.creep * (1 - model.amplitude)            ? energy_of_creep(model, v)
-                                                            : energy_of_cycle(model, v);
+      model.slides(model.motion_velocity(v))        ? energy_of_sliding(model, v)
+      : model.never_slips(model.motion_velocity(v)) ? energy_of_creep(model, v)
+                                                    : energy_of_cycle(model, v);
   if (!found) return std::nullopt;
   return EnergyBalance{unit * found->drive, unit * found->friction, unit * found->dampers,
                        unit * found->error};

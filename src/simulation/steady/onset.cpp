@@ -1,7 +1,10 @@
 #include "simulation/steady/onset.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/errors.hpp"
 #include "simulation/steady/forward_sliding.hpp"
@@ -14,9 +17,8 @@ namespace {
 // In units of mu0 <F_n> omega/|K_t|, by which no sensible v* differs so much.
 constexpr double lowest_speed = 1e-30, highest_speed = 1e30;
 
+// velocity: as in model.hpp.
 bool sticks(const Model& model, double velocity) {
-  // A path that creeps carries F = eta v in stick; here the bound is never reached.
-  if (!model.opening && model.creep * (1 - model.amplitude) >= velocity) return true;
   const auto& parts = steady_cycle(model, velocity, rest_start(model, velocity)).period.parts;
   return std::any_of(parts.begin(), parts.end(), [](const Trace::Part& part) {
     return part.piece.start().motion == Motion::stick;
@@ -39,8 +41,6 @@ std::string why_infinite(ForwardSliding::Ends ends) {
 
 }  // namespace
 
-// Steady sliding answers b(t) linearly, so the contact velocity is its mean and one sinusoid; its
-// minimum is the mean less the amplitude.
 Onset sliding_threshold(const System& system) {
   const Model model(system);
   if (model.opening) {
@@ -49,23 +49,29 @@ Onset sliding_threshold(const System& system) {
     return {(drive - model.creep) * model.velocity_unit, drive * model.velocity_unit,
             why_infinite(sliding.ends)};
   }
-  const double lowest = std::abs(model.sliding_velocity);
+  const double lowest = model.threshold;
   return {lowest * model.velocity_unit, (lowest + model.creep) * model.velocity_unit};
 }
 
 Onset stick_onset(const System& system) {
   const Model model(system);
-  double low = 1, high = 1;
-  while (!sticks(model, low) && low > lowest_speed) low /= 2;
+  if (!model.opening && model.free_harmonic > 1)
+    throw ModelError(fmt::format(
+        "the body swings freely at harmonic {} of the oscillation and loses its sticks ever more "
+        "slowly: no steady state tells where the last one ends",
+        model.free_harmonic));
+  double low = 1, high = 2;
+  while (!sticks(model, low) && low > lowest_speed) high = std::exchange(low, low / 2);
   while (sticks(model, high)) {
     if (high > highest_speed) throw ModelError("stick vanishes at no speed");
-    high *= 2;
+    low = std::exchange(high, 2 * high);
   }
   for (int i = 0; i < 50; ++i) {
     const double middle = 0.5 * (low + high);
     (sticks(model, middle) ? low : high) = middle;
   }
-  return {(low - model.creep) * model.velocity_unit, low * model.velocity_unit};
+  const double contact = low - (model.creep - model.creep * model.load);
+  return {contact * model.velocity_unit, (contact + model.creep) * model.velocity_unit};
 }
 
 }  // namespace vcrit::simulation

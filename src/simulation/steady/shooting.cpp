@@ -69,7 +69,7 @@ void take(const Model& model, const NewtonStep& step, double share, Course& cour
   }
   State& start = course.start;
   start.at = start.at.time + share * step.beginning;
-  start.x[0] = model.bound(start.at);
+  start.x[0] = model.slip_force(1, start.at);
   for (Index i = 0; i < step.state.size(); ++i) start.x[1 + i] += share * step.state[i];
 }
 
@@ -99,7 +99,7 @@ std::optional<State> shoot(const Model& model, double velocity, Course course) {
     if (!converged) continue;
     const double turns = std::floor(course.start.at.time / two_pi);
     course.start.at = course.start.at.time - two_pi * turns;
-    course.start.x[0] = model.bound(course.start.at);
+    course.start.x[0] = model.slip_force(1, course.start.at);
     const State middle =
         Piece(model, velocity, course.start).after(0.5 * course.legs.front().duration);
     if (contact_velocity(model, velocity, middle) <= 0) return std::nullopt;

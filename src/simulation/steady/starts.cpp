@@ -10,13 +10,8 @@ State apart_start(const Model& model, double velocity, bool at_rest) {
   const Opening::Middle middle = model.opening->middle();
   State state{Motion::apart, middle.time, Vector(model.slip_states()), 0, middle.next};
   if (model.body && at_rest) state.x[1] = -velocity;
-  if (model.body && !at_rest) {
-    const PoleSum& drive = model.body->drive;
-    state.x[1] = -model.body->fluidity;
-    for (Index j = 0; j < drive.rates.size(); ++j)
-      state.x[2 + j] =
-          drive.rates[j] == 0 ? -1 : -drive.weights[j] * model.body->fluidity / drive.rates[j];
-  }
+  if (!at_rest) model.add_steady(1, state.x);
+  state.x[0] = 0;
   return state;
 }
 
@@ -24,7 +19,7 @@ State sliding_start(const Model& model, double velocity) {
   if (model.opening) return apart_start(model, velocity, false);
   State state{Motion::slip, -std::arg(model.sliding_velocity), Vector(model.slip_states()), 0};
   const Index body = model.body_states(), levels = model.level_states();
-  state.x[0] = model.bound(state.at);
+  state.x[0] = model.slip_force(1, state.at);
   for (Index j = 0; j < model.units(); ++j)
     state.x[levels + j] = (model.sliding_rates[body + j] * state.at.turn).real();
   if (!model.body)
@@ -32,11 +27,6 @@ State sliding_start(const Model& model, double velocity) {
   using namespace std::complex_literals;
   for (Index j = 0; j < body; ++j)
     state.x[1 + j] = (model.sliding_rates[j] * (state.at.turn / 1i)).real();
-  const PoleSum& drive = model.body->drive;
-  state.x[1] -= model.body->fluidity;
-  for (Index j = 0; j < drive.rates.size(); ++j)
-    state.x[2 + j] -=
-        drive.rates[j] == 0 ? 1 : drive.weights[j] * model.body->fluidity / drive.rates[j];
   // Under a drive that creeps faster than it moves, the body starts ahead of it.
   const double slip = contact_velocity(model, velocity, state);
   if (slip <= 0) state.x[1] += std::abs(model.sliding_velocity) - slip;
@@ -45,19 +35,21 @@ State sliding_start(const Model& model, double velocity) {
 
 State rest_start(const Model& model, double velocity) {
   if (model.opening) return apart_start(model, velocity, true);
-  const double top = model.body ? 0 : velocity;
+  const double drive = velocity + model.creep, top = model.body ? 0 : drive;
   const Index levels = model.level_states(), branches = model.branches();
   State stick{Motion::stick, 0, Vector(model.stick_states()), 0};
-  stick.x[0] = model.contact.damper * top;
-  if (model.body) stick.x[1] = -velocity;
+  const double force = model.contact.damper * top;
+  stick.x[0] = force;
+  if (model.body) stick.x[1] = -drive;
+  model.add_steady(-model.load, stick.x);
   for (Index i = 0; i < branches; ++i)
     stick.x[levels + i] = model.contact.branch_stiffness[i] * top;
   for (Index j = 0; j < model.units(); ++j)
-    stick.x[levels + branches + j] = model.contact.unit_fluidity[j] * stick.x[0];
-  if (stick.x[0] < model.bound(0)) return stick;
+    stick.x[levels + branches + j] = model.contact.unit_fluidity[j] * force;
+  if (force < model.bound(0)) return stick;
   State slip{Motion::slip, 0, Vector(model.slip_states()), 0};
   std::copy(stick.x.begin(), stick.x.begin() + static_cast<std::ptrdiff_t>(levels), slip.x.begin());
-  slip.x[0] = model.bound(0);
+  slip.x[0] = model.slip_force(1, 0);
   for (Index j = 0; j < model.units(); ++j)
     slip.x[levels + j] = model.contact.unit_fluidity[j] * model.bound(0);
   return slip;

@@ -9,6 +9,7 @@
 #include "simulation/modes/linear_solver.hpp"
 #include "simulation/motion/course.hpp"
 #include "simulation/steady/closing.hpp"
+#include "simulation/steady/near_resonance.hpp"
 #include "simulation/steady/shooting.hpp"
 
 namespace vcrit::simulation {
@@ -21,11 +22,11 @@ constexpr double good_miss = 0.3;
 // A residual of so many rounding errors may be rounding, too, if the ratio does not notice it.
 constexpr double nearly = 1e3;
 
-// Where rounding errors would grow beyond these, no digits of the motion are left to speak of.
-constexpr double sharpest_resonance = 1e7, fastest_creep = 1e7;
+// Where rounding errors would grow beyond this, no digits of the motion are left to speak of.
+constexpr double fastest_creep = 1e7;
 
 void check_reach(const Model& model) {
-  if (!(model.resonance < sharpest_resonance))
+  if (lost_in_resonance(model))
     throw ModelError(
         "body and drive are in undamped resonance: the swing in slip grows without bound");
   if (!(model.creep < fastest_creep * std::abs(model.sliding_velocity)))
@@ -119,7 +120,7 @@ class SteadyCycleSearch {
   State in_slip(const Course& course) const {
     State state = Piece(model_, velocity_, course.start).after(0.5 * course.legs.front().duration);
     state.at = state.at.time - two_pi * std::floor(state.at.time / two_pi);
-    state.x[0] = model_.bound(state.at);  // whatever phase was lost on the way from rest
+    state.x[0] = model_.slip_force(1, state.at);  // whatever phase was lost on the way from rest
     return state;
   }
 
@@ -261,7 +262,8 @@ class SteadyCycleSearch {
       change += gradient[i] * step[i];
       rounded += std::abs(gain[i]) * unit[i];
     }
-    const double summing = 8 * epsilon * static_cast<double>(now.trace.parts.size());
+    const double summing =
+        8 * epsilon * model_.force_size() * static_cast<double>(now.trace.parts.size());
     return {std::abs(change) / two_pi, summing + rounded / two_pi};
   }
 
@@ -269,11 +271,14 @@ class SteadyCycleSearch {
   // its own tells of that. The ratio is taken not to be below that of the speeds. What passes
   // outside the law moves forces by no more than its time. All ratios lie between 1 - a and 1.
   SteadyCycle finished(Mapped now, double more = 0) const {
-    if (now.trace.parts.size() == 1)
-      more = 1 - velocity_ / (std::abs(model_.sliding_velocity) + model_.creep);
-    const double ratio = now.trace.impulse() / two_pi;
+    if (now.trace.parts.size() == 1) more = 1 - velocity_ / model_.threshold;
+    const double ratio = model_.load + now.trace.impulse() / two_pi;
     const auto [change, rounding] = error(now);
-    const double sum = change + rounding + more + now.trace.unlawful + model_.bound_error();
+    // The contact's velocity is the small difference of the drive's and the creep.
+    const double creeping =
+        2 * epsilon * model_.load * model_.creep / model_.threshold * model_.amplitude;
+    const double sum =
+        epsilon + creeping + change + rounding + more + now.trace.unlawful + model_.bound_error();
     const double most = model_.opening ? 1 : model_.amplitude;
     return {std::move(now.trace), ratio, sum < most ? sum : most, traced_};
   }

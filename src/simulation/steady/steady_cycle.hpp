@@ -17,7 +17,7 @@ struct SteadyCycle {
   int traced = 0;    ///< periods that the search took
 };
 
-/// velocity: drive velocity without dimension, below the sliding threshold and above stick.
+/// velocity: as in model.hpp, below the sliding threshold and above stick.
 /// Throws ModelError if no closed cycle is found.
 SteadyCycle steady_cycle(const Model& model, double velocity, State start);
 

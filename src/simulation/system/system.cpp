@@ -47,16 +47,20 @@ struct Product {
 
 }  // namespace
 
-int free_harmonic(const System& system) {
-  if (!system.drive || !system.mass) return 0;
-  const auto& [spring, damper, branches] = *system.drive;
-  if (!(spring > 0) || !(*system.mass > 0) || damper > 0 || !branches.empty()) return 0;
-  const double n = std::round(std::sqrt(spring / *system.mass) / system.omega);
+int free_harmonic(const Relaxation& drive, double mass, double omega) {
+  const auto& [spring, damper, branches] = drive;
+  if (!(spring > 0) || !(mass > 0) || damper > 0 || !branches.empty()) return 0;
+  const double n = std::round(std::sqrt(spring / mass) / omega);
   if (!(n >= 1 && n <= 1e6)) return 0;
-  Product inertia{*system.mass};
-  for (const double factor : {n, n, system.omega, system.omega}) inertia.times(factor);
+  Product inertia{mass};
+  for (const double factor : {n, n, omega, omega}) inertia.times(factor);
   return std::abs((inertia.high - spring) + inertia.low) <= 1e-30 * spring ? static_cast<int>(n)
                                                                            : 0;
+}
+
+int free_harmonic(const System& system) {
+  if (!system.drive || !system.mass) return 0;
+  return free_harmonic(*system.drive, *system.mass, system.omega);
 }
 
 System system_of(const Scene& scene) {

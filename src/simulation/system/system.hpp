@@ -31,6 +31,7 @@ struct System {
 
 /// n where a body on an undamped drive swings freely at the n-th harmonic of the oscillation,
 /// K_d = m (n omega)^2, as exact numbers to 30 digits; 0 where it does not.
+int free_harmonic(const Relaxation& drive, double mass, double omega);
 int free_harmonic(const System& system);
 
 /// Throws InputError for missing values, ModelError unless the normal network carries the mean load

@@ -42,7 +42,7 @@ BOOST_AUTO_TEST_CASE(derivative_of_the_period_map) {
   for (unsigned i = 0; i < 60; ++i) {
     reference::RandomSystems systems(900 + i, 1);
     const Model model(systems.system());
-    const double velocity = 0.4 * std::abs(model.sliding_velocity) + model.creep;
+    const double velocity = 0.4 * std::abs(model.sliding_velocity);
     const Trace settled = plain(model, velocity, sliding_start(model, velocity));
     const State state = settled.end;
     if (state.motion != Motion::slip) continue;
@@ -81,7 +81,7 @@ BOOST_AUTO_TEST_CASE(a_trace_may_be_cut_anywhere) {
   for (unsigned i = 0; i < 40; ++i) {
     reference::RandomSystems systems(300 + i, 3);
     const Model model(systems.system());
-    const double velocity = 0.4 * std::abs(model.sliding_velocity) + model.creep;
+    const double velocity = 0.4 * std::abs(model.sliding_velocity);
     const State start = sliding_start(model, velocity);
     const Trace whole = plain(model, velocity, start);
     const Trace first = trace(model, velocity, start, 2.5);

@@ -63,7 +63,7 @@ BOOST_AUTO_TEST_CASE(traces_fewer_periods_than_single_calls) {
   BOOST_TEST(2 * continued <= afresh + afresh / 2);
 }
 
-// K_d = m w^2: no motion is bounded, at any speed.
+// K_d = m w^2: stick bounds the swing, but the faster the drive the less of it is left.
 BOOST_AUTO_TEST_CASE(a_point_outside_the_model_says_why_and_stops_nothing) {
   System system;
   system.contact = {0, 0, {{2, 1.5}}};
@@ -74,12 +74,12 @@ BOOST_AUTO_TEST_CASE(a_point_outside_the_model_says_why_and_stops_nothing) {
   system.mean_normal_force = 2;
   system.normal_force_amplitude = 1.6;
   // Below mu0 min F_n/eta = 0.2/3 the creeping contact sticks, and no swing arises.
-  const std::vector<CurvePoint> curve = friction_curve(system, std::vector{0.5, 0.01, 0.2});
+  const std::vector<CurvePoint> curve = friction_curve(system, std::vector{1e9, 0.01, 0.2});
   BOOST_TEST(!curve[0].state.has_value());
   BOOST_TEST(curve[0].reason.find("resonance") != std::string::npos);
   BOOST_TEST_REQUIRE(curve[1].state.has_value());
   BOOST_TEST((curve[1].state->regime == Regime::stick));
-  BOOST_TEST(!curve[2].state.has_value());
+  BOOST_TEST(curve[2].state.has_value(), curve[2].reason);
 }
 
 BOOST_AUTO_TEST_CASE(no_points) {

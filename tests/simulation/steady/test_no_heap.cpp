@@ -28,7 +28,7 @@ Relaxation four_branches(reference::RandomSystems& random) {
 
 long taken_by_search(const System& system, double share, Start start) {
   const Model model(system);
-  const double velocity = share * std::abs(model.sliding_velocity) + model.creep;
+  const double velocity = share * std::abs(model.sliding_velocity);
   const State from =
       start == Start::sliding ? sliding_start(model, velocity) : rest_start(model, velocity);
   return test::heap_requests([&] {

@@ -1,0 +1,135 @@
+// Bodies on springs alone: in resonance with the oscillation, where stick bounds a swing that would
+// grow without end, and swinging freely at a harmonic of it, where sliding needs less speed than
+// v*. True values: an event-driven program of 34 digits, marched from rest and from sliding.
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <numbers>
+
+#include "base/errors.hpp"
+#include "onset/critical_onset.hpp"
+#include "simulation/steady/energy.hpp"
+#include "simulation/steady/exact.hpp"
+#include "simulation/steady/onset.hpp"
+
+BOOST_AUTO_TEST_SUITE(test_undamped)
+
+namespace {
+
+using namespace vcrit;
+using namespace vcrit::simulation;
+
+Scene scene_of(const std::string& name) {
+  return read_scene(VCRIT_TEST_DATA "/undamped/" + name + ".toml");
+}
+
+const System resonant = system_of(scene_of("exact_resonance"));
+
+struct Harmonic {
+  std::string name;
+  int n;
+  double border, ratio_below;  ///< m/s; the friction ratio at 0.99 of it
+  double tolerance;
+};
+const std::vector<Harmonic> harmonics{
+    {"undamped_harmonic", 3, 0.0283834259, 0.9999247184321, 1e-12},
+    {"undamped_harmonic_4", 2, 0.0286992419, 0.99992394, 2e-8},  // still settling there
+    {"undamped_harmonic_2", 2, 0.0277332777, 0.999865734, 5e-10},
+};
+
+BOOST_AUTO_TEST_CASE(friction_at_resonance) {
+  const std::vector<std::pair<double, double>> known{{0.01, 0.658611445561086403},
+                                                     {0.05, 0.703523550377319975}};
+  for (const auto& [velocity, ratio] : known)
+    for (const Start start : {Start::sliding, Start::rest}) {
+      const SteadyState state = steady_state(resonant, velocity, start);
+      BOOST_TEST(std::abs(state.friction_ratio - ratio) <= state.friction_ratio_error);
+      BOOST_TEST(state.friction_ratio_error < 1e-11);
+      BOOST_TEST((state.regime == Regime::stick_slip));
+    }
+}
+
+// Friction is continuous through the resonance: across it, by what it changes in a step.
+BOOST_AUTO_TEST_CASE(friction_next_to_resonance) {
+  const SteadyState at = steady_state(resonant, 0.01);
+  for (const double detuning : {1e-3, 1e-6, 1e-9, 1e-12}) {
+    const auto beside = [&](double share) {
+      System system = resonant;
+      system.drive->equilibrium *= 1 + share;
+      return steady_state(system, 0.01);
+    };
+    const SteadyState below = beside(-detuning), above = beside(detuning);
+    const double error =
+        2 * at.friction_ratio_error + below.friction_ratio_error + above.friction_ratio_error;
+    const double change = below.friction_ratio + above.friction_ratio - 2 * at.friction_ratio;
+    BOOST_TEST(error <= 1e-8);
+    BOOST_TEST(std::abs(change) <= error + 10 * detuning * detuning);
+    BOOST_TEST(std::abs(above.friction_ratio - at.friction_ratio) <= error + detuning);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(motion_at_resonance) {
+  const SteadyState state = steady_state(resonant, 0.01, Start::sliding, 2000);
+  double mean = 0;
+  for (const CyclePoint& point : state.cycle) {
+    BOOST_TEST(point.contact_velocity >= -1e-9);
+    // Next to an event the mean of the neighbours is off by their distance squared, 1e-3^2.
+    BOOST_TEST(std::abs(point.force) <= point.friction_bound * (1 + 1e-5));
+    mean += point.contact_velocity / 2000;
+  }
+  // The rectangle rule over a velocity that jumps at each end of stick, by some times its mean.
+  BOOST_TEST(std::abs(mean / 0.01 - 1) <= 1e-2);
+  const auto energy = energy_balance(resonant, 0.01);
+  BOOST_REQUIRE(energy.has_value());
+  BOOST_TEST(std::abs(energy->drive - energy->friction - energy->dampers) <= energy->error);
+  BOOST_TEST(energy->error <= 1e-9 * energy->drive);
+}
+
+BOOST_AUTO_TEST_CASE(sliding_at_a_harmonic_needs_less_than_the_formula_says) {
+  for (const auto& [name, n, border, ratio_below, tolerance] : harmonics) {
+    const System system = system_of(scene_of(name));
+    const CriticalOnset onset = critical_onset(scene_of(name));
+    BOOST_TEST(onset.free_harmonic == n);
+    BOOST_TEST(std::abs(onset.sliding_from / border - 1) <= 1e-8);
+    const double share = std::cos(std::numbers::pi / (2 * n));
+    BOOST_TEST(std::abs(onset.sliding_from / onset.contact_velocity / share - 1) <= 1e-15);
+    BOOST_TEST(std::abs(sliding_threshold(system).contact_velocity / border - 1) <= 1e-8);
+    BOOST_CHECK_THROW(stick_onset(system), ModelError);
+    const double ratio = steady_state(system, 0.99 * onset.sliding_from).friction_ratio;
+    BOOST_TEST(std::abs(ratio - ratio_below) <= tolerance, name << ": " << ratio);
+  }
+}
+
+// One of the steady motions above the border, which all have the same friction: it never slips
+// back, and at the border comes to rest.
+BOOST_AUTO_TEST_CASE(above_the_border_it_slides) {
+  for (const Harmonic& harmonic : harmonics) {
+    const System system = system_of(scene_of(harmonic.name));
+    const double border = sliding_threshold(system).drive_velocity;
+    for (const double velocity : {border, 1.01 * border, 1.1 * border, 2 * border}) {
+      const SteadyState state = steady_state(system, velocity, Start::rest, 4000);
+      BOOST_TEST((state.regime == Regime::sliding));
+      BOOST_TEST(state.friction_ratio == 1);
+      double least = velocity;
+      for (const CyclePoint& point : state.cycle) least = std::min(least, point.contact_velocity);
+      // Samples miss the slowest instant by up to 1e-3 rad, the velocity by that squared.
+      BOOST_TEST(std::abs(least - (velocity - border)) <= 1e-5 * border);
+      BOOST_TEST(energy_balance(system, velocity)->error <=
+                 1e-12 * energy_balance(system, velocity)->drive);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_damper_or_another_stiffness_is_no_free_swing) {
+  System system = system_of(scene_of("undamped_harmonic"));
+  BOOST_TEST(free_harmonic(system) == 3);
+  const double spring = system.drive->equilibrium;
+  system.drive->equilibrium = std::nextafter(spring, 2 * spring);
+  BOOST_TEST(free_harmonic(system) == 0);
+  system.drive->equilibrium = spring;
+  system.drive->damper = 1e-300;
+  BOOST_TEST(free_harmonic(system) == 0);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE_END()
