@@ -129,9 +129,6 @@ void print_solve_text(const Question& question, const Answer& answer) {
   fmt::print(
       "\nsearched        {:.6g} to {:.6g} {}, {} steps: a lower dip within one of them is missed\n",
       answer.from, answer.to, unit, question.samples);
-  if (answer.unanswered > 0)
-    fmt::print("                {} of {} steady states were not found\n", answer.unanswered,
-               answer.evaluations);
 }
 
 void run_solve(const SolveOptions& options) {

@@ -57,13 +57,24 @@ struct Arithmetic {
   }
 };
 
+/// One number of a scene, times a factor.
+struct Shift {
+  Symbol symbol;
+  Ball factor;
+};
+
 /// The arithmetic with a scene's numbers, as the algebra that a reduction runs in.
 struct Balls : Arithmetic {
   using Value = Ball;
   const Values& values;
   Ball omega;
+  const Shift* shift = nullptr;
 
-  Ball of(const Symbol& symbol) const { return Ball(values.at(symbol)); }
+  Ball of(const Symbol& symbol) const { return shifted(symbol, values.at(symbol)); }
+  Ball shifted(const Symbol& symbol, double value) const {
+    const bool changed = shift != nullptr && shift->symbol == symbol;
+    return changed ? multiply(Ball(value), shift->factor) : Ball(value);
+  }
 
   /// m omega^2
   Ball inertia(const Symbol& mass) const { return multiply(of(mass), multiply(omega, omega)); }

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -19,10 +20,11 @@ namespace {
 /// Eq. 24 as prefactor |numerator|/|denominator|, each a ball.
 struct Quotient {
   Ball prefactor, numerator, denominator;
+  Ball free_numerator;  ///< the numerator where the denominator is 0
 };
 
-Ball ratio_ball(const Isotropic& isotropic, const Arithmetic& balls) {
-  Ball value(*isotropic.quantity.value);
+Ball ratio_ball(const Isotropic& isotropic, const Balls& balls) {
+  Ball value = balls.shifted(isotropic.quantity.symbol, *isotropic.quantity.value);
   if (isotropic.by == Isotropic::By::ratio) return value;
   const Ball above = balls.multiply(Ball(2), balls.subtract(Ball(1), value));
   return balls.divide(above, balls.subtract(Ball(2), value));
@@ -37,11 +39,15 @@ class Evaluation {
     if (has_drive(scene)) drive_ = drive_in_balls(scene);
   }
 
-  Quotient at(slong precision) const {
-    Balls balls{{precision}, values_, Ball(values_.at(scene_.angular_frequency.symbol))};
+  Quotient at(slong precision, const Shift* shift = nullptr) const {
+    Balls balls = arithmetic(precision);
+    if (shift != nullptr) {
+      balls.shift = shift;
+      balls.omega = balls.of(scene_.angular_frequency.symbol);
+    }
     const Ball outer =
         balls.multiply(balls.of(scene_.coefficient.symbol), balls.of(scene_.amplitude.symbol));
-    Quotient q{balls.multiply(outer, balls.omega), Ball(1), Ball(1)};
+    Quotient q{balls.multiply(outer, balls.omega), Ball(1), Ball(1), Ball(1)};
     if (tangential_) {
       const Ball normal = evaluate(normal_, balls), tangential = evaluate(*tangential_, balls);
       q.prefactor = balls.multiply(q.prefactor, balls.modulus(balls.divide(normal, tangential)));
@@ -54,24 +60,46 @@ class Evaluation {
     return q;
   }
 
-  // Enough bits to tell an exact zero of K_d - m omega^2 (or with K_t) from a tiny number: both are
-  // quotients of integers after scaling; every operation on doubles adds at most their whole range.
+  // Enough bits to tell an exact zero of K_t + K_d - m omega^2 from a tiny number: it is a quotient
+  // of integers after scaling; every operation on doubles adds at most their whole range.
   slong most_precision() const {
-    const std::size_t steps = normal_.steps.size() + (tangential_ ? tangential_->steps.size() : 0) +
-                              (drive_ ? drive_->steps() : 0);
-    return static_cast<slong>(2200 * (steps + 4));
+    const std::size_t contact =
+        normal_.steps.size() + (tangential_ ? tangential_->steps.size() : 0);
+    return precision_for(contact + (drive_ ? drive_->steps() : 0));
+  }
+
+  // Whether K_d - m omega^2 is 0: a question of the drive alone, whatever the size of the contact.
+  bool resonant() const {
+    if (!drive_) return false;
+    const slong most = precision_for(drive_->steps());
+    for (slong precision = 128;; precision = std::min(2 * precision, most)) {
+      Balls balls = arithmetic(precision);
+      if (acb_contains_zero(inertial(drive_->at(balls), balls).get()) == 0) return false;
+      if (precision == most) return true;
+    }
   }
 
  private:
+  static slong precision_for(std::size_t steps) { return static_cast<slong>(2200 * (steps + 4)); }
+
+  Balls arithmetic(slong precision) const {
+    return {{precision}, values_, Ball(values_.at(scene_.angular_frequency.symbol))};
+  }
+
+  // (K_d - m omega^2) times the deflection.
+  Ball inertial(const DriveResponse& drive, const Balls& balls) const {
+    if (!scene_.mass) return drive.force;
+    return balls.subtract(drive.force,
+                          balls.multiply(balls.inertia(scene_.mass->symbol), drive.deflection));
+  }
+
   // With K_d = force/deflection, both sides of the quotient times the deflection: neither is ever
   // infinite.
   void put_drive(Quotient& q, const Ball& tangential, Balls& balls) const {
     const DriveResponse drive = drive_->at(balls);
-    q.denominator = drive.force;
-    if (scene_.mass)
-      q.denominator = balls.subtract(
-          q.denominator, balls.multiply(balls.inertia(scene_.mass->symbol), drive.deflection));
-    q.numerator = balls.add(balls.multiply(tangential, drive.deflection), q.denominator);
+    q.denominator = inertial(drive, balls);
+    q.free_numerator = balls.multiply(tangential, drive.deflection);
+    q.numerator = balls.add(q.free_numerator, q.denominator);
   }
 
   const Scene& scene_;
@@ -104,26 +132,58 @@ double rounding_bound(double value) {
 
 bool may_be_zero(const Ball& ball) { return acb_contains_zero(ball.get()) != 0; }
 
-CertifiedVelocity exact_zeros(const Scene& scene, const Quotient& q) {
+CertifiedVelocity at_resonance(const Scene& scene, const Quotient& q) {
   const char* const resonance = scene.mass ? "K_d = m omega^2" : "K_d = 0";
-  const bool zero_above = may_be_zero(q.prefactor) || may_be_zero(q.numerator);
-  if (may_be_zero(q.denominator) && zero_above)
+  if (may_be_zero(q.prefactor) || may_be_zero(q.free_numerator))
     throw ModelError(
         fmt::format("v* is 0/0: the drive is at resonance ({}) where the numerator of Eq. 24 "
                     "vanishes too",
                     resonance));
-  if (may_be_zero(q.denominator))
-    return {infinity, 0, fmt::format("resonance: {}, so that v* is infinite", resonance)};
-  return {0, 0, {}};
+  return {infinity, 0, fmt::format("resonance: {}, so that v* is infinite", resonance)};
+}
+
+// Of the symbol, relative. Differences of second order err by its square, far below a double.
+constexpr slong shift_bits = 128;
+
+// ln of what a shift makes of Eq. 24.
+Ball log_velocity(const Evaluation& evaluation, const Symbol& symbol, int direction,
+                  slong precision) {
+  Shift shift{symbol, Ball(direction)};
+  acb_mul_2exp_si(shift.factor.get(), shift.factor.get(), -shift_bits);
+  const Arithmetic balls{precision};
+  shift.factor = balls.add(Ball(1), shift.factor);
+  const Quotient q = evaluation.at(precision, &shift);
+  const Ball quotient = balls.divide(balls.modulus(q.numerator), balls.modulus(q.denominator));
+  Ball result = balls.modulus(balls.multiply(q.prefactor, quotient));
+  arb_log(acb_realref(result.get()), acb_realref(result.get()), precision);
+  return result;
 }
 
 }  // namespace
+
+double certified_log_derivative(const Scene& scene, const Symbol& symbol) {
+  const double value = certified_critical_velocity(scene).value;
+  if (!(value > 0 && std::isfinite(value)))
+    throw ModelError("v* is 0 or infinite, so that it has no relative sensitivity");
+  const Evaluation evaluation(scene);
+  const slong most = 16 * shift_bits + evaluation.most_precision();
+  for (slong precision = 4 * shift_bits; precision <= most; precision *= 2) {
+    Ball change = Arithmetic{precision}.subtract(log_velocity(evaluation, symbol, 1, precision),
+                                                 log_velocity(evaluation, symbol, -1, precision));
+    acb_mul_2exp_si(change.get(), change.get(), shift_bits - 1);
+    arb_srcptr real = acb_realref(change.get());
+    const double middle = arf_get_d(arb_midref(real), ARF_RND_NEAR);
+    if (mag_get_d(arb_radref(real)) <= epsilon * std::max(std::abs(middle), epsilon)) return middle;
+  }
+  throw Bug("the logarithm of a nonzero critical velocity has digits");
+}
 
 CertifiedVelocity certified_critical_velocity(const Scene& scene) {
   const Evaluation evaluation(scene);
   const slong most = evaluation.most_precision();
   for (slong precision = 128;; precision = std::min(2 * precision, most)) {
     const Quotient q = evaluation.at(precision);
+    if (may_be_zero(q.denominator) && evaluation.resonant()) return at_resonance(scene, q);
     const Arithmetic balls{precision};
     const Ball quotient = balls.divide(balls.modulus(q.numerator), balls.modulus(q.denominator));
     if (const auto value = unique_double(balls.multiply(q.prefactor, quotient));
@@ -131,9 +191,8 @@ CertifiedVelocity certified_critical_velocity(const Scene& scene) {
       if (std::isinf(*value)) return {infinity, infinity, "v* is above the largest double"};
       return {*value, rounding_bound(*value), {}};
     }
-    const bool zero =
-        may_be_zero(q.prefactor) || may_be_zero(q.numerator) || may_be_zero(q.denominator);
-    if (precision == most && zero) return exact_zeros(scene, q);
+    if (acb_is_zero(q.prefactor.get()) != 0 || (precision == most && may_be_zero(q.numerator)))
+      return {0, 0, {}};
     ensure(precision < most,
            "a nonzero critical velocity rounds uniquely within the precision of its operands");
   }

@@ -18,4 +18,8 @@ struct CertifiedVelocity {
 /// measured drive.
 CertifiedVelocity certified_critical_velocity(const Scene& scene);
 
+/// (p/v*) dv*/dp to the last digits, by differences in hundreds of bits. Throws ModelError where v*
+/// is 0 or infinite, too.
+double certified_log_derivative(const Scene& scene, const Symbol& symbol);
+
 }  // namespace vcrit

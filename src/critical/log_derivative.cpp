@@ -1,6 +1,10 @@
 #include "critical/log_derivative.hpp"
 
+#include <cmath>
+
 #include "base/complex.hpp"
+#include "critical/certified.hpp"
+#include "network/masses.hpp"
 #include "network/reduction.hpp"
 
 namespace vcrit {
@@ -60,10 +64,8 @@ Dual ratio_of(const Isotropic& isotropic, const Duals& duals) {
   return Dual{2} * (Dual{1} - value) / (Dual{2} - value);
 }
 
-}  // namespace
-
-double log_derivative(const Scene& scene, const Symbol& symbol) {
-  if (scene.receptance) throw ModelError("a measured drive has no parameters to differentiate by");
+// In doubles.
+double direct(const Scene& scene, const Symbol& symbol) {
   Values values = values_of(scene);
   Duals duals{values, scene.angular_frequency.symbol, symbol};
   const Dual outer = duals.of(scene.coefficient.symbol) * duals.of(scene.amplitude.symbol) *
@@ -84,6 +86,16 @@ double log_derivative(const Scene& scene, const Symbol& symbol) {
   Dual below = evaluate(reduce(*scene.drive), duals);
   if (scene.mass) below = below + duals.inertia(scene.mass->symbol);
   return change + (tangential + below).log_change() - below.log_change();
+}
+
+}  // namespace
+
+// A drive with masses need not give at all at some frequency, and next to that doubles cancel.
+double log_derivative(const Scene& scene, const Symbol& symbol) {
+  if (scene.receptance) throw ModelError("a measured drive has no parameters to differentiate by");
+  if (scene.drive && has_masses(*scene.drive)) return certified_log_derivative(scene, symbol);
+  const double change = direct(scene, symbol);
+  return std::isfinite(change) ? change : certified_log_derivative(scene, symbol);
 }
 
 }  // namespace vcrit

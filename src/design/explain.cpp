@@ -29,12 +29,25 @@ std::string reach_of(const Failure& f) {
 
 std::string searched(const Failure& f) {
   std::string text = fmt::format("searched: {}, {} steady states", reach_of(f), f.evaluations);
-  if (f.unanswered > 0) text += fmt::format(", {} of them not found", f.unanswered);
+  if (f.unanswered > 0)
+    text +=
+        fmt::format(", {} of them not found, the first because: {}", f.unanswered, f.first_reason);
   return text;
 }
 
+// What lies before the first place that is known to reach the ratio may reach it, too.
+std::string uncertain(const Failure& f) {
+  const bool speed = f.question.sought == Sought::velocity;
+  return fmt::format(
+      "a friction ratio of {} is reached at {:.16g} {}, but whether that is the {} {} is not "
+      "known: "
+      "{}; give a range (--from, --to) without the others",
+      f.question.friction_ratio, *f.reached_at, unit_of(f.question.sought),
+      speed ? "largest" : "smallest", to_text(f.question.sought), searched(f));
+}
+
 std::string least_found(const Failure& f) {
-  if (!f.least) return "the simulator found no steady state";
+  if (!f.least) return fmt::format("no steady state was found ({})", searched(f));
   return fmt::format("the least that was found is {:.6g}, at {:.6g} {} ({})", *f.least, f.least_at,
                      unit_of(f.question.sought), searched(f));
 }
@@ -144,6 +157,7 @@ std::string ratio_over_velocities(const Failure& f) {
 }  // namespace
 
 std::string explanation(const Failure& failure) {
+  if (failure.reached_at) return uncertain(failure);
   const bool too_fast = failure.range.rows.empty();
   switch (failure.question.sought) {
     case Sought::amplitude:

@@ -30,13 +30,18 @@ class Solving {
       const Search search =
           first_reach([&](double value) { return ratio(value); }, row, question_.friction_ratio);
       count(search);
+      if (search.reach && unanswered_ > 0) fail(search.reach->at);
       if (search.reach) return answer(*search.reach, row.front());
     }
-    throw ModelError(
-        explanation({question_, contact_, range_, least_, least_at_, evaluations_, unanswered_}));
+    fail({});
   }
 
  private:
+  [[noreturn]] void fail(std::optional<double> reached_at) const {
+    throw ModelError(explanation({question_, contact_, range_, least_, least_at_, evaluations_,
+                                  unanswered_, first_reason_, reached_at}));
+  }
+
   static const Question& checked(const Question& question) {
     if (!(question.friction_ratio > 0 && question.friction_ratio < 1))
       throw InputError({"--friction-ratio"}, fmt::format("{}", question.friction_ratio),
@@ -82,13 +87,16 @@ class Solving {
   }
 
   simulation::SteadyState state_at(double value) const {
-    return simulation::steady_state(simulation::system_of(scene_at(value)), velocity_at(value));
+    simulation::System system = simulation::system_of(scene_at(value));
+    system.effort = &effort_;
+    return simulation::steady_state(system, velocity_at(value));
   }
 
   std::optional<double> ratio(double value) const {
     try {
       return state_at(value).friction_ratio;
-    } catch (const ModelError&) {
+    } catch (const ModelError& error) {
+      if (first_reason_.empty()) first_reason_ = error.what();
       return std::nullopt;
     }
   }
@@ -137,6 +145,8 @@ class Solving {
   std::optional<double> least_;
   double least_at_ = 0;
   int evaluations_ = 0, unanswered_ = 0;
+  mutable std::string first_reason_;
+  mutable simulation::Effort effort_{question_.effort};
 };
 
 }  // namespace

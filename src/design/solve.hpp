@@ -8,6 +8,7 @@
 
 #include "base/numbers.hpp"
 #include "scene/scene.hpp"
+#include "simulation/system/effort.hpp"
 #include "simulation/system/steady_state.hpp"
 
 namespace vcrit::design {
@@ -27,6 +28,7 @@ struct Question {
   std::optional<double> from, to;  ///< the range to search, in unit_of(sought); none: all that is
                                    ///< admissible, for frequencies two decades to each side
   int samples = 400;               ///< of the range, at least 3
+  std::size_t effort = simulation::effort_of_answer;  ///< of all steady states together
 };
 
 struct Answer {

@@ -15,6 +15,10 @@ std::complex<double> dynamic_stiffness(const Reduction& reduction, const Values&
                                        double omega);
 std::complex<double> dynamic_stiffness(const Network& network, const Values& values, double omega);
 
+/// The same over the range of any product of doubles.
+std::complex<long double> wide_dynamic_stiffness(const Network& network, const Values& values,
+                                                 double omega);
+
 /// sum_j |z_j dK/dz_j| over the elements and the intermediate results of the reduction, in N/m: by
 /// how much at most relative errors of 1 in all of them change K, to first order.
 double sensitivity(const Reduction& reduction, const Values& values, double omega);

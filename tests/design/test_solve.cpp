@@ -219,6 +219,31 @@ BOOST_AUTO_TEST_CASE(wrong_questions_are_refused) {
 
 }  // namespace
 
+// Just above the creep, the smallest amplitudes swing ten million times less than they creep, which
+// is beyond the simulator: what they do is not known, so nor is which amplitude is the smallest.
+BOOST_AUTO_TEST_CASE(what_is_not_known_to_be_the_smallest_is_not_said_to_be) {
+  Question asked;
+  asked.scene = parse_scene(
+      "[contact]\nnormal = \"kn\"\ntangential = \"maxwell(k, c)\"\n"
+      "[oscillation]\nangular_frequency = 1\namplitude = 0.5\nindentation = 1\n"
+      "[friction]\ncoefficient = 0.5\n[elements]\nkn = 1\nk = 1\nc = 1\n",
+      "creep.toml");
+  asked.sought = Sought::amplitude;
+  asked.friction_ratio = 0.9;
+  asked.velocity = 0.5 * (1 + 1e-9);
+  const std::string said = refusal(asked);
+  BOOST_TEST(has(said, "whether that is the smallest amplitude is not known"), said);
+  BOOST_TEST(has(said, "creep ten million times faster"), said);
+  asked.from = 1e-3;
+  BOOST_TEST(design::solve(asked).state.friction_ratio <= 0.9);
+}
+
+BOOST_AUTO_TEST_CASE(the_bound_on_work_ends_a_search) {
+  Question asked = question("bridge.toml", Sought::velocity, 0.9);
+  asked.effort = 2000;
+  BOOST_TEST(has(refusal(asked), "bound on the work for all steady states together"));
+}
+
 // Where surfaces part, speeds are sought below the simulated v*, which may lie above Eq. (24) or
 // below: bisections on an independent simulator.
 BOOST_AUTO_TEST_CASE(speeds_of_surfaces_that_part) {

@@ -75,11 +75,12 @@ class Stepper {
   }
 
   Period run(const MapState& state) const {
-    Period period{state, 0, {}};
+    Period period{state, 0, {}, infinity};
     double* const y = period.end.y.data();
     for (std::size_t i = 0; i < bounds_.size(); ++i) {
-      const auto [force, motion] = step(y, bounds_[i]);
+      const auto [force, velocity, motion] = step(y, bounds_[i]);
       period.deficit += bounds_[i] - force;
+      period.slowest = std::min(period.slowest, velocity);
       if (motion == period.end.motion) continue;
       period.end.motion = motion;
       period.events.push_back({equations_.phase_at(static_cast<double>(i) * h_), motion});
@@ -90,7 +91,7 @@ class Stepper {
 
  private:
   struct Outcome {
-    double force;
+    double force, velocity;  ///< of the contact point
     Motion motion;
   };
 
@@ -116,7 +117,7 @@ class Stepper {
       drive_.step(y + 1, equations_.velocity - top);
       y[0] += (top - y[0]) / theta_;
     }
-    return {force, motion};
+    return {force, top - deformation, motion};
   }
 
   const Equations& equations_;

@@ -33,8 +33,10 @@ SteadyState Newton::found() {
   const Period coarse = periods_.run(state_, Accuracy::coarser);
   const Vector moved_on = solver_.solve(periods_.change(state_, coarse) - rest_);
   const double apart = coarse.deficit - period_.deficit + deficit_by_begin_.dot(moved_on);
-  const double left = std::abs(deficit_by_begin_.dot(step_));
-  return answer(std::move(period_), caution * std::abs(apart) + left);
+  double error = caution * std::abs(apart) + std::abs(deficit_by_begin_.dot(step_));
+  if (period_.slides() && may_hide_stick(period_, periods_.run(moved(moved_on), Accuracy::coarser)))
+    error += missed_stick;
+  return answer(std::move(period_), error);
 }
 
 MapState Newton::moved(const Vector& by) const {

@@ -5,6 +5,7 @@
 #include <Eigen/Dense>
 #include <vector>
 
+#include "base/constants.hpp"
 #include "simulation/system/steady_state.hpp"
 
 namespace vcrit::simulation::methods {
@@ -18,6 +19,10 @@ struct Period {
   MapState end;
   double deficit = 0;         ///< 1 - mu_macro/mu0 over the period
   std::vector<Event> events;  ///< as they came
+  /// Least contact velocity of a method whose steps may be longer than a stick.
+  double slowest = infinity;
+
+  bool slides() const { return events.empty() && end.motion == Motion::slip; }
 };
 
 enum class Accuracy {

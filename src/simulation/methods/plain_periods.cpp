@@ -80,7 +80,9 @@ SteadyState plain_periods(Periods& periods, MapState state) {
     if (left > periods.map().target() || !at_rest) continue;
     const Period coarse = periods.run(begin, Accuracy::coarser);
     const double apart = std::abs(coarse.deficit - period.deficit);
-    return answer(std::move(period), caution * (apart + std::max(left, deficits.slowest_trend())));
+    double error = caution * (apart + std::max(left, deficits.slowest_trend()));
+    if (may_hide_stick(period, coarse, deficits.slowness(1))) error += missed_stick;
+    return answer(std::move(period), error);
   }
 }
 

@@ -64,6 +64,12 @@ Eigen::VectorXd Periods::change(const MapState& begin, const Period& period) con
   return result;
 }
 
+bool may_hide_stick(const Period& period, const Period& coarse, double growth) {
+  if (!period.slides() || period.slowest == infinity) return false;
+  const double error = caution * growth * std::abs(coarse.slowest - period.slowest);
+  return !coarse.slides() || period.slowest <= error;
+}
+
 SteadyState answer(Period period, double error) {
   SteadyState state;
   state.friction_ratio = 1 - period.deficit;

@@ -32,6 +32,13 @@ class Periods {
 /// Errors follow tolerance and step only roughly: they are taken twice.
 constexpr double caution = 2;
 
+/// Whether a period that slides may hide a stick: its least contact velocity is no larger than the
+/// error that the one of less accuracy tells.
+bool may_hide_stick(const Period& period, const Period& coarse, double growth = 1);
+
+/// What friction may lack where stick is missed: all of it.
+constexpr double missed_stick = 1;
+
 /// Of a period that closes, with an estimate of the error of its friction.
 SteadyState answer(Period period, double error);
 

@@ -78,6 +78,7 @@ EventFunction::Point EventFunction::at(const Factors& factors) const {
 }
 
 EventFunction::Point EventFunction::move_to(double t) {
+  work_ += 1 + spectrum_->size();
   here_ = Factors(*spectrum_, t);
   const Point p = at(here_);
   slope_ = p.slope;
@@ -146,6 +147,7 @@ bool EventFunction::bound_pair(Derivatives& bound, double h, PairNumber now,
 }
 
 EventFunction::Safe EventFunction::safe_duration(double value, double h) const {
+  work_ += 1 + spectrum_->size();
   Derivatives bound{value};
   if (order_ == 2) bound[1] = slope_;
   bool fast = bound_decays(bound, h);

@@ -35,6 +35,9 @@ class EventFunction {
   /// f at t, which becomes the present point.
   Point move_to(double t);
 
+  /// What has been done with it, in modes carried over a step.
+  Index work() const { return work_; }
+
   /// A bound from above on f over [0, t], from the size of each term alone.
   double ceiling(double t) const;
 
@@ -64,6 +67,7 @@ class EventFunction {
 
   Factors here_;  ///< of the present point
   double slope_ = 0;
+  mutable Index work_ = 0;
 };
 
 }  // namespace vcrit::simulation

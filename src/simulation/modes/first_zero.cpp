@@ -37,7 +37,8 @@ class March {
   }
 
  private:
-  static constexpr int most_steps = 10'000'000;
+  // A few for each swing, of which sensible motions have some thousand at the most.
+  static constexpr int most_steps = 1'000'000;
 
   static double least_step(double t) { return t == 0 ? 1e-300 : epsilon * t; }
 

@@ -6,6 +6,7 @@ namespace vcrit::simulation {
 
 Flow::Flow(const Model& model, bool stuck, double duration)
     : model_(&model), stuck_(stuck), factors_(phase().modes.spectrum, duration) {
+  model.effort.spend(1 + phase().modes.spectrum.size());
   if (stuck) filter_units();
 }
 
@@ -65,6 +66,7 @@ void Flow::move_units(ConstView z, View units, View slow) const {
 
 void Flow::carry(Changes& changes) const {
   const Matrix& to_modes = phase().modes.to_modes;
+  model_->effort.spend(changes.state.columns() * (1 + to_modes.rows()));
   Vector y(to_modes.columns()), z(to_modes.rows());
   for (Index j = 0; j < changes.state.columns(); ++j) {
     const View x = changes.state.column(j);

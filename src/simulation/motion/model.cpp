@@ -105,7 +105,7 @@ Index slow(const Rates& rates) {
 
 }  // namespace
 
-Model::Model(const System& system) {
+Model::Model(const System& system) : effort(effort_of_state, system.effort) {
   const bool moves = system.drive && system.mass && *system.mass > 0;
   const Relaxation path =
       system.drive && !moves ? series({system.contact, *system.drive}) : system.contact;

@@ -70,6 +70,7 @@ struct Model {
   /// resonance of body and drive. As many times rounding errors grow.
   double resonance = 1;
   int free_harmonic = 0;  ///< see system.hpp
+  mutable Effort effort;  ///< left for the present search
   /// Of a contact that never opens, the least velocity of steady sliding: the amplitude of the
   /// contact velocity. A body that swings freely at the n-th harmonic, n > 1, may take off that
   /// swing's part of it, down to cos(pi/(2 n)): a measure on the two instants +-pi/(2 n) gives no

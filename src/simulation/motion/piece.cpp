@@ -84,6 +84,7 @@ std::optional<Piece::Event> Piece::next_event(double horizon) const {
   const auto before = [&](Motion to, double end) -> std::optional<Event> {
     EventFunction f = event_function(to);
     const auto zero = first_zero(f, end, leaving(to));
+    model_->effort.spend(f.work());
     if (!zero || *zero >= end) return std::nullopt;
     return Event{*zero, to};
   };

@@ -53,7 +53,10 @@ Onset sliding_threshold(const System& system) {
   return {lowest * model.velocity_unit, (lowest + model.creep) * model.velocity_unit};
 }
 
-Onset stick_onset(const System& system) {
+Onset stick_onset(const System& given) {
+  System system = given;
+  Effort effort(effort_of_answer, given.effort);
+  system.effort = &effort;
   const Model model(system);
   if (!model.opening && model.free_harmonic > 1)
     throw ModelError(fmt::format(

@@ -295,6 +295,7 @@ class SteadyCycleSearch {
 
 SteadyCycle steady_cycle(const Model& model, double velocity, State start) {
   check_reach(model);
+  model.effort.renew(effort_of_state);
   const auto search = [&](State from, const Patience& patience) -> std::optional<SteadyCycle> {
     try {
       return SteadyCycleSearch(model, velocity, std::move(from), patience).run();
@@ -309,6 +310,7 @@ SteadyCycle steady_cycle(const Model& model, double velocity, State start) {
 
 std::optional<SteadyCycle> steady_cycle_near(const Model& model, double velocity,
                                              const SteadyCycle& other) try {
+  model.effort.renew(effort_of_state);
   return SteadyCycleSearch(model, velocity, other.period.end).from(other.period);
 } catch (const ModelError&) {
   return std::nullopt;

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "scene/scene.hpp"
+#include "simulation/system/effort.hpp"
 #include "stiffness/relaxation.hpp"
 
 namespace vcrit::simulation {
@@ -27,6 +28,7 @@ struct System {
   std::complex<double>
       normal_force_amplitude;  ///< N; F_n(t) = mean + Re[amplitude e^{i omega t}] >= 0
   std::optional<NormalMotion> opening = {};  ///< in place of both forces: F_n = max(0, reaction)
+  Effort* effort = nullptr;  ///< that all searches on it share; without one each has its own alone
 };
 
 /// n where a body on an undamped drive swings freely at the n-th harmonic of the oscillation,

@@ -1,0 +1,47 @@
+#include "stiffness/at_rest.hpp"
+
+#include "network/reduction.hpp"
+
+namespace vcrit {
+
+namespace {
+
+/// The algebra of a reduction in leading terms: sides by side the stiffer one is left, one behind
+/// the other the softer.
+struct LeadingTerms {
+  using Value = AtRest;
+  const Values& values;
+
+  long double of(const Symbol& symbol) const { return values.at(symbol); }
+
+  AtRest element(const Element& e) const {
+    switch (e.kind) {
+      case ElementKind::spring:
+        return {0, of(e.coefficient)};
+      case ElementKind::damper:
+        return {1, of(e.coefficient)};
+      case ElementKind::maxwell:
+        return {1, of(e.coefficient) * of(e.time)};
+      case ElementKind::mass:
+        return {2, of(e.coefficient)};
+    }
+    throw Bug("an element of no kind");
+  }
+  static AtRest parallel(const AtRest& a, const AtRest& b) {
+    if (a.order != b.order) return a.order < b.order ? a : b;
+    return {a.order, a.coefficient + b.coefficient};
+  }
+  static AtRest series(const AtRest& a, const AtRest& b) { return mesh(a, b, parallel(a, b)); }
+  static AtRest mesh(const AtRest& a, const AtRest& b, const AtRest& total) {
+    return {a.order + b.order - total.order, a.coefficient / total.coefficient * b.coefficient};
+  }
+};
+
+}  // namespace
+
+AtRest at_rest(const Network& network, const Values& values) {
+  LeadingTerms terms{values};
+  return evaluate(reduce(network), terms);
+}
+
+}  // namespace vcrit

@@ -1,0 +1,67 @@
+// Relative sensitivities of Eq. (24): in doubles, by balls, and by values known by hand.
+#include "critical/log_derivative.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+
+#include "critical/certified.hpp"
+#include "critical/critical_velocity.hpp"
+#include "support/random_scene.hpp"
+
+BOOST_AUTO_TEST_SUITE(test_log_derivative)
+
+namespace {
+
+using namespace vcrit;
+
+const Scene absorber = read_scene(VCRIT_TEST_DATA "/range_ends/absorber_sensitivity.toml");
+
+Scene with(Scene scene, const std::string& element, double factor) {
+  for (auto& [symbol, value] : scene.elements)
+    if (symbol.name == element) *value *= factor;
+  return scene;
+}
+
+// The absorber stands still for the body: v* is that of a rigid drive, whatever kd; what ka adds
+// comes from a pole on both sides of the quotient.
+BOOST_AUTO_TEST_CASE(a_tuned_absorber) {
+  BOOST_TEST(log_derivative(absorber, {"kd"}) == 0);
+  BOOST_TEST(std::abs(log_derivative(absorber, {"ka"}) + 0.7) <= 1e-15);
+  BOOST_TEST(std::abs(log_derivative(absorber, {"ma"}) - 0.7) <= 1e-15);
+}
+
+// A second derivative of order 1, so that the change is of the order of the detuning.
+BOOST_AUTO_TEST_CASE(next_to_it) {
+  for (const double detuning : {1e-6, -1e-9, 1e-12, -1e-15}) {
+    const Scene beside = with(absorber, "ka", 1 + detuning);
+    const double off = 100 * std::abs(detuning) + 1e-15;
+    BOOST_TEST(std::abs(log_derivative(beside, {"ka"}) + 0.7) <= off);
+    BOOST_TEST(std::abs(log_derivative(beside, {"kd"})) <= off);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(doubles_against_balls) {
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    const Scene scene = test::RandomScenes(4200 + seed, 2).scene(6);
+    for (const auto& [symbol, value] : scene.elements) {
+      const double balls = certified_log_derivative(scene, symbol);
+      // Some 1e3 roundings, near a resonance as many times more as v* answers to the element.
+      BOOST_TEST(std::abs(log_derivative(scene, symbol) - balls) <= 1e-12 * (1 + balls * balls),
+                 "seed " << seed << ", " << to_text(symbol));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(no_sensitivity_of_what_is_0_or_infinite) {
+  const Scene resonant = parse_scene(
+      "[contact]\nnormal = \"kn\"\ntangential = \"kt\"\n[drive]\nnetwork = \"kd\"\n[body]\nmass = "
+      "2\n"
+      "[oscillation]\nangular_frequency = 2\namplitude = 1\nindentation = 2\n"
+      "[friction]\ncoefficient = 0.5\n[elements]\nkn = 3\nkt = 4\nkd = 8\n",
+      "resonant.toml");
+  BOOST_CHECK_THROW(log_derivative(resonant, {"kt"}), ModelError);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE_END()
