@@ -8,6 +8,7 @@
 #include "critical/critical_velocity.hpp"
 #include "derivation/derivation.hpp"
 #include "explorer.hpp"
+#include "formula/names.hpp"
 #include "formulas.hpp"
 #include "frequency_response.hpp"
 #include "friction.hpp"
@@ -125,6 +126,7 @@ Witnesses own_witnesses() {
 
 SceneReport agree(const Scene& scene, Driver& driver, const Progress& progress,
                   const Witnesses& witnesses) {
+  const symbolic::NamesOfScene names(scene);
   const Values values = values_of(scene);
   SceneReport report;
   report.scene = scene;

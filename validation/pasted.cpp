@@ -69,7 +69,8 @@ std::string pasted_function(const std::string& name, const symbolic::Derivation&
     return dialect.print(symbolic::form_of(expression));
   };
   std::string text = fmt::format("static double {}(const Parameters& p) {{\n", name);
-  if (!derivation.definitions.empty()) text += "  const Complex s(0.0, p.omega);\n";
+  if (!derivation.definitions.empty())
+    text += fmt::format("  const Complex {}(0.0, p.omega);\n", print(symbolic::laplace()));
   for (const symbolic::Line& line : derivation.definitions)
     text += fmt::format("  const Complex {} = {};\n", print(line.left), print(line.right));
   return text + fmt::format("  return {};\n}}\n", print(derivation.critical_velocity));

@@ -42,6 +42,13 @@ std::optional<double> number(const toml::node& node, Dimension dimension, const 
   return parse_quantity(text, dimension, place);
 }
 
+void refuse_other_name(const toml::node& node, std::initializer_list<std::string> own,
+                       const std::string& name, const Place& place, const std::string& expected) {
+  const auto* text = node.as_string();
+  if (text != nullptr && std::find(own.begin(), own.end(), text->get()) == own.end())
+    throw InputError(place, fmt::format("{} = \"{}\"", name, text->get()), expected);
+}
+
 Quantity Quantities::read(const document::Section& section, const char* key,
                           const std::string& symbol, Dimension dimension, const Range& range) {
   Quantity quantity{{symbol}, std::nullopt};
@@ -52,6 +59,9 @@ Quantity Quantities::read(const document::Section& section, const char* key,
   const toml::node* node = section.find(key);
   if (node == nullptr) return quantity;
   const auto value = number(*node, dimension, key, section.place(key));
+  if (!value)
+    refuse_other_name(*node, {symbol, key}, key, section.place(key),
+                      fmt::format("a value, or \"{}\", which is its name in formulas", symbol));
   if (value) checked(*value, range, key, section.place(key));
   if (!quantity.value) quantity.value = value;
   return quantity;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <toml++/toml.h>
+#include <initializer_list>
 #include <optional>
 #include <string>
 
@@ -25,6 +26,11 @@ double checked(double value, const Range& range, const std::string& name, const 
 /// In SI; nothing for a bare name. Throws InputError for anything else.
 std::optional<double> number(const toml::node& node, Dimension dimension, const std::string& name,
                              const Place& place);
+
+/// Of a bare name that stands for no value: throws InputError unless it is one of `own`, the names
+/// that the quantity or element has.
+void refuse_other_name(const toml::node& node, std::initializer_list<std::string> own,
+                       const std::string& name, const Place& place, const std::string& expected);
 
 /// The quantities of one scene file, with what --set gives in their place.
 class Quantities {

@@ -250,6 +250,9 @@ class Reader {
     refuse_taken(name, "an element", use.place, std::move(taken));
   }
 
+  static constexpr const char* same_element =
+      "a value; elements that are equal are one element, written by one name in the networks";
+
   void read_element(const std::string& name, const ElementUse& use, const toml::node* node) {
     if (use.length > 0) return read_array(name, use, node);
     const auto set = settings().take(name, use.dimension);
@@ -257,6 +260,7 @@ class Reader {
     if (node == nullptr) return;
     const Place place = document::place_of(*node, file_);
     const auto value = number(*node, use.dimension, name, place);
+    if (!value) refuse_other_name(*node, {name}, name, place, same_element);
     if (value && !set) values_[{name}] = checked(*value, nonnegative, name, place);
   }
 
@@ -275,6 +279,7 @@ class Reader {
       const toml::node& item = *node->as_array()->get(static_cast<std::size_t>(entry - 1));
       const Place place = document::place_of(item, file_);
       const auto value = number(item, use.dimension, label, place);
+      if (!value) refuse_other_name(item, {name, label}, label, place, same_element);
       if (value && !set) values_[symbol] = checked(*value, nonnegative, label, place);
     }
   }

@@ -2,6 +2,7 @@
 
 #include "derivation/factors.hpp"
 #include "derivation/model.hpp"
+#include "formula/names.hpp"
 #include "formula/symbols.hpp"
 
 namespace vcrit::symbolic {
@@ -12,7 +13,7 @@ namespace {
 GiNaC::exmap coefficient_names(const std::vector<Line>& definitions) {
   GiNaC::exmap names{{laplace(), 1}};
   for (const Line& line : definitions) {
-    std::string name = GiNaC::ex_to<GiNaC::symbol>(line.left).get_name();
+    std::string name = base_name(GiNaC::ex_to<GiNaC::symbol>(line.left).get_name());
     names[line.left] = quantity(name.replace(0, 1, "L"));
   }
   return names;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "formula/form.hpp"
+#include "formula/names.hpp"
 #include "formula/rational.hpp"
 #include "formula/symbols.hpp"
 #include "polynomial/network_polynomials.hpp"
@@ -61,13 +62,13 @@ struct QuotientAlgebra {
       case ElementKind::spring:
         return k;
       case ElementKind::damper:
-        return multiply(k, name("s"));
+        return multiply(k, name(own_name("s")));
       case ElementKind::mass:
-        return multiply(multiply(k, name("s")), name("s"));
+        return multiply(multiply(k, name(own_name("s"))), name(own_name("s")));
       case ElementKind::maxwell:
         break;
     }
-    const Value turn = multiply(name(to_text(e.time)), name("s"));
+    const Value turn = multiply(name(to_text(e.time)), name(own_name("s")));
     return multiply(multiply(k, turn), inverse(add(turn, number(1))));
   }
   Value parallel(const Value& a, const Value& b) const { return add(a, b); }
@@ -92,20 +93,20 @@ std::vector<std::string> variables(const Model& model, const ex& amplitude) {
   for (auto it = amplitude.preorder_begin(); it != amplitude.preorder_end(); ++it)
     if (GiNaC::is_a<GiNaC::symbol>(*it)) names.insert(GiNaC::ex_to<GiNaC::symbol>(*it).get_name());
   for (const Part& part : model.networks()) {
-    if (names.erase(part.name) == 0) continue;
+    if (names.erase(own_name(part.name)) == 0) continue;
     for (const Symbol& each : symbols_of(part.network)) names.insert(to_text(each));
   }
-  names.erase("s");
+  names.erase(own_name("s"));
   std::vector<std::string> sorted(names.begin(), names.end());
   std::sort(sorted.begin(), sorted.end(), natural_less);
-  sorted.insert(sorted.begin(), {"s", "omega"});
+  sorted.insert(sorted.begin(), {own_name("s"), "omega"});
   return sorted;
 }
 
 /// |f|^2 at s = i omega.
 Polynomial squared_modulus(const Polynomial& f) {
   const Ring& ring = f.ring();
-  const std::size_t s = ring.index("s"), omega = ring.index("omega");
+  const std::size_t s = ring.index(own_name("s")), omega = ring.index("omega");
   Polynomial even(ring, 0), odd(ring, 0);
   for (std::size_t i = 0; i < f.terms(); ++i) {
     std::vector<unsigned long> exponents = f.exponents(i);
@@ -156,7 +157,8 @@ RationalForm squared_form(const std::shared_ptr<const Ring>& ring, const Quotien
 
 double terms_before_squaring(const Model& model) {
   std::map<std::string, TermNumbers> networks;
-  for (const Part& part : model.networks()) networks[part.name] = term_numbers(part.network);
+  for (const Part& part : model.networks())
+    networks[own_name(part.name)] = term_numbers(part.network);
   const TermNumbers count = evaluate_rational(model.per_friction(), CountAlgebra{networks});
   return std::max(count.over, count.under);
 }
@@ -174,19 +176,19 @@ RationalForm rational_form(const Model& model, double budget) {
   QuotientAlgebra algebra{*ring, {}};
   for (const Part& part : model.networks())
     if (amplitude.has(quantity(part.name)))
-      algebra.known.emplace(part.name, stiffness(part.network, *ring));
+      algebra.known.emplace(own_name(part.name), stiffness(part.network, *ring));
   return squared_form(ring, evaluate_rational(amplitude, algebra));
 }
 
 RationalForm rational_form(const Model& model,
                            const std::map<std::string, GiNaC::numeric>& values) {
   const ex amplitude = model.per_friction();
-  const auto ring = std::make_shared<const Ring>(std::vector<std::string>{"s", "omega"});
+  const auto ring = std::make_shared<const Ring>(std::vector<std::string>{own_name("s"), "omega"});
   QuotientAlgebra algebra{*ring, {}};
   for (const auto& [name, value] : values) algebra.known.emplace(name, algebra.number(value));
   for (const Part& part : model.networks())
     if (amplitude.has(quantity(part.name)))
-      algebra.known.emplace(part.name, evaluate(part.reduction, algebra));
+      algebra.known.emplace(own_name(part.name), evaluate(part.reduction, algebra));
   return squared_form(ring, evaluate_rational(amplitude, algebra));
 }
 

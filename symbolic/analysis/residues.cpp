@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include "formula/names.hpp"
 #include "formula/rational.hpp"
 #include "formula/symbols.hpp"
 
@@ -37,7 +38,7 @@ struct ResidueAlgebra {
 
   Value number(const GiNaC::numeric& value) const { return Residue(value); }
   Value name(const std::string& name) const {
-    if (name == "s") return s;
+    if (name == own_name("s")) return s;
     const auto found = known.find(name);
     return found == known.end() ? point(name) : found->second;
   }
@@ -49,11 +50,18 @@ struct ResidueAlgebra {
 // `receptance` names the value of a measured R_d, which at -s is another number, its conjugate.
 Residue amplitude_at(const Model& model, const GiNaC::ex& amplitude, const Point& point, Residue s,
                      const char* receptance) {
-  ResidueAlgebra algebra{point, s, {{"R_d", point(receptance)}}};
+  ResidueAlgebra algebra{point, s, {{own_name("R_d"), point(own_name(receptance))}}};
   for (const Part& part : model.networks())
     if (amplitude.has(quantity(part.name)))
-      algebra.known[part.name] = evaluate(part.reduction, algebra);
+      algebra.known[own_name(part.name)] = evaluate(part.reduction, algebra);
   return evaluate_rational(amplitude, algebra);
+}
+
+// Fingerprints are older than the marks of the program's symbols: what has one now is without it,
+// and an element that reads like one of them has it.
+std::string told_apart(const std::string& name) {
+  if (is_own(name)) return base_name(name);
+  return name == "s" || name == "R_d" ? own_name(name) : name;
 }
 
 // The finalizer of SplitMix64: every bit of the input moves half the bits of the output.
@@ -98,7 +106,7 @@ Residue inverse(Residue a) {
 Point named_point(std::uint64_t number) {
   return [number](const std::string& symbol) {
     std::uint64_t hash = mixed(number + 0x9e3779b97f4a7c15);
-    for (const char c : symbol)
+    for (const char c : told_apart(symbol))
       hash = mixed(hash + static_cast<unsigned char>(c) + 0x9e3779b97f4a7c15);
     return Residue(hash);
   };
@@ -106,7 +114,7 @@ Point named_point(std::uint64_t number) {
 
 std::optional<Residue> square_at(const Model& model, const Point& point) try {
   const GiNaC::ex amplitude = model.per_friction();
-  const Residue s = point("s");
+  const Residue s = point(own_name("s"));
   return -(s * s) * amplitude_at(model, amplitude, point, s, "R_d") *
          amplitude_at(model, amplitude, point, -s, "conjugate R_d");
 } catch (const NoInverse&) {

@@ -4,6 +4,7 @@
 #include "derivation/derivation.hpp"
 #include "derivation/factors.hpp"
 #include "derivation/model.hpp"
+#include "formula/names.hpp"
 #include "formula/real_part.hpp"
 #include "formula/symbols.hpp"
 #include "formula/text.hpp"
@@ -72,7 +73,7 @@ class Chain {
       for (const Line& line : stiffnesses) {
         const ex change = of_definition(line);
         if (change.is_zero()) continue;
-        const std::string name = GiNaC::ex_to<GiNaC::symbol>(line.left).get_name();
+        const std::string name = base_name(GiNaC::ex_to<GiNaC::symbol>(line.left).get_name());
         known.emplace_back(line.left, quantity("d" + name));
         lines.push_back({"", known.back().second, shorter(change)});
       }

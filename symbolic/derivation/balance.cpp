@@ -3,7 +3,10 @@
 #include <map>
 #include <utility>
 
+#include <fmt/core.h>
+
 #include "derivation/factors.hpp"
+#include "formula/names.hpp"
 #include "formula/symbols.hpp"
 
 namespace vcrit::symbolic {
@@ -70,14 +73,16 @@ class BalanceWriter {
     const ex x = there_.drive ? n_.x : ex(0);
     const Equations motion = equations(there_, x, n_.acceleration, n_.y, n_.f_n);
     if (there_.drive)
-      write(
-          "Equation of motion of the body, oscillating parts (x: body, y: contact point; a network "
-          "acts as K(d/dt))",
-          motion.body, 0);
-    write(there_.drive ? "At the contact point contact force and friction balance"
-                       : "The far end of the contact moves uniformly; at the contact point (y: its "
-                         "oscillation) contact force and friction balance (a network acts as "
-                         "K(d/dt))",
+      write(fmt::format("Equation of motion of the body, oscillating parts ({}: body, {}: contact "
+                        "point; a network acts as K(d/dt))",
+                        printed_name(own_name("x")), printed_name(own_name("y"))),
+            motion.body, 0);
+    write(there_.drive
+              ? "At the contact point contact force and friction balance"
+              : fmt::format("The far end of the contact moves uniformly; at the contact point "
+                            "({}: its oscillation) contact force and friction balance (a "
+                            "network acts as K(d/dt))",
+                            printed_name(own_name("y"))),
           motion.contact + n_.mu0 * n_.f_n, n_.mu0 * n_.f_n);
   }
 

@@ -1,10 +1,13 @@
 #include "derivation/derivation.hpp"
 
+#include <fmt/core.h>
+
 #include <set>
 
 #include "base/errors.hpp"
 #include "derivation/factors.hpp"
 #include "derivation/model.hpp"
+#include "formula/names.hpp"
 #include "formula/symbols.hpp"
 
 namespace vcrit::symbolic {
@@ -35,9 +38,11 @@ void write_condition(const Model& model, std::vector<Line>& lines) {
 }
 
 void write_networks(const Model& model, std::vector<Line>& lines) {
-  const std::map<std::string, std::string> words{{"K_n", "Normal contact, with s = i*omega"},
-                                                 {"K_t", "Tangential contact, with s = i*omega"},
-                                                 {"K_d", "Drive, with s = i*omega"}};
+  const std::string with =
+      fmt::format(", with {} = {}*omega", printed_name(own_name("s")), printed_name(own_name("i")));
+  const std::map<std::string, std::string> words{{"K_n", "Normal contact" + with},
+                                                 {"K_t", "Tangential contact" + with},
+                                                 {"K_d", "Drive" + with}};
   const ex amplitude = model.amplitude({});
   std::vector<Line> inner;
   for (const auto& [name, network, reduction] : model.networks()) {

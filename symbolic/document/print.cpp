@@ -7,6 +7,7 @@
 #include "document/form_lines.hpp"
 #include "document/json.hpp"
 #include "document/markup.hpp"
+#include "formula/names.hpp"
 
 namespace vcrit::symbolic {
 
@@ -43,6 +44,7 @@ Findings find(const Scene& scene, const DocumentOptions& options) {
 }  // namespace
 
 std::string print(const Scene& scene, const DocumentOptions& options) {
+  const NamesOfScene names(scene);
   const Findings findings = find(scene, options);
   switch (options.format) {
     case Format::text:

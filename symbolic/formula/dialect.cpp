@@ -1,5 +1,7 @@
 #include "formula/dialect.hpp"
 
+#include "formula/names.hpp"
+
 namespace vcrit::symbolic {
 
 std::string Dialect::print(const Signed& expression) const {
@@ -37,7 +39,7 @@ Piece Dialect::piece(const Form& form) const {
     case Form::Kind::number:
       return {number(form.text)};
     case Form::Kind::name:
-      return {name(form.text)};
+      return {name(printed_name(form.text))};
     case Form::Kind::sum: {
       std::string text;
       for (std::size_t i = 0; i < form.terms.size(); ++i) {

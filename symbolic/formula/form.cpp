@@ -7,6 +7,7 @@
 
 #include "base/errors.hpp"
 #include "formula/dialect.hpp"
+#include "formula/names.hpp"
 
 namespace vcrit::symbolic {
 
@@ -29,7 +30,7 @@ int frequency_degree(const Form& form) {
   };
   switch (form.kind) {
     case Form::Kind::name:
-      return form.text == "omega" || form.text == "s" ? 1 : 0;
+      return form.text == "omega" || form.text == own_name("s") ? 1 : 0;
     case Form::Kind::power:
       return form.exponent * frequency_degree(form.over[0]);
     case Form::Kind::product:
@@ -68,9 +69,10 @@ void sort_terms(std::vector<Signed>& terms) {
 /// Where a factor stands in its product: numbers, i, then what a reader expects first. The physical
 /// prefactor mu0 omega du_z keeps its order; elsewhere omega stands behind the elements.
 int rank(const Form& form, bool prefactor) {
-  static const std::map<std::string, int> names{{"i", -9}, {"mu0", -3}, {"du_z", -1}, {"x", 2},
-                                                {"y", 2},  {"A", 2},    {"B", 2},     {"omega", 3},
-                                                {"s", 4},  {"t", 5}};
+  static const std::map<std::string, int> names{
+      {own_name("i"), -9}, {"mu0", -3},        {"du_z", -1},       {own_name("x"), 2},
+      {own_name("y"), 2},  {own_name("A"), 2}, {own_name("B"), 2}, {"omega", 3},
+      {own_name("s"), 4},  {own_name("t"), 5}};
   switch (form.kind) {
     case Form::Kind::number:
       return -10;
@@ -176,7 +178,7 @@ class ProductForm {
     if (!size.is_real()) {
       ensure(size.real().is_zero(), "coefficients are real or imaginary");
       size = size.imag();
-      over_.push_back(named("i"));
+      over_.push_back(named(own_name("i")));
     }
     if (size.is_negative()) minus_ = !minus_;
     size = GiNaC::abs(size);

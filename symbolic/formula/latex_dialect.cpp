@@ -6,6 +6,7 @@
 #include <cctype>
 
 #include "formula/dialect.hpp"
+#include "formula/names.hpp"
 #include "formula/notation.hpp"
 
 namespace vcrit::symbolic {
@@ -19,6 +20,12 @@ std::string latex_index_part(const std::string& part) {
   return word ? "\\mathrm{" + part + "}" : part;
 }
 
+std::string letter_by_letter(const std::string& text) {
+  std::string escaped;
+  for (const char c : text) escaped += c == '_' ? std::string("\\_") : std::string(1, c);
+  return "\\mathrm{" + escaped + "}";
+}
+
 class LatexDialect : public Dialect {
   std::string number(const std::string& digits) const override {
     const std::size_t bar = digits.find('/');
@@ -27,6 +34,7 @@ class LatexDialect : public Dialect {
   }
   std::string name(const std::string& text) const override {
     if (text.starts_with("S_")) return "S_{" + name(text.substr(2)) + "}";
+    if (is_set_apart(text)) return letter_by_letter(text);
     const Notation n = notation(text);
     std::string result = is_greek(n.base)    ? "\\" + n.base
                          : n.base.size() > 1 ? "\\mathrm{" + n.base + "}"

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "formula/dialect.hpp"
+#include "formula/names.hpp"
 #include "formula/notation.hpp"
 
 namespace vcrit::symbolic {
@@ -39,6 +40,7 @@ class MathMlDialect : public Dialect {
   std::string name(const std::string& text) const override {
     if (text.starts_with("S_"))
       return "<msub><mi>S</mi><mrow>" + name(text.substr(2)) + "</mrow></msub>";
+    if (is_set_apart(text)) return "<mi>" + text + "</mi>";
     const Notation n = notation(text);
     std::string result = "<mi>" + letter(n.base) + "</mi>";
     const auto dots = std::count(n.above.begin(), n.above.end(), '\'');

@@ -5,6 +5,7 @@
 
 #include "base/errors.hpp"
 #include "base/numbers.hpp"
+#include "formula/names.hpp"
 
 namespace vcrit::symbolic {
 
@@ -22,7 +23,7 @@ GiNaC::ex poisson_ratio(const Symbol& symbol) {
 
 GiNaC::ex quantity(const std::string& name) {
   static std::map<std::string, GiNaC::symbol> known;
-  return known.try_emplace(name, name).first->second;
+  return known.try_emplace(name, own_name(name)).first->second;
 }
 
 GiNaC::ex omega() { return symbol({"omega"}); }

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "base/errors.hpp"
+#include "formula/names.hpp"
 
 namespace vcrit::symbolic {
 
@@ -135,7 +136,7 @@ class Expansion {
   }
 
   Quotient operator()(const Element& element) const {
-    const Polynomial one(ring_, 1), s = Polynomial::variable(ring_, "s");
+    const Polynomial one(ring_, 1), s = Polynomial::variable(ring_, own_name("s"));
     const Polynomial k = variable(element.coefficient);
     switch (element.kind) {
       case ElementKind::spring:
@@ -218,9 +219,11 @@ TermNumbers term_numbers(const Network& network) {
 Quotient stiffness(const Network& network, const Ring& ring) {
   const Quotient k = Expansion(ring).of(network);
   if (repeats_a_symbol(network)) return cancelled(k);
-  const unsigned long common = std::min(k.over.lowest_degree("s"), k.under.lowest_degree("s"));
+  const unsigned long common =
+      std::min(k.over.lowest_degree(own_name("s")), k.under.lowest_degree(own_name("s")));
   if (common == 0) return k;
-  return {k.over.without_power("s", common), k.under.without_power("s", common)};
+  return {k.over.without_power(own_name("s"), common),
+          k.under.without_power(own_name("s"), common)};
 }
 
 }  // namespace vcrit::symbolic

@@ -16,7 +16,7 @@ struct TermNumbers {
 };
 TermNumbers term_numbers(const Network& network);
 
-/// The ring needs "s" and the network's symbols. No factor is left that divides both.
+/// The ring needs own_name("s") and the network's symbols. No factor is left that divides both.
 Quotient stiffness(const Network& network, const Ring& ring);
 
 }  // namespace vcrit::symbolic

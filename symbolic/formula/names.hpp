@@ -1,0 +1,42 @@
+// Names of symbols. Those of the program (K_n, s, v*, ...) carry a mark of which no name of a scene
+// can hold the character, so that both are told apart wherever symbols are known by name; in print
+// the mark goes, and where a scene has an element that would read the same, the program's own
+// symbol is printed with another name.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "scene/scene.hpp"
+
+namespace vcrit::symbolic {
+
+/// The marked name of a symbol of the program.
+std::string own_name(const std::string& base);
+bool is_own(const std::string& name);
+/// Without the mark.
+std::string base_name(const std::string& name);
+
+/// How a name, marked or not, reads: a scene's as it is.
+std::string printed_name(const std::string& name);
+
+/// While it lives, formulas of this scene are printed in this thread: its names are not given to
+/// symbols of the program, and two of them that would be set alike (k1 and k_1) are set apart.
+class NamesOfScene {
+ public:
+  explicit NamesOfScene(const Scene& scene);
+  ~NamesOfScene();
+  NamesOfScene(const NamesOfScene&) = delete;
+  NamesOfScene& operator=(const NamesOfScene&) = delete;
+
+ private:
+  friend std::string printed_name(const std::string& name);
+  friend bool is_set_apart(const std::string& name);
+  std::map<std::string, std::string> by_setting_;  ///< the first name of each setting in LaTeX
+  const NamesOfScene* before_;
+};
+
+/// Whether an earlier name of the scene is set alike, so that this one is set letter by letter.
+bool is_set_apart(const std::string& name);
+
+}  // namespace vcrit::symbolic

@@ -1,0 +1,146 @@
+"""Elements that read like the program's own symbols, or like each other, in everything that is printed and generated.
+
+A formula is read back as text: each definition is evaluated in its order, with the names that are printed, and the
+result held against eval, which knows no names.
+"""
+import cmath
+import json
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+PROGRAM = sys.argv[1]
+
+# What derivations call their own: stiffnesses, amplitudes, variables, the imaginary unit.
+OWN = ["s", "i", "j", "x", "y", "z", "t", "b", "K_n", "K_t", "K_d", "R_d", "C_t", "f_n", "rho_d", "kappa_k1", "theta",
+       "beta", "s_own", "K_n_own", "exp", "abs", "re", "v", "p", "dK_n"]
+# Shapes in which an element named NAME stands, each with two others.
+SHAPES = [
+    ('spring(NAME) | damper(d1)', 'spring(k2) - damper(d1)', None),
+    ('spring(k1) | damper(NAME)', 'spring(k2) | (spring(k1) - damper(NAME))', 'spring(k2) | damper(d1)'),
+    ('spring(k1) | (spring(k2) - damper(d1))', 'spring(NAME) - damper(d1)', 'spring(NAME)'),
+]
+VALUES = {"k1": 3e6, "k2": 5e6, "d1": 20.0}
+
+
+def scene(shape, name):
+    normal, tangential, drive = (part and part.replace("NAME", name) for part in shape)
+    used = "".join(filter(None, (normal, tangential, drive)))
+    values = dict(VALUES, **{name: 7e2 if f"damper({name})" in used else 7e5})
+    text = f'[contact]\nnormal = "{normal}"\ntangential = "{tangential}"\n'
+    if drive:
+        text += f'[drive]\nnetwork = "{drive}"\n[body]\nmass = 1e-3\n'
+    text += '[oscillation]\nangular_frequency = 6e4\namplitude = 1e-7\nindentation = 1e-6\n'
+    text += '[friction]\ncoefficient = 0.3\n[elements]\n'
+    present = {k: v for k, v in values.items() if f"({k})" in used}
+    return text + "".join(f"{k} = {v!r}\n" for k, v in present.items()), present
+
+
+class OwnNames(unittest.TestCase):
+    def run_program(self, *arguments, **options):
+        return subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, check=True, **options).stdout
+
+    def value(self, file):
+        return json.loads(self.run_program("eval", file, "--json"))["critical_velocity"]
+
+    def read_back(self, text, values, drive):
+        """The last formula of a nested derivation, evaluated."""
+        found = re.search(r"with (\w+) = (\w+)\*omega", text)
+        s, i = found.groups()
+        self.assertNotIn(s, values)
+        self.assertNotIn(i, values)
+        known = dict(values, omega=6e4, mu0=0.3, du_z=1e-7, m=1e-3, **{i: 1j, s: 6e4j})
+        known = {k.replace("[", "_"): v for k, v in known.items()}
+        after = text[text.index("Normal contact"):]
+        for left, right in re.findall(r"^    (\S+) = (.+)$", after, re.M):
+            formula = right.replace("^", "**")
+            result = eval(formula, {"__builtins__": {}}, _Names(known))
+            if left == "v*":
+                return abs(result)
+            self.assertNotIn(left, values, text)
+            known[left] = result
+        self.fail(text)
+
+    def test_each_own_name_as_an_element(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "s.toml"
+            for number, shape in enumerate(SHAPES):
+                file.write_text(scene(shape, "q7")[0])
+                expected = self.value(file)
+                for name in OWN:
+                    with self.subTest(shape=number, name=name):
+                        text, values = scene(shape, name)
+                        file.write_text(text)
+                        self.assertEqual(self.value(file), expected)
+                        nested = self.run_program("derive", file, "--form", "nested")
+                        self.assertNotRegex(nested, r"[\x00-\x08\x0b-\x1f]")
+                        back = self.read_back(nested, values, shape[2])
+                        # Some 40 operations in doubles, none of which cancels in these shapes.
+                        self.assertAlmostEqual(back / expected, 1, delta=1e-13)
+
+    def test_generated_code_for_all_of_them(self):
+        calls, includes = [], []
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "s.toml"
+            expected = []
+            for number, name in enumerate(OWN):
+                shape = SHAPES[number % len(SHAPES)]
+                text, values = scene(shape, name)
+                file.write_text(text)
+                library = f"g{len(expected)}"
+                self.run_program("generate", file, "--out", folder, "--name", library, "--no-gradient")
+                expected.append(self.value(file))
+                header = (pathlib.Path(folder) / f"{library}.hpp").read_text()
+                members = re.search(r"struct Parameters \{(.*?)\n?\};", header, re.S).group(1)
+                given = dict(values, omega=6e4, mu0=0.3, du_z=1e-7, m=1e-3)
+                places = re.findall(r"double (\w+)", members)
+                # A member may have another name than the element: by their comments, in order.
+                sets = "".join(f"p.{place} = {given.get(place, given.get(name))!r};" for place in places)
+                includes.append(f'#include "{library}.hpp"\n')
+                calls.append(f"{{ {library}::Parameters p{{}}; {sets} std::printf(\"%.17g\\n\", "
+                             f"{library}::critical_velocity(p)); }}\n")
+            source = pathlib.Path(folder) / "main.cpp"
+            source.write_text("#include <cstdio>\n" + "".join(includes) + "int main() {\n" + "".join(calls) + "}\n")
+            subprocess.run(["g++", "-std=c++20", "-O0", "-o", "main", "main.cpp"], cwd=folder, check=True)
+            found = subprocess.run([pathlib.Path(folder) / "main"], capture_output=True, text=True, check=True).stdout
+        for value, right in zip(map(float, found.split()), expected, strict=True):
+            self.assertAlmostEqual(value / right, 1, delta=1e-14)
+
+    def test_names_that_would_be_set_alike(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "s.toml"
+            text = scene(SHAPES[0], "k_1")[0]
+            for pair in (("k1", "k_1"), ("k1_2", "k_1_2")):
+                file.write_text(text.replace("spring(k_1) |", f"spring({pair[0]}) | spring({pair[1]}) |")
+                                .replace("k_1 = 7", f"{pair[0]} = 1.0\n{pair[1]} = 7"))
+                latex = self.run_program("derive", file, "--format", "latex")
+                symbols = re.search(r"K_\{n\} = (.*?)\\\]", latex, re.S).group(1)
+                springs = {part.strip() for part in symbols.split("+")} - {"c_{d1} s"}
+                self.assertEqual(len([each for each in springs if "k" in each]), 2, symbols)
+
+    def test_other_names_than_its_own_are_refused(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "s.toml"
+            text = scene(SHAPES[1], "c9")[0]
+            for old, new in (("k1 = 3000000.0", 'k1 = "k2"'), ("mass = 1e-3", 'mass = "M"'),
+                             ("coefficient = 0.3", 'coefficient = "mu"')):
+                self.assertIn(old, text)
+                file.write_text(text.replace(old, new))
+                ran = subprocess.run([PROGRAM, "derive", file], capture_output=True, text=True)
+                self.assertEqual(ran.returncode, 2, ran.stdout)
+                self.assertIn(new, ran.stderr)
+            file.write_text(text.replace("mass = 1e-3", 'mass = "m"'))
+            self.run_program("derive", file)
+
+
+class _Names(dict):
+    """Names in a formula; abs stays what it is."""
+    def __missing__(self, name):
+        return {"abs": abs, "sqrt": cmath.sqrt}[name]
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
