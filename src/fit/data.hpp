@@ -19,10 +19,6 @@ struct Data {
   bool has_errors = false;
 };
 
-/// Without errors a component counts with its own size, but with no less than this part of |K|: no
-/// measurement of a phase resolves less.
-constexpr double least_part = 1e-3;
-
 /// A table in CSV with a header row: `frequency` (Hz) or `angular_frequency` (rad/s), `storage`,
 /// `loss` and, both or none, `storage_error` and `loss_error` (N/m), in any order. A unit may stand
 /// behind a name, as in "frequency (kHz)" or "storage [N/um]". Frequencies rise or fall throughout.

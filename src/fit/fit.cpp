@@ -3,6 +3,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <boost/math/distributions/normal.hpp>
+#include <boost/math/distributions/students_t.hpp>
 #include <boost/math/special_functions/beta.hpp>
 #include <boost/math/special_functions/gamma.hpp>
 #include <cmath>
@@ -28,6 +30,9 @@ constexpr int look_ahead = 2;
 // The least part of the softest data that a term begins with, so that its logarithm can move.
 constexpr double first_part = 1e-3;
 
+// Of a 95 % interval.
+constexpr double upper_end = 0.975;
+
 class Fitting {
  public:
   Fitting(const Data& data, const Options& options, const std::optional<Relaxation>& expected = {})
@@ -35,6 +40,7 @@ class Fitting {
 
   Fit run() {
     choose_length();
+    if (chosen_.series.branches.empty()) take_a_branch_at_an_end();
     leave_out(&Terms::damper);
     leave_out(&Terms::equilibrium);
     return described();
@@ -55,6 +61,22 @@ class Fitting {
     return chance_of_fall(with_floor(before.sum_of_squares), with_floor(after.sum_of_squares),
                           static_cast<int>(after.slopes.cols() - before.slopes.cols()),
                           degrees(after), data_.errors_known());
+  }
+
+  double level_for(const Refined& longer, int shorter) const {
+    const double usual = data_.errors_known() ? significance : level(degrees(longer));
+    return shorter == 0 ? std::max(usual, level_of_the_first()) : usual;
+  }
+
+  // A lone spring takes all loss for noise. It stands only where noise of that size and shape is
+  // likely.
+  double level_of_the_first() const {
+    if (shows_loss(given_)) return 1;
+    if (data_.errors_known()) return significance;
+    const auto size = static_cast<double>(data_.size());
+    const bool few = level(static_cast<int>(data_.size()) - 3) > significance;
+    const bool large = trials_.front().sum_of_squares > (size - 1) * usual_noise * usual_noise;
+    return few && large ? doubtful_level : first_level;
   }
 
   // Terms that came out at 0 begin small instead.
@@ -97,13 +119,29 @@ class Fitting {
         last.reset();
         continue;
       }
-      trials_.push_back({n, next->sum_of_squares, chance(chosen_, *next)});
+      trials_.push_back({n, next->sum_of_squares, chance(chosen_, *next), level_for(*next, length)});
       last = next;
-      if (!(trials_.back().chance < significance)) continue;
+      if (!(trials_.back().chance < trials_.back().level)) continue;
       chosen_ = std::move(*next);
       length = n;
     }
     exhausted_ = length == options_.most_branches;
+  }
+
+  // Where the data see no more of a branch than the tail of its loss, its relaxation time runs out
+  // of the range: the nearest time in it does the same.
+  void take_a_branch_at_an_end() {
+    if (!has_room_for(1)) return;
+    const TimeRange range = time_range(data_);
+    for (const double time : {range.from, range.to}) {
+      const Relaxation series = linear_fit(data_, terms_, {time});
+      if (!(series.branches.front().stiffness > 0) || !(series.equilibrium > 0)) continue;
+      Refined fit = as_it_is(data_, terms_, series);
+      trials_.push_back({1, fit.sum_of_squares, chance(chosen_, fit), level_for(fit, at_an_end_)});
+      if (!(trials_.back().chance < trials_.back().level)) continue;
+      chosen_ = std::move(fit);
+      at_an_end_ = true;
+    }
   }
 
   Relaxation at_least_terms() const {
@@ -125,9 +163,19 @@ class Fitting {
     Terms fewer = terms_;
     fewer.*term = false;
     const auto without = refined(data_, fewer, chosen_.series);
-    if (!without || chance(*without, chosen_) < significance) return;
+    if (!without || chance(*without, chosen_) < level_for(chosen_, 1)) return;
     terms_ = fewer;
     chosen_ = *without;
+  }
+
+  // Noise as estimated from the misfit, or the errors given. Where the misfit shows these to be too
+  // small they are taken larger.
+  double scale_of_errors() const {
+    const int nu = degrees(chosen_);
+    const double from_misfit = std::sqrt(chosen_.sum_of_squares / nu);
+    if (!data_.errors_known()) return from_misfit * widening(nu);
+    const bool explained = boost::math::gamma_q(nu / 2.0, chosen_.sum_of_squares / 2) >= significance;
+    return explained ? 1 : std::max(1.0, from_misfit);
   }
 
   // One standard deviation of each logarithm, from the inverse of the normal matrix.
@@ -137,9 +185,7 @@ class Fitting {
                            .topRows(p)
                            .triangularView<Eigen::Upper>();
     const MatrixXd inverse = r.triangularView<Eigen::Upper>().solve(MatrixXd::Identity(p, p));
-    const double scale =
-        data_.errors_known() ? 1 : std::sqrt(chosen_.sum_of_squares / degrees(chosen_));
-    return scale * inverse.rowwise().norm();
+    return scale_of_errors() * inverse.rowwise().norm();
   }
 
   double rms_relative() const {
@@ -180,6 +226,7 @@ class Fitting {
       fit.noise = std::sqrt(fit.sum_of_squares / fit.degrees_of_freedom);
     fit.trials = trials_;
     fit.exhausted = exhausted_;
+    fit.time_at_an_end = at_an_end_;
     return fit;
   }
 
@@ -190,8 +237,10 @@ class Fitting {
   Relaxation dense_;
   Refined chosen_;
   std::vector<Trial> trials_;
-  bool exhausted_ = false;
+  bool exhausted_ = false, at_an_end_ = false;
 };
+
+double per_degree(const Fit& fit) { return fit.sum_of_squares / fit.degrees_of_freedom; }
 
 }  // namespace
 
@@ -201,11 +250,49 @@ double chance_of_fall(double before, double after, int more, int degrees, bool e
   return boost::math::ibeta(degrees / 2.0, more / 2.0, after / before);
 }
 
+bool shows_loss(const Data& data) {
+  const auto rows = static_cast<double>(data.rows.size());
+  double sum = 0, squares = 0;
+  for (const Row& row : data.rows) {
+    const double unit = data.has_errors ? row.loss_error : std::hypot(row.storage, row.loss);
+    sum += row.loss / unit;
+    squares += row.loss / unit * (row.loss / unit);
+  }
+  if (!(sum > 0)) return false;
+  if (data.has_errors)
+    return cdf(complement(boost::math::normal(), sum / std::sqrt(rows))) < significance;
+  const double scatter = std::sqrt(std::max(0.0, squares - sum * sum / rows) / (rows - 1));
+  if (scatter == 0) return true;
+  const boost::math::students_t student(rows - 1);
+  return cdf(complement(student, sum / rows / (scatter / std::sqrt(rows)))) <
+         std::max(first_level, level(static_cast<int>(data.rows.size()) - 1));
+}
+
+double level(int degrees) {
+  return std::clamp(std::pow(clear_fall, -degrees), significance, largest_chance);
+}
+
+double widening(int degrees) {
+  const boost::math::students_t few(degrees);
+  const boost::math::normal many;
+  return quantile(few, upper_end) / quantile(many, upper_end);
+}
+
 Fit fitted(const Data& data, const Options& options) {
   if (options.most_branches < 1)
     throw InputError({"--max-branches"}, fmt::format("{}", options.most_branches), "at least 1");
-  const Fit fit = Fitting(data, options).run();
-  return data.has_errors ? fit : Fitting(data, options, fit.series).run();
+  Options chosen = options;
+  Fit fit = Fitting(data, chosen).run();
+  if (fit.time_at_an_end || fit.rms_relative > far_off) {
+    chosen.damper = true;
+    Fit damped = Fitting(data, chosen).run();
+    if (per_degree(damped) < per_degree(fit))
+      fit = std::move(damped);
+    else
+      chosen = options;
+  }
+  const bool second = !data.has_errors && fit.rms_relative < far_off;
+  return second ? Fitting(data, chosen, fit.series).run() : fit;
 }
 
 }  // namespace vcrit::fit

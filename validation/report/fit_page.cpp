@@ -15,9 +15,6 @@ namespace {
 // A chance below this says that the misfit is more than noise of the errors given.
 constexpr double unlikely = fit::significance;
 
-// Measurements of stiffness are better than that, root mean square.
-constexpr double far_off = 0.2;
-
 std::string series_words(const fit::Fit& fit) {
   const std::size_t n = fit.branches.size();
   std::string text = fmt::format("{} branch{}", n, n == 1 ? "" : "es");
@@ -29,7 +26,7 @@ std::string series_words(const fit::Fit& fit) {
 
 std::string noise(const fit::Fit& fit) {
   if (fit.noise)
-    return fmt::format("the noise of the data is estimated to {:.2g} % of each component",
+    return fmt::format("the noise of the data is estimated to {:.2g} % of |K|",
                        100 * *fit.noise);
   return fmt::format("chi-squared is {:.4g} with {} degrees of freedom ({:.3g} each)",
                      fit.sum_of_squares, fit.degrees_of_freedom,
@@ -80,7 +77,7 @@ std::vector<std::string> fit_in_words(const fit::Data& data, const fit::Fit& fit
     words.push_back(
         fmt::format("the last of {} branches still helped: more may be needed (--max-branches)",
                     fit.branches.size()));
-  if (fit.rms_relative > far_off)
+  if (fit.rms_relative > fit::far_off)
     words.emplace_back("no series of springs and dampers comes near these data");
   if (fit.chance && *fit.chance < unlikely)
     words.emplace_back(
