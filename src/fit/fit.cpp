@@ -41,8 +41,8 @@ class Fitting {
   Fit run() {
     choose_length();
     if (chosen_.series.branches.empty()) take_a_branch_at_an_end();
-    leave_out(&Terms::damper);
-    leave_out(&Terms::equilibrium);
+    leave_out(&Terms::damper, data_.errors_known() ? significance : level(degrees(chosen_)));
+    leave_out(&Terms::equilibrium, largest_chance);
     return described();
   }
 
@@ -63,14 +63,18 @@ class Fitting {
                           degrees(after), data_.errors_known());
   }
 
-  double level_for(const Refined& longer, int shorter) const {
-    const double usual = data_.errors_known() ? significance : level(degrees(longer));
-    return shorter == 0 ? std::max(usual, level_of_the_first()) : usual;
+  double level_for(const Refined& longer) const {
+    if (data_.errors_known())
+      return chosen_.series.branches.empty() ? level_of_the_first() : significance;
+    const double noise = std::sqrt(chosen_.sum_of_squares / degrees(chosen_));
+    const double usual = std::max(level(degrees(longer)), level_at(noise));
+    return chosen_.series.branches.empty() ? std::max(usual, level_of_the_first()) : usual;
   }
 
   // A lone spring takes all loss for noise. It stands only where noise of that size and shape is
   // likely.
   double level_of_the_first() const {
+    if (terms_.damper) return significance;
     if (shows_loss(given_)) return 1;
     if (data_.errors_known()) return significance;
     const auto size = static_cast<double>(data_.size());
@@ -119,7 +123,7 @@ class Fitting {
         last.reset();
         continue;
       }
-      trials_.push_back({n, next->sum_of_squares, chance(chosen_, *next), level_for(*next, length)});
+      trials_.push_back({n, next->sum_of_squares, chance(chosen_, *next), level_for(*next)});
       last = next;
       if (!(trials_.back().chance < trials_.back().level)) continue;
       chosen_ = std::move(*next);
@@ -137,7 +141,7 @@ class Fitting {
       const Relaxation series = linear_fit(data_, terms_, {time});
       if (!(series.branches.front().stiffness > 0) || !(series.equilibrium > 0)) continue;
       Refined fit = as_it_is(data_, terms_, series);
-      trials_.push_back({1, fit.sum_of_squares, chance(chosen_, fit), level_for(fit, at_an_end_)});
+      trials_.push_back({1, fit.sum_of_squares, chance(chosen_, fit), level_for(fit)});
       if (!(trials_.back().chance < trials_.back().level)) continue;
       chosen_ = std::move(fit);
       at_an_end_ = true;
@@ -158,12 +162,14 @@ class Fitting {
     return branches <= options_.most_branches && parameters < data_.size();
   }
 
-  void leave_out(bool Terms::*term) {
+  // Where dropping it costs no more than chance. Without an equilibrium spring the contact would
+  // carry no static load: it goes only where nothing speaks for it.
+  void leave_out(bool Terms::*term, double needed_below) {
     if (!(terms_.*term) || chosen_.series.branches.empty()) return;
     Terms fewer = terms_;
     fewer.*term = false;
     const auto without = refined(data_, fewer, chosen_.series);
-    if (!without || chance(*without, chosen_) < level_for(chosen_, 1)) return;
+    if (!without || chance(*without, chosen_) < needed_below) return;
     terms_ = fewer;
     chosen_ = *without;
   }
@@ -240,6 +246,66 @@ class Fitting {
   bool exhausted_ = false, at_an_end_ = false;
 };
 
+// The chance that noise alone makes the mean of the losses times `sign`, as parts of |K|, so large:
+// by Student, or by Gauss where errors are given.
+double chance_of_mean(const Data& data, double sign) {
+  const auto rows = static_cast<double>(data.rows.size());
+  double sum = 0, squares = 0;
+  for (const Row& row : data.rows) {
+    const double unit = data.has_errors ? row.loss_error : std::hypot(row.storage, row.loss);
+    const double part = sign * row.loss / unit;
+    sum += part;
+    squares += part * part;
+  }
+  if (!(sum > 0)) return 1;
+  if (data.has_errors)
+    return cdf(complement(boost::math::normal(), sum / std::sqrt(rows)));
+  const double scatter = std::sqrt(std::max(0.0, squares - sum * sum / rows) / (rows - 1));
+  if (scatter == 0) return 0;
+  const boost::math::students_t student(rows - 1);
+  return cdf(complement(student, sum / rows / (scatter / std::sqrt(rows))));
+}
+
+// Of data without loss one table in a thousand is refused for it.
+constexpr double wrong_sign_level = 1e-3;
+
+void refuse_what_cannot_be_fitted(const Data& data) {
+  if (data.rows.size() < least_rows)
+    throw InputError({data.file}, fmt::format("{} rows of numbers", data.rows.size()),
+                     fmt::format("at least {}", least_rows));
+  if (chance_of_mean(data, -1) < wrong_sign_level)
+    throw InputError({data.file}, "losses that are below 0 on average",
+                     "losses of at least 0: the imaginary part of K where the motion is "
+                     "exp(+i omega t)");
+}
+
+// No measurement of a phase resolves less, as a part of |K|.
+constexpr double finest_phase = 1e-3;
+
+// What is negative by more than the noise that the fit has found.
+void refuse_below_noise(const Data& data, const Fit& fit) {
+  if (data.has_errors) return;
+  const double noise = std::max(finest_phase, *fit.noise * widening(fit.degrees_of_freedom));
+  for (const Row& row : data.rows) {
+    const double size = std::hypot(row.storage, row.loss);
+    const auto refuse = [&](const char* name, double value) {
+      if (value < -errors_below_zero * noise * size)
+        throw InputError({data.file, row.line}, fmt::format("{} = {} N/m", name, value),
+                         fmt::format("a {} stiffness of at least 0, or below it by no more than "
+                                     "the noise of these data, {:.2g} % of |K|",
+                                     name, 100 * noise));
+    };
+    refuse("storage", row.storage);
+    refuse("loss", row.loss);
+  }
+}
+
+// Springs and branches leave what is no noise, or the tail of a loss that a damper may have as well.
+bool wants_a_damper(const Fit& fit) {
+  if (fit.chance) return *fit.chance < significance;
+  return fit.time_at_an_end || *fit.noise > usual_noise;
+}
+
 double per_degree(const Fit& fit) { return fit.sum_of_squares / fit.degrees_of_freedom; }
 
 }  // namespace
@@ -251,25 +317,16 @@ double chance_of_fall(double before, double after, int more, int degrees, bool e
 }
 
 bool shows_loss(const Data& data) {
-  const auto rows = static_cast<double>(data.rows.size());
-  double sum = 0, squares = 0;
-  for (const Row& row : data.rows) {
-    const double unit = data.has_errors ? row.loss_error : std::hypot(row.storage, row.loss);
-    sum += row.loss / unit;
-    squares += row.loss / unit * (row.loss / unit);
-  }
-  if (!(sum > 0)) return false;
-  if (data.has_errors)
-    return cdf(complement(boost::math::normal(), sum / std::sqrt(rows))) < significance;
-  const double scatter = std::sqrt(std::max(0.0, squares - sum * sum / rows) / (rows - 1));
-  if (scatter == 0) return true;
-  const boost::math::students_t student(rows - 1);
-  return cdf(complement(student, sum / rows / (scatter / std::sqrt(rows)))) <
-         std::max(first_level, level(static_cast<int>(data.rows.size()) - 1));
+  const double usual = std::max(first_level, level(static_cast<int>(data.rows.size()) - 1));
+  return chance_of_mean(data, 1) < (data.has_errors ? significance : usual);
 }
 
 double level(int degrees) {
   return std::clamp(std::pow(clear_fall, -degrees), significance, largest_chance);
+}
+
+double level_at(double noise) {
+  return noise < usual_noise ? 0 : std::min(first_level * noise / usual_noise, largest_chance);
 }
 
 double widening(int degrees) {
@@ -281,18 +338,23 @@ double widening(int degrees) {
 Fit fitted(const Data& data, const Options& options) {
   if (options.most_branches < 1)
     throw InputError({"--max-branches"}, fmt::format("{}", options.most_branches), "at least 1");
+  refuse_what_cannot_be_fitted(data);
   Options chosen = options;
   Fit fit = Fitting(data, chosen).run();
-  if (fit.time_at_an_end || fit.rms_relative > far_off) {
+  if (!options.damper && wants_a_damper(fit)) {
     chosen.damper = true;
     Fit damped = Fitting(data, chosen).run();
-    if (per_degree(damped) < per_degree(fit))
+    const bool any_fall = fit.time_at_an_end || fit.rms_relative > far_off;
+    const double fall = any_fall ? 1 : clear_fall;
+    if (per_degree(damped) * fall * fall < per_degree(fit))
       fit = std::move(damped);
     else
       chosen = options;
   }
   const bool second = !data.has_errors && fit.rms_relative < far_off;
-  return second ? Fitting(data, chosen, fit.series).run() : fit;
+  if (second) fit = Fitting(data, chosen, fit.series).run();
+  refuse_below_noise(data, fit);
+  return fit;
 }
 
 }  // namespace vcrit::fit

@@ -11,7 +11,9 @@
 namespace vcrit::fit {
 
 struct Options {
-  bool damper = false;  ///< whether a damper beside the branches is tried
+  /// Whether a damper beside the branches is tried from the start; else only where springs and
+  /// branches leave what is no noise.
+  bool damper = false;
   int most_branches = 20;
 };
 
@@ -72,6 +74,9 @@ constexpr double first_level = 0.01;
 /// And where few rows leave more than `usual_noise` (of |K|, root mean square) to a lone spring:
 /// stiffness is measured better than that.
 constexpr double doubtful_level = 0.3, usual_noise = 0.02;
+/// For any series that would have to put so much (of |K|) down to noise: the larger it is beyond the
+/// usual, the less is it to be believed.
+double level_at(double noise);
 
 /// One standard deviation is estimated from few degrees of freedom: what it must be multiplied by so
 /// that 1.96 of it hold the truth in 95 of 100 cases, Student's quantile over Gauss's.

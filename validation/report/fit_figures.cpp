@@ -23,7 +23,7 @@ FigureSeries measured_series(const fit::Data& data, const char* name, double fit
                              int colour) {
   FigureSeries series{name, Style::circles, {}, colour};
   for (const fit::Row& row : data.rows)
-    series.points.push_back({row.omega / two_pi, row.*part, ""});
+    if (row.*part > 0) series.points.push_back({row.omega / two_pi, row.*part, ""});
   return series;
 }
 

@@ -77,6 +77,9 @@ std::vector<std::string> fit_in_words(const fit::Data& data, const fit::Fit& fit
     words.push_back(
         fmt::format("the last of {} branches still helped: more may be needed (--max-branches)",
                     fit.branches.size()));
+  if (fit.time_at_an_end)
+    words.emplace_back(
+        "the relaxation time is only a bound: the data show no more than the tail of the loss");
   if (fit.rms_relative > fit::far_off)
     words.emplace_back("no series of springs and dampers comes near these data");
   if (fit.chance && *fit.chance < unlikely)
@@ -93,6 +96,7 @@ std::vector<std::string> fit_in_words(const fit::Data& data, const fit::Fit& fit
                                   tau.value, k.value, k.error));
   if (data.rows.size() < 2 * fit.branches.size())
     words.emplace_back("there are more numbers in the series than frequencies in the data");
+  words.insert(words.end(), data.notes.begin(), data.notes.end());
   return words;
 }
 
