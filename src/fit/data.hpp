@@ -18,7 +18,7 @@ struct Data {
   std::string file;       ///< as the user named it
   std::vector<Row> rows;  ///< at least three, omega increasing
   bool has_errors = false;
-  std::vector<std::string> notes;  ///< what the user should know of how the table was read
+  std::vector<std::string> notes = {};  ///< what the user should know of how the table was read
 };
 
 /// A spring and a damper go through any two rows: with fewer than three nothing is left to tell

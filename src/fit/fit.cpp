@@ -3,9 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <boost/math/distributions/normal.hpp>
-#include <boost/math/distributions/students_t.hpp>
-#include <boost/math/special_functions/beta.hpp>
 #include <boost/math/special_functions/gamma.hpp>
 #include <cmath>
 
@@ -29,9 +26,6 @@ constexpr int look_ahead = 2;
 
 // The least part of the softest data that a term begins with, so that its logarithm can move.
 constexpr double first_part = 1e-3;
-
-// Of a 95 % interval.
-constexpr double upper_end = 0.975;
 
 class Fitting {
  public:
@@ -246,34 +240,23 @@ class Fitting {
   bool exhausted_ = false, at_an_end_ = false;
 };
 
-// The chance that noise alone makes the mean of the losses times `sign`, as parts of |K|, so large:
-// by Student, or by Gauss where errors are given.
-double chance_of_mean(const Data& data, double sign) {
-  const auto rows = static_cast<double>(data.rows.size());
-  double sum = 0, squares = 0;
+// Whether i has the other sign in these data: losses that are too low for noise, or all of which
+// are, and by half of what is usual on average.
+bool has_losses_of_wrong_sign(const Data& data) {
+  if (chance_of_mean(data, -1) < significance) return true;
+  double sum = 0;
   for (const Row& row : data.rows) {
-    const double unit = data.has_errors ? row.loss_error : std::hypot(row.storage, row.loss);
-    const double part = sign * row.loss / unit;
-    sum += part;
-    squares += part * part;
+    if (row.loss >= 0) return false;
+    sum += row.loss / std::hypot(row.storage, row.loss);
   }
-  if (!(sum > 0)) return 1;
-  if (data.has_errors)
-    return cdf(complement(boost::math::normal(), sum / std::sqrt(rows)));
-  const double scatter = std::sqrt(std::max(0.0, squares - sum * sum / rows) / (rows - 1));
-  if (scatter == 0) return 0;
-  const boost::math::students_t student(rows - 1);
-  return cdf(complement(student, sum / rows / (scatter / std::sqrt(rows))));
+  return sum < -usual_noise / 2 * static_cast<double>(data.rows.size());
 }
-
-// Of data without loss one table in a thousand is refused for it.
-constexpr double wrong_sign_level = 1e-3;
 
 void refuse_what_cannot_be_fitted(const Data& data) {
   if (data.rows.size() < least_rows)
     throw InputError({data.file}, fmt::format("{} rows of numbers", data.rows.size()),
                      fmt::format("at least {}", least_rows));
-  if (chance_of_mean(data, -1) < wrong_sign_level)
+  if (has_losses_of_wrong_sign(data))
     throw InputError({data.file}, "losses that are below 0 on average",
                      "losses of at least 0: the imaginary part of K where the motion is "
                      "exp(+i omega t)");
@@ -282,14 +265,23 @@ void refuse_what_cannot_be_fitted(const Data& data) {
 // No measurement of a phase resolves less, as a part of |K|.
 constexpr double finest_phase = 1e-3;
 
+// The noise of all data but this row, which would hide behind its own misfit.
+double noise_beside(const Row& row, const Fit& fit) {
+  const std::complex<double> k = dynamic_stiffness(fit.series, row.omega);
+  const double own = std::norm((std::complex<double>(row.storage, row.loss) - k) / std::abs(k));
+  const int degrees = fit.degrees_of_freedom;
+  const double others = std::max(0.0, fit.sum_of_squares - own);
+  const double noise = degrees > 2 ? std::sqrt(others / (degrees - 2)) : *fit.noise;
+  return std::max(finest_phase, noise * widening(std::max(1, degrees - 2)));
+}
+
 // What is negative by more than the noise that the fit has found.
 void refuse_below_noise(const Data& data, const Fit& fit) {
   if (data.has_errors) return;
-  const double noise = std::max(finest_phase, *fit.noise * widening(fit.degrees_of_freedom));
   for (const Row& row : data.rows) {
-    const double size = std::hypot(row.storage, row.loss);
+    const double noise = noise_beside(row, fit);
     const auto refuse = [&](const char* name, double value) {
-      if (value < -errors_below_zero * noise * size)
+      if (value < -errors_below_zero * noise * std::hypot(row.storage, row.loss))
         throw InputError({data.file, row.line}, fmt::format("{} = {} N/m", name, value),
                          fmt::format("a {} stiffness of at least 0, or below it by no more than "
                                      "the noise of these data, {:.2g} % of |K|",
@@ -309,31 +301,6 @@ bool wants_a_damper(const Fit& fit) {
 double per_degree(const Fit& fit) { return fit.sum_of_squares / fit.degrees_of_freedom; }
 
 }  // namespace
-
-double chance_of_fall(double before, double after, int more, int degrees, bool errors_known) {
-  if (!(after < before)) return 1;
-  if (errors_known) return boost::math::gamma_q(more / 2.0, (before - after) / 2);
-  return boost::math::ibeta(degrees / 2.0, more / 2.0, after / before);
-}
-
-bool shows_loss(const Data& data) {
-  const double usual = std::max(first_level, level(static_cast<int>(data.rows.size()) - 1));
-  return chance_of_mean(data, 1) < (data.has_errors ? significance : usual);
-}
-
-double level(int degrees) {
-  return std::clamp(std::pow(clear_fall, -degrees), significance, largest_chance);
-}
-
-double level_at(double noise) {
-  return noise < usual_noise ? 0 : std::min(first_level * noise / usual_noise, largest_chance);
-}
-
-double widening(int degrees) {
-  const boost::math::students_t few(degrees);
-  const boost::math::normal many;
-  return quantile(few, upper_end) / quantile(many, upper_end);
-}
 
 Fit fitted(const Data& data, const Options& options) {
   if (options.most_branches < 1)
