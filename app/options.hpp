@@ -17,8 +17,8 @@ struct SceneOptions {
   std::vector<std::string> settings;
 
   void add_to(CLI::App& command);
-  /// Reads the scene; its warnings go to stderr. Where the command varies the frequency, that of the
-  /// scene is not warned of.
+  /// Reads the scene; its warnings go to stderr. Where the command varies the frequency, that of
+  /// the scene is not warned of.
   enum class Frequency { of_the_scene, varied };
   Scene read(Frequency frequency = Frequency::of_the_scene) const;
   Settings split_settings() const;

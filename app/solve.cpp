@@ -95,26 +95,25 @@ void print_solve_json(const Question& question, const Answer& answer) {
   nlohmann::ordered_json limits{{"amplitude", json_number(answer.largest_amplitude)},
                                 {"frequency", nullptr}};
   if (answer.largest_frequency) limits["frequency"] = json_number(*answer.largest_frequency);
-  print(with_warnings(
-        {{"for", to_text(question.sought)},
-         {"value", json_number(answer.value)},
-         {"unit", unit_of(question.sought)},
-         {"value_error", json_number(answer.value_error)},
-         {"at_start", answer.at_start},
-         {"wanted_friction_ratio", question.friction_ratio},
-         {"friction_ratio", answer.state.friction_ratio},
-         {"friction_ratio_error", json_number(answer.state.friction_ratio_error)},
-         {"regime", to_text(answer.state.regime)},
-         {"velocity", answer.velocity},
-         {"critical_velocity", json_number(answer.critical_velocity)},
-         {"limits", limits},
-         {"searched",
-          {{"from", answer.from},
-           {"to", answer.to},
-           {"samples", question.samples},
-           {"evaluations", answer.evaluations},
-           {"unanswered", answer.unanswered}}}},
-        question.scene.warnings));
+  print(with_warnings({{"for", to_text(question.sought)},
+                       {"value", json_number(answer.value)},
+                       {"unit", unit_of(question.sought)},
+                       {"value_error", json_number(answer.value_error)},
+                       {"at_start", answer.at_start},
+                       {"wanted_friction_ratio", question.friction_ratio},
+                       {"friction_ratio", answer.state.friction_ratio},
+                       {"friction_ratio_error", json_number(answer.state.friction_ratio_error)},
+                       {"regime", to_text(answer.state.regime)},
+                       {"velocity", answer.velocity},
+                       {"critical_velocity", json_number(answer.critical_velocity)},
+                       {"limits", limits},
+                       {"searched",
+                        {{"from", answer.from},
+                         {"to", answer.to},
+                         {"samples", question.samples},
+                         {"evaluations", answer.evaluations},
+                         {"unanswered", answer.unanswered}}}},
+                      question.scene.warnings));
 }
 
 void print_solve_text(const Question& question, const Answer& answer) {
@@ -144,8 +143,8 @@ void run_solve(const SolveOptions& options) {
   const Answer answer = design::solve(question);
   // The smallest frequency is one because all below it were asked.
   if (question.sought == Sought::frequency)
-    if (const auto beyond = beyond_fitted_range(question.scene, two_pi * answer.from,
-                                                two_pi * answer.value)) {
+    if (const auto beyond =
+            beyond_fitted_range(question.scene, two_pi * answer.from, two_pi * answer.value)) {
       warn(*beyond);
       question.scene.warnings.push_back(*beyond);
     }

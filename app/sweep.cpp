@@ -42,8 +42,9 @@ std::optional<double> to_omega(const std::string& axis) {
 
 // "frequency=log:..." and so on.
 bool varies_frequency(const std::vector<std::string>& axes) {
-  return std::any_of(axes.begin(), axes.end(),
-                     [](const std::string& axis) { return to_omega(axis.substr(0, axis.find('='))); });
+  return std::any_of(axes.begin(), axes.end(), [](const std::string& axis) {
+    return to_omega(axis.substr(0, axis.find('=')));
+  });
 }
 
 void warn_of_axes(Sweep& sweep) {
@@ -61,8 +62,8 @@ void warn_of_axes(Sweep& sweep) {
 Sweep sweep_of(const SweepOptions& options) {
   using Frequency = SceneOptions::Frequency;
   const bool varied = varies_frequency(options.over);
-  Sweep sweep{options.scene.read(varied ? Frequency::varied : Frequency::of_the_scene),
-              {}, {}, {}, {}};
+  Sweep sweep{
+      options.scene.read(varied ? Frequency::varied : Frequency::of_the_scene), {}, {}, {}, {}};
   for (const std::string& axis : options.over) sweep.axes.push_back(parse_axis(axis, sweep.scene));
   warn_of_axes(sweep);
   for (const std::string& name : options.quantities)

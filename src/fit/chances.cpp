@@ -26,8 +26,7 @@ double chance_of_mean(const Data& data, double sign) {
     squares += part * part;
   }
   if (!(sum > 0)) return 1;
-  if (data.has_errors)
-    return cdf(complement(boost::math::normal(), sum / std::sqrt(rows)));
+  if (data.has_errors) return cdf(complement(boost::math::normal(), sum / std::sqrt(rows)));
   const double scatter = std::sqrt(std::max(0.0, squares - sum * sum / rows) / (rows - 1));
   if (scatter == 0) return 0;
   const boost::math::students_t student(rows - 1);

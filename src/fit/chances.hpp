@@ -1,5 +1,5 @@
-// What noise alone does to a fit: how often it lowers a misfit, or raises a mean loss, and how far it
-// moves what is fitted to few rows.
+// What noise alone does to a fit: how often it lowers a misfit, or raises a mean loss, and how far
+// it moves what is fitted to few rows.
 #pragma once
 
 #include "fit/data.hpp"
@@ -25,22 +25,22 @@ double level(int degrees);
 /// Student's test, by one side (Gauss's where errors are given).
 bool shows_loss(const Data& data);
 
-/// The same chance for the first branch: one too many is told as poorly known, one too few loses all
-/// loss.
+/// The same chance for the first branch: one too many is told as poorly known, one too few loses
+/// all loss.
 constexpr double first_level = 0.01;
 /// And where few rows leave more than `usual_noise` (of |K|, root mean square) to a lone spring:
 /// stiffness is measured better than that.
 constexpr double doubtful_level = 0.3, usual_noise = 0.02;
-/// For any series that would have to put so much (of |K|) down to noise: the larger it is beyond the
-/// usual, the less is it to be believed.
+/// For any series that would have to put so much (of |K|) down to noise: the larger it is beyond
+/// the usual, the less is it to be believed.
 double level_at(double noise);
 
-/// One standard deviation is estimated from few degrees of freedom: what it must be multiplied by so
-/// that 1.96 of it hold the truth in 95 of 100 cases, Student's quantile over Gauss's.
+/// One standard deviation is estimated from few degrees of freedom: what it must be multiplied by
+/// so that 1.96 of it hold the truth in 95 of 100 cases, Student's quantile over Gauss's.
 double widening(int degrees);
 
-/// The chance that noise alone makes the mean of the losses times `sign`, as parts of |K|, so large:
-/// by Student, or by Gauss where errors are given.
+/// The chance that noise alone makes the mean of the losses times `sign`, as parts of |K|, so
+/// large: by Student, or by Gauss where errors are given.
 double chance_of_mean(const Data& data, double sign);
 
 }  // namespace vcrit::fit

@@ -174,8 +174,7 @@ void note_below_zero(Data& data, const Place& place) {
     if (value < 0)
       data.notes.push_back(fmt::format(
           "{}: {} = {:.4g} N/m is below 0 ({:.2g} % of |K|): taken for noise, and fitted as it is",
-          to_text(place), name, value,
-          100 * std::abs(value) / std::hypot(row.storage, row.loss)));
+          to_text(place), name, value, 100 * std::abs(value) / std::hypot(row.storage, row.loss)));
   };
   note("storage", row.storage);
   note("loss", row.loss);

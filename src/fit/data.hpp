@@ -8,8 +8,8 @@
 namespace vcrit::fit {
 
 struct Row {
-  double omega = 0;                          ///< rad/s, > 0
-  double storage = 0, loss = 0;              ///< Re K and Im K, N/m, not both 0; see noise_below_zero
+  double omega = 0;              ///< rad/s, > 0
+  double storage = 0, loss = 0;  ///< Re K and Im K, N/m, not both 0; see noise_below_zero
   double storage_error = 0, loss_error = 0;  ///< one standard deviation each, N/m, > 0 where known
   int line = 0;                              ///< in the file, 0: unknown
 };

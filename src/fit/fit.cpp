@@ -174,7 +174,8 @@ class Fitting {
     const int nu = degrees(chosen_);
     const double from_misfit = std::sqrt(chosen_.sum_of_squares / nu);
     if (!data_.errors_known()) return from_misfit * widening(nu);
-    const bool explained = boost::math::gamma_q(nu / 2.0, chosen_.sum_of_squares / 2) >= significance;
+    const bool explained =
+        boost::math::gamma_q(nu / 2.0, chosen_.sum_of_squares / 2) >= significance;
     return explained ? 1 : std::max(1.0, from_misfit);
   }
 
@@ -292,7 +293,8 @@ void refuse_below_noise(const Data& data, const Fit& fit) {
   }
 }
 
-// Springs and branches leave what is no noise, or the tail of a loss that a damper may have as well.
+// Springs and branches leave what is no noise, or the tail of a loss that a damper may have as
+// well.
 bool wants_a_damper(const Fit& fit) {
   if (fit.chance) return *fit.chance < significance;
   return fit.time_at_an_end || *fit.noise > usual_noise;

@@ -24,8 +24,8 @@ struct Terms {
 /// open: 1 stands for 100 % of |K|.
 class Weighed {
  public:
-  /// |K| is that of `expected` where it is given, else of the data. Data that noise made small would
-  /// count for more than those that it made large.
+  /// |K| is that of `expected` where it is given, else of the data. Data that noise made small
+  /// would count for more than those that it made large.
   explicit Weighed(const Data& data, const std::optional<Relaxation>& expected = {});
 
   Eigen::Index size() const { return target_.size(); }  ///< two a row: storage, loss

@@ -39,8 +39,8 @@ std::optional<FittedRange> read_fitted_range(const document::Section& contact) {
   if (node == nullptr) return std::nullopt;
   const toml::array* ends = node->as_array();
   if (ends == nullptr || ends->size() != 2)
-    throw InputError(contact.place(key), fmt::format("{} = {}", key, document::describe_node(*node)),
-                     expected);
+    throw InputError(contact.place(key),
+                     fmt::format("{} = {}", key, document::describe_node(*node)), expected);
   const auto end = [&](std::size_t i) {
     const toml::node& item = *ends->get(i);
     const auto value = number(item, Dimension::frequency, key, contact.place(item));

@@ -77,9 +77,8 @@ class Reader {
   }
 
   void read_contact() {
-    const Section contact =
-        section("contact", {"normal", "poisson", "tangential_ratio", "tangential", "separation",
-                            "fitted_range"});
+    const Section contact = section("contact", {"normal", "poisson", "tangential_ratio",
+                                                "tangential", "separation", "fitted_range"});
     if (!contact.exists()) throw InputError({file_}, "no [contact]", "a section [contact]");
     scene_.normal = contact_network(contact, "normal");
     scene_.separation = flag(contact, "separation");

@@ -59,11 +59,11 @@ struct Scene {
   std::variant<Isotropic, Network>
       tangential;                ///< K_t; equal networks have become Isotropic, ratio 1
   std::optional<Network> drive;  ///< K_d, may hold masses; rigid without this and a receptance
-  std::optional<Receptance> receptance;  ///< R_d = 1/K_d, measured; never beside a drive network
-  std::optional<Quantity> mass;          ///< m (kg) of the body; only under a drive that gives
+  std::optional<Receptance> receptance;     ///< R_d = 1/K_d, measured; never beside a drive network
+  std::optional<Quantity> mass;             ///< m (kg) of the body; only under a drive that gives
   std::optional<FittedRange> fitted_range;  ///< of the contact's networks
-  bool separation = false;               ///< the surfaces may part: F_n = max(0, reaction)
-  std::optional<Indenter> indenter;      ///< only under a rigid drive, of an isotropic half-space
+  bool separation = false;                  ///< the surfaces may part: F_n = max(0, reaction)
+  std::optional<Indenter> indenter;  ///< only under a rigid drive, of an isotropic half-space
   Quantity coefficient, angular_frequency, amplitude, indentation;  ///< mu0, omega, du_z, u_z0
   std::vector<std::pair<Symbol, std::optional<double>>>
       elements;                               ///< of the networks, in order of writing
@@ -81,9 +81,9 @@ Scene parse_scene(const std::string& text, const std::string& file, const Settin
 /// them.
 std::vector<const Quantity*> quantities(const Scene& scene);
 
-/// What to warn of where a scene is evaluated at angular frequencies `from` to `to` (rad/s): nothing
-/// where all of them are in its fitted range, or it has none. Reading a scene asks this for the
-/// scene's own frequency; who varies that asks again.
+/// What to warn of where a scene is evaluated at angular frequencies `from` to `to` (rad/s):
+/// nothing where all of them are in its fitted range, or it has none. Reading a scene asks this for
+/// the scene's own frequency; who varies that asks again.
 std::optional<std::string> beyond_fitted_range(const Scene& scene, double from, double to);
 
 /// Whether the drive is a network or measured, and not rigid.

@@ -1,5 +1,5 @@
-// Few rows, as rheometers give them: loss that is kept, and errors that hold the truth. Data are made
-// here from series that are known.
+// Few rows, as rheometers give them: loss that is kept, and errors that hold the truth. Data are
+// made here from series that are known.
 #include <array>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -121,8 +121,8 @@ BOOST_AUTO_TEST_CASE(errors_of_two_branches_hold_the_truth) {
   check_coverage(truth, {0.02, 56, 12, 0.01}, 100);
 }
 
-// Student's and Gauss's quantiles from tables: 12.7062 for one degree of freedom, 3.18245 for three,
-// 1.95996 in the limit.
+// Student's and Gauss's quantiles from tables: 12.7062 for one degree of freedom, 3.18245 for
+// three, 1.95996 in the limit.
 BOOST_AUTO_TEST_CASE(errors_are_widened_by_student) {
   BOOST_TEST(std::abs(fit::widening(1) / (12.706204736 / 1.959963985) - 1) < 1e-9);
   BOOST_TEST(std::abs(fit::widening(3) / (3.182446305 / 1.959963985) - 1) < 1e-9);

@@ -82,7 +82,8 @@ Figure residuals(const fit::Data& data, const fit::Fit& fit) {
       data.has_errors
           ? "Measured less fitted, in units of the standard deviations that the data give. Two "
             "thirds of all should lie between -1 and 1, without a pattern."
-          : "Measured less fitted, in per cent of |K|. A pattern would be something that the series "
+          : "Measured less fitted, in per cent of |K|. A pattern would be something that the "
+            "series "
             "does not have; without one they are noise.";
   figure.x = {"frequency, Hz", true, {}, {}};
   figure.y = {data.has_errors ? "residual, standard deviations" : "residual, %", false, {}, {}};

@@ -26,8 +26,7 @@ std::string series_words(const fit::Fit& fit) {
 
 std::string noise(const fit::Fit& fit) {
   if (fit.noise)
-    return fmt::format("the noise of the data is estimated to {:.2g} % of |K|",
-                       100 * *fit.noise);
+    return fmt::format("the noise of the data is estimated to {:.2g} % of |K|", 100 * *fit.noise);
   return fmt::format("chi-squared is {:.4g} with {} degrees of freedom ({:.3g} each)",
                      fit.sum_of_squares, fit.degrees_of_freedom,
                      fit.sum_of_squares / fit.degrees_of_freedom);
