@@ -55,15 +55,16 @@ std::string trial_table(const fit::Fit& fit) {
   std::string rows;
   for (const fit::Trial& trial : fit.trials)
     rows +=
-        fmt::format("<tr><th>{}</th><td>{:.5g}</td><td>{}</td></tr>\n", trial.branches,
-                    trial.sum_of_squares, trial.chance ? fmt::format("{:.2g}", *trial.chance) : "");
-  return fmt::format(
-      "<h3>How many branches</h3>\n<p>A longer series always comes nearer to the data. It is taken "
-      "only where noise alone would make it so much better with a chance below {}; the chance is "
-      "against the longest series taken before.</p>\n<div class=\"scroll\"><table class=\"plain\">"
-      "<thead><tr><th>branches</th><th>sum of squares</th><th>chance</th></tr></thead><tbody>\n{}"
-      "</tbody></table></div>\n",
-      fit::significance, rows);
+        fmt::format("<tr><th>{}</th><td>{:.5g}</td><td>{}</td><td>{}</td></tr>\n", trial.branches,
+                    trial.sum_of_squares, trial.chance ? fmt::format("{:.2g}", *trial.chance) : "",
+                    trial.chance ? fmt::format("{:.2g}", trial.level) : "");
+  return "<h3>How many branches</h3>\n<p>A longer series always comes nearer to the data. It is "
+         "taken "
+         "only where the chance that noise alone makes it so much better is below the level; the "
+         "chance is against the longest series taken before.</p>\n<div class=\"scroll\"><table "
+         "class=\"plain\"><thead><tr><th>branches</th><th>sum of squares</th><th>chance</th>"
+         "<th>level</th></tr></thead><tbody>\n" +
+         rows + "</tbody></table></div>\n";
 }
 
 }  // namespace
