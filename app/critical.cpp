@@ -62,7 +62,7 @@ Comparison compared(const Scene& scene) {
   return result;
 }
 
-void print_critical_json(const Comparison& c) {
+void print_critical_json(const Comparison& c, const std::vector<std::string>& warnings) {
   const auto optional = [](const std::optional<double>& value) {
     return value ? json_number(*value) : nlohmann::ordered_json();
   };
@@ -77,7 +77,7 @@ void print_critical_json(const Comparison& c) {
     object["stick_onset_difference"] = json_number(c.difference(*c.stick_onset));
   else
     object["stick_onset_missing"] = c.missing;
-  print(object);
+  print(with_warnings(object, warnings));
 }
 
 void print_critical_text(const Comparison& c) {
@@ -106,10 +106,11 @@ void add_critical(CLI::App& program, int& status) {
   options->scene.add_to(*command);
   command->add_flag("--json", options->json, "print one JSON object");
   command->callback([options, &status] {
-    const Comparison comparison = compared(options->scene.read());
+    const Scene scene = options->scene.read();
+    const Comparison comparison = compared(scene);
     if (!comparison.agrees()) status = 1;
     if (options->json)
-      print_critical_json(comparison);
+      print_critical_json(comparison, scene.warnings);
     else
       print_critical_text(comparison);
   });

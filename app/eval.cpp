@@ -37,7 +37,7 @@ void print_eval_json(const Scene& scene, const Result& result) {
     object["opens"] = opens(scene);
     object["critical_velocity_by"] = result.simulated() ? "simulation" : "formula";
   }
-  print(object);
+  print(with_warnings(object, scene.warnings));
 }
 
 void print_eval_text(const Scene& scene, const Result& result) {

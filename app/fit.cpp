@@ -124,7 +124,8 @@ void add_fit(CLI::App& program) {
   command
       ->add_option("--out", options->out, "the scene, FILE.toml; a page FILE.html stands beside it")
       ->required();
-  command->add_flag("--damper", options->fit.damper, "try a damper beside the branches");
+  command->add_flag("--damper", options->fit.damper,
+                    "try a damper from the start, not only where branches fail");
   command->add_option("--max-branches", options->fit.most_branches, "no more branches than that")
       ->capture_default_str();
   command->add_option("--title", options->rest.title, "of the scene");

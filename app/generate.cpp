@@ -63,11 +63,13 @@ std::vector<std::string> as_text(const std::vector<std::filesystem::path>& files
 }
 
 void generate(const GenerateArguments& options) {
-  const Written written = write(options.scene.read(), options);
+  const Scene scene = options.scene.read();
+  const Written written = write(scene, options);
   if (options.json)
-    return print({{"language", options.generated.language},
-                  {"main", as_text(written.main)},
-                  {"files", as_text(written.all)}});
+    return print(with_warnings({{"language", options.generated.language},
+                                {"main", as_text(written.main)},
+                                {"files", as_text(written.all)}},
+                               scene.warnings));
   for (const std::filesystem::path& file : written.main) fmt::print("{}\n", file.string());
 }
 

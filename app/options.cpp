@@ -26,10 +26,22 @@ Settings SceneOptions::split_settings() const {
   return result;
 }
 
-Scene SceneOptions::read() const {
+Scene SceneOptions::read(Frequency frequency) const {
   Scene scene = read_scene(file, split_settings());
-  for (const std::string& warning : scene.warnings) tell_line("vcrit: warning: " + warning);
+  const std::optional<double>& omega = scene.angular_frequency.value;
+  if (frequency == Frequency::varied && omega)
+    if (const auto own = beyond_fitted_range(scene, *omega, *omega))
+      std::erase(scene.warnings, *own);
+  for (const std::string& warning : scene.warnings) warn(warning);
   return scene;
+}
+
+void warn(const std::string& warning) { tell_line("vcrit: warning: " + warning); }
+
+nlohmann::ordered_json with_warnings(nlohmann::ordered_json object,
+                                     const std::vector<std::string>& warnings) {
+  if (!warnings.empty()) object["warnings"] = warnings;
+  return object;
 }
 
 nlohmann::ordered_json json_number(double value) {

@@ -17,8 +17,10 @@ struct SceneOptions {
   std::vector<std::string> settings;
 
   void add_to(CLI::App& command);
-  /// Reads the scene; its warnings go to stderr.
-  Scene read() const;
+  /// Reads the scene; its warnings go to stderr. Where the command varies the frequency, that of
+  /// the scene is not warned of.
+  enum class Frequency { of_the_scene, varied };
+  Scene read(Frequency frequency = Frequency::of_the_scene) const;
   Settings split_settings() const;
 };
 
@@ -43,6 +45,13 @@ void add_choice(CLI::App& command, const std::string& option, T& target, const C
 
 /// A number that reads back to the same double; "inf" for an infinite one.
 nlohmann::ordered_json json_number(double value);
+
+/// A warning on stderr.
+void warn(const std::string& warning);
+
+/// With "warnings" where there are some.
+nlohmann::ordered_json with_warnings(nlohmann::ordered_json object,
+                                     const std::vector<std::string>& warnings);
 
 /// Prints one object on stdout.
 void print(const nlohmann::ordered_json& object);

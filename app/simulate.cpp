@@ -156,7 +156,7 @@ void simulate_below_indenter(const SimulateOptions& options, const Scene& scene)
   if (options.json) {
     nlohmann::ordered_json object = answer_json(speed, whole, options.method.name());
     object["indenter"] = to_json(answer);
-    return print(object);
+    return print(with_warnings(object, scene.warnings));
   }
   print_velocity(speed);
   print_indenter(answer);
@@ -169,7 +169,7 @@ void simulate(const SimulateOptions& options) {
   const Speed speed = speed_of(options, scene);
   const SimulationAnswer answer = answer_of(options, system, speed.velocity);
   if (options.json)
-    print(answer_json(speed, answer, options.method.name()));
+    print(with_warnings(answer_json(speed, answer, options.method.name()), scene.warnings));
   else
     print_simulate_text(speed, answer, system.omega);
 }

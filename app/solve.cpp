@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 
+#include "base/constants.hpp"
 #include "base/units.hpp"
 #include "commands.hpp"
 #include "options.hpp"
@@ -84,7 +85,9 @@ Question question_of(const SolveOptions& options) {
   question.from = end_of_range(options.from, question.sought, "--from");
   question.to = end_of_range(options.to, question.sought, "--to");
   question.samples = options.samples;
-  question.scene = options.scene.read();
+  question.scene = options.scene.read(question.sought == Sought::frequency
+                                          ? SceneOptions::Frequency::varied
+                                          : SceneOptions::Frequency::of_the_scene);
   return question;
 }
 
@@ -92,24 +95,25 @@ void print_solve_json(const Question& question, const Answer& answer) {
   nlohmann::ordered_json limits{{"amplitude", json_number(answer.largest_amplitude)},
                                 {"frequency", nullptr}};
   if (answer.largest_frequency) limits["frequency"] = json_number(*answer.largest_frequency);
-  print({{"for", to_text(question.sought)},
-         {"value", json_number(answer.value)},
-         {"unit", unit_of(question.sought)},
-         {"value_error", json_number(answer.value_error)},
-         {"at_start", answer.at_start},
-         {"wanted_friction_ratio", question.friction_ratio},
-         {"friction_ratio", answer.state.friction_ratio},
-         {"friction_ratio_error", json_number(answer.state.friction_ratio_error)},
-         {"regime", to_text(answer.state.regime)},
-         {"velocity", answer.velocity},
-         {"critical_velocity", json_number(answer.critical_velocity)},
-         {"limits", limits},
-         {"searched",
-          {{"from", answer.from},
-           {"to", answer.to},
-           {"samples", question.samples},
-           {"evaluations", answer.evaluations},
-           {"unanswered", answer.unanswered}}}});
+  print(with_warnings({{"for", to_text(question.sought)},
+                       {"value", json_number(answer.value)},
+                       {"unit", unit_of(question.sought)},
+                       {"value_error", json_number(answer.value_error)},
+                       {"at_start", answer.at_start},
+                       {"wanted_friction_ratio", question.friction_ratio},
+                       {"friction_ratio", answer.state.friction_ratio},
+                       {"friction_ratio_error", json_number(answer.state.friction_ratio_error)},
+                       {"regime", to_text(answer.state.regime)},
+                       {"velocity", answer.velocity},
+                       {"critical_velocity", json_number(answer.critical_velocity)},
+                       {"limits", limits},
+                       {"searched",
+                        {{"from", answer.from},
+                         {"to", answer.to},
+                         {"samples", question.samples},
+                         {"evaluations", answer.evaluations},
+                         {"unanswered", answer.unanswered}}}},
+                      question.scene.warnings));
 }
 
 void print_solve_text(const Question& question, const Answer& answer) {
@@ -132,8 +136,15 @@ void print_solve_text(const Question& question, const Answer& answer) {
 }
 
 void run_solve(const SolveOptions& options) {
-  const Question question = question_of(options);
+  Question question = question_of(options);
   const Answer answer = design::solve(question);
+  // The smallest frequency is one because all below it were asked.
+  if (question.sought == Sought::frequency)
+    if (const auto beyond =
+            beyond_fitted_range(question.scene, two_pi * answer.from, two_pi * answer.value)) {
+      warn(*beyond);
+      question.scene.warnings.push_back(*beyond);
+    }
   if (options.json)
     print_solve_json(question, answer);
   else

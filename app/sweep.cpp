@@ -6,11 +6,13 @@
 #include <fmt/ranges.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <memory>
 #include <optional>
 
+#include "base/constants.hpp"
 #include "base/units.hpp"
 #include "commands.hpp"
 #include "maps/stream.hpp"
@@ -31,9 +33,39 @@ struct SweepOptions {
   bool json = false;
 };
 
+// The factor to rad/s of an axis of frequencies; nothing for other axes.
+std::optional<double> to_omega(const std::string& axis) {
+  if (axis == "frequency") return two_pi;
+  if (axis == "angular_frequency" || axis == "omega") return 1;
+  return std::nullopt;
+}
+
+// "frequency=log:..." and so on.
+bool varies_frequency(const std::vector<std::string>& axes) {
+  return std::any_of(axes.begin(), axes.end(), [](const std::string& axis) {
+    return to_omega(axis.substr(0, axis.find('=')));
+  });
+}
+
+void warn_of_axes(Sweep& sweep) {
+  for (const Axis& axis : sweep.axes) {
+    const auto factor = to_omega(axis.name);
+    if (!factor || axis.values.empty()) continue;
+    const auto [least, most] = std::minmax_element(axis.values.begin(), axis.values.end());
+    const auto beyond = beyond_fitted_range(sweep.scene, *factor * *least, *factor * *most);
+    if (!beyond) continue;
+    warn(*beyond);
+    sweep.scene.warnings.push_back(*beyond);
+  }
+}
+
 Sweep sweep_of(const SweepOptions& options) {
-  Sweep sweep{options.scene.read(), {}, {}, {}, {}};
+  using Frequency = SceneOptions::Frequency;
+  const bool varied = varies_frequency(options.over);
+  Sweep sweep{
+      options.scene.read(varied ? Frequency::varied : Frequency::of_the_scene), {}, {}, {}, {}};
   for (const std::string& axis : options.over) sweep.axes.push_back(parse_axis(axis, sweep.scene));
+  warn_of_axes(sweep);
   for (const std::string& name : options.quantities)
     sweep.quantities.push_back(parse_swept_quantity(name, sweep.scene));
   if (!options.velocity.empty())
@@ -63,17 +95,17 @@ class ProgressLine {
   Clock::time_point start_ = Clock::now(), shown_ = start_;
 };
 
-void report(const SweepOptions& options, const maps::Streamed& streamed) {
+void report(const SweepOptions& options, const Sweep& sweep, const maps::Streamed& streamed) {
   if (streamed.outside > 0)
-    tell_line(
-        fmt::format("vcrit: warning: {} of {} rows are outside the model (nan); the first: {}",
-                    streamed.outside, streamed.found, streamed.reason));
+    warn(fmt::format("{} of {} rows are outside the model (nan); the first: {}", streamed.outside,
+                     streamed.found, streamed.reason));
   if (options.json)
-    print({{"file", options.out},
-           {"rows", streamed.rows},
-           {"rows_found", streamed.found},
-           {"rows_outside", streamed.outside},
-           {"reason", streamed.reason}});
+    print(with_warnings({{"file", options.out},
+                         {"rows", streamed.rows},
+                         {"rows_found", streamed.found},
+                         {"rows_outside", streamed.outside},
+                         {"reason", streamed.reason}},
+                        sweep.scene.warnings));
 }
 
 void run_on(maps::Ranks& ranks, const SweepOptions& options) {
@@ -84,7 +116,7 @@ void run_on(maps::Ranks& ranks, const SweepOptions& options) {
   if (terminal) stream.told = [line = ProgressLine()](const auto& p) mutable { line(p); };
   const maps::Streamed streamed = maps::stream(*sweeping, options.out, stream, ranks);
   if (terminal && ranks.first()) ProgressLine::end();
-  if (ranks.first()) report(options, streamed);
+  if (ranks.first()) report(options, sweeping->sweep(), streamed);
 }
 
 // A rank that cannot go on tells why and ends them all.

@@ -61,8 +61,8 @@ void print_validate_json(const Validation& validation) {
 }
 
 void print_validation(const Validation& validation, bool json) {
-  for (const std::string& warning : validation.warnings) tell_line("vcrit: warning: " + warning);
-  for (const std::string& line : validation.not_run) tell_line("vcrit: warning: not run: " + line);
+  for (const std::string& warning : validation.warnings) warn(warning);
+  for (const std::string& line : validation.not_run) warn("not run: " + line);
   for (const std::string& line : validation.failed) tell_line("vcrit: FAILED: " + line);
   if (json) return print_validate_json(validation);
   fmt::print("{}\n", validation.page.string());

@@ -54,9 +54,10 @@ class Scene:
         self._text, self._file, self._settings = text, file, settings
         self._handle = _vcrit.Scene(text, file, list(settings.items()))
 
-    def _warn(self) -> None:
+    def _warn(self, known: tuple[str, ...] = ()) -> None:
         for warning in self._handle.warnings:
-            warnings.warn(warning, stacklevel=3)
+            if warning not in known:
+                warnings.warn(warning, stacklevel=3)
 
     def __reduce__(self) -> tuple[Any, ...]:
         return Scene._made, (self._text, self._file, self._settings)
@@ -74,7 +75,9 @@ class Scene:
         settings = dict(self._settings)
         for name, value in {**(values or {}), **named}.items():
             settings[name] = value if isinstance(value, str) else repr(float(value))
-        return Scene._made(self._text, self._file, settings)
+        scene = Scene._made(self._text, self._file, settings)
+        scene._warn(known=self.warnings)
+        return scene
 
     @property
     def title(self) -> str:
@@ -83,7 +86,8 @@ class Scene:
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """What stands in the file and has no effect."""
+        """What stands in the file and has no effect; and that the frequency is beyond its
+        fitted_range."""
         return tuple(self._handle.warnings)
 
     @property

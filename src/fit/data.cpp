@@ -41,6 +41,7 @@ constexpr std::array<Known, quantities> known{{{"frequency", Dimension::frequenc
 struct TableColumn {
   std::size_t index = 0;
   double factor = 1;  // to SI
+  bool has_unit = false;
 };
 using TableColumns = std::array<std::optional<TableColumn>, quantities>;
 
@@ -106,7 +107,7 @@ TableColumns columns_of(const CsvLines& header) {
     auto& column = columns[static_cast<std::size_t>(match - known.begin())];
     if (column)
       throw InputError(header.place(), fmt::format("two columns {}", match->name), "one of each");
-    column = TableColumn{i, factor(found, match->dimension, header.place())};
+    column = TableColumn{i, factor(found, match->dimension, header.place()), !found.unit.empty()};
   }
   refuse_sets(columns, header.place());
   return columns;
@@ -121,6 +122,18 @@ Row row_of(const std::vector<double>& numbers, const TableColumns& columns) {
           value(loss), value(storage_error), value(loss_error)};
 }
 
+// "the header gives no unit of frequency (taken as Hz), storage (N/m)"
+std::optional<std::string> assumed_units(const TableColumns& columns) {
+  std::string list;
+  for (std::size_t i = 0; i < quantities; ++i)
+    if (columns[i] && !columns[i]->has_unit)
+      list += fmt::format("{}{} in {}", list.empty() ? "" : ", ", known[i].name,
+                          si_unit(known[i].dimension));
+  if (list.empty()) return std::nullopt;
+  return "the header gives no units, taken were: " + list +
+         "; other units stand behind a name, as in \"storage [N/um]\"";
+}
+
 void refuse_values(const Row& row, bool errors, const Place& place) {
   for (const double value : {row.omega, row.storage, row.loss, row.storage_error, row.loss_error})
     if (!std::isfinite(value))
@@ -131,8 +144,14 @@ void refuse_values(const Row& row, bool errors, const Place& place) {
   const auto refuse = [&](const char* name, double value, const char* expected) {
     throw InputError(place, fmt::format("{} = {} N/m", name, value), expected);
   };
-  if (!(row.storage >= 0)) refuse("storage", row.storage, "a storage stiffness of at least 0");
-  if (!(row.loss >= 0)) refuse("loss", row.loss, "a loss stiffness of at least 0");
+  const auto far_below = [&](double value, double error) {
+    return errors ? value < -errors_below_zero * error
+                  : value < -noise_below_zero * std::hypot(row.storage, row.loss);
+  };
+  if (far_below(row.storage, row.storage_error))
+    refuse("storage", row.storage, "a storage stiffness of at least 0");
+  if (far_below(row.loss, row.loss_error))
+    refuse("loss", row.loss, "a loss stiffness of at least 0");
   if (row.storage == 0 && row.loss == 0) refuse("storage = loss", 0, "one of them above 0");
   if (!errors) return;
   if (!(row.storage_error > 0)) refuse("storage_error", row.storage_error, "an error above 0");
@@ -149,6 +168,23 @@ void refuse_frequency_order(const std::vector<Row>& rows, const Place& place) {
                    rises ? "frequencies that go on rising" : "frequencies that go on falling");
 }
 
+void note_below_zero(Data& data, const Place& place) {
+  const Row& row = data.rows.back();
+  const auto note = [&](const char* name, double value) {
+    if (value < 0)
+      data.notes.push_back(fmt::format(
+          "{}: {} = {:.4g} N/m is below 0 ({:.2g} % of |K|): taken for noise, and fitted as it is",
+          to_text(place), name, value, 100 * std::abs(value) / std::hypot(row.storage, row.loss)));
+  };
+  note("storage", row.storage);
+  note("loss", row.loss);
+}
+
+std::string rows_found(std::size_t rows) {
+  if (rows == 0) return "no row of numbers";
+  return rows == 1 ? "one row of numbers" : fmt::format("{} rows of numbers", rows);
+}
+
 }  // namespace
 
 Data parse_data(const std::string& text, const std::string& file) {
@@ -156,16 +192,21 @@ Data parse_data(const std::string& text, const std::string& file) {
   if (!lines.next()) throw InputError({file}, "an empty table", "a header with " + names());
   const TableColumns columns = columns_of(lines);
   const std::size_t count = lines.cells().size();
-  Data data{file, {}, columns[storage_error].has_value()};
+  Data data{file, {}, columns[storage_error].has_value(), {}};
+  if (const auto note = assumed_units(columns)) data.notes.push_back(*note);
   while (lines.next()) {
     data.rows.push_back(
         row_of(lines.numbers(count, fmt::format("{} numbers, as the header has", count)), columns));
+    data.rows.back().line = lines.place().line;
     refuse_values(data.rows.back(), data.has_errors, lines.place());
+    note_below_zero(data, lines.place());
     refuse_frequency_order(data.rows, lines.place());
   }
-  if (data.rows.size() < 2)
-    throw InputError(lines.place(), data.rows.empty() ? "no row of numbers" : "one row of numbers",
-                     "at least two rows");
+  if (data.rows.size() < least_rows)
+    throw InputError(lines.place(), rows_found(data.rows.size()),
+                     fmt::format("at least {} rows, one frequency each: any two are met exactly, "
+                                 "so that nothing would tell noise from material",
+                                 least_rows));
   if (data.rows[1].omega < data.rows[0].omega) std::reverse(data.rows.begin(), data.rows.end());
   return data;
 }

@@ -8,24 +8,31 @@
 namespace vcrit::fit {
 
 struct Row {
-  double omega = 0;                          ///< rad/s, > 0
-  double storage = 0, loss = 0;              ///< Re K and Im K, N/m, >= 0, not both 0
+  double omega = 0;              ///< rad/s, > 0
+  double storage = 0, loss = 0;  ///< Re K and Im K, N/m, not both 0; see noise_below_zero
   double storage_error = 0, loss_error = 0;  ///< one standard deviation each, N/m, > 0 where known
+  int line = 0;                              ///< in the file, 0: unknown
 };
 
 struct Data {
   std::string file;       ///< as the user named it
-  std::vector<Row> rows;  ///< at least two, omega increasing
+  std::vector<Row> rows;  ///< at least three, omega increasing
   bool has_errors = false;
+  std::vector<std::string> notes = {};  ///< what the user should know of how the table was read
 };
 
-/// Without errors a component counts with its own size, but with no less than this part of |K|: no
-/// measurement of a phase resolves less.
-constexpr double least_part = 1e-3;
+/// A spring and a damper go through any two rows: with fewer than three nothing is left to tell
+/// noise by.
+constexpr std::size_t least_rows = 3;
+
+/// Noise makes small parts negative. They are fitted as they are, since without them the mean would
+/// be too large; but no more than this part of |K|, or so many of the errors given, is noise.
+constexpr double noise_below_zero = 0.1, errors_below_zero = 4;
 
 /// A table in CSV with a header row: `frequency` (Hz) or `angular_frequency` (rad/s), `storage`,
 /// `loss` and, both or none, `storage_error` and `loss_error` (N/m), in any order. A unit may stand
-/// behind a name, as in "frequency (kHz)" or "storage [N/um]". Frequencies rise or fall throughout.
+/// behind a name, as in "frequency (kHz)" or "storage [N/um]"; what has none is in SI, and a note
+/// says so. Frequencies rise or fall throughout.
 /// Throws InputError with file and line.
 Data read_data(const std::string& file);
 /// The same from text.

@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <boost/math/special_functions/beta.hpp>
 #include <boost/math/special_functions/gamma.hpp>
 #include <cmath>
 
@@ -35,8 +34,9 @@ class Fitting {
 
   Fit run() {
     choose_length();
-    leave_out(&Terms::damper);
-    leave_out(&Terms::equilibrium);
+    if (chosen_.series.branches.empty()) take_a_branch_at_an_end();
+    leave_out(&Terms::damper, data_.errors_known() ? significance : level(degrees(chosen_)));
+    leave_out(&Terms::equilibrium, largest_chance);
     return described();
   }
 
@@ -55,6 +55,26 @@ class Fitting {
     return chance_of_fall(with_floor(before.sum_of_squares), with_floor(after.sum_of_squares),
                           static_cast<int>(after.slopes.cols() - before.slopes.cols()),
                           degrees(after), data_.errors_known());
+  }
+
+  double level_for(const Refined& longer) const {
+    if (data_.errors_known())
+      return chosen_.series.branches.empty() ? level_of_the_first() : significance;
+    const double noise = std::sqrt(chosen_.sum_of_squares / degrees(chosen_));
+    const double usual = std::max(level(degrees(longer)), level_at(noise));
+    return chosen_.series.branches.empty() ? std::max(usual, level_of_the_first()) : usual;
+  }
+
+  // A lone spring takes all loss for noise. It stands only where noise of that size and shape is
+  // likely.
+  double level_of_the_first() const {
+    if (terms_.damper) return significance;
+    if (shows_loss(given_)) return 1;
+    if (data_.errors_known()) return significance;
+    const auto size = static_cast<double>(data_.size());
+    const bool few = level(static_cast<int>(data_.size()) - 3) > significance;
+    const bool large = trials_.front().sum_of_squares > (size - 1) * usual_noise * usual_noise;
+    return few && large ? doubtful_level : first_level;
   }
 
   // Terms that came out at 0 begin small instead.
@@ -97,13 +117,29 @@ class Fitting {
         last.reset();
         continue;
       }
-      trials_.push_back({n, next->sum_of_squares, chance(chosen_, *next)});
+      trials_.push_back({n, next->sum_of_squares, chance(chosen_, *next), level_for(*next)});
       last = next;
-      if (!(trials_.back().chance < significance)) continue;
+      if (!(trials_.back().chance < trials_.back().level)) continue;
       chosen_ = std::move(*next);
       length = n;
     }
     exhausted_ = length == options_.most_branches;
+  }
+
+  // Where the data see no more of a branch than the tail of its loss, its relaxation time runs out
+  // of the range: the nearest time in it does the same.
+  void take_a_branch_at_an_end() {
+    if (!has_room_for(1)) return;
+    const TimeRange range = time_range(data_);
+    for (const double time : {range.from, range.to}) {
+      const Relaxation series = linear_fit(data_, terms_, {time});
+      if (!(series.branches.front().stiffness > 0) || !(series.equilibrium > 0)) continue;
+      Refined fit = as_it_is(data_, terms_, series);
+      trials_.push_back({1, fit.sum_of_squares, chance(chosen_, fit), level_for(fit)});
+      if (!(trials_.back().chance < trials_.back().level)) continue;
+      chosen_ = std::move(fit);
+      at_an_end_ = true;
+    }
   }
 
   Relaxation at_least_terms() const {
@@ -120,14 +156,27 @@ class Fitting {
     return branches <= options_.most_branches && parameters < data_.size();
   }
 
-  void leave_out(bool Terms::*term) {
+  // Where dropping it costs no more than chance. Without an equilibrium spring the contact would
+  // carry no static load: it goes only where nothing speaks for it.
+  void leave_out(bool Terms::*term, double needed_below) {
     if (!(terms_.*term) || chosen_.series.branches.empty()) return;
     Terms fewer = terms_;
     fewer.*term = false;
     const auto without = refined(data_, fewer, chosen_.series);
-    if (!without || chance(*without, chosen_) < significance) return;
+    if (!without || chance(*without, chosen_) < needed_below) return;
     terms_ = fewer;
     chosen_ = *without;
+  }
+
+  // Noise as estimated from the misfit, or the errors given. Where the misfit shows these to be too
+  // small they are taken larger.
+  double scale_of_errors() const {
+    const int nu = degrees(chosen_);
+    const double from_misfit = std::sqrt(chosen_.sum_of_squares / nu);
+    if (!data_.errors_known()) return from_misfit * widening(nu);
+    const bool explained =
+        boost::math::gamma_q(nu / 2.0, chosen_.sum_of_squares / 2) >= significance;
+    return explained ? 1 : std::max(1.0, from_misfit);
   }
 
   // One standard deviation of each logarithm, from the inverse of the normal matrix.
@@ -137,9 +186,7 @@ class Fitting {
                            .topRows(p)
                            .triangularView<Eigen::Upper>();
     const MatrixXd inverse = r.triangularView<Eigen::Upper>().solve(MatrixXd::Identity(p, p));
-    const double scale =
-        data_.errors_known() ? 1 : std::sqrt(chosen_.sum_of_squares / degrees(chosen_));
-    return scale * inverse.rowwise().norm();
+    return scale_of_errors() * inverse.rowwise().norm();
   }
 
   double rms_relative() const {
@@ -180,6 +227,7 @@ class Fitting {
       fit.noise = std::sqrt(fit.sum_of_squares / fit.degrees_of_freedom);
     fit.trials = trials_;
     fit.exhausted = exhausted_;
+    fit.time_at_an_end = at_an_end_;
     return fit;
   }
 
@@ -190,22 +238,92 @@ class Fitting {
   Relaxation dense_;
   Refined chosen_;
   std::vector<Trial> trials_;
-  bool exhausted_ = false;
+  bool exhausted_ = false, at_an_end_ = false;
 };
 
-}  // namespace
-
-double chance_of_fall(double before, double after, int more, int degrees, bool errors_known) {
-  if (!(after < before)) return 1;
-  if (errors_known) return boost::math::gamma_q(more / 2.0, (before - after) / 2);
-  return boost::math::ibeta(degrees / 2.0, more / 2.0, after / before);
+// Whether i has the other sign in these data: losses that are too low for noise, or all of which
+// are, and by half of what is usual on average.
+bool has_losses_of_wrong_sign(const Data& data) {
+  if (chance_of_mean(data, -1) < significance) return true;
+  double sum = 0;
+  for (const Row& row : data.rows) {
+    if (row.loss >= 0) return false;
+    sum += row.loss / std::hypot(row.storage, row.loss);
+  }
+  return sum < -usual_noise / 2 * static_cast<double>(data.rows.size());
 }
+
+void refuse_what_cannot_be_fitted(const Data& data) {
+  if (data.rows.size() < least_rows)
+    throw InputError({data.file}, fmt::format("{} rows of numbers", data.rows.size()),
+                     fmt::format("at least {}", least_rows));
+  if (has_losses_of_wrong_sign(data))
+    throw InputError({data.file}, "losses that are below 0 on average",
+                     "losses of at least 0: the imaginary part of K where the motion is "
+                     "exp(+i omega t)");
+}
+
+// No measurement of a phase resolves less, as a part of |K|.
+constexpr double finest_phase = 1e-3;
+
+// The noise of all data but this row, which would hide behind its own misfit.
+double noise_beside(const Row& row, const Fit& fit) {
+  const std::complex<double> k = dynamic_stiffness(fit.series, row.omega);
+  const double own = std::norm((std::complex<double>(row.storage, row.loss) - k) / std::abs(k));
+  const int degrees = fit.degrees_of_freedom;
+  const double others = std::max(0.0, fit.sum_of_squares - own);
+  const double noise = degrees > 2 ? std::sqrt(others / (degrees - 2)) : *fit.noise;
+  return std::max(finest_phase, noise * widening(std::max(1, degrees - 2)));
+}
+
+// What is negative by more than the noise that the fit has found.
+void refuse_below_noise(const Data& data, const Fit& fit) {
+  if (data.has_errors) return;
+  for (const Row& row : data.rows) {
+    const double noise = noise_beside(row, fit);
+    const auto refuse = [&](const char* name, double value) {
+      if (value < -errors_below_zero * noise * std::hypot(row.storage, row.loss))
+        throw InputError({data.file, row.line}, fmt::format("{} = {} N/m", name, value),
+                         fmt::format("a {} stiffness of at least 0, or below it by no more than "
+                                     "the noise of these data, {:.2g} % of |K|",
+                                     name, 100 * noise));
+    };
+    refuse("storage", row.storage);
+    refuse("loss", row.loss);
+  }
+}
+
+// Springs and branches leave what is no noise, or the tail of a loss that a damper may have as
+// well.
+bool wants_a_damper(const Fit& fit) {
+  if (fit.chance) return *fit.chance < significance;
+  return fit.time_at_an_end || *fit.noise > usual_noise;
+}
+
+double per_degree(const Fit& fit) { return fit.sum_of_squares / fit.degrees_of_freedom; }
+
+}  // namespace
 
 Fit fitted(const Data& data, const Options& options) {
   if (options.most_branches < 1)
     throw InputError({"--max-branches"}, fmt::format("{}", options.most_branches), "at least 1");
-  const Fit fit = Fitting(data, options).run();
-  return data.has_errors ? fit : Fitting(data, options, fit.series).run();
+  refuse_what_cannot_be_fitted(data);
+  Options chosen = options;
+  Fit fit = Fitting(data, chosen).run();
+  if (!options.damper && wants_a_damper(fit)) {
+    chosen.damper = true;
+    Fit damped = Fitting(data, chosen).run();
+    const bool any_fall = fit.time_at_an_end || fit.rms_relative > far_off;
+    const double fall = any_fall ? 1 : clear_fall;
+    if (per_degree(damped) * fall * fall < per_degree(fit))
+      fit = std::move(damped);
+    else
+      chosen = options;
+  }
+  const bool second = !data.has_errors && fit.rms_relative < far_off;
+  if (second) fit = Fitting(data, chosen, fit.series).run();
+  refuse_below_noise(data, fit);
+  return fit;
 }
 
 }  // namespace vcrit::fit

@@ -5,13 +5,16 @@
 #include <string>
 #include <vector>
 
+#include "fit/chances.hpp"
 #include "fit/data.hpp"
 #include "stiffness/relaxation.hpp"
 
 namespace vcrit::fit {
 
 struct Options {
-  bool damper = false;  ///< whether a damper beside the branches is tried
+  /// Whether a damper beside the branches is tried from the start; else only where springs and
+  /// branches leave what is no noise.
+  bool damper = false;
   int most_branches = 20;
 };
 
@@ -30,6 +33,7 @@ struct Trial {
   int branches = 0;
   double sum_of_squares = 0;  ///< of residuals in units of errors, as in `Weighed`
   std::optional<double> chance;
+  double level = 0;  ///< below which it is taken
 };
 
 struct Fit {
@@ -43,17 +47,15 @@ struct Fit {
   std::optional<double> chance;  ///< of a larger misfit by the errors given, none: not given
   std::vector<Trial> trials;
   bool exhausted = false;  ///< stopped at the most branches, the last of which still helped
+  /// Of the only branch the data show no more than the end of its loss: its time is the last one
+  /// that the search allows.
+  bool time_at_an_end = false;
 };
 
 /// Throws InputError for data that no series fits or options out of range.
 Fit fitted(const Data& data, const Options& options = {});
 
-/// The chance below which a better fit is not put down to noise.
-constexpr double significance = 1e-4;
-
-/// The chance that `more` further parameters lower a sum of squares from `before` to `after` by
-/// noise alone; `degrees`: of freedom after. With known errors the fall is chi-squared distributed,
-/// else its ratio to the rest is F distributed.
-double chance_of_fall(double before, double after, int more, int degrees, bool errors_known);
+/// Root mean square misfit above which no series comes near the data: measurements are better.
+constexpr double far_off = 0.2;
 
 }  // namespace vcrit::fit

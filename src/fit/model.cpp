@@ -1,6 +1,5 @@
 #include "fit/model.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace vcrit::fit {
@@ -16,10 +15,9 @@ struct Sizes {
 
 Sizes sizes(const Row& row, bool errors_known, const std::optional<Relaxation>& expected) {
   if (errors_known) return {row.storage_error, row.loss_error};
-  const std::complex<double> k = expected ? dynamic_stiffness(*expected, row.omega)
-                                          : std::complex<double>(row.storage, row.loss);
-  const double least = least_part * std::abs(k);
-  return {std::max(k.real(), least), std::max(k.imag(), least)};
+  const double size = expected ? std::abs(dynamic_stiffness(*expected, row.omega))
+                               : std::hypot(row.storage, row.loss);
+  return {size, size};
 }
 
 }  // namespace

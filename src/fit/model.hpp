@@ -19,13 +19,13 @@ struct Terms {
   bool damper = false;      ///< the damper c
 };
 
-/// The data in units of their standard deviations. Where these are not given, one relative error is
-/// taken for all, and its size left open: 1 stands for 100 % of the component itself, but for no
-/// less than `least_part` of |K|.
+/// The data in units of their standard deviations. Where these are not given, storage and loss are
+/// off by the same part of |K| in all rows (noise and a wrong phase do that), and its size is left
+/// open: 1 stands for 100 % of |K|.
 class Weighed {
  public:
-  /// Relative errors are those of `expected` where it is given, else of the data. Data that noise
-  /// made small would count for more than those that it made large.
+  /// |K| is that of `expected` where it is given, else of the data. Data that noise made small
+  /// would count for more than those that it made large.
   explicit Weighed(const Data& data, const std::optional<Relaxation>& expected = {});
 
   Eigen::Index size() const { return target_.size(); }  ///< two a row: storage, loss

@@ -145,6 +145,12 @@ Relaxation linear_fit(const Weighed& data, const Terms& terms, const std::vector
   return result;
 }
 
+Refined as_it_is(const Weighed& data, const Terms& terms, const Relaxation& series) {
+  const Problem problem(data, terms, static_cast<Index>(series.branches.size()));
+  const VectorXd x = problem.logarithms(series);
+  return {series, problem.residual(x).squaredNorm(), problem.slopes(x)};
+}
+
 std::optional<Refined> refined(const Weighed& data, const Terms& terms, const Relaxation& start) {
   Problem problem(data, terms, static_cast<Index>(start.branches.size()));
   VectorXd x = problem.logarithms(start);

@@ -20,6 +20,9 @@ struct Refined {
 /// that the data speak of, or the search does not settle.
 std::optional<Refined> refined(const Weighed& data, const Terms& terms, const Relaxation& start);
 
+/// A series with its slopes, not refined.
+Refined as_it_is(const Weighed& data, const Terms& terms, const Relaxation& series);
+
 /// The relaxation times that the data speak of: to a decade beyond the frequencies, s.
 struct TimeRange {
   double from = 0, to = 0;

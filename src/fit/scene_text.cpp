@@ -62,8 +62,11 @@ std::string network(const Fit& fit) {
   return text;
 }
 
-std::string contact(const Fit& fit, const Rest& rest) {
+std::string contact(const Fit& fit, const Data& data, const Rest& rest) {
   std::string text = fmt::format("[contact]\nnormal  = \"{}\"\n", network(fit));
+  text += fmt::format(
+      "fitted_range = [\"{} Hz\", \"{} Hz\"]  # the data; vcrit warns of frequencies beyond\n",
+      to_text(data.rows.front().omega / two_pi), to_text(data.rows.back().omega / two_pi));
   if (rest.poisson.empty())
     return text +
            "poisson = \"nu\"  # a symbol: put Poisson's ratio here, or a tangential network\n";
@@ -90,8 +93,7 @@ std::string origin(const Fit& fit, const Data& data) {
   constexpr double hertz = two_pi;  // rad/s
   return fmt::format(
       "# Prony series with {} branch{}, fitted by `vcrit fit` to {} frequencies of {}, {:.4g} to "
-      "{:.4g} Hz,\n# with a root mean square misfit of {:.2g} %. It says little beyond these "
-      "frequencies.\n",
+      "{:.4g} Hz,\n# with a root mean square misfit of {:.2g} %.\n",
       fit.branches.size(), fit.branches.size() == 1 ? "" : "es", data.rows.size(),
       in_a_comment(std::filesystem::path(data.file).filename().string()),
       data.rows.front().omega / hertz, data.rows.back().omega / hertz, 100 * fit.rms_relative);
@@ -104,7 +106,7 @@ std::string scene_text(const Fit& fit, const Data& data, const Rest& rest) {
       rest.title.empty()
           ? "Contact fitted to " + std::filesystem::path(data.file).filename().string()
           : rest.title;
-  return origin(fit, data) + "title = " + quoted(title) + "\n\n" + contact(fit, rest) +
+  return origin(fit, data) + "title = " + quoted(title) + "\n\n" + contact(fit, data, rest) +
          "\n[oscillation]\n" +
          given({"frequency", rest.frequency, Dimension::frequency, "\"20 kHz\""}) +
          given({"amplitude", rest.amplitude, Dimension::length, "\"0.1 um\""}) +

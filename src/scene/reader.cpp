@@ -15,6 +15,7 @@
 #include "network/graph.hpp"
 #include "network/masses.hpp"
 #include "scene/document.hpp"
+#include "scene/fitted_range.hpp"
 #include "scene/indenter.hpp"
 #include "scene/networks.hpp"
 #include "scene/quantities.hpp"
@@ -58,6 +59,7 @@ class Reader {
     collect_elements();
     std::copy(networks_.warnings().begin(), networks_.warnings().end(),
               std::back_inserter(scene_.warnings));
+    warn_beyond_the_data();
     return std::move(scene_);
   }
 
@@ -75,11 +77,12 @@ class Reader {
   }
 
   void read_contact() {
-    const Section contact =
-        section("contact", {"normal", "poisson", "tangential_ratio", "tangential", "separation"});
+    const Section contact = section("contact", {"normal", "poisson", "tangential_ratio",
+                                                "tangential", "separation", "fitted_range"});
     if (!contact.exists()) throw InputError({file_}, "no [contact]", "a section [contact]");
     scene_.normal = contact_network(contact, "normal");
     scene_.separation = flag(contact, "separation");
+    scene_.fitted_range = read_fitted_range(contact);
     const auto given = std::count_if(ways_.begin(), ways_.end(),
                                      [&](const char* key) { return contact.find(key) != nullptr; });
     if (given != 1)
@@ -128,6 +131,13 @@ class Reader {
       throw InputError(
           place, fmt::format("\"{}\" as {}", name, what),
           fmt::format("another name: it is a quantity of the scene ({})", fmt::join(taken, ", ")));
+  }
+
+  void warn_beyond_the_data() {
+    const std::optional<double>& omega = scene_.angular_frequency.value;
+    if (!omega) return;
+    if (const auto warning = beyond_fitted_range(scene_, *omega, *omega))
+      scene_.warnings.push_back(*warning);
   }
 
   void read_drive() {

@@ -41,6 +41,11 @@ struct Indenter {
   std::optional<Profile> profile;  ///< of a table
 };
 
+/// The angular frequencies (rad/s) of the data that a contact was fitted to.
+struct FittedRange {
+  double from = 0, to = 0;
+};
+
 /// The values of --set, by name ("k0", "k[3]", "mu0", "frequency", ...); a number in SI or with a
 /// unit.
 using Settings = std::vector<std::pair<std::string, std::string>>;
@@ -54,10 +59,11 @@ struct Scene {
   std::variant<Isotropic, Network>
       tangential;                ///< K_t; equal networks have become Isotropic, ratio 1
   std::optional<Network> drive;  ///< K_d, may hold masses; rigid without this and a receptance
-  std::optional<Receptance> receptance;  ///< R_d = 1/K_d, measured; never beside a drive network
-  std::optional<Quantity> mass;          ///< m (kg) of the body; only under a drive that gives
-  bool separation = false;               ///< the surfaces may part: F_n = max(0, reaction)
-  std::optional<Indenter> indenter;      ///< only under a rigid drive, of an isotropic half-space
+  std::optional<Receptance> receptance;     ///< R_d = 1/K_d, measured; never beside a drive network
+  std::optional<Quantity> mass;             ///< m (kg) of the body; only under a drive that gives
+  std::optional<FittedRange> fitted_range;  ///< of the contact's networks
+  bool separation = false;                  ///< the surfaces may part: F_n = max(0, reaction)
+  std::optional<Indenter> indenter;  ///< only under a rigid drive, of an isotropic half-space
   Quantity coefficient, angular_frequency, amplitude, indentation;  ///< mu0, omega, du_z, u_z0
   std::vector<std::pair<Symbol, std::optional<double>>>
       elements;                               ///< of the networks, in order of writing
@@ -74,6 +80,11 @@ Scene parse_scene(const std::string& text, const std::string& file, const Settin
 /// The quantities that have names of their own; those of isotropic contact, body and indenter among
 /// them.
 std::vector<const Quantity*> quantities(const Scene& scene);
+
+/// What to warn of where a scene is evaluated at angular frequencies `from` to `to` (rad/s):
+/// nothing where all of them are in its fitted range, or it has none. Reading a scene asks this for
+/// the scene's own frequency; who varies that asks again.
+std::optional<std::string> beyond_fitted_range(const Scene& scene, double from, double to);
 
 /// Whether the drive is a network or measured, and not rigid.
 bool has_drive(const Scene& scene);

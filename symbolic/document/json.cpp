@@ -99,6 +99,7 @@ std::string json_document(const Scene& scene, const Findings& findings) {
            {"asymptotes", list(findings.asymptotes)},
            {"resonances", list(findings.resonances)},
            {"sensitivities", list(findings.sensitivities)}};
+  if (!scene.warnings.empty()) out["warnings"] = scene.warnings;
   if (!findings.half_space.empty()) out["indenter"] = json_lines(findings.half_space);
   if (findings.parting)
     out["separation"] = {{"closed_form", !findings.parting->empty()},

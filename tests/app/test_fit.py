@@ -24,14 +24,15 @@ def spring_pot(omega):
 
 
 def table(model, noise=0.0, errors=False, rows=60, first=0.1, last=1e6):
-    """Hz and N/um, each component off by a relative normal deviate."""
+    """Hz and N/um, each component off by a normal deviate times |K|."""
     draw = random.Random(11)
     text = "frequency [Hz],storage [N/um],loss [N/um]" + (",storage_error [N/um],loss_error [N/um]" if errors else "")
     for i in range(rows):
         frequency = first * (last / first) ** (i / (rows - 1))
         k = model(2 * math.pi * frequency) / 1e6
-        cells = [frequency, k.real * (1 + noise * draw.gauss(0, 1)), k.imag * (1 + noise * draw.gauss(0, 1))]
-        text += "\n" + ",".join(map(repr, cells + ([noise * k.real, noise * k.imag] if errors else [])))
+        error = noise * abs(k)
+        cells = [frequency, k.real + error * draw.gauss(0, 1), k.imag + error * draw.gauss(0, 1)]
+        text += "\n" + ",".join(map(repr, cells + ([error, error] if errors else [])))
     return text + "\n"
 
 
@@ -85,7 +86,8 @@ class Fit(unittest.TestCase):
         result = self.fit(table(spring_pot, 0.01, rows=81, first=0.01))
         self.assertFalse(result["exhausted"])
         self.assertAlmostEqual(result["noise"] / 0.01, 1, delta=0.3)
-        self.assertAlmostEqual(result["rms_relative_misfit"] / 0.01, 1, delta=0.3)
+        # Of both components together.
+        self.assertAlmostEqual(result["rms_relative_misfit"] / (0.01 * math.sqrt(2)), 1, delta=0.3)
 
     def test_the_scene_is_one_for_the_other_commands(self):
         self.fit(table(stiffness, 0.01))
@@ -109,7 +111,8 @@ class Fit(unittest.TestCase):
         self.assertAlmostEqual(json.loads(result.stdout)["critical_velocity"] / expected, 1, delta=1e-14)
 
     def test_the_page_shows_data_fit_and_residuals_and_needs_nothing_else(self):
-        self.fit(table(stiffness, 0.01))
+        # All losses are well above the noise: logarithmic axes show no others.
+        self.fit(table(stiffness, 0.01, first=10, last=3e4))
         page = (self.folder / "out/scene.html").read_text()
         charts = [json.loads(part.split("</script>")[0])
                   for part in page.split('<script type="application/json">')[1:]]
@@ -154,6 +157,7 @@ class Fit(unittest.TestCase):
             (head + "1,2,1\n3,2,1\n2,2,1\n", 4, "go on rising"),
             (head + "1,2,nan\n2,2,1\n", 2, "\"nan\""),
             (head + "1,2,1\n", 2, "one row of numbers"),
+            (head + "1,2,1\n2,2,1\n", 3, "2 rows of numbers; expected at least 3 rows"),
         ]:
             with self.subTest(words=words):
                 (self.folder / "bad.csv").write_text(text)
@@ -163,6 +167,46 @@ class Fit(unittest.TestCase):
                 self.assertTrue(result.stderr.startswith(f"vcrit: bad.csv:{line}: "), result.stderr)
                 self.assertIn(words, result.stderr)
                 self.assertFalse((self.folder / "out").exists())
+
+    def test_units_that_are_assumed_are_named(self):
+        rows = "1,2,0.1\n10,2.1,0.2\n100,2.3,0.2\n1000,2.4,0.1\n"
+        words = str(self.fit("frequency,storage,loss\n" + rows)["words"])
+        self.assertIn("frequency in Hz, storage in N/m, loss in N/m", words)
+        self.assertNotIn("units", str(self.fit("frequency [Hz],storage [N/m],loss [N/m]\n" + rows)["words"]))
+
+    # Fitted from 100 Hz to 10 kHz; asked for at 1 MHz by every command that evaluates.
+    def test_frequencies_beyond_the_data_are_warned_of(self):
+        self.fit(table(stiffness, first=100, last=1e4), "--frequency", "1 kHz", "--amplitude", "0.1 um",
+                 "--indentation", "0.5 um", "--coefficient", "0.3", "--poisson", "0.4")
+        scene = "out/scene.toml"
+        self.assertIn('fitted_range = ["100 Hz", "10000 Hz"]', (self.folder / scene).read_text())
+        said = "fitted to data from 100 Hz to 10 kHz and is asked for at "
+        outside, inside = ["--set", "frequency=1 MHz"], ["--set", "frequency=10 kHz"]
+        ratio = ["--velocity-ratio", "0.5"]
+        of_speed = ["--for", "velocity", "--friction-ratio", "0.9"]
+        grid = ["--quantity", "critical_velocity", "--out", "t.csv"]
+        for arguments, warned in [
+            (["eval", scene], None), (["eval", scene, *inside], None), (["eval", scene, *outside], "1 MHz"),
+            (["simulate", scene, *ratio, *outside], "1 MHz"), (["critical", scene, *outside], "1 MHz"),
+            (["derive", scene, *outside], "1 MHz"), (["generate", scene, "--out", "lib", *outside], "1 MHz"),
+            (["solve", scene, *of_speed, *outside], "1 MHz"), (["solve", scene, *of_speed], None),
+            (["sweep", scene, "--over", "mu0=lin:0.1:0.2:2", *grid, *outside], "1 MHz"),
+            (["sweep", scene, "--over", "frequency=log:1 kHz:1 MHz:3", *grid], "1 kHz to 1 MHz"),
+            (["sweep", scene, "--over", "omega=log:1e3:1e4:3", *grid, *outside], None),
+            (["sweep", scene, "--over", "omega=log:1e2:1e4:3", *grid], "15.92 Hz to 1.592 kHz"),
+            (["solve", scene, "--for", "frequency", "--friction-ratio", "0.9", "--velocity", "0.1 mm/s",
+              "--from", "1 Hz"], "1 Hz to "),
+        ]:
+            with self.subTest(arguments=arguments):
+                result = self.run_program(*arguments, "--json")
+                self.assertEqual(result.returncode, 0, result.stderr)
+                found = json.loads(result.stdout)
+                if warned is None:
+                    self.assertEqual((result.stderr, found.get("warnings")), ("", None))
+                    continue
+                self.assertEqual(len(found["warnings"]), 1)
+                self.assertIn(said + warned, found["warnings"][0])
+                self.assertEqual(result.stderr, f"vcrit: warning: {found['warnings'][0]}\n")
 
     def test_wrong_options_write_nothing(self):
         (self.folder / "d.csv").write_text(table(stiffness))

@@ -36,9 +36,13 @@ constexpr const char* columns =
 BOOST_AUTO_TEST_CASE(units_stand_in_the_header) {
   const Data data = parse_data(
       "Loss [N/mm], \"Frequency (kHz)\" ,storage (MN/m),Loss Error [N/mm],storage_error\n"
-      "2,1,3,0.5,7\n4,2,5,0.25,8\n",
+      "2,1,3,0.5,7\n4,2,5,0.25,8\n8,3,5,0.25,8\n",
       "d.csv");
-  BOOST_TEST_REQUIRE(data.rows.size() == 2U);
+  BOOST_TEST_REQUIRE(data.rows.size() == 3U);
+  BOOST_TEST(
+      data.notes.front() ==
+      "the header gives no units, taken were: storage_error in N/m; other units stand behind "
+      "a name, as in \"storage [N/um]\"");
   BOOST_TEST(data.has_errors);
   BOOST_TEST(close(data.rows[0].omega, 2000 * std::numbers::pi));
   BOOST_TEST(close(data.rows[0].loss, 2000));
@@ -54,8 +58,33 @@ BOOST_AUTO_TEST_CASE(bare_numbers_are_si_and_frequencies_may_fall) {
   BOOST_TEST(data.rows[0].storage == 0);
   BOOST_TEST(data.rows[2].omega == 30);
   BOOST_TEST(data.rows[2].loss == 0);
+  BOOST_TEST(parse_data("angular_frequency (rad/s),storage,loss\n1,1,1\n2,2,2\n3,2,2\n", "d")
+                 .rows[1]
+                 .omega == 2);
   BOOST_TEST(
-      parse_data("angular_frequency (rad/s),storage,loss\n1,1,1\n2,2,2\n", "d").rows[1].omega == 2);
+      data.notes.front().starts_with("the header gives no units, taken were: "
+                                     "angular_frequency in rad/s, storage in N/m, loss in "
+                                     "N/m;"));
+  BOOST_TEST(parse_data("frequency [Hz],storage [N/m],loss [N/m]\n1,1,1\n2,2,2\n3,2,2\n", "d")
+                 .notes.empty());
+}
+
+BOOST_AUTO_TEST_CASE(noise_below_zero_is_noted) {
+  const Data data = parse_data(
+      "frequency [Hz],storage [N/m],loss [N/m]\n1,6,0.1\n2,6,-0.0004\n3,6,0.2\n", "d.csv");
+  BOOST_TEST(data.rows[1].loss == -0.0004);
+  BOOST_TEST_REQUIRE(data.notes.size() == 1U);
+  BOOST_TEST(
+      data.notes[0] ==
+      "d.csv:3: loss = -0.0004 N/m is below 0 (0.0067 % of |K|): taken for noise, and fitted "
+      "as it is");
+  // A tenth of |K| is none; nor is what lies five given errors below.
+  BOOST_TEST(message("frequency,storage,loss\n1,6,-0.7\n") ==
+             "d.csv:2: found loss = -0.7 N/m; expected a loss stiffness of at least 0");
+  const std::string errors = "frequency,storage,loss,storage_error,loss_error\n";
+  BOOST_TEST(message(errors + "1,6,-0.5,1,0.1\n") ==
+             "d.csv:2: found loss = -0.5 N/m; expected a loss stiffness of at least 0");
+  BOOST_TEST(parse_data(errors + "1,6,-0.3,1,0.1\n2,6,1,1,1\n3,6,1,1,1\n", "d").rows.size() == 3U);
 }
 
 BOOST_AUTO_TEST_CASE(wrong_headers) {
@@ -81,8 +110,12 @@ BOOST_AUTO_TEST_CASE(wrong_headers) {
 
 BOOST_AUTO_TEST_CASE(wrong_rows) {
   const auto with = [](const std::string& rows) { return message(header + rows); };
-  BOOST_TEST(with("") == "d.csv:1: found no row of numbers; expected at least two rows");
-  BOOST_TEST(with("1,2,3\n") == "d.csv:2: found one row of numbers; expected at least two rows");
+  const std::string at_least =
+      "; expected at least 3 rows, one frequency each: any two are met exactly, so that nothing "
+      "would tell noise from material";
+  BOOST_TEST(with("") == "d.csv:1: found no row of numbers" + at_least);
+  BOOST_TEST(with("1,2,3\n") == "d.csv:2: found one row of numbers" + at_least);
+  BOOST_TEST(with("1,2,3\n2,2,3\n") == "d.csv:3: found 2 rows of numbers" + at_least);
   BOOST_TEST(with("1,2,3\n2,nan,3\n") == "d.csv:3: found \"nan\"; expected a finite number");
   BOOST_TEST(with("1,2,3\n2,,3\n") == "d.csv:3: found \"\"; expected a finite number");
   BOOST_TEST(with("1,2,3\n2,3\n") ==

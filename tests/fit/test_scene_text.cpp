@@ -37,6 +37,9 @@ BOOST_AUTO_TEST_CASE(the_scene_has_the_fitted_stiffness) {
         scene_text(series(2e6, damped ? std::optional(30.0) : std::nullopt, branches), data, {});
     const Scene scene = parse_scene(text, "s.toml");
     BOOST_TEST(scene.warnings.empty());
+    BOOST_TEST_REQUIRE(scene.fitted_range.has_value());
+    BOOST_TEST(std::abs(scene.fitted_range->from / 10 - 1) < 1e-14);  // rad/s, by way of Hz
+    BOOST_TEST(std::abs(scene.fitted_range->to / 1000 - 1) < 1e-14);
     Values values;
     for (const auto& [symbol, value] : scene.elements) values[symbol] = value.value();
     for (const double omega : {1.0, 400.0, 1e5, 1e8}) {

@@ -1,5 +1,6 @@
 // Tables of measured stiffness. What is accepted rises in omega, is finite with loss and storage at
 // least 0, and reads back from its own numbers.
+#include <algorithm>
 #include <cmath>
 
 #include "base/numbers.hpp"
@@ -18,9 +19,10 @@ std::string line_of(const fit::Row& row, bool errors) {
 
 void check_row(const fit::Row& row, bool errors) {
   fuzz::check(std::isfinite(row.omega) && row.omega > 0, "omega is finite and above 0");
-  fuzz::check(std::isfinite(row.storage) && row.storage >= 0, "storage is finite, at least 0");
-  fuzz::check(std::isfinite(row.loss) && row.loss >= 0, "loss is finite, at least 0");
-  fuzz::check(row.storage + row.loss > 0, "one of them is above 0");
+  fuzz::check(std::isfinite(row.storage) && std::isfinite(row.loss), "both parts are finite");
+  fuzz::check(row.storage != 0 || row.loss != 0, "one of them is not 0");
+  const double least = -fit::noise_below_zero * std::hypot(row.storage, row.loss);
+  fuzz::check(errors || std::min(row.storage, row.loss) >= least, "no more than noise is below 0");
   if (!errors) return;
   fuzz::check(std::isfinite(row.storage_error) && row.storage_error > 0, "an error is above 0");
   fuzz::check(std::isfinite(row.loss_error) && row.loss_error > 0, "an error is above 0");
@@ -31,7 +33,7 @@ void check_row(const fit::Row& row, bool errors) {
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   fuzz::answered([&] {
     const fit::Data table = fit::parse_data(fuzz::text_of(data, size), "data.csv");
-    fuzz::check(table.rows.size() >= 2, "a table has two rows");
+    fuzz::check(table.rows.size() >= fit::least_rows, "a table has three rows");
     std::string text = "angular_frequency,storage,loss";
     text += table.has_errors ? ",storage_error,loss_error\n" : "\n";
     for (std::size_t i = 0; i < table.rows.size(); ++i) {

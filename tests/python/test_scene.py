@@ -99,6 +99,17 @@ class Scenes(unittest.TestCase):
             self.assertEqual(scene.with_values(kn=1e6).warnings, scene.warnings)
 
 
+    def test_warn_of_frequencies_beyond_what_was_fitted(self):
+        text = (PROJECT / "scenes/elastic.toml").read_text().replace(
+            "[contact]", '[contact]\nfitted_range = ["1 Hz", "1 GHz"]')
+        scene = vcrit.Scene.from_text(text)
+        self.assertEqual(scene.warnings, ())
+        with self.assertWarnsRegex(UserWarning, "fitted to data from 1 Hz to 1 GHz") as caught:
+            beyond = scene.with_values(frequency="2 GHz")
+        self.assertEqual(caught.filename, __file__)
+        self.assertEqual(len(beyond.warnings), 1)
+
+
 class OtherValues(unittest.TestCase):
     def setUp(self):
         self.scene = vcrit.Scene(ZENER)

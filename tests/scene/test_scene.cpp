@@ -100,6 +100,33 @@ BOOST_AUTO_TEST_CASE(a_mass_under_a_rigid_drive_is_left_out) {
   BOOST_TEST(!scene(kelvin + "[drive]\nnetwork = \"kd\"\n[body]\nmass = 0\n").mass.has_value());
 }
 
+BOOST_AUTO_TEST_CASE(a_fitted_range_is_warned_of_beyond_it) {
+  const auto with = [](const std::string& range, const std::string& frequency) {
+    return parse_scene("[contact]\nnormal = \"k\"\npoisson = 0.3\nfitted_range = " + range +
+                           "\n[oscillation]\nfrequency = \"" + frequency + "\"\n",
+                       "s.toml");
+  };
+  const std::string range = "[\"10 Hz\", \"2e4\"]";
+  BOOST_TEST(with(range, "10").warnings.empty());
+  BOOST_TEST(with(range, "20 kHz").warnings.empty());
+  BOOST_TEST_REQUIRE(with(range, "9.99").warnings.size() == 1U);
+  BOOST_TEST(with(range, "20.1 kHz").warnings.front() ==
+             "s.toml: the contact was fitted to data from 10 Hz to 20 kHz and is asked for at 20.1 "
+             "kHz: beyond the data its stiffness is a guess");
+  const Scene s = with("[10, 2e4]", "1 kHz");
+  BOOST_TEST(!beyond_fitted_range(s, s.fitted_range->from, s.fitted_range->to).has_value());
+  BOOST_TEST(beyond_fitted_range(s, 1, s.fitted_range->to).has_value());
+  BOOST_TEST(!beyond_fitted_range(scene(kelvin), 1, 1e9).has_value());
+  const auto wrong = [&](const std::string& value) {
+    return message("[contact]\nnormal = \"k\"\npoisson = 0.3\nfitted_range = " + value + "\n");
+  };
+  for (const char* value : {"10", "[10]", "[10, 20, 30]", "[\"f\", 20]"})
+    BOOST_TEST(has(wrong(value), "two frequencies, the lower one first"), value);
+  BOOST_TEST(has(wrong("[20, 10]"), "found 20 Hz before 10 Hz"));
+  BOOST_TEST(has(wrong("[-1, 10]"), "above 0"));
+  BOOST_TEST(has(wrong("[\"1 mm\", 10]"), "frequency"));
+}
+
 BOOST_AUTO_TEST_CASE(equal_networks_are_isotropic) {
   const Scene s = scene("[contact]\nnormal = \"k | c\"\ntangential = \"kelvin(k, c)\"\n");
   BOOST_TEST(tangential_ratio(std::get<Isotropic>(s.tangential)) == 1);

@@ -23,7 +23,7 @@ FigureSeries measured_series(const fit::Data& data, const char* name, double fit
                              int colour) {
   FigureSeries series{name, Style::circles, {}, colour};
   for (const fit::Row& row : data.rows)
-    series.points.push_back({row.omega / two_pi, row.*part, ""});
+    if (row.*part > 0) series.points.push_back({row.omega / two_pi, row.*part, ""});
   return series;
 }
 
@@ -53,12 +53,10 @@ Figure stiffness(const fit::Data& data, const fit::Fit& fit) {
   return figure;
 }
 
-// What the fit weighed it by: the given error, else one per cent of the component.
+// What the fit weighed it by: the given error, else one per cent of |K|.
 double unit_of(const fit::Row& row, bool errors, bool storage) {
   if (errors) return storage ? row.storage_error : row.loss_error;
-  return std::max(storage ? row.storage : row.loss,
-                  fit::least_part * std::hypot(row.storage, row.loss)) /
-         100;
+  return std::hypot(row.storage, row.loss) / 100;
 }
 
 FigureSeries left(const fit::Data& data, const fit::Fit& fit, bool storage) {
@@ -84,9 +82,9 @@ Figure residuals(const fit::Data& data, const fit::Fit& fit) {
       data.has_errors
           ? "Measured less fitted, in units of the standard deviations that the data give. Two "
             "thirds of all should lie between -1 and 1, without a pattern."
-          : "Measured less fitted, in per cent of the component itself. A pattern would be "
-            "something that "
-            "the series does not have; without one they are noise.";
+          : "Measured less fitted, in per cent of |K|. A pattern would be something that the "
+            "series "
+            "does not have; without one they are noise.";
   figure.x = {"frequency, Hz", true, {}, {}};
   figure.y = {data.has_errors ? "residual, standard deviations" : "residual, %", false, {}, {}};
   figure.series = {left(data, fit, true), left(data, fit, false)};

@@ -15,9 +15,6 @@ namespace {
 // A chance below this says that the misfit is more than noise of the errors given.
 constexpr double unlikely = fit::significance;
 
-// Measurements of stiffness are better than that, root mean square.
-constexpr double far_off = 0.2;
-
 std::string series_words(const fit::Fit& fit) {
   const std::size_t n = fit.branches.size();
   std::string text = fmt::format("{} branch{}", n, n == 1 ? "" : "es");
@@ -29,8 +26,7 @@ std::string series_words(const fit::Fit& fit) {
 
 std::string noise(const fit::Fit& fit) {
   if (fit.noise)
-    return fmt::format("the noise of the data is estimated to {:.2g} % of each component",
-                       100 * *fit.noise);
+    return fmt::format("the noise of the data is estimated to {:.2g} % of |K|", 100 * *fit.noise);
   return fmt::format("chi-squared is {:.4g} with {} degrees of freedom ({:.3g} each)",
                      fit.sum_of_squares, fit.degrees_of_freedom,
                      fit.sum_of_squares / fit.degrees_of_freedom);
@@ -59,15 +55,16 @@ std::string trial_table(const fit::Fit& fit) {
   std::string rows;
   for (const fit::Trial& trial : fit.trials)
     rows +=
-        fmt::format("<tr><th>{}</th><td>{:.5g}</td><td>{}</td></tr>\n", trial.branches,
-                    trial.sum_of_squares, trial.chance ? fmt::format("{:.2g}", *trial.chance) : "");
-  return fmt::format(
-      "<h3>How many branches</h3>\n<p>A longer series always comes nearer to the data. It is taken "
-      "only where noise alone would make it so much better with a chance below {}; the chance is "
-      "against the longest series taken before.</p>\n<div class=\"scroll\"><table class=\"plain\">"
-      "<thead><tr><th>branches</th><th>sum of squares</th><th>chance</th></tr></thead><tbody>\n{}"
-      "</tbody></table></div>\n",
-      fit::significance, rows);
+        fmt::format("<tr><th>{}</th><td>{:.5g}</td><td>{}</td><td>{}</td></tr>\n", trial.branches,
+                    trial.sum_of_squares, trial.chance ? fmt::format("{:.2g}", *trial.chance) : "",
+                    trial.chance ? fmt::format("{:.2g}", trial.level) : "");
+  return "<h3>How many branches</h3>\n<p>A longer series always comes nearer to the data. It is "
+         "taken "
+         "only where the chance that noise alone makes it so much better is below the level; the "
+         "chance is against the longest series taken before.</p>\n<div class=\"scroll\"><table "
+         "class=\"plain\"><thead><tr><th>branches</th><th>sum of squares</th><th>chance</th>"
+         "<th>level</th></tr></thead><tbody>\n" +
+         rows + "</tbody></table></div>\n";
 }
 
 }  // namespace
@@ -80,7 +77,10 @@ std::vector<std::string> fit_in_words(const fit::Data& data, const fit::Fit& fit
     words.push_back(
         fmt::format("the last of {} branches still helped: more may be needed (--max-branches)",
                     fit.branches.size()));
-  if (fit.rms_relative > far_off)
+  if (fit.time_at_an_end)
+    words.emplace_back(
+        "the relaxation time is only a bound: the data show no more than the tail of the loss");
+  if (fit.rms_relative > fit::far_off)
     words.emplace_back("no series of springs and dampers comes near these data");
   if (fit.chance && *fit.chance < unlikely)
     words.emplace_back(
@@ -96,6 +96,7 @@ std::vector<std::string> fit_in_words(const fit::Data& data, const fit::Fit& fit
                                   tau.value, k.value, k.error));
   if (data.rows.size() < 2 * fit.branches.size())
     words.emplace_back("there are more numbers in the series than frequencies in the data");
+  words.insert(words.end(), data.notes.begin(), data.notes.end());
   return words;
 }
 

@@ -1,0 +1,61 @@
+#include "fit/chances.hpp"
+
+#include <algorithm>
+#include <boost/math/distributions/normal.hpp>
+#include <boost/math/distributions/students_t.hpp>
+#include <boost/math/special_functions/beta.hpp>
+#include <boost/math/special_functions/gamma.hpp>
+#include <cmath>
+
+namespace vcrit::fit {
+
+namespace {
+
+// Of a 95 % interval.
+constexpr double upper_end = 0.975;
+
+}  // namespace
+
+double chance_of_mean(const Data& data, double sign) {
+  const auto rows = static_cast<double>(data.rows.size());
+  double sum = 0, squares = 0;
+  for (const Row& row : data.rows) {
+    const double unit = data.has_errors ? row.loss_error : std::hypot(row.storage, row.loss);
+    const double part = sign * row.loss / unit;
+    sum += part;
+    squares += part * part;
+  }
+  if (!(sum > 0)) return 1;
+  if (data.has_errors) return cdf(complement(boost::math::normal(), sum / std::sqrt(rows)));
+  const double scatter = std::sqrt(std::max(0.0, squares - sum * sum / rows) / (rows - 1));
+  if (scatter == 0) return 0;
+  const boost::math::students_t student(rows - 1);
+  return cdf(complement(student, sum / rows / (scatter / std::sqrt(rows))));
+}
+
+double chance_of_fall(double before, double after, int more, int degrees, bool errors_known) {
+  if (!(after < before)) return 1;
+  if (errors_known) return boost::math::gamma_q(more / 2.0, (before - after) / 2);
+  return boost::math::ibeta(degrees / 2.0, more / 2.0, after / before);
+}
+
+bool shows_loss(const Data& data) {
+  const double usual = std::max(first_level, level(static_cast<int>(data.rows.size()) - 1));
+  return chance_of_mean(data, 1) < (data.has_errors ? significance : usual);
+}
+
+double level(int degrees) {
+  return std::clamp(std::pow(clear_fall, -degrees), significance, largest_chance);
+}
+
+double level_at(double noise) {
+  return noise < usual_noise ? 0 : std::min(first_level * noise / usual_noise, largest_chance);
+}
+
+double widening(int degrees) {
+  const boost::math::students_t few(degrees);
+  const boost::math::normal many;
+  return quantile(few, upper_end) / quantile(many, upper_end);
+}
+
+}  // namespace vcrit::fit
