@@ -44,9 +44,7 @@ Whole whole_blocks(const fs::path& part, const Grid& grid, std::size_t header) {
 }
 
 std::string cell(const SweptQuantity& quantity, double value) {
-  const auto& names = words(quantity);
-  if (names.empty()) return to_text(value);
-  return value == 0 ? "" : names.at(static_cast<std::size_t>(value) - 1);
+  return words(quantity).empty() ? to_text(value) : word_of(quantity, value);
 }
 
 }  // namespace

@@ -64,20 +64,25 @@ Object coordinate(const Object& file, const Axis& axis) {
   return array;
 }
 
+// A byte that is missing only as long as the table is unfinished.
+bool has_answer_always(const SweptQuantity& quantity) {
+  return !words(quantity).empty() && first_flag(quantity) == 0;
+}
+
 void variable(const Object& file, const SweptQuantity& quantity, const std::vector<hsize_t>& size,
               const std::vector<Object>& coordinates) {
   const auto& meanings = words(quantity);
   const hid_t type = meanings.empty() ? H5T_IEEE_F64LE : H5T_STD_U8LE;
   const Object array = hdf5::create_array(file, column_name(quantity), type, size);
   hdf5::put(array, "long_name", description(quantity));
-  const double missing = 0;
+  const double missing = has_answer_always(quantity) ? 255 : 0;
   hdf5::put(array, "_FillValue", type, {&missing, 1});
   for (unsigned d = 0; d < coordinates.size(); ++d) hdf5::attach_scale(array, coordinates[d], d);
   if (meanings.empty()) return hdf5::put(array, "units", unit(quantity));
   std::vector<double> flags;
   std::string text;
   for (std::size_t i = 0; i < meanings.size(); ++i) {
-    flags.push_back(static_cast<double>(i + 1));
+    flags.push_back(first_flag(quantity) + static_cast<double>(i));
     text += (i > 0 ? " " : "") + meanings[i];
   }
   hdf5::put(array, "flag_values", type, flags);
@@ -213,7 +218,7 @@ void Hdf5Map::finish() try {
   ranks_.first_alone([this] {
     Object file = open_file(part_, H5F_ACC_RDWR, nullptr);
     for (const SweptQuantity& quantity : sweeping_.sweep().quantities)
-      if (words(quantity).empty())
+      if (words(quantity).empty() || has_answer_always(quantity))
         hdf5::remove_attribute(hdf5::open_array(file, column_name(quantity)), "_FillValue");
     file.close();
     to_disk(part_);

@@ -88,6 +88,15 @@ const std::vector<std::string>& words(const SweptQuantity& quantity) {
   return quantity.kind == SweptQuantity::Kind::admissible ? answers : none;
 }
 
+int first_flag(const SweptQuantity& quantity) {
+  return quantity.kind == SweptQuantity::Kind::regime ? 1 : 0;
+}
+
+std::string word_of(const SweptQuantity& quantity, double flag) {
+  const int place = static_cast<int>(flag) - first_flag(quantity);
+  return place < 0 ? "" : words(quantity).at(static_cast<std::size_t>(place));
+}
+
 bool needs_motion(const SweptQuantity& quantity) {
   return quantity.kind == SweptQuantity::Kind::friction_ratio ||
          quantity.kind == SweptQuantity::Kind::friction_ratio_error ||

@@ -13,8 +13,8 @@ struct SweptQuantity {
     critical_velocity,     ///< v*, m/s
     friction_ratio,        ///< mu_macro/mu0
     friction_ratio_error,  ///< estimate of its absolute error
-    regime,                ///< of the simulated motion, as 1 + its place in words()
-    admissible,            ///< whether Eq. 24 applies, in the same way
+    regime,                ///< of the simulated motion, as its flag
+    admissible,            ///< whether Eq. 24 applies, as its flag
     sensitivity            ///< (p/v*) dv*/dp
   };
   Kind kind = Kind::critical_velocity;
@@ -36,8 +36,12 @@ std::string column_name(const SweptQuantity& quantity);
 std::string unit(const SweptQuantity& quantity);
 /// In words.
 std::string description(const SweptQuantity& quantity);
-/// What 1, 2, ... mean for a quantity of words (0: no answer); empty for numbers.
+/// What the flags mean, from the first one on, of a quantity of words; empty for numbers.
 const std::vector<std::string>& words(const SweptQuantity& quantity);
+/// 1 where 0 stands for no answer; 0 where there always is one.
+int first_flag(const SweptQuantity& quantity);
+/// The word of a flag, empty where there is no answer.
+std::string word_of(const SweptQuantity& quantity, double flag);
 
 /// Whether the motion must be simulated for it.
 bool needs_motion(const SweptQuantity& quantity);

@@ -57,6 +57,17 @@ Grade grade_of(const Grid& grid) {
   return grid.rows() / speeds <= certified_scenes ? Grade::certified : Grade::doubles;
 }
 
+// Which of the axes change the normal network or the frequency.
+std::vector<bool> moving_normal(const Sweep& sweep, const std::vector<std::string>& names) {
+  const std::vector<Symbol> normal = symbols_of(sweep.scene.normal);
+  ChangingScene changing(sweep.scene, names);
+  std::vector<bool> moves;
+  for (const ChangingScene::Target& target : changing.targets())
+    moves.push_back(target.symbol == sweep.scene.angular_frequency.symbol ||
+                    std::find(normal.begin(), normal.end(), target.symbol) != normal.end());
+  return moves;
+}
+
 std::vector<std::string> names_of(const Grid& grid, const std::vector<std::size_t>& axes) {
   std::vector<std::string> names;
   for (const std::size_t a : axes) names.push_back(grid.axes()[a].name);
@@ -144,7 +155,29 @@ class Sweeping::Rows {
     }
     for (std::size_t row = 0; row < block_.rows; ++row)
       if (std::isnan(critical_[row])) note(row, why_no_velocity(row));
+    find_admissible();
     if (sweeping_.sweep_.scene.separation) find_critical_of_parting();
+  }
+
+  // Neighbours mostly have one normal network at one frequency.
+  void find_admissible() {
+    admissible_.resize(block_.rows);
+    std::optional<AdmissibleMotion> motion;
+    std::vector<double> last;
+    for (std::size_t row = 0; row < block_.rows; ++row) {
+      const Scene& scene = scene_at(row);
+      const auto same = [&](std::size_t i) {
+        return !sweeping_.moves_normal_[i] || point_[i] == last[i];
+      };
+      bool known = motion.has_value();
+      for (std::size_t i = 0; known && i < point_.size(); ++i) known = same(i);
+      if (!known) motion.emplace(scene);
+      last = point_;
+      admissible_[row] = (*motion)(*scene.amplitude.value, *scene.indentation.value);
+      if (admissible_[row]) continue;
+      critical_[row] = nothing;
+      note(row, answer_.reason.empty() ? inadmissible_reasons(scene).front() : "");
+    }
   }
 
   // Eq. (24) need not hold where the surfaces part.
@@ -252,7 +285,8 @@ class Sweeping::Rows {
   }
 
   double of_scene(const SweptQuantity& quantity, const Scene& scene, std::size_t row) {
-    if (quantity.kind == Kind::admissible) return inadmissible_reasons(scene).empty() ? 2 : 1;
+    if (quantity.kind == Kind::admissible) return admissible_[row] ? 1 : 0;
+    if (!admissible_[row]) return nothing;
     try {
       return onset_log_derivative(scene, quantity.parameter);
     } catch (const ModelError& error) {
@@ -306,7 +340,7 @@ class Sweeping::Rows {
     if (point.state == nullptr) return note(row, point.reason);
     put(Kind::friction_ratio, row, point.state->friction_ratio);
     put(Kind::friction_ratio_error, row, point.state->friction_ratio_error);
-    put(Kind::regime, row, 1 + static_cast<double>(point.state->regime));
+    put(Kind::regime, row, static_cast<double>(point.state->regime) + 1);
   }
 
   void put(Kind kind, std::size_t row, double value) {
@@ -319,7 +353,7 @@ class Sweeping::Rows {
   Block block_;
   ChangingScene changing_;
   std::vector<double> point_, velocities_, critical_;
-  std::vector<bool> outside_;
+  std::vector<bool> outside_, admissible_;
   BlockAnswer answer_;
 };
 
@@ -327,7 +361,8 @@ Sweeping::Sweeping(Sweep sweep)
     : sweep_(std::move(sweep)),
       grid_(sweep_.axes, rows_at_once(sweep_), any_of(sweep_, needs_motion) ? speeds_at_once : 1),
       parameters_(parameters_of(grid_)),
-      critical_(sweep_.scene, names_of(grid_, parameters_), grade_of(grid_)) {
+      critical_(sweep_.scene, names_of(grid_, parameters_), grade_of(grid_)),
+      moves_normal_(moving_normal(sweep_, names_of(grid_, parameters_))) {
   refuse_settings(sweep_);
   refuse_repetition(sweep_);
   refuse_speeds(sweep_, grid_);

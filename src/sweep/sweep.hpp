@@ -47,6 +47,7 @@ class Sweeping {
   Grid grid_;
   std::vector<std::size_t> parameters_;  // the axes that are not of speeds
   CriticalVelocities critical_;
+  std::vector<bool> moves_normal_;  ///< parameters of network or frequency
 };
 
 struct SweptTable {
