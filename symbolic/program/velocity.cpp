@@ -55,6 +55,13 @@ class VelocityWriter {
     return form_ == Form::normalised && !is_one(program_, k.q) ? stiffness_.normalised(k) : k;
   }
 
+  /// K_n and K_t: where they are 0, v* is none.
+  Stiffness contact(const Network& of) {
+    Stiffness k = network(of);
+    k.q_range = quotient_range(k.t_range, k.range, k.q_range, Zeros::out_of_range);
+    return k;
+  }
+
   /// K_t = ratio K_n: T and Q each times a number.
   Stiffness isotropic_tangential(const Stiffness& normal) {
     Stiffness k = normal;
@@ -115,15 +122,17 @@ class VelocityWriter {
   }
 
   void with_drive(bool isotropic) {
-    const Stiffness n = network(scene_.normal);
+    const Stiffness n = contact(scene_.normal);
     const Stiffness t =
-        isotropic ? isotropic_tangential(n) : network(std::get<Network>(scene_.tangential));
+        isotropic ? isotropic_tangential(n) : contact(std::get<Network>(scene_.tangential));
     const Stiffness d = network(*scene_.drive);
     Difference body{d.t, d.t_range, 0};
     if (scene_.mass) body = difference(d);
     const ComplexSum sum = sum_of_products(program_, {{t.t, d.q}, {t.q, body.value}});
     const Complex whole = sum.value;
-    ExponentRange range = sum_range(t.t_range + d.q_range, t.q_range + body.range, zeros_);
+    // K_t = 0 is a pole, which no range has to hold.
+    ExponentRange range =
+        sum_range(t.t_range + d.q_range, t.q_range + body.range, Zeros::out_of_range);
     range.low -= scene_.mass ? cancellation : 1;
     check(t.t_range + d.q_range);
     check(t.q_range + body.range);
@@ -161,8 +170,8 @@ class VelocityWriter {
   }
 
   void rigid() {
-    const Stiffness n = network(scene_.normal);
-    const Stiffness t = network(std::get<Network>(scene_.tangential));
+    const Stiffness n = contact(scene_.normal);
+    const Stiffness t = contact(std::get<Network>(scene_.tangential));
     finish({n.t, t.q}, {n.q, t.t}, {n.t_range, t.q_range}, {n.q_range, t.t_range},
            program_.add(roundings(program_, n), roundings(program_, t)));
   }

@@ -23,7 +23,7 @@ const char* const unlimited =
     "exponent range.";
 const char* const limited =
     "Missing compared with C++: numbers of a wider exponent range. Outside of the guarded range "
-    "(see in_range) the "
+    "(see in_range; elements of value 0 are inside) the "
     "answer is that of plain double, with an infinite bound. No fused multiply-add: products are "
     "split by Dekker's "
     "method.";
