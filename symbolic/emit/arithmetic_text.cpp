@@ -73,6 +73,7 @@ inline double head(Twofold x) { return x.hi; }
 inline double size(auto x) { return std::fabs(head(x)); }
 inline Wide size(Wide x) { return x.hi < 0 ? -x : x; }
 inline bool within(double limit, auto... x) { return (((x <= limit) & (x * limit >= 1.0)) & ...); }
+inline bool every(auto... x) { return (x & ...); }
 )";
 
 const char* const operations =

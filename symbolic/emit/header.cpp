@@ -113,7 +113,9 @@ std::string cpp_range_function(const VelocityProgram& velocity, const ParameterL
   }
   finish();
   if (velocity.poisson) tests.push_back(poisson_check(parameters, velocity));
-  const std::string test = velocity.fits ? fmt::format("{}", fmt::join(tests, " & ")) : "false";
+  const std::string list = fmt::format("{}", fmt::join(tests, ", "));
+  const std::string every = tests.size() > 1 ? "every(" + list + ")" : list;
+  const std::string test = velocity.fits ? every : "false";
   return "inline bool " + name + "([[maybe_unused]] const Parameters& p) {\n" +
          statement("return " + test + ";") + "}\n";
 }
