@@ -8,8 +8,11 @@ const char* const includes =
 #include <cmath>
 #include <span>
 #include <type_traits>
-#ifdef __FAST_MATH__
-#error "-ffast-math destroys the arithmetic of this header"
+#if defined __FAST_MATH__ || defined __ASSOCIATIVE_MATH__
+#error "-ffast-math destroys the arithmetic of this header, as -fassociative-math alone does"
+#endif
+#if defined __FLT_EVAL_METHOD__ && (__FLT_EVAL_METHOD__ == 2 || __FLT_EVAL_METHOD__ < 0)
+#error "doubles have to be rounded as doubles: -msse2 -mfpmath=sse"
 #endif
 )";
 
@@ -63,13 +66,14 @@ struct Wide : Twofold {  // times 2^e, for numbers out of range
   friend Wide operator+(Wide a, Wide b) { return a.e < b.e ? b + a : Wide(a.times(-a.e) + b.times(-a.e), a.e); }
   friend Wide operator*(Wide a, Wide b) { return {Twofold(a) * Twofold(b), a.e + b.e}; }
   friend Wide operator/(Wide a, Wide b) { return {Twofold(a) / Twofold(b), a.e - b.e}; }
-  friend Wide sqrt(Wide a) { return {sqrt(a.times(-(a.e & ~1L))), (a.e & ~1L) / 2}; }
+  friend Wide sqrt(Wide a) { return a.hi == 0 ? a : Wide{sqrt(a.times(-(a.e & ~1L))), (a.e & ~1L) / 2}; }
   explicit operator double() const { return std::scalbln(hi, e); }
 };
 inline double head(Twofold x) { return x.hi; }
 inline double size(auto x) { return std::fabs(head(x)); }
 inline Wide size(Wide x) { return x.hi < 0 ? -x : x; }
 inline bool within(double limit, auto... x) { return (((x <= limit) & (x * limit >= 1.0)) & ...); }
+inline bool every(auto... x) { return (x & ...); }
 )";
 
 const char* const operations =
@@ -104,8 +108,40 @@ inline double unit(Wide) { return 1.0; }
 )";
 
 const char* const nonzero =
-    R"(template <class T> T nonzero(T a, [[maybe_unused]] T b) {  // zeros only occur out of range: T/Q = 0/1
+    R"(template <class T> T nonzero(T a, [[maybe_unused]] std::type_identity_t<T> b) {  // zeros only occur out of range: T/Q = 0/1
   if constexpr (std::is_same_v<T, Wide>) return a.hi == 0 && b.hi == 0 ? Wide(1.0) : a; else return a;
+}
+)";
+
+// Zeros only occur out of range.
+const char* const ties =
+    R"(template <class T> double gap(double gaps, [[maybe_unused]] auto re, [[maybe_unused]] auto im) {  // edges that are 0, as bits
+  if constexpr (std::is_same_v<T, Wide>) return 2 * gaps + (head(re) == 0 && head(im) == 0); else return gaps;
+}
+// Gaps may leave parts that nothing holds. They carry no load: one gap that leads to each becomes an edge of stiffness 1
+// (1), its other gaps are none for good (0), and all other edges stay as they are (-1). `wiring`: two nodes an edge.
+template <class T> double tie([[maybe_unused]] const char* wiring, [[maybe_unused]] double gaps, [[maybe_unused]] int edge) {
+  double kind = -1;
+  if constexpr (std::is_same_v<T, Wide>) {
+    int n = 0, next = -1;
+    while (wiring[2 * n] != 0) ++n;
+    const auto ends = [&](int i) { return 1U << (wiring[2 * i] - 'a') | 1U << (wiring[2 * i + 1] - 'a'); };
+    const auto is_gap = [&](int i) { return std::fmod(std::floor(std::ldexp(gaps, i + 1 - n)), 2.0) == 1; };
+    unsigned held = 3;  // the terminals, and what edges and ties connect with them
+    while (gaps > 0 && next < n) {
+      for (int i = 0; i < n * n; ++i)
+        if (!is_gap(i % n) && (ends(i % n) & held)) held |= ends(i % n);
+      if (next == edge) return 1;
+      if (next < 0 && is_gap(edge) && (ends(edge) & ~held)) kind = 0;
+      for (next = 0; next < n; ++next)
+        if (is_gap(next) && (ends(next) & held) && (ends(next) & ~held)) break;
+      if (next < n) held |= ends(next);
+    }
+  }
+  return kind;
+}
+template <class T, class A> A tied(A a, [[maybe_unused]] double kind, [[maybe_unused]] double otherwise) {
+  if constexpr (std::is_same_v<T, Wide>) return kind < 0 ? a : A(kind * otherwise); else return a;
 }
 )";
 
@@ -137,7 +173,7 @@ template <class T> [[gnu::always_inline]] inline Result finished(const Parameter
   const double whole = double(@ROOT@(above / below) * factor), u = plain ? 0.0 : 0x1p-53;
   const double v = wide && !(h > 0 && h < HUGE_VAL) ? @SIMPLE@ * head(factor) : whole;
   const double last = !wide || v >= 0x1p-1022 ? u : v > 0 ? u + 0x1p-1074 / (2.0 * v - 0x1p-1074) : 1.0;
-  const bool inside = in_range(p), known = (e < 0x1p-10) & (v < 0x1.fffffffffffffp1023) & (!plain | inside);
+  const bool inside = wide ? allowed(p) : in_range(p), known = (e < 0x1p-10) & (v < 0x1.fffffffffffffp1023) & inside;
   const bool safe = wide | ((h > 0x1p-900) & (h < 0x1p900) & (v >= 0x1p-1022) & inside);
   const auto far = (std::bit_cast<unsigned long long>(h) - 0x1ff0000000000000) >> 62;  // 0 within 2^512, 2^-512
   return {{v, known ? (1.01 * e + last) * (1.0 + 0x1p-50) : HUGE_VAL}, plain ? far : safe ? 0ULL : 1ULL};
@@ -145,8 +181,24 @@ template <class T> [[gnu::always_inline]] inline Result finished(const Parameter
 )";
 
 const char* const sweep =
-    R"(template <class T> [[gnu::noinline]] Result result(const Parameters& p, auto&... partial) {
-  if (const Result r = evaluate<T>(p, partial...); r.unsafe == 0) return r; else return result<Wide>(p, partial...);
+    R"(// Whether sums and products keep what they round off, of numbers that compilers do not know. Not every compiler says that
+// it is told to regroup sums, as by -fassociative-math; and there are libraries whose fma is a product and a sum.
+[[gnu::always_inline]] inline bool is_exact() {
+  const volatile double one = 1.0, small = 0x1p-60, odd = 0x1.fffffffffffffp0;
+  const double a = one, b = small, c = odd;
+  // Where the processor rounds up, hi is a unit larger.
+  const auto left = [](double lo, double rest, double unit) { return lo == rest || lo == rest - unit; };
+  const Twofold sum = Twofold(a) + Twofold(b), product = Twofold(c) * Twofold(c);
+  return left(Twofold::quick(a, b).lo, b, 0x1p-52) && left(Twofold::sum(b, a).lo, b, 0x1p-52) &&
+         (sum + Twofold(-a)).hi == b && left(std::fma(c, c, -(c * c)), 0x1p-104, 0x1p-51) &&
+         left(product.lo, 0x1p-104, 0x1p-51);
+}
+template <class T> [[gnu::noinline]] Result result(const Parameters& p, auto&... partial) {
+  static const bool exact = is_exact();
+  Result r = evaluate<T>(p, partial...);
+  if (r.unsafe != 0) return result<Wide>(p, partial...);
+  if (!exact) r.relative_error_bound = HUGE_VAL;
+  return r;
 }
 template <class T> Gradient gradient(const Parameters& p) { Gradient g{}; g.value = result<T>(p, g.partial).value; return g; }
 // The first loop is vectorised, straight from `omega` to `out` if they are apart; what is not safe again, one by one.
@@ -263,7 +315,11 @@ template <class T, Varying S>
       if constexpr (G) { Parameters d; const Result r = result<T>(at(l), d); store(l, r, d); }
       else store(l, result<T>(at(l)));
     std::copy_n(value.data(), n, out.data() + i);
-    if constexpr (B) std::copy_n(bound.data(), n, std::span<double>(more...).data() + i);
+    if constexpr (B) {
+      static const bool exact = is_exact();
+      if (!exact) bound.fill(HUGE_VAL);
+      std::copy_n(bound.data(), n, std::span<double>(more...).data() + i);
+    }
     if constexpr (G)
       each([=](double* to, const Lanes& x) { if (to) std::copy_n(x.data(), n, to + i); }, more..., partial);
   }

@@ -15,6 +15,7 @@ extern const char* const operations;
 extern const char* const less_inertia;
 extern const char* const power_unit;
 extern const char* const nonzero;
+extern const char* const ties;
 extern const char* const magnitude;
 extern const char* const unless_moderate;
 /// Whether a positive number is of ordinary size, without comparing.

@@ -63,7 +63,14 @@ Operand CppDialect::apply(const Node& node, const std::vector<Operand>& argument
     case Operation::unit:
       return call("unit");
     case Operation::nonzero:
-      return call("nonzero<T>");
+      return call(node.kind == NodeKind::bound ? "nonzero" : "nonzero<T>");
+    case Operation::gap:
+      return call("gap<T>");
+    case Operation::tie:
+      return {fmt::format("tie<T>(\"{}\", {}, {})", node.wiring, a().text, index(b())), node.kind,
+              true};
+    case Operation::tied:
+      return call("tied<T>");
     case Operation::magnitude:
       return given ? Operand{fmt::format("T(std::fabs({}))", a().text), node.kind, true}
                    : call("magnitude");

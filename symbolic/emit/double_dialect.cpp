@@ -28,7 +28,12 @@ Operand DoubleDialect::apply(const Node& node, const std::vector<Operand>& argum
     case Operation::unit:
       return {fmt::format("std::ldexp(1.0, -std::ilogb({}))", arguments[0].text), node.kind, true};
     case Operation::nonzero:  // its zeros are out of range
+    case Operation::tied:
       return arguments[0];
+    case Operation::gap:
+      return {"0.0", node.kind, true};
+    case Operation::tie:
+      return {"-1.0", node.kind, true};
     case Operation::magnitude:
       return call("std::fabs");
     default:

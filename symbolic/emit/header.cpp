@@ -93,15 +93,29 @@ std::string structure(const std::string& head, const std::string& members) {
   return head + " {" + members.substr(1, members.size() - 2) + " };\n";
 }
 
+// clang takes 256 arguments of a fold expression.
+constexpr std::size_t longest_fold_expression = 100;
+
 std::string cpp_range_function(const VelocityProgram& velocity, const ParameterList& parameters,
                                const std::string& name) {
   const GuardDialect dialect(parameters);
   const StraightLine code(velocity.program, dialect);
-  std::vector<std::string> checked{fmt::format("0x1p{}", velocity.exponent)};
-  for (const Guard& guard : velocity.guards)
+  std::vector<std::string> tests, checked;
+  const auto finish = [&] {
+    if (!checked.empty())
+      tests.push_back(
+          fmt::format("within(0x1p{}, {})", velocity.exponent, fmt::join(checked, ", ")));
+    checked.clear();
+  };
+  for (const Guard& guard : velocity.guards) {
+    if (checked.size() == longest_fold_expression) finish();
     checked.push_back(replaced(code.expression(guard.expression).text, "T(", "double("));
-  const std::string test =
-      velocity.fits ? fmt::format("within({})", fmt::join(checked, ", ")) : "false";
+  }
+  finish();
+  if (velocity.poisson) tests.push_back(poisson_check(parameters, velocity));
+  const std::string list = fmt::format("{}", fmt::join(tests, ", "));
+  const std::string every = tests.size() > 1 ? "every(" + list + ")" : list;
+  const std::string test = velocity.fits ? every : "false";
   return "inline bool " + name + "([[maybe_unused]] const Parameters& p) {\n" +
          statement("return " + test + ";") + "}\n";
 }
@@ -177,6 +191,7 @@ std::string cpp_operations(const Program& program) {
   if (program.has(Node::Operation::less_inertia)) out += text::less_inertia;
   if (program.has(Node::Operation::unit)) out += text::power_unit;
   if (program.has(Node::Operation::nonzero)) out += text::nonzero;
+  if (program.has(Node::Operation::gap)) out += text::ties;
   if (program.has(Node::Operation::magnitude)) out += text::magnitude;
   if (program.has(Node::Operation::unless_moderate)) out += text::unless_moderate;
   return out;
@@ -218,7 +233,9 @@ std::string emit_header(const Scene& scene, const std::string& name,
          structure("struct Parameters", members(parameters, "double", "")) + text::structs;
   out += std::string("namespace detail {\n") + (is_long ? text::inline_all : "");
   out += text::numbers + cpp_operations(gradient.program) + (sweep ? text::steps : "") +
-         cpp_range_function(velocity, parameters, "in_range");
+         cpp_range_function(velocity, parameters, "in_range") +
+         "inline bool allowed(const Parameters& p) {\n" + allowed_body(parameters, velocity) +
+         "}\n";
   std::string result = replaced(text::result, "@ROOT@", velocity.rooted ? "sqrt" : "");
   result = replaced(result, "@SIMPLE@", velocity.rooted ? "std::sqrt(h)" : "h");
   out += result;

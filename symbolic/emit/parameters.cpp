@@ -64,6 +64,13 @@ NodeId ParameterList::value(Program& program, const Symbol& symbol) const {
                                                  : exact_binary(number->second));
 }
 
+std::vector<std::string> ParameterList::references(const Program& program) const {
+  std::vector<std::string> all;
+  for (const Node& node : program.nodes())
+    if (node.operation == Node::Operation::parameter) all.push_back(reference(node.parameter));
+  return all;
+}
+
 std::string ParameterList::reference(const Symbol& symbol) const {
   if (symbol.entry == 0) return "p." + symbol.name;
   return fmt::format("p.{}[{}]", symbol.name, symbol.entry - 1);

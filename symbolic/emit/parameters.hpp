@@ -28,6 +28,8 @@ class ParameterList {
   const std::vector<Member>& members() const { return members_; }
   /// "p.k0", "p.k[2]".
   std::string reference(const Symbol& symbol) const;
+  /// Those that the program is of, as references.
+  std::vector<std::string> references(const Program& program) const;
   bool contains(const Symbol& symbol) const { return known_.contains(symbol); }
   /// What a program computes with: the parameter, its fixed number as the double that it is, or 1
   /// for an element whose value does not matter.

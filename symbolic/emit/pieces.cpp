@@ -46,6 +46,25 @@ std::string statement(const std::string& text) {
   return out + rest + "\n";
 }
 
+std::string poisson_check(const ParameterList& parameters, const VelocityProgram& velocity) {
+  return fmt::format("({0} > -1.0) & ({0} <= 0.5)", parameters.reference(*velocity.poisson));
+}
+
+std::string allowed_body(const ParameterList& parameters, const VelocityProgram& velocity) {
+  std::vector<std::string> all = parameters.references(velocity.program);
+  std::string rest = "1";
+  if (velocity.poisson) {
+    std::erase(all, parameters.reference(*velocity.poisson));
+    rest = poisson_check(parameters, velocity);
+  }
+  return statement(fmt::format("const double all[] = {{{}}};", fmt::join(all, ", "))) +
+         statement("int n = 0;") +
+         statement(
+             "for (const double* x = all; x != all + sizeof all / sizeof *all; ++x) n += (*x >= "
+             "0.0) & (*x <= 0x1.fffffffffffffp1023);") +
+         statement(fmt::format("return n == {} && ({});", all.size(), rest));
+}
+
 std::string meanings(const ParameterList& parameters) {
   std::vector<std::pair<std::string, std::string>> groups;  // meaning, names
   for (const Member& member : parameters.members()) {

@@ -7,6 +7,7 @@
 #include "derivation/derivation.hpp"
 #include "emit/options.hpp"
 #include "emit/parameters.hpp"
+#include "program/velocity.hpp"
 #include "scene/scene.hpp"
 
 namespace vcrit::symbolic {
@@ -26,6 +27,12 @@ constexpr std::size_t line_width = 120;
 
 /// A statement on as many lines as it takes.
 std::string statement(const std::string& text);
+
+/// "(p.nu > -1.0) & (p.nu <= 0.5)"
+std::string poisson_check(const ParameterList& parameters, const VelocityProgram& velocity);
+/// The body of a function of p, in C and C++: whether all parameters are finite and of a sign that
+/// a scene may have. Of other ones the error bounds say nothing.
+std::string allowed_body(const ParameterList& parameters, const VelocityProgram& velocity);
 
 /// "SI units: friction coefficient mu0; ...; spring k0, k1; damper c1".
 std::string meanings(const ParameterList& parameters);

@@ -10,10 +10,32 @@ namespace {
 
 constexpr std::size_t longest_inline = 40;
 
+/// What is for graphs with gaps alone.
+bool is_of_gaps(const Node& node) {
+  using Operation = Node::Operation;
+  return node.operation == Operation::gap || node.operation == Operation::tie ||
+         node.operation == Operation::tied;
+}
+
+/// What is computed of exact numbers, beside signs.
+bool is_computed(const Node& node) {
+  return node.kind != NodeKind::exact || node.operation == Node::Operation::unit ||
+         is_of_gaps(node);
+}
+
+/// A sign before a name needs no name of its own, nor does what a dialect leaves out.
+bool is_too_short_to_name(const Node& node, const Operand& whole) {
+  return whole.text.size() < 8 && (node.operation == Node::Operation::negate || is_of_gaps(node));
+}
+
 }  // namespace
 
 std::string in_brackets(const Operand& operand) {
   return operand.is_simple ? operand.text : "(" + operand.text + ")";
+}
+
+std::string index(const Operand& constant) {
+  return constant.text.substr(0, constant.text.find('.'));
 }
 
 std::optional<Operand> by_operators(const Node& node, const std::vector<Operand>& arguments) {
@@ -81,13 +103,12 @@ std::vector<StraightLine::Declarations> StraightLine::declare(const std::vector<
   for (const bool bounds : {false, true})
     for (const NodeId id : needed) {
       const Node& node = program_[id];
-      const bool is_scale = node.operation == Node::Operation::unit;
       if (arity(node.operation) == 0 || known_.contains(id) ||
-          (node.kind == NodeKind::bound) != bounds || (node.kind == NodeKind::exact && !is_scale))
+          (node.kind == NodeKind::bound) != bounds || !is_computed(node))
         continue;
       const Operand whole = expression(id);
       if (is_used_once(id) && whole.text.size() <= longest_inline) continue;
-      if (node.operation == Node::Operation::negate && whole.text.size() < 8) continue;
+      if (is_too_short_to_name(node, whole)) continue;
       const std::string name = fmt::format("{}{}", bounds ? "e" : "x", ++count_);
       if (declared.empty() || declared.back().kind != node.kind)
         declared.push_back({node.kind, {}});

@@ -32,6 +32,9 @@ class CodeDialect {
 /// "a", or "(a + b)".
 std::string in_brackets(const Operand& operand);
 
+/// "3" of the constant 3, which stands for a place in a list.
+std::string index(const Operand& constant);
+
 /// What the operators of all these languages do with doubles; nothing for other operations.
 std::optional<Operand> by_operators(const Node& node, const std::vector<Operand>& arguments);
 

@@ -52,6 +52,11 @@ class Backward {
         return add(a, program_.negate(g));
       case Operation::nonzero:
         return add(a, g);
+      case Operation::gap:
+      case Operation::tie:
+        return;
+      case Operation::tied:
+        return add(a, program_.tied(g, b, 0));
       case Operation::add:
         add(a, g);
         return add(b, g);

@@ -45,6 +45,9 @@ std::size_t arity(Node::Operation operation) {
       return 1;
     case Operation::multiply_add:
     case Operation::less_inertia:
+    case Operation::gap:
+    case Operation::tie:
+    case Operation::tied:
       return 3;
     default:
       return 2;
@@ -59,14 +62,14 @@ NodeId Program::push(Node node) {
 NodeId Program::parameter(const Symbol& symbol) {
   const auto known = parameters_.find(symbol);
   if (known != parameters_.end()) return known->second;
-  return parameters_[symbol] = push({Operation::parameter, NodeKind::exact, {}, 0, symbol});
+  return parameters_[symbol] = push({Operation::parameter, NodeKind::exact, {}, 0, symbol, {}});
 }
 
 NodeId Program::constant(const GiNaC::numeric& value) {
   const auto known = constants_.find(value);
   if (known != constants_.end()) return known->second;
   const NodeKind kind = is_double(value) ? NodeKind::exact : NodeKind::value;
-  return constants_[value] = push({Operation::constant, kind, {}, value, {}});
+  return constants_[value] = push({Operation::constant, kind, {}, value, {}, {}});
 }
 
 bool Program::has(Operation operation) const {
@@ -91,10 +94,12 @@ NodeId Program::apply(Operation operation, std::array<NodeId, 3> arguments) {
     if (nodes_[arguments[i]].kind == NodeKind::bound) kind = NodeKind::bound;
   if (operation == Operation::size || operation == Operation::unless_moderate)
     kind = NodeKind::bound;
-  if (operation == Operation::unit) kind = NodeKind::exact;
-  if (operation == Operation::negate || operation == Operation::magnitude)
+  if (operation == Operation::unit || operation == Operation::gap || operation == Operation::tie)
+    kind = NodeKind::exact;
+  if (operation == Operation::negate || operation == Operation::magnitude ||
+      operation == Operation::tied)
     kind = nodes_[arguments[0]].kind;
-  return known_[key] = push({operation, kind, arguments, 0, {}});
+  return known_[key] = push({operation, kind, arguments, 0, {}, {}});
 }
 
 std::optional<NodeId> Program::fold(NodeId a, NodeId b, const Fold& operation) {
@@ -169,6 +174,34 @@ NodeId Program::nonzero(NodeId a, NodeId b) {
   return is_constant(a) && !is_constant(a, 0) ? a : apply(Operation::nonzero, {a, b});
 }
 
+NodeId Program::gaps(const std::vector<std::pair<NodeId, NodeId>>& edges) {
+  ensure(edges.size() <= most_edges, "each edge has a digit");
+  NodeId whole = constant(0);
+  for (const auto& [re, im] : edges) whole = apply(Operation::gap, {whole, re, im});
+  return whole;
+}
+
+NodeId Program::tie(NodeId gaps, std::size_t edge, const std::string& wiring) {
+  auto known = std::find(wirings_.begin(), wirings_.end(), wiring);
+  if (known == wirings_.end()) known = wirings_.insert(known, wiring);
+  const NodeId graph = constant(static_cast<int>(known - wirings_.begin()));
+  const NodeId id = apply(Operation::tie, {gaps, constant(static_cast<int>(edge)), graph});
+  nodes_[id].wiring = wiring;
+  return id;
+}
+
+// Factor by factor, so that products stay where sums can take them in.
+NodeId Program::tied(NodeId a, NodeId tie, int otherwise) {
+  if (is_constant(a, otherwise)) return a;
+  if (is_negated(a) && otherwise == 0) return negate(tied(negate(a), tie, 0));
+  const Node& node = nodes_[a];
+  if (node.operation != Operation::multiply)
+    return apply(Operation::tied, {a, tie, constant(otherwise)});
+  const auto [first, second, none] = node.arguments;
+  const NodeId left = tied(first, tie, otherwise);
+  return multiply(left, tied(second, tie, 1));
+}
+
 NodeId Program::size(NodeId a) {
   if (is_constant(a) && nodes_[a].kind == NodeKind::exact) return constant(abs(value(a)));
   return apply(Operation::size,
@@ -194,6 +227,7 @@ int Program::operations(const std::set<NodeId>& among) const {
       case Operation::constant:
       case Operation::negate:
       case Operation::nonzero:
+      case Operation::tied:
       case Operation::magnitude:
         break;
       case Operation::multiply_add:

@@ -15,6 +15,7 @@
 #include <set>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "network/network.hpp"
@@ -31,18 +32,21 @@ struct Node {
   enum class Operation {
     parameter,
     constant,
-    negate,          ///< -a
-    add,             ///< a + b
-    subtract,        ///< a - b
-    multiply,        ///< a b
-    divide,          ///< a/b
-    multiply_add,    ///< a b + c
-    less_inertia,    ///< a - b c^2 without loss where it nearly vanishes; all exact
-    root,            ///< of a >= 0
-    unit,            ///< a power of two near 1/a; a > 0
-    nonzero,         ///< a; or 1 where a and b are both 0, for numbers whose range holds a zero
-    magnitude,       ///< |a|
-    size,            ///< |a| as a bound
+    negate,        ///< -a
+    add,           ///< a + b
+    subtract,      ///< a - b
+    multiply,      ///< a b
+    divide,        ///< a/b
+    multiply_add,  ///< a b + c
+    less_inertia,  ///< a - b c^2 without loss where it nearly vanishes; all exact
+    root,          ///< of a >= 0
+    unit,          ///< a power of two near 1/a; a > 0
+    nonzero,       ///< a; or 1 where a and b are both 0, for numbers whose range holds a zero
+    gap,           ///< 2 a, and 1 more where b and c are both 0: edges of stiffness 0, one a digit
+    tie,           ///< of the gaps a, what becomes of edge b; see Program::tie
+    tied,          ///< a; or b c where b, a tie, is not -1
+    magnitude,     ///< |a|
+    size,          ///< |a| as a bound
     unless_moderate  ///< 0 for 2^-200 < a < 2^200, else infinite; a bound
   };
   Operation operation = Operation::constant;
@@ -50,6 +54,8 @@ struct Node {
   std::array<NodeId, 3> arguments{};
   GiNaC::numeric constant;
   Symbol parameter;
+  std::string wiring =
+      {};  ///< of a tie: two nodes, small letters, for each edge; a, b the terminals
 };
 
 /// How many of `arguments` an operation has.
@@ -70,6 +76,18 @@ class Program {
   NodeId root(NodeId a);
   NodeId unit(NodeId a);
   NodeId nonzero(NodeId a, NodeId b);
+
+  static constexpr std::size_t most_edges = 52;  ///< of a graph with gaps: digits of a double
+  static constexpr std::size_t most_nodes = 26;  ///< letters
+  /// The edges (T's components) that are 0, as a number with one binary digit each.
+  NodeId gaps(const std::vector<std::pair<NodeId, NodeId>>& edges);
+  /// Gaps may leave parts of a graph that nothing holds. Such a part carries no load, so that one
+  /// gap that leads to it may have any stiffness: 1 for that edge, a tie. 0 for the other gaps at
+  /// such a part, which have no effect, however they change. -1 for all other edges.
+  NodeId tie(NodeId gaps, std::size_t edge, const std::string& wiring);
+  /// a, or 0 or `otherwise` where the tie is 0 or 1.
+  NodeId tied(NodeId a, NodeId tie, int otherwise);
+
   /// |a| as a bound.
   NodeId size(NodeId a);
   NodeId unless_moderate(NodeId a);
@@ -101,6 +119,7 @@ class Program {
   std::map<Key, NodeId> known_;
   std::map<Symbol, NodeId> parameters_;
   std::map<GiNaC::numeric, NodeId, std::less<>> constants_;
+  std::vector<std::string> wirings_;
 };
 
 }  // namespace vcrit::symbolic

@@ -21,6 +21,26 @@ inline ExponentRange both(ExponentRange a, ExponentRange b) {
   return {std::max(a.low, b.low), std::min(a.high, b.high)};
 }
 
+/// Whether elements may be 0 and all the same in range. Where not, ranges are those of numbers that
+/// are not 0, and zeros are left to numbers with exponents of their own.
+enum class Zeros { out_of_range, in_range };
+
+/// Of a sum that does not cancel: at least its larger term, which with zeros may be either.
+inline ExponentRange sum_range(ExponentRange a, ExponentRange b, Zeros zeros) {
+  const double low = zeros == Zeros::in_range ? std::min(a.low, b.low) : std::max(a.low, b.low);
+  return {low, std::max(a.high, b.high) + 1};
+}
+/// Of a number for which 1 stands in where it is 0.
+inline ExponentRange with_one(ExponentRange a, Zeros zeros) {
+  if (zeros == Zeros::out_of_range) return a;
+  return {std::min(a.low, 0.0), std::max(a.high, 0.0)};
+}
+/// Of Q = T/K, known to lie in `q`, too; where K is 0 the quotient says nothing.
+inline ExponentRange quotient_range(ExponentRange t, ExponentRange k, ExponentRange q,
+                                    Zeros zeros) {
+  return zeros == Zeros::in_range ? q : both(t - k, q);
+}
+
 /// Twice the digits of a double, and some: a difference that is not 0 is not smaller, relatively.
 constexpr double cancellation = 110;
 

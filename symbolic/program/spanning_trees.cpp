@@ -32,8 +32,18 @@ class TooLong {};
 
 class TreeWriter {
  public:
-  TreeWriter(Program& program, std::size_t limit) : program_(program), limit_(limit) {}
+  TreeWriter(Program& program, Zeros zeros, std::size_t limit)
+      : program_(program), zeros_(zeros), limit_(limit) {}
 
+  /// Edges may be 0 where numbers have a range that holds a zero.
+  Pair whole(std::vector<Edge> edges) {
+    while (join_parallel(edges) || join_series(edges, Sums::of_all_edges)) {
+    }
+    if (edges.size() > 1 && edges.front().pair.t.coefficients.empty()) tie_loose_parts(edges);
+    return between_terminals(std::move(edges));
+  }
+
+ private:
   Pair between_terminals(std::vector<Edge> edges) {
     if (program_.nodes().size() > limit_) throw TooLong();
     const Complex unity = this->unity(edges);
@@ -66,7 +76,10 @@ class TreeWriter {
     return times(whole, outside);
   }
 
- private:
+  /// Those of a graph without one of its edges are 0 where that loosens a part; those of the whole
+  /// graph must not be.
+  enum class Sums { of_all_edges, of_some_edges };
+
   /// A product of two complex numbers with its error.
   struct Term {
     Complex a, b;
@@ -86,7 +99,7 @@ class TreeWriter {
     const ComplexSum whole = sum_of_products(program_, {{a.a, a.b}, {b.a, b.b}});
     sum = whole.value;
     error = 1.4143 * std::max(a.error, b.error) + 2 * whole.roundings;
-    range = {std::max(a.range.low, b.range.low), std::max(a.range.high, b.range.high) + 1};
+    range = sum_range(a.range, b.range, zeros_);
   }
 
   Complex product(const Complex& a, const Complex& b, double& error) {
@@ -134,7 +147,8 @@ class TreeWriter {
 
   /// Dead ends, parallel edges and nodes of two edges, until there are none.
   void reduce(std::vector<Edge>& edges, Pair& outside) {
-    while (drop_dead_end(edges, outside) || join_parallel(edges) || join_series(edges)) {
+    while (drop_dead_end(edges, outside) || join_parallel(edges) ||
+           join_series(edges, Sums::of_some_edges)) {
     }
   }
 
@@ -171,7 +185,7 @@ class TreeWriter {
     return false;
   }
 
-  bool join_series(std::vector<Edge>& edges) {
+  bool join_series(std::vector<Edge>& edges, Sums sums) {
     for (const auto& [node, at] : edges_at_inner_nodes(edges)) {
       if (at.size() != 2) continue;
       Edge& first = edges[at[0]];
@@ -180,10 +194,44 @@ class TreeWriter {
         return e.from == node ? e.to : e.from;
       };
       first = {other_end(first), other_end(second), series(first.pair, second.pair)};
+      Complex& q = first.pair.q;
+      if (sums == Sums::of_all_edges && q.coefficients.empty()) {
+        q.re = program_.nonzero(q.re, q.im);
+        first.pair.q_range = with_one(first.pair.q_range, zeros_);
+      }
       edges.erase(edges.begin() + static_cast<std::ptrdiff_t>(at[1]));
       return true;
     }
     return false;
+  }
+
+  /// Nodes as letters, inner ones in the order in which they come.
+  static std::string wiring(const std::vector<Edge>& edges) {
+    std::map<int, char> letters{{0, 'a'}, {1, 'b'}};
+    std::string text;
+    for (const Edge& e : edges)
+      for (const int node : {e.from, e.to}) {
+        if (letters.size() == Program::most_nodes && !letters.contains(node)) throw TooLong();
+        text += letters.try_emplace(node, static_cast<char>('a' + letters.size())).first->second;
+      }
+    return text;
+  }
+
+  void tie_loose_parts(std::vector<Edge>& edges) {
+    if (edges.size() > Program::most_edges) throw TooLong();
+    const std::string wires = wiring(edges);
+    std::vector<std::pair<NodeId, NodeId>> stiffnesses;
+    for (const Edge& e : edges) stiffnesses.emplace_back(e.pair.t.re, e.pair.t.im);
+    const NodeId gaps = program_.gaps(stiffnesses);
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      Complex& t = edges[i].pair.t;
+      const NodeId tie = program_.tie(gaps, i, wires);
+      // 1 or i: what is real or imaginary stays so.
+      const bool is_imaginary = program_.is_constant(t.re, 0);
+      t.re = program_.tied(t.re, tie, is_imaginary ? 0 : 1);
+      t.im = program_.tied(t.im, tie, is_imaginary ? 1 : 0);
+      edges[i].pair.t_range = with_one(edges[i].pair.t_range, zeros_);
+    }
   }
 
   /// Between inner nodes if there is one; after reduce() no edge's loss disconnects the rest.
@@ -203,13 +251,14 @@ class TreeWriter {
   }
 
   Program& program_;
+  Zeros zeros_;
   std::size_t limit_;
 };
 
 }  // namespace
 
 std::optional<Stiffness> by_spanning_trees(Program& program, const Graph& graph,
-                                           const std::vector<Stiffness>& parts) {
+                                           const std::vector<Stiffness>& parts, Zeros zeros) {
   std::vector<Edge> edges;
   Stiffness whole;
   whole.elements = parts.front().elements;
@@ -225,14 +274,12 @@ std::optional<Stiffness> by_spanning_trees(Program& program, const Graph& graph,
   }
   const Program before = program;
   try {
-    const Pair pair =
-        TreeWriter(program, program.nodes().size() + most_nodes).between_terminals(edges);
+    const Pair pair = TreeWriter(program, zeros, program.nodes().size() + most_nodes).whole(edges);
     whole.t = pair.t;
     whole.q = pair.q;
-    if (pair.q.coefficients.empty()) whole.q.re = program.nonzero(pair.q.re, pair.q.im);
     whole.range = network_range(whole.elements, whole.count);
     whole.t_range = both(pair.t_range, whole.range + pair.q_range);
-    whole.q_range = both(pair.q_range, whole.t_range - whole.range);
+    whole.q_range = quotient_range(whole.t_range, whole.range, pair.q_range, zeros);
     whole.path += static_cast<int>(std::ceil(pair.t_error + pair.q_error));
     return whole;
   } catch (const TooLong&) {

@@ -12,6 +12,6 @@ namespace vcrit::symbolic {
 /// `parts` are the edges' stiffnesses, whose errors meet those of this step as any element's.
 /// Nothing for a graph that needs too many trees.
 std::optional<Stiffness> by_spanning_trees(Program& program, const Graph& graph,
-                                           const std::vector<Stiffness>& parts);
+                                           const std::vector<Stiffness>& parts, Zeros zeros);
 
 }  // namespace vcrit::symbolic

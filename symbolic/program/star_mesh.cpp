@@ -31,7 +31,9 @@ class Mesh {
     const NodeId size_a = program_.multiply(a.roundings, a.size);
     const NodeId size_b = program_.multiply(b.roundings, b.size);
     const Complex k{program_.add(a.k.re, b.k.re), program_.add(a.k.im, b.k.im)};
-    const NodeId before = program_.divide(program_.add(size_a, size_b), length(k));
+    const NodeId sizes = program_.add(size_a, size_b);
+    // Without error where both edges are 0.
+    const NodeId before = program_.divide(sizes, program_.nonzero(length(k), sizes));
     return edge(k, program_.multiply(factor(), program_.add(before, program_.constant(1))));
   }
 

@@ -169,7 +169,7 @@ Stiffness StiffnessWriter::parallel(Stiffness a, Stiffness b) {
   whole.t = t.value;
   whole.q = q.value;
   whole.q_range = a.q_range + b.q_range;
-  whole.range = {std::max(a.range.low, b.range.low), std::max(a.range.high, b.range.high) + 1};
+  whole.range = sum_range(a.range, b.range, zeros_);
   join_elements(whole, a, b);
   whole.t_range = whole.range + whole.q_range;
   whole.path = std::max(a.path, b.path) + local;
@@ -193,10 +193,8 @@ Stiffness StiffnessWriter::series(Stiffness a, Stiffness b) {
   whole.t_range = a.t_range + b.t_range;
   whole.range = {std::min(a.range.low, b.range.low) - 1, std::min(a.range.high, b.range.high)};
   join_elements(whole, a, b);
-  whole.q_range =
-      both(whole.t_range - whole.range,
-           ExponentRange{std::max((a.t_range + b.q_range).low, (b.t_range + a.q_range).low),
-                         std::max((a.t_range + b.q_range).high, (b.t_range + a.q_range).high) + 1});
+  const ExponentRange sum = sum_range(a.t_range + b.q_range, b.t_range + a.q_range, zeros_);
+  whole.q_range = quotient_range(whole.t_range, whole.range, with_one(sum, zeros_), zeros_);
   whole.path = std::max(a.path, b.path) + of_product(t) + of_sum(q);
   whole.roundings = sum_of_roundings(a, b);
   return whole;
@@ -213,7 +211,7 @@ Stiffness StiffnessWriter::graph(const Graph& graph) {
   const bool known = std::none_of(parts.begin(), parts.end(),
                                   [](const Stiffness& part) { return part.roundings.has_value(); });
   if (known)
-    if (const auto whole = by_spanning_trees(program_, graph, parts)) return *whole;
+    if (const auto whole = by_spanning_trees(program_, graph, parts, zeros_)) return *whole;
   if (polynomials_) {  // none: any roundings at run time say so
     Stiffness none;
     none.roundings = program_.constant(0);

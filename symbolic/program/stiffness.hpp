@@ -52,11 +52,15 @@ NodeId roundings(Program& program, const Stiffness& k);
 
 class StiffnessWriter {
  public:
-  /// Elements lie within 2^-exponent to 2^exponent, as the guards will check. `value` gives an
-  /// element's number: a parameter or a constant.
+  /// Elements lie within 2^-exponent to 2^exponent or are 0, as the guards will check. `value`
+  /// gives an element's number: a parameter or a constant.
   StiffnessWriter(Program& program, NodeId omega, int exponent,
-                  std::function<NodeId(const Symbol&)> value)
-      : program_(program), omega_(omega), exponent_(exponent), value_(std::move(value)) {}
+                  std::function<NodeId(const Symbol&)> value, Zeros zeros = Zeros::out_of_range)
+      : program_(program),
+        omega_(omega),
+        exponent_(exponent),
+        value_(std::move(value)),
+        zeros_(zeros) {}
 
   Stiffness write(const Network& network);
   /// With polynomials in i omega for T and Q, whose coefficients do not depend on omega. They are
@@ -89,6 +93,7 @@ class StiffnessWriter {
   NodeId omega_;
   int exponent_;
   std::function<NodeId(const Symbol&)> value_;
+  Zeros zeros_;
   std::vector<Guard> guards_;
   bool polynomials_ = false;
 };

@@ -16,18 +16,26 @@ class VelocityWriter {
  public:
   enum class Form { plain, normalised };
 
-  VelocityWriter(const Scene& scene, const SymbolValue& value, int exponent, Form form)
+  VelocityWriter(const Scene& scene, const SymbolValue& value, int exponent, Form form, Zeros zeros)
       : scene_(scene),
         value_(value),
         form_(form),
+        zeros_(zeros),
         omega_(symbol({"omega"})),
-        stiffness_(program_, omega_, exponent, [this](const Symbol& s) { return symbol(s); }) {
+        stiffness_(
+            program_, omega_, exponent, [this](const Symbol& s) { return symbol(s); }, zeros) {
     result_.exponent = exponent;
   }
 
   VelocityProgram write() {
     const auto* isotropic = std::get_if<Isotropic>(&scene_.tangential);
-    if (isotropic != nullptr) ratio_ = contact_ratio(program_, stiffness_, *isotropic, value_);
+    if (isotropic != nullptr) {
+      ratio_ = contact_ratio(program_, stiffness_, *isotropic, value_);
+      const Symbol& given = isotropic->quantity.symbol;
+      if (isotropic->by == Isotropic::By::poisson && !isotropic->quantity.value &&
+          program_[symbol(given)].operation == Node::Operation::parameter)
+        result_.poisson = given;
+    }
     if (scene_.drive)
       with_drive(isotropic != nullptr);
     else if (isotropic != nullptr)
@@ -45,6 +53,13 @@ class VelocityWriter {
   Stiffness network(const Network& network) {
     const Stiffness k = stiffness_.write(network);
     return form_ == Form::normalised && !is_one(program_, k.q) ? stiffness_.normalised(k) : k;
+  }
+
+  /// K_n and K_t: where they are 0, v* is none.
+  Stiffness contact(const Network& of) {
+    Stiffness k = network(of);
+    k.q_range = quotient_range(k.t_range, k.range, k.q_range, Zeros::out_of_range);
+    return k;
   }
 
   /// K_t = ratio K_n: T and Q each times a number.
@@ -79,7 +94,7 @@ class VelocityWriter {
         program_.multiply(program_.size(m), program_.size(omega_)), program_.size(omega_));
     const ExponentRange inertia = stiffness_.guarded(inertia_size);
     Difference result;
-    const ExponentRange larger{0, std::max(d.t_range.high, d.q_range.high + inertia.high) + 1};
+    const ExponentRange sum_of_both = sum_range(d.t_range, d.q_range + inertia, zeros_);
     if (d.exact_re) {
       result.value = {program_.less_inertia(d.t.re, m, omega_), d.t.im};
       // Both components nearly exact, but for what the parts of m omega^2 below three doubles'
@@ -88,7 +103,7 @@ class VelocityWriter {
           program_.multiply(program_.constant(GiNaC::numeric(1, 1L << 50)), inertia_size);
       result.error =
           program_.add(times(std::max(3, d.path), size_bound(program_, result.value)), tail);
-      result.range = {std::max(d.t_range.low, inertia.low) - exact_cancellation, larger.high};
+      result.range = {sum_of_both.low - exact_cancellation, sum_of_both.high};
       return result;
     }
     const NodeId inertia_value = program_.multiply(program_.multiply(m, omega_), omega_);
@@ -102,24 +117,23 @@ class VelocityWriter {
         program_.add(program_.multiply(program_.add(roundings(program_, d), number(local)),
                                        size_bound(program_, d.t)),
                      times(local + 2, program_.multiply(inertia_size, size_bound(program_, d.q))));
-    result.range = {std::max(d.t_range.low, d.q_range.low + inertia.low) - cancellation,
-                    larger.high};
+    result.range = {sum_of_both.low - cancellation, sum_of_both.high};
     return result;
   }
 
   void with_drive(bool isotropic) {
-    const Stiffness n = network(scene_.normal);
+    const Stiffness n = contact(scene_.normal);
     const Stiffness t =
-        isotropic ? isotropic_tangential(n) : network(std::get<Network>(scene_.tangential));
+        isotropic ? isotropic_tangential(n) : contact(std::get<Network>(scene_.tangential));
     const Stiffness d = network(*scene_.drive);
     Difference body{d.t, d.t_range, 0};
     if (scene_.mass) body = difference(d);
     const ComplexSum sum = sum_of_products(program_, {{t.t, d.q}, {t.q, body.value}});
     const Complex whole = sum.value;
-    ExponentRange range{0,
-                        std::max((t.t_range + d.q_range).high, (t.q_range + body.range).high) + 1};
-    range.low = std::max((t.t_range + d.q_range).low, (t.q_range + body.range).low) -
-                (scene_.mass ? cancellation : 1);
+    // K_t = 0 is a pole, which no range has to hold.
+    ExponentRange range =
+        sum_range(t.t_range + d.q_range, t.q_range + body.range, Zeros::out_of_range);
+    range.low -= scene_.mass ? cancellation : 1;
     check(t.t_range + d.q_range);
     check(t.q_range + body.range);
     const NodeId errors = with_drive_errors(t, d, body, sum);
@@ -156,8 +170,8 @@ class VelocityWriter {
   }
 
   void rigid() {
-    const Stiffness n = network(scene_.normal);
-    const Stiffness t = network(std::get<Network>(scene_.tangential));
+    const Stiffness n = contact(scene_.normal);
+    const Stiffness t = contact(std::get<Network>(scene_.tangential));
     finish({n.t, t.q}, {n.q, t.t}, {n.t_range, t.q_range}, {n.q_range, t.t_range},
            program_.add(roundings(program_, n), roundings(program_, t)));
   }
@@ -219,6 +233,7 @@ class VelocityWriter {
   const Scene& scene_;
   const SymbolValue& value_;
   Form form_;
+  Zeros zeros_;
   Program program_;
   NodeId omega_;
   StiffnessWriter stiffness_;
@@ -250,16 +265,16 @@ void refuse_other_scenes(const Scene& scene) {
 
 // The widest range for which all numbers stay among the doubles, and scaling only where there is
 // none otherwise: it costs a tenth of the time.
-VelocityProgram velocity_program(const Scene& scene, const SymbolValue& value) {
+VelocityProgram velocity_program(const Scene& scene, const SymbolValue& value, Zeros zeros) {
   refuse_other_scenes(scene);
   for (const int exponent : {200, 150, 100, 64, 40}) {
     VelocityProgram program =
-        VelocityWriter(scene, value, exponent, VelocityWriter::Form::plain).write();
+        VelocityWriter(scene, value, exponent, VelocityWriter::Form::plain, zeros).write();
     if (program.fits) return program;
   }
   for (const int exponent : {100, 64, 48, 40, 32}) {
     VelocityProgram program =
-        VelocityWriter(scene, value, exponent, VelocityWriter::Form::normalised).write();
+        VelocityWriter(scene, value, exponent, VelocityWriter::Form::normalised, zeros).write();
     if (program.fits || exponent == 32) return program;
   }
   throw Bug("the last range is returned");

@@ -6,6 +6,7 @@
 //   |K_n| |K_t + K_d - m omega^2|/(|K_t| |K_d - m omega^2|) = |T_n| |N|/(|Q_n| |T_t| |D|).
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "program/ratio.hpp"
@@ -17,10 +18,11 @@ struct VelocityProgram {
   Program program;
   NodeId above = 0, below = 0, factor = 0;
   bool rooted = false;
-  NodeId roundings = 0;       ///< of v*, relative, each of the arithmetic's precision; a bound
-  std::vector<Guard> guards;  ///< in which no number can leave the range of doubles
-  bool fits = true;           ///< false: numbers folded in are too large for that
-  int exponent = 0;           ///< elements lie between 2^-exponent and 2^exponent
+  NodeId roundings = 0;           ///< of v*, relative, each of the arithmetic's precision; a bound
+  std::vector<Guard> guards;      ///< in which no number can leave the range of doubles
+  bool fits = true;               ///< false: numbers folded in are too large for that
+  int exponent = 0;               ///< elements lie between 2^-exponent and 2^exponent
+  std::optional<Symbol> poisson;  ///< a parameter above -1, up to 1/2; all others are not negative
 };
 
 /// Throws ModelError for a drive with masses of its own or a measured one, and for surfaces that
@@ -28,6 +30,7 @@ struct VelocityProgram {
 void refuse_other_scenes(const Scene& scene);
 
 /// Throws ModelError for such a scene.
-VelocityProgram velocity_program(const Scene& scene, const SymbolValue& value);
+VelocityProgram velocity_program(const Scene& scene, const SymbolValue& value,
+                                 Zeros zeros = Zeros::out_of_range);
 
 }  // namespace vcrit::symbolic

@@ -43,7 +43,8 @@ class Run {
   bool rounds(NodeId id) const {
     const Node& node = program_[id];
     return node.kind == NodeKind::value && arity(node.operation) > 0 &&
-           node.operation != Operation::negate && node.operation != Operation::nonzero;
+           node.operation != Operation::negate && node.operation != Operation::nonzero &&
+           node.operation != Operation::tied;
   }
 
  private:
@@ -69,7 +70,12 @@ class Run {
       case Operation::root:
         return std::sqrt(x(0));
       case Operation::nonzero:
+      case Operation::tied:  // no element is 0
         return x(0);
+      case Operation::gap:
+        return 0;
+      case Operation::tie:
+        return -1;
       case Operation::size:
         return std::abs(x(0));
       case Operation::unless_moderate:
@@ -94,6 +100,7 @@ class Run {
       case Operation::multiply_add:
         return i == 2 ? 1 : at(node, 1 - i);
       case Operation::nonzero:
+      case Operation::tied:
         return i == 0 ? 1 : 0;
       default:
         return 0;  // of bounds, which K does not depend on

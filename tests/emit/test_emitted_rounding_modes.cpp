@@ -92,8 +92,14 @@ BOOST_AUTO_TEST_CASE(twice_the_bound_in_every_state) {
   const std::string compiler = test::compilers(libraries.folder()).front();
   for (const char* processor : {"-march=x86-64", "-march=native"}) {
     if (libraries.compile(compiler, {"-O0", processor}) != "") continue;
+    const auto is_bounded = [](const Call& call) { return std::isfinite(call.bound); };
+    libraries.evaluate(calls);
+    const auto bounded = std::count_if(calls.begin(), calls.end(), is_bounded);
     for (const test::ArithmeticState& state : all_states()) {
       libraries.evaluate(calls, state);
+      if (!state.flush_to_zero)
+        BOOST_TEST(std::count_if(calls.begin(), calls.end(), is_bounded) == bounded,
+                   state.rounding);
       for (std::size_t i = 0; i < calls.size(); ++i) {
         const Call& call = calls[i];
         const bool known = is_known(call.scene, state);

@@ -9,16 +9,15 @@
 #include "derivation/scenes.hpp"
 #include "emit/draw.hpp"
 #include "emit/extreme_cases.hpp"
-#include "emit/language_drivers.hpp"
-#include "emit/library.hpp"
-#include "emit/tools.hpp"
+#include "emit/language_files.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_languages)
 
 using namespace vcrit;
 using symbolic::Language;
 using test::Asked;
-using test::Command;
+using Call = test::LanguageCall;
+using Files = test::LanguageFiles;
 using test::scene_of;
 using test::Tool;
 
@@ -39,20 +38,7 @@ std::vector<Scene> scenes() {
   };
 }
 
-/// One call: the scene with all values, and what the functions gave.
-struct Call {
-  std::size_t library = 0;
-  Scene scene;
-  test::Real exact;
-  std::vector<double> answers;
-
-  double value() const { return answers[0]; }
-  double bound() const { return answers[1]; }
-  double fast_value() const { return answers[2]; }
-  double fast_bound() const { return answers[3]; }
-};
-
-constexpr std::size_t plain_answers = 8;
+constexpr std::size_t plain_answers = test::plain_answers;
 
 std::vector<Call> calls(const std::vector<Scene>& scenes, int count, double nearest) {
   test::Draw draw(seed, nearest);
@@ -67,83 +53,6 @@ std::vector<Call> calls(const std::vector<Scene>& scenes, int count, double near
     }
   return all;
 }
-
-class Files {
- public:
-  explicit Files(const std::vector<Scene>& scenes, Asked asked = Asked::values)
-      : scenes_(scenes), asked_(asked) {
-    for (std::size_t i = 0; i < scenes.size(); ++i)
-      for (const Language language :
-           {Language::c99, Language::python, Language::javascript, Language::cuda})
-        symbolic::generate(scenes[i], folder_.path(), test::library(i), language);
-    write_file(folder_.path() / "driver.c", test::c99_driver(scenes.size(), asked));
-    write_file(folder_.path() / "driver.cu", test::cuda_driver(scenes.size(), asked));
-    write_file(folder_.path() / "driver.py", test::python_driver(scenes, asked));
-    write_file(folder_.path() / "driver.mjs", test::javascript_driver(scenes, asked));
-  }
-
-  test::Outcome run(Command command, const std::string& input = "/dev/null") const {
-    const std::string place = folder_.path().string();
-    for (std::string& word : command)
-      if (word.starts_with("FOLDER/")) word.replace(0, 6, place);
-    return test::run(command, folder_.path(), input);
-  }
-
-  void evaluate(const Tool& tool, std::vector<Call>& calls) const {
-    std::string input;
-    for (const Call& call : calls) {
-      input += std::to_string(call.library);
-      for (const double x : test::members(call.scene, scenes_[call.library]))
-        input += fmt::format(" {}", to_text(x));
-      input += "\n";
-    }
-    const std::string file = (folder_.path() / "input.txt").string();
-    write_file(file, input);
-    const test::Outcome outcome = run(tool.run, file);
-    if (outcome.status != 0) throw std::runtime_error(tool.label + ": " + outcome.output);
-    std::istringstream lines(outcome.output);
-    for (Call& call : calls) {
-      std::string line, word;
-      std::getline(lines, line);
-      std::istringstream words(line);
-      call.answers.clear();
-      while (words >> word) call.answers.push_back(std::strtod(word.c_str(), nullptr));
-      const std::size_t count = test::members(call.scene, scenes_[call.library]).size();
-      BOOST_REQUIRE_EQUAL(call.answers.size(),
-                          plain_answers + (asked_ == Asked::values ? 0 : 2 * (1 + count)));
-    }
-  }
-
-  /// The tools that are there, their drivers compiled. Large programs take nvcc too
-  /// long, and very large ones every optimiser.
-  enum class Length { usual, large, very_large };
-  template <class Use>
-  void with_each_tool(Use use, Length length = Length::usual) const {
-    std::set<Language> tried;
-    for (Tool tool : test::tools()) {
-      if (length != Length::usual && tool.label == "nvcc") continue;
-      if (length == Length::very_large && !tool.compile.empty()) tool.compile.emplace_back("-O0");
-      if (run(tool.present).status != 0) {
-        BOOST_TEST_MESSAGE("without " << tool.label);
-        continue;
-      }
-      if (tool.language == Language::python && tried.contains(tool.language)) continue;
-      if (!tool.compile.empty()) {
-        const test::Outcome outcome = run(tool.compile);
-        BOOST_REQUIRE_MESSAGE(outcome.status == 0, tool.label << ": " << outcome.output);
-      }
-      tried.insert(tool.language);
-      BOOST_TEST_CONTEXT(tool.label) { use(tool); }
-    }
-    BOOST_TEST_MESSAGE(tried.size() << " of 4 languages");
-    BOOST_TEST(tried.contains(Language::c99));
-  }
-
- private:
-  test::PrivateFolder folder_;
-  std::vector<Scene> scenes_;
-  Asked asked_;
-};
 
 void check_values(const Tool& tool, const std::vector<Call>& calls) {
   std::size_t certified = 0, known = 0;
@@ -168,26 +77,6 @@ void check_values(const Tool& tool, const std::vector<Call>& calls) {
   BOOST_TEST(known * 3 >= calls.size() * 2);
 }
 
-/// d v*/dx by nodes from x and two neighbours of it, 2^-50 apart, exact but for (2^-50/d)^2 where
-/// v* changes over relative distances d.
-test::Real derivative(const Call& call, const Scene& scene, const Symbol& symbol) {
-  const auto at = [&](double x) {
-    Scene changed = scene;
-    for (auto& [name, value] : changed.elements)
-      if (name == symbol) value = x;
-    for (Quantity* quantity :
-         {&changed.coefficient, &changed.angular_frequency, &changed.amplitude})
-      if (quantity->symbol == symbol) quantity->value = x;
-    if (changed.mass && changed.mass->symbol == symbol) changed.mass->value = x;
-    return test::critical_velocity_by_nodes(changed);
-  };
-  const double x = values_of(scene).at(symbol), low = x * (1 - 0x1p-50), high = x * (1 + 0x1p-50);
-  const test::Real below = test::Real(x) - test::Real(low),
-                   above = test::Real(high) - test::Real(x);
-  const test::Real left = (call.exact - at(low)) / below, right = (at(high) - call.exact) / above;
-  return (left * above + right * below) / (above + below);
-}
-
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(values_and_bounds_hold) {
@@ -203,7 +92,7 @@ BOOST_AUTO_TEST_CASE(values_and_bounds_hold) {
     partials.emplace_back();
     for (const symbolic::Member& member : parameters.members())
       for (int entry = member.length == 0 ? 0 : 1; entry <= member.length; ++entry)
-        partials.back().push_back(derivative(call, call.scene, {member.name, entry}));
+        partials.back().push_back(test::derivative(call.scene, call.exact, {member.name, entry}));
   }
   files.with_each_tool([&](const Tool& tool) {
     files.evaluate(tool, all);

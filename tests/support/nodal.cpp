@@ -72,10 +72,23 @@ class Admittances {
     return k;
   }
 
-  // Schur complement of all inner nodes, the last one first; -K_01 is the stiffness.
-  static Complex eliminate(Matrix k) {
+  /// Nodes that edges connect with a terminal; edges may be 0.
+  std::vector<bool> held() const {
+    std::vector<bool> is_held(nodes_);
+    is_held[0] = is_held[1] = true;
+    for (std::size_t round = 0; round < nodes_; ++round)
+      for (const Edge& edge : edges_)
+        if (edge.stiffness != Complex() && (is_held[edge.from] || is_held[edge.to]))
+          is_held[edge.from] = is_held[edge.to] = true;
+    return is_held;
+  }
+
+  // Schur complement of all inner nodes, the last one first; -K_01 is the stiffness. What nothing
+  // holds carries no load.
+  Complex eliminate(Matrix k) const {
+    const std::vector<bool> is_held = held();
     for (std::size_t n = k.size() - 1; n >= 2; --n)
-      for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t i = 0; is_held[n] && i < n; ++i) {
         const Complex factor = k[i][n] / k[n][n];
         for (std::size_t j = 0; j < n; ++j) k[i][j] -= factor * k[n][j];
       }

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bounds/formulas.hpp"
-
 namespace vcrit::bounds {
 
 std::string_view name_of(Draw draw) {
@@ -142,14 +140,12 @@ void Cases::undamp(const SlotRange& range, std::span<double> x) {
     x[i] = system_.slots[i].role == Role::spring ? spring : 0;
 }
 
-void Cases::resonate(bool with_tangential, std::span<double> x) try {
+void Cases::resonate(bool with_tangential, std::span<double> x) {
   if (chance(0.125) && resonate_exactly(with_tangential, x)) return;
   weaken_dampers(system_.driving, x);
   if (with_tangential) weaken_dampers(system_.poisson ? system_.normal : system_.tangential, x);
   const double part = decade(-17, -1) * (chance(0.5) ? 1 : -1);
   x[*system_.mass] = reference_.mass_near_resonance(x, with_tangential, part);
-} catch (const Unheld&) {
-  return;
 }
 
 // Springs all the same and powers of 2, so that K is one, too, where the network allows for it.

@@ -2,7 +2,8 @@
 // template parameter: balls for the value, integers modulo a prime for whether it is zero.
 //
 // An arithmetic has Value, element(x) = x, rate(x) = i omega x, add, multiply, divide and is_zero.
-// What has no answer, 0/0 in a network with a part that nothing holds, throws Unheld.
+// Elements may be 0. What they leave without a hold carries no load: two in series of stiffness 0
+// are as stiff, and a point without an edge goes without one.
 #pragma once
 
 #include <algorithm>
@@ -14,8 +15,6 @@
 #include "bounds/systems.hpp"
 
 namespace vcrit::bounds {
-
-struct Unheld {};
 
 template <class Arithmetic>
 class Formulas {
@@ -52,12 +51,10 @@ class Formulas {
  private:
   Value kelvin(double k, double c) { return a_.add(a_.element(k), a_.rate(c)); }
 
-  Value quotient(const Value& above, const Value& below) {
-    if (a_.is_zero(below)) throw Unheld{};
-    return a_.divide(above, below);
+  Value series(const Value& p, const Value& q) {
+    const Value sum = a_.add(p, q);
+    return a_.is_zero(sum) ? a_.element(0) : a_.divide(a_.multiply(p, q), sum);
   }
-
-  Value series(const Value& p, const Value& q) { return quotient(a_.multiply(p, q), a_.add(p, q)); }
 
   // k0 + sum k_j x/(1 + x), x = i omega tau_j
   Value prony(Numbers x) {
@@ -94,9 +91,10 @@ class Formulas {
     std::optional<Value> total;
     for (std::size_t i = 0; i < last; ++i)
       if (const auto& edge = edges[i][last]) total = total ? a_.add(*total, *edge) : *edge;
+    if (!total || a_.is_zero(*total)) return;
     for (std::size_t i = 0; i < last; ++i) {
-      if (!edges[i][last]) continue;
-      const Value share = quotient(*edges[i][last], *total);
+      if (!edges[i][last] || a_.is_zero(*edges[i][last])) continue;
+      const Value share = a_.divide(*edges[i][last], *total);
       for (std::size_t j = i + 1; j < last; ++j)
         if (edges[j][last]) connect(edges, i, j, a_.multiply(share, *edges[j][last]));
     }
@@ -104,7 +102,7 @@ class Formulas {
 
   Value between_ends(Edges& edges, std::size_t points) {
     for (std::size_t last = points; last-- > 2;) eliminate(edges, last);
-    return *edges[0][1];
+    return edges[0][1] ? *edges[0][1] : a_.element(0);
   }
 
   Value bridge(Numbers x) {

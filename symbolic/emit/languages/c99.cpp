@@ -13,13 +13,14 @@ namespace {
 class C99 {
  public:
   C99(const Evaluator& evaluator, const std::string& name)
-      : evaluator_(evaluator), spelling_{name + "_", "fabs", "sqrt", true} {}
+      : evaluator_(evaluator), spelling_{name + "_", "fabs", "sqrt", true, Zeros::out_of_range} {}
 
   std::string text() const {
     std::string out = structs() + prefixed(c99::numbers) + prefixed(c99::wide) + operations();
     out += prefixed("static inline int @in_range(const @Parameters p) {\n") +
            statement(fmt::format("return {};", in_range(evaluator_, spelling_, " && ", "0"))) +
-           "}\n";
+           "}\n" + prefixed("static inline int @allowed(const @Parameters p) {\n") +
+           allowed_body(evaluator_.parameters, evaluator_.velocity) + "}\n";
     out += finished();
     for (const CallGrade grade : {CallGrade::accurate, CallGrade::fast, CallGrade::wide})
       out += evaluate(grade);
@@ -53,6 +54,8 @@ class C99 {
     if (evaluator_.has(Operation::less_inertia)) out += c99::less_inertia;
     if (evaluator_.has(Operation::unit)) out += c99::power_unit;
     if (evaluator_.has(Operation::nonzero)) out += c99::nonzero;
+    if (evaluator_.has(Operation::gap))
+      out += replaced(c99::ties, "@MOST", std::to_string(Program::most_edges));
     if (evaluator_.has(Operation::magnitude)) out += c99::magnitude;
     if (evaluator_.has(Operation::unless_moderate)) out += c99::unless_moderate;
     return prefixed(out);
@@ -78,7 +81,8 @@ class C99 {
     const std::vector<std::string> names = entries(evaluator_.parameters);
     for (std::size_t i = 0; i < names.size(); ++i)
       out += statement(fmt::format("partial->{} = {};", names[i], code.partials[i]));
-    const std::string inside = grade == CallGrade::wide ? "" : prefixed(", @in_range(p)");
+    const std::string inside =
+        prefixed(grade == CallGrade::wide ? ", @allowed(p)" : ", @in_range(p)");
     return out + "  }\n" +
            statement(fmt::format("return {}{}_finished({}, {}, {}, {}{});", spelling_.prefix, kind,
                                  code.above, code.below, code.factor, code.roundings, inside)) +

@@ -5,10 +5,11 @@ namespace vcrit::symbolic::c99 {
 const char* const includes =
     R"(#include <math.h>
 #include <stddef.h>
-#ifdef __FAST_MATH__
-#error "-ffast-math destroys the arithmetic of this header"
+#include <string.h>
+#if defined __FAST_MATH__ || defined __ASSOCIATIVE_MATH__
+#error "-ffast-math destroys the arithmetic of this header, as -fassociative-math alone does"
 #endif
-#if defined __FLT_EVAL_METHOD__ && __FLT_EVAL_METHOD__ == 2
+#if defined __FLT_EVAL_METHOD__ && (__FLT_EVAL_METHOD__ == 2 || __FLT_EVAL_METHOD__ < 0)
 #error "doubles have to be rounded as doubles: -msse2 -mfpmath=sse"
 #endif
 )";
@@ -72,7 +73,7 @@ static inline @wide @wide_mul(@wide a, @wide b) { return @wide_scaled(@dd_mul(a.
 static inline @wide @wide_div(@wide a, @wide b) { return @wide_scaled(@dd_div(a.t, b.t), a.e - b.e); }
 static inline @wide @wide_root(@wide a) {
   const long e = a.e & ~1L;
-  return @wide_scaled(@dd_root(@wide_over(a, e)), e / 2);
+  return a.t.hi == 0.0 ? a : @wide_scaled(@dd_root(@wide_over(a, e)), e / 2);
 }
 static inline @wide @wide_magnitude(@wide a) { return a.t.hi < 0.0 ? @wide_negated(a) : a; }
 )";
@@ -110,6 +111,38 @@ const char* const nonzero =
 static inline @wide @wide_nonzero(@wide a, @wide b) { return a.t.hi == 0.0 && b.t.hi == 0.0 ? @wide_of(1.0) : a; }
 )";
 
+// Zeros only occur out of range.
+const char* const ties =
+    R"(/* edges that are 0, as bits */
+static inline double @wide_gap(double gaps, @wide re, @wide im) { return 2.0 * gaps + (re.t.hi == 0.0 && im.t.hi == 0.0); }
+static inline unsigned long @ends(const char *wiring, int i) {
+  return 1UL << (wiring[2 * i] - 'a') | 1UL << (wiring[2 * i + 1] - 'a');
+}
+/* Gaps may leave parts that nothing holds. They carry no load: one gap that leads to each becomes an edge of stiffness
+   1 (1), its other gaps are none for good (0), and all other edges stay as they are (-1). wiring: two nodes an edge. */
+static inline double @tie(const char *wiring, double gaps, int edge) {
+  const int n = (int)strlen(wiring) / 2;
+  unsigned long held = 3; /* the terminals, and what edges and ties connect with them */
+  double kind = -1.0;
+  int is_gap[@MOST], next = -1;
+  for (int i = 0; i < n; ++i) is_gap[i] = fmod(floor(ldexp(gaps, i + 1 - n)), 2.0) == 1.0;
+  while (gaps > 0.0 && next < n) {
+    for (int i = 0; i < n * n; ++i)
+      if (!is_gap[i % n] && (@ends(wiring, i % n) & held)) held |= @ends(wiring, i % n);
+    if (next == edge) return 1.0;
+    if (next < 0 && is_gap[edge] && (@ends(wiring, edge) & ~held)) kind = 0.0;
+    for (next = 0; next < n; ++next)
+      if (is_gap[next] && (@ends(wiring, next) & held) && (@ends(wiring, next) & ~held)) break;
+    if (next < n) held |= @ends(wiring, next);
+  }
+  return kind;
+}
+static inline double @plain_tied(double a, double kind, double otherwise) { return kind < 0.0 ? a : kind * otherwise; }
+static inline @wide @wide_tied(@wide a, double kind, double otherwise) {
+  return kind < 0.0 ? a : @wide_of(kind * otherwise);
+}
+)";
+
 const char* const magnitude =
     R"(static inline @dd @dd_magnitude(@dd a) { return a.hi < 0.0 ? @dd_negated(a) : a; }
 )";
@@ -120,7 +153,24 @@ static inline @wide @wide_unless_moderate(@wide x) { (void)x; return @wide_of(0.
 )";
 
 const char* const finished =
-    R"(typedef struct { @Certified certified; int safe; } @Result;
+    R"(/* Whether sums and products keep what they round off, of numbers that compilers do not know. Not every compiler says
+   that it is told to regroup sums, as by -fassociative-math; and there are libraries whose fma is a product and a sum. */
+static inline int @is_left(double lo, double rest, double unit) { /* rounding up, hi is a unit larger */
+  return lo == rest || lo == rest - unit;
+}
+static inline int @is_exact(void) {
+  static volatile int known = 0; /* 1 or -1, for each thread the same */
+  const volatile double one = 1.0, small = 0x1p-60, odd = 0x1.fffffffffffffp0;
+  if (known == 0) {
+    const double a = one, b = small, c = odd;
+    const @dd sum = @dd_add(@dd_of(a), @dd_of(b)), product = @dd_mul(@dd_of(c), @dd_of(c));
+    known = @is_left(@dd_quick(a, b).lo, b, 0x1p-52) && @is_left(@dd_sum(b, a).lo, b, 0x1p-52) &&
+            @dd_add_d(sum, -a).hi == b && @is_left(fma(c, c, -(c * c)), 0x1p-104, 0x1p-51) &&
+            @is_left(product.lo, 0x1p-104, 0x1p-51) ? 1 : -1;
+  }
+  return known > 0;
+}
+typedef struct { @Certified certified; int safe; } @Result;
 /* v* = factor root(above/below). Factors (1 + e_j)^(+-1) with sum |e_j| = e < 2^-10 change it by less than 1.01 e, the
    last rounding by u, and another one by 2^-1075 where numbers are subnormal. safe: none has left the range of doubles. */
 static inline @Result @finished(double v, double e, double u, int safe) {
@@ -139,12 +189,13 @@ static inline @Result @dd_finished(@dd above, @dd below, @dd factor, double roun
   const double v = @dd_mul(@ROOT_DD(@dd_div(above, below)), factor).hi;
   return @finished(v, roundings * 0x1p-102, 0x1p-53, @safe(above.hi / below.hi, v, inside));
 }
-static inline @Result @wide_finished(@wide above, @wide below, @wide factor, @wide roundings) {
+static inline @Result @wide_finished(@wide above, @wide below, @wide factor, @wide roundings, int inside) {
   const double h = fabs(above.t.hi / below.t.hi);
   const double v = h > 0.0 && h < HUGE_VAL ? @wide_rounded(@wide_mul(@ROOT_WIDE(@wide_div(above, below)), factor))
                                            : @SQRT(h) * factor.t.hi;
   const double tiny = v > 0.0 ? 0x1p-53 + 0x1p-1074 / (2.0 * v - 0x1p-1074) : 1.0;
-  return @finished(v, @wide_rounded(roundings) * 0x1p-102, v >= 0x1p-1022 ? 0x1p-53 : tiny, 1);
+  const double e = inside ? @wide_rounded(roundings) * 0x1p-102 : HUGE_VAL;
+  return @finished(v, e, v >= 0x1p-1022 ? 0x1p-53 : tiny, 1);
 }
 )";
 
@@ -160,7 +211,9 @@ const char* const calls =
   return @GRADE_result(p, NULL).certified.value;
 }
 static inline @Certified @FASTcritical_velocity_certified(const @Parameters *p) {
-  return @GRADE_result(p, NULL).certified;
+  @Certified c = @GRADE_result(p, NULL).certified;
+  if (!@is_exact()) c.relative_error_bound = HUGE_VAL;
+  return c;
 }
 static inline @Gradient @FASTcritical_velocity_gradient(const @Parameters *p) {
   @Gradient g;

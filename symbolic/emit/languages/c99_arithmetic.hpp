@@ -10,6 +10,7 @@ extern const char* const wide;
 extern const char* const less_inertia;
 extern const char* const power_unit;
 extern const char* const nonzero;
+extern const char* const ties;
 extern const char* const magnitude;
 extern const char* const unless_moderate;
 /// The error bound; @ROOT and @SQRT are the root in each grade, or nothing.

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <tuple>
+
 #include "base/errors.hpp"
 #include "emit/cpp_dialect.hpp"
 #include "formula/symbols.hpp"
@@ -12,6 +14,11 @@ namespace vcrit::symbolic {
 namespace {
 
 bool is_plain_double(const Operand& operand) { return operand.kind == NodeKind::exact; }
+
+bool is_for_zeros(Node::Operation operation) {
+  return operation == Node::Operation::nonzero || operation == Node::Operation::gap ||
+         operation == Node::Operation::tie || operation == Node::Operation::tied;
+}
 
 }  // namespace
 
@@ -57,7 +64,36 @@ std::string CallDialect::rounded(const Operand& operand) const {
   return operand.kind == NodeKind::bound ? operand.text : operand.text + ".hi";
 }
 
+// What is there for zeros alone: where they are out of range, only wide numbers know it.
+Operand CallDialect::with_zeros(const Node& node, const Arguments& arguments) const {
+  const auto [a, b, c] = std::tie(arguments[0], arguments[1], arguments.back());
+  const bool known = grade_ == CallGrade::wide || spelling_.zeros == Zeros::in_range;
+  const bool in_grade = node.kind == NodeKind::value || grade_ == CallGrade::wide;
+  const bool plain = node.kind == NodeKind::exact || !in_grade;
+  const auto operand = [&](const Operand& x) { return plain ? rounded(x) : number(x); };
+  const auto result = [&](const std::string& text) { return Operand{text, node.kind, true}; };
+  const auto unchanged = [&] { return Operand{operand(a), node.kind, a.is_simple}; };
+  const auto call = [&](const std::string& name, const std::string& last) {
+    const std::string whole = plain ? spelling_.prefix + "plain_" + name : function(name);
+    return result(fmt::format("{}({}, {})", whole, operand(a), last));
+  };
+  switch (node.operation) {
+    case Operation::nonzero:
+      return known ? call("nonzero", operand(b)) : unchanged();
+    case Operation::tied:
+      return known ? call("tied", b.text + ", " + c.text) : unchanged();
+    case Operation::gap:
+      if (!known) return result("0.0");
+      return result(fmt::format("{}({}, {}, {})", function("gap"), a.text, number(b), number(c)));
+    default:
+      if (!known) return result("-1.0");
+      return result(
+          fmt::format("{}tie(\"{}\", {}, {})", spelling_.prefix, node.wiring, a.text, index(b)));
+  }
+}
+
 Operand CallDialect::apply(const Node& node, const std::vector<Operand>& arguments) const {
+  if (is_for_zeros(node.operation)) return with_zeros(node, arguments);
   const bool bound = node.kind == NodeKind::bound && grade_ != CallGrade::wide;
   const bool exact = node.kind == NodeKind::exact;
   Operand result = grade_ == CallGrade::fast || bound || exact ? in_doubles(node, arguments)
@@ -82,8 +118,6 @@ Operand CallDialect::in_doubles(const Node& node, const Arguments& arguments) co
     case Operation::unit:
       if (grade_ == CallGrade::wide) return call("unit", {number(arguments[0])});
       return calling(spelling_.prefix + "unit");
-    case Operation::nonzero:
-      return arguments[0];
     case Operation::magnitude:
     case Operation::size:
       return calling(spelling_.abs);
@@ -135,17 +169,12 @@ Operand CallDialect::in_calls(const Node& node, const Arguments& arguments) cons
       return call("less_inertia", {a().text, b().text, arguments[2].text});
     case Operation::root:
       return call("root", {number(a())});
-    case Operation::nonzero:
-      if (grade_ == CallGrade::wide) return call("nonzero", {number(a()), number(b())});
-      return {number(a()), NodeKind::value, true};
     case Operation::magnitude:
     case Operation::size:
       return call("magnitude", {number(a())});
     case Operation::unless_moderate:
       return call("unless_moderate", {number(a())});
-    case Operation::unit:
-    case Operation::parameter:
-    case Operation::constant:
+    default:
       break;
   }
   throw Bug("not an operation on values");

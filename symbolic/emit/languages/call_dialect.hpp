@@ -4,6 +4,7 @@
 
 #include "emit/parameters.hpp"
 #include "emit/straight_line.hpp"
+#include "program/range.hpp"
 
 namespace vcrit::symbolic {
 
@@ -14,6 +15,7 @@ struct Spelling {
   std::string prefix;     ///< of the functions that the generated file brings along
   std::string abs, sqrt;  ///< of doubles
   bool typed = false;     ///< declarations name a type: double, PREFIXdd, PREFIXwide
+  Zeros zeros = Zeros::out_of_range;
 };
 
 class CallDialect : public CodeDialect {
@@ -36,6 +38,7 @@ class CallDialect : public CodeDialect {
  private:
   using Operation = Node::Operation;
   using Arguments = std::vector<Operand>;
+  Operand with_zeros(const Node& node, const Arguments& arguments) const;
   Operand in_doubles(const Node& node, const Arguments& arguments) const;
   Operand in_calls(const Node& node, const Arguments& arguments) const;
   Operand negated(const Operand& a) const;

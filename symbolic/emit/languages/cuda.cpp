@@ -18,16 +18,19 @@ std::string cuda_operations(const Evaluator& evaluator) {
   if (evaluator.has(Operation::less_inertia)) out += cuda::less_inertia;
   if (evaluator.has(Operation::unit)) out += cuda::power_unit;
   if (evaluator.has(Operation::nonzero)) out += cuda::nonzero;
+  if (evaluator.has(Operation::gap))
+    out += replaced(cuda::ties, "@MOST", std::to_string(Program::most_edges));
   if (evaluator.has(Operation::magnitude)) out += cuda::magnitude;
   if (evaluator.has(Operation::unless_moderate)) out += cuda::unless_moderate;
   return out;
 }
 
 std::string cuda_range_function(const Evaluator& evaluator) {
-  const Spelling spelling{"", "::fabs", "::sqrt", true};
+  const Spelling spelling{"", "::fabs", "::sqrt", true, Zeros::out_of_range};
   return "@CALL bool in_range(const Parameters& p) {\n" +
          statement(fmt::format("return {};", in_range(evaluator, spelling, " && ", "false"))) +
-         "}\n";
+         "}\n@CALL bool allowed(const Parameters& p) {\n" +
+         allowed_body(evaluator.parameters, evaluator.velocity) + "}\n";
 }
 
 std::string cuda_finished(bool rooted) {

@@ -6,8 +6,11 @@ const char* const includes =
     R"(#include <cmath>
 #include <cstddef>
 #include <type_traits>
-#if defined __FAST_MATH__
-#error "-ffast-math destroys the arithmetic of this header"
+#if defined __FAST_MATH__ || defined __ASSOCIATIVE_MATH__
+#error "-ffast-math destroys the arithmetic of this header, as -fassociative-math alone does"
+#endif
+#if defined __FLT_EVAL_METHOD__ && (__FLT_EVAL_METHOD__ == 2 || __FLT_EVAL_METHOD__ < 0)
+#error "doubles have to be rounded as doubles: -msse2 -mfpmath=sse"
 #endif
 #ifdef __CUDACC__
 #define @CALL __host__ __device__ inline
@@ -68,7 +71,7 @@ struct Wide {  // times 2^e, for numbers out of range
 }
 @COLD Wide operator*(Wide a, Wide b) { return {a.t * b.t, a.e + b.e}; }
 @COLD Wide operator/(Wide a, Wide b) { return {a.t / b.t, a.e - b.e}; }
-@COLD Wide sqrt(Wide a) { return {sqrt(a.over(a.e & ~1L)), (a.e & ~1L) / 2}; }
+@COLD Wide sqrt(Wide a) { return a.t.hi == 0 ? a : Wide{sqrt(a.over(a.e & ~1L)), (a.e & ~1L) / 2}; }
 @CALL double sqrt(double x) { return ::sqrt(x); }
 @CALL double head(double x) { return x; }
 @CALL double head(Twofold x) { return x.hi; }
@@ -113,9 +116,41 @@ const char* const power_unit =
 )";
 
 const char* const nonzero =
-    R"(template <class T> @CALL T nonzero(T a, T) { return a; }
-template <> @CALL Wide nonzero<Wide>(Wide a, Wide b) {  // zeros only occur out of range: T/Q = 0/1
-  return a.t.hi == 0 && b.t.hi == 0 ? Wide(1.0) : a;
+    R"(template <class T, class B> @CALL T nonzero(T a, B b) {  // zeros only occur out of range: T/Q = 0/1
+  if constexpr (std::is_same_v<T, Wide>) return head(a) == 0 && head(b) == 0 ? Wide(1.0) : a; else return a;
+}
+)";
+
+// Zeros only occur out of range.
+const char* const ties =
+    R"(template <class T, class R, class I> @CALL double gap(double gaps, R re, I im) {  // edges that are 0, as bits
+  if constexpr (std::is_same_v<T, Wide>) return 2 * gaps + (head(re) == 0 && head(im) == 0); else return gaps;
+}
+@CALL unsigned ends(const char* wiring, int i) { return 1U << (wiring[2 * i] - 'a') | 1U << (wiring[2 * i + 1] - 'a'); }
+// Gaps may leave parts that nothing holds. They carry no load: one gap that leads to each becomes an edge of stiffness 1
+// (1), its other gaps are none for good (0), and all other edges stay as they are (-1). `wiring`: two nodes an edge.
+template <class T> @CALL double tie(const char* wiring, double gaps, int edge) {
+  double kind = -1;
+  if constexpr (std::is_same_v<T, Wide>) {
+    int n = 0, next = -1;
+    while (wiring[2 * n] != 0) ++n;
+    bool is_gap[@MOST] = {};
+    for (int i = 0; i < n; ++i) is_gap[i] = ::fmod(::floor(::ldexp(gaps, i + 1 - n)), 2.0) == 1;
+    unsigned held = 3;  // the terminals, and what edges and ties connect with them
+    while (gaps > 0 && next < n) {
+      for (int i = 0; i < n * n; ++i)
+        if (!is_gap[i % n] && (ends(wiring, i % n) & held)) held |= ends(wiring, i % n);
+      if (next == edge) return 1;
+      if (next < 0 && is_gap[edge] && (ends(wiring, edge) & ~held)) kind = 0;
+      for (next = 0; next < n; ++next)
+        if (is_gap[next] && (ends(wiring, next) & held) && (ends(wiring, next) & ~held)) break;
+      if (next < n) held |= ends(wiring, next);
+    }
+  }
+  return kind;
+}
+template <class T, class A> @CALL A tied(A a, double kind, double otherwise) {
+  if constexpr (std::is_same_v<T, Wide>) return kind < 0 ? a : A(kind * otherwise); else return a;
 }
 )";
 
@@ -138,24 +173,42 @@ template <class T, class E> @CALL Result finished(const Parameters& p, T above, 
   const double whole = double(@ROOT(above / below) * factor), u = plain ? 0.0 : 0x1p-53;
   const double v = wide && !(h > 0 && h < HUGE_VAL) ? @SQRT(h) * head(factor) : whole;
   const double last = !wide || v >= 0x1p-1022 ? u : v > 0 ? u + 0x1p-1074 / (2.0 * v - 0x1p-1074) : 1.0;
-  const bool inside = in_range(p), known = (e < 0x1p-10) & (v < 0x1.fffffffffffffp1023);
+  const bool inside = wide ? allowed(p) : in_range(p), known = (e < 0x1p-10) & (v < 0x1.fffffffffffffp1023) & inside;
   const bool safe = (h > 0x1p-900) & (h < 0x1p900) & (v >= 0x1p-1022) & inside;
   return {{v, known ? (1.01 * e + last) * (1.0 + 0x1p-50) : HUGE_VAL}, {}, wide || safe};
 }
 )";
 
 const char* const result =
-    R"(template <class T, bool G = false> @CALL Result result(const Parameters& p) {
+    R"(// Whether the host's sums and products keep what they round off, of numbers that compilers do not know. Not every compiler
+// says that it is told to regroup sums, as by -fassociative-math; and there are libraries whose fma is a product and a sum.
+inline bool is_left(double lo, double rest, double unit) {  // where the processor rounds up, hi is a unit larger
+  return lo == rest || lo == rest - unit;
+}
+inline bool is_exact() {
+  const volatile double one = 1.0, small = 0x1p-60, odd = 0x1.fffffffffffffp0;
+  const double a = one, b = small, c = odd;
+  const Twofold whole = Twofold(a) + Twofold(b), square = Twofold(c) * Twofold(c);
+  return is_left(quick(a, b).lo, b, 0x1p-52) && is_left(sum(b, a).lo, b, 0x1p-52) && (whole + Twofold(-a)).hi == b &&
+         is_left(::fma(c, c, -(c * c)), 0x1p-104, 0x1p-51) && is_left(square.lo, 0x1p-104, 0x1p-51);
+}
+template <class T, bool G = false> @CALL Result result(const Parameters& p) {
   const Result r = evaluate<T, G>(p);
   return r.safe ? r : evaluate<Wide, G>(p);
+}
+@CALL Certified certified(Certified c) {
+#ifndef __CUDA_ARCH__
+  static const bool exact = is_exact();
+  if (!exact) c.relative_error_bound = HUGE_VAL;
+#endif
+  return c;
 }
 )";
 
 const char* const calls =
     R"(@CALL double critical_velocity(const Parameters& p) { return detail::result<@T>(p).value; }
 @CALL Certified critical_velocity_certified(const Parameters& p) {
-  const detail::Result r = detail::result<@T>(p);
-  return {r.value, r.relative_error_bound};
+  return detail::certified(detail::result<@T>(p));
 }
 @CALL Gradient critical_velocity_gradient(const Parameters& p) {
   const detail::Result r = detail::result<@T, true>(p);

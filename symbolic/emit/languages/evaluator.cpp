@@ -11,13 +11,15 @@
 
 namespace vcrit::symbolic {
 
-Evaluator::Evaluator(const Scene& scene, const FixedValues& fixed)
+Evaluator::Evaluator(const Scene& scene, const FixedValues& fixed, Zeros zeros)
     : derivation(derive(scene)),
       parameters(scene, derivation, fixed),
-      velocity(velocity_program(scene,
-                                [this](Program& program, const Symbol& symbol) {
-                                  return parameters.value(program, symbol);
-                                })),
+      velocity(velocity_program(
+          scene,
+          [this](Program& program, const Symbol& symbol) {
+            return parameters.value(program, symbol);
+          },
+          zeros)),
       gradient(gradient_program(velocity)) {
   const Program& program = gradient.program;
   // The product with the factor and its conversion stand outside of these.
@@ -58,6 +60,8 @@ std::string in_range(const Evaluator& evaluator, const Spelling& spelling,
     checks.push_back(fmt::format("{}within({}, {})", spelling.prefix,
                                  literal(std::ldexp(1.0, guard.exponent)),
                                  code.expression(guard.expression).text));
+  if (evaluator.velocity.poisson)
+    checks.push_back(poisson_check(evaluator.parameters, evaluator.velocity));
   return fmt::format("{}", fmt::join(checks, conjunction));
 }
 

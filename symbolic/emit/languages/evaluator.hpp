@@ -13,7 +13,7 @@
 namespace vcrit::symbolic {
 
 struct Evaluator {
-  Evaluator(const Scene& scene, const FixedValues& fixed);
+  Evaluator(const Scene& scene, const FixedValues& fixed, Zeros zeros);
 
   Derivation derivation;
   ParameterList parameters;

@@ -17,9 +17,11 @@ std::string javascript_operations(const Evaluator& evaluator) {
   using Operation = Node::Operation;
   std::string out = javascript::numbers;
   if (evaluator.velocity.rooted) out += javascript::root;
-  out += "const within = (limit, x) => x <= limit && x * limit >= 1;\n";
+  out += "const within = (limit, x) => x === 0 || (x <= limit && x * limit >= 1);\n";
   if (evaluator.has(Operation::less_inertia)) out += javascript::less_inertia;
   if (evaluator.has(Operation::unit)) out += javascript::power_unit;
+  if (evaluator.has(Operation::nonzero)) out += javascript::nonzero;
+  if (evaluator.has(Operation::gap)) out += javascript::ties;
   if (evaluator.has(Operation::magnitude)) out += javascript::magnitude;
   if (evaluator.has(Operation::unless_moderate)) out += javascript::unless_moderate;
   return out;
@@ -56,7 +58,7 @@ std::string javascript_evaluation(const Evaluator& evaluator, CallGrade grade,
 }  // namespace
 
 std::string javascript_text(const Evaluator& evaluator) {
-  const Spelling spelling{"", "Math.abs", "Math.sqrt", false};
+  const Spelling spelling{"", "Math.abs", "Math.sqrt", false, Zeros::in_range};
   const bool rooted = evaluator.velocity.rooted;
   std::string out = comment("Parameters p: an object of numbers and arrays of numbers. " +
                             meanings(evaluator.parameters));

@@ -68,6 +68,43 @@ const unit = (x) => {  // a power of two near 1/x
 };
 )";
 
+const char* const nonzero =
+    R"(// T/Q = 0/1 of what is not there
+const dd_nonzero = (a, b) => (a.hi === 0 && b.hi === 0 ? dd_of(1) : a);
+const plain_nonzero = (a, b) => (a === 0 && b === 0 ? 1 : a);
+)";
+
+const char* const ties =
+    R"(// edges that are 0, as bits
+const plain_gap = (gaps, re, im) => 2 * gaps + (re === 0 && im === 0 ? 1 : 0);
+const dd_gap = (gaps, re, im) => plain_gap(gaps, re.hi, im.hi);
+// Gaps may leave parts that nothing holds. They carry no load: one gap that leads to each becomes an edge of stiffness 1
+// (1), its other gaps are none for good (0), and all other edges stay as they are (-1). `wiring`: two nodes an edge.
+const tie = (wiring, gaps, edge) => {
+  if (gaps === 0) return -1;
+  const n = wiring.length / 2;
+  const node = (i) => 1 << (wiring.charCodeAt(i) - 97);
+  const edges = Array.from({ length: n }, (_, i) => ({
+    ends: node(2 * i) | node(2 * i + 1),
+    gap: Math.floor(gaps / 2 ** (n - 1 - i)) % 2 === 1,
+  }));
+  let held = 3;  // the terminals, and what edges and ties connect with them
+  const leads_on = (e) => (e.ends & held) !== 0 && (e.ends & ~held) !== 0;
+  const connect = () => {
+    for (let e; (e = edges.find((x) => !x.gap && leads_on(x))); ) held |= e.ends;
+  };
+  connect();
+  const kind = edges[edge].gap && (edges[edge].ends & ~held) !== 0 ? 0 : -1;
+  for (let e; (e = edges.find((x) => x.gap && leads_on(x))); connect()) {
+    if (e === edges[edge]) return 1;
+    held |= e.ends;
+  }
+  return kind;
+};
+const plain_tied = (a, kind, otherwise) => (kind < 0 ? a : kind * otherwise);
+const dd_tied = (a, kind, otherwise) => (kind < 0 ? a : dd_of(kind * otherwise));
+)";
+
 const char* const magnitude =
     R"(const dd_magnitude = (a) => (a.hi < 0 ? dd_negated(a) : a);
 )";

@@ -8,6 +8,8 @@ extern const char* const numbers;
 extern const char* const root;
 extern const char* const less_inertia;
 extern const char* const power_unit;
+extern const char* const nonzero;
+extern const char* const ties;
 extern const char* const magnitude;
 extern const char* const unless_moderate;
 /// The error bound; @ROOT and @SQRT are the root in each grade, or nothing.

@@ -23,14 +23,16 @@ const char* const unlimited =
     "exponent range.";
 const char* const limited =
     "Missing compared with C++: numbers of a wider exponent range. Outside of the guarded range "
-    "(see in_range) the "
+    "(see in_range; elements of value 0 are inside) the "
     "answer is that of plain double, with an infinite bound. No fused multiply-add: products are "
     "split by Dekker's "
     "method.";
 
+/// Numbers of a wider exponent range.
+bool has_wide(Language language) { return language == Language::c99 || language == Language::cuda; }
+
 std::string accuracy_lines(Language language) {
-  const bool wide = language == Language::c99 || language == Language::cuda;
-  return comment(accuracy) + comment(wide ? unlimited : limited);
+  return comment(accuracy) + comment(has_wide(language) ? unlimited : limited);
 }
 
 std::string evaluator_text(const Evaluator& evaluator, const std::string& name, Language language) {
@@ -63,7 +65,8 @@ std::string emit(const Scene& scene, const std::string& name, Language language,
                  const GenerateOptions& options) {
   check_library_name(name, language);
   const FixedValues fixed = fixed_values(scene, options.fixed);
-  const Evaluator evaluator(scene, fixed);
+  const Evaluator evaluator(scene, fixed,
+                            has_wide(language) ? Zeros::out_of_range : Zeros::in_range);
   check_member_names(evaluator.derivation.parameters, scene.file, language);
   GenerateOptions own = options;
   own.language = language_names()[static_cast<std::size_t>(language)];

@@ -17,6 +17,8 @@ std::string python_operations(const Evaluator& evaluator) {
   out += python::within;
   if (evaluator.has(Operation::less_inertia)) out += python::less_inertia;
   if (evaluator.has(Operation::unit)) out += python::power_unit;
+  if (evaluator.has(Operation::nonzero)) out += python::nonzero;
+  if (evaluator.has(Operation::gap)) out += python::ties;
   if (evaluator.has(Operation::magnitude)) out += python::magnitude;
   if (evaluator.has(Operation::unless_moderate)) out += python::unless_moderate;
   return out;
@@ -76,7 +78,7 @@ std::string python_evaluation(const Evaluator& evaluator, CallGrade grade,
 }  // namespace
 
 std::string python_text(const Evaluator& evaluator) {
-  const Spelling spelling{"_", "np.abs", "np.sqrt", false};
+  const Spelling spelling{"_", "np.abs", "np.sqrt", false, Zeros::in_range};
   const bool rooted = evaluator.velocity.rooted;
   std::string out = python::imports + parameters_class(evaluator.parameters) + python::tuples;
   out += conversions(evaluator.parameters) + python_operations(evaluator);

@@ -124,7 +124,7 @@ const char* const within =
     R"(
 
 def _within(limit, x):
-    return (x <= limit) & (x * limit >= 1.0)
+    return (x == 0.0) | (x <= limit) & (x * limit >= 1.0)
 )";
 
 const char* const less_inertia =
@@ -149,6 +149,66 @@ const char* const power_unit =
 
 def _unit(x):  # a power of two near 1/x
     return np.ldexp(1.0, 1 - np.frexp(x)[1])
+)";
+
+const char* const nonzero =
+    R"(
+
+def _plain_nonzero(a, b):  # T/Q = 0/1 of what is not there
+    return np.where((a == 0.0) & (b == 0.0), 1.0, a)
+
+
+def _dd_nonzero(a, b):
+    return _DD(_plain_nonzero(a.hi, b.hi), a.lo)
+)";
+
+const char* const ties =
+    R"(
+
+def _plain_gap(gaps, re, im):  # edges that are 0, as bits
+    return 2.0 * gaps + ((re == 0.0) & (im == 0.0))
+
+
+def _dd_gap(gaps, re, im):
+    return _plain_gap(gaps, re.hi, im.hi)
+
+
+# Gaps may leave parts that nothing holds. They carry no load: one gap that leads to each becomes an edge of stiffness 1
+# (1), its other gaps are none for good (0), and all other edges stay as they are (-1). `wiring`: two nodes an edge.
+def _tie(wiring, gaps, edge):
+    if not np.any(gaps):
+        return -1.0
+    n = len(wiring) // 2
+    ends = [1 << ord(wiring[2 * i]) - 97 | 1 << ord(wiring[2 * i + 1]) - 97 for i in range(n)]
+    is_gap = [np.floor(gaps / 2.0 ** (n - 1 - i)) % 2.0 == 1.0 for i in range(n)]
+
+    def leads_on(i, held):
+        return (ends[i] & held != 0) & (ends[i] & ~held != 0)
+
+    def connected(held):
+        for i in [*range(n)] * n:
+            held = np.where(~is_gap[i] & leads_on(i, held), held | ends[i], held)
+        return held
+
+    held = connected(np.int64(3))  # the terminals, and what edges and ties connect with them
+    kind = np.where(is_gap[edge] & (ends[edge] & ~held != 0), 0.0, -1.0)
+    for _ in range(len(set(wiring)) - 2):
+        done = False
+        for i in range(n):
+            new = is_gap[i] & leads_on(i, held) & ~np.asarray(done)
+            kind = np.where(new & (i == edge), 1.0, kind)
+            held = np.where(new, held | ends[i], held)
+            done = done | new
+        held = connected(held)
+    return kind
+
+
+def _plain_tied(a, kind, otherwise):
+    return np.where(kind < 0.0, a, kind * otherwise)
+
+
+def _dd_tied(a, kind, otherwise):
+    return _DD(_plain_tied(a.hi, kind, otherwise), np.where(kind < 0.0, a.lo, 0.0))
 )";
 
 const char* const magnitude =

@@ -1,0 +1,130 @@
+// Evaluators of each language but C++ in a folder, their drivers compiled and run.
+#pragma once
+
+#include <boost/test/unit_test.hpp>
+#include <set>
+#include <sstream>
+
+#include "emit/draw.hpp"
+#include "emit/language_drivers.hpp"
+#include "emit/library.hpp"
+#include "emit/tools.hpp"
+
+namespace vcrit::test {
+
+/// One call: the scene with all values, and what the functions gave.
+struct LanguageCall {
+  std::size_t library = 0;
+  Scene scene;
+  Real exact;
+  std::vector<double> answers;
+
+  double value() const { return answers[0]; }
+  double bound() const { return answers[1]; }
+  double fast_value() const { return answers[2]; }
+  double fast_bound() const { return answers[3]; }
+};
+
+inline constexpr std::size_t plain_answers = 8;
+
+class LanguageFiles {
+ public:
+  explicit LanguageFiles(const std::vector<Scene>& scenes, Asked asked = Asked::values)
+      : scenes_(scenes), asked_(asked) {
+    for (std::size_t i = 0; i < scenes.size(); ++i)
+      for (const symbolic::Language language :
+           {symbolic::Language::c99, symbolic::Language::python, symbolic::Language::javascript,
+            symbolic::Language::cuda})
+        symbolic::generate(scenes[i], folder_.path(), library(i), language);
+    write_file(folder_.path() / "driver.c", c99_driver(scenes.size(), asked));
+    write_file(folder_.path() / "driver.cu", cuda_driver(scenes.size(), asked));
+    write_file(folder_.path() / "driver.py", python_driver(scenes, asked));
+    write_file(folder_.path() / "driver.mjs", javascript_driver(scenes, asked));
+  }
+
+  Outcome run(Command command, const std::string& input = "/dev/null") const {
+    const std::string place = folder_.path().string();
+    for (std::string& word : command)
+      if (word.starts_with("FOLDER/")) word.replace(0, 6, place);
+    return test::run(command, folder_.path(), input);
+  }
+
+  void evaluate(const Tool& tool, std::vector<LanguageCall>& calls) const {
+    std::string input;
+    for (const LanguageCall& call : calls) {
+      input += std::to_string(call.library);
+      for (const double x : members(call.scene, scenes_[call.library]))
+        input += fmt::format(" {}", to_text(x));
+      input += "\n";
+    }
+    const std::string file = (folder_.path() / "input.txt").string();
+    write_file(file, input);
+    const Outcome outcome = run(tool.run, file);
+    if (outcome.status != 0) throw std::runtime_error(tool.label + ": " + outcome.output);
+    std::istringstream lines(outcome.output);
+    for (LanguageCall& call : calls) {
+      std::string line, word;
+      std::getline(lines, line);
+      std::istringstream words(line);
+      call.answers.clear();
+      while (words >> word) call.answers.push_back(std::strtod(word.c_str(), nullptr));
+      const std::size_t count = members(call.scene, scenes_[call.library]).size();
+      BOOST_REQUIRE_EQUAL(call.answers.size(),
+                          plain_answers + (asked_ == Asked::values ? 0 : 2 * (1 + count)));
+    }
+  }
+
+  /// The tools that are there, their drivers compiled. Large programs take nvcc too
+  /// long, and very large ones every optimiser.
+  enum class Length { usual, large, very_large };
+  template <class Use>
+  void with_each_tool(Use use, Length length = Length::usual) const {
+    std::set<symbolic::Language> tried;
+    for (Tool tool : tools()) {
+      if (length != Length::usual && tool.label == "nvcc") continue;
+      if (length == Length::very_large && !tool.compile.empty()) tool.compile.emplace_back("-O0");
+      if (run(tool.present).status != 0) {
+        BOOST_TEST_MESSAGE("without " << tool.label);
+        continue;
+      }
+      if (tool.language == symbolic::Language::python && tried.contains(tool.language)) continue;
+      if (!tool.compile.empty()) {
+        const Outcome outcome = run(tool.compile);
+        BOOST_REQUIRE_MESSAGE(outcome.status == 0, tool.label << ": " << outcome.output);
+      }
+      tried.insert(tool.language);
+      BOOST_TEST_CONTEXT(tool.label) { use(tool); }
+    }
+    BOOST_TEST_MESSAGE(tried.size() << " of 4 languages");
+    BOOST_TEST(tried.contains(symbolic::Language::c99));
+  }
+
+ private:
+  PrivateFolder folder_;
+  std::vector<Scene> scenes_;
+  Asked asked_;
+};
+
+/// d v*/dx by nodes from x and two neighbours of it, 2^-50 apart, exact but for (2^-50/d)^2 where
+/// v* changes over relative distances d. At x = 0 to one side, over a distance far below all
+/// elements.
+inline Real derivative(const Scene& scene, const Real& exact, const Symbol& symbol) {
+  const auto at = [&](double x) {
+    Scene changed = scene;
+    for (auto& [name, value] : changed.elements)
+      if (name == symbol) value = x;
+    for (Quantity* quantity :
+         {&changed.coefficient, &changed.angular_frequency, &changed.amplitude})
+      if (quantity->symbol == symbol) quantity->value = x;
+    if (changed.mass && changed.mass->symbol == symbol) changed.mass->value = x;
+    return critical_velocity_by_nodes(changed);
+  };
+  constexpr double tiny = 1e-100;
+  if (values_of(scene).at(symbol) == 0) return (at(tiny) - exact) / Real(tiny);
+  const double x = values_of(scene).at(symbol), low = x * (1 - 0x1p-50), high = x * (1 + 0x1p-50);
+  const Real below = Real(x) - Real(low), above = Real(high) - Real(x);
+  const Real left = (exact - at(low)) / below, right = (at(high) - exact) / above;
+  return (left * above + right * below) / (above + below);
+}
+
+}  // namespace vcrit::test
