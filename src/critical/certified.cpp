@@ -145,18 +145,21 @@ CertifiedVelocity at_resonance(const Scene& scene, const Quotient& q) {
 // Of the symbol, relative. Differences of second order err by its square, far below a double.
 constexpr slong shift_bits = 128;
 
-// ln of what a shift makes of Eq. 24.
-Ball log_velocity(const Evaluation& evaluation, const Symbol& symbol, int direction,
-                  slong precision) {
-  Shift shift{symbol, Ball(direction)};
-  acb_mul_2exp_si(shift.factor.get(), shift.factor.get(), -shift_bits);
+// ln of Eq. 24, or of what a shift makes of it.
+Ball log_velocity(const Evaluation& evaluation, slong precision, const Shift* shift = nullptr) {
+  const Quotient q = evaluation.at(precision, shift);
   const Arithmetic balls{precision};
-  shift.factor = balls.add(Ball(1), shift.factor);
-  const Quotient q = evaluation.at(precision, &shift);
   const Ball quotient = balls.divide(balls.modulus(q.numerator), balls.modulus(q.denominator));
   Ball result = balls.modulus(balls.multiply(q.prefactor, quotient));
   arb_log(acb_realref(result.get()), acb_realref(result.get()), precision);
   return result;
+}
+
+Shift shift_of(const Symbol& symbol, int direction, slong precision) {
+  Shift shift{symbol, Ball(direction)};
+  acb_mul_2exp_si(shift.factor.get(), shift.factor.get(), -shift_bits);
+  shift.factor = Arithmetic{precision}.add(Ball(1), shift.factor);
+  return shift;
 }
 
 }  // namespace
@@ -168,14 +171,29 @@ double certified_log_derivative(const Scene& scene, const Symbol& symbol) {
   const Evaluation evaluation(scene);
   const slong most = 16 * shift_bits + evaluation.most_precision();
   for (slong precision = 4 * shift_bits; precision <= most; precision *= 2) {
-    Ball change = Arithmetic{precision}.subtract(log_velocity(evaluation, symbol, 1, precision),
-                                                 log_velocity(evaluation, symbol, -1, precision));
+    const Shift up = shift_of(symbol, 1, precision), down = shift_of(symbol, -1, precision);
+    Ball change = Arithmetic{precision}.subtract(log_velocity(evaluation, precision, &up),
+                                                 log_velocity(evaluation, precision, &down));
     acb_mul_2exp_si(change.get(), change.get(), shift_bits - 1);
     arb_srcptr real = acb_realref(change.get());
     const double middle = arf_get_d(arb_midref(real), ARF_RND_NEAR);
     if (mag_get_d(arb_radref(real)) <= epsilon * std::max(std::abs(middle), epsilon)) return middle;
   }
   throw Bug("the logarithm of a nonzero critical velocity has digits");
+}
+
+double certified_difference(const Scene& a, const Scene& b) {
+  // Differences down to the smallest double, and some digits of them.
+  constexpr slong most_bits = 4096;
+  const Evaluation first(a), second(b);
+  for (slong precision = 256; precision <= most_bits; precision *= 2) {
+    const Ball difference = Arithmetic{precision}.subtract(log_velocity(first, precision),
+                                                           log_velocity(second, precision));
+    if (acb_is_finite(difference.get()) == 0 || acb_contains_zero(difference.get()) != 0) continue;
+    const double middle = arf_get_d(arb_midref(acb_realref(difference.get())), ARF_RND_NEAR);
+    return std::max(std::abs(middle), std::numeric_limits<double>::denorm_min());
+  }
+  return 0;
 }
 
 CertifiedVelocity certified_critical_velocity(const Scene& scene) {

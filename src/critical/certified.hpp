@@ -22,4 +22,7 @@ CertifiedVelocity certified_critical_velocity(const Scene& scene);
 /// is 0 or infinite, too.
 double certified_log_derivative(const Scene& scene, const Symbol& symbol);
 
+/// |ln v*_a - ln v*_b| of scenes with values, where it is not 0 in 4096 bits; else 0.
+double certified_difference(const Scene& a, const Scene& b);
+
 }  // namespace vcrit

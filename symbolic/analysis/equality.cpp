@@ -1,5 +1,7 @@
 #include "analysis/equality.hpp"
 
+#include <fmt/core.h>
+
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -8,6 +10,7 @@
 #include "analysis/residues.hpp"
 #include "base/errors.hpp"
 #include "base/numbers.hpp"
+#include "critical/certified.hpp"
 #include "critical/critical_velocity.hpp"
 #include "formula/symbols.hpp"
 #include "onset/formula_scope.hpp"
@@ -94,6 +97,7 @@ class Filled {
     scene_.indentation.value = 1;  // v* does not depend on it
   }
   double critical_velocity() const { return vcrit::critical_velocity(scene_); }
+  const Scene& scene() const { return scene_; }
 
  private:
   Scene scene_;
@@ -120,7 +124,7 @@ std::map<Symbol, double> small_numbers(const std::set<Symbol>& symbols, std::uin
 
 // Two different functions of few numbers differ nearly everywhere, mostly by a lot; doubles show
 // differences far smaller than this.
-constexpr double clear_difference = 1e-3;
+constexpr double clear_difference = 1e-3, shown_by_doubles = 1e-12;
 
 /// An angular frequency of the table.
 double within(const Receptance& receptance, std::uint64_t point) {
@@ -136,26 +140,46 @@ void refuse_two_tables(const Scene& a, const Scene& b) {
         "the two drives are measured, by different tables: compare their numbers by vcrit sweep");
 }
 
+/// Values at a point of that number.
+std::map<Symbol, double> values_at(std::uint64_t point, const std::set<Symbol>& symbols,
+                                   Comparison::Scope scope, const Scene& a, const Scene& b) {
+  auto values = small_numbers(symbols, point);
+  // Elements with values of their own show their difference somewhere over these decades.
+  if (scope == Comparison::Scope::values)
+    values[a.angular_frequency.symbol] *= std::pow(10, point % 16);
+  for (const Scene* scene : {&a, &b})
+    if (scene->receptance)
+      values[scene->angular_frequency.symbol] = within(*scene->receptance, point);
+  return values;
+}
+
+constexpr std::uint64_t tried_points = 64;
+
 Comparison different(Comparison::Scope scope, const Scene& a, const Scene& b) {
   Comparison result;
   result.scope = scope;
   std::set<Symbol> symbols = compared_symbols(a, scope == Comparison::Scope::symbols);
   symbols.merge(compared_symbols(b, scope == Comparison::Scope::symbols));
-  double largest = 1e-12;
-  for (std::uint64_t point = 0; point < 64 && largest < clear_difference; ++point) {
-    auto values = small_numbers(symbols, point);
-    // Elements with values of their own show their difference somewhere over these decades.
-    if (scope == Comparison::Scope::values)
-      values[a.angular_frequency.symbol] *= std::pow(10, point % 16);
-    for (const Scene* scene : {&a, &b})
-      if (scene->receptance)
-        values[scene->angular_frequency.symbol] = within(*scene->receptance, point);
+  double largest = shown_by_doubles;
+  for (std::uint64_t point = 0; point < tried_points && largest < clear_difference; ++point) {
+    const auto values = values_at(point, symbols, scope, a, b);
     const double first = Filled(a, values).critical_velocity();
     const double second = Filled(b, values).critical_velocity();
     const double difference = std::abs(first - second) / std::max(first, second);
     if (!(difference > largest)) continue;
     largest = difference;
-    result.counterexample = {{values.begin(), values.end()}, first, second};
+    result.counterexample = {{values.begin(), values.end()}, first, second, difference};
+  }
+  // What doubles do not show, a few thousand bits do.
+  for (std::uint64_t point = 0; point < tried_points && !result.counterexample; ++point) {
+    const auto values = values_at(point, symbols, scope, a, b);
+    const Filled first(a, values), second(b, values);
+    if (const double difference = certified_difference(first.scene(), second.scene());
+        difference > 0)
+      result.counterexample = {{values.begin(), values.end()},
+                               first.critical_velocity(),
+                               second.critical_velocity(),
+                               difference};
   }
   return result;
 }
@@ -197,8 +221,11 @@ std::string text_of(const Comparison& comparison) {
   text += "; where\n";
   for (const auto& [symbol, value] : comparison.counterexample->values)
     text += "    " + to_text(symbol) + " = " + to_text(value) + "\n";
-  return text + "v* is " + to_text(comparison.counterexample->first) + " m/s and " +
-         to_text(comparison.counterexample->second) + " m/s\n";
+  const auto& [values, first, second, difference] = *comparison.counterexample;
+  text += "v* is " + to_text(first) + " m/s and " + to_text(second) + " m/s\n";
+  if (difference < shown_by_doubles)
+    text += fmt::format("which differ by {:.2g} of themselves\n", difference);
+  return text;
 }
 
 std::string json_of(const Comparison& comparison) {
@@ -215,7 +242,8 @@ std::string json_of(const Comparison& comparison) {
       values[to_text(symbol)] = value;
     out["counterexample"] = {{"values", values},
                              {"first", comparison.counterexample->first},
-                             {"second", comparison.counterexample->second}};
+                             {"second", comparison.counterexample->second},
+                             {"relative_difference", comparison.counterexample->difference}};
   }
   return out.dump(2) + "\n";
 }

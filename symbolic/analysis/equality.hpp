@@ -27,6 +27,7 @@ struct Comparison {
   struct Counterexample {
     std::vector<std::pair<Symbol, double>> values;
     double first = 0, second = 0;  ///< v*, m/s
+    double difference = 0;         ///< relative
   };
   std::optional<Counterexample> counterexample;
 };

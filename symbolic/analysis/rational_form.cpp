@@ -148,9 +148,27 @@ std::map<unsigned long, Polynomial> by_omega(const Polynomial& polynomial) {
 }
 
 /// From B/(mu0 du_z).
+// Of terms, multiplied in a second.
+constexpr double most_products = 5e7;
+
+// What of b has no common factor in s has none in omega^2 either, but powers of omega: numerator
+// and denominator of a passive network have no root in s with a positive real part, so that a root
+// of one at s can be one of the other at -s on the imaginary axis alone, and would then be one of
+// both at s.
 RationalForm squared_form(const std::shared_ptr<const Ring>& ring, const Quotient& b) {
-  const Polynomial omega_squared = Polynomial::power(*ring, "omega", 2);
-  return {ring, cancelled({omega_squared * squared_modulus(b.over), squared_modulus(b.under)})};
+  const double over = static_cast<double>(b.over.terms()),
+               under = static_cast<double>(b.under.terms());
+  if (over * over + under * under > most_products)
+    throw ModelError(fmt::format(
+        "squared, the polynomials of v* of {:.6g} and {:.6g} terms make some {:.2g} products", over,
+        under, over * over + under * under));
+  Quotient square{Polynomial::power(*ring, "omega", 2) * squared_modulus(b.over),
+                  squared_modulus(b.under)};
+  const unsigned long common =
+      std::min(square.over.lowest_degree("omega"), square.under.lowest_degree("omega"));
+  return {
+      ring,
+      {square.over.without_power("omega", common), square.under.without_power("omega", common)}};
 }
 
 }  // namespace
@@ -205,6 +223,12 @@ std::string canonical_text(const RationalForm& form) {
     }
   }
   return text;
+}
+
+bool has_readable_extrema(const RationalForm& form) {
+  // The products of a derivative, and a greatest common divisor that costs some hundred times that.
+  constexpr std::size_t most = 20'000;
+  return form.square.over.terms() * form.square.under.terms() <= most;
 }
 
 Polynomial stationary(const RationalForm& form) {

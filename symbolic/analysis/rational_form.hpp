@@ -33,6 +33,9 @@ RationalForm rational_form(const Model& model, const std::map<std::string, GiNaC
 /// The same text for the same function.
 std::string canonical_text(const RationalForm& form);
 
+/// Whether the equation for extrema takes less than a second.
+bool has_readable_extrema(const RationalForm& form);
+
 /// The polynomial in omega^2, and in the symbols, that is 0 at the frequencies of largest and least
 /// v* besides 0: the numerator of d(v*^2)/d(omega), without factors that omega does not occur in.
 /// The form's ring is the polynomial's.

@@ -1,5 +1,7 @@
 #include "document/form_lines.hpp"
 
+#include <fmt/core.h>
+
 #include "analysis/dimensionless.hpp"
 #include "analysis/rational_form.hpp"
 #include "formula/symbols.hpp"
@@ -7,6 +9,9 @@
 namespace vcrit::symbolic {
 
 namespace {
+
+// A text of some 3 MB, printed in a few seconds.
+constexpr std::size_t most_terms = 30'000;
 
 std::vector<Line> extrema_of(const RationalForm& form) {
   const Polynomial slope = stationary(form);
@@ -17,7 +22,17 @@ std::vector<Line> extrema_of(const RationalForm& form) {
 
 std::vector<Line> rational_lines(const Scene& scene, double budget) {
   const RationalForm form = rational_form(Model(scene), budget);
+  const std::size_t terms = form.square.over.terms() + form.square.under.terms();
+  if (terms > most_terms)
+    throw ModelError(
+        fmt::format("as a rational function of omega^2, v*^2 has {} terms, more than {}: some "
+                    "{:.2g} MB of text",
+                    terms, most_terms, 1e-4 * static_cast<double>(terms)));
   std::vector<Line> lines = lines_of(form);
+  if (!has_readable_extrema(form)) {
+    lines.front().words += " (the equation for its extrema is too long to read)";
+    return lines;
+  }
   const std::vector<Line> extrema = extrema_of(form);
   lines.insert(lines.end(), extrema.begin(), extrema.end());
   return lines;

@@ -1,6 +1,7 @@
 """`vcrit derive` as a user meets it: forms, equality, large networks."""
 
 import json
+import re
 import subprocess
 import sys
 import tempfile
@@ -86,6 +87,30 @@ class Derive(unittest.TestCase):
         self.assertEqual(result.stdout, "")
         # 2^40 + 40 2^39 terms of K_n, twice for K_t + K_d
         self.assertIn(f"{2 * (2**40 + 40 * 2**39):.6g} terms, more than the budget of 5000", result.stderr)
+
+    def test_a_rational_form_is_readable_or_refused_with_its_size(self):
+        data = Path(__file__).parent.parent / "data" / "rational"
+        for name in ("rational_ladder5.toml", "rational_grid.toml"):
+            result = subprocess.run([PROGRAM, "derive", data / name, "--form", "rational"],
+                                    capture_output=True, text=True, timeout=100)
+            if result.returncode == 3:
+                self.assertRegex(result.stderr, r"v\*\^2 has \d+ terms, more than 30000: some [0-9.]+ MB of text")
+            else:
+                self.assertEqual(result.returncode, 0, result.stderr)
+                self.assertLess(len(result.stdout), 10_000_000)
+                self.assertIn("As a rational function of omega^2", result.stdout)
+
+    def test_a_difference_that_no_double_shows_has_its_point(self):
+        values = "kt = 5\nkd = 7\nk0 = 3\nk1 = 2\nc1 = 1\n"
+        first = self.scene("a.toml", "k0 | (k1 - c1)", values)
+        second = self.scene("b.toml", "k0 | (k1 - k2 - c1)", values + "k2 = 1e300\n")
+        result = self.derive(first, "--equal", second, status=1)
+        found = re.search(r"^which differ by (\S+) of themselves$", result.stdout, re.M)
+        self.assertIsNotNone(found, result.stdout)
+        self.assertLess(float(found[1]), 1e-12)
+        self.assertGreater(float(found[1]), 0)
+        example = json.loads(self.derive(first, "--equal", second, "--json", status=1).stdout)["counterexample"]
+        self.assertEqual(f"{example['relative_difference']:.2g}", found[1])
 
     def test_large_networks_derive(self):
         ladder = "k100"
