@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <csignal>
 #include <exception>
 #include <new>
 #include <system_error>
@@ -42,6 +43,7 @@ int run_command(int argc, char** argv, const AddCommands& add,
 int run_program(int argc, char** argv, const AddCommands& add,
                 const std::function<std::string()>& version) {
   open_missing_streams();
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is told as a full disk is
   try {
     return run_command(argc, argv, add, version);
   } catch (const InputError& error) {

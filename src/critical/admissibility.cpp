@@ -11,25 +11,16 @@ namespace vcrit {
 
 namespace {
 
-// K_n(0) and |K_n(i omega)|, N/m.
-struct NormalStiffness {
-  long double at_rest, oscillating;
-
-  NormalStiffness(const Scene& scene, const Values& values)
-      : at_rest(vcrit::at_rest(scene.normal, values).stiffness()),
-        oscillating(std::abs(wide_dynamic_stiffness(scene.normal, values,
-                                                    values.at(scene.angular_frequency.symbol)))) {}
-};
-
 // Of the closed contact, in N.
 struct NormalForce {
   long double mean, oscillating;
 };
 
 NormalForce normal_force(const Scene& scene, const Values& values) {
-  const NormalStiffness stiffness(scene, values);
-  return {stiffness.at_rest * values.at(scene.indentation.symbol),
-          stiffness.oscillating * values.at(scene.amplitude.symbol)};
+  const double omega = values.at(scene.angular_frequency.symbol);
+  return {at_rest(scene.normal, values).stiffness() * values.at(scene.indentation.symbol),
+          std::abs(wide_dynamic_stiffness(scene.normal, values, omega)) *
+              values.at(scene.amplitude.symbol)};
 }
 
 }  // namespace
@@ -60,18 +51,6 @@ std::vector<std::string> inadmissible_reasons(const Scene& scene) {
                     "a mean of K_n(0) u_z0 = {:.6g} N (4)",
                     static_cast<double>(force.oscillating), static_cast<double>(force.mean)));
   return reasons;
-}
-
-AdmissibleMotion::AdmissibleMotion(const Scene& scene) : separation_(scene.separation) {
-  const NormalStiffness stiffness(scene, values_of(scene));
-  at_rest_ = stiffness.at_rest;
-  oscillating_ = stiffness.oscillating;
-}
-
-bool AdmissibleMotion::operator()(double amplitude, double indentation) const {
-  const long double mean = at_rest_ * indentation;
-  if (separation_ || mean == 0) return mean > 0;
-  return amplitude < indentation && oscillating_ * amplitude < mean;
 }
 
 bool opens(const Scene& scene) {

@@ -13,18 +13,6 @@ namespace vcrit {
 /// need not stay closed.
 std::vector<std::string> inadmissible_reasons(const Scene& scene);
 
-/// The same question for many amplitudes and indentations of one normal network at one frequency.
-class AdmissibleMotion {
- public:
-  /// Throws InputError for missing values.
-  explicit AdmissibleMotion(const Scene& scene);
-  bool operator()(double amplitude, double indentation) const;
-
- private:
-  long double at_rest_, oscillating_;  ///< K_n(0), |K_n(i omega)|, N/m
-  bool separation_;
-};
-
 /// Whether the normal force would pull for a part of the period (4), under an indenter the pressure
 /// at its centre: the surfaces part there if the scene lets them. Throws InputError for missing
 /// values.

@@ -63,6 +63,7 @@ CsvMap::CsvMap(const Sweeping& sweeping, const fs::path& file, bool resume, cons
     throw InputError({"--out"}, fmt::format("\"{}\" under mpirun", file.string()),
                      "a file ending in .h5, which several processes can write");
   refuse_links(part_);
+  lock_.emplace(part_);
   if (resume && fs::exists(part_))
     go_on();
   else
@@ -78,7 +79,6 @@ void CsvMap::begin() {
     throw InputError({part_.string()}, "an unfinished sweep",
                      "--resume to go on with it, or that you remove it");
   std::error_code error;
-  if (part_.has_parent_path()) fs::create_directories(part_.parent_path(), error);
   fs::remove(sweep_file_, error);  // or what somebody has linked there would be written over
   // Whole before the part is there: whatever has that name can be gone on with.
   open(sweep_file_, std::ios::out);

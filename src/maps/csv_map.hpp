@@ -3,8 +3,10 @@
 
 #include <fstream>
 #include <map>
+#include <optional>
 
 #include "maps/map_file.hpp"
+#include "maps/part_lock.hpp"
 
 namespace vcrit::maps {
 
@@ -27,6 +29,7 @@ class CsvMap : public MapFile {
   void append(const std::string& text);
   [[noreturn]] void refuse(const std::string& found) const;
 
+  std::optional<PartLock> lock_;  // released last
   const Sweeping& sweeping_;
   std::filesystem::path file_, part_, sweep_file_;
   std::ofstream out_;

@@ -131,6 +131,7 @@ Hdf5Map::Hdf5Map(const Sweeping& sweeping, const fs::path& file, bool resume, co
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   ranks.first_alone([&] {
     refuse_links(part_);
+    lock_.emplace(part_);
     if (resume && fs::exists(part_)) return check();
     if (fs::exists(part_))
       throw InputError({part_.string()}, "an unfinished sweep",
@@ -159,7 +160,6 @@ void Hdf5Map::create() const {
     throw InputError({part_.string()}, found, "a place that can be written");
   };
   std::error_code error;
-  if (part_.has_parent_path()) fs::create_directories(part_.parent_path(), error);
   fs::remove(unnamed, error);  // or what somebody has linked there would be written over
   try {
     Object file = new_file(unnamed);

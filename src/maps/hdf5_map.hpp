@@ -3,9 +3,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "maps/hdf5_objects.hpp"
 #include "maps/map_file.hpp"
+#include "maps/part_lock.hpp"
 
 namespace vcrit::maps {
 
@@ -32,6 +34,7 @@ class Hdf5Map : public MapFile {
   void check() const;
   void open();
 
+  std::optional<PartLock> lock_;  // of the first rank; released last
   const Sweeping& sweeping_;
   const Ranks& ranks_;
   std::filesystem::path file_, part_;

@@ -60,6 +60,12 @@ std::string signature(const Sweep& sweep) {
       numbers.insert(numbers.end(), {row.omega, row.re, row.im});
     text += fmt::format("receptance, fingerprint {:016x}\n", fingerprint(numbers));
   }
+  if (sweep.scene.indenter && sweep.scene.indenter->profile) {
+    std::vector<double> numbers;
+    for (const Profile::Row& row : sweep.scene.indenter->profile->rows)
+      numbers.insert(numbers.end(), {row.r, row.f});
+    text += fmt::format("indenter, fingerprint {:016x}\n", fingerprint(numbers));
+  }
   return text + sweep.scene.text;
 }
 

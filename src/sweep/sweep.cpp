@@ -57,15 +57,14 @@ Grade grade_of(const Grid& grid) {
   return grid.rows() / speeds <= certified_scenes ? Grade::certified : Grade::doubles;
 }
 
-// Which of the axes change the normal network or the frequency.
-std::vector<bool> moving_normal(const Sweep& sweep, const std::vector<std::string>& names) {
+// Whether an axis lets an element of the normal network vanish, which makes it another network.
+bool leaves_out(const Sweep& sweep) {
   const std::vector<Symbol> normal = symbols_of(sweep.scene.normal);
-  ChangingScene changing(sweep.scene, names);
-  std::vector<bool> moves;
-  for (const ChangingScene::Target& target : changing.targets())
-    moves.push_back(target.symbol == sweep.scene.angular_frequency.symbol ||
-                    std::find(normal.begin(), normal.end(), target.symbol) != normal.end());
-  return moves;
+  return std::any_of(sweep.axes.begin(), sweep.axes.end(), [&](const Axis& axis) {
+    const auto is_axis = [&](const Symbol& symbol) { return to_text(symbol) == axis.name; };
+    return std::any_of(normal.begin(), normal.end(), is_axis) &&
+           std::find(axis.values.begin(), axis.values.end(), 0.0) != axis.values.end();
+  });
 }
 
 std::vector<std::string> names_of(const Grid& grid, const std::vector<std::size_t>& axes) {
@@ -130,6 +129,7 @@ class Sweeping::Rows {
       answer_.values.emplace_back(quantity.kind == Kind::critical_velocity ? 0 : block_.rows,
                                   words(quantity).empty() ? nothing : 0);
     outside_.resize(block_.rows);
+    admissible_.resize(block_.rows);
   }
 
   BlockAnswer run() {
@@ -151,33 +151,36 @@ class Sweeping::Rows {
         fill(columns[i], sweeping_.parameters_[i], begin, rows);
       const std::vector<std::span<const double>> views(columns.begin(), columns.end());
       sweeping_.critical_(views, std::span(critical_).subspan(begin, rows));
+      for (std::size_t row = begin; row < begin + rows; ++row)
+        if (std::isnan(critical_[row])) note(row, why_no_velocity(row));
+      find_admissible(views, begin, rows);
       begin += rows;
     }
-    for (std::size_t row = 0; row < block_.rows; ++row)
-      if (std::isnan(critical_[row])) note(row, why_no_velocity(row));
-    find_admissible();
     if (sweeping_.sweep_.scene.separation) find_critical_of_parting();
   }
 
-  // Neighbours mostly have one normal network at one frequency.
-  void find_admissible() {
-    admissible_.resize(block_.rows);
-    std::optional<AdmissibleMotion> motion;
-    std::vector<double> last;
-    for (std::size_t row = 0; row < block_.rows; ++row) {
-      const Scene& scene = scene_at(row);
-      const auto same = [&](std::size_t i) {
-        return !sweeping_.moves_normal_[i] || point_[i] == last[i];
-      };
-      bool known = motion.has_value();
-      for (std::size_t i = 0; known && i < point_.size(); ++i) known = same(i);
-      if (!known) motion.emplace(scene);
-      last = point_;
-      admissible_[row] = (*motion)(*scene.amplitude.value, *scene.indentation.value);
+  void find_admissible(const std::vector<std::span<const double>>& columns, std::size_t begin,
+                       std::size_t rows) {
+    shares_.resize(rows);
+    if (sweeping_.closed_) (*sweeping_.closed_)(columns, shares_);
+    for (std::size_t i = 0; i < rows; ++i) {
+      const std::size_t row = begin + i;
+      admissible_[row] = sweeping_.closed_ ? is_admissible(row, shares_[i])
+                                           : inadmissible_reasons(scene_at(row)).empty();
       if (admissible_[row]) continue;
       critical_[row] = nothing;
-      note(row, answer_.reason.empty() ? inadmissible_reasons(scene).front() : "");
+      note(row, answer_.reason.empty() ? inadmissible_reasons(scene_at(row)).front() : "");
     }
+  }
+
+  // The border itself is a question of more digits, as are shares beyond the range of doubles.
+  bool is_admissible(std::size_t row, double share) {
+    constexpr double close = 1e-9;
+    const double part = sweeping_.amplitude_.of(grid_, block_.first + row) /
+                        sweeping_.indentation_.of(grid_, block_.first + row);
+    if (std::isfinite(share) && sweeping_.sweep_.scene.separation) return share > 0;
+    if (std::isfinite(share) && std::abs(part - share) > close * share) return part < share;
+    return inadmissible_reasons(scene_at(row)).empty();
   }
 
   // Eq. (24) need not hold where the surfaces part.
@@ -352,7 +355,7 @@ class Sweeping::Rows {
   const Grid& grid_;
   Block block_;
   ChangingScene changing_;
-  std::vector<double> point_, velocities_, critical_;
+  std::vector<double> point_, velocities_, critical_, shares_;
   std::vector<bool> outside_, admissible_;
   BlockAnswer answer_;
 };
@@ -362,11 +365,25 @@ Sweeping::Sweeping(Sweep sweep)
       grid_(sweep_.axes, rows_at_once(sweep_), any_of(sweep_, needs_motion) ? speeds_at_once : 1),
       parameters_(parameters_of(grid_)),
       critical_(sweep_.scene, names_of(grid_, parameters_), grade_of(grid_)),
-      moves_normal_(moving_normal(sweep_, names_of(grid_, parameters_))) {
+      amplitude_(sweep_.scene, grid_, parameters_, sweep_.scene.amplitude),
+      indentation_(sweep_.scene, grid_, parameters_, sweep_.scene.indentation) {
   refuse_settings(sweep_);
   refuse_repetition(sweep_);
   refuse_speeds(sweep_, grid_);
   refuse_axis_values(sweep_, grid_);
+  if (!leaves_out(sweep_)) closed_.emplace(sweep_.scene, names_of(grid_, parameters_));
+}
+
+Sweeping::Varying::Varying(const Scene& scene, const Grid& grid,
+                           const std::vector<std::size_t>& parameters, const Quantity& quantity)
+    : value_(quantity.value.value_or(0)) {
+  for (const std::size_t a : parameters)
+    if (ChangingScene(scene, {grid.axes()[a].name}).targets().front().symbol == quantity.symbol)
+      axis_ = a;
+}
+
+double Sweeping::Varying::of(const Grid& grid, std::size_t row) const {
+  return axis_ ? grid.value(*axis_, row) : value_;
 }
 
 BlockAnswer Sweeping::answer(std::size_t block) const { return Rows(*this, block).run(); }

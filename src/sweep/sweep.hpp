@@ -9,6 +9,7 @@
 #include "critical/batch.hpp"
 #include "scene/scene.hpp"
 #include "sweep/axis.hpp"
+#include "sweep/closed_share.hpp"
 #include "sweep/grid.hpp"
 #include "sweep/quantity.hpp"
 
@@ -43,11 +44,24 @@ class Sweeping {
  private:
   class Rows;
 
+  /// A length of the scene that may be an axis.
+  class Varying {
+   public:
+    Varying(const Scene& scene, const Grid& grid, const std::vector<std::size_t>& parameters,
+            const Quantity& quantity);
+    double of(const Grid& grid, std::size_t row) const;
+
+   private:
+    double value_;
+    std::optional<std::size_t> axis_;
+  };
+
   Sweep sweep_;
   Grid grid_;
   std::vector<std::size_t> parameters_;  // the axes that are not of speeds
   CriticalVelocities critical_;
-  std::vector<bool> moves_normal_;  ///< parameters of network or frequency
+  Varying amplitude_, indentation_;
+  std::optional<ClosedShare> closed_;  // unless elements of the normal network vanish on the way
 };
 
 struct SweptTable {

@@ -10,7 +10,7 @@ namespace vcrit::symbolic {
 
 namespace {
 
-constexpr char mark = '\x1f';
+constexpr char own_mark = '\x1f';
 
 thread_local const NamesOfScene* printing = nullptr;
 
@@ -24,8 +24,8 @@ std::string setting_of(const std::string& name) {
 
 }  // namespace
 
-std::string own_name(const std::string& base) { return base + mark; }
-bool is_own(const std::string& name) { return name.ends_with(mark); }
+std::string own_name(const std::string& base) { return base + own_mark; }
+bool is_own(const std::string& name) { return name.ends_with(own_mark); }
 std::string base_name(const std::string& name) {
   return is_own(name) ? name.substr(0, name.size() - 1) : name;
 }

@@ -177,12 +177,14 @@ class Size(Hostile):
                 if x + dx < 20 and y + dy < 20]
         edges = ",".join(f'["kd", "{a}", "{b}"]' for a, b in grid)
         graph = f'grid = {{terminals = ["0.0", "19.19"], edges = [{edges}]}}'
-        self.refuse(scene(drive="grid", networks=graph), "inner nodes and branches", "at most 200")
+        self.refuse(scene(drive="grid", networks=graph), "inner nodes and branches", "at most 200",
+                    command=("simulate", "--velocity", "1"))
 
     def test_of_relaxation_times(self):
         branches = " | ".join(f"(kk{i} - c{i})" for i in range(20001))
         values = "".join(f"kk{i} = 1\nc{i} = {i + 1}\n" for i in range(20001))
-        self.refuse(scene(drive=f"kd - ({branches})", elements="kd = 1\n" + values), "relaxation times", "at most 20000")
+        self.refuse(scene(drive=f"kd - ({branches})", elements="kd = 1\n" + values), "relaxation times", "at most 20000",
+                    command=("simulate", "--velocity", "1"))
 
     def test_of_more(self):
         self.refuse(scene(drive=" | ".join(["kd"] * 1000001)), "found more than 1000000 elements")
