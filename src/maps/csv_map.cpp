@@ -149,6 +149,7 @@ void CsvMap::finish() {
   if (out_) fs::rename(part_, file_, error);
   if (!out_ || error) refuse(error ? error.message() : "a write error");
   fs::remove(sweep_file_, error);
+  lock_.reset();
 }
 
 void CsvMap::discard() {

@@ -95,7 +95,7 @@ void check(const Network& network, bool distinct) {
 BOOST_AUTO_TEST_CASE(zener_by_hand) {
   const Network zener = network("k0 | (k1 - c1)");
   const Ring ring({own_name("s"), "c1", "k0", "k1"});
-  const auto v = [&](const char* name) { return Polynomial::variable(ring, name); };
+  const auto v = [&](const std::string& name) { return Polynomial::variable(ring, name); };
   const Quotient k = stiffness(zener, ring);
   BOOST_TEST((k.over == v("k0") * v("k1") + v(own_name("s")) * v("c1") * (v("k0") + v("k1"))));
   BOOST_TEST((k.under == v("k1") + v(own_name("s")) * v("c1")));
