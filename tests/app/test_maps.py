@@ -2,18 +2,14 @@
 netCDF see of them. Everything is compared with an undisturbed run, byte by byte."""
 
 import csv
-import filecmp
-import itertools
 import json
 import os
 import pty
 import random
 import resource
-import shutil
 import signal
 import subprocess
 import sys
-import tempfile
 import time
 import unittest
 from pathlib import Path
@@ -22,76 +18,8 @@ import h5py
 import numpy
 import xarray
 
-PROJECT, PROGRAM = Path(sys.argv.pop(1)).resolve(), str(Path(sys.argv.pop(1)).resolve())
-WITH_MPI = sys.argv.pop(1) == "ON"
-FAULTS = str(Path(sys.argv.pop(1)).resolve())
-ZENER = str(PROJECT / "scenes/zener.toml")
-MPIRUN = shutil.which("mpirun")
-# Some thirty blocks, long enough to be hit.
-FRICTION = [ZENER, "--over", "k1=lin:1e6:9e6:30", "--over", "amplitude=lin:0.01 um:0.6 um:20", "--over",
-            "velocity_ratio=lin:0.2:1.2:50", "--quantity", "friction_ratio", "regime"]
-# Some seconds: long enough to be caught in the middle.
-LONGER = [word.replace(":30", ":90").replace(":20", ":40") for word in FRICTION]
-VELOCITY = [ZENER, "--over", "frequency=log:1 kHz:1 MHz:2000", "--over", "k1=lin:1e6:8e6:2500", "--quantity",
-            "critical_velocity"]
-# A few blocks: the file's beginning and end are what is at stake.
-FEW = [word.replace(":30", ":3") for word in FRICTION]
-ENVIRONMENT = os.environ | {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
-SANITIZED = "VCRIT_SANITIZED" in os.environ
-if SANITIZED:  # Open MPI leaves what its plugins took
-    ENVIRONMENT["ASAN_OPTIONS"] = os.environ.get("ASAN_OPTIONS", "") + ":detect_leaks=0"
-
-
-def command(arguments, mpi=0, through=()):
-    processes = [MPIRUN, "--oversubscribe", "--bind-to", "none", "-n", str(mpi)] if mpi else []
-    return [*processes, *through, PROGRAM, "sweep", *arguments]
-
-
-def sweep(*arguments, mpi=0, through=(), **options):
-    return subprocess.run(command(arguments, mpi, through), capture_output=True, text=True, timeout=300,
-                          env=ENVIRONMENT, **options)
-
-
-def with_fault(fault, number):
-    """What to start the program through, so that its change of files with this number goes wrong."""
-    return ["env", f"LD_PRELOAD={FAULTS}", f"FAULT={fault}", f"FAULT_AT={number}"]
-
-
-class Case(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
-
-    def done(self, result):
-        self.assertEqual(result.returncode, 0, result.stderr)
-        return result
-
-    def whole(self, arguments, name):
-        file = self.folder / name
-        self.done(sweep(*arguments, "--out", str(file)))
-        return file
-
-    def resumed_after_each(self, fault):
-        """Sweeps whose first, second, ... change of a file goes wrong, until none does; each is resumed then."""
-        for ending in (".h5", ".csv"):
-            whole = self.whole(FEW, "whole" + ending)
-            for number in itertools.count(1):
-                file = self.folder / f"{fault}{number}{ending}"
-                arguments = [*FEW, "--out", str(file)]
-                result = sweep(*arguments, through=with_fault(fault, number))
-                if result.returncode == 0:
-                    break
-                self.assertFalse(file.exists())
-                yield result, file
-                self.done(sweep(*arguments, "--resume"))
-                self.same(file, whole)
-            # At least the layout, the blocks and the name.
-            self.assertGreater(number, 5)
-
-    def same(self, file, whole):
-        self.assertTrue(filecmp.cmp(file, whole, shallow=False))
-        self.assertEqual([p.name for p in self.folder.iterdir() if ".part" in p.name], [])
+from map_cases import (Case, ENVIRONMENT, FRICTION, LONGER, MPIRUN, PROGRAM, SANITIZED, VELOCITY, WITH_MPI, ZENER,
+                       command, sweep, with_fault)
 
 
 class Killed(Case):
@@ -160,71 +88,6 @@ class Killed(Case):
         self.assertEqual(float(abs(partial.friction_ratio - whole.friction_ratio).where(there, 0).max()), 0)
         # Nothing is there that the whole map does not have: the missing numbers read as NaN, not as zeros.
         self.assertFalse(bool((partial.friction_ratio == 0).any()))
-
-
-class OneAtATime(Case):
-    """Of several sweeps to one place exactly one writes, and what it writes is whole."""
-
-    def start(self, file, *options):
-        return subprocess.Popen(command([*LONGER, "--out", str(file), *options]), stderr=subprocess.PIPE, text=True)
-
-    def test_a_resume_beside_a_run(self):
-        for ending in (".csv", ".h5"):
-            file = self.folder / ("beside" + ending)
-            running = self.start(file)
-            while not Path(f"{file}.part").exists():
-                self.assertIsNone(running.poll())
-            for options in (("--resume",), ()):
-                second = sweep(*LONGER, "--out", str(file), *options)
-                self.assertEqual(second.returncode, 2)
-                self.assertIn("a sweep that is running now", second.stderr)
-            told = running.communicate()[1]
-            self.assertEqual(running.returncode, 0, told)
-            self.same(file, self.whole(LONGER, "whole" + ending))
-            self.assertEqual(list(self.folder.glob(f"beside{ending}*")), [file])
-
-    def test_two_resumes_and_two_starts(self):
-        for ending in (".csv", ".nc"):
-            whole = self.whole(LONGER, "whole" + ending)
-            for resumed in (False, True):
-                file = self.folder / ("two" + ending)
-                for path in self.folder.glob("two*"):
-                    path.unlink()
-                if resumed:
-                    first = self.start(file)
-                    while not Path(f"{file}.part").exists():
-                        pass
-                    first.kill()
-                    first.communicate()
-                both = [self.start(file, *(["--resume"] if resumed else [])) for _ in range(2)]
-                told = [process.communicate()[1] for process in both]
-                self.assertEqual(sorted(process.returncode for process in both), [0, 2], told)
-                self.same(file, whole)
-
-    def test_the_table_of_an_indenter_belongs_to_its_sweep(self):
-        table, scene = self.folder / "tab.csv", self.folder / "tab.toml"
-        scene.write_text('[contact]\nnormal = "k0"\npoisson = 0.3\n[indenter]\nshape = "tab.csv"\n[oscillation]\n'
-                         'frequency = "20 kHz"\namplitude = 1e-7\nindentation = 5e-7\n[friction]\ncoefficient = 0.3\n'
-                         '[elements]\nk0 = 1e9\n')
-        table.write_text("r,f\n0,0\n2e-4,4e-6\n")
-        arguments = [str(scene), "--over", "amplitude=lin:1e-8:3e-7:1500", "--velocity", "1e-3", "--quantity",
-                     "friction_ratio", "--out", str(self.folder / "t.csv")]
-        running = subprocess.Popen(command(arguments), stderr=subprocess.PIPE)
-        while not Path(f"{self.folder}/t.csv.part").exists():
-            self.assertIsNone(running.poll())
-        running.kill()
-        running.communicate()
-        table.write_text("r,f\n0,0\n1e-4,1e-7\n2e-4,4e-5\n")
-        resumed = sweep(*arguments, "--resume")
-        self.assertEqual(resumed.returncode, 2, resumed.stderr)
-        self.assertIn("the unfinished file of another sweep", resumed.stderr)
-
-    def test_a_file_that_may_not_grow(self):
-        def limit():
-            resource.setrlimit(resource.RLIMIT_FSIZE, (100_000, 100_000))
-        result = sweep(*LONGER, "--out", str(self.folder / "m.csv"), preexec_fn=limit)
-        self.assertEqual(result.returncode, 2)
-        self.assertIn("m.csv.part: found File too large", result.stderr)
 
 
 class FullDisk(Case):

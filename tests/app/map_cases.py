@@ -1,0 +1,82 @@
+"""What the tests of maps share: sweeps of several lengths, run as a user runs them, and their files."""
+
+import filecmp
+import itertools
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+PROJECT, PROGRAM = Path(sys.argv.pop(1)).resolve(), str(Path(sys.argv.pop(1)).resolve())
+WITH_MPI = sys.argv.pop(1) == "ON"
+FAULTS = str(Path(sys.argv.pop(1)).resolve())
+ZENER = str(PROJECT / "scenes/zener.toml")
+MPIRUN = shutil.which("mpirun")
+# Some thirty blocks, long enough to be hit.
+FRICTION = [ZENER, "--over", "k1=lin:1e6:9e6:30", "--over", "amplitude=lin:0.01 um:0.6 um:20", "--over",
+            "velocity_ratio=lin:0.2:1.2:50", "--quantity", "friction_ratio", "regime"]
+# Some seconds: long enough to be caught in the middle.
+LONGER = [word.replace(":30", ":90").replace(":20", ":40") for word in FRICTION]
+VELOCITY = [ZENER, "--over", "frequency=log:1 kHz:1 MHz:2000", "--over", "k1=lin:1e6:8e6:2500", "--quantity",
+            "critical_velocity"]
+# A few blocks: the file's beginning and end are what is at stake.
+FEW = [word.replace(":30", ":3") for word in FRICTION]
+ENVIRONMENT = os.environ | {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
+SANITIZED = "VCRIT_SANITIZED" in os.environ
+if SANITIZED:  # Open MPI leaves what its plugins took
+    ENVIRONMENT["ASAN_OPTIONS"] = os.environ.get("ASAN_OPTIONS", "") + ":detect_leaks=0"
+
+
+def command(arguments, mpi=0, through=()):
+    processes = [MPIRUN, "--oversubscribe", "--bind-to", "none", "-n", str(mpi)] if mpi else []
+    return [*processes, *through, PROGRAM, "sweep", *arguments]
+
+
+def sweep(*arguments, mpi=0, through=(), **options):
+    return subprocess.run(command(arguments, mpi, through), capture_output=True, text=True, timeout=300,
+                          env=ENVIRONMENT, **options)
+
+
+def with_fault(fault, number):
+    """What to start the program through, so that its change of files with this number goes wrong."""
+    return ["env", f"LD_PRELOAD={FAULTS}", f"FAULT={fault}", f"FAULT_AT={number}"]
+
+
+class Case(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def done(self, result):
+        self.assertEqual(result.returncode, 0, result.stderr)
+        return result
+
+    def whole(self, arguments, name):
+        file = self.folder / name
+        self.done(sweep(*arguments, "--out", str(file)))
+        return file
+
+    def resumed_after_each(self, fault):
+        """Sweeps whose first, second, ... change of a file goes wrong, until none does; each is resumed then."""
+        for ending in (".h5", ".csv"):
+            whole = self.whole(FEW, "whole" + ending)
+            for number in itertools.count(1):
+                file = self.folder / f"{fault}{number}{ending}"
+                arguments = [*FEW, "--out", str(file)]
+                result = sweep(*arguments, through=with_fault(fault, number))
+                if result.returncode == 0:
+                    break
+                self.assertFalse(file.exists())
+                yield result, file
+                self.done(sweep(*arguments, "--resume"))
+                self.same(file, whole)
+            # At least the layout, the blocks and the name.
+            self.assertGreater(number, 5)
+
+    def same(self, file, whole):
+        self.assertTrue(filecmp.cmp(file, whole, shallow=False))
+        self.assertEqual([p.name for p in self.folder.iterdir() if ".part" in p.name], [])
