@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "border.hpp"
 #include "conditioning.hpp"
 #include "critical/admissibility.hpp"
 #include "critical/certified.hpp"
@@ -43,22 +44,45 @@ bool has_closed_form(const SceneReport& report, const simulation::System& system
          elastic(relaxation_form(report.scene.normal, values));
 }
 
-Comparison simulated_velocity(const SceneReport& report, const simulation::Onset& threshold) {
-  Comparison comparison = velocity_comparison(report, "simulation", "stick-slip simulation");
+// The same theory as Eq. 24, from the relaxation forms of the networks.
+Comparison balanced(const SceneReport& report, const simulation::Onset& threshold) {
+  Comparison comparison = velocity_comparison(
+      report, "balance", "harmonic balance, as Eq. 24, of the networks in relaxation form");
   comparison.found = threshold.contact_velocity;
   comparison.tolerance = 1e-9;
-  comparison.reason = "motion in closed form, in doubles: leaves six digits to lose near resonance";
+  comparison.reason = "doubles: leaves six digits to lose near resonance";
   return comparison;
 }
 
-Comparison simulated_creep(const SceneReport& report, const simulation::Onset& threshold) {
-  Comparison comparison = simulated_velocity(report, threshold);
-  comparison.key = "creep";
-  comparison.name = "speed of the far end when pure sliding begins, by simulation";
-  comparison.reference = "v* and creep under the mean friction force";
-  comparison.expected = report.critical_velocity + report.creep_velocity;
-  comparison.found = threshold.drive_velocity;
-  return comparison;
+bool by_formula(const SceneReport& report) {
+  return !report.parting || report.parting->closed_form;
+}
+
+Border border_of(const SceneReport& report) {
+  if (by_formula(report))
+    return {report.critical_velocity, report.critical_velocity + report.creep_velocity,
+            "Eq. 24, certified"};
+  return {report.parting->critical_velocity, report.parting->drive_velocity,
+          "v* by the slowest steady sliding"};
+}
+
+/// evaluated: v* by formula and evaluators.
+void compare_border(SceneReport& report, const simulation::System& system,
+                    const std::vector<Comparison>& evaluated) {
+  const Border border = border_of(report);
+  if (!is_speed(border.contact_velocity)) return;
+  const auto add = [&](const std::optional<Comparison>& comparison) {
+    if (comparison) report.comparisons.push_back(*comparison);
+  };
+  try {
+    const simulation::Onset last_stick = simulation::stick_onset(system);
+    add(compare_last_stick(border, last_stick));
+    add(compare_creep(border, last_stick));
+    if (by_formula(report)) add(compare_evaluators(evaluated, last_stick));
+  } catch (const ModelError& error) {
+    add(not_run(compare_last_stick(border, {}), error.what()));
+  }
+  add(compare_march(border, system));
 }
 
 void trace_curve(SceneReport& report, const simulation::System& system, double threshold) {
@@ -69,13 +93,12 @@ void trace_curve(SceneReport& report, const simulation::System& system, double t
     if (closed_form) report.curve.back().closed_form = elastic_friction(amplitude_ratio, ratio);
   }
   report.comparisons.push_back(compare_starts(report.curve));
-  if (!report.parting || std::isfinite(report.parting->critical_velocity))
-    report.comparisons.push_back(compare_pure_sliding(report.curve));
   if (closed_form) report.comparisons.push_back(compare_closed_form(report.curve));
 }
 
 void simulate(SceneReport& report, const Witnesses& witnesses, const Progress& progress) {
   progress("simulating");
+  const std::vector<Comparison> evaluated = report.comparisons;
   Comparison pending = velocity_comparison(report, "simulation", "stick-slip simulation");
   if (!is_speed(report.critical_velocity)) {
     report.comparisons.push_back(not_run(pending, "v* is infinite or 0: no speed to look for"));
@@ -94,16 +117,13 @@ void simulate(SceneReport& report, const Witnesses& witnesses, const Progress& p
       progress("letting the surfaces part");
       examine_parting(report, system);
     }
-    const bool closed_form = !report.parting || report.parting->closed_form;
+    if (by_formula(report))
+      report.comparisons.push_back(balanced(report, witnesses.balance(system)));
+    progress("looking for the last stick");
+    compare_border(report, system, evaluated);
     double drive_velocity = report.critical_velocity + report.creep_velocity;
-    if (closed_form) {
-      const auto threshold = simulation::sliding_threshold(system);
-      report.comparisons.push_back(simulated_velocity(report, threshold));
-      if (report.creep_velocity > 0)
-        report.comparisons.push_back(simulated_creep(report, threshold));
-    } else if (const double found = report.parting->drive_velocity; std::isfinite(found)) {
-      drive_velocity = found;
-    }
+    if (!by_formula(report) && std::isfinite(report.parting->drive_velocity))
+      drive_velocity = report.parting->drive_velocity;
     pending = velocity_comparison(report, "curve", "friction curve");
     progress("tracing the friction curve");
     trace_curve(report, system, drive_velocity);
@@ -119,9 +139,11 @@ void simulate(SceneReport& report, const Witnesses& witnesses, const Progress& p
 }  // namespace
 
 Witnesses own_witnesses() {
-  return {[](const Scene& scene) { return critical_velocity(scene); },
+  return {[](const Scene& scene) { return certified_critical_velocity(scene); },
+          [](const Scene& scene) { return critical_velocity(scene); },
           [](const Scene& scene) { return symbolic::derive(scene); },
-          [](const Scene& scene) { return simulation::system_of(scene); }};
+          [](const Scene& scene) { return simulation::system_of(scene); },
+          [](const simulation::System& system) { return simulation::sliding_threshold(system); }};
 }
 
 SceneReport agree(const Scene& scene, Driver& driver, const Progress& progress,
@@ -131,7 +153,7 @@ SceneReport agree(const Scene& scene, Driver& driver, const Progress& progress,
   SceneReport report;
   report.scene = scene;
   report.reasons = inadmissible_reasons(scene);
-  const CertifiedVelocity certified = certified_critical_velocity(scene);
+  const CertifiedVelocity certified = witnesses.certified(scene);
   report.critical_velocity = certified.value;
   report.relative_error_bound = certified.relative_error_bound;
   report.infinite_reason = certified.reason;

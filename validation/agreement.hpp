@@ -1,14 +1,17 @@
 // One scene, every way to its critical velocity against one reference: the certified value of
 // Eq. 24 (correctly rounded) against plain doubles, the derived formula with 50 digits, the
-// generated evaluator, and the simulation, which knows nothing of Eq. 24.
+// generated evaluator, the harmonic balance of the simulator's model, and the motion, which knows
+// nothing of either (border.hpp).
 #pragma once
 
 #include <functional>
 #include <string>
 
+#include "critical/certified.hpp"
 #include "driver.hpp"
 #include "progress.hpp"
 #include "scene_report.hpp"
+#include "simulation/steady/onset.hpp"
 #include "simulation/system/system.hpp"
 
 namespace vcrit::symbolic {
@@ -17,12 +20,14 @@ struct Derivation;
 
 namespace vcrit::validation {
 
-/// Who is heard against the certified value besides the generated evaluator. Tests put a false one
-/// among them.
+/// Who is heard besides the generated evaluator and the motion. Tests put false ones among them.
 struct Witnesses {
+  std::function<CertifiedVelocity(const Scene&)> certified;      ///< the reference
   std::function<double(const Scene&)> formula;                   ///< Eq. 24 in doubles, m/s
   std::function<symbolic::Derivation(const Scene&)> derivation;  ///< the generator has its own
   std::function<simulation::System(const Scene&)> system;        ///< what is simulated
+  /// The simulator's own harmonic balance: from where on steady sliding exists.
+  std::function<simulation::Onset(const simulation::System&)> balance;
 };
 Witnesses own_witnesses();
 

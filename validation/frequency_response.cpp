@@ -115,22 +115,28 @@ void find_extremes(const Response& response, const std::vector<double>& factors,
     const double least_bump = 1e-6 * factors[i];
     if (sign * (factors[i] - factors[i - 1]) <= least_bump) continue;
     if (sign * (factors[i] - factors[i + 1]) <= least_bump) continue;
+    // exp(log(omega)) is not omega to the last bit, and a measured drive ends with its table.
+    const auto omega = [&](double log_omega) {
+      return std::clamp(std::exp(log_omega), points[i - 1].omega, points[i + 1].omega);
+    };
     const auto height = [&](double log_omega) {
-      return -sign * std::log(response.drive_factor(std::exp(log_omega)));
+      return -sign * std::log(response.drive_factor(omega(log_omega)));
     };
     const double at = boost::math::tools::brent_find_minima(height, std::log(points[i - 1].omega),
                                                             std::log(points[i + 1].omega), 40)
                           .first;
-    result.marks.push_back({std::exp(at), sign > 0});
+    result.marks.push_back({omega(at), sign > 0});
   }
 }
 
 /// Peaks are sharper than the grid: more points around them, ever closer.
 void add_points_around_marks(const Response& response, FrequencyResponse& result) {
+  const double from = result.points.front().omega, to = result.points.back().omega;
   for (const ResonanceMark& mark : result.marks)
     for (double apart = 0.03; apart > 1e-6; apart /= 1.7)
       for (const double side : {-1.0, 1.0})
-        result.points.push_back(response.at(mark.omega * (1 + side * apart)));
+        if (const double omega = mark.omega * (1 + side * apart); omega > from && omega < to)
+          result.points.push_back(response.at(omega));
   std::sort(result.points.begin(), result.points.end(),
             [](const ResponsePoint& a, const ResponsePoint& b) { return a.omega < b.omega; });
 }

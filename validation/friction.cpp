@@ -133,20 +133,6 @@ Comparison compare_starts(const std::vector<CurvePoint>& curve) {
   return comparison;
 }
 
-Comparison compare_pure_sliding(const std::vector<CurvePoint>& curve) {
-  Comparison comparison =
-      curve_comparison("pure_sliding", "friction above the critical velocity", "full friction, 1");
-  comparison.expected = comparison.found = 1;
-  const auto apart = [](const CurvePoint& p) {
-    return p.ratio > 1 ? std::abs(p.from_sliding - 1) : -1;
-  };
-  if (const CurvePoint* worst = worst_point(curve, apart); worst != nullptr && worst->ratio > 1) {
-    comparison.found = worst->from_sliding;
-    comparison.detail = at(*worst);
-  }
-  return comparison;
-}
-
 Comparison compare_closed_form(const std::vector<CurvePoint>& curve) {
   Comparison comparison = curve_comparison("closed_form", "friction curve by simulation",
                                            "closed form, elastic contact");

@@ -1,5 +1,5 @@
 // The friction curve and one steady cycle of a scene, and what they must obey whatever the scene:
-// one steady value whatever the start, and full friction in pure sliding.
+// one steady value whatever the start.
 #pragma once
 
 #include <vector>
@@ -26,7 +26,6 @@ double elastic_friction(double amplitude_ratio, double ratio);
 
 /// The worst point of the curve against each rule.
 Comparison compare_starts(const std::vector<CurvePoint>& curve);
-Comparison compare_pure_sliding(const std::vector<CurvePoint>& curve);
 Comparison compare_closed_form(const std::vector<CurvePoint>& curve);
 
 }  // namespace vcrit::validation

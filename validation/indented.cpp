@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "base/constants.hpp"
+#include "border.hpp"
 #include "critical/critical_velocity.hpp"
 #include "indenter/friction.hpp"
 #include "onset/critical_onset.hpp"
@@ -124,11 +125,26 @@ double static_force(const HalfSpace& half_space, double depth) {
 }
 
 Comparison indenter_velocity(const SceneReport& report, const HalfSpace& half_space) {
-  Comparison comparison = velocity_comparison(report, "simulation", "stick-slip simulation");
+  Comparison comparison = velocity_comparison(
+      report, "balance", "harmonic balance, as Eq. 24, of each cell in relaxation form");
   comparison.found = indenter::critical_velocity(half_space).contact_velocity;
   comparison.tolerance = 1e-9;
-  comparison.reason = "the fastest of all cells, motion in closed form, in doubles";
+  comparison.reason = "the fastest of all cells, in doubles";
   return comparison;
+}
+
+void compare_border(SceneReport& report, const HalfSpace& half_space, const CriticalOnset& onset) {
+  const bool by_formula = onset.by == CriticalOnset::By::formula;
+  const Border border{onset.contact_velocity, onset.drive_velocity,
+                      by_formula ? "Eq. 24, certified" : "v* by the slowest steady sliding"};
+  if (!is_speed(border.contact_velocity)) return;
+  const indenter::LastStick last = indenter::last_stick(half_space);
+  const std::vector<Comparison> velocities = report.comparisons;
+  report.comparisons.push_back(compare_last_stick(border, last.onset));
+  if (by_formula)
+    if (const auto farthest = compare_evaluators(velocities, last.onset))
+      report.comparisons.push_back(*farthest);
+  report.comparisons.push_back(compare_march(border, half_space.cell(last.x)));
 }
 
 Comparison starts(const Friction& friction) {
@@ -138,17 +154,6 @@ Comparison starts(const Friction& friction) {
   comparison.tolerance = 2e-9;
   comparison.reason = "each steady value is promised to 10⁻⁹, and both may be off";
   comparison.detail = fmt::format("worst of {} cells, at half of v*", friction.cells);
-  return comparison;
-}
-
-Comparison pure_sliding(const HalfSpace& half_space, double speed) {
-  Comparison comparison =
-      by_difference("pure_sliding", "friction above the critical velocity", "full friction, 1");
-  const Friction friction = indenter::friction(half_space, 1.01 * speed, compared_error);
-  comparison.expected = 1;
-  comparison.found = friction.ratio;
-  comparison.tolerance = friction.error + 2e-9;
-  comparison.reason = "the stated error of quadrature and cells";
   return comparison;
 }
 
@@ -245,9 +250,9 @@ void examine_indenter(SceneReport& report) {
   indented.map = indenter_map(half_space, indented.map_ratio * speed);
   const Friction half = indenter::friction(half_space, 0.5 * speed, compared_error);
   indented.normal_force = half.normal_force;
+  compare_border(report, half_space, onset);
   if (indented.closed_form) report.comparisons.push_back(indenter_velocity(report, half_space));
   report.comparisons.push_back(starts(half));
-  report.comparisons.push_back(pure_sliding(half_space, onset.drive_velocity));
   report.comparisons.push_back(indenter_static_limit(report, half_space, speed));
   for (const auto& comparison : {indenter_small_amplitude(scene), indenter_quasi_static(scene)})
     if (comparison) report.comparisons.push_back(*comparison);

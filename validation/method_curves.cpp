@@ -17,15 +17,6 @@ using simulation::Method;
 
 constexpr double method_ratios[] = {0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 0.97, 1.05};
 
-/// Some hundred times what they need where they do well.
-simulation::MethodOptions options(const simulation::System& system) {
-  const double share = affordable_share(system);
-  simulation::MethodOptions result;
-  result.most_periods = static_cast<int>(2000 * share);
-  result.most_steps = static_cast<long>(300'000 * share);
-  return result;
-}
-
 std::string setting(Method method, const simulation::MethodOptions& options) {
   switch (method) {
     case Method::moreau:
@@ -45,7 +36,8 @@ MethodPoint method_point(Method method, const simulation::System& system, double
   result.ratio = ratio;
   const double exact = simulation::steady_state(system, ratio * threshold).friction_ratio;
   try {
-    const auto state = simulation::steady_state(method, system, ratio * threshold, options(system));
+    const auto state =
+        simulation::steady_state(method, system, ratio * threshold, affordable(system));
     result.friction_ratio = state.friction_ratio;
     result.difference = std::abs(state.friction_ratio - exact);
   } catch (const ModelError& error) {
@@ -60,7 +52,7 @@ std::vector<MethodCurve> method_curves(const simulation::System& system, double 
   std::vector<MethodCurve> curves;
   for (const Method method : simulation::all_methods()) {
     if (is_large(system) && (method == Method::msbdf || method == Method::tanh)) continue;
-    MethodCurve curve{to_text(method), setting(method, options(system)), {}};
+    MethodCurve curve{to_text(method), setting(method, affordable(system)), {}};
     for (const double ratio : method_ratios)
       curve.points.push_back(method_point(method, system, threshold, ratio));
     if (std::any_of(curve.points.begin(), curve.points.end(),

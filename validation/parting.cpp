@@ -180,27 +180,11 @@ std::optional<Comparison> energy(const System& system, double velocity) {
   return comparison;
 }
 
-// Where Eq. 24 does not hold: the slowest steady sliding, and the last stick of starts at rest.
-std::optional<Comparison> witnesses(const SceneReport& report, const System& system) {
-  const double expected = report.parting->drive_velocity;
-  if (!std::isfinite(expected)) return std::nullopt;
-  Comparison comparison = by_difference("witnesses", "v* by the last stick of starts at rest",
-                                        "v* by the slowest steady sliding");
-  comparison.unit = "m/s";
-  comparison.measure = Comparison::Measure::relative;
-  comparison.expected = expected;
-  comparison.found = simulation::stick_onset(system).drive_velocity;
-  comparison.tolerance = 1e-9;
-  comparison.reason = "sticks shorter than 10⁻⁶ of a period are found: their depth is its square";
-  return comparison;
-}
-
 void compare_parting(SceneReport& report, const System& system, double speed) {
   const auto add = [&](std::optional<Comparison> comparison) {
     if (comparison) report.comparisons.push_back(std::move(*comparison));
   };
   add(energy(system, 0.5 * speed));
-  if (!report.parting->closed_form) add(witnesses(report, system));
   if (report.parting->border > 0 && report.scene.indentation.value.value() > 0)
     add(parting_small_amplitude(report.scene, report.parting->border));
   if (!system.opening) return;

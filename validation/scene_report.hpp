@@ -220,6 +220,8 @@ struct Indented {
 
 struct SceneReport {
   Scene scene;
+  std::string
+      failure;  ///< why all that follows is missing but for one broken comparison, else empty
   std::vector<std::string> reasons;  ///< why the scene is not admissible; empty when it is
   double critical_velocity = 0;      ///< m/s, certified; may be infinite
   double relative_error_bound = 0;   ///< of it

@@ -20,4 +20,12 @@ double affordable_share(const simulation::System& system) {
   return share < 1 ? share * share : 1;
 }
 
+simulation::MethodOptions affordable(const simulation::System& system) {
+  const double share = affordable_share(system);
+  simulation::MethodOptions result;
+  result.most_periods = static_cast<int>(2000 * share);
+  result.most_steps = static_cast<long>(300'000 * share);
+  return result;
+}
+
 }  // namespace vcrit::validation

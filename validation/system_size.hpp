@@ -1,6 +1,7 @@
 // What a system's size allows: a report shall not take minutes.
 #pragma once
 
+#include "simulation/methods/methods.hpp"
 #include "simulation/system/system.hpp"
 
 namespace vcrit::validation {
@@ -12,5 +13,9 @@ bool is_large(const simulation::System& system);
 /// How many of the steps that a method may take with few relaxation times it may take here, from 0
 /// to 1: the price of a step grows with the square of their number.
 double affordable_share(const simulation::System& system);
+
+/// What the methods beside the exact one may spend: some hundred times what they need where they do
+/// well.
+simulation::MethodOptions affordable(const simulation::System& system);
 
 }  // namespace vcrit::validation

@@ -97,7 +97,6 @@ class Worker {
   std::size_t job() const { return job_; }
   int pipe_end() const { return pipe_; }
   const std::string& step() const { return step_; }
-  const std::optional<std::string>& answer() const { return answer_; }
 
   /// Takes what has come. False at the end of the pipe.
   bool receive(const std::string& name) {
@@ -110,13 +109,19 @@ class Worker {
     return true;
   }
 
-  /// How the process ended, which it has.
-  std::string ending() {
+  /// The answer of a process that has ended; `in_place` as of in_processes().
+  std::string ended(const std::string& name, const InPlace& in_place) {
     int status = 0;
     waitpid(process_, &status, 0);
     process_ = 0;
-    return WIFSIGNALED(status) ? fmt::format("was ended by signal {}", WTERMSIG(status))
-                               : "ended without an answer";
+    if (answer_) return *answer_;
+    if (failure_.empty())
+      failure_ = WIFSIGNALED(status)
+                     ? fmt::format("its process was ended by signal {}", WTERMSIG(status))
+                     : "its process ended without an answer";
+    if (in_place) return in_place(job_, failure_);
+    if (outside_model_) throw ModelError(failure_);
+    throw std::runtime_error(name + ": " + failure_);
   }
 
  private:
@@ -130,15 +135,16 @@ class Worker {
     if (head.kind == MessageKind::step) step_ = text;
     if (head.kind == MessageKind::answer) answer_ = text;
     if (head.kind == MessageKind::input_error) throw JobRefused(name + ": " + text);
-    if (head.kind == MessageKind::model_error) throw ModelError(text);
-    if (head.kind == MessageKind::error) throw std::runtime_error(name + ": " + text);
+    outside_model_ = head.kind == MessageKind::model_error;
+    if (outside_model_ || head.kind == MessageKind::error) failure_ = text;
     return true;
   }
 
   std::size_t job_;
   int pipe_ = -1;
   pid_t process_ = 0;
-  std::string received_, step_;
+  std::string received_, step_, failure_;
+  bool outside_model_ = false;
   std::optional<std::string> answer_;
 };
 
@@ -166,7 +172,8 @@ std::vector<bool> listen(const Workers& workers) {
 
 std::vector<std::string> in_processes(
     const std::vector<std::string>& names, unsigned at_once,
-    const std::function<std::string(std::size_t, const Progress&)>& work, const Watch& watch) {
+    const std::function<std::string(std::size_t, const Progress&)>& work, const Watch& watch,
+    const InPlace& in_place) {
   std::vector<std::string> answers(names.size());
   Cleaner::get();  // one for all of them
   Workers workers;
@@ -177,10 +184,8 @@ std::vector<std::string> in_processes(
     const std::vector<bool> ready = listen(workers);
     for (std::size_t i = workers.size(); i-- > 0;) {
       if (!ready[i] || workers[i]->receive(names[workers[i]->job()])) continue;
-      Worker& ended = *workers[i];
-      const std::string how = ended.ending();
-      if (!ended.answer()) throw std::runtime_error(names[ended.job()] + ": its process " + how);
-      answers[ended.job()] = *ended.answer();
+      Worker& worker = *workers[i];
+      answers[worker.job()] = worker.ended(names[worker.job()], in_place);
       workers.erase(workers.begin() + static_cast<std::ptrdiff_t>(i));
       ++done;
     }

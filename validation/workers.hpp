@@ -25,13 +25,18 @@ struct Standing {
 };
 using Watch = std::function<void(const Standing&)>;
 
+/// The answer of a job that has none, and why.
+using InPlace = std::function<std::string(std::size_t, const std::string& why)>;
+
 /// work(i, step) for each i below names.size(), at most `at_once` at a time, each in a copy of this
-/// process as it is now; the answers in order. `watch` is told of each step. A job's ModelError is
-/// thrown again as one, what the input or the system refused as JobRefused, another exception or a
-/// crash as std::runtime_error that names the job; the other jobs are then ended. Must not be
-/// called while other threads run.
+/// process as it is now; the answers in order. `watch` is told of each step. What the input or the
+/// system refused a job is thrown as JobRefused, and the other jobs are then ended. After any other
+/// exception or a crash `in_place` answers for the job; without it a ModelError is thrown again as
+/// one, the rest as std::runtime_error that names the job. Must not be called while other threads
+/// run.
 std::vector<std::string> in_processes(
     const std::vector<std::string>& names, unsigned at_once,
-    const std::function<std::string(std::size_t, const Progress&)>& work, const Watch& watch);
+    const std::function<std::string(std::size_t, const Progress&)>& work, const Watch& watch,
+    const InPlace& in_place = nullptr);
 
 }  // namespace vcrit::validation

@@ -40,6 +40,27 @@ double left_out(const HalfSpace& half_space) {
          std::abs(simulation::mean_normal_force(half_space.cell(edge)));
 }
 
+// The cell of the highest onset.
+template <class At>
+LastStick highest(const HalfSpace& half_space, const At& at) {
+  const double step = half_space.edge() / static_cast<double>(scanned);
+  std::vector<LastStick> all(scanned);
+  tbb::parallel_for(std::size_t{0}, scanned, [&](std::size_t i) {
+    const double x = step * static_cast<double>(i);
+    all[i] = {x, at(x)};
+  });
+  const auto lower = [](const LastStick& a, const LastStick& b) {
+    return a.onset.drive_velocity < b.onset.drive_velocity;
+  };
+  const auto best = std::max_element(all.begin(), all.end(), lower);
+  const auto i = static_cast<double>(best - all.begin());
+  const double x = boost::math::tools::brent_find_minima(
+                       [&](double place) { return -at(place).drive_velocity; },
+                       step * std::max(i - 1, 0.0), step * std::min(i + 1, scanned - 1.0), 26)
+                       .first;
+  return std::max(*best, LastStick{x, at(x)}, lower);
+}
+
 }  // namespace
 
 Friction friction(const HalfSpace& half_space, double velocity, double tolerance) {
@@ -96,20 +117,20 @@ std::vector<Cell> cells(const HalfSpace& half_space, double velocity, int count,
 simulation::Onset critical_velocity(const HalfSpace& half_space) {
   const auto at = [&](double x) { return simulation::sliding_threshold(half_space.cell(x)); };
   if (half_space.elastic() || half_space.uniform()) return at(0);
-  const double step = half_space.edge() / static_cast<double>(scanned);
-  std::vector<simulation::Onset> all(scanned);
-  tbb::parallel_for(std::size_t{0}, scanned,
-                    [&](std::size_t i) { all[i] = at(step * static_cast<double>(i)); });
-  const auto lower = [](const simulation::Onset& a, const simulation::Onset& b) {
-    return a.drive_velocity < b.drive_velocity;
+  return highest(half_space, at).onset;
+}
+
+LastStick last_stick(const HalfSpace& half_space) {
+  const auto at = [&](double x) {
+    try {
+      return simulation::stick_onset(half_space.cell(x));
+    } catch (const ModelError&) {
+      return simulation::Onset{};
+    }
   };
-  const auto best = std::max_element(all.begin(), all.end(), lower);
-  const auto i = static_cast<double>(best - all.begin());
-  const double x = boost::math::tools::brent_find_minima(
-                       [&](double place) { return -at(place).drive_velocity; },
-                       step * std::max(i - 1, 0.0), step * std::min(i + 1, scanned - 1.0), 26)
-                       .first;
-  return std::max(*best, at(x), lower);
+  const LastStick found = highest(half_space, at);
+  if (found.onset.drive_velocity > 0) return found;
+  throw ModelError("no steady state found in any cell below the indenter");
 }
 
 }  // namespace vcrit::indenter

@@ -59,4 +59,14 @@ using vcrit::critical_velocity;
 /// threshold is a smooth function of x. Throws ModelError where no steady sliding is found.
 simulation::Onset critical_velocity(const HalfSpace& half_space);
 
+struct LastStick {
+  double x = 0;  ///< of the cell that sticks longest, m
+  simulation::Onset onset;
+};
+
+/// The highest velocity at which a cell still sticks, from starts at rest, among 64 cells and
+/// refined between them; see simulation::stick_onset. Cells without a steady state are left out.
+/// Throws ModelError where none has one.
+LastStick last_stick(const HalfSpace& half_space);
+
 }  // namespace vcrit::indenter

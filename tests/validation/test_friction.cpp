@@ -67,16 +67,6 @@ BOOST_AUTO_TEST_CASE(both_starts_must_agree_everywhere) {
   BOOST_TEST((outcome(compare_starts(points)) == Outcome::failed));
 }
 
-BOOST_AUTO_TEST_CASE(pure_sliding_must_have_full_friction) {
-  std::vector<CurvePoint> points = curve();
-  BOOST_TEST((outcome(compare_pure_sliding(points)) == Outcome::passed));
-  points[4].from_sliding -= 1e-8;
-  BOOST_TEST((outcome(compare_pure_sliding(points)) == Outcome::failed));
-  points = curve();
-  points[0].from_sliding = 0.2;  // below the critical velocity anything may be
-  BOOST_TEST((outcome(compare_pure_sliding(points)) == Outcome::passed));
-}
-
 BOOST_AUTO_TEST_CASE(the_closed_form_must_be_met) {
   std::vector<CurvePoint> points = curve();
   for (CurvePoint& point : points) point.closed_form = point.from_sliding;

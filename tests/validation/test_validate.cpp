@@ -42,9 +42,9 @@ BOOST_AUTO_TEST_CASE(a_rigid_scene_passes_everything) {
   BOOST_TEST(validation.page == folder.path() / "new" / "out" / "index.html");
   const json scene =
       json::parse(read_file(folder.path() / "new" / "out" / "report.json"))["scenes"][0];
-  for (const char* key :
-       {"formula", "derived", "generated", "generated_batch", "generated_fast",
-        "generated_certified", "simulation", "starts", "pure_sliding", "closed_form"})
+  for (const char* key : {"formula", "derived", "generated", "generated_batch", "generated_fast",
+                          "generated_certified", "balance", "simulation", "evaluators", "marched",
+                          "starts", "closed_form"})
     BOOST_TEST(comparison(scene, key)["outcome"] == "passed", key);
   BOOST_TEST(scene["friction_curve"].size() >= 40u);
   BOOST_TEST(scene["cycle"]["points"].size() >= 100u);
@@ -75,6 +75,31 @@ BOOST_AUTO_TEST_CASE(a_rigid_massless_scene_has_neither_mass_nor_drive_from_end_
     BOOST_TEST(html.find(absent) == html.npos, absent);
     BOOST_TEST(data.find(absent) == data.npos, absent);
   }
+}
+
+// 30 kHz are beyond the table; the first scene ends exactly where its table does.
+BOOST_AUTO_TEST_CASE(a_scene_that_fails_is_red_and_the_others_are_finished) {
+  const std::string table_end = VCRIT_TEST_DATA "/table_end/measured.toml";
+  const PrivateFolder folder;
+  std::filesystem::copy(VCRIT_TEST_DATA "/table_end/measured_drive.csv", folder.path());
+  std::string text = read_file(table_end);
+  text.replace(text.find("20 kHz"), 6, "30 kHz");
+  const std::string beyond = (folder.path() / "beyond.toml").string();
+  write_file(beyond, text);
+  const report::Validation validation = run({beyond, table_end}, folder.path() / "out");
+  BOOST_TEST(!validation.passed);
+  BOOST_TEST(validation.failed.size() == 1u);
+  const json all = json::parse(read_file(folder.path() / "out" / "report.json"))["scenes"];
+  BOOST_TEST(all[0]["passed"] == false);
+  BOOST_TEST(all[0]["failed"] == json({"scene"}));
+  BOOST_TEST(comparison(all[0], "scene")["detail"].get<std::string>().find(
+                 "is outside the receptance in") != std::string::npos);
+  BOOST_TEST(all[1]["passed"] == true);
+  const std::string page = read_file(folder.path() / "out" / "beyond.html");
+  BOOST_TEST(page.find("is outside the receptance in") != std::string::npos);
+  BOOST_TEST(page.find("v* = ") == std::string::npos);
+  BOOST_TEST(read_file(folder.path() / "out" / "index.html").find("<li class=\"failed\">") !=
+             std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(a_scene_outside_the_model_is_not_simulated) {

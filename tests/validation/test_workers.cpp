@@ -112,4 +112,23 @@ BOOST_AUTO_TEST_CASE(a_crash_names_its_job) {
                         });
 }
 
+BOOST_AUTO_TEST_CASE(what_fails_is_answered_for_and_the_others_are_finished) {
+  const auto work = [](std::size_t i, const Progress&) -> std::string {
+    if (i == 1) throw ModelError("0/0");
+    if (i == 2) raise(SIGKILL);
+    if (i == 3) throw std::logic_error("a bug");
+    return "fine";
+  };
+  const auto in_place = [](std::size_t i, const std::string& why) { return names[i] + ": " + why; };
+  const auto answers = in_processes(names, 2, work, nobody, in_place);
+  const std::vector<std::string> expected{
+      "fine", "second: 0/0", "third: its process was ended by signal 9", "fourth: a bug", "fine"};
+  BOOST_TEST(answers == expected, boost::test_tools::per_element());
+  // What the system refuses one job it refuses the others.
+  const auto refused = [](std::size_t, const Progress&) -> std::string {
+    throw std::system_error(ENOSPC, std::generic_category(), "mkdtemp");
+  };
+  BOOST_CHECK_THROW(in_processes(names, 2, refused, nobody, in_place), JobRefused);
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -203,25 +203,17 @@ ordered_json velocity_json(const SceneReport& report) {
   return object;
 }
 
-}  // namespace
-
-ordered_json scene_json(const SceneContents& contents) {
+void add_results(const SceneContents& contents, ordered_json& object) {
   const SceneReport& report = contents.report;
-  ordered_json object{{"file", report.scene.file},
-                      {"title", report.scene.title},
-                      {"passed", passed(report)},
-                      {"failed", failing(report)},
-                      {"admissible", report.reasons.empty()},
-                      {"reasons", report.reasons},
-                      {"warnings", report.scene.warnings},
-                      {"critical_velocity", velocity_json(report)},
-                      {"comparisons", list(report.comparisons)},
-                      {"values", list(report.values)},
-                      {"formula", json(report.formula)},
-                      {"equation", report.equation},
-                      {"definitions", list(report.definitions)},
-                      {"derivation", list(report.derivation)},
-                      {"limits", list(report.limits)}};
+  object["admissible"] = report.reasons.empty();
+  object["reasons"] = report.reasons;
+  object["critical_velocity"] = velocity_json(report);
+  object["values"] = list(report.values);
+  object["formula"] = json(report.formula);
+  object["equation"] = report.equation;
+  object["definitions"] = list(report.definitions);
+  object["derivation"] = list(report.derivation);
+  object["limits"] = list(report.limits);
   if (!report.compiler.empty()) object["compiler"] = report.compiler;
   if (!report.curve.empty()) object["friction_curve"] = list(report.curve);
   if (!report.methods.empty()) object["methods"] = list(report.methods);
@@ -231,6 +223,17 @@ ordered_json scene_json(const SceneContents& contents) {
   if (report.indented) object["indenter"] = json(*report.indented);
   if (report.reduced_model) object["reduced_model"] = json(*report.reduced_model);
   if (contents.accuracy) object["accuracy"] = accuracy_json(*contents.accuracy);
+}
+
+}  // namespace
+
+ordered_json scene_json(const SceneContents& contents) {
+  const SceneReport& report = contents.report;
+  ordered_json object{
+      {"file", report.scene.file},         {"title", report.scene.title},
+      {"passed", passed(report)},          {"failed", failing(report)},
+      {"warnings", report.scene.warnings}, {"comparisons", list(report.comparisons)}};
+  if (report.failure.empty()) add_results(contents, object);
   object["text"] = report.scene.text;
   return object;
 }

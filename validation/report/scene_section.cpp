@@ -116,6 +116,15 @@ std::string file_section(const SceneReport& report) {
       escape(report.scene.file), escape(report.scene.text));
 }
 
+std::string results(const SceneContents& contents) {
+  const SceneReport& report = contents.report;
+  return formula_section(report) + response_section(report) + explorer_section(report) +
+         friction_section(report) + cycle_section(report) + parting_section(report) +
+         indenter_section(report) + reduced_section(report) +
+         (contents.accuracy ? accuracy_section(*contents.accuracy) : std::string()) +
+         values_section(report);
+}
+
 }  // namespace
 
 std::string title_of(const SceneReport& report) {
@@ -134,6 +143,7 @@ std::string state_words(const SceneReport& report) {
 }
 
 std::string velocity_words(const SceneReport& report) {
+  if (!report.failure.empty()) return "no v*";
   if (report.indented && !report.indented->closed_form)
     return "v* = " + quantity(report.indented->critical_velocity, "m/s", 5) + ", simulated";
   if (report.parting && !report.parting->closed_form)
@@ -146,11 +156,9 @@ std::string velocity_words(const SceneReport& report) {
 std::string scene_section(const SceneContents& contents) {
   const SceneReport& report = contents.report;
   return "<section class=\"scene\">\n" + scene_verdict(report) + drawings(report) +
-         comparison_table(report.comparisons) + formula_section(report) + response_section(report) +
-         explorer_section(report) + friction_section(report) + cycle_section(report) +
-         parting_section(report) + indenter_section(report) + reduced_section(report) +
-         (contents.accuracy ? accuracy_section(*contents.accuracy) : std::string()) +
-         values_section(report) + file_section(report) + "</section>\n";
+         comparison_table(report.comparisons) +
+         (report.failure.empty() ? results(contents) : std::string()) + file_section(report) +
+         "</section>\n";
 }
 
 }  // namespace vcrit::validation::report

@@ -13,6 +13,7 @@
 #include "report/report_json.hpp"
 #include "report/scene_figures.hpp"
 #include "report/scene_page.hpp"
+#include "velocity_comparisons.hpp"
 
 namespace vcrit::validation::report {
 
@@ -40,10 +41,23 @@ std::string handed_over(const SceneContents& contents, const Machine& machine,
                    {"page", scene_page(contents, origin, in_suite)},
                    {"data", scene_json(contents)},
                    {"figures", ordered_json::object()}};
-  if (!request.figures.empty())
+  if (!request.figures.empty() && report.failure.empty())
     for (const figures::Figure& figure : scene_figures(contents))
       all["figures"][figure.name] = gnuplot(figure);
   return all.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+}
+
+// A scene whose comparisons came to no end: its line is red, and the others are finished.
+SceneReport failed_report(const Scene& scene, const std::string& why) {
+  SceneReport report;
+  report.scene = scene;
+  report.failure = why;
+  Comparison all;
+  all.key = "scene";
+  all.name = "the scene as a whole";
+  all.reference = "all comparisons";
+  report.comparisons = {broken(all, why)};
+  return report;
 }
 
 void summarise(const ordered_json& scene, Validation& validation) {
@@ -83,9 +97,12 @@ std::vector<ordered_json> work_on(const std::vector<Scene>& scenes, const Reques
     return handed_over({std::move(report), accuracy::measure(scenes[i], driver, step)}, machine,
                        request);
   };
+  const auto in_place = [&](std::size_t i, const std::string& why) {
+    return handed_over({failed_report(scenes[i], why), {}}, machine, request);
+  };
   std::vector<ordered_json> all;
   for (const std::string& answer :
-       in_processes(request.files, std::thread::hardware_concurrency(), work, watch))
+       in_processes(request.files, std::thread::hardware_concurrency(), work, watch, in_place))
     all.push_back(ordered_json::parse(answer));
   return all;
 }

@@ -1,0 +1,129 @@
+#include "border.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+
+#include "simulation/methods/methods.hpp"
+#include "system_size.hpp"
+
+namespace vcrit::validation {
+
+namespace {
+
+using simulation::Method;
+using simulation::Regime;
+using simulation::System;
+
+constexpr double velocity_tolerance = 1e-9;
+constexpr const char* velocity_reason =
+    "motion in closed form, in doubles: leaves six digits to lose near resonance";
+
+// Who marches, and how far from v* to either side, a share of it. First those that meet stick as it
+// is, the most accurate one, then one for stiff systems; then one of fixed steps, which misses the
+// shortest sticks.
+struct March {
+  Method method;
+  double share;
+};
+constexpr std::array marches{March{Method::rk8pd, 1e-3}, March{Method::msbdf, 1e-3},
+                             March{Method::moreau, 1e-3}, March{Method::moreau, 1e-2}};
+constexpr int march_steps = 20'000;
+
+// 0.001 below v* the least that stick takes of friction: the square of that, by about 0.01 of the
+// amplitude. A method whose error is larger may miss it, or see one that is none.
+constexpr double least_stick = 1e-8;
+
+Comparison of_velocity(const Border& border, const char* key, std::string name) {
+  Comparison comparison;
+  comparison.key = key;
+  comparison.name = std::move(name);
+  comparison.reference = border.reference;
+  comparison.unit = "m/s";
+  comparison.expected = border.contact_velocity;
+  comparison.tolerance = velocity_tolerance;
+  comparison.reason = velocity_reason;
+  return comparison;
+}
+
+struct Marched {
+  bool sticks = false, tells = false;
+};
+
+Marched march(Method method, const System& system, double velocity) {
+  simulation::MethodOptions options = affordable(system);
+  options.start = simulation::Start::rest;
+  options.steps_per_period = march_steps;
+  const auto state = simulation::steady_state(method, system, velocity, options);
+  const bool slides = state.regime == Regime::sliding || state.regime == Regime::sliding_apart;
+  return {!slides, state.friction_ratio_error <= least_stick};
+}
+
+}  // namespace
+
+Comparison compare_last_stick(const Border& border, const simulation::Onset& last_stick) {
+  Comparison comparison =
+      of_velocity(border, "simulation", "stick-slip motion: the last stick of starts at rest");
+  comparison.found = last_stick.contact_velocity;
+  return comparison;
+}
+
+std::optional<Comparison> compare_creep(const Border& border, const simulation::Onset& last_stick) {
+  if (!(border.drive_velocity > border.contact_velocity)) return std::nullopt;
+  Comparison comparison =
+      of_velocity(border, "creep", "stick-slip motion: speed of the far end at the last stick");
+  comparison.reference = "v* and creep under the mean friction force";
+  comparison.expected = border.drive_velocity;
+  comparison.found = last_stick.drive_velocity;
+  return comparison;
+}
+
+std::optional<Comparison> compare_evaluators(const std::vector<Comparison>& velocities,
+                                             const simulation::Onset& last_stick) {
+  std::optional<Comparison> farthest;
+  for (const Comparison& evaluated : velocities) {
+    if (evaluated.not_run || evaluated.broken) continue;
+    Comparison comparison =
+        of_velocity({last_stick.contact_velocity, last_stick.drive_velocity,
+                     "stick-slip motion: the last stick of starts at rest"},
+                    "evaluators", "formula or evaluator farthest from the motion");
+    comparison.found = evaluated.found;
+    comparison.detail = evaluated.name;
+    if (!farthest || difference(comparison) > difference(*farthest)) farthest = comparison;
+  }
+  return farthest;
+}
+
+Comparison compare_march(const Border& border, const System& system) {
+  const double creep = border.drive_velocity - border.contact_velocity;
+  Comparison comparison = of_velocity(border, "marched", "");
+  comparison.reason = "the speeds that were marched at";
+  comparison.found = border.contact_velocity;
+  std::string why;
+  for (const auto& [method, share] : marches) {
+    comparison.name = fmt::format("marched by {}: starts at rest stick at {} v* and slide at {} v*",
+                                  to_text(method), 1 - share, 1 + share);
+    comparison.tolerance = share;
+    const auto at = [&](double ratio) {
+      return march(method, system, ratio * border.contact_velocity + creep);
+    };
+    try {
+      const Marched below = at(1 - share), above = at(1 + share);
+      comparison.detail.clear();
+      if (below.sticks && !above.sticks) return comparison;
+      comparison.detail = above.sticks ? "it still sticks above v*" : "it slides below v* already";
+      comparison.broken = above.sticks ? above.tells : below.tells;
+      if (comparison.broken) return comparison;
+      why += fmt::format("{} says that {}, within its error; ", to_text(method), comparison.detail);
+    } catch (const ModelError& error) {
+      why += fmt::format("{}; ", error.what());
+    }
+  }
+  comparison.name = "marched by another method just below and above v*";
+  comparison.not_run = true;
+  comparison.detail = why.substr(0, why.size() - 2);
+  return comparison;
+}
+
+}  // namespace vcrit::validation
