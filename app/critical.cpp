@@ -47,8 +47,8 @@ Comparison below_indenter(const Scene& scene) {
 Comparison compared(const Scene& scene) {
   if (scene.separation && critical_onset(scene).by == CriticalOnset::By::simulation)
     throw ModelError(
-        "no closed form of v* where these surfaces part: nothing to compare; vcrit eval gives the "
-        "simulated one");
+        "no closed form of v* where these surfaces part: nothing to compare",
+        "vcrit eval gives the simulated one, and vcrit validate holds it against the motion");
   if (scene.indenter) return below_indenter(scene);
   const simulation::System system = simulation::system_of(scene);
   const auto [formula, bound, reason] = certified_critical_velocity(scene);

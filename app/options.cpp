@@ -36,8 +36,6 @@ Scene SceneOptions::read(Frequency frequency) const {
   return scene;
 }
 
-void warn(const std::string& warning) { tell_line("vcrit: warning: " + warning); }
-
 nlohmann::ordered_json with_warnings(nlohmann::ordered_json object,
                                      const std::vector<std::string>& warnings) {
   if (!warnings.empty()) object["warnings"] = warnings;

@@ -46,9 +46,6 @@ void add_choice(CLI::App& command, const std::string& option, T& target, const C
 /// A number that reads back to the same double; "inf" for an infinite one.
 nlohmann::ordered_json json_number(double value);
 
-/// A warning on stderr.
-void warn(const std::string& warning);
-
 /// With "warnings" where there are some.
 nlohmann::ordered_json with_warnings(nlohmann::ordered_json object,
                                      const std::vector<std::string>& warnings);

@@ -2,9 +2,12 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <csignal>
 #include <exception>
 #include <new>
+#include <nlohmann/json.hpp>
+#include <string_view>
 #include <system_error>
 
 #include "base/errors.hpp"
@@ -14,15 +17,58 @@ namespace vcrit::app {
 
 namespace {
 
+using nlohmann::ordered_json;
+
 enum Status { done = 0, input_wrong = 2, outside_the_model = 3, bug = 70 };
 
-int complain(const std::exception& error, Status status) {
-  tell_line(fmt::format("vcrit: {}", error.what()));
-  return status;
+/// What went wrong, in parts where they are known.
+struct Failure {
+  Status status;
+  std::string message;
+  const InputError* input = nullptr;
+  std::string advice = {};
+};
+
+ordered_json place_of(const Place& place) {
+  ordered_json parts{{"file", place.file}};
+  if (place.line > 0) parts["line"] = place.line;
+  if (place.line > 0 && place.column > 0) parts["column"] = place.column;
+  return parts;
+}
+
+/// One object, with null for what is not known.
+std::string in_json(const Failure& failure) {
+  const auto known = [](const std::string& text) {
+    return text.empty() ? ordered_json() : ordered_json(text);
+  };
+  ordered_json object{{"status", failure.status}, {"message", failure.message},
+                      {"place", nullptr},         {"found", nullptr},
+                      {"expected", nullptr},      {"advice", known(failure.advice)}};
+  if (failure.input != nullptr) {
+    object["place"] = place_of(failure.input->place());
+    object["found"] = failure.input->found();
+    object["expected"] = failure.input->expected();
+  }
+  if (const auto warnings = kept_warnings(); !warnings.empty()) object["warnings"] = warnings;
+  return object.dump(2, ' ', true, ordered_json::error_handler_t::replace);
+}
+
+int complain(const Failure& failure, bool json) {
+  if (json)
+    tell_line(in_json(failure));
+  else
+    tell_line(fmt::format("vcrit: {}", failure.message));
+  return failure.status;
+}
+
+/// Wherever it stands: what cannot be read is told in the same way.
+bool asks_for_json(int argc, char** argv) {
+  return std::any_of(argv + 1, argv + argc,
+                     [](const char* word) { return std::string_view(word) == "--json"; });
 }
 
 int run_command(int argc, char** argv, const AddCommands& add,
-                const std::function<std::string()>& version) {
+                const std::function<std::string()>& version, bool json) {
   CLI::App program{"Up to which sliding velocity can normal oscillation reduce friction?", "vcrit"};
   program.require_subcommand(1);
   if (version)
@@ -32,6 +78,8 @@ int run_command(int argc, char** argv, const AddCommands& add,
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
+    if (json && error.get_exit_code() != 0)
+      return complain({input_wrong, error.what(), nullptr, "run with --help for more"}, json);
     status = program.exit(error) == 0 ? done : input_wrong;
   }
   finish_stdout();
@@ -44,20 +92,25 @@ int run_program(int argc, char** argv, const AddCommands& add,
                 const std::function<std::string()>& version) {
   open_missing_streams();
   std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is told as a full disk is
+  const bool json = asks_for_json(argc, argv);
+  if (json) keep_warnings();
   try {
-    return run_command(argc, argv, add, version);
+    const int status = run_command(argc, argv, add, version, json);
+    for (const std::string& warning : kept_warnings()) warn(warning);
+    return status;
   } catch (const InputError& error) {
-    return complain(error, input_wrong);
+    return complain({input_wrong, error.what(), &error, error.advice()}, json);
   } catch (const Refused& error) {
-    return complain(error, input_wrong);
+    return complain({input_wrong, error.what()}, json);
   } catch (const ModelError& error) {
-    return complain(error, outside_the_model);
+    return complain({outside_the_model, error.what(), nullptr, error.advice()}, json);
   } catch (const std::system_error& error) {
-    return complain(in_words(error), input_wrong);
+    const InputError words = in_words(error);
+    return complain({input_wrong, words.what(), &words, words.advice()}, json);
   } catch (const std::bad_alloc&) {
-    return complain(std::runtime_error("the memory that it may use does not suffice"), input_wrong);
+    return complain({input_wrong, "the memory that it may use does not suffice"}, json);
   } catch (const std::exception& error) {
-    return complain(error, bug);
+    return complain({bug, error.what()}, json);
   }
 }
 

@@ -11,6 +11,7 @@
 #include "base/units.hpp"
 #include "commands.hpp"
 #include "options.hpp"
+#include "streams.hpp"
 
 namespace vcrit::app {
 

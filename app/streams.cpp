@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
+#include <optional>
 #include <string>
 #include <system_error>
 
@@ -33,6 +34,27 @@ void tell(std::string_view text) {
 }
 
 void tell_line(std::string_view text) { tell("{}\n", without_steering(text)); }
+
+namespace {
+
+std::optional<std::vector<std::string>>& kept() {
+  static std::optional<std::vector<std::string>> warnings;
+  return warnings;
+}
+
+}  // namespace
+
+void warn(const std::string& warning) {
+  if (kept()) return kept()->push_back(warning);
+  tell_line("vcrit: warning: " + warning);
+}
+
+void keep_warnings() { kept().emplace(); }
+
+std::vector<std::string> kept_warnings() {
+  if (!kept()) return {};
+  return *std::exchange(kept(), std::nullopt);
+}
 
 void finish_stdout() {
   errno = 0;

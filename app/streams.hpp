@@ -3,9 +3,11 @@
 
 #include <fmt/core.h>
 
+#include <string>
 #include <string_view>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include "base/errors.hpp"
 
@@ -25,6 +27,12 @@ void tell(fmt::format_string<T...> format, T&&... arguments) {
 /// The same as a line, with what would steer a terminal (control characters, marks that turn the
 /// direction of writing) as \u{1b}: texts from scenes stand in messages.
 void tell_line(std::string_view text);
+
+/// A warning on stderr, or kept for an error that is told as one JSON object.
+void warn(const std::string& warning);
+void keep_warnings();
+/// Those kept, which are then forgotten.
+std::vector<std::string> kept_warnings();
 
 /// Ends what was printed on stdout. Throws InputError where it could not be written.
 void finish_stdout();

@@ -6,6 +6,14 @@
 
 namespace vcrit {
 
+namespace {
+
+std::string with_advice(const std::string& words, const std::string& advice) {
+  return advice.empty() ? words : words + "; " + advice;
+}
+
+}  // namespace
+
 std::string to_text(const Place& place) {
   std::string text = place.file;
   if (place.line > 0) text += fmt::format(":{}", place.line);
@@ -13,9 +21,17 @@ std::string to_text(const Place& place) {
   return text;
 }
 
-InputError::InputError(const Place& place, const std::string& found, const std::string& expected)
-    : std::runtime_error(fmt::format("{}: found {}; expected {}", printable(to_text(place)),
-                                     printable(found), printable(expected))) {}
+InputError::InputError(const Place& place, const std::string& found, const std::string& expected,
+                       const std::string& advice)
+    : std::runtime_error(
+          with_advice(fmt::format("{}: found {}; expected {}", printable(to_text(place)),
+                                  printable(found), printable(expected)),
+                      printable(advice))),
+      parts_(std::make_shared<const Parts>(Parts{place, found, expected, advice})) {}
+
+ModelError::ModelError(const std::string& what, const std::string& advice)
+    : std::runtime_error(with_advice(what, advice)),
+      advice_(std::make_shared<const std::string>(advice)) {}
 
 Bug::Bug(const std::string& what, const char* function, int line)
     : std::logic_error(fmt::format("bug in vcrit ({}, line {}): {}", function, line, what)) {}

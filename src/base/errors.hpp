@@ -3,6 +3,7 @@
 // (exit status 3), or the program itself has a bug.
 #pragma once
 
+#include <memory>
 #include <stdexcept>
 #include <string>
 
@@ -18,17 +19,36 @@ struct Place {
 /// "file:12:5", with the parts that are known.
 std::string to_text(const Place& place);
 
-/// Wrong input: says where, what was found, and what was expected instead, each as printable() has
-/// it (messages.hpp).
+/// Wrong input: says where, what was found, what was expected instead, and what to do where that is
+/// more, each as printable() has it (messages.hpp).
 class InputError : public std::runtime_error {
  public:
-  InputError(const Place& place, const std::string& found, const std::string& expected);
+  InputError(const Place& place, const std::string& found, const std::string& expected,
+             const std::string& advice = "");
+
+  const Place& place() const { return parts_->place; }
+  const std::string& found() const { return parts_->found; }
+  const std::string& expected() const { return parts_->expected; }
+  const std::string& advice() const { return parts_->advice; }  ///< may be empty
+
+ private:
+  struct Parts {
+    Place place;
+    std::string found, expected, advice;
+  };
+  std::shared_ptr<const Parts> parts_;  // exceptions are copied without throwing
 };
 
-/// A well-formed scene that the model does not cover (not admissible, 0/0, ...).
+/// A well-formed scene that the model does not cover (not admissible, 0/0, ...), and what to do
+/// where there is something.
 class ModelError : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  explicit ModelError(const std::string& what, const std::string& advice = "");
+
+  const std::string& advice() const { return *advice_; }  ///< may be empty; what() ends in it
+
+ private:
+  std::shared_ptr<const std::string> advice_;
 };
 
 /// A broken promise inside the program; never the user's fault. (clang 14 has no source_location.)

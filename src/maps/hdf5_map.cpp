@@ -207,8 +207,8 @@ void Hdf5Map::write(const BlockAnswer& answer, const std::string&) try {
   const unsigned char one = 1;
   hdf5::write_part(progress_, {answer.block}, {1}, H5T_NATIVE_UINT8, &one);
 } catch (const hdf5::Error& error) {
-  throw InputError({part_.string()}, error.what(),
-                   "a place that can be written; --resume goes on from here");
+  throw InputError({part_.string()}, error.what(), "a place that can be written",
+                   "--resume goes on from here");
 }
 
 void Hdf5Map::finish() try {

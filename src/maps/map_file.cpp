@@ -78,7 +78,7 @@ std::unique_ptr<MapFile> open_map(const Sweeping& sweeping, const std::filesyste
     return std::make_unique<Hdf5Map>(sweeping, file, resume, ranks);
 #else
     throw InputError({"--out"}, fmt::format("\"{}\" and a vcrit built without HDF5", file.string()),
-                     "a file ending in .csv; or install libhdf5-dev and build vcrit again");
+                     "a file ending in .csv", "or install libhdf5-dev and build vcrit again");
 #endif
   throw InputError({"--out"}, fmt::format("\"{}\"", file.string()),
                    "a file ending in .csv, .h5, .hdf5 or .nc");

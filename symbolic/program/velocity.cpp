@@ -254,12 +254,11 @@ void refuse_other_scenes(const Scene& scene) {
     case FormulaScope::while_touching:
       throw ModelError(
           "where these surfaces part (separation = true) v* is Eq. (24) only while they touch "
-          "where the indentation grows fastest, which an evaluator cannot tell; vcrit eval can, "
-          "and of the closed contact there is an evaluator, without separation");
+          "where the indentation grows fastest, which an evaluator cannot tell",
+          "vcrit eval can, and of the closed contact there is an evaluator, without separation");
     case FormulaScope::never:
-      throw ModelError(
-          "no closed form of v* where these surfaces part (separation = true); of the closed "
-          "contact there is one, without it");
+      throw ModelError("no closed form of v* where these surfaces part (separation = true)",
+                       "of the closed contact there is one, without it");
   }
 }
 

@@ -69,6 +69,57 @@ class Json(unittest.TestCase):
                         *(["absent.toml"] if command == "validate" else []), folder=self.folder)
             self.assertEqual((ended.returncode, ended.stdout), (2, ""), command)
 
+    def failure(self, *arguments, status=2):
+        ended = run(*arguments, "--json", folder=self.folder)
+        self.assertEqual((ended.returncode, ended.stdout), (status, ""))
+        told = json.loads(ended.stderr)
+        self.assertEqual(told["status"], status)
+        self.assertEqual(list(told)[:6], ["status", "message", "place", "found", "expected", "advice"])
+        return told
+
+    def test_a_failure_is_one_object_on_standard_error(self):
+        scene = self.folder / "wrong.toml"
+        text = Path(KELVIN).read_text()
+        scene.write_text(text.replace("coefficient", "koefficient", 1))
+        line = 1 + text[:text.index("coefficient")].count("\n")
+        for command, arguments in CALLS.items():
+            if KELVIN not in arguments:
+                continue
+            told = self.failure(command, *[str(scene) if word == KELVIN else word for word in arguments])
+            self.assertEqual(told["place"], {"file": str(scene), "line": line, "column": 1}, command)
+            self.assertIn("koefficient", told["found"])
+            text_message = run(command, *[str(scene) if word == KELVIN else word for word in arguments],
+                               folder=self.folder).stderr
+            self.assertIn(told["message"], text_message)
+        told = self.failure("fit", "absent.csv", "--out", "pad.toml")
+        self.assertEqual(told["place"], {"file": "absent.csv"})
+        told = self.failure("validate", KELVIN, "--paper", "--out", "out")
+        self.assertEqual(told["found"], "scene files beside it")
+
+    def test_a_failure_of_the_model_and_of_the_command_line(self):
+        jumping = str(PROJECT / "scenes/jumping.toml")
+        told = self.failure("generate", jumping, "--out", "out", status=3)
+        self.assertIn("of the closed contact there is an evaluator", told["advice"])
+        self.assertTrue(told["message"].endswith(told["advice"]))
+        self.assertIsNone(told["place"])
+        for words in (["--frobnicate"], ["eval", KELVIN, "--frobnicate"], ["eval"], ["simulate", KELVIN]):
+            told = self.failure(*words)
+            self.assertIn("--help", told["advice"])
+
+    def test_warnings_of_a_failure_stand_in_its_object(self):
+        scene = self.folder / "beyond.toml"
+        scene.write_text(Path(KELVIN).read_text().replace("[contact]", '[contact]\nfitted_range = ["1 Hz", "2 Hz"]', 1))
+        told = self.failure("solve", str(scene), "--for", "velocity", "--friction-ratio", "0.001", status=3)
+        self.assertEqual(len(told["warnings"]), 1)
+        self.assertIn("vcrit: warning: ", run("eval", str(scene), "--json", folder=self.folder).stderr)
+
+    def test_names_that_steer_a_terminal_are_escaped(self):
+        told = self.failure("eval", "\u202e\x1b[31m.toml")
+        self.assertEqual(told["place"]["file"], "\u202e\x1b[31m.toml")
+        raw = run("eval", "\u202e\x1b[31m.toml", "--json", folder=self.folder).stderr
+        self.assertNotIn("\u202e", raw)
+        self.assertNotIn("\x1b", raw)
+
     def test_derive_is_its_format(self):
         text = run("derive", KELVIN, "--format", "json", folder=self.folder).stdout
         self.assertEqual(run("derive", KELVIN, "--json", folder=self.folder).stdout, text)
