@@ -2,6 +2,7 @@
 
 #include "derivation/factors.hpp"
 #include "derivation/model.hpp"
+#include "formula/algebra_lock.hpp"
 #include "formula/names.hpp"
 #include "formula/symbols.hpp"
 
@@ -38,6 +39,7 @@ Asymptote asymptote(const Model& model, bool high) {
 
 // A measured receptance ends with its table.
 std::vector<Asymptote> asymptotes(const Scene& scene) {
+  const AlgebraLock lock;
   if (scene.receptance) return {};
   const Model model(scene);
   return {asymptote(model, false), asymptote(model, true)};

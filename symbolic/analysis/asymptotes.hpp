@@ -16,7 +16,7 @@ struct Asymptote {
   std::string name;  ///< "omega -> 0" or "omega -> infinity"
   std::string latex_name;
   int power = 0;
-  GiNaC::ex coefficient;          ///< positive, in the scene's symbols (and in definitions)
+  Expression coefficient;         ///< positive, in the scene's symbols (and in definitions)
   std::vector<Line> definitions;  ///< where it is too large to be multiplied out: L_1, ..., L_n,
                                   ///< what K_1, ..., K_n tend to without their power of s
 };

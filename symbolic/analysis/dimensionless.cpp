@@ -6,6 +6,7 @@
 
 #include "base/errors.hpp"
 #include "derivation/model.hpp"
+#include "formula/algebra_lock.hpp"
 #include "formula/symbols.hpp"
 
 namespace vcrit::symbolic {
@@ -118,6 +119,7 @@ class Groups {
 // v* over mu0 omega du_z does not change with the units of stiffness and time: 1 for the reference
 // and for omega leaves what it is.
 DimensionlessForm dimensionless(const Scene& scene) {
+  const AlgebraLock lock;
   const Groups groups(scene);
   Change change;
   change.scale = groups.scale;

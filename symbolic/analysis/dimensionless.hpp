@@ -15,7 +15,7 @@ namespace vcrit::symbolic {
 struct DimensionlessForm {
   std::vector<Line> groups;       ///< each group in the scene's symbols; only those that v* holds
   std::vector<Line> definitions;  ///< K_1, ..., K_n over the reference, with s = i
-  GiNaC::ex velocity;             ///< v*/(mu0 omega du_z)
+  Expression velocity;            ///< v*/(mu0 omega du_z)
 };
 
 DimensionlessForm dimensionless(const Scene& scene);

@@ -12,6 +12,7 @@
 #include "base/numbers.hpp"
 #include "critical/certified.hpp"
 #include "critical/critical_velocity.hpp"
+#include "formula/algebra_lock.hpp"
 #include "formula/symbols.hpp"
 #include "onset/formula_scope.hpp"
 
@@ -187,6 +188,7 @@ Comparison different(Comparison::Scope scope, const Scene& a, const Scene& b) {
 }  // namespace
 
 Comparison compare(const Scene& a, const Scene& b) {
+  const AlgebraLock lock;
   using Scope = Comparison::Scope;
   refuse_two_tables(a, b);
   for (const Scene* scene : {&a, &b})

@@ -3,6 +3,7 @@
 #include "base/errors.hpp"
 #include "derivation/derivation.hpp"
 #include "derivation/model.hpp"
+#include "formula/algebra_lock.hpp"
 #include "formula/symbols.hpp"
 
 namespace vcrit::symbolic {
@@ -10,6 +11,7 @@ namespace vcrit::symbolic {
 using GiNaC::ex;
 
 std::vector<Line> half_space_lines(const Scene& scene) {
+  const AlgebraLock lock;
   const auto& isotropic = std::get<Isotropic>(scene.tangential);
   const auto& given = isotropic.quantity.value;
   const ex nu = given ? ex(exact_decimal(*given)) : poisson_ratio(isotropic.quantity.symbol);

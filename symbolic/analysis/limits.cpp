@@ -12,6 +12,7 @@
 #include "analysis/shape.hpp"
 #include "derivation/derivation.hpp"
 #include "derivation/model.hpp"
+#include "formula/algebra_lock.hpp"
 #include "formula/dialect.hpp"
 #include "formula/symbols.hpp"
 
@@ -214,6 +215,9 @@ class Collector {
 
 }  // namespace
 
-std::vector<Limit> limits(const Scene& scene) { return Collector(scene).collect(); }
+std::vector<Limit> limits(const Scene& scene) {
+  const AlgebraLock lock;
+  return Collector(scene).collect();
+}
 
 }  // namespace vcrit::symbolic

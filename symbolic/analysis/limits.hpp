@@ -17,7 +17,7 @@ struct Limit {
   std::string name;  ///< "kd -> infinity", say
   std::string latex_name, mathml_name;
   std::string equation;  ///< number in the paper, "(31)", where it is one, else empty
-  GiNaC::ex result;
+  Expression result;
   std::vector<Line> definitions;  ///< as in Derivation
   Rates rates;                    ///< a way to approach it; empty where values alone do not
 };

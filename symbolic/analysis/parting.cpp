@@ -4,6 +4,7 @@
 #include "derivation/derivation.hpp"
 #include "derivation/factors.hpp"
 #include "derivation/model.hpp"
+#include "formula/algebra_lock.hpp"
 #include "formula/symbols.hpp"
 #include "onset/formula_scope.hpp"
 
@@ -42,6 +43,7 @@ bool holds(const Scene& scene) {
 }  // namespace
 
 std::vector<Line> parting_lines(const Scene& scene) {
+  const AlgebraLock lock;
   if (!holds(scene)) return {};
   const Model model(scene);
   const ex ratio = following(model);

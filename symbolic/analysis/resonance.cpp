@@ -4,6 +4,7 @@
 
 #include "derivation/factors.hpp"
 #include "derivation/model.hpp"
+#include "formula/algebra_lock.hpp"
 #include "formula/symbols.hpp"
 
 namespace vcrit::symbolic {
@@ -81,6 +82,7 @@ Resonance resonance(const ex& factor, Resonance::Kind kind, const Model& model) 
 }  // namespace
 
 std::vector<Resonance> resonances(const Scene& scene) {
+  const AlgebraLock lock;
   if (!scene.mass || scene.receptance) return {};
   const Model model(scene);
   Factors amplitude;

@@ -15,15 +15,15 @@ namespace vcrit::symbolic {
 struct Resonance {
   /// resonance: v* infinite. antiresonance: v* = 0.
   enum class Kind { resonance, antiresonance } kind = Kind::resonance;
-  GiNaC::ex condition;  ///< K_d - m omega^2, say
+  Expression condition;  ///< K_d - m omega^2, say
   /// Dampers keep |condition| above 0 at every frequency, unless
   bool damped = false;
-  bool absorbing = false;              ///< masses of the drive keep them still at one of their own.
-  std::optional<GiNaC::ex> frequency;  ///< the omega at which the condition holds, without dampers
+  bool absorbing = false;  ///< masses of the drive keep them still at one of their own.
+  std::optional<Expression> frequency;  ///< the omega at which the condition holds, without dampers
   /// With dampers, where short enough: real and imaginary part of the condition, both times one
   /// positive number.
   struct Parts {
-    GiNaC::ex real, imaginary;
+    Expression real, imaginary;
   };
   std::optional<Parts> parts;
   std::vector<Line> definitions;  ///< of what condition and frequency name, as in Derivation

@@ -4,6 +4,7 @@
 
 #include "derivation/factors.hpp"
 #include "derivation/stiffness_forms.hpp"
+#include "formula/algebra_lock.hpp"
 #include "formula/form.hpp"
 #include "formula/symbols.hpp"
 #include "network/masses.hpp"
@@ -134,6 +135,7 @@ Response as_one_fraction(const Fraction& k) {
 }  // namespace
 
 ex Spectrum::sum() const {
+  const AlgebraLock lock;
   const ex s = laplace();
   ex result = equilibrium + damper * s;
   for (const auto& [time, strength] : lines)
@@ -142,6 +144,7 @@ ex Spectrum::sum() const {
 }
 
 ex Spectrum::in_elements(const ex& expression) const {
+  const AlgebraLock lock;
   GiNaC::exmap strengths, times;
   for (const auto& [time, strength] : lines) {
     strengths[strength.left] = strength.right;
@@ -151,6 +154,7 @@ ex Spectrum::in_elements(const ex& expression) const {
 }
 
 std::optional<Spectrum> spectrum(const Network& network) {
+  const AlgebraLock lock;
   if (has_masses(network)) return std::nullopt;
   SpectrumMaker maker;
   for (const Network& part : parts_of(network))
@@ -159,6 +163,7 @@ std::optional<Spectrum> spectrum(const Network& network) {
 }
 
 Response response(const Network& network) {
+  const AlgebraLock lock;
   constexpr std::size_t readable = 12;
   const Fraction whole = stiffness_in_lowest_terms(network);
   if (whole.numerator.nops() <= readable) return as_one_fraction(whole);
@@ -174,6 +179,7 @@ Response response(const Network& network) {
 
 // A spring-damper network has neither a pole at rest nor more than a damper's growth.
 Extremes extremes(const Network& network) {
+  const AlgebraLock lock;
   const Fraction k = stiffness_in_lowest_terms(network);
   const ex under = coefficient(k.denominator, 0);
   const ex at_rest = factored(coefficient(k.numerator, 0) / under);

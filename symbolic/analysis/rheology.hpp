@@ -21,8 +21,8 @@ struct RelaxationLine {
 };
 
 struct Spectrum {
-  GiNaC::ex equilibrium;  ///< k_inf (N/m)
-  GiNaC::ex damper;       ///< c_inf (N s/m)
+  Expression equilibrium;  ///< k_inf (N/m)
+  Expression damper;       ///< c_inf (N s/m)
   std::vector<RelaxationLine> lines;
 
   /// K(s) as that sum, in the names tau_j and h_j.
@@ -37,9 +37,9 @@ std::optional<Spectrum> spectrum(const Network& network);
 
 /// K(s) and K(i omega) = K' + i K'', in the elements, s and omega (N/m).
 struct Response {
-  GiNaC::ex stiffness;  ///< K(s)
-  GiNaC::ex storage;    ///< K'
-  GiNaC::ex loss;       ///< K''
+  Expression stiffness;  ///< K(s)
+  Expression storage;    ///< K'
+  Expression loss;       ///< K''
 };
 
 /// Each as one fraction if K(s) has at most a dozen terms above the bar, else as a sum over the
@@ -48,10 +48,10 @@ Response response(const Network& network);
 
 /// What a lasting load and a sudden one meet, in a network without masses.
 struct Extremes {
-  GiNaC::ex equilibrium;  ///< K(0) (N/m); 0 for what flows
-  GiNaC::ex viscosity;    ///< K(s)/s for s to 0 (N s/m), of what flows, else 0
-  GiNaC::ex glassy;       ///< K(s) for s to infinity (N/m), 0 beside a damper
-  GiNaC::ex damper;       ///< K(s)/s for s to infinity (N s/m), 0 without a direct damper
+  Expression equilibrium;  ///< K(0) (N/m); 0 for what flows
+  Expression viscosity;    ///< K(s)/s for s to 0 (N s/m), of what flows, else 0
+  Expression glassy;       ///< K(s) for s to infinity (N/m), 0 beside a damper
+  Expression damper;       ///< K(s)/s for s to infinity (N s/m), 0 without a direct damper
 };
 
 Extremes extremes(const Network& network);

@@ -4,6 +4,7 @@
 #include "derivation/derivation.hpp"
 #include "derivation/factors.hpp"
 #include "derivation/model.hpp"
+#include "formula/algebra_lock.hpp"
 #include "formula/names.hpp"
 #include "formula/real_part.hpp"
 #include "formula/symbols.hpp"
@@ -108,6 +109,7 @@ class Chain {
 }  // namespace
 
 std::vector<Sensitivity> sensitivities(const Scene& scene) {
+  const AlgebraLock lock;
   const Derivation derivation = derive(scene);
   const Chain chain{Model(scene)};
   const ex& velocity = derivation.critical_velocity;

@@ -12,8 +12,8 @@ namespace vcrit::symbolic {
 
 struct Sensitivity {
   Symbol parameter;
-  GiNaC::ex relative;    ///< S_p = (p/v*) dv*/dp
-  GiNaC::ex derivative;  ///< dv*/dp = v* S_p/p
+  Expression relative;    ///< S_p = (p/v*) dv*/dp
+  Expression derivative;  ///< dv*/dp = v* S_p/p
   /// What `relative` names, where it is not multiplied out: K_1, ..., K_n as in Derivation, and
   /// dK_1, ..., dK_n with dK_j = p dK_j/dp. What `derivative` names besides is v*'s.
   std::vector<Line> stiffnesses, changes;

@@ -7,6 +7,7 @@
 #include "base/errors.hpp"
 #include "derivation/factors.hpp"
 #include "derivation/model.hpp"
+#include "formula/algebra_lock.hpp"
 #include "formula/names.hpp"
 #include "formula/symbols.hpp"
 
@@ -79,6 +80,7 @@ std::vector<Symbol> parameters(const Scene& scene, const Formula& formula) {
 }  // namespace
 
 Derivation derive(const Scene& scene, bool nested) {
+  const AlgebraLock lock;
   const Model model(scene);
   const std::optional<Formula> formula = nested ? model.nested_formula() : model.formula({});
   ensure(formula.has_value(), "a scene without a limit has a formula");

@@ -15,7 +15,7 @@ namespace vcrit::symbolic {
 
 struct Derivation {
   std::vector<Line> lines;         ///< from the equations of motion to the result
-  GiNaC::ex critical_velocity;     ///< v*, real, in the scene's symbols (and in definitions, and in
+  Expression critical_velocity;    ///< v*, real, in the scene's symbols (and in definitions, and in
                                    ///< R_d, the complex receptance of a measured drive)
   std::vector<Line> definitions;   ///< names in critical_velocity where it is too large to be
                                    ///< multiplied out: K_1, ..., K_n, as functions of s, in order

@@ -1,6 +1,7 @@
 #include "derivation/stiffness_forms.hpp"
 
 #include "derivation/leading_reduction.hpp"
+#include "formula/algebra_lock.hpp"
 #include "formula/symbols.hpp"
 
 namespace vcrit::symbolic {
@@ -186,6 +187,7 @@ Reduction leading(const Reduction& reduction, const Rates& rates) {
 }  // namespace
 
 Leading<Fraction> fraction(const Reduction& reduction, const Rates& rates) {
+  const AlgebraLock lock;
   Leading<Fraction> k = run(leading(reduction, rates), rates, Fractions{});
   Fraction left;
   GiNaC::gcd(k.value.numerator, k.value.denominator, &left.numerator, &left.denominator);
@@ -193,11 +195,13 @@ Leading<Fraction> fraction(const Reduction& reduction, const Rates& rates) {
 }
 
 Leading<TermCount> term_count(const Reduction& reduction, const Rates& rates) {
+  const AlgebraLock lock;
   return run(leading(reduction, rates), rates, Counts{});
 }
 
 Leading<GiNaC::ex> nested(const Reduction& reduction, const Rates& rates,
                           std::vector<Line>& definitions) {
+  const AlgebraLock lock;
   const Reduction left = leading(reduction, rates);
   const auto k = run(left, rates, Nested(left, definitions));
   return {k.power, k.value.k};

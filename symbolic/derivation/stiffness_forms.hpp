@@ -28,7 +28,7 @@ struct Leading {
 
 /// numerator/denominator, polynomials in s and the elements.
 struct Fraction {
-  GiNaC::ex numerator, denominator;
+  Expression numerator, denominator;
 };
 
 /// How many terms numerator and denominator have when multiplied out: exact where no element occurs

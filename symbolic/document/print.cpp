@@ -7,6 +7,7 @@
 #include "document/form_lines.hpp"
 #include "document/json.hpp"
 #include "document/markup.hpp"
+#include "formula/algebra_lock.hpp"
 #include "formula/names.hpp"
 
 namespace vcrit::symbolic {
@@ -44,6 +45,7 @@ Findings find(const Scene& scene, const DocumentOptions& options) {
 }  // namespace
 
 std::string print(const Scene& scene, const DocumentOptions& options) {
+  const AlgebraLock lock;
   const NamesOfScene names(scene);
   const Findings findings = find(scene, options);
   switch (options.format) {

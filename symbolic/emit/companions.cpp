@@ -13,6 +13,7 @@
 #include "emit/generate.hpp"
 #include "emit/names.hpp"
 #include "emit/parameters.hpp"
+#include "formula/algebra_lock.hpp"
 #include "program/sweep.hpp"
 
 namespace vcrit::symbolic {
@@ -232,6 +233,7 @@ int main() {{
 }  // namespace
 
 std::string emit_test(const Scene& scene, const std::string& name, const GenerateOptions& options) {
+  const AlgebraLock lock;
   check_library_name(name);
   const FixedValues fixed = fixed_values(scene, options.fixed);
   const ParameterList parameters(scene, derive(scene), fixed);

@@ -8,6 +8,7 @@
 #include "base/errors.hpp"
 #include "emit/pieces.hpp"
 #include "emit/written.hpp"
+#include "formula/algebra_lock.hpp"
 
 namespace vcrit::symbolic {
 
@@ -48,6 +49,7 @@ std::vector<std::filesystem::path> generate(const Scene& scene,
                                             const std::filesystem::path& directory,
                                             const std::string& name,
                                             const GenerateOptions& options) {
+  const AlgebraLock lock;
   std::string header = emit_header(scene, name, options);
   const std::string hash = hash_of(header);
   stamp(header, name, hash);

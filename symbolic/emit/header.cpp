@@ -14,6 +14,7 @@
 #include "emit/parameters.hpp"
 #include "emit/pieces.hpp"
 #include "emit/words.hpp"
+#include "formula/algebra_lock.hpp"
 #include "program/gradient.hpp"
 #include "program/sweep.hpp"
 #include "program/velocity.hpp"
@@ -210,6 +211,7 @@ constexpr int short_program = 60;
 
 std::string emit_header(const Scene& scene, const std::string& name,
                         const GenerateOptions& options) {
+  const AlgebraLock lock;
   check_library_name(name);
   const FixedValues fixed = fixed_values(scene, options.fixed);
   const Derivation derivation = derive(scene);
@@ -252,6 +254,7 @@ std::string emit_header(const Scene& scene, const std::string& name,
 
 std::string emit_batch_header(const Scene& scene, const std::string& name,
                               const GenerateOptions& options) {
+  const AlgebraLock lock;
   check_library_name(name);
   const ParameterList parameters(scene, derive(scene), fixed_values(scene, options.fixed));
   const std::string guard = guard_of(name + "_batch");

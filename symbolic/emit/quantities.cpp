@@ -14,6 +14,7 @@
 #include "emit/names.hpp"
 #include "emit/pieces.hpp"
 #include "emit/words.hpp"
+#include "formula/algebra_lock.hpp"
 #include "program/quantities.hpp"
 
 namespace vcrit::symbolic {
@@ -243,6 +244,7 @@ ParameterList quantity_parameters(const Scene& scene, const FixedValues& fixed) 
 
 std::string emit_quantities(const Scene& scene, const std::string& name,
                             const GenerateOptions& options) {
+  const AlgebraLock lock;
   check_library_name(name);
   std::vector<Symbol> all = symbols(scene);
   check_member_names(all, scene.file);

@@ -5,12 +5,14 @@
 
 #include <string>
 
+#include "formula/algebra_lock.hpp"
+
 namespace vcrit::symbolic {
 
 /// left = right, with the words that lead to it.
 struct Line {
   std::string words;
-  GiNaC::ex left, right;
+  Expression left, right;
 };
 
 }  // namespace vcrit::symbolic

@@ -5,31 +5,42 @@
 
 #include "base/errors.hpp"
 #include "base/numbers.hpp"
+#include "formula/algebra_lock.hpp"
 #include "formula/names.hpp"
 
 namespace vcrit::symbolic {
 
 GiNaC::ex symbol(const Symbol& symbol) {
+  const AlgebraLock lock;
   static std::map<std::string, GiNaC::possymbol> known;
   const std::string name = to_text(symbol);
   return known.try_emplace(name, name).first->second;
 }
 
 GiNaC::ex poisson_ratio(const Symbol& symbol) {
+  const AlgebraLock lock;
   static std::map<std::string, GiNaC::realsymbol> known;
   const std::string name = to_text(symbol);
   return known.try_emplace(name, name).first->second;
 }
 
 GiNaC::ex quantity(const std::string& name) {
+  const AlgebraLock lock;
   static std::map<std::string, GiNaC::symbol> known;
   return known.try_emplace(name, own_name(name)).first->second;
 }
 
-GiNaC::ex omega() { return symbol({"omega"}); }
-GiNaC::ex laplace() { return quantity("s"); }
+GiNaC::ex omega() {
+  const AlgebraLock lock;
+  return symbol({"omega"});
+}
+GiNaC::ex laplace() {
+  const AlgebraLock lock;
+  return quantity("s");
+}
 
 GiNaC::numeric exact_decimal(double value) {
+  const AlgebraLock lock;
   ensure(std::isfinite(value), "only finite numbers have a fraction");
   const std::string text = to_text(value);
   const std::size_t e = text.find('e');
@@ -43,6 +54,7 @@ GiNaC::numeric exact_decimal(double value) {
 }
 
 GiNaC::numeric exact_binary(double value) {
+  const AlgebraLock lock;
   ensure(std::isfinite(value), "only finite numbers have a fraction");
   int exponent = 0;
   const double mantissa = std::ldexp(std::frexp(value, &exponent), 53);

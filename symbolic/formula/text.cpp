@@ -1,23 +1,28 @@
 #include "formula/text.hpp"
 
+#include "formula/algebra_lock.hpp"
 #include "formula/dialect.hpp"
 
 namespace vcrit::symbolic {
 
 std::string to_text(const GiNaC::ex& expression) {
+  const AlgebraLock lock;
   return text_dialect().print(form_of(expression));
 }
 
 std::string to_latex(const GiNaC::ex& expression) {
+  const AlgebraLock lock;
   return latex_dialect().print(form_of(expression));
 }
 
 std::string to_mathml(const GiNaC::ex& expression) {
+  const AlgebraLock lock;
   return "<math xmlns=\"http://www.w3.org/1998/Math/MathML\" display=\"block\"><mrow>" +
          mathml_dialect().print(form_of(expression)) + "</mrow></math>";
 }
 
 std::string to_mathml(const Line& line) {
+  const AlgebraLock lock;
   return "<math xmlns=\"http://www.w3.org/1998/Math/MathML\" display=\"block\"><mrow>" +
          mathml_dialect().equation(form_of(line.left), form_of(line.right)) + "</mrow></math>";
 }

@@ -1,12 +1,14 @@
 #include "formula/value.hpp"
 
 #include "base/errors.hpp"
+#include "formula/algebra_lock.hpp"
 #include "formula/symbols.hpp"
 
 namespace vcrit::symbolic {
 
 GiNaC::numeric value_at(const GiNaC::ex& formula, const std::vector<Line>& definitions,
                         const std::map<Symbol, GiNaC::numeric>& values) {
+  const AlgebraLock lock;
   GiNaC::exmap known;
   for (const auto& [name, value] : values) {
     known[symbol(name)] = value;

@@ -7,6 +7,7 @@
 #include "emit/pieces.hpp"
 #include "emit/words.hpp"
 #include "emit/written.hpp"
+#include "formula/algebra_lock.hpp"
 
 namespace vcrit::symbolic {
 
@@ -63,6 +64,7 @@ std::string extension(Language language) {
 
 std::string emit(const Scene& scene, const std::string& name, Language language,
                  const GenerateOptions& options) {
+  const AlgebraLock lock;
   check_library_name(name, language);
   const FixedValues fixed = fixed_values(scene, options.fixed);
   const Evaluator evaluator(scene, fixed,
@@ -80,6 +82,7 @@ std::string emit(const Scene& scene, const std::string& name, Language language,
 std::filesystem::path generate(const Scene& scene, const std::filesystem::path& directory,
                                const std::string& name, Language language,
                                const GenerateOptions& options) {
+  const AlgebraLock lock;
   const std::string text = emit(scene, name, language, options);
   std::filesystem::path file = directory / (name + extension(language));
   write_generated({{file, text}});
