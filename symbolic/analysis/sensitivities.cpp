@@ -1,5 +1,8 @@
 #include "analysis/sensitivities.hpp"
 
+#include <algorithm>
+#include <map>
+
 #include "analysis/logarithmic.hpp"
 #include "derivation/derivation.hpp"
 #include "derivation/factors.hpp"
@@ -30,7 +33,7 @@ ex variable(const Scene& scene, const Symbol& parameter) {
 }
 
 /// The shorter of the expression and the same as one fraction.
-ex shorter(const ex& expression) {
+ex shorter_of(const ex& expression) {
   const std::size_t length = to_text(expression).size();
   if (length > longest_joined_text) return expression;
   const ex fraction = expression.normal().numer_denom();
@@ -44,12 +47,13 @@ class Chain {
  public:
   explicit Chain(const Model& model) : stiffnesses_(model.nested_formula().definitions) {
     amplitude_.multiply_rational(model.amplitude({}));
+    for (const Line& line : stiffnesses_) symbols_.push_back(free_symbols(line.right));
   }
 
   /// Relative sensitivity and its definitions.
-  Sensitivity along(const Symbol& parameter, const ex& variable) const {
+  Sensitivity along(const Symbol& parameter, const ex& variable) {
     const bool is_frequency = variable.is_equal(omega());
-    const Changes changes(is_frequency ? laplace() : variable, stiffnesses_);
+    const Changes changes(is_frequency ? laplace() : variable, *this);
     ex sum = 0;
     for (const auto& [factor, exponent] : amplitude_.parts())
       sum += exponent * factored_polynomial(changes.of(factor)) / factor;
@@ -68,22 +72,35 @@ class Chain {
   struct Changes {
     ex p;
     std::vector<Line> lines;
-    std::vector<std::pair<ex, ex>> known;  ///< K_j, dK_j
+    Chain& chain;
+    std::map<ex, ex, GiNaC::ex_is_less> known;  ///< K_j, dK_j
 
-    Changes(ex p_, const std::vector<Line>& stiffnesses) : p(std::move(p_)) {
-      for (const Line& line : stiffnesses) {
+    Changes(ex p_, Chain& chain_) : p(std::move(p_)), chain(chain_) {
+      for (std::size_t i = 0; i < chain.stiffnesses_.size(); ++i) {
+        if (!touches(chain.symbols_[i])) continue;
+        const Line& line = chain.stiffnesses_[i];
         const ex change = of_definition(line);
         if (change.is_zero()) continue;
         const std::string name = base_name(GiNaC::ex_to<GiNaC::symbol>(line.left).get_name());
-        known.emplace_back(line.left, quantity("d" + name));
-        lines.push_back({"", known.back().second, shorter(change)});
+        const ex named = quantity("d" + name);
+        known.emplace(line.left, named);
+        lines.push_back({"", named, chain.shorter(change)});
       }
     }
 
+    bool touches(const Symbols& symbols) const {
+      return symbols.contains(p) || std::any_of(symbols.begin(), symbols.end(),
+                                                [&](const ex& k) { return known.contains(k); });
+    }
+
     ex of(const ex& expression) const {
-      ex change = p * expression.diff(GiNaC::ex_to<GiNaC::symbol>(p));
-      for (const auto& [k, dk] : known)
-        change += expression.diff(GiNaC::ex_to<GiNaC::symbol>(k)) * dk;
+      ex change = 0;
+      for (const ex& each : free_symbols(expression)) {
+        const auto& symbol = GiNaC::ex_to<GiNaC::symbol>(each);
+        if (each.is_equal(p)) change += p * chain.derivative(expression, symbol);
+        if (const auto found = known.find(each); found != known.end())
+          change += chain.derivative(expression, symbol) * found->second;
+      }
       return change;
     }
 
@@ -95,14 +112,29 @@ class Chain {
       return by_terms(k);
     }
     ex by_terms(const ex& sum) const {
-      if (!GiNaC::is_a<GiNaC::add>(sum)) return shorter(of(sum));
+      if (!GiNaC::is_a<GiNaC::add>(sum)) return chain.shorter(of(sum));
       ex change = 0;
-      for (const ex& term : sum) change += shorter(of(term));
+      for (const ex& term : sum) change += chain.shorter(of(term));
       return change;
     }
   };
 
+  // Links of a long chain are asked for by many parameters.
+  ex shorter(const ex& expression) {
+    const auto [known, is_new] = shorter_.try_emplace(expression);
+    if (is_new) known->second = shorter_of(expression);
+    return known->second;
+  }
+  ex derivative(const ex& expression, const GiNaC::symbol& symbol) {
+    const auto [known, is_new] = derivatives_[expression].try_emplace(symbol);
+    if (is_new) known->second = expression.diff(symbol);
+    return known->second;
+  }
+
   std::vector<Line> stiffnesses_;
+  std::vector<Symbols> symbols_;  ///< in each of them
+  std::map<ex, ex, GiNaC::ex_is_less> shorter_;
+  std::map<ex, std::map<ex, ex, GiNaC::ex_is_less>, GiNaC::ex_is_less> derivatives_;
   Factors amplitude_;
 };
 
@@ -111,7 +143,7 @@ class Chain {
 std::vector<Sensitivity> sensitivities(const Scene& scene) {
   const AlgebraLock lock;
   const Derivation derivation = derive(scene);
-  const Chain chain{Model(scene)};
+  Chain chain{Model(scene)};
   const ex& velocity = derivation.critical_velocity;
   // The complex R_d stands in moduli that no real fraction has.
   const bool is_nested = !derivation.definitions.empty() || scene.receptance;

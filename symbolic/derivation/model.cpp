@@ -70,14 +70,23 @@ ex isotropic_ratio(const Isotropic& isotropic) {
   return poisson ? 2 * (1 - number) / (2 - number) : number;
 }
 
+Symbols free_symbols(const ex& expression) {
+  Symbols symbols;
+  for (auto part = expression.preorder_begin(); part != expression.preorder_end(); ++part)
+    if (GiNaC::is_a<GiNaC::symbol>(*part)) symbols.insert(*part);
+  return symbols;
+}
+
 std::vector<Line> used_in(const ex& formula, std::vector<Line> definitions) {
-  for (auto line = definitions.end(); line != definitions.begin();) {
-    --line;
-    const auto uses = [&](const Line& later) { return later.right.has(line->left); };
-    if (!formula.has(line->left) && std::none_of(line, definitions.end(), uses))
-      line = definitions.erase(line);
+  Symbols needed = free_symbols(formula);
+  std::vector<Line> used;
+  for (auto line = definitions.rbegin(); line != definitions.rend(); ++line) {
+    if (!needed.contains(line->left)) continue;
+    needed.merge(free_symbols(line->right));
+    used.push_back(std::move(*line));
   }
-  return definitions;
+  std::reverse(used.begin(), used.end());
+  return used;
 }
 
 Model::Model(const Scene& scene)
@@ -161,6 +170,14 @@ bool Model::unloads_contact(const Change& change) const {
 
 Leading<Factors> Model::leading_amplitude(const std::map<std::string, int>& powers,
                                           const Change& change) const {
+  if (change.ratio || !change.scale.empty()) return new_leading_amplitude(powers, change);
+  const auto [known, is_new] = leading_.try_emplace({powers, change.rigid});
+  if (is_new) known->second = new_leading_amplitude(powers, change);
+  return known->second;
+}
+
+Leading<Factors> Model::new_leading_amplitude(const std::map<std::string, int>& powers,
+                                              const Change& change) const {
   Factors whole;
   whole.multiply_rational(amplitude(change));
   Leading<Factors> leading;

@@ -5,7 +5,9 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "derivation/balance.hpp"
@@ -74,6 +76,8 @@ class Model {
   bool unloads_contact(const Change& change) const;
   Leading<Factors> leading_amplitude(const std::map<std::string, int>& powers,
                                      const Change& change) const;
+  Leading<Factors> new_leading_amplitude(const std::map<std::string, int>& powers,
+                                         const Change& change) const;
   /// The networks that are small enough, as ratios of polynomials.
   std::map<std::string, Fraction> fractions(const Change& change) const;
   Factors multiplied_out(const Factors& amplitude,
@@ -88,7 +92,13 @@ class Model {
   std::vector<Part> networks_;
   std::vector<Line> identities_;
   bool isotropic_ = false;
+  /// By powers, and whether the drive is rigid, where nothing else changes: hundreds of limits of a
+  /// large network share one.
+  mutable std::map<std::pair<std::map<std::string, int>, bool>, Leading<Factors>> leading_;
 };
+
+using Symbols = std::set<GiNaC::ex, GiNaC::ex_is_less>;
+Symbols free_symbols(const GiNaC::ex& expression);
 
 /// Those of the definitions, each of earlier ones, that the formula needs.
 std::vector<Line> used_in(const GiNaC::ex& formula, std::vector<Line> definitions);

@@ -1,5 +1,8 @@
 #include "document/markup.hpp"
 
+#include <map>
+#include <utility>
+
 #include "base/plain_text.hpp"
 #include "formula/dialect.hpp"
 
@@ -48,9 +51,21 @@ class Markup {
   }
 
   std::string equation(const Line& line, bool asymptotic) const {
-    const Signed left = form_of(line.left), right = form_of(line.right);
-    return asymptotic ? dialect().asymptote(left, right) : dialect().equation(left, right);
+    if (asymptotic) return dialect().asymptote(form_of(line.left), form_of(line.right));
+    const auto [known, is_new] = equations_.try_emplace({line.left, line.right});
+    if (is_new) known->second = dialect().equation(form_of(line.left), form_of(line.right));
+    return known->second;
   }
+
+  struct Less {
+    using Sides = std::pair<GiNaC::ex, GiNaC::ex>;
+    bool operator()(const Sides& a, const Sides& b) const {
+      const int order = a.first.compare(b.first);
+      return order != 0 ? order < 0 : a.second.compare(b.second) < 0;
+    }
+  };
+  /// Those of a large network's limits are largely the same, hundreds of times.
+  mutable std::map<Less::Sides, std::string, Less> equations_;
 };
 
 class TextMarkup : public Markup {

@@ -1,14 +1,18 @@
 #include "document/print.hpp"
 
+#include <fmt/core.h>
+
 #include "analysis/half_space.hpp"
 #include "analysis/parting.hpp"
 #include "analysis/residues.hpp"
+#include "base/errors.hpp"
 #include "document/content.hpp"
 #include "document/form_lines.hpp"
 #include "document/json.hpp"
 #include "document/markup.hpp"
 #include "formula/algebra_lock.hpp"
 #include "formula/names.hpp"
+#include "formula/text.hpp"
 
 namespace vcrit::symbolic {
 
@@ -16,6 +20,20 @@ namespace {
 
 // Terms in v* up to which the equation for its extrema is short enough to be shown unasked.
 constexpr double readable_extrema = 8;
+
+// What is asked of every element of a nested formula is about as long as the formula, each time: as
+// many characters of text are printed in a few seconds.
+constexpr std::size_t most_characters = 10'000'000;
+
+void refuse_large(const Derivation& derivation, std::size_t formulas, const char* what) {
+  std::size_t length = 0;
+  for (const Line& line : derivation.definitions) length += to_text(line.right).size();
+  if (formulas * length > most_characters)
+    throw ModelError(fmt::format(
+        "v* of {} symbols has {} as long as itself: some {:.2g} MB of text, more than {:.2g}",
+        derivation.parameters.size(), what, 1e-6 * static_cast<double>(formulas * length),
+        1e-6 * static_cast<double>(most_characters)));
+}
 
 Findings find(const Scene& scene, const DocumentOptions& options) {
   Findings findings{derive(scene, options.form == ResultForm::nested),
@@ -29,6 +47,9 @@ Findings find(const Scene& scene, const DocumentOptions& options) {
                     {},
                     {},
                     {}};
+  const std::size_t symbols = findings.derivation.parameters.size();
+  if (options.limits) refuse_large(findings.derivation, 2 * symbols, "limits");
+  if (options.sensitivities) refuse_large(findings.derivation, symbols, "sensitivities");
   if (scene.indenter) findings.half_space = half_space_lines(scene);
   if (scene.separation) findings.parting = parting_lines(scene);
   if (options.limits) {

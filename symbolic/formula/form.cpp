@@ -50,6 +50,7 @@ bool holds_sum(const Form& form) {
 std::string key(const Form& form) { return text_dialect().print({false, form}); }
 
 void sort_terms(std::vector<Signed>& terms) {
+  if (terms.size() < 2) return;
   using Key = std::tuple<int, bool, std::string>;
   std::vector<std::pair<Key, Signed>> keyed;
   for (Signed& term : terms) {
@@ -98,6 +99,7 @@ int rank(const Form& form, bool prefactor) {
 }
 
 void sort_factors(std::vector<Form>& factors) {
+  if (factors.size() < 2) return;
   const bool prefactor =
       std::any_of(factors.begin(), factors.end(), [](const Form& f) { return f.text == "mu0"; });
   std::vector<std::tuple<int, std::string, Form>> keyed;
