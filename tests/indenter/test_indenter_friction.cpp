@@ -10,6 +10,7 @@
 #include "indenter/friction.hpp"
 #include "indenter/half_spaces.hpp"
 #include "simulation/reference_tables.hpp"
+#include "support/table.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_indenter_friction)
 
@@ -59,7 +60,7 @@ std::string indenter_of(const std::string& shape) {
 // shape, exponent, network, D, w, friction_ratio, normal_force
 std::vector<Reference> references() {
   std::vector<Reference> result;
-  for (const auto& row : reference::rows_of("indenter_friction.csv")) {
+  for (const auto& row : test::rows_of("indenter_friction.csv", 44)) {
     const double amplitude = std::stod(row.at(3)), part = std::stod(row.at(4));
     const bool spring = row.at(2) == "1 0";
     const HalfSpace half_space(reference::scene_of(indenter_of(row.at(0)), indentation,
