@@ -120,6 +120,9 @@ BOOST_AUTO_TEST_CASE(a_row_without_an_answer_stays_empty) {
 BOOST_AUTO_TEST_CASE(without_closed_form) {
   const SceneReport report = report_of(jumping_with_memory());
   BOOST_TEST((outcome(comparison(report, "witnesses")) == Comparison::Outcome::passed));
+  Comparison off = comparison(report, "witnesses");
+  off.found *= 1 + 1e-8;
+  BOOST_TEST((outcome(off) == Comparison::Outcome::failed));
   BOOST_TEST(!keys(report).contains("simulation"));
   BOOST_TEST(passed(report));
   BOOST_TEST(!report.parting.value().closed_form);
