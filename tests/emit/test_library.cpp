@@ -90,8 +90,8 @@ BOOST_AUTO_TEST_CASE(its_cmake_project_builds_and_tests) {
   }
 }
 
-// Options and targets of its own: a square root of the other project still sets errno, and its tests
-// are those that it adds.
+// Options and targets of its own: a square root of the other project still sets errno, and its
+// tests are those that it adds.
 BOOST_AUTO_TEST_CASE(a_project_that_takes_it_in_stays_as_it_is) {
   const test::PrivateFolder folder;
   std::filesystem::create_directory(folder.path() / "pad");
