@@ -1,4 +1,4 @@
-// The rows of data/vstar_extreme.csv as scenes: v* at 400 bits, each confirmed by exact rational
+// The rows of data/vstar_extreme.csv as scenes: v* by exact rational
 // arithmetic, for networks and values of every size that doubles have.
 #pragma once
 
