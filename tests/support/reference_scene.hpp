@@ -1,5 +1,5 @@
-// The rows of data/vstar_extreme.csv as scenes: v* by exact rational
-// arithmetic, for networks and values of every size that doubles have.
+// The rows of data/vstar_extreme.csv as scenes: v* by exact rational arithmetic, for networks and
+// values of every size that doubles have.
 #pragma once
 
 #include <cstdlib>
