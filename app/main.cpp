@@ -13,7 +13,7 @@ namespace {
 
 std::string version_text() {
   const vcrit::validation::Machine machine = vcrit::validation::this_machine();
-  std::string text = fmt::format("vcrit {}", machine.program);
+  std::string text = fmt::format("vcrit {} (commit {})", machine.program, machine.commit);
   for (const auto& [name, version] : machine.versions)
     text += fmt::format("\n{} {}", name, version);
   return text;

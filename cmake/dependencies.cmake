@@ -2,7 +2,8 @@
 # vcrit.pc and vcrit-symbolic.pc, and installed beside vcritConfig.cmake, which finds the same again
 # for whoever links them.
 #
-#   vcrit_needs(COMPONENT TARGET... PACKAGE name [argument...] PKGCONFIG name)  found by find_package
+#   vcrit_needs(COMPONENT TARGET... PACKAGE name [argument...] PKGCONFIG name)  found by find_package; LIBRARIES in place of
+#     PKGCONFIG where its flags are none of those who link vcrit
 #   vcrit_needs(COMPONENT TARGET PKGCONFIG name VERSION least)    has a pkg-config file and no more
 #   vcrit_needs(COMPONENT TARGET HEADER file LIBRARIES name...)   has neither
 #
@@ -60,7 +61,7 @@ endmacro()
 vcrit_needs(numeric fmt::fmt PACKAGE fmt 9.1 PKGCONFIG fmt)
 vcrit_needs(numeric GSL::gsl GSL::gslcblas PACKAGE GSL 2.7 PKGCONFIG gsl)
 vcrit_needs(numeric TBB::tbb PACKAGE TBB 2021.8 PKGCONFIG tbb)
-vcrit_needs(numeric tomlplusplus::tomlplusplus PACKAGE tomlplusplus 3.3 PKGCONFIG tomlplusplus)
+vcrit_needs(numeric tomlplusplus::tomlplusplus PACKAGE tomlplusplus 3.3 LIBRARIES tomlplusplus)  # linked, not included by users
 vcrit_needs(numeric vcrit_udunits HEADER udunits2.h LIBRARIES udunits2)
 vcrit_needs(numeric vcrit_arb HEADER arb.h LIBRARIES flint-arb flint gmp)  # GMP: called from FLINT's headers
 vcrit_needs(symbolic PkgConfig::GINAC PKGCONFIG ginac VERSION 1.8)

@@ -35,6 +35,12 @@ install(FILES ${CMAKE_BINARY_DIR}/share/bash-completion/completions/vcrit
 install(FILES ${CMAKE_BINARY_DIR}/share/zsh/site-functions/_vcrit
         DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions COMPONENT program)
 
+# As they lie in the sources, so that the links of README.md hold.
+install(FILES README.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
+install(DIRECTORY docs scenes examples DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program
+        FILES_MATCHING PATTERN *.md PATTERN *.toml PATTERN *.csv PATTERN *.c PATTERN *.cpp PATTERN *.py
+        PATTERN CMakeLists.txt)
+
 # What `cmake --install` takes; every command of ./dev that builds this folder builds it.
 add_custom_target(vcrit_installed)
 add_dependencies(vcrit_installed vcrit vcrit_numeric vcrit_symbolic)

@@ -1,6 +1,5 @@
 # Debian packages, by cpack in the build folder: the program, the libraries, and, where the prefix is /usr
 # (Python's folder for packages depends on it), the Python module.
-install(FILES scenes/bridge.toml scenes/zener.toml DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples COMPONENT program)
 foreach(package vcrit:program libvcrit-dev:numeric python3-vcrit:python)
   string(REGEX MATCH "(.*):(.*)" package ${package})
   if(VCRIT_PYTHON OR NOT CMAKE_MATCH_2 STREQUAL python)

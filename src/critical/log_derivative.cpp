@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/complex.hpp"
+#include "base/errors.hpp"
 #include "critical/certified.hpp"
 #include "network/masses.hpp"
 #include "network/reduction.hpp"
@@ -49,7 +50,7 @@ struct Duals {
     const Dual coefficient = of(e.coefficient);
     if (e.kind == ElementKind::spring) return coefficient;
     if (e.kind == ElementKind::damper) return coefficient * s();
-    if (e.kind == ElementKind::mass) return inertia(e.coefficient);
+    ensure(e.kind != ElementKind::mass, "drives with masses are differentiated by balls");
     const Dual x = s() * of(e.time);
     return coefficient * x / (Dual{1} + x);
   }

@@ -16,6 +16,7 @@ using hdf5::Object;
 
 namespace {
 
+constexpr const char* progress_group = "progress";
 constexpr const char* blocks_done = "/progress/blocks";
 
 // Of the format of version 1.8: attributes of any length, and no marks of an open file, which would
@@ -99,7 +100,7 @@ void lay_out(const Object& file, const Sweeping& sweeping) {
   }
   for (const SweptQuantity& quantity : sweeping.sweep().quantities)
     variable(file, quantity, size, coordinates);
-  const Object group = hdf5::create_group(file, "/progress");
+  const Object group = hdf5::create_group(file, progress_group);
   hdf5::create_array(file, blocks_done, H5T_STD_U8LE, {sweeping.grid().blocks()});
 }
 
@@ -129,6 +130,11 @@ Hdf5Map::Hdf5Map(const Sweeping& sweeping, const fs::path& file, bool resume, co
   // HDF5's own clean-up at the end of the program crashes over a file that could not be written.
   H5dont_atexit();
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  for (const Axis& axis : sweeping.sweep().axes)
+    if (axis.name == progress_group)
+      throw InputError({fmt::format("--over {}", axis.name)},
+                       "the name of a group that the file has itself",
+                       "another name of this element in the scene, or a file ending in .csv");
   ranks.first_alone([&] {
     refuse_links(part_);
     lock_.emplace(part_);

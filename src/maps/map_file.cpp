@@ -16,6 +16,10 @@ namespace vcrit::maps {
 
 namespace {
 
+constexpr const char* commit =
+#include VCRIT_COMMIT_FILE
+    ;
+
 // FNV-1a over the bits of the numbers.
 std::uint64_t fingerprint(const std::vector<double>& values) {
   std::uint64_t hash = 14695981039346656037U;
@@ -42,7 +46,7 @@ void refuse_links(const std::filesystem::path& part) {
 }
 
 std::string signature(const Sweep& sweep) {
-  std::string text = "vcrit " VCRIT_VERSION "\n";
+  std::string text = fmt::format("vcrit {} (commit {})\n", VCRIT_VERSION, commit);
   for (const auto& [name, value] : sweep.scene.settings)
     text += fmt::format("--set {}={}\n", name, value);
   for (const Axis& axis : sweep.axes)

@@ -151,9 +151,12 @@ class Parser {
     int value = 0;
     const auto [end, error] =
         std::from_chars(text_.data() + position_, text_.data() + text_.size(), value);
-    if (error != std::errc{} || value < 1 || value > most_branches)
-      throw InputError(at, found(),
+    if (error != std::errc{} || value < 1 || value > most_branches) {
+      const auto size = static_cast<std::size_t>(end - text_.data()) - position_;
+      throw InputError(at,
+                       size > 0 ? fmt::format("\"{}\"", text_.substr(position_, size)) : found(),
                        fmt::format("a number of branches from 1 to {}", most_branches));
+    }
     position_ = static_cast<std::size_t>(end - text_.data());
     return value;
   }

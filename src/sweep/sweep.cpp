@@ -95,10 +95,17 @@ void refuse_speeds(const Sweep& sweep, const Grid& grid) {
       throw InputError({"sweep"}, fmt::format("a speed of {}", value), "speeds above 0");
 }
 
+// Quantities and axes are columns of one table, variables of one file.
 void refuse_repetition(const Sweep& sweep) {
-  for (auto q = sweep.quantities.begin(); q != sweep.quantities.end(); ++q)
+  for (auto q = sweep.quantities.begin(); q != sweep.quantities.end(); ++q) {
+    const std::string name = column_name(*q);
     if (std::find(sweep.quantities.begin(), q, *q) != q)
-      throw InputError({"--quantity"}, column_name(*q) + " twice", "each quantity once");
+      throw InputError({"--quantity"}, name + " twice", "each quantity once");
+    for (const Axis& axis : sweep.axes)
+      if (axis.name == name)
+        throw InputError({"--over " + name}, "an axis named like the quantity " + name,
+                         "another name of this element in the scene");
+  }
 }
 
 // Wrong values are found before the first block, however late their rows come.

@@ -129,7 +129,6 @@ class Fit(unittest.TestCase):
         self.assertIn("Content-Security-Policy", page)
         self.assertNotIn('src="http', page)
 
-    @unittest.skipUnless(shutil.which("gnuplot"), "no gnuplot")
     def test_figures_are_files_too(self):
         self.fit(table(stiffness, 0.01), "--figures", "figures")
         self.assertEqual(

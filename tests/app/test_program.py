@@ -377,6 +377,10 @@ class Help(unittest.TestCase):
     def test_the_version_names_the_parts(self):
         result = run("--version")
         self.assertEqual(result.returncode, 0)
+        first = result.stdout.splitlines()[0]
+        self.assertRegex(first, r"^vcrit \d+\.\d+\.\d+ \(commit ([0-9a-f]{12}\+?|unknown)\)$")
+        if (PROJECT / ".git").exists():
+            self.assertNotIn("unknown", first)
         for part in ["vcrit", "GiNaC", "Eigen", "GSL", "Boost", "FLINT", "Arb"]:
             self.assertIn(part, result.stdout)
 

@@ -129,6 +129,8 @@ class Package(unittest.TestCase):
         for program in self.compiled(HERE / "symbolic/main.cpp", "vcrit-symbolic"):
             self.check_symbolic(program)
         self.assertEqual(self.pkg_config("--modversion", "vcrit"), self.pkg_config("--modversion", "vcrit-symbolic"))
+        # A project may use toml++ in its own way: no public header does.
+        self.assertNotIn("TOML", " ".join(self.pkg_config("--cflags", "vcrit")))
 
     # Each file of the library includes its own header first, and `./dev check` compiles each file on its own: left are
     # headers without a file, and what is not installed.
@@ -158,11 +160,37 @@ class Package(unittest.TestCase):
         page = done("man", "-M", self.prefix / "share/man", "vcrit", LC_ALL="C.UTF-8", MANPAGER="cat")
         self.assertIn("critical velocity of friction control", page)
 
-    def test_program_of_the_readme(self):
+    # Errors and the man page name docs/*.md; README.md shows scenes.
+    def test_texts_and_scenes_come_along(self):
+        share = self.prefix / "share/doc/vcrit"
+        for folder, pattern in [("docs", "*.md"), ("scenes", "*"), ("examples", "*.c*"), (".", "README.md")]:
+            expected = {file.name: file.read_bytes() for file in Path(PROJECT, folder).glob(pattern)}
+            self.assertGreater(len(expected), 0)
+            self.assertEqual({file.name: file.read_bytes() for file in (share / folder).glob(pattern)}, expected)
+        for scene in ["zener.toml", "measured_drive.toml"]:
+            self.assertIn("critical velocity", done(self.prefix / "bin/vcrit", "eval", share / "scenes" / scene))
+
+    # The lines of docs/library.md and no more: no standard, no second language.
+    def test_project_of_the_library_page(self):
+        source = self.folder / "page"
+        source.mkdir()
+        page = Path(PROJECT, "docs/library.md").read_text()
+        numeric, _, link = re.search(r"```cmake\n(.*?)```", page, re.DOTALL)[1].splitlines()
+        (source / "CMakeLists.txt").write_text("cmake_minimum_required(VERSION 3.20)\nproject(sample CXX)\n"
+                                               f"{numeric}\nadd_executable(mine mine.cpp)\n{link}\n")
+        (source / "mine.cpp").write_text(self.program_of_the_readme())
+        build = self.built("page", source)
+        self.assertAlmostEqual(float(done(build / "mine", SCENE)) / VELOCITY, 1, delta=ROUNDING)
+
+    @staticmethod
+    def program_of_the_readme():
         blocks = re.findall(r"```cpp\n(.*?)```", Path(PROJECT, "README.md").read_text(), re.DOTALL)
         (block,) = [block for block in blocks if "<vcrit/vcrit.hpp>" in block]
+        return block + '#include <cstdio>\nint main(int, char** a) { std::printf("%.17g", velocity(a[1])); }\n'
+
+    def test_program_of_the_readme(self):
         source = self.folder / "readme.cpp"
-        source.write_text(block + '#include <cstdio>\nint main(int, char** a) { std::printf("%.17g", velocity(a[1])); }\n')
+        source.write_text(self.program_of_the_readme())
         for program in self.compiled(source, "vcrit"):
             self.assertAlmostEqual(float(done(program, SCENE)) / VELOCITY, 1, delta=ROUNDING)
 

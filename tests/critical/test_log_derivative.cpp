@@ -6,6 +6,7 @@
 
 #include "critical/certified.hpp"
 #include "critical/critical_velocity.hpp"
+#include "support/nodal.hpp"
 #include "support/random_scene.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_log_derivative)
@@ -50,6 +51,35 @@ BOOST_AUTO_TEST_CASE(doubles_against_balls) {
                  "seed " << seed << ", " << to_text(symbol));
     }
   }
+}
+
+// Masses, springs and dampers of the drive, by differences of nodal analysis at 250 digits. x is
+// 2^-50 from two neighbours, between which v* bends by the square of its sensitivity, times 2^-100.
+BOOST_AUTO_TEST_CASE(drives_with_masses_against_nodes) {
+  test::RandomScenes random(77, 2);
+  int masses = 0;
+  for (int i = 0; i < 40; ++i) {
+    Scene scene = random.scene(3);
+    scene.mass.reset();
+    scene.drive = random.drive_with_masses(1 + i % 3, scene);
+    for (const Symbol& symbol : symbols_of(*scene.drive)) {
+      const double x = values_of(scene).at(symbol), low = x * (1 - 0x1p-50),
+                   high = x * (1 + 0x1p-50);
+      const auto at = [&](double value) {
+        for (auto& [name, number] : scene.elements)
+          if (name == symbol) number = value;
+        return test::critical_velocity_by_nodes(scene);
+      };
+      const test::Real change = at(high) - at(low), v = at(x);
+      const auto expected =
+          static_cast<double>(test::Real(change / v * (test::Real(x) / (test::Real(high) - low))));
+      masses += symbol.name.starts_with("md") ? 1 : 0;
+      BOOST_TEST(std::abs(log_derivative(scene, symbol) - expected) <=
+                     1e-14 * (1 + std::abs(expected) + expected * expected),
+                 "scene " << i << ", " << to_text(symbol));
+    }
+  }
+  BOOST_TEST(masses > 50);
 }
 
 BOOST_AUTO_TEST_CASE(no_sensitivity_of_what_is_0_or_infinite) {

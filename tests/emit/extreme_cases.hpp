@@ -26,8 +26,8 @@ inline bool have_one_shape(const Scene& a, const Scene& b) {
          a.mass.has_value() == b.mass.has_value();
 }
 
-/// Of scenes with no more than `largest` elements.
-inline ExtremeCases extreme_cases(std::size_t largest) {
+/// Of scenes with no more than `largest` elements, `expected` rows.
+inline ExtremeCases extreme_cases(std::size_t largest, std::size_t expected) {
   ExtremeCases cases;
   std::vector<Scene>& shapes = cases.shapes;
   for (const ReferenceRow& row : extreme_rows()) {
@@ -39,6 +39,7 @@ inline ExtremeCases extreme_cases(std::size_t largest) {
     if (same == shapes.end()) shapes.push_back(*row.scene);
     cases.rows.push_back({shape, *row.scene, row.velocity});
   }
+  require_rows(cases.rows.size(), expected, "vstar_extreme.csv");
   return cases;
 }
 

@@ -84,7 +84,7 @@ class LanguageFiles {
       if (length != Length::usual && tool.label == "nvcc") continue;
       if (length == Length::very_large && !tool.compile.empty()) tool.compile.emplace_back("-O0");
       if (run(tool.present).status != 0) {
-        BOOST_TEST_MESSAGE("without " << tool.label);
+        BOOST_TEST(tool.is_optional, missing_tool(tool.label));
         continue;
       }
       if (tool.language == symbolic::Language::python && tried.contains(tool.language)) continue;
@@ -95,8 +95,7 @@ class LanguageFiles {
       tried.insert(tool.language);
       BOOST_TEST_CONTEXT(tool.label) { use(tool); }
     }
-    BOOST_TEST_MESSAGE(tried.size() << " of 4 languages");
-    BOOST_TEST(tried.contains(symbolic::Language::c99));
+    BOOST_TEST(tried.size() == 4U);
   }
 
  private:

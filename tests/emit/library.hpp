@@ -22,12 +22,10 @@ namespace vcrit::test {
 inline const std::vector<std::string> strict_flags{
     "-std=c++20", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wshadow", "-Werror"};
 
-/// Those of the two compilers that are installed.
 inline std::vector<std::string> compilers(const PrivateFolder& folder) {
-  std::vector<std::string> found;
-  for (const char* name : {"g++", "clang++"})
-    if (run({name, "--version"}, folder.path()).status == 0) found.emplace_back(name);
-  return found;
+  const std::vector<std::string> names{"g++", "clang++"};
+  for (const std::string& name : names) require_tool(name, folder.path());
+  return names;
 }
 
 /// How the processor rounds and treats subnormal numbers around the calls.

@@ -90,4 +90,31 @@ BOOST_AUTO_TEST_CASE(its_cmake_project_builds_and_tests) {
   }
 }
 
+// Options and targets of its own: a square root of the other project still sets errno, and its
+// tests are those that it adds.
+BOOST_AUTO_TEST_CASE(a_project_that_takes_it_in_stays_as_it_is) {
+  const test::PrivateFolder folder;
+  std::filesystem::create_directory(folder.path() / "pad");
+  symbolic::generate(read_scene(VCRIT_SCENES "/kelvin.toml"), folder.path() / "pad", "pad");
+  write_file(folder.path() / "CMakeLists.txt",
+             "cmake_minimum_required(VERSION 3.16)\nproject(mine LANGUAGES CXX)\nenable_testing()\n"
+             "add_subdirectory(pad)\nif(DEFINED BUILD_TESTING OR TARGET test_pad)\n"
+             "  message(FATAL_ERROR \"the library brings tests\")\nendif()\n"
+             "add_executable(mine mine.cpp)\ntarget_link_libraries(mine PRIVATE pad::pad)\n"
+             "add_test(NAME mine COMMAND mine)\n");
+  write_file(folder.path() / "mine.cpp",
+             "#include \"pad.hpp\"\n#include <cerrno>\n#include <cmath>\n"
+             "int main() {\n  volatile double x = -1;\n  errno = 0;\n"
+             "  volatile double root = std::sqrt(x);\n  (void)root;\n"
+             "  return errno == EDOM && pad::critical_velocity({}) != 1 ? 0 : 1;\n}\n");
+  const std::string source = folder.path().string(), build = (folder.path() / "build").string();
+  for (const std::vector<std::string>& step :
+       {std::vector<std::string>{"cmake", "-S", source, "-B", build, "-DCMAKE_BUILD_TYPE=Release"},
+        {"cmake", "--build", build},
+        {"ctest", "--test-dir", build, "--no-tests=error"}}) {
+    const test::Outcome outcome = test::run(step, folder.path());
+    BOOST_REQUIRE_MESSAGE(outcome.status == 0, outcome.output);
+  }
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -15,7 +15,8 @@ struct Tool {
   std::string label;
   symbolic::Language language;
   Command present, compile, run;
-  bool wide = false;  ///< knows numbers out of range
+  bool wide = false;         ///< knows numbers out of range
+  bool is_optional = false;  ///< `./dev test` does not install it
 };
 
 inline std::vector<Tool> tools() {
@@ -57,7 +58,7 @@ inline std::vector<Tool> tools() {
        host,
        {"FOLDER/host"},
        true},
-      {"nvcc", symbolic::Language::cuda, {"nvcc", "--version"}, nvcc, {"FOLDER/cuda"}, true},
+      {"nvcc", symbolic::Language::cuda, {"nvcc", "--version"}, nvcc, {"FOLDER/cuda"}, true, true},
       {"node",
        symbolic::Language::javascript,
        {"node", "--version"},
@@ -70,7 +71,9 @@ inline std::vector<Tool> tools() {
                    symbolic::Language::python,
                    {python, "-c", "import numpy"},
                    {},
-                   {python, "-B", "FOLDER/driver.py"}});
+                   {python, "-B", "FOLDER/driver.py"},
+                   false,
+                   python[0] != '/'});
   return all;
 }
 

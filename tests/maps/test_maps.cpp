@@ -210,6 +210,22 @@ BOOST_AUTO_TEST_CASE(another_receptance_is_another_sweep) {
   Sweep other = sweep;
   other.scene.receptance->rows[3].im *= 1.01;
   BOOST_TEST(maps::signature(other) != maps::signature(sweep));
+  BOOST_TEST(maps::signature(sweep).find(" (commit ") != std::string::npos);
+}
+
+// A group of the file has that name.
+BOOST_AUTO_TEST_CASE(an_element_named_progress_is_swept_as_a_table) {
+  const test::PrivateFolder folder;
+  Sweep sweep = sweep_over({}, {"critical_velocity"});
+  sweep.scene = parse_scene(
+      "[contact]\nnormal = \"spring(progress) | c1\"\ntangential = \"k2\"\n"
+      "[oscillation]\nangular_frequency = 3.0\namplitude = 1e-3\nindentation = 5e-3\n"
+      "[friction]\ncoefficient = 0.3\n[elements]\nprogress = 7.0\nc1 = 2.0\nk2 = 5.0\n",
+      "s.toml");
+  sweep.axes.push_back(parse_axis("progress=lin:7:9:20", sweep.scene));
+  BOOST_TEST(has(message([&] { streamed(sweep, folder.path() / "map.nc"); }), "--over progress"));
+  BOOST_TEST(fs::is_empty(folder.path()));
+  BOOST_TEST(message([&] { streamed(sweep, folder.path() / "map.csv"); }) == "accepted");
 }
 
 BOOST_AUTO_TEST_CASE(mistakes_are_named_and_leave_nothing) {

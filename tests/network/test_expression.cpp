@@ -88,7 +88,12 @@ BOOST_AUTO_TEST_CASE(mistakes_are_named_with_their_column) {
   BOOST_TEST(has(message("zenner(k0, k1, c1)"), "expected \"zener\""));
   BOOST_TEST(has(message("zener(k0, k1)"), "zener(k0, k1, c1)"));
   BOOST_TEST(has(message("prony(k0, k, tau)"), "number of branches"));
-  BOOST_TEST(has(message("prony(k0, k, tau, 0)"), "number of branches from 1"));
+  BOOST_TEST(
+      has(message("prony(k0, k, tau, 0)"), "found \"0\"; expected a number of branches from 1"));
+  for (const char* number : {"100001", "999999", "-12", "123456789012345678901"})
+    BOOST_TEST(has(message(std::string("prony(k0, k, tau, ") + number + ")"),
+                   std::string("found \"") + number + "\"; expected a number of branches from 1"));
+  BOOST_TEST(has(message("prony(k0, k, tau, )"), "found \")\"; expected"));
   BOOST_TEST(has(message("spring(const)"), "reserved word"));
   BOOST_TEST(has(message(""), "an element, a network"));
 }

@@ -53,6 +53,18 @@ BOOST_AUTO_TEST_CASE(elastic_paths_keep_the_closed_form) {
   }
 }
 
+// A body remembers where it was when the surfaces met, whatever the springs.
+BOOST_AUTO_TEST_CASE(a_body_on_springs_has_no_closed_form) {
+  const Scene scene = scene_of(
+      "normal = \"k\"\ntangential = \"kt\"", 3,
+      "[drive]\nnetwork = \"kd\"\n[body]\nmass = 0.3\n[elements]\nk = 3.0\nkt = 2.0\nkd = 0.7\n");
+  const CriticalOnset onset = critical_onset(scene);
+  BOOST_TEST((onset.by == CriticalOnset::By::simulation));
+  BOOST_TEST(onset.contact_velocity == simulated(scene));
+  BOOST_TEST(std::abs(certified_critical_velocity(scene).value / onset.contact_velocity - 1) >
+             0.01);
+}
+
 // In sliding the tangential deformations are mu0 K_n/K_t times the normal ones whatever the
 // network: v* is Eq. (24) where the surfaces touch as u_z rises fastest, and less elsewhere.
 BOOST_AUTO_TEST_CASE(isotropic_contacts_under_a_rigid_drive) {

@@ -78,7 +78,7 @@ class DebianPackages(unittest.TestCase):
             self.assertTrue((self.root / "usr/share" / path).stat().st_size > 0)
 
     def test_program_runs_from_its_package(self):
-        scene = self.root / "usr/share/doc/vcrit/examples/zener.toml"
+        scene = self.root / "usr/share/doc/vcrit/scenes/zener.toml"
         self.assertEqual(done(self.root / "usr/bin/vcrit", "eval", scene, "--json"),
                          done(VCRIT, "eval", PROJECT / "scenes/zener.toml", "--json"))
 

@@ -32,6 +32,11 @@ def entries():
     return {test["name"]: test.get("command", []) for test in json.loads(printed)["tests"]}
 
 
+def reads_without_counting(text):
+    """Whether a test opens a table of tests/data itself, so that it passes over none of its rows."""
+    return bool(re.search(r"stream\s+\w+[({]\s*VCRIT_TEST_DATA[^;]*\.csv", text))
+
+
 class Suites(unittest.TestCase):
     def setUp(self):
         self.files = {str(file.relative_to(TESTS).with_suffix("")): file for file in TESTS.rglob("test_*.cpp")}
@@ -46,6 +51,13 @@ class Suites(unittest.TestCase):
         self.assertEqual(sorted(set(self.files) - set(commands)), [])
         self.assertEqual([name for name, file in self.files.items()
                           if commands[name] and commands[name][1:] != [f"--run_test={file.stem}"]], [])
+
+    # tests/support/table.hpp
+    def test_count_the_rows_of_tables(self):
+        self.assertTrue(reads_without_counting('std::ifstream file(VCRIT_TEST_DATA "/a.csv");'))
+        self.assertFalse(reads_without_counting('test::rows_of("a.csv", 3)'))
+        self.assertEqual([str(file) for ending in ["*.cpp", "*.hpp"] for file in TESTS.rglob(ending)
+                          if reads_without_counting(file.read_text())], [])
 
     def test_a_fault_would_be_seen(self):
         whole = "BOOST_AUTO_TEST_SUITE(test_a)\nBOOST_AUTO_TEST_CASE(x) {}\nBOOST_AUTO_TEST_SUITE_END()\n"

@@ -19,10 +19,13 @@ def program(*arguments):
     return subprocess.run([PROGRAM, *arguments], cwd=PROJECT, capture_output=True, text=True, timeout=60)
 
 
-def rows(name):
-    """A table of tests/data."""
+def rows(name, expected):
+    """A table of tests/data, with so many rows: a test over none would pass."""
     with (PROJECT / "tests/data" / name).open() as file:
-        return list(csv.DictReader(file))
+        found = list(csv.DictReader(file))
+    if len(found) != expected:
+        raise AssertionError(f"tests/data/{name}: found {len(found)} rows; expected {expected}")
+    return found
 
 
 def relative_difference(value, reference):

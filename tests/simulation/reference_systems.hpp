@@ -2,13 +2,17 @@
 #pragma once
 
 #include "benchmark/cases.hpp"
+#include "support/table.hpp"
 
 namespace vcrit::reference {
 
 using Row = benchmark::Case;
 
 inline std::vector<Row> reference_rows() {
-  return benchmark::read_cases(VCRIT_TEST_DATA "/stickslip_reference.csv");
+  const std::string table = "stickslip_reference.csv";
+  std::vector<Row> rows = benchmark::read_cases(VCRIT_TEST_DATA "/" + table);
+  test::require_rows(rows.size(), 45, table);
+  return rows;
 }
 
 }  // namespace vcrit::reference

@@ -1,12 +1,9 @@
-// The tables of tests/data whose networks stand as text.
+// Networks as the tables of tests/data have them.
 #pragma once
 
-#include <fstream>
 #include <sstream>
 #include <string>
-#include <vector>
 
-#include "base/csv.hpp"
 #include "stiffness/relaxation.hpp"
 
 namespace vcrit::reference {
@@ -22,18 +19,6 @@ inline Relaxation network(const std::string& text) {
         {std::stod(branch.substr(0, colon)), std::stod(branch.substr(colon + 1))});
   }
   return form;
-}
-
-/// The cells of each line but the first.
-inline std::vector<std::vector<std::string>> rows_of(const std::string& name) {
-  const std::string path = VCRIT_TEST_DATA "/" + name;
-  std::ifstream in(path);
-  std::ostringstream text;
-  text << in.rdbuf();
-  CsvLines lines(text.str(), path);
-  std::vector<std::vector<std::string>> rows;
-  for (lines.next(); lines.next();) rows.push_back(lines.cells());
-  return rows;
 }
 
 }  // namespace vcrit::reference

@@ -74,4 +74,13 @@ inline Outcome run(const std::vector<std::string>& command, const std::filesyste
   return outcome;
 }
 
+inline std::string missing_tool(const std::string& name) {
+  return name + " is missing or does not run; ./dev test installs it";
+}
+
+/// Throws where a program does not run that all tests may count on.
+inline void require_tool(const std::string& name, const std::filesystem::path& folder) {
+  if (run({name, "--version"}, folder).status != 0) throw std::runtime_error(missing_tool(name));
+}
+
 }  // namespace vcrit::test

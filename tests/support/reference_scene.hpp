@@ -1,17 +1,16 @@
-// The rows of data/vstar_extreme.csv as scenes: v* at 400 bits, each confirmed by exact rational
-// arithmetic, for networks and values of every size that doubles have.
+// The rows of data/vstar_extreme.csv as scenes: v* by exact rational arithmetic, for networks and
+// values of every size that doubles have.
 #pragma once
 
 #include <cstdlib>
-#include <fstream>
 #include <optional>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "network/graph.hpp"
 #include "scene/scene.hpp"
+#include "support/table.hpp"
 
 namespace vcrit::test {
 
@@ -20,13 +19,6 @@ struct ReferenceRow {
   double velocity;             ///< nearest double; infinite or NaN where the status says so
   std::optional<Scene> scene;  ///< nothing where a network has only elements of value 0: no scene
 };
-
-inline std::vector<std::string> split(const std::string& line, char separator) {
-  std::vector<std::string> fields;
-  std::stringstream stream(line);
-  for (std::string field; std::getline(stream, field, separator);) fields.push_back(field);
-  return fields;
-}
 
 /// A network of the row's kind, its elements named after `prefix`, without those of value 0.
 class ReferenceNetwork {
@@ -109,15 +101,10 @@ inline std::optional<Scene> extreme_scene(const std::vector<std::string>& f) {
 }
 
 inline std::vector<ReferenceRow> extreme_rows() {
-  std::ifstream file(VCRIT_TEST_DATA "/vstar_extreme.csv");
   std::vector<ReferenceRow> rows;
-  std::string line;
-  std::getline(file, line);
-  while (std::getline(file, line)) {
-    const auto f = split(line, ',');
+  for (const auto& f : rows_of("vstar_extreme.csv", 247))
     rows.push_back({f.at(0), f.at(1), f.at(2), f.at(10), std::strtod(f.at(11).c_str(), nullptr),
                     extreme_scene(f)});
-  }
   return rows;
 }
 

@@ -232,6 +232,29 @@ BOOST_AUTO_TEST_CASE(mistakes_are_named) {
                  "du_z as well as amplitude"));
 }
 
+// Elements may be named like quantities; columns of one table may not.
+BOOST_AUTO_TEST_CASE(an_axis_named_like_a_quantity_is_refused) {
+  const auto with = [](const std::string& element, const std::string& quantity) {
+    const Scene scene =
+        parse_scene("[contact]\nnormal = \"spring(" + element +
+                        ") | c1\"\ntangential = \"k2\"\n[oscillation]\nangular_frequency = 3.0\n"
+                        "amplitude = 1e-3\nindentation = 5e-3\n[friction]\ncoefficient = 0.3\n"
+                        "[elements]\n" +
+                        element + " = 7.0\nc1 = 2.0\nk2 = 5.0\n",
+                    "s.toml");
+    Sweep sweep{scene, {parse_axis(element + "=lin:1:2:2", scene)}, {}, {}, {}};
+    sweep.quantities.push_back(parse_swept_quantity(quantity, scene));
+    sweep.velocity_ratio = 0.5;
+    return message(sweep);
+  };
+  for (const char* name :
+       {"regime", "admissible", "critical_velocity", "friction_ratio", "friction_ratio_error"}) {
+    BOOST_TEST(has(with(name, name), std::string("an axis named like the quantity ") + name));
+    BOOST_TEST(with(name, "sensitivity:k2") == "accepted");
+  }
+  BOOST_TEST(has(with("sensitivity_k2", "sensitivity:k2"), "named like the quantity"));
+}
+
 }  // namespace
 
 BOOST_AUTO_TEST_SUITE_END()

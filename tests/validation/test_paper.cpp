@@ -5,14 +5,13 @@
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
-#include <fstream>
-#include <sstream>
 
 #include "formula/symbols.hpp"
 #include "paper/evidence.hpp"
 #include "paper/motions.hpp"
 #include "paper/proofs.hpp"
 #include "paper/references.hpp"
+#include "support/table.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_paper)
 
@@ -50,19 +49,6 @@ const figures::FigureSeries& last_but_one(const figures::Figure& figure) {
   return figure.series.at(figure.series.size() - 2);
 }
 
-/// The fields of all lines but the first.
-std::vector<std::vector<std::string>> lines_of(const std::string& name) {
-  std::ifstream file(VCRIT_TEST_DATA "/" + name);
-  std::vector<std::vector<std::string>> result;
-  std::string line, field;
-  for (std::getline(file, line); std::getline(file, line);) {
-    std::istringstream fields(line);
-    result.emplace_back();
-    while (std::getline(fields, field, ',')) result.back().push_back(field);
-  }
-  return result;
-}
-
 std::size_t failures(const std::vector<Comparison>& comparisons) {
   return count(comparisons, Comparison::Outcome::failed);
 }
@@ -80,8 +66,8 @@ BOOST_AUTO_TEST_CASE(everything_agrees) {
 
 // The doubles compiled in against the files that they come from: one rounding each.
 BOOST_AUTO_TEST_CASE(references_are_those_of_the_files) {
-  const auto own = lines_of("paper_friction.csv");
-  const auto others = lines_of("stickslip_reference.csv");
+  const auto own = test::rows_of("paper_friction.csv", 24);
+  const auto others = test::rows_of("stickslip_reference.csv", 45);
   BOOST_REQUIRE(own.size() == friction_references().size());
   std::size_t shared = 0;
   for (std::size_t i = 0; i < own.size(); ++i) {

@@ -123,6 +123,9 @@ BOOST_AUTO_TEST_CASE(without_closed_form) {
   BOOST_TEST(comparison(report, "simulation").expected == report.parting.value().critical_velocity);
   BOOST_TEST(!keys(report).contains("balance"));
   BOOST_TEST(!keys(report).contains("evaluators"));
+  Comparison off = comparison(report, "simulation");
+  off.found *= 1 + 1e-8;
+  BOOST_TEST((outcome(off) == Comparison::Outcome::failed));
   BOOST_TEST(passed(report));
   BOOST_TEST(!report.parting.value().closed_form);
   BOOST_TEST(report::velocity_words(report).find("simulated") != std::string::npos);

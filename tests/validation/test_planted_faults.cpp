@@ -1,5 +1,6 @@
 // A report that cannot turn red proves nothing: each witness in turn says something slightly wrong,
 // and the scene's verdict, its line in the index and the names of what failed must show it.
+#include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <complex>
 #include <cstdlib>
@@ -125,6 +126,21 @@ BOOST_AUTO_TEST_CASE(a_border_that_is_not_that_of_the_formula_is_red) {
   Driver driver(free_swing);
   const SceneReport report = agree(free_swing, driver, [](const std::string&) {});
   check_red(report, {"balance", "marched"});
+}
+
+// What a report allows a v* that is computed again, by motion or by another start, is no more than
+// the digits that it says it may lose.
+BOOST_AUTO_TEST_CASE(a_simulated_velocity_off_by_a_hundred_millionth_is_red) {
+  Witnesses witnesses = own_witnesses();
+  witnesses.system = [](const Scene& scene) {
+    simulation::System system = simulation::system_of(scene);
+    system.friction *= 1 + 1e-8;
+    return system;
+  };
+  const SceneReport report = heard(witnesses);
+  BOOST_TEST(!passed(report));
+  BOOST_TEST((outcome(*std::ranges::find(report.comparisons, "simulation", &Comparison::key)) ==
+              Comparison::Outcome::failed));
 }
 
 // A compiler that changes what it compiles: v* off by 1e-8 in each call that has the words below.

@@ -10,6 +10,7 @@
 
 #include "simulation/random_systems.hpp"
 #include "simulation/reference_tables.hpp"
+#include "support/table.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_normal_cycle)
 
@@ -29,7 +30,7 @@ struct Reference {
 
 std::vector<Reference> references() {
   std::vector<Reference> result;
-  for (const auto& c : reference::rows_of("normal_cycle.csv"))
+  for (const auto& c : test::rows_of("normal_cycle.csv", 11))
     result.push_back({c.at(0),
                       reference::network("1 " + c.at(1) + " " + c.at(2)),
                       {std::stod(c.at(3)), std::stod(c.at(4))},

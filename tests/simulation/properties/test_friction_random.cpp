@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
-#include <fstream>
 #include <string>
 #include <vector>
 
 #include "simulation/steady/energy.hpp"
 #include "simulation/steady/exact.hpp"
+#include "support/table.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_friction_random)
 
@@ -24,20 +24,9 @@ struct Row {
   std::size_t events = 0;
 };
 
-std::vector<std::string> split(const std::string& text, char separator) {
-  std::vector<std::string> parts(1);
-  for (const char c : text) {
-    if (c == separator)
-      parts.emplace_back();
-    else
-      parts.back() += c;
-  }
-  return parts;
-}
-
 Relaxation network(const std::string& text) {
   std::vector<double> numbers;
-  for (const std::string& number : split(text, ':')) numbers.push_back(std::stod(number));
+  for (const std::string& number : test::split(text, ':')) numbers.push_back(std::stod(number));
   Relaxation form{numbers.at(0), numbers.at(1), {}};
   for (std::size_t i = 2; i + 1 < numbers.size(); i += 2)
     form.branches.push_back({numbers[i], numbers[i + 1]});
@@ -47,12 +36,8 @@ Relaxation network(const std::string& text) {
 }
 
 std::vector<Row> rows() {
-  std::ifstream file(VCRIT_TEST_DATA "/friction_random.csv");
   std::vector<Row> result;
-  std::string line;
-  std::getline(file, line);
-  while (std::getline(file, line)) {
-    const std::vector<std::string> cells = split(line, ',');
+  for (const auto& cells : test::rows_of("friction_random.csv", 320)) {
     Row row;
     row.id = cells.at(0);
     row.system.contact = network(cells.at(1));

@@ -72,6 +72,9 @@ BOOST_AUTO_TEST_CASE(surfaces_that_may_part) {
   const System border = with("0.5");
   BOOST_TEST(!border.opening.has_value());
   BOOST_TEST(std::abs(border.normal_force_amplitude) == border.mean_normal_force);
+  // 2e-13 of the amplitude, a thousand roundings, are above the border.
+  BOOST_TEST(with("0.5000000000001").opening.has_value());
+  BOOST_TEST(with("0.50000001").opening.has_value());
   const System open = with("0.6");
   BOOST_REQUIRE(open.opening.has_value());
   BOOST_TEST(open.opening->mean == 0.5);

@@ -1,0 +1,46 @@
+// Condition numbers by hand: what relative errors of a scene's numbers move v* by, at most. mu0,
+// omega and du_z count once each, |K_n| and |K_t| sqrt(2) times; |D| and |N| by their parts.
+#include "conditioning.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <numbers>
+
+BOOST_AUTO_TEST_SUITE(test_conditioning)
+
+namespace {
+
+using namespace vcrit;
+
+constexpr double root = std::numbers::sqrt2;
+
+double condition(const std::string& drive, const std::string& elements) {
+  const Scene scene =
+      parse_scene("[contact]\nnormal = \"kn\"\ntangential = \"kt\"\n" + drive +
+                      "[oscillation]\nangular_frequency = 2.0\namplitude = 0.1\nindentation = 1.0\n"
+                      "[friction]\ncoefficient = 0.3\n[elements]\nkn = 3.0\nkt = 5.0\n" +
+                      elements,
+                  "s.toml");
+  return validation::condition_number(scene, values_of(scene));
+}
+
+bool is(double value, double expected) { return std::abs(value / expected - 1) <= 1e-14; }
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(known_by_hand) {
+  BOOST_TEST(is(condition("", ""), 3 + 2 * root));
+  // D = K_d, N = K_t + K_d.
+  const std::string drive = "[drive]\nnetwork = \"kd\"\n";
+  BOOST_TEST(is(condition(drive, "kd = 7.0\n"), 3 + 4 * root));
+  // m omega^2 = 4 counts three times: D = 7 - 4, N = 5 + 7 - 4.
+  const std::string body = drive + "[body]\nmass = 1.0\n";
+  BOOST_TEST(
+      is(condition(body, "kd = 7.0\n"), 3 + 2 * root + (7 * root + 12) / 3 + (12 * root + 12) / 8));
+  // Near resonance as its distance, 2^-20, says.
+  BOOST_TEST(is(condition(body, "kd = 4.00000095367431640625\n"),
+                3 + 2 * root + (4.00000095367431640625 * root + 12) * 0x1p20 +
+                    (9.00000095367431640625 * root + 12) / 5.00000095367431640625));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
