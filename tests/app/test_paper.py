@@ -2,10 +2,12 @@
 
 import csv
 import json
+import re
 import subprocess
 import sys
 import tempfile
 import unittest
+from decimal import Decimal
 from pathlib import Path
 
 PROJECT, PROGRAM = Path(sys.argv.pop(1)), sys.argv.pop(1)
@@ -37,6 +39,20 @@ class Paper(unittest.TestCase):
         for part in ["figure4", "difference", "jump_limits", "static_limit", "flat_punch"]:
             self.assertNotRegex(json.dumps(report["paper"][part]), r"mass|\bbody\b")
         self.assertIn("153 comparisons passed", page)
+
+    def test_the_docs_say_the_same(self):
+        page = (PROJECT / "docs/physics.md").read_text()
+        for row in csv.DictReader((PROJECT / "tests/data/paper_claims.csv").read_text().splitlines()):
+            verdict = row["verdict"].replace("not decidable", "not legible")
+            self.assertTrue(re.search(rf"(?m)^\| {row['number']} \| [^|]* \| {verdict}\b", page), row)
+        table = [line for line in (PROJECT / "tests/data/paper_crossings.csv").read_text().splitlines()[1:]]
+        for delta, ratio, weak, at, strong, there in csv.reader(table):
+            delta = {"0": "-> 0", "inf": "infinity"}.get(delta, delta)
+            cells = [f"{Decimal(ratio):.16f}", weak and f"{float(weak):.10f}", at and f"{float(at):.4f}",
+                     strong and f"{float(strong):.10f}", there and f"{float(there):.4f}"]
+            cells = ["0" if cell == "0.0000000000" else cell for cell in cells]
+            line = rf"(?m)^\| {delta} \| " + r" *\| *".join(map(re.escape, cells)) + r" *\|$"
+            self.assertTrue(re.search(line, page), cells)
 
     def test_it_is_the_same_in_every_run(self):
         def files():

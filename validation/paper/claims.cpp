@@ -203,8 +203,8 @@ std::vector<Claim> about_the_rest(const Paper& paper) {
        "4.1, (43)",
        "v₀ + μ₀ ω du_z (k_n/k_t) cos ωt₁ = 0 where stick begins.",
        fmt::format("A misprint or the scan’s: it must be sin, by (42) put into (34), and by (50). "
-                   "With cos the left side is {:.4f} of μ₀ ω du_z k_n/k_t at v₀ = v*/2.",
-                   misprints.velocity_as_printed),
+                   "With cos the left side is {} of μ₀ ω du_z k_n/k_t at v₀ = v*/2.",
+                   signed_words(misprints.velocity_as_printed, 4)),
        {"stick_begins"},
        apart ? Verdict::fails : Verdict::not_shown},
       {17,

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "paper/paper.hpp"
 
@@ -31,6 +32,10 @@ std::string found_words(const Paper& paper, const std::string& key, int digits) 
   for (const double number : found(paper, key))
     words += fmt::format("{}{:.{}f}", words.empty() ? "" : ", ", number, digits);
   return words;
+}
+
+std::string signed_words(double number, int digits) {
+  return fmt::format("{}{:.{}f}", number < 0 ? "−" : "", std::abs(number), digits);
 }
 
 const char* to_text(Claim::Verdict verdict) {

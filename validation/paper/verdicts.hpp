@@ -17,4 +17,7 @@ std::vector<double> found(const Paper& paper, const std::string& key);
 /// The same as text: "0.7071, 0.8660".
 std::string found_words(const Paper& paper, const std::string& key, int digits);
 
+/// With a minus sign as people write it: "−0.3660".
+std::string signed_words(double number, int digits);
+
 }  // namespace vcrit::validation::paper

@@ -81,7 +81,7 @@ double first_strengthening(double ratio) {
   return (ratio + std::sin(end_of_stick->phase)) / two_pi - elastic_g(ratio);
 }
 
-double largest(const Curve& curve, double low, double high) {
+double maximum(const Curve& curve, double low, double high) {
   constexpr int half_the_bits = 26;
   return -boost::math::tools::brent_find_minima([&](double x) { return -curve(x); }, low, high,
                                                 half_the_bits)
@@ -92,8 +92,8 @@ Crossing crossing_of(double delta) {
   const Curve curve = delta == 0 ? Curve(first_strengthening) : strengthening(delta);
   Crossing found{delta, root(curve, 0.4, 0.9), 0, 0};
   if (delta == 0) return found;
-  found.weakening = largest([&](double x) { return -curve(x); }, 0.005, found.ratio);
-  found.strengthening = largest(curve, found.ratio, 0.999);
+  found.weakening = maximum([&](double x) { return -curve(x); }, 0.005, found.ratio);
+  found.strengthening = maximum(curve, found.ratio, 0.999);
   return found;
 }
 

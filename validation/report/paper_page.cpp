@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "paper/verdicts.hpp"
 #include "report/chart.hpp"
 #include "report/document.hpp"
 #include "report/equations.hpp"
@@ -100,8 +101,9 @@ std::string misprints_section(const paper::Misprints& misprints) {
   return section("misprints", "Phases in (41) and (43)",
                  fmt::format("<p>Tried on the steady motion of an elastic contact at v*/2. With "
                              "sin for cos in (43), and ωt₁ for ωt in (41), both are 0 where they "
-                             "have to be. As printed they are {:.4f} and {:.4f}.</p>\n",
-                             misprints.velocity_as_printed, misprints.force_as_printed),
+                             "have to be. As printed they are {} and {}.</p>\n",
+                             paper::signed_words(misprints.velocity_as_printed, 4),
+                             paper::signed_words(misprints.force_as_printed, 4)),
                  misprints.comparisons);
 }
 
