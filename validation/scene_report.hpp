@@ -126,7 +126,8 @@ struct ResponsePoint {
   double omega = 0;                   ///< rad/s
   double normal = 0, tangential = 0;  ///< |K_n|, |K_t|
   std::optional<double> drive;        ///< |K_d| of a drive network
-  double velocity = 0;                ///< v*
+  double velocity = 0;                ///< v* by Eq. 24
+  bool applies = true;                ///< (3) and (4) hold there, or the surfaces may part
 };
 
 /// v* ~ coefficient omega^power.
@@ -172,7 +173,11 @@ struct FrictionGrid {
 };
 
 struct Explorer {
-  std::string script;  ///< JavaScript, defines vcrit_scene.critical_velocity(p) and its batch
+  /// JavaScript, defines vcrit_scene.critical_velocity(p), its batch, and the same of vcrit_normal:
+  /// the normal network alone, so that it gives mu0 omega du_z |K_n| where p[unit] is 1.
+  std::string script;
+  std::string unit;
+  bool carries_load = true;  ///< the normal network has a static stiffness
   std::vector<Slider> sliders;
   std::optional<FrictionGrid> friction;
 };

@@ -202,8 +202,24 @@ BOOST_AUTO_TEST_CASE(an_inadmissible_scene_says_why) {
   report.reasons = {"the contact opens"};
   const std::string html = page_of(report);
   BOOST_TEST(has(html, "verdict outside"));
-  BOOST_TEST(has(html, "Outside the model: not simulated"));
+  BOOST_TEST(has(html, "Outside the model: no v*, not simulated"));
   BOOST_TEST(has(html, "<li>the contact opens</li>"));
+  // The formula's number is no v*, and that ways to evaluate it agree is no good news.
+  BOOST_TEST(has(html, "<p class=\"velocity\"></p>"));
+  BOOST_TEST(!has(html, "badge passed"));
+  BOOST_TEST(!has(html, "set against a stick-slip simulation"));
+  BOOST_TEST(has(html, "<span class=\"badge outside\">agrees</span>"));
+  BOOST_TEST(velocity_words(report) == "");
+}
+
+BOOST_AUTO_TEST_CASE(a_fault_outside_the_model_is_red) {
+  SceneReport report = example::scene_report(example::rigid_scene);
+  report.reasons = {"the contact opens"};
+  report.comparisons.front().found *= 2;
+  const std::string html = page_of(report);
+  BOOST_TEST(has(html, "verdict failed"));
+  BOOST_TEST(has(html, "comparisons failed"));
+  BOOST_TEST(has(html, "badge failed"));
 }
 
 BOOST_AUTO_TEST_CASE(only_in_a_suite_is_there_a_way_to_the_others) {

@@ -28,10 +28,12 @@ std::string cell(const char* heading, const std::string& content, const char* st
   return fmt::format("<td data-label=\"{}\" class=\"{}\">{}</td>", heading, style, content);
 }
 
-std::string outcome_cell(const Comparison& comparison) {
+std::string outcome_cell(const Comparison& comparison, const std::string& agreeing) {
   const auto result = outcome(comparison);
+  const bool no_more = result == Comparison::Outcome::passed && agreeing != "passed";
   return fmt::format("<td class=\"outcome\"><span class=\"badge {}\">{}</span></td>",
-                     outcome_style(result), validation::to_text(result));
+                     no_more ? agreeing : outcome_style(result),
+                     no_more ? "agrees" : validation::to_text(result));
 }
 
 std::string name_cell(const Comparison& comparison) {
@@ -39,12 +41,13 @@ std::string name_cell(const Comparison& comparison) {
                      escape(comparison.reference));
 }
 
-std::string without_numbers(const Comparison& comparison) {
+std::string without_numbers(const Comparison& comparison, const std::string& agreeing) {
   return fmt::format("<tr>{}<td colspan=\"3\" class=\"detail\">{}</td>{}</tr>\n",
-                     name_cell(comparison), escape(comparison.detail), outcome_cell(comparison));
+                     name_cell(comparison), escape(comparison.detail),
+                     outcome_cell(comparison, agreeing));
 }
 
-std::string with_numbers(const Comparison& comparison) {
+std::string with_numbers(const Comparison& comparison, const std::string& agreeing) {
   const char* kind = comparison.measure == Comparison::Measure::relative ? "relative" : "absolute";
   const std::string value =
       fmt::format("{}<small>{}</small>", escape(with_unit(comparison.found, comparison.unit)),
@@ -57,16 +60,17 @@ std::string with_numbers(const Comparison& comparison) {
                   escape(comparison.reason));
   return fmt::format("<tr>{}{}{}{}{}</tr>\n", name_cell(comparison),
                      cell("Value, reference", value, "figures"), cell("Difference", apart),
-                     cell("Allowed", allowed), outcome_cell(comparison));
+                     cell("Allowed", allowed), outcome_cell(comparison, agreeing));
 }
 
 }  // namespace
 
-std::string comparison_table(const std::vector<Comparison>& comparisons) {
+std::string comparison_table(const std::vector<Comparison>& comparisons,
+                             const std::string& agreeing) {
   std::string rows;
   for (const Comparison& comparison : comparisons)
-    rows += comparison.not_run || comparison.broken ? without_numbers(comparison)
-                                                    : with_numbers(comparison);
+    rows += comparison.not_run || comparison.broken ? without_numbers(comparison, agreeing)
+                                                    : with_numbers(comparison, agreeing);
   return "<table class=\"comparisons\"><thead><tr><th>What</th>"
          "<th>Value<small>reference</small></th><th>Difference</th><th>Allowed</th><th></th></tr>"
          "</thead><tbody>\n" +

@@ -8,7 +8,9 @@
 
 namespace vcrit::validation::report {
 
-std::string comparison_table(const std::vector<Comparison>& comparisons);
+/// `agreeing`: the style of what passed; but for "passed" it is said to agree and no more.
+std::string comparison_table(const std::vector<Comparison>& comparisons,
+                             const std::string& agreeing = "passed");
 
 /// "12 comparisons passed, 2 not run"
 std::string count_words(const std::vector<Comparison>& comparisons);

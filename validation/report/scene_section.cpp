@@ -31,15 +31,16 @@ std::string item_list(const std::vector<std::string>& items, const char* style) 
 }
 
 std::string scene_verdict(const SceneReport& report) {
+  const bool outside = !report.reasons.empty();
   std::string html = fmt::format(
       "<div class=\"verdict {}\"><p class=\"state\">{}</p><p class=\"velocity\">{}</p>"
       "<p class=\"worst\">{}</p></div>\n",
       state_class(report), escape(state_words(report)), escape(velocity_words(report)),
-      escape(tightest_words(report.comparisons)));
-  if (!report.reasons.empty())
+      outside ? "" : escape(tightest_words(report.comparisons)));
+  if (outside)
     html +=
-        "<p>The scene is not admissible, so the formula's number is not the velocity of its "
-        "motion and nothing was simulated:</p>\n" +
+        "<p>Equation (24) does not describe this motion, so there is no v* here and nothing was "
+        "simulated:</p>\n" +
         item_list(report.reasons, "reasons");
   if (!report.infinite_reason.empty()) html += "<p>" + escape(report.infinite_reason) + "</p>\n";
   if (!report.scene.warnings.empty()) html += item_list(report.scene.warnings, "warnings");
@@ -56,6 +57,14 @@ std::string drawings(const SceneReport& report) {
   return "<h3>What is there</h3>\n<div class=\"drawings\">\n" +
          figure(draw_sliding(report.scene), "Along the sliding direction.") +
          figure(draw_normal(report.scene), "Along the normal, drawn lying.") + "</div>\n";
+}
+
+/// Outside the model it is no good news that all ways to evaluate the formula agree.
+std::string comparisons_section(const SceneReport& report) {
+  if (report.reasons.empty()) return comparison_table(report.comparisons);
+  return "<p>What can be compared is arithmetic alone: the formula, evaluated in several ways. Its "
+         "number has no meaning for this scene.</p>\n" +
+         comparison_table(report.comparisons, "outside");
 }
 
 std::string curve_rows(const SceneReport& report) {
@@ -130,10 +139,13 @@ const char* state_class(const SceneReport& report) {
 
 std::string state_words(const SceneReport& report) {
   const std::string words = count_words(report.comparisons);
-  return report.reasons.empty() ? words : "Outside the model: not simulated; " + words;
+  if (report.reasons.empty()) return words;
+  return "Outside the model: no v*, not simulated" +
+         (passed(report) ? std::string() : "; " + words);
 }
 
 std::string velocity_words(const SceneReport& report) {
+  if (!report.reasons.empty()) return {};
   if (report.indented && !report.indented->closed_form)
     return "v* = " + quantity(report.indented->critical_velocity, "m/s", 5) + ", simulated";
   if (report.parting && !report.parting->closed_form)
@@ -146,7 +158,7 @@ std::string velocity_words(const SceneReport& report) {
 std::string scene_section(const SceneContents& contents) {
   const SceneReport& report = contents.report;
   return "<section class=\"scene\">\n" + scene_verdict(report) + drawings(report) +
-         comparison_table(report.comparisons) + formula_section(report) + response_section(report) +
+         comparisons_section(report) + formula_section(report) + response_section(report) +
          explorer_section(report) + friction_section(report) + cycle_section(report) +
          parting_section(report) + indenter_section(report) + reduced_section(report) +
          (contents.accuracy ? accuracy_section(*contents.accuracy) : std::string()) +
