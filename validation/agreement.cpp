@@ -1,7 +1,10 @@
 #include "agreement.hpp"
 
+#include <fmt/core.h>
+
 #include <cmath>
 
+#include "base/constants.hpp"
 #include "conditioning.hpp"
 #include "critical/admissibility.hpp"
 #include "critical/certified.hpp"
@@ -15,6 +18,7 @@
 #include "indented.hpp"
 #include "method_curves.hpp"
 #include "network/masses.hpp"
+#include "onset/formula_scope.hpp"
 #include "parting.hpp"
 #include "reduced_difference.hpp"
 #include "simulation/steady/onset.hpp"
@@ -48,6 +52,11 @@ Comparison simulated_velocity(const SceneReport& report, const simulation::Onset
   comparison.found = threshold.contact_velocity;
   comparison.tolerance = 1e-9;
   comparison.reason = "motion in closed form, in doubles: leaves six digits to lose near resonance";
+  if (const int n = report.free_harmonic; n > 1) {
+    comparison.expected *= std::cos(pi / (2 * n));
+    comparison.reference =
+        fmt::format("Eq. 24 times cos(π/{}), as the drive swings freely at {} ω", 2 * n, n);
+  }
   return comparison;
 }
 
@@ -90,6 +99,7 @@ void simulate(SceneReport& report, const Witnesses& witnesses, const Progress& p
   try {
     if (report.scene.indenter) return examine_indenter(report);
     const simulation::System system = witnesses.system(report.scene);
+    report.free_harmonic = system.opening ? 0 : simulation::free_harmonic(system);
     if (report.scene.separation) {
       progress("letting the surfaces part");
       examine_parting(report, system);
@@ -131,6 +141,7 @@ SceneReport agree(const Scene& scene, Driver& driver, const Progress& progress,
   SceneReport report;
   report.scene = scene;
   report.reasons = inadmissible_reasons(scene);
+  report.formula_applies = report.reasons.empty() && formula_holds(scene);
   const CertifiedVelocity certified = certified_critical_velocity(scene);
   report.critical_velocity = certified.value;
   report.relative_error_bound = certified.relative_error_bound;

@@ -11,6 +11,7 @@
 #include "formula/value.hpp"
 #include "formulas.hpp"
 #include "network/masses.hpp"
+#include "onset/formula_scope.hpp"
 #include "stiffness/at_rest.hpp"
 #include "stiffness/dynamic_stiffness.hpp"
 #include "stiffness/relaxation.hpp"
@@ -44,7 +45,7 @@ class Response {
     point.tangential = factor_ * std::abs(dynamic_stiffness(tangential_, values_, omega));
     if (drive_) point.drive = std::abs(dynamic_stiffness(*drive_, values_, omega));
     point.velocity = critical_velocity(scene_, omega);
-    point.applies = scene_.separation || stays_closed(point.normal);
+    point.applies = scene_.separation ? holds_apart(omega) : stays_closed(point.normal);
     return point;
   }
 
@@ -58,6 +59,17 @@ class Response {
   /// (3) and (4)
   bool stays_closed(double stiffness) const {
     return amplitude_ < indentation_ && amplitude_ * stiffness < at_rest_ * indentation_;
+  }
+
+  /// Whether Eq. 24 is v* of surfaces that may part.
+  bool holds_apart(double omega) const {
+    Scene there = scene_;
+    there.angular_frequency.value = omega;
+    try {
+      return formula_holds(there);
+    } catch (const ModelError&) {
+      return false;
+    }
   }
 
   const Scene& scene_;

@@ -127,7 +127,7 @@ struct ResponsePoint {
   double normal = 0, tangential = 0;  ///< |K_n|, |K_t|
   std::optional<double> drive;        ///< |K_d| of a drive network
   double velocity = 0;                ///< v* by Eq. 24
-  bool applies = true;                ///< (3) and (4) hold there, or the surfaces may part
+  bool applies = true;  ///< that is v*: (3) and (4) hold, or it holds where surfaces part
 };
 
 /// v* ~ coefficient omega^power.
@@ -226,11 +226,13 @@ struct Indented {
 struct SceneReport {
   Scene scene;
   std::vector<std::string> reasons;  ///< why the scene is not admissible; empty when it is
-  double critical_velocity = 0;      ///< m/s, certified; may be infinite
-  double relative_error_bound = 0;   ///< of it
-  std::string infinite_reason;       ///< why it is infinite, else empty
-  double condition = 0;              ///< condition number of Eq. 24 on its inputs
-  double creep_velocity = 0;         ///< m/s, 0 unless a network on the path creeps
+  bool formula_applies = true;       ///< admissible, and v* is Eq. 24
+  int free_harmonic = 0;  ///< n where an undamped drive swings freely at n omega, n > 1; else 0
+  double critical_velocity = 0;     ///< m/s, certified; may be infinite
+  double relative_error_bound = 0;  ///< of it
+  std::string infinite_reason;      ///< why it is infinite, else empty
+  double condition = 0;             ///< condition number of Eq. 24 on its inputs
+  double creep_velocity = 0;        ///< m/s, 0 unless a network on the path creeps
   std::vector<ValueLine> values;
   Formula formula;
   std::string equation;               ///< number of the formula in the paper

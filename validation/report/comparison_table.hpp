@@ -8,9 +8,9 @@
 
 namespace vcrit::validation::report {
 
-/// `agreeing`: the style of what passed; but for "passed" it is said to agree and no more.
+/// Where Eq. 24 does not apply, ways to evaluate it agree, which is no success.
 std::string comparison_table(const std::vector<Comparison>& comparisons,
-                             const std::string& agreeing = "passed");
+                             bool formula_applies = true);
 
 /// "12 comparisons passed, 2 not run"
 std::string count_words(const std::vector<Comparison>& comparisons);

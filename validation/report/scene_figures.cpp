@@ -223,9 +223,8 @@ Figure velocity_response_figure(const SceneReport& report) {
   const auto& points = report.response.points;
   const auto all_over = [](const ResponsePoint& p) { return p.velocity; };
   if (!std::all_of(points.begin(), points.end(), [](const auto& p) { return p.applies; })) {
-    figure.caption += " It is v* only where the contact stays closed, (3) and (4).";
-    figure.series.push_back(
-        over_frequency(report, "formula, contact not closed", Style::dotted, 2, all_over));
+    figure.caption += " Dotted: where the formula is not v*, as the contact does not stay closed.";
+    figure.series.push_back(over_frequency(report, "formula, not v*", Style::dotted, 2, all_over));
   }
   figure.series.push_back(over_frequency(report, "v*", Style::line, 0, [](const ResponsePoint& p) {
     return p.applies ? p.velocity : std::numeric_limits<double>::quiet_NaN();

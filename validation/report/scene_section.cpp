@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "base/constants.hpp"
 #include "report/accuracy_section.hpp"
 #include "report/chart.hpp"
 #include "report/comparison_table.hpp"
@@ -42,6 +43,11 @@ std::string scene_verdict(const SceneReport& report) {
         "<p>Equation (24) does not describe this motion, so there is no v* here and nothing was "
         "simulated:</p>\n" +
         item_list(report.reasons, "reasons");
+  if (const int n = report.free_harmonic; n > 1)
+    html += fmt::format(
+        "<p>The undamped drive lets the body swing freely at {} ω, and the motion keeps such a "
+        "swing: friction is full from {} on, v* cos(π/{}).</p>\n",
+        n, quantity(report.critical_velocity * std::cos(pi / (2 * n)), "m/s", 5), 2 * n);
   if (!report.infinite_reason.empty()) html += "<p>" + escape(report.infinite_reason) + "</p>\n";
   if (!report.scene.warnings.empty()) html += item_list(report.scene.warnings, "warnings");
   return html;
@@ -61,10 +67,17 @@ std::string drawings(const SceneReport& report) {
 
 /// Outside the model it is no good news that all ways to evaluate the formula agree.
 std::string comparisons_section(const SceneReport& report) {
-  if (report.reasons.empty()) return comparison_table(report.comparisons);
+  const bool outside = !report.reasons.empty();
+  const std::string table =
+      comparison_table(report.comparisons, report.formula_applies && !outside);
+  if (report.formula_applies && !outside) return table;
+  if (!outside)
+    return "<p>Equation (24) is not v* of this scene. Where ways to evaluate it agree, that is "
+           "arithmetic alone.</p>\n" +
+           table;
   return "<p>What can be compared is arithmetic alone: the formula, evaluated in several ways. Its "
          "number has no meaning for this scene.</p>\n" +
-         comparison_table(report.comparisons, "outside");
+         table;
 }
 
 std::string curve_rows(const SceneReport& report) {
