@@ -1,7 +1,10 @@
 #include "agreement.hpp"
 
+#include <fmt/core.h>
+
 #include <cmath>
 
+#include "base/constants.hpp"
 #include "border.hpp"
 #include "conditioning.hpp"
 #include "critical/admissibility.hpp"
@@ -16,6 +19,7 @@
 #include "indented.hpp"
 #include "method_curves.hpp"
 #include "network/masses.hpp"
+#include "onset/formula_scope.hpp"
 #include "parting.hpp"
 #include "reduced_difference.hpp"
 #include "simulation/steady/onset.hpp"
@@ -51,6 +55,10 @@ Comparison balanced(const SceneReport& report, const simulation::Onset& threshol
   comparison.found = threshold.contact_velocity;
   comparison.tolerance = 1e-9;
   comparison.reason = "doubles: leaves six digits to lose near resonance";
+  if (const int n = report.free_harmonic; n > 1)
+    comparison.detail = fmt::format(
+        "the drive swings freely at {} ω: friction is full from Eq. 24 times cos(π/{}) on", n,
+        2 * n);
   return comparison;
 }
 
@@ -61,7 +69,7 @@ bool by_formula(const SceneReport& report) {
 Border border_of(const SceneReport& report) {
   if (by_formula(report))
     return {report.critical_velocity, report.critical_velocity + report.creep_velocity,
-            "Eq. 24, certified"};
+            formula_reference};
   return {report.parting->critical_velocity, report.parting->drive_velocity,
           "v* by the slowest steady sliding"};
 }
@@ -113,6 +121,7 @@ void simulate(SceneReport& report, const Witnesses& witnesses, const Progress& p
   try {
     if (report.scene.indenter) return examine_indenter(report);
     const simulation::System system = witnesses.system(report.scene);
+    report.free_harmonic = system.opening ? 0 : simulation::free_harmonic(system);
     if (report.scene.separation) {
       progress("letting the surfaces part");
       examine_parting(report, system);
@@ -153,6 +162,7 @@ SceneReport agree(const Scene& scene, Driver& driver, const Progress& progress,
   SceneReport report;
   report.scene = scene;
   report.reasons = inadmissible_reasons(scene);
+  report.formula_applies = report.reasons.empty() && formula_holds(scene);
   const CertifiedVelocity certified = witnesses.certified(scene);
   report.critical_velocity = certified.value;
   report.relative_error_bound = certified.relative_error_bound;

@@ -1,5 +1,7 @@
 #include "explorer.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,6 +11,7 @@
 #include "derivation/derivation.hpp"
 #include "emit/languages/languages.hpp"
 #include "simulation/steady/curve.hpp"
+#include "stiffness/at_rest.hpp"
 #include "stiffness/dynamic_stiffness.hpp"
 #include "system_size.hpp"
 
@@ -22,13 +25,33 @@ constexpr int stops_per_decade = 5, decades_each_way = 2;  // to each side
 constexpr double largest_amplitude = 0.99;                 // of the normal force, over its mean
 
 /// The generated module as the body of a function that returns what it exports.
-std::string evaluator_script(const Scene& scene) {
+std::string module_script(const Scene& scene, const char* name) {
   std::string text = symbolic::emit(scene, "scene", symbolic::Language::javascript);
   const std::string word = "\nexport const ";
   for (auto at = text.find(word); at != text.npos; at = text.find(word, at))
     text.replace(at, word.size(), "\nconst ");
-  return "\"use strict\";\nconst vcrit_scene = (() => {\n" + text +
+  return fmt::format("const {} = (() => {{\n", name) + text +
          "return { critical_velocity, critical_velocity_batch };\n})();\n";
+}
+
+/// A name that no parameter of the scene has.
+std::string unused_name(const Scene& scene) {
+  std::string name = "unit";
+  const auto taken = [&](const auto& value) { return value.first.name == name; };
+  const Values values = values_of(scene);
+  while (std::any_of(values.begin(), values.end(), taken)) name += "_";
+  return name;
+}
+
+/// The normal network over a spring `unit` under a rigid drive: v* is mu0 omega du_z |K_n|/unit.
+Scene normal_over(const std::string& unit, Scene scene) {
+  scene.tangential = spring({unit});
+  scene.drive.reset();
+  scene.receptance.reset();
+  scene.mass.reset();
+  scene.indenter.reset();
+  scene.elements.push_back({{unit}, 1.0});
+  return scene;
 }
 
 std::vector<Slider> sliders(const symbolic::Derivation& derivation,
@@ -143,11 +166,14 @@ std::optional<Explorer> explorer(const Scene& scene, const symbolic::Derivation&
                                  const std::vector<ValueLine>& values) {
   Explorer result;
   try {
-    result.script = evaluator_script(scene);
+    result.unit = unused_name(scene);
+    result.script = "\"use strict\";\n" + module_script(scene, "vcrit_scene") +
+                    module_script(normal_over(result.unit, scene), "vcrit_normal");
   } catch (const ModelError&) {
     return std::nullopt;
   }
   result.sliders = sliders(derivation, values);
+  result.carries_load = at_rest(scene.normal, values_of(scene)).stiffness() > 0;
   if (scene.separation || scene.indenter || !inadmissible_reasons(scene).empty()) return result;
   const Simulated simulated(scene);
   if (simulated.affordable())

@@ -11,6 +11,8 @@
 #include "formula/value.hpp"
 #include "formulas.hpp"
 #include "network/masses.hpp"
+#include "onset/formula_scope.hpp"
+#include "stiffness/at_rest.hpp"
 #include "stiffness/dynamic_stiffness.hpp"
 #include "stiffness/relaxation.hpp"
 
@@ -29,7 +31,10 @@ class Response {
         values_(values_of(scene)),
         normal_(reduce(scene.normal)),
         tangential_(reduce(*tangential_network(scene).network)),
-        factor_(tangential_network(scene).factor) {
+        factor_(tangential_network(scene).factor),
+        amplitude_(values_.at(scene.amplitude.symbol)),
+        indentation_(values_.at(scene.indentation.symbol)),
+        at_rest_(at_rest(scene.normal, values_).stiffness()) {
     if (scene.drive) drive_ = reduce(*scene.drive);
   }
 
@@ -40,6 +45,7 @@ class Response {
     point.tangential = factor_ * std::abs(dynamic_stiffness(tangential_, values_, omega));
     if (drive_) point.drive = std::abs(dynamic_stiffness(*drive_, values_, omega));
     point.velocity = critical_velocity(scene_, omega);
+    point.applies = scene_.separation ? holds_apart(omega) : stays_closed(point.normal);
     return point;
   }
 
@@ -50,10 +56,27 @@ class Response {
   double drive_factor(double omega) const { return drive_factor(at(omega)); }
 
  private:
+  /// (3) and (4)
+  bool stays_closed(double stiffness) const {
+    return amplitude_ < indentation_ && amplitude_ * stiffness < at_rest_ * indentation_;
+  }
+
+  /// Whether Eq. 24 is v* of surfaces that may part.
+  bool holds_apart(double omega) const {
+    Scene there = scene_;
+    there.angular_frequency.value = omega;
+    try {
+      return formula_holds(there);
+    } catch (const ModelError&) {
+      return false;
+    }
+  }
+
   const Scene& scene_;
   Values values_;
   Reduction normal_, tangential_;
   double factor_;
+  long double amplitude_, indentation_, at_rest_;
   std::optional<Reduction> drive_;
 };
 

@@ -136,7 +136,7 @@ Comparison indenter_velocity(const SceneReport& report, const HalfSpace& half_sp
 void compare_cells(SceneReport& report, const HalfSpace& half_space, const CriticalOnset& onset) {
   const bool by_formula = onset.by == CriticalOnset::By::formula;
   const Border border{onset.contact_velocity, onset.drive_velocity,
-                      by_formula ? "Eq. 24, certified" : "v* by the slowest steady sliding"};
+                      by_formula ? formula_reference : "v* by the slowest steady sliding"};
   if (!is_speed(border.contact_velocity)) return;
   const indenter::LastStick last = indenter::last_stick(half_space);
   const std::vector<Comparison> velocities = report.comparisons;

@@ -126,7 +126,8 @@ struct ResponsePoint {
   double omega = 0;                   ///< rad/s
   double normal = 0, tangential = 0;  ///< |K_n|, |K_t|
   std::optional<double> drive;        ///< |K_d| of a drive network
-  double velocity = 0;                ///< v*
+  double velocity = 0;                ///< v* by Eq. 24
+  bool applies = true;  ///< that is v*: (3) and (4) hold, or it holds where surfaces part
 };
 
 /// v* ~ coefficient omega^power.
@@ -172,7 +173,11 @@ struct FrictionGrid {
 };
 
 struct Explorer {
-  std::string script;  ///< JavaScript, defines vcrit_scene.critical_velocity(p) and its batch
+  /// JavaScript, defines vcrit_scene.critical_velocity(p), its batch, and the same of vcrit_normal:
+  /// the normal network alone, so that it gives mu0 omega du_z |K_n| where p[unit] is 1.
+  std::string script;
+  std::string unit;
+  bool carries_load = true;  ///< the normal network has a static stiffness
   std::vector<Slider> sliders;
   std::optional<FrictionGrid> friction;
 };
@@ -223,11 +228,13 @@ struct SceneReport {
   std::string
       failure;  ///< why all that follows is missing but for one broken comparison, else empty
   std::vector<std::string> reasons;  ///< why the scene is not admissible; empty when it is
-  double critical_velocity = 0;      ///< m/s, certified; may be infinite
-  double relative_error_bound = 0;   ///< of it
-  std::string infinite_reason;       ///< why it is infinite, else empty
-  double condition = 0;              ///< condition number of Eq. 24 on its inputs
-  double creep_velocity = 0;         ///< m/s, 0 unless a network on the path creeps
+  bool formula_applies = true;       ///< admissible, and v* is Eq. 24
+  int free_harmonic = 0;  ///< n where an undamped drive swings freely at n omega, n > 1; else 0
+  double critical_velocity = 0;     ///< m/s, certified; may be infinite
+  double relative_error_bound = 0;  ///< of it
+  std::string infinite_reason;      ///< why it is infinite, else empty
+  double condition = 0;             ///< condition number of Eq. 24 on its inputs
+  double creep_velocity = 0;        ///< m/s, 0 unless a network on the path creeps
   std::vector<ValueLine> values;
   Formula formula;
   std::string equation;               ///< number of the formula in the paper

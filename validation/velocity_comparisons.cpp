@@ -14,7 +14,7 @@ Comparison velocity_comparison(const SceneReport& report, const char* key, const
   Comparison comparison;
   comparison.key = key;
   comparison.name = name;
-  comparison.reference = "Eq. 24, certified";
+  comparison.reference = formula_reference;
   comparison.unit = "m/s";
   comparison.expected = report.critical_velocity;
   return comparison;

@@ -16,6 +16,9 @@ namespace vcrit::validation {
 inline constexpr double unit_roundoff = 0x1p-53;
 
 /// A comparison of a velocity with report.critical_velocity, still without its value.
+/// What a comparison with Eq. 24 itself has as its reference.
+inline constexpr const char* formula_reference = "Eq. 24, certified";
+
 Comparison velocity_comparison(const SceneReport& report, const char* key, const char* name);
 
 Comparison not_run(Comparison comparison, const std::string& why);

@@ -4,6 +4,7 @@ are those of the C++ program, and it can be read on a phone, in the dark, on pap
 test_browser.py PROJECT PROGRAM
 """
 
+import itertools
 import json
 import os
 import subprocess
@@ -20,6 +21,8 @@ from browsing import CHARTS, PATIENCE, Ruler, browser, draw_charts, load, places
 
 PROJECT, PROGRAM = sys.argv.pop(1), sys.argv.pop(1)
 SCENES = ["zener", "prony", "kelvin_rigid"]
+OUTSIDE = ["inadmissible"]
+MORE = ["sphere", "bridge"]
 
 
 class Browser(unittest.TestCase):
@@ -29,6 +32,10 @@ class Browser(unittest.TestCase):
         cls.report = Path(cls.folder.name, "report")
         subprocess.run([PROGRAM, "validate", *[f"scenes/{name}.toml" for name in SCENES], "--out",
                         cls.report], cwd=PROJECT, check=True, capture_output=True)
+        # Without a compiler it takes half the time.
+        subprocess.run([PROGRAM, "validate", *[f"scenes/{name}.toml" for name in OUTSIDE + MORE], "--out",
+                        cls.report / "more"], cwd=PROJECT, env=os.environ | {"PATH": "/nowhere"}, check=True,
+                       capture_output=True)
         subprocess.run([PROGRAM, "validate", "--paper", "--out", cls.report / "paper"], check=True,
                        capture_output=True)
         cls.browser = browser(Path(cls.folder.name, "profile"))
@@ -48,7 +55,8 @@ class Browser(unittest.TestCase):
     def open(self, name):
         for kind in ["browser", "performance"]:
             self.browser.get_log(kind)  # what was left of other pages
-        load(self.browser, (self.report / f"{name}.html").as_uri())
+        page = f"more/{name}" if name in OUTSIDE + MORE else name
+        load(self.browser, (self.report / f"{page}.html").as_uri())
         draw_charts(self.browser)
 
     def width(self, pixels):
@@ -90,12 +98,12 @@ class Browser(unittest.TestCase):
         self.browser.find_element(By.LINK_TEXT, "All scenes").send_keys(Keys.ENTER)
         self.assertEqual(self.browser.current_url, (self.report / "index.html").as_uri())
 
-    def evaluated(self, name, settings):
+    def evaluated(self, name, settings, what="critical_velocity"):
         """v* by the program, with parameters set to these doubles."""
         options = [word for key, value in settings.items() for word in ["--set", f"{key}={value!r}"]]
         result = subprocess.run([PROGRAM, "eval", f"scenes/{name}.toml", "--json", *options],
                                 cwd=PROJECT, check=True, capture_output=True, text=True)
-        return json.loads(result.stdout)["critical_velocity"]
+        return json.loads(result.stdout)[what]
 
     def explored(self):
         """The explorer's parameters as the program takes them, and its v*."""
@@ -152,6 +160,94 @@ class Browser(unittest.TestCase):
         for value_x, value_y in points:
             self.assertTrue(any(abs(at_x - x.place(value_x)) < Ruler.EXACT and abs(at_y - y.place(value_y)) < Ruler.EXACT
                                 for _, at_x, at_y in line), (value_x, value_y))
+
+    def warnings(self):
+        return [item.text for item in self.browser.find_elements(By.CSS_SELECTOR, "#explored-warnings li")]
+
+    def slide(self, number, value):
+        self.run_script("""const slider = document.getElementById(`slider-${arguments[0]}`);
+            slider.value = arguments[1];
+            slider.dispatchEvent(new Event("input"));""", number, value)
+
+    def slider_of(self, name):
+        data = json.loads(self.browser.find_element(By.ID, "explorer-data").get_attribute("textContent"))
+        return next(n for n, slider in enumerate(data["sliders"]) if slider["name"] == name)
+
+    # Each reason, and that the curve is missing, has a line of its own; no speed is shown.
+    def test_the_explorer_says_all_that_is_wrong_at_once(self):
+        self.open("zener")
+        self.assertEqual(self.warnings(), [])
+        amplitude, mass = self.slider_of("du_z"), self.slider_of("m")
+        self.slide(mass, 0.5)
+        self.assertEqual(self.warnings(), ["No friction curve: it was simulated for the scene’s own elements."])
+        self.assertEqual(self.run_script("return vcrit_explorer.friction().length"), 0)
+        shown = self.browser.find_element(By.ID, "explored-velocity")
+        self.assertIn("/s", shown.text)
+        self.slide(amplitude, 0.7)
+        words = self.warnings()
+        self.assertEqual(len(words), 3)
+        for line, part in zip(words, ["below the indentation (3)", "the contact would open (4)", "No friction curve"]):
+            self.assertIn(part, line)
+        self.assertEqual(shown.text, "No v*: outside the model")
+        self.assertFalse(self.browser.find_element(By.ID, "explored-label").is_displayed())
+        self.browser.find_element(By.ID, "explorer-reset").send_keys(Keys.ENTER)
+        self.assertEqual(self.warnings(), [])
+        self.assertTrue(self.browser.find_element(By.ID, "explored-label").is_displayed())
+
+    # Whatever parameter moves: the page calls outside the model what the program calls not admissible, among it
+    # scenes without a friction curve, as below an indenter, and elements that v* does not know.
+    def test_the_explorer_knows_what_is_admissible(self):
+        for name in [*SCENES, *OUTSIDE, *MORE]:
+            self.open(name)
+            sliders = self.browser.find_elements(By.CSS_SELECTOR, "#explorer input[type=range]")
+            seen = set()
+            for number, value in itertools.product(range(len(sliders)), [-2, -0.6, 0.6, 2]):
+                self.slide(number, value)
+                settings, _ = self.explored()
+                inside = self.evaluated(name, settings, "admissible")
+                with self.subTest(page=name, settings=settings):
+                    self.assertEqual([words for words in self.warnings() if "Outside" in words] == [], inside)
+                seen.add(inside)
+                self.slide(number, 0)
+            self.assertEqual(seen, {True, False}, name)
+
+    def test_two_curves_can_be_told_apart_where_they_are_one(self):
+        self.open("kelvin_rigid")
+        looks = """return [...document.querySelectorAll('.explored-chart')].map((chart) =>
+            ['now', 'this scene'].map((name) => {
+                const path = chart.querySelector(`.series path[data-name="${name}"]`), style = getComputedStyle(path);
+                const place = [...path.parentNode.children].indexOf(path);
+                return [style.stroke, style.strokeDasharray, parseFloat(style.strokeWidth), place, path.getAttribute('d')];
+            }))"""
+        charts = self.run_script(looks)
+        self.assertEqual(len(charts), 2)
+        for now, own in charts:
+            self.assertNotEqual(now[0], own[0])
+            self.assertEqual(now[1], "none")
+            self.assertRegex(own[1], r"\d")
+            # The dashed one is the thinner and on top, or it would hide the other one or be hidden.
+            self.assertGreater(now[2], 2 * own[2])
+            self.assertLess(now[3], own[3])
+            self.assertTrue(now[4])
+        for chart in self.run_script(CHARTS):
+            if "now" in chart["legend"]:
+                self.assertIn("this scene", chart["legend"])
+
+    def test_a_page_outside_the_model_shows_no_velocity_and_nothing_green(self):
+        for name in OUTSIDE:
+            self.open(name)
+            self.assertEqual(self.browser.find_element(By.CSS_SELECTOR, ".verdict .velocity").text, "")
+            self.assertEqual(self.browser.find_element(By.ID, "explored-velocity").text, "No v*: outside the model")
+            self.assertEqual(self.browser.find_elements(By.CSS_SELECTOR, ".badge.passed, .verdict.passed"), [])
+            large = self.run_script("""return [...document.querySelectorAll('body *')].filter((e) =>
+                parseFloat(getComputedStyle(e).fontSize) > 16 && e.children.length === 0 && e.checkVisibility() &&
+                /\\d.* [nµm]?m\\/s/.test(e.textContent)).map((e) => e.textContent)""")
+            self.assertEqual(large, [])
+            self.assertGreater(len(self.warnings()), 0)
+        self.open("more/index")
+        for line in self.browser.find_elements(By.CSS_SELECTOR, ".index .outside"):
+            self.assertEqual(line.find_element(By.CSS_SELECTOR, ".velocity").text, "")
+            self.assertNotIn("passed", line.text)
 
     # The simulator's friction at the scene's own speed and amplitude, read from the page's curve.
     def test_the_explorers_friction_is_the_simulators(self):

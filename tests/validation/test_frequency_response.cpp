@@ -80,6 +80,25 @@ BOOST_AUTO_TEST_CASE(asymptotes_are_met) {
 }
 
 // At omega = k1/c1 = 2e5: K_n = 1e7 + 2e7 i/(1 + i) = 2e7 + 1e7 i.
+// (4) of a Kelvin contact: du_z sqrt(1 + (omega c/k)^2) < u_z0, so up to omega = sqrt(24) k/c here;
+// (3) holds at no frequency or at all of them. Elastic surfaces that may part need neither.
+BOOST_AUTO_TEST_CASE(the_formula_applies_where_the_contact_stays_closed) {
+  const auto of = [](const std::string& contact, double amplitude) {
+    return frequency_response(parse_scene(
+        "[contact]\nnormal = \"" + contact + "\ntangential_ratio = 0.8\n[oscillation]\n" +
+            "angular_frequency = 2\namplitude = " + std::to_string(amplitude) +
+            "\nindentation = 0.5\n[friction]\ncoefficient = 0.3\n[elements]\nk = 3\n" +
+            (contact.starts_with("kelvin") ? "c = 2\n" : ""),
+        "scene.toml"));
+  };
+  const double border = std::sqrt(24.0) * 3 / 2;
+  for (const ResponsePoint& point : of("kelvin(k, c)\"", 0.1).points)
+    BOOST_TEST(point.applies == (point.omega < border), point.omega);
+  for (const ResponsePoint& point : of("kelvin(k, c)\"", 0.6).points) BOOST_TEST(!point.applies);
+  for (const ResponsePoint& point : of("k\"\nseparation = true", 0.6).points)
+    BOOST_TEST(point.applies);
+}
+
 BOOST_AUTO_TEST_CASE(a_rigid_scene_has_no_drive_and_no_resonance) {
   const auto response = frequency_response(parse_scene(rigid, "rigid.toml"));
   BOOST_TEST(response.marks.empty());

@@ -59,9 +59,10 @@ BOOST_AUTO_TEST_CASE(everything_agrees) {
   const auto all = all_comparisons(the_paper());
   for (const Comparison& each : all)
     BOOST_TEST((outcome(each) == Comparison::Outcome::passed), each.name);
-  // 9 of equations, 6 of Fig. 4, 2 of the map, 3 for each delta of the largest amplitude and of
-  // rest, 5 of the punch, 3 for each of nine witnesses, 2 for each delta and one of v*.
-  BOOST_TEST(all.size() == 9 + 6 + 2 + 12 + 12 + 5 + 27 + 9);
+  // 10 of equations, 11 of the range, 15 of Fig. 4, 2 of the map, 3 for each delta of the largest
+  // amplitude and 4 of rest, 37 of viscosity, 5 of the punch, 7 of shapes, 2 of misprints, 3 for
+  // each of nine witnesses, 2 for each delta and one of v*.
+  BOOST_TEST(all.size() == 10 + 11 + 15 + 2 + 12 + 16 + 37 + 5 + 7 + 2 + 27 + 9);
 }
 
 // The doubles compiled in against the files that they come from: one rounding each.
@@ -210,26 +211,6 @@ BOOST_AUTO_TEST_CASE(the_reduced_model_does_not_pass_for_the_full_motion) {
     witness.moreau.back() = witness.reduced;
     BOOST_TEST(failures(compare_witness(witness)) == 1u);
   }
-}
-
-BOOST_AUTO_TEST_CASE(claims_stand_and_fall_with_their_evidence) {
-  using Verdict = Claim::Verdict;
-  const auto verdicts = [](const Paper& paper) {
-    std::vector<Verdict> result;
-    for (const Claim& claim : judge(paper)) result.push_back(claim.verdict);
-    return result;
-  };
-  const auto holds = Verdict::holds, not_so = Verdict::does_not_hold, open = Verdict::not_shown;
-  BOOST_TEST((verdicts(the_paper()) == std::vector{holds, holds, holds, not_so, not_so}));
-  Paper planted = the_paper();
-  planted.proofs.comparisons.front().broken = true;
-  BOOST_TEST((verdicts(planted) == std::vector{open, holds, holds, not_so, not_so}));
-  planted = the_paper();
-  planted.evidence.comparisons.front().found += 1e-6;  // a witness
-  BOOST_TEST((verdicts(planted) == std::vector{holds, holds, holds, open, open}));
-  planted = the_paper();
-  for (Witness& witness : planted.evidence.rows) witness.reduced = witness.exact;
-  BOOST_TEST((verdicts(planted) == std::vector{holds, holds, holds, open, open}));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -8,7 +8,9 @@
 #include "report/assets.hpp"
 #include "report/document.hpp"
 #include "report/html.hpp"
+#include "report/scene_section.hpp"
 #include "validation/example_report.hpp"
+#include "velocity_comparisons.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_scene_page)
 
@@ -200,10 +202,38 @@ BOOST_AUTO_TEST_CASE(what_was_not_run_is_never_green) {
 BOOST_AUTO_TEST_CASE(an_inadmissible_scene_says_why) {
   SceneReport report = example::scene_report(example::rigid_scene);
   report.reasons = {"the contact opens"};
+  for (Comparison& comparison : report.comparisons) comparison.reference = formula_reference;
   const std::string html = page_of(report);
   BOOST_TEST(has(html, "verdict outside"));
-  BOOST_TEST(has(html, "Outside the model: not simulated"));
+  BOOST_TEST(has(html, "Outside the model: no v*, not simulated"));
   BOOST_TEST(has(html, "<li>the contact opens</li>"));
+  // The formula's number is no v*, and that ways to evaluate it agree is no good news.
+  BOOST_TEST(has(html, "<p class=\"velocity\"></p>"));
+  BOOST_TEST(!has(html, "badge passed"));
+  BOOST_TEST(!has(html, "set against a stick-slip simulation"));
+  BOOST_TEST(has(html, "<span class=\"badge outside\">agrees</span>"));
+  BOOST_TEST(velocity_words(report) == "");
+}
+
+// Surfaces that part, v* simulated: that ways to evaluate the formula agree is arithmetic alone.
+BOOST_AUTO_TEST_CASE(a_formula_that_does_not_apply_passes_nothing) {
+  SceneReport report = example::scene_report(example::rigid_scene);
+  BOOST_TEST(has(page_of(report), "badge passed"));
+  for (Comparison& comparison : report.comparisons) comparison.reference = formula_reference;
+  BOOST_TEST(has(page_of(report), "badge passed"));
+  report.formula_applies = false;
+  BOOST_TEST(!has(page_of(report), "badge passed"));
+  BOOST_TEST(has(page_of(report), "Equation (24) is not v* of this scene"));
+}
+
+BOOST_AUTO_TEST_CASE(a_fault_outside_the_model_is_red) {
+  SceneReport report = example::scene_report(example::rigid_scene);
+  report.reasons = {"the contact opens"};
+  report.comparisons.front().found *= 2;
+  const std::string html = page_of(report);
+  BOOST_TEST(has(html, "verdict failed"));
+  BOOST_TEST(has(html, "comparisons failed"));
+  BOOST_TEST(has(html, "badge failed"));
 }
 
 BOOST_AUTO_TEST_CASE(only_in_a_suite_is_there_a_way_to_the_others) {

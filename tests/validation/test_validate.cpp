@@ -2,6 +2,7 @@
 #include "report/validate.hpp"
 
 #include <boost/test/unit_test.hpp>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "base/errors.hpp"
@@ -111,6 +112,47 @@ BOOST_AUTO_TEST_CASE(a_scene_outside_the_model_is_not_simulated) {
   BOOST_TEST(!scene["reasons"].empty());
   BOOST_TEST(!scene.contains("friction_curve"));
   BOOST_TEST(comparison(scene, "formula")["outcome"] == "passed");
+}
+
+// k_d = 9 m omega^2: sliding goes on down to v* cos(pi/6). The page says so, and Eq. 24 has failed.
+BOOST_AUTO_TEST_CASE(a_free_swing_is_told) {
+  const PrivateFolder folder;
+  const fs::path scene = folder.path() / "scene.toml";
+  write_file(scene,
+             "[contact]\nnormal = \"kn\"\ntangential = \"kt\"\n[drive]\nnetwork = \"kd\"\n[body]\n"
+             "mass = 0.0001220703125\n[oscillation]\nangular_frequency = 65536\namplitude = 1e-6\n"
+             "indentation = 2e-6\n[friction]\ncoefficient = 0.3\n[elements]\nkn = 1000000\n"
+             "kt = 700000\nkd = 4718592\n");
+  const auto validation = run({scene.string()}, folder.path() / "out");
+  BOOST_TEST(!validation.passed);
+  const json one = json::parse(read_file(folder.path() / "out/report.json"))["scenes"][0];
+  const json balance = comparison(one, "balance");
+  BOOST_TEST(balance["outcome"] == "failed");
+  // 0.0327743571428571 m/s by Eq. 24, by hand, times cos(pi/6).
+  BOOST_TEST(std::abs(balance["found"].get<double>() / 0.0283834258784183 - 1) < 1e-14);
+  BOOST_TEST(read_file(validation.page).find("swing freely at 3 ω") != std::string::npos);
+}
+
+// An isotropic Zener contact that is apart where the indentation rises fastest: v* is simulated.
+BOOST_AUTO_TEST_CASE(a_formula_that_is_not_v_is_not_drawn_as_v) {
+  const PrivateFolder folder;
+  const fs::path scene = folder.path() / "scene.toml";
+  write_file(
+      scene,
+      "[contact]\nnormal = \"zener(k0, k1, c1)\"\ntangential_ratio = 0.8\nseparation = true\n"
+      "[oscillation]\nangular_frequency = 100000\namplitude = 1e-6\nindentation = 3e-7\n"
+      "[friction]\ncoefficient = 0.3\n[elements]\nk0 = 200000\nk1 = 2000000\nc1 = 40\n");
+  BOOST_TEST(run({scene.string()}, folder.path() / "out").passed);
+  const json one = json::parse(read_file(folder.path() / "out/report.json"))["scenes"][0];
+  double own = 1e9;
+  bool applies = true;
+  for (const json& point : one["frequency_response"]["points"]) {
+    const double apart = std::abs(std::log(point["angular_frequency"].get<double>() / 1e5));
+    if (apart >= own) continue;
+    own = apart;
+    applies = point["applies"];
+  }
+  BOOST_TEST(!applies);
 }
 
 BOOST_AUTO_TEST_CASE(creep_is_compared_where_the_path_creeps) {

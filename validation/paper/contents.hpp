@@ -15,12 +15,13 @@ namespace vcrit::validation::paper {
 
 using validation::to_text;  // beside that of a verdict
 
-/// An equation of the paper, derived from a scene and as printed.
+/// An equation of the paper, derived from a scene and written by hand.
 struct Proof {
   std::string equation;  ///< "(29)"
   std::string words;     ///< of which scene, or in which limit
   Formula derived;       ///< v*
-  Formula printed;       ///< v*, typed in from the paper
+  Formula by_hand;       ///< v*, typed in
+  bool legible = false;  ///< in the source at hand; else worked out by hand
 };
 
 struct Proofs {
@@ -31,6 +32,30 @@ struct Proofs {
 
 struct Figure4 {
   std::vector<figures::Figure> reduced, full;  ///< panels a to d
+  std::vector<Comparison> comparisons;
+};
+
+/// Comparisons without more to show.
+struct Part {
+  std::vector<Comparison> comparisons;
+};
+
+/// Where viscosity changes nothing at equal a, and by how much of mu/mu0, per a, at most.
+struct Crossing {
+  double delta = 0;  ///< 0 and infinity are limits
+  double ratio = 0;  ///< v_c/v*
+  double weakening = 0, strengthening = 0;
+};
+
+struct Viscosity {
+  std::vector<Crossing> crossings;
+  std::vector<figures::Figure> figures;  ///< at equal a, at equal D
+  std::vector<Comparison> comparisons;
+};
+
+/// What (41) and (43) say where it should be 0.
+struct Misprints {
+  double velocity_as_printed = 0, force_as_printed = 0;
   std::vector<Comparison> comparisons;
 };
 
@@ -103,19 +128,27 @@ struct Evidence {
 
 /// What the paper says, and what the comparisons show of it.
 struct Claim {
-  enum class Verdict { holds, does_not_hold, not_shown };
+  enum class Verdict { holds, in_part, fails, not_legible, not_shown };
+  int number = 0;
+  std::string where;  ///< in the paper: "4.2, (52)"
   std::string words, evidence;
+  std::vector<std::string> keys;  ///< of the comparisons that decide it; none: nothing to compare
   Verdict verdict = Verdict::not_shown;
 };
-const char* to_text(Claim::Verdict verdict);  ///< "holds", "does not hold", "not shown"
+/// "holds", "in part", "fails", "not legible", "not shown".
+const char* to_text(Claim::Verdict verdict);
 
 struct Paper {
   Proofs proofs;
+  Part range;
   Figure4 figure4;
   DifferenceMap map;
   JumpLimits jumps;
   StaticLimit slow;
+  Viscosity viscosity;
   FlatPunch punch;
+  Part shapes;
+  Misprints misprints;
   Evidence evidence;
   std::vector<Claim> claims;
 };

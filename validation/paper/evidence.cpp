@@ -86,7 +86,7 @@ Comparison driven_threshold() {
   const auto found = simulation::sliding_threshold(simulation::system_of(scene));
   return comparison(
       {"driven_threshold", "lowest speed of pure sliding by simulation, elastic drive and body",
-       "(29) as printed",
+       "(29), written by hand",
        "closed forms in doubles: room for 40 000 roundings, and for a body that swings",
        Comparison::Measure::relative},
       {expected, found.contact_velocity, 1e-11, ""});

@@ -1,5 +1,5 @@
 // Fig. 4 a to d: friction against speed for delta = 1, 2, 10, 100, each with six amplitudes, by the
-// reduced model as printed and by the full motion, with independent values on one more curve.
+// reduced model and by the full motion, with independent values on one more curve.
 #pragma once
 
 #include "paper/contents.hpp"

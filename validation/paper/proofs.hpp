@@ -1,5 +1,5 @@
-// (29) to (31) derived from scenes and proved equal to what the paper prints, and the constant that
-// is left of any rheology under a rigid drive.
+// (27) and (29) to (31) derived from scenes and proved equal to the formulas typed in, and the
+// constant that is left of any rheology under a rigid drive.
 #pragma once
 
 #include <ginac/ginac.h>

@@ -19,12 +19,25 @@ std::span<const Reference> friction_references() {
   return rows;
 }
 
+std::span<const Reference> elastic_references() {
+  static constexpr std::array rows{Reference{0, 0.1, 0.3185457758621830509527},
+                                   Reference{0, 0.5, 0.8186930169996981800837}};
+  return rows;
+}
+
 std::span<const Reference> reduced_references() {
   static constexpr std::array rows{
       Reference{0, 0.1, 0.31854577586218},  Reference{0, 0.5, 0.81869301699970},
       Reference{1, 0.1, 0.4642607132736},   Reference{1, 0.5, 0.8367398045185},
       Reference{10, 0.1, 0.7207052919138},  Reference{10, 0.5, 0.8917875223416},
       Reference{100, 0.1, 0.7535068053240}, Reference{100, 0.5, 0.9008758004292}};
+  return rows;
+}
+
+std::span<const RestReference> rest_references() {
+  static constexpr std::array rows{
+      RestReference{1, 0.2445908350708}, RestReference{2, 0.4256867845968},
+      RestReference{10, 0.6303611587529}, RestReference{100, 0.6766744497619}};
   return rows;
 }
 

@@ -16,14 +16,35 @@ struct Reference {
 std::span<const Reference> friction_references();
 constexpr double reference_amplitude = 0.9;  ///< a of all of them
 
-/// What the reduced model (47)-(51) as printed gives at a = 0.9, in 13 digits: docs/physics.md.
+/// The same at delta = 0, of tests/data/stickslip_reference.csv.
+std::span<const Reference> elastic_references();
+
+/// What the reduced model (47)-(51) gives at a = 0.9, in 13 digits: docs/physics.md.
 std::span<const Reference> reduced_references();
+
+/// Its limit as v0 -> 0, at a = 1, in 13 digits.
+struct RestReference {
+  double delta, friction;
+};
+std::span<const RestReference> rest_references();
 
 /// G(v0/v*) of the elastic contact, 20 digits of a computation with 50.
 struct PunchReference {
   double ratio, g;
 };
 std::span<const PunchReference> punch_references();
+
+/// Reduction of mu/mu0 by the full motion, per a; 15 digits: tests/data/paper_viscosity.csv.
+struct ViscosityReference {
+  double delta, ratio, per_a;
+};
+std::span<const ViscosityReference> viscosity_references();
+
+/// v_c/v*, most weakening and most strengthening per a; 15 digits: tests/data/paper_crossings.csv.
+struct CrossingReference {
+  double delta, ratio, weakening, strengthening;
+};
+std::span<const CrossingReference> crossing_references();
 
 /// Largest amplitudes printed in the paper with Fig. 4, and half a unit of their last digit.
 struct PrintedLimit {

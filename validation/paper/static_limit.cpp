@@ -73,6 +73,14 @@ Comparison reduced_at_rest(double delta) {
                      d * (pi + delta) * ratio, ""});
 }
 
+/// At rest and the largest amplitude, a = 1: in the full motion nothing is left.
+Comparison reduced_remainder(double delta, double expected) {
+  return comparison({"reduced_remainder",
+                     fmt::format("what the reduced model leaves at rest and D_max, δ = {}", delta),
+                     "13 digits, computed apart", "a unit of the last digit given"},
+                    {expected, 1 - (1 - reduced_limit(delta)) / reference_amplitude, 1e-13, ""});
+}
+
 }  // namespace
 
 StaticLimit approach_rest() {
@@ -83,6 +91,8 @@ StaticLimit approach_rest() {
     result.comparisons.push_back(approach(delta));
     result.comparisons.push_back(reduced_at_rest(delta));
   }
+  for (const RestReference& row : rest_references())
+    result.comparisons.push_back(reduced_remainder(row.delta, row.friction));
   return result;
 }
 

@@ -7,6 +7,7 @@
 #include "base/numbers.hpp"
 #include "report/html.hpp"
 #include "report/units.hpp"
+#include "velocity_comparisons.hpp"
 
 namespace vcrit::validation::report {
 
@@ -28,10 +29,12 @@ std::string cell(const char* heading, const std::string& content, const char* st
   return fmt::format("<td data-label=\"{}\" class=\"{}\">{}</td>", heading, style, content);
 }
 
-std::string outcome_cell(const Comparison& comparison) {
+std::string outcome_cell(const Comparison& comparison, bool applies) {
   const auto result = outcome(comparison);
+  const bool no_more = result == Comparison::Outcome::passed && !applies;
   return fmt::format("<td class=\"outcome\"><span class=\"badge {}\">{}</span></td>",
-                     outcome_style(result), validation::to_text(result));
+                     no_more ? "outside" : outcome_style(result),
+                     no_more ? "agrees" : validation::to_text(result));
 }
 
 std::string name_cell(const Comparison& comparison) {
@@ -39,12 +42,13 @@ std::string name_cell(const Comparison& comparison) {
                      escape(comparison.reference));
 }
 
-std::string without_numbers(const Comparison& comparison) {
+std::string without_numbers(const Comparison& comparison, bool applies) {
   return fmt::format("<tr>{}<td colspan=\"3\" class=\"detail\">{}</td>{}</tr>\n",
-                     name_cell(comparison), escape(comparison.detail), outcome_cell(comparison));
+                     name_cell(comparison), escape(comparison.detail),
+                     outcome_cell(comparison, applies));
 }
 
-std::string with_numbers(const Comparison& comparison) {
+std::string with_numbers(const Comparison& comparison, bool applies) {
   const char* kind = comparison.measure == Comparison::Measure::relative ? "relative" : "absolute";
   const std::string value =
       fmt::format("{}<small>{}</small>", escape(with_unit(comparison.found, comparison.unit)),
@@ -57,16 +61,18 @@ std::string with_numbers(const Comparison& comparison) {
                   escape(comparison.reason));
   return fmt::format("<tr>{}{}{}{}{}</tr>\n", name_cell(comparison),
                      cell("Value, reference", value, "figures"), cell("Difference", apart),
-                     cell("Allowed", allowed), outcome_cell(comparison));
+                     cell("Allowed", allowed), outcome_cell(comparison, applies));
 }
 
 }  // namespace
 
-std::string comparison_table(const std::vector<Comparison>& comparisons) {
+std::string comparison_table(const std::vector<Comparison>& comparisons, bool formula_applies) {
   std::string rows;
-  for (const Comparison& comparison : comparisons)
-    rows += comparison.not_run || comparison.broken ? without_numbers(comparison)
-                                                    : with_numbers(comparison);
+  for (const Comparison& comparison : comparisons) {
+    const bool applies = formula_applies || comparison.reference != formula_reference;
+    rows += comparison.not_run || comparison.broken ? without_numbers(comparison, applies)
+                                                    : with_numbers(comparison, applies);
+  }
   return "<table class=\"comparisons\"><thead><tr><th>What</th>"
          "<th>Value<small>reference</small></th><th>Difference</th><th>Allowed</th><th></th></tr>"
          "</thead><tbody>\n" +

@@ -1,4 +1,5 @@
-// The explorer: sliders set parameters, the generated evaluator (vcrit_scene) answers.
+// The explorer: sliders set parameters, the generated evaluator (vcrit_scene) answers; that of the normal network
+// alone (vcrit_normal) says whether the contact would open.
 "use strict";
 
 const vcrit_explorer = (() => {
@@ -33,14 +34,29 @@ const vcrit_explorer = (() => {
     return p;
   }
 
-  function response(p) {
-    const values = vcrit_scene.critical_velocity_batch(p, Float64Array.from(data.omegas));
-    return data.omegas.map((omega, n) => [omega, values[n] > 0 && values[n] < Infinity ? values[n] : null]);
+  // |K_n(i omega)|, but for a factor.
+  function normalStiffness(p, omega) {
+    const q = { ...data.values, ...p, [data.unit]: 1, mu0: 1, du_z: 1, omega };
+    return vcrit_normal.critical_velocity(q) / omega;
   }
 
-  // The amplitude of the normal force over its mean; it needs the elements of the scene.
-  function normalRatio() {
-    return data.grid.amplitude_ratios[stop()] * factor(amplitude) / factor(indentation);
+  // The amplitude of the normal force over its mean. Far below all relaxation K_n is that at rest.
+  function normalRatio(p) {
+    const q = { ...data.values, ...p }, slow = 1e-60;
+    return normalStiffness(p, q.omega) / normalStiffness(p, q.omega * slow) * q.du_z / q.u_z0;
+  }
+
+  // Why v* does not apply; nothing where it does.
+  function outside(p) {
+    if (!data.carries_load) return ["the normal network carries no load at rest."];
+    if (data.may_open) return [];
+    const reasons = [], q = { ...data.values, ...p }, force = normalRatio(p);
+    if (!(q.du_z < q.u_z0)) reasons.push("the amplitude is not below the indentation (3).");
+    if (!(force < 1)) {
+      const size = force < 1e6 ? `by ${Number((100 * force).toPrecision(3))} % of` : "far beyond";
+      reasons.push(`the contact would open (4): the normal force would oscillate ${size} its mean.`);
+    }
+    return reasons;
   }
 
   function frictionAt(row, column, ratio) {
@@ -51,18 +67,35 @@ const vcrit_explorer = (() => {
     return at(k - 1) + (at(k) - at(k - 1)) * (ratio - levels[k - 1]) / (levels[k] - levels[k - 1]);
   }
 
+  // Where v* applies.
+  function response(p) {
+    const values = vcrit_scene.critical_velocity_batch(p, Float64Array.from(data.omegas));
+    const shown = (omega, value) => value > 0 && value < Infinity && outside({ ...p, omega }).length === 0;
+    return data.omegas.map((omega, n) => [omega, shown(omega, values[n]) ? values[n] : null]);
+  }
+
+  // For the elements of the scene alone.
+  const moved = () => inputs.some((input, i) => !own.includes(i) && Number(input.value) !== 0);
+
   function friction() {
-    const ratio = normalRatio();
-    if (!(ratio < 1)) return [];
+    const ratio = data.grid.amplitude_ratios[stop()] * factor(amplitude) / factor(indentation);
+    if (moved() || outside(parameters()).length > 0) return [];
     return data.grid.ratios.map((speed, n) => [speed, frictionAt(stop(), n, ratio)]);
   }
 
-  function warning() {
-    if (!data.grid) return "";
-    const moved = inputs.some((input, i) => !own.includes(i) && Number(input.value) !== 0);
-    if (moved) return "The friction curve is of the scene’s own elements.";
-    const inside = normalRatio() < 1 && valueOf(amplitude) < valueOf(indentation);
-    return inside ? "" : "Not admissible: the contact would open, and v* does not hold.";
+  function warnings(reasons) {
+    const all = reasons.map((reason) => `Outside the model: ${reason}`);
+    if (data.grid && moved()) all.push("No friction curve: it was simulated for the scene’s own elements.");
+    return all;
+  }
+
+  function tell(lines) {
+    const items = lines.map((line) => {
+      const item = document.createElement("li");
+      item.textContent = line;
+      return item;
+    });
+    document.getElementById("explored-warnings").replaceChildren(...items);
   }
 
   const chart = (name) => document.getElementById(`explored-${name}`);
@@ -73,11 +106,12 @@ const vcrit_explorer = (() => {
       outputs[i].textContent = slider.array ? `× ${Number(factor(i).toPrecision(4))}` : quantity(valueOf(i), slider.unit);
       outputs[i].dataset.value = String(slider.array ? factor(i) : valueOf(i));
     });
-    const velocity = vcrit_scene.critical_velocity(p);
+    const velocity = vcrit_scene.critical_velocity(p), reasons = outside(p);
     const shown = document.getElementById("explored-velocity");
-    shown.textContent = quantity(velocity, "m/s");
+    shown.textContent = reasons.length > 0 ? "No v*: outside the model" : quantity(velocity, "m/s");
+    document.getElementById("explored-label").hidden = reasons.length > 0;
     shown.dataset.value = String(velocity);
-    document.getElementById("explored-warning").textContent = warning();
+    tell(warnings(reasons));
     vcrit_charts.update(chart("response"), "now", response(p));
     if (data.grid) vcrit_charts.update(chart("friction"), "now", friction());
   }

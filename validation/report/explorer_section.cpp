@@ -32,22 +32,26 @@ std::string slider(const Slider& slider, std::size_t number, bool coarse) {
       coarse ? "0.2" : "0.05", escape(name + ", " + slider.meaning));
 }
 
-/// The series named "now" is what the sliders say; explorer.js gives it new points.
+/// The series named "now" is what the sliders say; explorer.js gives it new points. The scene's
+/// own, dashed and of another colour, lies on top: where both are one curve, both are seen.
+std::vector<FigureSeries> now_and_own(const FigureSeries& own) {
+  return {{"now", Style::line, own.points, 0}, {"this scene", Style::dashed, own.points, 1}};
+}
+
 ordered_json response_chart(const SceneReport& report) {
   Figure figure = velocity_response_figure(report);
   const FigureSeries own = figure.series.back();
-  figure.series = {{"this scene", Style::dashed, own.points, 2},
-                   {"now", Style::line, own.points, 0}};
+  std::erase_if(figure.series, [](const FigureSeries& s) { return s.style != Style::dotted; });
+  for (const FigureSeries& series : now_and_own(own)) figure.series.push_back(series);
   figure.rules.resize(1);
+  figure.rules.front().words = "ω of the scene";
   figure.height = 260;
   return figure_json(figure);
 }
 
 ordered_json friction_chart(const SceneReport& report) {
   Figure figure = friction_figure(report);
-  const FigureSeries own = figure.series.front();
-  figure.series = {{"this scene", Style::dashed, own.points, 2},
-                   {"now", Style::line, own.points, 0}};
+  figure.series = now_and_own(figure.series.front());
   figure.height = 260;
   return figure_json(figure);
 }
@@ -74,9 +78,25 @@ ordered_json grid_json(const FrictionGrid& grid) {
           {"friction", std::move(rows)}};
 }
 
+/// All numbers of the scene by name; an array's entries are in their order.
+ordered_json values_json(const SceneReport& report) {
+  ordered_json values = ordered_json::object();
+  for (const auto& [symbol, value] : values_of(report.scene))
+    if (symbol.entry == 0)
+      values[symbol.name] = value;
+    else
+      values[symbol.name].push_back(value);
+  return values;
+}
+
 ordered_json data(const SceneReport& report) {
   const Explorer& explorer = *report.explorer;
-  ordered_json object{{"sliders", ordered_json::array()}, {"response", response_chart(report)}};
+  ordered_json object{{"sliders", ordered_json::array()},
+                      {"values", values_json(report)},
+                      {"unit", explorer.unit},
+                      {"carries_load", explorer.carries_load},
+                      {"may_open", report.scene.separation},
+                      {"response", response_chart(report)}};
   for (const Slider& slider : explorer.sliders) object["sliders"].push_back(slider_json(slider));
   ordered_json omegas = ordered_json::array();
   for (const ResponsePoint& point : report.response.points) omegas.push_back(point.omega);
@@ -105,9 +125,10 @@ std::string explorer_section(const SceneReport& report) {
   return fmt::format(
       "<div id=\"explorer\"><h3>What if</h3>\n"
       "<p>Move a parameter; the generated evaluator computes v* in this page.</p>\n"
-      "<p class=\"explored\"><math><msup><mi>v</mi><mo>*</mo></msup></math> = "
-      "<output id=\"explored-velocity\" aria-live=\"polite\"></output></p>\n"
-      "<p class=\"warnings\" id=\"explored-warning\" aria-live=\"polite\"></p>\n"
+      "<p class=\"explored\"><span id=\"explored-label\"><math><msup><mi>v</mi><mo>*</mo>"
+      "</msup></math> = </span><output id=\"explored-velocity\" "
+      "aria-live=\"polite\"></output></p>\n"
+      "<ul class=\"warnings\" id=\"explored-warnings\" aria-live=\"polite\"></ul>\n"
       "<div class=\"scroll\"><table class=\"plain sliders\"><tbody>\n{}</tbody></table></div>\n"
       "<button type=\"button\" id=\"explorer-reset\">Back to the scene</button>\n"
       "<figure><div class=\"chart explored-chart\" id=\"explored-response\" role=\"group\" "

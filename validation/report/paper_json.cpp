@@ -17,7 +17,8 @@ ordered_json proof(const paper::Proof& proof) {
   return {{"equation", proof.equation},
           {"words", proof.words},
           {"derived", json(proof.derived)},
-          {"printed", json(proof.printed)}};
+          {"by_hand", json(proof.by_hand)},
+          {"legible", proof.legible}};
 }
 
 ordered_json jump_limit(const paper::JumpLimit& row) {
@@ -58,9 +59,16 @@ ordered_json witness(const paper::Witness& row) {
 }
 
 ordered_json claim(const paper::Claim& claim) {
-  return {{"claim", claim.words},
-          {"verdict", paper::to_text(claim.verdict)},
-          {"evidence", claim.evidence}};
+  return {{"number", claim.number},     {"where", claim.where},
+          {"claim", claim.words},       {"verdict", paper::to_text(claim.verdict)},
+          {"evidence", claim.evidence}, {"comparisons", claim.keys}};
+}
+
+ordered_json crossing(const paper::Crossing& row) {
+  return {{"delta", json_number(row.delta)},
+          {"velocity_ratio", json_number(row.ratio)},
+          {"most_weakening", json_number(row.weakening)},
+          {"most_strengthening", json_number(row.strengthening)}};
 }
 
 ordered_json parts(const paper::Paper& paper) {
@@ -68,6 +76,7 @@ ordered_json parts(const paper::Paper& paper) {
            {{"proofs", json_list(paper.proofs.proofs, proof)},
             {"rheologies", paper.proofs.rheologies},
             {"comparisons", comparisons(paper.proofs.comparisons)}}},
+          {"range", {{"comparisons", comparisons(paper.range.comparisons)}}},
           {"figure4",
            {{"reduced", json_list(paper.figure4.reduced, json)},
             {"full", json_list(paper.figure4.full, json)},
@@ -85,10 +94,19 @@ ordered_json parts(const paper::Paper& paper) {
             {"velocity_ratios", numbers(paper.slow.ratios)},
             {"rows", json_list(paper.slow.rows, static_row)},
             {"comparisons", comparisons(paper.slow.comparisons)}}},
+          {"viscosity",
+           {{"crossings", json_list(paper.viscosity.crossings, crossing)},
+            {"figures", json_list(paper.viscosity.figures, json)},
+            {"comparisons", comparisons(paper.viscosity.comparisons)}}},
           {"flat_punch",
            {{"rows", json_list(paper.punch.rows, punch_row)},
             {"figure", json(paper.punch.figure)},
             {"comparisons", comparisons(paper.punch.comparisons)}}},
+          {"shapes", {{"comparisons", comparisons(paper.shapes.comparisons)}}},
+          {"misprints",
+           {{"velocity_as_printed", json_number(paper.misprints.velocity_as_printed)},
+            {"force_as_printed", json_number(paper.misprints.force_as_printed)},
+            {"comparisons", comparisons(paper.misprints.comparisons)}}},
           {"evidence",
            {{"normal_force_amplitude_ratio", paper.evidence.a},
             {"moreau_steps", paper.evidence.steps},

@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <cmath>
+
 #include "report/number_table.hpp"
 #include "report/units.hpp"
 
@@ -49,6 +51,21 @@ std::string static_table(const paper::StaticLimit& limit) {
       "Friction ratio with F<sub>n</sub> = mean × (1 ± 0.9). Power: of v₀/v*, with which "
       "it comes near "
       "its limit, between the last two speeds; of the reduced model as derived.");
+}
+
+std::string crossing_table(const paper::Viscosity& viscosity) {
+  std::vector<Cells> rows;
+  for (const paper::Crossing& row : viscosity.crossings) {
+    const std::string delta = row.delta == 0          ? "→ 0"
+                              : std::isinf(row.delta) ? "→ ∞"
+                                                      : plain(row.delta);
+    rows.push_back(
+        {delta, places(row.ratio, 10), places(row.weakening, 10), places(row.strengthening, 10)});
+  }
+  return number_table({"δ", "v<sub>c</sub>/v*", "most weakening", "most strengthening"}, rows,
+                      "At equal relative amplitude: the speed v<sub>c</sub> at which viscosity "
+                      "changes nothing; how much of μ/μ₀ it takes from the reduction below that "
+                      "speed, and adds above, at most, per a.");
 }
 
 std::string punch_table(const paper::FlatPunch& punch) {

@@ -101,6 +101,7 @@ ordered_json json(const ResponsePoint& point) {
                       {"tangential_stiffness", json_number(point.tangential)}};
   if (point.drive) object["drive_stiffness"] = json_number(*point.drive);
   object["critical_velocity"] = json_number(point.velocity);
+  object["applies"] = point.applies;
   return object;
 }
 

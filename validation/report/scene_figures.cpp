@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "accuracy/pictures.hpp"
 #include "base/constants.hpp"
@@ -47,8 +48,9 @@ double omega_of(const SceneReport& report) {
 }
 
 template <class Value>
-FigureSeries over_frequency(const SceneReport& report, const char* name, int colour, Value value) {
-  FigureSeries series{name, Style::line, {}, colour};
+FigureSeries over_frequency(const SceneReport& report, const char* name, Style style, int colour,
+                            Value value) {
+  FigureSeries series{name, style, {}, colour};
   for (const ResponsePoint& point : report.response.points)
     series.points.push_back({point.omega, value(point), ""});
   return series;
@@ -200,13 +202,14 @@ Figure stiffness_figure(const SceneReport& report) {
               true,
               {},
               {}};
-  figure.series = {
-      over_frequency(report, "normal contact", 0, [](const ResponsePoint& p) { return p.normal; }),
-      over_frequency(report, "tangential contact", 1,
-                     [](const ResponsePoint& p) { return p.tangential; })};
+  figure.series = {over_frequency(report, "normal contact", Style::line, 0,
+                                  [](const ResponsePoint& p) { return p.normal; }),
+                   over_frequency(report, "tangential contact", Style::line, 1,
+                                  [](const ResponsePoint& p) { return p.tangential; })};
   if (report.response.points.front().drive)
-    figure.series.push_back(over_frequency(
-        report, "drive", 3, [](const ResponsePoint& p) { return p.drive.value_or(0); }));
+    figure.series.push_back(
+        over_frequency(report, "drive", Style::line, 3,
+                       [](const ResponsePoint& p) { return p.drive.value_or(0); }));
   return figure;
 }
 
@@ -217,8 +220,15 @@ Figure velocity_response_figure(const SceneReport& report) {
   figure.y = {"critical velocity v*, m/s", true, {}, {}};
   for (const AsymptoteLine& line : report.response.asymptotes)
     figure.series.push_back(asymptote(report, line));
-  figure.series.push_back(
-      over_frequency(report, "v*", 0, [](const ResponsePoint& p) { return p.velocity; }));
+  const auto& points = report.response.points;
+  const auto all_over = [](const ResponsePoint& p) { return p.velocity; };
+  if (!std::all_of(points.begin(), points.end(), [](const auto& p) { return p.applies; })) {
+    figure.caption += " Dotted: where the formula is not v*, as the contact does not stay closed.";
+    figure.series.push_back(over_frequency(report, "formula, not v*", Style::dotted, 2, all_over));
+  }
+  figure.series.push_back(over_frequency(report, "v*", Style::line, 0, [](const ResponsePoint& p) {
+    return p.applies ? p.velocity : std::numeric_limits<double>::quiet_NaN();
+  }));
   for (const ResonanceMark& mark : report.response.marks)
     figure.rules.push_back({mark.omega, mark.resonance ? "resonance" : "antiresonance", false});
   return figure;

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "base/constants.hpp"
 #include "report/accuracy_section.hpp"
 #include "report/chart.hpp"
 #include "report/comparison_table.hpp"
@@ -31,16 +32,22 @@ std::string item_list(const std::vector<std::string>& items, const char* style) 
 }
 
 std::string scene_verdict(const SceneReport& report) {
+  const bool outside = !report.reasons.empty();
   std::string html = fmt::format(
       "<div class=\"verdict {}\"><p class=\"state\">{}</p><p class=\"velocity\">{}</p>"
       "<p class=\"worst\">{}</p></div>\n",
       state_class(report), escape(state_words(report)), escape(velocity_words(report)),
-      escape(tightest_words(report.comparisons)));
-  if (!report.reasons.empty())
+      outside ? "" : escape(tightest_words(report.comparisons)));
+  if (outside)
     html +=
-        "<p>The scene is not admissible, so the formula's number is not the velocity of its "
-        "motion and nothing was simulated:</p>\n" +
+        "<p>Equation (24) does not describe this motion, so there is no v* here and nothing was "
+        "simulated:</p>\n" +
         item_list(report.reasons, "reasons");
+  if (const int n = report.free_harmonic; n > 1)
+    html += fmt::format(
+        "<p>The undamped drive lets the body swing freely at {} ω, and the motion keeps such a "
+        "swing: friction is full from {} on, v* cos(π/{}).</p>\n",
+        n, quantity(report.critical_velocity * std::cos(pi / (2 * n)), "m/s", 5), 2 * n);
   if (!report.infinite_reason.empty()) html += "<p>" + escape(report.infinite_reason) + "</p>\n";
   if (!report.scene.warnings.empty()) html += item_list(report.scene.warnings, "warnings");
   return html;
@@ -56,6 +63,21 @@ std::string drawings(const SceneReport& report) {
   return "<h3>What is there</h3>\n<div class=\"drawings\">\n" +
          figure(draw_sliding(report.scene), "Along the sliding direction.") +
          figure(draw_normal(report.scene), "Along the normal, drawn lying.") + "</div>\n";
+}
+
+/// Outside the model it is no good news that all ways to evaluate the formula agree.
+std::string comparisons_section(const SceneReport& report) {
+  const bool outside = !report.reasons.empty();
+  const std::string table =
+      comparison_table(report.comparisons, report.formula_applies && !outside);
+  if (report.formula_applies && !outside) return table;
+  if (!outside)
+    return "<p>Equation (24) is not v* of this scene. Where ways to evaluate it agree, that is "
+           "arithmetic alone.</p>\n" +
+           table;
+  return "<p>What can be compared is arithmetic alone: the formula, evaluated in several ways. Its "
+         "number has no meaning for this scene.</p>\n" +
+         table;
 }
 
 std::string curve_rows(const SceneReport& report) {
@@ -139,11 +161,14 @@ const char* state_class(const SceneReport& report) {
 
 std::string state_words(const SceneReport& report) {
   const std::string words = count_words(report.comparisons);
-  return report.reasons.empty() ? words : "Outside the model: not simulated; " + words;
+  if (report.reasons.empty()) return words;
+  return "Outside the model: no v*, not simulated" +
+         (passed(report) ? std::string() : "; " + words);
 }
 
 std::string velocity_words(const SceneReport& report) {
   if (!report.failure.empty()) return "no v*";
+  if (!report.reasons.empty()) return {};
   if (report.indented && !report.indented->closed_form)
     return "v* = " + quantity(report.indented->critical_velocity, "m/s", 5) + ", simulated";
   if (report.parting && !report.parting->closed_form)
@@ -156,7 +181,7 @@ std::string velocity_words(const SceneReport& report) {
 std::string scene_section(const SceneContents& contents) {
   const SceneReport& report = contents.report;
   return "<section class=\"scene\">\n" + scene_verdict(report) + drawings(report) +
-         comparison_table(report.comparisons) +
+         comparisons_section(report) +
          (report.failure.empty() ? results(contents) : std::string()) + file_section(report) +
          "</section>\n";
 }

@@ -268,8 +268,9 @@ class SteadyCycleSearch {
   }
 
   // Below the threshold a cycle that only slips is one whose stick is lost in rounding: no error of
-  // its own tells of that. The ratio is taken not to be below that of the speeds. What passes
-  // outside the law moves forces by no more than its time. All ratios lie between 1 - a and 1.
+  // its own tells of that. The ratio is taken not to be below that of the speeds: proved without a
+  // body, where friction is concave in speed, an estimate with one. What passes outside the law
+  // moves forces by no more than its time. All ratios lie between 1 - a and 1.
   SteadyCycle finished(Mapped now, double more = 0) const {
     if (now.trace.parts.size() == 1) more = 1 - velocity_ / model_.threshold;
     const double ratio = model_.load + now.trace.impulse() / two_pi;

@@ -1,0 +1,110 @@
+"""The LaTeX of every derivation, form, limit and sensitivity of all scenes is taken by KaTeX at its strictest, which
+throws where TeX would stop or guess: an unknown command, a missing brace, a letter that is no mathematics. The same of
+what Markdown has between dollars, of the formulas in JSON, and of names that are hard to print.
+
+test_katex.py PROJECT VCRIT
+
+KaTeX is Debian's package libjs-katex, nodejs runs it: without them the test fails.
+"""
+
+import concurrent.futures
+import json
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+PROJECT, VCRIT = (Path(sys.argv.pop(1)).resolve() for _ in range(2))
+KATEX = "/usr/share/javascript/katex/katex.js"
+HERE = Path(__file__).resolve().parent
+
+ALL = ["--limits", "--sensitivities"]
+ASKED = [
+    *([*ALL, "--format", form] for form in ("latex", "markdown", "json")),
+    *([*ALL, "--form", form, "--format", "latex"] for form in ("nested", "rational", "dimensionless")),
+]
+REFUSED = [("measured_drive", "rational"), ("prony", "rational")]  # no polynomials; too many terms
+# Names with digits, underscores, Greek letters, the program's own symbols and LaTeX's own words.
+HARD = """[contact]
+normal = "k_1 | spring(alpha_beta12) - damper(nabla)"
+tangential = "spring(frac) | spring(s) - damper(i_)"
+[drive]
+network = "spring(K_n) | damper(c_9_x) - spring(mathrm)"
+[body]
+mass = "m"
+"""
+
+DISPLAYED = re.compile(r"\\\[(.*?)\\\]", re.DOTALL)
+IN_LINE = re.compile(r"(?<![\\$])\$(?!\$)(.+?)(?<!\\)\$(?!\$)")
+IN_BLOCKS = re.compile(r"\$\$(.*?)\$\$", re.DOTALL)
+
+
+def latex_of_json(value):
+    """All values under the key latex."""
+    if isinstance(value, dict):
+        yield from ([value["latex"]] if isinstance(value.get("latex"), str) else [])
+        for each in value.values():
+            yield from latex_of_json(each)
+    elif isinstance(value, list):
+        for each in value:
+            yield from latex_of_json(each)
+
+
+def formulas(text, form):
+    """(mathematics, whether it is displayed)"""
+    if form == "json":
+        return [(each, True) for each in latex_of_json(json.loads(text))]
+    displayed = (IN_BLOCKS if form == "markdown" else DISPLAYED).findall(text)
+    rest = (IN_BLOCKS if form == "markdown" else DISPLAYED).sub("", text)
+    return [(each, True) for each in displayed] + [(each, False) for each in IN_LINE.findall(rest)]
+
+
+def derived(scene, words):
+    return subprocess.run([VCRIT, "derive", scene, *words], cwd=PROJECT, capture_output=True, text=True, timeout=120)
+
+
+def faults_of(items):
+    """One process for all of them."""
+    done = subprocess.run(["node", HERE / "katex.mjs", KATEX], input=json.dumps(items), capture_output=True, text=True,
+                          check=True, timeout=120)
+    return json.loads(done.stdout)
+
+
+class Katex(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        if not Path(KATEX).exists():
+            raise RuntimeError(f"{KATEX} is missing: apt-get install libjs-katex")
+
+    def test_it_takes_all_that_is_derived(self):
+        with tempfile.TemporaryDirectory() as folder:
+            hard = Path(folder, "hard.toml")
+            hard.write_text(HARD)
+            scenes = [*sorted((PROJECT / "scenes").glob("*.toml")), hard]
+            runs = [(scene, words) for scene in scenes for words in ASKED
+                    if (scene.stem, words[3] if "--form" in words else "") not in REFUSED]
+            with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+                results = list(pool.map(lambda run: derived(*run), runs))
+        items = []
+        for (scene, words), result in zip(runs, results):
+            where = f"{scene.name} {' '.join(words)}"
+            self.assertEqual(result.returncode, 0, f"{where}: {result.stderr}")
+            found = formulas(result.stdout, words[-1])
+            # Ten lines lead to v*, whatever the scene.
+            self.assertGreater(len(found), 10, where)
+            items += [(where, *each) for each in found]
+        self.assertEqual(faults_of(items), [])
+
+    def test_it_refuses_what_is_no_latex(self):
+        good = [r"\mu_{0} \omega", r"\frac{k_{0}}{2}"]
+        bad = [r"\omgea", r"\frac{k_{0}}{", r"k_0_1", r"\left(k", "µ", r"5 %", r"\mathrm{k_{0}"]
+        items = [(str(n), each, True) for n, each in enumerate(good + bad)]
+        self.assertEqual([fault.split(":")[0] for fault in faults_of(items)],
+                         [str(n) for n in range(len(good), len(items))])
+
+
+if __name__ == "__main__":
+    unittest.main()
