@@ -13,7 +13,7 @@ void add_errors(pybind11::module_& module);
 /// A scene, what it names, and its one critical velocity.
 void add_scene(pybind11::module_& module);
 
-/// Eq. 24 over contiguous arrays. Releases the GIL.
+/// v* over contiguous arrays. Releases the GIL.
 void add_batch(pybind11::module_& module);
 
 /// The steady stick-slip motion. Releases the GIL.

@@ -25,15 +25,26 @@ namespace {
 
 using simulation::SteadyState;
 
-void check_speeds(const Array& velocities, const std::string& option) {
-  for (const double velocity : values(velocities))
-    if (!(velocity > 0 && std::isfinite(velocity)))
-      throw InputError({option}, fmt::format("a speed of {} m/s", velocity),
-                       "a finite speed above 0");
+// The place of the first speed that is none; a speed that is not known (NaN) is no wrong one.
+std::optional<std::size_t> first_refused_speed(const Array& velocities) {
+  const std::span<const double> all = values(velocities);
+  const auto wrong = std::find_if(all.begin(), all.end(), [](double velocity) {
+    return velocity <= 0 || std::isinf(velocity);
+  });
+  if (wrong == all.end()) return std::nullopt;
+  return static_cast<std::size_t>(wrong - all.begin());
+}
+
+void refuse_speed(double velocity, const std::string& option) {
+  throw InputError({option}, fmt::format("a speed of {} m/s", velocity), "a finite speed above 0");
 }
 
 double parse_velocity(const std::string& text) {
   return parse_quantity(text, Dimension::velocity, {"--velocity"});
+}
+
+double parse_ratio(const std::string& text) {
+  return parse_quantity(text, Dimension::none, {"--velocity-ratio"});
 }
 
 SteadyState steady_state(const Scene& scene, double velocity, const std::string& method,
@@ -139,7 +150,9 @@ py::tuple friction_curve(const Scene& scene, const Array& velocities, Array rati
 void add_friction(py::module_& module) {
   using py::arg;
   module.def("parse_velocity", &parse_velocity, arg("text"));
-  module.def("check_speeds", &check_speeds, arg("velocities").noconvert(), arg("option"));
+  module.def("parse_ratio", &parse_ratio, arg("text"));
+  module.def("first_refused_speed", &first_refused_speed, arg("velocities").noconvert());
+  module.def("refuse_speed", &refuse_speed, arg("velocity"), arg("option"));
   module.def("simulate", &simulate, arg("scene"), arg("velocity"), arg("method"), arg("start"));
   module.def("friction_curve", &friction_curve, arg("scene"), arg("velocities").noconvert(),
              arg("ratio").noconvert(), arg("error").noconvert());

@@ -12,6 +12,8 @@
 #include "critical/admissibility.hpp"
 #include "critical/certified.hpp"
 #include "onset/critical_onset.hpp"
+#include "onset/formula_scope.hpp"
+#include "scene/settings.hpp"
 
 namespace vcrit::python {
 
@@ -47,8 +49,12 @@ std::map<std::string, std::string> settable(const Scene& scene) {
 
 std::tuple<double, double, std::string> certified(const Scene& scene) {
   const py::gil_scoped_release others_run;
-  const auto [value, bound, reason] = certified_critical_velocity(scene);
-  return {value, bound, reason};
+  if (formula_holds(scene)) {
+    const auto [value, bound, reason] = certified_critical_velocity(scene);
+    return {value, bound, reason};
+  }
+  const CriticalOnset onset = critical_onset(scene);
+  return {onset.contact_velocity, onset.relative_error_bound, onset.reason};
 }
 
 std::tuple<double, double, std::string, std::string> onset(const Scene& scene) {
@@ -56,6 +62,11 @@ std::tuple<double, double, std::string, std::string> onset(const Scene& scene) {
   const CriticalOnset found = critical_onset(scene);
   return {found.contact_velocity, found.drive_velocity,
           found.by == CriticalOnset::By::formula ? "formula" : "simulation", found.reason};
+}
+
+double factor(const Scene& scene, const std::string& name, const std::string& unit) {
+  const Place place{name};
+  return parse_quantity("1 " + unit, known_dimension(name, scene.settable, place), place);
 }
 
 std::string read(const std::string& file) { return read_file(file); }
@@ -71,6 +82,7 @@ void add_scene(py::module_& module) {
   module.def("read_file", &read, arg("file"));
   module.def("parameters", &parameters, arg("scene"));
   module.def("settable", &settable, arg("scene"));
+  module.def("factor", &factor, arg("scene"), arg("name"), arg("unit"));
   module.def("certified", &certified, arg("scene"));
   module.def("reasons", &inadmissible_reasons, arg("scene"));
   module.def("critical_onset", &onset, arg("scene"));

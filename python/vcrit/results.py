@@ -16,12 +16,12 @@ class Parameter(NamedTuple):
 
 
 class CertifiedVelocity(NamedTuple):
-    """v* of Eq. (24), correctly rounded."""
+    """v* of Eq. (24), correctly rounded, or, where that does not hold, simulated."""
 
     value: float
     """m/s; infinite at resonance."""
     relative_error_bound: float
-    """Of `value`; 0 where it is exact."""
+    """Of `value`; 0 where it is exact, NaN where it is simulated."""
     reason: str
     """Why the value is infinite, else empty."""
 
@@ -70,7 +70,8 @@ class SteadyState(NamedTuple):
     friction_ratio_error: float
     """Estimate of its absolute error."""
     regime: str
-    """"sliding", "stick-slip", "stick-slip-backslip" or "stick"."""
+    """"sliding", "stick-slip", "stick-slip-backslip" or "stick"; the first three end in "-apart"
+    where surfaces separate for a part of the period."""
     method: str
     periods: int | None
     """Length of the steady cycle in oscillation periods, where it is one."""

@@ -55,10 +55,12 @@ class TheProgram(unittest.TestCase):
         command = ["simulate", ZENER]
         for speed in [-1, 0]:
             self.assert_same(vcrit.InputError, lambda: scene.simulate(speed), *command, f"--velocity={speed}")
-            self.assert_same(vcrit.InputError, lambda: scene.friction_curve([0.1, speed]),
+            self.assert_same(vcrit.InputError, lambda: scene.friction_curve(speed),
                              *command, f"--velocity={speed}")
-            self.assert_same(vcrit.InputError, lambda: scene.friction_curve(velocity_ratios=[1, speed]),
+            self.assert_same(vcrit.InputError, lambda: scene.friction_curve(velocity_ratios=speed),
                              *command, f"--velocity-ratio={speed}")
+            with self.assertRaisesRegex(vcrit.InputError, f"^at index 1: --velocity: found a speed of {speed} m/s"):
+                scene.friction_curve([0.1, speed])
         for speed in [float("nan"), float("inf")]:
             self.assert_same(vcrit.InputError, lambda: scene.simulate(velocity_ratio=speed),
                              *command, f"--velocity-ratio={speed}")
@@ -91,8 +93,18 @@ class Exceptions(unittest.TestCase):
         scene = vcrit.Scene(ZENER)
         with self.assertRaisesRegex(vcrit.InputError, 'k9.*found "k9", which this scene does not have'):
             scene.critical_velocity(k9=np.ones(3))
-        with self.assertRaisesRegex(vcrit.InputError, "k0 = -1; expected a finite value"):
+        with self.assertRaisesRegex(vcrit.InputError, "^at index 1: k0: found k0 = -1; expected a finite value"):
             scene.critical_velocity(k0=np.array([1e6, -1]))
+
+    def test_name_half_characters(self):
+        scene = vcrit.Scene(ZENER)
+        for call in [lambda: vcrit.Scene.from_text("title = '\ud800'"), lambda: scene.with_values(k0="8 N\udc80"),
+                     lambda: scene.with_values({"k\ud800": 1}), lambda: scene.critical_velocity({"k\ud800": [1]}),
+                     lambda: scene.critical_velocity(k0="8 N\udc80"), lambda: scene.simulate("1 m\udc80")]:
+            self.assertRaisesRegex(vcrit.InputError, r"found '\\u(d800|dc80)', a lone surrogate", call)
+        # A name of a file that is no UTF-8, as Python has it.
+        with self.assertRaisesRegex(vcrit.InputError, "no such"):
+            vcrit.Scene("no such \udcff file")
 
     def test_name_methods_forms_and_formats(self):
         scene = vcrit.Scene(ZENER)

@@ -6,7 +6,7 @@ import unittest
 
 import numpy as np
 import vcrit
-from support import U, program, rows
+from support import PROJECT, U, program, rows
 
 KELVIN = "scenes/kelvin.toml"
 
@@ -87,7 +87,9 @@ class Friction(unittest.TestCase):
         np.testing.assert_allclose(every_other.friction_ratio,
                                    scene.friction_curve(velocity_ratios=ratios).friction_ratio[::2], rtol=1e-12)
         self.assertEqual(scene.friction_curve([]).friction_ratio.shape, (0,))
-        self.assertEqual(scene.friction_curve(velocity_ratios=0.5).friction_ratio.shape, ())
+        for values in scene.friction_curve(velocity_ratios=0.5):
+            self.assertIsInstance(values, np.ndarray)
+            self.assertEqual(values.shape, ())
 
     def test_at_one_speed_is_what_the_program_prints(self):
         for method in ["exact", "moreau", "rk8pd", "tanh"]:
@@ -137,11 +139,12 @@ class SurfacesThatPart(unittest.TestCase):
             scene.simulate("1 mm/s", method="moreau")
 
     def test_simulated_critical_velocity(self):
-        text = open("scenes/jumping.toml").read().replace("poisson    = 0.3", 'tangential = "kelvin(k0, c1)"')
+        text = (PROJECT / "scenes/jumping.toml").read_text().replace("poisson    = 0.3", 'tangential = "kelvin(k0, c1)"')
         scene = vcrit.Scene.from_text(text)
         onset = scene.critical_onset
         self.assertEqual(onset.by, "simulation")
-        self.assertNotAlmostEqual(onset.contact_velocity / scene.critical_velocity(), 1, delta=0.01)
+        closed = vcrit.Scene.from_text(text.replace("separation = true", ""))
+        self.assertNotAlmostEqual(onset.contact_velocity / closed.critical_velocity(), 1, delta=0.01)
         curve = scene.friction_curve(velocity_ratios=[0.99, 1.01])
         self.assertEqual(list(curve.regime), ["stick-slip-apart", "sliding-apart"])
         self.assertAlmostEqual(curve.velocity[0] / onset.contact_velocity, 0.99, delta=1e-15)
