@@ -5,6 +5,7 @@
 
 #include "arrays.hpp"
 #include "bindings.hpp"
+#include "interrupt.hpp"
 #include "onset/critical_onsets.hpp"
 
 namespace vcrit::python {
@@ -22,7 +23,7 @@ std::vector<std::span<const double>> spans(const std::vector<Array>& columns) {
 void evaluate_columns(const CriticalOnsets& formula, const std::vector<Array>& columns, Array out) {
   const std::span<double> velocities = values(out);
   const auto inputs = spans(columns);
-  const py::gil_scoped_release others_run;
+  const OthersRun others_run;
   formula(inputs, velocities);
 }
 
@@ -31,7 +32,7 @@ std::optional<std::pair<std::size_t, std::string>> first_refused(const CriticalO
                                                                  const std::vector<Array>& columns,
                                                                  std::size_t lanes) {
   const auto inputs = spans(columns);
-  const py::gil_scoped_release others_run;
+  const OthersRun others_run;
   const auto refused = formula.first_refused(inputs, lanes);
   if (!refused) return std::nullopt;
   return std::pair(refused->lane, refused->why);

@@ -12,6 +12,7 @@
 #include "base/units.hpp"
 #include "bindings.hpp"
 #include "indenter/friction.hpp"
+#include "interrupt.hpp"
 #include "simulation/methods/methods.hpp"
 #include "simulation/steady/curve.hpp"
 #include "simulation/steady/energy.hpp"
@@ -74,7 +75,7 @@ struct Simulated {
 
 Simulated simulated(const Scene& scene, double velocity, const std::string& method,
                     const std::string& start) {
-  const py::gil_scoped_release others_run;
+  const OthersRun others_run;
   Simulated result{steady_state(scene, velocity, method, start), std::nullopt};
   if (method == "exact" && !scene.indenter)
     result.energy = simulation::energy_balance(simulation::system_of(scene), velocity);
@@ -135,7 +136,7 @@ py::tuple friction_curve(const Scene& scene, const Array& velocities, Array rati
   const auto curve_of = curves_of(scene);
   for (std::size_t first = 0; first < speeds.size(); first += speeds_at_once) {
     {
-      const py::gil_scoped_release others_run;
+      const OthersRun others_run;
       const auto lot = speeds.subspan(first, std::min(speeds_at_once, speeds.size() - first));
       const auto points = curve_of(lot);
       for (std::size_t i = 0; i < points.size(); ++i) curve.add(first + i, points[i]);

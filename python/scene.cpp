@@ -11,6 +11,7 @@
 #include "bindings.hpp"
 #include "critical/admissibility.hpp"
 #include "critical/certified.hpp"
+#include "interrupt.hpp"
 #include "onset/critical_onset.hpp"
 #include "onset/formula_scope.hpp"
 #include "scene/settings.hpp"
@@ -48,7 +49,7 @@ std::map<std::string, std::string> settable(const Scene& scene) {
 }
 
 std::tuple<double, double, std::string> certified(const Scene& scene) {
-  const py::gil_scoped_release others_run;
+  const OthersRun others_run;
   if (formula_holds(scene)) {
     const auto [value, bound, reason] = certified_critical_velocity(scene);
     return {value, bound, reason};
@@ -58,7 +59,7 @@ std::tuple<double, double, std::string> certified(const Scene& scene) {
 }
 
 std::tuple<double, double, std::string, std::string> onset(const Scene& scene) {
-  const py::gil_scoped_release others_run;
+  const OthersRun others_run;
   const CriticalOnset found = critical_onset(scene);
   return {found.contact_velocity, found.drive_velocity,
           found.by == CriticalOnset::By::formula ? "formula" : "simulation", found.reason};

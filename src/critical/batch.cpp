@@ -9,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/interruption.hpp"
 #include "critical/certified.hpp"
 #include "critical/kernels.hpp"
 #include "critical/operations.hpp"
@@ -89,6 +90,7 @@ class CriticalVelocities::Formula::Certified {
 
   double operator()(Given given, std::size_t lane) {
     if (velocity_ && is_last(given, lane)) return *velocity_;
+    hear_interruption();
     values_.clear();
     for (const auto& column : given) values_.push_back(at(column, lane));
     const bool unknown =

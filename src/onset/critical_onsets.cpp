@@ -23,8 +23,8 @@ using Columns = std::span<const std::span<const double>>;
 constexpr std::size_t lanes_at_once = 256;
 
 // Whether any is not above 0 and finite. Ordered as integers, such doubles lie between 0 and
-// infinity, both left out: the difference to a border has the top bit where it is crossed. Without a
-// branch the compiler takes several values at once, which halves the time.
+// infinity, both left out: the difference to a border has the top bit where it is crossed. Without
+// a branch the compiler takes several values at once, which halves the time.
 bool any_unusual(std::span<const double> values) {
   constexpr auto infinite = std::bit_cast<std::uint64_t>(std::numeric_limits<double>::infinity());
   std::uint64_t crossed = 0;

@@ -1,6 +1,7 @@
 #include "analysis/sensitivities.hpp"
 
 #include "analysis/logarithmic.hpp"
+#include "base/interruption.hpp"
 #include "derivation/derivation.hpp"
 #include "derivation/factors.hpp"
 #include "derivation/model.hpp"
@@ -80,6 +81,7 @@ class Chain {
     }
 
     ex of(const ex& expression) const {
+      hear_interruption();
       ex change = p * expression.diff(GiNaC::ex_to<GiNaC::symbol>(p));
       for (const auto& [k, dk] : known)
         change += expression.diff(GiNaC::ex_to<GiNaC::symbol>(k)) * dk;

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "base/errors.hpp"
+#include "base/interruption.hpp"
 #include "derivation/factors.hpp"
 #include "formula/symbols.hpp"
 
@@ -72,6 +73,7 @@ ex isotropic_ratio(const Isotropic& isotropic) {
 
 std::vector<Line> used_in(const ex& formula, std::vector<Line> definitions) {
   for (auto line = definitions.end(); line != definitions.begin();) {
+    hear_interruption();
     --line;
     const auto uses = [&](const Line& later) { return later.right.has(line->left); };
     if (!formula.has(line->left) && std::none_of(line, definitions.end(), uses))

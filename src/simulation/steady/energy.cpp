@@ -6,6 +6,7 @@
 
 #include "base/constants.hpp"
 #include "base/errors.hpp"
+#include "base/interruption.hpp"
 #include "simulation/steady/near_resonance.hpp"
 #include "simulation/steady/steady_cycle.hpp"
 
@@ -82,6 +83,7 @@ class Quadrature {
   void over(double duration, const Rate& rate) const {
     double begin = 0;
     while (begin < duration) {
+      hear_interruption();
       const double longest = begin < lasts_ ? 2 / std::max(1.0, swing_) : 2;
       const double panel = begin == 0 ? shortest : std::min(begin, longest);
       const double end = std::min(begin + panel, duration);
