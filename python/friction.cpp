@@ -7,6 +7,7 @@
 #include <functional>
 #include <limits>
 #include <span>
+#include <tuple>
 
 #include "arrays.hpp"
 #include "base/units.hpp"
@@ -68,31 +69,30 @@ SteadyState steady_state(const Scene& scene, double velocity, const std::string&
   throw InputError({"--method"}, '"' + method + '"', "one of " + known);
 }
 
-struct Simulated {
-  SteadyState state;
-  std::optional<simulation::EnergyBalance> energy;  // known for the exact method alone
-};
-
-Simulated simulated(const Scene& scene, double velocity, const std::string& method,
-                    const std::string& start) {
+SteadyState simulated(const Scene& scene, double velocity, const std::string& method,
+                      const std::string& start) {
   const OthersRun others_run;
-  Simulated result{steady_state(scene, velocity, method, start), std::nullopt};
-  if (method == "exact" && !scene.indenter)
-    result.energy = simulation::energy_balance(simulation::system_of(scene), velocity);
-  return result;
+  return steady_state(scene, velocity, method, start);
 }
 
 py::tuple simulate(const Scene& scene, double velocity, const std::string& method,
                    const std::string& start) {
-  const auto [state, balance] = simulated(scene, velocity, method, start);
+  const SteadyState state = simulated(scene, velocity, method, start);
   py::list events;
   for (const simulation::Event& event : state.events)
     events.append(py::make_tuple(event.phase, to_text(event.to)));
-  py::object energy = py::none();
-  if (balance)
-    energy = py::make_tuple(balance->drive, balance->friction, balance->dampers, balance->error);
   return py::make_tuple(state.friction_ratio, state.friction_ratio_error, to_text(state.regime),
-                        state.periods, events, energy);
+                        state.periods, events);
+}
+
+// Drive, friction, dampers, error.
+std::optional<std::tuple<double, double, double, double>> energy(const Scene& scene,
+                                                                 double velocity) {
+  if (scene.indenter) return std::nullopt;
+  const OthersRun others_run;
+  const auto balance = simulation::energy_balance(simulation::system_of(scene), velocity);
+  if (!balance) return std::nullopt;
+  return std::tuple(balance->drive, balance->friction, balance->dampers, balance->error);
 }
 
 struct Curve {
@@ -155,6 +155,7 @@ void add_friction(py::module_& module) {
   module.def("first_refused_speed", &first_refused_speed, arg("velocities").noconvert());
   module.def("refuse_speed", &refuse_speed, arg("velocity"), arg("option"));
   module.def("simulate", &simulate, arg("scene"), arg("velocity"), arg("method"), arg("start"));
+  module.def("energy", &energy, arg("scene"), arg("velocity"));
   module.def("friction_curve", &friction_curve, arg("scene"), arg("velocities").noconvert(),
              arg("ratio").noconvert(), arg("error").noconvert());
 }

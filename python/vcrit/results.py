@@ -1,9 +1,12 @@
 """What a scene answers."""
 
-from typing import NamedTuple
+from functools import cached_property
+from typing import Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
+
+from . import _vcrit
 
 
 class Parameter(NamedTuple):
@@ -58,9 +61,7 @@ class Energy(NamedTuple):
     """Estimate of the error of each."""
 
 
-class SteadyState(NamedTuple):
-    """The steady motion at one speed, by simulation."""
-
+class _SteadyMotion(NamedTuple):
     velocity: float
     """Mean velocity of the drive, m/s."""
     velocity_ratio: float
@@ -77,8 +78,25 @@ class SteadyState(NamedTuple):
     """Length of the steady cycle in oscillation periods, where it is one."""
     events: tuple[Event, ...]
     """Of one cycle, by time."""
-    energy: Energy | None
-    """Known for the exact method alone."""
+
+
+class SteadyState(_SteadyMotion):
+    """The steady motion at one speed, by simulation."""
+
+    _scene: Any = None
+
+    def _in(self, scene: Any) -> "SteadyState":
+        """With the scene that the energy is asked of."""
+        self._scene = scene
+        return self
+
+    @cached_property
+    def energy(self) -> Energy | None:
+        """Found when first asked for. Known for the exact method alone, and for no indenter."""
+        if self._scene is None:
+            return None
+        found = _vcrit.energy(self._scene._handle, self.velocity)
+        return None if found is None else Energy(*found)
 
 
 class FrictionCurve(NamedTuple):

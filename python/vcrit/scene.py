@@ -23,7 +23,6 @@ from .inputs import (
 from .results import (
     CertifiedVelocity,
     CriticalOnset,
-    Energy,
     Event,
     FrictionCurve,
     Parameter,
@@ -227,11 +226,11 @@ class Scene:
         speed, ratio = map(float, self._in_both_units(np.array(speeds.one()), speeds.are_ratios))
         if np.isnan(speed):
             _vcrit.refuse_speed(speed, speeds.option)
-        friction, error, regime, periods, events, energy = _vcrit.simulate(
+        friction, error, regime, periods, events = _vcrit.simulate(
             self._handle, speed, method, start)
-        return SteadyState(speed, ratio, friction, error, regime, method, periods,
-                           tuple(Event(*event) for event in events),
-                           None if energy is None else Energy(*energy))
+        state = SteadyState(speed, ratio, friction, error, regime, method, periods,
+                            tuple(Event(*event) for event in events))
+        return state._in(self) if method == "exact" else state
 
     @staticmethod
     def _given_speeds(velocities: Any, ratios: Any) -> "_Speeds":

@@ -2,7 +2,9 @@
 
 import json
 import math
+import pickle
 import unittest
+import unittest.mock
 
 import numpy as np
 import vcrit
@@ -104,6 +106,25 @@ class Friction(unittest.TestCase):
                 energy = found.energy and found.energy._asdict()
                 self.assertEqual(energy, printed.get("energy"))
                 self.assertEqual(found.energy is not None, method == "exact")
+
+    def test_finds_the_energy_when_it_is_asked_for(self):
+        scene = vcrit.Scene(KELVIN)
+        state = scene.simulate("2 mm/s")
+        with unittest.mock.patch("vcrit.results._vcrit.energy", wraps=vcrit._vcrit.energy) as energy:
+            scene.simulate("2 mm/s")
+            energy.assert_not_called()
+            self.assertIs(state.energy, state.energy)
+            energy.assert_called_once()
+        self.assertEqual(pickle.loads(pickle.dumps(state)), state)
+        self.assertEqual(pickle.loads(pickle.dumps(scene.simulate("2 mm/s"))).energy, state.energy)
+
+    def test_energy_is_balanced_however_fast_a_damper_rests(self):
+        # Rates kt/(ct omega) of 1e-2 to 1e11 a radian: the panels of the quadrature begin elsewhere for each.
+        for c in np.geomspace(1e-9, 1e4, 27):
+            state = vcrit.Scene(KELVIN).with_values(ct=c).simulate(velocity_ratio=0.5)
+            drive, friction, dampers, error = state.energy
+            self.assertAlmostEqual(drive, friction + dampers, delta=3 * error)
+            self.assertLess(error, 1e-9 * drive)
 
     def test_from_rest_is_the_same(self):
         scene = vcrit.Scene(KELVIN)
