@@ -1,12 +1,15 @@
 """What vcrit refuses: Python exceptions with the text that the program prints."""
 
+import os
+import subprocess
+import sys
 import tempfile
 import unittest
 from pathlib import Path
 
 import numpy as np
 import vcrit
-from support import PROJECT, program
+from support import PROGRAM, PROJECT, program
 from test_scene import RESONANT
 
 ZENER = "scenes/zener.toml"
@@ -81,6 +84,19 @@ class TheProgram(unittest.TestCase):
         scene = vcrit.Scene("scenes/prony.toml")
         self.assert_same(vcrit.ModelError, lambda: vcrit.derive(scene, form="rational"),
                          "derive", "scenes/prony.toml", "--form", "rational")
+
+
+class Environment(unittest.TestCase):
+    def test_without_the_database_of_units_names_the_variable(self):
+        environment = os.environ | {"UDUNITS2_XML_PATH": "/no such file.xml"}
+        expected = 'UDUNITS2_XML_PATH: found "/no such file.xml"; expected the database of units'
+        result = subprocess.run([PROGRAM, "eval", PROJECT / ZENER], env=environment, capture_output=True, text=True)
+        self.assertEqual(result.returncode, 2)
+        self.assertIn(f"vcrit: {expected}", result.stderr)
+        code = f"import vcrit\ntry:\n    vcrit.Scene({ZENER!r})\nexcept vcrit.InputError as error:\n    print(error)"
+        result = subprocess.run([sys.executable, "-B", "-c", code], cwd=PROJECT, env=environment, capture_output=True,
+                                text=True)
+        self.assertTrue(result.stdout.startswith(expected), result.stdout + result.stderr)
 
 
 class Exceptions(unittest.TestCase):

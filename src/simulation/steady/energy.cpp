@@ -223,7 +223,7 @@ std::optional<EnergyBalance> energy_near_resonance(const Neighbours& neighbours,
 }  // namespace
 
 std::optional<EnergyBalance> energy_balance(const System& system, double velocity) {
-  ensure(velocity > 0, "the drive moves forward");
+  require_forward(velocity);
   const Model model(system);
   const double v = velocity / model.velocity_unit;
   if (lost_in_resonance(model) && !model.slides(model.motion_velocity(v)))
