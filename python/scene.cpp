@@ -70,6 +70,11 @@ double factor(const Scene& scene, const std::string& name, const std::string& un
   return parse_quantity("1 " + unit, known_dimension(name, scene.settable, place), place);
 }
 
+// Of files beside the scene's own.
+bool reads_tables(const Scene& scene) {
+  return scene.receptance.has_value() || (scene.indenter && scene.indenter->profile);
+}
+
 std::string read(const std::string& file) { return read_file(file); }
 
 }  // namespace
@@ -79,6 +84,7 @@ void add_scene(py::module_& module) {
   py::class_<Scene>(module, "Scene")
       .def(py::init(&parse_scene), arg("text"), arg("file"), arg("settings"))
       .def_readonly("title", &Scene::title)
+      .def_property_readonly("reads_tables", &reads_tables)
       .def_readonly("warnings", &Scene::warnings);
   module.def("read_file", &read, arg("file"));
   module.def("parameters", &parameters, arg("scene"));

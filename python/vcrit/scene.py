@@ -36,8 +36,14 @@ Array: TypeAlias = npt.NDArray[np.float64]
 class Scene:
     """A contact, its drive and its oscillation, from a TOML file. Does not change.
 
+    Scenes of one text, file and settings are equal, and may be keys of a dict.
     Raises InputError for whatever is wrong with the file; warns of what has no effect in it.
     """
+
+    _text: str
+    _file: str
+    _settings: Mapping[str, str]
+    _handle: _vcrit.Scene
 
     def __init__(self, file: "str | os.PathLike[str]") -> None:
         name = os.fspath(file)
@@ -53,14 +59,36 @@ class Scene:
         return scene
 
     @classmethod
-    def _made(cls, text: str, file: str, settings: dict[str, str]) -> "Scene":
+    def _made(cls, text: str, file: str, settings: Mapping[str, str]) -> "Scene":
         scene = cls.__new__(cls)
         scene._read(text, file, settings)
         return scene
 
-    def _read(self, text: str, file: str, settings: dict[str, str]) -> None:
-        self._text, self._file, self._settings = text, file, settings
-        self._handle = _vcrit.Scene(text, os.fsencode(file), list(settings.items()))
+    def _read(self, text: str, file: str, settings: Mapping[str, str]) -> None:
+        handle = _vcrit.Scene(text, os.fsencode(file), list(settings.items()))
+        # A table is beside the file, wherever the process goes or the scene is sent to.
+        if handle.reads_tables and not os.path.isabs(file):
+            return self._read(text, os.path.abspath(file), settings)
+        for name, value in {"_text": text, "_file": file, "_handle": handle,
+                            "_settings": MappingProxyType(dict(settings))}.items():
+            object.__setattr__(self, name, value)
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        raise AttributeError(f"a scene does not change ({name}); with_values() makes another")
+
+    def __delattr__(self, name: str) -> None:
+        self.__setattr__(name, None)
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Scene):
+            return NotImplemented
+        return self._identity() == other._identity()
+
+    def __hash__(self) -> int:
+        return hash(self._identity())
+
+    def _identity(self) -> tuple[Any, ...]:
+        return self._text, self._file, frozenset(self._settings.items())
 
     def _warn(self, known: tuple[str, ...] = ()) -> None:
         for warning in self._handle.warnings:
@@ -68,7 +96,7 @@ class Scene:
                 warnings.warn(warning, stacklevel=3)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return Scene._made, (self._text, self._file, self._settings)
+        return Scene._made, (self._text, self._file, dict(self._settings))
 
     def __repr__(self) -> str:
         values = "".join(f", {name}={value!r}" for name, value in self._settings.items())
