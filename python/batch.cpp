@@ -1,10 +1,12 @@
-// Eq. 24 over arrays. The GIL is released while C++ works on them, where they lie.
-#include "critical/batch.hpp"
-
+// v* over arrays. The GIL is released while C++ works on them, where they lie.
 #include <pybind11/stl.h>
+
+#include <utility>
 
 #include "arrays.hpp"
 #include "bindings.hpp"
+#include "interrupt.hpp"
+#include "onset/critical_onsets.hpp"
 
 namespace vcrit::python {
 
@@ -12,25 +14,38 @@ namespace py = pybind11;
 
 namespace {
 
-void evaluate_columns(const CriticalVelocities& formula, const std::vector<Array>& columns,
-                      Array out) {
+std::vector<std::span<const double>> spans(const std::vector<Array>& columns) {
+  std::vector<std::span<const double>> all;
+  for (const Array& column : columns) all.push_back(values(column));
+  return all;
+}
+
+void evaluate_columns(const CriticalOnsets& formula, const std::vector<Array>& columns, Array out) {
   const std::span<double> velocities = values(out);
-  std::vector<std::span<const double>> inputs;
-  for (const Array& column : columns) {
-    inputs.push_back(values(column));
-    ensure(column.size() == 1 || column.size() == out.size(), "a column has one value or all");
-  }
-  const py::gil_scoped_release others_run;
+  const auto inputs = spans(columns);
+  const OthersRun others_run;
   formula(inputs, velocities);
+}
+
+// Index and reason.
+std::optional<std::pair<std::size_t, std::string>> first_refused(const CriticalOnsets& formula,
+                                                                 const std::vector<Array>& columns,
+                                                                 std::size_t lanes) {
+  const auto inputs = spans(columns);
+  const OthersRun others_run;
+  const auto refused = formula.first_refused(inputs, lanes);
+  if (!refused) return std::nullopt;
+  return std::pair(refused->lane, refused->why);
 }
 
 }  // namespace
 
 void add_batch(py::module_& module) {
   using py::arg;
-  py::class_<CriticalVelocities>(module, "CriticalVelocities")
+  py::class_<CriticalOnsets>(module, "CriticalVelocities")
       .def(py::init<const Scene&, std::vector<std::string>>(), arg("scene"), arg("varying"))
-      .def("__call__", &evaluate_columns, arg("columns").noconvert(), arg("out").noconvert());
+      .def("__call__", &evaluate_columns, arg("columns").noconvert(), arg("out").noconvert())
+      .def("first_refused", &first_refused, arg("columns").noconvert(), arg("lanes"));
 }
 
 }  // namespace vcrit::python

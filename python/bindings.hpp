@@ -13,13 +13,13 @@ void add_errors(pybind11::module_& module);
 /// A scene, what it names, and its one critical velocity.
 void add_scene(pybind11::module_& module);
 
-/// Eq. 24 over contiguous arrays. Releases the GIL.
+/// v* over contiguous arrays. Releases the GIL.
 void add_batch(pybind11::module_& module);
 
 /// The steady stick-slip motion. Releases the GIL.
 void add_friction(pybind11::module_& module);
 
-/// The derivation as `vcrit derive` prints it. Holds the GIL: GiNaC works in one thread at a time.
+/// The derivation as `vcrit derive` prints it, one at a time. Releases the GIL.
 void add_derivation(pybind11::module_& module);
 
 }  // namespace vcrit::python

@@ -1,8 +1,11 @@
 // The derivation, as one of the documents that `vcrit derive` prints.
+#include <chrono>
 #include <map>
+#include <mutex>
 
 #include "bindings.hpp"
 #include "document/print.hpp"
+#include "interrupt.hpp"
 
 namespace vcrit::python {
 
@@ -37,6 +40,15 @@ Value named(const std::map<std::string, Value>& names, const std::string& option
   throw InputError({option}, '"' + name + '"', "one of " + expected);
 }
 
+// GiNaC works in one thread at a time. Who waits has let go of the interpreter, which the one that
+// works may need, and hears Ctrl-C as well.
+std::unique_lock<std::timed_mutex> alone() {
+  static std::timed_mutex mutex;
+  std::unique_lock lock(mutex, std::defer_lock);
+  while (!lock.try_lock_for(std::chrono::milliseconds(50))) hear_interruption();
+  return lock;
+}
+
 std::string document(const Scene& scene, const std::string& format, const std::string& form,
                      bool limits, bool sensitivities) {
   symbolic::DocumentOptions options;
@@ -44,6 +56,8 @@ std::string document(const Scene& scene, const std::string& format, const std::s
   options.form = named(forms(), "--form", form);
   options.limits = limits;
   options.sensitivities = sensitivities;
+  const OthersRun others_run;
+  const auto lock = alone();
   return symbolic::print(scene, options);
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "bindings.hpp"
+#include "interrupt.hpp"
 
 namespace vcrit::python {
 
@@ -36,6 +37,8 @@ void translate(std::exception_ptr thrown) {
     PyErr_SetString(input_error, error.what());
   } catch (const ModelError& error) {
     PyErr_SetString(model_error, error.what());
+  } catch (const Interrupted&) {
+    // What the signal's handler raised, KeyboardInterrupt unless the user has another, is set.
   }
 }
 

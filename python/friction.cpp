@@ -7,11 +7,13 @@
 #include <functional>
 #include <limits>
 #include <span>
+#include <tuple>
 
 #include "arrays.hpp"
 #include "base/units.hpp"
 #include "bindings.hpp"
 #include "indenter/friction.hpp"
+#include "interrupt.hpp"
 #include "simulation/methods/methods.hpp"
 #include "simulation/steady/curve.hpp"
 #include "simulation/steady/energy.hpp"
@@ -25,15 +27,26 @@ namespace {
 
 using simulation::SteadyState;
 
-void check_speeds(const Array& velocities, const std::string& option) {
-  for (const double velocity : values(velocities))
-    if (!(velocity > 0 && std::isfinite(velocity)))
-      throw InputError({option}, fmt::format("a speed of {} m/s", velocity),
-                       "a finite speed above 0");
+// The place of the first speed that is none; a speed that is not known (NaN) is no wrong one.
+std::optional<std::size_t> first_refused_speed(const Array& velocities) {
+  const std::span<const double> all = values(velocities);
+  const auto wrong = std::find_if(all.begin(), all.end(), [](double velocity) {
+    return velocity <= 0 || std::isinf(velocity);
+  });
+  if (wrong == all.end()) return std::nullopt;
+  return static_cast<std::size_t>(wrong - all.begin());
+}
+
+void refuse_speed(double velocity, const std::string& option) {
+  throw InputError({option}, fmt::format("a speed of {} m/s", velocity), "a finite speed above 0");
 }
 
 double parse_velocity(const std::string& text) {
   return parse_quantity(text, Dimension::velocity, {"--velocity"});
+}
+
+double parse_ratio(const std::string& text) {
+  return parse_quantity(text, Dimension::none, {"--velocity-ratio"});
 }
 
 SteadyState steady_state(const Scene& scene, double velocity, const std::string& method,
@@ -56,31 +69,30 @@ SteadyState steady_state(const Scene& scene, double velocity, const std::string&
   throw InputError({"--method"}, '"' + method + '"', "one of " + known);
 }
 
-struct Simulated {
-  SteadyState state;
-  std::optional<simulation::EnergyBalance> energy;  // known for the exact method alone
-};
-
-Simulated simulated(const Scene& scene, double velocity, const std::string& method,
-                    const std::string& start) {
-  const py::gil_scoped_release others_run;
-  Simulated result{steady_state(scene, velocity, method, start), std::nullopt};
-  if (method == "exact" && !scene.indenter)
-    result.energy = simulation::energy_balance(simulation::system_of(scene), velocity);
-  return result;
+SteadyState simulated(const Scene& scene, double velocity, const std::string& method,
+                      const std::string& start) {
+  const OthersRun others_run;
+  return steady_state(scene, velocity, method, start);
 }
 
 py::tuple simulate(const Scene& scene, double velocity, const std::string& method,
                    const std::string& start) {
-  const auto [state, balance] = simulated(scene, velocity, method, start);
+  const SteadyState state = simulated(scene, velocity, method, start);
   py::list events;
   for (const simulation::Event& event : state.events)
     events.append(py::make_tuple(event.phase, to_text(event.to)));
-  py::object energy = py::none();
-  if (balance)
-    energy = py::make_tuple(balance->drive, balance->friction, balance->dampers, balance->error);
   return py::make_tuple(state.friction_ratio, state.friction_ratio_error, to_text(state.regime),
-                        state.periods, events, energy);
+                        state.periods, events);
+}
+
+// Drive, friction, dampers, error.
+std::optional<std::tuple<double, double, double, double>> energy(const Scene& scene,
+                                                                 double velocity) {
+  if (scene.indenter) return std::nullopt;
+  const OthersRun others_run;
+  const auto balance = simulation::energy_balance(simulation::system_of(scene), velocity);
+  if (!balance) return std::nullopt;
+  return std::tuple(balance->drive, balance->friction, balance->dampers, balance->error);
 }
 
 struct Curve {
@@ -124,7 +136,7 @@ py::tuple friction_curve(const Scene& scene, const Array& velocities, Array rati
   const auto curve_of = curves_of(scene);
   for (std::size_t first = 0; first < speeds.size(); first += speeds_at_once) {
     {
-      const py::gil_scoped_release others_run;
+      const OthersRun others_run;
       const auto lot = speeds.subspan(first, std::min(speeds_at_once, speeds.size() - first));
       const auto points = curve_of(lot);
       for (std::size_t i = 0; i < points.size(); ++i) curve.add(first + i, points[i]);
@@ -139,8 +151,11 @@ py::tuple friction_curve(const Scene& scene, const Array& velocities, Array rati
 void add_friction(py::module_& module) {
   using py::arg;
   module.def("parse_velocity", &parse_velocity, arg("text"));
-  module.def("check_speeds", &check_speeds, arg("velocities").noconvert(), arg("option"));
+  module.def("parse_ratio", &parse_ratio, arg("text"));
+  module.def("first_refused_speed", &first_refused_speed, arg("velocities").noconvert());
+  module.def("refuse_speed", &refuse_speed, arg("velocity"), arg("option"));
   module.def("simulate", &simulate, arg("scene"), arg("velocity"), arg("method"), arg("start"));
+  module.def("energy", &energy, arg("scene"), arg("velocity"));
   module.def("friction_curve", &friction_curve, arg("scene"), arg("velocities").noconvert(),
              arg("ratio").noconvert(), arg("error").noconvert());
 }

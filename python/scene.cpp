@@ -11,7 +11,10 @@
 #include "bindings.hpp"
 #include "critical/admissibility.hpp"
 #include "critical/certified.hpp"
+#include "interrupt.hpp"
 #include "onset/critical_onset.hpp"
+#include "onset/formula_scope.hpp"
+#include "scene/settings.hpp"
 
 namespace vcrit::python {
 
@@ -46,16 +49,30 @@ std::map<std::string, std::string> settable(const Scene& scene) {
 }
 
 std::tuple<double, double, std::string> certified(const Scene& scene) {
-  const py::gil_scoped_release others_run;
-  const auto [value, bound, reason] = certified_critical_velocity(scene);
-  return {value, bound, reason};
+  const OthersRun others_run;
+  if (formula_holds(scene)) {
+    const auto [value, bound, reason] = certified_critical_velocity(scene);
+    return {value, bound, reason};
+  }
+  const CriticalOnset onset = critical_onset(scene);
+  return {onset.contact_velocity, onset.relative_error_bound, onset.reason};
 }
 
 std::tuple<double, double, std::string, std::string> onset(const Scene& scene) {
-  const py::gil_scoped_release others_run;
+  const OthersRun others_run;
   const CriticalOnset found = critical_onset(scene);
   return {found.contact_velocity, found.drive_velocity,
           found.by == CriticalOnset::By::formula ? "formula" : "simulation", found.reason};
+}
+
+double factor(const Scene& scene, const std::string& name, const std::string& unit) {
+  const Place place{name};
+  return parse_quantity("1 " + unit, known_dimension(name, scene.settable, place), place);
+}
+
+// Of files beside the scene's own.
+bool reads_tables(const Scene& scene) {
+  return scene.receptance.has_value() || (scene.indenter && scene.indenter->profile);
 }
 
 std::string read(const std::string& file) { return read_file(file); }
@@ -67,10 +84,12 @@ void add_scene(py::module_& module) {
   py::class_<Scene>(module, "Scene")
       .def(py::init(&parse_scene), arg("text"), arg("file"), arg("settings"))
       .def_readonly("title", &Scene::title)
+      .def_property_readonly("reads_tables", &reads_tables)
       .def_readonly("warnings", &Scene::warnings);
   module.def("read_file", &read, arg("file"));
   module.def("parameters", &parameters, arg("scene"));
   module.def("settable", &settable, arg("scene"));
+  module.def("factor", &factor, arg("scene"), arg("name"), arg("unit"));
   module.def("certified", &certified, arg("scene"));
   module.def("reasons", &inadmissible_reasons, arg("scene"));
   module.def("critical_onset", &onset, arg("scene"));

@@ -1,9 +1,12 @@
 """What a scene answers."""
 
-from typing import NamedTuple
+from functools import cached_property
+from typing import Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
+
+from . import _vcrit
 
 
 class Parameter(NamedTuple):
@@ -16,12 +19,12 @@ class Parameter(NamedTuple):
 
 
 class CertifiedVelocity(NamedTuple):
-    """v* of Eq. (24), correctly rounded."""
+    """v* of Eq. (24), correctly rounded, or, where that does not hold, simulated."""
 
     value: float
     """m/s; infinite at resonance."""
     relative_error_bound: float
-    """Of `value`; 0 where it is exact."""
+    """Of `value`; 0 where it is exact, NaN where it is simulated."""
     reason: str
     """Why the value is infinite, else empty."""
 
@@ -58,9 +61,7 @@ class Energy(NamedTuple):
     """Estimate of the error of each."""
 
 
-class SteadyState(NamedTuple):
-    """The steady motion at one speed, by simulation."""
-
+class _SteadyMotion(NamedTuple):
     velocity: float
     """Mean velocity of the drive, m/s."""
     velocity_ratio: float
@@ -70,14 +71,32 @@ class SteadyState(NamedTuple):
     friction_ratio_error: float
     """Estimate of its absolute error."""
     regime: str
-    """"sliding", "stick-slip", "stick-slip-backslip" or "stick"."""
+    """"sliding", "stick-slip", "stick-slip-backslip" or "stick"; the first three end in "-apart"
+    where surfaces separate for a part of the period."""
     method: str
     periods: int | None
     """Length of the steady cycle in oscillation periods, where it is one."""
     events: tuple[Event, ...]
     """Of one cycle, by time."""
-    energy: Energy | None
-    """Known for the exact method alone."""
+
+
+class SteadyState(_SteadyMotion):
+    """The steady motion at one speed, by simulation."""
+
+    _scene: Any = None
+
+    def _in(self, scene: Any) -> "SteadyState":
+        """With the scene that the energy is asked of."""
+        self._scene = scene
+        return self
+
+    @cached_property
+    def energy(self) -> Energy | None:
+        """Found when first asked for. Known for the exact method alone, and for no indenter."""
+        if self._scene is None:
+            return None
+        found = _vcrit.energy(self._scene._handle, self.velocity)
+        return None if found is None else Energy(*found)
 
 
 class FrictionCurve(NamedTuple):

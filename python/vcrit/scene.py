@@ -4,17 +4,25 @@ import os
 import warnings
 from collections.abc import Mapping
 from types import MappingProxyType
-from typing import Any, TypeAlias, overload
+from typing import Any, NamedTuple, TypeAlias, overload
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _vcrit
 from .batch import evaluated
+from .inputs import (
+    characters,
+    is_labelled,
+    is_text,
+    labelled,
+    ma,
+    number_with_unit,
+    numbers,
+)
 from .results import (
     CertifiedVelocity,
     CriticalOnset,
-    Energy,
     Event,
     FrictionCurve,
     Parameter,
@@ -28,31 +36,59 @@ Array: TypeAlias = npt.NDArray[np.float64]
 class Scene:
     """A contact, its drive and its oscillation, from a TOML file. Does not change.
 
+    Scenes of one text, file and settings are equal, and may be keys of a dict.
     Raises InputError for whatever is wrong with the file; warns of what has no effect in it.
     """
 
+    _text: str
+    _file: str
+    _settings: Mapping[str, str]
+    _handle: _vcrit.Scene
+
     def __init__(self, file: "str | os.PathLike[str]") -> None:
-        path = os.fspath(file)
-        self._read(_vcrit.read_file(path), path, {})
+        name = os.fspath(file)
+        self._read(_vcrit.read_file(os.fsencode(name)), os.fsdecode(name), {})
         self._warn()
 
     @classmethod
     def from_text(cls, text: str, file: str = "scene") -> "Scene":
         """A scene from TOML text; `file` names it in messages, and a measured drive is looked for
         beside it."""
-        scene = cls._made(text, file, {})
+        scene = cls._made(characters(text, "text"), file, {})
         scene._warn()
         return scene
 
     @classmethod
-    def _made(cls, text: str, file: str, settings: dict[str, str]) -> "Scene":
+    def _made(cls, text: str, file: str, settings: Mapping[str, str]) -> "Scene":
         scene = cls.__new__(cls)
         scene._read(text, file, settings)
         return scene
 
-    def _read(self, text: str, file: str, settings: dict[str, str]) -> None:
-        self._text, self._file, self._settings = text, file, settings
-        self._handle = _vcrit.Scene(text, file, list(settings.items()))
+    def _read(self, text: str, file: str, settings: Mapping[str, str]) -> None:
+        handle = _vcrit.Scene(text, os.fsencode(file), list(settings.items()))
+        # A table is beside the file, wherever the process goes or the scene is sent to.
+        if handle.reads_tables and not os.path.isabs(file):
+            return self._read(text, os.path.abspath(file), settings)
+        for name, value in {"_text": text, "_file": file, "_handle": handle,
+                            "_settings": MappingProxyType(dict(settings))}.items():
+            object.__setattr__(self, name, value)
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        raise AttributeError(f"a scene does not change ({name}); with_values() makes another")
+
+    def __delattr__(self, name: str) -> None:
+        self.__setattr__(name, None)
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Scene):
+            return NotImplemented
+        return self._identity() == other._identity()
+
+    def __hash__(self) -> int:
+        return hash(self._identity())
+
+    def _identity(self) -> tuple[Any, ...]:
+        return self._text, self._file, frozenset(self._settings.items())
 
     def _warn(self, known: tuple[str, ...] = ()) -> None:
         for warning in self._handle.warnings:
@@ -60,7 +96,7 @@ class Scene:
                 warnings.warn(warning, stacklevel=3)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return Scene._made, (self._text, self._file, self._settings)
+        return Scene._made, (self._text, self._file, dict(self._settings))
 
     def __repr__(self) -> str:
         values = "".join(f", {name}={value!r}" for name, value in self._settings.items())
@@ -74,7 +110,9 @@ class Scene:
         """
         settings = dict(self._settings)
         for name, value in {**(values or {}), **named}.items():
-            settings[name] = value if isinstance(value, str) else repr(float(value))
+            characters(name, "name of a value")
+            settings[name] = (characters(value, name) if isinstance(value, str)
+                              else number_with_unit(value, name))
         scene = Scene._made(self._text, self._file, settings)
         scene._warn(known=self.warnings)
         return scene
@@ -114,9 +152,11 @@ class Scene:
 
     @property
     def certified_critical_velocity(self) -> CertifiedVelocity:
-        """v* of Eq. (24), correctly rounded, with a bound on its error.
+        """v* as `vcrit eval` prints it: of Eq. (24), correctly rounded, with a bound on its error.
 
-        Raises InputError for missing values, ModelError where v* is 0/0.
+        Where surfaces separate and Eq. (24) does not hold, it is simulated, and its bound is NaN.
+        Raises InputError for missing values, ModelError where v* is 0/0 or the scene is outside
+        the model.
         """
         return CertifiedVelocity(*_vcrit.certified(self._handle))
 
@@ -127,7 +167,11 @@ class Scene:
         Raises InputError for missing values, ModelError where v* is 0/0 or the scene is outside
         the model.
         """
-        return CriticalOnset(*_vcrit.critical_onset(self._handle))
+        return CriticalOnset(*self._onset)
+
+    @property
+    def _onset(self) -> tuple[float, float, str, str]:
+        return _vcrit.critical_onset(self._handle)
 
     @property
     def drive_velocity(self) -> float:
@@ -144,18 +188,25 @@ class Scene:
 
     def critical_velocity(self, values: Mapping[str, Any] | None = None, /, *,
                           out: Any = None, **named: Any) -> Any:
-        """v* of Eq. (24) in m/s: correctly rounded, or over arrays of any parameters.
+        """v* in m/s: as `vcrit eval` prints it, or over arrays of any parameters.
 
         critical_velocity(frequency=f, k0=k[:, np.newaxis]) takes the names of `settable`; arrays
         (SI) are broadcast as in NumPy, texts carry a unit, and names that are none in Python go
         in a mapping. Arrays of float64 are used where they lie; `out` takes the result. Other
-        threads run meanwhile. Infinite at resonance, NaN where Eq. (24) is 0/0.
-        Raises InputError, ModelError.
+        threads run meanwhile. It is Eq. (24), and where surfaces separate and that does not hold,
+        one simulation a point. Infinite at resonance, NaN where v* is 0/0, the point is outside
+        the model or one of its values is NaN.
+
+        Masks, units of quantities (pint, astropy), the dimensions of xarray and the index of a
+        pandas Series are kept. Raises InputError, with the index of the first wrong value and
+        `out` as it was, ModelError.
         """
         given = {**(values or {}), **named}
         if not given and out is None:
             return self.certified_critical_velocity.value
-        texts = {name: value for name, value in given.items() if isinstance(value, str)}
+        for name in given:
+            characters(name, "name of a value")
+        texts = {name: value for name, value in given.items() if is_text(value)}
         scene = self.with_values(texts) if texts else self
         arrays = {name: value for name, value in given.items() if name not in texts}
         return evaluated(scene._handle, arrays, out)
@@ -165,17 +216,33 @@ class Scene:
         """Friction at each speed of an array, by exact event-driven simulation.
 
         velocities: mean velocities of the drive, m/s, or velocity_ratios: the same in units of
-        v*. A speed without an answer is NaN and has a reason. Other threads run meanwhile.
-        Raises InputError, ModelError.
+        v*. A speed without an answer, NaN among them, is NaN and has a reason. Masks, units and
+        labels of the speeds are kept. Other threads run meanwhile. Raises InputError, ModelError.
         """
-        velocity, ratio = self._speeds(velocities, velocity_ratios)
-        friction, error = np.empty_like(velocity), np.empty_like(velocity)
-        regimes, reasons = _vcrit.friction_curve(self._handle, velocity, friction, error)
-        return FrictionCurve(velocity, ratio, friction, error,
-                             np.array(regimes, dtype=np.str_).reshape(velocity.shape),
-                             np.array(reasons, dtype=np.str_).reshape(velocity.shape))
+        speeds = self._given_speeds(velocities, velocity_ratios)
+        if not is_labelled(speeds.given):
+            return self._curve(speeds)
+        return FrictionCurve(*labelled(
+            lambda plain: tuple(self._curve(speeds._replace(given=plain[speeds.name]))),
+            {speeds.name: speeds.given}, len(FrictionCurve._fields), lambda name: speeds.factor))
 
-    def simulate(self, velocity: Value | None = None, *, velocity_ratio: float | None = None,
+    def _curve(self, speeds: "_Speeds") -> FrictionCurve:
+        given = numbers(speeds.given, speeds.name, speeds.factor)
+        velocity, ratio = self._in_both_units(given.values, speeds.are_ratios)
+        known = ~np.isnan(velocity)
+        friction, error = np.full(velocity.shape, np.nan), np.full(velocity.shape, np.nan)
+        regime = np.full(velocity.shape, "", dtype=object)
+        reason = np.full(velocity.shape, "the speed is no number", dtype=object)
+        found = np.empty((2, np.count_nonzero(known)))
+        regimes, reasons = _vcrit.friction_curve(self._handle, velocity[known], *found)
+        friction[known], error[known] = found
+        regime[known], reason[known] = regimes, reasons
+        curve = (velocity, ratio, friction, error, regime.astype(np.str_), reason.astype(np.str_))
+        if given.mask is None:
+            return FrictionCurve(*curve)
+        return FrictionCurve(*(ma.MaskedArray(values, given.mask) for values in curve))
+
+    def simulate(self, velocity: Value | None = None, *, velocity_ratio: Value | None = None,
                  method: str = "exact", start: str = "sliding") -> SteadyState:
         """The steady motion at one speed, as `vcrit simulate`.
 
@@ -183,28 +250,75 @@ class Scene:
         same in units of v*. method: "exact", or one beside it. start: "sliding" or "rest".
         Raises InputError, ModelError.
         """
-        if isinstance(velocity, str):
-            velocity = _vcrit.parse_velocity(velocity)
-        speed, ratio = self._speeds(velocity, velocity_ratio)
-        friction, error, regime, periods, events, energy = _vcrit.simulate(
-            self._handle, float(speed), method, start)
-        return SteadyState(float(speed), float(ratio), friction, error, regime, method, periods,
-                           tuple(Event(*event) for event in events),
-                           None if energy is None else Energy(*energy))
+        speeds = self._given_speeds(velocity, velocity_ratio)
+        speed, ratio = map(float, self._in_both_units(np.array(speeds.one()), speeds.are_ratios))
+        if np.isnan(speed):
+            _vcrit.refuse_speed(speed, speeds.option)
+        friction, error, regime, periods, events = _vcrit.simulate(
+            self._handle, speed, method, start)
+        state = SteadyState(speed, ratio, friction, error, regime, method, periods,
+                            tuple(Event(*event) for event in events))
+        return state._in(self) if method == "exact" else state
 
-    def _speeds(self, velocities: npt.ArrayLike | None,
-                ratios: npt.ArrayLike | None) -> tuple[Array, Array]:
-        """Velocities and their ratios to v*, as contiguous arrays."""
+    @staticmethod
+    def _given_speeds(velocities: Any, ratios: Any) -> "_Speeds":
         if (velocities is None) == (ratios is None):
             raise TypeError("either velocities or their ratios to v* must be given")
-        given = velocities if ratios is None else ratios
-        speeds = np.array(given, dtype=np.float64, order="C")
-        critical, _, _, reason = self.critical_onset
-        if ratios is not None:
+        speeds = _Speeds(velocities if ratios is None else ratios, ratios is not None)
+        return speeds._replace(given=speeds.without_texts())
+
+    def _in_both_units(self, speeds: npt.NDArray[Any], are_ratios: bool) -> tuple[Array, Array]:
+        """Velocities and their ratios to v*, as contiguous arrays."""
+        speeds = np.array(speeds, dtype=np.float64, order="C")
+        critical, _, _, reason = self._onset
+        if are_ratios:
             if np.isinf(critical):
                 raise _vcrit.ModelError(
                     f"{reason}: --velocity-ratio has no meaning, give --velocity")
             speeds *= critical
-        _vcrit.check_speeds(speeds, "--velocity" if ratios is None else "--velocity-ratio")
+        self._refuse_wrong(speeds, "--velocity-ratio" if are_ratios else "--velocity")
         with np.errstate(divide="ignore"):  # v* = 0 at antiresonance
-            return speeds, speeds / critical
+            return speeds, np.divide(speeds, critical, out=np.empty_like(speeds))
+
+    @staticmethod
+    def _refuse_wrong(speeds: Array, option: str) -> None:
+        first = _vcrit.first_refused_speed(speeds)
+        if first is None:
+            return
+        place = "" if speeds.ndim == 0 else "at index " + ", ".join(
+            str(int(each)) for each in np.unravel_index(first, speeds.shape)) + ": "
+        _vcrit.refuse_speed(float(speeds.flat[first]), place + option)
+
+
+class _Speeds(NamedTuple):
+    """What a caller gives as speeds."""
+
+    given: Any
+    are_ratios: bool
+
+    @property
+    def name(self) -> str:
+        return "velocity_ratios" if self.are_ratios else "velocities"
+
+    @property
+    def option(self) -> str:
+        return "--velocity-ratio" if self.are_ratios else "--velocity"
+
+    def parse(self, text: str) -> float:
+        parse = _vcrit.parse_ratio if self.are_ratios else _vcrit.parse_velocity
+        return parse(characters(text, self.name))
+
+    def one(self) -> float:
+        number, _, unit = number_with_unit(self.given, self.name).partition(" ")
+        return self.parse(f"{number} {unit}") if unit else float(number)
+
+    def factor(self, unit: str) -> float:
+        return self.parse(f"1 {unit}")
+
+    def without_texts(self) -> Any:
+        """Texts, alone or in a list, as numbers."""
+        if is_text(self.given):
+            return self.parse(self.given)
+        if isinstance(self.given, (list, tuple)) and any(map(is_text, self.given)):
+            return [self.parse(each) if is_text(each) else each for each in self.given]
+        return self.given

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <memory>
 #include <mutex>
 
@@ -65,7 +66,13 @@ ut_system* units() {
     if (all != nullptr) add_short_names(all);
     return all;
   }();
-  if (system == nullptr) throw Bug("the database of udunits cannot be read");
+  if (system == nullptr) {
+    const char* const file = std::getenv("UDUNITS2_XML_PATH");
+    throw InputError({"UDUNITS2_XML_PATH"},
+                     file == nullptr ? "nothing" : fmt::format("\"{}\"", file),
+                     "the database of units, udunits2.xml: unset the variable, or set it to that "
+                     "file of the package libudunits2-data");
+  }
   return system;
 }
 

@@ -1,5 +1,7 @@
 #include "critical/batch.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -7,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/interruption.hpp"
 #include "critical/certified.hpp"
 #include "critical/kernels.hpp"
 #include "critical/operations.hpp"
@@ -19,6 +22,8 @@ namespace {
 using kernels::lanes;
 using Given = std::span<const std::span<const double>>;
 
+constexpr double no_velocity = std::numeric_limits<double>::quiet_NaN();
+
 double at(std::span<const double> column, std::size_t lane) {
   return column[column.size() == 1 ? 0 : lane];
 }
@@ -29,6 +34,7 @@ class CriticalVelocities::Formula {
  public:
   Formula(const Scene& scene, std::vector<std::string> names, Grade grade);
   void evaluate(Given given, std::span<double> out) const;
+  void refuse_lengths(Given given, std::size_t lanes_wanted) const;
 
  private:
   /// A parameter that varies, and the unit in which it is given.
@@ -84,9 +90,12 @@ class CriticalVelocities::Formula::Certified {
 
   double operator()(Given given, std::size_t lane) {
     if (velocity_ && is_last(given, lane)) return *velocity_;
+    hear_interruption();
     values_.clear();
     for (const auto& column : given) values_.push_back(at(column, lane));
-    velocity_ = velocity_of(changing_.at(values_));
+    const bool unknown =
+        std::any_of(values_.begin(), values_.end(), [](double value) { return std::isnan(value); });
+    velocity_ = unknown ? no_velocity : velocity_of(changing_.at(values_));
     return *velocity_;
   }
 
@@ -100,7 +109,7 @@ class CriticalVelocities::Formula::Certified {
   static double velocity_of(const Scene& scene) try {
     return certified_critical_velocity(scene).value;
   } catch (const ModelError&) {
-    return std::numeric_limits<double>::quiet_NaN();
+    return no_velocity;
   }
 
   ChangingScene changing_;
@@ -137,6 +146,7 @@ class CriticalVelocities::Formula::Call {
   std::vector<const double*> at_;  // where each column lies now
   std::vector<bool> varies_;       // which columns change from block to block
   std::vector<Moving> moving_;
+  std::vector<std::span<const double>> unknown_;  // without effect on v*, but for NaN
   std::vector<const Operation*> each_block_;
   bool always_lost_ = false;
   std::optional<Certified> certified_;
@@ -165,8 +175,12 @@ void CriticalVelocities::Formula::Call::place(const Varying& varying,
   const auto parameter = operations_.parameters.find(varying.symbol);
   if (parameter == operations_.parameters.end()) {
     // v* does not depend on it, but the scene may not have every value of it.
-    for (std::size_t lane = 0; lane < values.size(); ++lane)
+    bool unknown = false;
+    for (std::size_t lane = 0; lane < values.size(); ++lane) {
+      unknown = unknown || std::isnan(values[lane]);
       if (!(values[lane] >= 0 && std::isfinite(values[lane]))) certified(lane);
+    }
+    if (unknown) unknown_.push_back(values);
     return;
   }
   const Column column = parameter->second;
@@ -241,6 +255,9 @@ void CriticalVelocities::Formula::Call::load(std::size_t first, std::size_t coun
     }
     require_usual(moving.column);
   }
+  for (const auto& values : unknown_)
+    for (std::size_t i = 0; i < count; ++i)
+      if (std::isnan(at(values, first + i))) lost_[i] = 1;
 }
 
 double CriticalVelocities::Formula::Call::certified(std::size_t lane) {
@@ -260,10 +277,18 @@ void CriticalVelocities::Formula::Call::run(std::span<double> out) {
   }
 }
 
+void CriticalVelocities::Formula::refuse_lengths(Given given, std::size_t lanes_wanted) const {
+  if (given.size() != names_.size())
+    throw InputError({"columns"}, fmt::format("{} of them", given.size()),
+                     fmt::format("{}, one for each varying parameter", names_.size()));
+  for (std::size_t i = 0; i < given.size(); ++i)
+    if (given[i].size() != 1 && given[i].size() != lanes_wanted)
+      throw InputError({names_[i]}, fmt::format("{} values", given[i].size()),
+                       fmt::format("{} as in out, or one for all", lanes_wanted));
+}
+
 void CriticalVelocities::Formula::evaluate(Given given, std::span<double> out) const {
-  ensure(given.size() == varying_.size(), "one column for each varying parameter");
-  for (const auto& column : given)
-    ensure(column.size() == 1 || column.size() == out.size(), "a value for each lane, or one");
+  refuse_lengths(given, out.size());
   if (out.empty()) return;
   if (operations_) return Call(*this, given).run(out);
   Certified certified(scene_, names_);

@@ -26,11 +26,12 @@ class CriticalVelocities {
 
   /// v* in m/s. columns[i] holds the values of varying[i] in SI, out.size() of them or one for all;
   /// `out` may be one of the columns. Infinite at resonance and above the largest double, NaN where
-  /// v* is 0/0 or nothing is known of a measured drive. May be called from several threads at once.
-  /// Relative error in doubles: at most 1280 u an element of the scene's networks (u = 2^-53), a
-  /// few u in practice. Where cancellation would cost more, or numbers leave 1e-20 to 1e20 in SI,
-  /// the answer is the correctly rounded one, at its price of microseconds, as it is for measured
-  /// drives and drives that hold masses. Throws InputError for values that the scene may not have.
+  /// v* is 0/0, nothing is known of a measured drive or a value given is NaN. May be called from
+  /// several threads at once. Relative error in doubles: at most 1280 u an element of the scene's
+  /// networks (u = 2^-53), a few u in practice. Where cancellation would cost more, or numbers
+  /// leave 1e-20 to 1e20 in SI, the answer is the correctly rounded one, at its price of
+  /// microseconds, as it is for measured drives and drives that hold masses. Throws InputError for
+  /// values that the scene may not have and for columns of other lengths.
   void operator()(std::span<const std::span<const double>> columns, std::span<double> out) const;
 
  private:

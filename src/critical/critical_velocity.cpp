@@ -1,5 +1,7 @@
 #include "critical/critical_velocity.hpp"
 
+#include <fmt/core.h>
+
 #include <cmath>
 
 #include "base/complex.hpp"
@@ -49,6 +51,8 @@ double measured_factor(ComplexDouble tangential, const Scene& scene, const Value
 }  // namespace
 
 double critical_velocity(const Scene& scene, double omega) {
+  if (!(omega > 0 && std::isfinite(omega)))
+    throw InputError({"omega"}, fmt::format("{} rad/s", omega), "a finite value above 0");
   const Values values = values_of(scene);
   const double friction = values.at(scene.coefficient.symbol);
   const double amplitude = values.at(scene.amplitude.symbol);

@@ -1,5 +1,6 @@
 #include "indenter/friction.hpp"
 
+#include <fmt/core.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -64,8 +65,9 @@ LastStick highest(const HalfSpace& half_space, const At& at) {
 }  // namespace
 
 Friction friction(const HalfSpace& half_space, double velocity, double tolerance) {
-  ensure(velocity > 0, "the indenter moves forward");
-  ensure(tolerance > 0, "a tolerance is positive");
+  simulation::require_forward(velocity);
+  if (!(tolerance > 0))
+    throw InputError({"tolerance"}, fmt::format("{}", tolerance), "a relative error above 0");
   if (half_space.uniform()) return of_one_cell(half_space, velocity);
   const Integrals sum = integrals(half_space, velocity, changes(half_space, velocity), tolerance);
   const double outside =
@@ -103,7 +105,10 @@ std::vector<CurvePoint> friction_curve(const HalfSpace& half_space,
 }
 
 std::vector<Cell> cells(const HalfSpace& half_space, double velocity, int count, int samples) {
-  ensure(count > 0 && samples >= 0, "some cells");
+  simulation::require_forward(velocity);
+  if (count <= 0 || samples < 0)
+    throw InputError({"cells"}, fmt::format("{} cells with {} samples", count, samples),
+                     "one cell or more, and no samples or some");
   std::vector<Cell> result(static_cast<std::size_t>(count));
   tbb::parallel_for(std::size_t{0}, result.size(), [&](std::size_t i) {
     const double x = half_space.edge() * static_cast<double>(i) / count;

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "scene/quantities.hpp"
+
 namespace vcrit {
 
 namespace {
@@ -11,6 +13,15 @@ void refuse_missing(const Scene& scene, const std::vector<std::string>& missing)
   if (missing.empty()) return;
   throw InputError({scene.file}, fmt::format("no value for {}", fmt::join(missing, ", ")),
                    "a number for each, in the scene or by --set NAME=VALUE");
+}
+
+const Range& range_of(const Scene& scene, const Quantity& quantity) {
+  if (&quantity == &scene.angular_frequency || (scene.mass && &quantity == &*scene.mass))
+    return positive;
+  const auto* isotropic = std::get_if<Isotropic>(&scene.tangential);
+  if (isotropic != nullptr && &quantity == &isotropic->quantity)
+    return isotropic->by == Isotropic::By::poisson ? poisson_range : positive;
+  return nonnegative;
 }
 
 }  // namespace
@@ -41,14 +52,17 @@ double tangential_ratio(const Isotropic& isotropic) {
 Values values_of(const Scene& scene) {
   Values values;
   std::vector<std::string> missing;
-  const auto add = [&](const Symbol& symbol, const std::optional<double>& value) {
+  const auto add = [&](const Symbol& symbol, const std::optional<double>& value,
+                       const Range& range) {
     if (value)
-      values[symbol] = *value;
+      values[symbol] = checked(*value, range, to_text(symbol), {scene.file});
     else
       missing.push_back(to_text(symbol));
   };
-  for (const auto& [symbol, value] : scene.elements) add(symbol, value);
-  for (const Quantity* quantity : quantities(scene)) add(quantity->symbol, quantity->value);
+  // Reading leaves elements of value 0 out of the networks.
+  for (const auto& [symbol, value] : scene.elements) add(symbol, value, positive);
+  for (const Quantity* quantity : quantities(scene))
+    add(quantity->symbol, quantity->value, range_of(scene, *quantity));
   refuse_missing(scene, missing);
   return values;
 }

@@ -93,7 +93,9 @@ bool has_drive(const Scene& scene);
 double tangential_ratio(const Isotropic& isotropic);
 
 /// All values of the scene (elements and quantities) by symbol. Throws InputError naming every
-/// missing one at once.
+/// missing one at once, and for one that no scene may have: whoever evaluates a scene asks this, so
+/// that one whose members were changed after reading is checked as well. An element of value 0 is
+/// such a one: reading leaves it out of the networks, so give it as a setting.
 Values values_of(const Scene& scene);
 
 /// The tangential network as such: with an isotropic contact, the normal one and a factor.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/interruption.hpp"
+
 namespace vcrit {
 
 namespace {
@@ -48,6 +50,7 @@ void reflect(SymmetricRows& matrix, const Vector& v, const BigFloat& h, std::siz
 Tridiagonal tridiagonal(SymmetricRows matrix) {
   Tridiagonal result{Vector(matrix.size()), Vector(matrix.size() - 1)};
   for (std::size_t i = matrix.size() - 1; i > 0; --i) {
+    hear_interruption();
     result.diagonal[i] = matrix[i][i];
     Vector& v = matrix[i];
     const BigFloat norm = sqrt(dot(v, v, i)), size = abs(v[i - 1]);
@@ -79,6 +82,7 @@ class Diagonalisation {
         --end;
         continue;
       }
+      hear_interruption();
       if (steps_left-- == 0) return false;
       std::size_t begin = end - 1;
       while (begin > 0 && abs(e_[begin - 1]) > tiny_) --begin;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/constants.hpp"
+#include "base/interruption.hpp"
 
 namespace vcrit {
 
@@ -72,6 +73,7 @@ double bisect(const Sign& sign, double low, double high) {
 // The root of the monotone f between the offsets low and high (one sign, one of them may be 0):
 // Newton on d f(d), smooth through the pole, kept inside a bracket that halves its exponent.
 double solve(const Near& near, double low, double high, bool rising) {
+  hear_interruption();
   const double weight = near.own_weight();
   double d = between(low, high);
   for (int i = 0; i < 300; ++i) {

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "analysis/logarithmic.hpp"
+#include "base/interruption.hpp"
 #include "derivation/derivation.hpp"
 #include "derivation/factors.hpp"
 #include "derivation/model.hpp"
@@ -94,6 +95,7 @@ class Chain {
     }
 
     ex of(const ex& expression) const {
+      hear_interruption();
       ex change = 0;
       for (const ex& each : free_symbols(expression)) {
         const auto& symbol = GiNaC::ex_to<GiNaC::symbol>(each);

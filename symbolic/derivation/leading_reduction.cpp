@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include "base/interruption.hpp"
+
 namespace vcrit::symbolic {
 
 namespace {
@@ -77,6 +79,7 @@ class Leader {
 
 Reduction leading_reduction(const Reduction& reduction,
                             const std::function<int(const Element&)>& power) {
+  hear_interruption();
   return Leader(reduction, power).result();
 }
 

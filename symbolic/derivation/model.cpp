@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "base/errors.hpp"
+#include "base/interruption.hpp"
 #include "derivation/factors.hpp"
 #include "formula/symbols.hpp"
 
@@ -81,6 +82,7 @@ std::vector<Line> used_in(const ex& formula, std::vector<Line> definitions) {
   Symbols needed = free_symbols(formula);
   std::vector<Line> used;
   for (auto line = definitions.rbegin(); line != definitions.rend(); ++line) {
+    hear_interruption();
     if (!needed.contains(line->left)) continue;
     needed.merge(free_symbols(line->right));
     used.push_back(std::move(*line));

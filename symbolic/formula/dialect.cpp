@@ -1,10 +1,12 @@
 #include "formula/dialect.hpp"
 
+#include "base/interruption.hpp"
 #include "formula/names.hpp"
 
 namespace vcrit::symbolic {
 
 std::string Dialect::print(const Signed& expression) const {
+  hear_interruption();
   const std::string text = piece(expression.form).text;
   return expression.minus ? negative(text) : text;
 }

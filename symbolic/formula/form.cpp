@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "base/errors.hpp"
+#include "base/interruption.hpp"
 #include "formula/dialect.hpp"
 #include "formula/names.hpp"
 
@@ -205,6 +206,7 @@ Signed call_form(const GiNaC::ex& call) {
 }  // namespace
 
 Signed form_of(const GiNaC::ex& expression) {
+  hear_interruption();
   if (GiNaC::is_a<GiNaC::symbol>(expression))
     return {false, named(GiNaC::ex_to<GiNaC::symbol>(expression).get_name())};
   if (GiNaC::is_a<GiNaC::add>(expression)) return sum_form(expression);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/errors.hpp"
+#include "base/interruption.hpp"
 
 namespace vcrit::symbolic {
 
@@ -131,6 +132,7 @@ Polynomial& Polynomial::operator-=(const Polynomial& other) {
 }
 
 Polynomial& Polynomial::operator*=(const Polynomial& other) {
+  hear_interruption();
   fmpz_mpoly_mul(value_, value_, other.value_, ring_->context());
   return *this;
 }
@@ -149,6 +151,7 @@ void Polynomial::add_term(const std::string& coefficient,
 }
 
 Polynomial operator*(const Polynomial& a, const Polynomial& b) {
+  hear_interruption();
   Polynomial result(a.ring(), 0);
   fmpz_mpoly_mul(result.value_, a.value_, b.value_, a.ring().context());
   return result;
@@ -159,6 +162,7 @@ bool operator==(const Polynomial& a, const Polynomial& b) {
 }
 
 Quotient cancelled(const Quotient& quotient) {
+  hear_interruption();
   const fmpz_mpoly_ctx_struct* context = quotient.over.ring().context();
   Polynomial common(quotient.over.ring(), 0);
   Quotient result{common, common};

@@ -168,8 +168,23 @@ BOOST_AUTO_TEST_CASE(wrong_names_and_values_are_refused) {
   BOOST_TEST(refused({"omega", "frequency"}, {{1}, {1}}).find("frequency as well as omega") !=
              std::string::npos);
   for (const char* name : {"k1", "u_z0"})
-    for (const double value : {-1.0, std::nan(""), HUGE_VAL})
+    for (const double value : {-1.0, HUGE_VAL})
       BOOST_TEST(refused({name}, {{1, value}}).find(std::string("--set ") + name) == 0U);
+}
+
+// u_z0 is no part of v*; a lane without a number has none all the same.
+BOOST_AUTO_TEST_CASE(lanes_without_a_number_are_nan) {
+  for (const char* file : {"/zener.toml", "/measured_drive.toml"}) {
+    const Scene scene = read_scene(std::string(VCRIT_SCENES) + file);
+    for (const char* name : {"omega", "u_z0"}) {
+      const auto own = scene.angular_frequency.value.value();
+      const auto found = batch(scene, {name}, {{own, std::nan(""), own}}, 3);
+      BOOST_TEST(std::isfinite(found[0]));
+      BOOST_TEST(std::isnan(found[1]));
+      BOOST_TEST(found[2] == found[0]);
+      BOOST_TEST(std::isnan(batch(scene, {name}, {{std::nan("")}}, 2)[1]));
+    }
+  }
 }
 
 // Levels of the processor differ in speed alone: every kernel gives the same bits in all of them.

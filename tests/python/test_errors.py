@@ -1,12 +1,15 @@
 """What vcrit refuses: Python exceptions with the text that the program prints."""
 
+import os
+import subprocess
+import sys
 import tempfile
 import unittest
 from pathlib import Path
 
 import numpy as np
 import vcrit
-from support import PROJECT, program
+from support import PROGRAM, PROJECT, program
 from test_scene import RESONANT
 
 ZENER = "scenes/zener.toml"
@@ -55,10 +58,12 @@ class TheProgram(unittest.TestCase):
         command = ["simulate", ZENER]
         for speed in [-1, 0]:
             self.assert_same(vcrit.InputError, lambda: scene.simulate(speed), *command, f"--velocity={speed}")
-            self.assert_same(vcrit.InputError, lambda: scene.friction_curve([0.1, speed]),
+            self.assert_same(vcrit.InputError, lambda: scene.friction_curve(speed),
                              *command, f"--velocity={speed}")
-            self.assert_same(vcrit.InputError, lambda: scene.friction_curve(velocity_ratios=[1, speed]),
+            self.assert_same(vcrit.InputError, lambda: scene.friction_curve(velocity_ratios=speed),
                              *command, f"--velocity-ratio={speed}")
+            with self.assertRaisesRegex(vcrit.InputError, f"^at index 1: --velocity: found a speed of {speed} m/s"):
+                scene.friction_curve([0.1, speed])
         for speed in [float("nan"), float("inf")]:
             self.assert_same(vcrit.InputError, lambda: scene.simulate(velocity_ratio=speed),
                              *command, f"--velocity-ratio={speed}")
@@ -71,7 +76,7 @@ class TheProgram(unittest.TestCase):
                          "simulate", file, "--velocity=1")
         self.assert_same_text(vcrit.ModelError, RESONANT, lambda scene: scene.simulate(velocity_ratio=0.5),
                               "simulate", "--velocity-ratio=0.5")
-        file = "scenes/measured_drive.toml"
+        file = str(PROJECT / "scenes/measured_drive.toml")  # a scene with a table names it from the root
         self.assert_same(vcrit.ModelError, lambda: vcrit.Scene(file).with_values(frequency=1e6).critical_velocity(),
                          "eval", file, "--set", "frequency=1e6")
 
@@ -79,6 +84,19 @@ class TheProgram(unittest.TestCase):
         scene = vcrit.Scene("scenes/prony.toml")
         self.assert_same(vcrit.ModelError, lambda: vcrit.derive(scene, form="rational"),
                          "derive", "scenes/prony.toml", "--form", "rational")
+
+
+class Environment(unittest.TestCase):
+    def test_without_the_database_of_units_names_the_variable(self):
+        environment = os.environ | {"UDUNITS2_XML_PATH": "/no such file.xml"}
+        expected = 'UDUNITS2_XML_PATH: found "/no such file.xml"; expected the database of units'
+        result = subprocess.run([PROGRAM, "eval", PROJECT / ZENER], env=environment, capture_output=True, text=True)
+        self.assertEqual(result.returncode, 2)
+        self.assertIn(f"vcrit: {expected}", result.stderr)
+        code = f"import vcrit\ntry:\n    vcrit.Scene({ZENER!r})\nexcept vcrit.InputError as error:\n    print(error)"
+        result = subprocess.run([sys.executable, "-B", "-c", code], cwd=PROJECT, env=environment, capture_output=True,
+                                text=True)
+        self.assertTrue(result.stdout.startswith(expected), result.stdout + result.stderr)
 
 
 class Exceptions(unittest.TestCase):
@@ -91,8 +109,18 @@ class Exceptions(unittest.TestCase):
         scene = vcrit.Scene(ZENER)
         with self.assertRaisesRegex(vcrit.InputError, 'k9.*found "k9", which this scene does not have'):
             scene.critical_velocity(k9=np.ones(3))
-        with self.assertRaisesRegex(vcrit.InputError, "k0 = -1; expected a finite value"):
+        with self.assertRaisesRegex(vcrit.InputError, "^at index 1: k0: found k0 = -1; expected a finite value"):
             scene.critical_velocity(k0=np.array([1e6, -1]))
+
+    def test_name_half_characters(self):
+        scene = vcrit.Scene(ZENER)
+        for call in [lambda: vcrit.Scene.from_text("title = '\ud800'"), lambda: scene.with_values(k0="8 N\udc80"),
+                     lambda: scene.with_values({"k\ud800": 1}), lambda: scene.critical_velocity({"k\ud800": [1]}),
+                     lambda: scene.critical_velocity(k0="8 N\udc80"), lambda: scene.simulate("1 m\udc80")]:
+            self.assertRaisesRegex(vcrit.InputError, r"found '\\u(d800|dc80)', a lone surrogate", call)
+        # A name of a file that is no UTF-8, as Python has it.
+        with self.assertRaisesRegex(vcrit.InputError, "no such"):
+            vcrit.Scene("no such \udcff file")
 
     def test_name_methods_forms_and_formats(self):
         scene = vcrit.Scene(ZENER)

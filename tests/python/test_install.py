@@ -1,5 +1,6 @@
 """`cmake --install` puts the package where the system's Python finds it, and there it works."""
 
+import importlib.metadata
 import subprocess
 import sys
 import tempfile
@@ -7,6 +8,7 @@ import unittest
 from pathlib import Path
 
 BUILD = sys.argv.pop(3)
+import vcrit  # noqa: E402
 from support import PROJECT  # noqa: E402
 
 
@@ -28,6 +30,20 @@ class Installed(unittest.TestCase):
             self.assertAlmostEqual(float(value), 0.0045780336451466888, delta=1e-17)
             self.assertTrue((folder / "vcrit/py.typed").is_file())
             self.assertTrue((folder / "vcrit/_vcrit.pyi").is_file())
+
+    def test_package_has_metadata(self):
+        self.assertEqual(importlib.metadata.version("vcrit"), vcrit.__version__)
+        with tempfile.TemporaryDirectory() as prefix:
+            subprocess.run(["cmake", "--install", BUILD, "--component", "python", "--prefix", prefix],
+                           check=True, capture_output=True)
+            found = list(Path(prefix).glob("lib/python3*/dist-packages/vcrit-*.dist-info/METADATA"))
+            self.assertEqual(len(found), 1)
+
+    def test_extension_shows_no_symbols_but_its_own(self):
+        symbols = subprocess.run(["nm", "-D", "--defined-only", vcrit._vcrit.__file__], check=True,
+                                 capture_output=True, text=True).stdout.splitlines()
+        self.assertIn("PyInit__vcrit", {line.split()[-1] for line in symbols})
+        self.assertEqual([line for line in symbols if "5vcrit" in line], [])
 
     def test_folder_is_one_that_python_looks_in(self):
         result = subprocess.run([sys.executable, "-I", "-c", "import sys; print(sys.path)"],

@@ -2,7 +2,9 @@
 
 import copy
 import math
+import os
 import pickle
+import tempfile
 import unittest
 import warnings
 
@@ -142,6 +144,37 @@ class OtherValues(unittest.TestCase):
         for made in [pickle.loads(pickle.dumps(other)), copy.copy(other), copy.deepcopy(other)]:
             self.assertEqual(made.critical_velocity(), other.critical_velocity())
             self.assertEqual(repr(made), "<vcrit.Scene 'scenes/zener.toml', k0='9000000.0'>")
+
+
+class AsValues(unittest.TestCase):
+    def test_are_equal_and_keys(self):
+        scene, again = vcrit.Scene(ZENER), vcrit.Scene(ZENER)
+        self.assertEqual(scene, again)
+        self.assertEqual({scene: 1}[again], 1)
+        self.assertEqual(scene.with_values(k0=1, k1=2), scene.with_values(k1=2).with_values(k0=1))
+        self.assertNotEqual(scene, scene.with_values(k0=9e6))
+        self.assertNotEqual(scene, vcrit.Scene("scenes/kelvin.toml"))
+        self.assertNotEqual(scene, ZENER)
+
+    def test_do_not_change(self):
+        scene = vcrit.Scene(ZENER)
+        with self.assertRaisesRegex(AttributeError, "a scene does not change"):
+            scene.title = "other"
+        with self.assertRaises(AttributeError):
+            del scene._text
+        with self.assertRaises(TypeError):
+            scene._settings["k0"] = "1"
+
+    def test_find_their_tables_from_another_folder(self):
+        scene = vcrit.Scene("scenes/measured_drive.toml")
+        before, kept = os.getcwd(), pickle.dumps(scene)
+        with tempfile.TemporaryDirectory() as folder:
+            os.chdir(folder)
+            try:
+                self.assertEqual(pickle.loads(kept), scene)
+                self.assertEqual(scene.with_values(mu0=0.3).critical_velocity({"mu0": [0.0]})[0], 0)
+            finally:
+                os.chdir(before)
 
 
 RESONANT = """

@@ -8,7 +8,7 @@ from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import vcrit
-from support import in_python
+from support import PROJECT, in_python
 from vcrit import _vcrit
 
 # A drive with a mass of its own: each v* takes microseconds.
@@ -65,10 +65,14 @@ class OtherThreads(unittest.TestCase):
     def test_run_while_one_value_is_certified(self):
         self.assertTrue(lets_others_run(lambda: [_vcrit.certified(SLOW._handle) for _ in range(20)]))
 
-    def test_wait_for_a_derivation(self):
-        # GiNaC works in one thread at a time. Besides, this shows that what is asserted above can fail.
-        self.assertFalse(lets_others_run(
+    def test_run_during_a_derivation(self):
+        self.assertTrue(lets_others_run(
             lambda: _vcrit.document(KELVIN._handle, "text", "by-size", False, False)))
+
+    def test_wait_while_a_scene_is_read(self):
+        # This shows that what is asserted above can fail.
+        text = (PROJECT / "scenes/kelvin.toml").read_text()
+        self.assertFalse(lets_others_run(lambda: _vcrit.Scene(text, b"kelvin", [])))
 
 
 class SeveralThreads(unittest.TestCase):
@@ -108,8 +112,8 @@ class SeveralThreads(unittest.TestCase):
 class KeyboardInterrupts(unittest.TestCase):
     """A thread watches the first value appear and presses Ctrl-C."""
 
-    def assert_interrupted(self, call):
-        result = in_python(INTERRUPTED.replace("CALL", call))
+    def assert_interrupted(self, call, scene='vcrit.Scene("scenes/sonotrode.toml")', number="10**6"):
+        result = in_python(INTERRUPTED.replace("CALL", call).replace("SCENE", scene).replace("NUMBER", number))
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertEqual(result.stdout, "interrupted\n")
 
@@ -121,13 +125,86 @@ class KeyboardInterrupts(unittest.TestCase):
                                 "vcrit.Scene('scenes/kelvin.toml')._handle, values / 1e6, out, np.empty(n))")
 
 
+    def assert_heard_inside(self, name, call):
+        result = in_python(HEARD_INSIDE.replace("NAME", name).replace("CALL", call))
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(result.stdout, "c_exception\n")
+
+    def test_end_a_simulation(self):
+        self.assert_heard_inside("simulate", "slow.simulate(velocity_ratio=0.5)")
+        self.assert_heard_inside("simulate", "slow.simulate(velocity_ratio=0.5, method='moreau')")
+        self.assert_heard_inside("simulate", "slow.simulate(velocity_ratio=0.5, method='rk8pd')")
+
+    def test_end_simulations_of_the_critical_velocity(self):
+        # Fewer values than a block of the package: one call of C++.
+        self.assert_interrupted(
+            "scene.critical_velocity(frequency=values, out=out)", number="50_000",
+            scene='vcrit.Scene.from_text(open("scenes/jumping.toml").read()'
+                  '.replace("poisson    = 0.3", "tangential = \\"kelvin(k0, c1)\\""))')
+
+    def test_end_a_derivation(self):
+        self.assert_heard_inside("document", "vcrit.derive(slow).document(sensitivities=True)")
+
+
+# Many relaxation times: a simulation takes a second, sensitivities more.
+HEARD_INSIDE = """
+import signal, sys, threading, time
+import numpy as np
+import vcrit
+
+n = 200
+TEXT = f'''
+[contact]
+normal = "prony(k0, k, tau)"
+tangential = "kt | prony(k0, k, tau)"
+[drive]
+network = "kd | cd"
+[body]
+mass = 5e-3
+[oscillation]
+frequency = 2e4
+amplitude = 1e-7
+indentation = 5e-7
+[friction]
+coefficient = 0.3
+[elements]
+k0 = 8e6
+kt = 1e6
+kd = 2e6
+cd = 3
+k = {[1e5 + i for i in range(n)]}
+tau = {[1e-6 * 1.01**i for i in range(n)]}
+'''
+slow = vcrit.Scene.from_text(TEXT)
+under_way, ended = threading.Event(), []
+
+def press():
+    under_way.wait()
+    time.sleep(0.1)
+    signal.raise_signal(signal.SIGINT)
+
+# How the call ends: by an exception of its own, or first it returns and then Ctrl-C is heard.
+def watch(frame, event, function):
+    if event.startswith("c_") and getattr(function, "__name__", "") == "NAME":
+        under_way.set() if event == "c_call" else ended.append(event)
+
+threading.Thread(target=press).start()
+sys.setprofile(watch)
+try:
+    CALL
+except KeyboardInterrupt:
+    pass
+sys.setprofile(None)
+print(*ended[-1:])
+"""
+
 INTERRUPTED = """
 import signal, threading, time
 import numpy as np
 import vcrit
 
-n = 10**6
-scene = vcrit.Scene("scenes/sonotrode.toml")
+n = NUMBER
+scene = SCENE
 values, out = np.linspace(10e3, 30e3, n), np.full(n, -1.0)
 
 def press():

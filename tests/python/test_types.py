@@ -38,7 +38,7 @@ class Types(unittest.TestCase):
                 "import vcrit, numpy as np\n"
                 "scene = vcrit.Scene('a')\n"
                 "scene.critical_velocity() + 'm/s'\n"
-                "scene.simulate(velocity_ratio='fast')\n"
+                "scene.simulate(velocity_ratio=[0.5])\n"
                 "scene.friction_curve([1.0]).friction\n"
                 "vcrit.derive('a')\n"
                 "vcrit.derive(scene).limits[0].latex + 1\n"

@@ -308,4 +308,28 @@ BOOST_AUTO_TEST_CASE(names_of_quantities_are_free_for_nothing_else) {
   }
 }
 
+// The struct is public: what was changed in it is checked where it is evaluated.
+BOOST_AUTO_TEST_CASE(a_changed_scene_is_checked) {
+  const Scene good = scene("[contact]\nnormal = \"k\"\npoisson = 0.3\n[drive]\nnetwork = \"kd\"\n" +
+                           std::string("[body]\nmass = 1\n") + oscillation + friction +
+                           "[elements]\nk = 3\nkd = 2\n");
+  BOOST_TEST(values_of(good).size() == 8U);
+  const auto refused = [&](const std::string& expected, auto change) {
+    Scene changed = good;
+    change(changed);
+    BOOST_CHECK_EXCEPTION(values_of(changed), InputError, [&](const InputError& error) {
+      return has(error.what(), "s.toml: found " + expected + "; expected ");
+    });
+  };
+  refused("mu0 = -1", [](Scene& s) { s.coefficient.value = -1; });
+  refused("omega = 0", [](Scene& s) { s.angular_frequency.value = 0; });
+  refused("du_z = inf", [](Scene& s) { s.amplitude.value = HUGE_VAL; });
+  refused("u_z0 = nan", [](Scene& s) { s.indentation.value = NAN; });
+  refused("m = 0", [](Scene& s) { s.mass->value = 0; });
+  refused("poisson = 0.6",
+          [](Scene& s) { std::get<Isotropic>(s.tangential).quantity.value = 0.6; });
+  for (const double wrong : {-5.0, 0.0})
+    refused(wrong == 0 ? "k = 0" : "k = -5", [wrong](Scene& s) { s.elements[0].second = wrong; });
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/errors.hpp"
+#include "base/interruption.hpp"
 
 namespace vcrit::simulation::methods {
 
@@ -65,6 +66,7 @@ void GslIntegrator::check(int status) const {
 }
 
 void GslIntegrator::evolve(double limit) {
+  hear_interruption();
   budget_.take(h_);
   check(gsl_odeiv2_evolve_apply(driver_->e, driver_->c, driver_->s, &system_, &t_, limit, &h_,
                                 y_.data()));

@@ -82,7 +82,7 @@ std::optional<Method> method_named(std::string_view name) {
 
 SteadyState steady_state(Method method, const System& system, double velocity,
                          const MethodOptions& options) {
-  ensure(velocity > 0, "the drive moves forward");
+  require_forward(velocity);
   check(options);
   const GslErrorsOff errors_off;
   if (method == Method::reduced) return methods::reduced_model(system, velocity);

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/errors.hpp"
+#include "base/interruption.hpp"
 #include "simulation/methods/newton.hpp"
 
 namespace vcrit::simulation::methods {
@@ -49,6 +50,7 @@ SteadyState by_newton(Periods& periods, MapState state) {
 }  // namespace
 
 Period Periods::run(const MapState& state, Accuracy accuracy) {
+  hear_interruption();
   if (++count_ > most_)
     throw ModelError(fmt::format("has not settled after {} periods{}", most_, progress_));
   return map_.run(state, accuracy);

@@ -123,7 +123,7 @@ const SteadyState& Answers::next(double velocity) {
 }
 
 void Answers::answer(double velocity, Start start, int samples, bool near_last) {
-  ensure(velocity > 0, "the drive moves forward");
+  require_forward(velocity);
   const double v = model_.motion_velocity(velocity / model_.velocity_unit);
   const Answer result(model_, v, samples, state_);
   if (model_.slides(v)) return result.sliding();

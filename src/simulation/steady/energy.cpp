@@ -6,6 +6,7 @@
 
 #include "base/constants.hpp"
 #include "base/errors.hpp"
+#include "base/interruption.hpp"
 #include "simulation/steady/near_resonance.hpp"
 #include "simulation/steady/steady_cycle.hpp"
 
@@ -61,17 +62,22 @@ constexpr double most_panels = 50'000;
 
 // Integrates over pieces by Gauss's rule on panels that grow by 2 from the piece's start, where
 // fast modes decay, up to the radian or two that 30 nodes follow a product of two swings over: that
-// of the oscillation, which is 1, and while it lasts the one of the body. A mode e^{-rate t} with
-// rate * panel < 40 is integrated to rounding (the rule is exact to degree 59), and above that its
-// start lies in panels before.
+// of the oscillation, which is 1, and while it lasts the one of the body. A product of two modes
+// e^{-rate t} with 2 rate * panel <= 40 is integrated to 1e-20 (the rule is exact to degree 59), so
+// that the first panel reaches 20/rate of the fastest; beyond it that one is gone.
 class Quadrature {
  public:
   explicit Quadrature(const Spectrum& spectrum) {
+    double fastest = 0;
+    for (Index i = 0; i < spectrum.rates.size(); ++i)
+      fastest = std::max(fastest, spectrum.rates[i]);
     for (const ModePair& pair : spectrum.pairs) {
+      fastest = std::max(fastest, pair.decay + std::sqrt(std::max(pair.q, 0.0)));
       if (pair.q >= 0) continue;
       swing_ = std::sqrt(-pair.q);
       lasts_ = 40 / pair.decay;
     }
+    first_ = std::clamp(20 / fastest, shortest, 2 / std::max(1.0, swing_));
   }
 
   bool can_follow(double duration) const {
@@ -82,8 +88,9 @@ class Quadrature {
   void over(double duration, const Rate& rate) const {
     double begin = 0;
     while (begin < duration) {
+      hear_interruption();
       const double longest = begin < lasts_ ? 2 / std::max(1.0, swing_) : 2;
-      const double panel = begin == 0 ? shortest : std::min(begin, longest);
+      const double panel = begin == 0 ? first_ : std::min(begin, longest);
       const double end = std::min(begin + panel, duration);
       rule(0.5 * (begin + end), 0.5 * (end - begin), rate);
       begin = end;
@@ -101,7 +108,7 @@ class Quadrature {
         rate(middle + side * half * Gauss::abscissa()[i], half * Gauss::weights()[i]);
   }
 
-  double swing_ = 0, lasts_ = 0;
+  double swing_ = 0, lasts_ = 0, first_ = shortest;
 };
 
 // A path that creeps and never slips: the drive works against a steady force.
@@ -216,7 +223,7 @@ std::optional<EnergyBalance> energy_near_resonance(const Neighbours& neighbours,
 }  // namespace
 
 std::optional<EnergyBalance> energy_balance(const System& system, double velocity) {
-  ensure(velocity > 0, "the drive moves forward");
+  require_forward(velocity);
   const Model model(system);
   const double v = velocity / model.velocity_unit;
   if (lost_in_resonance(model) && !model.slides(model.motion_velocity(v)))

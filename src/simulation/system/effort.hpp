@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "base/errors.hpp"
+#include "base/interruption.hpp"
 
 namespace vcrit::simulation {
 
@@ -29,9 +30,13 @@ class Effort {
  private:
   bool take(std::size_t units) {
     const bool enough = units <= left_;
-    left_ = enough ? left_ - units : 0;
+    const std::size_t left = enough ? left_ - units : 0;
+    if (left_ / units_between_questions != left / units_between_questions) hear_interruption();
+    left_ = left;
     return enough;
   }
+
+  static constexpr std::size_t units_between_questions = 1U << 20U;  // some 10 to 20 ms
 
   std::size_t left_;
   Effort* whole_;

@@ -1,5 +1,9 @@
 #include "simulation/system/steady_state.hpp"
 
+#include <fmt/core.h>
+
+#include <cmath>
+
 #include "base/errors.hpp"
 
 namespace vcrit::simulation {
@@ -36,6 +40,12 @@ const char* to_text(Regime regime) {
       return "stick-slip-backslip-apart";
   }
   throw Bug("a regime is one of seven");
+}
+
+void require_forward(double velocity) {
+  if (!(velocity > 0 && std::isfinite(velocity)))
+    throw InputError({"velocity"}, fmt::format("a speed of {} m/s", velocity),
+                     "a finite speed above 0");
 }
 
 }  // namespace vcrit::simulation

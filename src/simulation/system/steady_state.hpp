@@ -48,4 +48,7 @@ struct SteadyState {
   std::vector<CyclePoint> cycle;  ///< `samples` points over one oscillation period
 };
 
+/// Throws InputError unless the mean velocity of the drive, m/s, is above 0 and finite.
+void require_forward(double velocity);
+
 }  // namespace vcrit::simulation

@@ -3,13 +3,17 @@
 #include "simulation/steady/exact.hpp"
 #include "simulation/steady/onset.hpp"
 
+#include <array>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <numbers>
 
 #include "base/errors.hpp"
+#include "simulation/methods/methods.hpp"
 #include "simulation/random_systems.hpp"
 #include "simulation/reference_systems.hpp"
+#include "simulation/steady/curve.hpp"
+#include "simulation/steady/energy.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_exact)
 
@@ -299,6 +303,16 @@ BOOST_AUTO_TEST_CASE(events_take_turns) {
       BOOST_TEST((event.phase >= 0 && event.phase < 2 * std::numbers::pi));
       BOOST_TEST(((event.to == Motion::stick) != (next.to == Motion::stick)));
     }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(speeds_that_are_none_are_wrong_input) {
+  const System system = elastic(1);
+  for (const double speed : {0.0, -1.0, HUGE_VAL, std::nan("")}) {
+    BOOST_CHECK_THROW(steady_state(system, speed), InputError);
+    BOOST_CHECK_THROW(steady_state(Method::moreau, system, speed, {}), InputError);
+    BOOST_CHECK_THROW(energy_balance(system, speed), InputError);
+    BOOST_CHECK_THROW(friction_curve(system, std::array{0.5, speed}), InputError);
   }
 }
 

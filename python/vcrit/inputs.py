@@ -1,0 +1,194 @@
+"""What callers give as numbers: arrays of any library, with units, masks and labels."""
+
+import re
+import sys
+from collections.abc import Callable, Mapping
+from typing import Any, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _vcrit
+
+
+# numpy.ma has no types.
+ma: Any = np.ma
+
+
+class Numbers(NamedTuple):
+    """Plain numbers of a kind that converts to float64 without loss of meaning."""
+
+    values: npt.NDArray[Any]
+    mask: npt.NDArray[np.bool_] | None
+    """None where the caller's array has no mask; masked values are NaN in `values`."""
+
+
+def refused(place: str, found: str, expected: str) -> _vcrit.InputError:
+    return _vcrit.InputError(f"{place}: found {found}; expected {expected}")
+
+
+def characters(text: str, place: str) -> str:
+    """`text`, unless it holds half a character, which no file and no message can."""
+    try:
+        text.encode()
+    except UnicodeEncodeError as error:
+        raise refused(place, f"{text[error.start]!a}, a lone surrogate",
+                      "text of whole characters") from None
+    return text
+
+
+def numbers(given: Any, place: str, factor: Callable[[str], float]) -> Numbers:
+    """`given` without unit, in SI. factor: what a unit, as text, is in SI."""
+    unit = _unit(given)
+    if unit is not None:
+        plain = numbers(_magnitude(given), place, factor)
+        return Numbers(plain.values * factor(unit), plain.mask)
+    if not isinstance(given, ma.MaskedArray):
+        return Numbers(_array(given, place), None)
+    mask = ma.getmaskarray(given)
+    values = _array(ma.getdata(given), place)
+    return Numbers(np.where(mask, np.nan, values) if mask.any() else values, mask)
+
+
+def number_with_unit(given: Any, place: str) -> str:
+    """One number, with a unit or in SI, as the text that a setting takes."""
+    unit = _unit(given)
+    try:
+        plain = float(given if unit is None else _magnitude(given))
+    except (TypeError, ValueError):
+        raise refused(place, _described(given), "one number (SI), or a text with a unit") from None
+    return repr(plain) if unit is None else f"{plain!r} {unit}"
+
+
+def is_text(given: Any) -> bool:
+    return isinstance(given, str)
+
+
+def joined(masks: list[npt.NDArray[np.bool_] | None],
+           shape: tuple[int, ...]) -> npt.NDArray[np.bool_] | None:
+    """What is masked in any of them; None where none has a mask."""
+    present = [mask for mask in masks if mask is not None]
+    if not present:
+        return None
+    whole = np.zeros(shape, dtype=np.bool_)
+    for mask in present:
+        whole |= mask
+    return whole
+
+
+def is_labelled(given: Any) -> bool:
+    return _of_xarray(given) or _of_pandas(given)
+
+
+def labelled(function: Callable[[Mapping[str, Any]], Any], given: Mapping[str, Any],
+             results: int, factors: Callable[[str], Callable[[str], float]]) -> Any:
+    """`function` of plain arrays, its result (or its several results) with the labels of `given`.
+
+    DataArrays of xarray are broadcast by the names of their dimensions; Series of pandas must
+    have one index.
+    """
+    if any(_of_xarray(value) for value in given.values()):
+        return _by_dimensions(function, given, results, factors)
+    series = {name: value for name, value in given.items() if _of_pandas(value)}
+    first = _one_index(series)
+    found = function({name: _of_series(name, value) if name in series else value
+                      for name, value in given.items()})
+
+    def relabelled(values: Any) -> Any:
+        if np.shape(values) != np.shape(first):
+            raise refused(next(iter(series)), f"a Series of {np.shape(first)[0]} values beside "
+                          "arrays of another shape", "as many values as in the Series")
+        return type(first)(values, index=first.index)
+
+    return relabelled(found) if results == 1 else tuple(map(relabelled, found))
+
+
+def _one_index(series: Mapping[str, Any]) -> Any:
+    for name, each in series.items():
+        if hasattr(each, "columns"):
+            raise refused(name, "a DataFrame", f"a Series or an array: {name}.to_numpy()")
+    (first_name, first), *others = series.items()
+    for name, each in others:
+        if not first.index.equals(each.index):
+            raise refused(name, f"a Series with another index than that of {first_name}",
+                          "one index: see Series.align(), or to_numpy() for arrays without it")
+    return first
+
+
+def _of_series(name: str, series: Any) -> npt.NDArray[Any]:
+    if hasattr(series.dtype, "units") or getattr(series.dtype, "kind", "O") in "cmM":
+        raise refused(name, f"a Series of {series.dtype}", "numbers in SI")
+    try:
+        return np.asarray(series.to_numpy(dtype=np.float64, na_value=np.nan))
+    except (TypeError, ValueError):
+        raise refused(name, f"a Series of {series.dtype}", "numbers") from None
+
+
+def _by_dimensions(function: Callable[[Mapping[str, Any]], Any], given: Mapping[str, Any],
+                   results: int, factors: Callable[[str], Callable[[str], float]]) -> Any:
+    arrays = {}
+    for name, value in given.items():
+        if not _of_xarray(value):
+            if np.ndim(value) > 0:
+                raise refused(name, "an array without dimensions' names beside one of xarray",
+                              "a DataArray or a number")
+            continue
+        if hasattr(value, "data_vars"):
+            raise refused(name, "a Dataset", "one of its DataArrays")
+        unit = _unit(value)
+        arrays[name] = value if unit is None else value * factors(name)(unit)
+    xarray: Any = sys.modules[type(next(iter(arrays.values()))).__module__.partition(".")[0]]
+    return xarray.apply_ufunc(
+        lambda *plain: function({**given, **dict(zip(arrays, plain))}), *arrays.values(),
+        output_core_dims=[()] * results)
+
+
+def _of_xarray(given: Any) -> bool:
+    return hasattr(given, "dims") and hasattr(given, "values")
+
+
+def _of_pandas(given: Any) -> bool:
+    return hasattr(given, "to_numpy") and hasattr(given, "index")
+
+
+def _array(given: Any, place: str) -> npt.NDArray[Any]:
+    try:
+        array = np.asarray(given)
+    except (TypeError, ValueError):
+        raise refused(place, _described(given), "a number or an array of numbers") from None
+    if array.dtype.kind in "biuf":
+        return array
+    if array.ndim == 0 and array.dtype.kind == "O":  # Decimal, Fraction
+        return np.array(float(number_with_unit(given, place)))
+    what = "objects" if array.dtype.kind == "O" else str(array.dtype)
+    raise refused(place, f"an array of {what}",
+                  "numbers in SI (of objects that are numbers, array.astype(float))")
+
+
+def _described(given: Any) -> str:
+    text = repr(given)
+    return ascii(text if len(text) <= 60 else text[:57] + "...")[1:-1]
+
+
+def _unit(given: Any) -> str | None:
+    """The unit of a quantity of pint, astropy or unyt, or that a DataArray names; else None."""
+    if _of_xarray(given):
+        unit = getattr(given, "attrs", {}).get("units")
+        return None if unit is None else _udunits(str(unit))
+    unit = getattr(given, "units", getattr(given, "unit", None))
+    if unit is None or not (hasattr(given, "magnitude") or hasattr(given, "value")):
+        return None
+    return _udunits(f"{unit:D}" if hasattr(given, "magnitude") else str(unit))
+
+
+def _magnitude(given: Any) -> Any:
+    if _of_xarray(given):
+        return given.values
+    return given.magnitude if hasattr(given, "magnitude") else given.value
+
+
+def _udunits(unit: str) -> str:
+    """Products and powers as udunits writes them; a plain number is "1"."""
+    if unit.strip() in ("", "dimensionless"):
+        return "1"
+    return re.sub(r"\s*\*\s*", ".", re.sub(r"\s*\*\*\s*", "^", unit.strip()))
