@@ -48,7 +48,7 @@ void print_eval_text(const Scene& scene, const Result& result) {
   if (!result.critical.reason.empty())
     fmt::print("                      {}\n", result.critical.reason);
   if (!result.simulated())
-    fmt::print("relative error        at most {:.2g}\n", result.critical.relative_error_bound);
+    fmt::print("rounding error        at most {:.2g}\n", result.critical.relative_error_bound);
   if (result.critical.drive_velocity != critical)
     fmt::print("drive velocity        {} m/s (the path creeps)\n", result.critical.drive_velocity);
   if (result.critical.free_harmonic > 0)

@@ -36,7 +36,7 @@ ordered_json place_of(const Place& place) {
   return parts;
 }
 
-/// One object, with null for what is not known.
+/// One object on one line, with null for what is not known.
 std::string in_json(const Failure& failure) {
   const auto known = [](const std::string& text) {
     return text.empty() ? ordered_json() : ordered_json(text);
@@ -50,7 +50,7 @@ std::string in_json(const Failure& failure) {
     object["expected"] = failure.input->expected();
   }
   if (const auto warnings = kept_warnings(); !warnings.empty()) object["warnings"] = warnings;
-  return object.dump(2, ' ', true, ordered_json::error_handler_t::replace);
+  return object.dump(-1, ' ', true, ordered_json::error_handler_t::replace);
 }
 
 int complain(const Failure& failure, bool json) {

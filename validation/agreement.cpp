@@ -155,8 +155,9 @@ Witnesses own_witnesses() {
           [](const simulation::System& system) { return simulation::sliding_threshold(system); }};
 }
 
-SceneReport agree(const Scene& scene, Driver& driver, const Progress& progress,
+SceneReport agree(const Scene& given, Driver& driver, const Progress& progress,
                   const Witnesses& witnesses) {
+  const Scene scene = as_doubles(given);
   const symbolic::NamesOfScene names(scene);
   const Values values = values_of(scene);
   SceneReport report;

@@ -4,10 +4,14 @@
 #include <udunits2.h>
 
 #include <array>
+#include <cctype>
+#include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <memory>
 #include <mutex>
+#include <optional>
 
 #include "base/messages.hpp"
 #include "base/numbers.hpp"
@@ -87,8 +91,71 @@ bool angular(const ut_unit* unit) {
   return length > 0 && std::string_view(definition.data()).find("rad") != std::string_view::npos;
 }
 
-double convert(double number, std::string_view unit, Dimension dimension, const Place& place,
-               std::string_view whole) {
+/// digits 10^exponent, without point, and without zeros at either end.
+struct Decimal {
+  bool minus = false;
+  std::string digits;
+  int exponent = 0;
+
+  std::string text() const { return fmt::format("{}{}e{}", minus ? "-" : "", digits, exponent); }
+};
+
+Decimal decimal_of(std::string_view text) {
+  Decimal decimal;
+  decimal.minus = text.starts_with('-');
+  const std::size_t e = text.find_first_of("eE");
+  if (e != text.npos) {
+    const std::size_t sign = text[e + 1] == '+' ? 1 : 0;
+    std::from_chars(text.data() + e + 1 + sign, text.data() + text.size(), decimal.exponent);
+  }
+  bool behind_point = false;
+  for (const char c : text.substr(0, e)) {
+    if (c == '.') behind_point = true;
+    if (std::isdigit(static_cast<unsigned char>(c)) == 0) continue;
+    decimal.digits += c;
+    decimal.exponent -= behind_point ? 1 : 0;
+  }
+  const std::size_t first = decimal.digits.find_first_not_of('0');
+  decimal.digits.erase(0, std::min(first, decimal.digits.size()));
+  while (decimal.digits.ends_with('0')) decimal.digits.pop_back(), ++decimal.exponent;
+  return decimal;
+}
+
+// A factor of a unit is taken for a decimal number where it needs no more digits than this: the
+// double of another one (pi/30 of rpm) needs 17, and of a thousand of them one ends in so many
+// zeros by chance. What is typed may be longer by far, as numbers on paper are.
+constexpr std::size_t most_factor_digits = 12, most_typed_digits = 60;
+
+std::optional<Decimal> short_decimal(double factor) {
+  Decimal decimal = decimal_of(fmt::format("{:.14e}", factor));
+  if (decimal.digits.empty() || decimal.digits.size() > most_factor_digits) return std::nullopt;
+  return decimal;
+}
+
+std::string product(const std::string& digits, std::uint64_t factor) {
+  std::string reversed;
+  std::uint64_t carry = 0;  // below 10^13, and 9 times the factor beside it
+  for (auto digit = digits.rbegin(); digit != digits.rend(); ++digit) {
+    carry += factor * static_cast<std::uint64_t>(*digit - '0');
+    reversed += static_cast<char>('0' + carry % 10);
+    carry /= 10;
+  }
+  for (; carry > 0; carry /= 10) reversed += static_cast<char>('0' + carry % 10);
+  return {reversed.rbegin(), reversed.rend()};
+}
+
+/// Nothing for 0, for more digits than are typed, and beyond the range of doubles.
+std::optional<TypedNumber> times(const Decimal& typed, const Decimal& factor) {
+  if (typed.digits.empty() || typed.digits.size() > most_typed_digits) return std::nullopt;
+  const Decimal result{typed.minus, product(typed.digits, std::stoull(factor.digits)),
+                       typed.exponent + factor.exponent};
+  const std::optional<double> value = to_double(result.text());
+  if (!value) return std::nullopt;
+  return TypedNumber{*value, result.text()};
+}
+
+TypedNumber convert(double value, const Decimal& number, std::string_view unit, Dimension dimension,
+                    const Place& place, std::string_view whole) {
   const std::string found = fmt::format("\"{}\"", whole);
   const auto refuse = [&](const std::string& why) {
     throw InputError(place, fmt::format("{} ({})", found, why), describe(dimension));
@@ -110,7 +177,10 @@ double convert(double number, std::string_view unit, Dimension dimension, const 
   const std::unique_ptr<cv_converter, void (*)(cv_converter*)> converter(
       ut_get_converter(from.get(), to.get()), cv_free);
   if (!converter) refuse("a unit that cannot be converted");
-  return cv_convert_double(converter.get(), number);
+  if (cv_convert_double(converter.get(), 0) == 0)
+    if (const auto factor = short_decimal(cv_convert_double(converter.get(), 1)))
+      if (const auto product = times(number, *factor)) return *product;
+  return {cv_convert_double(converter.get(), value), {}};
 }
 
 }  // namespace
@@ -124,6 +194,10 @@ std::string describe(Dimension dimension) {
 }
 
 double parse_quantity(std::string_view text, Dimension dimension, const Place& place) {
+  return parse_typed(text, dimension, place).value;
+}
+
+TypedNumber parse_typed(std::string_view text, Dimension dimension, const Place& place) {
   const std::string_view whole = trimmed(text, " \t");
   // No inf or nan; and of "2eV" it is the 2 that is the number.
   const auto end = std::min(whole.find_first_not_of("0123456789.+-eE"), whole.size());
@@ -135,11 +209,13 @@ double parse_quantity(std::string_view text, Dimension dimension, const Place& p
     throw InputError(place, fmt::format("\"{}\", beyond the range of doubles", text),
                      describe(dimension));
   const std::string_view unit = trimmed(whole.substr(number.length), " \t");
-  const double value =
-      unit.empty() ? *number.value : convert(*number.value, unit, dimension, place, whole);
-  if (!std::isfinite(value))
+  const Decimal decimal = decimal_of(whole.substr(0, number.length));
+  const bool kept = !decimal.digits.empty() && decimal.digits.size() <= most_typed_digits;
+  TypedNumber typed{*number.value, kept ? decimal.text() : ""};
+  if (!unit.empty()) typed = convert(*number.value, decimal, unit, dimension, place, whole);
+  if (!std::isfinite(typed.value))
     throw InputError(place, fmt::format("\"{}\", which is not finite", text), describe(dimension));
-  return value;
+  return typed;
 }
 
 }  // namespace vcrit

@@ -34,4 +34,11 @@ const char* si_unit(Dimension dimension);
 /// Throws InputError for bad syntax, unknown units and units of another dimension.
 double parse_quantity(std::string_view text, Dimension dimension, const Place& place);
 
+/// A number as it was typed: 0.1 um is 1e-7 m, which no double is.
+struct TypedNumber {
+  double value = 0;          ///< in SI, the double nearest to it
+  std::string decimal = {};  ///< "1e-7", exactly; empty where that is no short decimal number (rpm)
+};
+TypedNumber parse_typed(std::string_view text, Dimension dimension, const Place& place);
+
 }  // namespace vcrit

@@ -4,6 +4,9 @@
 #include <acb.h>
 #include <arb.h>
 
+#include <map>
+
+#include "base/units.hpp"
 #include "network/network.hpp"
 
 namespace vcrit {
@@ -69,11 +72,24 @@ struct Balls : Arithmetic {
   const Values& values;
   Ball omega;
   const Shift* shift = nullptr;
+  const std::map<Symbol, TypedNumber>* typed = nullptr;  ///< of the scene; none: doubles
 
   Ball of(const Symbol& symbol) const { return shifted(symbol, values.at(symbol)); }
   Ball shifted(const Symbol& symbol, double value) const {
     const bool changed = shift != nullptr && shift->symbol == symbol;
-    return changed ? multiply(Ball(value), shift->factor) : Ball(value);
+    const Ball own = exact(symbol, value);
+    return changed ? multiply(own, shift->factor) : own;
+  }
+
+  /// As it was typed, where that is still the value.
+  Ball exact(const Symbol& symbol, double value) const {
+    if (typed == nullptr) return Ball(value);
+    const auto found = typed->find(symbol);
+    if (found == typed->end() || found->second.value != value || found->second.decimal.empty())
+      return Ball(value);
+    Ball decimal;
+    arb_set_str(acb_realref(decimal.get()), found->second.decimal.c_str(), precision);
+    return decimal;
   }
 
   /// m omega^2

@@ -43,7 +43,8 @@ class Evaluation {
     Balls balls = arithmetic(precision);
     if (shift != nullptr) {
       balls.shift = shift;
-      balls.omega = balls.of(scene_.angular_frequency.symbol);
+      if (shift->symbol == scene_.angular_frequency.symbol)
+        balls.omega = balls.multiply(balls.omega, shift->factor);
     }
     const Ball outer =
         balls.multiply(balls.of(scene_.coefficient.symbol), balls.of(scene_.amplitude.symbol));
@@ -83,7 +84,22 @@ class Evaluation {
   static slong precision_for(std::size_t steps) { return static_cast<slong>(2200 * (steps + 4)); }
 
   Balls arithmetic(slong precision) const {
-    return {{precision}, values_, Ball(values_.at(scene_.angular_frequency.symbol))};
+    Balls balls{{precision}, values_, Ball(), nullptr, &scene_.typed};
+    balls.omega = omega(balls);
+    return balls;
+  }
+
+  // Of a frequency that was typed 2 pi f, not its double.
+  Ball omega(const Balls& balls) const {
+    const Symbol& symbol = scene_.angular_frequency.symbol;
+    const double value = values_.at(symbol);
+    const auto frequency = scene_.typed.find({"frequency"});
+    if (frequency == scene_.typed.end() || two_pi * frequency->second.value != value)
+      return balls.exact(symbol, value);
+    Ball turn;
+    arb_const_pi(acb_realref(turn.get()), balls.precision);
+    return balls.multiply(balls.multiply(Ball(2), turn),
+                          balls.exact(frequency->first, frequency->second.value));
   }
 
   // (K_d - m omega^2) times the deflection.

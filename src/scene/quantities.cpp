@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "base/constants.hpp"
+#include "base/numbers.hpp"
 
 namespace vcrit {
 
@@ -24,11 +25,19 @@ double checked(double value, const Range& range, const std::string& name, const 
   throw InputError(place, fmt::format("{} = {}", name, value), range.expected);
 }
 
-std::optional<double> number(const toml::node& node, Dimension dimension, const std::string& name,
-                             const Place& place) {
+std::optional<TypedNumber> number(const toml::node& node, Dimension dimension,
+                                  const std::string& name, const Place& place) {
   // Not node.value<double>(), which has none for an integer that no double equals.
-  if (node.is_integer()) return static_cast<double>(node.ref<std::int64_t>());
-  if (node.is_floating_point()) return node.ref<double>();
+  if (node.is_integer()) {
+    const auto integer = node.ref<std::int64_t>();
+    return TypedNumber{static_cast<double>(integer), std::to_string(integer)};
+  }
+  // TOML's own numbers come as doubles: the shortest decimal of one is what was typed, up to 15
+  // digits of it.
+  if (node.is_floating_point()) {
+    const double value = node.ref<double>();
+    return TypedNumber{value, std::isfinite(value) ? to_text(value) : ""};
+  }
   if (!node.is_string())
     throw InputError(place, fmt::format("{} = {}", name, document::describe_node(node)),
                      describe(dimension));
@@ -39,7 +48,7 @@ std::optional<double> number(const toml::node& node, Dimension dimension, const 
   const bool bare = !text.empty() && std::isalpha(static_cast<unsigned char>(text.front())) != 0 &&
                     std::all_of(text.begin(), text.end(), word) && text != "inf" && text != "nan";
   if (bare) return std::nullopt;
-  return parse_quantity(text, dimension, place);
+  return parse_typed(text, dimension, place);
 }
 
 void refuse_other_name(const toml::node& node, std::initializer_list<std::string> own,
@@ -54,16 +63,21 @@ Quantity Quantities::read(const document::Section& section, const char* key,
   Quantity quantity{{symbol}, std::nullopt};
   if (key != symbol) refuse_both(key, symbol);
   for (const std::string& name : {std::string(key), symbol})
-    if (const auto value = settings_.take(name, dimension))
-      quantity.value = checked(*value, range, name, OverridingValues::place(name));
+    if (const auto value = settings_.take(name, dimension)) {
+      quantity.value = checked(value->value, range, name, OverridingValues::place(name));
+      typed_[{symbol}] = *value;
+    }
   const toml::node* node = section.find(key);
   if (node == nullptr) return quantity;
   const auto value = number(*node, dimension, key, section.place(key));
   if (!value)
     refuse_other_name(*node, {symbol, key}, key, section.place(key),
                       fmt::format("a value, or \"{}\", which is its name in formulas", symbol));
-  if (value) checked(*value, range, key, section.place(key));
-  if (!quantity.value) quantity.value = value;
+  if (!value) return quantity;
+  checked(value->value, range, key, section.place(key));
+  if (quantity.value) return quantity;
+  quantity.value = value->value;
+  typed_[{symbol}] = *value;
   return quantity;
 }
 

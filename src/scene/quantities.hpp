@@ -3,6 +3,7 @@
 
 #include <toml++/toml.h>
 #include <initializer_list>
+#include <map>
 #include <optional>
 #include <string>
 
@@ -24,8 +25,8 @@ extern const Range nonnegative, positive, poisson_range, slope_range;
 double checked(double value, const Range& range, const std::string& name, const Place& place);
 
 /// In SI; nothing for a bare name. Throws InputError for anything else.
-std::optional<double> number(const toml::node& node, Dimension dimension, const std::string& name,
-                             const Place& place);
+std::optional<TypedNumber> number(const toml::node& node, Dimension dimension,
+                                  const std::string& name, const Place& place);
 
 /// Of a bare name that stands for no value: throws InputError unless it is one of `own`, the names
 /// that the quantity or element has.
@@ -35,7 +36,9 @@ void refuse_other_name(const toml::node& node, std::initializer_list<std::string
 /// The quantities of one scene file, with what --set gives in their place.
 class Quantities {
  public:
-  explicit Quantities(const Settings& settings) : settings_(settings) {}
+  /// `typed`: where they are kept as they were typed.
+  Quantities(const Settings& settings, std::map<Symbol, TypedNumber>& typed)
+      : settings_(settings), typed_(typed) {}
 
   /// The value under `key`, unless --set gives one for the key or for the symbol.
   Quantity read(const document::Section& section, const char* key, const std::string& symbol,
@@ -47,6 +50,7 @@ class Quantities {
 
  private:
   OverridingValues settings_;
+  std::map<Symbol, TypedNumber>& typed_;
 };
 
 }  // namespace vcrit

@@ -34,7 +34,7 @@ class Reader {
       : document_(document::parse(text, file)),
         file_(file),
         networks_(document_, file),
-        quantities_(settings) {
+        quantities_(settings, scene_.typed) {
     scene_.file = file;
     scene_.text = text;
     scene_.settings = settings;
@@ -266,12 +266,12 @@ class Reader {
   void read_element(const std::string& name, const ElementUse& use, const toml::node* node) {
     if (use.length > 0) return read_array(name, use, node);
     const auto set = settings().take(name, use.dimension);
-    if (set) values_[{name}] = checked(*set, nonnegative, name, OverridingValues::place(name));
+    if (set) put({name}, *set, OverridingValues::place(name));
     if (node == nullptr) return;
     const Place place = document::place_of(*node, file_);
     const auto value = number(*node, use.dimension, name, place);
     if (!value) refuse_other_name(*node, {name}, name, place, same_element);
-    if (value && !set) values_[{name}] = checked(*value, nonnegative, name, place);
+    if (value && !set) put({name}, *value, place);
   }
 
   void read_array(const std::string& name, const ElementUse& use, const toml::node* node) {
@@ -284,14 +284,19 @@ class Reader {
       const Symbol symbol{name, entry};
       const std::string label = to_text(symbol);
       const auto set = settings().take(label, use.dimension);
-      if (set) values_[symbol] = checked(*set, nonnegative, label, OverridingValues::place(label));
+      if (set) put(symbol, *set, OverridingValues::place(label));
       if (node == nullptr) continue;
       const toml::node& item = *node->as_array()->get(static_cast<std::size_t>(entry - 1));
       const Place place = document::place_of(item, file_);
       const auto value = number(item, use.dimension, label, place);
       if (!value) refuse_other_name(item, {name, label}, label, place, same_element);
-      if (value && !set) values_[symbol] = checked(*value, nonnegative, label, place);
+      if (value && !set) put(symbol, *value, place);
     }
+  }
+
+  void put(const Symbol& symbol, const TypedNumber& number, const Place& place) {
+    values_[symbol] = checked(number.value, nonnegative, to_text(symbol), place);
+    scene_.typed[symbol] = number;
   }
 
   bool is_zero(const Symbol& symbol) const {

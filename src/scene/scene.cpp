@@ -39,6 +39,11 @@ std::vector<const Quantity*> quantities(const Scene& scene) {
   return all;
 }
 
+Scene as_doubles(Scene scene) {
+  scene.typed.clear();
+  return scene;
+}
+
 bool has_drive(const Scene& scene) {
   return scene.drive.has_value() || scene.receptance.has_value();
 }

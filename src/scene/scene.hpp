@@ -66,7 +66,10 @@ struct Scene {
   std::optional<Indenter> indenter;  ///< only under a rigid drive, of an isotropic half-space
   Quantity coefficient, angular_frequency, amplitude, indentation;  ///< mu0, omega, du_z, u_z0
   std::vector<std::pair<Symbol, std::optional<double>>>
-      elements;                               ///< of the networks, in order of writing
+      elements;  ///< of the networks, in order of writing
+  /// As numbers were typed, by symbol; "frequency" where that was, in place of omega. Read by those
+  /// who carry them exactly, where the value beside it is still the scene's own.
+  std::map<Symbol, TypedNumber> typed;
   std::map<std::string, int> arrays;          ///< length of each array among the elements
   std::map<std::string, Dimension> settable;  ///< what --set may name, and what it measures
   std::vector<std::string> warnings;
@@ -85,6 +88,9 @@ std::vector<const Quantity*> quantities(const Scene& scene);
 /// nothing where all of them are in its fitted range, or it has none. Reading a scene asks this for
 /// the scene's own frequency; who varies that asks again.
 std::optional<std::string> beyond_fitted_range(const Scene& scene, double from, double to);
+
+/// As evaluators and simulators take it: no number as it was typed.
+Scene as_doubles(Scene scene);
 
 /// Whether the drive is a network or measured, and not rigid.
 bool has_drive(const Scene& scene);

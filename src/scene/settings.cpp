@@ -31,11 +31,11 @@ OverridingValues::OverridingValues(const Settings& settings) {
 
 Place OverridingValues::place(const std::string& name) { return {"--set " + name}; }
 
-std::optional<double> OverridingValues::take(const std::string& name, Dimension dimension) {
+std::optional<TypedNumber> OverridingValues::take(const std::string& name, Dimension dimension) {
   known_.emplace(name, dimension);
   const auto setting = settings_.find(name);
   if (setting == settings_.end()) return std::nullopt;
-  return parse_quantity(setting->second, dimension, place(name));
+  return parse_typed(setting->second, dimension, place(name));
 }
 
 void OverridingValues::refuse_untaken() const {

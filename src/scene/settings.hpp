@@ -24,7 +24,7 @@ class OverridingValues {
   explicit OverridingValues(const Settings& settings);
 
   /// The value set for `name`, in SI. Throws InputError if it is no quantity of that dimension.
-  std::optional<double> take(const std::string& name, Dimension dimension);
+  std::optional<TypedNumber> take(const std::string& name, Dimension dimension);
   /// Whether there is a value for `name`.
   bool has(const std::string& name) const { return settings_.contains(name); }
   /// The names that could be taken so far, and what they measure.

@@ -34,6 +34,31 @@ bool near(double value, double expected) {
 
 }  // namespace
 
+// What is typed is a decimal number, and is converted as one: rounded once.
+BOOST_AUTO_TEST_CASE(decimals_are_converted_exactly) {
+  const auto typed = [](const char* text, Dimension dimension) {
+    return parse_typed(text, dimension, place);
+  };
+  for (const char* text : {"0.1 um", "100 nm", "1e-4 mm", "0.00010 mm", "+.1 um", "1e-7"}) {
+    BOOST_TEST(typed(text, Dimension::length).value == 1e-7, text);
+    BOOST_TEST(typed(text, Dimension::length).decimal == "1e-7", text);
+  }
+  for (int i = 1; i < 1000; ++i) {
+    const std::string digits = std::to_string(i);
+    BOOST_TEST(typed((digits + " um").c_str(), Dimension::length).value ==
+               std::stod(digits + "e-6"));
+    BOOST_TEST(typed(("0." + digits + " N/um").c_str(), Dimension::stiffness).value ==
+               std::stod("0." + digits + "e6"));
+  }
+  BOOST_TEST(typed("3183.09886184109 Hz", Dimension::frequency).decimal == "318309886184109e-11");
+  BOOST_TEST(typed("2 inch", Dimension::length).decimal == "508e-4");
+  BOOST_TEST(typed("-2.50 mm", Dimension::length).decimal == "-25e-4");
+  BOOST_TEST(typed("0 um", Dimension::length).value == 0);
+  // pi/30 is no decimal number.
+  BOOST_TEST(typed("30 rpm", Dimension::angular_frequency).decimal.empty());
+  BOOST_TEST(near(typed("30 rpm", Dimension::angular_frequency).value, 3.14159265358979312));
+}
+
 BOOST_AUTO_TEST_CASE(units_convert_to_si) {
   BOOST_TEST(near(parse_quantity("8 N/um", Dimension::stiffness, place), 8e6));
   BOOST_TEST(near(parse_quantity("30 N.s/m", Dimension::damping, place), 30));

@@ -36,6 +36,34 @@ BOOST_AUTO_TEST_CASE(every_reference_row_is_correct_to_the_last_bit) {
   BOOST_TEST(no_scene == 5);  // rows whose elements are all 0 in one network
 }
 
+// v* of the decimals that are typed, by Eq. (24) with mpmath at 60 digits. At resonance the double
+// of 2 pi f, or of "5 g", makes another v* in the fifth digit.
+BOOST_AUTO_TEST_CASE(what_is_typed_is_carried_exactly) {
+  const auto at = [](const char* frequency) {
+    return certified_critical_velocity(
+               read_scene(VCRIT_SCENES "/zener.toml", {{"frequency", frequency}}))
+        .value;
+  };
+  BOOST_TEST(at("3183.098865021006 Hz") == 1216391.5523782628222);
+  BOOST_TEST(at("3183.09886184109 Hz") == 1216320731.5228099629);
+  BOOST_TEST(at("3.18309886184109 kHz") == 1216320731.5228099629);
+  const auto of_amplitude = [](const char* amplitude) {
+    return certified_critical_velocity(
+               read_scene(VCRIT_SCENES "/zener.toml", {{"amplitude", amplitude}}))
+        .value;
+  };
+  BOOST_TEST(of_amplitude("0.1 um") == of_amplitude("100 nm"));
+  // K_d = m omega^2 in the decimals, not in their doubles.
+  const Scene resonant = read_scene(VCRIT_SCENES "/zener.toml", {{"angular_frequency", "20000"}});
+  BOOST_TEST(std::isinf(certified_critical_velocity(resonant).value));
+  BOOST_TEST(std::isfinite(certified_critical_velocity(as_doubles(resonant)).value));
+  // What is changed after reading is what it was changed to.
+  Scene changed = read_scene(VCRIT_SCENES "/zener.toml");
+  changed.amplitude.value = 2 * *changed.amplitude.value;
+  const double twice = certified_critical_velocity(as_doubles(changed)).value;
+  BOOST_TEST(std::abs(certified_critical_velocity(changed).value / twice - 1) < 1e-15);
+}
+
 BOOST_AUTO_TEST_CASE(random_scenes_round_like_nodal_analysis_at_250_digits) {
   test::RandomScenes random(20, 6);
   for (int i = 0; i < 300; ++i) {

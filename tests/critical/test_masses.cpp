@@ -30,7 +30,9 @@ Scene scene(double omega, double kt, const std::string& rest, const std::string&
 
 std::string drive(const std::string& network) { return "[drive]\nnetwork = \"" + network + "\"\n"; }
 
-double certified(const Scene& scene) { return certified_critical_velocity(scene).value; }
+double certified(const Scene& scene) {
+  return certified_critical_velocity(as_doubles(scene)).value;
+}
 
 const std::string graph =
     "[drive]\nnetwork = \"horn\"\n[networks.horn]\nterminals = [\"body\", \"housing\"]\n"

@@ -30,17 +30,10 @@ UNITS = {
 }
 
 
-def exact(number):
-    """The double that a program gets from this number, as an exact mpf."""
-    return mpf(float(number))
-
-
 def quantity(value):
-    """A TOML value as SI: a bare number, or 'NUMBER UNIT' read and scaled in decimal."""
-    if isinstance(value, str):
-        number, unit = value.split()
-        return exact(mpf(number) * mpf(UNITS[unit]))
-    return exact(value)
+    """A TOML value as SI, exactly as it is typed: a bare number, or 'NUMBER UNIT'."""
+    number, unit = value.split() if isinstance(value, str) and " " in value else (value, None)
+    return mpf(number) * (mpf(UNITS[unit]) if unit else 1)
 
 
 class Layout:
@@ -178,8 +171,8 @@ class Reader:
             spring(p[0], a, b)
             for k, tau in zip(self.elements[p[1]], self.elements[p[2]]):
                 middle = layout.node()
-                layout.edges.append(((lambda s, k=exact(k): mpc(k)), a, middle))
-                layout.edges.append(((lambda s, c=exact(k) * exact(tau): c * s), middle, b))
+                layout.edges.append(((lambda s, k=quantity(k): mpc(k)), a, middle))
+                layout.edges.append(((lambda s, c=quantity(k) * quantity(tau): c * s), middle, b))
         else:
             raise ValueError(name)
 
@@ -211,7 +204,7 @@ def viscosity(layout):
 def measured(file, omega):
     """1/R(i omega) from a table, real and imaginary part linear between two rows."""
     with file.open() as table:
-        rows = [[exact(cell) for cell in row] for row in list(csv.reader(table))[1:]]
+        rows = [[mpf(float(cell)) for cell in row] for row in list(csv.reader(table))[1:]]
     for (w0, *r0), (w1, *r1) in zip(rows, rows[1:]):
         if w0 <= omega <= w1:
             return 1 / ((mpc(*r0) * (w1 - omega) + mpc(*r1) * (omega - w0)) / (w1 - w0))
@@ -262,7 +255,7 @@ def evaluate(scene):
 def main():
     print("scene,critical_velocity,admissible,creep_velocity")
     for file in sorted(SCENES.glob("*.toml")):
-        velocity, admissible, creep = evaluate(tomllib.loads(file.read_text()))
+        velocity, admissible, creep = evaluate(tomllib.loads(file.read_text(), parse_float=str))
         print(f"{file.name},{nstr(velocity, 50)},{str(admissible).lower()},{nstr(creep, 50)}")
 
 

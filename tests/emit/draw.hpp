@@ -5,6 +5,7 @@
 #include <random>
 
 #include "support/nodal.hpp"
+#include "support/numbers.hpp"
 
 namespace vcrit::test {
 
@@ -35,7 +36,7 @@ class Draw {
 
  private:
   void near_resonance(Scene& scene) {
-    const Values values = values_of(scene);
+    const Values values = test::numbers_of(scene);
     const Real omega(*scene.angular_frequency.value);
     Real stiffness = Nodal(values, omega).stiffness(*scene.drive).real();
     const auto* tangential = std::get_if<Network>(&scene.tangential);

@@ -9,6 +9,7 @@
 #include "emit/language_drivers.hpp"
 #include "emit/library.hpp"
 #include "emit/tools.hpp"
+#include "support/numbers.hpp"
 
 namespace vcrit::test {
 
@@ -119,8 +120,9 @@ inline Real derivative(const Scene& scene, const Real& exact, const Symbol& symb
     return critical_velocity_by_nodes(changed);
   };
   constexpr double tiny = 1e-100;
-  if (values_of(scene).at(symbol) == 0) return (at(tiny) - exact) / Real(tiny);
-  const double x = values_of(scene).at(symbol), low = x * (1 - 0x1p-50), high = x * (1 + 0x1p-50);
+  if (test::numbers_of(scene).at(symbol) == 0) return (at(tiny) - exact) / Real(tiny);
+  const double x = test::numbers_of(scene).at(symbol), low = x * (1 - 0x1p-50),
+               high = x * (1 + 0x1p-50);
   const Real below = Real(x) - Real(low), above = Real(high) - Real(x);
   const Real left = (exact - at(low)) / below, right = (at(high) - exact) / above;
   return (left * above + right * below) / (above + below);

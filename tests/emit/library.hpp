@@ -15,6 +15,7 @@
 #include "emit/generate.hpp"
 #include "emit/parameters.hpp"
 #include "support/nodal.hpp"
+#include "support/numbers.hpp"
 #include "support/program.hpp"
 
 namespace vcrit::test {
@@ -49,7 +50,7 @@ inline std::vector<double> members(const Scene& scene, const Scene& generated_fo
                                    const symbolic::GenerateOptions& options = {}) {
   const symbolic::ParameterList parameters(generated_for, symbolic::derive(generated_for),
                                            symbolic::fixed_values(generated_for, options.fixed));
-  const Values values = values_of(scene);
+  const Values values = test::numbers_of(scene);
   std::vector<double> result;
   for (const symbolic::Member& member : parameters.members())
     for (int entry = member.length == 0 ? 0 : 1; entry <= member.length; ++entry) {

@@ -7,6 +7,7 @@
 #include "emit/library.hpp"
 #include "formula/symbols.hpp"
 #include "formula/value.hpp"
+#include "support/numbers.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_gradients)
 
@@ -50,7 +51,7 @@ class Exact {
   Exact(const Scene& shape, const Scene& scene)
       : derivation_(symbolic::derive(shape)), before_(GiNaC::Digits) {
     GiNaC::Digits = 150;
-    for (const auto& [symbol, value] : values_of(scene))
+    for (const auto& [symbol, value] : test::numbers_of(scene))
       values_[symbol] = symbolic::exact_binary(value);
   }
   ~Exact() { GiNaC::Digits = before_; }
@@ -112,7 +113,7 @@ BOOST_AUTO_TEST_CASE(partial_derivatives_of_both_grades) {
     const Exact exact(shape, call.scene);
     const std::vector<Symbol> symbols = member_symbols(shape);
     BOOST_REQUIRE(symbols.size() == call.partials.size());
-    const Values values = values_of(call.scene);
+    const Values values = test::numbers_of(call.scene);
     const double v = exact.velocity().to_double();
     for (std::size_t i = 0; i < symbols.size(); ++i) {
       // Terms of about the size of v*/x, times 1/|D| or 1/|N| near resonance (here above 1e-3 of

@@ -9,6 +9,7 @@
 #include "emit/library.hpp"
 #include "emit/quantities.hpp"
 #include "program/quantities.hpp"
+#include "support/numbers.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_quantities)
 
@@ -116,7 +117,7 @@ class Headers {
   Results evaluate(std::size_t i, const Scene& scene) const {
     const symbolic::ParameterList parameters = symbolic::quantity_parameters(
         cases_[i].scene, symbolic::fixed_values(cases_[i].scene, cases_[i].fixed));
-    const Values values = values_of(scene);
+    const Values values = test::numbers_of(scene);
     std::string input = std::to_string(i);
     for (const symbolic::Member& member : parameters.members())
       for (int entry = member.length == 0 ? 0 : 1; entry <= member.length; ++entry)
@@ -191,7 +192,7 @@ class Headers {
 class Exact {
  public:
   Exact(const Scene& scene, const symbolic::QuantityProgram& program) : scene_(scene) {
-    const Values values = values_of(scene);
+    const Values values = test::numbers_of(scene);
     const test::Real omega(values.at({"omega"}));
     test::Nodal nodal(values, omega);
     normal_ = nodal.stiffness(scene.normal);

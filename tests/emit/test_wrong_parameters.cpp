@@ -7,6 +7,7 @@
 
 #include "derivation/scenes.hpp"
 #include "emit/language_files.hpp"
+#include "support/numbers.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_wrong_parameters)
 
@@ -47,7 +48,7 @@ std::vector<LanguageCall> wrong_calls(const std::vector<Scene>& shapes) {
   std::vector<LanguageCall> calls;
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     const Scene scene = draw.values_for(shapes[i], 0);
-    for (const auto& [symbol, value] : values_of(scene)) {
+    for (const auto& [symbol, value] : test::numbers_of(scene)) {
       if (symbol.name == "u_z0") continue;
       std::vector<double> numbers{-value, -1e30, -1e-300, -inf, inf, std::nan("")};
       // Negative Poisson's ratios exist.
@@ -62,14 +63,14 @@ std::vector<LanguageCall> wrong_calls(const std::vector<Scene>& shapes) {
   calls.push_back(call_of(0, draw.values_for(shapes[0], 0)));
   set(calls.back().scene, {"k", 1}, 1e30);
   set(calls.back().scene, {"k", 2}, -1e30);
-  set(calls.back().scene, {"tau", 2}, values_of(calls.back().scene).at({"tau", 1}));
+  set(calls.back().scene, {"tau", 2}, test::numbers_of(calls.back().scene).at({"tau", 1}));
   return calls;
 }
 
 void check(const std::vector<LanguageCall>& calls) {
   for (const LanguageCall& call : calls) {
     std::string text;
-    for (const auto& [symbol, value] : values_of(call.scene))
+    for (const auto& [symbol, value] : test::numbers_of(call.scene))
       text += fmt::format(" {} = {}", to_text(symbol), value);
     BOOST_TEST(call.bound() == HUGE_VAL, text);
     BOOST_TEST(call.fast_bound() == HUGE_VAL, text);

@@ -148,8 +148,9 @@ class Trial:
             require(ended.returncode in (2, 3), words[0], "ended with", ended.returncode, ended.stderr[-500:])
             require(ended.stdout == "", words[0], "wrote before it refused")
             told = [line for line in ended.stderr.splitlines() if not line.startswith("vcrit: warning: ")]
-            require(len(told) == 1 and told[0].startswith("vcrit: "), words[0], "has no single message:", ended.stderr)
-            kind = "; expected" if ended.returncode == 2 else "vcrit: "
+            begins = "{" if "--json" in words else "vcrit: "
+            require(len(told) == 1 and told[0].startswith(begins), words[0], "has no single message:", ended.stderr)
+            kind = "; expected" if ended.returncode == 2 else begins
             require(kind in told[0], words[0], "refused without saying what it expects:", told[0])
         self.found[f"{words[0]} {ended.returncode}"] += 1
         return ended

@@ -1,5 +1,6 @@
 // The nodal analysis, compiled once: numbers of 250 digits take the compiler long.
 #include "support/nodal.hpp"
+#include "support/numbers.hpp"
 
 #include <utility>
 #include <vector>
@@ -113,7 +114,7 @@ double relative_error(std::complex<double> value, const Complex& exact) {
 }
 
 Real critical_velocity_by_nodes(const Scene& scene) {
-  const Values values = values_of(scene);
+  const Values values = numbers_of(scene);
   const Real omega(values.at(scene.angular_frequency.symbol));
   Nodal nodal(values, omega);
   const Complex normal = nodal.stiffness(scene.normal);
