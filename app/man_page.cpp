@@ -37,7 +37,34 @@ expected. Nothing is written.
 .B 3
 The scene is well formed but outside the model: not admissible, for commands
 that need it to be, or the value is 0/0.
+.TP
+.B 70
+A fault of vcrit itself. Please report it, with the scene.
 )";
+
+constexpr const char* environment =
+    R"(.SH ENVIRONMENT
+.TP
+.B UDUNITS2_XML_PATH
+The database of units, in place of the one that is installed.
+.TP
+.B TMPDIR
+Where validate compiles and runs generated code, in place of /tmp.
+)";
+
+constexpr const char* see_also =
+    R"(.SH SEE ALSO
+.BR units (7),
+.BR udunits2 (1),
+.BR gnuplot (1),
+.BR mpirun (1)
+)";
+
+/// Without the heading that a help has.
+std::string without_heading(const std::string& examples) {
+  const std::string heading = "Examples:\n";
+  return examples.starts_with(heading) ? examples.substr(heading.size()) : examples;
+}
 
 /// Text that roff prints as it stands.
 std::string escaped(const std::string& text) {
@@ -118,7 +145,8 @@ std::string man_page(const std::vector<Command>& commands) {
   out += ".SH COMMANDS\n";
   for (const Command& command : commands)
     if (!command.name.empty()) out += section(command);
-  return out + exit_status + ".SH EXAMPLES\n" + block(commands.front().examples);
+  return out + exit_status + environment + ".SH EXAMPLES\n" +
+         block(without_heading(commands.front().examples)) + see_also;
 }
 
 }  // namespace vcrit::app

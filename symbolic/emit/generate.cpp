@@ -62,7 +62,8 @@ std::vector<std::filesystem::path> generate(const Scene& scene,
   if (options.quantities)
     companion(name + "_quantities.hpp", emit_quantities(scene, name, options));
   companion("test_" + name + ".cpp", emit_test(scene, name, options));
-  written.push_back({directory / "CMakeLists.txt", emit_cmake(name)});
+  written.push_back({directory / (name + "_evaluator.cmake"), emit_cmake(name)});
+  written.push_back({directory / "CMakeLists.txt", emit_cmake_of_folder()});
   written.insert(written.begin(), {directory / (name + ".hpp"), std::move(header)});
   write_generated(written);
   std::vector<std::filesystem::path> files;

@@ -29,12 +29,15 @@ std::string emit_test(const Scene& scene, const std::string& name,
 std::string emit_quantities(const Scene& scene, const std::string& name,
                             const GenerateOptions& options = {});
 
-/// CMakeLists.txt, which builds and tests the library on its own.
+/// NAME_evaluator.cmake: the library NAME::NAME and its test.
 std::string emit_cmake(const std::string& name);
 
-/// Writes DIR/NAME.hpp, DIR/NAME_batch.hpp, DIR/CMakeLists.txt, DIR/test_NAME.cpp and, if asked
-/// for, DIR/NAME_quantities.hpp, all beside their places and then renamed. The others refuse to be
-/// compiled with a NAME.hpp of another run. Returns the files.
+/// CMakeLists.txt, the same for every scene: builds and tests all libraries of its folder.
+std::string emit_cmake_of_folder();
+
+/// Writes DIR/NAME.hpp, DIR/NAME_batch.hpp, DIR/NAME_evaluator.cmake, DIR/CMakeLists.txt,
+/// DIR/test_NAME.cpp and, if asked for, DIR/NAME_quantities.hpp, all beside their places and then
+/// renamed. The others refuse to be compiled with a NAME.hpp of another run. Returns the files.
 std::vector<std::filesystem::path> generate(const Scene& scene,
                                             const std::filesystem::path& directory,
                                             const std::string& name,

@@ -105,6 +105,16 @@ class Man(unittest.TestCase):
         commands = self.page.split("\nCOMMANDS\n")[1].split("\nEXIT STATUS\n")[0]
         self.assertEqual(re.findall(r"^   (\w+)$", commands, re.MULTILINE), COMMANDS)
 
+    def test_says_each_exit_status_of_the_readme(self):
+        readme = (PROJECT / "README.md").read_text().split("### Exit status")[1].split("\n#")[0]
+        told = self.page.split("\nEXIT STATUS\n")[1].split("\nENVIRONMENT\n")[0]
+        self.assertEqual(re.findall(r"^   *(\d+) ", told, re.MULTILINE), re.findall(r"^\| (\d+) \|", readme, re.MULTILINE))
+
+    def test_has_the_sections_that_readers_look_for(self):
+        headings = re.findall(r"^[A-Z ]+$", self.page, re.MULTILINE)
+        self.assertEqual(headings[-4:], ["EXIT STATUS", "ENVIRONMENT", "EXAMPLES", "SEE ALSO"])
+        self.assertNotIn("Examples:", self.page.split("\nEXAMPLES\n")[1])
+
     def test_shows_the_examples_of_the_help(self):
         for command in ["", *COMMANDS]:
             for line in EXAMPLE.findall(help_of(command)):

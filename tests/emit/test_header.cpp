@@ -136,7 +136,7 @@ BOOST_AUTO_TEST_CASE(long_comments_are_broken_at_spaces) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(four_files_are_written_and_nothing_else) {
+BOOST_AUTO_TEST_CASE(five_files_are_written_and_nothing_else) {
   const test::PrivateFolder folder;
   generate(test::kelvin_scene(), folder.path() / "new" / "out", "kelvin");
   std::set<std::string> files;
@@ -145,7 +145,8 @@ BOOST_AUTO_TEST_CASE(four_files_are_written_and_nothing_else) {
       files.insert(entry.path().lexically_relative(folder.path()).string());
   BOOST_TEST(
       (files == std::set<std::string>{"new/out/CMakeLists.txt", "new/out/kelvin.hpp",
-                                      "new/out/kelvin_batch.hpp", "new/out/test_kelvin.cpp"}));
+                                      "new/out/kelvin_batch.hpp", "new/out/kelvin_evaluator.cmake",
+                                      "new/out/test_kelvin.cpp"}));
   BOOST_CHECK_THROW(generate(test::kelvin_scene(), folder.path() / "other", "../kelvin"),
                     InputError);
   BOOST_TEST(!std::filesystem::exists(folder.path() / "other"));

@@ -75,10 +75,22 @@ struct Compiler {
   bool is_cpp;
 };
 
-/// Of the cases: bounds that do not hold, and accurate bounds that are finite.
+/// Of the cases and of the wrong rows: bounds that do not hold; accurate bounds that are finite.
 struct Judged {
   int violations = -1, finite = -1;
 };
+
+/// Each parameter as no scene has it. No value is right, so that a finite bound does not hold.
+std::string wrong_rows(const std::vector<double>& right) {
+  std::string rows;
+  for (std::size_t i = 0; i < right.size(); ++i)
+    for (const char* wrong : {"NAN", "INFINITY", "-INFINITY", "-1"}) {
+      for (std::size_t j = 0; j < right.size(); ++j)
+        rows += (j == 0 ? "{" : ", ") + (i == j ? wrong : fmt::format("{:a}", right[j]));
+      rows += ", NAN, NAN},\n";
+    }
+  return rows;
+}
 
 /// What has to be the same for all that is linked.
 Words target_of(Words flags) {
@@ -104,6 +116,7 @@ class Builds {
       row.push_back(static_cast<double>(exact - test::Real(row.back())));
       rows += fmt::format("{{{:a}}},\n", fmt::join(row, ", "));
     }
+    rows += wrong_rows(test::members(draw.values_for(scene, 0), scene));
     Words members;
     for (std::size_t i = 0; i < count; ++i) members.push_back(fmt::format("x[{}]", i));
     const auto with = [&](const std::string& text, const std::string& mark, const std::string& by) {
@@ -194,7 +207,11 @@ BOOST_AUTO_TEST_CASE(inexact_arithmetic_is_refused_or_has_no_bound) {
       {"-O2", "-mfpmath=387"},
       {"-O2", "-mfpmath=sse+387"},
       {"-O2", "-m32"},
-      {"-O2", "-m32", "-fexcess-precision=fast"}};
+      {"-O2", "-m32", "-mfpmath=387"},
+      {"-O0", "-m32", "-march=i386"},
+      {"-O2", "-m32", "-ffloat-store"},
+      {"-O2", "-m32", "-fexcess-precision=fast"},
+      {"-O2", "-m32", "-mpc64"}};
   const Builds builds;
   int refused = 0, judged = 0;
   for (const Compiler& compiler : builds.compilers())
@@ -224,11 +241,18 @@ BOOST_AUTO_TEST_CASE(inexact_arithmetic_is_refused_or_has_no_bound) {
 BOOST_AUTO_TEST_CASE(exact_arithmetic_keeps_its_bounds) {
   const Builds builds;
   for (const Compiler& compiler : builds.compilers())
-    for (const Words& flags :
-         {Words{"-O2"}, {"-O3", "-march=native", "-ffp-contract=fast", "-fno-math-errno"}})
+    for (const Words& flags : {Words{"-O2"},
+                               {"-O3", "-march=native", "-ffp-contract=fast", "-fno-math-errno"},
+                               {"-O2", "-ffinite-math-only"},
+                               {"-O3", "-march=native", "-ffinite-math-only", "-fno-signed-zeros"},
+                               {"-O2", "-m32", "-msse2", "-mfpmath=sse"}})
       BOOST_TEST_CONTEXT(fmt::format("{} {}", compiler.name, fmt::join(flags, " "))) {
+        if (!builds.knows(compiler, flags)) {
+          BOOST_TEST(flags[1].starts_with("-m"));  // another processor's, or no library for 32 bits
+          continue;
+        }
         BOOST_REQUIRE_EQUAL(builds.compile(compiler, flags), "");
-        const Judged judged = builds.judged({});
+        const Judged judged = builds.judged(target_of(flags));
         BOOST_TEST(judged.violations == 0);
         BOOST_TEST(judged.finite == cases);
       }

@@ -18,6 +18,22 @@ std::vector<Scene> scenes() {
           scene_of("normal = \"k0 | (k1 - c1)\"\npoisson = \"nu\"", "kd | cd", "m")};
 }
 
+/// What ctest prints. In a build folder that may be there from another time.
+std::string build_and_test(const test::PrivateFolder& folder,
+                           const std::string& option = "-DCMAKE_BUILD_TYPE=") {
+  const std::string source = folder.path().string(), build = (folder.path() / "build").string();
+  std::string last;
+  for (const std::vector<std::string>& step :
+       {std::vector<std::string>{"cmake", "-S", source, "-B", build, option},
+        {"cmake", "--build", build},
+        {"ctest", "--test-dir", build, "--no-tests=error"}}) {
+    const test::Outcome outcome = test::run(step, folder.path());
+    BOOST_REQUIRE_MESSAGE(outcome.status == 0, outcome.output);
+    last = outcome.output;
+  }
+  return last;
+}
+
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(its_own_test_passes) {
@@ -80,14 +96,20 @@ BOOST_AUTO_TEST_CASE(its_own_test_can_fail) {
 BOOST_AUTO_TEST_CASE(its_cmake_project_builds_and_tests) {
   const test::PrivateFolder folder;
   symbolic::generate(read_scene(VCRIT_SCENES "/kelvin.toml"), folder.path(), "kelvin");
-  const std::string source = folder.path().string(), build = (folder.path() / "build").string();
-  for (const std::vector<std::string>& step :
-       {std::vector<std::string>{"cmake", "-S", source, "-B", build},
-        {"cmake", "--build", build},
-        {"ctest", "--test-dir", build, "--no-tests=error"}}) {
-    const test::Outcome outcome = test::run(step, folder.path());
-    BOOST_REQUIRE_MESSAGE(outcome.status == 0, outcome.output);
-  }
+  build_and_test(folder);
+}
+
+// A second scene in the folder does not put the first one out of it; files of another hand that
+// end in .cmake are not read.
+BOOST_AUTO_TEST_CASE(two_scenes_in_one_folder_are_both_built_and_tested) {
+  const test::PrivateFolder folder;
+  symbolic::generate(read_scene(VCRIT_SCENES "/kelvin.toml"), folder.path(), "pad");
+  write_file(folder.path() / "own.cmake", "message(FATAL_ERROR \"not asked for\")\n");
+  build_and_test(folder);
+  symbolic::generate(read_scene(VCRIT_SCENES "/elastic.toml"), folder.path(), "tip");
+  const std::string tests = build_and_test(folder);
+  for (const char* name : {"test_pad", "test_tip"})
+    BOOST_TEST(tests.find(name) != std::string::npos, tests);
 }
 
 // Options and targets of its own: a square root of the other project still sets errno, and its
@@ -107,14 +129,7 @@ BOOST_AUTO_TEST_CASE(a_project_that_takes_it_in_stays_as_it_is) {
              "int main() {\n  volatile double x = -1;\n  errno = 0;\n"
              "  volatile double root = std::sqrt(x);\n  (void)root;\n"
              "  return errno == EDOM && pad::critical_velocity({}) != 1 ? 0 : 1;\n}\n");
-  const std::string source = folder.path().string(), build = (folder.path() / "build").string();
-  for (const std::vector<std::string>& step :
-       {std::vector<std::string>{"cmake", "-S", source, "-B", build, "-DCMAKE_BUILD_TYPE=Release"},
-        {"cmake", "--build", build},
-        {"ctest", "--test-dir", build, "--no-tests=error"}}) {
-    const test::Outcome outcome = test::run(step, folder.path());
-    BOOST_REQUIRE_MESSAGE(outcome.status == 0, outcome.output);
-  }
+  build_and_test(folder, "-DCMAKE_BUILD_TYPE=Release");
 }
 
 BOOST_AUTO_TEST_SUITE_END()
