@@ -209,10 +209,10 @@ TypedNumber parse_typed(std::string_view text, Dimension dimension, const Place&
     throw InputError(place, fmt::format("\"{}\", beyond the range of doubles", text),
                      describe(dimension));
   const std::string_view unit = trimmed(whole.substr(number.length), " \t");
-  const Decimal decimal = decimal_of(whole.substr(0, number.length));
-  const bool kept = !decimal.digits.empty() && decimal.digits.size() <= most_typed_digits;
-  TypedNumber typed{*number.value, kept ? decimal.text() : ""};
-  if (!unit.empty()) typed = convert(*number.value, decimal, unit, dimension, place, whole);
+  TypedNumber typed{*number.value, {}};
+  if (!unit.empty())
+    typed = convert(*number.value, decimal_of(whole.substr(0, number.length)), unit, dimension,
+                    place, whole);
   if (!std::isfinite(typed.value))
     throw InputError(place, fmt::format("\"{}\", which is not finite", text), describe(dimension));
   return typed;

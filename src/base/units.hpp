@@ -34,10 +34,12 @@ const char* si_unit(Dimension dimension);
 /// Throws InputError for bad syntax, unknown units and units of another dimension.
 double parse_quantity(std::string_view text, Dimension dimension, const Place& place);
 
-/// A number as it was typed: 0.1 um is 1e-7 m, which no double is.
+/// A number as it was typed: with a unit it is a decimal number, 0.1 um is 1e-7 m, which no double
+/// is; a bare one is a double, as TOML has it.
 struct TypedNumber {
-  double value = 0;          ///< in SI, the double nearest to it
-  std::string decimal = {};  ///< "1e-7", exactly; empty where that is no short decimal number (rpm)
+  double value = 0;  ///< in SI, the double nearest to it
+  /// "1e-7", exactly; empty for bare numbers, and where it is no short decimal one (rpm).
+  std::string decimal = {};
 };
 TypedNumber parse_typed(std::string_view text, Dimension dimension, const Place& place);
 

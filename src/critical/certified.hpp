@@ -14,8 +14,8 @@ struct CertifiedVelocity {
   std::string reason;               ///< why the value is infinite, else empty
 };
 
-/// Of the scene's numbers as they were typed (2 pi f, 0.1 um), where these are still its values;
-/// what is changed after reading is taken as a double.
+/// Of the scene's numbers as they were typed with a unit (20 kHz is 2 pi f, 0.1 um is 1e-7 m),
+/// where these are still its values; bare numbers, and what is changed after reading, are doubles.
 /// Throws ModelError for 0/0 (resonance and antiresonance at once) and outside the table of a
 /// measured drive.
 CertifiedVelocity certified_critical_velocity(const Scene& scene);

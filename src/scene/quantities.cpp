@@ -8,7 +8,6 @@
 #include <cstdint>
 
 #include "base/constants.hpp"
-#include "base/numbers.hpp"
 
 namespace vcrit {
 
@@ -28,16 +27,8 @@ double checked(double value, const Range& range, const std::string& name, const 
 std::optional<TypedNumber> number(const toml::node& node, Dimension dimension,
                                   const std::string& name, const Place& place) {
   // Not node.value<double>(), which has none for an integer that no double equals.
-  if (node.is_integer()) {
-    const auto integer = node.ref<std::int64_t>();
-    return TypedNumber{static_cast<double>(integer), std::to_string(integer)};
-  }
-  // TOML's own numbers come as doubles: the shortest decimal of one is what was typed, up to 15
-  // digits of it.
-  if (node.is_floating_point()) {
-    const double value = node.ref<double>();
-    return TypedNumber{value, std::isfinite(value) ? to_text(value) : ""};
-  }
+  if (node.is_integer()) return TypedNumber{static_cast<double>(node.ref<std::int64_t>()), {}};
+  if (node.is_floating_point()) return TypedNumber{node.ref<double>(), {}};
   if (!node.is_string())
     throw InputError(place, fmt::format("{} = {}", name, document::describe_node(node)),
                      describe(dimension));

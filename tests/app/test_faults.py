@@ -6,6 +6,7 @@ test_faults.py PROJECT PROGRAM FAULTS
 
 import filecmp
 import itertools
+import json
 import os
 import resource
 import shutil
@@ -51,7 +52,10 @@ class Case(unittest.TestCase):
                 ["fit", str(self.data), "--out", f"{out}/f.toml"]]
 
     def one_message(self, result, words):
-        self.assertRegex(result.stderr, f"^vcrit: .*{words}.*\n$")
+        told = result.stderr
+        if "--json" in result.args:
+            told = "vcrit: " + json.loads(told)["message"] + "\n"
+        self.assertRegex(told, f"^vcrit: .*{words}.*\n$")
 
     def texts(self, folder):
         return {file.name: file.read_bytes() for file in Path(folder).iterdir()}

@@ -46,6 +46,8 @@ BOOST_AUTO_TEST_CASE(what_is_typed_is_carried_exactly) {
   };
   BOOST_TEST(at("3183.098865021006 Hz") == 1216391.5523782628222);
   BOOST_TEST(at("3183.09886184109 Hz") == 1216320731.5228099629);
+  // A bare number is a double, and so is the 2 pi f of one.
+  BOOST_TEST(std::abs(at("3183.09886184109") / 1216320731.5228099629 - 1) > 1e-6);
   BOOST_TEST(at("3.18309886184109 kHz") == 1216320731.5228099629);
   const auto of_amplitude = [](const char* amplitude) {
     return certified_critical_velocity(
@@ -54,7 +56,8 @@ BOOST_AUTO_TEST_CASE(what_is_typed_is_carried_exactly) {
   };
   BOOST_TEST(of_amplitude("0.1 um") == of_amplitude("100 nm"));
   // K_d = m omega^2 in the decimals, not in their doubles.
-  const Scene resonant = read_scene(VCRIT_SCENES "/zener.toml", {{"angular_frequency", "20000"}});
+  const Scene resonant =
+      read_scene(VCRIT_SCENES "/zener.toml", {{"angular_frequency", "20000 rad/s"}});
   BOOST_TEST(std::isinf(certified_critical_velocity(resonant).value));
   BOOST_TEST(std::isfinite(certified_critical_velocity(as_doubles(resonant)).value));
   // What is changed after reading is what it was changed to.

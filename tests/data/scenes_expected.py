@@ -31,9 +31,11 @@ UNITS = {
 
 
 def quantity(value):
-    """A TOML value as SI, exactly as it is typed: a bare number, or 'NUMBER UNIT'."""
-    number, unit = value.split() if isinstance(value, str) and " " in value else (value, None)
-    return mpf(number) * (mpf(UNITS[unit]) if unit else 1)
+    """A TOML value as SI: 'NUMBER UNIT' exactly as it is typed, a bare number as the double of it."""
+    if not isinstance(value, str):
+        return mpf(float(value))
+    number, unit = value.split()
+    return mpf(number) * mpf(UNITS[unit])
 
 
 class Layout:
@@ -255,7 +257,7 @@ def evaluate(scene):
 def main():
     print("scene,critical_velocity,admissible,creep_velocity")
     for file in sorted(SCENES.glob("*.toml")):
-        velocity, admissible, creep = evaluate(tomllib.loads(file.read_text(), parse_float=str))
+        velocity, admissible, creep = evaluate(tomllib.loads(file.read_text()))
         print(f"{file.name},{nstr(velocity, 50)},{str(admissible).lower()},{nstr(creep, 50)}")
 
 

@@ -1,5 +1,5 @@
-/* Beneath newlib, in place of a board: start, end, read and write as system calls of Linux on ARM, which
-   qemu-arm answers. Compiled as Thumb. */
+/* Beneath newlib, in place of a board: start, end, read and write as system calls of Linux on ARM,
+   which qemu-arm answers. Compiled as Thumb. */
 #include <stddef.h>
 #include <sys/types.h>
 
@@ -17,10 +17,12 @@ static long call(long number, long a, long b, long c) {
 }
 
 int main(void);
-void *__dso_handle; /* of C++: what destroys statics; there are none */
+void* __dso_handle; /* of C++: what destroys statics; there are none */
 
-ssize_t read(int file, void *to, size_t size) { return call(3, file, (long)to, (long)size); }
-ssize_t write(int file, const void *from, size_t size) { return call(4, file, (long)from, (long)size); }
+ssize_t read(int file, void* to, size_t size) { return call(3, file, (long)to, (long)size); }
+ssize_t write(int file, const void* from, size_t size) {
+  return call(4, file, (long)from, (long)size);
+}
 
 void _start(void) {
   call(1, main(), 0, 0);
