@@ -3,12 +3,16 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 
+#include "base/constants.hpp"
 #include "base/files.hpp"
+#include "base/units.hpp"
 #include "commands.hpp"
 #include "figures/gnuplot.hpp"
+#include "fit/bounds.hpp"
 #include "fit/scene_text.hpp"
 #include "options.hpp"
 #include "report/figure_files.hpp"
@@ -21,6 +25,7 @@ namespace {
 
 using fit::Data;
 using fit::Fit;
+using fit::KnownStiffness;
 using fit::Uncertain;
 
 struct FitOptions {
@@ -40,8 +45,21 @@ nlohmann::ordered_json branches(const Fit& fit) {
   return list;
 }
 
-void print_fit_json(const Data& data, const Fit& fit, const std::string& scene,
-                    const std::string& page) {
+nlohmann::ordered_json intervals(const std::vector<KnownStiffness>& known) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const KnownStiffness& at : known)
+    list.push_back({{"frequency", at.omega / two_pi},
+                    {"storage", at.storage},
+                    {"storage_low", at.storage_interval.low},
+                    {"storage_high", at.storage_interval.high},
+                    {"loss", at.loss},
+                    {"loss_low", at.loss_interval.low},
+                    {"loss_high", at.loss_interval.high}});
+  return list;
+}
+
+void print_fit_json(const Data& data, const Fit& fit, const std::vector<KnownStiffness>& known,
+                    const std::string& scene, const std::string& page) {
   nlohmann::ordered_json object{{"scene", scene}, {"page", page}, {"rows", data.rows.size()}};
   if (fit.equilibrium) {
     object["equilibrium"] = fit.equilibrium->value;
@@ -52,6 +70,8 @@ void print_fit_json(const Data& data, const Fit& fit, const std::string& scene,
     object["damper_error"] = json_number(fit.damper->error);
   }
   object["branches"] = branches(fit);
+  object["order_in_doubt"] = fit.order_in_doubt;
+  object["stiffness"] = intervals(known);
   object["rms_relative_misfit"] = fit.rms_relative;
   object["degrees_of_freedom"] = fit.degrees_of_freedom;
   if (fit.noise) object["noise"] = *fit.noise;
@@ -68,8 +88,18 @@ void print_line(const char* name, const Uncertain& a, const char* unit) {
   fmt::print("{:<4} {:<12.6g} +- {:<8.2g} {}", name, a.value, a.error, unit);
 }
 
-void print_fit_text(const Data& data, const Fit& fit, const std::string& scene,
-                    const std::string& page) {
+void print_intervals(const std::vector<KnownStiffness>& known) {
+  fmt::print("95 % intervals, for any number of branches:\n{:>10}  {:>10}  {:<24}  {:>10}  {}\n",
+             "Hz", "K', N/m", "", "K'', N/m", "");
+  for (const KnownStiffness& at : known)
+    fmt::print("{:>10.4g}  {:>10.4g}  {:<24}  {:>10.4g}  {}\n", at.omega / two_pi, at.storage,
+               fmt::format("{:.4g} to {:.4g}", at.storage_interval.low, at.storage_interval.high),
+               at.loss,
+               fmt::format("{:.4g} to {:.4g}", at.loss_interval.low, at.loss_interval.high));
+}
+
+void print_fit_text(const Data& data, const Fit& fit, const std::vector<KnownStiffness>& known,
+                    const std::string& scene, const std::string& page) {
   for (const std::string& words : validation::report::fit_in_words(data, fit))
     fmt::print("{}\n", words);
   if (fit.equilibrium) {
@@ -80,6 +110,7 @@ void print_fit_text(const Data& data, const Fit& fit, const std::string& scene,
     print_line("k", k, "N/m   ");
     print_line("tau", tau, "s\n");
   }
+  print_intervals(known);
   fmt::print("{}\n{}\n", scene, page);
 }
 
@@ -90,6 +121,17 @@ std::vector<NewFile> figure_files(const Data& data, const Fit& fit, const std::s
   return validation::report::draw_figures(files, directory, [](const auto&) {});
 }
 
+// Across the data; and where the contact will oscillate, if that is known and within them.
+std::vector<double> frequencies_of_interest(const Data& data, const std::string& frequency) {
+  std::vector<double> omegas = frequencies_across(data);
+  if (frequency.empty()) return omegas;
+  const double omega = two_pi * parse_quantity(frequency, Dimension::frequency, {"--frequency"});
+  const auto place = std::lower_bound(omegas.begin(), omegas.end(), omega);
+  if (place != omegas.end() && place != omegas.begin() && *place != omega)
+    omegas.insert(place, omega);
+  return omegas;
+}
+
 // All that may be wrong is found before the first file is written.
 void run_fit(const FitOptions& options) {
   const std::filesystem::path out = options.out;
@@ -98,17 +140,20 @@ void run_fit(const FitOptions& options) {
   if (!options.figures.empty()) validation::report::require_gnuplot();
   const Data data = fit::read_data(options.data);
   const Fit fit = fit::fitted(data, options.fit);
+  const std::vector<KnownStiffness> known =
+      known_stiffness(data, fit, frequencies_of_interest(data, options.rest.frequency));
   const std::string text = scene_text(fit, data, options.rest);
   parse_scene(text, options.out);
   const std::string page = std::filesystem::path(out).replace_extension(".html").string();
-  std::vector<NewFile> files{{out, text}, {page, validation::report::fit_page(data, fit, text)}};
+  std::vector<NewFile> files{{out, text},
+                             {page, validation::report::fit_page(data, fit, known, text)}};
   if (!options.figures.empty())
     for (NewFile& file : figure_files(data, fit, options.figures)) files.push_back(std::move(file));
   write_files(files);
   if (options.json)
-    print_fit_json(data, fit, options.out, page);
+    print_fit_json(data, fit, known, options.out, page);
   else
-    print_fit_text(data, fit, options.out, page);
+    print_fit_text(data, fit, known, options.out, page);
 }
 
 }  // namespace

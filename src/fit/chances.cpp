@@ -35,21 +35,32 @@ double chance_of_mean(const Data& data, double sign) {
 
 double chance_of_fall(double before, double after, int more, int degrees, bool errors_known) {
   if (!(after < before)) return 1;
+  if (more == 0) return 0;
   if (errors_known) return boost::math::gamma_q(more / 2.0, (before - after) / 2);
   return boost::math::ibeta(degrees / 2.0, more / 2.0, after / before);
 }
 
+double chance_with_usual_noise(double before, double after, int more, int degrees) {
+  constexpr double usual = usual_degrees * usual_error * usual_error;
+  return chance_of_fall(before + usual, after + usual, more, degrees + usual_degrees, false);
+}
+
+Judgement judgement_of_fall(double before, double after, int more, int degrees, bool errors_known) {
+  const double plain = chance_of_fall(before, after, more, degrees, errors_known);
+  if (errors_known) return {plain, significance};
+  const Judgement alone{plain, level(degrees)};
+  const Judgement with_usual{chance_with_usual_noise(before, after, more, degrees),
+                             level(degrees + usual_degrees)};
+  return with_usual.chance / with_usual.level < alone.chance / alone.level ? with_usual : alone;
+}
+
 bool shows_loss(const Data& data) {
-  const double usual = std::max(first_level, level(static_cast<int>(data.rows.size()) - 1));
-  return chance_of_mean(data, 1) < (data.has_errors ? significance : usual);
+  const double few = data.has_errors ? 0 : level(static_cast<int>(data.rows.size()) - 1);
+  return chance_of_mean(data, 1) < std::max(two_deviations, few);
 }
 
 double level(int degrees) {
   return std::clamp(std::pow(clear_fall, -degrees), significance, largest_chance);
-}
-
-double level_at(double noise) {
-  return noise < usual_noise ? 0 : std::min(first_level * noise / usual_noise, largest_chance);
 }
 
 double widening(int degrees) {

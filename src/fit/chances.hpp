@@ -9,6 +9,7 @@ namespace vcrit::fit {
 /// The chance that `more` further parameters lower a sum of squares from `before` to `after` by
 /// noise alone; `degrees`: of freedom after. With known errors the fall is chi-squared distributed,
 /// else its ratio to the rest is F distributed.
+/// Of two fits with as many parameters the nearer one is taken: 0.
 double chance_of_fall(double before, double after, int more, int degrees, bool errors_known);
 
 /// The chance below which a better fit is not put down to noise, where there are data enough.
@@ -21,19 +22,37 @@ constexpr double clear_fall = 3, largest_chance = 0.05;
 /// `significance` would be out of reach.
 double level(int degrees);
 
-/// Whether the losses, as parts of |K|, are above 0 on average by more than their scatter explains:
-/// Student's test, by one side (Gauss's where errors are given).
-bool shows_loss(const Data& data);
+/// What is known of the noise before any of these data are: stiffness is measured to about 1 % of
+/// |K|, as well known as if `usual_degrees` of freedom had shown it. A scaled inverse chi-squared
+/// distribution of that kind has 5 % of all noise above 2.4 %, and a thousandth above 6.6 %.
+constexpr double usual_error = 0.01;
+constexpr int usual_degrees = 4;
 
-/// The same chance for the first branch: one too many is told as poorly known, one too few loses
-/// all loss.
+/// A chance, and the level below which it is too small for noise.
+struct Judgement {
+  double chance = 1, level = 0;
+  bool clear() const { return chance < level; }
+};
+
+/// The chance of such a fall where the noise is estimated together with what is usual.
+double chance_with_usual_noise(double before, double after, int more, int degrees);
+
+/// Whether further parameters are more than a fit of noise. Unknown noise is estimated from what is
+/// left, and once more together with what is usual: few rows leave too little to tell by, and would
+/// pass 10 % of |K| for noise. The clearer of the two is given.
+Judgement judgement_of_fall(double before, double after, int more, int degrees, bool errors_known);
+
+/// Whether the losses are above 0 on average by two standard deviations: Student's test, by one
+/// side (Gauss's where errors are given). With three or four rows `level` is enough.
+bool shows_loss(const Data& data);
+/// Its chance, that of a normal deviate above 2.
+constexpr double two_deviations = 0.02275;
+
+/// The chance for the first branch: one too many is told as poorly known, one too few loses all
+/// loss.
 constexpr double first_level = 0.01;
-/// And where few rows leave more than `usual_noise` (of |K|, root mean square) to a lone spring:
-/// stiffness is measured better than that.
-constexpr double doubtful_level = 0.3, usual_noise = 0.02;
-/// For any series that would have to put so much (of |K|) down to noise: the larger it is beyond
-/// the usual, the less is it to be believed.
-double level_at(double noise);
+/// More than this of |K|, root mean square, is not usually noise.
+constexpr double usual_noise = 0.02;
 
 /// One standard deviation is estimated from few degrees of freedom: what it must be multiplied by
 /// so that 1.96 of it hold the truth in 95 of 100 cases, Student's quantile over Gauss's.

@@ -12,6 +12,7 @@
 #include "base/csv.hpp"
 #include "base/files.hpp"
 #include "base/units.hpp"
+#include "fit/rounding.hpp"
 
 namespace vcrit::fit {
 
@@ -180,6 +181,10 @@ void note_below_zero(Data& data, const Place& place) {
   note("loss", row.loss);
 }
 
+void note_steps(Data& data, const std::vector<double>& steps, double unit, double Row::*step) {
+  for (std::size_t i = 0; i < steps.size(); ++i) data.rows[i].*step = unit * steps[i];
+}
+
 std::string rows_found(std::size_t rows) {
   if (rows == 0) return "no row of numbers";
   return rows == 1 ? "one row of numbers" : fmt::format("{} rows of numbers", rows);
@@ -192,12 +197,15 @@ Data parse_data(const std::string& text, const std::string& file) {
   if (!lines.next()) throw InputError({file}, "an empty table", "a header with " + names());
   const TableColumns columns = columns_of(lines);
   const std::size_t count = lines.cells().size();
+  std::vector<std::string> storages, losses;
   Data data{file, {}, columns[storage_error].has_value(), {}};
   if (const auto note = assumed_units(columns)) data.notes.push_back(*note);
   while (lines.next()) {
     data.rows.push_back(
         row_of(lines.numbers(count, fmt::format("{} numbers, as the header has", count)), columns));
     data.rows.back().line = lines.place().line;
+    storages.push_back(lines.cells()[columns[storage]->index]);
+    losses.push_back(lines.cells()[columns[loss]->index]);
     refuse_values(data.rows.back(), data.has_errors, lines.place());
     note_below_zero(data, lines.place());
     refuse_frequency_order(data.rows, lines.place());
@@ -207,6 +215,8 @@ Data parse_data(const std::string& text, const std::string& file) {
                      fmt::format("at least {} rows, one frequency each: any two are met exactly, "
                                  "so that nothing would tell noise from material",
                                  least_rows));
+  note_steps(data, rounding_steps(storages), columns[storage]->factor, &Row::storage_step);
+  note_steps(data, rounding_steps(losses), columns[loss]->factor, &Row::loss_step);
   if (data.rows[1].omega < data.rows[0].omega) std::reverse(data.rows.begin(), data.rows.end());
   return data;
 }

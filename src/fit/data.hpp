@@ -12,6 +12,7 @@ struct Row {
   double storage = 0, loss = 0;  ///< Re K and Im K, N/m, not both 0; see noise_below_zero
   double storage_error = 0, loss_error = 0;  ///< one standard deviation each, N/m, > 0 where known
   int line = 0;                              ///< in the file, 0: unknown
+  double storage_step = 0, loss_step = 0;    ///< a unit of the last digit written, N/m, 0: unknown
 };
 
 struct Data {

@@ -35,8 +35,8 @@ class Fitting {
   Fit run() {
     choose_length();
     if (chosen_.series.branches.empty()) take_a_branch_at_an_end();
-    leave_out(&Terms::damper, data_.errors_known() ? significance : level(degrees(chosen_)));
-    leave_out(&Terms::equilibrium, largest_chance);
+    leave_out(&Terms::damper, false);
+    leave_out(&Terms::equilibrium, true);
     return described();
   }
 
@@ -57,24 +57,18 @@ class Fitting {
                           degrees(after), data_.errors_known());
   }
 
-  double level_for(const Refined& longer) const {
-    if (data_.errors_known())
-      return chosen_.series.branches.empty() ? level_of_the_first() : significance;
-    const double noise = std::sqrt(chosen_.sum_of_squares / degrees(chosen_));
-    const double usual = std::max(level(degrees(longer)), level_at(noise));
-    return chosen_.series.branches.empty() ? std::max(usual, level_of_the_first()) : usual;
+  Judgement judgement(const Refined& shorter, const Refined& longer) const {
+    return judgement_of_fall(with_floor(shorter.sum_of_squares), with_floor(longer.sum_of_squares),
+                             static_cast<int>(longer.slopes.cols() - shorter.slopes.cols()),
+                             degrees(longer), data_.errors_known());
   }
 
-  // A lone spring takes all loss for noise. It stands only where noise of that size and shape is
-  // likely.
-  double level_of_the_first() const {
-    if (terms_.damper) return significance;
-    if (shows_loss(given_)) return 1;
-    if (data_.errors_known()) return significance;
-    const auto size = static_cast<double>(data_.size());
-    const bool few = level(static_cast<int>(data_.size()) - 3) > significance;
-    const bool large = trials_.front().sum_of_squares > (size - 1) * usual_noise * usual_noise;
-    return few && large ? doubtful_level : first_level;
+  // Whether the longer series is to be taken. A lone spring takes all loss for noise: it stands
+  // only where the losses may be 0.
+  Judgement judgement(const Refined& longer) const {
+    const Judgement found = judgement(chosen_, longer);
+    if (found.clear() || !chosen_.series.branches.empty() || terms_.damper) return found;
+    return {chance(chosen_, longer), shows_loss(given_) ? 1 : first_level};
   }
 
   // Terms that came out at 0 begin small instead.
@@ -108,7 +102,7 @@ class Fitting {
     std::optional<Refined> last = refined(data_, terms_, at_least_terms());
     ensure(last.has_value(), "a spring can always be fitted");
     chosen_ = *last;
-    trials_.push_back({0, last->sum_of_squares, std::nullopt});
+    trials_.push_back({0, last->sum_of_squares, std::nullopt, 0, false});
     int length = 0;
     for (int n = 1; n - length <= look_ahead && has_room_for(n); ++n) {
       auto next = best(n, last);
@@ -117,9 +111,10 @@ class Fitting {
         last.reset();
         continue;
       }
-      trials_.push_back({n, next->sum_of_squares, chance(chosen_, *next), level_for(*next)});
+      const Judgement judged = judgement(*next);
+      trials_.push_back({n, next->sum_of_squares, judged.chance, judged.level, judged.clear()});
       last = next;
-      if (!(trials_.back().chance < trials_.back().level)) continue;
+      if (!judged.clear()) continue;
       chosen_ = std::move(*next);
       length = n;
     }
@@ -135,8 +130,9 @@ class Fitting {
       const Relaxation series = linear_fit(data_, terms_, {time});
       if (!(series.branches.front().stiffness > 0) || !(series.equilibrium > 0)) continue;
       Refined fit = as_it_is(data_, terms_, series);
-      trials_.push_back({1, fit.sum_of_squares, chance(chosen_, fit), level_for(fit)});
-      if (!(trials_.back().chance < trials_.back().level)) continue;
+      const Judgement judged = judgement(fit);
+      trials_.push_back({1, fit.sum_of_squares, judged.chance, judged.level, judged.clear()});
+      if (!judged.clear()) continue;
       chosen_ = std::move(fit);
       at_an_end_ = true;
     }
@@ -158,14 +154,27 @@ class Fitting {
 
   // Where dropping it costs no more than chance. Without an equilibrium spring the contact would
   // carry no static load: it goes only where nothing speaks for it.
-  void leave_out(bool Terms::*term, double needed_below) {
+  void leave_out(bool Terms::*term, bool unless_nothing_speaks_for_it) {
     if (!(terms_.*term) || chosen_.series.branches.empty()) return;
     Terms fewer = terms_;
     fewer.*term = false;
     const auto without = refined(data_, fewer, chosen_.series);
-    if (!without || chance(*without, chosen_) < needed_below) return;
+    if (!without) return;
+    const Judgement judged = judgement(*without, chosen_);
+    const double level = unless_nothing_speaks_for_it ? largest_chance : judged.level;
+    if (judged.chance < level) return;
     terms_ = fewer;
     chosen_ = *without;
+  }
+
+  // Of the longest series taken, or of those that were not.
+  bool order_in_doubt() const {
+    bool doubt = false;
+    for (const Trial& trial : trials_) {
+      if (!trial.chance) continue;
+      doubt = trial.taken ? *trial.chance > significance : doubt || *trial.chance < largest_chance;
+    }
+    return doubt;
   }
 
   // Noise as estimated from the misfit, or the errors given. Where the misfit shows these to be too
@@ -221,11 +230,13 @@ class Fitting {
     fit.sum_of_squares = chosen_.sum_of_squares;
     fit.degrees_of_freedom = degrees(chosen_);
     fit.rms_relative = rms_relative();
+    fit.error_unit = scale_of_errors();
     if (data_.errors_known())
       fit.chance = boost::math::gamma_q(fit.degrees_of_freedom / 2.0, fit.sum_of_squares / 2);
     else
       fit.noise = std::sqrt(fit.sum_of_squares / fit.degrees_of_freedom);
     fit.trials = trials_;
+    fit.order_in_doubt = order_in_doubt();
     fit.exhausted = exhausted_;
     fit.time_at_an_end = at_an_end_;
     return fit;

@@ -34,6 +34,7 @@ struct Trial {
   double sum_of_squares = 0;  ///< of residuals in units of errors, as in `Weighed`
   std::optional<double> chance;
   double level = 0;  ///< below which it is taken
+  bool taken = false;
 };
 
 struct Fit {
@@ -45,7 +46,11 @@ struct Fit {
   double rms_relative = 0;       ///< root mean square of |fit - K|/|K|
   std::optional<double> noise;   ///< relative error of a component, estimated; none: it was given
   std::optional<double> chance;  ///< of a larger misfit by the errors given, none: not given
+  /// One standard deviation of a residual, in its units, times Student's quantile over Gauss's.
+  double error_unit = 0;
   std::vector<Trial> trials;
+  /// Noise alone would seldom, but not hardly ever, make the series so long or keep it so short.
+  bool order_in_doubt = false;
   bool exhausted = false;  ///< stopped at the most branches, the last of which still helped
   /// Of the only branch the data show no more than the end of its loss: its time is the last one
   /// that the search allows.

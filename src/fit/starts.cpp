@@ -14,6 +14,13 @@ using Eigen::VectorXd;
 // A branch's response is a decade wide: a twelfth of that is as good as a continuum.
 constexpr double per_decade = 12;
 
+MaxwellBranch joined(const MaxwellBranch& a, const MaxwellBranch& b) {
+  const double sum = a.stiffness + b.stiffness;
+  return {sum, std::exp((a.stiffness * std::log(a.time) + b.stiffness * std::log(b.time)) / sum)};
+}
+
+}  // namespace
+
 std::vector<double> grid_of_times(const Weighed& data) {
   const auto [from, to] = time_range(data);
   const int steps = static_cast<int>(std::ceil(per_decade * std::log10(to / from)));
@@ -22,13 +29,6 @@ std::vector<double> grid_of_times(const Weighed& data) {
     times.push_back(from * std::pow(to / from, static_cast<double>(i) / steps));
   return times;
 }
-
-MaxwellBranch joined(const MaxwellBranch& a, const MaxwellBranch& b) {
-  const double sum = a.stiffness + b.stiffness;
-  return {sum, std::exp((a.stiffness * std::log(a.time) + b.stiffness * std::log(b.time)) / sum)};
-}
-
-}  // namespace
 
 Relaxation dense_spectrum(const Weighed& data, const Terms& terms) {
   Relaxation spectrum = linear_fit(data, terms, grid_of_times(data));

@@ -3,10 +3,14 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "fit/refine.hpp"
 
 namespace vcrit::fit {
+
+/// Relaxation times as dense as a continuum, over the range that the data speak of, s.
+std::vector<double> grid_of_times(const Weighed& data);
 
 /// The nonnegative spectrum over a dense grid of relaxation times, without its zeros.
 Relaxation dense_spectrum(const Weighed& data, const Terms& terms);

@@ -55,8 +55,8 @@ class Fit(unittest.TestCase):
         result = self.fit(table(stiffness))
         self.assertEqual(
             list(result),
-            ["scene", "page", "rows", "equilibrium", "equilibrium_error", "branches", "rms_relative_misfit",
-             "degrees_of_freedom", "noise", "exhausted", "words"])
+            ["scene", "page", "rows", "equilibrium", "equilibrium_error", "branches", "order_in_doubt", "stiffness",
+             "rms_relative_misfit", "degrees_of_freedom", "noise", "exhausted", "words"])
         self.assertEqual((result["scene"], result["page"], result["rows"]), ("out/scene.toml", "out/scene.html", 60))
         found = [result["equilibrium"]] + [b[key] for key in ("stiffness", "time") for b in result["branches"]]
         truth = [K0] + [k for k, _ in BRANCHES] + [tau for _, tau in BRANCHES]
@@ -74,6 +74,23 @@ class Fit(unittest.TestCase):
             self.assertLess(abs(branch["stiffness"] - k), 5 * branch["stiffness_error"])
             self.assertLess(abs(branch["time"] - tau), 5 * branch["time_error"])
             self.assertLess(branch["stiffness_error"], 0.05 * k)
+
+    def test_intervals_of_the_stiffness_cross_the_data_and_hold_the_truth(self):
+        result = self.fit(table(stiffness, 0.01, rows=12), "--frequency", "20 Hz")
+        frequencies = [at["frequency"] for at in result["stiffness"]]
+        self.assertEqual(frequencies, sorted(frequencies))
+        for expected in (0.1, 20, 1e6):
+            self.assertLess(min(abs(f / expected - 1) for f in frequencies), 1e-9)
+        for at in result["stiffness"]:
+            truth = stiffness(2 * math.pi * at["frequency"])
+            for name, value in (("storage", truth.real), ("loss", truth.imag)):
+                low, high = at[name + "_low"], at[name + "_high"]
+                self.assertLessEqual(low, at[name])
+                self.assertLessEqual(at[name], high)
+                # The half width is 1.96 deviations; three of them, and twenty draws are never outside.
+                self.assertLess(abs(value - at[name]), 1.5 * (high - low))
+        outside = self.fit(table(stiffness, 0.01, rows=12), "--frequency", "2 MHz")
+        self.assertEqual(len(outside["stiffness"]), len(frequencies) - 1)
 
     def test_given_errors_bring_chi_squared(self):
         result = self.fit(table(stiffness, 0.01, errors=True))

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "base/errors.hpp"
+#include "fit/rounding.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_data)
 
@@ -139,6 +140,25 @@ BOOST_AUTO_TEST_CASE(wrong_rows) {
              "d.csv:5: found omega = 4 rad/s after 2; expected frequencies that go on falling");
   BOOST_TEST(message("frequency,storage,loss,storage_error,loss_error\n1,2,3,0,1\n") ==
              "d.csv:2: found storage_error = 0 N/m; expected an error above 0");
+}
+
+// A unit of the last digit: fixed decimals, fixed digits with zeros dropped at the end, exponents.
+BOOST_AUTO_TEST_CASE(the_last_digit_is_read_from_the_text) {
+  const auto same = [](const std::vector<double>& found, const std::vector<double>& expected) {
+    BOOST_TEST_REQUIRE(found.size() == expected.size());
+    for (std::size_t i = 0; i < found.size(); ++i)
+      BOOST_TEST(std::abs(found[i] / expected[i] - 1) < 1e-14);
+  };
+  same(fit::rounding_steps({"12.34", "0.05", "-7.80"}), {0.01, 0.01, 0.01});
+  same(fit::rounding_steps({"1.23", "1.2", "12.3", "0.0123"}), {0.01, 0.01, 0.1, 1e-4});
+  same(fit::rounding_steps({"1.20e+06", "3.1E5", "250e3"}), {1e4, 1e3, 1e3});
+  same(fit::rounding_steps({"0", "0.5", "1.25"}), {0.01, 0.01, 0.01});
+  const fit::Data data =
+      fit::parse_data("frequency,storage [N/um],loss\n3,1.25,7\n2,1.5,12\n1,1.75,8\n", "d.csv");
+  for (const fit::Row& row : data.rows) {
+    BOOST_TEST(std::abs(row.storage_step / 1e4 - 1) < 1e-14);
+    BOOST_TEST(row.loss_step == 1);
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -132,9 +132,26 @@ BOOST_AUTO_TEST_CASE(levels_between_few_rows_and_many) {
   BOOST_TEST(fit::level(1) == fit::largest_chance);
   BOOST_TEST(std::abs(fit::level(4) * 81 - 1) < 1e-14);
   BOOST_TEST(fit::level(9) == fit::significance);
-  BOOST_TEST(fit::level_at(0.019) == 0);
-  BOOST_TEST(std::abs(fit::level_at(0.04) / 0.02 - 1) < 1e-14);
-  BOOST_TEST(fit::level_at(1) == fit::largest_chance);
+}
+
+// With one degree of freedom left, two parameters more have a chance of (after/before)^(1/2) by
+// themselves, and of that ratio, 4*0.01^2 added to both, to the power 5/2 with the usual noise.
+BOOST_AUTO_TEST_CASE(the_usual_noise_helps_where_few_rows_cannot_tell) {
+  // 10 % left by one branch, 1 % by two: themselves 0.1 of 0.05, with the usual 2.5e-4 of 4.1e-3.
+  const fit::Judgement few = fit::judgement_of_fall(0.03, 0.0003, 2, 1, false);
+  BOOST_TEST(std::abs(few.chance / std::pow(0.0007 / 0.0304, 2.5) - 1) < 1e-12);
+  BOOST_TEST(std::abs(few.level * 243 - 1) < 1e-12);
+  BOOST_TEST(few.clear());
+  // The same ratio at a tenth of the misfit is what usual noise does.
+  BOOST_TEST(!fit::judgement_of_fall(0.0003, 0.000003, 2, 1, false).clear());
+  // Exact data speak for themselves.
+  const fit::Judgement exact = fit::judgement_of_fall(1e-6, 1e-12, 2, 1, false);
+  BOOST_TEST(std::abs(exact.chance / 1e-3 - 1) < 1e-12);
+  BOOST_TEST(exact.clear());
+  // Errors that are given need no such help.
+  const fit::Judgement given = fit::judgement_of_fall(30, 20, 2, 1, true);
+  BOOST_TEST(std::abs(given.chance / std::exp(-5.0) - 1) < 1e-12);
+  BOOST_TEST(given.level == fit::significance);
 }
 
 // Losses of 1, 2 and 3 % of |K| (0.0100, 0.0200, 0.0300): mean 0.02, standard error 0.01/sqrt(3), t

@@ -218,8 +218,9 @@ BOOST_AUTO_TEST_CASE(few_rows_leave_a_degree_of_freedom) {
   BOOST_CHECK_THROW(fit::fitted(measured(three, 1, 10, 3, 0, 1), {false, 0}), InputError);
 }
 
-// Springs without loss get a branch no more often than the level of the first one says: 1 % of 300,
-// and four times the root of 3 beside it; more often only where there are few rows.
+// Springs without loss get a branch no more often than noise shows a loss by two deviations, 2.3 %,
+// or a branch at the level of the first one, 1 %: of 300 that is 10, and four times the root of it
+// more.
 BOOST_AUTO_TEST_CASE(springs_stay_springs) {
   const auto spring = [](double) { return 5e5 + 0i; };
   for (const int rows : {3, 5, 40})
@@ -227,7 +228,7 @@ BOOST_AUTO_TEST_CASE(springs_stay_springs) {
   int with_branches = 0;
   for (unsigned seed = 1; seed <= 300; ++seed)
     with_branches += !fit::fitted(measured(spring, 1, 1e3, 12, 0.01, seed)).branches.empty();
-  BOOST_TEST(with_branches <= 10);
+  BOOST_TEST(with_branches <= 22);
 }
 
 // No branch within the data's range is a damper, so that one is tried where springs and branches
@@ -287,6 +288,7 @@ BOOST_AUTO_TEST_CASE(chances_are_those_of_the_closed_forms) {
   BOOST_TEST(std::abs(fit::chance_of_fall(30, 20, 2, 50, false) / std::pow(2.0 / 3, 25) - 1) <
              1e-13);
   BOOST_TEST(fit::chance_of_fall(20, 20, 2, 50, false) == 1);
+  for (const bool known : {false, true}) BOOST_TEST(fit::chance_of_fall(20, 19, 0, 50, known) == 0);
   BOOST_TEST(fit::chance_of_fall(20, 21, 2, 50, true) == 1);
 }
 

@@ -51,6 +51,24 @@ std::string branch_table(const fit::Fit& fit) {
          rows + "</tbody></table></div>\n";
 }
 
+std::string interval_cells(double value, const fit::Interval& interval) {
+  return fmt::format("<td>{:.5g}</td><td>{:.4g} to {:.4g}</td>", value, interval.low,
+                     interval.high);
+}
+
+std::string stiffness_table(const std::vector<fit::KnownStiffness>& known) {
+  std::string rows;
+  for (const fit::KnownStiffness& at : known)
+    rows += fmt::format("<tr><th>{:.4g}</th>", at.omega / two_pi) +
+            interval_cells(at.storage, at.storage_interval) +
+            interval_cells(at.loss, at.loss_interval) + "</tr>\n";
+  return "<h3>How well the stiffness is known</h3>\n<p>Any series of springs and dampers that fits "
+         "these data lies in the 95 % intervals, whatever its number of branches.</p>\n<div "
+         "class=\"scroll\"><table class=\"plain\"><thead><tr><th>frequency, Hz</th><th>storage, "
+         "N/m</th><th>95 %</th><th>loss, N/m</th><th>95 %</th></tr></thead><tbody>\n" +
+         rows + "</tbody></table></div>\n";
+}
+
 std::string trial_table(const fit::Fit& fit) {
   std::string rows;
   for (const fit::Trial& trial : fit.trials)
@@ -77,6 +95,11 @@ std::vector<std::string> fit_in_words(const fit::Data& data, const fit::Fit& fit
     words.push_back(
         fmt::format("the last of {} branches still helped: more may be needed (--max-branches)",
                     fit.branches.size()));
+  if (fit.order_in_doubt)
+    words.emplace_back(
+        "the noise leaves the number of branches in doubt: the errors of the branches hold for "
+        "this "
+        "number only, the intervals of the stiffness for any");
   if (fit.time_at_an_end)
     words.emplace_back(
         "the relaxation time is only a bound: the data show no more than the tail of the loss");
@@ -100,7 +123,8 @@ std::vector<std::string> fit_in_words(const fit::Data& data, const fit::Fit& fit
   return words;
 }
 
-std::string fit_page(const fit::Data& data, const fit::Fit& fit, const std::string& scene) {
+std::string fit_page(const fit::Data& data, const fit::Fit& fit,
+                     const std::vector<fit::KnownStiffness>& known, const std::string& scene) {
   const auto pictures = fit_figures(data, fit);
   std::string words;
   for (const std::string& each : fit_in_words(data, fit))
@@ -117,8 +141,8 @@ std::string fit_page(const fit::Data& data, const fit::Fit& fit, const std::stri
            "{:.4g} to {:.4g} Hz</p></header>\n<main id=\"content\">\n<ul>\n{}</ul>\n",
            escape(title), data.rows.size(), data.rows.front().omega / two_pi,
            data.rows.back().omega / two_pi, words) +
-           charts + branch_table(fit) + trial_table(fit) + "<h3>The scene</h3>\n<pre><code>" +
-           escape(scene) + "</code></pre>\n</main>\n",
+           charts + stiffness_table(known) + branch_table(fit) + trial_table(fit) +
+           "<h3>The scene</h3>\n<pre><code>" + escape(scene) + "</code></pre>\n</main>\n",
        true,
        {}});
 }

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "fit/bounds.hpp"
 #include "fit/fit.hpp"
 
 namespace vcrit::validation::report {
@@ -11,6 +12,7 @@ namespace vcrit::validation::report {
 std::vector<std::string> fit_in_words(const fit::Data& data, const fit::Fit& fit);
 
 /// One HTML file that needs nothing else. `scene`: the text of the scene that was written.
-std::string fit_page(const fit::Data& data, const fit::Fit& fit, const std::string& scene);
+std::string fit_page(const fit::Data& data, const fit::Fit& fit,
+                     const std::vector<fit::KnownStiffness>& known, const std::string& scene);
 
 }  // namespace vcrit::validation::report
