@@ -132,7 +132,7 @@ std::optional<Decimal> short_decimal(double factor) {
   return decimal;
 }
 
-std::string product(const std::string& digits, std::uint64_t factor) {
+std::string multiplied(const std::string& digits, std::uint64_t factor) {
   std::string reversed;
   std::uint64_t carry = 0;  // below 10^13, and 9 times the factor beside it
   for (auto digit = digits.rbegin(); digit != digits.rend(); ++digit) {
@@ -147,7 +147,7 @@ std::string product(const std::string& digits, std::uint64_t factor) {
 /// Nothing for 0, for more digits than are typed, and beyond the range of doubles.
 std::optional<TypedNumber> times(const Decimal& typed, const Decimal& factor) {
   if (typed.digits.empty() || typed.digits.size() > most_typed_digits) return std::nullopt;
-  const Decimal result{typed.minus, product(typed.digits, std::stoull(factor.digits)),
+  const Decimal result{typed.minus, multiplied(typed.digits, std::stoull(factor.digits)),
                        typed.exponent + factor.exponent};
   const std::optional<double> value = to_double(result.text());
   if (!value) return std::nullopt;

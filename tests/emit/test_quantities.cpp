@@ -9,7 +9,6 @@
 #include "emit/library.hpp"
 #include "emit/quantities.hpp"
 #include "program/quantities.hpp"
-#include "support/numbers.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_quantities)
 

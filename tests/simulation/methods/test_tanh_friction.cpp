@@ -31,7 +31,7 @@ double error(const reference::Row& row, double regularisation) {
 // 30 times 1e-7 at most, stays below.
 BOOST_AUTO_TEST_CASE(converges_to_coulombs_law) {
   const std::vector<reference::Row> rows = reference::reference_rows();
-  for (const std::size_t i : {0U, 2U, 3U, 5U, 6U, 11U, 15U, 24U, 29U})
+  for (const std::size_t i : {0U, 3U, 4U, 6U, 7U, 12U, 16U, 25U, 30U})
     BOOST_TEST_CONTEXT(rows[i].name) {
       const double coarse = error(rows[i], 1e-2), fine = error(rows[i], 1e-3);
       BOOST_TEST(fine < coarse / 7);
