@@ -159,7 +159,7 @@ class AnySeries {
 
 // Half of the last digit written, in the coarser of the two rows about this frequency. Rounding
 // moves all rows of a plateau alike, so that no scatter shows it.
-double rounding(const Data& data, double omega, double Row::*step) {
+double half_a_digit(const Data& data, double omega, double Row::*step) {
   const auto above = std::lower_bound(data.rows.begin(), data.rows.end() - 1, omega,
                                       [](const Row& row, double at) { return row.omega < at; });
   const auto below = above == data.rows.begin() ? above : above - 1;
@@ -186,9 +186,9 @@ std::vector<KnownStiffness> known_stiffness(const Data& data, const Fit& fit,
                              : std::max(finest_reach, reach * fit.error_unit) * std::abs(k);
     known.push_back({omega, k.real(), k.imag(),
                      widened(any.interval(omega, true, guess), k.real(),
-                             rounding(data, omega, &Row::storage_step)),
+                             half_a_digit(data, omega, &Row::storage_step)),
                      widened(any.interval(omega, false, guess), k.imag(),
-                             rounding(data, omega, &Row::loss_step))});
+                             half_a_digit(data, omega, &Row::loss_step))});
   }
   return known;
 }
