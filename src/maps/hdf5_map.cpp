@@ -5,6 +5,9 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <set>
+#include <string>
 #include <system_error>
 
 #include "base/errors.hpp"
@@ -18,6 +21,31 @@ namespace {
 
 constexpr const char* progress_group = "progress";
 constexpr const char* blocks_done = "/progress/blocks";
+
+/// Letters, digits and underscores alone, as the conventions CF want it: k[3] is k_3.
+std::string variable_name(std::string name) {
+  std::erase(name, ']');
+  std::replace(name.begin(), name.end(), '[', '_');
+  return name;
+}
+
+std::string variable_name(const SweptQuantity& quantity) {
+  return variable_name(column_name(quantity));
+}
+
+/// An element of the scene may be named as the file's group, or k_3 beside k[3].
+void refuse_names_of_others(const Sweep& sweep) {
+  std::set<std::string> taken{progress_group};
+  const auto take = [&taken](const std::string& option, const std::string& name) {
+    if (!taken.insert(variable_name(name)).second)
+      throw InputError(
+          {fmt::format("{} {}", option, name)},
+          fmt::format("{}, the name of something else in the file", variable_name(name)),
+          "another name of this element in the scene, or a file ending in .csv");
+  };
+  for (const SweptQuantity& quantity : sweep.quantities) take("--quantity", column_name(quantity));
+  for (const Axis& axis : sweep.axes) take("--over", axis.name);
+}
 
 // Of the format of version 1.8: attributes of any length, and no marks of an open file, which would
 // make one that a killed run left unreadable.
@@ -58,9 +86,11 @@ void put_attributes(const Object& file, const Sweep& sweep) {
 }
 
 Object coordinate(const Object& file, const Axis& axis) {
-  Object array = hdf5::create_array(file, axis.name, H5T_IEEE_F64LE, {axis.values.size()});
+  const std::string name = variable_name(axis.name);
+  Object array = hdf5::create_array(file, name, H5T_IEEE_F64LE, {axis.values.size()});
   hdf5::write_part(array, {0}, {axis.values.size()}, H5T_NATIVE_DOUBLE, axis.values.data());
-  hdf5::make_scale(array, axis.name);
+  hdf5::make_scale(array, name);
+  hdf5::put(array, "long_name", axis.name);
   hdf5::put(array, "units", si_unit(axis.dimension));
   return array;
 }
@@ -74,7 +104,7 @@ void variable(const Object& file, const SweptQuantity& quantity, const std::vect
               const std::vector<Object>& coordinates) {
   const auto& meanings = words(quantity);
   const hid_t type = meanings.empty() ? H5T_IEEE_F64LE : H5T_STD_U8LE;
-  const Object array = hdf5::create_array(file, column_name(quantity), type, size);
+  const Object array = hdf5::create_array(file, variable_name(quantity), type, size);
   hdf5::put(array, "long_name", description(quantity));
   const double missing = has_answer_always(quantity) ? 255 : 0;
   hdf5::put(array, "_FillValue", type, {&missing, 1});
@@ -130,11 +160,7 @@ Hdf5Map::Hdf5Map(const Sweeping& sweeping, const fs::path& file, bool resume, co
   // HDF5's own clean-up at the end of the program crashes over a file that could not be written.
   H5dont_atexit();
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-  for (const Axis& axis : sweeping.sweep().axes)
-    if (axis.name == progress_group)
-      throw InputError({fmt::format("--over {}", axis.name)},
-                       "the name of a group that the file has itself",
-                       "another name of this element in the scene, or a file ending in .csv");
+  refuse_names_of_others(sweeping.sweep());
   ranks.first_alone([&] {
     refuse_links(part_);
     lock_.emplace(part_);
@@ -191,7 +217,7 @@ void Hdf5Map::check() const try {
 void Hdf5Map::open() try {
   opened_ = open_file(part_, H5F_ACC_RDWR, &ranks_);
   for (const SweptQuantity& quantity : sweeping_.sweep().quantities)
-    variables_.push_back(hdf5::open_array(opened_, column_name(quantity)));
+    variables_.push_back(hdf5::open_array(opened_, variable_name(quantity)));
   progress_ = hdf5::open_array(opened_, blocks_done);
   for (const unsigned char byte : hdf5::read_bytes(progress_, sweeping_.grid().blocks()))
     done_.push_back(byte != 0);
@@ -225,7 +251,7 @@ void Hdf5Map::finish() try {
     Object file = open_file(part_, H5F_ACC_RDWR, nullptr);
     for (const SweptQuantity& quantity : sweeping_.sweep().quantities)
       if (words(quantity).empty() || has_answer_always(quantity))
-        hdf5::remove_attribute(hdf5::open_array(file, column_name(quantity)), "_FillValue");
+        hdf5::remove_attribute(hdf5::open_array(file, variable_name(quantity)), "_FillValue");
     file.close();
     to_disk(part_);
     fs::rename(part_, file_);

@@ -167,6 +167,15 @@ class Array(Case):
         with h5py.File(file) as opened:
             self.assertEqual(opened["critical_velocity"].dims[0][0].name, "/frequency")
 
+    def test_entries_of_arrays_have_names_of_the_conventions(self):
+        file = self.whole([str(Path(ZENER).with_name("prony.toml")), "--over", "k[3]=lin:1e5:3e5:3", "--quantity",
+                           "critical_velocity", "sensitivity:tau[2]"], "entries.nc")
+        data = xarray.open_dataset(file, engine="netcdf4")
+        self.assertEqual(sorted(data.variables), ["critical_velocity", "k_3", "sensitivity_tau_2"])
+        self.assertEqual(list(data.k_3.values), [1e5, 2e5, 3e5])
+        self.assertEqual(data.k_3.attrs["long_name"], "k[3]")
+        self.assertEqual(data.sensitivity_tau_2.dims, ("k_3",))
+
     def test_it_is_the_table(self):
         arguments = FRICTION[:1] + ["--over", "k1=lin:1e6:9e6:6", "--over", "velocity=log:1 mm/s:1 m/s:9",
                                     "--quantity", "friction_ratio", "critical_velocity"]

@@ -228,6 +228,23 @@ BOOST_AUTO_TEST_CASE(an_element_named_progress_is_swept_as_a_table) {
   BOOST_TEST(message([&] { streamed(sweep, folder.path() / "map.csv"); }) == "accepted");
 }
 
+// k[1] is the variable k_1, and so is an element of that name.
+BOOST_AUTO_TEST_CASE(two_axes_of_one_name_in_the_file_are_swept_as_a_table) {
+  const test::PrivateFolder folder;
+  Sweep sweep = sweep_over({}, {"critical_velocity"});
+  sweep.scene = parse_scene(
+      "[contact]\nnormal = \"prony(k_1, k, tau) | c1\"\ntangential = \"k2\"\n"
+      "[oscillation]\nangular_frequency = 3.0\namplitude = 1e-3\nindentation = 5e-3\n"
+      "[friction]\ncoefficient = 0.3\n"
+      "[elements]\nk_1 = 7.0\nk = [1.0]\ntau = [1.0]\nc1 = 2.0\nk2 = 5.0\n",
+      "s.toml");
+  for (const char* axis : {"k[1]=lin:1:2:3", "k_1=lin:7:9:4"})
+    sweep.axes.push_back(parse_axis(axis, sweep.scene));
+  BOOST_TEST(has(message([&] { streamed(sweep, folder.path() / "map.nc"); }), "--over k_1"));
+  BOOST_TEST(fs::is_empty(folder.path()));
+  BOOST_TEST(message([&] { streamed(sweep, folder.path() / "map.csv"); }) == "accepted");
+}
+
 BOOST_AUTO_TEST_CASE(mistakes_are_named_and_leave_nothing) {
   const test::PrivateFolder folder;
   const Sweep sweep = sweep_over({"k1=lin:1e6:9e6:20"}, {"critical_velocity"});

@@ -8,7 +8,7 @@ import unittest
 from pathlib import Path
 
 import vcrit
-from support import PROJECT
+from support import PROGRAM, PROJECT
 
 PACKAGE = Path(vcrit.__file__).parent
 CACHE = tempfile.TemporaryDirectory()
@@ -50,6 +50,26 @@ class Types(unittest.TestCase):
         self.assertEqual(found, [[str(line), "error"] for line in range(3, 9)] + [["9", "note"], ["10", "note"]], result.stdout)
         self.assertIn('"builtins.float"', result.stdout)
         self.assertIn('"numpy.ndarray[', result.stdout)
+
+    def test_of_generated_modules_are_right_and_find_wrong_use(self):
+        use = ("import pad\n"
+               "p = pad.Parameters(*[1.0] * 8)\n"
+               "reveal_type(pad.critical_velocity_certified(p))\n"
+               "reveal_type(pad.fast_critical_velocity_gradient(p, omega=[1.0]).partial)\n"
+               "pad.critical_velocity(1.0)\n")
+        with tempfile.TemporaryDirectory() as folder:
+            for scene in ("zener", "prony", "bridge", "kelvin_rigid"):
+                subprocess.run([PROGRAM, "generate", PROJECT / f"scenes/{scene}.toml", "--language", "python", "--out", folder,
+                                "--name", "pad"], check=True, capture_output=True)
+                result = mypy(Path(folder) / "pad.py")
+                self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+            file = Path(folder) / "use.py"
+            file.write_text(use)
+            found = mypy(file).stdout
+        self.assertRegex(found, r'use.py:3: note: Revealed type is ".*pad\.Certified')
+        self.assertRegex(found, r'use.py:4: note: Revealed type is "pad\.Parameters"')
+        self.assertRegex(found, r"use.py:5: error: .*Parameters")
+        self.assertIn("Found 1 error in 1 file", found)
 
     def test_of_the_extension_are_those_of_its_stub(self):
         allowed = PROJECT / "tests/python/stubtest_allowed.txt"

@@ -3,7 +3,8 @@
 namespace vcrit::symbolic::python {
 
 const char* const imports =
-    R"(from dataclasses import dataclass, replace
+    R"(# mypy: disable-error-code="no-untyped-def,no-untyped-call"
+from dataclasses import dataclass, replace
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -265,31 +266,31 @@ def _result(evaluate, p, omega, gradient):
 
 # v* is infinite at resonance, 0 at antiresonance, NaN for 0/0. Batches: any parameter may be an array; `omega`, where it
 # is given, stands in the place of p.omega.
-def critical_velocity(p, omega=None):
+def critical_velocity(p: Parameters, omega: Any = None) -> Any:
     return _result(_dd_evaluate, p, omega, False).value
 
 
-def critical_velocity_certified(p, omega=None):
+def critical_velocity_certified(p: Parameters, omega: Any = None) -> Certified:
     r = _result(_dd_evaluate, p, omega, False)
     return Certified(r.value, r.bound)
 
 
-def critical_velocity_gradient(p, omega=None):
+def critical_velocity_gradient(p: Parameters, omega: Any = None) -> Gradient:
     r = _result(_dd_evaluate, p, omega, True)
     return Gradient(r.value, _gathered(r.partial))
 
 
 # In plain double.
-def fast_critical_velocity(p, omega=None):
+def fast_critical_velocity(p: Parameters, omega: Any = None) -> Any:
     return _result(_plain_evaluate, p, omega, False).value
 
 
-def fast_critical_velocity_certified(p, omega=None):
+def fast_critical_velocity_certified(p: Parameters, omega: Any = None) -> Certified:
     r = _result(_plain_evaluate, p, omega, False)
     return Certified(r.value, r.bound)
 
 
-def fast_critical_velocity_gradient(p, omega=None):
+def fast_critical_velocity_gradient(p: Parameters, omega: Any = None) -> Gradient:
     r = _result(_plain_evaluate, p, omega, True)
     return Gradient(r.value, _gathered(r.partial))
 )";
