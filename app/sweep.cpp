@@ -59,6 +59,16 @@ void warn_of_axes(Sweep& sweep) {
   }
 }
 
+/// A folder that is not there may be a slip of the pen.
+void warn_of_folder(const SweepOptions& options, Sweep& sweep) {
+  const auto folder = std::filesystem::path(options.out).parent_path();
+  std::error_code ignored;
+  if (folder.empty() || std::filesystem::exists(folder, ignored)) return;
+  const std::string made = fmt::format("{}: there was no such folder, it is made", folder.string());
+  warn(made);
+  sweep.scene.warnings.push_back(made);
+}
+
 Sweep sweep_of(const SweepOptions& options) {
   using Frequency = SceneOptions::Frequency;
   const bool varied = varies_frequency(options.over);
@@ -66,6 +76,7 @@ Sweep sweep_of(const SweepOptions& options) {
       options.scene.read(varied ? Frequency::varied : Frequency::of_the_scene), {}, {}, {}, {}};
   for (const std::string& axis : options.over) sweep.axes.push_back(parse_axis(axis, sweep.scene));
   warn_of_axes(sweep);
+  warn_of_folder(options, sweep);
   for (const std::string& name : options.quantities)
     sweep.quantities.push_back(parse_swept_quantity(name, sweep.scene));
   if (!options.velocity.empty())

@@ -30,13 +30,40 @@ py::tuple both(PyObject* one, PyObject* other) {
                         py::reinterpret_borrow<py::object>(other));
 }
 
+// Names of files need not be UTF-8.
+py::object text(const std::string& bytes) {
+  return py::reinterpret_steal<py::object>(
+      PyUnicode_DecodeUTF8(bytes.data(), static_cast<Py_ssize_t>(bytes.size()), "surrogateescape"));
+}
+
+py::object text_or_none(const std::string& bytes) {
+  return bytes.empty() ? py::none() : text(bytes);
+}
+
+py::object place_of(const Place& place) {
+  const auto known = [](int number) {
+    return number > 0 ? py::object(py::int_(number)) : py::object(py::none());
+  };
+  return py::make_tuple(text(place.file), known(place.line), known(place.column));
+}
+
+void raise(PyObject* type, const std::exception& error, const std::string& advice,
+           const InputError* input = nullptr) {
+  const py::object raised = py::reinterpret_borrow<py::object>(type)(text(error.what()));
+  raised.attr("advice") = text_or_none(advice);
+  raised.attr("place") = input != nullptr ? place_of(input->place()) : py::none();
+  raised.attr("found") = input != nullptr ? text(input->found()) : py::none();
+  raised.attr("expected") = input != nullptr ? text(input->expected()) : py::none();
+  PyErr_SetObject(type, raised.ptr());
+}
+
 void translate(std::exception_ptr thrown) {
   try {
     if (thrown) std::rethrow_exception(std::move(thrown));
   } catch (const InputError& error) {
-    PyErr_SetString(input_error, error.what());
+    raise(input_error, error, error.advice(), &error);
   } catch (const ModelError& error) {
-    PyErr_SetString(model_error, error.what());
+    raise(model_error, error, error.advice());
   } catch (const Interrupted&) {
     // What the signal's handler raised, KeyboardInterrupt unless the user has another, is set.
   }
@@ -47,6 +74,8 @@ void translate(std::exception_ptr thrown) {
 void add_errors(py::module_& module) {
   PyObject* base = new_exception(module, "Error", "What vcrit refuses, and why.",
                                  py::reinterpret_borrow<py::object>(PyExc_Exception));
+  for (const char* part : {"place", "found", "expected", "advice"})
+    module.attr("Error").attr(part) = py::none();  // where they are not known
   input_error = new_exception(module, "InputError",
                               "Wrong input: says where, what was found and what was expected.",
                               both(base, PyExc_ValueError));

@@ -5,7 +5,12 @@ _Array = npt.NDArray[np.float64]
 
 version: str
 
-class Error(Exception): ...
+class Error(Exception):
+    place: tuple[str, int | None, int | None] | None
+    found: str | None
+    expected: str | None
+    advice: str | None
+
 class InputError(Error, ValueError): ...
 class ModelError(Error, ArithmeticError): ...
 

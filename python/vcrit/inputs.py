@@ -24,7 +24,9 @@ class Numbers(NamedTuple):
 
 
 def refused(place: str, found: str, expected: str) -> _vcrit.InputError:
-    return _vcrit.InputError(f"{place}: found {found}; expected {expected}")
+    error = _vcrit.InputError(f"{place}: found {found}; expected {expected}")
+    error.place, error.found, error.expected = (place, None, None), found, expected
+    return error
 
 
 def characters(text: str, place: str) -> str:

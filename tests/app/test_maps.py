@@ -323,5 +323,15 @@ class Processes(Case):
             self.assertEqual(list(self.folder.iterdir()), [])
 
 
+class Folders(Case):
+    def test_one_that_is_made_is_told(self):
+        words = f"{self.folder}/new: there was no such folder, it is made"
+        for number in (1, 2):
+            told = self.done(sweep(ZENER, "--over", "k1=lin:1e6:2e6:3", "--quantity", "critical_velocity", "--json",
+                                   "--out", f"{self.folder}/new/{number}.csv"))
+            self.assertEqual(json.loads(told.stdout).get("warnings"), [words] if number == 1 else None)
+            self.assertEqual(told.stderr, f"vcrit: warning: {words}\n" if number == 1 else "")
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -31,6 +31,25 @@ class TheProgram(unittest.TestCase):
             file.write_text(text)
             self.assert_same(error, lambda: use(vcrit.Scene(file)), command[0], str(file), *command[1:])
 
+    def test_in_parts(self):
+        text = (PROJECT / ZENER).read_text()
+        line = 1 + text[:text.index("coefficient")].count("\n")
+        with self.assertRaises(vcrit.InputError) as caught:
+            vcrit.Scene.from_text(text.replace("coefficient = 0.3", "coefficient = -1"))
+        error = caught.exception
+        self.assertEqual(error.place[1], line)
+        self.assertEqual((error.found, error.expected), ("coefficient = -1", "a finite value of at least 0"))
+        self.assertIsNone(error.advice)
+        self.assertEqual(str(error), f"{error.place[0]}:{line}:{error.place[2]}: found {error.found}; "
+                                     f"expected {error.expected}")
+        with self.assertRaises(vcrit.ModelError) as caught:
+            vcrit.Scene("scenes/inadmissible.toml").simulate(velocity="1 mm/s")
+        self.assertIsNone(caught.exception.place)
+        # Those of the package's own Python.
+        with self.assertRaises(vcrit.InputError) as caught:
+            vcrit.Scene(ZENER).critical_velocity(frequency=[1 + 2j])
+        self.assertIsNotNone(caught.exception.found)
+
     def test_on_a_missing_file(self):
         self.assert_same(vcrit.InputError, lambda: vcrit.Scene("no such file"), "eval", "no such file")
 
