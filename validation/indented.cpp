@@ -133,7 +133,7 @@ Comparison indenter_velocity(const SceneReport& report, const HalfSpace& half_sp
   return comparison;
 }
 
-void compare_border(SceneReport& report, const HalfSpace& half_space, const CriticalOnset& onset) {
+void compare_cells_border(SceneReport& report, const HalfSpace& half_space, const CriticalOnset& onset) {
   const bool by_formula = onset.by == CriticalOnset::By::formula;
   const Border border{onset.contact_velocity, onset.drive_velocity,
                       by_formula ? "Eq. 24, certified" : "v* by the slowest steady sliding"};
@@ -250,7 +250,7 @@ void examine_indenter(SceneReport& report) {
   indented.map = indenter_map(half_space, indented.map_ratio * speed);
   const Friction half = indenter::friction(half_space, 0.5 * speed, compared_error);
   indented.normal_force = half.normal_force;
-  compare_border(report, half_space, onset);
+  compare_cells_border(report, half_space, onset);
   if (indented.closed_form) report.comparisons.push_back(indenter_velocity(report, half_space));
   report.comparisons.push_back(starts(half));
   report.comparisons.push_back(indenter_static_limit(report, half_space, speed));
