@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <complex>
+#include <limits>
 #include <numbers>
 
 #include "network/masses.hpp"
@@ -44,7 +45,10 @@ double condition_number(const Scene& scene, const Values& values) {
   const double loss = has_masses(*scene.drive) ? sensitivity(reduce(*scene.drive), values, omega)
                                                : root * std::abs(drive);
   const double d = std::abs(drive - inertia), n = std::abs(contact + drive - inertia);
-  return least + (loss + 3 * inertia) / d + (root * std::abs(contact) + loss + 3 * inertia) / n;
+  const double condition =
+      least + (loss + 3 * inertia) / d + (root * std::abs(contact) + loss + 3 * inertia) / n;
+  // Where the drive does not give at all, an absorber, doubles divide infinity by infinity.
+  return std::isnan(condition) ? std::numeric_limits<double>::infinity() : condition;
 }
 
 }  // namespace vcrit::validation

@@ -27,6 +27,10 @@ Comparison broken(Comparison comparison, const std::string& why);
 /// A speed that something can move at: not at an exact resonance or antiresonance.
 bool is_speed(double velocity);
 
+/// Why there is no tolerance where the condition number is infinite.
+inline constexpr const char* lost_digits =
+    "at (anti)resonance, or where the drive does not give at all, doubles promise nothing";
+
 /// Of a value computed in doubles: 32 rounding errors, each grown by the condition number.
 Comparison in_doubles(const SceneReport& report, const char* key, const char* name, double found);
 

@@ -65,6 +65,20 @@ Dual ratio_of(const Isotropic& isotropic, const Duals& duals) {
   return Dual{2} * (Dual{1} - value) / (Dual{2} - value);
 }
 
+/// R_d, and how it goes along the line between two rows of its table.
+Dual receptance_of(const Scene& scene, const Duals& duals) {
+  const double omega = duals.values.at(duals.omega_symbol);
+  const auto [below, above] = bracket(*scene.receptance, omega);
+  const ComplexDouble first(below.re, below.im);
+  const double width = above.omega - below.omega;
+  const bool varies = duals.by == duals.omega_symbol;
+  if (varies && width == 0)
+    throw ModelError("at a row of a measured drive's table v* has a slope on each side of omega");
+  if (width == 0) return {first};
+  const ComplexDouble rise = (ComplexDouble(above.re, above.im) - first) / width;
+  return {first + (omega - below.omega) * rise, varies ? omega * rise : 0};
+}
+
 // In doubles.
 double direct(const Scene& scene, const Symbol& symbol) {
   Values values = values_of(scene);
@@ -78,12 +92,18 @@ double direct(const Scene& scene, const Symbol& symbol) {
     values.emplace(isotropic->quantity.symbol, tangential_ratio(*isotropic));
     const Dual ratio = ratio_of(*isotropic, duals);
     change -= ratio.log_change();
-    if (scene.drive) tangential = ratio * evaluate(reduce(scene.normal), duals);
+    if (has_drive(scene)) tangential = ratio * evaluate(reduce(scene.normal), duals);
   } else {
     tangential = evaluate(reduce(std::get<Network>(scene.tangential)), duals);
     change += evaluate(reduce(scene.normal), duals).log_change() - tangential.log_change();
   }
-  if (!scene.drive) return change;
+  if (!has_drive(scene)) return change;
+  if (scene.receptance) {
+    const Dual receptance = receptance_of(scene, duals);
+    Dual below{1};
+    if (scene.mass) below = below + duals.inertia(scene.mass->symbol) * receptance;
+    return change + (tangential * receptance + below).log_change() - below.log_change();
+  }
   Dual below = evaluate(reduce(*scene.drive), duals);
   if (scene.mass) below = below + duals.inertia(scene.mass->symbol);
   return change + (tangential + below).log_change() - below.log_change();
@@ -93,9 +113,10 @@ double direct(const Scene& scene, const Symbol& symbol) {
 
 // A drive with masses need not give at all at some frequency, and next to that doubles cancel.
 double log_derivative(const Scene& scene, const Symbol& symbol) {
-  if (scene.receptance) throw ModelError("a measured drive has no parameters to differentiate by");
   if (scene.drive && has_masses(*scene.drive)) return certified_log_derivative(scene, symbol);
   const double change = direct(scene, symbol);
+  if (scene.receptance && !std::isfinite(change))
+    throw ModelError("v* is 0 or infinite, so that it has no relative sensitivity");
   return std::isfinite(change) ? change : certified_log_derivative(scene, symbol);
 }
 

@@ -7,8 +7,8 @@ namespace vcrit {
 
 /// (p/v*) dv*/dp, without unit, for any symbol p of the scene that has a value (0 where v* does not
 /// depend on it). In doubles: near a resonance or antiresonance it loses as many digits as v*
-/// there; of drives that hold masses as good as v* itself. Throws ModelError for a measured drive,
-/// and where v* is 0 or infinite.
+/// there; of drives that hold masses as good as v* itself. Throws ModelError where v* is 0 or
+/// infinite, and for omega at a row of a measured drive, where the table has a kink.
 double log_derivative(const Scene& scene, const Symbol& symbol);
 
 }  // namespace vcrit

@@ -68,7 +68,10 @@ double onset_log_derivative(const Scene& scene, const Symbol& symbol) {
     return std::log(critical_onset(changing.at({&changed, 1})).contact_velocity);
   };
   const double near = log_velocity(1) - log_velocity(-1), far = log_velocity(2) - log_velocity(-2);
-  return (8 * near - far) / (12 * log_step);
+  const double change = (8 * near - far) / (12 * log_step);
+  if (!std::isfinite(change))
+    throw ModelError("v* is 0 or infinite, so that it has no relative sensitivity");
+  return change;
 }
 
 }  // namespace vcrit

@@ -280,7 +280,10 @@ class Sweeping::Rows {
       const SweptQuantity& quantity = sweeping_.sweep_.quantities[q];
       if (quantity.kind != Kind::sensitivity && quantity.kind != Kind::admissible) continue;
       const double value = of_scene(quantity, scene, row);
-      for (std::size_t i = 0; i < speeds; ++i) answer_.values[q][row + i * stride] = value;
+      for (std::size_t i = 0; i < speeds; ++i) {
+        answer_.values[q][row + i * stride] = value;
+        if (outside_[row]) note(row + i * stride, answer_.reason);
+      }
     }
     if (!any_of(sweeping_.sweep_, needs_motion)) return;
     if (scene.indenter) return find_indenter(scene, row, speeds, stride);

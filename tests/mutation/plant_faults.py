@@ -81,7 +81,7 @@ FAULTS = [
      "validation/test_planted_faults"),
     ("validation/border.cpp", "if (below.sticks && !above.sticks) return comparison;", "!above.sticks", "true",
      "validation/test_planted_faults"),
-    ("validation/conditioning.cpp", "return least + (loss", "return", "return 300 *", "validation/test_conditioning"),
+    ("validation/conditioning.cpp", "infinity() : condition;", ": condition", ": 300 * condition", "validation/test_conditioning"),
 ]
 
 

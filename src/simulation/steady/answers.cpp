@@ -144,6 +144,7 @@ void Answers::answer_near_resonance(double velocity, double motion_velocity, Sta
   std::array<SteadyState, 4> states;
   for (std::size_t i = 0; i < states.size(); ++i) {
     Answers neighbour(all.systems[i]);
+    if (neighbour.near_resonance_) too_fast_for_neighbours();
     states[i] = neighbour.at(velocity, start, samples);
     traced_periods_ += neighbour.traced_periods();
   }

@@ -54,6 +54,12 @@ double Neighbours::error(const std::array<double, 4>& f) const {
   return 10 * step * step * std::abs(f[0] + f[1] - f[2] - f[3]) / 2;
 }
 
+void too_fast_for_neighbours() {
+  throw ModelError(
+      "body and drive are in undamped resonance, and the drive is so fast that what little stick "
+      "is left is lost in rounding");
+}
+
 // The motion changes where v* comes down to the speed: with a stiffness off by the share e, v* is
 // amplitude/(e m). An interpolation's error is step^4, and rounding errors grow like the inverse of
 // the distance from the resonance: at this step both are about the same.
@@ -62,10 +68,7 @@ Neighbours neighbours(const System& system, const Model& model, double velocity)
   Neighbours result;
   result.step = std::pow(epsilon / scale, 0.2);
   const double off = result.step * scale;
-  if (!(result.step < 0.1 && 1 / off < sharpest_resonance))
-    throw ModelError(
-        "body and drive are in undamped resonance, and the drive is so fast that what little stick "
-        "is left is lost in rounding");
+  if (!(result.step < 0.1 && 1 / off < sharpest_resonance)) too_fast_for_neighbours();
   const std::array<double, 4> shares{1 - off, 1 + off, 1 - 2 * off, 1 + 2 * off};
   for (std::size_t i = 0; i < 4; ++i) {
     result.systems[i] = system;

@@ -28,8 +28,11 @@ struct Neighbours {
   double error(const std::array<double, 4>& f) const;
 };
 
-/// velocity: of a motion of the model, below its threshold. Throws ModelError where the motion is
-/// so fast that no neighbour is far enough from the resonance.
+/// Throws ModelError: the motion is so fast that no neighbour is far enough from the resonance.
+[[noreturn]] void too_fast_for_neighbours();
+
+/// velocity: of a motion of the model, below its threshold. Throws ModelError as above; a neighbour
+/// may still be lost in resonance where the system's own is on its side.
 Neighbours neighbours(const System& system, const Model& model, double velocity);
 
 /// The steady state from those of the neighbours; samples next to an event are off by the square of

@@ -17,6 +17,10 @@ namespace {
 // In units of mu0 <F_n> omega/|K_t|, by which no sensible v* differs so much.
 constexpr double lowest_speed = 1e-30, highest_speed = 1e30;
 
+// A share d off a free harmonic, a cycle with sticks that die away repeats to within d of itself:
+// below this, rounding and the search's own error of some 1e-12 take it for a steady one.
+constexpr double near_harmonic = 1e-5;
+
 // velocity: as in model.hpp.
 bool sticks(const Model& model, double velocity) {
   const auto& parts = steady_cycle(model, velocity, rest_start(model, velocity)).period.parts;
@@ -58,11 +62,11 @@ Onset stick_onset(const System& given) {
   Effort effort(effort_of_answer, given.effort);
   system.effort = &effort;
   const Model model(system);
-  if (!model.opening && model.free_harmonic > 1)
-    throw ModelError(fmt::format(
-        "the body swings freely at harmonic {} of the oscillation and loses its sticks ever more "
-        "slowly: no steady state tells where the last one ends",
-        model.free_harmonic));
+  if (const int n = free_harmonic(system, near_harmonic); !model.opening && n > 1)
+    throw ModelError(
+        fmt::format("the body swings freely at harmonic {} of the oscillation{} and loses its "
+                    "sticks ever more slowly: no steady state tells where the last one ends",
+                    n, model.free_harmonic > 1 ? "" : ", within a part in 1e5,"));
   double low = 1, high = 2;
   while (!sticks(model, low) && low > lowest_speed) high = std::exchange(low, low / 2);
   while (sticks(model, high)) {

@@ -47,20 +47,20 @@ struct Product {
 
 }  // namespace
 
-int free_harmonic(const Relaxation& drive, double mass, double omega) {
+int free_harmonic(const Relaxation& drive, double mass, double omega, double within) {
   const auto& [spring, damper, branches] = drive;
   if (!(spring > 0) || !(mass > 0) || damper > 0 || !branches.empty()) return 0;
   const double n = std::round(std::sqrt(spring / mass) / omega);
   if (!(n >= 1 && n <= 1e6)) return 0;
   Product inertia{mass};
   for (const double factor : {n, n, omega, omega}) inertia.times(factor);
-  return std::abs((inertia.high - spring) + inertia.low) <= 1e-30 * spring ? static_cast<int>(n)
-                                                                           : 0;
+  const double off = std::abs((inertia.high - spring) + inertia.low);
+  return off <= within * spring ? static_cast<int>(n) : 0;
 }
 
-int free_harmonic(const System& system) {
+int free_harmonic(const System& system, double within) {
   if (!system.drive || !system.mass) return 0;
-  return free_harmonic(*system.drive, *system.mass, system.omega);
+  return free_harmonic(*system.drive, *system.mass, system.omega, within);
 }
 
 System system_of(const Scene& scene) {

@@ -32,9 +32,10 @@ struct System {
 };
 
 /// n where a body on an undamped drive swings freely at the n-th harmonic of the oscillation,
-/// K_d = m (n omega)^2, as exact numbers to 30 digits; 0 where it does not.
-int free_harmonic(const Relaxation& drive, double mass, double omega);
-int free_harmonic(const System& system);
+/// K_d = m (n omega)^2, as exact numbers to 30 digits or to the share `within`; 0 where it does
+/// not.
+int free_harmonic(const Relaxation& drive, double mass, double omega, double within = 1e-30);
+int free_harmonic(const System& system, double within = 1e-30);
 
 /// Throws InputError for missing values, ModelError unless the normal network carries the mean load
 /// and the normal force stays positive or the surfaces may part.

@@ -1,0 +1,231 @@
+"""Printed formulas read back: text and LaTeX as numbers, at a scene's values, in many digits."""
+
+import re
+
+import mpmath as mp
+
+mp.mp.dps = 80
+# How far from a pole formulas are evaluated, where K_d is infinite and they would be infinite over infinite.
+ASIDE = mp.mpf(10)**-45
+NUMBER = re.compile(r"(?<![\w.])\d+(?:\.\d+)?(?:e[+-]?\d+)?")
+INDEX = re.compile(r"(\w+)\[(\d+)\]")
+GREEK = {"mu", "omega", "tau", "kappa", "theta", "beta", "rho", "gamma", "alpha", "nu", "eta"}
+TOKEN = re.compile(r"\\(?:left|right|frac|sqrt|Delta|mathrm|[a-zA-Z]+)|\d+(?:\.\d+)?|[a-zA-Z]|[{}_^+\-()|=,]")
+
+
+def beside_poles(values):
+    return values | {"omega": values["omega"] * (1 + ASIDE)}
+
+
+class Unknown(Exception):
+    """A formula with a name that has no value (yet)."""
+
+
+def plain(name):
+    """One spelling of a name: k[1], k_{(1)} and K_{n,own} without what only sets them."""
+    return re.sub(r"\\mathrm|[\[\](){}_,\\]", "", name)
+
+
+class Names(dict):
+    """Values by names as text, and by what LaTeX makes of them."""
+
+    def __init__(self, values):
+        super().__init__()
+        self.set_alike = {}
+        for name, value in values.items():
+            self[name] = value
+
+    def __setitem__(self, name, value):
+        super().__setitem__(name, value)
+        self.set_alike[plain("Deltauz" if name == "du_z" else name)] = value
+
+    def default(self, name, value):
+        if name not in self and plain(name) not in self.set_alike:
+            self[name] = value
+
+
+def divided(a, b):
+    return mp.inf if b == 0 and a != 0 else a / b
+
+
+class Number:
+    """A complex number whose quotient by 0 is infinite, as v* in resonance is."""
+
+    def __init__(self, value):
+        self.value = value.value if isinstance(value, Number) else mp.mpmathify(value)
+
+    def __add__(self, other): return Number(self.value + other.value)
+    def __sub__(self, other): return Number(self.value - other.value)
+    def __mul__(self, other): return Number(self.value * other.value)
+    def __truediv__(self, other): return Number(divided(self.value, other.value))
+    def __pow__(self, other): return Number(self.value ** other.value)
+    def __neg__(self): return Number(-self.value)
+
+
+FUNCTIONS = {"abs": lambda x: Number(abs(x.value)), "sqrt": lambda x: Number(mp.sqrt(x.value)),
+             "Re": lambda x: Number(mp.re(x.value))}
+
+
+def text_value(text, names):
+    text = INDEX.sub(r"\1_at_\2", text)
+    text = NUMBER.sub(lambda found: f'N_("{found[0]}")', text).replace("^", "**")
+    text = re.sub(r"\b(abs|sqrt|Re)\(", r"\1_of_(", text)
+    known = {name.replace("[", "_at_").rstrip("]"): Number(value) for name, value in names.items()}
+    known |= {"N_": Number, **{f"{name}_of_": function for name, function in FUNCTIONS.items()}}
+    try:
+        return eval(text, {"__builtins__": {}}, known).value
+    except (NameError, SyntaxError, TypeError, AttributeError) as error:
+        raise Unknown(text) from error
+
+
+class Latex:
+    """Recursive descent over the LaTeX that derive prints: sums, products by juxtaposition, powers, fractions, roots."""
+
+    def __init__(self, text, names):
+        self.tokens, self.at, self.names = TOKEN.findall(text), 0, names
+
+    def peek(self):
+        return self.tokens[self.at] if self.at < len(self.tokens) else None
+
+    def take(self, expected=None):
+        token = self.peek()
+        if token is None or (expected and token != expected):
+            raise Unknown(f"{token} for {expected}")
+        self.at += 1
+        return token
+
+    def whole(self):
+        value = self.sum()
+        if self.peek() is not None:
+            raise Unknown(self.peek())
+        return value.value
+
+    def sum(self):
+        sign = self.take() if self.peek() in ("+", "-") else "+"
+        value = self.product()
+        value = -value if sign == "-" else value
+        while self.peek() in ("+", "-"):
+            value = value + self.product() if self.take() == "+" else value - self.product()
+        return value
+
+    def product(self):
+        value = self.power()
+        while self.peek() not in (None, "+", "-", ")", "}", "\\right", "|", "=", ","):
+            value = value * self.power()
+        return value
+
+    def power(self):
+        value = self.atom()
+        if self.peek() == "^":
+            self.take()
+            value = value ** self.group()
+        return value
+
+    def group(self):
+        self.take("{")
+        value = self.sum()
+        self.take("}")
+        return value
+
+    def atom(self):
+        token = self.take()
+        if token == "{":
+            self.at -= 1
+            return self.group()
+        if token == "\\left":
+            bar = self.take()
+            value = self.sum()
+            self.take("\\right")
+            self.take()
+            return FUNCTIONS["abs"](value) if bar == "|" else value
+        if token == "\\frac":
+            over = self.group()
+            return over / self.group()
+        if token == "\\sqrt":
+            return FUNCTIONS["sqrt"](self.group())
+        if token[0].isdigit():
+            return Number(token)
+        return self.symbol(token)
+
+    def symbol(self, token):
+        name = token.lstrip("\\")
+        if token == "\\mathrm":
+            name = self.raw()
+        elif token == "\\Delta":
+            name = "Delta" + self.take()
+        if self.peek() == "_":
+            self.take()
+            name += self.raw()
+        name = plain(name)
+        if name not in self.names.set_alike:
+            raise Unknown(name)
+        return Number(self.names.set_alike[name])
+
+    def raw(self):
+        """The letters of a group, with all that only sets them."""
+        self.take("{")
+        letters, depth = "", 1
+        while depth:
+            token = self.take()
+            depth += {"{": 1, "}": -1}.get(token, 0)
+            letters += "" if token == "\\mathrm" else token.lstrip("\\")
+        return letters
+
+
+def equations(document, form):
+    """(left, right) of each formula of a printed derivation."""
+    pattern = {"text": r"^    (\S+) = (.+)$", "latex": r"^\\\[ (.+?) = (.+) \\\]$",
+               "markdown": r"^\$\$(.+?) = (.+)\$\$$"}[form]
+    return re.findall(pattern, document, re.M)
+
+
+def onsets(document, form, values):
+    """v* by each line of a printed derivation that can be evaluated at these values.
+
+    The dimensionless form has stiffnesses of its own, over the one that its groups refer to, by the same names.
+    """
+    heading = {"text": r"^Dimensionless form:$", "latex": r"^\\subsection\*\{Dimensionless form\}$",
+               "markdown": r"^##+ Dimensionless form$"}[form]
+    words = re.findall(r"with ([\w\\]+) = (\w+)\*omega", document)
+    parts = re.split(heading, document, flags=re.M)
+    return [value for part in parts for value in part_onsets(equations(part, form), form, values, words)]
+
+
+def part_onsets(pairs, form, values, words):
+    """In as many passes as it takes: a rational form names its parts before it says what they are."""
+    names = Names(values)
+    for own, unit in words or [("s", "i")]:
+        names.default(own.replace("\\", ""), 1j * values["omega"])
+        names.default(unit, mp.mpc(1j))
+    read = (lambda right: text_value(right, names)) if form == "text" else (lambda right: Latex(right, names).whole())
+    star = {"text": ("v*", "v*^2")}.get(form, ("v^{*}", "{v^{*}}^{2}"))
+    pending, found = [pair for pair in pairs if not re.match(r"\{?[Ee](_|$)", pair[0])], []
+    while True:
+        later = []
+        for left, right in pending:
+            try:
+                value = read(right)
+            except Unknown:
+                later.append((left, right))
+                continue
+            if left in star:
+                found.append(abs(value) if left == star[0] else mp.sqrt(abs(value)))
+            else:
+                names.default(left, value)
+        if len(later) == len(pending):
+            return found
+        pending = later
+
+
+def line_value(item, values, what="text", definitions=()):
+    """The value of one line or limit of the JSON, with its definitions and those of the document."""
+    names = Names(values)
+    if "omega" in values:
+        for own, unit in (("s", "i"), ("s_own", "j")):
+            names.default(own, 1j * values["omega"])
+            names.default(unit, mp.mpc(1j))
+    for definition in (*definitions, *item.get("definitions", [])):
+        left, right = definition["text"].split(" = ", 1)
+        names[left] = text_value(right, names)
+    text = item[what]
+    return text_value(text, names) if what == "text" else Latex(text, names).whole()

@@ -1,0 +1,222 @@
+"""Friction and simulated v* of a kind, for make_references.py, by the steps of reference_motion."""
+
+from types import SimpleNamespace
+
+import numpy as np
+
+import mpmath as mp
+from reference_indenter import cells
+from reference_kinds import wired
+from reference_motion import STEPS, Contact, Mean, extrapolated, normal_forces, steady
+from reference_networks import creep_viscosity, stiffness
+
+# Speeds at which friction is compared, in units of v* (of the drive, where the path creeps).
+RATIOS = (0.3, 0.8)
+# A difference of v* over 8 % needs fewer steps than v*.
+DIFFERENCE_STEPS = (800, 1000, 1300, 1600, 2000)
+# The most periods before the one that counts: at the coarsest steps, and at each finer.
+SETTLING, FINER = 1000, 60
+
+
+def tangential_path(system):
+    """Edges from the contact point to the far end, whose frame all is written in."""
+    end = "far" if system.drive is None else "body"
+    factor = float(system.ratio or 1)
+    network = system.normal if system.ratio else system.tangential
+    edges = [(what, float(value) * factor, a, b) for what, value, a, b in network("contact", end)]
+    if system.drive is not None:
+        edges += system.drive("body", "far")
+        if system.mass:
+            edges.append(("m", system.mass, "body", "far"))
+    return [edge for edge in edges if edge[1] != 0]
+
+
+def bounds_of(system, values, steps, means, opening):
+    """mu0 F_n at the end of each step of a period, a column for each mean indentation."""
+    omega, amplitude, mu = (float(values[key]) for key in ("omega", "du_z", "mu0"))
+    if opening:
+        edges = [edge for edge in system.normal("surface", "far") if edge[1] != 0]
+        return mu * normal_forces(edges, omega, means, amplitude, steps)
+    k = complex(stiffness(system.normal, 1j * values["omega"]))
+    rest = float(mp.re(stiffness(system.normal, mp.mpf(10) ** -60)))
+    phases = 2 * np.pi * np.arange(1, steps + 1) / steps
+    force = amplitude * (k * np.exp(1j * phases)).real
+    return mu * (rest * means[None, :] + force[:, None])
+
+
+class Motions:
+    """Steady motions at several speeds (lanes), at each number of steps."""
+
+    def __init__(self, system, values, means, opening, velocities):
+        self.means, self.opening = [], opening
+        edges, omega = tangential_path(system), float(values["omega"])
+        velocities = np.asarray(velocities, float)
+        state, periods = None, SETTLING
+        for steps in STEPS[opening]:
+            bounds = bounds_of(system, values, steps, means, opening)
+            contact = Contact(edges, omega, steps)
+            if state is None:
+                shape = len(contact.nodes.names), len(velocities)
+                state = np.zeros(shape), np.zeros(shape)
+            mean, state = steady(contact, bounds, velocities, state, periods)
+            self.means.append(mean)
+            periods = FINER
+        self.change = max(mean.change for mean in self.means)
+
+    def extrapolated(self, value):
+        return extrapolated([value(mean) for mean in self.means], self.opening)
+
+    def ratio(self):
+        best, error = self.extrapolated(lambda mean: mean.force / mean.bound)
+        # What has not yet settled at one number of steps goes on for some 30 such changes at most.
+        return best, error + 30 * self.change
+
+    def regime(self, *lanes):
+        return self.means[-1].regime(lanes)
+
+
+def simulated_onset(system, values, means, opening, all_steps=STEPS[True]):
+    """v* of each mean indentation: the largest speed against the drive that sliding has while the surfaces touch.
+
+    It may be at the first step of touching, which comes late by a part of a step: the error has what one step changes.
+    """
+    found = []
+    for steps in all_steps:
+        bounds = bounds_of(system, values, steps, means, opening)
+        velocity = -Contact(tangential_path(system), float(values["omega"]), steps).sliding(bounds)
+        touching = np.where(bounds > 0, velocity, -np.inf)
+        at, lanes = np.argmax(touching, axis=0), np.arange(len(means))
+        change = np.abs(touching[at, lanes] - velocity[(at + 1) % steps, lanes])
+        found.append([touching[at, lanes], bounds.mean(axis=0)])
+    best, error = extrapolated(found, True, all_steps)
+    error[0] += change
+    return best, error
+
+
+def simulated_sensitivities(name, values, means, opening, at):
+    """(p/v*) dv*/dp by central differences of 4 %."""
+    for key, value in values.items():
+        if isinstance(value, list):
+            continue
+        found = []
+        for factor in ("1.04", "0.96"):
+            changed = values | {key: value * mp.mpf(factor)}
+            new_means = np.array([float(changed["u_z0"])])
+            found.append(simulated_onset(wired(name, changed), changed, new_means, opening, DIFFERENCE_STEPS))
+        (one, one_error), (two, two_error) = found
+        slope = np.log(one[0][0] / two[0][0]) / np.log(1.04 / 0.96)
+        # The difference errs by the third derivative, some step^2 times a few.
+        error = (one_error[0][0] + two_error[0][0]) / at / 0.08 + 5 * 0.04**2 * max(1, abs(slope))
+        yield f"simulated_sensitivity:{key}", slope, error
+
+
+def friction_rows(name, values, text, linear):
+    if "indenter" in text:
+        yield from cells(name, values, text, linear)
+        return
+    system = wired(name, values)
+    if isinstance(system.drive, str) or name.startswith("drive_") or not linear["loaded"] or not text.get("oscillation"):
+        return
+    opening = bool(text["contact"].get("separation")) and not linear["closed"]
+    yield from design_rows(name, design_values(name, values, linear))
+    if not linear["closed"] and not opening:
+        return
+    means = np.array([float(values["u_z0"])])
+    onset, creep = float(linear["formula"]), float(linear["creep_over_mean_force"])
+    if opening:
+        if name in ("separation_free_harmonic", "separation_jump"):
+            yield "critical_velocity", "inf", 0
+            onset = float(values["mu0"] * values["omega"] * values["du_z"])
+        else:
+            best, error = simulated_onset(system, values, means, opening)
+            onset = best[0][0]
+            yield "critical_velocity", onset, error[0][0]
+            # The drive runs ahead by the mean force over what creeps.
+            slip = creep / float(values["mu0"])
+            yield "drive_velocity", onset + slip * best[1][0], error[0][0] + slip * error[1][0]
+            yield from simulated_sensitivities(name, values, means, opening, onset)
+    speed = speed_unit(onset, creep, system, values)
+    if opening and name not in ("separation_free_harmonic", "separation_jump"):
+        speed = onset + slip * best[1][0]
+    yield from friction_at(system, values, means, opening, speed)
+
+
+def speed_unit(onset, creep, system, values):
+    if onset == 0:
+        return 1e-3
+    if onset == float("inf") or onset > 1e3:
+        return 0.01
+    mean = float(mp.re(stiffness(system.normal, mp.mpf(10) ** -60)) * values["u_z0"])
+    return onset + creep * mean
+
+
+def friction_at(system, values, means, opening, speed):
+    velocities = [ratio * speed for ratio in RATIOS]
+    motions = Motions(system, values, np.repeat(means, len(RATIOS)), opening, velocities)
+    ratio, error = motions.ratio()
+    period = 2 * np.pi / float(values["omega"])
+    force, force_error = motions.extrapolated(lambda mean: mean.force / mean.steps)
+    normal, normal_error = motions.extrapolated(lambda mean: mean.bound / mean.steps / float(values["mu0"]))
+    heat, heat_error = motions.extrapolated(lambda mean: mean.heat / mean.steps * period)
+    for i, velocity in enumerate(velocities):
+        yield f"velocity:{i}", velocity, 0
+        yield f"friction_ratio:{i}", ratio[i], error[i]
+        regime = motions.regime(i)
+        if regime == "stick-slip" and ratio[i] > 1 - 1e-5:
+            # Full friction with stick is a swing that the steps damp: steady below v* it is in exact resonance alone.
+            regime = "sliding" if values["kd"] == values["m"] * (2 * values["omega"]) ** 2 else "stick-slip"
+        yield f"regime:{i}", regime, 0
+        yield f"mean_normal_force:{i}", normal[i], normal_error[i]
+        yield f"energy_drive:{i}", force[i] * velocity * period, force_error[i] * velocity * period
+        yield f"energy_friction:{i}", heat[i], heat_error[i]
+
+
+def design_values(name, values, linear):
+    """The scene with an amplitude that leaves the contact closed, and beside an antiresonance."""
+    if not linear["closed"]:
+        values = values | {"du_z": min(values["du_z"], linear["admissible_amplitude"] * mp.mpf("0.6"))}
+    if name == "antiresonance":
+        values = values | {"omega": values["omega"] * mp.mpf("0.7")}
+    return values
+
+
+def design_rows(name, values):
+    """The friction ratio at a speed, and how it changes with each unknown."""
+    system = wired(name, values)
+    means = np.array([float(values["u_z0"])])
+    onset = formula_of(system, values)
+    mean = float(mp.re(stiffness(system.normal, mp.mpf(10) ** -60)) * values["u_z0"])
+    velocity = 0.005 if onset > 1e3 else onset / 2 + creep_of(system, values) * mean
+    motions = Motions(system, values, np.repeat(means, 3), False, velocity * np.array([1, 1.02, 0.98]))
+    ratio, error = motions.ratio()
+    yield "design:velocity", velocity, 0
+    yield "design:amplitude", float(values["du_z"]), 0
+    yield "design:omega", float(values["omega"]), 0
+    yield "design:friction_ratio", ratio[0], error[0]
+    yield "design:slope:velocity", (ratio[1] - ratio[2]) / (0.04 * velocity), (error[1] + error[2]) / (0.04 * velocity)
+    for unknown, key in (("amplitude", "du_z"), ("frequency", "omega")):
+        ends, errors = [], []
+        for factor in ("1.02", "0.98"):
+            changed = values | {key: values[key] * mp.mpf(factor)}
+            best, worst = Motions(wired(name, changed), changed, means, False, [velocity]).ratio()
+            ends.append(best[0])
+            errors.append(worst[0])
+        width = 0.04 * float(values[key])
+        yield f"design:slope:{unknown}", (ends[0] - ends[1]) / width, sum(errors) / width
+
+
+def formula_of(system, values):
+    omega = values["omega"]
+    normal = stiffness(system.normal, 1j * omega)
+    compliance = 1 / (system.ratio * normal if system.ratio else stiffness(system.tangential, 1j * omega))
+    if system.drive is not None:
+        drive = stiffness(system.drive, 1j * omega) - system.mass * omega**2
+        if drive == 0:
+            return float("inf")
+        compliance += 1 / drive
+    return float(values["mu0"] * omega * values["du_z"] * abs(normal * compliance))
+
+
+def creep_of(system, values):
+    networks = [system.normal if system.ratio else system.tangential, *([system.drive] if system.drive else [])]
+    return float(values["mu0"] * sum(1 / creep_viscosity(network) for network in networks))

@@ -1,0 +1,133 @@
+"""The kinds of scenes, wired a second time: each network of kinds/*.toml by hand, its numbers from the file.
+
+`wired(NAME, VALUES)` gives the networks that the file's text stands for, in the terms of reference_networks.
+"""
+
+import csv
+import tomllib
+from pathlib import Path
+from types import SimpleNamespace
+
+import mpmath as mp
+
+from reference_networks import damper, graph, mass, maxwell, parallel, series, spring
+
+FOLDER = Path(__file__).parent / "kinds"
+
+
+def kelvin(k, c):
+    return parallel(spring(k), damper(c))
+
+
+def zener(k, k1, c1):
+    return parallel(spring(k), maxwell(k1, c1))
+
+
+def prony(v):
+    return parallel(spring(v["k0"]), *(maxwell(k, k * tau) for k, tau in zip(v["k"], v["tau"])))
+
+
+def mindlin(nu):
+    return 2 * (1 - mp.mpf(nu)) / (2 - mp.mpf(nu))
+
+
+def bridge(v, *more):
+    return graph((spring(v["k1"]), "a", "1"), (damper(v["c1"]), "a", "2"), (spring(v["k2"]), "1", "2"),
+                 (damper(v["c2"]), "1", "b"), (spring(v["k3"]), "2", "b"), *more)
+
+
+def frame(v):
+    return graph((spring(v["k1"]), "a", "1"), (mass(v["m1"]), "1", "ground"), (kelvin(v["k2"], v["c2"]), "1", "b"),
+                 (spring(v["k3"]), "a", "b"))
+
+
+# normal, tangential (a network, or K_t/K_n as a number), drive or None.
+KINDS = {
+    "closed": lambda v: (kelvin(v["kn"], v["cn"]), mindlin("0.3"), None),
+    "closed_body": lambda v: (zener(v["k0"], v["k1"], v["c1"]), kelvin(v["kt"], v["ct"]), kelvin(v["kd"], v["cd"])),
+    "closed_drive": lambda v: (kelvin(v["k0"], v["c0"]), zener(v["kt"], v["k1"], v["c1"]),
+                               zener(v["kd"], v["k2"], v["c2"])),
+    "same_network": lambda v: (zener(v["k0"], v["k1"], v["c1"]), mp.mpf("0.8"), zener(v["k0"], v["k1"], v["c1"])),
+    "undamped_drive": lambda v: (kelvin(v["kn"], v["cn"]), mindlin("0.25"), spring(v["kd"])),
+    "free_harmonic": lambda v: (spring(v["kn"]), spring(v["kt"]), spring(v["kd"])),
+    "resonance": lambda v: (spring(v["kn"]), kelvin(v["kt"], v["ct"]), spring(v["kd"])),
+    "rigid_mass": lambda v: (kelvin(v["kn"], v["cn"]), mindlin("0.3"), None),
+    "no_static_load": lambda v: (maxwell(v["k1"], v["c1"]), mindlin("0.3"), None),
+    "separation_elastic": lambda v: (spring(v["kn"]), spring(v["kt"]), None),
+    "separation_isotropic": lambda v: (zener(v["k0"], v["k1"], v["c1"]), mindlin("0.3"), None),
+    "separation_late": lambda v: (kelvin(v["k0"], v["c1"]), mindlin("0.3"), None),
+    "separation_memory": lambda v: (zener(v["k0"], v["k1"], v["c1"]), kelvin(v["kt"], v["ct"]), None),
+    "separation_body": lambda v: (spring(v["kn"]), spring(v["kt"]), kelvin(v["kd"], v["cd"])),
+    "separation_creeping": lambda v: (spring(v["kn"]), maxwell(v["kt"], v["ct"]), None),
+    "separation_jump": lambda v: (kelvin(v["kn"], v["cn"]), spring(v["kt"]), None),
+    "indenter_elastic": lambda v: (spring(v["E0"]), mindlin("0.4"), None),
+    "indenter_viscoelastic": lambda v: (zener(v["E0"], v["E1"], v["c1"]), mindlin("0.4"), None),
+    "measured_drive": lambda v: (kelvin(v["kn"], v["cn"]), kelvin(v["kt"], v["ct"]), "receptance.csv"),
+    "drive_masses": lambda v: (zener(v["k0"], v["k1"], v["c1"]), mindlin("0.35"),
+                               series(spring(v["kf"]), parallel(mass(v["ms"]), kelvin(v["km"], v["cm"])))),
+    "drive_absorber": lambda v: (kelvin(v["kn"], v["cn"]), kelvin(v["kt"], v["ct"]),
+                                 parallel(spring(v["kd"]), series(spring(v["k1"]), mass(v["m1"])))),
+    "drive_graph_masses": lambda v: (kelvin(v["kn"], v["cn"]), mindlin("0.3"), frame(v)),
+    "graph": lambda v: (bridge(v), mp.mpf("0.8"), kelvin(v["kd"], v["cd"])),
+    "graph_zero": lambda v: (bridge(v, (spring(v["k4"]), "1", "b")), spring(v["kt"]), None),
+    "zero_elements": lambda v: (parallel(zener(v["k0"], v["k1"], v["c1"]), damper(v["c0"])),
+                                zener(v["kt"], v["k2"], v["c2"]), kelvin(v["kd"], v["cd"])),
+    "creeping": lambda v: (zener(v["k0"], v["k1"], v["c1"]),
+                           series(maxwell(v["k2"], v["c2"]), kelvin(v["k3"], v["c3"])), maxwell(v["kd"], v["cd"])),
+    "fluid": lambda v: (kelvin(v["kn"], v["cn"]), damper(v["ct"]), None),
+    "prony": lambda v: (prony(v), mindlin("0.38"), kelvin(v["kd"], v["cd"])),
+    "odd_names": lambda v: (zener(v["s"], v["K_n"], v["omega1"]), kelvin(v["i"], v["B"]), kelvin(v["exp"], v["H"])),
+    "fitted": lambda v: (prony(v), mindlin("0.3"), None),
+    "fitted_beyond": lambda v: (prony(v), mindlin("0.3"), kelvin(v["kd"], v["cd"])),
+    "symbols": lambda v: (zener(v["k0"], v["k1"], v["c1"]), mindlin("0.3"), spring(v["kd"])),
+}
+for same, other in [("antiresonance", "free_harmonic"), ("near_free_harmonic", "free_harmonic"),
+                    ("not_admissible", "closed"),
+                    ("separation_undamped", "free_harmonic"), ("separation_free_harmonic", "free_harmonic"),
+                    ("separation_closed", "separation_memory"), ("separation_no_load", "no_static_load"),
+                    ("indenter_separation", "indenter_viscoelastic"), ("indenter_flat", "indenter_viscoelastic"),
+                    ("indenter_table", "indenter_elastic"), ("near_resonance", "resonance")]:
+    KINDS[same] = KINDS[other]
+
+# Commands have values for these alone by --set.
+SYMBOLS = {"k0": 8e6, "k1": 4e6, "c1": 30.0, "kd": 2e6, "m": 5e-4, "mu0": 0.3, "omega": 1e5, "du_z": 1e-7, "u_z0": 5e-7}
+
+
+def exact(value):
+    return [mp.mpf(x) for x in value] if isinstance(value, list) else mp.mpf(value)
+
+
+def read(name):
+    """The scene's numbers by their symbols, and what its file says beside them."""
+    with (FOLDER / f"{name}.toml").open("rb") as file:
+        text = tomllib.load(file)
+    values = {key: exact(value) for key, value in text.get("elements", {}).items()}
+    if "oscillation" in text:
+        oscillation = text["oscillation"]
+        values |= {"mu0": exact(text["friction"]["coefficient"]), "omega": exact(oscillation["angular_frequency"]),
+                   "du_z": exact(oscillation["amplitude"]), "u_z0": exact(oscillation["indentation"])}
+    else:
+        values = {key: exact(value) for key, value in SYMBOLS.items()}
+    mass_of = text.get("body", {}).get("mass")
+    if mass_of is not None and mass_of != "m":
+        values["m"] = exact(mass_of)
+    return values, text
+
+
+def wired(name, values):
+    normal, tangential, drive = KINDS[name](values)
+    ratio = None if callable(tangential) else tangential
+    if drive is None:
+        values = {key: value for key, value in values.items() if key != "m"}
+    return SimpleNamespace(normal=normal, ratio=ratio, tangential=tangential, drive=drive, mass=values.get("m", mp.mpf(0)))
+
+
+def receptance(omega):
+    """R_d of the measured drive, linear between two rows of its table."""
+    with (FOLDER / "receptance.csv").open() as file:
+        rows = [[mp.mpf(row[key]) for key in ("omega", "Re", "Im")] for row in csv.DictReader(file)]
+    for (left, *low), (right, *high) in zip(rows, rows[1:]):
+        if left <= omega <= right:
+            part = (omega - left) / (right - left)
+            return mp.mpc(*(a + part * (b - a) for a, b in zip(low, high)))
+    raise ValueError(omega)

@@ -1,0 +1,391 @@
+"""Every kind of scene (kinds/*.toml) against every command, language, method, quantity and form: see CONTRIBUTING.md.
+
+A cell holds an independent value (references.csv, by make_references.py, which shares nothing with the program) or a
+refusal (refusals.csv: exit status and a part of the message). The columns come from the program's own help, so that a
+new one has no cells and fails, as a new kind does.
+"""
+
+import csv
+import json
+import os
+import tempfile
+import unittest
+from pathlib import Path
+
+import mpmath as mp
+
+import evaluators
+import formulas
+import python_cells
+from cells import (FOLDER, KINDS, LOOKED_AT, REFERENCES, REFUSALS, U, Cells, choices, commands, onset, refusal, run,
+                   scene)
+
+FORMATS, FORMS = choices("derive", "format"), choices("derive", "form")
+LANGUAGES, METHODS = choices("generate", "language"), choices("simulate", "method")
+STARTS, UNKNOWNS = choices("simulate", "start"), choices("solve", "for")
+QUANTITIES = choices("sweep", "quantity")
+PYTHON = ("critical_velocity", "critical_onset", "simulate", "friction_curve", "derive")
+COLUMNS = {
+    "eval": ["eval"],
+    "derive": [f"derive/{form}/{each}" for form in FORMS for each in FORMATS]
+              + ["derive/limits", "derive/sensitivities", "derive/equal"],
+    "generate": [f"generate/{each}" for each in LANGUAGES] + ["generate/quantities", "generate/fix"],
+    "simulate": [f"simulate/{each}" for each in METHODS + STARTS],
+    "critical": ["critical"],
+    "sweep": [f"sweep/{each}" for each in QUANTITIES],
+    "solve": [f"solve/{each}" for each in UNKNOWNS],
+    "validate": ["validate"],
+    "python": [f"python/{each}" for each in PYTHON],
+}
+# Reads measurements, no scene.
+OTHER_COMMANDS = {"fit"}
+
+
+def receptance(omega):
+    """Of the measured drive, at a row of its table."""
+    with (FOLDER / "kinds/receptance.csv").open() as file:
+        rows = {float(row["omega"]): mp.mpc(row["Re"], row["Im"]) for row in csv.DictReader(file)}
+    return rows[float(omega)]
+
+
+class Matrix(Cells, unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def over(self, columns, check):
+        for column in columns:
+            for kind in KINDS:
+                with self.subTest(kind=kind, column=column):
+                    check(kind, column)
+
+    def test_eval(self):
+        self.over(["eval"], self.eval)
+
+    def eval(self, kind, column):
+        answer = self.answer(kind, column, "eval", scene(kind))
+        if not answer:
+            return
+        references = REFERENCES[kind]
+        value, error = onset(kind)
+        simulated = answer.get("critical_velocity_by") == "simulation"
+        self.assertEqual(simulated, answer["relative_error_bound"] is None)
+        if simulated or not answer.get("opens"):
+            self.near(answer["critical_velocity"], value, error, "v*")
+        else:
+            # By the formula, which is exact, and by steps.
+            self.near_formula(answer["critical_velocity"], kind)
+            self.near(answer["critical_velocity"], value, error, "v* by steps")
+        if not simulated:
+            self.assertLessEqual(answer["relative_error_bound"], U)
+        parts = "opens" in answer
+        self.assertEqual(answer["admissible"],
+                         bool(references("loaded")) and (parts or kind.startswith("indenter") or bool(references("closed"))))
+        self.assertEqual(answer["admissible"] and value != mp.inf, not answer["reasons"])
+        if parts and not kind.startswith("indenter"):
+            self.assertEqual(answer["opens"], not references("closed"))
+        for drive in ("drive_velocity", "closed_drive_velocity"):
+            if drive in references:
+                allowed = references.error(drive) or 4 * U * float(min(references(drive), mp.mpf(10)**300))
+                self.near(answer["drive_velocity"], references(drive), allowed, drive)
+        # K_d = m (2 omega)^2: the body swings freely, v*/sqrt(2).
+        self.assertEqual(answer.get("free_harmonic"), 2 if kind == "free_harmonic" else None)
+        if kind == "free_harmonic":
+            self.near(answer["sliding_from"], value / mp.sqrt(2), 4 * U * float(value))
+
+    def test_derive(self):
+        self.over([f"derive/{form}/{each}" for form in FORMS for each in FORMATS], self.derive)
+
+    def derive(self, kind, column):
+        _, form, form_of_text = column.split("/")
+        ran = run("derive", scene(kind), "--form", form, "--format", form_of_text)
+        if self.answered(kind, column, ran):
+            self.check_printed(kind, form, form_of_text, ran.stdout)
+
+    def check_printed(self, kind, form, form_of_text, printed):
+        values = formulas.beside_poles(REFERENCES[kind].parameters())
+        if form_of_text != "json":
+            found = formulas.onsets(printed, form_of_text, values)
+        else:
+            document = json.loads(printed)
+            found = []
+            for lines in (document["lines"], document.get(form, [])):
+                texts = {"text": "\n".join(f"{line['words']}\n    {line['text']}" for line in lines),
+                         "latex": "\n".join(f"{line['words']}\n\\[ {line['latex']} \\]" for line in lines)}
+                found += [value for each, text in texts.items() for value in formulas.onsets(text, each, values)]
+            definitions = document["definitions"]
+            found.append(abs(formulas.line_value(document["critical_velocity"], values, definitions=definitions)))
+        self.assertTrue(found, printed[:3000])
+        for value in found:
+            self.near_in_digits(value, REFERENCES[kind]("formula"), printed[:3000])
+
+    def test_limits(self):
+        self.over(["derive/limits"], self.limits)
+
+    def limits(self, kind, column):
+        document = self.answer(kind, column, "derive", scene(kind), "--limits")
+        if not document:
+            return
+        references, values = REFERENCES[kind], formulas.beside_poles(REFERENCES[kind].parameters())
+        for limit in document["limits"]:
+            name = self.limit_name(limit["name"], document)
+            self.assertIn(name, references, limit["name"])
+            for what in ("text", "latex") if not limit["definitions"] else ("text",):
+                value = formulas.line_value(limit, values, what)
+                self.near_in_digits(abs(value), references(name), f"{limit['name']} {what}")
+        for line in document["asymptotes"]:
+            start = f"asymptote:{line['name']}"
+            self.assertEqual(line["power"], int(references(f"{start}:power")), start)
+            at = dict(line["coefficient"], definitions=line["definitions"])
+            still = {name: value for name, value in values.items() if name != "omega"}
+            self.near_in_digits(abs(formulas.line_value(at, still)), references(f"{start}:coefficient"), start)
+        self.assertEqual(len(document["asymptotes"]), len(references.begin("asymptote:")) // 2)
+
+    def limit_name(self, name, document):
+        """As make_references.py calls it."""
+        parts = [part.split(" -> ") for part in name.replace("isotropic contact, K_t = kt*K_n/kn", "isotropic -> ")
+                 .replace(", K_d", "; K_d").replace(", kd -> inf", "; kd -> inf").replace("isotropic -> ,", "isotropic -> ;")
+                 .split("; ")]
+        drive = "K_d" if "K_d -> infinity" in name else "kd"
+        rigid = len(parts) > 1
+        names, target = parts[0]
+        if names == "isotropic":
+            return "limit:isotropic" + (" rigid" if rigid else "")
+        if names in ("K_d", drive) and target == "infinity" and (names == "K_d" or self.drive_is_one(document)):
+            return "limit:rigid"
+        target = {"0": "0", "infinity": "inf"}[target]
+        return "limit:" + "+".join(sorted(names.split(", "))) + f"={target}" + (" rigid" if rigid else "")
+
+    def drive_is_one(self, document):
+        return any(line["text"] == "K_d = kd" for line in document["lines"])
+
+    def test_sensitivities(self):
+        self.over(["derive/sensitivities"], self.sensitivities)
+
+    def sensitivities(self, kind, column):
+        document = self.answer(kind, column, "derive", scene(kind), "--sensitivities")
+        if not document:
+            return
+        references, values = REFERENCES[kind], formulas.beside_poles(REFERENCES[kind].parameters())
+        listed = {line["parameter"]: line for line in document["sensitivities"]}
+        self.assertLessEqual(set(listed), set(references.begin("value:")))
+        for name in references.begin("sensitivity:"):
+            reference = references(f"sensitivity:{name}")
+            if kind == "measured_drive" and name == "omega":
+                self.assertNotIn(name, listed)  # how the table changes is in no formula
+                continue
+            if name not in listed:
+                self.assertEqual(reference, 0, name)
+                continue
+            for each, scale in (("relative", 1), ("derivative", references("formula") / values[name])):
+                line = dict(listed[name][each], definitions=listed[name]["definitions"])
+                value = formulas.line_value(line, values, definitions=document["definitions"])
+                self.near_in_digits(mp.re(value) / scale, reference, f"{each} {name}")
+
+    def test_equal(self):
+        self.over(["derive/equal"], self.equal)
+
+    def equal(self, kind, column):
+        same = self.answer(kind, column, "derive", scene(kind), "--equal", scene(kind))
+        if not same:
+            return
+        self.assertTrue(same["equal"])
+        other = "closed_body" if kind != "closed_body" else "closed_drive"
+        ran = run("derive", scene(kind), "--equal", scene(other), "--json")
+        self.assertEqual(ran.returncode, 1, ran.stderr)
+        found = json.loads(ran.stdout)["counterexample"]
+        for place, each in (("first", kind), ("second", other)):
+            document = json.loads(run("derive", scene(each), "--json").stdout)
+            line = dict(document["critical_velocity"], definitions=document["definitions"])
+            values = REFERENCES[each].parameters() | {name: mp.mpf(x) for name, x in found["values"].items()}
+            if "R_d" in values:
+                values["R_d"] = receptance(values["omega"])
+            value = abs(formulas.line_value(line, values))
+            self.near(found[place], value, 1e-12 * value, place)
+
+    def test_simulate(self):
+        self.over([f"simulate/{each}" for each in METHODS + STARTS], self.simulate)
+
+    def simulate(self, kind, column):
+        method = column.split("/")[1]
+        references = REFERENCES[kind]
+        how = ("--start", method) if method in STARTS else ("--method", method)
+        for i in (0, 1) if method == "exact" else (0,) if method in METHODS else (1,):
+            velocity = references.text(f"velocity:{i}") if f"velocity:{i}" in references else "1e-3"
+            answer = self.answer(kind, column, "simulate", scene(kind), "--velocity", velocity, *how)
+            if not answer:
+                return
+            self.check_motion(kind, i, answer)
+
+    def check_motion(self, kind, i, answer):
+        references = REFERENCES[kind]
+        ratio = f"friction_ratio:{i}"
+        own = answer["friction_ratio_error"]
+        self.near(answer["friction_ratio"], references(ratio), references.error(ratio) + own, ratio)
+        value, error = onset(kind)
+        if 0 < value < mp.inf:
+            expected = mp.mpf(answer["velocity"]) / value
+            self.near(answer["velocity_ratio"], expected, expected * (error / value + 4 * U), "velocity_ratio")
+        if answer["method"] != "exact":
+            return
+        self.assertEqual(answer["regime"], references.text(f"regime:{i}"))
+        for part in ("drive", "friction"):
+            name = f"energy_{part}:{i}"
+            if name in references and answer.get("energy"):
+                self.near(answer["energy"][part], references(name), references.error(name) + answer["energy"]["error"], name)
+        inside = answer.get("separation") or answer.get("indenter")
+        if inside:
+            name = f"mean_normal_force:{i}"
+            self.near(inside["mean_normal_force"], references(name),
+                      references.error(name) + inside.get("mean_normal_force_error", 0), name)
+
+    def test_critical(self):
+        self.over(["critical"], self.critical)
+
+    def critical(self, kind, column):
+        ran = run("critical", scene(kind), "--json")
+        if not self.answered(kind, column, ran) and ran.returncode != 1:
+            return
+        answer = json.loads(ran.stdout)
+        self.near_formula(answer["formula"], kind)
+        value, error = onset(kind)
+        # Steady sliding of a body that swings freely at the second harmonic: v*/sqrt(2), by physics.md.
+        free = kind == "free_harmonic"
+        self.assertEqual(answer["agree"], ran.returncode == 0)
+        if kind != "near_resonance":  # of which doubles have no digit
+            self.near(answer["simulated"], value / mp.sqrt(2) if free else value, error + 1e-9 * value, "simulated")
+        if answer["stick_onset"] is None:
+            self.assertIn(kind, ("free_harmonic", "near_free_harmonic", "near_resonance", "antiresonance"))
+        else:
+            self.near(answer["stick_onset"], value, error + 1e-9 * value, "stick_onset")
+
+    def test_sweep(self):
+        self.over([f"sweep/{each}" for each in QUANTITIES], self.sweep)
+
+    def sweep(self, kind, column):
+        quantity = column.split("/")[1]
+        references = REFERENCES[kind]
+        velocities = [references.text(f"velocity:{i}") if f"velocity:{i}" in references else f"1e-{3 + i}" for i in (0, 1)]
+        axis = self.folder / "axis"
+        axis.write_text("\n".join(velocities) + "\n")
+        parameters = references.begin("sensitivity:") or references.begin("value:")
+        asked = [f"sensitivity:{name}" for name in parameters] if quantity == "sensitivity:NAME" else [quantity]
+        if quantity == "friction_ratio":
+            asked.append("friction_ratio_error")
+        table = self.folder / f"{kind}.csv"
+        ran = run("sweep", scene(kind), "--over", f"velocity=list:{axis}", "--out", table, "--threads", "1",
+                  *(word for each in asked for word in ("--quantity", each)))
+        if not self.answered(kind, column, ran):
+            return
+        with table.open() as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual([float(row["velocity"]) for row in rows], [float(velocity) for velocity in velocities])
+        for i, row in enumerate(rows):
+            self.check_row(kind, quantity, i, row)
+
+    def check_row(self, kind, quantity, i, row):
+        references = REFERENCES[kind]
+        value, error = onset(kind)
+        if quantity == "critical_velocity":
+            self.near(row[quantity], value, error, quantity)
+        elif quantity == "admissible":
+            outside = kind in ("not_admissible", "no_static_load")
+            self.assertEqual(row[quantity], "no" if outside else "yes")
+        elif quantity == "sensitivity:NAME":
+            simulated = references.begin("simulated_sensitivity:")
+            for name in references.begin("sensitivity:"):
+                start = "simulated_sensitivity" if name in simulated else "sensitivity"
+                reference = references(f"{start}:{name}")
+                # Differentiated in doubles, or by differences good to 1e-9.
+                allowed = references.error(f"{start}:{name}") + 1e-8 + 1e-10 * abs(reference)
+                self.near(row[f"sensitivity_{name}"], reference, allowed, name)
+        elif quantity == "regime":
+            self.assertEqual(row[quantity], references.text(f"regime:{i}"))
+        elif quantity == "friction_ratio_error":
+            self.assertLess(float(row[quantity]), 1e-9)
+        else:
+            name = f"{quantity}:{i}"
+            self.near(row[quantity], references(name), references.error(name) + float(row["friction_ratio_error"]), name)
+
+    def test_solve(self):
+        self.over([f"solve/{each}" for each in UNKNOWNS], self.solve)
+
+    def solve(self, kind, column):
+        references, unknown = REFERENCES[kind], column.split("/")[1]
+        has = "design:friction_ratio" in references
+        wanted = references.text("design:friction_ratio") if has else "0.9"
+        velocity = references("design:velocity") if has else mp.mpf("1e-3")
+        amplitude = references("design:amplitude") if has else None
+        arguments = ["solve", scene(kind), "--for", unknown, "--friction-ratio", wanted]
+        if unknown != "velocity":
+            arguments += ["--velocity", mp.nstr(velocity, 17)]
+        if unknown != "amplitude" and has:
+            arguments += ["--set", f"amplitude={mp.nstr(amplitude, 17)}"]
+        truth, at_start = {"velocity": velocity, "amplitude": amplitude}.get(unknown), False
+        if unknown == "frequency" and has:
+            truth = references("design:omega") / (2 * mp.pi)
+            slope = references("design:slope:frequency")
+            arguments += ["--from", mp.nstr(truth * 0.98, 17), "--to", mp.nstr(truth * 1.02, 17), "--samples", "40"]
+            at_start = slope > 0
+            truth = truth * mp.mpf("0.98") if at_start else truth
+        answer = self.answer(kind, column, *arguments)
+        if not answer:
+            return
+        slope = abs(references(f"design:slope:{unknown}")) * (2 * mp.pi if unknown == "frequency" else 1)
+        allowed = 2 * references.error("design:friction_ratio") / slope + answer["value_error"] + 4 * U * abs(truth)
+        self.assertEqual(answer["at_start"], at_start)
+        self.near(answer["value"], truth, allowed, unknown)
+
+    def test_generate(self):
+        evaluators.check(self, LANGUAGES, self.folder)
+
+    def test_validate(self):
+        """All kinds in one call; with no compiler, since generated code has columns of its own."""
+        def validated(*kinds):
+            return run("validate", *map(scene, kinds), "--out", self.folder / "report", "--json",
+                       env=dict(os.environ, PATH="/nonexistent"))
+
+        refused = [kind for kind in KINDS if refusal(kind, "validate")]
+        for kind in refused:
+            with self.subTest(kind=kind, column="validate"):
+                self.assertFalse(self.answered(kind, "validate", validated(kind)))
+        validated(*(kind for kind in KINDS if kind not in refused))
+        for each in json.loads((self.folder / "report/report.json").read_text())["scenes"]:
+            kind = Path(each["file"]).stem
+            with self.subTest(kind=kind, column="validate"):
+                LOOKED_AT.add((kind, "validate"))
+                self.assertTrue(each["comparisons"])
+                for compared in each["comparisons"]:
+                    self.check_compared(kind, compared)
+
+    def check_compared(self, kind, compared):
+        key, outcome = compared["key"], compared["outcome"]
+        if outcome != "passed" and key != "generated":
+            expected = refusal(kind, f"validate/{key}")
+            self.assertIsNotNone(expected, compared)
+            self.assertEqual(expected[0], outcome, compared)
+            self.assertIn(expected[1], compared["detail"])
+
+    def test_python(self):
+        self.over([f"python/{name}" for name in PYTHON],
+                  lambda kind, column: getattr(python_cells, column.split("/")[1])(self, kind, column))
+
+
+class Whole(unittest.TestCase):
+    """After the matrix, by the alphabet."""
+
+    def test_all_cells_were_looked_at(self):
+        self.assertEqual(set(commands()), set(COLUMNS) - {"python"} | OTHER_COMMANDS)
+        cells = {(kind, column) for kind in KINDS for columns in COLUMNS.values() for column in columns}
+        self.assertEqual(sorted(cells - LOOKED_AT), [])
+        self.assertEqual(sorted(LOOKED_AT - cells), [])
+        print(f"{len(cells)} cells: {len(KINDS)} kinds, {len(cells) // len(KINDS)} columns")
+
+    def test_no_row_is_left_over(self):
+        self.assertEqual(sorted(set(REFERENCES) ^ set(KINDS)), [])
+        self.assertEqual([row for row in REFUSALS if not row.get("used")], [])
+
+
+if __name__ == "__main__":
+    unittest.main()
