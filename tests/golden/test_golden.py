@@ -109,7 +109,9 @@ def shown(data):
     return f"[{len(data)} bytes, sha256 {hashlib.sha256(data).hexdigest()}]\n"
 
 
-MEASURED = re.compile(r"time|second|rate|speed|machine|commit|program|version|command|cost|run_|ns|flags|order|cores|on_front")
+# Keys, as whole words: "ns" is in "comparisons", too.
+MEASURED = re.compile(r"(^|_)(time|seconds|nanoseconds|machine|commit|program|versions?|command|cost|run|ns|flags|cores)($|_)"
+                      r"|on_front")
 
 
 def without_measurements(value):
