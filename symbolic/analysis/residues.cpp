@@ -10,47 +10,10 @@ namespace vcrit::symbolic {
 
 namespace {
 
-/// Of the residues of symbols those of stiffnesses, and from these that of B.
-struct ResidueAlgebra {
-  using Value = Residue;
-  const Point& point;
-  Residue s;
-  std::map<std::string, Residue> known;  ///< besides s and the symbols
-
-  Value element(const Element& e) const {
-    const Residue k = point(to_text(e.coefficient));
-    switch (e.kind) {
-      case ElementKind::spring:
-        return k;
-      case ElementKind::damper:
-        return k * s;
-      case ElementKind::mass:
-        return k * s * s;
-      case ElementKind::maxwell:
-        break;
-    }
-    const Residue turn = point(to_text(e.time)) * s;
-    return k * turn * inverse(Residue(1) + turn);
-  }
-  Value parallel(Value a, Value b) const { return a + b; }
-  Value series(Value a, Value b) const { return a * b * inverse(a + b); }
-  Value mesh(Value a, Value b, Value total) const { return a * b * inverse(total); }
-
-  Value number(const GiNaC::numeric& value) const { return Residue(value); }
-  Value name(const std::string& name) const {
-    if (name == own_name("s")) return s;
-    const auto found = known.find(name);
-    return found == known.end() ? point(name) : found->second;
-  }
-  Value add(Value a, Value b) const { return a + b; }
-  Value multiply(Value a, Value b) const { return a * b; }
-  Value invert(Value a) const { return inverse(a); }
-};
-
 // `receptance` names the value of a measured R_d, which at -s is another number, its conjugate.
 Residue amplitude_at(const Model& model, const GiNaC::ex& amplitude, const Point& point, Residue s,
                      const char* receptance) {
-  ResidueAlgebra algebra{point, s, {{own_name("R_d"), point(own_name(receptance))}}};
+  NumberAlgebra<Residue> algebra{point, s, {{own_name("R_d"), point(own_name(receptance))}}};
   for (const Part& part : model.networks())
     if (amplitude.has(quantity(part.name)))
       algebra.known[own_name(part.name)] = evaluate(part.reduction, algebra);
@@ -92,15 +55,32 @@ Residue operator*(Residue a, Residue b) {
                  static_cast<std::uint64_t>(product >> 61));
 }
 
-// a^(p - 2)
+Residue power(Residue a, std::uint64_t exponent) {
+  Residue result(1);
+  for (; exponent > 0; exponent /= 2, a = a * a)
+    if (exponent % 2 == 1) result = result * a;
+  return result;
+}
+
+// By Fermat's little theorem.
 Residue inverse(Residue a) {
   if (a.value_ == 0) throw NoInverse{};
-  Residue result(1), power = a;
-  for (std::uint64_t exponent = Residue::prime - 2; exponent > 0; exponent /= 2) {
-    if (exponent % 2 == 1) result = result * power;
-    power = power * power;
-  }
-  return result;
+  return power(a, Residue::prime - 2);
+}
+
+GaussianResidue::GaussianResidue(const GiNaC::numeric& number)
+    : re(number.real()), im(number.imag()) {}
+
+// |a|^2 is 0 for a = 0 alone.
+GaussianResidue inverse(GaussianResidue a) {
+  const Residue over = inverse(a.re * a.re + a.im * a.im);
+  return {a.re * over, -(a.im * over)};
+}
+
+// As the prime is 4 n - 1, a^n is a root of a or of -a.
+GaussianResidue square_root(Residue a) {
+  const Residue r = power(a, (Residue::prime + 1) / 4);
+  return r * r == a ? GaussianResidue(r) : GaussianResidue({}, r);
 }
 
 Point named_point(std::uint64_t number) {

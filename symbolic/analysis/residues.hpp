@@ -6,10 +6,12 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 
 #include "derivation/model.hpp"
+#include "formula/names.hpp"
 
 namespace vcrit::symbolic {
 
@@ -25,6 +27,7 @@ class Residue {
   friend Residue operator+(Residue a, Residue b);
   friend Residue operator*(Residue a, Residue b);
   friend Residue operator-(Residue a) { return Residue(prime - a.value_); }
+  friend Residue power(Residue a, std::uint64_t exponent);
   /// Throws NoInverse for 0.
   friend Residue inverse(Residue a);
   friend bool operator==(Residue, Residue) = default;
@@ -34,6 +37,90 @@ class Residue {
 };
 
 struct NoInverse {};
+
+/// a + b i with residues a and b. -1 is no square modulo the prime, so that these are a field, and
+/// each residue has a root in it: what is computed with complex numbers can be computed here.
+struct GaussianResidue {
+  Residue re, im;
+  GaussianResidue() = default;
+  GaussianResidue(Residue real, Residue imaginary = {}) : re(real), im(imaginary) {}
+  /// real or complex
+  explicit GaussianResidue(const GiNaC::numeric& number);
+
+  friend GaussianResidue operator+(GaussianResidue a, GaussianResidue b) {
+    return {a.re + b.re, a.im + b.im};
+  }
+  friend GaussianResidue operator*(GaussianResidue a, GaussianResidue b) {
+    return {a.re * b.re + -(a.im * b.im), a.re * b.im + a.im * b.re};
+  }
+  friend GaussianResidue operator-(GaussianResidue a) { return {-a.re, -a.im}; }
+  friend GaussianResidue conjugate(GaussianResidue a) { return {a.re, -a.im}; }
+  friend GaussianResidue inverse(GaussianResidue a);
+  friend bool operator==(GaussianResidue, GaussianResidue) = default;
+};
+
+/// One of the two roots of a residue.
+GaussianResidue square_root(Residue a);
+
+/// A number and its derivative along a line of points.
+struct DualResidue {
+  GaussianResidue value, change;
+  DualResidue() = default;
+  DualResidue(GaussianResidue v, GaussianResidue d = {}) : value(v), change(d) {}
+  explicit DualResidue(const GiNaC::numeric& number) : value(number) {}
+
+  friend DualResidue operator+(DualResidue a, DualResidue b) {
+    return {a.value + b.value, a.change + b.change};
+  }
+  friend DualResidue operator*(DualResidue a, DualResidue b) {
+    return {a.value * b.value, a.value * b.change + a.change * b.value};
+  }
+  friend DualResidue operator-(DualResidue a) { return {-a.value, -a.change}; }
+  friend DualResidue conjugate(DualResidue a) { return {conjugate(a.value), conjugate(a.change)}; }
+  friend DualResidue inverse(DualResidue a) {
+    const GaussianResidue over = inverse(a.value);
+    return {over, -(a.change * over * over)};
+  }
+};
+
+/// Of numbers that the symbols have those of stiffnesses, for evaluate(), and of rational functions
+/// of both, for evaluate_rational(). Number: one of those above.
+template <class Number>
+struct NumberAlgebra {
+  using Value = Number;
+  std::function<Number(const std::string& symbol)> point;
+  Number s;
+  std::map<std::string, Number> known = {};  ///< besides s and the symbols
+
+  Value element(const Element& e) const {
+    const Number k = point(to_text(e.coefficient));
+    switch (e.kind) {
+      case ElementKind::spring:
+        return k;
+      case ElementKind::damper:
+        return k * s;
+      case ElementKind::mass:
+        return k * s * s;
+      case ElementKind::maxwell:
+        break;
+    }
+    const Number turn = point(to_text(e.time)) * s;
+    return k * turn * inverse(number(1) + turn);
+  }
+  Value parallel(Value a, Value b) const { return a + b; }
+  Value series(Value a, Value b) const { return a * b * inverse(a + b); }
+  Value mesh(Value a, Value b, Value total) const { return a * b * inverse(total); }
+
+  Value number(const GiNaC::numeric& value) const { return Number(value); }
+  Value name(const std::string& name) const {
+    if (name == own_name("s")) return s;
+    const auto found = known.find(name);
+    return found == known.end() ? point(name) : found->second;
+  }
+  Value add(Value a, Value b) const { return a + b; }
+  Value multiply(Value a, Value b) const { return a * b; }
+  Value invert(Value a) const { return inverse(a); }
+};
 
 /// The value of each symbol at a point.
 using Point = std::function<Residue(const std::string& symbol)>;

@@ -58,9 +58,9 @@ class BalanceWriter {
     const Equations wave = equations(there_, x, x.diff(time(), 2), y, n_.du_z * n_.K_n * n_.wave);
     const Equations amplitude{(wave.body / n_.wave).expand(), (wave.contact / n_.wave).expand()};
     write_amplitudes(amplitude);
-    const ex B = amplitudes(amplitude);
+    const auto [A, B] = amplitudes(amplitude);
     const ex general = general_amplitude(B);
-    return {std::move(lines_), B, general};
+    return {std::move(lines_), A, B, general};
   }
 
  private:
@@ -99,19 +99,19 @@ class BalanceWriter {
     write("Balance of the contact point (19)", amplitude.contact.collect(n_.K_t), 0);
   }
 
-  /// Solves for the amplitudes and returns B.
-  ex amplitudes(const Equations& amplitude) {
+  /// A and B.
+  std::pair<ex, ex> amplitudes(const Equations& amplitude) {
     GiNaC::lst equations{amplitude.contact == 0}, unknowns{n_.B};
     if (there_.drive) {
       equations.append(amplitude.body == 0);
       unknowns.append(n_.A);
     }
     const ex solution = GiNaC::lsolve(equations, unknowns);
-    if (there_.drive)
-      write("Solved for the amplitude of the body", n_.A, factored(n_.A.subs(solution)));
+    const ex A = there_.drive ? factored(n_.A.subs(solution)) : ex(0);
+    if (there_.drive) write("Solved for the amplitude of the body", n_.A, A);
     const ex B = factored(n_.B.subs(solution));
     write("Solved for the amplitude of the contact point", n_.B, B);
-    return B;
+    return {A, B};
   }
 
   /// The displacement of the contact point over the force on it; friction mu0 du_z K_n acts against

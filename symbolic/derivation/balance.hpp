@@ -18,6 +18,7 @@ struct Surrounding {
 
 struct Balance {
   std::vector<Line> lines;
+  GiNaC::ex body_amplitude;     ///< A, likewise; 0 under a rigid drive
   GiNaC::ex contact_amplitude;  ///< B, a rational function of K_n, K_t, K_d, s and the symbols
   GiNaC::ex general_amplitude;  ///< B for any receptance H of the contact point (m/N)
 };

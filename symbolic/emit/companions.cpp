@@ -132,10 +132,7 @@ std::string euler(const Scene& scene, const ParameterList& parameters, const Fix
 /// then err by 5 roundings a term, 11 terms, times 2^5 for cancellation, 3500 in all, where the
 /// bound of the single call counts 9 or more for the network.
 std::string fast_sweep(const Scene& scene, const ParameterList& parameters) {
-  const auto value = [&](Program& program, const Symbol& symbol) {
-    return parameters.value(program, symbol);
-  };
-  if (!sweep_program(scene, value))
+  if (!sweep_program(scene, parameters.values()))
     return "    expect(fast_out[i] == fast_one.value, \"fast sweep equals scalar\");";
   return "    // Polynomials in omega: a few digits less.\n"
          "    expect(near(fast_out[i], fast_one.value, 400.0 * fast_one.relative_error_bound), "

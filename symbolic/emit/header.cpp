@@ -16,6 +16,7 @@
 #include "emit/words.hpp"
 #include "formula/algebra_lock.hpp"
 #include "program/gradient.hpp"
+#include "program/proof.hpp"
 #include "program/sweep.hpp"
 #include "program/velocity.hpp"
 
@@ -198,12 +199,6 @@ std::string cpp_operations(const Program& program) {
   return out;
 }
 
-SymbolValue symbol_value(const ParameterList& parameters) {
-  return [&parameters](Program& program, const Symbol& symbol) {
-    return parameters.value(program, symbol);
-  };
-}
-
 // Beyond this compilers find functions too long to be copied into a loop.
 constexpr int short_program = 60;
 
@@ -217,9 +212,14 @@ std::string emit_header(const Scene& scene, const std::string& name,
   const Derivation derivation = derive(scene);
   check_member_names(derivation.parameters, scene.file);
   const ParameterList parameters(scene, derivation, fixed);
-  const VelocityProgram velocity = velocity_program(scene, symbol_value(parameters));
-  const auto sweep = sweep_program(scene, symbol_value(parameters));
+  const VelocityProgram velocity = velocity_program(scene, parameters.values());
+  const auto sweep = sweep_program(scene, parameters.values());
   const GradientProgram gradient = gradient_program(velocity);
+  const Proof proof(scene, parameters.values());
+  proof.holds(derivation);
+  proof.holds(velocity);
+  proof.holds(gradient);
+  if (sweep) proof.holds(*sweep);
   const int count =
       gradient.program.operations(gradient.program.needed_for({gradient.ratio, velocity.factor}));
   const bool is_long = count > short_program;
@@ -270,7 +270,7 @@ std::string emit_batch_header(const Scene& scene, const std::string& name,
          structure("template <class T> struct Each", members(parameters, "T", "{}")) + text::each +
          "namespace detail {\n" + each_function(parameters) +
          flags(parameters, "all", [](const Symbol&) { return "true"; }) +
-         reused_flags(parameters, velocity_program(scene, symbol_value(parameters))) + text::batch +
+         reused_flags(parameters, velocity_program(scene, parameters.values())) + text::batch +
          "}  // namespace detail\n\n" + replaced(text::batch_calls, "@T@", "detail::Twofold") +
          "namespace fast {  // in plain double\n" + replaced(text::batch_calls, "@T@", "double") +
          fmt::format("}}  // namespace fast\n}}  // namespace {}\n#endif  // {}\n", name, guard);

@@ -8,7 +8,7 @@
 
 #include "derivation/derivation.hpp"
 #include "emit/options.hpp"
-#include "program/program.hpp"
+#include "program/ratio.hpp"
 #include "scene/scene.hpp"
 
 namespace vcrit::symbolic {
@@ -34,6 +34,10 @@ class ParameterList {
   /// What a program computes with: the parameter, its fixed number as the double that it is, or 1
   /// for an element whose value does not matter.
   NodeId value(Program& program, const Symbol& symbol) const;
+  /// The same, for as long as this list lives.
+  SymbolValue values() const {
+    return [this](Program& program, const Symbol& symbol) { return value(program, symbol); };
+  }
 
  private:
   void add(const Symbol& symbol, const std::string& comment, const Scene& scene);

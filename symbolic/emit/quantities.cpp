@@ -15,7 +15,7 @@
 #include "emit/pieces.hpp"
 #include "emit/words.hpp"
 #include "formula/algebra_lock.hpp"
-#include "program/quantities.hpp"
+#include "program/proof.hpp"
 
 namespace vcrit::symbolic {
 
@@ -86,8 +86,9 @@ class Header {
         fixed_(fixed_values(scene, options.fixed)),
         parameters_(quantity_parameters(scene, fixed_)),
         dialect_(parameters_),
-        value_([this](Program& p, const Symbol& s) { return parameters_.value(p, s); }),
-        quantities_(quantity_program(scene, value_)) {}
+        quantities_(quantity_program(scene, parameters_.values())) {
+    Proof(scene, parameters_.values()).holds(quantities_);
+  }
 
   std::string text() {
     const std::string guard = "VCRIT_GENERATED_" + name_ + "_QUANTITIES_HPP";
@@ -202,7 +203,8 @@ class Header {
   }
 
   std::string groups() {
-    const std::vector<Group> found = dimensionless_groups(scene_, quantities_.program, value_);
+    const std::vector<Group> found =
+        dimensionless_groups(scene_, quantities_.program, parameters_.values());
     if (found.empty()) return "";
     std::vector<std::pair<std::string, std::string>> members;
     std::vector<NodeId> nodes;
@@ -228,7 +230,6 @@ class Header {
   FixedValues fixed_;
   ParameterList parameters_;
   DoubleDialect dialect_;
-  SymbolValue value_;
   QuantityProgram quantities_;
 };
 

@@ -8,19 +8,19 @@
 
 #include "emit/cpp_dialect.hpp"
 #include "emit/pieces.hpp"
+#include "program/proof.hpp"
 
 namespace vcrit::symbolic {
 
 Evaluator::Evaluator(const Scene& scene, const FixedValues& fixed, Zeros zeros)
     : derivation(derive(scene)),
       parameters(scene, derivation, fixed),
-      velocity(velocity_program(
-          scene,
-          [this](Program& program, const Symbol& symbol) {
-            return parameters.value(program, symbol);
-          },
-          zeros)),
+      velocity(velocity_program(scene, parameters.values(), zeros)),
       gradient(gradient_program(velocity)) {
+  const Proof proof(scene, parameters.values());
+  proof.holds(derivation);
+  proof.holds(velocity);
+  proof.holds(gradient);
   const Program& program = gradient.program;
   // The product with the factor and its conversion stand outside of these.
   operations = program.operations(program.needed_for({gradient.ratio, velocity.factor})) + 2;
