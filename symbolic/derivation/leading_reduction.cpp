@@ -21,10 +21,10 @@ class Leader {
     Reduction left;
     for (std::size_t i = 0; i < steps_.size(); ++i) {
       if (!needed[i]) continue;
-      const Step& step = steps_[i];
+      const Place& step = steps_[i];
       place[i] = left.steps.size();
       left.steps.push_back(
-          {step.kind, step.element, place[step.a], place[step.b], place[step.total]});
+          {step.given->kind, step.given->element, place[step.a], place[step.b], place[step.total]});
     }
     return left;
   }
@@ -32,9 +32,9 @@ class Leader {
  private:
   void add(const Step& step, const std::function<int(const Element&)>& power) {
     const std::size_t itself = steps_.size();
-    steps_.push_back(step);
+    steps_.push_back({&step});
     if (step.kind == Step::Kind::element) return keep(itself, power(step.element));
-    Step& here = steps_.back();
+    Place& here = steps_.back();
     here.a = same_as_[step.a];
     here.b = same_as_[step.b];
     const int a = powers_[here.a], b = powers_[here.b];
@@ -45,8 +45,8 @@ class Leader {
 
   /// a b/total is b where total is no more than a.
   void add_mesh(std::size_t itself) {
-    Step& here = steps_[itself];
-    here.total = same_as_[here.total];
+    Place& here = steps_[itself];
+    here.total = same_as_[here.given->total];
     if (here.total == here.a) return keep(here.b);
     if (here.total == here.b) return keep(here.a);
     keep(itself, powers_[here.a] + powers_[here.b] - powers_[here.total]);
@@ -62,15 +62,20 @@ class Leader {
     std::vector<bool> needed(steps_.size());
     needed[same_as_.back()] = true;
     for (std::size_t i = steps_.size(); i-- > 0;) {
-      const Step& step = steps_[i];
-      if (!needed[i] || step.kind == Step::Kind::element) continue;
+      const Place& step = steps_[i];
+      if (!needed[i] || step.given->kind == Step::Kind::element) continue;
       needed[step.a] = needed[step.b] = true;
-      if (step.kind == Step::Kind::mesh) needed[step.total] = true;
+      if (step.given->kind == Step::Kind::mesh) needed[step.total] = true;
     }
     return needed;
   }
 
-  std::vector<Step> steps_;
+  /// A step, and what it now needs; its names are copied where they stay.
+  struct Place {
+    const Step* given;
+    std::size_t a = 0, b = 0, total = 0;
+  };
+  std::vector<Place> steps_;
   std::vector<std::size_t> same_as_;  ///< an earlier step with the same leading term, or itself
   std::vector<int> powers_;
 };

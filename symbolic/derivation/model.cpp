@@ -95,6 +95,7 @@ Model::Model(const Scene& scene)
     : surrounding_{has_drive(scene), scene.mass.has_value()},
       balance_(solve_balance(surrounding_)) {
   networks_.push_back({"K_n", scene.normal});
+  loaded_ = is_loaded({});
   if (const auto* isotropic = std::get_if<Isotropic>(&scene.tangential)) {
     isotropic_ = true;
     const char* words = isotropic->by == Isotropic::By::poisson
@@ -133,11 +134,10 @@ ex Model::per_friction() const {
 }
 
 bool Model::is_small(const ex& amplitude, const Change& change) const {
-  std::map<std::string, TermCount> counts;
   double largest = 0, sum = 0, product = 1;
-  for (const auto& [name, network, reduction] : networks_) {
-    if (!has_quantity(amplitude, name)) continue;
-    const TermCount count = term_count(reduction, change.rates).value;
+  for (std::size_t i = 0; i < networks_.size(); ++i) {
+    if (!has_quantity(amplitude, networks_[i].name)) continue;
+    const TermCount count = counts(change.rates)[i].value;
     largest = std::max({largest, count.numerator, count.denominator});
     // K_t + K_d - m omega^2 over one denominator.
     sum = sum * count.denominator + product * count.numerator;
@@ -148,10 +148,18 @@ bool Model::is_small(const ex& amplitude, const Change& change) const {
          readable_formula_terms;
 }
 
+const std::vector<Leading<TermCount>>& Model::counts(const Rates& rates) const {
+  if (counted_.second.empty() || counted_.first != rates) {
+    counted_ = {rates, {}};
+    for (const Part& part : networks_) counted_.second.push_back(term_count(part.reduction, rates));
+  }
+  return counted_.second;
+}
+
 std::map<std::string, int> Model::powers(const Change& change) const {
   std::map<std::string, int> powers;
-  for (const auto& [name, network, reduction] : networks_)
-    powers[name] = term_count(reduction, change.rates).power;
+  for (std::size_t i = 0; i < networks_.size(); ++i)
+    powers[networks_[i].name] = counts(change.rates)[i].power;
   if (change.rigid) powers["K_d"] += much_faster;
   if (change.massless) powers["m"] = -1;
   const auto frequency = change.rates.find({"omega"});
@@ -162,12 +170,13 @@ std::map<std::string, int> Model::powers(const Change& change) const {
 // The normal force has a mean, which a network with K_n(0) = 0 cannot carry. A scene without such a
 // network loses nothing.
 bool Model::unloads_contact(const Change& change) const {
-  const auto is_loaded = [this](Rates rates) {
-    for (auto& [symbol, rate] : rates) rate *= much_faster;
-    rates[{"omega"}] = -1;
-    return term_count(networks_.front().reduction, rates).power == 0;
-  };
-  return is_loaded({}) && !is_loaded(change.rates);
+  return loaded_ && !is_loaded(change.rates);
+}
+
+bool Model::is_loaded(Rates rates) const {
+  for (auto& [symbol, rate] : rates) rate *= much_faster;
+  rates[{"omega"}] = -1;
+  return term_count(networks_.front().reduction, rates).power == 0;
 }
 
 Leading<Factors> Model::leading_amplitude(const std::map<std::string, int>& powers,
@@ -223,9 +232,10 @@ Asymptotic Model::asymptotic(int direction) const {
 
 std::map<std::string, Fraction> Model::fractions(const Change& change) const {
   std::map<std::string, Fraction> fractions;
-  for (const auto& [name, network, reduction] : networks_)
-    if (is_readable_count(term_count(reduction, change.rates).value))
-      fractions[name] = scaled_fraction(fraction(reduction, change.rates).value, change.scale);
+  for (std::size_t i = 0; i < networks_.size(); ++i)
+    if (is_readable_count(counts(change.rates)[i].value))
+      fractions[networks_[i].name] =
+          scaled_fraction(fraction(networks_[i].reduction, change.rates).value, change.scale);
   return fractions;
 }
 

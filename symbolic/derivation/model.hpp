@@ -74,6 +74,9 @@ class Model {
   bool is_small(const GiNaC::ex& amplitude, const Change& change) const;
   std::map<std::string, int> powers(const Change& change) const;
   bool unloads_contact(const Change& change) const;
+  bool is_loaded(Rates rates) const;
+  /// Of each network; powers and sizes of one change are asked for one after the other.
+  const std::vector<Leading<TermCount>>& counts(const Rates& rates) const;
   Leading<Factors> leading_amplitude(const std::map<std::string, int>& powers,
                                      const Change& change) const;
   Leading<Factors> new_leading_amplitude(const std::map<std::string, int>& powers,
@@ -91,7 +94,8 @@ class Model {
   Balance balance_;
   std::vector<Part> networks_;
   std::vector<Line> identities_;
-  bool isotropic_ = false;
+  bool isotropic_ = false, loaded_ = false;
+  mutable std::pair<Rates, std::vector<Leading<TermCount>>> counted_;
   /// By powers, and whether the drive is rigid, where nothing else changes: hundreds of limits of a
   /// large network share one.
   mutable std::map<std::pair<std::map<std::string, int>, bool>, Leading<Factors>> leading_;

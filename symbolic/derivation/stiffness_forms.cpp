@@ -11,28 +11,49 @@ namespace {
 using GiNaC::ex;
 
 /// An element's leading term as coefficient (storage), coefficient * s (loss) or coefficient * s^2
-/// (inertia), or a whole Maxwell branch k tau s/(1 + tau s).
+/// (inertia), or a whole Maxwell branch k tau s/(1 + tau s). Written only where it is asked for.
 struct ElementForm {
-  enum class Kind { storage, loss, inertia, maxwell } kind;
-  ex k, tau;
+  enum class Kind { storage, loss, inertia, maxwell };
+  Kind kind;
+  const Element& of;
+
+  /// k, or k tau of a Maxwell branch that is slow.
+  ex coefficient() const {
+    const ex k = symbol(of.coefficient);
+    const bool slow = kind == Kind::loss && of.kind == ElementKind::maxwell;
+    return slow ? k * tau() : k;
+  }
+  ex tau() const { return symbol(of.time); }
 };
 
-Leading<ElementForm> leading_element(const Element& element, const Rates& rates) {
-  const auto rate = [&](const Symbol& s) {
-    const auto found = rates.find(s);
-    return found == rates.end() ? 0 : found->second;
-  };
+/// Rates of symbols, that of omega at hand.
+class GrowthRates {
+ public:
+  explicit GrowthRates(const Rates& rates) : rates_(rates), frequency_(of({"omega"})) {}
+  int of(const Symbol& symbol) const {
+    const auto found = rates_.find(symbol);
+    return found == rates_.end() ? 0 : found->second;
+  }
+  int frequency() const { return frequency_; }
+
+ private:
+  const Rates& rates_;
+  int frequency_;
+};
+
+Leading<ElementForm> leading_element(const Element& element, const GrowthRates& rates) {
   using Kind = ElementForm::Kind;
-  const ex k = symbol(element.coefficient);
-  const int power = rate(element.coefficient), frequency = rate({"omega"});
-  if (element.kind == ElementKind::spring) return {power, {Kind::storage, k, 0}};
-  if (element.kind == ElementKind::damper) return {power + frequency, {Kind::loss, k, 0}};
-  if (element.kind == ElementKind::mass) return {power + 2 * frequency, {Kind::inertia, k, 0}};
-  const ex tau = symbol(element.time);
-  const int slow = rate(element.time) + frequency;
-  if (slow > 0) return {power, {Kind::storage, k, 0}};
-  if (slow < 0) return {power + slow, {Kind::loss, k * tau, 0}};
-  return {power, {Kind::maxwell, k, tau}};
+  const int power = rates.of(element.coefficient);
+  const auto form = [&](int degree, Kind kind) {
+    return Leading<ElementForm>{degree, {kind, element}};
+  };
+  if (element.kind == ElementKind::spring) return form(power, Kind::storage);
+  if (element.kind == ElementKind::damper) return form(power + rates.frequency(), Kind::loss);
+  if (element.kind == ElementKind::mass) return form(power + 2 * rates.frequency(), Kind::inertia);
+  const int slow = rates.of(element.time) + rates.frequency();
+  if (slow > 0) return form(power, Kind::storage);
+  if (slow < 0) return form(power + slow, Kind::loss);
+  return form(power, Kind::maxwell);
 }
 
 /// Runs `Base` on leading terms.
@@ -40,7 +61,7 @@ template <class Base>
 struct LeadingAlgebra {
   using Value = Leading<typename Base::Value>;
   Base base;
-  const Rates& rates;
+  GrowthRates rates;
 
   Value element(const Element& element) {
     const Leading<ElementForm> form = leading_element(element, rates);
@@ -69,15 +90,15 @@ struct Fractions {
     const ex s = laplace();
     switch (e.kind) {
       case ElementForm::Kind::storage:
-        return {e.k, 1};
+        return {e.coefficient(), 1};
       case ElementForm::Kind::loss:
-        return {(e.k * s).expand(), 1};
+        return {(e.coefficient() * s).expand(), 1};
       case ElementForm::Kind::inertia:
-        return {(e.k * s * s).expand(), 1};
+        return {(e.coefficient() * s * s).expand(), 1};
       case ElementForm::Kind::maxwell:
         break;
     }
-    return {e.k * e.tau * s, 1 + e.tau * s};
+    return {e.coefficient() * e.tau() * s, 1 + e.tau() * s};
   }
   static Value parallel(const Value& a, const Value& b) {
     return {(a.numerator * b.denominator + b.numerator * a.denominator).expand(),
@@ -140,15 +161,15 @@ class Nested {
     const ex s = laplace();
     switch (e.kind) {
       case ElementForm::Kind::storage:
-        return {e.k, 1};
+        return {e.coefficient(), 1};
       case ElementForm::Kind::loss:
-        return {e.k * s, 1};
+        return {e.coefficient() * s, 1};
       case ElementForm::Kind::inertia:
-        return {e.k * s * s, 1};
+        return {e.coefficient() * s * s, 1};
       case ElementForm::Kind::maxwell:
         break;
     }
-    return {e.k * e.tau * s / (1 + e.tau * s), 1};
+    return {e.coefficient() * e.tau() * s / (1 + e.tau() * s), 1};
   }
   Value parallel(const Value& a, const Value& b) { return named({a.k + b.k, a.size + b.size}, 24); }
   Value series(const Value& a, const Value& b) {
@@ -174,14 +195,15 @@ class Nested {
 
 template <class Base>
 Leading<typename Base::Value> run(const Reduction& reduction, const Rates& rates, Base base) {
-  LeadingAlgebra<Base> algebra{std::move(base), rates};
+  LeadingAlgebra<Base> algebra{std::move(base), GrowthRates(rates)};
   return evaluate(reduction, algebra);
 }
 
 Reduction leading(const Reduction& reduction, const Rates& rates) {
   if (rates.empty()) return reduction;
+  const GrowthRates growth(rates);
   return leading_reduction(
-      reduction, [&](const Element& element) { return leading_element(element, rates).power; });
+      reduction, [&](const Element& element) { return leading_element(element, growth).power; });
 }
 
 }  // namespace
