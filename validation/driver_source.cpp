@@ -90,7 +90,7 @@ Call batch(const char* key, const char* name, const std::string& grade) {
 }
 
 /// Statements with the member of each number of a set.
-std::string for_each_number(const std::vector<Symbol>& symbols,
+std::string statement_for_each(const std::vector<Symbol>& symbols,
                             const symbolic::ParameterList& parameters, const char* statement) {
   std::string text;
   for (std::size_t i = 0; i < symbols.size(); ++i)
@@ -111,9 +111,9 @@ std::string fill_columns(const std::vector<Symbol>& symbols,
                          const symbolic::ParameterList& parameters) {
   const std::string numbers = std::to_string(symbols.size());
   return "  std::vector<double> numbers[" + numbers + "];\n  for (const Parameters& p : sets) {\n" +
-         for_each_number(symbols, parameters, "    numbers[{i}].push_back({member});\n") +
+         statement_for_each(symbols, parameters, "    numbers[{i}].push_back({member});\n") +
          "  }\n  {\n    scene::Columns& p = columns;\n" +
-         for_each_number(symbols, parameters, "    {member} = numbers[{i}].data();\n") + "  }\n";
+         statement_for_each(symbols, parameters, "    {member} = numbers[{i}].data();\n") + "  }\n";
 }
 
 /// A function for each way, and one for what is timed in its place. Where time is of no interest
@@ -193,7 +193,7 @@ std::string driver_source(const Scene& scene, const symbolic::Derivation& nested
   text += pasted_preamble() + pasted_function("in_complex_numbers", nested, parameters);
   if (formula.definitions.empty()) text += pasted_function("derived_formula", formula, parameters);
   text += "static bool read(std::FILE* in, Parameters& p) {\n  return true" +
-          for_each_number(symbols, parameters,
+          statement_for_each(symbols, parameters,
                           " &&\n         std::fscanf(in, \"%la\", &{member}) == 1") +
           ";\n}\n";
   text += numbers_of_all + functions(calls_of(formula, has_generated)) + measuring;

@@ -219,7 +219,7 @@ std::optional<Comparison> indenter_quasi_static(const Scene& scene) {
   slow.angular_frequency.value = slowness / slowest;
   Scene elastic = slow;
   const Symbol at_rest{"E"};
-  elastic.normal = {Element{ElementKind::spring, at_rest, {}}};
+  elastic.normal = spring(at_rest);
   elastic.elements = {{at_rest, modulus.equilibrium}};
   Comparison comparison = by_difference(
       "quasi_static", "friction at a frequency far below all relaxation, at half of v*",

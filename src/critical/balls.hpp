@@ -95,13 +95,10 @@ struct Balls : Arithmetic {
   /// m omega^2
   Ball inertia(const Symbol& mass) const { return multiply(of(mass), multiply(omega, omega)); }
 
-  Ball element(const Element& e) const {
-    Ball coefficient = of(e.coefficient);
-    if (e.kind == ElementKind::spring) return coefficient;
-    if (e.kind == ElementKind::damper) return times_i(multiply(coefficient, omega));
-    if (e.kind == ElementKind::mass) return subtract(Ball(0), inertia(e.coefficient));
-    const Ball x = times_i(multiply(omega, of(e.time)));
-    return divide(multiply(coefficient, x), add(Ball(1), x));
+  Ball times_s(const Ball& k) const { return times_i(multiply(k, omega)); }
+  Ball relaxing(const Ball& k, const Ball& tau) const {
+    const Ball x = times_i(multiply(omega, tau));
+    return divide(multiply(k, x), add(Ball(1), x));
   }
   Ball parallel(const Ball& a, const Ball& b) const { return add(a, b); }
   Ball series(const Ball& a, const Ball& b) const { return mesh(a, b, add(a, b)); }

@@ -11,6 +11,7 @@
 #include "base/constants.hpp"
 #include "critical/balls.hpp"
 #include "critical/drive_response.hpp"
+#include "critical/eq24.hpp"
 #include "network/reduction.hpp"
 
 namespace vcrit {
@@ -46,19 +47,7 @@ class Evaluation {
       if (shift->symbol == scene_.angular_frequency.symbol)
         balls.omega = balls.multiply(balls.omega, shift->factor);
     }
-    const Ball outer =
-        balls.multiply(balls.of(scene_.coefficient.symbol), balls.of(scene_.amplitude.symbol));
-    Quotient q{balls.multiply(outer, balls.omega), Ball(1), Ball(1), Ball(1)};
-    if (tangential_) {
-      const Ball normal = evaluate(normal_, balls), tangential = evaluate(*tangential_, balls);
-      q.prefactor = balls.multiply(q.prefactor, balls.modulus(balls.divide(normal, tangential)));
-      if (drive_) put_drive(q, tangential, balls);
-    } else {
-      const Ball ratio = ratio_ball(std::get<Isotropic>(scene_.tangential), balls);
-      q.prefactor = balls.divide(q.prefactor, ratio);
-      if (drive_) put_drive(q, balls.multiply(ratio, evaluate(normal_, balls)), balls);
-    }
-    return q;
+    return eq24(scene_, InBalls{*this, balls});
   }
 
   // Enough bits to tell an exact zero of K_t + K_d - m omega^2 from a tiny number: it is a quotient
@@ -81,6 +70,38 @@ class Evaluation {
   }
 
  private:
+  /// Eq. (24) in balls.
+  struct InBalls {
+    const Evaluation& of;
+    Balls& balls;
+
+    Quotient outer() const {
+      const Ball friction = balls.multiply(balls.of(of.scene_.coefficient.symbol),
+                                           balls.of(of.scene_.amplitude.symbol));
+      return {balls.multiply(friction, balls.omega), Ball(1), Ball(1), Ball(1)};
+    }
+    Ball ratio(const Isotropic& isotropic) const { return ratio_ball(isotropic, balls); }
+    Ball normal() const { return evaluate(of.normal_, balls); }
+    Ball tangential() const { return evaluate(*of.tangential_, balls); }
+    Ball scaled(const Ball& ratio, const Ball& normal) const {
+      return balls.multiply(ratio, normal);
+    }
+    void divide(Quotient& q, const Ball& ratio) const {
+      q.prefactor = balls.divide(q.prefactor, ratio);
+    }
+    void times_quotient(Quotient& q, const Ball& normal, const Ball& tangential) const {
+      q.prefactor = balls.multiply(q.prefactor, balls.modulus(balls.divide(normal, tangential)));
+    }
+    // With K_d = force/deflection, both sides of the quotient times the deflection: neither is ever
+    // infinite.
+    void times_drive(Quotient& q, const Ball& tangential) const {
+      const DriveResponse drive = of.drive_->at(balls);
+      q.denominator = of.inertial(drive, balls);
+      q.free_numerator = balls.multiply(tangential, drive.deflection);
+      q.numerator = balls.add(q.free_numerator, q.denominator);
+    }
+  };
+
   static slong precision_for(std::size_t steps) { return static_cast<slong>(2200 * (steps + 4)); }
 
   Balls arithmetic(slong precision) const {
@@ -108,15 +129,6 @@ class Evaluation {
     if (!scene_.mass) return drive.force;
     return balls.subtract(drive.force,
                           balls.multiply(balls.inertia(scene_.mass->symbol), drive.deflection));
-  }
-
-  // With K_d = force/deflection, both sides of the quotient times the deflection: neither is ever
-  // infinite.
-  void put_drive(Quotient& q, const Ball& tangential, Balls& balls) const {
-    const DriveResponse drive = drive_->at(balls);
-    q.denominator = inertial(drive, balls);
-    q.free_numerator = balls.multiply(tangential, drive.deflection);
-    q.numerator = balls.add(q.free_numerator, q.denominator);
   }
 
   const Scene& scene_;

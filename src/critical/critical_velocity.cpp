@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/complex.hpp"
+#include "critical/eq24.hpp"
 #include "stiffness/dynamic_stiffness.hpp"
 
 namespace vcrit {
@@ -25,28 +26,48 @@ double minus_inertia(double a, double b, double mass, double omega) {
   return minus_inertia(sum, mass, omega) + rest;
 }
 
-// |K_t + K_d - m omega^2|/|K_d - m omega^2|
-double drive_factor(ComplexDouble tangential, const Scene& scene, const Values& values,
-                    double omega) {
-  const ComplexDouble drive = dynamic_stiffness(*scene.drive, values, omega);
-  const double mass = scene.mass ? values.at(scene.mass->symbol) : 0;
-  const double n = minus_inertia(tangential.real(), drive.real(), mass, omega);
-  const double d = minus_inertia(drive.real(), mass, omega);
-  return std::hypot(n, tangential.imag() + drive.imag()) / std::hypot(d, drive.imag());
-}
+/// Eq. (24) in doubles; v is what mu0 omega du_z is multiplied by.
+struct InDoubles {
+  const Scene& scene;
+  const Values& values;
+  double omega;
 
-// The same with K_d = 1/R: |K_t R + 1 - m omega^2 R|/|1 - m omega^2 R|
-double measured_factor(ComplexDouble tangential, const Scene& scene, const Values& values,
-                       double omega) {
-  const auto [below, above] = bracket(*scene.receptance, omega);
-  const double width = above.omega - below.omega;
-  const double share = width > 0 ? (omega - below.omega) / width : 0;
-  const ComplexDouble receptance =
-      (1 - share) * ComplexDouble{below.re, below.im} + share * ComplexDouble{above.re, above.im};
-  const double inertia = scene.mass ? values.at(scene.mass->symbol) * omega * omega : 0;
-  const ComplexDouble d = 1.0 - inertia * receptance;
-  return std::abs(tangential * receptance + d) / std::abs(d);
-}
+  static double outer() { return 1; }
+  static double ratio(const Isotropic& isotropic) { return tangential_ratio(isotropic); }
+  ComplexDouble normal() const { return dynamic_stiffness(scene.normal, values, omega); }
+  ComplexDouble tangential() const {
+    return dynamic_stiffness(std::get<Network>(scene.tangential), values, omega);
+  }
+  static ComplexDouble scaled(double ratio, ComplexDouble normal) { return ratio * normal; }
+  static void divide(double& v, double ratio) { v /= ratio; }
+  static void times_quotient(double& v, ComplexDouble normal, ComplexDouble tangential) {
+    v *= std::abs(normal) / std::abs(tangential);
+  }
+  void times_drive(double& v, ComplexDouble tangential) const {
+    v *= scene.receptance ? measured_factor(tangential) : network_factor(tangential);
+  }
+
+ private:
+  double mass() const { return scene.mass ? values.at(scene.mass->symbol) : 0; }
+
+  double network_factor(ComplexDouble tangential) const {
+    const ComplexDouble drive = dynamic_stiffness(*scene.drive, values, omega);
+    const double n = minus_inertia(tangential.real(), drive.real(), mass(), omega);
+    const double d = minus_inertia(drive.real(), mass(), omega);
+    return std::hypot(n, tangential.imag() + drive.imag()) / std::hypot(d, drive.imag());
+  }
+
+  // With K_d = 1/R: |K_t R + 1 - m omega^2 R|/|1 - m omega^2 R|
+  double measured_factor(ComplexDouble tangential) const {
+    const auto [below, above] = bracket(*scene.receptance, omega);
+    const double width = above.omega - below.omega;
+    const double share = width > 0 ? (omega - below.omega) / width : 0;
+    const ComplexDouble receptance =
+        (1 - share) * ComplexDouble{below.re, below.im} + share * ComplexDouble{above.re, above.im};
+    const ComplexDouble d = 1.0 - mass() * omega * omega * receptance;
+    return std::abs(tangential * receptance + d) / std::abs(d);
+  }
+};
 
 }  // namespace
 
@@ -56,22 +77,7 @@ double critical_velocity(const Scene& scene, double omega) {
   const Values values = values_of(scene);
   const double friction = values.at(scene.coefficient.symbol);
   const double amplitude = values.at(scene.amplitude.symbol);
-  const auto* isotropic = std::get_if<Isotropic>(&scene.tangential);
-  const double ratio = isotropic != nullptr ? tangential_ratio(*isotropic) : 1;
-
-  // An isotropic, rigidly driven contact needs no rheology at all.
-  double factor = 1 / ratio;
-  if (isotropic == nullptr || has_drive(scene)) {
-    const ComplexDouble normal = dynamic_stiffness(scene.normal, values, omega);
-    const ComplexDouble tangential =
-        isotropic != nullptr
-            ? ratio * normal
-            : dynamic_stiffness(std::get<Network>(scene.tangential), values, omega);
-    if (isotropic == nullptr) factor = std::abs(normal) / std::abs(tangential);
-    if (scene.drive) factor *= drive_factor(tangential, scene, values, omega);
-    if (scene.receptance) factor *= measured_factor(tangential, scene, values, omega);
-  }
-  return friction * omega * amplitude * factor;
+  return friction * omega * amplitude * eq24(scene, InDoubles{scene, values, omega});
 }
 
 double critical_velocity(const Scene& scene) {

@@ -5,6 +5,7 @@
 #include "base/complex.hpp"
 #include "base/errors.hpp"
 #include "critical/certified.hpp"
+#include "critical/eq24.hpp"
 #include "network/masses.hpp"
 #include "network/reduction.hpp"
 
@@ -46,13 +47,10 @@ struct Duals {
   Dual s() const { return Dual{{0, 1}} * of(omega_symbol); }
   Dual inertia(const Symbol& mass) const { return of(mass) * s() * s(); }
 
-  Dual element(const Element& e) const {
-    const Dual coefficient = of(e.coefficient);
-    if (e.kind == ElementKind::spring) return coefficient;
-    if (e.kind == ElementKind::damper) return coefficient * s();
-    ensure(e.kind != ElementKind::mass, "drives with masses are differentiated by balls");
-    const Dual x = s() * of(e.time);
-    return coefficient * x / (Dual{1} + x);
+  Dual times_s(const Dual& k) const { return k * s(); }
+  Dual relaxing(const Dual& k, const Dual& tau) const {
+    const Dual x = s() * tau;
+    return k * x / (Dual{1} + x);
   }
   static Dual parallel(const Dual& a, const Dual& b) { return a + b; }
   static Dual series(const Dual& a, const Dual& b) { return mesh(a, b, a + b); }
@@ -79,34 +77,41 @@ Dual receptance_of(const Scene& scene, const Duals& duals) {
   return {first + (omega - below.omega) * rise, varies ? omega * rise : 0};
 }
 
+/// ln of Eq. (24): what it changes by.
+struct LogChanges {
+  const Scene& scene;
+  const Duals& duals;
+
+  double outer() const {
+    const Dual product = duals.of(scene.coefficient.symbol) * duals.of(scene.amplitude.symbol) *
+                         duals.of(scene.angular_frequency.symbol);
+    return product.log_change();
+  }
+  Dual ratio(const Isotropic& isotropic) const { return ratio_of(isotropic, duals); }
+  Dual normal() const { return evaluate(reduce(scene.normal), duals); }
+  Dual tangential() const { return evaluate(reduce(std::get<Network>(scene.tangential)), duals); }
+  static Dual scaled(const Dual& ratio, const Dual& normal) { return ratio * normal; }
+  static void divide(double& change, const Dual& ratio) { change -= ratio.log_change(); }
+  static void times_quotient(double& change, const Dual& normal, const Dual& tangential) {
+    change += normal.log_change() - tangential.log_change();
+  }
+  void times_drive(double& change, const Dual& tangential) const {
+    const Dual receptance = scene.receptance ? receptance_of(scene, duals) : Dual{1};
+    Dual below = scene.receptance ? Dual{1} : evaluate(reduce(*scene.drive), duals);
+    if (scene.mass) below = below + duals.inertia(scene.mass->symbol) * receptance;
+    change += (tangential * receptance + below).log_change() - below.log_change();
+  }
+};
+
 // In doubles.
 double direct(const Scene& scene, const Symbol& symbol) {
   Values values = values_of(scene);
-  Duals duals{values, scene.angular_frequency.symbol, symbol};
-  const Dual outer = duals.of(scene.coefficient.symbol) * duals.of(scene.amplitude.symbol) *
-                     duals.of(scene.angular_frequency.symbol);
-  double change = outer.log_change();
-  Dual tangential;
   if (const auto* isotropic = std::get_if<Isotropic>(&scene.tangential)) {
     if (isotropic->quantity.symbol.name.empty()) throw Bug("an isotropic contact without a ratio");
     values.emplace(isotropic->quantity.symbol, tangential_ratio(*isotropic));
-    const Dual ratio = ratio_of(*isotropic, duals);
-    change -= ratio.log_change();
-    if (has_drive(scene)) tangential = ratio * evaluate(reduce(scene.normal), duals);
-  } else {
-    tangential = evaluate(reduce(std::get<Network>(scene.tangential)), duals);
-    change += evaluate(reduce(scene.normal), duals).log_change() - tangential.log_change();
   }
-  if (!has_drive(scene)) return change;
-  if (scene.receptance) {
-    const Dual receptance = receptance_of(scene, duals);
-    Dual below{1};
-    if (scene.mass) below = below + duals.inertia(scene.mass->symbol) * receptance;
-    return change + (tangential * receptance + below).log_change() - below.log_change();
-  }
-  Dual below = evaluate(reduce(*scene.drive), duals);
-  if (scene.mass) below = below + duals.inertia(scene.mass->symbol);
-  return change + (tangential + below).log_change() - below.log_change();
+  const Duals duals{values, scene.angular_frequency.symbol, symbol};
+  return eq24(scene, LogChanges{scene, duals});
 }
 
 }  // namespace

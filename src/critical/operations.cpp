@@ -1,5 +1,7 @@
 #include "critical/operations.hpp"
 
+#include "critical/eq24.hpp"
+#include "network/law.hpp"
 #include "network/masses.hpp"
 #include "network/reduction.hpp"
 
@@ -20,12 +22,12 @@ class Recorder {
 
   explicit Recorder(Symbol omega) : omega_(std::move(omega)) {}
 
-  Pair element(const Element& e) {
-    const Column coefficient = parameter(e.coefficient);
-    if (e.kind == ElementKind::spring) return {coefficient, zero_column};
-    if (e.kind == ElementKind::damper) return {zero_column, multiply(coefficient, omega())};
-    return pair(Kind::maxwell, {coefficient, parameter(e.time), omega()});
+  Pair of(const Symbol& symbol) { return {parameter(symbol), zero_column}; }
+  Pair times_s(Pair k) {
+    ensure(k.loss == zero_column, "columns are of springs and dampers only");
+    return {zero_column, multiply(k.storage, omega())};
   }
+  Pair relaxing(Pair k, Pair tau) { return pair(Kind::maxwell, {k.storage, tau.storage, omega()}); }
   Pair parallel(Pair a, Pair b) { return {add(a.storage, b.storage), add(a.loss, b.loss)}; }
   Pair series(Pair a, Pair b) { return pair(Kind::series, {a.storage, a.loss, b.storage, b.loss}); }
   Pair mesh(Pair a, Pair b, Pair total) {
@@ -66,65 +68,56 @@ class Recorder {
 
 bool is_spring(const Network& network) {
   const auto* element = std::get_if<Element>(&network.form);
-  return element != nullptr && element->kind == ElementKind::spring;
+  return element != nullptr && is_elastic(*element);
 }
 
-/// The velocity of a rigidly driven contact, and K_t where the drive needs it.
-struct Contact {
-  Column velocity;
-  Pair tangential;
-};
+/// Eq. (24) in columns.
+struct InColumns {
+  const Scene& scene;
+  Recorder& recorder;
 
-Contact isotropic_contact(Recorder& recorder, const Scene& scene, const Isotropic& isotropic,
-                          Column velocity) {
-  Column ratio = recorder.parameter(isotropic.quantity.symbol);
-  if (isotropic.by == Isotropic::By::poisson) {
-    recorder.written().poisson = ratio;
-    ratio = recorder.single(Operation::Kind::isotropic, {ratio});
+  Column outer() const {
+    const Column friction = recorder.parameter(scene.coefficient.symbol);
+    const Column product = recorder.multiply(friction, recorder.parameter(scene.amplitude.symbol));
+    return recorder.multiply(product, recorder.omega());
   }
-  velocity = recorder.single(Operation::Kind::divide, {velocity, ratio});
-  // Under a rigid drive it needs no rheology at all.
-  if (!scene.drive) return {velocity, {}};
-  const Pair normal = evaluate(reduce(scene.normal), recorder);
-  return {velocity,
-          {recorder.multiply(normal.storage, ratio), recorder.multiply(normal.loss, ratio)}};
-}
-
-Contact anisotropic_contact(Recorder& recorder, const Scene& scene, const Network& network,
-                            Column velocity) {
-  const Pair n = evaluate(reduce(scene.normal), recorder);
-  const Pair t = evaluate(reduce(network), recorder);
-  const Column factor =
-      recorder.single(Operation::Kind::modulus_ratio, {n.storage, n.loss, t.storage, t.loss});
-  return {recorder.multiply(velocity, factor), t};
-}
-
-Column driven(Recorder& recorder, const Scene& scene, const Contact& contact) {
-  const Pair drive = evaluate(reduce(*scene.drive), recorder);
-  const Column mass = scene.mass ? recorder.parameter(scene.mass->symbol) : zero_column;
-  const Pair t = contact.tangential;
-  const Column factor =
-      recorder.single(Operation::Kind::drive_factor,
-                      {t.storage, t.loss, drive.storage, drive.loss, mass, recorder.omega()});
-  return recorder.multiply(contact.velocity, factor);
-}
+  Column ratio(const Isotropic& isotropic) const {
+    const Column given = recorder.parameter(isotropic.quantity.symbol);
+    if (isotropic.by == Isotropic::By::ratio) return given;
+    recorder.written().poisson = given;
+    return recorder.single(Operation::Kind::isotropic, {given});
+  }
+  Pair normal() const { return evaluate(reduce(scene.normal), recorder); }
+  Pair tangential() const {
+    return evaluate(reduce(std::get<Network>(scene.tangential)), recorder);
+  }
+  Pair scaled(Column ratio, Pair normal) const {
+    return {recorder.multiply(normal.storage, ratio), recorder.multiply(normal.loss, ratio)};
+  }
+  void divide(Column& v, Column ratio) const {
+    v = recorder.single(Operation::Kind::divide, {v, ratio});
+  }
+  void times_quotient(Column& v, Pair n, Pair t) const {
+    v = recorder.multiply(
+        v, recorder.single(Operation::Kind::modulus_ratio, {n.storage, n.loss, t.storage, t.loss}));
+  }
+  void times_drive(Column& v, Pair t) const {
+    const Pair drive = evaluate(reduce(*scene.drive), recorder);
+    const Column mass = scene.mass ? recorder.parameter(scene.mass->symbol) : zero_column;
+    v = recorder.multiply(
+        v, recorder.single(Operation::Kind::drive_factor,
+                           {t.storage, t.loss, drive.storage, drive.loss, mass, recorder.omega()}));
+  }
+};
 
 }  // namespace
 
 std::optional<Operations> operations_of(const Scene& scene) {
   if (scene.receptance || (scene.drive && has_masses(*scene.drive))) return std::nullopt;
   Recorder recorder(scene.angular_frequency.symbol);
-  const Column outer = recorder.multiply(recorder.parameter(scene.coefficient.symbol),
-                                         recorder.parameter(scene.amplitude.symbol));
-  const Column velocity = recorder.multiply(outer, recorder.omega());
-  const auto* isotropic = std::get_if<Isotropic>(&scene.tangential);
-  const Contact contact =
-      isotropic != nullptr
-          ? isotropic_contact(recorder, scene, *isotropic, velocity)
-          : anisotropic_contact(recorder, scene, std::get<Network>(scene.tangential), velocity);
-  recorder.written().result = scene.drive ? driven(recorder, scene, contact) : contact.velocity;
-  recorder.written().exact_contact =
-      isotropic == nullptr && is_spring(std::get<Network>(scene.tangential));
+  recorder.written().result = eq24(scene, InColumns{scene, recorder});
+  const auto* tangential = std::get_if<Network>(&scene.tangential);
+  recorder.written().exact_contact = tangential != nullptr && is_spring(*tangential);
   recorder.written().exact_drive = scene.drive && is_spring(*scene.drive);
   return std::move(recorder.written());
 }

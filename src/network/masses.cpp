@@ -1,12 +1,11 @@
 #include "network/masses.hpp"
 
 #include "network/graph.hpp"
+#include "network/law.hpp"
 
 namespace vcrit {
 
 namespace {
-
-bool is_mass(const Element& element) { return element.kind == ElementKind::mass; }
 
 /// Walks a network knowing which ends of each part are the far end.
 struct Walk {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/errors.hpp"
+#include "network/law.hpp"
 #include "network/network.hpp"
 
 namespace vcrit {
@@ -34,8 +35,9 @@ constexpr std::size_t most_reduction_steps = 4'000'000;
 /// Throws InputError beyond `most_reduction_steps`.
 Reduction reduce(const Network& network);
 
-/// Runs the program. `Algebra` gives the type Value and
-///   Value element(const Element&), parallel(a, b), series(a, b), mesh(a, b, total).
+/// Runs the program. `Algebra` gives what law() asks for, or element(const Element&) of its own,
+/// and
+///   Value parallel(a, b), series(a, b), mesh(a, b, total).
 template <class Algebra>
 typename Algebra::Value evaluate(const Reduction& reduction, Algebra& algebra) {
   std::vector<typename Algebra::Value> values;
@@ -43,7 +45,10 @@ typename Algebra::Value evaluate(const Reduction& reduction, Algebra& algebra) {
   for (const Step& step : reduction.steps) {
     switch (step.kind) {
       case Step::Kind::element:
-        values.push_back(algebra.element(step.element));
+        if constexpr (requires { algebra.element(step.element); })
+          values.push_back(algebra.element(step.element));
+        else
+          values.push_back(law(step.element, algebra));
         break;
       case Step::Kind::parallel:
         values.push_back(algebra.parallel(values[step.a], values[step.b]));

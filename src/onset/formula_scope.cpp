@@ -3,6 +3,7 @@
 #include "base/constants.hpp"
 #include "critical/admissibility.hpp"
 #include "indenter/friction.hpp"
+#include "network/law.hpp"
 #include "simulation/steady/normal_force.hpp"
 
 namespace vcrit {
@@ -11,9 +12,8 @@ namespace {
 
 bool elastic(const Network& network) {
   bool only_springs = true;
-  for_each_element(network, [&](const Element& element) {
-    only_springs = only_springs && element.kind == ElementKind::spring;
-  });
+  for_each_element(
+      network, [&](const Element& element) { only_springs = only_springs && is_elastic(element); });
   return only_springs;
 }
 

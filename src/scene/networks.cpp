@@ -8,6 +8,7 @@
 #include "base/identifiers.hpp"
 #include "network/expression.hpp"
 #include "network/graph.hpp"
+#include "network/law.hpp"
 #include "network/masses.hpp"
 #include "scene/document.hpp"
 
@@ -212,17 +213,25 @@ void Networks::check_size(const Network& network, const Place& place) {
                      "at most so many in all networks of a scene, each use of a name counted");
 }
 
-Dimension Networks::dimension_of(const Element& element) const {
-  if (element.kind == ElementKind::mass) return Dimension::mass;
-  if (element.kind == ElementKind::damper)
-    return of_half_space_ ? Dimension::viscosity : Dimension::damping;
-  return of_half_space_ ? Dimension::modulus : Dimension::stiffness;
+Dimension Networks::dimension_of(NumberRole role) const {
+  switch (role) {
+    case NumberRole::stiffness:
+      return of_half_space_ ? Dimension::modulus : Dimension::stiffness;
+    case NumberRole::damping:
+      return of_half_space_ ? Dimension::viscosity : Dimension::damping;
+    case NumberRole::time:
+      return Dimension::time;
+    case NumberRole::mass:
+      return Dimension::mass;
+  }
+  throw Bug("a number of no role");
 }
 
 void Networks::note_uses(const Network& network, const Place& place) {
   for_each_element(network, [&](const Element& element) {
-    note_use(element.coefficient, dimension_of(element), place);
-    if (element.kind == ElementKind::maxwell) note_use(element.time, Dimension::time, place);
+    for_each_number(element, [&](const Symbol& symbol, NumberRole role) {
+      note_use(symbol, dimension_of(role), place);
+    });
   });
 }
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/units.hpp"
+#include "network/law.hpp"
 #include "network/network.hpp"
 
 namespace vcrit {
@@ -48,7 +49,7 @@ class Networks {
   void merge_ground(Graph& graph, const toml::array& edges) const;
   int read_node(const toml::node& node, const std::string& expected, NamedNodes& nodes) const;
   void read_edge(const toml::node& node, Graph& graph, NamedNodes& nodes, int level);
-  Dimension dimension_of(const Element& element) const;
+  Dimension dimension_of(NumberRole role) const;
   void note_uses(const Network& network, const Place& place);
   void note_use(const Symbol& symbol, Dimension dimension, const Place& place);
   void check_size(const Network& network, const Place& place);

@@ -13,6 +13,7 @@
 #include "base/identifiers.hpp"
 #include "base/units.hpp"
 #include "network/graph.hpp"
+#include "network/law.hpp"
 #include "network/masses.hpp"
 #include "scene/document.hpp"
 #include "scene/fitted_range.hpp"
@@ -306,8 +307,10 @@ class Reader {
 
   Network without_zeros(const Network& network, const std::string& role) const {
     auto left = without(network, [this](const Element& element) {
-      return is_zero(element.coefficient) ||
-             (element.kind == ElementKind::maxwell && is_zero(element.time));
+      bool zero = false;
+      for_each_number(element,
+                      [&](const Symbol& symbol, NumberRole) { zero = zero || is_zero(symbol); });
+      return zero;
     });
     if (!left || !without_masses(*left))
       throw InputError({file_},

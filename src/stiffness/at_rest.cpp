@@ -12,20 +12,10 @@ struct LeadingTerms {
   using Value = AtRest;
   const Values& values;
 
-  long double of(const Symbol& symbol) const { return values.at(symbol); }
-
-  AtRest element(const Element& e) const {
-    switch (e.kind) {
-      case ElementKind::spring:
-        return {0, of(e.coefficient)};
-      case ElementKind::damper:
-        return {1, of(e.coefficient)};
-      case ElementKind::maxwell:
-        return {1, of(e.coefficient) * of(e.time)};
-      case ElementKind::mass:
-        return {2, of(e.coefficient)};
-    }
-    throw Bug("an element of no kind");
+  AtRest of(const Symbol& symbol) const { return {0, values.at(symbol)}; }
+  static AtRest times_s(const AtRest& k) { return {k.order + 1, k.coefficient}; }
+  static AtRest relaxing(const AtRest& k, const AtRest& tau) {
+    return {1, k.coefficient * tau.coefficient};
   }
   static AtRest parallel(const AtRest& a, const AtRest& b) {
     if (a.order != b.order) return a.order < b.order ? a : b;

@@ -19,15 +19,14 @@ struct Pairs {
   const Values& values;
   Real omega;
 
-  Complex element(const Element& e) const {
-    const Real coefficient = values.at(e.coefficient);
-    if (e.kind == ElementKind::spring) return {coefficient, 0};
-    if (e.kind == ElementKind::damper) return {0, coefficient * omega};
-    if (e.kind == ElementKind::mass) return {-coefficient * omega * omega, 0};
-    const Real x = omega * values.at(e.time);
+  Complex of(const Symbol& symbol) const { return {static_cast<Real>(values.at(symbol)), 0}; }
+  // Without a 0 below 0.
+  Complex times_s(Complex k) const { return {0 - k.imag() * omega, k.real() * omega}; }
+  Complex relaxing(Complex k, Complex tau) const {
+    const Real x = omega * tau.real(), stiffness = k.real();
     // k x/(1 + x^2) (x + i), from the smaller of x and 1/x.
-    if (x > 1) return {coefficient / (1 + 1 / x / x), coefficient / (x + 1 / x)};
-    return {coefficient * x / (1 + x * x) * x, coefficient * x / (1 + x * x)};
+    if (x > 1) return {stiffness / (1 + 1 / x / x), stiffness / (x + 1 / x)};
+    return {stiffness * x / (1 + x * x) * x, stiffness * x / (1 + x * x)};
   }
 
   static Real scale_of(Complex z) {
@@ -71,9 +70,11 @@ struct Uncertainties {
   using Value = Uncertain;
   Pairs<double> pairs;
 
-  Value element(const Element& e) const {
-    const ComplexDouble k = pairs.element(e);
-    return {k, std::abs(k)};
+  static Value rounded(ComplexDouble k) { return {k, std::abs(k)}; }
+  Value of(const Symbol& symbol) const { return rounded(pairs.of(symbol)); }
+  Value times_s(const Value& k) const { return rounded(pairs.times_s(k.k)); }
+  Value relaxing(const Value& k, const Value& tau) const {
+    return rounded(pairs.relaxing(k.k, tau.k));
   }
   static Value parallel(const Value& a, const Value& b) {
     const ComplexDouble k = a.k + b.k;

@@ -8,6 +8,7 @@
 
 #include "base/constants.hpp"
 #include "base/errors.hpp"
+#include "network/law.hpp"
 #include "stiffness/condensation.hpp"
 #include "stiffness/graph_relaxation.hpp"
 
@@ -21,13 +22,19 @@ double positive_value(const Values& values, const Symbol& symbol) {
   return value;
 }
 
-Relaxation form_of(const Element& element, const Values& values) {
-  ensure(element.kind != ElementKind::mass, "a relaxation form is of springs and dampers only");
-  const double coefficient = positive_value(values, element.coefficient);
-  if (element.kind == ElementKind::spring) return {coefficient, 0, {}};
-  if (element.kind == ElementKind::damper) return {0, coefficient, {}};
-  return {0, 0, {{coefficient, positive_value(values, element.time)}}};
-}
+/// The algebra of an element's law.
+struct ElementForms {
+  using Value = Relaxation;
+  const Values& values;
+  Relaxation of(const Symbol& symbol) const { return {positive_value(values, symbol), 0, {}}; }
+  static Relaxation times_s(const Relaxation& k) {
+    ensure(k.damper == 0, "a relaxation form is of springs and dampers only");
+    return {0, k.equilibrium, {}};
+  }
+  static Relaxation relaxing(const Relaxation& k, const Relaxation& tau) {
+    return {0, 0, {{k.equilibrium, tau.equilibrium}}};
+  }
+};
 
 // Rates closer than a few rounding errors act as one: moving a rate by that much moves K no more.
 bool same_rate(double a, double b) { return b - a <= 4 * epsilon * b; }
@@ -87,7 +94,7 @@ std::vector<Relaxation> forms_of(const std::vector<Network>& parts, const Values
 
 struct FormOf {
   const Values& values;
-  Relaxation operator()(const Element& element) const { return form_of(element, values); }
+  Relaxation operator()(const Element& element) const { return law(element, ElementForms{values}); }
   Relaxation operator()(const Series& s) const { return series(forms_of(s.parts, values)); }
   Relaxation operator()(const Parallel& p) const { return parallel(forms_of(p.parts, values)); }
   Relaxation operator()(const Graph& graph) const {

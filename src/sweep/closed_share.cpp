@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "network/graph.hpp"
+#include "network/law.hpp"
 #include "scene/changing.hpp"
 
 namespace vcrit {
@@ -53,8 +54,7 @@ void ClosedShare::Modulus::operator()(std::span<const std::span<const double>> a
 
 ClosedShare::ClosedShare(const Scene& scene, const std::vector<std::string>& varying)
     : oscillating_(modulus(scene, scene.normal, varying)) {
-  const auto springs =
-      without(scene.normal, [](const Element& e) { return e.kind != ElementKind::spring; });
+  const auto springs = without(scene.normal, [](const Element& e) { return !is_elastic(e); });
   if (springs) at_rest_ = modulus(scene, *springs, varying);
 }
 

@@ -8,6 +8,7 @@
 #include "derivation/model.hpp"
 #include "formula/algebra_lock.hpp"
 #include "formula/symbols.hpp"
+#include "network/law.hpp"
 
 namespace vcrit::symbolic {
 
@@ -15,11 +16,12 @@ namespace {
 
 using GiNaC::ex;
 
-std::optional<Symbol> first_of(const Network& network, ElementKind wanted) {
+std::optional<Symbol> first_of(const Network& network, NumberRole wanted) {
   std::optional<Symbol> found;
   for_each_element(network, [&](const Element& element) {
-    const bool spring = element.kind == ElementKind::maxwell && wanted == ElementKind::spring;
-    if (!found && (element.kind == wanted || spring)) found = element.coefficient;
+    for_each_number(element, [&](const Symbol& symbol, NumberRole role) {
+      if (!found && role == wanted) found = symbol;
+    });
   });
   return found;
 }
@@ -40,7 +42,7 @@ class Groups {
     ensure(reference_ || viscous_, "a network has springs or dampers");
     for (const Network* network : networks_of(scene)) visit(*network, reference_);
     if (scene.mass)
-      add_mass({"m"}, scene.drive ? first_of(*scene.drive, ElementKind::spring) : reference_);
+      add_mass({"m"}, scene.drive ? first_of(*scene.drive, NumberRole::stiffness) : reference_);
     if (scene.receptance) add_receptance();
   }
 
@@ -49,8 +51,8 @@ class Groups {
 
  private:
   void choose_reference(const Network& network) {
-    if (!reference_) reference_ = first_of(network, ElementKind::spring);
-    if (!viscous_) viscous_ = first_of(network, ElementKind::damper);
+    if (!reference_) reference_ = first_of(network, NumberRole::stiffness);
+    if (!viscous_) viscous_ = first_of(network, NumberRole::damping);
   }
 
   void add(const char* group, const Symbol& element, const ex& meaning, const ex& in_reference) {
@@ -81,7 +83,7 @@ class Groups {
   // The spring beside a damper is the first one of the smallest part of the network around it.
   void visit(const Network& network, std::optional<Symbol> beside) {
     if (const auto* element = std::get_if<Element>(&network.form)) return visit(*element, beside);
-    if (const auto inside = first_of(network, ElementKind::spring)) beside = inside;
+    if (const auto inside = first_of(network, NumberRole::stiffness)) beside = inside;
     if (const auto* series = std::get_if<Series>(&network.form)) visit(series->parts, beside);
     if (const auto* parallel = std::get_if<Parallel>(&network.form)) visit(parallel->parts, beside);
     if (const auto* graph = std::get_if<Graph>(&network.form)) visit(graph->parts, beside);
@@ -90,11 +92,19 @@ class Groups {
     for (const Network& part : parts) visit(part, beside);
   }
   void visit(const Element& element, const std::optional<Symbol>& beside) {
-    if (element.kind == ElementKind::damper) return add_damper(element.coefficient, beside);
-    if (element.kind == ElementKind::mass) return add_mass(element.coefficient, beside);
-    measured(element.coefficient);
-    if (element.kind == ElementKind::maxwell)
-      add("theta", element.time, omega() * symbol(element.time), 1);
+    for_each_number(element, [&](const Symbol& number, NumberRole role) {
+      switch (role) {
+        case NumberRole::stiffness:
+          measured(number);
+          return;
+        case NumberRole::damping:
+          return add_damper(number, beside);
+        case NumberRole::time:
+          return add("theta", number, omega() * symbol(number), 1);
+        case NumberRole::mass:
+          return add_mass(number, beside);
+      }
+    });
   }
 
   void add_mass(const Symbol& mass, const std::optional<Symbol>& beside) {

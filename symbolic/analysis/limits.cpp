@@ -15,6 +15,7 @@
 #include "formula/algebra_lock.hpp"
 #include "formula/dialect.hpp"
 #include "formula/symbols.hpp"
+#include "network/law.hpp"
 
 namespace vcrit::symbolic {
 
@@ -46,8 +47,9 @@ std::set<Symbol> contact_coefficients(const Scene& scene) {
 std::map<Symbol, bool> dissipates(const Scene& scene) {
   std::map<Symbol, bool> result;
   const auto add = [&result](const Element& element) {
-    result[element.coefficient] = element.kind == ElementKind::damper;
-    if (element.kind == ElementKind::maxwell) result[element.time] = true;
+    for_each_number(element, [&](const Symbol& symbol, NumberRole role) {
+      result[symbol] = role == NumberRole::damping || role == NumberRole::time;
+    });
   };
   for_each_element(scene.normal, add);
   if (const auto* tangential = std::get_if<Network>(&scene.tangential))
@@ -79,7 +81,7 @@ std::vector<ElementGroup> element_groups(const Scene& scene,
 /// A drive that is one spring is named by it, unless that spring has other uses.
 ex drive_label(const Scene& scene) {
   const auto* element = std::get_if<Element>(&scene.drive->form);
-  const bool lone_spring = element != nullptr && element->kind == ElementKind::spring &&
+  const bool lone_spring = element != nullptr && is_elastic(*element) &&
                            !contact_coefficients(scene).contains(element->coefficient);
   return lone_spring ? symbol(element->coefficient) : quantity("K_d");
 }

@@ -56,19 +56,10 @@ struct QuotientAlgebra {
   }
   Value invert(const Value& a) const { return inverse(a); }
 
-  Value element(const Element& e) const {
-    const Value k = name(to_text(e.coefficient));
-    switch (e.kind) {
-      case ElementKind::spring:
-        return k;
-      case ElementKind::damper:
-        return multiply(k, name(own_name("s")));
-      case ElementKind::mass:
-        return multiply(multiply(k, name(own_name("s"))), name(own_name("s")));
-      case ElementKind::maxwell:
-        break;
-    }
-    const Value turn = multiply(name(to_text(e.time)), name(own_name("s")));
+  Value of(const Symbol& symbol) const { return name(to_text(symbol)); }
+  Value times_s(const Value& k) const { return multiply(k, name(own_name("s"))); }
+  Value relaxing(const Value& k, const Value& tau) const {
+    const Value turn = times_s(tau);
     return multiply(multiply(k, turn), inverse(add(turn, number(1))));
   }
   Value parallel(const Value& a, const Value& b) const { return add(a, b); }

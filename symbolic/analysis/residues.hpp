@@ -92,19 +92,10 @@ struct NumberAlgebra {
   Number s;
   std::map<std::string, Number> known = {};  ///< besides s and the symbols
 
-  Value element(const Element& e) const {
-    const Number k = point(to_text(e.coefficient));
-    switch (e.kind) {
-      case ElementKind::spring:
-        return k;
-      case ElementKind::damper:
-        return k * s;
-      case ElementKind::mass:
-        return k * s * s;
-      case ElementKind::maxwell:
-        break;
-    }
-    const Number turn = point(to_text(e.time)) * s;
+  Value of(const Symbol& symbol) const { return point(to_text(symbol)); }
+  Value times_s(Value k) const { return k * s; }
+  Value relaxing(Value k, Value tau) const {
+    const Value turn = tau * s;
     return k * turn * inverse(number(1) + turn);
   }
   Value parallel(Value a, Value b) const { return a + b; }

@@ -6,6 +6,7 @@
 #include "derivation/model.hpp"
 #include "formula/algebra_lock.hpp"
 #include "formula/symbols.hpp"
+#include "network/law.hpp"
 
 namespace vcrit::symbolic {
 
@@ -52,25 +53,25 @@ ex root_of(const ex& stiffness) {
   return GiNaC::sqrt(square.integer_content().is_equal(1) ? square : square.expand());
 }
 
-/// The kinds of element in the stiffness.
-std::set<ElementKind> kinds(const MassBalance& balance, const Model& model) {
-  std::set<ElementKind> found;
+/// What the elements in the stiffness have.
+std::set<NumberRole> roles(const MassBalance& balance, const Model& model) {
+  std::set<NumberRole> found;
   for (const auto& [name, network, reduction] : model.networks())
     for (const Step& step : reduction.steps)
       if (step.kind == Step::Kind::element && balance.stiffness.has(quantity(name)))
-        found.insert(step.element.kind);
+        for_each_number(step.element, [&](const Symbol&, NumberRole role) { found.insert(role); });
   return found;
 }
 
 Resonance resonance(const ex& factor, Resonance::Kind kind, const Model& model) {
   const MassBalance balance = per_mass(factor, model);
   Resonance found{kind, balance.whole.subs(laplace() == GiNaC::I * omega()), {}, {}, {}, {}, {}};
-  const std::set<ElementKind> inside = kinds(balance, model);
-  found.damped = inside.contains(ElementKind::damper) || inside.contains(ElementKind::maxwell);
-  found.absorbing = inside.contains(ElementKind::mass);
+  const std::set<NumberRole> inside = roles(balance, model);
+  found.damped = inside.contains(NumberRole::damping) || inside.contains(NumberRole::time);
+  found.absorbing = inside.contains(NumberRole::mass);
   const std::optional<GiNaC::exmap> known = model.multiplied_out(factor);
   if (!known) found.definitions = used_in(factor, model.nested_formula().definitions);
-  if (inside == std::set{ElementKind::spring})
+  if (inside == std::set{NumberRole::stiffness})
     found.frequency = root_of(known ? balance.stiffness.subs(*known) : balance.stiffness);
   if (found.damped && known) {
     const Resonance::Parts parts = real_and_imaginary(balance.whole.subs(*known));

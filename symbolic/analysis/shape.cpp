@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "formula/symbols.hpp"
+#include "network/law.hpp"
 
 namespace vcrit::symbolic {
 
@@ -25,16 +26,16 @@ class Pairing {
 
   std::optional<GiNaC::ex> ratio() const {
     const std::pair<Symbol, Symbol>* best = nullptr;
-    for (const auto& [kind, pair] : coefficients_)
-      if (best == nullptr || (best_is_damper(*best) && kind != ElementKind::damper)) best = &pair;
+    for (const auto& [role, pair] : coefficients_)
+      if (best == nullptr || (best_is_damper(*best) && role != NumberRole::damping)) best = &pair;
     if (best == nullptr) return std::nullopt;
     return symbol(best->second) / symbol(best->first);
   }
 
  private:
   bool best_is_damper(const std::pair<Symbol, Symbol>& pair) const {
-    for (const auto& [kind, known] : coefficients_)
-      if (known == pair) return kind == ElementKind::damper;
+    for (const auto& [role, known] : coefficients_)
+      if (known == pair) return role == NumberRole::damping;
     return false;
   }
 
@@ -45,10 +46,17 @@ class Pairing {
   }
 
   bool match_forms(const Element& a, const Element& b) {
-    if (a.kind != b.kind || !bind(a.coefficient, b.coefficient)) return false;
-    if (a.kind == ElementKind::maxwell && !bind(a.time, b.time)) return false;
-    coefficients_.push_back({a.kind, {a.coefficient, b.coefficient}});
-    return true;
+    if (a.kind != b.kind) return false;
+    std::vector<Symbol> others;
+    for_each_number(b, [&](const Symbol& symbol, NumberRole) { others.push_back(symbol); });
+    auto other = others.begin();
+    bool match = true;
+    for_each_number(a, [&](const Symbol& symbol, NumberRole role) {
+      match = bind(symbol, *other) && match;
+      if (role != NumberRole::time) coefficients_.push_back({role, {symbol, *other}});
+      ++other;
+    });
+    return match;
   }
   bool match_forms(const Series& a, const Series& b) { return match_parts(a.parts, b.parts); }
   bool match_forms(const Parallel& a, const Parallel& b) { return match_parts(a.parts, b.parts); }
@@ -80,7 +88,7 @@ class Pairing {
   }
 
   std::map<Symbol, Symbol> forth_, back_;
-  std::vector<std::pair<ElementKind, std::pair<Symbol, Symbol>>> coefficients_;
+  std::vector<std::pair<NumberRole, std::pair<Symbol, Symbol>>> coefficients_;
 };
 
 }  // namespace

@@ -3,28 +3,13 @@
 #include "derivation/leading_reduction.hpp"
 #include "formula/algebra_lock.hpp"
 #include "formula/symbols.hpp"
+#include "network/law.hpp"
 
 namespace vcrit::symbolic {
 
 namespace {
 
 using GiNaC::ex;
-
-/// An element's leading term as coefficient (storage), coefficient * s (loss) or coefficient * s^2
-/// (inertia), or a whole Maxwell branch k tau s/(1 + tau s). Written only where it is asked for.
-struct ElementForm {
-  enum class Kind { storage, loss, inertia, maxwell };
-  Kind kind;
-  const Element& of;
-
-  /// k, or k tau of a Maxwell branch that is slow.
-  ex coefficient() const {
-    const ex k = symbol(of.coefficient);
-    const bool slow = kind == Kind::loss && of.kind == ElementKind::maxwell;
-    return slow ? k * tau() : k;
-  }
-  ex tau() const { return symbol(of.time); }
-};
 
 /// Rates of symbols, that of omega at hand.
 class GrowthRates {
@@ -41,21 +26,6 @@ class GrowthRates {
   int frequency_;
 };
 
-Leading<ElementForm> leading_element(const Element& element, const GrowthRates& rates) {
-  using Kind = ElementForm::Kind;
-  const int power = rates.of(element.coefficient);
-  const auto form = [&](int degree, Kind kind) {
-    return Leading<ElementForm>{degree, {kind, element}};
-  };
-  if (element.kind == ElementKind::spring) return form(power, Kind::storage);
-  if (element.kind == ElementKind::damper) return form(power + rates.frequency(), Kind::loss);
-  if (element.kind == ElementKind::mass) return form(power + 2 * rates.frequency(), Kind::inertia);
-  const int slow = rates.of(element.time) + rates.frequency();
-  if (slow > 0) return form(power, Kind::storage);
-  if (slow < 0) return form(power + slow, Kind::loss);
-  return form(power, Kind::maxwell);
-}
-
 /// Runs `Base` on leading terms.
 template <class Base>
 struct LeadingAlgebra {
@@ -63,9 +33,15 @@ struct LeadingAlgebra {
   Base base;
   GrowthRates rates;
 
-  Value element(const Element& element) {
-    const Leading<ElementForm> form = leading_element(element, rates);
-    return {form.power, base.element(form.value)};
+  Value of(const Symbol& symbol) const { return {rates.of(symbol), base.of(symbol)}; }
+  Value times_s(const Value& k) const {
+    return {k.power + rates.frequency(), base.times_s(k.value)};
+  }
+  Value relaxing(const Value& k, const Value& tau) const {
+    const int slow = tau.power + rates.frequency();
+    if (slow > 0) return k;
+    if (slow < 0) return {k.power + slow, base.times_s(base.multiply(k.value, tau.value))};
+    return {k.power, base.relaxing(k.value, tau.value)};
   }
   Value parallel(const Value& a, const Value& b) {
     base.next_step();
@@ -86,19 +62,16 @@ struct LeadingAlgebra {
 struct Fractions {
   using Value = Fraction;
   void next_step() const {}
-  static Value element(const ElementForm& e) {
-    const ex s = laplace();
-    switch (e.kind) {
-      case ElementForm::Kind::storage:
-        return {e.coefficient(), 1};
-      case ElementForm::Kind::loss:
-        return {(e.coefficient() * s).expand(), 1};
-      case ElementForm::Kind::inertia:
-        return {(e.coefficient() * s * s).expand(), 1};
-      case ElementForm::Kind::maxwell:
-        break;
-    }
-    return {e.coefficient() * e.tau() * s, 1 + e.tau() * s};
+  static Value of(const Symbol& name) { return {symbol(name), 1}; }
+  static Value multiply(const Value& a, const Value& b) {
+    return {a.numerator * b.numerator, a.denominator * b.denominator};
+  }
+  static Value times_s(const Value& k) {
+    return {(k.numerator * laplace()).expand(), k.denominator};
+  }
+  static Value relaxing(const Value& k, const Value& tau) {
+    const ex turn = tau.numerator * laplace();
+    return {k.numerator * turn, 1 + turn};
   }
   static Value parallel(const Value& a, const Value& b) {
     return {(a.numerator * b.denominator + b.numerator * a.denominator).expand(),
@@ -120,9 +93,10 @@ struct Fractions {
 struct Counts {
   using Value = TermCount;
   void next_step() const {}
-  static Value element(const ElementForm& e) {
-    return {1, e.kind == ElementForm::Kind::maxwell ? 2.0 : 1.0};
-  }
+  static Value of(const Symbol&) { return {1, 1}; }
+  static Value multiply(const Value&, const Value&) { return {1, 1}; }
+  static Value times_s(const Value& k) { return k; }
+  static Value relaxing(const Value&, const Value&) { return {1, 2}; }
   static Value parallel(const Value& a, const Value& b) {
     return {a.numerator * b.denominator + b.numerator * a.denominator,
             a.denominator * b.denominator};
@@ -157,19 +131,12 @@ class Nested {
   }
 
   void next_step() { step_ = combining_[next_++]; }
-  static Value element(const ElementForm& e) {
-    const ex s = laplace();
-    switch (e.kind) {
-      case ElementForm::Kind::storage:
-        return {e.coefficient(), 1};
-      case ElementForm::Kind::loss:
-        return {e.coefficient() * s, 1};
-      case ElementForm::Kind::inertia:
-        return {e.coefficient() * s * s, 1};
-      case ElementForm::Kind::maxwell:
-        break;
-    }
-    return {e.coefficient() * e.tau() * s / (1 + e.tau() * s), 1};
+  static Value of(const Symbol& name) { return {symbol(name), 1}; }
+  static Value multiply(const Value& a, const Value& b) { return {a.k * b.k, 1}; }
+  static Value times_s(const Value& k) { return {k.k * laplace(), 1}; }
+  static Value relaxing(const Value& k, const Value& tau) {
+    const ex turn = tau.k * laplace();
+    return {k.k * turn / (1 + turn), 1};
   }
   Value parallel(const Value& a, const Value& b) { return named({a.k + b.k, a.size + b.size}, 24); }
   Value series(const Value& a, const Value& b) {
@@ -201,9 +168,9 @@ Leading<typename Base::Value> run(const Reduction& reduction, const Rates& rates
 
 Reduction leading(const Reduction& reduction, const Rates& rates) {
   if (rates.empty()) return reduction;
-  const GrowthRates growth(rates);
-  return leading_reduction(
-      reduction, [&](const Element& element) { return leading_element(element, growth).power; });
+  LeadingAlgebra<Counts> algebra{{}, GrowthRates(rates)};
+  return leading_reduction(reduction,
+                           [&](const Element& element) { return law(element, algebra).power; });
 }
 
 }  // namespace

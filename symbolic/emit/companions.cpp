@@ -14,6 +14,7 @@
 #include "emit/names.hpp"
 #include "emit/parameters.hpp"
 #include "formula/algebra_lock.hpp"
+#include "network/law.hpp"
 #include "program/sweep.hpp"
 
 namespace vcrit::symbolic {
@@ -27,6 +28,21 @@ bool has_all_values(const Scene& scene) {
   if (isotropic != nullptr && !isotropic->quantity.value) return false;
   return scene.coefficient.value && scene.angular_frequency.value && scene.amplitude.value &&
          (!scene.mass || scene.mass->value);
+}
+
+/// Of the size of real devices.
+double example_of(NumberRole role) {
+  switch (role) {
+    case NumberRole::stiffness:
+      return 4e6;
+    case NumberRole::damping:
+      return 20.0;
+    case NumberRole::time:
+      return 8e-6;
+    case NumberRole::mass:
+      return 0.00025;
+  }
+  throw Bug("a number of no role");
 }
 
 /// The scene's values, and values of the size of real devices for symbols without one.
@@ -48,8 +64,8 @@ std::map<Symbol, double> example_values(const Scene& scene) {
   for (const auto& [symbol, value] : scene.elements)
     if (value) values[symbol] = *value;
   const auto element = [&](const Element& e) {
-    add(e.coefficient, e.kind == ElementKind::damper ? 20.0 : 4e6);
-    if (e.kind == ElementKind::maxwell) add(e.time, 8e-6);
+    for_each_number(e,
+                    [&](const Symbol& symbol, NumberRole role) { add(symbol, example_of(role)); });
   };
   for_each_element(scene.normal, element);
   if (const auto* tangential = std::get_if<Network>(&scene.tangential))

@@ -6,17 +6,31 @@
 #include <map>
 
 #include "formula/symbols.hpp"
+#include "network/law.hpp"
 
 namespace vcrit::symbolic {
 
 namespace {
 
+const char* words_of(NumberRole role) {
+  switch (role) {
+    case NumberRole::stiffness:
+      return "spring";
+    case NumberRole::damping:
+      return "damper";
+    case NumberRole::time:
+      return "relaxation time";
+    case NumberRole::mass:
+      return "mass";
+  }
+  throw Bug("a number of no role");
+}
+
 std::map<Symbol, std::string> element_comments(const Scene& scene) {
   std::map<Symbol, std::string> comments;
   const auto add = [&comments](const Element& element) {
-    const bool damper = element.kind == ElementKind::damper;
-    comments[element.coefficient] = damper ? "damper" : "spring";
-    if (element.kind == ElementKind::maxwell) comments[element.time] = "relaxation time";
+    for_each_number(
+        element, [&](const Symbol& symbol, NumberRole role) { comments[symbol] = words_of(role); });
   };
   for_each_element(scene.normal, add);
   if (const auto* tangential = std::get_if<Network>(&scene.tangential))

@@ -6,6 +6,7 @@
 
 #include "base/errors.hpp"
 #include "formula/names.hpp"
+#include "network/law.hpp"
 
 namespace vcrit::symbolic {
 
@@ -124,33 +125,26 @@ class TreePolynomials {
 
 class Expansion {
  public:
-  explicit Expansion(const Ring& ring) : ring_(ring) {}
+  explicit Expansion(const Ring& ring)
+      : ring_(ring), s_(Polynomial::variable(ring, own_name("s"))) {}
+
+  using Value = Quotient;
 
   Quotient of(const Network& network) const {
     return std::visit([this](const auto& form) { return (*this)(form); }, network.form);
   }
 
- private:
-  Polynomial variable(const Symbol& symbol) const {
-    return Polynomial::variable(ring_, to_text(symbol));
+  Quotient of(const Symbol& symbol) const {
+    return {Polynomial::variable(ring_, to_text(symbol)), Polynomial(ring_, 1)};
+  }
+  Quotient times_s(const Quotient& k) const { return {k.over * s_, k.under}; }
+  Quotient relaxing(const Quotient& k, const Quotient& tau) const {
+    const Polynomial turn = tau.over * s_;
+    return {k.over * turn, k.under + turn};
   }
 
-  Quotient operator()(const Element& element) const {
-    const Polynomial one(ring_, 1), s = Polynomial::variable(ring_, own_name("s"));
-    const Polynomial k = variable(element.coefficient);
-    switch (element.kind) {
-      case ElementKind::spring:
-        return {k, one};
-      case ElementKind::damper:
-        return {k * s, one};
-      case ElementKind::mass:
-        return {k * s * s, one};
-      case ElementKind::maxwell:
-        break;
-    }
-    const Polynomial turn = variable(element.time) * s;
-    return {k * turn, one + turn};
-  }
+ private:
+  Quotient operator()(const Element& element) const { return law(element, *this); }
   Quotient operator()(const Series& series) const {
     const auto join = [](const Quotient& a, const Quotient& b) -> Quotient {
       return {a.over * b.over, a.over * b.under + b.over * a.under};
@@ -188,15 +182,24 @@ class Expansion {
   }
 
   const Ring& ring_;
+  Polynomial s_;
+};
+
+/// The algebra of an element's law, in numbers of terms.
+struct ElementTerms {
+  using Value = TermNumbers;
+  static Value of(const Symbol&) { return {1, 1}; }
+  static Value times_s(const Value& k) { return k; }
+  static Value relaxing(const Value&, const Value&) { return {1, 2}; }
 };
 
 bool repeats_a_symbol(const Network& network) {
   std::set<Symbol> seen;
   bool repeats = false;
   for_each_element(network, [&](const Element& element) {
-    repeats = !seen.insert(element.coefficient).second || repeats;
-    if (element.kind == ElementKind::maxwell)
-      repeats = !seen.insert(element.time).second || repeats;
+    for_each_number(element, [&](const Symbol& symbol, NumberRole) {
+      repeats = !seen.insert(symbol).second || repeats;
+    });
   });
   return repeats;
 }
@@ -205,7 +208,7 @@ bool repeats_a_symbol(const Network& network) {
 
 TermNumbers term_numbers(const Network& network) {
   if (const auto* element = std::get_if<Element>(&network.form))
-    return {1, element->kind == ElementKind::maxwell ? 2.0 : 1.0};
+    return law(*element, ElementTerms{});
   if (const auto* form = std::get_if<Series>(&network.form))
     return folded<TermNumbers>(form->parts, term_numbers, terms_in_series);
   if (const auto* form = std::get_if<Parallel>(&network.form))

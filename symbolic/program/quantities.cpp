@@ -4,6 +4,7 @@
 
 #include "formula/symbols.hpp"
 #include "network/graph.hpp"
+#include "network/law.hpp"
 
 namespace vcrit::symbolic {
 
@@ -32,7 +33,7 @@ NodeId modulus(Program& program, const Complex& z) {
 
 /// What carries a load at rest.
 std::optional<Network> static_part(const Network& network) {
-  return without(network, [](const Element& e) { return e.kind != ElementKind::spring; });
+  return without(network, [](const Element& e) { return !is_elastic(e); });
 }
 
 class QuantityWriter {

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/errors.hpp"
+#include "network/law.hpp"
 #include "program/spanning_trees.hpp"
 #include "program/star_mesh.hpp"
 
@@ -83,18 +84,39 @@ std::optional<Stiffness> StiffnessWriter::write_polynomials(const Network& netwo
   return k;
 }
 
+namespace {
+
+/// An element's law: coefficient s^degree, or coefficient tau s/(1 + tau s).
+struct Term {
+  NodeId coefficient;
+  int degree = 0;
+  std::optional<NodeId> tau = {};
+};
+
+struct Terms {
+  using Value = Term;
+  const std::function<NodeId(const Symbol&)>& value;
+  Term of(const Symbol& symbol) const { return {value(symbol)}; }
+  static Term times_s(const Term& k) { return {k.coefficient, k.degree + 1, k.tau}; }
+  static Term relaxing(const Term& k, const Term& tau) {
+    return {k.coefficient, 1, tau.coefficient};
+  }
+};
+
+}  // namespace
+
 Stiffness StiffnessWriter::polynomial_element(const Element& e) {
-  const NodeId zero = program_.constant(0), one = program_.constant(1), k = value_(e.coefficient);
+  const NodeId zero = program_.constant(0), one = program_.constant(1);
+  const auto [k, degree, tau] = law(e, Terms{value_});
   guarded(program_.size(k));
   Stiffness whole;
   whole.q = polynomial({one});
-  whole.t = polynomial(e.kind == ElementKind::spring ? std::vector{k} : std::vector{zero, k});
+  whole.t = polynomial(degree == 0 ? std::vector{k} : std::vector{zero, k});
   whole.range = whole.t_range = whole.elements = ordinary_stiffness;
-  if (e.kind != ElementKind::maxwell) return whole;
-  const NodeId tau = value_(e.time);
-  guarded(program_.size(tau));
-  whole.t = polynomial({zero, program_.multiply(k, tau)});
-  whole.q = polynomial({one, tau});
+  if (!tau) return whole;
+  guarded(program_.size(*tau));
+  whole.t = polynomial({zero, program_.multiply(k, *tau)});
+  whole.q = polynomial({one, *tau});
   whole.q_range = ordinary_quotient;
   whole.t_range = ordinary_stiffness + ordinary_quotient;
   return whole;
@@ -103,18 +125,20 @@ Stiffness StiffnessWriter::polynomial_element(const Element& e) {
 Stiffness StiffnessWriter::element(const Element& e) {
   if (polynomials_) return polynomial_element(e);
   const NodeId zero = program_.constant(0), one = program_.constant(1);
-  const NodeId k = value_(e.coefficient);
+  const auto [k, degree, tau] = law(e, Terms{value_});
+  ensure(degree < 2, "the program knows one body");
+  if (tau) return relaxing_element(k, *tau);
   const Complex unity{one, zero};
-  if (e.kind == ElementKind::spring) {
+  if (degree == 0) {
     const ExponentRange range = guarded(program_.size(k));
     return {{k, zero}, unity, range, {}, range, 0, {}, true, range, 1};
   }
-  ensure(e.kind != ElementKind::mass, "the program knows one body");
-  if (e.kind == ElementKind::damper) {
-    const ExponentRange range = guarded(program_.multiply(program_.size(omega_), program_.size(k)));
-    return {{zero, program_.multiply(omega_, k)}, unity, range, {}, range, 1, {}, true, range, 1};
-  }
-  const NodeId tau = value_(e.time);
+  const ExponentRange range = guarded(program_.multiply(program_.size(omega_), program_.size(k)));
+  return {{zero, program_.multiply(omega_, k)}, unity, range, {}, range, 1, {}, true, range, 1};
+}
+
+Stiffness StiffnessWriter::relaxing_element(NodeId k, NodeId tau) {
+  const NodeId zero = program_.constant(0), one = program_.constant(1);
   const ExponentRange stiffness = guarded(program_.size(k));
   const ExponentRange x = guarded(program_.multiply(program_.size(omega_), program_.size(tau)));
   const NodeId product = program_.multiply(omega_, tau);

@@ -81,6 +81,7 @@ class StiffnessWriter {
   Stiffness fold(std::span<const Network> parts, Combine combine);
   Stiffness element(const Element& element);
   Stiffness polynomial_element(const Element& element);
+  Stiffness relaxing_element(NodeId k, NodeId tau);
   static void join_elements(Stiffness& whole, const Stiffness& a, const Stiffness& b);
   Stiffness parallel(Stiffness a, Stiffness b);
   Stiffness series(Stiffness a, Stiffness b);

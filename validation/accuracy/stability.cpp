@@ -11,6 +11,7 @@
 #include "accuracy/simulated_cell.hpp"
 #include "critical/admissibility.hpp"
 #include "critical/critical_velocity.hpp"
+#include "network/law.hpp"
 #include "network/masses.hpp"
 #include "system_size.hpp"
 
@@ -24,15 +25,17 @@ void add_once(std::vector<Symbol>& symbols, const Symbol& symbol) {
 
 void add_springs(std::vector<Symbol>& symbols, const Network& network) {
   for_each_element(network, [&](const Element& element) {
-    if (element.kind == ElementKind::spring || element.kind == ElementKind::maxwell)
-      add_once(symbols, element.coefficient);
+    for_each_number(element, [&](const Symbol& symbol, NumberRole role) {
+      if (role == NumberRole::stiffness) add_once(symbols, symbol);
+    });
   });
 }
 
 void add_relaxation(std::vector<Symbol>& symbols, const Network& network) {
   for_each_element(network, [&](const Element& element) {
-    if (element.kind == ElementKind::damper) add_once(symbols, element.coefficient);
-    if (element.kind == ElementKind::maxwell) add_once(symbols, element.time);
+    for_each_number(element, [&](const Symbol& symbol, NumberRole role) {
+      if (role == NumberRole::damping || role == NumberRole::time) add_once(symbols, symbol);
+    });
   });
 }
 

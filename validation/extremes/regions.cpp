@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "accuracy/resonance.hpp"
+#include "network/law.hpp"
 
 namespace vcrit::validation::extremes {
 
@@ -34,7 +35,7 @@ void add_map(std::vector<CellsOf>& all, const Scene& scene, const char* key,
 std::vector<Symbol> springs_of_drive(const Scene& scene) {
   std::vector<Symbol> springs;
   for_each_element(*scene.drive, [&](const Element& element) {
-    if (element.kind == ElementKind::spring) springs.push_back(element.coefficient);
+    if (is_elastic(element)) springs.push_back(element.coefficient);
   });
   return springs;
 }

@@ -62,7 +62,7 @@ void require_kelvin_contact(const System& system) {
         "mass; this scene has {}",
         what));
   };
-  if (system.opening) refuse("surfaces that part");
+  if (system.opening) refuse("a contact that opens");
   if (system.drive)
     refuse(system.mass ? "a drive that is not rigid, and a mass" : "a drive that is not rigid");
   if (!system.contact.branches.empty()) refuse("a tangential contact with Maxwell branches");
