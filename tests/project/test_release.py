@@ -99,6 +99,8 @@ class SameBytes(unittest.TestCase):
         """The object of a source of the library, from a copy in `place`; a cache knows what was compiled there alone."""
         command = self.entry["command"].replace(self.entry["file"], str(PROJECT / unit))
         words = shlex.split(command.replace(str(PROJECT / "src"), str(place / "src")))
+        compiler = next(i for i, word in enumerate(words) if "ccache" not in word)
+        words = [*filter(None, [shutil.which("ccache")]), *words[compiler:]]
         words[words.index("-o") + 1] = str(place / "unit.o")
         shutil.rmtree(place, ignore_errors=True)
         place.mkdir(parents=True)
