@@ -7,6 +7,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 from pathlib import Path
 
@@ -46,6 +47,9 @@ def with_fault(fault, number):
 
 
 class Case(unittest.TestCase):
+    TOGETHER = tempfile.TemporaryDirectory()
+    WHOLE, SECONDS, TOLD = {}, {}, {}  # files, how long they took, what was written to stderr
+
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
@@ -55,15 +59,19 @@ class Case(unittest.TestCase):
         self.assertEqual(result.returncode, 0, result.stderr)
         return result
 
-    def whole(self, arguments, name):
-        file = self.folder / name
-        self.done(sweep(*arguments, "--out", str(file)))
-        return file
+    def whole(self, arguments, ending):
+        """What an undisturbed run writes; it is made once for all tests."""
+        key = (*arguments, ending)
+        if key not in Case.WHOLE:
+            file, start = Path(Case.TOGETHER.name, f"{len(Case.WHOLE)}{ending}"), time.monotonic()
+            Case.TOLD[file] = self.done(sweep(*arguments, "--out", str(file))).stderr
+            Case.WHOLE[key], Case.SECONDS[file] = file, time.monotonic() - start
+        return Case.WHOLE[key]
 
     def resumed_after_each(self, fault):
         """Sweeps whose first, second, ... change of a file goes wrong, until none does; each is resumed then."""
         for ending in (".h5", ".csv"):
-            whole = self.whole(FEW, "whole" + ending)
+            whole = self.whole(FEW, ending)
             for number in itertools.count(1):
                 file = self.folder / f"{fault}{number}{ending}"
                 arguments = [*FEW, "--out", str(file)]

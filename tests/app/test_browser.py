@@ -24,6 +24,12 @@ SCENES = ["zener", "prony", "kelvin_rigid"]
 OUTSIDE = ["inadmissible"]
 MORE = ["sphere", "bridge"]
 
+# In one question, as each takes the browser's time: the sliders' (name, values of an array, value) and v*, as text.
+EXPLORED = """const { sliders } = JSON.parse(document.getElementById('explorer-data').textContent);
+    const value = (id) => document.getElementById(id).dataset.value;
+    return [sliders.map(({ name, array, values }, i) => [name, array ? values.map(String) : null, value(`value-${i}`)]),
+        value('explored-velocity')];"""
+
 
 class Browser(unittest.TestCase):
     @classmethod
@@ -63,7 +69,10 @@ class Browser(unittest.TestCase):
         self.browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
             "width": pixels, "height": 800, "deviceScaleFactor": 1, "mobile": True})
 
-    def test_nothing_is_asked_of_the_network_and_nothing_goes_wrong(self):
+    def test_all_is_drawn_without_the_network_and_nothing_goes_wrong(self):
+        count = """return [...document.querySelectorAll('.chart')].map((chart) =>
+            [...chart.querySelectorAll('.series path, .map path')].filter(
+                (path) => (path.getAttribute('d') || '').length > 10).length)"""
         for name in [*SCENES, "index", "paper/index"]:
             with self.subTest(page=name):
                 self.open(name)
@@ -76,16 +85,8 @@ class Browser(unittest.TestCase):
                 self.assertIn(page, asked)
                 outside = [url for url in asked if url != page and not url.startswith(("data:", "blob:"))]
                 self.assertEqual(outside, [])
-
-    def test_every_chart_is_drawn(self):
-        count = """return [...document.querySelectorAll('.chart')].map((chart) =>
-            [...chart.querySelectorAll('.series path, .map path')].filter(
-                (path) => (path.getAttribute('d') || '').length > 10).length)"""
-        for name in [*SCENES, "paper/index"]:
-            with self.subTest(page=name):
-                self.open(name)
                 marks = self.run_script(count)
-                self.assertGreaterEqual(len(marks), 7)
+                self.assertGreaterEqual(len(marks), 0 if name == "index" else 7)
                 self.assertTrue(all(number > 0 for number in marks), marks)
 
     def test_an_index_leads_to_every_page_and_back(self):
@@ -107,18 +108,17 @@ class Browser(unittest.TestCase):
 
     def explored(self):
         """The explorer's parameters as the program takes them, and its v*."""
-        sliders = json.loads(self.browser.find_element(By.ID, "explorer-data").get_attribute("textContent"))
+        sliders, velocity = self.run_script(EXPLORED)
         settings = {}
-        for number, slider in enumerate(sliders["sliders"]):
-            value = float(self.browser.find_element(By.ID, f"value-{number}").get_attribute("data-value"))
-            if slider["array"]:
-                for entry, own in enumerate(slider["values"], start=1):
-                    settings[f"{slider['name']}[{entry}]"] = own * value
+        for name, values, text in sliders:
+            value = float(text)
+            if values:
+                for entry, own in enumerate(values, start=1):
+                    settings[f"{name}[{entry}]"] = float(own) * value
             else:
-                settings[slider["name"]] = value
+                settings[name] = value
         if "omega" in settings:  # the scenes give a frequency, for which it may be set all the same
             settings["angular_frequency"] = settings.pop("omega")
-        velocity = self.browser.find_element(By.ID, "explored-velocity").get_attribute("data-value")
         return settings, float(velocity)
 
     def test_the_explorer_agrees_with_the_program(self):
@@ -128,8 +128,9 @@ class Browser(unittest.TestCase):
                 sliders = self.browser.find_elements(By.CSS_SELECTOR, "#explorer input[type=range]")
                 seen, own = set(), self.explored()[1]
                 for number, slider in enumerate(sliders):
-                    key = Keys.ARROW_RIGHT if number % 2 else Keys.ARROW_LEFT
-                    slider.send_keys(key * (3 + number))
+                    # The page draws all anew after each key.
+                    keys = [Keys.ARROW_RIGHT, Keys.PAGE_UP] if number % 2 else [Keys.ARROW_LEFT, Keys.PAGE_DOWN]
+                    slider.send_keys(*keys)
                     settings, velocity = self.explored()
                     expected = self.evaluated(name, settings)
                     # Each is within one unit in the last place; the program takes numbers as typed, the page doubles
@@ -166,10 +167,13 @@ class Browser(unittest.TestCase):
     def warnings(self):
         return [item.text for item in self.browser.find_elements(By.CSS_SELECTOR, "#explored-warnings li")]
 
-    def slide(self, number, value):
+    def slide(self, number, value, alone=False):
+        """Moves one slider; `alone`: from where all others are at rest."""
         self.run_script("""const slider = document.getElementById(`slider-${arguments[0]}`);
+            if (arguments[2])
+                for (const other of document.querySelectorAll("#explorer input[type=range]")) other.value = 0;
             slider.value = arguments[1];
-            slider.dispatchEvent(new Event("input"));""", number, value)
+            slider.dispatchEvent(new Event("input"));""", number, value, alone)
 
     def slider_of(self, name):
         data = json.loads(self.browser.find_element(By.ID, "explorer-data").get_attribute("textContent"))
@@ -204,13 +208,12 @@ class Browser(unittest.TestCase):
             sliders = self.browser.find_elements(By.CSS_SELECTOR, "#explorer input[type=range]")
             seen = set()
             for number, value in itertools.product(range(len(sliders)), [-2, -0.6, 0.6, 2]):
-                self.slide(number, value)
+                self.slide(number, value, alone=True)
                 settings, _ = self.explored()
                 inside = self.evaluated(name, settings, "admissible")
                 with self.subTest(page=name, settings=settings):
                     self.assertEqual([words for words in self.warnings() if "Outside" in words] == [], inside)
                 seen.add(inside)
-                self.slide(number, 0)
             self.assertEqual(seen, {True, False}, name)
 
     def test_two_curves_can_be_told_apart_where_they_are_one(self):
@@ -308,13 +311,14 @@ class Browser(unittest.TestCase):
 
     def test_the_keyboard_reaches_what_can_be_used(self):
         self.open("zener")
-        reached = set()
+        wanted, reached = {"skip", "slider-0", "slider-8", "explorer-reset", "SUMMARY"}, set()
         for _ in range(60):
             self.browser.switch_to.active_element.send_keys(Keys.TAB)
             reached.add(self.run_script("""const e = document.activeElement;
                 return e.id || e.className || e.tagName"""))
-        for wanted in ["skip", "slider-0", "slider-8", "explorer-reset", "SUMMARY"]:
-            self.assertIn(wanted, reached)
+            if wanted <= reached:
+                break
+        self.assertEqual(wanted - reached, set())
 
     def test_a_formula_can_be_copied(self):
         self.open("zener")

@@ -20,7 +20,7 @@ import unittest
 from pathlib import Path
 
 PROJECT, PROGRAM, FAULTS = (str(Path(sys.argv.pop(1)).resolve()) for _ in range(3))
-ZENER, KELVIN = f"{PROJECT}/scenes/zener.toml", f"{PROJECT}/scenes/kelvin_rigid.toml"
+ZENER, KELVIN, ELASTIC = (f"{PROJECT}/scenes/{name}.toml" for name in ("zener", "kelvin_rigid", "elastic"))
 PATIENCE = 60  # seconds, for what takes a moment; the machine may be busy
 CAN_MOUNT = os.geteuid() == 0 and subprocess.run(["unshare", "-m", "true"], capture_output=True).returncode == 0
 
@@ -328,7 +328,7 @@ class Validate(Case):
         # Two writes and two renames, the index last.
         for kind, number, status in [("full", 1, 2), ("full", 2, 2), ("kill", 2, -signal.SIGKILL),
                                      ("kill", 3, -signal.SIGKILL), ("kill", 4, -signal.SIGKILL)]:
-            result = self.validate(ZENER, **fault, FAULT=kind, FAULT_AT=str(number))
+            result = self.validate(ELASTIC, **fault, FAULT=kind, FAULT_AT=str(number))
             self.assertEqual(result.returncode, status, result.stderr)
             now = self.texts(self.out)
             self.assertEqual(now["index.html"], old["index.html"])

@@ -25,9 +25,8 @@ from map_cases import (Case, ENVIRONMENT, FRICTION, LONGER, PROGRAM, SANITIZED, 
 class Killed(Case):
     def interrupted(self, arguments, ending, kills):
         """Kills the sweep at random moments until it has come to its end; returns how often it was hit."""
-        start = time.monotonic()
-        whole = self.whole(arguments, "whole" + ending)
-        duration = time.monotonic() - start
+        whole = self.whole(arguments, ending)
+        duration = self.SECONDS[whole]
         file = self.folder / ("killed" + ending)
         # Other moments in every run of the suite; half of them early, while the file is laid out.
         hits, chance = 0, random.Random()
@@ -80,7 +79,7 @@ class Killed(Case):
             self.assertIsNone(process.poll(), "the map is too small to be caught in the middle")
         process.kill()
         process.wait()
-        whole = xarray.open_dataset(self.whole(LONGER, "whole.h5"), engine="netcdf4")
+        whole = xarray.open_dataset(self.whole(LONGER, ".h5"), engine="netcdf4")
         partial = xarray.open_dataset(part, engine="netcdf4")
         there = partial.friction_ratio.notnull()
         self.assertGreater(float(there.mean()), 0.1)
@@ -99,7 +98,7 @@ class FullDisk(Case):
         return sweep(*FRICTION, "--out", str(self.folder / name), preexec_fn=limit)
 
     def test_a_table_goes_on_where_it_ended(self):
-        whole = self.whole(FRICTION, "whole.csv")
+        whole = self.whole(FRICTION, ".csv")
         result = self.limited("map.csv", whole.stat().st_size // 2)
         self.assertEqual(result.returncode, 2)
         self.assertIn("map.csv.part: found", result.stderr)
@@ -139,14 +138,14 @@ class FullDisk(Case):
         self.assertIn("map.h5.part: found No space left on device; expected", result.stderr)
         self.assertIn("--resume goes on from here", result.stderr)
         self.assertTrue(0 < float(result.stdout) < 0.6, result.stdout)
-        self.same(self.folder / "disk.copy", self.whole(VELOCITY, "whole.h5"))
+        self.same(self.folder / "disk.copy", self.whole(VELOCITY, ".h5"))
 
 
 class Array(Case):
     def test_it_is_labelled(self):
         file = self.whole([ZENER, "--over", "frequency=log:1 kHz:1 MHz:30", "--over", "velocity_ratio=lin:0.2:1.2:4",
                            "--quantity", "critical_velocity", "friction_ratio", "regime", "admissible",
-                           "sensitivity:k1", "--set", "k0=7 N/um"], "map.nc")
+                           "sensitivity:k1", "--set", "k0=7 N/um"], ".nc")
         data = xarray.open_dataset(file, engine="netcdf4")
         self.assertEqual(dict(data.sizes), {"frequency": 30, "velocity_ratio": 4})
         self.assertEqual(data.critical_velocity.dims, ("frequency", "velocity_ratio"))
@@ -169,7 +168,7 @@ class Array(Case):
 
     def test_entries_of_arrays_have_names_of_the_conventions(self):
         file = self.whole([str(Path(ZENER).with_name("prony.toml")), "--over", "k[3]=lin:1e5:3e5:3", "--quantity",
-                           "critical_velocity", "sensitivity:tau[2]"], "entries.nc")
+                           "critical_velocity", "sensitivity:tau[2]"], ".nc")
         data = xarray.open_dataset(file, engine="netcdf4")
         self.assertEqual(sorted(data.variables), ["critical_velocity", "k_3", "sensitivity_tau_2"])
         self.assertEqual(list(data.k_3.values), [1e5, 2e5, 3e5])
@@ -179,8 +178,8 @@ class Array(Case):
     def test_it_is_the_table(self):
         arguments = FRICTION[:1] + ["--over", "k1=lin:1e6:9e6:6", "--over", "velocity=log:1 mm/s:1 m/s:9",
                                     "--quantity", "friction_ratio", "critical_velocity"]
-        array = xarray.open_dataset(self.whole(arguments, "map.h5"), engine="netcdf4")
-        with self.whole(arguments, "map.csv").open() as table:
+        array = xarray.open_dataset(self.whole(arguments, ".h5"), engine="netcdf4")
+        with self.whole(arguments, ".csv").open() as table:
             rows = list(csv.DictReader(table))
         for row, (k1, velocity) in zip(rows, [(k, v) for k in array.k1 for v in array.velocity], strict=True):
             self.assertEqual((float(row["k1"]), float(row["velocity"])), (float(k1), float(velocity)))
@@ -196,7 +195,7 @@ class Array(Case):
 
     def test_progress_is_shown_on_a_terminal_alone(self):
         # A second or two; the line comes after a quarter of one. Without a terminal there are warnings at most.
-        stderr = self.done(sweep(*LONGER, "--out", str(self.folder / "a.h5"))).stderr
+        stderr = self.TOLD[self.whole(LONGER, ".h5")]
         self.assertEqual([line for line in stderr.splitlines() if not line.startswith("vcrit: warning:")], [])
         controller, terminal = pty.openpty()
         process = subprocess.Popen(command([*LONGER, "--out", str(self.folder / "b.h5")]), stderr=terminal)
@@ -241,7 +240,7 @@ class WithoutMpi(Case):
 class Processes(Case):
     def test_the_number_of_ranks_does_not_change_a_bit(self):
         for name, arguments in [("friction", FRICTION), ("velocity", VELOCITY)]:
-            whole = self.whole(arguments, name + ".h5")
+            whole = self.whole(arguments, ".h5")
             # More than once: ranks that begin at different times are what may go wrong.
             for ranks in (1, 2, 4, 4, 4):
                 file = self.folder / f"{name}{ranks}.h5"
@@ -274,7 +273,7 @@ class Processes(Case):
         return children.read_text().split() if children.exists() else []
 
     def test_a_killed_rank_loses_nothing_that_is_written(self):
-        whole = self.whole(LONGER, "whole.h5")
+        whole = self.whole(LONGER, ".h5")
         file = self.folder / "map.h5"
         process = subprocess.Popen(command([*LONGER, "--out", str(file)], mpi=4), env=ENVIRONMENT,
                                    stderr=subprocess.DEVNULL, stdout=subprocess.DEVNULL)
@@ -297,7 +296,7 @@ class Processes(Case):
         self.same(file, whole)
 
     def test_a_rank_that_cannot_write_ends_all(self):
-        whole, file = self.whole(LONGER, "whole.h5"), self.folder / "map.h5"
+        whole, file = self.whole(LONGER, ".h5"), self.folder / "map.h5"
         # The first rank cannot lay out the file, the other one not write its first block.
         script = """[ "$OMPI_COMM_WORLD_RANK" != "$1" ] && shift 4; exec "${@:2}" """
         for rank in ("0", "1"):

@@ -26,12 +26,12 @@ class OneAtATime(Case):
                 self.assertIn("a sweep that is running now", second.stderr)
             told = running.communicate()[1]
             self.assertEqual(running.returncode, 0, told)
-            self.same(file, self.whole(LONGER, "whole" + ending))
+            self.same(file, self.whole(LONGER, ending))
             self.assertEqual(list(self.folder.glob(f"beside{ending}*")), [file])
 
     def test_two_resumes_and_two_starts(self):
         for ending in (".csv", ".nc"):
-            whole = self.whole(LONGER, "whole" + ending)
+            whole = self.whole(LONGER, ending)
             for resumed in (False, True):
                 file = self.folder / ("two" + ending)
                 for path in self.folder.glob("two*"):

@@ -153,12 +153,12 @@ void check_values(const std::vector<LanguageCall>& calls, bool claims_fast) {
 /// Exact partial derivatives by all entries of Parameters, where v* is a number.
 std::vector<std::vector<double>> partials_of(const std::vector<LanguageCall>& calls,
                                              const std::vector<Scene>& scenes) {
+  std::vector<symbolic::ParameterList> parameters;
+  for (const Scene& scene : scenes) parameters.emplace_back(scene, symbolic::derive(scene));
   std::vector<std::vector<double>> partials;
   for (const LanguageCall& call : calls) {
-    const symbolic::ParameterList parameters(scenes[call.library],
-                                             symbolic::derive(scenes[call.library]));
     partials.emplace_back();
-    for (const symbolic::Member& member : parameters.members())
+    for (const symbolic::Member& member : parameters[call.library].members())
       if (is_number(call.exact))
         partials.back().push_back(
             static_cast<double>(test::derivative(call.scene, call.exact, {member.name})));
@@ -182,13 +182,28 @@ void check_partials(const LanguageCall& call, const std::vector<double>& exact,
     }
 }
 
+struct Cases {
+  std::vector<Scene> scenes;
+  std::vector<LanguageCall> calls;
+  std::vector<std::vector<double>> partials;
+};
+
+/// One question to all languages.
+const Cases& cases_with_gradients() {
+  static const Cases cases = [] {
+    Drawn drawn;
+    Cases drawn_cases{random_scenes(drawn), {}, {}};
+    drawn_cases.calls = calls_of(drawn, drawn_cases.scenes, 54);
+    drawn_cases.partials = partials_of(drawn_cases.calls, drawn_cases.scenes);
+    return drawn_cases;
+  }();
+  return cases;
+}
+
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(cpp_with_gradients) {
-  Drawn drawn;
-  const std::vector<Scene> scenes = random_scenes(drawn);
-  std::vector<LanguageCall> calls = calls_of(drawn, scenes, 54);
-  const auto partials = partials_of(calls, scenes);
+  auto [scenes, calls, partials] = cases_with_gradients();
   const test::Libraries libraries(scenes, Asked::values_and_gradients);
   BOOST_REQUIRE_EQUAL(libraries.compile(test::compilers(libraries.folder()).front(), {"-O0"}), "");
   std::vector<test::Call> found;
@@ -207,10 +222,9 @@ BOOST_AUTO_TEST_CASE(cpp_with_gradients) {
 }
 
 BOOST_AUTO_TEST_CASE(other_languages_with_gradients) {
-  Drawn drawn;
-  const std::vector<Scene> scenes = random_scenes(drawn);
-  std::vector<LanguageCall> calls = calls_of(drawn, scenes, 54);
-  const auto partials = partials_of(calls, scenes);
+  Cases cases = cases_with_gradients();
+  const std::vector<Scene>& scenes = cases.scenes;
+  std::vector<LanguageCall>& calls = cases.calls;
   const test::LanguageFiles files(scenes, Asked::values_and_gradients);
   files.with_each_tool(
       [&](const Tool& tool) {
@@ -221,7 +235,7 @@ BOOST_AUTO_TEST_CASE(other_languages_with_gradients) {
           const std::vector<double> x = test::members(call.scene, scenes[call.library]);
           const auto from = call.answers.begin() + test::plain_answers + 1;
           const auto count = static_cast<std::ptrdiff_t>(x.size());
-          check_partials(call, partials[i], x, {from, from + count},
+          check_partials(call, cases.partials[i], x, {from, from + count},
                          {from + count + 1, from + 2 * count + 1});
         }
       },

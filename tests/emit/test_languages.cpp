@@ -85,12 +85,12 @@ BOOST_AUTO_TEST_CASE(values_and_bounds_hold) {
   const Files files(shapes, Asked::values_and_gradients);
   std::vector<Call> all = calls(shapes, 30, -13.0);
   std::vector<Call> smooth = calls(shapes, 3, -7.0);
+  std::vector<symbolic::ParameterList> parameters;
+  for (const Scene& shape : shapes) parameters.emplace_back(shape, symbolic::derive(shape));
   std::vector<std::vector<test::Real>> partials;
   for (const Call& call : smooth) {
-    const Scene& shape = shapes[call.library];
-    const symbolic::ParameterList parameters(shape, symbolic::derive(shape));
     partials.emplace_back();
-    for (const symbolic::Member& member : parameters.members())
+    for (const symbolic::Member& member : parameters[call.library].members())
       for (int entry = member.length == 0 ? 0 : 1; entry <= member.length; ++entry)
         partials.back().push_back(test::derivative(call.scene, call.exact, {member.name, entry}));
   }

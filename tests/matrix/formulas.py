@@ -32,11 +32,13 @@ class Names(dict):
     def __init__(self, values):
         super().__init__()
         self.set_alike = {}
+        self.evaluated = {}  # as Python takes the names of a text
         for name, value in values.items():
             self[name] = value
 
     def __setitem__(self, name, value):
         super().__setitem__(name, value)
+        self.evaluated[name.replace("[", "_at_").rstrip("]")] = Number(value)
         self.set_alike[plain("Deltauz" if name == "du_z" else name)] = value
 
     def default(self, name, value):
@@ -65,15 +67,15 @@ class Number:
 FUNCTIONS = {"abs": lambda x: Number(abs(x.value)), "sqrt": lambda x: Number(mp.sqrt(x.value)),
              "Re": lambda x: Number(mp.re(x.value))}
 
+GIVEN = {"__builtins__": {}, "N_": Number, **{f"{name}_of_": function for name, function in FUNCTIONS.items()}}
+
 
 def text_value(text, names):
     text = INDEX.sub(r"\1_at_\2", text)
     text = NUMBER.sub(lambda found: f'N_("{found[0]}")', text).replace("^", "**")
     text = re.sub(r"\b(abs|sqrt|Re)\(", r"\1_of_(", text)
-    known = {name.replace("[", "_at_").rstrip("]"): Number(value) for name, value in names.items()}
-    known |= {"N_": Number, **{f"{name}_of_": function for name, function in FUNCTIONS.items()}}
     try:
-        return eval(text, {"__builtins__": {}}, known).value
+        return eval(text, GIVEN, names.evaluated).value
     except (NameError, SyntaxError, TypeError, AttributeError) as error:
         raise Unknown(text) from error
 

@@ -21,7 +21,7 @@ class CompileOnce(unittest.TestCase):
         # A compiler whose output is all that it sees, and that is told of each time it runs.
         compiler = self.real / "cc1"
         compiler.write_text(f'#!/bin/sh\necho run >> {self.log}\necho "warning in $PWD/$1" >&2\nall=\n'
-                            'while [ "$1" != -o ]; do all="$all$(cat "$1")"; shift; done\nprintf %s "$all" > "$2"\n'
+                            'while [ "$1" != -o ]; do [ ! -f "$1" ] || all="$all$(cat "$1")"; shift; done\nprintf %s "$all" > "$2"\n'
                             '! grep -q bad "$2"\n')
         compiler.chmod(0o755)
 
@@ -73,6 +73,14 @@ class CompileOnce(unittest.TestCase):
         (self.folder / "elsewhere.cpp").write_text("text")
         for _ in range(2):
             self.assertTrue(self.compile("a", {}, "../elsewhere.cpp")[3])
+            for words in (["-I.."], ["-I", ".."], ["-L."], ["-include", "h.hpp"]):
+                self.assertTrue(self.compile("a", {"m.cpp": "text", "h.hpp": "header"}, *words, "m.cpp")[3], words)
+
+    def test_includes_from_the_folder_itself_are_kept(self):
+        for words in (["-I."], ["-I", "."], ["-Iinner"]):
+            for name, ran in (("a", True), ("b", False)):
+                self.assertEqual(self.compile(name, {"m.cpp": "text"}, *words, "m.cpp")[3], ran, words)
+        self.assertTrue(self.compile("c", {"m.cpp": "text", "more.cuh": "header"}, "-I.", "m.cpp")[3])
 
 
 if __name__ == "__main__":

@@ -11,12 +11,14 @@ import vcrit
 from support import PROGRAM, PROJECT
 
 PACKAGE = Path(vcrit.__file__).parent
-CACHE = tempfile.TemporaryDirectory()
+PLACE = tempfile.TemporaryDirectory()
+# In the build folder: NumPy's types are read once, and again when they change.
+CACHE = PACKAGE.parent.with_name("mypy_cache")
 
 
 def checked(module, *arguments):
-    environment = os.environ | {"MYPYPATH": str(PACKAGE.parent), "MYPY_CACHE_DIR": CACHE.name}
-    return subprocess.run([sys.executable, "-B", "-m", module, *arguments], cwd=CACHE.name, env=environment,
+    environment = os.environ | {"MYPYPATH": str(PACKAGE.parent), "MYPY_CACHE_DIR": str(CACHE)}
+    return subprocess.run([sys.executable, "-B", "-m", module, *arguments], cwd=PLACE.name, env=environment,
                           capture_output=True, text=True, timeout=300)
 
 
