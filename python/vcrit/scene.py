@@ -19,6 +19,7 @@ from .inputs import (
     ma,
     number_with_unit,
     numbers,
+    refused,
 )
 from .results import (
     CertifiedVelocity,
@@ -201,6 +202,9 @@ class Scene:
         pandas Series are kept. Raises InputError, with the index of the first wrong value and
         `out` as it was, ModelError.
         """
+        if out is not None and "out" in self.settable:
+            raise refused("out", "one name for the array of results and for an element of this scene",
+                          'the element in a mapping, critical_velocity({"out": values}), without out')
         given = {**(values or {}), **named}
         if not given and out is None:
             return self.certified_critical_velocity.value

@@ -5,7 +5,6 @@
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 
 namespace vcrit::design {
 
@@ -16,6 +15,8 @@ constexpr int bits_of_minimum = 26;
 // Two bits above rounding, where a root finder's bracket no longer shrinks.
 constexpr int bits_of_root = 50;
 constexpr std::uintmax_t most_search_steps = 200;
+// Ratios are at most 1, and those wanted above 0. Much more would overflow in the root finder.
+constexpr double excess_without_answer = 1;
 
 class Searching {
  public:
@@ -41,7 +42,7 @@ class Searching {
     const std::optional<double> value = measured_(place);
     if (!value) {
       ++search_.unanswered;
-      return std::numeric_limits<double>::max();
+      return excess_without_answer;
     }
     if (!search_.least || *value < *search_.least) search_.least = value, search_.least_at = place;
     return *value - wanted_;

@@ -35,8 +35,10 @@ constexpr int most_steps = 24;
 // Until a value outside is found.
 constexpr double widening_step = 3;
 
-// How much more the constraint weighs than the data: it is missed by the square of its inverse.
-constexpr double pull = 20;
+// How much more the constraint weighs than the data: it is missed by the square of its inverse. A
+// value that falls short of the wanted one by a larger part is near the limit of what any series
+// has, and is pulled harder.
+constexpr double least_pull = 20, harder = 10, falls_short = 0.1;
 
 // Times of the series and, a standard deviation or two aside, their neighbours: mixtures of them
 // have any time between.
@@ -102,7 +104,7 @@ class AnySeries {
   }
 
   // The series that comes nearest to the data of those whose value is `wanted`, nearly.
-  VectorXd with_value(const VectorXd& values, double wanted, double step) const {
+  VectorXd with_value(const VectorXd& values, double wanted, double step, double pull) const {
     MatrixXd matrix(matrix_.rows() + 1, matrix_.cols());
     VectorXd target(target_.size() + 1);
     const double weight = pull * std::sqrt(allowed_) / std::abs(step);
@@ -118,19 +120,23 @@ class AnySeries {
     const double middle = values.dot(nearest_);
     Reached inside{middle, 0};
     std::optional<Reached> outside;
+    double pull = least_pull;
     for (int i = 0; i < most_steps; ++i) {
       const double wanted = std::max(0.0, outside ? between(inside, *outside, i) : middle + step);
       if (wanted == middle) return middle;  // both 0: no loss at all
-      const VectorXd x = with_value(values, wanted, wanted - middle);
+      const VectorXd x = with_value(values, wanted, wanted - middle, pull);
       const double grown = std::max(0.0, misfit(x) - least_) / allowed_;
       const Reached reached{values.dot(x), std::sqrt(grown)};
       if (reached.distance > 1)
         outside = reached;
       else if (wanted == 0)
         return 0;
-      else
+      else if (std::abs(reached.value - middle) > std::abs(inside.value - middle))
         inside = reached;
-      step *= widening_step;
+      if (std::abs(wanted - reached.value) > falls_short * std::abs(wanted - middle))
+        pull *= harder;
+      else
+        step *= widening_step;
       if (outside &&
           std::abs(outside->value - inside.value) < precision * std::abs(outside->value - middle))
         break;

@@ -12,15 +12,45 @@
 #include "onset/formula_scope.hpp"
 #include "scene/changing.hpp"
 #include "simulation/steady/onset.hpp"
+#include "stiffness/dynamic_stiffness.hpp"
 
 namespace vcrit {
 
 namespace {
 
-// Of a body on springs, whose contact never opens.
+// Harmonics above this are not looked for below a drive with masses: there the border of sliding is
+// within 1e-4 of v*.
+constexpr int highest_harmonic = 100;
+
+// In units of what one rounding of every element and step changes: K_d and m (n omega)^2 are equal.
+constexpr double equal_in_roundings = 16;
+
+// So close to a frequency at which a mass keeps its end still that K_d has no digits, it is
+// infinite.
+constexpr double ill_conditioned = 1e8;
+
+// The lowest harmonic at which a body and the masses of its drive swing freely: K_d = m (n
+// omega)^2. A damper that moves with them leaves a loss stiffness, which is no rounding.
+int free_harmonic_of_masses(const Network& drive, const Values& values, double mass, double omega) {
+  const Reduction reduction = reduce(drive);
+  for (int n = 2; n <= highest_harmonic; ++n) {
+    const double frequency = n * omega, inertia = mass * frequency * frequency;
+    const double off = std::abs(dynamic_stiffness(reduction, values, frequency) - inertia);
+    const double size = sensitivity(reduction, values, frequency) + inertia;
+    if (size < ill_conditioned * inertia && off <= equal_in_roundings * epsilon * size) return n;
+  }
+  return 0;
+}
+
+// Of a body whose contact never opens.
 int free_harmonic(const Scene& scene) {
-  if (!scene.mass || !scene.drive || scene.receptance || has_masses(*scene.drive)) return 0;
+  if (!scene.drive || scene.receptance) return 0;
   const Values values = values_of(scene);
+  if (has_masses(*scene.drive))
+    return free_harmonic_of_masses(*scene.drive, values,
+                                   scene.mass ? values.at(scene.mass->symbol) : 0,
+                                   values.at(scene.angular_frequency.symbol));
+  if (!scene.mass) return 0;
   return simulation::free_harmonic(relaxation_form(*scene.drive, values),
                                    values.at(scene.mass->symbol),
                                    values.at(scene.angular_frequency.symbol));

@@ -56,7 +56,7 @@ class Groups {
   }
 
   void add(const char* group, const Symbol& element, const ex& meaning, const ex& in_reference) {
-    const ex name = symbol({std::string(group) + "_" + to_text(element)});
+    const ex name = positive_quantity(std::string(group) + "_" + to_text(element));
     const bool is_new = scale.emplace(symbol(element), name * in_reference).second;
     if (is_new) lines.push_back({"", name, meaning});
   }

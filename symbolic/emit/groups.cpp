@@ -5,6 +5,7 @@
 
 #include "analysis/dimensionless.hpp"
 #include "base/errors.hpp"
+#include "formula/names.hpp"
 #include "formula/text.hpp"
 
 namespace vcrit::symbolic {
@@ -74,7 +75,7 @@ class GroupWriter {
   }
 
   void add(const Line& line) {
-    const GroupName name(to_text(line.left));
+    const GroupName name(base_name(GiNaC::ex_to<GiNaC::symbol>(line.left).get_name()));
     const Monomial monomial(line.right);
     const NodeId value = program_.divide(product(monomial.above), product(monomial.below));
     const std::string meaning = to_text(line.right);

@@ -44,13 +44,15 @@ NamesOfScene::~NamesOfScene() { printing = before_; }
 // The imaginary unit has a second name of its own.
 std::string printed_name(const std::string& name) {
   if (!is_own(name)) return name;
-  std::string printed = base_name(name);
+  const std::string base = base_name(name);
+  const std::size_t entry = std::min(base.find('['), base.size());  // of an array's groups
+  std::string printed = base.substr(0, entry);
   const auto taken = [](const std::string& candidate) {
     return printing != nullptr && printing->by_setting_.contains(setting_of(candidate));
   };
   if (taken(printed)) printed = printed == "i" ? "j" : printed + "_own";
   while (taken(printed)) printed += "_own";
-  return printed;
+  return printed + base.substr(entry);
 }
 
 bool is_set_apart(const std::string& name) {

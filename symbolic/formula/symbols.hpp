@@ -19,6 +19,9 @@ GiNaC::ex poisson_ratio(const Symbol& symbol);
 /// A complex quantity of the derivation itself: K_n, K_t, K_d, the amplitudes A and B, s, ...
 GiNaC::ex quantity(const std::string& name);
 
+/// A positive quantity of the derivation itself: a dimensionless group.
+GiNaC::ex positive_quantity(const std::string& name);
+
 /// omega, and s = i omega.
 GiNaC::ex omega();
 GiNaC::ex laplace();

@@ -4,6 +4,8 @@
 #include "analysis/dimensionless.hpp"
 #include "analysis/exact_scene.hpp"
 #include "derivation/scenes.hpp"
+#include "formula/names.hpp"
+#include "formula/symbols.hpp"
 #include "formula/text.hpp"
 #include "formula/value.hpp"
 
@@ -24,9 +26,11 @@ std::vector<std::string> groups(const DimensionlessForm& form) {
 /// mu0 omega du_z times the form at the groups' values.
 GiNaC::numeric velocity(const DimensionlessForm& form, const Scene& scene) {
   const auto values = test::exact_values(scene);
-  std::map<Symbol, GiNaC::numeric> at;
-  for (const Line& line : form.groups) at[{to_text(line.left)}] = value_at(line.right, {}, values);
-  return value_at(form.velocity, form.definitions, at) * values.at({"mu0"}) * values.at({"omega"}) *
+  std::vector<Line> known;
+  for (const Line& line : form.groups)
+    known.push_back({"", line.left, value_at(line.right, {}, values)});
+  known.insert(known.end(), form.definitions.begin(), form.definitions.end());
+  return value_at(form.velocity, known, {}) * values.at({"mu0"}) * values.at({"omega"}) *
          values.at({"du_z"});
 }
 
@@ -57,6 +61,18 @@ BOOST_AUTO_TEST_CASE(what_cancels_has_no_group) {
       dimensionless(test::scene_of("normal = \"k0 | (k1 - c1)\"\ntangential_ratio = 0.8"));
   BOOST_TEST(form.groups.empty());
   BOOST_TEST(to_text(form.velocity) == "5/4");
+}
+
+// The damper's group is theta_c1, as is the name of the spring that all refers to.
+BOOST_AUTO_TEST_CASE(a_group_is_no_element_of_its_name) {
+  const Scene renamed =
+      test::scene_of("normal = \"spring(theta_c1) | (k1 - c1)\"\ntangential = \"kt\"", "kd", "m");
+  const DimensionlessForm form = dimensionless(renamed);
+  for (const Line& line : form.groups)
+    for (const auto& [element, value] : renamed.elements)
+      BOOST_TEST(!line.left.is_equal(symbolic::symbol(element)), to_text(element));
+  const NamesOfScene names(renamed);
+  BOOST_TEST(groups(form).at(1) == "theta_c1_own = c1*omega/k1");
 }
 
 BOOST_AUTO_TEST_CASE(masses_of_the_drive_have_groups) {

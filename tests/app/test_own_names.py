@@ -81,6 +81,41 @@ class OwnNames(unittest.TestCase):
                         # Some 40 operations in doubles, none of which cancels in these shapes.
                         self.assertAlmostEqual(back / expected, 1, delta=1e-13)
 
+    def test_groups_are_told_from_elements_of_their_names(self):
+        # An array's group too: kappa_k[1] of k[1].
+        networks = [("spring(NAME) | (spring(k1) - damper(d1))", {"k1": 3e6, "d1": 20.0}),
+                    ("prony(NAME, k, tau)", {"k": [3e6, 1e6], "tau": [1e-5, 2e-5]})]
+        names = [["kappa_k1", "theta_d1", "kappa_kt", "theta_ct", "kappa_kd", "beta_m"],
+                 ["kappa_k", "theta_tau", "kappa_kt", "theta_kt"]]
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "s.toml"
+            for (network, values), each in zip(networks, names):
+                for name in each:
+                    elements = dict(values, kt=2e6, ct=9.0, kd=1e6, **{name: 7e5})
+                    file.write_text(
+                        f'[contact]\nnormal = "{network.replace("NAME", name)}"\ntangential = "kt | ct"\n'
+                        '[drive]\nnetwork = "kd"\n[body]\nmass = 1e-3\n'
+                        '[oscillation]\nangular_frequency = 6e4\namplitude = 1e-7\nindentation = 1e-6\n'
+                        '[friction]\ncoefficient = 0.3\n[elements]\n'
+                        + "".join(f"{k} = {v!r}\n" for k, v in elements.items()))
+                    with self.subTest(name=name):
+                        text = self.run_program("derive", file, "--form", "dimensionless")
+                        known = {"mu0": 0.3, "omega": 6e4, "du_z": 1e-7, "m": 1e-3}
+                        for key, value in elements.items():
+                            known |= {f"{key}_{i}": x for i, x in enumerate(value, 1)} if isinstance(value, list) \
+                                else {key: value}
+                        lines = re.findall(r"^    (\S+) = (.+)$", text[text.index("Dimensionless form"):], re.M)
+                        for left, right in lines:
+                            left, right = (re.sub(r"\[(\d+)\]", r"_\1", side) for side in (left, right))
+                            formula = re.sub(r"\b(abs|sqrt)\(", r"\1_of(", right.replace("^", "**"))
+                            value = eval(formula, {"__builtins__": {}},
+                                         dict(known, i=1j, abs_of=abs, sqrt_of=cmath.sqrt))
+                            self.assertNotIn(left, known, text)
+                            known[left] = value
+                        self.assertAlmostEqual(abs(known["v*"]) / self.value(file), 1, delta=1e-13)
+                        self.run_program("generate", file, "--out", folder, "--name", "g", "--quantities")
+                        subprocess.run(["g++", "-std=c++20", "-fsyntax-only", "g_quantities.hpp"], cwd=folder, check=True)
+
     def test_generated_code_for_all_of_them(self):
         calls, includes = [], []
         with tempfile.TemporaryDirectory() as folder:

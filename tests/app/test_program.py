@@ -1,6 +1,7 @@
 """The program as a user meets it: JSON keys, exit statuses, what goes to stdout and what to stderr."""
 
 import json
+import keyword
 import subprocess
 import sys
 import tempfile
@@ -271,14 +272,17 @@ class Mistakes(unittest.TestCase):
                     self.refused("generate", str(PROJECT / KELVIN), "--out", "out", "--name", name, folder=folder)
                     self.assertEqual(list(Path(folder).iterdir()), [])
 
-    def test_a_name_that_only_python_refuses(self):
-        with tempfile.TemporaryDirectory() as folder:
-            scene = Path(folder, "scene.toml")
-            scene.write_text('[contact]\nnormal = "spring(None)"\ntangential = "kt"\n')
-            to = ["generate", str(scene), "--out", str(Path(folder, "out")), "--name", "good", "--language"]
-            self.assertIn("None", self.refused(*to, "python"))
-            self.assertFalse(Path(folder, "out").exists())
-            self.assertEqual(run(*to, "c99").returncode, 0)
+    def test_names_that_python_refuses(self):
+        for name in keyword.kwlist:
+            with self.subTest(name=name), tempfile.TemporaryDirectory() as folder:
+                scene = Path(folder, "scene.toml")
+                scene.write_text(f'[contact]\nnormal = "spring({name})"\ntangential = "kt"\n')
+                to = ["generate", str(scene), "--out", str(Path(folder, "out")), "--name", "good", "--language"]
+                self.assertIn(name, self.refused(*to, "python"))
+                self.assertFalse(Path(folder, "out").exists())
+                # Words that Python alone reserves are names elsewhere.
+                if name in ("None", "True", "False", "as"):
+                    self.assertEqual(run(*to, "c99").returncode, 0)
 
     def test_parameters_that_cannot_be_fixed(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -78,6 +78,21 @@ BOOST_AUTO_TEST_CASE(places_without_an_answer_do_not_reach) {
   BOOST_TEST(nothing.unanswered == 4);
 }
 
+// As of a resonance, where fast drives have no answer: the root finder goes to numbers alone.
+BOOST_AUTO_TEST_CASE(a_crossing_beside_a_hole_asks_for_numbers_alone) {
+  int asked = 0;
+  const auto fast_ones_are_lost = [&](double x) -> std::optional<double> {
+    BOOST_TEST_REQUIRE(std::isfinite(x));
+    ++asked;
+    if (x > 2.5) return std::nullopt;
+    return 0.25 * x;
+  };
+  const Search search = first_reach(fast_ones_are_lost, places(10, 0, 11), 0.99);
+  BOOST_TEST_REQUIRE(search.reach.has_value());
+  BOOST_TEST(std::abs(search.reach->at - 2.5) < 10 * close);
+  BOOST_TEST(asked < 100);
+}
+
 }  // namespace
 
 BOOST_AUTO_TEST_SUITE_END()

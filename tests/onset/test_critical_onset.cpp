@@ -2,8 +2,11 @@
 // closed form is said to hold; and the simulator's own where it is not.
 #include "onset/critical_onset.hpp"
 
+#include <fmt/core.h>
+
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <numbers>
 #include <random>
 
 #include "critical/admissibility.hpp"
@@ -135,6 +138,37 @@ BOOST_AUTO_TEST_CASE(closed_contacts_are_as_ever) {
 
 // d ln v*/d ln p of a scene whose v* is simulated: differences of an independent program's v*, in
 // 34 digits, given to nine.
+// By hand, omega = 1: K_d = k1 b/(k1 + b) of a chain with b = k2 - m1 n^2, and k + ka b/(ka + b) of
+// a spring and an absorber with b = -ma n^2. A mass m = K_d/n^2 at its end swings freely.
+BOOST_AUTO_TEST_CASE(drives_with_masses_swing_at_harmonics_too) {
+  const auto onset = [](const std::string& drive, double mass, const std::string& elements) {
+    return critical_onset(parse_scene(
+        "[contact]\nnormal = \"kn | cn\"\ntangential = \"kt\"\n[drive]\nnetwork = \"" + drive +
+            "\"\n[body]\nmass = " + fmt::format("{}", mass) +
+            "\n[oscillation]\nangular_frequency = 1\namplitude = 0.1\nindentation = 1\n"
+            "[friction]\ncoefficient = 0.5\n[elements]\nkn = 3.0\ncn = 0.4\nkt = 2.0\n" +
+            elements,
+        "s.toml"));
+  };
+  const auto swings = [](const CriticalOnset& found, int n) {
+    BOOST_TEST(found.free_harmonic == n);
+    const double share = n > 1 ? std::cos(std::numbers::pi / (2 * n)) : 1;
+    BOOST_TEST(std::abs(found.sliding_from / (share * found.contact_velocity) - 1) < 1e-15);
+  };
+  for (const int n : {2, 3, 17}) {
+    const double b = 7.0 * n * n - 0.4 * n * n, chain = 5.0 * b / (5 + b) / n / n;
+    const std::string springs = fmt::format("k1 = 5.0\nk2 = {}\nm1 = 0.4\n", 7.0 * n * n);
+    swings(onset("k1 - (mass(m1) | k2)", chain, springs), n);
+    swings(onset("k1 - (mass(m1) | k2)", 1.0001 * chain, springs), 0);
+    swings(onset("k1 - (mass(m1) | k2 | c2)", chain, springs + "c2 = 1e-4\n"), 0);
+    const double a = -0.9 * n * n, absorber = (60.0 * n * n + 2 * a / (2 + a)) / n / n;
+    const std::string tuned = fmt::format("kd = {}\nka = 2.0\nma = 0.9\n", 60.0 * n * n);
+    swings(onset("kd | ka - mass(ma)", absorber, tuned), n);
+    // Tuned to n, an absorber holds the body still there.
+    swings(onset("kd | ka - mass(ma)", 1, fmt::format("kd = 5\nka = {}\nma = 1\n", n * n)), 0);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(sensitivities_are_those_of_the_simulated_velocity) {
   const Scene scene = parse_scene(
       "[contact]\nnormal = \"zener(k0, k1, c1)\"\ntangential_ratio = 0.8\nseparation = true\n"

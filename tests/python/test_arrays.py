@@ -45,6 +45,18 @@ class Values(unittest.TestCase):
                 np.testing.assert_allclose(ZENER.critical_velocity({name: values}),
                                            one_by_one(ZENER, **{name: values}), rtol=BATCH)
 
+    def test_an_element_named_like_the_array_of_results(self):
+        text = (PROJECT / "scenes/elastic.toml").read_text()
+        scene = vcrit.Scene.from_text(text.replace('"kn"', '"spring(out)"').replace("kn =", "out ="))
+        values = scene.parameters["out"].value * np.array([1.0, 2.0])
+        np.testing.assert_allclose(scene.critical_velocity({"out": values}),
+                                   one_by_one(scene, out=values), rtol=BATCH)
+        # It would be overwritten.
+        before = values.copy()
+        with self.assertRaisesRegex(vcrit.InputError, "element of this scene"):
+            scene.critical_velocity(out=values)
+        np.testing.assert_array_equal(values, before)
+
     def test_of_synonyms_are_the_same(self):
         frequency = np.array([10e3, 20e3, 35e3])
         by_frequency = ZENER.critical_velocity(frequency=frequency)

@@ -25,6 +25,19 @@ ComplexDouble turned(const Instant& start, PairNumber factor) {
           start.turn.real() * factor.b + start.turn.imag() * factor.a};
 }
 
+// A search that is given up has been work, too.
+std::optional<double> counted_zero(EventFunction& f, double end, bool leaving, Effort& effort) {
+  std::optional<double> zero;
+  try {
+    zero = first_zero(f, end, leaving);
+  } catch (const ModelError&) {
+    effort.spend(f.work());
+    throw;
+  }
+  effort.spend(f.work());
+  return zero;
+}
+
 }  // namespace
 
 // The modes are those of what is left of y without its sinusoidal part in slip.
@@ -83,8 +96,7 @@ State Piece::after(double duration) const {
 std::optional<Piece::Event> Piece::next_event(double horizon) const {
   const auto before = [&](Motion to, double end) -> std::optional<Event> {
     EventFunction f = event_function(to);
-    const auto zero = first_zero(f, end, leaving(to));
-    model_->effort.spend(f.work());
+    const auto zero = counted_zero(f, end, leaving(to), model_->effort);
     if (!zero || *zero >= end) return std::nullopt;
     return Event{*zero, to};
   };

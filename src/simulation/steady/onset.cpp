@@ -21,6 +21,16 @@ constexpr double lowest_speed = 1e-30, highest_speed = 1e30;
 // below this, rounding and the search's own error of some 1e-12 take it for a steady one.
 constexpr double near_harmonic = 1e-5;
 
+// With the drive's damper left out, if that takes no larger share of a swing.
+int nearly_free_harmonic(const System& system) {
+  if (!system.drive || !system.mass) return 0;
+  Relaxation undamped = *system.drive;
+  undamped.damper = 0;
+  const int n = free_harmonic(undamped, *system.mass, system.omega, near_harmonic);
+  const double loss = n * system.omega * system.drive->damper;
+  return loss <= near_harmonic * undamped.equilibrium ? n : 0;
+}
+
 // velocity: as in model.hpp.
 bool sticks(const Model& model, double velocity) {
   const auto& parts = steady_cycle(model, velocity, rest_start(model, velocity)).period.parts;
@@ -62,7 +72,7 @@ Onset stick_onset(const System& given) {
   Effort effort(effort_of_answer, given.effort);
   system.effort = &effort;
   const Model model(system);
-  if (const int n = free_harmonic(system, near_harmonic); !model.opening && n > 1)
+  if (const int n = nearly_free_harmonic(system); !model.opening && n > 1)
     throw ModelError(
         fmt::format("the body swings freely at harmonic {} of the oscillation{} and loses its "
                     "sticks ever more slowly: no steady state tells where the last one ends",

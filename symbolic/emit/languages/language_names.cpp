@@ -13,7 +13,8 @@ namespace vcrit::symbolic {
 
 namespace {
 
-const char* const python_keywords = "None True False";
+// Those that are reserved in C++ as well are refused as names of a scene.
+const char* const python_keywords = "None True False as";
 
 // A file of such a name would be imported in the place of Python's own module or of NumPy.
 const char* const python_modules = R"(

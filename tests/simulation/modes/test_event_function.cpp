@@ -57,6 +57,17 @@ BOOST_AUTO_TEST_CASE(cosine) {
   BOOST_TEST(std::abs(*zero - pi / 2) < 1e-15);
 }
 
+// A step takes as long as a dozen modes even if there is one: a light body on a spring would ring
+// for a minute within a bound of ten seconds.
+BOOST_AUTO_TEST_CASE(a_step_of_few_modes_is_no_less_work_than_it_is) {
+  const Sum sum(1, -1, {1}, {0}, {0, -1});
+  EventFunction f = sum.function();
+  f.move_to(1);
+  BOOST_TEST(f.work() >= 12);
+  f.safe_duration(-1, 1);
+  BOOST_TEST(f.work() >= 24);
+}
+
 // f = -(1 - e^{-t}) + t/2 - ...: f = 0.5 t - (1 - e^{-t}) leaves 0 downwards; its zero solves
 // e^{-t} = 1 - t/2, t = 2 + W(-2 e^{-2}) = 1.5936242600400400923.
 BOOST_AUTO_TEST_CASE(leaving_zero_downwards) {

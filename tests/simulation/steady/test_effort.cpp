@@ -32,6 +32,17 @@ BOOST_AUTO_TEST_CASE(a_body_that_rings_ends) {
   BOOST_CHECK_THROW(steady_state(system, 2.035514276526095e-08), ModelError);
 }
 
+// Each search for a change of motion that is given up takes a million steps, of more than a dozen
+// modes each, and there are several. Not counted, they would end with a word on oscillations.
+BOOST_AUTO_TEST_CASE(searches_that_are_given_up_count) {
+  System system = system_of(read_scene(VCRIT_TEST_DATA "/ringing/harmonic-1095.toml"));
+  Effort two_searches(30'000'000);
+  system.effort = &two_searches;
+  BOOST_CHECK_EXCEPTION(steady_state(system, 5.69e-08), ModelError, [](const ModelError& error) {
+    return std::string(error.what()).find("work for all steady states") != std::string::npos;
+  });
+}
+
 BOOST_AUTO_TEST_CASE(searches_share_the_effort_of_their_system) {
   System system = reference::reference_rows().front().system;
   Effort little(100);

@@ -130,6 +130,18 @@ BOOST_AUTO_TEST_CASE(a_damper_or_another_stiffness_is_no_free_swing) {
   BOOST_TEST(free_harmonic(system) == 0);
 }
 
+// The last stick ends where no search tells, 1e-9 below v* and more: no comparison may fail by
+// that.
+BOOST_AUTO_TEST_CASE(a_faint_damper_leaves_sticks_that_die_slowly) {
+  System system = system_of(scene_of("undamped_harmonic"));
+  system.drive->damper = 1e-7 * system.drive->equilibrium / system.omega;
+  BOOST_CHECK_THROW(stick_onset(system), ModelError);
+  system.drive->damper = 0.1 * system.drive->equilibrium / system.omega;
+  const double difference =
+      stick_onset(system).contact_velocity / sliding_threshold(system).contact_velocity - 1;
+  BOOST_TEST(std::abs(difference) <= 1e-9);
+}
+
 }  // namespace
 
 BOOST_AUTO_TEST_SUITE_END()
