@@ -44,13 +44,14 @@ LanguageCall call_of(std::size_t library, const Scene& scene) {
 
 std::vector<LanguageCall> wrong_calls(const std::vector<Scene>& shapes) {
   constexpr double inf = std::numeric_limits<double>::infinity();
+  constexpr double tiny = std::numeric_limits<double>::denorm_min();
   test::Draw draw(5);
   std::vector<LanguageCall> calls;
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     const Scene scene = draw.values_for(shapes[i], 0);
     for (const auto& [symbol, value] : test::numbers_of(scene)) {
       if (symbol.name == "u_z0") continue;
-      std::vector<double> numbers{-value, -1e30, -1e-300, -inf, inf, std::nan("")};
+      std::vector<double> numbers{-value, -1e30, -1e-300, -tiny, -inf, inf, std::nan("")};
       // Negative Poisson's ratios exist.
       if (symbol.name == "nu") numbers = {-1.0, -7.0, 0.75, 1.5, -inf, inf, std::nan("")};
       for (const double number : numbers) {

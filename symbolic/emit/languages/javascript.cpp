@@ -17,7 +17,8 @@ std::string javascript_operations(const Evaluator& evaluator) {
   using Operation = Node::Operation;
   std::string out = javascript::numbers;
   if (evaluator.velocity.rooted) out += javascript::root;
-  out += "const within = (limit, x) => x === 0 || (x <= limit && x * limit >= 1);\n";
+  // -0 comes of a negative parameter.
+  out += "const within = (limit, x) => Object.is(x, 0) || (x <= limit && x * limit >= 1);\n";
   if (evaluator.has(Operation::less_inertia)) out += javascript::less_inertia;
   if (evaluator.has(Operation::unit)) out += javascript::power_unit;
   if (evaluator.has(Operation::nonzero)) out += javascript::nonzero;

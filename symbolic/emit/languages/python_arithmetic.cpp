@@ -124,8 +124,8 @@ def _dd_root(a):
 const char* const within =
     R"(
 
-def _within(limit, x):
-    return (x == 0.0) | (x <= limit) & (x * limit >= 1.0)
+def _within(limit, x):  # -0 comes of a negative parameter
+    return (x == 0.0) & ~np.signbit(x) | (x <= limit) & (x * limit >= 1.0)
 )";
 
 const char* const less_inertia =
