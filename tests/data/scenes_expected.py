@@ -13,6 +13,7 @@ Needs mpmath; run it as  tests/data/scenes_expected.py > tests/data/scenes_expec
 """
 
 import csv
+import math
 import re
 import sys
 import tomllib
@@ -24,9 +25,11 @@ mp.dps = 250
 SCENES = Path(__file__).resolve().parents[2] / "scenes"
 
 UNITS = {
-    "N/um": "1e6", "N/m": "1", "N.s/m": "1", "kg": "1", "g": "1e-3", "mg": "1e-6",
-    "kHz": "1e3", "Hz": "1", "rad/s": "1", "um": "1e-6", "nm": "1e-9", "m": "1", "s": "1", "us": "1e-6",
-    "GPa": "1e9", "kPa.s": "1e3",
+    "N/um": "1e6", "N/mm": "1e3", "kN/m": "1e3", "N/m": "1",
+    "N.s/m": "1", "kg/s": "1", "N s/mm": "1e3", "mN.s/um": "1e3", "kN us/mm": "1",
+    "kg": "1", "g": "1e-3", "mg": "1e-6", "MHz": "1e6", "kHz": "1e3", "Hz": "1", "rad/s": "1", "rad/ms": "1e3",
+    "mm": "1e-3", "um": "1e-6", "nm": "1e-9", "m": "1", "s": "1", "ms": "1e-3", "us": "1e-6", "ns": "1e-9",
+    "GPa": "1e9", "MPa": "1e6", "N/mm2": "1e6", "Pa": "1", "kPa.s": "1e3", "Pa s": "1", "MPa.ms": "1e3",
 }
 
 
@@ -34,7 +37,7 @@ def quantity(value):
     """A TOML value as SI: 'NUMBER UNIT' exactly as it is typed, a bare number as the double of it."""
     if not isinstance(value, str):
         return mpf(float(value))
-    number, unit = value.split()
+    number, unit = value.split(maxsplit=1)
     return mpf(number) * mpf(UNITS[unit])
 
 
@@ -155,6 +158,10 @@ class Reader:
         if name == "mass":  # to inertial ground: one of its ends is the far end of the drive
             m = quantity(self.elements[p[0]])
             layout.edges.append(((lambda s: m * s**2), a, b))
+        elif name == "spring":
+            spring(p[0], a, b)
+        elif name == "damper":
+            damper(p[0], a, b)
         elif name == "kelvin":
             spring(p[0], a, b)
             damper(p[1], a, b)
@@ -213,10 +220,19 @@ def measured(file, omega):
     raise ValueError("outside the table")
 
 
-def evaluate(scene):
+def angular_frequency(oscillation):
+    """Of a bare frequency the double, as of all bare numbers."""
+    if "angular_frequency" in oscillation:
+        return quantity(oscillation["angular_frequency"])
+    frequency = oscillation["frequency"]
+    return 2 * pi * quantity(frequency) if isinstance(frequency, str) else mpf(2 * math.pi * frequency)
+
+
+def evaluate(scene, folder=SCENES):
+    """Critical velocity, whether it is admissible, creep velocity; the names of tables begin at `folder`."""
     reader = Reader(scene["elements"], scene.get("networks", {}))
     contact, oscillation = scene["contact"], scene["oscillation"]
-    omega = 2 * pi * quantity(oscillation["frequency"])
+    omega = angular_frequency(oscillation)
     s = mpc(0, omega)
     du, u0 = quantity(oscillation["amplitude"]), quantity(oscillation["indentation"])
     mu = quantity(scene["friction"]["coefficient"])
@@ -239,7 +255,7 @@ def evaluate(scene):
         if "network" in scene["drive"]:
             drive = reader.network(scene["drive"]["network"])
         inertia = quantity(scene["body"]["mass"]) * omega**2 if "body" in scene else mpf(0)
-        kd = drive.stiffness(s) if drive else measured(SCENES / scene["drive"]["receptance"], omega)
+        kd = drive.stiffness(s) if drive else measured(folder / scene["drive"]["receptance"], omega)
         assert abs(kd - inertia) > 0.05 * max(abs(kd), inertia), "too near resonance"
         assert abs(kt + kd - inertia) > 0.05 * inertia, "too near antiresonance"
         velocity *= abs(kt + kd - inertia) / abs(kd - inertia)

@@ -1,10 +1,11 @@
 // Scene files. What is accepted reads the same again, and v* is a number of at least 0, infinity
-// with its reason, or an error.
+// with its reason, or an error; where the surfaces may part, the simulated one as well.
 #include <cmath>
 
 #include "critical/admissibility.hpp"
 #include "critical/certified.hpp"
 #include "fuzz.hpp"
+#include "onset/critical_onset.hpp"
 #include "scene/scene.hpp"
 
 using namespace vcrit;
@@ -18,6 +19,10 @@ void check_velocity(const Scene& scene) {
   fuzz::check(std::isfinite(critical.value) || !critical.reason.empty(), "infinity has a reason");
   inadmissible_reasons(scene);
   fuzz::check(!std::isnan(creep_velocity(scene)), "creep is no NaN");
+  if (!scene.separation) return;
+  const CriticalOnset onset = critical_onset(scene);
+  fuzz::check(onset.contact_velocity >= 0 && onset.drive_velocity >= onset.contact_velocity,
+              "v* of surfaces that part is no NaN and not negative, and the drive no slower");
 }
 
 }  // namespace

@@ -68,6 +68,22 @@ BOOST_AUTO_TEST_CASE(a_body_on_springs_has_no_closed_form) {
              0.01);
 }
 
+// m omega^2 and the share of it that its swing in between takes are below 1e-12 of the drive's
+// stiffness; without the mass contact and drive are one network, and nothing swings.
+BOOST_AUTO_TEST_CASE(a_light_body_on_a_damped_drive_is_none) {
+  const std::string elements =
+      "[elements]\nk = 3.0\nkt = 2.0\nkd = 0.7\ncd = 0.4\nk1 = 0.9\nc1 = 5.0\n";
+  for (const std::string drive : {"kd | cd", "kd | cd | (k1 - c1)", "cd - c1"}) {
+    const std::string contact = "normal = \"k\"\ntangential = \"kt\"";
+    const std::string drawn = "[drive]\nnetwork = \"" + drive + "\"\n";
+    const double without = simulated(scene_of(contact, 3, drawn + elements));
+    for (const std::string mass : {"1e-13", "1e-16", "1e-20", "1e-40", "1e-100"}) {
+      const Scene scene = scene_of(contact, 3, drawn + "[body]\nmass = " + mass + "\n" + elements);
+      BOOST_TEST(std::abs(simulated(scene) / without - 1) <= rounding);
+    }
+  }
+}
+
 // In sliding the tangential deformations are mu0 K_n/K_t times the normal ones whatever the
 // network: v* is Eq. (24) where the surfaces touch as u_z rises fastest, and less elsewhere.
 BOOST_AUTO_TEST_CASE(isotropic_contacts_under_a_rigid_drive) {

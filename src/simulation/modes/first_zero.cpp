@@ -14,8 +14,8 @@ class March {
  public:
   March(EventFunction& f, double end, bool leaving) : f_(f), end_(end), leaving_(leaving) {}
 
-  std::optional<double> run() {
-    EventFunction::Point here = f_.move_to(0);
+  std::optional<double> run(double from) {
+    EventFunction::Point here = f_.move_to(from);
     if (leaving_) here.value = 0;
     for (int i = 0; i < most_steps; ++i) {
       if (here.time >= end_) return std::nullopt;
@@ -73,11 +73,22 @@ class March {
   double h_ = 1;
 };
 
+// Shares of a radian, as those of a touch in motion/trace.cpp.
+constexpr double shortest_leave = 1e-9, longest_leave = 1e-7;
+
 }  // namespace
 
 std::optional<double> first_zero(EventFunction& f, double end, bool leaving) {
   if (!leaving && f.ceiling(end) < 0) return std::nullopt;
-  return March(f, end, leaving).run();
+  return March(f, end, leaving).run(0);
+}
+
+std::optional<double> first_zero_after_leaving(EventFunction& f, double end) {
+  const std::optional<double> zero = first_zero(f, end, true);
+  if (!zero || *zero > 0) return zero;
+  for (double left = shortest_leave; left <= longest_leave; left *= 10)
+    if (f.move_to(left).value < 0) return March(f, end, false).run(left);
+  return zero;
 }
 
 }  // namespace vcrit::simulation

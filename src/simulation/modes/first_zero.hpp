@@ -22,4 +22,9 @@ namespace vcrit::simulation {
 /// `leaving`, f(0) = 0 does not count. Zeros at which f only touches 0 within rounding are passed.
 std::optional<double> first_zero(EventFunction& f, double end, bool leaving);
 
+/// The same where f leaves 0 at t = 0 and has to be below it at once. Where its slope there says
+/// that it is not, but f is below a touch later, that slope is what a mode that relaxes at once
+/// left of its rounding, and does not count: nothing is gained or lost over so short a time.
+std::optional<double> first_zero_after_leaving(EventFunction& f, double end);
+
 }  // namespace vcrit::simulation

@@ -1,5 +1,6 @@
 #include "simulation/normal/normal_stays.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/complex.hpp"
@@ -9,6 +10,9 @@
 namespace vcrit::simulation {
 
 namespace {
+
+// Radians: with slower units a speed has 13 digits.
+constexpr double fast = 1e3;
 
 double sum(ConstView x) {
   double result = 0;
@@ -112,29 +116,36 @@ Matrix NormalStays::decays_at(const NormalState& now) const {
 }
 
 // The surface less the substrate, as a function that reaches 0 from below. With a direct damper
-// the gap begins with no speed.
+// the gap begins with no speed, but that is a difference of rates, whose rounding of a fast unit
+// would stay in the speed for good: of such a one the rates are taken as they are.
 std::optional<double> NormalStays::touch_down(const NormalState& now, double horizon) const {
   const ConstView strains = now.strains.column(0);
-  const int order = now.released && network_.damper > 0 ? 2 : 1;
+  const int order = now.released && network_.damper > 0 && !has_fast_unit() ? 2 : 1;
   const double size = std::abs(depth(now.time)) + sum_of_sizes(strains);
   EventFunction f(units_, order, now.released ? 0 : -gap(now), now.released ? 0 : size);
   f.add_modes(units_.rates, strains, 1, order - 1);
   using namespace std::complex_literals;
   const ComplexDouble rate = 1i * indentation_.amplitude * std::polar(1.0, now.time);
   f.add_sinusoid(order == 2 ? 1i * rate : rate);
-  return first_zero(f, horizon, now.released);
+  return now.released ? first_zero_after_leaving(f, horizon) : first_zero(f, horizon, false);
+}
+
+bool NormalStays::has_fast_unit() const {
+  return std::any_of(units_.rates.begin(), units_.rates.end(),
+                     [](double rate) { return rate > fast; });
 }
 
 std::optional<double> NormalStays::lift_off(const NormalState& now, ConstView decays,
                                             double horizon) const {
   const ComplexDouble swing = swing_ * std::polar(1.0, now.time);
-  const bool jump = network_.damper > 0 && swing.real() + sum(decays) > 0;
-  EventFunction f(branches_, 1, jump ? -swing.real() - sum(decays) : 0,
-                  jump ? std::abs(swing) + sum_of_sizes(decays) : 0);
+  const double force = swing.real() + sum(decays), size = std::abs(swing) + sum_of_sizes(decays);
+  // One within rounding is no force to begin with.
+  const bool jump = network_.damper > 0 && force > 8 * epsilon * size;
+  EventFunction f(branches_, 1, jump ? -force : 0, jump ? size : 0);
   f.add_modes(branches_.rates, decays, 1);
   using namespace std::complex_literals;
   f.add_sinusoid(-1i * swing);
-  return first_zero(f, horizon, !jump);
+  return jump ? first_zero(f, horizon, false) : first_zero_after_leaving(f, horizon);
 }
 
 // eps_j' = psi_j F - beta_j eps_j.

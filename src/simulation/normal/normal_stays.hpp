@@ -61,6 +61,7 @@ class NormalStays {
   std::complex<double> branch_swing(Index i) const;
   void strike(NormalState& now, NormalIntegrals& sums) const;
   Matrix decays_at(const NormalState& now) const;
+  bool has_fast_unit() const;
   std::optional<double> touch_down(const NormalState& now, double horizon) const;
   std::optional<double> lift_off(const NormalState& now, ConstView decays, double horizon) const;
   void press(NormalState& now, const Matrix& decays, double duration, NormalIntegrals& sums) const;

@@ -39,11 +39,14 @@ struct SlidingCycle {
   double error;  ///< of the contact velocity, without dimension
 };
 
-// What the velocity of a swinging body becomes a quarter of its period later.
+// What the velocity of a swinging body becomes a quarter of its period later; beside a damper it is
+// at most what the force moves that by, however light the body.
 double swing(const Model& model, ConstView body) {
+  const PoleSum& drive = model.body->drive;
   double sum = 0;
   for (Index j = 0; j + 1 < body.size(); ++j)
-    sum += std::abs(body[1 + j]) / std::sqrt(model.body->mass * model.body->drive.weights[j]);
+    sum += std::abs(body[1 + j]) /
+           std::max(std::sqrt(model.body->mass * drive.weights[j]), drive.direct);
   return sum;
 }
 

@@ -122,6 +122,19 @@ class Witness {
   Eigen::MatrixXd matrix_;
 };
 
+// An elastic network: contact while cos t > -mean/amplitude, over an angle acos(-mean/amplitude) to
+// both sides.
+void check_elastic(const Relaxation& network, double mean) {
+  const NormalCycle cycle = cycle_of(network, {2 * mean, 2});
+  const double half = std::acos(-mean);
+  const double exact = 10 * (mean * half + std::sqrt(1 - mean * mean)) / std::numbers::pi;
+  BOOST_REQUIRE(cycle.touches.size() == 1u);
+  BOOST_TEST(std::abs(cycle.mean - exact) <= cycle.error + 20 * u * std::abs(mean) * 10);
+  BOOST_TEST(cycle.error <= 100 * u * 10);
+  // acos loses as much as its argument is near to 1.
+  BOOST_TEST(std::abs(cycle.touches[0].duration - 2 * half) <= 20 * u / std::sqrt(1 - mean * mean));
+}
+
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(agrees_with_references) {
@@ -140,20 +153,20 @@ BOOST_AUTO_TEST_CASE(agrees_with_references) {
   }
 }
 
-// Contact while cos t > -mean/amplitude, over an angle acos(-mean/amplitude) to both sides.
 BOOST_AUTO_TEST_CASE(elastic_closed_form) {
-  for (const double mean : {-0.9, -0.5, -1e-6, 0.0, 1e-6, 0.5, 0.999}) {
-    const Indentation indentation{2 * mean, 2};
-    const NormalCycle cycle = cycle_of({5, 0, {}}, indentation);
-    const double half = std::acos(-mean);
-    const double exact = 10 * (mean * half + std::sqrt(1 - mean * mean)) / std::numbers::pi;
-    BOOST_REQUIRE(cycle.touches.size() == 1u);
-    BOOST_TEST(std::abs(cycle.mean - exact) <= cycle.error + 20 * u * std::abs(mean) * 10);
-    BOOST_TEST(cycle.error <= 100 * u * 10);
-    // acos loses as much as its argument is near to 1.
-    BOOST_TEST(std::abs(cycle.touches[0].duration - 2 * half) <=
-               20 * u / std::sqrt(1 - mean * mean));
-  }
+  for (const double mean : {-0.9, -0.5, -1e-6, 0.0, 1e-6, 0.5, 0.999})
+    check_elastic({5, 0, {}}, mean);
+}
+
+// Dampers so weak that they are not seen, less than a rounding error of the spring: what they leave
+// in the rates where the surfaces part and meet is rounding alone, but far above what decides.
+BOOST_AUTO_TEST_CASE(dampers_below_rounding_are_not_there) {
+  for (const double mean : {-0.9, -0.5, 0.0, 0.37, 0.5, 0.9})
+    for (const double weak : {1e-16, 1e-17, 1e-18, 1e-19, 1e-23, 1e-30}) {
+      check_elastic({5, weak, {}}, mean);
+      for (const double stiffness : {0.15, 5.0})
+        check_elastic({5, 0, {{stiffness, weak / stiffness}}}, mean);
+    }
 }
 
 BOOST_AUTO_TEST_CASE(surfaces_that_never_part_or_never_meet) {
