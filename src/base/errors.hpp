@@ -20,7 +20,7 @@ struct Place {
 std::string to_text(const Place& place);
 
 /// Wrong input: says where, what was found, what was expected instead, and what to do where that is
-/// more, each as printable() has it (messages.hpp).
+/// more. what() has each as printable() has it (messages.hpp), the parts are the bytes that came.
 class InputError : public std::runtime_error {
  public:
   InputError(const Place& place, const std::string& found, const std::string& expected,

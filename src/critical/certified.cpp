@@ -213,9 +213,9 @@ double certified_log_derivative(const Scene& scene, const Symbol& symbol) {
 
 double certified_difference(const Scene& a, const Scene& b) {
   // Differences down to the smallest double, and some digits of them.
-  constexpr slong most_bits = 4096;
+  constexpr slong enough_bits = 4096;
   const Evaluation first(a), second(b);
-  for (slong precision = 256; precision <= most_bits; precision *= 2) {
+  for (slong precision = 256; precision <= enough_bits; precision *= 2) {
     const Ball difference = Arithmetic{precision}.subtract(log_velocity(first, precision),
                                                            log_velocity(second, precision));
     if (acb_is_finite(difference.get()) == 0 || acb_contains_zero(difference.get()) != 0) continue;
