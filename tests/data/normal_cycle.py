@@ -166,7 +166,7 @@ def solved(damper, branches, mean, amplitude):
         now = [(k, min(mpf(tau), longest / scale)) for k, tau in branches]
         network = Network(damper, now, mean, amplitude)
         guess = guess or seed(network)
-        solution = findroot(network.conditions, guess, solver="mdnewton", tol=mpf(10) ** -80, maxsteps=60)
+        solution = findroot(network.conditions, guess, solver="mdnewton", tol=mpf(10) ** -70, maxsteps=60)
         guess = list(solution)
         if scale == 1:
             break
@@ -188,4 +188,5 @@ def main():
             table.writerow([name, damper, text, mean, amplitude, *row])
 
 
-main()
+if __name__ == "__main__":
+    main()
