@@ -5,6 +5,8 @@
 #include <set>
 #include <utility>
 
+#include "network/law.hpp"
+
 namespace vcrit {
 
 namespace {
@@ -103,6 +105,10 @@ std::optional<LoadedGraph> load_carrying(const Graph& graph) {
 std::optional<Network> without(const Network& network,
                                const std::function<bool(const Element&)>& absent) {
   return std::visit([&](const auto& form) { return without_parts(form, absent); }, network.form);
+}
+
+std::optional<Network> springs_alone(const Network& network) {
+  return without(network, [](const Element& element) { return !is_elastic(element); });
 }
 
 }  // namespace vcrit

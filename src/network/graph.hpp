@@ -22,4 +22,7 @@ std::optional<LoadedGraph> load_carrying(const Graph& graph);
 std::optional<Network> without(const Network& network,
                                const std::function<bool(const Element&)>& absent);
 
+/// What carries a load at rest: the network without dampers, Maxwell branches and masses.
+std::optional<Network> springs_alone(const Network& network);
+
 }  // namespace vcrit

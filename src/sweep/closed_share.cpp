@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "network/graph.hpp"
-#include "network/law.hpp"
 #include "scene/changing.hpp"
 
 namespace vcrit {
@@ -54,7 +53,7 @@ void ClosedShare::Modulus::operator()(std::span<const std::span<const double>> a
 
 ClosedShare::ClosedShare(const Scene& scene, const std::vector<std::string>& varying)
     : oscillating_(modulus(scene, scene.normal, varying)) {
-  const auto springs = without(scene.normal, [](const Element& e) { return !is_elastic(e); });
+  const auto springs = springs_alone(scene.normal);
   if (springs) at_rest_ = modulus(scene, *springs, varying);
 }
 

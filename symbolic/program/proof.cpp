@@ -10,7 +10,6 @@
 #include "formula/rational.hpp"
 #include "formula/symbols.hpp"
 #include "network/graph.hpp"
-#include "network/law.hpp"
 
 namespace vcrit::symbolic {
 
@@ -278,7 +277,7 @@ void Proof::holds(const QuantityProgram& quantities) const {
     compare(quantities.contact_point, scene.contact, "the contact point's motion");
     if (!quantities.largest_amplitude) return;
     // u_z0 K_n(0)/|K_n|
-    const auto springs = without(scene_.normal, [](const Element& e) { return !is_elastic(e); });
+    const auto springs = springs_alone(scene_.normal);
     ensure(springs.has_value(), "what has a largest amplitude carries a load");
     const GaussianResidue largest = at[*quantities.largest_amplitude];
     const GaussianResidue load = scene.at("u_z0").value * stiffness_of_springs(*springs, scene);

@@ -3,6 +3,10 @@
 // a chance of less than 1e-20 (analysis/residues.hpp). So what is compiled is what is printed.
 #pragma once
 
+#include <map>
+#include <optional>
+#include <string>
+
 #include "derivation/derivation.hpp"
 #include "program/gradient.hpp"
 #include "program/quantities.hpp"

@@ -4,7 +4,6 @@
 
 #include "formula/symbols.hpp"
 #include "network/graph.hpp"
-#include "network/law.hpp"
 
 namespace vcrit::symbolic {
 
@@ -29,11 +28,6 @@ NodeId modulus(Program& program, const Complex& z) {
   if (program.is_constant(z.im, 0)) return program.magnitude(z.re);
   if (program.is_constant(z.re, 0)) return program.magnitude(z.im);
   return program.root(square(program, z));
-}
-
-/// What carries a load at rest.
-std::optional<Network> static_part(const Network& network) {
-  return without(network, [](const Element& e) { return !is_elastic(e); });
 }
 
 class QuantityWriter {
@@ -144,7 +138,7 @@ class QuantityWriter {
   /// (3) and (4): u_z0 K_n(0)/|K_n(i omega)|, at most u_z0; K_n(0) <= |K_n| as no part of a
   /// network of springs and dampers grows softer with the frequency.
   std::optional<NodeId> largest_amplitude() {
-    const std::optional<Network> at_rest = static_part(scene_.normal);
+    const std::optional<Network> at_rest = springs_alone(scene_.normal);
     if (!at_rest) return std::nullopt;
     const Complex k = network(*at_rest).k;
     const NodeId share = program_.divide(k.re, modulus(program_, result_.normal.k));

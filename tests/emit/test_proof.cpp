@@ -73,61 +73,71 @@ std::set<NodeId> made_of(const VelocityProgram& velocity) {
   return nodes;
 }
 
-/// The program with one step changed; nothing where that would be the same step, or is of no use.
+/// What is written in the place of a step: a term's sign, a quotient for a product and so on; where
+/// the operation stays, other arguments. Nothing for steps that decide no value.
+std::optional<Node> other_step(Node node) {
+  static const std::map<Operation, Operation> others{
+      {Operation::add, Operation::subtract},
+      {Operation::subtract, Operation::add},
+      {Operation::multiply, Operation::divide},
+      {Operation::divide, Operation::multiply},
+      {Operation::multiply_add, Operation::multiply_add},
+      {Operation::less_inertia, Operation::less_inertia},
+      {Operation::constant, Operation::constant},
+      {Operation::negate, Operation::magnitude}};
+  const auto other = others.find(node.operation);
+  if (other == others.end()) return std::nullopt;
+  node.constant += 1;
+  if (node.operation == other->second) std::swap(node.arguments[1], node.arguments[2]);
+  node.operation = other->second;
+  return node;
+}
+
+NodeId written(Program& program, const Node& node, const std::map<NodeId, NodeId>& places) {
+  const auto argument = [&](std::size_t i) { return places.at(node.arguments[i]); };
+  switch (node.operation) {
+    case Operation::parameter:
+      return program.parameter(node.parameter);
+    case Operation::constant:
+      return program.constant(node.constant);
+    case Operation::negate:
+      return program.negate(argument(0));
+    case Operation::add:
+      return program.add(argument(0), argument(1));
+    case Operation::subtract:
+      return program.subtract(argument(0), argument(1));
+    case Operation::multiply:
+      return program.multiply(argument(0), argument(1));
+    case Operation::divide:
+      return program.divide(argument(0), argument(1));
+    case Operation::multiply_add:
+      return program.multiply_add(argument(0), argument(1), argument(2));
+    case Operation::less_inertia:
+      return program.less_inertia(argument(0), argument(1), argument(2));
+    case Operation::unit:
+      return program.constant(1);
+    default:  // where no element is 0, the first one
+      return argument(0);
+  }
+}
+
+/// The program with one step changed; nothing where none can be.
 std::optional<VelocityProgram> faulty(const VelocityProgram& velocity, NodeId changed) {
-  const std::set<NodeId> needed = made_of(velocity);
-  if (!needed.contains(changed)) return std::nullopt;
   VelocityProgram result = velocity;
   Program program;
   std::map<NodeId, NodeId> places;
-  for (const NodeId id : needed) {
-    const Node& node = velocity.program[id];
-    const auto argument = [&](std::size_t i) { return places.at(node.arguments[i]); };
-    const bool fault = id == changed;
-    switch (node.operation) {
-      case Operation::parameter:
-        if (fault) return std::nullopt;
-        places[id] = program.parameter(node.parameter);
-        break;
-      case Operation::constant:
-        places[id] = program.constant(fault ? node.constant + 1 : node.constant);
-        break;
-      case Operation::negate:
-        places[id] = fault ? argument(0) : program.negate(argument(0));
-        break;
-      case Operation::add:
-        places[id] = fault ? program.subtract(argument(0), argument(1))
-                           : program.add(argument(0), argument(1));
-        break;
-      case Operation::subtract:
-        places[id] = fault ? program.add(argument(0), argument(1))
-                           : program.subtract(argument(0), argument(1));
-        break;
-      case Operation::multiply:
-        places[id] = fault ? program.divide(argument(0), argument(1))
-                           : program.multiply(argument(0), argument(1));
-        break;
-      case Operation::divide:
-        places[id] = fault ? program.multiply(argument(0), argument(1))
-                           : program.divide(argument(0), argument(1));
-        break;
-      case Operation::multiply_add:
-        places[id] = fault ? program.multiply_add(argument(0), argument(2), argument(1))
-                           : program.multiply_add(argument(0), argument(1), argument(2));
-        break;
-      case Operation::less_inertia:
-        places[id] = fault ? program.less_inertia(argument(0), argument(2), argument(1))
-                           : program.less_inertia(argument(0), argument(1), argument(2));
-        break;
-      case Operation::unit:
-        if (fault) return std::nullopt;
-        places[id] = program.constant(1);
-        break;
-      default:
-        if (fault) return std::nullopt;
-        places[id] = argument(0);
+  bool planted = false;
+  for (const NodeId id : made_of(velocity)) {
+    Node node = velocity.program[id];
+    if (id == changed) {
+      const std::optional<Node> other = other_step(node);
+      if (!other) return std::nullopt;
+      node = *other;
+      planted = true;
     }
+    places[id] = written(program, node, places);
   }
+  if (!planted) return std::nullopt;
   result.program = program;
   for (NodeId* id : {&result.above, &result.below, &result.factor}) *id = places.at(*id);
   return result;

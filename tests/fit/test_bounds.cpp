@@ -9,7 +9,8 @@
 #include <complex>
 #include <functional>
 #include <numbers>
-#include <random>
+
+#include "fit/deviates.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_bounds)
 
@@ -21,25 +22,11 @@ using fit::Data;
 using fit::Fit;
 using fit::Interval;
 using fit::KnownStiffness;
+using test::Deviates;
 using Material = std::function<std::complex<double>(double)>;
 
-/// Uniform and normal deviates from a seeded engine, the same everywhere.
-class BoundDeviates {
- public:
-  explicit BoundDeviates(unsigned seed) : engine_(seed) {}
-  double between(double from, double to) { return from + (to - from) * unit(); }
-  double normal() {
-    const double u = unit(), v = unit();
-    return std::sqrt(-2 * std::log(u)) * std::cos(2 * std::numbers::pi * v);
-  }
-
- private:
-  double unit() { return (static_cast<double>(engine_() >> 11) + 0.5) / 9007199254740992.0; }
-  std::mt19937_64 engine_;
-};
-
 // A spectrum that is level between two times: the integral of a branch over ln tau.
-Material level_spectrum(BoundDeviates& deviates) {
+Material level_spectrum(Deviates& deviates) {
   const double from = std::pow(10, deviates.between(-3, 0)), strength = deviates.between(0.05, 0.6);
   const double to = from * std::pow(10, deviates.between(0.5, 4));
   return [=](double omega) {
@@ -48,7 +35,7 @@ Material level_spectrum(BoundDeviates& deviates) {
 }
 
 // Cole and Davidson's: a peak with a long flank on one side.
-Material skewed_peak(BoundDeviates& deviates) {
+Material skewed_peak(Deviates& deviates) {
   const double strength = std::pow(10, deviates.between(-1, 0.5)), power = deviates.between(0.2, 1);
   const double time = std::pow(10, deviates.between(-1, 1));
   return [=](double omega) {
@@ -57,13 +44,13 @@ Material skewed_peak(BoundDeviates& deviates) {
 }
 
 // A spring in series with a spring-pot: creep by a power of time (Andrade).
-Material andrade(BoundDeviates& deviates) {
+Material andrade(Deviates& deviates) {
   const double creep = std::pow(10, deviates.between(-1.5, 0)), power = deviates.between(0.1, 0.4);
   return [=](double omega) { return 1.0 / (1.0 + creep * std::pow(1i * omega, -power)); };
 }
 
 // One branch: the end of what spectra there are, where an interval over all of them is narrowest.
-Material one_branch(BoundDeviates& deviates) {
+Material one_branch(Deviates& deviates) {
   const double strength = std::pow(10, deviates.between(-1, 0.3));
   const double time = std::pow(10, deviates.between(-0.5, 0.5));
   return
@@ -77,7 +64,7 @@ struct Measured {
 
 // 3 to 20 rows over half a decade to four, noise of 0.1 to 4 %; every third table gives errors,
 // those of the loss half as large.
-Measured measured(const Material& material, int set, BoundDeviates& deviates) {
+Measured measured(const Material& material, int set, Deviates& deviates) {
   constexpr std::array counts{3, 4, 6, 9, 14, 20};
   const int rows = counts[static_cast<std::size_t>(set) % counts.size()];
   const double decades = deviates.between(0.5, rows < 5 ? 2.5 : 4);
@@ -118,10 +105,10 @@ Interval distances(const KnownStiffness& at, std::complex<double> from) {
 // One frequency of each table, so that hits are independent: of n with a chance of 95 % they are
 // 0.95 n with a deviation of sqrt(0.0475 n), for 300 of 3.8. Fewer by more than four times that,
 // 270, has a chance of 1e-4. (More are allowed: an interval over all spectra is a safe one.)
-void check_intervals(Material (*kind)(BoundDeviates&), unsigned seed) {
+void check_intervals(Material (*kind)(Deviates&), unsigned seed) {
   constexpr int sets = 300;
   const double least = 0.95 * sets - 4 * std::sqrt(0.95 * 0.05 * sets);
-  BoundDeviates deviates(seed);
+  Deviates deviates(seed);
   int storage = 0, loss = 0, velocity = 0;
   std::vector<double> widths;
   for (int set = 0; set < sets; ++set) {
@@ -162,7 +149,7 @@ BOOST_AUTO_TEST_CASE(intervals_hold_the_truth_of_one_branch) { check_intervals(o
 
 // A lone spring is taken where the losses may be 0; what they may be is still said.
 BOOST_AUTO_TEST_CASE(a_spring_without_visible_loss_has_an_interval_of_loss) {
-  BoundDeviates deviates(3);
+  Deviates deviates(3);
   const Material spring = [](double) { return std::complex<double>(5e5, 0); };
   Data data{"made", {}, false};
   for (int i = 0; i < 10; ++i)
@@ -181,7 +168,7 @@ BOOST_AUTO_TEST_CASE(a_spring_without_visible_loss_has_an_interval_of_loss) {
 // Losses that the data show by two standard deviations are in the series: 300 tables of 3 to 6
 // rows with 1 to 3 % noise, and what Student's test says of each.
 BOOST_AUTO_TEST_CASE(losses_beyond_two_deviations_are_kept) {
-  BoundDeviates deviates(5);
+  Deviates deviates(5);
   int seen = 0;
   for (int set = 0; set < 300; ++set) {
     const Material material = level_spectrum(deviates);
@@ -210,7 +197,7 @@ BOOST_AUTO_TEST_CASE(losses_beyond_two_deviations_are_kept) {
 // branch so leaves 3.3 % of |K| at most, root mean square, where two leave nothing, and 5 % where
 // they leave 1.2 %.
 BOOST_AUTO_TEST_CASE(three_exact_rows_are_met) {
-  BoundDeviates deviates(7);
+  Deviates deviates(7);
   for (int set = 0; set < 200; ++set) {
     const Material material = set % 2 == 0 ? level_spectrum(deviates) : andrade(deviates);
     const double step = std::pow(10, deviates.between(0.3, 0.7));

@@ -4,9 +4,8 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <complex>
-#include <numbers>
-#include <random>
 
+#include "fit/deviates.hpp"
 #include "fit/fit.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_few_rows)
@@ -16,21 +15,7 @@ namespace {
 using namespace vcrit;
 using fit::Data;
 using fit::Fit;
-
-/// Uniform and normal deviates from a seeded engine, the same everywhere.
-class Deviates {
- public:
-  explicit Deviates(unsigned seed) : engine_(seed) {}
-  double between(double from, double to) { return from + (to - from) * unit(); }
-  double normal() {
-    const double u = unit(), v = unit();
-    return std::sqrt(-2 * std::log(u)) * std::cos(2 * std::numbers::pi * v);
-  }
-
- private:
-  double unit() { return (static_cast<double>(engine_() >> 11) + 0.5) / 9007199254740992.0; }
-  std::mt19937_64 engine_;
-};
+using test::Deviates;
 
 struct FewRowsTable {
   double lowest, highest;  // rad/s
