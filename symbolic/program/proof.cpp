@@ -199,7 +199,6 @@ Proof::Proof(const Scene& scene, const SymbolValue& value) : scene_(scene) {
   };
   for (const auto& [symbol, number] : scene.elements) fix(symbol);
   for (const Quantity* quantity : quantities(scene)) fix(quantity->symbol);
-  if (scene.mass) fix(scene.mass->symbol);
   auto* isotropic = std::get_if<Isotropic>(&scene_.tangential);
   if (isotropic == nullptr || !isotropic->quantity.value) return;
   ratio_ = std::exchange(isotropic->quantity.value, std::nullopt);
