@@ -13,7 +13,8 @@ void add_eval(CLI::App& program);
 void add_generate(CLI::App& program);
 void add_simulate(CLI::App& program);
 void add_critical(CLI::App& program, int& status);
-void add_sweep(CLI::App& program);
+/// `argv` as the program got it: for another one, which sweeps.
+void add_sweep(CLI::App& program, char** argv);
 void add_solve(CLI::App& program);
 void add_fit(CLI::App& program);
 void add_validate(CLI::App& program, int& status);

@@ -19,13 +19,13 @@ std::string version_text() {
   return text;
 }
 
-void add_commands(CLI::App& program, int& status) {
+void add_commands(CLI::App& program, int& status, char** argv) {
   vcrit::app::add_derive(program, status, vcrit::validation::report::catalogue_page);
   vcrit::app::add_eval(program);
   vcrit::app::add_generate(program);
   vcrit::app::add_simulate(program);
   vcrit::app::add_critical(program, status);
-  vcrit::app::add_sweep(program);
+  vcrit::app::add_sweep(program, argv);
   vcrit::app::add_solve(program);
   vcrit::app::add_fit(program);
   vcrit::app::add_validate(program, status);
@@ -35,5 +35,6 @@ void add_commands(CLI::App& program, int& status) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return vcrit::app::run_program(argc, argv, add_commands, version_text);
+  const auto add = [argv](CLI::App& program, int& status) { add_commands(program, status, argv); };
+  return vcrit::app::run_program(argc, argv, add, version_text);
 }

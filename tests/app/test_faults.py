@@ -238,7 +238,7 @@ class Folders(Case):
         out = self.folder / "out"
         out.mkdir(mode=0o755)
         # Where everybody can read them.
-        program, scene = shutil.copy(PROGRAM, self.folder), shutil.copy(ZENER, self.folder)
+        program, scene, _ = (shutil.copy(file, self.folder) for file in (PROGRAM, ZENER, f"{PROGRAM}-sweep"))
         become = ["setpriv", "--reuid=65534", "--regid=65534", "--clear-groups", program]
         self.refused(lambda arguments: subprocess.run([*become, *[scene if a == ZENER else a for a in arguments]],
                                                       capture_output=True, text=True, timeout=60, cwd="/"),

@@ -1,11 +1,32 @@
 """Several sweeps to one place, and sweeps that may not go on with what they find."""
 
 import resource
+import shutil
 import subprocess
 import unittest
 from pathlib import Path
 
-from map_cases import Case, LONGER, command, sweep
+from map_cases import Case, LONGER, PROGRAM, ZENER, command, sweep
+
+
+class ProgramOfItsOwn(Case):
+    """HDF5 and MPI are forty libraries, which take longer to load than an answer takes."""
+
+    def test_no_other_command_loads_them(self):
+        loaded = [subprocess.run(["ldd", program], capture_output=True, text=True, check=True).stdout
+                  for program in (PROGRAM, f"{PROGRAM}-sweep")]
+        for libraries, has in zip(loaded, (False, True)):
+            self.assertEqual("libhdf5" in libraries, has)
+
+    def test_a_program_copied_alone_tells_what_it_lacks(self):
+        alone, out = shutil.copy(PROGRAM, self.folder), self.folder / "a.csv"
+        for words in (["eval", ZENER], ["sweep", "--help"]):
+            self.done(subprocess.run([alone, *words], capture_output=True, text=True))
+        result = subprocess.run([alone, "sweep", ZENER, "--over", "mu0=lin:0.1:0.2:2", "--quantity",
+                                 "critical_velocity", "--out", out], capture_output=True, text=True)
+        self.assertEqual(result.returncode, 2)
+        self.assertRegex(result.stderr, r"^vcrit: .*/vcrit-sweep cannot be started \(No such file.*install all of vcrit")
+        self.assertFalse(out.exists())
 
 
 class OneAtATime(Case):

@@ -164,6 +164,9 @@ class Package(unittest.TestCase):
         program = self.prefix / "bin/vcrit"
         self.assertIn("0.00457803364", done(program, "eval", SCENE))  # VELOCITY, by hand
         self.assertIn(self.pkg_config("--modversion", "vcrit")[0], done(program, "--version"))
+        table = self.folder / "sweep.csv"
+        done(program, "sweep", SCENE, "--over", "mu0=lin:0.3:0.6:2", "--quantity", "critical_velocity", "--out", table)
+        self.assertEqual(len(table.read_text().splitlines()), 3)
 
     def test_shell_finds_its_files(self):
         for file in ["bash-completion/completions/vcrit", "zsh/site-functions/_vcrit"]:

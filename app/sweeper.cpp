@@ -1,0 +1,141 @@
+// `vcrit-sweep`, which `vcrit sweep` becomes: quantities of a scene over a grid of its parameters
+// and the speed, as a table or an array, on all cores and on all processes of mpirun.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <optional>
+
+#include "base/constants.hpp"
+#include "base/units.hpp"
+#include "program.hpp"
+#include "streams.hpp"
+#include "sweep/sweep.hpp"
+#include "sweep_options.hpp"
+
+namespace vcrit::app {
+
+namespace {
+
+// The factor to rad/s of an axis of frequencies; nothing for other axes.
+std::optional<double> to_omega(const std::string& axis) {
+  if (axis == "frequency") return two_pi;
+  if (axis == "angular_frequency" || axis == "omega") return 1;
+  return std::nullopt;
+}
+
+// "frequency=log:..." and so on.
+bool varies_frequency(const std::vector<std::string>& axes) {
+  return std::any_of(axes.begin(), axes.end(), [](const std::string& axis) {
+    return to_omega(axis.substr(0, axis.find('=')));
+  });
+}
+
+void warn_of_axes(Sweep& sweep) {
+  for (const Axis& axis : sweep.axes) {
+    const auto factor = to_omega(axis.name);
+    if (!factor || axis.values.empty()) continue;
+    const auto [least, most] = std::minmax_element(axis.values.begin(), axis.values.end());
+    const auto beyond = beyond_fitted_range(sweep.scene, *factor * *least, *factor * *most);
+    if (!beyond) continue;
+    warn(*beyond);
+    sweep.scene.warnings.push_back(*beyond);
+  }
+}
+
+/// A folder that is not there may be a slip of the pen.
+void warn_of_folder(const SweepOptions& options, Sweep& sweep) {
+  const auto folder = std::filesystem::path(options.out).parent_path();
+  std::error_code ignored;
+  if (folder.empty() || std::filesystem::exists(folder, ignored)) return;
+  const std::string made = fmt::format("{}: there was no such folder, it is made", folder.string());
+  warn(made);
+  sweep.scene.warnings.push_back(made);
+}
+
+Sweep sweep_of(const SweepOptions& options) {
+  using Frequency = SceneOptions::Frequency;
+  const bool varied = varies_frequency(options.over);
+  Sweep sweep{
+      options.scene.read(varied ? Frequency::varied : Frequency::of_the_scene), {}, {}, {}, {}};
+  for (const std::string& axis : options.over) sweep.axes.push_back(parse_axis(axis, sweep.scene));
+  warn_of_axes(sweep);
+  warn_of_folder(options, sweep);
+  for (const std::string& name : options.quantities)
+    sweep.quantities.push_back(parse_swept_quantity(name, sweep.scene));
+  if (!options.velocity.empty())
+    sweep.velocity = parse_quantity(options.velocity, Dimension::velocity, {"--velocity"});
+  sweep.velocity_ratio = options.velocity_ratio;
+  return sweep;
+}
+
+/// One line on a terminal: how far, how fast, how long still.
+class ProgressLine {
+ public:
+  void operator()(const maps::Progress& progress) {
+    const auto now = Clock::now();
+    if (now - shown_ < std::chrono::milliseconds(250)) return;
+    shown_ = now;
+    const double seconds = std::chrono::duration<double>(now - start_).count();
+    const double rate = static_cast<double>(progress.in_this_run) / seconds;
+    const double left = static_cast<double>(progress.rows - progress.done) / rate;
+    tell("\r\033[K{:5.1f} % of {} points, {:.3g} a second, {:.0f} s left",
+         100 * static_cast<double>(progress.done) / static_cast<double>(progress.rows),
+         progress.rows, rate, left);
+  }
+  static void end() { tell("\r\033[K"); }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point start_ = Clock::now(), shown_ = start_;
+};
+
+void report(const SweepOptions& options, const Sweep& sweep, const maps::Streamed& streamed) {
+  if (streamed.outside > 0)
+    warn(fmt::format("{} of {} rows are outside the model (nan); the first: {}", streamed.outside,
+                     streamed.found, streamed.reason));
+  if (options.json)
+    print(with_warnings({{"file", options.out},
+                         {"rows", streamed.rows},
+                         {"rows_found", streamed.found},
+                         {"rows_outside", streamed.outside},
+                         {"reason", streamed.reason}},
+                        sweep.scene.warnings));
+}
+
+void run_on(maps::Ranks& ranks, const SweepOptions& options) {
+  std::optional<Sweeping> sweeping;
+  ranks.together([&] { sweeping.emplace(sweep_of(options)); });
+  maps::StreamOptions stream = options.stream;
+  const bool terminal = ::isatty(STDERR_FILENO) == 1;
+  if (terminal) stream.told = [line = ProgressLine()](const auto& p) mutable { line(p); };
+  const maps::Streamed streamed = maps::stream(*sweeping, options.out, stream, ranks);
+  if (terminal && ranks.first()) ProgressLine::end();
+  if (ranks.first()) report(options, sweeping->sweep(), streamed);
+}
+
+// A rank that cannot go on tells why and ends them all.
+void run_sweep(const SweepOptions& options) {
+  maps::Ranks ranks;
+  if (ranks.size() == 1) return run_on(ranks, options);
+  try {
+    run_on(ranks, options);
+  } catch (const maps::Ranks::Silent&) {
+    return;
+  } catch (const std::exception& error) {
+    tell_line(fmt::format("vcrit: {}", error.what()));
+    ranks.abort(dynamic_cast<const ModelError*>(&error) != nullptr ? 3 : 2);
+  }
+}
+
+}  // namespace
+
+}  // namespace vcrit::app
+
+int main(int argc, char** argv) {
+  using namespace vcrit::app;
+  return run_program(
+      argc, argv, [](CLI::App& program, int&) { add_sweep(program, run_sweep); }, nullptr);
+}
