@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "critical/eq24.hpp"
 #include "network/masses.hpp"
 #include "onset/formula_scope.hpp"
 
@@ -12,6 +13,27 @@ namespace {
 // less_inertia subtracts exactly: 53 digits of each of three factors.
 constexpr double exact_cancellation = 160;
 
+/// |z| of it, and where |z| lies.
+struct Factor {
+  Complex value;
+  ExponentRange range;
+};
+
+/// v*/(mu0 omega du_z) as |above|/|below|, and what its relative error is made of.
+struct Velocity {
+  std::vector<Factor> above, below;
+  int ratio_path = 0;
+  std::vector<Stiffness> quotient;  ///< K_n and K_t
+  std::optional<NodeId> drive_errors;
+};
+
+/// K_t = T/Q. Where v is divided by |K_t|, Q stands above; but of r K_n only the ratio's part.
+struct Tangential {
+  Stiffness k;
+  std::optional<Factor> more_of_q;
+};
+
+/// Writes Eq. (24) down: an algebra of eq24.hpp.
 class VelocityWriter {
  public:
   enum class Form { plain, normalised };
@@ -28,23 +50,67 @@ class VelocityWriter {
   }
 
   VelocityProgram write() {
-    const auto* isotropic = std::get_if<Isotropic>(&scene_.tangential);
-    if (isotropic != nullptr) {
-      ratio_ = contact_ratio(program_, stiffness_, *isotropic, value_);
-      const Symbol& given = isotropic->quantity.symbol;
-      if (isotropic->by == Isotropic::By::poisson && !isotropic->quantity.value &&
-          program_[symbol(given)].operation == Node::Operation::parameter)
-        result_.poisson = given;
-    }
-    if (scene_.drive)
-      with_drive(isotropic != nullptr);
-    else if (isotropic != nullptr)
-      finish({real(program_, ratio_.q)}, {real(program_, ratio_.t)}, {{}}, {{}},
-             program_.constant(ratio_.path));
-    else
-      rigid();
+    finish(eq24(scene_, *this));
     result_.program = std::move(program_);
     return std::move(result_);
+  }
+
+  static Velocity outer() { return {}; }
+
+  Ratio ratio(const Isotropic& isotropic) {
+    const Symbol& given = isotropic.quantity.symbol;
+    const Ratio ratio = contact_ratio(program_, stiffness_, isotropic, value_);
+    if (isotropic.by == Isotropic::By::poisson && !isotropic.quantity.value &&
+        program_[symbol(given)].operation == Node::Operation::parameter)
+      result_.poisson = given;
+    return ratio;
+  }
+
+  Stiffness normal() { return contact(scene_.normal); }
+  Tangential tangential() { return {contact(std::get<Network>(scene_.tangential)), {}}; }
+
+  /// T and Q each times a number.
+  Tangential scaled(const Ratio& ratio, const Stiffness& normal) {
+    Stiffness k = normal;
+    k.t = real_multiple(program_, ratio.t, normal.t);
+    k.q = real_multiple(program_, ratio.q, normal.q);
+    k.t_range = normal.t_range + ratio.t_range;
+    k.range = normal.range + ratio.range;
+    k.q_range = normal.q_range + ratio.q_range;
+    k.path += ratio.path + 2;
+    k.exact_re = false;
+    return {k, Factor{normal.q, normal.q_range}};
+  }
+
+  void divide(Velocity& v, const Ratio& ratio) {
+    v.above.push_back({real(program_, ratio.q), ratio.q_range});
+    v.below.push_back({real(program_, ratio.t), ratio.t_range});
+    v.ratio_path = ratio.path;
+  }
+
+  static void times_quotient(Velocity& v, const Stiffness& n, const Tangential& t) {
+    v.above.insert(v.above.end(), {{n.t, n.t_range}, {t.k.q, t.k.q_range}});
+    v.below.insert(v.below.end(), {{n.q, n.q_range}, {t.k.t, t.k.t_range}});
+    v.quotient = {n, t.k};
+  }
+
+  /// |K_t + D|/|D| = |N|/(|Q_t| |D|), D and N as in velocity.hpp.
+  void times_drive(Velocity& v, const Tangential& tangential) {
+    const Stiffness& t = tangential.k;
+    const Stiffness d = network(*scene_.drive);
+    Difference body{d.t, d.t_range, 0};
+    if (scene_.mass) body = difference(d);
+    const ComplexSum whole = sum_of_products(program_, {{t.t, d.q}, {t.q, body.value}});
+    // K_t = 0 is a pole, which no range has to hold.
+    ExponentRange range =
+        sum_range(t.t_range + d.q_range, t.q_range + body.range, Zeros::out_of_range);
+    range.low -= scene_.mass ? cancellation : 1;
+    check(t.t_range + d.q_range);
+    check(t.q_range + body.range);
+    v.above.back() = {whole.value, range};  // in the place of Q_t
+    if (tangential.more_of_q) v.below.push_back(*tangential.more_of_q);
+    v.below.push_back({body.value, body.range});
+    v.drive_errors = with_drive_errors(t, d, body, whole);
   }
 
  private:
@@ -59,19 +125,6 @@ class VelocityWriter {
   Stiffness contact(const Network& of) {
     Stiffness k = network(of);
     k.q_range = quotient_range(k.t_range, k.range, k.q_range, Zeros::out_of_range);
-    return k;
-  }
-
-  /// K_t = ratio K_n: T and Q each times a number.
-  Stiffness isotropic_tangential(const Stiffness& normal) {
-    Stiffness k = normal;
-    k.t = real_multiple(program_, ratio_.t, normal.t);
-    k.q = real_multiple(program_, ratio_.q, normal.q);
-    k.t_range = normal.t_range + ratio_.t_range;
-    k.range = normal.range + ratio_.range;
-    k.q_range = normal.q_range + ratio_.q_range;
-    k.path += ratio_.path + 2;
-    k.exact_re = false;
     return k;
   }
 
@@ -121,31 +174,6 @@ class VelocityWriter {
     return result;
   }
 
-  void with_drive(bool isotropic) {
-    const Stiffness n = contact(scene_.normal);
-    const Stiffness t =
-        isotropic ? isotropic_tangential(n) : contact(std::get<Network>(scene_.tangential));
-    const Stiffness d = network(*scene_.drive);
-    Difference body{d.t, d.t_range, 0};
-    if (scene_.mass) body = difference(d);
-    const ComplexSum sum = sum_of_products(program_, {{t.t, d.q}, {t.q, body.value}});
-    const Complex whole = sum.value;
-    // K_t = 0 is a pole, which no range has to hold.
-    ExponentRange range =
-        sum_range(t.t_range + d.q_range, t.q_range + body.range, Zeros::out_of_range);
-    range.low -= scene_.mass ? cancellation : 1;
-    check(t.t_range + d.q_range);
-    check(t.q_range + body.range);
-    const NodeId errors = with_drive_errors(t, d, body, sum);
-    if (isotropic)
-      return finish({whole}, {real(program_, ratio_.t), n.q, body.value}, {range},
-                    {ratio_.t_range, n.q_range, body.range},
-                    program_.add(errors, number(ratio_.path)));
-    finish({n.t, whole}, {n.q, t.t, body.value}, {n.t_range, range},
-           {n.q_range, t.t_range, body.range},
-           program_.add(errors, program_.add(roundings(program_, n), roundings(program_, t))));
-  }
-
   // Relative errors of D and N, where |z| >= size_bound(z)/sqrt(2).
   NodeId with_drive_errors(const Stiffness& t, const Stiffness& d, const Difference& body,
                            const ComplexSum& whole) {
@@ -169,25 +197,25 @@ class VelocityWriter {
     return one_and_a_half(program_.add(d_error, n_error));
   }
 
-  void rigid() {
-    const Stiffness n = contact(scene_.normal);
-    const Stiffness t = contact(std::get<Network>(scene_.tangential));
-    finish({n.t, t.q}, {n.q, t.t}, {n.t_range, t.q_range}, {n.q_range, t.t_range},
-           program_.add(roundings(program_, n), roundings(program_, t)));
+  NodeId errors_of(const Velocity& v) {
+    const NodeId contact = v.quotient.empty()
+                               ? number(v.ratio_path)
+                               : program_.add(roundings(program_, v.quotient.front()),
+                                              roundings(program_, v.quotient.back()));
+    return v.drive_errors ? program_.add(*v.drive_errors, contact) : contact;
   }
 
   void check(ExponentRange range) { result_.fits = result_.fits && fits(range); }
 
   /// The product of absolute values, or of their squares.
-  NodeId product(const std::vector<Complex>& factors, const std::vector<ExponentRange>& ranges,
-                 bool squared) {
+  NodeId product(const std::vector<Factor>& factors, bool squared) {
     NodeId whole = number(1);
     ExponentRange range;
-    for (std::size_t i = 0; i < factors.size(); ++i) {
-      const Complex& z = factors[i];
-      range = range + (squared ? twice(ranges[i]) : ranges[i]);
+    for (const auto& [z, of_one] : factors) {
+      const ExponentRange one = squared ? twice(of_one) : of_one;
+      range = range + one;
       check(range);
-      check(squared ? twice(ranges[i]) : ranges[i]);
+      check(one);
       if (squared) {
         whole = program_.multiply(whole, square(program_, z));
         continue;
@@ -198,16 +226,16 @@ class VelocityWriter {
     return whole;
   }
 
-  void finish(const std::vector<Complex>& above, const std::vector<Complex>& below,
-              const std::vector<ExponentRange>& above_ranges,
-              const std::vector<ExponentRange>& below_ranges, NodeId errors) {
-    const auto has_both = [this](const Complex& z) {
+  void finish(const Velocity& v) {
+    const NodeId errors = errors_of(v);
+    const auto has_both = [this](const Factor& factor) {
+      const Complex& z = factor.value;
       return !program_.is_constant(z.re, 0) && !program_.is_constant(z.im, 0);
     };
-    result_.rooted = std::any_of(above.begin(), above.end(), has_both) ||
-                     std::any_of(below.begin(), below.end(), has_both);
-    result_.above = product(above, above_ranges, result_.rooted);
-    result_.below = product(below, below_ranges, result_.rooted);
+    result_.rooted = std::any_of(v.above.begin(), v.above.end(), has_both) ||
+                     std::any_of(v.below.begin(), v.below.end(), has_both);
+    result_.above = product(v.above, result_.rooted);
+    result_.below = product(v.below, result_.rooted);
     for (const char* name : {"mu0", "du_z", "omega"}) guard_factor({name});
     result_.factor =
         program_.multiply(program_.multiply(symbol({"mu0"}), omega_), symbol({"du_z"}));
@@ -215,7 +243,7 @@ class VelocityWriter {
                           stiffness_.guards().end());
     // Each square 2 and its product 1, the quotient 1, all halved by the root, itself 1; mu0 omega
     // du_z and its product 3.
-    const int count = static_cast<int>(above.size() + below.size());
+    const int count = static_cast<int>(v.above.size() + v.below.size());
     const int last = result_.rooted ? (3 * count + 2) / 2 + 1 + 3 : count + 1 + 3;
     result_.roundings = program_.add(errors, number(last));
   }
@@ -237,7 +265,6 @@ class VelocityWriter {
   Program program_;
   NodeId omega_;
   StiffnessWriter stiffness_;
-  Ratio ratio_;
   VelocityProgram result_;
 };
 
