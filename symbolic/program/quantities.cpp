@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "critical/eq24.hpp"
 #include "formula/symbols.hpp"
 #include "network/graph.hpp"
 
@@ -30,6 +31,13 @@ NodeId modulus(Program& program, const Complex& z) {
   return program.root(square(program, z));
 }
 
+/// An oscillation over another one: |z|, and a number with the argument of z.
+struct Response {
+  NodeId amplitude;
+  Complex direction;
+};
+
+/// The contact point's oscillation over du_z is Eq. (24) without moduli: its algebra in eq24.hpp.
 class QuantityWriter {
  public:
   QuantityWriter(const Scene& scene, const SymbolValue& value)
@@ -50,6 +58,24 @@ class QuantityWriter {
     result_.largest_amplitude = largest_amplitude();
     result_.program = std::move(program_);
     return std::move(result_);
+  }
+
+  Response outer() { return {program_.constant(1), real(program_, program_.constant(1))}; }
+  NodeId ratio(const Isotropic&) const { return *ratio_; }
+  const Complex& normal() const { return result_.normal.k; }
+  const Complex& tangential() const { return result_.tangential.k; }
+  const Complex& scaled(NodeId, const Complex&) const { return result_.tangential.k; }
+  /// By a number above 0.
+  void divide(Response& z, NodeId ratio) {
+    z.amplitude = program_.divide(z.amplitude, program_.magnitude(ratio));
+  }
+  void times_quotient(Response& z, const Complex& above, const Complex& below) {
+    z.amplitude = program_.multiply(
+        z.amplitude, program_.divide(modulus(program_, above), modulus(program_, below)));
+    z.direction = times(program_, z.direction, times(program_, above, conjugate(program_, below)));
+  }
+  void times_drive(Response& z, const Complex& tangential) {
+    times_quotient(z, complex_sum(program_, tangential, *dynamic_), *dynamic_);
   }
 
  private:
@@ -81,14 +107,14 @@ class QuantityWriter {
       result_.tangential = network(std::get<Network>(scene_.tangential));
       return;
     }
-    ratio_ = ratio(*isotropic);
+    ratio_ = number_of(*isotropic);
     result_.tangential = {real_multiple(program_, *ratio_, result_.normal.k),
                           result_.normal.roundings, false};
     // 1 - nu, 2 - nu, their quotient, and its product with K_n.
     if (result_.tangential.roundings) *result_.tangential.roundings += 4;
   }
 
-  NodeId ratio(const Isotropic& isotropic) {
+  NodeId number_of(const Isotropic& isotropic) {
     const auto& given = isotropic.quantity;
     const NodeId number =
         given.value ? program_.constant(exact_binary(*given.value)) : symbol(given.symbol);
@@ -115,21 +141,9 @@ class QuantityWriter {
             against(times(program_, k, conjugate(program_, *dynamic_)))};
   }
 
-  /// In an isotropic contact K_n/K_t is a number.
   OscillationResult contact_point() {
-    const Complex unity = real(program_, program_.constant(1));
-    const Complex above = ratio_ ? unity : result_.normal.k;
-    const Complex below = ratio_ ? real(program_, *ratio_) : result_.tangential.k;
-    NodeId amplitude = program_.divide(modulus(program_, above), modulus(program_, below));
-    Complex direction = ratio_ ? unity : times(program_, above, conjugate(program_, below));
-    if (dynamic_) {
-      const Complex whole = complex_sum(program_, result_.tangential.k, *dynamic_);
-      amplitude = program_.multiply(
-          amplitude, program_.divide(modulus(program_, whole), modulus(program_, *dynamic_)));
-      direction =
-          times(program_, direction, times(program_, whole, conjugate(program_, *dynamic_)));
-    }
-    return {program_.multiply(friction_, amplitude), against(direction)};
+    const Response z = eq24(scene_, *this);
+    return {program_.multiply(friction_, z.amplitude), against(z.direction)};
   }
 
   /// Friction acts against the sliding.
