@@ -2,6 +2,7 @@
 
 #include "formula/symbols.hpp"
 #include "formulas.hpp"
+#include "network/law.hpp"
 
 namespace vcrit::validation {
 
@@ -9,36 +10,22 @@ namespace {
 
 struct ValueKind {
   const char* unit;
-  const char* meaning;
+  std::string meaning;
 };
 
-void visit_elements(const Scene& scene, const std::function<void(const Element&)>& visit) {
-  for_each_element(scene.normal, visit);
-  if (const auto* tangential = std::get_if<Network>(&scene.tangential))
-    for_each_element(*tangential, visit);
-  if (scene.drive) for_each_element(*scene.drive, visit);
+/// What a number is beside what every number of its role is.
+const char* place_of(const Element& element) {
+  if (is_mass(element)) return " in the drive";
+  return element.kind == ElementKind::maxwell ? " of a Maxwell branch" : "";
 }
 
 std::map<Symbol, ValueKind> kinds_of_elements(const Scene& scene) {
   std::map<Symbol, ValueKind> kinds;
-  const char* const spring = scene.indenter ? "Pa" : "N/m";
-  const char* const damper = scene.indenter ? "Pa s" : "N s/m";
-  visit_elements(scene, [&](const Element& element) {
-    switch (element.kind) {
-      case ElementKind::spring:
-        kinds[element.coefficient] = {spring, "spring"};
-        break;
-      case ElementKind::damper:
-        kinds[element.coefficient] = {damper, "damper"};
-        break;
-      case ElementKind::maxwell:
-        kinds[element.coefficient] = {spring, "spring of a Maxwell branch"};
-        kinds[element.time] = {"s", "relaxation time of a Maxwell branch"};
-        break;
-      case ElementKind::mass:
-        kinds[element.coefficient] = {"kg", "mass in the drive"};
-        break;
-    }
+  for_each_element(scene, [&](const Element& element) {
+    for_each_number(element, [&](const Symbol& symbol, NumberRole role) {
+      const Dimension dimension = scene.indenter ? row(role).in_half_space : row(role).dimension;
+      kinds[symbol] = {si_unit(dimension), std::string(row(role).words) + place_of(element)};
+    });
   });
   return kinds;
 }

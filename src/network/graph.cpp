@@ -38,28 +38,28 @@ std::vector<bool> carries_load(const Graph& graph) {
   return carries;
 }
 
-std::optional<Network> without_parts(const Series& series, const auto& absent) {
+std::optional<Network> replaced_parts(const Series& series, const Replace& replace) {
   std::vector<Network> left;
   for (const Network& part : series.parts) {
-    auto kept = without(part, absent);
+    auto kept = replaced(part, replace);
     if (!kept) return std::nullopt;
     left.push_back(std::move(*kept));
   }
   return vcrit::series(std::move(left));
 }
 
-std::optional<Network> without_parts(const Parallel& parallel, const auto& absent) {
+std::optional<Network> replaced_parts(const Parallel& parallel, const Replace& replace) {
   std::vector<Network> left;
   for (const Network& part : parallel.parts)
-    if (auto kept = without(part, absent)) left.push_back(std::move(*kept));
+    if (auto kept = replaced(part, replace)) left.push_back(std::move(*kept));
   if (left.empty()) return std::nullopt;
   return vcrit::parallel(std::move(left));
 }
 
-std::optional<Network> without_parts(const Graph& graph, const auto& absent) {
+std::optional<Network> replaced_parts(const Graph& graph, const Replace& replace) {
   Graph left{graph.nodes, {}, {}};
   for (std::size_t i = 0; i < graph.parts.size(); ++i)
-    if (auto kept = without(graph.parts[i], absent)) {
+    if (auto kept = replaced(graph.parts[i], replace)) {
       left.parts.push_back(std::move(*kept));
       left.wires.push_back(graph.wires[i]);
     }
@@ -68,9 +68,9 @@ std::optional<Network> without_parts(const Graph& graph, const auto& absent) {
   return Network{std::move(loaded->graph)};
 }
 
-std::optional<Network> without_parts(const Element& element, const auto& absent) {
-  if (absent(element)) return std::nullopt;
-  return Network{element};
+std::optional<Network> replaced_parts(const Element& element, const Replace& replace) {
+  if (auto other = replace(element)) return Network{std::move(*other)};
+  return std::nullopt;
 }
 
 }  // namespace
@@ -102,13 +102,20 @@ std::optional<LoadedGraph> load_carrying(const Graph& graph) {
   return loaded;
 }
 
+std::optional<Network> replaced(const Network& network, const Replace& replace) {
+  return std::visit([&](const auto& form) { return replaced_parts(form, replace); }, network.form);
+}
+
 std::optional<Network> without(const Network& network,
                                const std::function<bool(const Element&)>& absent) {
-  return std::visit([&](const auto& form) { return without_parts(form, absent); }, network.form);
+  return replaced(network, [&](const Element& e) -> std::optional<Element> {
+    if (absent(e)) return std::nullopt;
+    return e;
+  });
 }
 
 std::optional<Network> springs_alone(const Network& network) {
-  return without(network, [](const Element& element) { return !is_elastic(element); });
+  return replaced(network, [](const Element& element) { return at_rest(element); });
 }
 
 }  // namespace vcrit

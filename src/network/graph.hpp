@@ -17,6 +17,12 @@ struct LoadedGraph {
 /// Nothing if the terminals are not connected.
 std::optional<LoadedGraph> load_carrying(const Graph& graph);
 
+/// What an element becomes; nothing: an open gap.
+using Replace = std::function<std::optional<Element>(const Element&)>;
+
+/// The network with each element replaced; nothing if no path is left between the terminals.
+std::optional<Network> replaced(const Network& network, const Replace& replace);
+
 /// The network with the elements for which `absent` holds taken out (each an open gap); nothing if
 /// no path is left between the terminals.
 std::optional<Network> without(const Network& network,

@@ -2,9 +2,13 @@
 // the switches do not know does not compile.
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <optional>
 #include <utility>
 
 #include "base/errors.hpp"
+#include "base/units.hpp"
 #include "network/network.hpp"
 
 namespace vcrit {
@@ -25,13 +29,35 @@ typename std::remove_reference_t<Algebra>::Value law(const Element& e, Algebra&&
     case ElementKind::mass:
       return algebra.times_s(algebra.times_s(coefficient));
     case ElementKind::maxwell:
-      return algebra.relaxing(coefficient, algebra.of(e.time));
+      return algebra.relaxing(coefficient, algebra.of(e.second));
   }
   throw Bug("an element of no kind");
 }
 
 /// What a number of an element measures.
 enum class NumberRole { stiffness, damping, time, mass };
+
+/// A number of that role, for all who read, document or try one.
+struct NumberRow {
+  const char* words;    ///< of a parameter of generated code
+  const char* one;      ///< as a message names what has it, alone
+  const char* several;  ///< and as an array
+  Dimension dimension;  ///< of an element; of a half-space's, `in_half_space`
+  Dimension in_half_space;
+  double example;  ///< of the size of real devices, in SI units
+};
+
+inline const NumberRow& row(NumberRole role) {
+  static const std::array<NumberRow, 4> rows{{
+      {"spring", "a spring", "an array of stiffnesses", Dimension::stiffness, Dimension::modulus,
+       4e6},
+      {"damper", "a damper", "an array of dampers", Dimension::damping, Dimension::viscosity, 20},
+      {"relaxation time", "relaxation times", "relaxation times", Dimension::time, Dimension::time,
+       8e-6},
+      {"mass", "a mass", "a mass", Dimension::mass, Dimension::mass, 0.00025},
+  }};
+  return rows.at(static_cast<std::size_t>(role));
+}
 
 /// visit(symbol, role) for each number of an element, in the order of writing.
 template <class Visit>
@@ -45,12 +71,23 @@ void for_each_number(const Element& e, const Visit& visit) {
       return visit(e.coefficient, NumberRole::mass);
     case ElementKind::maxwell:
       visit(e.coefficient, NumberRole::stiffness);
-      return visit(e.time, NumberRole::time);
+      return visit(e.second, NumberRole::time);
   }
 }
 
 /// Whether it stores energy and loses none, at rest as at any speed: a spring.
 inline bool is_elastic(const Element& e) { return e.kind == ElementKind::spring; }
+/// What of it carries a load at rest.
+inline std::optional<Element> at_rest(const Element& e) {
+  return is_elastic(e) ? std::optional(e) : std::nullopt;
+}
+/// Whether it is as good as none where `zero` holds for a number that is 0.
+template <class Zero>
+bool vanishes(const Element& e, const Zero& zero) {
+  bool any = false;
+  for_each_number(e, [&](const Symbol& symbol, NumberRole) { any = any || zero(symbol); });
+  return any;
+}
 inline bool is_mass(const Element& e) { return e.kind == ElementKind::mass; }
 
 }  // namespace vcrit

@@ -82,7 +82,7 @@ std::vector<Symbol> symbols_of(const Network& network) {
   };
   for_each_element(network, [&](const Element& element) {
     add(element.coefficient);
-    add(element.time);
+    add(element.second);
   });
   return symbols;
 }

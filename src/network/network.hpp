@@ -34,7 +34,7 @@ enum class ElementKind { spring, damper, maxwell, mass };
 struct Element {
   ElementKind kind = ElementKind::spring;
   Symbol coefficient;  ///< k (N/m) of a spring or Maxwell branch, c (N s/m), m (kg) of a mass
-  Symbol time;         ///< tau (s), Maxwell branch only
+  Symbol second;       ///< tau (s) of a Maxwell branch; others have none
   friend bool operator==(const Element&, const Element&) = default;
 };
 

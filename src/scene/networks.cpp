@@ -26,11 +26,7 @@ using document::describe_node;
 using document::place_of;
 
 const char* kind_name(const ElementUse& use) {
-  if (use.dimension == Dimension::time) return "relaxation times";
-  if (use.dimension == Dimension::mass) return "a mass";
-  const bool spring = use.dimension == Dimension::stiffness || use.dimension == Dimension::modulus;
-  if (use.length > 0) return spring ? "an array of stiffnesses" : "an array of dampers";
-  return spring ? "a spring" : "a damper";
+  return use.length > 0 ? row(use.role).several : row(use.role).one;
 }
 
 constexpr const char* ground = "ground";
@@ -214,33 +210,22 @@ void Networks::check_size(const Network& network, const Place& place) {
 }
 
 Dimension Networks::dimension_of(NumberRole role) const {
-  switch (role) {
-    case NumberRole::stiffness:
-      return of_half_space_ ? Dimension::modulus : Dimension::stiffness;
-    case NumberRole::damping:
-      return of_half_space_ ? Dimension::viscosity : Dimension::damping;
-    case NumberRole::time:
-      return Dimension::time;
-    case NumberRole::mass:
-      return Dimension::mass;
-  }
-  throw Bug("a number of no role");
+  return of_half_space_ ? row(role).in_half_space : row(role).dimension;
 }
 
 void Networks::note_uses(const Network& network, const Place& place) {
   for_each_element(network, [&](const Element& element) {
-    for_each_number(element, [&](const Symbol& symbol, NumberRole role) {
-      note_use(symbol, dimension_of(role), place);
-    });
+    for_each_number(element,
+                    [&](const Symbol& symbol, NumberRole role) { note_use(symbol, role, place); });
   });
 }
 
-void Networks::note_use(const Symbol& symbol, Dimension dimension, const Place& place) {
-  const ElementUse use{dimension, symbol.entry, place};
+void Networks::note_use(const Symbol& symbol, NumberRole role, const Place& place) {
+  const ElementUse use{role, dimension_of(role), symbol.entry, place};
   const auto [known, is_new] = uses_.try_emplace(symbol.name, use);
   ElementUse& first = known->second;
   if (is_new) return;
-  if (first.dimension != dimension || (first.length > 0) != (symbol.entry > 0))
+  if (first.role != role || (first.length > 0) != (symbol.entry > 0))
     throw InputError(place, fmt::format("\"{}\" as {}", symbol.name, kind_name(use)),
                      fmt::format("{}, as at {}", kind_name(first), to_text(first.place)));
   first.length = std::max(first.length, symbol.entry);

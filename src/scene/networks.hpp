@@ -18,6 +18,7 @@ namespace vcrit {
 
 /// How the networks use a name of [elements].
 struct ElementUse {
+  NumberRole role = NumberRole::stiffness;
   Dimension dimension = Dimension::stiffness;
   int length = 0;  ///< entries of an array, 0 for a scalar
   Place place;     ///< of the network that uses it
@@ -51,7 +52,7 @@ class Networks {
   void read_edge(const toml::node& node, Graph& graph, NamedNodes& nodes, int level);
   Dimension dimension_of(NumberRole role) const;
   void note_uses(const Network& network, const Place& place);
-  void note_use(const Symbol& symbol, Dimension dimension, const Place& place);
+  void note_use(const Symbol& symbol, NumberRole role, const Place& place);
   void check_size(const Network& network, const Place& place);
 
   std::string file_;

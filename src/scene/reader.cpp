@@ -307,10 +307,7 @@ class Reader {
 
   Network without_zeros(const Network& network, const std::string& role) const {
     auto left = without(network, [this](const Element& element) {
-      bool zero = false;
-      for_each_number(element,
-                      [&](const Symbol& symbol, NumberRole) { zero = zero || is_zero(symbol); });
-      return zero;
+      return vanishes(element, [this](const Symbol& symbol) { return is_zero(symbol); });
     });
     if (!left || !without_masses(*left))
       throw InputError({file_},

@@ -26,6 +26,13 @@ const Range& range_of(const Scene& scene, const Quantity& quantity) {
 
 }  // namespace
 
+void for_each_element(const Scene& scene, const std::function<void(const Element&)>& visit) {
+  for_each_element(scene.normal, visit);
+  if (const auto* tangential = std::get_if<Network>(&scene.tangential))
+    for_each_element(*tangential, visit);
+  if (scene.drive) for_each_element(*scene.drive, visit);
+}
+
 std::vector<const Quantity*> quantities(const Scene& scene) {
   std::vector<const Quantity*> all;
   const auto* isotropic = std::get_if<Isotropic>(&scene.tangential);

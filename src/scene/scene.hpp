@@ -3,6 +3,7 @@
 // there is no mass from here on.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -83,6 +84,10 @@ Scene parse_scene(const std::string& text, const std::string& file, const Settin
 /// The quantities that have names of their own; those of isotropic contact, body and indenter among
 /// them.
 std::vector<const Quantity*> quantities(const Scene& scene);
+
+/// Calls `visit` for every element of its networks: normal, tangential, drive, in the order of
+/// writing.
+void for_each_element(const Scene& scene, const std::function<void(const Element&)>& visit);
 
 /// What to warn of where a scene is evaluated at angular frequencies `from` to `to` (rad/s):
 /// nothing where all of them are in its fitted range, or it has none. Reading a scene asks this for

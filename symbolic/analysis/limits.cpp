@@ -51,10 +51,7 @@ std::map<Symbol, bool> dissipates(const Scene& scene) {
       result[symbol] = role == NumberRole::damping || role == NumberRole::time;
     });
   };
-  for_each_element(scene.normal, add);
-  if (const auto* tangential = std::get_if<Network>(&scene.tangential))
-    for_each_element(*tangential, add);
-  if (scene.drive) for_each_element(*scene.drive, add);
+  for_each_element(scene, add);
   return result;
 }
 

@@ -61,7 +61,7 @@ class SpectrumMaker {
 
  private:
   bool add_given(const Element& branch) {
-    const ex time = symbol(branch.time), strength = symbol(branch.coefficient);
+    const ex time = symbol(branch.second), strength = symbol(branch.coefficient);
     spectrum_.lines.push_back({{"", time, time}, {"", strength, strength}});
     return true;
   }

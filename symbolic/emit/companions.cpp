@@ -30,21 +30,6 @@ bool has_all_values(const Scene& scene) {
          (!scene.mass || scene.mass->value);
 }
 
-/// Of the size of real devices.
-double example_of(NumberRole role) {
-  switch (role) {
-    case NumberRole::stiffness:
-      return 4e6;
-    case NumberRole::damping:
-      return 20.0;
-    case NumberRole::time:
-      return 8e-6;
-    case NumberRole::mass:
-      return 0.00025;
-  }
-  throw Bug("a number of no role");
-}
-
 /// The scene's values, and values of the size of real devices for symbols without one.
 std::map<Symbol, double> example_values(const Scene& scene) {
   std::map<Symbol, double> values;
@@ -65,12 +50,9 @@ std::map<Symbol, double> example_values(const Scene& scene) {
     if (value) values[symbol] = *value;
   const auto element = [&](const Element& e) {
     for_each_number(e,
-                    [&](const Symbol& symbol, NumberRole role) { add(symbol, example_of(role)); });
+                    [&](const Symbol& symbol, NumberRole role) { add(symbol, row(role).example); });
   };
-  for_each_element(scene.normal, element);
-  if (const auto* tangential = std::get_if<Network>(&scene.tangential))
-    for_each_element(*tangential, element);
-  if (scene.drive) for_each_element(*scene.drive, element);
+  for_each_element(scene, element);
   return values;
 }
 
@@ -93,10 +75,7 @@ std::vector<Symbol> scaled_symbols(const Scene& scene) {
   std::vector<Symbol> symbols;
   if (scene.mass) symbols.push_back(scene.mass->symbol);
   const auto element = [&](const Element& e) { symbols.push_back(e.coefficient); };
-  for_each_element(scene.normal, element);
-  if (const auto* tangential = std::get_if<Network>(&scene.tangential))
-    for_each_element(*tangential, element);
-  if (scene.drive) for_each_element(*scene.drive, element);
+  for_each_element(scene, element);
   return symbols;
 }
 

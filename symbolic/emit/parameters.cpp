@@ -12,30 +12,14 @@ namespace vcrit::symbolic {
 
 namespace {
 
-const char* words_of(NumberRole role) {
-  switch (role) {
-    case NumberRole::stiffness:
-      return "spring";
-    case NumberRole::damping:
-      return "damper";
-    case NumberRole::time:
-      return "relaxation time";
-    case NumberRole::mass:
-      return "mass";
-  }
-  throw Bug("a number of no role");
-}
-
 std::map<Symbol, std::string> element_comments(const Scene& scene) {
   std::map<Symbol, std::string> comments;
   const auto add = [&comments](const Element& element) {
-    for_each_number(
-        element, [&](const Symbol& symbol, NumberRole role) { comments[symbol] = words_of(role); });
+    for_each_number(element, [&](const Symbol& symbol, NumberRole role) {
+      comments[symbol] = row(role).words;
+    });
   };
-  for_each_element(scene.normal, add);
-  if (const auto* tangential = std::get_if<Network>(&scene.tangential))
-    for_each_element(*tangential, add);
-  if (scene.drive) for_each_element(*scene.drive, add);
+  for_each_element(scene, add);
   return comments;
 }
 

@@ -59,7 +59,7 @@ numeric stiffness_at(const Network& network, const Exact& values, const numeric&
     const numeric k = values.at(e->coefficient);
     if (e->kind == ElementKind::spring) return k;
     if (e->kind == ElementKind::damper) return k * s;
-    const numeric turn = values.at(e->time) * s;
+    const numeric turn = values.at(e->second) * s;
     return k * turn / (1 + turn);
   }
   numeric sum = 0;

@@ -60,7 +60,7 @@ struct Exact {
     const Value k = at.at(to_text(e.coefficient)), s = at.at(own_name("s"));
     if (e.kind == ElementKind::spring) return k;
     if (e.kind == ElementKind::damper) return k * s;
-    const Value turn = at.at(to_text(e.time)) * s;
+    const Value turn = at.at(to_text(e.second)) * s;
     return k * turn / (turn + 1);
   }
   Value parallel(const Value& a, const Value& b) const { return a + b; }

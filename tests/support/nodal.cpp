@@ -58,7 +58,7 @@ class Admittances {
     if (e.kind == ElementKind::maxwell) {
       const std::size_t inner = nodes_++;
       edges_.push_back({a, inner, spring});
-      edges_.push_back({inner, b, dashpot * Complex(value(e.time), Real(0))});
+      edges_.push_back({inner, b, dashpot * Complex(value(e.second), Real(0))});
     }
   }
 

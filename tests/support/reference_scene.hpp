@@ -35,7 +35,7 @@ class ReferenceNetwork {
     for (std::size_t i = 0; i < values_.size(); ++i) by_name[names_[i]] = values_[i];
     const auto left = without(whole_, [&](const Element& e) {
       return by_name.at(e.coefficient) == 0 ||
-             (e.kind == ElementKind::maxwell && by_name.at(e.time) == 0);
+             (e.kind == ElementKind::maxwell && by_name.at(e.second) == 0);
     });
     if (!left) return std::nullopt;
     for (const Symbol& symbol : symbols_of(*left))

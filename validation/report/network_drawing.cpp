@@ -27,7 +27,7 @@ std::string path(const char* d, const char* kind) {
 }
 
 Drawing draw_maxwell(const Element& element) {
-  const std::string names = label(element.coefficient) + ", " + label(element.time);
+  const std::string names = label(element.coefficient) + ", " + label(element.second);
   return {2 * element_width, element_above, element_below,
           path(spring_path, "spring") + moved(element_width, 0, path(damper_path, "damper")) +
               text(element_width, -label_height, names)};

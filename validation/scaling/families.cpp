@@ -28,7 +28,7 @@ class Wires {
     if (e.kind == ElementKind::damper) return all.edges.push_back({a, b, k + "*s"});
     const std::size_t inner = all.nodes++;
     all.edges.push_back({a, inner, k});
-    all.edges.push_back({inner, b, k + "*" + to_text(e.time) + "*s"});
+    all.edges.push_back({inner, b, k + "*" + to_text(e.second) + "*s"});
   }
   void place(const Series& series, std::size_t a, std::size_t b) {
     for (std::size_t i = 0; i < series.parts.size(); ++i) {

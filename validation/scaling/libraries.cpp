@@ -49,7 +49,7 @@ struct Composition {
     const ex k = symbols[to_text(e.coefficient)], s = symbols["s"];
     if (e.kind == ElementKind::spring) return k;
     if (e.kind == ElementKind::damper) return k * s;
-    const ex turn = symbols[to_text(e.time)] * s;
+    const ex turn = symbols[to_text(e.second)] * s;
     return k * turn / (1 + turn);
   }
   static ex parallel(const ex& a, const ex& b) { return a + b; }
@@ -139,7 +139,7 @@ struct Fractions {
     const auto k = ring.variable(to_text(e.coefficient));
     if (e.kind == ElementKind::spring) return {k, ring.make(1)};
     if (e.kind == ElementKind::damper) return {ring.multiply(k, ring.variable("s")), ring.make(1)};
-    const auto turn = ring.multiply(ring.variable(to_text(e.time)), ring.variable("s"));
+    const auto turn = ring.multiply(ring.variable(to_text(e.second)), ring.variable("s"));
     return {ring.multiply(k, turn), ring.add(turn, ring.make(1))};
   }
   Value parallel(const Value& a, const Value& b) {

@@ -28,7 +28,7 @@ struct Assignments {
     return fmt::format("v{}", count++);
   }
   Value element(const Element& e) {
-    const std::string k = to_text(e.coefficient), tau = to_text(e.time);
+    const std::string k = to_text(e.coefficient), tau = to_text(e.second);
     if (e.kind == ElementKind::spring) return named(k);
     if (e.kind == ElementKind::damper) return named(k + "*s");
     return named(fmt::format("{0}*{1}*s/(1 + {1}*s)", k, tau));

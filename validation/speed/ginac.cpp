@@ -45,7 +45,7 @@ struct Composition {
     const Pair k{symbols.at(e.coefficient), 0}, c{0, k.re * omega, 1};
     if (e.kind == ElementKind::spring) return k;
     if (e.kind == ElementKind::damper) return c;
-    const ex turn = symbols.at(e.time) * omega, share = k.re * turn / (1 + turn * turn);
+    const ex turn = symbols.at(e.second) * omega, share = k.re * turn / (1 + turn * turn);
     return {share * turn, share, 14};
   }
   static Pair parallel(const Pair& a, const Pair& b) { return checked(a + b); }

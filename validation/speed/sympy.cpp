@@ -62,7 +62,7 @@ class Assignments {
     const std::string& x = names_.at(e.coefficient);
     if (e.kind == ElementKind::spring) return named(fmt::format("spring({})", x));
     if (e.kind == ElementKind::damper) return named(fmt::format("damper({})", x));
-    return named(fmt::format("maxwell({}, {})", x, names_.at(e.time)));
+    return named(fmt::format("maxwell({}, {})", x, names_.at(e.second)));
   }
   Value parallel(const Value& a, const Value& b) { return named(a + " + " + b); }
   Value series(const Value& a, const Value& b) {
