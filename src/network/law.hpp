@@ -75,6 +75,18 @@ void for_each_number(const Element& e, const Visit& visit) {
   }
 }
 
+/// Whether K is a rational function of s, at all frequencies and for a motion in time.
+inline bool is_rational(const Element& e) {
+  switch (e.kind) {
+    case ElementKind::spring:
+    case ElementKind::damper:
+    case ElementKind::mass:
+    case ElementKind::maxwell:
+      return true;
+  }
+  throw Bug("an element of no kind");
+}
+
 /// Whether it stores energy and loses none, at rest as at any speed: a spring.
 inline bool is_elastic(const Element& e) { return e.kind == ElementKind::spring; }
 /// What of it carries a load at rest.

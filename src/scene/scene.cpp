@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "network/law.hpp"
 #include "scene/quantities.hpp"
 
 namespace vcrit {
@@ -31,6 +32,13 @@ void for_each_element(const Scene& scene, const std::function<void(const Element
   if (const auto* tangential = std::get_if<Network>(&scene.tangential))
     for_each_element(*tangential, visit);
   if (scene.drive) for_each_element(*scene.drive, visit);
+}
+
+bool knows_all_frequencies(const Scene& scene) {
+  bool rational = !scene.receptance;
+  for_each_element(scene,
+                   [&](const Element& element) { rational = rational && is_rational(element); });
+  return rational;
 }
 
 std::vector<const Quantity*> quantities(const Scene& scene) {

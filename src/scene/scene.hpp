@@ -89,6 +89,10 @@ std::vector<const Quantity*> quantities(const Scene& scene);
 /// writing.
 void for_each_element(const Scene& scene, const std::function<void(const Element&)>& visit);
 
+/// Whether v* is known as a function of the frequency, and not at some frequencies alone: not of a
+/// measured drive.
+bool knows_all_frequencies(const Scene& scene);
+
 /// What to warn of where a scene is evaluated at angular frequencies `from` to `to` (rad/s):
 /// nothing where all of them are in its fitted range, or it has none. Reading a scene asks this for
 /// the scene's own frequency; who varies that asks again.

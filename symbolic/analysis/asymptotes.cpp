@@ -37,10 +37,9 @@ Asymptote asymptote(const Model& model, bool high) {
 
 }  // namespace
 
-// A measured receptance ends with its table.
 std::vector<Asymptote> asymptotes(const Scene& scene) {
   const AlgebraLock lock;
-  if (scene.receptance) return {};
+  if (!knows_all_frequencies(scene)) return {};
   const Model model(scene);
   return {asymptote(model, false), asymptote(model, true)};
 }

@@ -14,6 +14,7 @@
 #include "critical/critical_velocity.hpp"
 #include "formula/algebra_lock.hpp"
 #include "formula/symbols.hpp"
+#include "network/law.hpp"
 #include "onset/formula_scope.hpp"
 
 namespace vcrit::symbolic {
@@ -66,8 +67,11 @@ bool agree(const Model& a, const Decimals& a_values, const Model& b, const Decim
 }
 
 bool small(const Model& model) {
-  return !model.per_friction().has(quantity("R_d")) &&
-         terms_before_squaring(model) <= terms_to_prove_by;
+  bool rational = !model.per_friction().has(quantity("R_d"));
+  for (const Part& part : model.networks())
+    for_each_element(part.network,
+                     [&](const Element& element) { rational = rational && is_rational(element); });
+  return rational && terms_before_squaring(model) <= terms_to_prove_by;
 }
 
 /// What is the same at all points, proved where it can be.

@@ -55,17 +55,24 @@ bool is_complex(const ex& f) {
 
 ex squared(const ex& polynomial) { return GiNaC::pow(factored_polynomial(polynomial), 2); }
 
-/// |f|, or |f|^2 where f is complex.
+/// |f| = factor |value|, or factor sqrt(value) where f is complex.
 struct Modulus {
   bool is_square = false;
-  ex value;
+  ex value, factor = 1;
 };
+
+/// even^2 + omega^2 odd^2
+Modulus squared_sum(const EvenOdd& parts) {
+  const ex w = omega();
+  if (parts.even.ldegree(w) == 0)
+    return {true, squared(parts.even) + GiNaC::pow(w, 2) * squared(parts.odd)};
+  return {true, squared((parts.even / w).expand()) + squared(parts.odd), w};
+}
 
 Modulus modulus_of(const ex& f) {
   if (is_complex(f)) return {false, GiNaC::abs(f.subs(laplace() == GiNaC::I * omega()))};
   const EvenOdd parts = even_odd(f);
-  if (!parts.odd.is_zero() && !parts.even.is_zero())
-    return {true, squared(parts.even) + GiNaC::pow(omega(), 2) * squared(parts.odd)};
+  if (!parts.odd.is_zero() && !parts.even.is_zero()) return squared_sum(parts);
   const ex real = parts.odd.is_zero() ? parts.even : (omega() * parts.odd).expand();
   return {false, is_positive(real) ? real : ex(GiNaC::abs(real))};
 }
@@ -193,6 +200,7 @@ ex Factors::modulus() const {
   for (const ex& f : over_) {
     const Modulus m = modulus_of(f);
     (m.is_square ? over_root : plain) *= m.value;
+    plain *= m.factor;
   }
   for (const ex& f : under_) {
     const Modulus m = modulus_of(f);
@@ -200,6 +208,7 @@ ex Factors::modulus() const {
       under_root *= m.value;
     else
       plain /= m.value;
+    plain /= m.factor;
   }
   return plain * GiNaC::sqrt(over_root / under_root);
 }

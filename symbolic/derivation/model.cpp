@@ -56,8 +56,8 @@ bool is_constant(const Fraction& k) {
 }
 
 bool is_kelvin(const Fraction& k) {
-  return !k.denominator.has(laplace()) && k.numerator.degree(laplace()) == 1 &&
-         k.numerator.ldegree(laplace()) == 0;
+  return !k.numerator.has(omega()) && !k.denominator.has(laplace()) &&
+         k.numerator.degree(laplace()) == 1 && k.numerator.ldegree(laplace()) == 0;
 }
 
 }  // namespace

@@ -55,7 +55,7 @@ std::vector<Line> dimensionless_lines(const Scene& scene) {
 
 std::vector<Line> extrema_lines(const Scene& scene, double budget) {
   const Model model(scene);
-  if (scene.receptance || terms_before_squaring(model) > budget) return {};
+  if (!knows_all_frequencies(scene) || terms_before_squaring(model) > budget) return {};
   return extrema_of(rational_form(model, budget));
 }
 
