@@ -37,35 +37,73 @@ const std::vector<Rheology>& catalogue() {
   constexpr auto scalar = Rheology::Argument::scalar;
   constexpr auto array = Rheology::Argument::array;
   static const std::vector<Rheology> rheologies{
-      {"spring", {{"k", scalar}}, [](const Names& n, int) { return k(n[0]); }},
-      {"damper", {{"c", scalar}}, [](const Names& n, int) { return c(n[0]); }},
-      {"mass", {{"m", scalar}}, [](const Names& n, int) { return mass({n[0]}); }},
+      {"spring",
+       "Hooke solid",
+       "An elastic contact: force and indentation are in phase at every frequency, nothing is "
+       "lost and nothing creeps.",
+       {{"k", scalar}},
+       [](const Names& n, int) { return k(n[0]); }},
+      {"damper",
+       "Newton liquid",
+       "Pure viscosity: the force is that of the rate alone. It creeps without end under a "
+       "lasting load and is of use as a part of other networks or of a drive.",
+       {{"c", scalar}},
+       [](const Names& n, int) { return c(n[0]); }},
+      {"mass",
+       "Rigid mass",
+       "Not a contact but a part of a drive, between one of its points and inertial ground: a "
+       "tool, a holder, an absorber.",
+       {{"m", scalar}},
+       [](const Names& n, int) { return mass({n[0]}); }},
       {"kelvin",
+       "Kelvin-Voigt solid",
+       "A spring with a damper beside it. Under a lasting load it creeps to a final indentation "
+       "with the retardation time c/k; a sudden indentation it resists without bound.",
        {{"k", scalar}, {"c", scalar}},
        [](const Names& n, int) {
          return parallel({k(n[0]), c(n[1])});
        }},
       {"maxwell",
+       "Maxwell liquid",
+       "A spring and a damper one behind the other. A sudden indentation is met elastically and "
+       "the force then relaxes to zero with the time c/k; under a lasting load it flows.",
        {{"k", scalar}, {"c", scalar}},
        [](const Names& n, int) {
          return series({k(n[0]), c(n[1])});
        }},
       {"zener",
+       "Standard linear solid",
+       "The simplest solid that is elastic both at once and in the end, and relaxes in between; "
+       "also named after Zener or Poynting and Thomson. The first choice for a polymer or an "
+       "elastomer near one frequency.",
        {{"k0", scalar}, {"k1", scalar}, {"c1", scalar}},
        [](const Names& n, int) {
          return parallel({k(n[0]), series({k(n[1]), c(n[2])})});
        }},
       {"jeffreys",
+       "Jeffreys liquid",
+       "A Maxwell liquid with a viscous one beside it, as of a polymer in its solvent. It flows "
+       "under a lasting load and, by its direct damper, resists a sudden one without bound.",
        {{"c0", scalar}, {"k1", scalar}, {"c1", scalar}},
        [](const Names& n, int) {
          return parallel({c(n[0]), series({k(n[1]), c(n[2])})});
        }},
       {"burgers",
+       "Burgers liquid",
+       "A Maxwell and a Kelvin-Voigt element one behind the other. Its creep has all three "
+       "stages of a test: elastic at once, delayed elastic, then steady flow; used for bitumen, "
+       "wood and polymers under load.",
        {{"k1", scalar}, {"c1", scalar}, {"k2", scalar}, {"c2", scalar}},
        [](const Names& n, int) {
          return series({k(n[0]), c(n[1]), parallel({k(n[2]), c(n[3])})});
        }},
-      {"prony", {{"k0", scalar}, {"k", array}, {"tau", array}}, prony},
+      {"prony",
+       "Generalised Maxwell solid",
+       "A spring and any number of Maxwell branches side by side (Wiechert), the Prony series "
+       "that is fitted to measured relaxation or to a master curve over many decades. Here with "
+       "three branches.",
+       {{"k0", scalar}, {"k", array}, {"tau", array}},
+       prony},
   };
   return rheologies;
 }

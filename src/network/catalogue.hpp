@@ -13,6 +13,8 @@ namespace vcrit {
 struct Rheology {
   enum class Argument { scalar, array };
   std::string name;
+  std::string called;   ///< in the literature
+  std::string meaning;  ///< a sentence or two
   std::vector<std::pair<std::string, Argument>> arguments;
   /// The network of the argument names; `branches` is the length of the arrays.
   Network (*build)(const std::vector<std::string>& names, int branches);

@@ -42,9 +42,9 @@ int free_harmonic_of_masses(const Network& drive, const Values& values, double m
   return 0;
 }
 
-// Of a body whose contact never opens.
+// Of a body whose contact never opens, where there is a motion in time.
 int free_harmonic(const Scene& scene) {
-  if (!scene.drive || scene.receptance) return 0;
+  if (!scene.drive || !knows_all_frequencies(scene)) return 0;
   const Values values = values_of(scene);
   if (has_masses(*scene.drive))
     return free_harmonic_of_masses(*scene.drive, values,

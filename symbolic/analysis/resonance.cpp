@@ -67,7 +67,9 @@ Resonance resonance(const ex& factor, Resonance::Kind kind, const Model& model) 
   const MassBalance balance = per_mass(factor, model);
   Resonance found{kind, balance.whole.subs(laplace() == GiNaC::I * omega()), {}, {}, {}, {}, {}};
   const std::set<NumberRole> inside = roles(balance, model);
-  found.damped = inside.contains(NumberRole::damping) || inside.contains(NumberRole::time);
+  found.damped = std::any_of(inside.begin(), inside.end(), [](NumberRole role) {
+    return role != NumberRole::stiffness && role != NumberRole::mass;
+  });
   found.absorbing = inside.contains(NumberRole::mass);
   const std::optional<GiNaC::exmap> known = model.multiplied_out(factor);
   if (!known) found.definitions = used_in(factor, model.nested_formula().definitions);

@@ -7,7 +7,6 @@
 #include "formulas.hpp"
 #include "network/catalogue.hpp"
 #include "network/masses.hpp"
-#include "report/catalogue_words.hpp"
 #include "report/document.hpp"
 #include "report/equations.hpp"
 #include "report/html.hpp"
@@ -48,10 +47,11 @@ struct Entry {
   explicit Entry(const Rheology& rheology)
       : name(rheology.name),
         call(signature(rheology)),
-        words(words_of(rheology.name)),
+        called(rheology.called),
+        meaning(rheology.meaning),
         network(network_of(rheology)) {}
   std::string name, call;
-  const RheologyWords& words;
+  std::string called, meaning;
   Network network;
 
   bool in_a_drive_only() const { return has_masses(network); }
@@ -110,7 +110,7 @@ std::string velocity_part(const char* heading, const Scene& scene) {
 
 std::string drawing_of(const Entry& entry) {
   return fmt::format("<figure><div class=\"scroll\" tabindex=\"0\">{}</div></figure>\n",
-                     framed(draw(entry.network), entry.words.called));
+                     framed(draw(entry.network), entry.called));
 }
 
 std::string admissibility(const Entry& entry) {
@@ -141,8 +141,7 @@ std::string drive_part(const Entry& entry) {
 std::string rheology_section(const Entry& entry) {
   return fmt::format(
              "<section class=\"scene\" id=\"{}\">\n<h2>{}: <code>{}</code></h2>\n<p>{}</p>\n",
-             entry.name, escape(entry.words.called), escape(entry.call),
-             escape(entry.words.meaning)) +
+             entry.name, escape(entry.called), escape(entry.call), escape(entry.meaning)) +
          admissibility(entry) + drawing_of(entry) + stiffness_part(entry.network) +
          (entry.in_a_drive_only() ? drive_part(entry) : contact_part(entry)) + "</section>\n";
 }
@@ -151,7 +150,7 @@ std::string index_line(const Entry& entry) {
   return fmt::format(
       "<li><a href=\"#{}\"><span class=\"name\"><code>{}</code></span>"
       "<span class=\"velocity\">{}</span><span class=\"state\">{}</span></a></li>\n",
-      entry.name, escape(entry.call), escape(entry.words.called),
+      entry.name, escape(entry.call), escape(entry.called),
       entry.in_a_drive_only() ? "in a drive only"
       : entry.flows()         ? "flows"
                               : "carries a lasting load");

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/constants.hpp"
+#include "network/law.hpp"
 #include "report/graph_layout.hpp"
 #include "report/html.hpp"
 
@@ -26,11 +27,19 @@ std::string path(const char* d, const char* kind) {
   return fmt::format(R"(<path class="{}" d="{}"/>)", kind, d);
 }
 
+/// "k_1, tau_1"
+std::string names_of(const Element& element) {
+  std::string names;
+  for_each_number(element, [&](const Symbol& symbol, NumberRole) {
+    names += (names.empty() ? "" : ", ") + label(symbol);
+  });
+  return names;
+}
+
 Drawing draw_maxwell(const Element& element) {
-  const std::string names = label(element.coefficient) + ", " + label(element.second);
   return {2 * element_width, element_above, element_below,
           path(spring_path, "spring") + moved(element_width, 0, path(damper_path, "damper")) +
-              text(element_width, -label_height, names)};
+              text(element_width, -label_height, names_of(element))};
 }
 
 /// A box; what it pushes against, beyond the dashes, is inertial ground.
@@ -40,14 +49,15 @@ std::string mass_box() {
 
 std::string symbol_of(const Element& element) {
   if (element.kind == ElementKind::mass) return mass_box();
-  return element.kind == ElementKind::spring ? path(spring_path, "spring")
-                                             : path(damper_path, "damper");
+  return element.kind == ElementKind::spring || element.kind == ElementKind::lossy
+             ? path(spring_path, "spring")
+             : path(damper_path, "damper");
 }
 
 Drawing draw_element(const Element& element) {
   if (element.kind == ElementKind::maxwell) return draw_maxwell(element);
   return {element_width, element_above, element_below,
-          symbol_of(element) + text(element_width / 2, -label_height, label(element.coefficient))};
+          symbol_of(element) + text(element_width / 2, -label_height, names_of(element))};
 }
 
 Drawing draw_series(const Series& series) {
