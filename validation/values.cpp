@@ -23,8 +23,9 @@ std::map<Symbol, ValueKind> kinds_of_elements(const Scene& scene) {
   std::map<Symbol, ValueKind> kinds;
   for_each_element(scene, [&](const Element& element) {
     for_each_number(element, [&](const Symbol& symbol, NumberRole role) {
-      const Dimension dimension = scene.indenter ? row(role).in_half_space : row(role).dimension;
-      kinds[symbol] = {si_unit(dimension), std::string(row(role).words) + place_of(element)};
+      const Dimension dimension =
+          scene.indenter ? number_row(role).in_half_space : number_row(role).dimension;
+      kinds[symbol] = {si_unit(dimension), std::string(number_row(role).words) + place_of(element)};
     });
   });
   return kinds;

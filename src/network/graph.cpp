@@ -38,28 +38,28 @@ std::vector<bool> carries_load(const Graph& graph) {
   return carries;
 }
 
-std::optional<Network> replaced_parts(const Series& series, const Replace& replace) {
+std::optional<Network> changed_parts(const Series& series, const NewElement& element_of) {
   std::vector<Network> left;
   for (const Network& part : series.parts) {
-    auto kept = replaced(part, replace);
+    auto kept = with_elements(part, element_of);
     if (!kept) return std::nullopt;
     left.push_back(std::move(*kept));
   }
   return vcrit::series(std::move(left));
 }
 
-std::optional<Network> replaced_parts(const Parallel& parallel, const Replace& replace) {
+std::optional<Network> changed_parts(const Parallel& parallel, const NewElement& element_of) {
   std::vector<Network> left;
   for (const Network& part : parallel.parts)
-    if (auto kept = replaced(part, replace)) left.push_back(std::move(*kept));
+    if (auto kept = with_elements(part, element_of)) left.push_back(std::move(*kept));
   if (left.empty()) return std::nullopt;
   return vcrit::parallel(std::move(left));
 }
 
-std::optional<Network> replaced_parts(const Graph& graph, const Replace& replace) {
+std::optional<Network> changed_parts(const Graph& graph, const NewElement& element_of) {
   Graph left{graph.nodes, {}, {}};
   for (std::size_t i = 0; i < graph.parts.size(); ++i)
-    if (auto kept = replaced(graph.parts[i], replace)) {
+    if (auto kept = with_elements(graph.parts[i], element_of)) {
       left.parts.push_back(std::move(*kept));
       left.wires.push_back(graph.wires[i]);
     }
@@ -68,8 +68,8 @@ std::optional<Network> replaced_parts(const Graph& graph, const Replace& replace
   return Network{std::move(loaded->graph)};
 }
 
-std::optional<Network> replaced_parts(const Element& element, const Replace& replace) {
-  if (auto other = replace(element)) return Network{std::move(*other)};
+std::optional<Network> changed_parts(const Element& element, const NewElement& element_of) {
+  if (auto other = element_of(element)) return Network{std::move(*other)};
   return std::nullopt;
 }
 
@@ -102,20 +102,21 @@ std::optional<LoadedGraph> load_carrying(const Graph& graph) {
   return loaded;
 }
 
-std::optional<Network> replaced(const Network& network, const Replace& replace) {
-  return std::visit([&](const auto& form) { return replaced_parts(form, replace); }, network.form);
+std::optional<Network> with_elements(const Network& network, const NewElement& element_of) {
+  return std::visit([&](const auto& form) { return changed_parts(form, element_of); },
+                    network.form);
 }
 
 std::optional<Network> without(const Network& network,
                                const std::function<bool(const Element&)>& absent) {
-  return replaced(network, [&](const Element& e) -> std::optional<Element> {
+  return with_elements(network, [&](const Element& e) -> std::optional<Element> {
     if (absent(e)) return std::nullopt;
     return e;
   });
 }
 
 std::optional<Network> springs_alone(const Network& network) {
-  return replaced(network, [](const Element& element) { return at_rest(element); });
+  return with_elements(network, [](const Element& element) { return at_rest(element); });
 }
 
 }  // namespace vcrit

@@ -18,10 +18,10 @@ struct LoadedGraph {
 std::optional<LoadedGraph> load_carrying(const Graph& graph);
 
 /// What an element becomes; nothing: an open gap.
-using Replace = std::function<std::optional<Element>(const Element&)>;
+using NewElement = std::function<std::optional<Element>(const Element&)>;
 
 /// The network with each element replaced; nothing if no path is left between the terminals.
-std::optional<Network> replaced(const Network& network, const Replace& replace);
+std::optional<Network> with_elements(const Network& network, const NewElement& element_of);
 
 /// The network with the elements for which `absent` holds taken out (each an open gap); nothing if
 /// no path is left between the terminals.

@@ -47,7 +47,7 @@ struct NumberRow {
   double example;  ///< of the size of real devices, in SI units
 };
 
-inline const NumberRow& row(NumberRole role) {
+inline const NumberRow& number_row(NumberRole role) {
   static const std::array<NumberRow, 4> rows{{
       {"spring", "a spring", "an array of stiffnesses", Dimension::stiffness, Dimension::modulus,
        4e6},

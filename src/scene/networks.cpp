@@ -26,7 +26,7 @@ using document::describe_node;
 using document::place_of;
 
 const char* kind_name(const ElementUse& use) {
-  return use.length > 0 ? row(use.role).several : row(use.role).one;
+  return use.length > 0 ? number_row(use.role).several : number_row(use.role).one;
 }
 
 constexpr const char* ground = "ground";
@@ -210,7 +210,7 @@ void Networks::check_size(const Network& network, const Place& place) {
 }
 
 Dimension Networks::dimension_of(NumberRole role) const {
-  return of_half_space_ ? row(role).in_half_space : row(role).dimension;
+  return of_half_space_ ? number_row(role).in_half_space : number_row(role).dimension;
 }
 
 void Networks::note_uses(const Network& network, const Place& place) {

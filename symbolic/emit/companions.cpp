@@ -49,8 +49,8 @@ std::map<Symbol, double> example_values(const Scene& scene) {
   for (const auto& [symbol, value] : scene.elements)
     if (value) values[symbol] = *value;
   const auto element = [&](const Element& e) {
-    for_each_number(e,
-                    [&](const Symbol& symbol, NumberRole role) { add(symbol, row(role).example); });
+    for_each_number(
+        e, [&](const Symbol& symbol, NumberRole role) { add(symbol, number_row(role).example); });
   };
   for_each_element(scene, element);
   return values;

@@ -16,7 +16,7 @@ std::map<Symbol, std::string> element_comments(const Scene& scene) {
   std::map<Symbol, std::string> comments;
   const auto add = [&comments](const Element& element) {
     for_each_number(element, [&](const Symbol& symbol, NumberRole role) {
-      comments[symbol] = row(role).words;
+      comments[symbol] = number_row(role).words;
     });
   };
   for_each_element(scene, add);

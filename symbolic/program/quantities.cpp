@@ -32,7 +32,7 @@ NodeId modulus(Program& program, const Complex& z) {
 }
 
 /// An oscillation over another one: |z|, and a number with the argument of z.
-struct Response {
+struct PointResponse {
   NodeId amplitude;
   Complex direction;
 };
@@ -60,21 +60,21 @@ class QuantityWriter {
     return std::move(result_);
   }
 
-  Response outer() { return {program_.constant(1), real(program_, program_.constant(1))}; }
+  PointResponse outer() { return {program_.constant(1), real(program_, program_.constant(1))}; }
   NodeId ratio(const Isotropic&) const { return *ratio_; }
   const Complex& normal() const { return result_.normal.k; }
   const Complex& tangential() const { return result_.tangential.k; }
   const Complex& scaled(NodeId, const Complex&) const { return result_.tangential.k; }
   /// By a number above 0.
-  void divide(Response& z, NodeId ratio) {
+  void divide(PointResponse& z, NodeId ratio) {
     z.amplitude = program_.divide(z.amplitude, program_.magnitude(ratio));
   }
-  void times_quotient(Response& z, const Complex& above, const Complex& below) {
+  void times_quotient(PointResponse& z, const Complex& above, const Complex& below) {
     z.amplitude = program_.multiply(
         z.amplitude, program_.divide(modulus(program_, above), modulus(program_, below)));
     z.direction = times(program_, z.direction, times(program_, above, conjugate(program_, below)));
   }
-  void times_drive(Response& z, const Complex& tangential) {
+  void times_drive(PointResponse& z, const Complex& tangential) {
     times_quotient(z, complex_sum(program_, tangential, *dynamic_), *dynamic_);
   }
 
@@ -142,7 +142,7 @@ class QuantityWriter {
   }
 
   OscillationResult contact_point() {
-    const Response z = eq24(scene_, *this);
+    const PointResponse z = eq24(scene_, *this);
     return {program_.multiply(friction_, z.amplitude), against(z.direction)};
   }
 
