@@ -100,6 +100,7 @@ struct Balls : Arithmetic {
     const Ball x = times_i(multiply(omega, tau));
     return divide(multiply(k, x), add(Ball(1), x));
   }
+  Ball lossy(const Ball& k, const Ball& eta) const { return add(k, times_i(multiply(k, eta))); }
   Ball parallel(const Ball& a, const Ball& b) const { return add(a, b); }
   Ball series(const Ball& a, const Ball& b) const { return mesh(a, b, add(a, b)); }
   Ball mesh(const Ball& a, const Ball& b, const Ball& total) const {

@@ -55,6 +55,15 @@ const std::vector<Rheology>& catalogue() {
        "tool, a holder, an absorber.",
        {{"m", scalar}},
        [](const Names& n, int) { return mass({n[0]}); }},
+      {"lossy",
+       "Spring with a loss factor",
+       "Structural (hysteretic) damping: of the energy that it stores the same share is lost in "
+       "each cycle, at all frequencies. It stands for a material whose loss factor is known at the "
+       "frequency of the oscillation, and has no motion in time.",
+       {{"k", scalar}, {"eta", scalar}},
+       [](const Names& n, int) {
+         return Network{Element{ElementKind::lossy, {n[0]}, {n[1]}}};
+       }},
       {"kelvin",
        "Kelvin-Voigt solid",
        "A spring with a damper beside it. Under a lasting load it creeps to a final indentation "

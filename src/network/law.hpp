@@ -17,7 +17,9 @@ namespace vcrit {
 ///   Value of(const Symbol&)                 a number as a stiffness
 ///   Value times_s(const Value& k)           k s
 ///   Value relaxing(const Value& k, const Value& tau)   k tau s/(1 + tau s), for numbers k and tau
-/// Each algebra has its own best way to these.
+///   Value lossy(const Value& k, const Value& eta)      k (1 + i eta), likewise; where it knows i
+///   omega alone
+/// Each algebra has its own best way to these. Throws ModelError for what it has no law of.
 template <class Algebra>
 typename std::remove_reference_t<Algebra>::Value law(const Element& e, Algebra&& algebra) {
   auto coefficient = algebra.of(e.coefficient);
@@ -30,12 +32,20 @@ typename std::remove_reference_t<Algebra>::Value law(const Element& e, Algebra&&
       return algebra.times_s(algebra.times_s(coefficient));
     case ElementKind::maxwell:
       return algebra.relaxing(coefficient, algebra.of(e.second));
+    case ElementKind::lossy:
+      if constexpr (requires { algebra.lossy(coefficient, coefficient); })
+        return algebra.lossy(coefficient, algebra.of(e.second));
+      throw ModelError(
+          "lossy(k, eta) is not causal: K = k (1 + i eta) at one frequency is no law in time, nor "
+          "a rational function of s",
+          "eval, derive and generate need that frequency alone; a Zener body or a Prony series "
+          "fitted around it has a motion");
   }
   throw Bug("an element of no kind");
 }
 
 /// What a number of an element measures.
-enum class NumberRole { stiffness, damping, time, mass };
+enum class NumberRole { stiffness, damping, time, mass, loss_factor };
 
 /// A number of that role, for all who read, document or try one.
 struct NumberRow {
@@ -48,13 +58,14 @@ struct NumberRow {
 };
 
 inline const NumberRow& number_row(NumberRole role) {
-  static const std::array<NumberRow, 4> rows{{
+  static const std::array<NumberRow, 5> rows{{
       {"spring", "a spring", "an array of stiffnesses", Dimension::stiffness, Dimension::modulus,
        4e6},
       {"damper", "a damper", "an array of dampers", Dimension::damping, Dimension::viscosity, 20},
       {"relaxation time", "relaxation times", "relaxation times", Dimension::time, Dimension::time,
        8e-6},
       {"mass", "a mass", "a mass", Dimension::mass, Dimension::mass, 0.00025},
+      {"loss factor", "a loss factor", "loss factors", Dimension::none, Dimension::none, 0.125},
   }};
   return rows.at(static_cast<std::size_t>(role));
 }
@@ -72,6 +83,9 @@ void for_each_number(const Element& e, const Visit& visit) {
     case ElementKind::maxwell:
       visit(e.coefficient, NumberRole::stiffness);
       return visit(e.second, NumberRole::time);
+    case ElementKind::lossy:
+      visit(e.coefficient, NumberRole::stiffness);
+      return visit(e.second, NumberRole::loss_factor);
   }
 }
 
@@ -83,6 +97,8 @@ inline bool is_rational(const Element& e) {
     case ElementKind::mass:
     case ElementKind::maxwell:
       return true;
+    case ElementKind::lossy:
+      return false;
   }
   throw Bug("an element of no kind");
 }
@@ -91,13 +107,17 @@ inline bool is_rational(const Element& e) {
 inline bool is_elastic(const Element& e) { return e.kind == ElementKind::spring; }
 /// What of it carries a load at rest.
 inline std::optional<Element> at_rest(const Element& e) {
+  if (e.kind == ElementKind::lossy) return Element{ElementKind::spring, e.coefficient, {}};
   return is_elastic(e) ? std::optional(e) : std::nullopt;
 }
-/// Whether it is as good as none where `zero` holds for a number that is 0.
+/// Whether it is as good as none where `zero` holds for a number that is 0. Without losses a lossy
+/// spring is a spring.
 template <class Zero>
 bool vanishes(const Element& e, const Zero& zero) {
   bool any = false;
-  for_each_number(e, [&](const Symbol& symbol, NumberRole) { any = any || zero(symbol); });
+  for_each_number(e, [&](const Symbol& symbol, NumberRole role) {
+    any = any || (role != NumberRole::loss_factor && zero(symbol));
+  });
   return any;
 }
 inline bool is_mass(const Element& e) { return e.kind == ElementKind::mass; }

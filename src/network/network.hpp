@@ -28,13 +28,14 @@ using Values = std::map<Symbol, double>;
 /// spring: K = k.  damper: K = c s.  maxwell: K = k tau s/(1 + tau s), a spring k in series with a
 /// damper k tau, given by its relaxation time.  mass: K = m s^2 between a point and inertial
 /// ground; to an oscillation the uniformly moving far end of a drive is that ground, see
-/// masses.hpp.
-enum class ElementKind { spring, damper, maxwell, mass };
+/// masses.hpp.  lossy: K = k (1 + i eta), a spring with the same loss factor at all frequencies,
+/// which no causal element has: it stands for a material at the frequency of the oscillation.
+enum class ElementKind { spring, damper, maxwell, mass, lossy };
 
 struct Element {
   ElementKind kind = ElementKind::spring;
   Symbol coefficient;  ///< k (N/m) of a spring or Maxwell branch, c (N s/m), m (kg) of a mass
-  Symbol second;       ///< tau (s) of a Maxwell branch; others have none
+  Symbol second;       ///< tau (s) of a Maxwell branch, eta of a lossy spring; others have none
   friend bool operator==(const Element&, const Element&) = default;
 };
 

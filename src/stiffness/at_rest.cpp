@@ -17,6 +17,7 @@ struct LeadingTerms {
   static AtRest relaxing(const AtRest& k, const AtRest& tau) {
     return {1, k.coefficient * tau.coefficient};
   }
+  static AtRest lossy(const AtRest& k, const AtRest&) { return k; }
   static AtRest parallel(const AtRest& a, const AtRest& b) {
     if (a.order != b.order) return a.order < b.order ? a : b;
     return {a.order, a.coefficient + b.coefficient};

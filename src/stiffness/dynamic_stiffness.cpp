@@ -28,6 +28,7 @@ struct Pairs {
     if (x > 1) return {stiffness / (1 + 1 / x / x), stiffness / (x + 1 / x)};
     return {stiffness * x / (1 + x * x) * x, stiffness * x / (1 + x * x)};
   }
+  static Complex lossy(Complex k, Complex eta) { return {k.real(), k.real() * eta.real()}; }
 
   static Real scale_of(Complex z) {
     // ilogb(0), where a mass cancels a spring, and of infinity have no negative or no power.
@@ -75,6 +76,9 @@ struct Uncertainties {
   Value times_s(const Value& k) const { return rounded(pairs.times_s(k.k)); }
   Value relaxing(const Value& k, const Value& tau) const {
     return rounded(pairs.relaxing(k.k, tau.k));
+  }
+  static Value lossy(const Value& k, const Value& eta) {
+    return rounded(Pairs<double>::lossy(k.k, eta.k));
   }
   static Value parallel(const Value& a, const Value& b) {
     const ComplexDouble k = a.k + b.k;

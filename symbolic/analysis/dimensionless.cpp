@@ -103,6 +103,8 @@ class Groups {
           return add("theta", number, omega() * symbol(number), 1);
         case NumberRole::mass:
           return add_mass(number, beside);
+        case NumberRole::loss_factor:
+          return;
       }
     });
   }

@@ -98,6 +98,7 @@ struct NumberAlgebra {
     const Value turn = tau * s;
     return k * turn * inverse(number(1) + turn);
   }
+  Value lossy(Value k, Value eta) const { return k + k * eta * s * inverse(point("omega")); }
   Value parallel(Value a, Value b) const { return a + b; }
   Value series(Value a, Value b) const { return a * b * inverse(a + b); }
   Value mesh(Value a, Value b, Value total) const { return a * b * inverse(total); }

@@ -43,6 +43,11 @@ struct LeadingAlgebra {
     if (slow < 0) return {k.power + slow, base.times_s(base.multiply(k.value, tau.value))};
     return {k.power, base.relaxing(k.value, tau.value)};
   }
+  Value lossy(const Value& k, const Value& eta) const {
+    if (eta.power < 0) return k;
+    if (eta.power > 0) return {k.power + eta.power, base.loss(k.value, eta.value)};
+    return {k.power, base.lossy(k.value, eta.value)};
+  }
   Value parallel(const Value& a, const Value& b) {
     base.next_step();
     if (a.power != b.power) return a.power > b.power ? a : b;
@@ -73,6 +78,13 @@ struct Fractions {
     const ex turn = tau.numerator * laplace();
     return {k.numerator * turn, 1 + turn};
   }
+  // With s/omega for i: what follows knows polynomials in s with real coefficients.
+  static Value loss(const Value& k, const Value& eta) {
+    return {k.numerator * eta.numerator * laplace(), omega()};
+  }
+  static Value lossy(const Value& k, const Value& eta) {
+    return {(k.numerator * (omega() + eta.numerator * laplace())).expand(), omega()};
+  }
   static Value parallel(const Value& a, const Value& b) {
     return {(a.numerator * b.denominator + b.numerator * a.denominator).expand(),
             (a.denominator * b.denominator).expand()};
@@ -97,6 +109,8 @@ struct Counts {
   static Value multiply(const Value&, const Value&) { return {1, 1}; }
   static Value times_s(const Value& k) { return k; }
   static Value relaxing(const Value&, const Value&) { return {1, 2}; }
+  static Value loss(const Value&, const Value&) { return {1, 1}; }
+  static Value lossy(const Value&, const Value&) { return {2, 1}; }
   static Value parallel(const Value& a, const Value& b) {
     return {a.numerator * b.denominator + b.numerator * a.denominator,
             a.denominator * b.denominator};
@@ -138,6 +152,8 @@ class Nested {
     const ex turn = tau.k * laplace();
     return {k.k * turn / (1 + turn), 1};
   }
+  static Value loss(const Value& k, const Value& eta) { return {GiNaC::I * k.k * eta.k, 1}; }
+  static Value lossy(const Value& k, const Value& eta) { return {k.k * (1 + GiNaC::I * eta.k), 1}; }
   Value parallel(const Value& a, const Value& b) { return named({a.k + b.k, a.size + b.size}, 24); }
   Value series(const Value& a, const Value& b) {
     return named({1 / (1 / a.k + 1 / b.k), a.size + b.size}, 6);

@@ -86,11 +86,12 @@ std::optional<Stiffness> StiffnessWriter::write_polynomials(const Network& netwo
 
 namespace {
 
-/// An element's law: coefficient s^degree, or coefficient tau s/(1 + tau s).
+/// An element's law: coefficient s^degree, coefficient tau s/(1 + tau s), or coefficient (1 + i
+/// eta).
 struct Term {
   NodeId coefficient;
   int degree = 0;
-  std::optional<NodeId> tau = {};
+  std::optional<NodeId> tau = {}, eta = {};
 };
 
 struct Terms {
@@ -101,15 +102,19 @@ struct Terms {
   static Term relaxing(const Term& k, const Term& tau) {
     return {k.coefficient, 1, tau.coefficient};
   }
+  static Term lossy(const Term& k, const Term& eta) {
+    return {k.coefficient, 0, {}, eta.coefficient};
+  }
 };
 
 }  // namespace
 
 Stiffness StiffnessWriter::polynomial_element(const Element& e) {
   const NodeId zero = program_.constant(0), one = program_.constant(1);
-  const auto [k, degree, tau] = law(e, Terms{value_});
-  guarded(program_.size(k));
+  const auto [k, degree, tau, eta] = law(e, Terms{value_});
   Stiffness whole;
+  if (eta) whole.roundings = zero;  // no polynomial with real coefficients
+  guarded(program_.size(k));
   whole.q = polynomial({one});
   whole.t = polynomial(degree == 0 ? std::vector{k} : std::vector{zero, k});
   whole.range = whole.t_range = whole.elements = ordinary_stiffness;
@@ -125,13 +130,17 @@ Stiffness StiffnessWriter::polynomial_element(const Element& e) {
 Stiffness StiffnessWriter::element(const Element& e) {
   if (polynomials_) return polynomial_element(e);
   const NodeId zero = program_.constant(0), one = program_.constant(1);
-  const auto [k, degree, tau] = law(e, Terms{value_});
+  const auto [k, degree, tau, eta] = law(e, Terms{value_});
   ensure(degree < 2, "the program knows one body");
   if (tau) return relaxing_element(k, *tau);
   const Complex unity{one, zero};
   if (degree == 0) {
     const ExponentRange range = guarded(program_.size(k));
-    return {{k, zero}, unity, range, {}, range, 0, {}, true, range, 1};
+    if (!eta) return {{k, zero}, unity, range, {}, range, 0, {}, true, range, 1};
+    // |K| lies between k and k (1 + eta), and eta may be 0.
+    const ExponentRange growth{0, guarded(program_.add(one, program_.size(*eta))).high};
+    const ExponentRange whole = range + growth;
+    return {{k, program_.multiply(k, *eta)}, unity, whole, {}, whole, 1, {}, true, whole, 1};
   }
   const ExponentRange range = guarded(program_.multiply(program_.size(omega_), program_.size(k)));
   return {{zero, program_.multiply(omega_, k)}, unity, range, {}, range, 1, {}, true, range, 1};

@@ -140,8 +140,9 @@ def limits(name, values):
 
 
 def asymptotes(name, values):
-    """v* ~ coefficient omega^power."""
-    if isinstance(wired(name, values).drive, str):
+    """v* ~ coefficient omega^power; nothing where it is known at some frequencies alone."""
+    system = wired(name, values)
+    if isinstance(system.drive, str) or any(what == "loss" for what, *_ in edges_of(system)):
         return
     for target, omega in (("0", 1 / LARGE), ("infinity", LARGE)):
         one, two = (formula(name, values | {"omega": w}) for w in (omega, 2 * omega))

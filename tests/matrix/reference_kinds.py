@@ -10,7 +10,7 @@ from types import SimpleNamespace
 
 import mpmath as mp
 
-from reference_networks import damper, graph, mass, maxwell, parallel, series, spring
+from reference_networks import damper, graph, lossy, mass, maxwell, parallel, series, spring
 
 FOLDER = Path(__file__).parent / "kinds"
 
@@ -69,6 +69,8 @@ KINDS = {
                                  parallel(spring(v["kd"]), series(spring(v["k1"]), mass(v["m1"])))),
     "drive_graph_masses": lambda v: (kelvin(v["kn"], v["cn"]), mindlin("0.3"), frame(v)),
     "graph": lambda v: (bridge(v), mp.mpf("0.8"), kelvin(v["kd"], v["cd"])),
+    "lossy": lambda v: (parallel(lossy(v["k0"], v["eta0"]), damper(v["c0"])), lossy(v["kt"], v["eta1"]),
+                        parallel(spring(v["kd"]), lossy(v["k1"], v["eta1"]))),
     "graph_zero": lambda v: (bridge(v, (spring(v["k4"]), "1", "b")), spring(v["kt"]), None),
     "zero_elements": lambda v: (parallel(zener(v["k0"], v["k1"], v["c1"]), damper(v["c0"])),
                                 zener(v["kt"], v["k2"], v["c2"]), kelvin(v["kd"], v["cd"])),

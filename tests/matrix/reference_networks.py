@@ -1,7 +1,8 @@
 """Networks as nodal matrices, for make_references.py: nothing of the program is used.
 
-A network is a list of edges (what, value, from, to), what one of "k", "c", "m" (spring, damper, mass to ground).
-`spring`, `damper`, `mass`, `parallel`, `series` and `graph` make functions that lay edges between two nodes.
+A network is a list of edges (what, value, from, to), what one of "k", "c", "m" (spring, damper, mass to ground) or
+"loss" (of a lossy spring, while it oscillates).
+`spring`, `damper`, `lossy`, `mass`, `parallel`, `series` and `graph` make functions that lay edges between two nodes.
 """
 
 from itertools import count
@@ -17,6 +18,10 @@ def spring(value):
 
 def damper(value):
     return lambda a, b: [("c", value, a, b)]
+
+
+def lossy(value, factor):
+    return lambda a, b: [("k", value, a, b), ("loss", value * factor, a, b)]
 
 
 def mass(value):
@@ -59,7 +64,7 @@ def stiffness(network, s):
     place = {node: i for i, node in enumerate(["a", *nodes])}
     matrix = mp.zeros(len(place))
     for what, value, left, right in edges:
-        value = value * {"k": 1, "c": s, "m": s * s}[what]
+        value = value * {"k": 1, "c": s, "m": s * s, "loss": 1j if mp.im(s) else 0}[what]
         for one, other in ((left, right), (right, left)):
             if one in place:
                 matrix[place[one], place[one]] += value

@@ -56,6 +56,7 @@ BOOST_AUTO_TEST_CASE(nested_combinations_of_one_kind_are_one) {
 BOOST_AUTO_TEST_CASE(named_rheologies_are_what_they_stand_for) {
   BOOST_CHECK(parsed("spring(a)") == k("a"));
   BOOST_CHECK(parsed("damper(eta)") == c("eta"));
+  BOOST_CHECK(parsed("lossy(k, eta)") == (Network{Element{ElementKind::lossy, {"k"}, {"eta"}}}));
   BOOST_CHECK(parsed("kelvin(k, c)") == parsed("k | c"));
   BOOST_CHECK(parsed("maxwell(k, c)") == parsed("k - c"));
   BOOST_CHECK(parsed("zener(k0, k1, c1)") == parsed("k0 | (k1 - c1)"));

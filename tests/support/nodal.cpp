@@ -52,6 +52,8 @@ class Admittances {
     const Complex spring(value(e.coefficient), Real(0));
     const Complex dashpot(Real(0), value(e.coefficient) * omega_);
     if (e.kind == ElementKind::spring) edges_.push_back({a, b, spring});
+    if (e.kind == ElementKind::lossy)
+      edges_.push_back({a, b, spring * Complex(Real(1), value(e.second))});
     if (e.kind == ElementKind::damper) edges_.push_back({a, b, dashpot});
     if (e.kind == ElementKind::mass)
       edges_.push_back({a, b, dashpot * Complex(Real(0), omega_)});  // -m omega^2

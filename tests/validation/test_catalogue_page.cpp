@@ -81,14 +81,14 @@ BOOST_AUTO_TEST_CASE(what_flows_is_marked) {
   const std::string mark = "As normal contact not admissible";
   for (const char* name : {"damper", "maxwell", "jeffreys", "burgers"})
     BOOST_TEST(has(section(name), mark), name);
-  for (const char* name : {"spring", "kelvin", "zener", "prony"})
+  for (const char* name : {"spring", "lossy", "kelvin", "zener", "prony"})
     BOOST_TEST(!has(section(name), mark), name);
 }
 
 BOOST_AUTO_TEST_CASE(what_relaxes_has_a_spectrum) {
   for (const char* name : {"maxwell", "zener", "jeffreys", "burgers", "prony"})
     BOOST_TEST(has(section(name), "<h3>Relaxation spectrum"), name);
-  for (const char* name : {"spring", "damper", "kelvin"})
+  for (const char* name : {"spring", "damper", "lossy", "kelvin"})
     BOOST_TEST(!has(section(name), "<h3>Relaxation spectrum"), name);
 }
 
