@@ -52,6 +52,7 @@ struct Duals {
     const Dual x = s() * tau;
     return k * x / (Dual{1} + x);
   }
+  static Dual lossy(const Dual& k, const Dual& eta) { return k * (Dual{1} + Dual{{0, 1}} * eta); }
   static Dual parallel(const Dual& a, const Dual& b) { return a + b; }
   static Dual series(const Dual& a, const Dual& b) { return mesh(a, b, a + b); }
   static Dual mesh(const Dual& a, const Dual& b, const Dual& total) { return a / total * b; }

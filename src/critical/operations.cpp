@@ -28,6 +28,7 @@ class Recorder {
     return {zero_column, multiply(k.storage, omega())};
   }
   Pair relaxing(Pair k, Pair tau) { return pair(Kind::maxwell, {k.storage, tau.storage, omega()}); }
+  Pair lossy(Pair k, Pair eta) { return {k.storage, multiply(k.storage, eta.storage)}; }
   Pair parallel(Pair a, Pair b) { return {add(a.storage, b.storage), add(a.loss, b.loss)}; }
   Pair series(Pair a, Pair b) { return pair(Kind::series, {a.storage, a.loss, b.storage, b.loss}); }
   Pair mesh(Pair a, Pair b, Pair total) {
