@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/constants.hpp"
+#include "base/free_swings.hpp"
 #include "border.hpp"
 #include "critical/admissibility.hpp"
 #include "critical/certified.hpp"
@@ -19,6 +20,7 @@
 #include "indented.hpp"
 #include "method_curves.hpp"
 #include "network/masses.hpp"
+#include "onset/critical_onset.hpp"
 #include "onset/formula_scope.hpp"
 #include "parting.hpp"
 #include "reduced_difference.hpp"
@@ -60,10 +62,10 @@ Comparison balanced(const SceneReport& report, const simulation::Onset& threshol
           ? fmt::format("doubles: 32 roundings of 2⁻⁵³, times the condition number {:.3g} here",
                         report.condition)
           : "doubles: leaves six digits to lose near resonance";
-  if (const int n = report.free_harmonic; n > 1)
+  if (const std::vector<int>& free = report.free_harmonics; !free.empty())
     comparison.detail = fmt::format(
-        "the drive swings freely at {} ω: friction is full from Eq. 24 times cos(π/{}) on", n,
-        2 * n);
+        "the drive swings freely at {} ω: friction is full from Eq. 24 times cos(π/{}) on",
+        free.front(), 2 * free.front());
   return comparison;
 }
 
@@ -132,7 +134,6 @@ void simulate(SceneReport& report, const Witnesses& witnesses, const Progress& p
     if (report.scene.indenter) return examine_indenter(report);
     const simulation::System system = witnesses.system(report.scene);
     out_of_reach = simulation::lost_in_resonance(simulation::Model(system));
-    report.free_harmonic = system.opening ? 0 : simulation::free_harmonic(system);
     if (report.scene.separation) {
       progress("letting the surfaces part");
       examine_parting(report, system);
@@ -180,6 +181,8 @@ SceneReport agree(const Scene& given, Driver& driver, const Progress& progress,
   report.relative_error_bound = certified.relative_error_bound;
   report.infinite_reason = certified.reason;
   report.condition = condition_number(scene, values);
+  if (report.formula_applies) report.free_harmonics = free_harmonics(scene);
+  report.sliding_from = report.critical_velocity * least_maximum(report.free_harmonics).upper;
   report.creep_velocity = creep_velocity(scene);
 
   report.values = value_lines(scene);
