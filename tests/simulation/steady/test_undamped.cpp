@@ -130,6 +130,34 @@ BOOST_AUTO_TEST_CASE(a_damper_or_another_stiffness_is_no_free_swing) {
   BOOST_TEST(free_harmonic(system) == 0);
 }
 
+// Between the border and v* of a drive that is at its harmonic but for rounding: full friction but
+// for the share by which it is off, or an error that says so and what to do; never another one.
+BOOST_AUTO_TEST_CASE(nearly_at_a_harmonic_it_answers_or_says_why) {
+  for (const Harmonic& harmonic : harmonics)
+    for (const double off : {1e-15, -1e-14, 1e-12, -1e-11, 1e-10, 1e-9}) {
+      System system = system_of(scene_of(harmonic.name));
+      const double border = sliding_threshold(system).drive_velocity;
+      system.drive->equilibrium *= 1 + off;
+      const double critical = sliding_threshold(system).drive_velocity;
+      for (const double share : {0.1, 0.5, 0.9}) {
+        const SteadyState state =
+            steady_state(system, border + share * (critical - border), Start::rest);
+        BOOST_TEST(std::abs(1 - state.friction_ratio) <=
+                   state.friction_ratio_error + 10 * std::abs(off));
+      }
+      Effort none(0);
+      system.effort = &none;
+      const auto names_it = [&](const ModelError& error) {
+        const std::string what = error.what();
+        return what.find("harmonic " + std::to_string(harmonic.n)) != std::string::npos &&
+               what.find("v* cos(pi/" + std::to_string(2 * harmonic.n)) != std::string::npos;
+      };
+      BOOST_CHECK_EXCEPTION(steady_state(system, 0.5 * (border + critical)), ModelError, names_it);
+      BOOST_CHECK_EXCEPTION(steady_state(system, 0.5 * border), ModelError,
+                            [&](const ModelError& error) { return !names_it(error); });
+    }
+}
+
 // The last stick ends where no search tells, 1e-9 below v* and more: no comparison may fail by
 // that.
 BOOST_AUTO_TEST_CASE(a_faint_damper_leaves_sticks_that_die_slowly) {
