@@ -22,7 +22,9 @@ constexpr int cycle_samples = 240;
 // The simulator's promise for steady values, twice: the two starts may err in opposite directions.
 // Where it says that its errors are larger, near resonance, these twice.
 constexpr double curve_tolerance = 2e-9;
-double allowed(const CurvePoint& point) { return std::max(curve_tolerance, 2 * point.error); }
+double allowed_at_point(const CurvePoint& point) {
+  return std::max(curve_tolerance, 2 * point.error);
+}
 constexpr const char* curve_reason = "each steady value is promised to 10⁻⁹, and both may be off";
 
 // The speed ratio and the phase where stick begins, for `excess`.
@@ -59,7 +61,7 @@ double end_of_stick(double begin, double ratio) {
 template <class Value>
 const CurvePoint* worst_point(const std::vector<CurvePoint>& curve, Value difference) {
   const auto severity = [&](const CurvePoint& point) {
-    const double value = difference(point) / allowed(point);
+    const double value = difference(point) / allowed_at_point(point);
     return std::isnan(value) ? infinity : value;
   };
   const auto worst = std::max_element(
@@ -85,7 +87,7 @@ Comparison curve_comparison(const char* key, const char* name, const char* refer
 
 void allow_at(Comparison& comparison, const CurvePoint& worst) {
   comparison.detail = at(worst);
-  comparison.tolerance = allowed(worst);
+  comparison.tolerance = allowed_at_point(worst);
   if (comparison.tolerance > curve_tolerance)
     comparison.reason = "the simulator's own error there, and both may be off";
 }

@@ -137,22 +137,22 @@ class Summit {
   Real second_, third_;
 };
 
-// A column of the program: an instant with its cosines, or what a mean of one swing costs.
-struct Column {
+// A choice of the program: an instant with its cosines, or what a mean of one swing costs.
+struct Choice {
   Reals entries;
   Real worth = 0;
 };
 
-Column instant(const std::vector<int>& harmonics, Real t) {
-  Column column{{1}, std::cos(t)};
-  for (const int n : harmonics) column.entries.push_back(std::cos(static_cast<Real>(n) * t));
-  return column;
+Choice instant(const std::vector<int>& harmonics, Real t) {
+  Choice choice{{1}, std::cos(t)};
+  for (const int n : harmonics) choice.entries.push_back(std::cos(static_cast<Real>(n) * t));
+  return choice;
 }
 
-Column bought(std::size_t rows, std::size_t row, Real sign) {
-  Column column{Reals(rows, 0), -price};
-  column.entries[row] = sign;
-  return column;
+Choice bought(std::size_t rows, std::size_t row, Real sign) {
+  Choice choice{Reals(rows, 0), -price};
+  choice.entries[row] = sign;
+  return choice;
 }
 
 bool all_finite(const Reals& values) {
@@ -185,7 +185,7 @@ class Program {
  public:
   explicit Program(const std::vector<int>& harmonics) : harmonics_(harmonics) {
     const std::size_t rows = harmonics.size() + 1;
-    const Column first = instant(harmonics, anywhere);
+    const Choice first = instant(harmonics, anywhere);
     basis_.push_back(first);
     for (std::size_t row = 1; row < rows; ++row)
       basis_.push_back(bought(rows, row, first.entries[row] > 0 ? -1 : 1));
@@ -210,11 +210,11 @@ class Program {
 
   Reals worths() const {
     Reals result;
-    for (const Column& column : basis_) result.push_back(column.worth);
+    for (const Choice& choice : basis_) result.push_back(choice.worth);
     return result;
   }
 
-  /// False where no column is worth more than the multipliers say.
+  /// False where no choice is worth more than the multipliers say.
   bool exchange() {
     Reals mean(basis_.size(), 0);
     mean[0] = 1;
@@ -223,7 +223,7 @@ class Program {
     Real worth = 0;
     for (std::size_t j = 0; j < basis_.size(); ++j) worth += weights[j] * basis_[j].worth;
     lower_ = std::max(lower_, worth);
-    const Column entering = best(multipliers);
+    const Choice entering = best(multipliers);
     const Reals change = solved(matrix(false), entering.entries);
     if (!all_finite(change)) return false;
     std::optional<std::size_t> leaving;
@@ -238,7 +238,7 @@ class Program {
 
   // Swings larger than the best ones can be are bought off first: what is searched for its summit
   // is as tame as these.
-  Column best(const Reals& multipliers) {
+  Choice best(const Reals& multipliers) {
     Reals amplitudes;
     for (std::size_t row = 1; row < multipliers.size(); ++row) {
       if (std::abs(multipliers[row]) > price * (1 + close_enough))
@@ -252,7 +252,7 @@ class Program {
   }
 
   const std::vector<int>& harmonics_;
-  std::vector<Column> basis_;
+  std::vector<Choice> basis_;
   Real lower_ = 0, upper_ = 1;
 };
 

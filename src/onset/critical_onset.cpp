@@ -32,7 +32,8 @@ constexpr double equal_in_roundings = 16;
 constexpr double ill_conditioned = 1e8;
 
 // What the elements and the body have of stiffness and inertia, all of it.
-double size_of(const Network& drive, const Values& values, double inertia, double frequency) {
+double stiffness_of_parts(const Network& drive, const Values& values, double inertia,
+                          double frequency) {
   double sum = inertia;
   for_each_element(drive, [&](const Element& element) {
     for_each_number(element, [&](const Symbol& symbol, NumberRole role) {
@@ -55,7 +56,7 @@ std::vector<int> free_harmonics_of_masses(const Network& drive, const Values& va
     const double frequency = n * omega, inertia = mass * frequency * frequency;
     const double off = std::abs(dynamic_stiffness(reduction, values, frequency) - inertia);
     const double uncertain = sensitivity(reduction, values, frequency) + inertia;
-    if (uncertain < ill_conditioned * size_of(drive, values, inertia, frequency) &&
+    if (uncertain < ill_conditioned * stiffness_of_parts(drive, values, inertia, frequency) &&
         off <= equal_in_roundings * epsilon * uncertain)
       found.push_back(n);
   }
