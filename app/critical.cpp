@@ -8,6 +8,7 @@
 
 #include "commands.hpp"
 #include "critical/certified.hpp"
+#include "critical/conditioning.hpp"
 #include "indenter/friction.hpp"
 #include "onset/critical_onset.hpp"
 #include "options.hpp"
@@ -17,28 +18,41 @@ namespace vcrit::app {
 
 namespace {
 
-// Both ways lose at most the condition number of the scene times a few units in the last place;
-// 1e-9 leaves room for scenes within 1e-6 of resonance.
-constexpr double tolerance = 1e-9;
-
 // The formula against both witnesses: where steady sliding ceases to exist (`simulated`), and where
 // the last stick of a start at rest vanishes.
 struct Comparison {
-  double formula, simulated;
+  double formula, condition, simulated;
   std::optional<double> stick_onset;
   std::string missing;  // why there is no stick onset
 
   double difference(double value) const {
     return formula == value ? 0 : std::abs(value - formula) / formula;
   }
-  bool agrees(double value) const { return difference(value) <= tolerance; }
-  bool agrees() const { return agrees(simulated) && (!stick_onset || agrees(*stick_onset)); }
+  double tolerance() const { return balance_tolerance(condition); }
+  double stick_tolerance() const { return last_stick_tolerance(condition); }
+  bool agrees() const {
+    return difference(simulated) <= tolerance() &&
+           (!stick_onset || difference(*stick_onset) <= stick_tolerance());
+  }
 };
+
+// At an antiresonance that is one in doubles, too, nothing is lost: both have to be 0.
+double condition_of(const Scene& scene, double formula) {
+  const double condition = condition_number(scene, values_of(scene));
+  if (formula == 0 && std::isinf(condition)) return 0;
+  if (leaves_digits(balance_tolerance(condition))) return condition;
+  throw ModelError(
+      fmt::format("the simulator, which works in doubles, has no digit of v* = {} m/s: body and "
+                  "drive are too near an undamped resonance or antiresonance: nothing to compare",
+                  formula),
+      "vcrit eval gives v* with all digits");
+}
 
 // Sliding of all cells, and the last stick of any.
 Comparison below_indenter(const Scene& scene) {
   const indenter::HalfSpace half_space(scene);
   return {certified_critical_velocity(scene).value,
+          condition_number(scene, values_of(scene)),
           indenter::critical_velocity(half_space).contact_velocity,
           indenter::last_stick(half_space).onset.contact_velocity,
           {}};
@@ -53,7 +67,9 @@ Comparison compared(const Scene& scene) {
   const simulation::System system = simulation::system_of(scene);
   const auto [formula, bound, reason] = certified_critical_velocity(scene);
   if (std::isinf(formula)) throw ModelError(reason + ": nothing to compare");
-  Comparison result{formula, simulation::sliding_threshold(system).contact_velocity, {}, {}};
+  const double condition = condition_of(scene, formula);
+  Comparison result{
+      formula, condition, simulation::sliding_threshold(system).contact_velocity, {}, {}};
   try {
     result.stick_onset = simulation::stick_onset(system).contact_velocity;
   } catch (const ModelError& error) {
@@ -71,8 +87,10 @@ void print_critical_json(const Comparison& c, const std::vector<std::string>& wa
                                 {"relative_difference", json_number(c.difference(c.simulated))},
                                 {"stick_onset", optional(c.stick_onset)},
                                 {"stick_onset_difference", nullptr},
-                                {"tolerance", tolerance},
+                                {"tolerance", c.tolerance()},
                                 {"agree", c.agrees()}};
+  if (c.stick_tolerance() != c.tolerance())
+    object["stick_onset_tolerance"] = json_number(c.stick_tolerance());
   if (c.stick_onset)
     object["stick_onset_difference"] = json_number(c.difference(*c.stick_onset));
   else
@@ -81,14 +99,16 @@ void print_critical_json(const Comparison& c, const std::vector<std::string>& wa
 }
 
 void print_critical_text(const Comparison& c) {
-  const auto line = [&](const char* name, double value, const char* what) {
-    fmt::print("{:<12} {:<22} m/s  {}; differs by {:.2g}{}\n", name, value, what,
-               c.difference(value), c.agrees(value) ? "" : fmt::format(", ABOVE {:g}", tolerance));
+  const auto line = [&](const char* name, double value, double tolerance, const char* what) {
+    const double difference = c.difference(value);
+    fmt::print("{:<12} {:<22} m/s  {}; differs by {:.2g}{}\n", name, value, what, difference,
+               difference <= tolerance ? "" : fmt::format(", ABOVE {:.2g}", tolerance));
   };
   fmt::print("formula      {:<22} m/s  Eq. (24)\n", c.formula);
-  line("simulated", c.simulated, "steady sliding exists from here on");
+  line("simulated", c.simulated, c.tolerance(), "steady sliding exists from here on");
   if (c.stick_onset)
-    line("stick onset", *c.stick_onset, "a start at rest ends in stick up to here");
+    line("stick onset", *c.stick_onset, c.stick_tolerance(),
+         "a start at rest ends in stick up to here");
   else
     fmt::print("stick onset  not found: {}\n", c.missing);
 }

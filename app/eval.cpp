@@ -1,5 +1,6 @@
 // vcrit eval: v* of a scene, correctly rounded, and whether Eq. 24 applies.
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <memory>
 
@@ -29,9 +30,11 @@ void print_eval_json(const Scene& scene, const Result& result) {
       {"admissible", result.reasons.empty()},
       {"reasons", reasons},
       {"drive_velocity", json_number(result.critical.drive_velocity)}};
-  if (result.critical.free_harmonic > 0) {
+  const std::vector<int>& free = result.critical.free_harmonics;
+  if (!free.empty()) {
     object["sliding_from"] = json_number(result.critical.sliding_from);
-    object["free_harmonic"] = result.critical.free_harmonic;
+    object["free_harmonic"] = free.front();
+    if (free.size() > 1) object["free_harmonics"] = free;
   }
   if (scene.separation) {
     object["opens"] = opens(scene);
@@ -51,10 +54,10 @@ void print_eval_text(const Scene& scene, const Result& result) {
     fmt::print("rounding error        at most {:.2g}\n", result.critical.relative_error_bound);
   if (result.critical.drive_velocity != critical)
     fmt::print("drive velocity        {} m/s (the path creeps)\n", result.critical.drive_velocity);
-  if (result.critical.free_harmonic > 0)
-    fmt::print(
-        "steady sliding        from {} m/s on: the undamped body swings freely at harmonic {}\n",
-        result.critical.sliding_from, result.critical.free_harmonic);
+  if (const std::vector<int>& free = result.critical.free_harmonics; !free.empty())
+    fmt::print("steady sliding        from {} m/s on: the undamped body swings freely at {} {}\n",
+               result.critical.sliding_from, free.size() > 1 ? "harmonics" : "harmonic",
+               fmt::join(free, ", "));
   if (scene.separation)
     fmt::print("surfaces              {}\n",
                opens(scene) ? "part for a while in each period" : "always touch");

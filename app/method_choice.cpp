@@ -63,10 +63,6 @@ simulation::Start MethodChoice::start() const {
   return start_ == "rest" ? simulation::Start::rest : simulation::Start::sliding;
 }
 
-simulation::Start MethodChoice::other_start() const {
-  return start() == simulation::Start::rest ? simulation::Start::sliding : simulation::Start::rest;
-}
-
 simulation::SteadyState MethodChoice::steady_state(const simulation::System& system,
                                                    double velocity) const {
   for (const auto& [option, methods] : taken)

@@ -14,7 +14,6 @@ class MethodChoice {
   void add_to(CLI::App& command);
   const std::string& name() const { return name_; }
   /// The start that was not chosen.
-  simulation::Start other_start() const;
   bool is_exact() const { return !simulation::method_named(name_); }
   /// Throws InputError for an option that the method does not take.
   simulation::SteadyState steady_state(const simulation::System& system, double velocity) const;

@@ -51,11 +51,10 @@ Speed speed_of(const SimulateOptions& options, const Scene& scene) {
   return {velocity, velocity / critical};
 }
 
-// Where the surfaces part, both starts are run.
+// Where the surfaces part.
 struct Parting {
   double mean_normal_force;  // N
-  SteadyState other_start;
-  bool starts_agree;  // within the errors of both searches
+  simulation::OtherStart other_start;
 };
 
 // Parting and energy are known for the exact method alone.
@@ -65,36 +64,24 @@ struct SimulationAnswer {
   std::optional<Parting> parting;
 };
 
-// Friction does not depend on the start. Where the two differ by more than their errors, one search
-// has stopped short of the steady state, and either may be off by that.
-void compare_starts(SimulationAnswer& answer, const SimulateOptions& options,
-                    const simulation::System& system, double velocity) {
-  const SteadyState other =
-      simulation::steady_state(system, velocity, options.method.other_start());
-  double& error = answer.steady.friction_ratio_error;
-  const double difference = std::abs(other.friction_ratio - answer.steady.friction_ratio);
-  const bool agree = difference <= error + other.friction_ratio_error;
-  answer.parting = {simulation::mean_normal_force(system), other, agree};
-  if (!agree) error = difference + other.friction_ratio_error;
-}
-
 SimulationAnswer answer_of(const SimulateOptions& options, const simulation::System& system,
                            double velocity) {
   SimulationAnswer answer{options.method.steady_state(system, velocity), {}, {}};
   if (!options.method.is_exact()) return answer;
   answer.energy = simulation::energy_balance(system, velocity);
-  if (system.opening) compare_starts(answer, options, system, velocity);
+  if (const auto& other = answer.steady.other_start)
+    answer.parting = {simulation::mean_normal_force(system), *other};
   return answer;
 }
 
 nlohmann::ordered_json parting_json(const SimulationAnswer& answer) {
-  const SteadyState& other = answer.parting->other_start;
+  const simulation::OtherStart& other = answer.parting->other_start;
   return {{"mean_normal_force", answer.parting->mean_normal_force},
           {"other_start",
            {{"friction_ratio", other.friction_ratio},
             {"friction_ratio_error", json_number(other.friction_ratio_error)},
             {"regime", to_text(other.regime)}}},
-          {"starts_agree", answer.parting->starts_agree}};
+          {"starts_agree", other.agrees}};
 }
 
 nlohmann::ordered_json answer_json(const Speed& speed, const SimulationAnswer& answer,
@@ -143,7 +130,7 @@ void print_simulate_text(const Speed& speed, const SimulationAnswer& answer, dou
   if (!answer.parting) return;
   fmt::print("normal force    {:.6g} N on average, while the surfaces part in each period\n",
              answer.parting->mean_normal_force);
-  if (answer.parting->starts_agree)
+  if (answer.parting->other_start.agrees)
     fmt::print("starts          agree, in sliding and at rest\n");
   else
     fmt::print("starts          DISAGREE: the other one ends in {}, {}\n",

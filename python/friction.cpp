@@ -81,8 +81,9 @@ py::tuple simulate(const Scene& scene, double velocity, const std::string& metho
   py::list events;
   for (const simulation::Event& event : state.events)
     events.append(py::make_tuple(event.phase, to_text(event.to)));
-  return py::make_tuple(state.friction_ratio, state.friction_ratio_error, to_text(state.regime),
-                        state.periods, events);
+  return py::make_tuple(
+      state.friction_ratio, state.friction_ratio_error, to_text(state.regime), state.periods,
+      events, state.other_start ? std::optional(state.other_start->agrees) : std::nullopt);
 }
 
 // Drive, friction, dampers, error.

@@ -5,10 +5,11 @@
 #include <cmath>
 
 #include "base/constants.hpp"
+#include "base/free_swings.hpp"
 #include "border.hpp"
-#include "conditioning.hpp"
 #include "critical/admissibility.hpp"
 #include "critical/certified.hpp"
+#include "critical/conditioning.hpp"
 #include "critical/critical_velocity.hpp"
 #include "derivation/derivation.hpp"
 #include "explorer.hpp"
@@ -19,9 +20,11 @@
 #include "indented.hpp"
 #include "method_curves.hpp"
 #include "network/masses.hpp"
+#include "onset/critical_onset.hpp"
 #include "onset/formula_scope.hpp"
 #include "parting.hpp"
 #include "reduced_difference.hpp"
+#include "simulation/steady/near_resonance.hpp"
 #include "simulation/steady/onset.hpp"
 #include "values.hpp"
 #include "velocity_comparisons.hpp"
@@ -53,12 +56,16 @@ Comparison balanced(const SceneReport& report, const simulation::Onset& threshol
   Comparison comparison = velocity_comparison(
       report, "balance", "harmonic balance, as Eq. 24, of the networks in relaxation form");
   comparison.found = threshold.contact_velocity;
-  comparison.tolerance = 1e-9;
-  comparison.reason = "doubles: leaves six digits to lose near resonance";
-  if (const int n = report.free_harmonic; n > 1)
+  comparison.tolerance = balance_tolerance(report.condition);
+  comparison.reason =
+      comparison.tolerance > motion_promise
+          ? fmt::format("doubles: 32 roundings of 2⁻⁵³, times the condition number {:.3g} here",
+                        report.condition)
+          : "doubles: leaves six digits to lose near resonance";
+  if (const std::vector<int>& free = report.free_harmonics; !free.empty())
     comparison.detail = fmt::format(
-        "the drive swings freely at {} ω: friction is full from Eq. 24 times cos(π/{}) on", n,
-        2 * n);
+        "the drive swings freely at {} ω: friction is full from Eq. 24 times cos(π/{}) on",
+        free.front(), 2 * free.front());
   return comparison;
 }
 
@@ -69,8 +76,8 @@ bool by_formula(const SceneReport& report) {
 Border border_of(const SceneReport& report) {
   if (by_formula(report))
     return {report.critical_velocity, report.critical_velocity + report.creep_velocity,
-            formula_reference};
-  return {report.parting->critical_velocity, report.parting->drive_velocity,
+            report.condition, formula_reference};
+  return {report.parting->critical_velocity, report.parting->drive_velocity, report.condition,
           "v* by the slowest steady sliding"};
 }
 
@@ -86,7 +93,7 @@ void compare_border(SceneReport& report, const simulation::System& system,
     const simulation::Onset last_stick = simulation::stick_onset(system);
     add(compare_last_stick(border, last_stick));
     add(compare_creep(border, last_stick));
-    if (by_formula(report)) add(compare_evaluators(evaluated, last_stick));
+    if (by_formula(report)) add(compare_evaluators(evaluated, last_stick, border.condition));
   } catch (const ModelError& error) {
     add(not_run(compare_last_stick(border, {}), error.what()));
   }
@@ -113,7 +120,7 @@ void simulate(SceneReport& report, const Witnesses& witnesses, const Progress& p
     return;
   }
   const std::optional<Network>& drive = report.scene.drive;
-  if (std::isinf(report.condition) && drive && !has_masses(*drive)) {
+  if (!leaves_digits(formula_tolerance(report.condition)) && drive && !has_masses(*drive)) {
     report.comparisons.push_back(not_run(pending, lost_digits));
     return;
   }
@@ -122,10 +129,11 @@ void simulate(SceneReport& report, const Witnesses& witnesses, const Progress& p
         not_run(pending, "the simulator knows one body, under a network of springs and dampers"));
     return;
   }
+  bool out_of_reach = false;
   try {
     if (report.scene.indenter) return examine_indenter(report);
     const simulation::System system = witnesses.system(report.scene);
-    report.free_harmonic = system.opening ? 0 : simulation::free_harmonic(system);
+    out_of_reach = simulation::lost_in_resonance(simulation::Model(system));
     if (report.scene.separation) {
       progress("letting the surfaces part");
       examine_parting(report, system);
@@ -145,7 +153,7 @@ void simulate(SceneReport& report, const Witnesses& witnesses, const Progress& p
     report.methods = method_curves(system, drive_velocity);
     report.reduced_model = reduced_model(report.scene);
   } catch (const ModelError& error) {
-    report.comparisons.push_back(broken(pending, error.what()));
+    report.comparisons.push_back((out_of_reach ? not_run : broken)(pending, error.what()));
   }
 }
 
@@ -173,6 +181,8 @@ SceneReport agree(const Scene& given, Driver& driver, const Progress& progress,
   report.relative_error_bound = certified.relative_error_bound;
   report.infinite_reason = certified.reason;
   report.condition = condition_number(scene, values);
+  if (report.formula_applies) report.free_harmonics = free_harmonics(scene);
+  report.sliding_from = report.critical_velocity * least_maximum(report.free_harmonics).upper;
   report.creep_velocity = creep_velocity(scene);
 
   report.values = value_lines(scene);

@@ -17,6 +17,7 @@ namespace vcrit::validation {
 struct Border {
   double contact_velocity = 0;  ///< v*, m/s
   double drive_velocity = 0;    ///< there, m/s; larger only where a network on the path creeps
+  double condition = 0;         ///< condition number of Eq. 24 there
   std::string reference;        ///< who says so
 };
 
@@ -26,9 +27,9 @@ Comparison compare_last_stick(const Border& border, const simulation::Onset& las
 std::optional<Comparison> compare_creep(const Border& border, const simulation::Onset& last_stick);
 
 /// The one of these v* that is farthest from the last stick of starts at rest; none where none has
-/// been found.
+/// been found. condition: number of Eq. 24 there.
 std::optional<Comparison> compare_evaluators(const std::vector<Comparison>& velocities,
-                                             const simulation::Onset& last_stick);
+                                             const simulation::Onset& last_stick, double condition);
 
 /// By a method other than the exact one: a start at rest still sticks at 0.999 v* and slides at
 /// 1.001 v*, or 0.99 and 1.01 v* where only fixed steps answer. Not run where none does.

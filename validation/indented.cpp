@@ -9,6 +9,7 @@
 
 #include "base/constants.hpp"
 #include "border.hpp"
+#include "critical/conditioning.hpp"
 #include "critical/critical_velocity.hpp"
 #include "indenter/friction.hpp"
 #include "onset/critical_onset.hpp"
@@ -128,21 +129,21 @@ Comparison indenter_velocity(const SceneReport& report, const HalfSpace& half_sp
   Comparison comparison = velocity_comparison(
       report, "balance", "harmonic balance, as Eq. 24, of each cell in relaxation form");
   comparison.found = indenter::critical_velocity(half_space).contact_velocity;
-  comparison.tolerance = 1e-9;
+  comparison.tolerance = balance_tolerance(report.condition);
   comparison.reason = "the fastest of all cells, in doubles";
   return comparison;
 }
 
 void compare_cells(SceneReport& report, const HalfSpace& half_space, const CriticalOnset& onset) {
   const bool by_formula = onset.by == CriticalOnset::By::formula;
-  const Border border{onset.contact_velocity, onset.drive_velocity,
+  const Border border{onset.contact_velocity, onset.drive_velocity, report.condition,
                       by_formula ? formula_reference : "v* by the slowest steady sliding"};
   if (!is_speed(border.contact_velocity)) return;
   const indenter::LastStick last = indenter::last_stick(half_space);
   const std::vector<Comparison> velocities = report.comparisons;
   report.comparisons.push_back(compare_last_stick(border, last.onset));
   if (by_formula)
-    if (const auto farthest = compare_evaluators(velocities, last.onset))
+    if (const auto farthest = compare_evaluators(velocities, last.onset, border.condition))
       report.comparisons.push_back(*farthest);
   report.comparisons.push_back(compare_march(border, half_space.cell(last.x)));
 }

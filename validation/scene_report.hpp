@@ -229,12 +229,13 @@ struct SceneReport {
       failure;  ///< why all that follows is missing but for one broken comparison, else empty
   std::vector<std::string> reasons;  ///< why the scene is not admissible; empty when it is
   bool formula_applies = true;       ///< admissible, and v* is Eq. 24
-  int free_harmonic = 0;  ///< n where an undamped drive swings freely at n omega, n > 1; else 0
-  double critical_velocity = 0;     ///< m/s, certified; may be infinite
-  double relative_error_bound = 0;  ///< of it
-  std::string infinite_reason;      ///< why it is infinite, else empty
-  double condition = 0;             ///< condition number of Eq. 24 on its inputs
-  double creep_velocity = 0;        ///< m/s, 0 unless a network on the path creeps
+  std::vector<int> free_harmonics;   ///< n > 1 where an undamped drive swings freely at n omega
+  double sliding_from = 0;           ///< m/s; below v* where there are such n
+  double critical_velocity = 0;      ///< m/s, certified; may be infinite
+  double relative_error_bound = 0;   ///< of it
+  std::string infinite_reason;       ///< why it is infinite, else empty
+  double condition = 0;              ///< condition number of Eq. 24 on its inputs
+  double creep_velocity = 0;         ///< m/s, 0 unless a network on the path creeps
   std::vector<ValueLine> values;
   Formula formula;
   std::string equation;               ///< number of the formula in the paper

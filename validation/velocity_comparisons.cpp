@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "compiler.hpp"
+#include "critical/conditioning.hpp"
 #include "derivation/derivation.hpp"
 #include "evaluators.hpp"
 
@@ -35,11 +36,11 @@ Comparison broken(Comparison comparison, const std::string& why) {
 Comparison in_doubles(const SceneReport& report, const char* key, const char* name, double found) {
   Comparison comparison = velocity_comparison(report, key, name);
   comparison.found = found;
-  comparison.tolerance = 32 * unit_roundoff * report.condition;
+  comparison.tolerance = formula_tolerance(report.condition);
   comparison.reason =
       fmt::format("doubles: 32 roundings of 2⁻⁵³, times the condition number {:.3g} of Eq. 24 here",
                   report.condition);
-  if (std::isfinite(report.condition)) return comparison;
+  if (leaves_digits(comparison.tolerance)) return comparison;
   return not_run(comparison, lost_digits);
 }
 
@@ -55,7 +56,7 @@ Comparison derived_comparison(const SceneReport& report, const symbolic::Derivat
       report.condition);
   if (!is_speed(report.critical_velocity))
     return not_run(comparison, "v* is infinite or 0: no relative error");
-  if (!std::isfinite(report.condition)) return not_run(comparison, lost_digits);
+  if (!leaves_digits(comparison.tolerance)) return not_run(comparison, lost_digits);
   try {
     comparison.found = derived_velocity(report.scene, derivation, values);
     return comparison;
@@ -67,8 +68,9 @@ Comparison derived_comparison(const SceneReport& report, const symbolic::Derivat
 namespace {
 
 Comparison certified_by_generated(const SceneReport& report, const GeneratedVelocities& generated) {
-  Comparison comparison = in_doubles(report, "generated_certified",
-                                     "generated evaluator, certified", generated.certified);
+  Comparison comparison =
+      velocity_comparison(report, "generated_certified", "generated evaluator, certified");
+  comparison.found = generated.certified;
   comparison.tolerance = generated.certified_bound + unit_roundoff;
   comparison.reason = fmt::format("its own bound, {:.2g}, and one rounding of the reference",
                                   generated.certified_bound);

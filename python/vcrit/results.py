@@ -78,6 +78,9 @@ class _SteadyMotion(NamedTuple):
     """Length of the steady cycle in oscillation periods, where it is one."""
     events: tuple[Event, ...]
     """Of one cycle, by time."""
+    starts_agree: bool | None = None
+    """Of surfaces that separate, by the exact method: whether the search from the other start led
+    to the same friction. Where it did not, the error covers both."""
 
 
 class SteadyState(_SteadyMotion):

@@ -258,10 +258,10 @@ class Scene:
         speed, ratio = map(float, self._in_both_units(np.array(speeds.one()), speeds.are_ratios))
         if np.isnan(speed):
             _vcrit.refuse_speed(speed, speeds.option)
-        friction, error, regime, periods, events = _vcrit.simulate(
+        friction, error, regime, periods, events, agree = _vcrit.simulate(
             self._handle, speed, method, start)
         state = SteadyState(speed, ratio, friction, error, regime, method, periods,
-                            tuple(Event(*event) for event in events))
+                            tuple(Event(*event) for event in events), agree)
         return state._in(self) if method == "exact" else state
 
     @staticmethod

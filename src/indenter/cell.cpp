@@ -65,10 +65,10 @@ CellFriction cell_friction(const HalfSpace& half_space, double x, double velocit
   if (empty(half_space, depth)) return {};
   const simulation::System system = half_space.cell_under(depth);
   simulation::Answers answers(system);
-  const simulation::SteadyState& state = answers.at(velocity, Start::sliding, 0);
+  const simulation::SteadyState& state = answers.alone(velocity, Start::sliding, 0);
   CellFriction result{simulation::mean_normal_force(system), state.friction_ratio,
                       state.friction_ratio_error, 0, motions_of(state.regime)};
-  answers.at(velocity, Start::rest, 0);  // in the memory of the other
+  answers.alone(velocity, Start::rest, 0);  // in the memory of the other
   result.disagreement = std::abs(state.friction_ratio - result.ratio);
   result.error =
       std::max(result.error, state.friction_ratio_error) + neglect * half_space.neglected(depth);
@@ -86,7 +86,7 @@ Course course(const HalfSpace& half_space, double x, double velocity) {
   const double depth = half_space.depth(x);
   if (empty(half_space, depth)) return result;
   simulation::Answers answers(half_space.cell_under(depth));
-  for (const simulation::Event& event : answers.at(velocity, Start::sliding, 0).events)
+  for (const simulation::Event& event : answers.alone(velocity, Start::sliding, 0).events)
     ++result[static_cast<std::size_t>(event.to)];
   return result;
 }

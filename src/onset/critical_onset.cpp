@@ -4,10 +4,12 @@
 #include <limits>
 
 #include "base/constants.hpp"
+#include "base/free_swings.hpp"
 #include "critical/admissibility.hpp"
 #include "critical/certified.hpp"
 #include "critical/log_derivative.hpp"
 #include "indenter/friction.hpp"
+#include "network/law.hpp"
 #include "network/masses.hpp"
 #include "onset/formula_scope.hpp"
 #include "scene/changing.hpp"
@@ -29,41 +31,44 @@ constexpr double equal_in_roundings = 16;
 // infinite.
 constexpr double ill_conditioned = 1e8;
 
-// The lowest harmonic at which a body and the masses of its drive swing freely: K_d = m (n
-// omega)^2. A damper that moves with them leaves a loss stiffness, which is no rounding.
-int free_harmonic_of_masses(const Network& drive, const Values& values, double mass, double omega) {
+// What the elements and the body have of stiffness and inertia, all of it.
+double stiffness_of_parts(const Network& drive, const Values& values, double inertia,
+                          double frequency) {
+  double sum = inertia;
+  for_each_element(drive, [&](const Element& element) {
+    for_each_number(element, [&](const Symbol& symbol, NumberRole role) {
+      const double number = values.at(symbol);
+      if (role == NumberRole::stiffness) sum += number;
+      if (role == NumberRole::damping) sum += number * frequency;
+      if (role == NumberRole::mass) sum += number * frequency * frequency;
+    });
+  });
+  return sum;
+}
+
+// The harmonics at which a body, of whatever mass, and the masses of its drive swing freely: K_d =
+// m (n omega)^2. A damper that moves with them leaves a loss stiffness, which is no rounding.
+std::vector<int> free_harmonics_of_masses(const Network& drive, const Values& values, double mass,
+                                          double omega) {
   const Reduction reduction = reduce(drive);
+  std::vector<int> found;
   for (int n = 2; n <= highest_harmonic; ++n) {
     const double frequency = n * omega, inertia = mass * frequency * frequency;
     const double off = std::abs(dynamic_stiffness(reduction, values, frequency) - inertia);
-    const double size = sensitivity(reduction, values, frequency) + inertia;
-    if (size < ill_conditioned * inertia && off <= equal_in_roundings * epsilon * size) return n;
+    const double uncertain = sensitivity(reduction, values, frequency) + inertia;
+    if (uncertain < ill_conditioned * stiffness_of_parts(drive, values, inertia, frequency) &&
+        off <= equal_in_roundings * epsilon * uncertain)
+      found.push_back(n);
   }
-  return 0;
-}
-
-// Of a body whose contact never opens, where there is a motion in time.
-int free_harmonic(const Scene& scene) {
-  if (!scene.drive || !knows_all_frequencies(scene)) return 0;
-  const Values values = values_of(scene);
-  if (has_masses(*scene.drive))
-    return free_harmonic_of_masses(*scene.drive, values,
-                                   scene.mass ? values.at(scene.mass->symbol) : 0,
-                                   values.at(scene.angular_frequency.symbol));
-  if (!scene.mass) return 0;
-  return simulation::free_harmonic(relaxation_form(*scene.drive, values),
-                                   values.at(scene.mass->symbol),
-                                   values.at(scene.angular_frequency.symbol));
+  return found;
 }
 
 CriticalOnset by_formula(const Scene& scene) {
   const auto [value, bound, reason] = certified_critical_velocity(scene);
   CriticalOnset onset{
       CriticalOnset::By::formula, value, value + creep_velocity(scene), bound, reason, value};
-  if (const int n = free_harmonic(scene); n > 1) {
-    onset.free_harmonic = n;
-    onset.sliding_from *= std::cos(pi / (2 * n));
-  }
+  onset.free_harmonics = free_harmonics(scene);
+  if (std::isfinite(value)) onset.sliding_from *= least_maximum(onset.free_harmonics).upper;
   return onset;
 }
 
@@ -81,6 +86,16 @@ CriticalOnset by_simulation(const simulation::Onset& onset) {
 constexpr double log_step = 1e-3;
 
 }  // namespace
+
+std::vector<int> free_harmonics(const Scene& scene) {
+  if (!scene.drive || !knows_all_frequencies(scene)) return {};
+  const Values values = values_of(scene);
+  const double mass = scene.mass ? values.at(scene.mass->symbol) : 0;
+  const double omega = values.at(scene.angular_frequency.symbol);
+  if (has_masses(*scene.drive)) return free_harmonics_of_masses(*scene.drive, values, mass, omega);
+  const int n = simulation::free_harmonic(relaxation_form(*scene.drive, values), mass, omega);
+  return n > 1 ? std::vector{n} : std::vector<int>{};
+}
 
 CriticalOnset critical_onset(const Scene& scene) {
   if (formula_holds(scene)) return by_formula(scene);

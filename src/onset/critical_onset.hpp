@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "scene/scene.hpp"
 
@@ -16,11 +17,14 @@ struct CriticalOnset {
   double relative_error_bound =
       0;               ///< of v*; of a simulated one NaN: no bound is known, only rounding is lost
   std::string reason;  ///< why v* is infinite, else empty
-  /// m/s, of a body that swings freely at harmonic n > 1 of the oscillation, K_d = m (n omega)^2
-  /// without damping: friction is full from v* cos(pi/(2 n)) on; else v*.
+  /// m/s, of a body that swings freely at harmonics n > 1 of the oscillation, K_d = m (n omega)^2
+  /// without damping: friction is full from a lower speed on (base/free_swings.hpp); else v*.
   double sliding_from = 0;
-  int free_harmonic = 0;  ///< n, else 0
+  std::vector<int> free_harmonics = {};  ///< these n, increasing
 };
+
+/// Those n of a scene whose surfaces stay together. Throws InputError for missing values.
+std::vector<int> free_harmonics(const Scene& scene);
 
 /// Throws InputError for missing values, ModelError where v* is 0/0 and outside the model.
 CriticalOnset critical_onset(const Scene& scene);

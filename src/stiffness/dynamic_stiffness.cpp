@@ -86,11 +86,15 @@ struct Uncertainties {
   }
   static Value series(const Value& a, const Value& b) {
     const ComplexDouble k = Pairs<double>::series(a.k, b.k);
-    const double share_a = std::norm(k / a.k), share_b = std::norm(k / b.k);
+    // b/(a + b): where a mass cancels its springs, all of it.
+    const auto share = [&](ComplexDouble part) { return part == 0.0 ? 1 : std::norm(k / part); };
+    const double share_a = share(a.k), share_b = share(b.k);
     return {k, share_a * a.error + share_b * b.error + std::abs(k)};
   }
   static Value mesh(const Value& a, const Value& b, const Value& total) {
     const ComplexDouble k = Pairs<double>::mesh(a.k, b.k, total.k);
+    if (a.k == 0.0 || b.k == 0.0)
+      return {k, (a.error * std::abs(b.k) + b.error * std::abs(a.k)) / std::abs(total.k)};
     const double relative =
         a.error / std::abs(a.k) + b.error / std::abs(b.k) + total.error / std::abs(total.k);
     return {k, std::abs(k) * (relative + 1)};

@@ -149,11 +149,14 @@ Section parting_section(const Findings& findings) {
   if (!findings.parting) return section;
   for (const Line& line : *findings.parting) section.blocks.push_back({"", "", line.words, {line}});
   if (!section.blocks.empty()) return section;
+  const std::string why =
+      "the contact point follows the normal deformation with memory, or the surfaces are apart "
+      "where it grows fastest.";
   section.note =
-      "v* above holds while the contact stays closed. Where it opens v* is another one, which "
-      "vcrit "
-      "eval simulates: the contact point follows the normal deformation with memory, or the "
-      "surfaces are apart where it grows fastest.";
+      "v* above holds while the contact stays closed. Where it opens v* is another one, ";
+  section.note += findings.beyond_simulation.empty()
+                      ? "which vcrit eval simulates: " + why
+                      : "for which there is no answer (" + findings.beyond_simulation + "): " + why;
   section.blocks.emplace_back();
   return section;
 }

@@ -104,6 +104,8 @@ std::string json_document(const Scene& scene, const Findings& findings) {
   if (findings.parting)
     out["separation"] = {{"closed_form", !findings.parting->empty()},
                          {"lines", json_lines(*findings.parting)}};
+  if (findings.parting && findings.parting->empty() && !findings.beyond_simulation.empty())
+    out["separation"]["not_simulated"] = findings.beyond_simulation;
   if (!findings.extrema.empty()) out["extrema"] = json_lines(findings.extrema);
   if (!findings.form_lines.empty())
     out[findings.form == ResultForm::rational ? "rational" : "dimensionless"] =

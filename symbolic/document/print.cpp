@@ -13,6 +13,7 @@
 #include "formula/algebra_lock.hpp"
 #include "formula/names.hpp"
 #include "formula/text.hpp"
+#include "scene/motion_scope.hpp"
 
 namespace vcrit::symbolic {
 
@@ -46,6 +47,7 @@ Findings find(const Scene& scene, const DocumentOptions& options) {
                     {},
                     {},
                     {},
+                    beyond_simulation(scene),
                     {}};
   const std::size_t symbols = findings.derivation.parameters.size();
   if (options.limits) refuse_large(findings.derivation, 2 * symbols, "limits");

@@ -74,6 +74,31 @@ class Derive(unittest.TestCase):
                                    len(self.derive(file, "--format", kind).stdout))
         self.assertIn("abs(K_n)", self.derive(file, "--form", "nested").stdout.splitlines()[-1])
 
+    def test_what_eval_is_said_to_simulate_it_simulates(self):
+        # One rule for both: masses in the drive and measured drives are beyond the simulator.
+        (self.folder / "receptance.csv").write_text("omega,Re,Im\n1,1e-8,-1e-9\n1e9,1e-8,-1e-9\n")
+        drives = {'network = "kd"\n': True, 'network = "kd | cd"\n': True, 'network = "kd - (mass(ms) | kd)"\n': False,
+                  'network = "kd | mass(ms)"\n': False, 'receptance = "receptance.csv"\n': False}
+        for drive, simulated in drives.items():
+            with self.subTest(drive=drive):
+                scene = self.folder / "part.toml"
+                scene.write_text('[contact]\nnormal = "kn | cn"\ntangential = "kt | ct"\nseparation = true\n'
+                                 f"[drive]\n{drive}[body]\nmass = 1e-3\n"
+                                 "[oscillation]\nangular_frequency = 1e5\namplitude = 9e-7\nindentation = 5e-7\n"
+                                 "[friction]\ncoefficient = 0.3\n"
+                                 "[elements]\nkn = 1e7\ncn = 20\nkt = 8e6\nct = 10\n"
+                                 + ("" if "receptance" in drive else "kd = 3e7\n")
+                                 + ("cd = 5\n" if "cd" in drive else "") + ("ms = 1e-3\n" if "ms" in drive else ""))
+                text = " ".join(self.derive(scene).stdout.split())
+                evaluated = subprocess.run([PROGRAM, "eval", scene], capture_output=True, text=True)
+                self.assertEqual(evaluated.returncode, 0 if simulated else 3, evaluated.stderr)
+                self.assertEqual("which vcrit eval simulates" in text, simulated)
+                self.assertEqual("there is no answer" in text, not simulated)
+                separation = json.loads(self.derive(scene, "--json").stdout)["separation"]
+                self.assertEqual("not_simulated" in separation, not simulated)
+                if not simulated:
+                    self.assertIn(separation["not_simulated"], evaluated.stderr)
+
     def test_ten_runs_give_the_same_bytes(self):
         first, second = self.scene("a.toml", "k0 | (k1 - c1)"), self.scene("b.toml", "k1 | (k0 - c1)")
         for arguments, status in ((["--catalogue"], 0), ([first, "--equal", second], 1),

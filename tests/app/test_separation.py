@@ -88,6 +88,16 @@ class Separation(unittest.TestCase):
             difference = abs(answer["friction_ratio"] - other["friction_ratio"])
             self.assertLessEqual(difference, answer["friction_ratio_error"] + other["friction_ratio_error"])
             self.assertFalse(answer["separation"]["starts_agree"])
+            # A map has the same error, which covers both.
+            out = Path(self.folder.name) / f"{velocity}.csv"
+            done = run("sweep", scene, "--over", f"velocity=lin:{velocity!r}:{2 * velocity!r}:2", "--out", out,
+                       "--quantity", "friction_ratio", "--quantity", "friction_ratio_error")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            row = next(csv.DictReader(out.open()))
+            for each in (answer["friction_ratio"], other["friction_ratio"]):
+                self.assertLessEqual(abs(float(row["friction_ratio"]) - each), float(row["friction_ratio_error"])
+                                     + other["friction_ratio_error"])
+            self.assertGreater(float(row["friction_ratio_error"]), difference / 2)
 
     def test_without_separation_the_scene_is_outside_the_model(self):
         scene = self.scene(("separation = true                # F_n = max(0, reaction), no adhesion\n", ""))

@@ -76,11 +76,11 @@ FAULTS = [
      "indenter/test_indenter_friction"),
     ("src/simulation/steady/steady_cycle.cpp", "now.trace.unlawful + model_.bound_error();", "model_.bound_error()", "0",
      "simulation/steady/test_parting"),
-    ("validation/border.cpp", "constexpr double velocity_tolerance = 1e-9;", "1e-9", "1e-5",
+    ("src/critical/conditioning.hpp", "inline constexpr double motion_promise = 1e-9;", "1e-9", "1e-5",
      "validation/test_planted_faults"),
     ("validation/border.cpp", "if (below.sticks && !above.sticks) return comparison;", "!above.sticks", "true",
      "validation/test_planted_faults"),
-    ("validation/conditioning.cpp", "infinity() : condition;", ": condition", ": 300 * condition", "validation/test_conditioning"),
+    ("src/critical/conditioning.cpp", "infinity : condition;", ": condition", ": 300 * condition", "critical/test_conditioning"),
 ]
 
 

@@ -167,7 +167,7 @@ BOOST_AUTO_TEST_CASE(drives_with_masses_swing_at_harmonics_too) {
         "s.toml"));
   };
   const auto swings = [](const CriticalOnset& found, int n) {
-    BOOST_TEST(found.free_harmonic == n);
+    BOOST_TEST(found.free_harmonics == (n > 1 ? std::vector{n} : std::vector<int>{}));
     const double share = n > 1 ? std::cos(std::numbers::pi / (2 * n)) : 1;
     BOOST_TEST(std::abs(found.sliding_from / (share * found.contact_velocity) - 1) < 1e-15);
   };
@@ -183,6 +183,29 @@ BOOST_AUTO_TEST_CASE(drives_with_masses_swing_at_harmonics_too) {
     // Tuned to n, an absorber holds the body still there.
     swings(onset("kd | ka - mass(ma)", 1, fmt::format("kd = 5\nka = {}\nma = 1\n", n * n)), 0);
   }
+}
+
+// K_d = k1 (k2 - m1 n^2)/(k1 + k2 - m1 n^2) is m n^2 at n = 2 and n = 3: 2/3 and 3/2. Both swings
+// together leave 1/(2 cos(pi/5)) of v* (Fejer), and the drive alone swings at n where k2 = m1 n^2.
+BOOST_AUTO_TEST_CASE(several_swings_lower_the_border_further) {
+  const auto onset = [](const std::string& drive, const std::string& body, double k2) {
+    return critical_onset(parse_scene(
+        "[contact]\nnormal = \"kn | cn\"\ntangential = \"kt\"\n[drive]\nnetwork = \"" + drive +
+            "\"\n" + body +
+            "[oscillation]\nangular_frequency = 1\namplitude = 0.1\nindentation = 1\n[friction]\n"
+            "coefficient = 0.5\n[elements]\nkn = 3.0\ncn = 0.4\nkt = 2.0\nk1 = 1.0\nm1 = 1.0\n" +
+            fmt::format("k2 = {}\n", k2),
+        "s.toml"));
+  };
+  const std::string chain = "k1 - (mass(m1) | k2)", body = "[body]\nmass = 0.16666666666666666\n";
+  const CriticalOnset both = onset(chain, body, 6);
+  BOOST_TEST(both.free_harmonics == (std::vector{2, 3}));
+  const double share = 1 / (2 * std::cos(std::numbers::pi / 5));
+  BOOST_TEST(std::abs(both.sliding_from / both.contact_velocity / share - 1) <= 1e-11);
+  BOOST_TEST(onset(chain, body, 6.001).free_harmonics.empty());
+  const CriticalOnset light = onset(chain, "", 9);
+  BOOST_TEST(light.free_harmonics == std::vector{3});
+  BOOST_TEST(light.sliding_from == light.contact_velocity * std::cos(std::numbers::pi / 6));
 }
 
 BOOST_AUTO_TEST_CASE(sensitivities_are_those_of_the_simulated_velocity) {

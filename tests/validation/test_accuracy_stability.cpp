@@ -10,9 +10,9 @@
 #include "accuracy/resonance.hpp"
 #include "accuracy/simulated_cell.hpp"
 #include "accuracy/varied_scene.hpp"
-#include "conditioning.hpp"
 #include "critical/admissibility.hpp"
 #include "critical/certified.hpp"
+#include "critical/conditioning.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_accuracy_stability)
 

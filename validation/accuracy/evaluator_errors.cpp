@@ -10,7 +10,7 @@
 #include "accuracy/cells.hpp"
 #include "accuracy/front.hpp"
 #include "accuracy/varied_scene.hpp"
-#include "conditioning.hpp"
+#include "critical/conditioning.hpp"
 #include "critical/critical_velocity.hpp"
 
 namespace vcrit::validation::accuracy {
@@ -19,7 +19,6 @@ namespace {
 
 constexpr std::size_t most_worst = 10;
 constexpr double wrong = 1e-10;
-constexpr double roundings = 32 * 0x1p-53;
 
 template <class Visit>
 void for_each_set(const Scene& scene, const Inputs& inputs, const Visit& visit) {
@@ -52,7 +51,7 @@ struct Failures {
       return;
     }
     const double relative = std::abs(found - right) / std::abs(right);
-    if (!(relative > wrong) || relative <= roundings * condition) return;
+    if (!(relative > wrong) || relative <= formula_tolerance(condition)) return;
     ++unexplained;
     worst_unexplained = std::max(worst_unexplained, relative);
   }

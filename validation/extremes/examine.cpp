@@ -6,7 +6,7 @@
 #include <cmath>
 #include <memory>
 
-#include "conditioning.hpp"
+#include "critical/conditioning.hpp"
 #include "critical/critical_velocity.hpp"
 #include "derivation/derivation.hpp"
 #include "driver.hpp"

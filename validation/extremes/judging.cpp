@@ -5,6 +5,7 @@
 
 #include "accuracy/stability.hpp"
 #include "base/constants.hpp"
+#include "critical/conditioning.hpp"
 #include "extremes/comparing.hpp"
 
 namespace vcrit::validation::extremes {
@@ -12,13 +13,11 @@ namespace vcrit::validation::extremes {
 namespace {
 
 constexpr std::size_t most_worst = 3;
-// As for `formula` in docs/report.md.
-constexpr double roundings = 32 * 0x1p-53;
 
 bool is_number(double found) { return std::isfinite(found) && found != 0; }
 
 double lost_beyond(double found, double right, double condition) {
-  const double explained = roundings * condition, off = std::abs(found - right) / right;
+  const double explained = formula_tolerance(condition), off = std::abs(found - right) / right;
   return off > explained ? std::log10(off / explained) : 0;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "accuracy/resonance.hpp"
+#include "critical/conditioning.hpp"
 #include "extremes/comparing.hpp"
 
 namespace vcrit::validation::extremes {
@@ -11,7 +12,7 @@ namespace vcrit::validation::extremes {
 namespace {
 
 // The speeds asked for are a relative 1e-6 beside v*; a tenth of it may be rounding.
-constexpr double largest_condition = 1e-7 / (32 * 0x1p-53);
+constexpr double largest_rounding = 1e-7;
 constexpr double most_swings = 1e4;
 
 struct Asking {
@@ -28,7 +29,8 @@ struct Asking {
   /// Why the simulator is not asked; empty if it is.
   std::string why_not(std::size_t i, double omega) const {
     if (!std::isnormal(known.right[i])) return "v* is no normal double";
-    if (!(known.condition[i] < largest_condition)) return "too near to resonance for 10⁻⁶ of v*";
+    if (!(formula_tolerance(known.condition[i]) < largest_rounding))
+      return "too near to resonance for 10⁻⁶ of v*";
     if (resonances.above(accuracy::Balance::antiresonance, cells.values[i], most_swings * omega))
       return "the stuck body swings over 10,000 times in a period";
     return {};

@@ -197,6 +197,10 @@ ordered_json velocity_json(const SceneReport& report) {
                       {"relative_error_bound", json_number(report.relative_error_bound)},
                       {"condition_number", json_number(report.condition)}};
   if (!report.infinite_reason.empty()) object["reason"] = report.infinite_reason;
+  if (!report.free_harmonics.empty()) {
+    object["sliding_from"] = json_number(report.sliding_from);
+    object["free_harmonics"] = report.free_harmonics;
+  }
   if (report.creep_velocity > 0) {
     object["creep_velocity"] = json_number(report.creep_velocity);
     object["drive_velocity"] = json_number(report.critical_velocity + report.creep_velocity);

@@ -1,6 +1,7 @@
 #include "report/scene_section.hpp"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 
@@ -43,11 +44,13 @@ std::string scene_verdict(const SceneReport& report) {
         "<p>Equation (24) does not describe this motion, so there is no v* here and nothing was "
         "simulated:</p>\n" +
         item_list(report.reasons, "reasons");
-  if (const int n = report.free_harmonic; n > 1)
+  if (const std::vector<int>& free = report.free_harmonics; !free.empty())
     html += fmt::format(
-        "<p>The undamped drive lets the body swing freely at {} ω, and the motion keeps such a "
-        "swing: friction is full from {} on, v* cos(π/{}).</p>\n",
-        n, quantity(report.critical_velocity * std::cos(pi / (2 * n)), "m/s", 5), 2 * n);
+        "<p>The undamped drive lets the body swing freely at {} ω, and the motion keeps such {}: "
+        "friction is full from {} on{}.</p>\n",
+        fmt::join(free, " ω, "), free.size() > 1 ? "swings" : "a swing",
+        quantity(report.sliding_from, "m/s", 5),
+        free.size() > 1 ? "" : fmt::format(", v* cos(π/{})", 2 * free.front()));
   if (!report.infinite_reason.empty()) html += "<p>" + escape(report.infinite_reason) + "</p>\n";
   if (!report.scene.warnings.empty()) html += item_list(report.scene.warnings, "warnings");
   return html;

@@ -21,7 +21,7 @@ class March {
       if (here.time >= end_) return std::nullopt;
       const bool at_start = leaving_ && here.time == 0;
       if (!at_start && here.value >= -here.noise) {
-        if (here.slope > 0 || here.curvature > 0) return polished(here);
+        if (here.slope > 0 || (here.curvature > 0 && !falls_away(here))) return polished(here);
         here = f_.move_to(here.time + past(here));
         continue;
       }
@@ -42,11 +42,20 @@ class March {
 
   static double least_step(double t) { return t == 0 ? 1e-300 : epsilon * t; }
 
+  // How far f has to fall to be out of the rounding.
+  static double above(const EventFunction::Point& p) { return std::max(p.value, 0.0) + p.noise; }
+
+  // f falls out of the rounding before it rises again: with slope -s and curvature c by s^2/(2 c),
+  // of which it needs the value and one noise, and has twice as much.
+  static bool falls_away(const EventFunction::Point& p) {
+    return p.slope < 0 && p.slope * p.slope > 4 * p.curvature * above(p);
+  }
+
   // f is within rounding of zero and turning down: a touch, left behind by twice the time that it
   // takes f to get out of the rounding.
   static double past(const EventFunction::Point& p) {
-    const double by_slope = p.slope < 0 ? 2 * p.noise / -p.slope : 1e-8;
-    const double by_curvature = p.curvature < 0 ? 2 * std::sqrt(p.noise / -p.curvature) : 1e-8;
+    const double by_slope = p.slope < 0 ? 2 * above(p) / -p.slope : 1e-8;
+    const double by_curvature = p.curvature < 0 ? 2 * std::sqrt(above(p) / -p.curvature) : 1e-8;
     return std::max(std::min(by_slope, by_curvature), 2 * least_step(p.time));
   }
 

@@ -1,5 +1,7 @@
 #include "simulation/steady/answers.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -19,6 +21,7 @@ class Answer {
     state_.events.clear();
     state_.cycle.clear();
     state_.periods = 1;
+    state_.other_start.reset();
   }
 
   // F is mu0 F_n throughout, so the ratio is 1 by the balance of forces alone.
@@ -105,20 +108,33 @@ class Answer {
   SteadyState& state_;
 };
 
+State started(const Model& model, double velocity, Start start) {
+  return start == Start::sliding ? sliding_start(model, velocity) : rest_start(model, velocity);
+}
+
 }  // namespace
 
 Answers::Answers(const System& system) : model_(system) {
   state_.events.reserve(usual_events);
+  if (model_.opening) other_state_.events.reserve(usual_events);
   if (lost_in_resonance(model_)) near_resonance_ = system;
+  nearly_free_ = nearly_free_harmonic(system);
+}
+
+const SteadyState& Answers::alone(double velocity, Start start, int samples) {
+  answer(velocity, start, samples, false);
+  return state_;
 }
 
 const SteadyState& Answers::at(double velocity, Start start, int samples) {
   answer(velocity, start, samples, false);
+  compare_starts(velocity, start == Start::rest ? Start::sliding : Start::rest);
   return state_;
 }
 
 const SteadyState& Answers::next(double velocity) {
   answer(velocity, Start::sliding, 0, true);
+  compare_starts(velocity, Start::rest);
   return state_;
 }
 
@@ -131,8 +147,7 @@ void Answers::answer(double velocity, Start start, int samples, bool near_last) 
   if (near_resonance_) return answer_near_resonance(velocity, v, start, samples);
   if (!near_last || !follow(v)) {
     last_.reset();
-    last_.emplace(steady_cycle(
-        model_, v, start == Start::sliding ? sliding_start(model_, v) : rest_start(model_, v)));
+    last_.emplace(searched(v, start));
   }
   traced_periods_ += last_->traced;
   return result.cycle(*last_);
@@ -149,6 +164,42 @@ void Answers::answer_near_resonance(double velocity, double motion_velocity, Sta
     traced_periods_ += neighbour.traced_periods();
   }
   state_ = between(all, states);
+}
+
+// Next to a free harmonic sliding takes little to keep its swing: sticks are as short as the drive
+// is near to it, and a search may not find them.
+SteadyCycle Answers::searched(double motion_velocity, Start start) const {
+  const double border = nearly_free_ > 1 ? std::cos(pi / (2 * nearly_free_)) : 1;
+  try {
+    return steady_cycle(model_, motion_velocity, started(model_, motion_velocity, start));
+  } catch (const ModelError& error) {
+    const double creep = model_.creep * model_.load;
+    if (model_.opening || motion_velocity < border * model_.threshold) throw;
+    throw ModelError(
+        fmt::format("{}; the body swings nearly freely at harmonic {} of the oscillation, within a "
+                    "part in 1e5: from {} m/s, v* cos(pi/{}), to v* it slides but for sticks as "
+                    "short as that, with nearly full friction",
+                    error.what(), nearly_free_,
+                    (border * model_.threshold + creep) * model_.velocity_unit, 2 * nearly_free_),
+        "give a speed outside this range, or a drive at the harmonic or farther from it");
+  }
+}
+
+// Friction does not depend on the start. Where the two differ by more than their errors, one search
+// has stopped short of the steady state, and either may be off by that.
+void Answers::compare_starts(double velocity, Start other) {
+  if (!model_.opening) return;
+  const double v = model_.motion_velocity(velocity / model_.velocity_unit);
+  other_.reset();
+  other_.emplace(steady_cycle(model_, v, started(model_, v, other)));
+  traced_periods_ += other_->traced;
+  Answer(model_, v, 0, other_state_).cycle(*other_);
+  double& error = state_.friction_ratio_error;
+  const double difference = std::abs(other_state_.friction_ratio - state_.friction_ratio);
+  const double both = error + other_state_.friction_ratio_error;
+  state_.other_start = {other_state_.friction_ratio, other_state_.friction_ratio_error,
+                        other_state_.regime, difference <= both};
+  if (!state_.other_start->agrees) error = difference + other_state_.friction_ratio_error;
 }
 
 bool Answers::follow(double velocity) {

@@ -17,20 +17,6 @@ namespace {
 // In units of mu0 <F_n> omega/|K_t|, by which no sensible v* differs so much.
 constexpr double lowest_speed = 1e-30, highest_speed = 1e30;
 
-// A share d off a free harmonic, a cycle with sticks that die away repeats to within d of itself:
-// below this, rounding and the search's own error of some 1e-12 take it for a steady one.
-constexpr double near_harmonic = 1e-5;
-
-// With the drive's damper left out, if that takes no larger share of a swing.
-int nearly_free_harmonic(const System& system) {
-  if (!system.drive || !system.mass) return 0;
-  Relaxation undamped = *system.drive;
-  undamped.damper = 0;
-  const int n = free_harmonic(undamped, *system.mass, system.omega, near_harmonic);
-  const double loss = n * system.omega * system.drive->damper;
-  return loss <= near_harmonic * undamped.equilibrium ? n : 0;
-}
-
 // velocity: as in model.hpp.
 bool sticks(const Model& model, double velocity) {
   const auto& parts = steady_cycle(model, velocity, rest_start(model, velocity)).period.parts;

@@ -39,13 +39,22 @@ struct CyclePoint {
   double friction_bound = 0;    ///< mu0 F_n, N
 };
 
+/// What the search leads to from the other start: the same friction, or one of the two has stopped
+/// short of the steady state.
+struct OtherStart {
+  double friction_ratio = 0, friction_ratio_error = 0;
+  Regime regime = Regime::sliding;
+  bool agrees = true;  ///< within the errors of both searches
+};
+
 struct SteadyState {
   double friction_ratio = 0;        ///< mu_macro/mu0 = <F>/(mu0 <F_n>)
-  double friction_ratio_error = 0;  ///< estimate of its absolute error
+  double friction_ratio_error = 0;  ///< estimate of its absolute error, of both starts if two ran
   Regime regime = Regime::sliding;
   std::optional<int> periods;     ///< length of the steady cycle in oscillation periods
   std::vector<Event> events;      ///< of one cycle, by time
   std::vector<CyclePoint> cycle;  ///< `samples` points over one oscillation period
+  std::optional<OtherStart> other_start = {};  ///< of a contact that opens, by the exact method
 };
 
 /// Throws InputError unless the mean velocity of the drive, m/s, is above 0 and finite.

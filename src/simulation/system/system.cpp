@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "base/errors.hpp"
-#include "network/masses.hpp"
+#include "scene/motion_scope.hpp"
 
 namespace vcrit::simulation {
 
@@ -63,16 +63,21 @@ int free_harmonic(const System& system, double within) {
   return free_harmonic(*system.drive, *system.mass, system.omega, within);
 }
 
+int nearly_free_harmonic(const System& system) {
+  constexpr double near_harmonic = 1e-5;
+  if (!system.drive || !system.mass) return 0;
+  Relaxation undamped = *system.drive;
+  undamped.damper = 0;
+  const int n = free_harmonic(undamped, *system.mass, system.omega, near_harmonic);
+  const double loss = n * system.omega * system.drive->damper;
+  return loss <= near_harmonic * undamped.equilibrium ? n : 0;
+}
+
 System system_of(const Scene& scene) {
-  if (scene.receptance)
-    throw ModelError(
-        "the simulator needs a network; this drive is a measured receptance, which says nothing of "
-        "motion that is not harmonic");
+  if (const std::string why = beyond_simulation(scene); !why.empty()) throw ModelError(why);
   if (scene.indenter)
     throw ModelError(
         "below an indenter each place has a motion of its own: this asks for that of one contact");
-  if (scene.drive && has_masses(*scene.drive))
-    throw ModelError("the simulator knows one body; this drive holds masses of its own");
   const Values values = values_of(scene);
   const double amplitude = values.at(scene.amplitude.symbol);
   const double indentation = values.at(scene.indentation.symbol);

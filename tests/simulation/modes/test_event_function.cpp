@@ -107,6 +107,23 @@ BOOST_AUTO_TEST_CASE(maxima_below_zero_are_passed_and_above_are_found) {
   }
 }
 
+// A start within rounding of 0 from which f falls, however soon it rises again, is no zero: f =
+// (1 - cos t) - b sin t is -2 sin(t/2) (b cos(t/2) - sin(t/2)), and back at 0 where tan(t/2) = b.
+BOOST_AUTO_TEST_CASE(a_start_that_falls_and_curves_up_is_no_zero) {
+  for (const double b : {1.0, 1e-1, 1e-3, 1e-6})
+    for (const double off : {-1e-17, 0.0, 1e-17}) {
+      // f' = sin t - b cos t.
+      const auto zero = Sum(1, off, {}, {}, {-b, -1}).zero(4);
+      BOOST_REQUIRE(zero);
+      // Rounding of f moves it by as much over the slope there, which is b.
+      BOOST_TEST(std::abs(*zero - 2 * std::atan(b)) <= 32 * 1.1e-16 / b, b << " " << off);
+    }
+  // Not out of the rounding: the start is as good a zero as any.
+  const auto zero = Sum(1, 0, {}, {}, {-1e-9, -1}).zero(4);
+  BOOST_REQUIRE(zero);
+  BOOST_TEST(*zero <= 1e-8);
+}
+
 BOOST_AUTO_TEST_CASE(a_long_wait_takes_few_steps) {
   // f = 1e-7 t - 1 + 0.5 sin t: the first zero is the first maximum that reaches: near t = 5e6.
   const auto zero = Sum(1, -1, {0}, {1e-7}, {0.5, 0}).zero(1e9);

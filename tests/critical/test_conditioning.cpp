@@ -1,6 +1,6 @@
 // Condition numbers by hand: what relative errors of a scene's numbers move v* by, at most. mu0,
 // omega and du_z count once each, |K_n| and |K_t| sqrt(2) times; |D| and |N| by their parts.
-#include "conditioning.hpp"
+#include "critical/conditioning.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -21,7 +21,7 @@ double condition(const std::string& drive, const std::string& elements) {
                       "[friction]\ncoefficient = 0.3\n[elements]\nkn = 3.0\nkt = 5.0\n" +
                       elements,
                   "s.toml");
-  return validation::condition_number(scene, values_of(scene));
+  return condition_number(scene, values_of(scene));
 }
 
 bool is(double value, double expected) { return std::abs(value / expected - 1) <= 1e-14; }
@@ -41,6 +41,18 @@ BOOST_AUTO_TEST_CASE(known_by_hand) {
   BOOST_TEST(is(condition(body, "kd = 4.00000095367431640625\n"),
                 3 + 2 * root + (4.00000095367431640625 * root + 12) * 0x1p20 +
                     (9.00000095367431640625 * root + 12) / 5.00000095367431640625));
+}
+
+// What two ways to v* may be apart by: 32 x 2^-53 = 2^-48 for each unit of the condition number,
+// and 1000 times that of a last stick, as far as these are above the simulator's promise.
+BOOST_AUTO_TEST_CASE(tolerances_grow_with_the_condition_number) {
+  BOOST_TEST(formula_tolerance(6) == 6 * 0x1p-48);
+  BOOST_TEST(balance_tolerance(1e3) == 1e-9);
+  BOOST_TEST(balance_tolerance(1e8) == 1e8 * 0x1p-48);
+  BOOST_TEST(last_stick_tolerance(100) == 1e-9);
+  BOOST_TEST(is(last_stick_tolerance(1e6), 1e9 * 0x1p-48));
+  BOOST_TEST(leaves_digits(balance_tolerance(0x1p47)));
+  BOOST_TEST(!leaves_digits(balance_tolerance(0x1p48)));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,14 +1,15 @@
-#include "conditioning.hpp"
+#include "critical/conditioning.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
-#include <limits>
 #include <numbers>
 
+#include "base/constants.hpp"
 #include "network/masses.hpp"
 #include "stiffness/dynamic_stiffness.hpp"
 
-namespace vcrit::validation {
+namespace vcrit {
 
 namespace {
 
@@ -48,7 +49,21 @@ double condition_number(const Scene& scene, const Values& values) {
   const double condition =
       least + (loss + 3 * inertia) / d + (root * std::abs(contact) + loss + 3 * inertia) / n;
   // Where the drive does not give at all, an absorber, doubles divide infinity by infinity.
-  return std::isnan(condition) ? std::numeric_limits<double>::infinity() : condition;
+  return std::isnan(condition) ? infinity : condition;
 }
 
-}  // namespace vcrit::validation
+double formula_tolerance(double condition) { return 32 * (epsilon / 2) * condition; }
+
+double balance_tolerance(double condition) {
+  return std::max(motion_promise, formula_tolerance(condition));
+}
+
+double last_stick_tolerance(double condition) {
+  // `nearly` of the search, src/simulation/steady/steady_cycle.cpp.
+  constexpr double taken_for_closed = 1e3;
+  return std::max(motion_promise, taken_for_closed * formula_tolerance(condition));
+}
+
+bool leaves_digits(double tolerance) { return tolerance < 1; }
+
+}  // namespace vcrit
