@@ -60,8 +60,9 @@ Grade grade_of(const Grid& grid) {
 bool leaves_out(const Sweep& sweep) {
   const std::vector<Symbol> normal = symbols_of(sweep.scene.normal);
   return std::any_of(sweep.axes.begin(), sweep.axes.end(), [&](const Axis& axis) {
-    const auto is_axis = [&](const Symbol& symbol) { return to_text(symbol) == axis.name; };
-    return std::any_of(normal.begin(), normal.end(), is_axis) &&
+    const auto named = sweep.scene.named.find(axis.name);
+    return named != sweep.scene.named.end() &&
+           std::find(normal.begin(), normal.end(), named->second) != normal.end() &&
            std::find(axis.values.begin(), axis.values.end(), 0.0) != axis.values.end();
   });
 }
@@ -106,6 +107,22 @@ void refuse_repetition(const Sweep& sweep) {
         throw InputError({"--over " + name}, "an axis named like the quantity " + name,
                          "another name of this element in the scene");
   }
+}
+
+// What an axis varies needs no value in the scene. Any that leaves the networks as they are will do
+// in the place of one that is missing.
+Sweep completed(Sweep sweep) {
+  for (const Axis& axis : sweep.axes) {
+    if (!sweep.scene.settable.contains(axis.name) || axis.values.empty()) continue;
+    ChangingScene changing(sweep.scene, {axis.name});
+    const ChangingScene::Target& target = changing.targets().front();
+    if (target.value == nullptr || *target.value) continue;
+    const auto above = std::find_if(axis.values.begin(), axis.values.end(),
+                                    [](double value) { return value > 0 && std::isfinite(value); });
+    const double value = target.is_poisson || above == axis.values.end() ? axis.values.front() : *above;
+    sweep.scene = Scene(changing.at({&value, 1}));
+  }
+  return sweep;
 }
 
 // Wrong values are found before the first block, however late their rows come.
@@ -370,7 +387,7 @@ class Sweeping::Rows {
 };
 
 Sweeping::Sweeping(Sweep sweep)
-    : sweep_(std::move(sweep)),
+    : sweep_(completed(std::move(sweep))),
       grid_(sweep_.axes, rows_at_once(sweep_), any_of(sweep_, needs_motion) ? speeds_at_once : 1),
       parameters_(parameters_of(grid_)),
       critical_(sweep_.scene, names_of(grid_, parameters_), grade_of(grid_)),

@@ -156,6 +156,28 @@ std::map<Symbol, double> values_at(std::uint64_t point, const std::set<Symbol>& 
 
 constexpr std::uint64_t tried_points = 64;
 
+/// By the names that one of the scenes gives the symbols.
+std::vector<std::pair<Symbol, double>> named(const std::map<Symbol, double>& values, const Scene& a,
+                                             const Scene& b) {
+  std::vector<std::pair<Symbol, double>> all;
+  for (const auto& [symbol, value] : values)
+    all.emplace_back(written(a.names.contains(symbol.name) ? a : b, symbol), value);
+  return all;
+}
+
+/// A ratio has the name that its scene gives it, and is the same by any.
+Scene with_ratio_of(const Scene& a, Scene b) {
+  const auto* ratio = std::get_if<Isotropic>(&a.tangential);
+  auto* other = std::get_if<Isotropic>(&b.tangential);
+  if (ratio == nullptr || other == nullptr || ratio->by != other->by) return b;
+  if (ratio->quantity.value || other->quantity.value) return b;
+  const Symbol& symbol = ratio->quantity.symbol;
+  const bool is_element = std::any_of(b.elements.begin(), b.elements.end(),
+                                      [&](const auto& each) { return each.first == symbol; });
+  if (!is_element) other->quantity.symbol = symbol;
+  return b;
+}
+
 Comparison different(Comparison::Scope scope, const Scene& a, const Scene& b) {
   Comparison result;
   result.scope = scope;
@@ -169,7 +191,7 @@ Comparison different(Comparison::Scope scope, const Scene& a, const Scene& b) {
     const double difference = std::abs(first - second) / std::max(first, second);
     if (!(difference > largest)) continue;
     largest = difference;
-    result.counterexample = {{values.begin(), values.end()}, first, second, difference};
+    result.counterexample = {named(values, a, b), first, second, difference};
   }
   // What doubles do not show, a few thousand bits do.
   for (std::uint64_t point = 0; point < tried_points && !result.counterexample; ++point) {
@@ -177,7 +199,7 @@ Comparison different(Comparison::Scope scope, const Scene& a, const Scene& b) {
     const Filled first(a, values), second(b, values);
     if (const double difference = certified_difference(first.scene(), second.scene());
         difference > 0)
-      result.counterexample = {{values.begin(), values.end()},
+      result.counterexample = {named(values, a, b),
                                first.critical_velocity(),
                                second.critical_velocity(),
                                difference};
@@ -187,8 +209,9 @@ Comparison different(Comparison::Scope scope, const Scene& a, const Scene& b) {
 
 }  // namespace
 
-Comparison compare(const Scene& a, const Scene& b) {
+Comparison compare(const Scene& a, const Scene& other) {
   const AlgebraLock lock;
+  const Scene b = with_ratio_of(a, other);
   using Scope = Comparison::Scope;
   refuse_two_tables(a, b);
   for (const Scene* scene : {&a, &b})

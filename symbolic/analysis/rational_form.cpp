@@ -261,7 +261,7 @@ std::vector<Line> lines_of(const RationalForm& form) {
   const ex square =
       GiNaC::pow(symbol({"mu0"}) * symbol({"du_z"}), 2) * GiNaC::pow(omega(), power) * n / d;
   lines.insert(lines.begin(),
-               {"As a rational function of omega^2", GiNaC::pow(quantity("v*"), 2), square});
+               {fmt::format("As a rational function of {}^2", printed_name("omega")), GiNaC::pow(quantity("v*"), 2), square});
   return lines;
 }
 
