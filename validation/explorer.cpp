@@ -65,7 +65,7 @@ std::vector<Slider> sliders(const Scene& scene, const symbolic::Derivation& deri
     const bool moves = line.meaning == "mean indentation" ||
                        std::find(used.begin(), used.end(), line.symbol) != used.end();
     if (!moves) continue;
-    const std::string name = written(scene, line.symbol).name;
+    const std::string name = as_called(scene, line.symbol).name;
     const auto same = [&](const Slider& slider) { return slider.name == name; };
     auto slider = std::find_if(result.begin(), result.end(), same);
     if (slider == result.end())

@@ -47,8 +47,8 @@ std::vector<std::string> inadmissible_reasons(const Scene& scene) {
     reasons.push_back(
         fmt::format("the contact opens: the normal force oscillates by {} |K_n| = {:.6g} N about "
                     "a mean of K_n(0) {} = {:.6g} N (4)",
-                    name_of(scene, scene.amplitude), static_cast<double>(force.oscillating),
-                    name_of(scene, scene.indentation), static_cast<double>(force.mean)));
+                    name_in(scene, scene.amplitude), static_cast<double>(force.oscillating),
+                    name_in(scene, scene.indentation), static_cast<double>(force.mean)));
   return reasons;
 }
 

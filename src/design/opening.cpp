@@ -38,7 +38,7 @@ NormalContact::NormalContact(const Scene& scene) : scene_(scene) {
     throw ModelError(normal_.equilibrium == 0
                          ? "the normal network carries no static load: K_n(0) = 0"
                          : fmt::format("without an indentation {} the contact carries no load",
-                                       name_of(scene, scene.indentation)));
+                                       name_in(scene, scene.indentation)));
 }
 
 double NormalContact::largest_amplitude(double omega) const {

@@ -50,8 +50,8 @@ HalfSpace::HalfSpace(const Scene& scene) : gap_(indenter_of(scene)) {
 
 void HalfSpace::require_admissible(const Scene& scene) const {
   if (!(friction_ > 0))
-    throw ModelError(
-        fmt::format("with {} = 0 there is no friction to compare with", name_of(scene, scene.coefficient)));
+    throw ModelError(fmt::format("with {} = 0 there is no friction to compare with",
+                                 name_in(scene, scene.coefficient)));
   if (!(indentation_ + amplitude_ > 0)) throw ModelError("the surfaces never meet");
   if (scene.separation) return;
   if (!(amplitude_ < indentation_))

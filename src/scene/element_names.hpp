@@ -60,7 +60,8 @@ class ElementNames {
   std::string file_;
   bool any_ = false;  // whether there are such names
   std::set<std::string> used_;
-  std::map<Symbol, std::vector<Symbol>> origins_;  // keys of the networks by the name of the element
+  std::map<Symbol, std::vector<Symbol>>
+      origins_;  // keys of the networks by the name of the element
 };
 
 }  // namespace vcrit

@@ -53,13 +53,11 @@ Networks::Networks(const toml::table& document, std::string file)
 }
 
 Network Networks::read(const std::string& text, const Place& place, int level) {
-  const Surroundings around{[this](const std::string& name, const Place& at, int depth) {
-                              return named(name, at, depth + 1);
-                            },
-                            [this](const std::string& name) -> std::optional<int> {
-                              return array_length(name);
-                            },
-                            level};
+  const Surroundings around{
+      [this](const std::string& name, const Place& at, int depth) {
+        return named(name, at, depth + 1);
+      },
+      [this](const std::string& name) -> std::optional<int> { return array_length(name); }, level};
   // The place is that of the opening quote.
   Network network = parse_expression(text, {place.file, place.line, place.column + 1}, around);
   check_size(network, place);

@@ -18,8 +18,8 @@ namespace {
 // Keys of the scene file that commands take as names, and what --over varies beside them.
 const std::set<std::string>& keys() {
   static const std::set<std::string> all{
-      "amplitude",   "angular_frequency", "coefficient",      "frequency", "indentation",
-      "mass",        "poisson",           "tangential_ratio", "velocity",  "velocity_ratio"};
+      "amplitude", "angular_frequency", "coefficient",      "frequency", "indentation",
+      "mass",      "poisson",           "tangential_ratio", "velocity",  "velocity_ratio"};
   return all;
 }
 

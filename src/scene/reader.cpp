@@ -113,7 +113,8 @@ class Reader {
     return node->ref<bool>();
   }
 
-  // A ratio has no symbol but the name that it is given; the other quantities have one of their own.
+  // A ratio has no symbol but the name that it is given; the other quantities have one of their
+  // own.
   std::string ratio_symbol(const Section& section, const char* key) const {
     const auto name = bare_name(*section.find(key));
     return name ? own_name_of(*name, has_body()) : key;
@@ -269,11 +270,10 @@ class Reader {
     }
     for (const auto& [key, element] : networks_.names().shared())
       if (settings().has(key))
-        throw InputError(
-            OverridingValues::place(key),
-            fmt::format("\"{}\", which this scene calls {}, as other elements", key,
-                        to_text(element)),
-            fmt::format("\"{}\", which sets them all", to_text(element)));
+        throw InputError(OverridingValues::place(key),
+                         fmt::format("\"{}\", which this scene calls {}, as other elements", key,
+                                     to_text(element)),
+                         fmt::format("\"{}\", which sets them all", to_text(element)));
   }
 
   // By what an element is known in the program, which may have a quantity that is called otherwise
@@ -321,7 +321,7 @@ class Reader {
   }
 
   void put(const Symbol& symbol, const TypedNumber& number, const Place& place) {
-    values_[symbol] = checked(number.value, nonnegative, to_text(written(scene_, symbol)), place);
+    values_[symbol] = checked(number.value, nonnegative, to_text(as_called(scene_, symbol)), place);
     scene_.typed[symbol] = number;
   }
 

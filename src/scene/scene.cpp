@@ -20,7 +20,7 @@ std::string missing_name(const Scene& scene, const Symbol& symbol) {
   const auto frequency = scene.names.find(frequency_symbol.name);
   if (frequency != scene.names.end() && symbol == scene.angular_frequency.symbol)
     return frequency->second;
-  return to_text(written(scene, symbol));
+  return to_text(as_called(scene, symbol));
 }
 
 const Range& range_of(const Scene& scene, const Quantity& quantity) {
@@ -54,19 +54,19 @@ std::vector<const Quantity*> quantities(const Scene& scene) {
 
 std::vector<Quantity*> quantities(Scene& scene) { return quantities_of<Quantity>(scene); }
 
-Symbol written(const Scene& scene, const Symbol& symbol) {
+Symbol as_called(const Scene& scene, const Symbol& symbol) {
   const auto name = scene.names.find(symbol.name);
   return name == scene.names.end() ? symbol : Symbol{name->second, symbol.entry};
 }
 
-std::string name_of(const Scene& scene, const Quantity& quantity) {
-  return to_text(written(scene, quantity.symbol));
+std::string name_in(const Scene& scene, const Quantity& quantity) {
+  return to_text(as_called(scene, quantity.symbol));
 }
 
 std::string beyond_indentation(const Scene& scene, double amplitude, double indentation) {
   return fmt::format("the amplitude {} = {} m is not below the indentation {} = {} m (3)",
-                     name_of(scene, scene.amplitude), amplitude,
-                     name_of(scene, scene.indentation), indentation);
+                     name_in(scene, scene.amplitude), amplitude, name_in(scene, scene.indentation),
+                     indentation);
 }
 
 Scene as_doubles(Scene scene) {
@@ -90,7 +90,7 @@ Values values_of(const Scene& scene) {
   const auto add = [&](const Symbol& symbol, const std::optional<double>& value,
                        const Range& range) {
     if (value)
-      values[symbol] = checked(*value, range, to_text(written(scene, symbol)), {scene.file});
+      values[symbol] = checked(*value, range, to_text(as_called(scene, symbol)), {scene.file});
     else
       missing.push_back(missing_name(scene, symbol));
   };

@@ -99,10 +99,10 @@ std::optional<std::string> beyond_fitted_range(const Scene& scene, double from, 
 
 /// The symbol by the name that the scene gives it. Everything that people and other programs read
 /// has that; within the program symbols are known by their own names, of which none is another's.
-Symbol written(const Scene& scene, const Symbol& symbol);
+Symbol as_called(const Scene& scene, const Symbol& symbol);
 
 /// "m", or what the scene calls it.
-std::string name_of(const Scene& scene, const Quantity& quantity);
+std::string name_in(const Scene& scene, const Quantity& quantity);
 
 /// What is wrong with such an amplitude: that it is not below this indentation (m).
 std::string beyond_indentation(const Scene& scene, double amplitude, double indentation);

@@ -31,7 +31,7 @@ SweptQuantity parse_swept_quantity(const std::string& text, const Scene& scene) 
     const ChangingScene changing(scene, {name});
     const Symbol& parameter = changing.targets().front().symbol;
     return {SweptQuantity::Kind::sensitivity, parameter, scene.separation || scene.indenter,
-            to_text(written(scene, parameter))};
+            to_text(as_called(scene, parameter))};
   }
   const auto& names = swept_quantity_names();
   for (std::size_t i = 0; i + 1 < names.size(); ++i)
@@ -44,8 +44,7 @@ SweptQuantity parse_swept_quantity(const std::string& text, const Scene& scene) 
 }
 
 std::string column_name(const SweptQuantity& quantity) {
-  if (quantity.kind == SweptQuantity::Kind::sensitivity)
-    return "sensitivity_" + quantity.name;
+  if (quantity.kind == SweptQuantity::Kind::sensitivity) return "sensitivity_" + quantity.name;
   return swept_quantity_names()[static_cast<std::size_t>(quantity.kind)];
 }
 

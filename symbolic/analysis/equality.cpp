@@ -157,11 +157,11 @@ std::map<Symbol, double> values_at(std::uint64_t point, const std::set<Symbol>& 
 constexpr std::uint64_t tried_points = 64;
 
 /// By the names that one of the scenes gives the symbols.
-std::vector<std::pair<Symbol, double>> named(const std::map<Symbol, double>& values, const Scene& a,
-                                             const Scene& b) {
+std::vector<std::pair<Symbol, double>> called_by_scenes(const std::map<Symbol, double>& values,
+                                                        const Scene& a, const Scene& b) {
   std::vector<std::pair<Symbol, double>> all;
   for (const auto& [symbol, value] : values)
-    all.emplace_back(written(a.names.contains(symbol.name) ? a : b, symbol), value);
+    all.emplace_back(as_called(a.names.contains(symbol.name) ? a : b, symbol), value);
   return all;
 }
 
@@ -191,7 +191,7 @@ Comparison different(Comparison::Scope scope, const Scene& a, const Scene& b) {
     const double difference = std::abs(first - second) / std::max(first, second);
     if (!(difference > largest)) continue;
     largest = difference;
-    result.counterexample = {named(values, a, b), first, second, difference};
+    result.counterexample = {called_by_scenes(values, a, b), first, second, difference};
   }
   // What doubles do not show, a few thousand bits do.
   for (std::uint64_t point = 0; point < tried_points && !result.counterexample; ++point) {
@@ -199,10 +199,8 @@ Comparison different(Comparison::Scope scope, const Scene& a, const Scene& b) {
     const Filled first(a, values), second(b, values);
     if (const double difference = certified_difference(first.scene(), second.scene());
         difference > 0)
-      result.counterexample = {named(values, a, b),
-                               first.critical_velocity(),
-                               second.critical_velocity(),
-                               difference};
+      result.counterexample = {called_by_scenes(values, a, b), first.critical_velocity(),
+                               second.critical_velocity(), difference};
   }
   return result;
 }

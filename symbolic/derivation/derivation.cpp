@@ -40,9 +40,8 @@ void write_condition(const Model& model, std::vector<Line>& lines) {
 }
 
 void write_networks(const Model& model, std::vector<Line>& lines) {
-  const std::string with =
-      fmt::format(", with {} = {}*{}", printed_name(own_name("s")), printed_name(own_name("i")),
-                  printed_name("omega"));
+  const std::string with = fmt::format(", with {} = {}*{}", printed_name(own_name("s")),
+                                       printed_name(own_name("i")), printed_name("omega"));
   const std::map<std::string, std::string> words{{"K_n", "Normal contact" + with},
                                                  {"K_t", "Tangential contact" + with},
                                                  {"K_d", "Drive" + with}};
@@ -90,8 +89,8 @@ Derivation derive(const Scene& scene, bool nested) {
   result.lines = model.balance().lines;
   write_condition(model, result.lines);
   if (scene.names.contains(frequency_symbol.name))
-    result.lines.push_back({"Angular frequency", omega(),
-                            2 * positive_quantity("pi") * symbol(frequency_symbol)});
+    result.lines.push_back(
+        {"Angular frequency", omega(), 2 * positive_quantity("pi") * symbol(frequency_symbol)});
   write_networks(model, result.lines);
   if (result.lines.back().left.is_equal(quantity("v*"))) result.lines.pop_back();
   result.lines.push_back({"Result", quantity("v*"), formula->velocity});

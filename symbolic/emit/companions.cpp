@@ -251,9 +251,9 @@ std::string emit_test(const Scene& scene, const std::string& name, const Generat
   const FixedValues fixed = fixed_values(scene, options.fixed);
   const ParameterList parameters(scene, derive(scene), fixed);
   return fmt::format(fmt::runtime(frame), fmt::arg("name", name),
-                     fmt::arg("mu0", name_of(scene, scene.coefficient)),
-                     fmt::arg("omega", name_of(scene, scene.angular_frequency)),
-                     fmt::arg("du_z", name_of(scene, scene.amplitude)),
+                     fmt::arg("mu0", name_in(scene, scene.coefficient)),
+                     fmt::arg("omega", name_in(scene, scene.angular_frequency)),
+                     fmt::arg("du_z", name_in(scene, scene.amplitude)),
                      fmt::arg("include", fmt::format("#include \"{}_batch.hpp\"\n", name)),
                      fmt::arg("example", example(scene, parameters)),
                      fmt::arg("known", known_value(scene)),

@@ -91,7 +91,7 @@ class GroupWriter {
   /// "beta_M" of "beta_m" where the scene calls m so.
   std::string named_after(const std::string& group) const {
     const std::size_t symbol = group.find('_') + 1;
-    return group.substr(0, symbol) + written(scene_, {group.substr(symbol)}).name;
+    return group.substr(0, symbol) + as_called(scene_, {group.substr(symbol)}).name;
   }
 
   /// What entries are without a group.

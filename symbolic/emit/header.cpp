@@ -189,8 +189,8 @@ std::string polynomial_functions(const SweepProgram& sweep, const ParameterList&
   out +=
       statement(fmt::format("const T v = {}(above / below) * ({});",
                             sweep.rooted ? "std::sqrt" : "", code.expression(sweep.factor).text));
-  const std::string last =
-      replaced(parameters.named(text::polynomials_end), "@OMEGA@", std::to_string(sweep.least_omega));
+  const std::string last = replaced(parameters.named(text::polynomials_end), "@OMEGA@",
+                                    std::to_string(sweep.least_omega));
   return out + replaced(last, "@SQUARE@", std::to_string(sweep.least_square));
 }
 
@@ -280,8 +280,7 @@ std::string emit_batch_header(const Scene& scene, const std::string& name,
              "#ifndef {0}\n#define {0}\n#include <bit>\n\n#include \"{1}.hpp\"\n\nnamespace {1} "
              "{{\n",
              guard, name) +
-         each_struct(parameters) + text::each +
-         "namespace detail {\n" + each_function(parameters) +
+         each_struct(parameters) + text::each + "namespace detail {\n" + each_function(parameters) +
          flags(parameters, "all", [](const Symbol&) { return "true"; }) +
          reused_flags(parameters, velocity_program(scene, parameters.values())) + text::batch +
          "}  // namespace detail\n\n" + replaced(text::batch_calls, "@T@", "detail::Twofold") +

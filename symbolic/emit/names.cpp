@@ -231,7 +231,7 @@ void check_library_name(const std::string& name) {
 
 void check_member_names(const Scene& scene, const std::vector<Symbol>& symbols) {
   for (const Symbol& symbol : symbols) {
-    const std::string name = written(scene, symbol).name;
+    const std::string name = as_called(scene, symbol).name;
     if (const auto why = unsafe_as_identifier(name)) refuse_name(scene.file, name, *why);
     if (name == "Parameters")
       refuse_name(scene.file, name, "is the name of the struct that it would be a member of");

@@ -18,10 +18,10 @@ namespace {
 class Fixable {
  public:
   explicit Fixable(const Scene& scene) : scene_(scene) {
-    for (const auto& [name, length] : scene.arrays) known_[written(scene, {name}).name];
+    for (const auto& [name, length] : scene.arrays) known_[as_called(scene, {name}).name];
     for (const auto& [symbol, value] : scene.elements) {
       add({symbol, value});
-      if (symbol.entry > 0) known_[written(scene, symbol).name].push_back({symbol, value});
+      if (symbol.entry > 0) known_[as_called(scene, symbol).name].push_back({symbol, value});
     }
     if (const auto* isotropic = std::get_if<Isotropic>(&scene.tangential)) add(isotropic->quantity);
     if (scene.mass) add(*scene.mass);
@@ -47,7 +47,7 @@ class Fixable {
       if (!quantity.value)
         throw InputError(
             {"--fix"}, fmt::format("\"{}\", which has no number in the scene", name),
-            fmt::format("a number for it, as by --set {}=VALUE", name_of(scene_, quantity)));
+            fmt::format("a number for it, as by --set {}=VALUE", name_in(scene_, quantity)));
       fixed[quantity.symbol] = *quantity.value;
     }
     return fixed;
@@ -56,7 +56,7 @@ class Fixable {
  private:
   /// By all names that it has.
   void add(const Quantity& quantity) {
-    known_[name_of(scene_, quantity)] = {quantity};
+    known_[name_in(scene_, quantity)] = {quantity};
     for (const auto& [name, symbol] : scene_.named)
       if (symbol == quantity.symbol) known_[name] = {quantity};
   }
@@ -110,7 +110,7 @@ std::string command_line(const Scene& scene, const std::string& name,
 std::string fixed_text(const Scene& scene, const FixedValues& fixed) {
   std::vector<std::string> texts;
   for (const auto& [symbol, value] : fixed)
-    texts.push_back(fmt::format("{} = {}", to_text(written(scene, symbol)), to_text(value)));
+    texts.push_back(fmt::format("{} = {}", to_text(as_called(scene, symbol)), to_text(value)));
   return texts.empty() ? "" : fmt::format("Fixed: {}.", fmt::join(texts, ", "));
 }
 

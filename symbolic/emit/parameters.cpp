@@ -66,7 +66,7 @@ ParameterList::ParameterList(const Scene& scene, const std::vector<Symbol>& symb
 
 void ParameterList::add(const Symbol& symbol, const std::string& comment, const Scene& scene) {
   known_.insert(symbol);
-  const std::string name = written(scene, symbol).name;
+  const std::string name = as_called(scene, symbol).name;
   if (symbol.entry == 0) return members_.push_back({name, comment, 0, symbol.name});
   const bool is_there = std::any_of(members_.begin(), members_.end(), [&](const Member& member) {
     return member.symbol == symbol.name;

@@ -95,7 +95,8 @@ class Header {
     const std::string guard = "VCRIT_GENERATED_" + name_ + "_QUANTITIES_HPP";
     std::string out = banner() + fmt::format("#ifndef {0}\n#define {0}\n", guard);
     out += fmt::format("#include <array>\n#include <cmath>\n\n#include \"{}.hpp\"\n", name_);
-    out += fmt::format("\nnamespace {} {{\n\n", name_) + parameter_struct() + "\n" + parameters_.named(structs);
+    out += fmt::format("\nnamespace {} {{\n\n", name_) + parameter_struct() + "\n" +
+           parameters_.named(structs);
     if (quantities_.program.has(Node::Operation::less_inertia))
       out += "\n" + std::string(exact_less_inertia_text);
     out += stiffnesses() + oscillations() + admissible() + groups();
@@ -180,14 +181,14 @@ class Header {
   std::string oscillations() const {
     std::string out;
     if (quantities_.body)
-      out += oscillation(*quantities_.body,
-                         parameters_.named(fmt::format(
-                             "Body (13), A = -@mu0@ @du_z@ K_n/(K_d - {}).", inertia())),
-                         "body_oscillation");
-    const std::string compliance =
-        scene_.mass    ? fmt::format("(1/K_t + 1/(K_d - {})) (13), (19)", inertia())
-        : scene_.drive ? "(1/K_t + 1/K_d) (13), (19)"
-                       : "1/K_t (19)";
+      out += oscillation(
+          *quantities_.body,
+          parameters_.named(fmt::format("Body (13), A = -@mu0@ @du_z@ K_n/(K_d - {}).", inertia())),
+          "body_oscillation");
+    const std::string compliance = scene_.mass
+                                       ? fmt::format("(1/K_t + 1/(K_d - {})) (13), (19)", inertia())
+                                   : scene_.drive ? "(1/K_t + 1/K_d) (13), (19)"
+                                                  : "1/K_t (19)";
     return out + oscillation(quantities_.contact_point,
                              parameters_.named(fmt::format(
                                  "Contact point while it slides, B = -@mu0@ @du_z@ K_n {}; "
@@ -198,8 +199,8 @@ class Header {
 
   /// "m omega^2"
   std::string inertia() const {
-    return fmt::format("{} {}^2", name_of(scene_, *scene_.mass),
-                       name_of(scene_, scene_.angular_frequency));
+    return fmt::format("{} {}^2", name_in(scene_, *scene_.mass),
+                       name_in(scene_, scene_.angular_frequency));
   }
 
   std::string admissible() const {
@@ -207,13 +208,13 @@ class Header {
       return "\n" + comment(
                         "K_n(0) = 0: the normal contact carries no mean load, and no amplitude is "
                         "admissible (35).");
-    return function(quantities_.program,
-                    fmt::format("The amplitude, in m, that {0} has to stay below for the contact "
-                                "to stay closed: {1} K_n(0)/|K_n| (4), (35), which is at most {1} "
-                                "(3).",
-                                name_of(scene_, scene_.amplitude),
-                                name_of(scene_, scene_.indentation)),
-                    "double admissible_amplitude", {*quantities_.largest_amplitude}, "{}");
+    return function(
+        quantities_.program,
+        fmt::format("The amplitude, in m, that {0} has to stay below for the contact "
+                    "to stay closed: {1} K_n(0)/|K_n| (4), (35), which is at most {1} "
+                    "(3).",
+                    name_in(scene_, scene_.amplitude), name_in(scene_, scene_.indentation)),
+        "double admissible_amplitude", {*quantities_.largest_amplitude}, "{}");
   }
 
   std::string groups() {
@@ -266,7 +267,7 @@ std::string emit_quantities(const Scene& scene, const std::string& name,
   for (const Quantity* quantity : quantities(scene)) all.push_back(quantity->symbol);
   check_member_names(scene, all);
   for (const Symbol& symbol : all)
-    if (written(scene, symbol).name == "QuantityParameters")
+    if (as_called(scene, symbol).name == "QuantityParameters")
       throw InputError({scene.file},
                        "\"QuantityParameters\", which is the name of the struct that it would be a "
                        "member of",

@@ -33,8 +33,8 @@ std::string base_name(const std::string& name) {
 
 NamesOfScene::NamesOfScene(const Scene& scene) : names_(scene.names), before_(printing) {
   std::vector<std::string> names;
-  for (const auto& [symbol, value] : scene.elements) names.push_back(vcrit::written(scene, symbol).name);
-  for (const Quantity* quantity : quantities(scene)) names.push_back(name_of(scene, *quantity));
+  for (const auto& [symbol, value] : scene.elements) names.push_back(as_called(scene, symbol).name);
+  for (const Quantity* quantity : quantities(scene)) names.push_back(name_in(scene, *quantity));
   if (const auto f = names_.find(frequency_symbol.name); f != names_.end())
     names.push_back(f->second);
   std::sort(names.begin(), names.end(), natural_less);
@@ -44,7 +44,8 @@ NamesOfScene::NamesOfScene(const Scene& scene) : names_(scene.names), before_(pr
 
 NamesOfScene::~NamesOfScene() { printing = before_; }
 
-// "k[3]" by what "k" is called; kappa_k[3] of the program by what k is called that it is named after.
+// "k[3]" by what "k" is called; kappa_k[3] of the program by what k is called that it is named
+// after.
 std::string NamesOfScene::written(const std::string& name) const {
   for (const char* prefix : {"S_", "kappa_", "theta_", "beta_"})
     if (is_own(name) && name.starts_with(prefix))

@@ -316,13 +316,13 @@ BOOST_AUTO_TEST_CASE(symbols_are_known_by_themselves_and_called_by_the_scene) {
       "[contact]\nnormal = \"spring(mu0) | k1\"\npoisson = \"m\"\n[drive]\nnetwork = \"kd\"\n"
       "[body]\nmass = \"M\"\n[friction]\ncoefficient = \"mu\"\n[oscillation]\nfrequency = \"f\"\n"
       "[elements]\nk1 = \"E\"\nE = 5\nmu0 = 7\n");
-  BOOST_TEST(name_of(s, *s.mass) == "M");
+  BOOST_TEST(name_in(s, *s.mass) == "M");
   BOOST_TEST(s.mass->symbol.name == "m");
-  BOOST_TEST(name_of(s, s.coefficient) == "mu");
-  BOOST_TEST(name_of(s, std::get<Isotropic>(s.tangential).quantity) == "m");
+  BOOST_TEST(name_in(s, s.coefficient) == "mu");
+  BOOST_TEST(name_in(s, std::get<Isotropic>(s.tangential).quantity) == "m");
   BOOST_TEST(std::get<Isotropic>(s.tangential).quantity.symbol.name != "m");
   BOOST_TEST_REQUIRE(s.elements.size() == 3U);
-  BOOST_TEST(to_text(written(s, s.elements[0].first)) == "mu0");
+  BOOST_TEST(to_text(as_called(s, s.elements[0].first)) == "mu0");
   BOOST_TEST((s.elements[0].first != s.coefficient.symbol));
   BOOST_TEST(to_text(s.elements[1].first) == "E");
   BOOST_TEST(s.elements[1].second.value() == 5);

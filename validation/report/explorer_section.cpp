@@ -85,7 +85,7 @@ ordered_json values_json(const SceneReport& report) {
   Scene scene = report.scene;
   scene.names = names_in_page(scene);
   for (const auto& [symbol, value] : values_of(scene)) {
-    const std::string name = written(scene, symbol).name;
+    const std::string name = as_called(scene, symbol).name;
     if (symbol.entry == 0)
       values[name] = value;
     else

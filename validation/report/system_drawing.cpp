@@ -104,7 +104,7 @@ Drawing times(double factor, const Drawing& network) {
 
 /// Its elements by the names that the scene gives them.
 Scene by_written_names(Scene scene) {
-  const auto name = [names = scene](const Symbol& symbol) { return written(names, symbol); };
+  const auto name = [names = scene](const Symbol& symbol) { return as_called(names, symbol); };
   rename(scene.normal, name);
   if (auto* own = std::get_if<Network>(&scene.tangential)) rename(*own, name);
   if (scene.drive) rename(*scene.drive, name);
@@ -124,10 +124,10 @@ std::string draw_sliding(const Scene& given) {
   const Scene scene = by_written_names(given);
   Row row;
   std::string description = "Substrate, contact point, tangential contact network";
-  row.add(contact_point(written(scene, scene.coefficient.symbol)));
+  row.add(contact_point(as_called(scene, scene.coefficient.symbol)));
   row.add(tangential(scene));
   if (scene.mass) {
-    row.add(body(written(scene, scene.mass->symbol)));
+    row.add(body(as_called(scene, scene.mass->symbol)));
     description += ", body";
   } else if (has_drive(scene)) {
     row.add(joint());

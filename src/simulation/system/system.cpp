@@ -91,8 +91,8 @@ System system_of(const Scene& scene) {
   if (!(normal.equilibrium > 0))
     throw ModelError("the normal network carries no static load: K_n(0) = 0");
   if (!(system.friction > 0))
-    throw ModelError(
-        fmt::format("with {} = 0 there is no friction to compare with", name_of(scene, scene.coefficient)));
+    throw ModelError(fmt::format("with {} = 0 there is no friction to compare with",
+                                 name_in(scene, scene.coefficient)));
   if (scene.separation)
     let_open(system, normal, amplitude, indentation);
   else

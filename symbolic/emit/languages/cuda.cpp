@@ -76,8 +76,9 @@ std::string cuda_text(const Evaluator& evaluator, const std::string& name) {
   out += comment(evaluator.parameters.named(
       "v* is infinite at resonance, 0 at antiresonance, NaN for 0/0. Batches: a value for each "
       "@omega@."));
-  out += grade(evaluator, "detail::Twofold") + "namespace fast {  // in plain double\n" + grade(evaluator, "double") +
-         "}  // namespace fast\n" + fmt::format("}}  // namespace {}\n", name);
+  out += grade(evaluator, "detail::Twofold") + "namespace fast {  // in plain double\n" +
+         grade(evaluator, "double") + "}  // namespace fast\n" +
+         fmt::format("}}  // namespace {}\n", name);
   out += fmt::format("#undef @CALL\n#undef @COLD\n#endif  // {}\n", guard);
   out = replaced(out, "@CALL", "VCRIT_CALL_" + name);
   return replaced(out, "@COLD", "VCRIT_COLD_" + name);

@@ -83,11 +83,10 @@ void check_library_name(const std::string& name, Language language) {
   if (is_taken_in_language(name, language)) refuse_in_language("--name", name, "taken", language);
 }
 
-void check_member_names(const Scene& scene, const std::vector<Symbol>& symbols,
-                        Language language) {
+void check_member_names(const Scene& scene, const std::vector<Symbol>& symbols, Language language) {
   check_member_names(scene, symbols);
   for (const Symbol& symbol : symbols)
-    if (const std::string name = written(scene, symbol).name; is_keyword(name, language))
+    if (const std::string name = as_called(scene, symbol).name; is_keyword(name, language))
       refuse_in_language(scene.file, name, "a reserved word", language);
 }
 
