@@ -27,9 +27,13 @@ Settings SceneOptions::split_settings() const {
 }
 
 Scene SceneOptions::read(Frequency frequency) const {
+  return read([frequency](const Scene&) { return frequency; });
+}
+
+Scene SceneOptions::read(const std::function<Frequency(const Scene&)>& frequency) const {
   Scene scene = read_scene(file, split_settings());
   const std::optional<double>& omega = scene.angular_frequency.value;
-  if (frequency == Frequency::varied && omega)
+  if (frequency(scene) == Frequency::varied && omega)
     if (const auto own = beyond_fitted_range(scene, *omega, *omega))
       std::erase(scene.warnings, *own);
   for (const std::string& warning : scene.warnings) warn(warning);

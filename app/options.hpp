@@ -2,6 +2,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
@@ -21,6 +22,7 @@ struct SceneOptions {
   /// the scene is not warned of.
   enum class Frequency { of_the_scene, varied };
   Scene read(Frequency frequency = Frequency::of_the_scene) const;
+  Scene read(const std::function<Frequency(const Scene&)>& frequency) const;
   Settings split_settings() const;
 };
 

@@ -55,10 +55,17 @@ Dimension dimension_of(Sought sought) {
   throw Bug("something sought without a dimension");
 }
 
-std::vector<std::string> names_in_scene(Sought sought) {
-  if (sought == Sought::amplitude) return {"amplitude", "du_z"};
-  if (sought == Sought::frequency) return {"frequency", "angular_frequency", "omega"};
-  return {};
+bool is_sought(const Symbol& symbol, Sought sought, const Scene& scene) {
+  if (sought == Sought::amplitude) return symbol == scene.amplitude.symbol;
+  return sought == Sought::frequency &&
+         (symbol == scene.angular_frequency.symbol || symbol == frequency_symbol);
+}
+
+void refuse_setting_of_sought(const SolveOptions& options, const Question& question) {
+  for (const auto& [name, value] : question.scene.settings)
+    if (is_sought(question.scene.named.at(name), question.sought, question.scene))
+      throw InputError({"--set"}, fmt::format("{} with --for {}", name, options.sought),
+                       "no value for what is sought");
 }
 
 std::optional<double> end_of_range(const std::string& text, Sought sought, const char* option) {
@@ -77,11 +84,6 @@ Question question_of(const SolveOptions& options) {
                      speed ? "none: it is what is sought" : "the velocity of the drive");
   if (!speed)
     question.velocity = parse_quantity(options.velocity, Dimension::velocity, {"--velocity"});
-  for (const auto& [name, value] : options.scene.split_settings())
-    for (const std::string& sought : names_in_scene(question.sought))
-      if (name == sought)
-        throw InputError({"--set"}, fmt::format("{} with --for {}", name, options.sought),
-                         "no value for what is sought");
   question.friction_ratio = options.friction_ratio;
   question.from = end_of_range(options.from, question.sought, "--from");
   question.to = end_of_range(options.to, question.sought, "--to");
@@ -89,6 +91,7 @@ Question question_of(const SolveOptions& options) {
   question.scene = options.scene.read(question.sought == Sought::frequency
                                           ? SceneOptions::Frequency::varied
                                           : SceneOptions::Frequency::of_the_scene);
+  refuse_setting_of_sought(options, question);
   return question;
 }
 

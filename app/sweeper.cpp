@@ -20,22 +20,24 @@ namespace vcrit::app {
 namespace {
 
 // The factor to rad/s of an axis of frequencies; nothing for other axes.
-std::optional<double> to_omega(const std::string& axis) {
-  if (axis == "frequency") return two_pi;
-  if (axis == "angular_frequency" || axis == "omega") return 1;
+std::optional<double> to_omega(const std::string& axis, const Scene& scene) {
+  const auto named = scene.named.find(axis);
+  if (named == scene.named.end()) return std::nullopt;
+  if (named->second == frequency_symbol) return two_pi;
+  if (named->second == scene.angular_frequency.symbol) return 1;
   return std::nullopt;
 }
 
 // "frequency=log:..." and so on.
-bool varies_frequency(const std::vector<std::string>& axes) {
-  return std::any_of(axes.begin(), axes.end(), [](const std::string& axis) {
-    return to_omega(axis.substr(0, axis.find('=')));
+bool varies_frequency(const std::vector<std::string>& axes, const Scene& scene) {
+  return std::any_of(axes.begin(), axes.end(), [&](const std::string& axis) {
+    return to_omega(axis.substr(0, axis.find('=')), scene);
   });
 }
 
 void warn_of_axes(Sweep& sweep) {
   for (const Axis& axis : sweep.axes) {
-    const auto factor = to_omega(axis.name);
+    const auto factor = to_omega(axis.name, sweep.scene);
     if (!factor || axis.values.empty()) continue;
     const auto [least, most] = std::minmax_element(axis.values.begin(), axis.values.end());
     const auto beyond = beyond_fitted_range(sweep.scene, *factor * *least, *factor * *most);
@@ -57,9 +59,10 @@ void warn_of_folder(const SweepOptions& options, Sweep& sweep) {
 
 Sweep sweep_of(const SweepOptions& options) {
   using Frequency = SceneOptions::Frequency;
-  const bool varied = varies_frequency(options.over);
-  Sweep sweep{
-      options.scene.read(varied ? Frequency::varied : Frequency::of_the_scene), {}, {}, {}, {}};
+  const auto frequency = [&](const Scene& scene) {
+    return varies_frequency(options.over, scene) ? Frequency::varied : Frequency::of_the_scene;
+  };
+  Sweep sweep{options.scene.read(frequency), {}, {}, {}, {}};
   for (const std::string& axis : options.over) sweep.axes.push_back(parse_axis(axis, sweep.scene));
   warn_of_axes(sweep);
   warn_of_folder(options, sweep);

@@ -28,7 +28,7 @@ using Parameter = std::tuple<std::string, std::optional<double>, std::string>;
 std::vector<Parameter> parameters(const Scene& scene) {
   std::vector<Parameter> all;
   const auto add = [&](const Symbol& symbol, const std::optional<double>& value) {
-    const std::string name = to_text(symbol);
+    const std::string name = to_text(as_called(scene, symbol));
     if (const auto known = scene.settable.find(name); known != scene.settable.end())
       all.emplace_back(name, value, si_unit(known->second));
   };

@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
+
+#include "base/identifiers.hpp"
 
 #include "critical/admissibility.hpp"
 #include "critical/critical_velocity.hpp"
@@ -54,7 +57,7 @@ Scene normal_over(const std::string& unit, Scene scene) {
   return scene;
 }
 
-std::vector<Slider> sliders(const symbolic::Derivation& derivation,
+std::vector<Slider> sliders(const Scene& scene, const symbolic::Derivation& derivation,
                             const std::vector<ValueLine>& values) {
   std::vector<Slider> result;
   for (const ValueLine& line : values) {
@@ -62,12 +65,17 @@ std::vector<Slider> sliders(const symbolic::Derivation& derivation,
     const bool moves = line.meaning == "mean indentation" ||
                        std::find(used.begin(), used.end(), line.symbol) != used.end();
     if (!moves) continue;
-    const auto same = [&](const Slider& slider) { return slider.name == line.symbol.name; };
+    const std::string name = as_called(scene, line.symbol).name;
+    const auto same = [&](const Slider& slider) { return slider.name == name; };
     auto slider = std::find_if(result.begin(), result.end(), same);
     if (slider == result.end())
-      slider = result.insert(
-          slider,
-          {line.symbol.name, line.meaning, line.unit, line.name.mathml, line.symbol.entry > 0, {}});
+      slider = result.insert(slider, {name,
+                                      line.name.text.substr(0, line.name.text.find('[')),
+                                      line.meaning,
+                                      line.unit,
+                                      line.name.mathml,
+                                      line.symbol.entry > 0,
+                                      {}});
     slider->values.push_back(line.value);
   }
   return result;
@@ -162,9 +170,24 @@ FrictionGrid friction_grid(const Simulated& simulated, double omega) {
 
 }  // namespace
 
-std::optional<Explorer> explorer(const Scene& scene, const symbolic::Derivation& derivation,
+std::map<std::string, std::string> names_in_page(const Scene& scene) {
+  std::map<std::string, std::string> names;
+  std::set<std::string> taken;
+  for (const auto& [symbol, value] : values_of(scene)) taken.insert(symbol.name);
+  for (const auto& [symbol, name] : scene.names) {
+    if (!unsafe_as_identifier(symbol)) continue;
+    std::string other = "element_" + name;
+    while (!taken.insert(other).second) other += "_";
+    names[symbol] = other;
+  }
+  return names;
+}
+
+std::optional<Explorer> explorer(const Scene& given, const symbolic::Derivation& derivation,
                                  const std::vector<ValueLine>& values) {
   Explorer result;
+  Scene scene = given;
+  scene.names = names_in_page(given);
   try {
     result.unit = unused_name(scene);
     result.script = "\"use strict\";\n" + module_script(scene, "vcrit_scene") +
@@ -172,7 +195,7 @@ std::optional<Explorer> explorer(const Scene& scene, const symbolic::Derivation&
   } catch (const ModelError&) {
     return std::nullopt;
   }
-  result.sliders = sliders(derivation, values);
+  result.sliders = sliders(scene, derivation, values);
   result.carries_load = at_rest(scene.normal, values_of(scene)).stiffness() > 0;
   if (scene.separation || scene.indenter || !inadmissible_reasons(scene).empty()) return result;
   const Simulated simulated(scene);

@@ -2,7 +2,9 @@
 // evaluator for v*, and friction curves simulated beforehand.
 #pragma once
 
+#include <map>
 #include <optional>
+#include <string>
 
 #include "scene_report.hpp"
 
@@ -11,6 +13,10 @@ struct Derivation;
 }
 
 namespace vcrit::validation {
+
+/// What the scene's symbols are called in the page's script: as in the program, which knows omega
+/// by its name, but for elements whose name there no script can have.
+std::map<std::string, std::string> names_in_page(const Scene& scene);
 
 /// Nothing for drives that generated code does not know. Friction is left out where the scene is
 /// not simulated, or large (system_size.hpp).

@@ -172,7 +172,7 @@ std::vector<AsymptoteLine> asymptotes_of(const Scene& scene, const Values& value
     const double coefficient =
         symbolic::value_at(asymptote.coefficient, asymptote.definitions, numbers).to_double();
     lines.push_back(
-        {asymptote.name == "omega -> 0", asymptote.power, coefficient,
+        {!asymptote.high, asymptote.power, coefficient,
          formula_of(asymptote.coefficient * GiNaC::pow(symbolic::omega(), asymptote.power)),
          equations_of(asymptote.definitions)});
   }

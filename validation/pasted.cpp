@@ -64,14 +64,15 @@ std::string pasted_function(const std::string& name, const symbolic::Derivation&
                             const symbolic::ParameterList& parameters) {
   std::map<std::string, std::string> references;
   for (const Symbol& symbol : derivation.parameters)
-    references[to_text(symbol)] = parameters.reference(symbol);
+    references[symbolic::printed_name(to_text(symbol))] = parameters.reference(symbol);
   const Pasted dialect(references);
   const auto print = [&](const GiNaC::ex& expression) {
     return dialect.print(symbolic::form_of(expression));
   };
   std::string text = fmt::format("static double {}(const Parameters& p) {{\n", name);
   if (!derivation.definitions.empty())
-    text += fmt::format("  const Complex {}(0.0, p.omega);\n", print(symbolic::laplace()));
+    text += fmt::format("  const Complex {}(0.0, {});\n", print(symbolic::laplace()),
+                        parameters.reference({"omega"}));
   for (const symbolic::Line& line : derivation.definitions)
     text += fmt::format("  const Complex {} = {};\n", print(line.left), print(line.right));
   return text + fmt::format("  return {};\n}}\n", print(derivation.critical_velocity));

@@ -154,7 +154,8 @@ struct FrequencyResponse {
 
 /// A parameter that the page's reader may move; of an array all entries by one factor.
 struct Slider {
-  std::string name, meaning, unit;
+  std::string name;  ///< in the page's script
+  std::string label, meaning, unit;
   std::string mathml;  ///< its name
   bool array = false;
   std::vector<double> values;  ///< the scene's: one, or the array's entries; SI

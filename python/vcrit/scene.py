@@ -131,8 +131,8 @@ class Scene:
 
     @property
     def parameters(self) -> Mapping[str, Parameter]:
-        """The numbers of the scene by the symbols of its formulas: mu0, omega, du_z, u_z0, m and
-        the elements, as far as they are there."""
+        """The numbers of the scene by the symbols of its formulas: mu0, omega, du_z, u_z0, m, or
+        what the scene calls them, and the elements, as far as they are there."""
         found = _vcrit.parameters(self._handle)
         return MappingProxyType({name: Parameter(value, unit) for name, value, unit in found})
 

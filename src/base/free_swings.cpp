@@ -13,6 +13,8 @@
 // and a_n, twice the mean of f cos(n t), at most 4.
 #include "base/free_swings.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -40,6 +42,8 @@ constexpr Real close_enough = 1e-12L, worst_width = 1e-9L;
 constexpr Real anywhere = 1;
 // Some 15 for each swing are usual.
 constexpr int most_exchanges = 3000;
+// Two seconds; each swing is a mass more that is tuned to a harmonic.
+constexpr std::size_t most_swings = 9;
 
 // f(t) = cos t + sum a_n cos n t.
 class Swings {
@@ -260,6 +264,13 @@ class Program {
 
 LeastMaximum least_maximum(const std::vector<int>& harmonics) {
   if (harmonics.empty()) return {};
+  if (harmonics.size() > most_swings)
+    throw ModelError(
+        fmt::format(
+            "the body and the masses of its drive swing freely at {} harmonics of the oscillation; "
+            "from which speed on sliding lasts is known for at most {} at once",
+            harmonics.size(), most_swings),
+        "a damper beside some of the masses, or another frequency");
   if (harmonics.size() > 1) return Program(harmonics).run();
   const double border = std::cos(pi / (2 * harmonics.front()));
   return {border, border};

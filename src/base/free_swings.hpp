@@ -20,7 +20,8 @@ struct LeastMaximum {
 };
 
 /// harmonics: different ones, each > 1. 1 for none, cos(pi/(2 n)) for one, the enclosure of a
-/// linear program for more, some 1e-12 wide.
+/// linear program for more, some 1e-12 wide. Throws
+/// ModelError for more than nine.
 LeastMaximum least_maximum(const std::vector<int>& harmonics);
 
 }  // namespace vcrit

@@ -33,9 +33,7 @@ std::vector<std::string> inadmissible_reasons(const Scene& scene) {
 
   std::vector<std::string> reasons;
   if (!scene.separation && !(amplitude < indentation))
-    reasons.push_back(
-        fmt::format("the amplitude du_z = {} m is not below the indentation u_z0 = {} m (3)",
-                    amplitude, indentation));
+    reasons.push_back(beyond_indentation(scene, amplitude, indentation));
   if (force.mean == 0) {
     reasons.emplace_back("the normal network carries no static load: K_n(0) = 0");
     return reasons;
@@ -47,9 +45,10 @@ std::vector<std::string> inadmissible_reasons(const Scene& scene) {
         "mean (4)");
   else
     reasons.push_back(
-        fmt::format("the contact opens: the normal force oscillates by du_z |K_n| = {:.6g} N about "
-                    "a mean of K_n(0) u_z0 = {:.6g} N (4)",
-                    static_cast<double>(force.oscillating), static_cast<double>(force.mean)));
+        fmt::format("the contact opens: the normal force oscillates by {} |K_n| = {:.6g} N about "
+                    "a mean of K_n(0) {} = {:.6g} N (4)",
+                    name_in(scene, scene.amplitude), static_cast<double>(force.oscillating),
+                    name_in(scene, scene.indentation), static_cast<double>(force.mean)));
   return reasons;
 }
 

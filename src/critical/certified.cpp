@@ -162,7 +162,10 @@ double rounding_bound(double value) {
 bool may_be_zero(const Ball& ball) { return acb_contains_zero(ball.get()) != 0; }
 
 CertifiedVelocity at_resonance(const Scene& scene, const Quotient& q) {
-  const char* const resonance = scene.mass ? "K_d = m omega^2" : "K_d = 0";
+  const std::string resonance = scene.mass
+                                    ? fmt::format("K_d = {} {}^2", name_in(scene, *scene.mass),
+                                                  name_in(scene, scene.angular_frequency))
+                                    : "K_d = 0";
   if (may_be_zero(q.prefactor) || may_be_zero(q.free_numerator))
     throw ModelError(
         fmt::format("v* is 0/0: the drive is at resonance ({}) where the numerator of Eq. 24 "

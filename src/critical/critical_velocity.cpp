@@ -73,7 +73,8 @@ struct InDoubles {
 
 double critical_velocity(const Scene& scene, double omega) {
   if (!(omega > 0 && std::isfinite(omega)))
-    throw InputError({"omega"}, fmt::format("{} rad/s", omega), "a finite value above 0");
+    throw InputError({name_in(scene, scene.angular_frequency)}, fmt::format("{} rad/s", omega),
+                     "a finite value above 0");
   const Values values = values_of(scene);
   const double friction = values.at(scene.coefficient.symbol);
   const double amplitude = values.at(scene.amplitude.symbol);

@@ -30,14 +30,15 @@ double at_infinity(const Relaxation& form) {
 
 }  // namespace
 
-NormalContact::NormalContact(const Scene& scene) {
+NormalContact::NormalContact(const Scene& scene) : scene_(scene) {
   const Values values = values_of(complete(scene));
   normal_ = relaxation_form(scene.normal, values);
   indentation_ = values.at(scene.indentation.symbol);
   if (!(normal_.equilibrium * indentation_ > 0))
     throw ModelError(normal_.equilibrium == 0
                          ? "the normal network carries no static load: K_n(0) = 0"
-                         : "without an indentation u_z0 the contact carries no load");
+                         : fmt::format("without an indentation {} the contact carries no load",
+                                       name_in(scene, scene.indentation)));
 }
 
 double NormalContact::largest_amplitude(double omega) const {
@@ -47,9 +48,7 @@ double NormalContact::largest_amplitude(double omega) const {
 std::optional<double> NormalContact::largest_angular_frequency(double amplitude) const {
   const double allowed = normal_.equilibrium * indentation_ / amplitude;
   if (!(normal_.equilibrium < allowed))
-    throw ModelError(
-        fmt::format("the amplitude du_z = {} m is not below the indentation u_z0 = {} m (3)",
-                    amplitude, indentation_));
+    throw ModelError(beyond_indentation(scene_, amplitude, indentation_));
   if (at_infinity(normal_) <= allowed) return std::nullopt;
   const auto above = [&](double logarithm) {
     return std::log(std::abs(dynamic_stiffness(normal_, std::exp(logarithm))) / allowed);

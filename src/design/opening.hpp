@@ -25,6 +25,7 @@ class NormalContact {
   double oscillating_part(double amplitude, double omega) const;
 
  private:
+  Scene scene_;
   Relaxation normal_;
   double indentation_ = 0;
 };

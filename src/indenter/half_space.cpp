@@ -45,17 +45,17 @@ HalfSpace::HalfSpace(const Scene& scene) : gap_(indenter_of(scene)) {
     throw ModelError("the half-space carries no static load: E(0) = 0");
   response_ = dynamic_stiffness(normal_, omega_);
   swing_ = amplitude_ * std::abs(response_) / normal_.equilibrium;
-  require_admissible(scene.separation);
+  require_admissible(scene);
 }
 
-void HalfSpace::require_admissible(bool separation) const {
-  if (!(friction_ > 0)) throw ModelError("with mu0 = 0 there is no friction to compare with");
+void HalfSpace::require_admissible(const Scene& scene) const {
+  if (!(friction_ > 0))
+    throw ModelError(fmt::format("with {} = 0 there is no friction to compare with",
+                                 name_in(scene, scene.coefficient)));
   if (!(indentation_ + amplitude_ > 0)) throw ModelError("the surfaces never meet");
-  if (separation) return;
+  if (scene.separation) return;
   if (!(amplitude_ < indentation_))
-    throw ModelError(
-        fmt::format("the amplitude du_z = {} m is not below the indentation u_z0 = {} m (3)",
-                    amplitude_, indentation_));
+    throw ModelError(beyond_indentation(scene, amplitude_, indentation_));
   if (!(swing_ < indentation_))
     throw ModelError(fmt::format(
         "the contact opens all over: at the tip F_n oscillates by {:.6g} times its mean (4)",

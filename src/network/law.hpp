@@ -62,7 +62,7 @@ inline const NumberRow& number_row(NumberRole role) {
       {"spring", "a spring", "an array of stiffnesses", Dimension::stiffness, Dimension::modulus,
        4e6},
       {"damper", "a damper", "an array of dampers", Dimension::damping, Dimension::viscosity, 20},
-      {"relaxation time", "relaxation times", "relaxation times", Dimension::time, Dimension::time,
+      {"relaxation time", "a relaxation time", "relaxation times", Dimension::time, Dimension::time,
        8e-6},
       {"mass", "a mass", "a mass", Dimension::mass, Dimension::mass, 0.00025},
       {"loss factor", "a loss factor", "loss factors", Dimension::none, Dimension::none, 0.125},
@@ -101,6 +101,12 @@ inline bool is_rational(const Element& e) {
       return false;
   }
   throw Bug("an element of no kind");
+}
+
+inline bool is_rational(const Network& network) {
+  bool all = true;
+  for_each_element(network, [&all](const Element& e) { all = all && is_rational(e); });
+  return all;
 }
 
 /// Whether it stores energy and loses none, at rest as at any speed: a spring.

@@ -74,6 +74,19 @@ std::size_t size(const Network& network) {
   return elements;
 }
 
+void rename(Network& network, const std::function<Symbol(const Symbol&)>& name) {
+  const auto rename_parts = [&](std::vector<Network>& parts) {
+    for (Network& part : parts) rename(part, name);
+  };
+  if (auto* e = std::get_if<Element>(&network.form)) {
+    e->coefficient = name(e->coefficient);
+    if (!e->second.name.empty()) e->second = name(e->second);
+  }
+  if (auto* s = std::get_if<Series>(&network.form)) rename_parts(s->parts);
+  if (auto* p = std::get_if<Parallel>(&network.form)) rename_parts(p->parts);
+  if (auto* g = std::get_if<Graph>(&network.form)) rename_parts(g->parts);
+}
+
 std::vector<Symbol> symbols_of(const Network& network) {
   std::vector<Symbol> symbols;
   std::set<Symbol> seen;

@@ -90,6 +90,9 @@ std::size_t size(const Network& network);
 /// Calls `visit` for every element, in the order of writing.
 void for_each_element(const Network& network, const std::function<void(const Element&)>& visit);
 
+/// Calls its elements by other names.
+void rename(Network& network, const std::function<Symbol(const Symbol&)>& name);
+
 /// The symbols of all elements, each once, in the order of writing.
 std::vector<Symbol> symbols_of(const Network& network);
 

@@ -106,7 +106,7 @@ CriticalOnset critical_onset(const Scene& scene) {
 
 double onset_log_derivative(const Scene& scene, const Symbol& symbol) {
   if (formula_holds(scene)) return log_derivative(scene, symbol);
-  ChangingScene changing(scene, {to_text(symbol)});
+  ChangingScene changing(scene, {to_text(as_called(scene, symbol))});
   const double value = changing.targets().front().value->value();
   const auto log_velocity = [&](double steps) {
     const double changed = value * std::exp(steps * log_step);

@@ -41,26 +41,19 @@ ChangingScene::ChangingScene(const Scene& scene, std::vector<std::string> names)
 }
 
 ChangingScene::Target ChangingScene::target(const std::string& name) {
-  const auto of = [](Quantity& quantity) { return Target{&quantity.value, quantity.symbol}; };
-  if (name == "frequency")
-    return {&scene_.angular_frequency.value, scene_.angular_frequency.symbol, two_pi};
-  if (name == "angular_frequency" || name == "omega") return of(scene_.angular_frequency);
-  if (name == "amplitude" || name == "du_z") return of(scene_.amplitude);
-  if (name == "indentation" || name == "u_z0") return of(scene_.indentation);
-  if (name == "coefficient" || name == "mu0") return of(scene_.coefficient);
-  if (scene_.mass && (name == "mass" || name == "m")) return of(*scene_.mass);
-  if (auto* isotropic = std::get_if<Isotropic>(&scene_.tangential)) {
-    const bool poisson = isotropic->by == Isotropic::By::poisson;
-    if (name == isotropic->quantity.symbol.name ||
-        name == (poisson ? "poisson" : "tangential_ratio"))
-      return {&isotropic->quantity.value, isotropic->quantity.symbol, 1, poisson};
-  }
-  if (scene_.indenter)
-    for (Quantity& size : scene_.indenter->sizes)
-      if (size.symbol.name == name) return of(size);
-  for (auto& [symbol, value] : scene_.elements)
-    if (to_text(symbol) == name) return {&value, symbol};
-  return {nullptr, {name}};
+  // A scene that was not read from a text has no list of names.
+  const auto named = scene_.named.find(name);
+  const Symbol symbol = named == scene_.named.end() ? Symbol{name} : named->second;
+  Quantity& omega = scene_.angular_frequency;
+  if (symbol == frequency_symbol) return {&omega.value, omega.symbol, two_pi};
+  if (auto* isotropic = std::get_if<Isotropic>(&scene_.tangential))
+    if (isotropic->quantity.symbol == symbol)
+      return {&isotropic->quantity.value, symbol, 1, isotropic->by == Isotropic::By::poisson};
+  for (Quantity* quantity : quantities(scene_))
+    if (quantity->symbol == symbol) return {&quantity->value, symbol};
+  for (auto& [element, value] : scene_.elements)
+    if (element == symbol || to_text(element) == symbol.name) return {&value, element};
+  return {nullptr, symbol};
 }
 
 const Scene& ChangingScene::at(std::span<const double> values) {

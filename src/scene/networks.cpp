@@ -25,10 +25,6 @@ constexpr int deepest_network = 2 * deepest_nesting;
 using document::describe_node;
 using document::place_of;
 
-const char* kind_name(const ElementUse& use) {
-  return use.length > 0 ? number_row(use.role).several : number_row(use.role).one;
-}
-
 constexpr const char* ground = "ground";
 
 bool carries_mass(const Graph& graph) {
@@ -41,7 +37,8 @@ Networks::Networks(const toml::table& document, std::string file)
     : file_(std::move(file)),
       of_half_space_(document.contains("indenter")),
       named_(document::table(document, "networks", file_)),
-      elements_(document::table(document, "elements", file_)) {
+      elements_(document::table(document, "elements", file_)),
+      names_(elements_, file_) {
   if (named_ == nullptr) return;
   for (const auto& [key, value] : *named_) {
     const std::string name(key.str());
@@ -56,21 +53,24 @@ Networks::Networks(const toml::table& document, std::string file)
 }
 
 Network Networks::read(const std::string& text, const Place& place, int level) {
-  const Surroundings around{[this](const std::string& name, const Place& at, int depth) {
-                              return named(name, at, depth + 1);
-                            },
-                            [this](const std::string& name) -> std::optional<int> {
-                              const toml::node* node =
-                                  elements_ == nullptr ? nullptr : elements_->get(name);
-                              if (node == nullptr || !node->is_array()) return std::nullopt;
-                              return static_cast<int>(node->as_array()->size());
-                            },
-                            level};
+  const Surroundings around{
+      [this](const std::string& name, const Place& at, int depth) {
+        return named(name, at, depth + 1);
+      },
+      [this](const std::string& name) -> std::optional<int> { return array_length(name); }, level};
   // The place is that of the opening quote.
   Network network = parse_expression(text, {place.file, place.line, place.column + 1}, around);
   check_size(network, place);
   note_uses(network, place);
   return network;
+}
+
+// An array that is called by another's name is as long.
+std::optional<int> Networks::array_length(const std::string& name) {
+  const std::string other = names_.of({name}).name;
+  const toml::node* node = elements_ == nullptr ? nullptr : elements_->get(other);
+  if (node == nullptr || !node->is_array()) return std::nullopt;
+  return static_cast<int>(node->as_array()->size());
 }
 
 void Networks::read_unused() {

@@ -13,16 +13,9 @@
 #include "base/units.hpp"
 #include "network/law.hpp"
 #include "network/network.hpp"
+#include "scene/element_names.hpp"
 
 namespace vcrit {
-
-/// How the networks use a name of [elements].
-struct ElementUse {
-  NumberRole role = NumberRole::stiffness;
-  Dimension dimension = Dimension::stiffness;
-  int length = 0;  ///< entries of an array, 0 for a scalar
-  Place place;     ///< of the network that uses it
-};
 
 class Networks {
  public:
@@ -34,7 +27,10 @@ class Networks {
   /// Reads the named networks that nothing has used yet, for their errors.
   void read_unused();
 
+  /// By the names in the networks.
   const std::map<std::string, ElementUse>& uses() const { return uses_; }
+  /// What [elements] calls them.
+  ElementNames& names() { return names_; }
   const std::vector<std::string>& warnings() const { return warnings_; }
 
  private:
@@ -44,6 +40,7 @@ class Networks {
     std::map<std::string, int> places;
   };
 
+  std::optional<int> array_length(const std::string& name);
   std::optional<Network> named(const std::string& name, const Place& place, int level);
   Network read_named(const std::string& name, const toml::node& node, int level);
   Network read_graph(const std::string& name, const toml::table& table, int level);
@@ -59,6 +56,7 @@ class Networks {
   bool of_half_space_;           // elements are moduli and viscosities
   const toml::table* named_;     // [networks]
   const toml::table* elements_;  // [elements], for the length of its arrays
+  ElementNames names_;
   std::map<std::string, Network> known_;
   std::set<std::string> being_read_;
   std::map<std::string, ElementUse> uses_;

@@ -1,6 +1,7 @@
 #include "scene/quantities.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>
@@ -8,8 +9,24 @@
 #include <cstdint>
 
 #include "base/constants.hpp"
+#include "base/identifiers.hpp"
 
 namespace vcrit {
+
+namespace {
+
+// Keys of the scene file that commands take as names, and what --over varies beside them.
+const std::set<std::string>& keys() {
+  static const std::set<std::string> all{
+      "amplitude", "angular_frequency", "coefficient",      "frequency", "indentation",
+      "mass",      "poisson",           "tangential_ratio", "velocity",  "velocity_ratio"};
+  return all;
+}
+
+// No name of a scene has this character.
+constexpr char other_mark = '~';
+
+}  // namespace
 
 const Range nonnegative{[](double v) { return std::isfinite(v) && v >= 0; },
                         "a finite value of at least 0"};
@@ -32,44 +49,76 @@ std::optional<TypedNumber> number(const toml::node& node, Dimension dimension,
   if (!node.is_string())
     throw InputError(place, fmt::format("{} = {}", name, document::describe_node(node)),
                      describe(dimension));
+  if (bare_name(node)) return std::nullopt;
+  return parse_typed(node.ref<std::string>(), dimension, place);
+}
+
+std::optional<std::string> bare_name(const toml::node& node) {
+  if (!node.is_string()) return std::nullopt;
   const auto& text = node.ref<std::string>();
   const auto word = [](char c) {
     return c == '_' || std::isalnum(static_cast<unsigned char>(c)) != 0;
   };
   const bool bare = !text.empty() && std::isalpha(static_cast<unsigned char>(text.front())) != 0 &&
                     std::all_of(text.begin(), text.end(), word) && text != "inf" && text != "nan";
-  if (bare) return std::nullopt;
-  return parse_typed(text, dimension, place);
+  return bare ? std::optional(text) : std::nullopt;
 }
 
-void refuse_other_name(const toml::node& node, std::initializer_list<std::string> own,
-                       const std::string& name, const Place& place, const std::string& expected) {
-  const auto* text = node.as_string();
-  if (text != nullptr && std::find(own.begin(), own.end(), text->get()) == own.end())
-    throw InputError(place, fmt::format("{} = \"{}\"", name, text->get()), expected);
+void check_symbol_name(const std::string& name, const char* what, const Place& place,
+                       std::set<std::string> taken) {
+  if (const auto why = unsafe_as_identifier(name))
+    throw InputError(place, fmt::format("name \"{}\", which {}", name, *why), "another name");
+  taken.insert(keys().begin(), keys().end());
+  if (taken.contains(name))
+    throw InputError(
+        place, fmt::format("\"{}\" as {}", name, what),
+        fmt::format("another name: it is a quantity of the scene ({})", fmt::join(taken, ", ")));
+}
+
+std::string own_name_of(const std::string& name, bool has_body) {
+  static const std::set<std::string> quantities{"mu0", "omega", "du_z", "u_z0"};
+  const bool is_taken = quantities.contains(name) || (has_body && name == "m");
+  return is_taken ? name + other_mark : name;
 }
 
 Quantity Quantities::read(const document::Section& section, const char* key,
                           const std::string& symbol, Dimension dimension, const Range& range) {
   Quantity quantity{{symbol}, std::nullopt};
-  if (key != symbol) refuse_both(key, symbol);
-  for (const std::string& name : {std::string(key), symbol})
-    if (const auto value = settings_.take(name, dimension)) {
-      quantity.value = checked(value->value, range, name, OverridingValues::place(name));
+  const toml::node* node = section.find(key);
+  const auto given = node == nullptr ? std::nullopt : bare_name(*node);
+  const std::string name = given.value_or(symbol);
+  if (given && *given != key) check_symbol_name(*given, "a symbol", section.place(key));
+  read_.push_back({key, symbol, name, section.place(key)});
+  if (key != name) refuse_both(key, name);
+  for (const std::string& either : {std::string(key), name})
+    if (const auto value = settings_.take(either, dimension, {symbol})) {
+      quantity.value = checked(value->value, range, either, OverridingValues::place(either));
       typed_[{symbol}] = *value;
     }
-  const toml::node* node = section.find(key);
-  if (node == nullptr) return quantity;
+  if (node == nullptr || given) return quantity;
   const auto value = number(*node, dimension, key, section.place(key));
-  if (!value)
-    refuse_other_name(*node, {symbol, key}, key, section.place(key),
-                      fmt::format("a value, or \"{}\", which is its name in formulas", symbol));
   if (!value) return quantity;
   checked(value->value, range, key, section.place(key));
   if (quantity.value) return quantity;
   quantity.value = value->value;
   typed_[{symbol}] = *value;
   return quantity;
+}
+
+void Quantities::refuse_equal_names() const {
+  for (const Named& one : read_)
+    for (const Named& other : read_)
+      if (&one != &other && one.name != one.symbol &&
+          (one.name == other.name || one.name == other.key))
+        throw InputError(one.place, fmt::format("{} = \"{}\"", one.key, one.name),
+                         fmt::format("another name: {} is called so", other.key));
+}
+
+std::map<std::string, std::string> Quantities::names() const {
+  std::map<std::string, std::string> all;
+  for (const Named& one : read_)
+    if (one.name != one.symbol) all[one.symbol] = one.name;
+  return all;
 }
 
 void Quantities::refuse_both(const std::string& name, const std::string& other) const {

@@ -2,10 +2,11 @@
 #pragma once
 
 #include <toml++/toml.h>
-#include <initializer_list>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
+#include <vector>
 
 #include "base/units.hpp"
 #include "scene/document.hpp"
@@ -28,10 +29,18 @@ double checked(double value, const Range& range, const std::string& name, const 
 std::optional<TypedNumber> number(const toml::node& node, Dimension dimension,
                                   const std::string& name, const Place& place);
 
-/// Of a bare name that stands for no value: throws InputError unless it is one of `own`, the names
-/// that the quantity or element has.
-void refuse_other_name(const toml::node& node, std::initializer_list<std::string> own,
-                       const std::string& name, const Place& place, const std::string& expected);
+/// The bare name that stands for a value, if one does.
+std::optional<std::string> bare_name(const toml::node& node);
+
+/// Throws InputError for a name that no symbol may have: one that could not stand in generated
+/// code, or is among `taken` or the keys by which commands speak of quantities. `what`: "an
+/// element".
+void check_symbol_name(const std::string& name, const char* what, const Place& place,
+                       std::set<std::string> taken = {});
+
+/// What a symbol is called within the program that the scene calls `name`: the same, unless a
+/// quantity is called so here, whatever the scene calls that.
+std::string own_name_of(const std::string& name, bool has_body);
 
 /// The quantities of one scene file, with what --set gives in their place.
 class Quantities {
@@ -40,16 +49,27 @@ class Quantities {
   Quantities(const Settings& settings, std::map<Symbol, TypedNumber>& typed)
       : settings_(settings), typed_(typed) {}
 
-  /// The value under `key`, unless --set gives one for the key or for the symbol.
+  /// The value under `key`, unless --set gives one for the key or for the symbol's name. That is
+  /// `symbol`, unless a bare name stands for the value.
   Quantity read(const document::Section& section, const char* key, const std::string& symbol,
                 Dimension dimension, const Range& range);
+  /// Throws InputError where two of the quantities read would have one name.
+  void refuse_equal_names() const;
+  /// Those that are not called by their symbol, by it.
+  std::map<std::string, std::string> names() const;
   /// Two names of one quantity, of which --set may give one.
   void refuse_both(const std::string& name, const std::string& other) const;
 
   OverridingValues& settings() { return settings_; }
 
  private:
+  struct Named {
+    std::string key, symbol, name;
+    Place place;
+  };
+
   OverridingValues settings_;
+  std::vector<Named> read_;
   std::map<Symbol, TypedNumber>& typed_;
 };
 

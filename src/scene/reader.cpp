@@ -53,9 +53,12 @@ class Reader {
     read_body();
     read_oscillation();
     read_friction();
+    quantities_.refuse_equal_names();
+    scene_.names = quantities_.names();
     read_elements();
     settings().refuse_untaken();
     scene_.settable = settings().known();
+    scene_.named = settings().named();
     leave_out_zeros();
     collect_elements();
     std::copy(networks_.warnings().begin(), networks_.warnings().end(),
@@ -110,29 +113,14 @@ class Reader {
     return node->ref<bool>();
   }
 
-  // A ratio without a value keeps the name it was given; the other quantities have canonical
-  // symbols.
-  static std::string ratio_symbol(const Section& section, const char* key) {
-    const toml::node* node = section.find(key);
-    if (!node->is_string() || number(*node, Dimension::none, key, section.place(key))) return key;
-    const auto& name = node->ref<std::string>();
-    if (const auto why = unsafe_as_identifier(name))
-      throw InputError(section.place(key), fmt::format("name \"{}\", which {}", name, *why),
-                       "another name");
-    refuse_taken(name, "a ratio", section.place(key), {"mu0", "omega", "du_z", "u_z0", "m"});
-    return name;
+  // A ratio has no symbol but the name that it is given; the other quantities have one of their
+  // own.
+  std::string ratio_symbol(const Section& section, const char* key) const {
+    const auto name = bare_name(*section.find(key));
+    return name ? own_name_of(*name, has_body()) : key;
   }
 
-  // Names by which --set, --over and messages speak of something else.
-  static void refuse_taken(const std::string& name, const char* what, const Place& place,
-                           std::set<std::string> taken) {
-    taken.insert({"amplitude", "angular_frequency", "coefficient", "frequency", "indentation",
-                  "mass", "poisson", "tangential_ratio", "velocity", "velocity_ratio"});
-    if (taken.contains(name))
-      throw InputError(
-          place, fmt::format("\"{}\" as {}", name, what),
-          fmt::format("another name: it is a quantity of the scene ({})", fmt::join(taken, ", ")));
-  }
+  bool has_body() const { return document_.contains("body"); }
 
   void warn_beyond_the_data() {
     const std::optional<double>& omega = scene_.angular_frequency.value;
@@ -241,62 +229,99 @@ class Reader {
 
   void read_elements() {
     const toml::table* elements = document::table(document_, "elements", file_);
-    for (const auto& [name, use] : networks_.uses()) {
-      refuse_clash(name, use);
+    std::set<std::string> taken;
+    for (const auto& [name, dimension] : settings().known()) taken.insert(name);
+    const auto uses = networks_.names().resolve(networks_.uses());
+    for (const auto& [name, use] : uses) {
+      refuse_clash(name, use, taken);
+      if (const std::string own_name = own({name}).name; own_name != name)
+        scene_.names[own_name] = name;
       read_element(name, use, elements == nullptr ? nullptr : elements->get(name));
     }
+    read_other_keys(uses);
+    rename_elements();
     if (elements == nullptr) return;
     for (const auto& [key, value] : *elements)
-      if (!networks_.uses().contains(std::string(key.str())))
+      if (!uses.contains(std::string(key.str())) &&
+          !networks_.names().is_used(std::string(key.str())))
         scene_.warnings.push_back(fmt::format("{}: element \"{}\" is in no network of this scene",
                                               to_text(document::place_of(value, file_)),
                                               std::string(key.str())));
   }
 
   // Without a body, m is free for a mass of the drive.
-  void refuse_clash(const std::string& name, const ElementUse& use) const {
-    std::set<std::string> taken;
-    if (document_.contains("body") || use.dimension != Dimension::mass) taken.insert("m");
-    for (const Quantity* quantity : quantities(scene_)) taken.insert(quantity->symbol.name);
-    refuse_taken(name, "an element", use.place, std::move(taken));
+  void refuse_clash(const std::string& name, const ElementUse& use,
+                    std::set<std::string> taken) const {
+    if (!has_body() && use.dimension != Dimension::mass) taken.insert("m");
+    check_symbol_name(name, "an element", use.place, std::move(taken));
+    const toml::table* networks = document::table(document_, "networks", file_);
+    if (networks != nullptr && networks->contains(name))
+      throw InputError(use.place, fmt::format("\"{}\" as a network and as an element", name),
+                       "one of the two");
   }
 
-  static constexpr const char* same_element =
-      "a value; elements that are equal are one element, written by one name in the networks";
+  // --set may name the key of an element that is called otherwise, as it may name the keys of
+  // quantities, unless other elements are called so as well.
+  void read_other_keys(const ElementNames::Uses& uses) {
+    for (const auto& [key, element] : networks_.names().sole()) {
+      quantities_.refuse_both(to_text(element), key);
+      const auto set = settings().take(key, uses.at(element.name).dimension, own(element));
+      if (set) put(own(element), *set, OverridingValues::place(key));
+    }
+    for (const auto& [key, element] : networks_.names().shared())
+      if (settings().has(key))
+        throw InputError(OverridingValues::place(key),
+                         fmt::format("\"{}\", which this scene calls {}, as other elements", key,
+                                     to_text(element)),
+                         fmt::format("\"{}\", which sets them all", to_text(element)));
+  }
+
+  // By what an element is known in the program, which may have a quantity that is called otherwise
+  // in this scene, but so there.
+  Symbol own(const Symbol& element) const {
+    return {own_name_of(element.name, scene_.names.contains("m")), element.entry};
+  }
+
+  void rename_elements() {
+    const auto name = [this](const Symbol& symbol) { return own(networks_.names().of(symbol)); };
+    rename(scene_.normal, name);
+    if (auto* tangential = std::get_if<Network>(&scene_.tangential)) rename(*tangential, name);
+    if (scene_.drive) rename(*scene_.drive, name);
+  }
 
   void read_element(const std::string& name, const ElementUse& use, const toml::node* node) {
     if (use.length > 0) return read_array(name, use, node);
-    const auto set = settings().take(name, use.dimension);
-    if (set) put({name}, *set, OverridingValues::place(name));
+    const Symbol symbol = own({name});
+    const auto set = settings().take(name, use.dimension, symbol);
+    if (set) put(symbol, *set, OverridingValues::place(name));
     if (node == nullptr) return;
     const Place place = document::place_of(*node, file_);
     const auto value = number(*node, use.dimension, name, place);
-    if (!value) refuse_other_name(*node, {name}, name, place, same_element);
-    if (value && !set) put({name}, *value, place);
+    if (value && !set) put(symbol, *value, place);
   }
 
   void read_array(const std::string& name, const ElementUse& use, const toml::node* node) {
-    scene_.arrays[name] = use.length;
+    scene_.arrays[own({name}).name] = use.length;
     if (node != nullptr && !node->is_array())
       throw InputError(document::place_of(*node, file_),
                        fmt::format("{} = {}", name, describe_node(*node)),
                        fmt::format("an array of {} entries", use.length));
     for (int entry = 1; entry <= use.length; ++entry) {
-      const Symbol symbol{name, entry};
-      const std::string label = to_text(symbol);
-      const auto set = settings().take(label, use.dimension);
+      if (networks_.names().is_used(to_text(Symbol{name, entry}))) continue;
+      const Symbol symbol = own({name, entry});
+      const std::string label = to_text(Symbol{name, entry});
+      const auto set = settings().take(label, use.dimension, symbol);
       if (set) put(symbol, *set, OverridingValues::place(label));
       if (node == nullptr) continue;
       const toml::node& item = *node->as_array()->get(static_cast<std::size_t>(entry - 1));
       const Place place = document::place_of(item, file_);
       const auto value = number(item, use.dimension, label, place);
-      if (!value) refuse_other_name(item, {name, label}, label, place, same_element);
       if (value && !set) put(symbol, *value, place);
     }
   }
 
   void put(const Symbol& symbol, const TypedNumber& number, const Place& place) {
-    values_[symbol] = checked(number.value, nonnegative, to_text(symbol), place);
+    values_[symbol] = checked(number.value, nonnegative, to_text(as_called(scene_, symbol)), place);
     scene_.typed[symbol] = number;
   }
 

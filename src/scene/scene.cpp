@@ -16,6 +16,14 @@ void refuse_missing(const Scene& scene, const std::vector<std::string>& missing)
                    "a number for each, in the scene or by --set NAME=VALUE");
 }
 
+/// A frequency that has a name is asked for by that.
+std::string missing_name(const Scene& scene, const Symbol& symbol) {
+  const auto frequency = scene.names.find(frequency_symbol.name);
+  if (frequency != scene.names.end() && symbol == scene.angular_frequency.symbol)
+    return frequency->second;
+  return to_text(as_called(scene, symbol));
+}
+
 const Range& range_of(const Scene& scene, const Quantity& quantity) {
   if (&quantity == &scene.angular_frequency || (scene.mass && &quantity == &*scene.mass))
     return positive;
@@ -23,6 +31,20 @@ const Range& range_of(const Scene& scene, const Quantity& quantity) {
   if (isotropic != nullptr && &quantity == &isotropic->quantity)
     return isotropic->by == Isotropic::By::poisson ? poisson_range : positive;
   return nonnegative;
+}
+
+template <class Result, class AnyScene>
+std::vector<Result*> quantities_of(AnyScene& scene) {
+  std::vector<Result*> all;
+  auto* isotropic = std::get_if<Isotropic>(&scene.tangential);
+  if (isotropic != nullptr && !isotropic->quantity.symbol.name.empty())
+    all.push_back(&isotropic->quantity);
+  all.insert(all.end(),
+             {&scene.coefficient, &scene.angular_frequency, &scene.amplitude, &scene.indentation});
+  if (scene.mass) all.push_back(&*scene.mass);
+  if (scene.indenter)
+    for (Result& size : scene.indenter->sizes) all.push_back(&size);
+  return all;
 }
 
 }  // namespace
@@ -42,16 +64,24 @@ bool knows_all_frequencies(const Scene& scene) {
 }
 
 std::vector<const Quantity*> quantities(const Scene& scene) {
-  std::vector<const Quantity*> all;
-  const auto* isotropic = std::get_if<Isotropic>(&scene.tangential);
-  if (isotropic != nullptr && !isotropic->quantity.symbol.name.empty())
-    all.push_back(&isotropic->quantity);
-  all.insert(all.end(),
-             {&scene.coefficient, &scene.angular_frequency, &scene.amplitude, &scene.indentation});
-  if (scene.mass) all.push_back(&*scene.mass);
-  if (scene.indenter)
-    for (const Quantity& size : scene.indenter->sizes) all.push_back(&size);
-  return all;
+  return quantities_of<const Quantity>(scene);
+}
+
+std::vector<Quantity*> quantities(Scene& scene) { return quantities_of<Quantity>(scene); }
+
+Symbol as_called(const Scene& scene, const Symbol& symbol) {
+  const auto name = scene.names.find(symbol.name);
+  return name == scene.names.end() ? symbol : Symbol{name->second, symbol.entry};
+}
+
+std::string name_in(const Scene& scene, const Quantity& quantity) {
+  return to_text(as_called(scene, quantity.symbol));
+}
+
+std::string beyond_indentation(const Scene& scene, double amplitude, double indentation) {
+  return fmt::format("the amplitude {} = {} m is not below the indentation {} = {} m (3)",
+                     name_in(scene, scene.amplitude), amplitude, name_in(scene, scene.indentation),
+                     indentation);
 }
 
 Scene as_doubles(Scene scene) {
@@ -75,9 +105,9 @@ Values values_of(const Scene& scene) {
   const auto add = [&](const Symbol& symbol, const std::optional<double>& value,
                        const Range& range) {
     if (value)
-      values[symbol] = checked(*value, range, to_text(symbol), {scene.file});
+      values[symbol] = checked(*value, range, to_text(as_called(scene, symbol)), {scene.file});
     else
-      missing.push_back(to_text(symbol));
+      missing.push_back(missing_name(scene, symbol));
   };
   // Reading leaves elements of value 0 out of the networks.
   for (const auto& [symbol, value] : scene.elements) add(symbol, value, positive);

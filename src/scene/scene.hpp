@@ -51,6 +51,9 @@ struct FittedRange {
 /// unit.
 using Settings = std::vector<std::pair<std::string, std::string>>;
 
+/// What is set or varied where omega is by its cycles a second.
+inline const Symbol frequency_symbol{"frequency"};
+
 struct Scene {
   std::string file;  ///< as the user named it
   std::string title;
@@ -73,6 +76,10 @@ struct Scene {
   std::map<Symbol, TypedNumber> typed;
   std::map<std::string, int> arrays;          ///< length of each array among the elements
   std::map<std::string, Dimension> settable;  ///< what --set may name, and what it measures
+  std::map<std::string, Symbol> named;        ///< what each of these is; may be frequency_symbol
+  /// The names that a scene gives its symbols, by the names that they have here: "M" of "m" where
+  /// mass = "M". All that is not among them is written as it is called here.
+  std::map<std::string, std::string> names;
   std::vector<std::string> warnings;
 };
 
@@ -84,6 +91,7 @@ Scene parse_scene(const std::string& text, const std::string& file, const Settin
 /// The quantities that have names of their own; those of isotropic contact, body and indenter among
 /// them.
 std::vector<const Quantity*> quantities(const Scene& scene);
+std::vector<Quantity*> quantities(Scene& scene);
 
 /// Calls `visit` for every element of its networks: normal, tangential, drive, in the order of
 /// writing.
@@ -97,6 +105,16 @@ bool knows_all_frequencies(const Scene& scene);
 /// nothing where all of them are in its fitted range, or it has none. Reading a scene asks this for
 /// the scene's own frequency; who varies that asks again.
 std::optional<std::string> beyond_fitted_range(const Scene& scene, double from, double to);
+
+/// The symbol by the name that the scene gives it. Everything that people and other programs read
+/// has that; within the program symbols are known by their own names, of which none is another's.
+Symbol as_called(const Scene& scene, const Symbol& symbol);
+
+/// "m", or what the scene calls it.
+std::string name_in(const Scene& scene, const Quantity& quantity);
+
+/// What is wrong with such an amplitude: that it is not below this indentation (m).
+std::string beyond_indentation(const Scene& scene, double amplitude, double indentation);
 
 /// As evaluators and simulators take it: no number as it was typed.
 Scene as_doubles(Scene scene);

@@ -31,8 +31,10 @@ OverridingValues::OverridingValues(const Settings& settings) {
 
 Place OverridingValues::place(const std::string& name) { return {"--set " + name}; }
 
-std::optional<TypedNumber> OverridingValues::take(const std::string& name, Dimension dimension) {
+std::optional<TypedNumber> OverridingValues::take(const std::string& name, Dimension dimension,
+                                                  const Symbol& symbol) {
   known_.emplace(name, dimension);
+  named_.emplace(name, symbol);
   const auto setting = settings_.find(name);
   if (setting == settings_.end()) return std::nullopt;
   return parse_typed(setting->second, dimension, place(name));

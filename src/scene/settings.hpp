@@ -23,12 +23,16 @@ class OverridingValues {
  public:
   explicit OverridingValues(const Settings& settings);
 
-  /// The value set for `name`, in SI. Throws InputError if it is no quantity of that dimension.
-  std::optional<TypedNumber> take(const std::string& name, Dimension dimension);
+  /// The value set for `name`, which stands for `symbol`, in SI. Throws InputError if it is no
+  /// quantity of that dimension.
+  std::optional<TypedNumber> take(const std::string& name, Dimension dimension,
+                                  const Symbol& symbol);
   /// Whether there is a value for `name`.
   bool has(const std::string& name) const { return settings_.contains(name); }
   /// The names that could be taken so far, and what they measure.
   const std::map<std::string, Dimension>& known() const { return known_; }
+  /// What each of them stands for.
+  const std::map<std::string, Symbol>& named() const { return named_; }
   /// Where the setting of `name` stands, for messages.
   static Place place(const std::string& name);
   /// Throws InputError for names that the scene does not have.
@@ -37,6 +41,7 @@ class OverridingValues {
  private:
   std::map<std::string, std::string> settings_;
   std::map<std::string, Dimension> known_;
+  std::map<std::string, Symbol> named_;
 };
 
 }  // namespace vcrit

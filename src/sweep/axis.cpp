@@ -11,6 +11,7 @@
 #include "base/files.hpp"
 #include "base/numbers.hpp"
 #include "base/trimmed.hpp"
+#include "scene/changing.hpp"
 #include "scene/settings.hpp"
 
 namespace vcrit {
@@ -106,6 +107,21 @@ Axis parse_axis(const std::string& text, const Scene& scene) {
   if (logarithmic && !(from > 0 && to > 0))
     throw InputError(place, fmt::format("log from {} to {}", from, to), "both ends above 0");
   return {name, spaced(logarithmic, from, to, count(parts[3], place)), dimension};
+}
+
+Scene completed(Scene scene, const std::vector<Axis>& axes) {
+  for (const Axis& axis : axes) {
+    if (!scene.settable.contains(axis.name) || axis.values.empty()) continue;
+    ChangingScene changing(scene, {axis.name});
+    const ChangingScene::Target& target = changing.targets().front();
+    if (target.value == nullptr || *target.value) continue;
+    const auto above = std::find_if(axis.values.begin(), axis.values.end(),
+                                    [](double value) { return value > 0 && std::isfinite(value); });
+    const bool any = target.is_poisson || above == axis.values.end();
+    const double value = any ? axis.values.front() : *above;
+    scene = Scene(changing.at({&value, 1}));
+  }
+  return scene;
 }
 
 }  // namespace vcrit

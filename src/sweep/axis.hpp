@@ -20,6 +20,10 @@ struct Axis {
 /// `scene` does not have.
 Axis parse_axis(const std::string& text, const Scene& scene);
 
+/// The scene with a value of whatever the axes vary: any that leaves its networks as they are,
+/// where it has none.
+Scene completed(Scene scene, const std::vector<Axis>& axes);
+
 /// The values of a list: the text of the file named `file`. Throws InputError with file and line.
 std::vector<double> parse_list(const std::string& text, const std::string& file,
                                Dimension dimension);

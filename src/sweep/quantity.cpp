@@ -29,13 +29,14 @@ SweptQuantity parse_swept_quantity(const std::string& text, const Scene& scene) 
     const std::string name = text.substr(sensitivity_prefix.size());
     known_dimension(name, scene.settable, place);
     const ChangingScene changing(scene, {name});
-    return {SweptQuantity::Kind::sensitivity, changing.targets().front().symbol,
-            scene.separation || scene.indenter};
+    const Symbol& parameter = changing.targets().front().symbol;
+    return {SweptQuantity::Kind::sensitivity, parameter, scene.separation || scene.indenter,
+            to_text(as_called(scene, parameter))};
   }
   const auto& names = swept_quantity_names();
   for (std::size_t i = 0; i + 1 < names.size(); ++i)
     if (names[i] == text)
-      return {static_cast<SweptQuantity::Kind>(i), {}, scene.separation || scene.indenter};
+      return {static_cast<SweptQuantity::Kind>(i), {}, scene.separation || scene.indenter, {}};
   const auto meant = nearest(text, names);
   throw InputError(
       place, fmt::format("\"{}\"", text),
@@ -43,8 +44,7 @@ SweptQuantity parse_swept_quantity(const std::string& text, const Scene& scene) 
 }
 
 std::string column_name(const SweptQuantity& quantity) {
-  if (quantity.kind == SweptQuantity::Kind::sensitivity)
-    return "sensitivity_" + to_text(quantity.parameter);
+  if (quantity.kind == SweptQuantity::Kind::sensitivity) return "sensitivity_" + quantity.name;
   return swept_quantity_names()[static_cast<std::size_t>(quantity.kind)];
 }
 
@@ -66,8 +66,7 @@ std::string description(const SweptQuantity& quantity) {
     case SweptQuantity::Kind::admissible:
       return "whether Eq. 24 applies: no jumping, closed contact";
     case SweptQuantity::Kind::sensitivity:
-      return fmt::format("relative change of v* per relative change of {}",
-                         to_text(quantity.parameter));
+      return fmt::format("relative change of v* per relative change of {}", quantity.name);
   }
   throw Bug("a quantity without a description");
 }

@@ -20,6 +20,7 @@ struct SweptQuantity {
   Kind kind = Kind::critical_velocity;
   Symbol parameter{};    ///< p of a sensitivity
   bool parting = false;  ///< of a scene whose surfaces may part
+  std::string name{};    ///< what the scene calls p
   friend bool operator==(const SweptQuantity&, const SweptQuantity&) = default;
 };
 

@@ -25,8 +25,7 @@ constexpr std::size_t rows_of_formula = 131072, rows_of_scenes = 4096, rows_of_m
 // Rows whose columns stay in the cache while the formula runs over them.
 constexpr std::size_t rows_of_columns = 4096;
 
-// Up to so many scenes v* is correctly rounded, the same double as that of a single scene; it takes
-// a fraction of a second.
+// Up to so many v* are correctly rounded, as that of a single scene; it takes part of a second.
 constexpr std::size_t certified_scenes = 10'000;
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
@@ -60,9 +59,9 @@ Grade grade_of(const Grid& grid) {
 bool leaves_out(const Sweep& sweep) {
   const std::vector<Symbol> normal = symbols_of(sweep.scene.normal);
   return std::any_of(sweep.axes.begin(), sweep.axes.end(), [&](const Axis& axis) {
-    const auto is_axis = [&](const Symbol& symbol) { return to_text(symbol) == axis.name; };
-    return std::any_of(normal.begin(), normal.end(), is_axis) &&
-           std::find(axis.values.begin(), axis.values.end(), 0.0) != axis.values.end();
+    const auto named = sweep.scene.named.find(axis.name);
+    return named != sweep.scene.named.end() && std::ranges::count(normal, named->second) > 0 &&
+           std::ranges::count(axis.values, 0.0) > 0;
   });
 }
 
@@ -369,8 +368,9 @@ class Sweeping::Rows {
   BlockAnswer answer_;
 };
 
-Sweeping::Sweeping(Sweep sweep)
-    : sweep_(std::move(sweep)),
+Sweeping::Sweeping(const Sweep& sweep)
+    : sweep_({completed(sweep.scene, sweep.axes), sweep.axes, sweep.quantities, sweep.velocity,
+              sweep.velocity_ratio}),
       grid_(sweep_.axes, rows_at_once(sweep_), any_of(sweep_, needs_motion) ? speeds_at_once : 1),
       parameters_(parameters_of(grid_)),
       critical_(sweep_.scene, names_of(grid_, parameters_), grade_of(grid_)),

@@ -34,7 +34,7 @@ struct BlockAnswer {
 class Sweeping {
  public:
   /// Throws InputError for wrong axes and values.
-  explicit Sweeping(Sweep sweep);
+  explicit Sweeping(const Sweep& sweep);
 
   const Sweep& sweep() const { return sweep_; }
   const Grid& grid() const { return grid_; }

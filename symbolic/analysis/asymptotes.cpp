@@ -5,6 +5,7 @@
 #include "formula/algebra_lock.hpp"
 #include "formula/names.hpp"
 #include "formula/symbols.hpp"
+#include "formula/text.hpp"
 
 namespace vcrit::symbolic {
 
@@ -24,8 +25,9 @@ GiNaC::exmap coefficient_names(const std::vector<Line>& definitions) {
 Asymptote asymptote(const Model& model, bool high) {
   const Asymptotic amplitude = model.asymptotic(high ? 1 : -1);
   const GiNaC::exmap names = coefficient_names(amplitude.definitions);
-  Asymptote result{high ? "omega -> infinity" : "omega -> 0",
-                   high ? "\\omega \\to \\infty" : "\\omega \\to 0",
+  Asymptote result{high,
+                   to_text(omega()) + (high ? " -> infinity" : " -> 0"),
+                   to_latex(omega()) + (high ? " \\to \\infty" : " \\to 0"),
                    amplitude.power + 1,
                    amplitude.amplitude.subs(names),
                    {}};

@@ -13,7 +13,8 @@ namespace vcrit::symbolic {
 
 /// v* ~ coefficient omega^power.
 struct Asymptote {
-  std::string name;  ///< "omega -> 0" or "omega -> infinity"
+  bool high = false;  ///< infinity, and not 0
+  std::string name;   ///< "omega -> 0" or "omega -> infinity"
   std::string latex_name;
   int power = 0;
   Expression coefficient;         ///< positive, in the scene's symbols (and in definitions)

@@ -68,9 +68,7 @@ bool agree(const Model& a, const Decimals& a_values, const Model& b, const Decim
 
 bool small(const Model& model) {
   bool rational = !model.per_friction().has(quantity("R_d"));
-  for (const Part& part : model.networks())
-    for_each_element(part.network,
-                     [&](const Element& element) { rational = rational && is_rational(element); });
+  for (const Part& part : model.networks()) rational = rational && is_rational(part.network);
   return rational && terms_before_squaring(model) <= terms_to_prove_by;
 }
 
@@ -160,6 +158,28 @@ std::map<Symbol, double> values_at(std::uint64_t point, const std::set<Symbol>& 
 
 constexpr std::uint64_t tried_points = 64;
 
+/// By the names that one of the scenes gives the symbols.
+std::vector<std::pair<Symbol, double>> called_by_scenes(const std::map<Symbol, double>& values,
+                                                        const Scene& a, const Scene& b) {
+  std::vector<std::pair<Symbol, double>> all;
+  for (const auto& [symbol, value] : values)
+    all.emplace_back(as_called(a.names.contains(symbol.name) ? a : b, symbol), value);
+  return all;
+}
+
+/// A ratio has the name that its scene gives it, and is the same by any.
+Scene with_ratio_of(const Scene& a, Scene b) {
+  const auto* ratio = std::get_if<Isotropic>(&a.tangential);
+  auto* other = std::get_if<Isotropic>(&b.tangential);
+  if (ratio == nullptr || other == nullptr || ratio->by != other->by) return b;
+  if (ratio->quantity.value || other->quantity.value) return b;
+  const Symbol& symbol = ratio->quantity.symbol;
+  const bool is_element = std::any_of(b.elements.begin(), b.elements.end(),
+                                      [&](const auto& each) { return each.first == symbol; });
+  if (!is_element) other->quantity.symbol = symbol;
+  return b;
+}
+
 Comparison different(Comparison::Scope scope, const Scene& a, const Scene& b) {
   Comparison result;
   result.scope = scope;
@@ -173,7 +193,7 @@ Comparison different(Comparison::Scope scope, const Scene& a, const Scene& b) {
     const double difference = std::abs(first - second) / std::max(first, second);
     if (!(difference > largest)) continue;
     largest = difference;
-    result.counterexample = {{values.begin(), values.end()}, first, second, difference};
+    result.counterexample = {called_by_scenes(values, a, b), first, second, difference};
   }
   // What doubles do not show, a few thousand bits do.
   for (std::uint64_t point = 0; point < tried_points && !result.counterexample; ++point) {
@@ -181,18 +201,17 @@ Comparison different(Comparison::Scope scope, const Scene& a, const Scene& b) {
     const Filled first(a, values), second(b, values);
     if (const double difference = certified_difference(first.scene(), second.scene());
         difference > 0)
-      result.counterexample = {{values.begin(), values.end()},
-                               first.critical_velocity(),
-                               second.critical_velocity(),
-                               difference};
+      result.counterexample = {called_by_scenes(values, a, b), first.critical_velocity(),
+                               second.critical_velocity(), difference};
   }
   return result;
 }
 
 }  // namespace
 
-Comparison compare(const Scene& a, const Scene& b) {
+Comparison compare(const Scene& a, const Scene& other) {
   const AlgebraLock lock;
+  const Scene b = with_ratio_of(a, other);
   using Scope = Comparison::Scope;
   refuse_two_tables(a, b);
   for (const Scene* scene : {&a, &b})

@@ -260,8 +260,8 @@ std::vector<Line> lines_of(const RationalForm& form) {
   const int power = static_cast<int>(above) - static_cast<int>(below);
   const ex square =
       GiNaC::pow(symbol({"mu0"}) * symbol({"du_z"}), 2) * GiNaC::pow(omega(), power) * n / d;
-  lines.insert(lines.begin(),
-               {"As a rational function of omega^2", GiNaC::pow(quantity("v*"), 2), square});
+  lines.insert(lines.begin(), {fmt::format("As a rational function of {}^2", printed_name("omega")),
+                               GiNaC::pow(quantity("v*"), 2), square});
   return lines;
 }
 

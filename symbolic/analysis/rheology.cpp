@@ -7,6 +7,7 @@
 #include "formula/algebra_lock.hpp"
 #include "formula/form.hpp"
 #include "formula/symbols.hpp"
+#include "network/law.hpp"
 #include "network/masses.hpp"
 #include "network/reduction.hpp"
 
@@ -48,6 +49,7 @@ class SpectrumMaker {
   bool add(const Network& part) {
     const auto* element = std::get_if<Element>(&part.form);
     if (element != nullptr && element->kind == ElementKind::maxwell) return add_given(*element);
+    if (!is_rational(part)) return false;
     const Fraction k = stiffness_in_lowest_terms(part);
     const Extremes ends = extremes(part);
     spectrum_.equilibrium += ends.equilibrium;
@@ -106,15 +108,7 @@ ComplexParts product_with_conjugate(const Fraction& k) {
   const ex s = laplace(), w = omega();
   const ex product =
       (k.numerator.subs(s == GiNaC::I * w) * k.denominator.subs(s == -GiNaC::I * w)).expand();
-  ComplexParts parts;
-  for (int n = 0; n <= product.degree(w); ++n) {
-    const ex c = product.coeff(w, n) * GiNaC::pow(w, n);
-    if (n % 2 == 0)
-      parts.real += c;
-    else
-      parts.imaginary += c / GiNaC::I;
-  }
-  return {parts.real.expand(), parts.imaginary.expand()};
+  return {product.real_part().expand(), product.imag_part().expand()};
 }
 
 /// over/|D|^2, where |D|^2 stays a sum of two squares.

@@ -28,8 +28,9 @@ ex velocity(const ex& amplitude) {
 void write_condition(const Model& model, std::vector<Line>& lines) {
   const ex v = quantity("v*");
   lines.push_back(
-      {"Sliding without a stop ends where the contact velocity v0 - |omega B| sin(...) "
-       "first touches zero",
+      {fmt::format("Sliding without a stop ends where the contact velocity v0 - |{} B| sin(...) "
+                   "first touches zero",
+                   printed_name("omega")),
        v, omega() * GiNaC::abs(quantity("B"))});
   lines.push_back({"For any linear structure", v, velocity(model.balance().general_amplitude)});
   lines.push_back({"For any networks (24)", v, velocity(model.balance().contact_amplitude)});
@@ -39,8 +40,8 @@ void write_condition(const Model& model, std::vector<Line>& lines) {
 }
 
 void write_networks(const Model& model, std::vector<Line>& lines) {
-  const std::string with =
-      fmt::format(", with {} = {}*omega", printed_name(own_name("s")), printed_name(own_name("i")));
+  const std::string with = fmt::format(", with {} = {}*{}", printed_name(own_name("s")),
+                                       printed_name(own_name("i")), printed_name("omega"));
   const std::map<std::string, std::string> words{{"K_n", "Normal contact" + with},
                                                  {"K_t", "Tangential contact" + with},
                                                  {"K_d", "Drive" + with}};
@@ -87,6 +88,9 @@ Derivation derive(const Scene& scene, bool nested) {
   Derivation result;
   result.lines = model.balance().lines;
   write_condition(model, result.lines);
+  if (scene.names.contains(frequency_symbol.name))
+    result.lines.push_back(
+        {"Angular frequency", omega(), 2 * positive_quantity("pi") * symbol(frequency_symbol)});
   write_networks(model, result.lines);
   if (result.lines.back().left.is_equal(quantity("v*"))) result.lines.pop_back();
   result.lines.push_back({"Result", quantity("v*"), formula->velocity});

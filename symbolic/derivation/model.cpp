@@ -1,11 +1,14 @@
 #include "derivation/model.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <limits>
 
 #include "base/errors.hpp"
 #include "base/interruption.hpp"
 #include "derivation/factors.hpp"
+#include "formula/names.hpp"
 #include "formula/symbols.hpp"
 
 namespace vcrit::symbolic {
@@ -98,16 +101,20 @@ Model::Model(const Scene& scene)
   loaded_ = is_loaded({});
   if (const auto* isotropic = std::get_if<Isotropic>(&scene.tangential)) {
     isotropic_ = true;
-    const char* words = isotropic->by == Isotropic::By::poisson
-                            ? "Isotropic contact, K_t/K_n = 2(1 - nu)/(2 - nu) (Mindlin)"
-                            : "Isotropic contact";
+    const Quantity& ratio = isotropic->quantity;
+    const std::string words =
+        isotropic->by == Isotropic::By::poisson
+            ? fmt::format("Isotropic contact, K_t/K_n = 2(1 - {0})/(2 - {0}) (Mindlin)",
+                          ratio.value ? "nu" : printed_name(to_text(ratio.symbol)))
+            : "Isotropic contact";
     identities_.push_back({words, quantity("K_t"), isotropic_ratio(*isotropic) * quantity("K_n")});
   } else {
     networks_.push_back({"K_t", std::get<Network>(scene.tangential)});
   }
   if (scene.receptance)
     identities_.push_back(
-        {"The drive is measured: R_d(omega), its receptance, is interpolated in a table",
+        {fmt::format("The drive is measured: R_d({}), its receptance, is interpolated in a table",
+                     printed_name("omega")),
          quantity("K_d"), 1 / quantity("R_d")});
   if (!scene.drive) return;
   const char* words = "The drive is the same network";

@@ -4,6 +4,7 @@
 
 #include "analysis/dimensionless.hpp"
 #include "analysis/rational_form.hpp"
+#include "formula/names.hpp"
 #include "formula/symbols.hpp"
 
 namespace vcrit::symbolic {
@@ -25,9 +26,9 @@ std::vector<Line> rational_lines(const Scene& scene, double budget) {
   const std::size_t terms = form.square.over.terms() + form.square.under.terms();
   if (terms > most_terms)
     throw ModelError(
-        fmt::format("as a rational function of omega^2, v*^2 has {} terms, more than {}: some "
+        fmt::format("as a rational function of {}^2, v*^2 has {} terms, more than {}: some "
                     "{:.2g} MB of text",
-                    terms, most_terms, 1e-4 * static_cast<double>(terms)));
+                    printed_name("omega"), terms, most_terms, 1e-4 * static_cast<double>(terms)));
   std::vector<Line> lines = lines_of(form);
   if (!has_readable_extrema(form)) {
     lines.front().words += " (the equation for its extrema is too long to read)";

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "formula/dialect.hpp"
+#include "formula/names.hpp"
 #include "formula/text.hpp"
 
 namespace vcrit::symbolic {
@@ -64,7 +65,7 @@ Json json(const Resonance& resonance) {
 Json json(const Sensitivity& sensitivity) {
   std::vector<Line> definitions = sensitivity.stiffnesses;
   definitions.insert(definitions.end(), sensitivity.changes.begin(), sensitivity.changes.end());
-  return {{"parameter", to_text(sensitivity.parameter)},
+  return {{"parameter", printed_name(to_text(sensitivity.parameter))},
           {"relative", formula(sensitivity.relative)},
           {"derivative", formula(sensitivity.derivative)},
           {"definitions", json_lines(definitions)}};
@@ -79,7 +80,7 @@ Json list(const std::vector<Finding>& all) {
 
 Json json_names(const std::vector<Symbol>& symbols) {
   Json out = Json::array();
-  for (const Symbol& symbol : symbols) out.push_back(to_text(symbol));
+  for (const Symbol& symbol : symbols) out.push_back(printed_name(to_text(symbol)));
   return out;
 }
 

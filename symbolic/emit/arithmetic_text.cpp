@@ -212,7 +212,7 @@ template <class T, Result function(const Parameters&) = evaluate<T>>
     if (!apart) std::copy_n(omega.data() + i, n, copy.data());
     const double* const from = apart ? omega.data() + i : copy.data();
     unsigned long long unsafe = 0;
-    const auto at = [&](std::size_t l) { Parameters q = p; q.omega = from[l]; return q; };
+    const auto at = [&](std::size_t l) { Parameters q = p; q.@omega@ = from[l]; return q; };
     const auto store = [&](std::size_t l, const Result& r) { out[i + l] = r.value, unsafe |= r.unsafe; };
     for (std::size_t l = 0; l < n; ++l) store(l, function(at(l)));
     for (std::size_t l = 0; unsafe != 0 && l < n; ++l) store(l, result<T>(at(l)));
@@ -221,13 +221,13 @@ template <class T, Result function(const Parameters&) = evaluate<T>>
 )";
 
 const char* const polynomials =
-    R"(// For sweeps: T and Q as polynomials in i omega, whose coefficients are computed once. Their terms add up to at most 2^5
+    R"(// For sweeps: T and Q as polynomials in i @omega@, whose coefficients are computed once. Their terms add up to at most 2^5
 // times their sums, but for (anti)resonance; beyond what is checked the other way is taken.
 )";
 
 const char* const polynomials_end =
     R"(  const auto squares = steps(above, 0x1p@SQUARE@) | steps(below, 0x1p@SQUARE@);
-  return {{v, HUGE_VAL}, squares >> 62 | steps(p.omega, 0x1p@OMEGA@) >> 58};
+  return {{v, HUGE_VAL}, squares >> 62 | steps(p.@omega@, 0x1p@OMEGA@) >> 58};
 }
 )";
 
@@ -346,7 +346,7 @@ const char* const batch_comment =
     R"(//   critical_velocity(p, columns, out)            one value for each element of `out`, which may be a column
 //   critical_velocity(p, columns, out, bounds)    and a std::span<double> of their relative error bounds
 //   critical_velocity(p, columns, out, partials)  and the partial derivatives, PartialColumns
-//   critical_velocity<Varying{.omega = true}>(p, columns, out)  for these columns only, and faster
+//   critical_velocity<Varying{.@omega@ = true}>(p, columns, out)  for these columns only, and faster
 // Vectorised by -O3 -march=native -fno-math-errno.
 )";
 

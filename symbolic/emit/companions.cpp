@@ -61,7 +61,7 @@ std::string example(const Scene& scene, const ParameterList& parameters) {
   std::string out = "  Parameters p{};\n";
   for (const Member& member : parameters.members())
     for (int entry = member.length == 0 ? 0 : 1; entry <= member.length; ++entry) {
-      const Symbol symbol{member.name, entry};
+      const Symbol symbol{member.symbol, entry};
       const auto value = values.find(symbol);
       // An entry of value 0 stands in no network.
       if (value == values.end()) continue;
@@ -178,19 +178,19 @@ int main() {{
   expect(f.value == fast::critical_velocity(p), "certified fast value is the fast value");
   expect(near(f.value, v.value, f.relative_error_bound + 2.0 * v.relative_error_bound), "both grades agree");
 {known}
-  // Powers of two change no rounding: v* is linear in mu0 and du_z.
+  // Powers of two change no rounding: v* is linear in {mu0} and {du_z}.
   Parameters other = p;
-  other.mu0 = 2.0 * p.mu0;
-  expect(critical_velocity(other) == 2.0 * v.value, "linear in mu0");
+  other.{mu0} = 2.0 * p.{mu0};
+  expect(critical_velocity(other) == 2.0 * v.value, "linear in {mu0}");
   other = p;
-  other.du_z = 0.5 * p.du_z;
-  expect(critical_velocity(other) == 0.5 * v.value, "linear in du_z");
+  other.{du_z} = 0.5 * p.{du_z};
+  expect(critical_velocity(other) == 0.5 * v.value, "linear in {du_z}");
 {doubled}
   // v* does not change with a common factor of all elements: Euler's identity for their partial derivatives. Each
   // is known as well as the parts of the size of v* that it is the difference of, in plain double or in twice its digits.
   const Gradient g = critical_velocity_gradient(p), fast_g = fast::critical_velocity_gradient(p);
   expect(g.value == v.value && fast_g.value == f.value, "value beside the gradient");
-  expect(std::abs(g.partial.mu0 * p.mu0 - v.value) <= 0x1p-51 * v.value, "d v/d mu0 = v/mu0");
+  expect(std::abs(g.partial.{mu0} * p.{mu0} - v.value) <= 0x1p-51 * v.value, "d v/d {mu0} = v/{mu0}");
   const auto identity = [&]([[maybe_unused]] const Parameters& d, double parts) {{
     const double terms[] = {{{euler}}};
     double sum = 0, size = parts;
@@ -202,15 +202,15 @@ int main() {{
 
   std::vector<double> omega(75), out(75), fast_out(75), bounds(75);
   for (std::size_t i = 0; i < omega.size(); ++i)
-    omega[i] = p.omega * (0.25 + 0.125 * static_cast<double>(i));
+    omega[i] = p.{omega} * (0.25 + 0.125 * static_cast<double>(i));
   critical_velocity(p, omega, out);
   fast::critical_velocity(p, omega, fast_out);
   std::vector<double> columns = omega, fast_columns = omega;
-  critical_velocity(p, Columns{{.omega = columns.data()}}, columns, std::span<double>(bounds));
-  fast::critical_velocity<Varying{{.omega = true}}>(p, {{.omega = fast_columns.data()}}, fast_columns);
+  critical_velocity(p, Columns{{.{omega} = columns.data()}}, columns, std::span<double>(bounds));
+  fast::critical_velocity<Varying{{.{omega} = true}}>(p, {{.{omega} = fast_columns.data()}}, fast_columns);
   for (std::size_t i = 0; i < omega.size(); ++i) {{
     Parameters at = p;
-    at.omega = omega[i];
+    at.{omega} = omega[i];
     const Certified one = critical_velocity_certified(at);
     expect(out[i] == one.value && columns[i] == one.value, "batch equals scalar");
     expect(bounds[i] == one.relative_error_bound, "bound of the batch");
@@ -230,6 +230,9 @@ std::string emit_test(const Scene& scene, const std::string& name, const Generat
   const FixedValues fixed = fixed_values(scene, options.fixed);
   const ParameterList parameters(scene, derive(scene), fixed);
   return fmt::format(fmt::runtime(frame), fmt::arg("name", name),
+                     fmt::arg("mu0", name_in(scene, scene.coefficient)),
+                     fmt::arg("omega", name_in(scene, scene.angular_frequency)),
+                     fmt::arg("du_z", name_in(scene, scene.amplitude)),
                      fmt::arg("include", fmt::format("#include \"{}_batch.hpp\"\n", name)),
                      fmt::arg("example", example(scene, parameters)),
                      fmt::arg("known", known_value(scene)),

@@ -79,12 +79,19 @@ class GroupWriter {
     const Monomial monomial(line.right);
     const NodeId value = program_.divide(product(monomial.above), product(monomial.below));
     const std::string meaning = to_text(line.right);
-    if (name.entry == 0) return groups_.push_back({name.name, meaning, {value}, false});
+    const std::string member = named_after(name.name);
+    if (name.entry == 0) return groups_.push_back({member, meaning, {value}, false});
     auto same = std::find_if(groups_.begin(), groups_.end(),
-                             [&](const Group& g) { return g.name == name.name; });
+                             [&](const Group& g) { return g.name == member; });
     if (same == groups_.end())
-      same = groups_.insert(same, {name.name, meaning, of_array(name.name), true});
+      same = groups_.insert(same, {member, meaning, of_array(name.name), true});
     same->values.at(static_cast<std::size_t>(name.entry) - 1) = value;
+  }
+
+  /// "beta_M" of "beta_m" where the scene calls m so.
+  std::string named_after(const std::string& group) const {
+    const std::size_t symbol = group.find('_') + 1;
+    return group.substr(0, symbol) + as_called(scene_, {group.substr(symbol)}).name;
   }
 
   /// What entries are without a group.

@@ -15,6 +15,7 @@
 #include "emit/pieces.hpp"
 #include "emit/words.hpp"
 #include "formula/algebra_lock.hpp"
+#include "formula/names.hpp"
 #include "program/gradient.hpp"
 #include "program/proof.hpp"
 #include "program/sweep.hpp"
@@ -51,8 +52,8 @@ std::string flags(const ParameterList& parameters, const std::string& name,
   std::vector<std::string> all;
   for (const Member& member : parameters.members()) {
     std::vector<std::string> entries;
-    for (int i = 1; i <= member.length; ++i) entries.push_back(entry({member.name, i}));
-    all.push_back(member.length == 0 ? entry({member.name})
+    for (int i = 1; i <= member.length; ++i) entries.push_back(entry({member.symbol, i}));
+    all.push_back(member.length == 0 ? entry({member.symbol})
                                      : fmt::format("{{{}}}", fmt::join(entries, ", ")));
   }
   return statement(fmt::format("constexpr Varying {}{{{}}};", name, fmt::join(all, ", ")))
@@ -93,6 +94,17 @@ std::string structure(const std::string& head, const std::string& members) {
       members.find('\n') + 1 == members.size() && head.size() + members.size() < line_width;
   if (!is_short) return head + " {\n" + members + "};\n";
   return head + " {" + members.substr(1, members.size() - 2) + " };\n";
+}
+
+/// Of a type for numbers whose name no member has.
+std::string each_struct(const ParameterList& parameters) {
+  const auto is_taken = [&](const std::string& name) {
+    return std::any_of(parameters.members().begin(), parameters.members().end(),
+                       [&](const Member& member) { return member.name == name; });
+  };
+  std::string type = "T";
+  while (is_taken(type)) type += "_";
+  return structure("template <class " + type + "> struct Each", members(parameters, type, "{}"));
 }
 
 // clang takes 256 arguments of a fold expression.
@@ -152,7 +164,7 @@ std::string cpp_evaluation(const VelocityProgram& velocity, const GradientProgra
   for (const Member& member : parameters.members()) {
     std::vector<std::string> entries;
     for (int entry = member.length == 0 ? 0 : 1; entry <= member.length; ++entry) {
-      const auto partial = gradient.partials.find({member.name, entry});
+      const auto partial = gradient.partials.find({member.symbol, entry});
       entries.push_back(partial == gradient.partials.end()
                             ? "0.0"
                             : fmt::format("double({})", text(partial->second)));
@@ -168,7 +180,7 @@ std::string cpp_evaluation(const VelocityProgram& velocity, const GradientProgra
 std::string polynomial_functions(const SweepProgram& sweep, const ParameterList& parameters) {
   const CppDialect dialect(parameters);
   StraightLine code(sweep.program, dialect);
-  std::string out = text::polynomials;
+  std::string out = parameters.named(text::polynomials);
   out += cpp_range_function(sweep, parameters, "has_polynomials");
   out += "inline Result evaluate_polynomials(const Parameters& p) {\n  using T = double;\n";
   out += declarations(code, {sweep.above, sweep.below, sweep.factor}, dialect);
@@ -177,8 +189,8 @@ std::string polynomial_functions(const SweepProgram& sweep, const ParameterList&
   out +=
       statement(fmt::format("const T v = {}(above / below) * ({});",
                             sweep.rooted ? "std::sqrt" : "", code.expression(sweep.factor).text));
-  const std::string last =
-      replaced(text::polynomials_end, "@OMEGA@", std::to_string(sweep.least_omega));
+  const std::string last = replaced(parameters.named(text::polynomials_end), "@OMEGA@",
+                                    std::to_string(sweep.least_omega));
   return out + replaced(last, "@SQUARE@", std::to_string(sweep.least_square));
 }
 
@@ -207,10 +219,11 @@ constexpr int short_program = 60;
 std::string emit_header(const Scene& scene, const std::string& name,
                         const GenerateOptions& options) {
   const AlgebraLock lock;
+  const NamesOfScene names(scene);
   check_library_name(name);
   const FixedValues fixed = fixed_values(scene, options.fixed);
   const Derivation derivation = derive(scene);
-  check_member_names(derivation.parameters, scene.file);
+  check_member_names(scene, derivation.parameters);
   const ParameterList parameters(scene, derivation, fixed);
   const VelocityProgram velocity = velocity_program(scene, parameters.values());
   const auto sweep = sweep_program(scene, parameters.values());
@@ -243,7 +256,7 @@ std::string emit_header(const Scene& scene, const std::string& name,
   out += result;
   out += cpp_evaluation(velocity, gradient, parameters) + (is_long ? text::inline_no_more : "");
   if (sweep) out += polynomial_functions(*sweep, parameters);
-  out += std::string(text::sweep) + "}  // namespace detail\n" + text::calls_comment;
+  out += parameters.named(text::sweep) + "}  // namespace detail\n" + text::calls_comment;
   out += replaced(text::calls, "@T@", "detail::Twofold");
   std::string fast = replaced(text::calls, "@T@", "double");
   if (sweep)
@@ -262,13 +275,12 @@ std::string emit_batch_header(const Scene& scene, const std::string& name,
              "Generated by vcrit, do not edit. SPDX-License-Identifier: MIT-0. Batches over any "
              "parameters of " +
              name + ".hpp:") +
-         text::batch_comment +
+         parameters.named(text::batch_comment) +
          fmt::format(
              "#ifndef {0}\n#define {0}\n#include <bit>\n\n#include \"{1}.hpp\"\n\nnamespace {1} "
              "{{\n",
              guard, name) +
-         structure("template <class T> struct Each", members(parameters, "T", "{}")) + text::each +
-         "namespace detail {\n" + each_function(parameters) +
+         each_struct(parameters) + text::each + "namespace detail {\n" + each_function(parameters) +
          flags(parameters, "all", [](const Symbol&) { return "true"; }) +
          reused_flags(parameters, velocity_program(scene, parameters.values())) + text::batch +
          "}  // namespace detail\n\n" + replaced(text::batch_calls, "@T@", "detail::Twofold") +

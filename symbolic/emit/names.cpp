@@ -229,11 +229,12 @@ void check_library_name(const std::string& name) {
     refuse_name("--name", name, "is taken in C++ or in the generated code");
 }
 
-void check_member_names(const std::vector<Symbol>& symbols, const std::string& file) {
+void check_member_names(const Scene& scene, const std::vector<Symbol>& symbols) {
   for (const Symbol& symbol : symbols) {
-    if (const auto why = unsafe_as_identifier(symbol.name)) refuse_name(file, symbol.name, *why);
-    if (symbol.name == "Parameters")
-      refuse_name(file, symbol.name, "is the name of the struct that it would be a member of");
+    const std::string name = as_called(scene, symbol).name;
+    if (const auto why = unsafe_as_identifier(name)) refuse_name(scene.file, name, *why);
+    if (name == "Parameters")
+      refuse_name(scene.file, name, "is the name of the struct that it would be a member of");
   }
 }
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "network/network.hpp"
+#include "scene/scene.hpp"
 
 namespace vcrit::symbolic {
 
@@ -13,6 +13,6 @@ namespace vcrit::symbolic {
 void check_library_name(const std::string& name);
 
 /// Throws InputError if a member of Parameters cannot have the name of one of these symbols.
-void check_member_names(const std::vector<Symbol>& symbols, const std::string& file);
+void check_member_names(const Scene& scene, const std::vector<Symbol>& symbols);
 
 }  // namespace vcrit::symbolic

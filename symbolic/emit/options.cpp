@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <set>
 
 #include "base/errors.hpp"
 #include "base/identifiers.hpp"
@@ -19,14 +18,13 @@ namespace {
 class Fixable {
  public:
   explicit Fixable(const Scene& scene) : scene_(scene) {
-    for (const auto& [name, length] : scene.arrays) known_[name];
+    for (const auto& [name, length] : scene.arrays) known_[as_called(scene, {name}).name];
     for (const auto& [symbol, value] : scene.elements) {
-      known_[to_text(symbol)] = {{symbol, value}};
-      if (symbol.entry > 0) known_[symbol.name].push_back({symbol, value});
+      add({symbol, value});
+      if (symbol.entry > 0) known_[as_called(scene, symbol).name].push_back({symbol, value});
     }
-    if (const auto* isotropic = std::get_if<Isotropic>(&scene.tangential))
-      known_[to_text(isotropic->quantity.symbol)] = {isotropic->quantity};
-    if (scene.mass) known_["m"] = known_["mass"] = {*scene.mass};
+    if (const auto* isotropic = std::get_if<Isotropic>(&scene.tangential)) add(isotropic->quantity);
+    if (scene.mass) add(*scene.mass);
   }
 
   FixedValues all() const {
@@ -42,33 +40,42 @@ class Fixable {
     const auto found = known_.find(name);
     if (found == known_.end()) {
       // What has the value 0 is in no network, and so in no code.
-      if (!scene_.settable.contains(name) || always().contains(name)) refuse(name);
+      if (!scene_.settable.contains(name) || is_always(name)) refuse(name);
       return fixed;
     }
     for (const Quantity& quantity : found->second) {
       if (!quantity.value)
         throw InputError(
             {"--fix"}, fmt::format("\"{}\", which has no number in the scene", name),
-            fmt::format("a number for it, as by --set {}=VALUE", to_text(quantity.symbol)));
+            fmt::format("a number for it, as by --set {}=VALUE", name_in(scene_, quantity)));
       fixed[quantity.symbol] = *quantity.value;
     }
     return fixed;
   }
 
  private:
-  /// Friction and oscillation, by symbol and by key of the scene file.
-  static const std::set<std::string>& always() {
-    static const std::set<std::string> names{"mu0",       "omega",       "du_z",
-                                             "u_z0",      "coefficient", "angular_frequency",
-                                             "frequency", "amplitude",   "indentation"};
-    return names;
+  /// By all names that it has.
+  void add(const Quantity& quantity) {
+    known_[name_in(scene_, quantity)] = {quantity};
+    for (const auto& [name, symbol] : scene_.named)
+      if (symbol == quantity.symbol) known_[name] = {quantity};
+  }
+
+  /// Friction and oscillation.
+  bool is_always(const std::string& name) const {
+    const auto named = scene_.named.find(name);
+    if (named == scene_.named.end()) return false;
+    const Symbol& symbol = named->second;
+    return symbol == frequency_symbol || symbol == scene_.coefficient.symbol ||
+           symbol == scene_.angular_frequency.symbol || symbol == scene_.amplitude.symbol ||
+           symbol == scene_.indentation.symbol;
   }
 
   [[noreturn]] void refuse(const std::string& name) const {
     std::vector<std::string> names{"all"};
     for (const auto& [known, quantities] : known_) names.push_back(known);
     const std::string one_of = fmt::format("one of {}", fmt::join(names, ", "));
-    if (always().contains(name))
+    if (is_always(name))
       throw InputError({"--fix"}, fmt::format("\"{}\", which is a parameter of every call", name),
                        one_of);
     const auto meant = nearest(name, names);
@@ -100,10 +107,10 @@ std::string command_line(const Scene& scene, const std::string& name,
   return text;
 }
 
-std::string fixed_text(const FixedValues& fixed) {
+std::string fixed_text(const Scene& scene, const FixedValues& fixed) {
   std::vector<std::string> texts;
   for (const auto& [symbol, value] : fixed)
-    texts.push_back(fmt::format("{} = {}", to_text(symbol), to_text(value)));
+    texts.push_back(fmt::format("{} = {}", to_text(as_called(scene, symbol)), to_text(value)));
   return texts.empty() ? "" : fmt::format("Fixed: {}.", fmt::join(texts, ", "));
 }
 

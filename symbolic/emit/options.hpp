@@ -27,6 +27,6 @@ std::string command_line(const Scene& scene, const std::string& name,
                          const GenerateOptions& options);
 
 /// "Fixed: k0 = 8e6, c1 = 30.", or nothing.
-std::string fixed_text(const FixedValues& fixed);
+std::string fixed_text(const Scene& scene, const FixedValues& fixed);
 
 }  // namespace vcrit::symbolic

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 
+#include "emit/pieces.hpp"
 #include "formula/symbols.hpp"
 #include "network/law.hpp"
 
@@ -26,7 +27,8 @@ std::map<Symbol, std::string> element_comments(const Scene& scene) {
 }  // namespace
 
 ParameterList::ParameterList(const Scene& scene, const std::vector<Symbol>& symbols,
-                             const FixedValues& fixed) {
+                             const FixedValues& fixed)
+    : names_(scene.names) {
   const std::set<Symbol> always{{"mu0"}, {"omega"}, {"du_z"}};
   add({"mu0"}, "friction coefficient", scene);
   add({"omega"}, "angular frequency", scene);
@@ -48,11 +50,23 @@ ParameterList::ParameterList(const Scene& scene, const std::vector<Symbol>& symb
 
 void ParameterList::add(const Symbol& symbol, const std::string& comment, const Scene& scene) {
   known_.insert(symbol);
-  if (symbol.entry == 0) return members_.push_back({symbol.name, comment, 0});
+  const std::string name = as_called(scene, symbol).name;
+  if (symbol.entry == 0) return members_.push_back({name, comment, 0, symbol.name});
   const bool is_there = std::any_of(members_.begin(), members_.end(), [&](const Member& member) {
-    return member.name == symbol.name;
+    return member.symbol == symbol.name;
   });
-  if (!is_there) members_.push_back({symbol.name, comment, scene.arrays.at(symbol.name)});
+  if (!is_there) members_.push_back({name, comment, scene.arrays.at(symbol.name), symbol.name});
+}
+
+std::string ParameterList::named(std::string text) const {
+  for (const char* name : {"mu0", "omega", "du_z"})
+    text = replaced(std::move(text), fmt::format("@{}@", name), name_of(name));
+  return text;
+}
+
+std::string ParameterList::name_of(const std::string& symbol) const {
+  const auto found = names_.find(symbol);
+  return found == names_.end() ? symbol : found->second;
 }
 
 NodeId ParameterList::value(Program& program, const Symbol& symbol) const {
@@ -70,8 +84,8 @@ std::vector<std::string> ParameterList::references(const Program& program) const
 }
 
 std::string ParameterList::reference(const Symbol& symbol) const {
-  if (symbol.entry == 0) return "p." + symbol.name;
-  return fmt::format("p.{}[{}]", symbol.name, symbol.entry - 1);
+  if (symbol.entry == 0) return "p." + name_of(symbol.name);
+  return fmt::format("p.{}[{}]", name_of(symbol.name), symbol.entry - 1);
 }
 
 }  // namespace vcrit::symbolic

@@ -2,6 +2,7 @@
 // are fixed.
 #pragma once
 
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -14,8 +15,10 @@
 namespace vcrit::symbolic {
 
 struct Member {
-  std::string name, comment;
-  int length = 0;  ///< of an array, 0 for a number
+  std::string name;  ///< that the scene gives it
+  std::string comment;
+  int length = 0;      ///< of an array, 0 for a number
+  std::string symbol;  ///< what it is called in the program: Symbol::name
 };
 
 class ParameterList {
@@ -26,6 +29,8 @@ class ParameterList {
   ParameterList(const Scene& scene, const std::vector<Symbol>& symbols, const FixedValues& fixed);
 
   const std::vector<Member>& members() const { return members_; }
+  /// The text with the names of those three for "@mu0@", "@omega@" and "@du_z@".
+  std::string named(std::string text) const;
   /// "p.k0", "p.k[2]".
   std::string reference(const Symbol& symbol) const;
   /// Those that the program is of, as references.
@@ -41,8 +46,10 @@ class ParameterList {
 
  private:
   void add(const Symbol& symbol, const std::string& comment, const Scene& scene);
+  std::string name_of(const std::string& symbol) const;
 
   std::set<Symbol> known_;
+  std::map<std::string, std::string> names_;
   FixedValues fixed_;
   std::vector<Member> members_;
 };

@@ -8,6 +8,8 @@
 
 #include "analysis/residues.hpp"
 #include "emit/words.hpp"
+#include "formula/names.hpp"
+#include "formula/symbols.hpp"
 #include "formula/text.hpp"
 
 namespace vcrit::symbolic {
@@ -21,8 +23,11 @@ std::string banner(const Scene& scene, const Derivation& derivation, const std::
   for (const Line& line : derivation.definitions)
     out += comment("  " + to_text(line.left) + " = " + to_text(line.right));
   out += comment("  v* = " + to_text(derivation.critical_velocity) + "   " + derivation.equation +
-                 (derivation.definitions.empty() ? "" : ", s = i omega"));
-  if (!fixed.empty()) out += comment(fixed_text(fixed));
+                 (derivation.definitions.empty()
+                      ? ""
+                      : fmt::format(", {} = {} {}", to_text(laplace()), printed_name(own_name("i")),
+                                    to_text(omega()))));
+  if (!fixed.empty()) out += comment(fixed_text(scene, fixed));
   return out + comment(fmt::format("Formula {}; again: {}", fingerprint(Model(scene)), command));
 }
 

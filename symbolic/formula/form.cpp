@@ -72,9 +72,9 @@ void sort_terms(std::vector<Signed>& terms) {
 /// prefactor mu0 omega du_z keeps its order; elsewhere omega stands behind the elements.
 int rank(const Form& form, bool prefactor) {
   static const std::map<std::string, int> names{
-      {own_name("i"), -9}, {"mu0", -3},        {"du_z", -1},       {own_name("x"), 2},
-      {own_name("y"), 2},  {own_name("A"), 2}, {own_name("B"), 2}, {"omega", 3},
-      {own_name("s"), 4},  {own_name("t"), 5}};
+      {own_name("i"), -9}, {"mu0", -3},        {"du_z", -1},        {own_name("x"), 2},
+      {own_name("y"), 2},  {own_name("A"), 2}, {own_name("B"), 2},  {"omega", 3},
+      {own_name("s"), 4},  {own_name("t"), 5}, {own_name("pi"), -4}};
   switch (form.kind) {
     case Form::Kind::number:
       return -10;

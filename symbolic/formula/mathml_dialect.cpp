@@ -21,7 +21,7 @@ std::string letter(const std::string& word) {
       {"zeta", "ζ"},  {"eta", "η"},  {"theta", "θ"}, {"kappa", "κ"}, {"lambda", "λ"},
       {"mu", "μ"},    {"nu", "ν"},   {"xi", "ξ"},    {"rho", "ρ"},   {"sigma", "σ"},
       {"tau", "τ"},   {"phi", "φ"},  {"chi", "χ"},   {"psi", "ψ"},   {"omega", "ω"},
-      {"Delta", "Δ"}};
+      {"pi", "π"},    {"Delta", "Δ"}};
   const auto found = characters.find(word);
   return found == characters.end() ? word : found->second;
 }

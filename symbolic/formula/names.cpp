@@ -1,6 +1,7 @@
 #include "formula/names.hpp"
 
 #include <algorithm>
+#include <cstring>
 #include <vector>
 
 #include "formula/form.hpp"
@@ -30,10 +31,12 @@ std::string base_name(const std::string& name) {
   return is_own(name) ? name.substr(0, name.size() - 1) : name;
 }
 
-NamesOfScene::NamesOfScene(const Scene& scene) : before_(printing) {
+NamesOfScene::NamesOfScene(const Scene& scene) : names_(scene.names), before_(printing) {
   std::vector<std::string> names;
-  for (const auto& [symbol, value] : scene.elements) names.push_back(symbol.name);
-  for (const Quantity* quantity : quantities(scene)) names.push_back(quantity->symbol.name);
+  for (const auto& [symbol, value] : scene.elements) names.push_back(as_called(scene, symbol).name);
+  for (const Quantity* quantity : quantities(scene)) names.push_back(name_in(scene, *quantity));
+  if (const auto f = names_.find(frequency_symbol.name); f != names_.end())
+    names.push_back(f->second);
   std::sort(names.begin(), names.end(), natural_less);
   for (const std::string& name : names) by_setting_.try_emplace(setting_of(name), name);
   printing = this;
@@ -41,10 +44,25 @@ NamesOfScene::NamesOfScene(const Scene& scene) : before_(printing) {
 
 NamesOfScene::~NamesOfScene() { printing = before_; }
 
+// "k[3]" by what "k" is called; kappa_k[3] of the program by what k is called that it is named
+// after.
+std::string NamesOfScene::written(const std::string& name) const {
+  for (const char* prefix : {"S_", "kappa_", "theta_", "beta_"})
+    if (is_own(name) && name.starts_with(prefix))
+      return prefix + with_entry(base_name(name).substr(std::strlen(prefix)));
+  return is_own(name) ? base_name(name) : with_entry(name);
+}
+
+std::string NamesOfScene::with_entry(const std::string& name) const {
+  const std::size_t entry = std::min(name.find('['), name.size());
+  const auto found = names_.find(name.substr(0, entry));
+  return found == names_.end() ? name : found->second + name.substr(entry);
+}
+
 // The imaginary unit has a second name of its own.
 std::string printed_name(const std::string& name) {
-  if (!is_own(name)) return name;
-  const std::string base = base_name(name);
+  const std::string base = printing == nullptr ? base_name(name) : printing->written(name);
+  if (!is_own(name)) return base;
   const std::size_t entry = std::min(base.find('['), base.size());  // of an array's groups
   std::string printed = base.substr(0, entry);
   const auto taken = [](const std::string& candidate) {

@@ -17,11 +17,12 @@ bool is_own(const std::string& name);
 /// Without the mark.
 std::string base_name(const std::string& name);
 
-/// How a name, marked or not, reads: a scene's as it is.
+/// How a name, marked or not, reads: a scene's symbol as the scene calls it.
 std::string printed_name(const std::string& name);
 
 /// While it lives, formulas of this scene are printed in this thread: its names are not given to
 /// symbols of the program, and two of them that would be set alike (k1 and k_1) are set apart.
+/// What the scene calls otherwise than the program (mass = "M") is printed so.
 class NamesOfScene {
  public:
   explicit NamesOfScene(const Scene& scene);
@@ -32,7 +33,11 @@ class NamesOfScene {
  private:
   friend std::string printed_name(const std::string& name);
   friend bool is_set_apart(const std::string& name);
+  std::string written(const std::string& name) const;
+  std::string with_entry(const std::string& name) const;
+
   std::map<std::string, std::string> by_setting_;  ///< the first name of each setting in LaTeX
+  std::map<std::string, std::string> names_;       ///< that the scene gives its symbols
   const NamesOfScene* before_;
 };
 

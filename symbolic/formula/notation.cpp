@@ -10,8 +10,8 @@ namespace vcrit::symbolic {
 namespace {
 
 constexpr auto greek = std::to_array<std::string_view>(
-    {"alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "kappa", "lambda",
-     "mu",    "nu",   "xi",    "rho",   "sigma",   "tau",  "phi", "chi",   "psi",   "omega"});
+    {"alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "kappa", "lambda", "mu",
+     "nu",    "xi",   "rho",   "sigma", "tau",     "phi",  "chi", "psi",   "omega", "pi"});
 
 /// The greek letter that `word` begins with and that ends at an index or with the word; the
 /// longest.

@@ -10,6 +10,7 @@
 #include "derivation/scenes.hpp"
 #include "formula/text.hpp"
 #include "network/catalogue.hpp"
+#include "network/law.hpp"
 #include "network/masses.hpp"
 #include "stiffness/relaxation.hpp"
 
@@ -59,6 +60,7 @@ numeric stiffness_at(const Network& network, const Exact& values, const numeric&
     const numeric k = values.at(e->coefficient);
     if (e->kind == ElementKind::spring) return k;
     if (e->kind == ElementKind::damper) return k * s;
+    if (e->kind == ElementKind::lossy) return k * (1 + GiNaC::I * values.at(e->second));
     const numeric turn = values.at(e->second) * s;
     return k * turn / (1 + turn);
   }
@@ -135,7 +137,8 @@ BOOST_AUTO_TEST_CASE(storage_and_loss_are_the_parts_of_the_stiffness) {
 BOOST_AUTO_TEST_CASE(the_spectrum_adds_up_to_the_stiffness) {
   for (const Network& network : networks()) {
     const auto found = spectrum(network);
-    BOOST_REQUIRE(found.has_value());
+    BOOST_REQUIRE(found.has_value() == is_rational(network));
+    if (!found) continue;
     const ex difference = response(network).stiffness - found->in_elements(found->sum());
     // Squares of roots become plain only after the product is expanded.
     BOOST_TEST(difference.normal().numer().expand().normal().is_zero(),
@@ -155,7 +158,7 @@ BOOST_AUTO_TEST_CASE(the_spectrum_is_that_of_the_numeric_relaxation_form) {
   std::mt19937 random(seed);
   int compared = 0;
   for (const Network& network : networks())
-    for (int i = 0; i < 20; ++i) {
+    for (int i = 0; i < 20 && is_rational(network); ++i) {
       const Values values = doubles_for(network, random);
       const Relaxation expected = relaxation_form(network, values);
       const Relaxation found = in_numbers(*spectrum(network), values);
@@ -204,7 +207,7 @@ BOOST_AUTO_TEST_CASE(formulas_read_well) {
 }
 
 BOOST_AUTO_TEST_CASE(branches_stay_as_they_are_given) {
-  const Spectrum found = *spectrum(networks().at(7));
+  const Spectrum found = *spectrum(network_of("prony(k0, k, tau, 3)"));
   BOOST_REQUIRE(found.lines.size() == 3U);
   BOOST_TEST(line_text(found.lines[2].time) == "tau[3] = tau[3]");
   BOOST_TEST(line_text(found.lines[2].strength) == "k[3] = k[3]");

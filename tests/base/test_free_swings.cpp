@@ -9,6 +9,7 @@
 #include <set>
 
 #include "base/constants.hpp"
+#include "base/errors.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_free_swings)
 
@@ -32,6 +33,11 @@ std::vector<int> drawn(std::mt19937& random, int most) {
 }
 
 }  // namespace
+
+BOOST_AUTO_TEST_CASE(work_is_bounded) {
+  BOOST_CHECK_NO_THROW(least_maximum({2, 13, 24, 35, 46, 57, 68, 79, 100}));
+  BOOST_CHECK_THROW(least_maximum({2, 3, 4, 5, 6, 7, 8, 9, 10, 11}), ModelError);
+}
 
 BOOST_AUTO_TEST_CASE(one_harmonic_or_none) {
   BOOST_TEST(least_maximum({}).upper == 1);

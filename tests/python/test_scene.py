@@ -111,6 +111,30 @@ class Scenes(unittest.TestCase):
         self.assertEqual(caught.filename, __file__)
         self.assertEqual(len(beyond.warnings), 1)
 
+    def test_names_that_a_scene_gives_its_symbols(self):
+        text = (PROJECT / ZENER).read_text()
+        own = vcrit.Scene(PROJECT / ZENER)
+        # Numbers as they were typed are exact, those given here are doubles.
+        own = own.with_values({name: own.parameters[name].value for name in ("m", "mu0", "du_z", "k1")})
+        numbers = {}
+        for line, symbol, name in (('mass = "5 g"', "m", "M"), ("coefficient = 0.3", "mu0", "mu"),
+                                   ('amplitude   = "0.1 um"', "du_z", "a"), ('k1 = "4 N/um"', "k1", "E")):
+            self.assertIn(line, text)
+            text = text.replace(line, f'{line.split("=")[0]}= "{name}"')
+            numbers[name] = own.parameters[symbol].value
+        scene = vcrit.Scene.from_text(text)
+        self.assertEqual([name for name, parameter in scene.parameters.items() if parameter.value is None],
+                         [name for name in scene.parameters if name in numbers])
+        self.assertEqual(len(scene.parameters), len(own.parameters))
+        self.assertLessEqual(set(numbers), set(scene.parameters))
+        filled = scene.with_values(**numbers)
+        self.assertEqual(filled.critical_velocity(), own.critical_velocity())
+        self.assertEqual(filled.critical_velocity(M=[1e-3, 2e-3], E=3e6).tolist(),
+                         own.critical_velocity(mass=[1e-3, 2e-3], k1=3e6).tolist())
+        self.assertEqual(scene.critical_velocity(**numbers),
+                         own.critical_velocity(m=numbers["M"], mu0=numbers["mu"], du_z=numbers["a"], k1=numbers["E"]))
+        self.assertIn("M*omega^2", vcrit.derive(scene).text)
+
 
 class OtherValues(unittest.TestCase):
     def setUp(self):
@@ -197,6 +221,7 @@ coefficient = 0.25
 k = 1
 kd = 4
 """
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -300,12 +300,36 @@ BOOST_AUTO_TEST_CASE(names_of_quantities_are_free_for_nothing_else) {
             "found \"" + quoted + "\" as an element; expected another name"),
         name);
     for (const char* key : {"poisson", "tangential_ratio"})
-      if (quoted != key)
-        BOOST_TEST(has(message("[contact]\nnormal = \"k\"\n" + std::string(key) + " = \"" + quoted +
-                               "\"\n" + body),
-                       "found \"" + quoted + "\" as a ratio; expected another name"),
+      if (quoted != key) {
+        const std::string given = std::string(key) + " = \"" + quoted + "\"";
+        const std::string refusal = message("[contact]\nnormal = \"k\"\n" + given + "\n" + body);
+        BOOST_TEST((has(refusal, "found \"" + quoted + "\" as a symbol; expected another name") ||
+                    has(refusal, "found " + given + "; expected another name")),
                    name);
+      }
   }
+}
+
+// What the program calls a quantity is free where the scene calls it otherwise.
+BOOST_AUTO_TEST_CASE(symbols_are_known_by_themselves_and_called_by_the_scene) {
+  const Scene s = scene(
+      "[contact]\nnormal = \"spring(mu0) | k1\"\npoisson = \"m\"\n[drive]\nnetwork = \"kd\"\n"
+      "[body]\nmass = \"M\"\n[friction]\ncoefficient = \"mu\"\n[oscillation]\nfrequency = \"f\"\n"
+      "[elements]\nk1 = \"E\"\nE = 5\nmu0 = 7\n");
+  BOOST_TEST(name_in(s, *s.mass) == "M");
+  BOOST_TEST(s.mass->symbol.name == "m");
+  BOOST_TEST(name_in(s, s.coefficient) == "mu");
+  BOOST_TEST(name_in(s, std::get<Isotropic>(s.tangential).quantity) == "m");
+  BOOST_TEST(std::get<Isotropic>(s.tangential).quantity.symbol.name != "m");
+  BOOST_TEST_REQUIRE(s.elements.size() == 3U);
+  BOOST_TEST(to_text(as_called(s, s.elements[0].first)) == "mu0");
+  BOOST_TEST((s.elements[0].first != s.coefficient.symbol));
+  BOOST_TEST(to_text(s.elements[1].first) == "E");
+  BOOST_TEST(s.elements[1].second.value() == 5);
+  BOOST_TEST((s.named.at("f") == frequency_symbol));
+  BOOST_TEST((s.named.at("k1") == s.named.at("E")));
+  BOOST_TEST((s.named.at("mass") == s.named.at("M")));
+  BOOST_TEST(s.warnings.empty());
 }
 
 // The struct is public: what was changed in it is checked where it is evaluated.

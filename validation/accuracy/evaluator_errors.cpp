@@ -145,7 +145,7 @@ EvaluatorErrors evaluator_errors(const Scene& scene, const Driver* driver, const
   result.sets = inputs.sets.size();
   result.near_resonance = inputs.near_resonance;
   result.near_antiresonance = inputs.near_antiresonance;
-  result.symbols = inputs.symbols;
+  for (const Symbol& symbol : inputs.symbols) result.symbols.push_back(as_called(scene, symbol));
   const Reference reference = reference_of(scene, inputs);
   if (driver != nullptr) {
     std::vector<std::string> keys;

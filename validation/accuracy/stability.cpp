@@ -168,8 +168,8 @@ StabilityMap stability_map(const Scene& scene, const Driver* driver, const std::
                            const std::vector<Symbol>& scaled, const MapGrid& grid) {
   StabilityMap map;
   map.key = key;
-  map.name = names(scaled);
-  map.scaled = scaled;
+  for (const Symbol& symbol : scaled) map.scaled.push_back(as_called(scene, symbol));
+  map.name = names(map.scaled);
   const Cells cells = cells_of(scene, scaled, grid);
   map.omega = cells.omega;
   map.factor = cells.factor;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "explorer.hpp"
 #include "figures/figure_json.hpp"
 #include "report/assets.hpp"
 #include "report/html.hpp"
@@ -22,7 +23,7 @@ using nlohmann::ordered_json;
 /// A slider moves over four decades around the scene's value; that of the frequency from stop to
 /// stop of the friction grid.
 std::string slider(const Slider& slider, std::size_t number, bool coarse) {
-  const std::string name = slider.array ? slider.name + ", all entries" : slider.name;
+  const std::string name = slider.array ? slider.label + ", all entries" : slider.label;
   return fmt::format(
       "<tr><th scope=\"row\"><label for=\"slider-{0}\">{1}<small>{2}</small></label></th>"
       "<td><input type=\"range\" id=\"slider-{0}\" min=\"-2\" max=\"2\" step=\"{3}\" value=\"0\" "
@@ -81,11 +82,15 @@ ordered_json grid_json(const FrictionGrid& grid) {
 /// All numbers of the scene by name; an array's entries are in their order.
 ordered_json values_json(const SceneReport& report) {
   ordered_json values = ordered_json::object();
-  for (const auto& [symbol, value] : values_of(report.scene))
+  Scene scene = report.scene;
+  scene.names = names_in_page(scene);
+  for (const auto& [symbol, value] : values_of(scene)) {
+    const std::string name = as_called(scene, symbol).name;
     if (symbol.entry == 0)
-      values[symbol.name] = value;
+      values[name] = value;
     else
-      values[symbol.name].push_back(value);
+      values[name].push_back(value);
+  }
   return values;
 }
 

@@ -21,7 +21,7 @@ ordered_json json(const Equation& equation) {
 }
 
 ordered_json json(const ValueLine& line) {
-  return {{"name", to_text(line.symbol)},
+  return {{"name", line.name.text},
           {"value", json_number(line.value)},
           {"unit", line.unit},
           {"meaning", line.meaning}};

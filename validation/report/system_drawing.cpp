@@ -39,7 +39,7 @@ std::string ground(double length) {
 
 /// The contact point on the substrate, with the coefficient of friction.
 Drawing contact_point(const Symbol& coefficient) {
-  const std::string name = coefficient.name == "mu0"
+  const std::string name = coefficient == Symbol{"mu0"}
                                ? italic("μ") + R"(<tspan class="index" dy="4">0</tspan>)"
                                : label(coefficient);
   return {52, 14, 52,
@@ -102,6 +102,15 @@ Drawing times(double factor, const Drawing& network) {
               text(before - 48, -8, fmt::format("{:.4g} ×", factor))};
 }
 
+/// Its elements by the names that the scene gives them.
+Scene by_written_names(Scene scene) {
+  const auto name = [names = scene](const Symbol& symbol) { return as_called(names, symbol); };
+  rename(scene.normal, name);
+  if (auto* own = std::get_if<Network>(&scene.tangential)) rename(*own, name);
+  if (scene.drive) rename(*scene.drive, name);
+  return scene;
+}
+
 Drawing tangential(const Scene& scene) {
   const auto* isotropic = std::get_if<Isotropic>(&scene.tangential);
   if (isotropic == nullptr) return draw(std::get<Network>(scene.tangential));
@@ -111,13 +120,14 @@ Drawing tangential(const Scene& scene) {
 
 }  // namespace
 
-std::string draw_sliding(const Scene& scene) {
+std::string draw_sliding(const Scene& given) {
+  const Scene scene = by_written_names(given);
   Row row;
   std::string description = "Substrate, contact point, tangential contact network";
-  row.add(contact_point(scene.coefficient.symbol));
+  row.add(contact_point(as_called(scene, scene.coefficient.symbol)));
   row.add(tangential(scene));
   if (scene.mass) {
-    row.add(body(scene.mass->symbol));
+    row.add(body(as_called(scene, scene.mass->symbol)));
     description += ", body";
   } else if (has_drive(scene)) {
     row.add(joint());
@@ -134,7 +144,8 @@ std::string draw_sliding(const Scene& scene) {
   return row.svg(description + ", moved at constant velocity");
 }
 
-std::string draw_normal(const Scene& scene) {
+std::string draw_normal(const Scene& given) {
+  const Scene scene = by_written_names(given);
   Row row;
   row.add(wall());
   row.add(draw(scene.normal));

@@ -14,11 +14,10 @@ namespace {
 // Surfaces that part for less than rounding can tell only touch at one instant of the period.
 constexpr double hardly = 1e-14;
 
-void require_contact(const System& system, double amplitude, double indentation) {
+void require_contact(const Scene& scene, const System& system, double amplitude,
+                     double indentation) {
   if (!(amplitude < indentation))
-    throw ModelError(
-        fmt::format("the amplitude du_z = {} m is not below the indentation u_z0 = {} m (3)",
-                    amplitude, indentation));
+    throw ModelError(beyond_indentation(scene, amplitude, indentation));
   if (!(std::abs(system.normal_force_amplitude) < system.mean_normal_force))
     throw ModelError(
         fmt::format("the contact opens: F_n oscillates by {:.6g} N about a mean of {:.6g} N (4)",
@@ -96,11 +95,13 @@ System system_of(const Scene& scene) {
   }
   if (!(normal.equilibrium > 0))
     throw ModelError("the normal network carries no static load: K_n(0) = 0");
-  if (!(system.friction > 0)) throw ModelError("with mu0 = 0 there is no friction to compare with");
+  if (!(system.friction > 0))
+    throw ModelError(fmt::format("with {} = 0 there is no friction to compare with",
+                                 name_in(scene, scene.coefficient)));
   if (scene.separation)
     let_open(system, normal, amplitude, indentation);
   else
-    require_contact(system, amplitude, indentation);
+    require_contact(scene, system, amplitude, indentation);
   return system;
 }
 

@@ -24,10 +24,9 @@ class C99 {
     out += finished();
     for (const CallGrade grade : {CallGrade::accurate, CallGrade::fast, CallGrade::wide})
       out += evaluate(grade);
-    out += "\n" + comment(
+    out += "\n" + comment(evaluator_.parameters.named(
                       "v* is infinite at resonance, 0 at antiresonance, NaN for 0/0. Batches: a "
-                      "value for each "
-                      "omega.");
+                      "value for each @omega@."));
     return out + calls("dd", "") + comment("In plain double.") + calls("plain", "fast_");
   }
 
@@ -90,7 +89,7 @@ class C99 {
   }
 
   std::string calls(const std::string& kind, const std::string& fast) const {
-    std::string out = std::string(c99::result) + c99::calls;
+    std::string out = evaluator_.parameters.named(std::string(c99::result) + c99::calls);
     out = replaced(out, "@GRADE", "@" + kind);
     return prefixed(replaced(out, "@FAST", "@" + fast));
   }

@@ -223,7 +223,7 @@ static inline @Gradient @FASTcritical_velocity_gradient(const @Parameters *p) {
 static inline void @FASTcritical_velocity_batch(const @Parameters *p, size_t n, const double *omega, double *out) {
   @Parameters at = *p;
   for (size_t i = 0; i < n; ++i) {
-    at.omega = omega[i];
+    at.@omega@ = omega[i];
     out[i] = @FASTcritical_velocity(&at);
   }
 }

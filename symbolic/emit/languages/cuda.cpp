@@ -59,7 +59,9 @@ std::string cuda_evaluation(const Evaluator& evaluator) {
   return out + "  }\n  return r;\n}\n";
 }
 
-std::string grade(const std::string& number) { return replaced(cuda::calls, "@T", number); }
+std::string grade(const Evaluator& evaluator, const std::string& number) {
+  return replaced(evaluator.parameters.named(cuda::calls), "@T", number);
+}
 
 }  // namespace
 
@@ -71,11 +73,12 @@ std::string cuda_text(const Evaluator& evaluator, const std::string& name) {
   out += "namespace detail {\n" + cuda_operations(evaluator) + cuda_range_function(evaluator) +
          cuda_finished(evaluator.velocity.rooted) + cuda_evaluation(evaluator) + cuda::result +
          "}  // namespace detail\n\n";
-  out += comment(
+  out += comment(evaluator.parameters.named(
       "v* is infinite at resonance, 0 at antiresonance, NaN for 0/0. Batches: a value for each "
-      "omega.");
-  out += grade("detail::Twofold") + "namespace fast {  // in plain double\n" + grade("double") +
-         "}  // namespace fast\n" + fmt::format("}}  // namespace {}\n", name);
+      "@omega@."));
+  out += grade(evaluator, "detail::Twofold") + "namespace fast {  // in plain double\n" +
+         grade(evaluator, "double") + "}  // namespace fast\n" +
+         fmt::format("}}  // namespace {}\n", name);
   out += fmt::format("#undef @CALL\n#undef @COLD\n#endif  // {}\n", guard);
   out = replaced(out, "@CALL", "VCRIT_CALL_" + name);
   return replaced(out, "@COLD", "VCRIT_COLD_" + name);

@@ -215,7 +215,7 @@ const char* const calls =
   return {r.value, r.partial};
 }
 inline void critical_velocity(Parameters p, std::size_t n, const double* omega, double* out) {
-  for (std::size_t i = 0; i < n; ++i) p.omega = omega[i], out[i] = detail::result<@T>(p).value;
+  for (std::size_t i = 0; i < n; ++i) p.@omega@ = omega[i], out[i] = detail::result<@T>(p).value;
 }
 #ifdef __CUDACC__
 /// Any grid; `bound`, unless it is null, takes the relative error bounds.
@@ -223,7 +223,7 @@ template <int = 0>
 __global__ void critical_velocity_kernel(Parameters p, std::size_t n, const double* omega, double* out, double* bound) {
   const std::size_t stride = static_cast<std::size_t>(gridDim.x) * blockDim.x;
   for (std::size_t i = static_cast<std::size_t>(blockIdx.x) * blockDim.x + threadIdx.x; i < n; i += stride) {
-    p.omega = omega[i];
+    p.@omega@ = omega[i];
     const detail::Result r = detail::result<@T>(p);
     out[i] = r.value;
     if (bound) bound[i] = r.relative_error_bound;

@@ -42,7 +42,7 @@ Body body(const Evaluator& evaluator, const CallDialect& dialect) {
   result.gradient = code.declare(partials);
   for (const Member& member : evaluator.parameters.members())
     for (int entry = member.length == 0 ? 0 : 1; entry <= member.length; ++entry) {
-      const auto partial = gradient.partials.find({member.name, entry});
+      const auto partial = gradient.partials.find({member.symbol, entry});
       result.partials.push_back(partial == gradient.partials.end()
                                     ? "0.0"
                                     : dialect.rounded(code.expression(partial->second)));

@@ -75,10 +75,10 @@ std::string javascript_text(const Evaluator& evaluator) {
   out += javascript_evaluation(evaluator, CallGrade::fast, spelling);
   out +=
       "\n" +
-      comment(
+      comment(evaluator.parameters.named(
           "v* is infinite at resonance, 0 at antiresonance, NaN for 0/0. Batches: a value for each "
-          "omega.");
-  return out + javascript::calls;
+          "@omega@."));
+  return out + evaluator.parameters.named(javascript::calls);
 }
 
 }  // namespace vcrit::symbolic

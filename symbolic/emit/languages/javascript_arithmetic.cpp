@@ -146,7 +146,7 @@ export const critical_velocity_gradient = (p) => {  // partial: d value/d parame
 export const critical_velocity_batch = (p, omega, out = new Float64Array(omega.length)) => {
   const at = { ...p };
   for (let i = 0; i < omega.length; ++i) {
-    at.omega = omega[i];
+    at.@omega@ = omega[i];
     out[i] = critical_velocity(at);
   }
   return out;
@@ -162,7 +162,7 @@ export const fast_critical_velocity_gradient = (p) => {
 export const fast_critical_velocity_batch = (p, omega, out = new Float64Array(omega.length)) => {
   const at = { ...p };
   for (let i = 0; i < omega.length; ++i) {
-    at.omega = omega[i];
+    at.@omega@ = omega[i];
     out[i] = fast_critical_velocity(at);
   }
   return out;

@@ -83,12 +83,11 @@ void check_library_name(const std::string& name, Language language) {
   if (is_taken_in_language(name, language)) refuse_in_language("--name", name, "taken", language);
 }
 
-void check_member_names(const std::vector<Symbol>& symbols, const std::string& file,
-                        Language language) {
-  check_member_names(symbols, file);
+void check_member_names(const Scene& scene, const std::vector<Symbol>& symbols, Language language) {
+  check_member_names(scene, symbols);
   for (const Symbol& symbol : symbols)
-    if (is_keyword(symbol.name, language))
-      refuse_in_language(file, symbol.name, "a reserved word", language);
+    if (const std::string name = as_called(scene, symbol).name; is_keyword(name, language))
+      refuse_in_language(scene.file, name, "a reserved word", language);
 }
 
 }  // namespace vcrit::symbolic

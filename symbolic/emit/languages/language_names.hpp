@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "emit/languages/languages.hpp"
-#include "network/network.hpp"
+#include "scene/scene.hpp"
 
 namespace vcrit::symbolic {
 
@@ -13,7 +13,6 @@ namespace vcrit::symbolic {
 void check_library_name(const std::string& name, Language language);
 
 /// Throws InputError if a parameter cannot have the name of one of these symbols.
-void check_member_names(const std::vector<Symbol>& symbols, const std::string& file,
-                        Language language);
+void check_member_names(const Scene& scene, const std::vector<Symbol>& symbols, Language language);
 
 }  // namespace vcrit::symbolic

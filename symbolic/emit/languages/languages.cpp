@@ -8,6 +8,7 @@
 #include "emit/words.hpp"
 #include "emit/written.hpp"
 #include "formula/algebra_lock.hpp"
+#include "formula/names.hpp"
 
 namespace vcrit::symbolic {
 
@@ -65,11 +66,12 @@ std::string extension(Language language) {
 std::string emit(const Scene& scene, const std::string& name, Language language,
                  const GenerateOptions& options) {
   const AlgebraLock lock;
+  const NamesOfScene names(scene);
   check_library_name(name, language);
   const FixedValues fixed = fixed_values(scene, options.fixed);
   const Evaluator evaluator(scene, fixed,
                             has_wide(language) ? Zeros::out_of_range : Zeros::in_range);
-  check_member_names(evaluator.derivation.parameters, scene.file, language);
+  check_member_names(scene, evaluator.derivation.parameters, language);
   GenerateOptions own = options;
   own.language = language_names()[static_cast<std::size_t>(language)];
   std::string head = banner(scene, evaluator.derivation, command_line(scene, name, own), fixed) +

@@ -88,7 +88,7 @@ std::string python_text(const Evaluator& evaluator) {
                   rooted ? "_dd_root" : "");
   out += python_evaluation(evaluator, CallGrade::accurate, spelling);
   out += python_evaluation(evaluator, CallGrade::fast, spelling);
-  return out + python::calls;
+  return out + evaluator.parameters.named(python::calls);
 }
 
 }  // namespace vcrit::symbolic

@@ -252,7 +252,7 @@ const char* const calls =
     R"(
 
 def _result(evaluate, p, omega, gradient):
-    p = _given(p if omega is None else replace(p, omega=omega))
+    p = _given(p if omega is None else replace(p, @omega@=omega))
     with np.errstate(all="ignore"):
         r = evaluate(p, gradient)
         plain = r if evaluate is _plain_evaluate or np.all(r.safe) else _plain_evaluate(p, gradient)
@@ -265,7 +265,7 @@ def _result(evaluate, p, omega, gradient):
 
 
 # v* is infinite at resonance, 0 at antiresonance, NaN for 0/0. Batches: any parameter may be an array; `omega`, where it
-# is given, stands in the place of p.omega.
+# is given, stands in the place of p.@omega@.
 def critical_velocity(p: Parameters, omega: Any = None) -> Any:
     return _result(_dd_evaluate, p, omega, False).value
 

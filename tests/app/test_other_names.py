@@ -1,0 +1,304 @@
+"""Scenes that call quantities and elements by names of their own, through every command and language.
+
+Each scene is held against one that is the same but for its names, which has the canonical ones: the numbers are the
+same, to the bit where nothing is rounded on the way, and everything that is printed has the scene's names.
+"""
+import cmath
+import contextlib
+import csv
+import json
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+PROGRAM = sys.argv[1]
+
+# What can be called otherwise, in the order of the scene below: canonical name and value.
+VALUES = {"nu": 0.3, "m": 1e-3, "omega": 6e4, "du_z": 1e-7, "u_z0": 1e-6, "mu0": 0.3,
+          "k0": 7e6, "k1": 3e6, "c1": 20.0, "kd": 5e6}
+KEYS = {"nu": "poisson", "m": "mass", "omega": "angular_frequency", "du_z": "amplitude", "u_z0": "indentation",
+        "mu0": "coefficient", "k0": "k0", "k1": "k1", "c1": "c1", "kd": "kd"}
+
+# Names as people choose them; each other's, in a circle; the keys themselves; those that derivations use.
+OTHERS = [
+    {"nu": "poisson", "m": "M", "omega": "w", "du_z": "a", "u_z0": "depth", "mu0": "mu", "k0": "E", "k1": "e1",
+     "c1": "eta", "kd": "k_spring"},
+    {"nu": "m", "m": "mu0", "omega": "du_z", "du_z": "omega", "u_z0": "nu", "mu0": "u_z0"},
+    {"m": "k2", "k0": "m", "k1": "omega", "c1": "mu0", "kd": "du_z", "omega": "c2", "mu0": "k3", "du_z": "k4"},
+    {"nu": "poisson", "m": "mass", "omega": "angular_frequency", "du_z": "amplitude", "u_z0": "indentation",
+     "mu0": "coefficient"},
+    {"nu": "K_n", "m": "s", "omega": "i", "du_z": "x", "u_z0": "t", "mu0": "K_d", "k0": "A", "k1": "p", "c1": "T",
+     "kd": "abs"},
+    {"m": "beta_kd", "k0": "S_k1", "k1": "v", "c1": "kappa_k1", "kd": "out", "omega": "n", "mu0": "theta_c1"},
+]
+NETWORKS = 'normal = "k0 | (k1 - c1)"'
+
+
+def scene(names, values=None):
+    """All symbols, but for `values`."""
+    given = {key: json.dumps(names.get(key, key)) for key in VALUES} | {k: repr(v) for k, v in (values or {}).items()}
+    return (f'[contact]\n{NETWORKS}\npoisson = {given["nu"]}\n[drive]\nnetwork = "kd"\n[body]\nmass = {given["m"]}\n'
+            f'[oscillation]\nangular_frequency = {given["omega"]}\namplitude = {given["du_z"]}\n'
+            f'indentation = {given["u_z0"]}\n[friction]\ncoefficient = {given["mu0"]}\n[elements]\n'
+            + "".join(f"{key} = {given[key]}\n" for key in ("k0", "k1", "c1", "kd")))
+
+
+def settings(names, but=()):
+    return [part for key, value in VALUES.items() if key not in but
+            for part in ("--set", f"{names.get(key, key)}={value!r}")]
+
+
+class OtherNames(unittest.TestCase):
+    def setUp(self):
+        self.temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(self.temporary.cleanup)
+        self.folder = pathlib.Path(self.temporary.name)
+        self.file = self.folder / "s.toml"
+        self.canonical = self.folder / "canonical.toml"
+        self.canonical.write_text(scene({}))
+
+    def run_program(self, *arguments, file=None):
+        command, *rest = arguments
+        ran = subprocess.run([PROGRAM, command, file or self.file, *rest], capture_output=True, text=True)
+        self.assertEqual(ran.returncode, 0, ran.stderr)
+        self.assertNotRegex(ran.stdout, r"\w~")
+        return ran.stdout
+
+    def refused(self, text, *arguments, found):
+        self.file.write_text(text)
+        command, *rest = arguments
+        ran = subprocess.run([PROGRAM, command, self.file, *rest], capture_output=True, text=True)
+        self.assertEqual(ran.returncode, 2, ran.stdout)
+        self.assertIn(found, ran.stderr)
+
+    @contextlib.contextmanager
+    def scene(self, names):
+        self.file.write_text(scene(names))
+        with self.subTest(scene=OTHERS.index(names)):
+            yield
+
+    def value(self):
+        return json.loads(self.run_program("eval", "--json", *settings({}), file=self.canonical))["critical_velocity"]
+
+    def test_formulas_are_printed_in_the_scenes_names(self):
+        expected = self.value()
+        for names in OTHERS:
+            with self.scene(names):
+                for form in ("by-size", "nested"):
+                    text = self.run_program("derive", "--form", form)
+                    s, i, omega = re.search(r"with (\w+) = (\w+)\*(\w+)", text).groups()
+                    self.assertEqual(omega, names.get("omega", "omega"))
+                    known = {names.get(key, key): value for key, value in VALUES.items()}
+                    self.assertNotIn(s, known)
+                    self.assertNotIn(i, known)
+                    known |= {i: 1j, s: VALUES["omega"] * 1j}
+                    result = None
+                    for left, right in re.findall(r"^    (\S+) = (.+)$", text[text.index("Normal contact"):], re.M):
+                        formula = re.sub(r"\b(abs|sqrt)\(", r"\1_of(", right.replace("^", "**"))
+                        value = eval(formula, {"__builtins__": {}}, dict(known, abs_of=abs, sqrt_of=cmath.sqrt))
+                        if left == "v*":
+                            result = abs(value)
+                        else:
+                            self.assertNotIn(left, known, text)
+                            known[left] = value
+                    # Some 40 operations in doubles, none of which cancels.
+                    self.assertAlmostEqual(result / expected, 1, delta=1e-13)
+
+    def test_documents_name_what_varies(self):
+        own = json.loads(self.run_program("derive", "--format", "json", "--sensitivities", file=self.canonical))
+        for names in OTHERS:
+            with self.scene(names):
+                found = json.loads(self.run_program("derive", "--format", "json", "--sensitivities"))
+                self.assertEqual(found["parameters"], [names.get(key, key) for key in own["parameters"]])
+                self.assertEqual([each["parameter"] for each in found["sensitivities"]],
+                                 [names.get(each["parameter"], each["parameter"]) for each in own["sensitivities"]])
+                # What is one formula has one fingerprint, but that a ratio has no name but the scene's.
+                if "nu" not in names and not {"k0", "k1", "c1", "kd"} & set(names):
+                    self.assertEqual(found["fingerprint"], own["fingerprint"])
+                for options in (["--format", "latex"], ["--format", "markdown"], ["--form", "rational"],
+                                ["--form", "dimensionless"], ["--limits"]):
+                    self.assertNotRegex(self.run_program("derive", *options), r"[\x00-\x08\x0b-\x1f]")
+
+    def test_scenes_that_differ_in_names_of_quantities_are_equal(self):
+        for names in ({"m": "M", "mu0": "mu"}, OTHERS[1], OTHERS[3]):
+            self.file.write_text(scene(names))
+            self.assertIn("equal: ", self.run_program("derive", "--equal", str(self.canonical)))
+
+    def test_numbers_by_the_scenes_names(self):
+        reference = {command[0]: self.run_program(*command, "--json", *settings({}), file=self.canonical)
+                     for command in (["eval"], ["critical"], ["simulate", "--velocity-ratio", "0.5"])}
+        for names in OTHERS:
+            with self.scene(names):
+                for command in (["eval"], ["critical"], ["simulate", "--velocity-ratio", "0.5"]):
+                    found = self.run_program(*command, "--json", *settings(names))
+                    self.assertEqual(json.loads(found), json.loads(reference[command[0]]))
+                # The keys of the file stand for the same.
+                by_keys = [f"{KEYS[key]}={value!r}" for key, value in VALUES.items()]
+                found = self.run_program("eval", "--json", *(p for each in by_keys for p in ("--set", each)))
+                self.assertEqual(json.loads(found), json.loads(reference["eval"]))
+
+    def test_what_is_missing_is_called_by_its_name(self):
+        for names in OTHERS:
+            with self.scene(names):
+                ran = subprocess.run([PROGRAM, "eval", self.file], capture_output=True, text=True)
+                self.assertEqual(ran.returncode, 2)
+                listed = re.search(r"no value for (.*); expected", ran.stderr).group(1).split(", ")
+                self.assertEqual(sorted(listed), sorted(names.get(key, key) for key in VALUES))
+
+    def test_solve(self):
+        question = ["--for", "amplitude", "--friction-ratio", "0.99", "--velocity", "1e-3", "--samples", "20", "--json"]
+        expected = json.loads(self.run_program("solve", *question, *settings({}, but=["du_z"]), file=self.canonical))
+        for names in OTHERS:
+            with self.scene(names):
+                found = json.loads(self.run_program("solve", *question, *settings(names, but=["du_z"])))
+                self.assertEqual(found, expected)
+                ran = subprocess.run([PROGRAM, "solve", self.file, *question, *settings(names)],
+                                     capture_output=True, text=True)
+                self.assertEqual(ran.returncode, 2)
+                self.assertIn("no value for what is sought", ran.stderr)
+
+    def table(self, names, file):
+        out = self.folder / "t.csv"
+        out.unlink(missing_ok=True)
+        name = {key: names.get(key, key) for key in VALUES}
+        self.run_program("sweep", "--over", f"{name['k1']}=lin:1e6:4e6:3", "--over", f"{name['omega']}=log:1e4:1e5:3",
+                         "--quantity", "critical_velocity", f"sensitivity:{name['m']}", f"sensitivity:{name['c1']}",
+                         *settings(names, but=["k1", "omega"]), "--out", out, file=file)
+        return list(csv.reader(line for line in out.read_text().splitlines() if not line.startswith("#")))
+
+    def test_sweep(self):
+        header, *rows = self.table({}, self.canonical)
+        self.assertEqual(header, ["k1", "omega", "critical_velocity", "sensitivity_m", "sensitivity_c1"])
+        for names in OTHERS:
+            with self.scene(names):
+                found, *numbers = self.table(names, self.file)
+                self.assertEqual(found, [names.get("k1", "k1"), names.get("omega", "omega"), "critical_velocity",
+                                         "sensitivity_" + names.get("m", "m"), "sensitivity_" + names.get("c1", "c1")])
+                self.assertEqual(numbers, rows)
+
+    def generate(self, name, *options):
+        self.run_program("generate", "--out", self.folder, "--name", name, *options)
+
+    def test_generated_code(self):
+        expected = self.value()
+        mains = []
+        for number, names in enumerate(OTHERS):
+            self.file.write_text(scene(names))
+            given = {names.get(key, key): value for key, value in VALUES.items() if key != "u_z0"}
+            library = f"g{number}"
+            for options in (["--quantities"], *(["--language", each] for each in ("c99", "python", "javascript", "cuda"))):
+                self.generate(library, *options)
+            sets = "".join(f"p.{name} = {value!r};" for name, value in given.items())
+            mains.append(f"{{ {library}::Parameters p{{}}; {sets} std::printf(\"%.17g\\n\", "
+                         f"{library}::critical_velocity(p)); }}\n")
+            (self.folder / f"{library}.c").write_text(
+                f'#include <stdio.h>\n#include "{library}.h"\nint main(void) {{ {library}_Parameters p; {sets}\n'
+                f'printf("%.17g\\n", {library}_critical_velocity(&p)); return 0; }}\n')
+            (self.folder / f"{library}_cuda.cpp").write_text(
+                f'#include <cstdio>\n#include "{library}.cuh"\nint main() {{ {library}::Parameters p{{}}; {sets}\n'
+                f'double w = p.{names.get("omega", "omega")}, v = 0; {library}::critical_velocity(p, 1, &w, &v);\n'
+                'std::printf("%.17g\\n", v); }\n')
+            (self.folder / f"{library}_main.mjs").write_text(
+                f'import {{ critical_velocity, critical_velocity_batch }} from "./{library}.mjs";\n'
+                f'const p = {json.dumps(given)};\nconst w = Float64Array.of(p.{names.get("omega", "omega")});\n'
+                'console.log(critical_velocity(p), critical_velocity_batch(p, w)[0]);\n')
+            (self.folder / f"{library}_main.py").write_text(
+                f"import {library} as g\np = g.Parameters(**{given!r})\n"
+                f"print(repr(float(g.critical_velocity(p))), repr(float(g.critical_velocity(p, omega={VALUES['omega']!r}))))\n")
+            with self.subTest(scene=number):
+                cxx = ["g++", "-std=c++20", "-O0"]
+                for build, run in ((["gcc", "-std=c99", "-o", "a", f"{library}.c", "-lm"], ["./a"]),
+                                   ([*cxx, "-o", "a", f"{library}_cuda.cpp"], ["./a"]),
+                                   ([*cxx, "-o", "a", f"test_{library}.cpp"], ["./a"]),
+                                   ([*cxx, "-fsyntax-only", "-x", "c++", f"{library}_quantities.hpp"], None),
+                                   (None, ["node", f"{library}_main.mjs"]),
+                                   (None, ["/usr/bin/python3", "-B", f"{library}_main.py"])):
+                    if build:
+                        subprocess.run(build, cwd=self.folder, check=True)
+                    if run:
+                        printed = subprocess.run(run, cwd=self.folder, check=True, capture_output=True, text=True).stdout
+                        for value in map(float, printed.split()):
+                            self.assertAlmostEqual(value / expected, 1, delta=1e-14)
+        (self.folder / "main.cpp").write_text("#include <cstdio>\n" + "".join(
+            f'#include "g{i}.hpp"\n' for i in range(len(OTHERS))) + "int main() {\n" + "".join(mains) + "}\n")
+        subprocess.run(["g++", "-std=c++20", "-O0", "-o", "main", "main.cpp"], cwd=self.folder, check=True)
+        found = subprocess.run([self.folder / "main"], capture_output=True, text=True, check=True).stdout.split()
+        for value in map(float, found):
+            self.assertAlmostEqual(value / expected, 1, delta=1e-14)
+
+    def test_fixed_by_its_name(self):
+        self.file.write_text(scene({"m": "M", "k1": "E"}))
+        self.generate("f", "--fix", "M,E", "--set", "M=0.001", "--set", "E=3e6")
+        members = re.search(r"struct Parameters \{(.*?)\};", (self.folder / "f.hpp").read_text(), re.S).group(1)
+        self.assertEqual(re.findall(r"(\w+)[,;]", members), ["mu0", "omega", "du_z", "nu", "k0", "c1", "kd"])
+
+    def test_a_frequency_by_its_name(self):
+        text = scene({}).replace('angular_frequency = "omega"', 'frequency = "f"')
+        self.file.write_text(text)
+        self.assertIn("    omega = 2*pi*f\n", self.run_program("derive"))
+        found = self.run_program("eval", "--json", *settings({}, but=["omega"]), "--set", "f=9549.296585513721")
+        self.assertAlmostEqual(json.loads(found)["critical_velocity"] / self.value(), 1, delta=1e-14)
+        ran = subprocess.run([PROGRAM, "eval", self.file], capture_output=True, text=True)
+        self.assertRegex(ran.stderr, r"no value for .*\bf\b")
+
+    def test_elements_of_one_name_are_one(self):
+        # k1 is k0: as if the networks were written so, whether k0 has a value or not.
+        for value in ('"k0"', "7e6"):
+            self.file.write_text(scene({"k1": "k0"}).replace('k0 = "k0"', f"k0 = {value}"))
+            same = self.folder / "same.toml"
+            same.write_text(scene({}).replace("k1 - c1", "k0 - c1").replace('k1 = "k1"\n', "")
+                            .replace('k0 = "k0"', f"k0 = {value}"))
+            self.assertEqual(self.run_program("derive"), self.run_program("derive", file=same))
+            both = settings({}, but=["k1"])
+            self.assertEqual(self.run_program("eval", *both), self.run_program("eval", *both, file=same))
+        self.refused(scene({"k1": "k0"}), "eval", "--set", "k1=3e6", found='"k0", which sets them all')
+        # Names are followed, through elements that no network has as well.
+        self.file.write_text(scene({"k1": "k8"}) + 'k8 = "k9"\nk9 = 3e6\n')
+        self.assertEqual(json.loads(self.run_program("eval", "--json", *settings({}, but=["k1"])))["critical_velocity"],
+                         self.value())
+
+    def test_entries_of_arrays(self):
+        prony = scene({}).replace("k0 | (k1 - c1)", "prony(k0, k, tau)").replace('k1 = "k1"\nc1 = "c1"\n', "")
+        self.file.write_text(prony + 'k = ["E", "k0"]\ntau = ["t1", 2e-5]\n')
+        self.canonical.write_text(prony + "k = [3e6, 7e6]\ntau = [1e-5, 2e-5]\n")
+        given = settings({}, but=["k1", "c1"])
+        own = ["--set", "E=3e6", "--set", "t1=1e-5"]
+        expected = json.loads(self.run_program("eval", "--json", *given, file=self.canonical))["critical_velocity"]
+        found = self.run_program("eval", "--json", *given, *own)
+        self.assertEqual(json.loads(found)["critical_velocity"], expected)
+        self.assertIn("E*t1*s/(1 + t1*s)", self.run_program("derive", "--form", "nested"))
+        self.generate("array", "--quantities")
+        subprocess.run(["g++", "-std=c++20", "-O0", "-o", "a", "test_array.cpp"], cwd=self.folder, check=True)
+        subprocess.run(["./a"], cwd=self.folder, check=True)
+        # An array by another's name.
+        self.file.write_text(prony + 'k = "E"\nE = [3e6, 7e6]\ntau = [1e-5, 2e-5]\n')
+        self.assertEqual(json.loads(self.run_program("eval", "--json", *given))["critical_velocity"], expected)
+        self.assertIn("E[2]", self.run_program("derive", "--form", "nested"))
+
+    def test_what_makes_no_sense_is_refused(self):
+        for names, found in (({"m": "mu0"}, "another name: coefficient is called so"),
+                             ({"du_z": "a", "u_z0": "a"}, "is called so"),
+                             ({"m": "k0"}, '"k0" as an element'),
+                             ({"k1": "mu0"}, '"mu0" as an element'),
+                             ({"k1": "c1"}, "as at"),
+                             ({"k0": "k1", "k1": "k0"}, "names in a circle"),
+                             ({"m": "frequency"}, '"frequency" as a symbol'),
+                             ({"m": "velocity"}, '"velocity" as a symbol'),
+                             ({"k1": "amplitude"}, '"amplitude" as an element'),
+                             ({"mu0": "double"}, "reserved word"),
+                             ({"k1": "template"}, "reserved word"),
+                             ({"m": "MASS"}, "capitals")):
+            with self.subTest(names=names):
+                self.refused(scene(names), "derive", found=found)
+        self.refused(scene({"m": "M"}), "eval", "--set", "mass=1", "--set", "M=2", found="one of the two")
+        self.refused(scene({"m": "M"}), "eval", "--set", "m=1", found='"m", which this scene does not have')
+        self.refused(scene({}).replace('angular_frequency = "omega"', 'frequency = "omega"'), "derive",
+                     found="angular_frequency is called so")
+        self.refused(scene({"k1": "pad"}) + '[networks]\npad = "k7"\n', "derive", found="as a network and as an element")
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
