@@ -116,16 +116,22 @@ inline std::optional<Element> at_rest(const Element& e) {
   if (e.kind == ElementKind::lossy) return Element{ElementKind::spring, e.coefficient, {}};
   return is_elastic(e) ? std::optional(e) : std::nullopt;
 }
-/// Whether it is as good as none where `zero` holds for a number that is 0. Without losses a lossy
-/// spring is a spring.
-template <class Zero>
-bool vanishes(const Element& e, const Zero& zero) {
-  bool any = false;
-  for_each_number(e, [&](const Symbol& symbol, NumberRole role) {
-    any = any || (role != NumberRole::loss_factor && zero(symbol));
-  });
-  return any;
-}
 inline bool is_mass(const Element& e) { return e.kind == ElementKind::mass; }
+
+/// What is left of it where `zero` holds for the numbers that are 0: nothing, but of a spring
+/// without losses the spring.
+template <class Zero>
+std::optional<Element> without_zeros(const Element& e, const Zero& zero) {
+  Element left = e;
+  bool vanishes = false;
+  for_each_number(e, [&](const Symbol& symbol, NumberRole role) {
+    if (!zero(symbol)) return;
+    if (role == NumberRole::loss_factor)
+      left = *at_rest(e);
+    else
+      vanishes = true;
+  });
+  return vanishes ? std::nullopt : std::optional(left);
+}
 
 }  // namespace vcrit

@@ -10,6 +10,8 @@ std::string beyond_simulation(const Scene& scene) {
            "of motion that is not harmonic";
   if (scene.drive && has_masses(*scene.drive))
     return "the simulator knows one body; this drive holds masses of its own";
+  if (!knows_all_frequencies(scene))
+    return "lossy(k, eta) is not causal: K = k (1 + i eta) at one frequency is no law of motion";
   return {};
 }
 

@@ -1,5 +1,6 @@
-// Which scenes the simulator can move: it knows one body, under a network of springs and dampers.
-// Asked by what simulates and by what says that it can be simulated.
+// Which scenes the simulator can move: it knows one body, under a network of springs and dampers,
+// none of them with a loss factor at one frequency. Asked by what simulates and by what says that it
+// can be simulated.
 #pragma once
 
 #include "scene/scene.hpp"

@@ -331,8 +331,9 @@ class Reader {
   }
 
   Network without_zeros(const Network& network, const std::string& role) const {
-    auto left = without(network, [this](const Element& element) {
-      return vanishes(element, [this](const Symbol& symbol) { return is_zero(symbol); });
+    auto left = with_elements(network, [this](const Element& element) {
+      return vcrit::without_zeros(element,
+                                  [this](const Symbol& symbol) { return is_zero(symbol); });
     });
     if (!left || !without_masses(*left))
       throw InputError({file_},

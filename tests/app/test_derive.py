@@ -75,10 +75,11 @@ class Derive(unittest.TestCase):
         self.assertIn("abs(K_n)", self.derive(file, "--form", "nested").stdout.splitlines()[-1])
 
     def test_what_eval_is_said_to_simulate_it_simulates(self):
-        # One rule for both: masses in the drive and measured drives are beyond the simulator.
+        # One rule for both: masses in the drive, loss factors and measured drives are beyond the simulator.
         (self.folder / "receptance.csv").write_text("omega,Re,Im\n1,1e-8,-1e-9\n1e9,1e-8,-1e-9\n")
         drives = {'network = "kd"\n': True, 'network = "kd | cd"\n': True, 'network = "kd - (mass(ms) | kd)"\n': False,
-                  'network = "kd | mass(ms)"\n': False, 'receptance = "receptance.csv"\n': False}
+                  'network = "kd | mass(ms)"\n': False, 'network = "lossy(kd, eta)"\n': False,
+                  'receptance = "receptance.csv"\n': False}
         for drive, simulated in drives.items():
             with self.subTest(drive=drive):
                 scene = self.folder / "part.toml"
@@ -88,7 +89,8 @@ class Derive(unittest.TestCase):
                                  "[friction]\ncoefficient = 0.3\n"
                                  "[elements]\nkn = 1e7\ncn = 20\nkt = 8e6\nct = 10\n"
                                  + ("" if "receptance" in drive else "kd = 3e7\n")
-                                 + ("cd = 5\n" if "cd" in drive else "") + ("ms = 1e-3\n" if "ms" in drive else ""))
+                                 + ("cd = 5\n" if "cd" in drive else "") + ("ms = 1e-3\n" if "ms" in drive else "")
+                                 + ("eta = 0.1\n" if "eta" in drive else ""))
                 text = " ".join(self.derive(scene).stdout.split())
                 evaluated = subprocess.run([PROGRAM, "eval", scene], capture_output=True, text=True)
                 self.assertEqual(evaluated.returncode, 0 if simulated else 3, evaluated.stderr)

@@ -195,6 +195,9 @@ BOOST_AUTO_TEST_CASE(zeros_are_left_out) {
   const std::string zener = "[contact]\nnormal = \"k0 | (k1 - c1)\"\npoisson = 0.3\n";
   BOOST_CHECK(scene(zener + "[elements]\nc1 = 0\n").normal == k("k0"));
   BOOST_CHECK(scene(zener + "[elements]\nk0 = 0.0\n").normal == series({k("k1"), c("c1")}));
+  const std::string lossy = "[contact]\nnormal = \"lossy(k0, eta)\"\npoisson = 0.3\n";
+  BOOST_CHECK(scene(lossy + "[elements]\neta = 0\n").normal == k("k0"));
+  BOOST_TEST(has(message(lossy + "[elements]\nk0 = 0\n"), "that elements of value 0 cut"));
   BOOST_TEST(has(message(zener + "[elements]\nk0 = 0\nk1 = 0\n"),
                  "a normal network that elements of value 0 cut"));
 }
