@@ -128,9 +128,9 @@ class Draw:
         return f'network = "{self.graph(edges)}"'
 
     def receptance(self):
-        """A table around the frequency, lossy throughout."""
-        omegas = sorted(self.omega * 10 ** x for x in
-                        [-self.random.random(), self.random.random(), self.random.uniform(-1, 1)])
+        """A table around the frequency as it is typed, with few digits up to 2.2 times another; lossy throughout."""
+        omegas = sorted(self.omega * 10 ** x for x in [-self.random.uniform(0.4, 1), self.random.uniform(0.4, 1),
+                                                       self.random.uniform(-1, 1)])
         rows = [(omega, cmath.rect(1 / self.value(1e6), -self.random.uniform(0, 3.1))) for omega in omegas]
         self.files["the drive.csv"] = "omega,Re,Im\n" + "".join(f"{w!r},{r.real!r},{r.imag!r}\n" for w, r in rows)
         return 'receptance = "the drive.csv"'

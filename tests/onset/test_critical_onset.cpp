@@ -84,6 +84,30 @@ BOOST_AUTO_TEST_CASE(a_light_body_on_a_damped_drive_is_none) {
   }
 }
 
+// A drive so stiff, or a body so heavy, that friction moves it by less than 1e-12 of the contact is
+// rigid, in whatever units of the contact's velocity its own would be lost.
+BOOST_AUTO_TEST_CASE(a_body_that_keeps_still_is_none) {
+  const std::string contact = "normal = \"k | (k2 - c2)\"\ntangential = \"kt | (k1 - c1)\"";
+  const std::string elements =
+      "[elements]\nk = 3.0\nk2 = 1.0\nc2 = 0.7\nkt = 2.0\nk1 = 0.9\nc1 = 5.0\n";
+  const double rigid = simulated(scene_of(contact, 3, elements));
+  const auto near_rigid = [&](const std::string& drive, const std::string& mass,
+                              const std::string& more) {
+    const Scene scene = scene_of(
+        contact, 3,
+        "[drive]\nnetwork = \"" + drive + "\"\n[body]\nmass = " + mass + "\n" + elements + more);
+    BOOST_TEST(std::abs(simulated(scene) / rigid - 1) <= rounding, drive << mass << more);
+  };
+  for (const std::string mass : {"1.0", "1e3", "1e6"})
+    for (const std::string stiffness : {"1.7e13", "1.7e14", "1.7e16"})
+      near_rigid("kd", mass, "kd = " + stiffness + "\n");
+  for (const std::string mass : {"1e13", "1e16", "1e20", "1e40"}) {
+    near_rigid("kd", mass, "kd = 0.7\n");
+    near_rigid("kd | cd", mass, "kd = 0.7\ncd = 0.4\n");
+    near_rigid("kd | (kb - cb)", mass, "kd = 0.7\nkb = 3e6\ncb = 4e9\n");
+  }
+}
+
 // In sliding the tangential deformations are mu0 K_n/K_t times the normal ones whatever the
 // network: v* is Eq. (24) where the surfaces touch as u_z rises fastest, and less elsewhere.
 BOOST_AUTO_TEST_CASE(isotropic_contacts_under_a_rigid_drive) {

@@ -41,6 +41,11 @@ class NormalCycleSearch {
   // A residual of so many rounding errors may be rounding itself where no step makes it smaller.
   static constexpr double nearly = 1e3;
 
+  // Newton's steps, some tens of which are needed over twenty decades of impulse; less than this of
+  // one leads nowhere.
+  static constexpr int most_steps = 200;
+  static constexpr double least_share = 1e-6;
+
   struct Period {
     NormalState start;
     List<NormalStay, 4> stays;
@@ -119,9 +124,8 @@ class NormalCycleSearch {
       result.residual.push_back(fluidity * result.sums.impulse[0] -
                                 rate * result.sums.strains(j, 0));
       result.unit.push_back(8 * epsilon * (fluidity * result.sums.size + kept));
-      if (result.residual[j] != 0)
-        result.size = std::max(result.size, std::abs(result.residual[j]) / result.unit[j]);
     }
+    result.size = in_units(result.residual, result.unit);
     return result;
   }
 
@@ -139,14 +143,33 @@ class NormalCycleSearch {
   }
 
   Period newton(Period now) const {
-    while (now.size > 1) {
-      NormalState next = now.start;
-      add(solver(now).solve(now.residual), 1, next.strains.column(0));
-      auto trial = mapped(next);
-      if (!trial || !(trial->size < 0.5 * now.size)) break;
+    for (int i = 0; i < most_steps && now.size > 1; ++i) {
+      auto trial = stepped(now);
+      if (!trial) break;
       now = *std::move(trial);
     }
     return now;
+  }
+
+  // As much of Newton's step as brings half of what it promises: where the surfaces touch for a
+  // short time, the impulse goes with the depth to the power of 3/2, and from no touch at all a
+  // whole step leads into a long one.
+  std::optional<Period> stepped(const Period& now) const {
+    const Vector step = solver(now).solve(now.residual);
+    for (double share = 1; share > least_share; share /= 4) {
+      NormalState next = now.start;
+      add(step, share, next.strains.column(0));
+      auto trial = mapped(next);
+      if (trial && in_units(trial->residual, now.unit) < (1 - 0.5 * share) * now.size) return trial;
+    }
+    return std::nullopt;
+  }
+
+  static double in_units(const Vector& residual, const Vector& unit) {
+    double size = 0;
+    for (Index j = 0; j < residual.size(); ++j)
+      if (residual[j] != 0) size = std::max(size, std::abs(residual[j]) / unit[j]);
+    return size;
   }
 
   // One more step, and rounding as the steady state amplifies it.

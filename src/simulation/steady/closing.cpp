@@ -1,8 +1,10 @@
 #include "simulation/steady/closing.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/constants.hpp"
+#include "base/errors.hpp"
 
 namespace vcrit::simulation {
 
@@ -45,6 +47,48 @@ void close_slow_states(const Model& model, const Passage& period, Closing& closi
     rows.set(model.body_states() + j, model.integrated_levels() + j, -model.contact.unit_rates[j]);
 }
 
+// The velocity that friction and drive may give the body in a period.
+double shove(const Model& model, const State& start) {
+  double force = model.force_size();
+  for (Index j = 0; j + 1 < model.body_states(); ++j) force += std::abs(start.x[2 + j]);
+  return two_pi * force / model.body->mass;
+}
+
+// contact_speed: with which a light body moves while it sticks.
+Vector size_beside(const Model& model, double contact_speed, const State& start) {
+  const Index n = start.x.size() - 1, body = model.body_states();
+  const double force = model.force_size();
+  Vector size(n);
+  for (Index i = 0; i < n; ++i)
+    size[i] = std::abs(start.x[1 + i]) + std::abs(model.sliding_rates[i]);
+  if (body > 0) size[0] += std::min(contact_speed, shove(model, start));
+  // A branch's force follows the body's swing, and creeps with the whole drive.
+  for (Index j = 0; j + 1 < body; ++j) {
+    const double rate = model.body->drive.rates[j], weight = model.body->drive.weights[j];
+    const double creep = force * model.body->fluidity;
+    size[1 + j] += rate == 0 ? force : weight * (size[0] / (1 + rate) + creep / rate);
+  }
+  for (Index j = 0; j < model.units(); ++j)
+    size[body + j] += force * model.contact.unit_fluidity[j] / (1 + model.contact.unit_rates[j]);
+  return size;
+}
+
+// The residuals of slow states are as small as what relaxes of them in a period.
+Vector rounding_of(const Model& model, Vector unit) {
+  const auto relax = [&](double& size, double rate) { size *= std::min(1.0, two_pi * rate); };
+  double whole = 0;
+  for (Index j = 0; j < model.slow_branches; ++j) {
+    const PoleSum& drive = model.body->drive;
+    relax(unit[1 + j], drive.rates[j]);
+    if (j == 0) whole = unit[1] / drive.weights[0];
+    unit[1 + j] += drive.weights[j] * (j == 0 ? two_pi * unit[0] : whole);
+  }
+  for (Index j = 0; j < model.slow_units; ++j)
+    relax(unit[model.body_states() + j], model.contact.unit_rates[j]);
+  for (double& size : unit) size *= 8 * epsilon;
+  return unit;
+}
+
 }  // namespace
 
 Closing closing(const Model& model, const State& start, const Passage& period) {
@@ -61,38 +105,42 @@ Closing closing(const Model& model, const State& start, const Passage& period) {
 }
 
 Vector state_size(const Model& model, double velocity, const State& start) {
-  const Index n = start.x.size() - 1, body = model.body_states();
-  const double force = model.force_size();
-  Vector size(n);
-  for (Index i = 0; i < n; ++i)
-    size[i] = std::abs(start.x[1 + i]) + std::abs(model.sliding_rates[i]);
-  if (body > 0) size[0] += velocity + std::abs(model.sliding_velocity);
-  // A branch's force follows the body's swing, and creeps with the whole drive.
-  for (Index j = 0; j + 1 < body; ++j) {
-    const double rate = model.body->drive.rates[j], weight = model.body->drive.weights[j];
-    const double creep = force * model.body->fluidity;
-    size[1 + j] += rate == 0 ? force : weight * (size[0] / (1 + rate) + creep / rate);
-  }
-  for (Index j = 0; j < model.units(); ++j)
-    size[body + j] += force * model.contact.unit_fluidity[j] / (1 + model.contact.unit_rates[j]);
-  return size;
+  return size_beside(model, velocity + std::abs(model.sliding_velocity), start);
 }
 
-// The residuals of slow states are as small as what relaxes of them in a period.
 Vector rounding(const Model& model, double velocity, const State& start) {
-  Vector unit = state_size(model, velocity, start);
-  const auto relax = [&](double& size, double rate) { size *= std::min(1.0, two_pi * rate); };
-  double whole = 0;
-  for (Index j = 0; j < model.slow_branches; ++j) {
-    const PoleSum& drive = model.body->drive;
-    relax(unit[1 + j], drive.rates[j]);
-    if (j == 0) whole = unit[1] / drive.weights[0];
-    unit[1 + j] += drive.weights[j] * (j == 0 ? two_pi * unit[0] : whole);
-  }
-  for (Index j = 0; j < model.slow_units; ++j)
-    relax(unit[model.body_states() + j], model.contact.unit_rates[j]);
-  for (double& size : unit) size *= 8 * epsilon;
-  return unit;
+  return rounding_of(model, state_size(model, velocity, start));
+}
+
+void check_settles(const Model& model) {
+  if (!model.body || model.body->fluidity == 0 || model.slow_branches > 0) return;
+  const PoleSum& drive = model.body->drive;
+  double hold = drive.direct;
+  for (Index j = 0; j < drive.rates.size(); ++j) hold += drive.weights[j] / drive.rates[j];
+  if (two_pi * hold <= 8 * epsilon * model.body->mass)
+    throw ModelError(
+        "the body is so heavy that in a period its drive, which creeps, changes its velocity by "
+        "less than a rounding error: where that settles is lost in rounding");
+}
+
+// A body that passes through rest is as uncertain as it is half a swing later.
+Vector slip_rounding(const Model& model, const State& start) {
+  State state = start;
+  if (model.body)
+    state.x[1] =
+        std::abs(state.x[1]) + swing(model, ConstView(state.x).subspan(1, model.body_states()));
+  return rounding_of(model, size_beside(model, 0, state));
+}
+
+// A quarter of a free swing later; beside a damper at most what the force moves that by, however
+// light the body.
+double swing(const Model& model, ConstView body) {
+  const PoleSum& drive = model.body->drive;
+  double sum = 0;
+  for (Index j = 0; j + 1 < body.size(); ++j)
+    sum += std::abs(body[1 + j]) /
+           std::max(std::sqrt(model.body->mass * drive.weights[j]), drive.direct);
+  return sum;
 }
 
 }  // namespace vcrit::simulation

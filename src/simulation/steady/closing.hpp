@@ -19,4 +19,15 @@ Vector state_size(const Model& model, double velocity, const State& start);
 /// A few rounding errors of each residual over one period.
 Vector rounding(const Model& model, double velocity, const State& start);
 
+/// The same of a period that only slips. The friction on the body is given there, and how fast the
+/// contact moves, however much faster than the body, leaves no rounding in it.
+Vector slip_rounding(const Model& model, const State& start);
+
+/// Throws ModelError for a body on a drive that creeps and takes less than a rounding error off its
+/// velocity in a period: where that settles, nothing tells.
+void check_settles(const Model& model);
+
+/// The velocity to which forces of the drive's branches, after u in `body`, swing it.
+double swing(const Model& model, ConstView body);
+
 }  // namespace vcrit::simulation

@@ -19,13 +19,14 @@ namespace {
 constexpr double any_speed = 1e100;
 
 constexpr const char* lost_in_rounding =
-    "body and drive are so close to a resonance with the force of surfaces that part that the "
-    "swing in slip is lost in rounding";
+    "body and drive are so close to a resonance with the force of surfaces that part, or settle so "
+    "slowly, that the swing in slip is lost in rounding";
 constexpr const char* neither_driven_nor_damped =
     "body and drive swing freely at a harmonic that the force of surfaces that part does not have: "
     "v* depends on a swing that nothing decides";
 
-// The map of a period is linear: one step closes the cycle, the others take off rounding errors.
+// The map of a period is linear: the second one closes the cycle, the others take off rounding
+// errors as far as that goes.
 constexpr int most_steps = 8;
 
 // A cycle is closed where so many rounding errors are left of the residual.
@@ -39,42 +40,29 @@ struct SlidingCycle {
   double error;  ///< of the contact velocity, without dimension
 };
 
-// What the velocity of a swinging body becomes a quarter of its period later; beside a damper it is
-// at most what the force moves that by, however light the body.
-double swing(const Model& model, ConstView body) {
-  const PoleSum& drive = model.body->drive;
-  double sum = 0;
-  for (Index j = 0; j + 1 < body.size(); ++j)
-    sum += std::abs(body[1 + j]) /
-           std::max(std::sqrt(model.body->mass * drive.weights[j]), drive.direct);
-  return sum;
-}
-
-// Of a period's residual. A body that passes through rest is as uncertain as it is half a swing
-// later.
-Vector unit_of(const Model& model, State state) {
-  if (model.body)
-    state.x[1] =
-        std::abs(state.x[1]) + swing(model, ConstView(state.x).subspan(1, model.body_states()));
-  return rounding(model, 0, state);
-}
-
 double in_roundings(const Vector& residual, const Vector& unit) {
   double size = 0;
   for (Index i = 0; i < unit.size(); ++i) size = std::max(size, std::abs(residual[i]) / unit[i]);
   return size;
 }
 
-// What a rounding error of each number of the state does to the steady contact velocity.
-double error_of(const Model& model, const LinearSolver& solver, const Vector& unit) {
+// What a change of the state does to the contact velocity at most.
+double effect(const Model& model, ConstView change) {
   double sum = 0;
+  if (model.body) sum += std::abs(change[0]) + swing(model, change.first(model.body_states()));
+  for (Index j = model.body_states(); j < change.size(); ++j) sum += std::abs(change[j]);
+  return sum;
+}
+
+// Of the steady contact velocity: what is left of the residual, and a rounding error of each number
+// of the state.
+double error_of(const Model& model, const LinearSolver& solver, const Vector& residual,
+                const Vector& unit) {
+  double sum = effect(model, solver.solve(residual));
   for (Index i = 0; i < unit.size(); ++i) {
     Vector one(unit.size());
     one[i] = unit[i];
-    const Vector change = solver.solve(one);
-    if (model.body)
-      sum += std::abs(change[0]) + swing(model, ConstView(change).first(model.body_states()));
-    for (Index j = model.body_states(); j < change.size(); ++j) sum += std::abs(change[j]);
+    sum += effect(model, solver.solve(one));
   }
   return sum;
 }
@@ -82,17 +70,16 @@ double error_of(const Model& model, const LinearSolver& solver, const Vector& un
 SlidingCycle sliding_cycle(const Model& model) {
   State state = apart_start(model, any_speed, false);
   const Index changing = state.x.size() - 1;
-  for (int i = 0; i < most_steps; ++i) {
+  for (int i = 1;; ++i) {
     Trace period = trace(model, any_speed, state, two_pi, unit_changes(state, changing));
     const Closing left = closing(model, state, period);
     const LinearSolver solver(left.derivative, state_size(model, 0, state));
-    const Vector unit = unit_of(model, state);
-    if (in_roundings(left.residual, unit) <= closed)
-      return {std::move(period), error_of(model, solver, unit)};
+    const Vector unit = slip_rounding(model, state);
+    if (i == most_steps || in_roundings(left.residual, unit) <= closed)
+      return {std::move(period), error_of(model, solver, left.residual, unit)};
     const Vector step = solver.solve(left.residual);
     for (Index j = 0; j < changing; ++j) state.x[1 + j] += step[j];
   }
-  throw ModelError(lost_in_rounding);
 }
 
 // Whether a period of the force leaves a body that swings freely in it with another swing: whether
@@ -102,7 +89,7 @@ bool drives_the_body(const Model& model) {
   if (model.free_harmonic == 1) return true;
   const State state = apart_start(model, any_speed, false);
   const Trace period = trace(model, any_speed, state, two_pi);
-  const Vector unit = unit_of(model, period.end);
+  const Vector unit = slip_rounding(model, period.end);
   for (Index i = 0; i < model.body_states(); ++i)
     if (std::abs(period.end.x[1 + i] - state.x[1 + i]) > closed * unit[i]) return true;
   return false;
@@ -126,6 +113,7 @@ ForwardSliding forward_sliding(const Model& model) {
     if (!drives_the_body(model)) throw ModelError(neither_driven_nor_damped);
     return {Ends::in_resonance, infinity};
   }
+  check_settles(model);
   const SlidingCycle cycle = sliding_cycle(model);
   double least = -infinity;
   for (const Trace::Part& part : cycle.period.parts)

@@ -26,6 +26,7 @@ constexpr double nearly = 1e3;
 constexpr double fastest_creep = 1e7;
 
 void check_reach(const Model& model) {
+  check_settles(model);
   if (lost_in_resonance(model))
     throw ModelError(
         "body and drive are in undamped resonance: the swing in slip grows without bound");

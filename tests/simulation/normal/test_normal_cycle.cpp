@@ -230,6 +230,54 @@ BOOST_AUTO_TEST_CASE(random_networks_close) {
   }
 }
 
+// Integral of t sin t from 0 on.
+double short_touch(double angle) {
+  double term = angle * angle * angle, sum = 0;
+  for (int k = 0; k < 30; ++k) {
+    sum += term / (2 * k + 3);
+    term *= -angle * angle / ((2 * k + 2) * (2 * k + 3));
+  }
+  return sum;
+}
+
+// Mean force where what relaxes takes ever so long: its branches, of stiffness k together, do not
+// move, and their force has no mean. So it stands where the surface is in the mean, which apart is
+// at x0: <max(d - x0, 0)> = x0/k above a spring of 1, with force 1 + k.
+double mean_of_frozen(double k, const Indentation& indentation) {
+  double low = 0, high = std::numbers::pi;
+  const auto apart = [&](double angle) { return depth(indentation, angle); };
+  const auto lift = [&](double angle) {
+    return indentation.amplitude / std::numbers::pi * short_touch(angle);
+  };
+  for (int i = 0; i < 200; ++i) {
+    const double middle = 0.5 * (low + high);
+    (lift(middle) < apart(middle) / k ? low : high) = middle;
+  }
+  return (1 + 1 / k) * apart(high);
+}
+
+// A weak spring below stiff branches that hardly relax: the surfaces touch for a small part of a
+// period, down to 1e-4 of it here. A period relaxes 1e-12 of what is slow.
+BOOST_AUTO_TEST_CASE(short_touches_of_what_relaxes_slowly) {
+  for (const double stiffness : {1.0, 1e2, 1e4, 1e6, 1e8, 1e10})
+    for (const int branches : {1, 3, 8}) {
+      Relaxation form{1, 0, {}};
+      for (int j = 0; j < branches; ++j) {
+        const double scale = std::pow(10, -j);
+        form.branches.push_back({stiffness * scale, 1e14 * std::pow(10, 2 * j)});
+      }
+      double whole = 0;
+      for (const MaxwellBranch& branch : form.branches) whole += branch.stiffness;
+      const Indentation indentation{1.2, 1};
+      const NormalCycle cycle = cycle_of(form, indentation);
+      const double expected = mean_of_frozen(whole, indentation);
+      BOOST_TEST(cycle.error <= 1e-7 * cycle.mean);
+      BOOST_TEST(std::abs(cycle.mean - expected) <= cycle.error + 1e-12 * expected,
+                 stiffness << ", " << branches << ": " << cycle.mean << " " << expected << " "
+                           << cycle.error);
+    }
+}
+
 // The mean force is the spring's at the mean deformation, and force goes with length: the cycle of
 // a network with 24 branches over twenty decades, in units 1e9 apart.
 BOOST_AUTO_TEST_CASE(twenty_decades) {

@@ -8,6 +8,7 @@
 #include "base/errors.hpp"
 #include "simulation/random_systems.hpp"
 #include "simulation/reference_systems.hpp"
+#include "simulation/steady/exact.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_onset)
 
@@ -41,6 +42,41 @@ BOOST_AUTO_TEST_CASE(both_witnesses_agree_on_random_systems) {
     BOOST_TEST(difference <= 1e-12 * sliding.drive_velocity, "system " << i);
     BOOST_TEST(std::abs(stick.contact_velocity - sliding.contact_velocity) <=
                1e-12 * sliding.drive_velocity);
+  }
+}
+
+// A body that forgets its start over m/c periods; of what is left of it in 1e13 of them a period
+// takes less than some roundings of the contact's velocity.
+System settling(double damper, double slowness) {
+  System system;
+  system.contact = {1, 0, {}};
+  system.drive = Relaxation{0, damper, {}};
+  system.mass = damper * slowness;
+  system.omega = system.friction = system.mean_normal_force = 1;
+  system.normal_force_amplitude = 0.5;
+  return system;
+}
+
+BOOST_AUTO_TEST_CASE(a_body_that_settles_slowly_loses_its_last_stick_there_too) {
+  for (const double damper : {1e3, 1e6})
+    for (const double slowness : {1e6, 1e9, 1e11, 1e13}) {
+      const System system = settling(damper, slowness);
+      const Onset sliding = sliding_threshold(system), stick = stick_onset(system);
+      BOOST_TEST(std::abs(stick.drive_velocity / sliding.drive_velocity - 1) <= 1e-12,
+                 damper << ", " << slowness);
+    }
+}
+
+// Where nothing tells at what speed the body settles, none is made up, nor a friction ratio there.
+BOOST_AUTO_TEST_CASE(a_body_that_never_settles_is_refused) {
+  for (const double slowness : {1e16, 1e18, 1e100}) {
+    System system = settling(1e3, slowness);
+    BOOST_CHECK_THROW(stick_onset(system), ModelError);
+    const double velocity = 0.9 * sliding_threshold(system).drive_velocity;
+    BOOST_CHECK_THROW(steady_state(system, velocity), ModelError);
+    system.contact = {1, 0.1, {}};
+    system.opening = {{1, 0, {}}, 0.5, 1};
+    BOOST_CHECK_THROW(sliding_threshold(system), ModelError);
   }
 }
 
