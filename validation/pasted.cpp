@@ -6,6 +6,7 @@
 #include <map>
 
 #include "formula/dialect.hpp"
+#include "formula/names.hpp"
 #include "formula/symbols.hpp"
 
 namespace vcrit::validation {
