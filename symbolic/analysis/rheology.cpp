@@ -160,7 +160,12 @@ Response response(const Network& network) {
   const AlgebraLock lock;
   constexpr std::size_t readable = 12;
   const Fraction whole = stiffness_in_lowest_terms(network);
-  if (whole.numerator.nops() <= readable) return as_one_fraction(whole);
+  if (whole.numerator.nops() <= readable) {
+    Response one = as_one_fraction(whole);
+    std::vector<Line> inside;  // with i in the place of s/omega
+    if (!is_rational(network)) one.stiffness = nested(reduce(network), {}, inside).value;
+    return one;
+  }
   Response sum;
   for (const Network& part : parts_of(network)) {
     const Response one = as_one_fraction(stiffness_in_lowest_terms(part));

@@ -118,7 +118,7 @@ std::string edge_label(const Element& element, const Point& middle, double angle
   const double y = middle.y - side * away * std::cos(angle) + 5;
   const double tilt = side * std::sin(angle);
   const char* anchor = tilt > 0.3 ? "start" : tilt < -0.3 ? "end" : "middle";
-  return text(x, y, label(element.coefficient), anchor);
+  return text(x, y, names_of(element), anchor);
 }
 
 /// A part drawn along the straight line from one node to another, never upside down.
@@ -181,9 +181,9 @@ std::string framed(const Drawing& drawing, const std::string& description) {
 }
 
 std::string label(const Symbol& symbol) {
-  const bool time = symbol.name.rfind("tau", 0) == 0;
-  const std::string base = time ? "τ" : symbol.name.substr(0, 1);
-  std::string index = symbol.name.substr(time ? 3 : 1);
+  const bool time = symbol.name.starts_with("tau"), loss = symbol.name.starts_with("eta");
+  const std::string base = time ? "τ" : loss ? "η" : symbol.name.substr(0, 1);
+  std::string index = symbol.name.substr(time || loss ? 3 : 1);
   if (!index.empty() && index.front() == '_') index.erase(0, 1);
   if (symbol.entry > 0) index += (index.empty() ? "" : ",") + std::to_string(symbol.entry);
   const std::string letter = fmt::format(R"(<tspan class="letter">{}</tspan>)", escape(base));
