@@ -13,7 +13,6 @@ class MethodChoice {
  public:
   void add_to(CLI::App& command);
   const std::string& name() const { return name_; }
-  /// The start that was not chosen.
   bool is_exact() const { return !simulation::method_named(name_); }
   /// Throws InputError for an option that the method does not take.
   simulation::SteadyState steady_state(const simulation::System& system, double velocity) const;
