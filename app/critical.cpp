@@ -23,13 +23,14 @@ namespace {
 struct Comparison {
   double formula, condition, simulated;
   std::optional<double> stick_onset;
-  std::string missing;  // why there is no stick onset
+  std::string missing;     // why there is no stick onset
+  double uncertainty = 0;  // to either side of it: what rounding leaves open
 
   double difference(double value) const {
     return formula == value ? 0 : std::abs(value - formula) / formula;
   }
-  double tolerance() const { return balance_tolerance(condition); }
-  double stick_tolerance() const { return last_stick_tolerance(condition); }
+  double tolerance() const { return motion_tolerance(condition); }
+  double stick_tolerance() const { return tolerance() + uncertainty / formula; }
   bool agrees() const {
     return difference(simulated) <= tolerance() &&
            (!stick_onset || difference(*stick_onset) <= stick_tolerance());
@@ -40,7 +41,7 @@ struct Comparison {
 double condition_of(const Scene& scene, double formula) {
   const double condition = condition_number(scene, values_of(scene));
   if (formula == 0 && std::isinf(condition)) return 0;
-  if (leaves_digits(balance_tolerance(condition))) return condition;
+  if (leaves_digits(motion_tolerance(condition))) return condition;
   throw ModelError(
       fmt::format("the simulator, which works in doubles, has no digit of v* = {} m/s: body and "
                   "drive are too near an undamped resonance or antiresonance: nothing to compare",
@@ -51,11 +52,13 @@ double condition_of(const Scene& scene, double formula) {
 // Sliding of all cells, and the last stick of any.
 Comparison below_indenter(const Scene& scene) {
   const indenter::HalfSpace half_space(scene);
+  const simulation::Onset last = indenter::last_stick(half_space).onset;
   return {certified_critical_velocity(scene).value,
           condition_number(scene, values_of(scene)),
           indenter::critical_velocity(half_space).contact_velocity,
-          indenter::last_stick(half_space).onset.contact_velocity,
-          {}};
+          last.contact_velocity,
+          {},
+          last.uncertainty};
 }
 
 Comparison compared(const Scene& scene) {
@@ -68,10 +71,12 @@ Comparison compared(const Scene& scene) {
   const auto [formula, bound, reason] = certified_critical_velocity(scene);
   if (std::isinf(formula)) throw ModelError(reason + ": nothing to compare");
   const double condition = condition_of(scene, formula);
-  Comparison result{
-      formula, condition, simulation::sliding_threshold(system).contact_velocity, {}, {}};
+  Comparison result{formula, condition, simulation::sliding_threshold(system).contact_velocity,
+                    {},      {},        0};
   try {
-    result.stick_onset = simulation::stick_onset(system).contact_velocity;
+    const simulation::Onset last = simulation::stick_onset(system);
+    result.stick_onset = last.contact_velocity;
+    result.uncertainty = last.uncertainty;
   } catch (const ModelError& error) {
     result.missing = error.what();
   }
@@ -89,8 +94,7 @@ void print_critical_json(const Comparison& c, const std::vector<std::string>& wa
                                 {"stick_onset_difference", nullptr},
                                 {"tolerance", c.tolerance()},
                                 {"agree", c.agrees()}};
-  if (c.stick_tolerance() != c.tolerance())
-    object["stick_onset_tolerance"] = json_number(c.stick_tolerance());
+  if (c.uncertainty > 0) object["stick_onset_tolerance"] = json_number(c.stick_tolerance());
   if (c.stick_onset)
     object["stick_onset_difference"] = json_number(c.difference(*c.stick_onset));
   else

@@ -2,7 +2,10 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
+#include <string>
 
 #include "commands.hpp"
 #include "critical/admissibility.hpp"
@@ -18,6 +21,14 @@ struct Result {
   std::vector<std::string> reasons;  // why not admissible
   bool simulated() const { return critical.by == CriticalOnset::By::simulation; }
 };
+
+// All digits, of a simulated v* those that its error leaves.
+std::string true_digits(const CriticalOnset& critical) {
+  const double error = critical.relative_error, value = critical.contact_velocity;
+  if (!(error > 0.5e-15)) return fmt::format("{}", value);
+  const int digits = static_cast<int>(-std::log10(2 * error));
+  return fmt::format("{:.{}g}", value, std::max(digits, 1));
+}
 
 // What the surfaces do is told where the scene lets them part.
 void print_eval_json(const Scene& scene, const Result& result) {
@@ -39,6 +50,8 @@ void print_eval_json(const Scene& scene, const Result& result) {
   if (scene.separation) {
     object["opens"] = opens(scene);
     object["critical_velocity_by"] = result.simulated() ? "simulation" : "formula";
+    if (result.simulated())
+      object["relative_error_estimate"] = json_number(result.critical.relative_error);
   }
   print(with_warnings(object, scene.warnings));
 }
@@ -46,12 +59,14 @@ void print_eval_json(const Scene& scene, const Result& result) {
 void print_eval_text(const Scene& scene, const Result& result) {
   if (!scene.title.empty()) fmt::print("{}\n", scene.title);
   const double critical = result.critical.contact_velocity;
-  fmt::print("critical velocity v*  {} m/s{}\n", critical,
+  fmt::print("critical velocity v*  {} m/s{}\n", true_digits(result.critical),
              result.simulated() ? " (simulated)" : "");
   if (!result.critical.reason.empty())
     fmt::print("                      {}\n", result.critical.reason);
   if (!result.simulated())
     fmt::print("rounding error        at most {:.2g}\n", result.critical.relative_error_bound);
+  else if (std::isfinite(critical))
+    fmt::print("rounding error        about {:.2g}\n", result.critical.relative_error);
   if (result.critical.drive_velocity != critical)
     fmt::print("drive velocity        {} m/s (the path creeps)\n", result.critical.drive_velocity);
   if (const std::vector<int>& free = result.critical.free_harmonics; !free.empty())

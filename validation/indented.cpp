@@ -129,7 +129,7 @@ Comparison indenter_velocity(const SceneReport& report, const HalfSpace& half_sp
   Comparison comparison = velocity_comparison(
       report, "balance", "harmonic balance, as Eq. 24, of each cell in relaxation form");
   comparison.found = indenter::critical_velocity(half_space).contact_velocity;
-  comparison.tolerance = balance_tolerance(report.condition);
+  comparison.tolerance = motion_tolerance(report.condition);
   comparison.reason = "the fastest of all cells, in doubles";
   return comparison;
 }

@@ -54,14 +54,8 @@ double condition_number(const Scene& scene, const Values& values) {
 
 double formula_tolerance(double condition) { return 32 * (epsilon / 2) * condition; }
 
-double balance_tolerance(double condition) {
+double motion_tolerance(double condition) {
   return std::max(motion_promise, formula_tolerance(condition));
-}
-
-double last_stick_tolerance(double condition) {
-  // `nearly` of the search, src/simulation/steady/steady_cycle.cpp.
-  constexpr double taken_for_closed = 1e3;
-  return std::max(motion_promise, taken_for_closed * formula_tolerance(condition));
 }
 
 bool leaves_digits(double tolerance) { return tolerance < 1; }

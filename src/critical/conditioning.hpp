@@ -17,16 +17,9 @@ double formula_tolerance(double condition);
 /// What the simulator promises of v* where it has digits to lose: six of the sixteen.
 inline constexpr double motion_promise = 1e-9;
 
-/// Of v* by the harmonic balance of the networks in relaxation form: as of the formula, and no less
-/// than the promise.
-double balance_tolerance(double condition);
-
-/// Of the last stick of a motion. Its search takes a cycle for closed that is so within 1000 errors
-/// of rounding. At a relative distance eta below v* a motion that only slips misses that by eta
-/// over the condition number: near resonance the body keeps its swing nearly by itself, and a short
-/// stick changes it by little. So it may be taken for the steady one up to 1000 times as far from
-/// v* as roundings alone would say.
-double last_stick_tolerance(double condition);
+/// Of v* by motion, as where the last stick ends, and by the harmonic balance of the networks in
+/// relaxation form: as of the formula, and no less than the promise.
+double motion_tolerance(double condition);
 
 /// Whether a comparison to that tolerance says anything.
 bool leaves_digits(double tolerance);

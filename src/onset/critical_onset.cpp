@@ -73,12 +73,15 @@ CriticalOnset by_formula(const Scene& scene) {
 }
 
 CriticalOnset by_simulation(const simulation::Onset& onset) {
-  return {CriticalOnset::By::simulation,
-          onset.contact_velocity,
-          onset.drive_velocity,
-          std::numeric_limits<double>::quiet_NaN(),
-          onset.why_infinite,
-          onset.contact_velocity};
+  CriticalOnset result{CriticalOnset::By::simulation,
+                       onset.contact_velocity,
+                       onset.drive_velocity,
+                       std::numeric_limits<double>::quiet_NaN(),
+                       onset.why_infinite,
+                       onset.contact_velocity};
+  if (std::isfinite(onset.contact_velocity))
+    result.relative_error = onset.uncertainty / onset.contact_velocity;
+  return result;
 }
 
 // Steps of ln p. Differences of fourth order err by their fourth power, 1e-12, and the 1e-13 to

@@ -12,15 +12,15 @@ namespace vcrit {
 struct CriticalOnset {
   enum class By { formula, simulation };
   By by = By::formula;
-  double contact_velocity = 0;  ///< v*, m/s
-  double drive_velocity = 0;    ///< m/s; larger only where a network on the path creeps
-  double relative_error_bound =
-      0;               ///< of v*; of a simulated one NaN: no bound is known, only rounding is lost
-  std::string reason;  ///< why v* is infinite, else empty
+  double contact_velocity = 0;      ///< v*, m/s
+  double drive_velocity = 0;        ///< m/s; larger only where a network on the path creeps
+  double relative_error_bound = 0;  ///< of v*; of a simulated one NaN: none is known
+  std::string reason;               ///< why v* is infinite, else empty
   /// m/s, of a body that swings freely at harmonics n > 1 of the oscillation, K_d = m (n omega)^2
   /// without damping: friction is full from a lower speed on (base/free_swings.hpp); else v*.
   double sliding_from = 0;
   std::vector<int> free_harmonics = {};  ///< these n, increasing
+  double relative_error = 0;             ///< of a simulated v*, an estimate of what rounding takes
 };
 
 /// Those n of a scene whose surfaces stay together. Throws InputError for missing values.

@@ -26,8 +26,8 @@ class Verdicts(unittest.TestCase):
             scene.flush()
             return run("critical", scene.name, "--json"), run("critical", scene.name)
 
-    # Doubles lose digits there like the inverse of the distance, the last stick more of them, and no more than that:
-    # the tolerance is derived in src/critical/conditioning.hpp.
+    # Doubles lose digits there like the inverse of the distance, and no more than that: the tolerance is derived in
+    # src/critical/conditioning.hpp. Cycles that close to a few roundings leave hardly anything of the last stick open.
     def test_near_resonance_all_ways_agree(self):
         for contact, elements in (("kt", "kt = 2\n"), ("kt | ct", "kt = 1.6\nct = 0.4\n")):
             for drive, more in (("kd", ""), ("kd | cd", "cd = {}\n")):
@@ -40,9 +40,9 @@ class Verdicts(unittest.TestCase):
                             answer = json.loads(result.stdout)
                             self.assertEqual((result.returncode, text.returncode), (0, 0), text.stdout)
                             self.assertNotIn("ABOVE", text.stdout)
-                            # 32 roundings times the condition number, some (sqrt(2) + 3) / off, and 1000 times it.
+                            # 32 roundings times the condition number, some (sqrt(2) + 3) / off.
                             self.assertLessEqual(answer["tolerance"], max(1e-9, 1.7e-14 / abs(off)))
-                            self.assertLessEqual(answer.get("stick_onset_tolerance", 0), 1000 * answer["tolerance"])
+                            self.assertLessEqual(answer.get("stick_onset_tolerance", 0), 2 * answer["tolerance"])
 
     def test_status_3_where_doubles_have_no_digit(self):
         for mass in (1 - 2**-53, 1 + 2**-52):

@@ -43,16 +43,14 @@ BOOST_AUTO_TEST_CASE(known_by_hand) {
                     (9.00000095367431640625 * root + 12) / 5.00000095367431640625));
 }
 
-// What two ways to v* may be apart by: 32 x 2^-53 = 2^-48 for each unit of the condition number,
-// and 1000 times that of a last stick, as far as these are above the simulator's promise.
+// What two ways to v* may be apart by: 32 x 2^-53 = 2^-48 for each unit of the condition number, as
+// far as that is above the simulator's promise.
 BOOST_AUTO_TEST_CASE(tolerances_grow_with_the_condition_number) {
   BOOST_TEST(formula_tolerance(6) == 6 * 0x1p-48);
-  BOOST_TEST(balance_tolerance(1e3) == 1e-9);
-  BOOST_TEST(balance_tolerance(1e8) == 1e8 * 0x1p-48);
-  BOOST_TEST(last_stick_tolerance(100) == 1e-9);
-  BOOST_TEST(is(last_stick_tolerance(1e6), 1e9 * 0x1p-48));
-  BOOST_TEST(leaves_digits(balance_tolerance(0x1p47)));
-  BOOST_TEST(!leaves_digits(balance_tolerance(0x1p48)));
+  BOOST_TEST(motion_tolerance(1e3) == 1e-9);
+  BOOST_TEST(motion_tolerance(1e8) == 1e8 * 0x1p-48);
+  BOOST_TEST(leaves_digits(motion_tolerance(0x1p47)));
+  BOOST_TEST(!leaves_digits(motion_tolerance(0x1p48)));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

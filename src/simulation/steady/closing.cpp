@@ -104,6 +104,39 @@ Closing closing(const Model& model, const State& start, const Passage& period) {
   return result;
 }
 
+double close_heavy_body(const Model& model, const Passage& period, Closing& closing) {
+  if (!model.body || model.body->fluidity == 0) return 0;
+  const auto& [mass, drive, fluidity] = *model.body;
+  if (two_pi > mass * fluidity) return 0;
+  // The impulse on the body is the sum of weights times integrals, and of fast branches, whose
+  // integrals are not kept, of what these change by.
+  const Matrix& changes = period.changes.integrals;
+  Vector weights(model.integrated_levels());
+  weights[0] = 1;
+  weights[1] = drive.direct;
+  for (Index j = 0; j < drive.rates.size(); ++j) {
+    if (j < model.slow_branches)
+      weights[2 + j] = 1;
+    else
+      weights[1] += drive.weights[j] / drive.rates[j];
+  }
+  Vector row(changes.columns());
+  double impulse = 0, size = 0;
+  for (Index i = 0; i < weights.size(); ++i) {
+    const double part = weights[i] * period.integrals[i];
+    impulse += part;
+    size += std::abs(part);
+    for (Index c = 0; c < row.size(); ++c) row[c] += weights[i] * changes(i, c);
+  }
+  for (Index j = model.slow_branches; j < drive.rates.size(); ++j) {
+    impulse -= closing.residual[1 + j] / drive.rates[j];
+    for (Index c = 0; c < row.size(); ++c) row[c] += closing.derivative(1 + j, c) / drive.rates[j];
+  }
+  closing.residual[0] = -impulse / mass;
+  for (Index c = 0; c < row.size(); ++c) closing.derivative(0, c) = row[c] / mass;
+  return 8 * epsilon * size / mass;
+}
+
 Vector state_size(const Model& model, double velocity, const State& start) {
   return size_beside(model, velocity + std::abs(model.sliding_velocity), start);
 }

@@ -13,6 +13,12 @@ struct Closing {
 };
 Closing closing(const Model& model, const State& start, const Passage& period);
 
+/// Of a body on a drive that creeps and takes less than its velocity in a period: closes that by
+/// the impulse of all forces on it, which tells its mean velocity to as many digits as they have,
+/// where its change would be lost in rounding. A few rounding errors of it; 0 of any other body,
+/// which is left as it is.
+double close_heavy_body(const Model& model, const Passage& period, Closing& closing);
+
 /// What each number of the state but F is measured by.
 Vector state_size(const Model& model, double velocity, const State& start);
 

@@ -32,8 +32,8 @@ constexpr int most_steps = 8;
 // A cycle is closed where so many rounding errors are left of the residual.
 constexpr double closed = 100;
 
-// v* with fewer digits than this is none.
-constexpr double worst_error = 1e-6;
+// The drive's speed with fewer digits than this is none, nor is v*, which is that less the creep.
+constexpr double worst_error = 1e-6, worst_error_without_creep = 1e-2;
 
 struct SlidingCycle {
   Trace period;
@@ -72,9 +72,11 @@ SlidingCycle sliding_cycle(const Model& model) {
   const Index changing = state.x.size() - 1;
   for (int i = 1;; ++i) {
     Trace period = trace(model, any_speed, state, two_pi, unit_changes(state, changing));
-    const Closing left = closing(model, state, period);
+    Closing left = closing(model, state, period);
+    const double impulse_rounding = close_heavy_body(model, period, left);
     const LinearSolver solver(left.derivative, state_size(model, 0, state));
-    const Vector unit = slip_rounding(model, state);
+    Vector unit = slip_rounding(model, state);
+    if (impulse_rounding > 0) unit[0] = impulse_rounding;
     if (i == most_steps || in_roundings(left.residual, unit) <= closed)
       return {std::move(period), error_of(model, solver, left.residual, unit)};
     const Vector step = solver.solve(left.residual);
@@ -119,8 +121,11 @@ ForwardSliding forward_sliding(const Model& model) {
   for (const Trace::Part& part : cycle.period.parts)
     if (part.piece.start().motion == Motion::slip)
       least = std::max(least, least_velocity(model, part));
-  if (!(cycle.error <= worst_error * std::abs(least))) throw ModelError(lost_in_rounding);
-  return {Ends::at_a_speed, least};
+  if (!(cycle.error <= worst_error * std::abs(least) &&
+        cycle.error <= worst_error_without_creep * std::abs(least - model.creep)))
+    throw ModelError(lost_in_rounding);
+  // The contact's velocity is rounded once more where it is least.
+  return {Ends::at_a_speed, least, cycle.error + 4 * epsilon * std::abs(least)};
 }
 
 }  // namespace vcrit::simulation

@@ -17,6 +17,7 @@ struct ForwardSliding {
   /// The least velocity of the drive, without dimension, at which the contact slips forward
   /// whenever it touches; infinite where none is enough.
   double least_velocity = 0;
+  double error = 0;  ///< of it, estimated
 };
 
 /// Throws ModelError where the motion is lost in rounding.

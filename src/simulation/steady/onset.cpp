@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "base/errors.hpp"
@@ -17,12 +18,66 @@ namespace {
 // In units of mu0 <F_n> omega/|K_t|, by which no sensible v* differs so much.
 constexpr double lowest_speed = 1e-30, highest_speed = 1e30;
 
-// velocity: as in model.hpp.
-bool sticks(const Model& model, double velocity) {
-  const auto& parts = steady_cycle(model, velocity, rest_start(model, velocity)).period.parts;
+constexpr const char* too_near_resonance =
+    "body and drive are so near a resonance that no cycle closes well enough to tell where the "
+    "last "
+    "stick ends";
+
+bool sticks(const SteadyCycle& cycle) {
+  const auto& parts = cycle.period.parts;
   return std::any_of(parts.begin(), parts.end(), [](const Trace::Part& part) {
     return part.piece.start().motion == Motion::stick;
   });
+}
+
+// Speeds below: as in model.hpp.
+bool sticks(const Model& model, double velocity) {
+  return sticks(steady_cycle(model, velocity, rest_start(model, velocity)));
+}
+
+// Nothing where no cycle closes well enough to tell.
+std::optional<bool> surely_sticks(const Model& model, double velocity) {
+  const auto cycle = strictly_steady_cycle(model, velocity, rest_start(model, velocity));
+  return cycle ? std::optional(sticks(*cycle)) : std::nullopt;
+}
+
+// The highest speed that is known to stick, and the lowest known not to.
+struct Bracket {
+  double low, high;
+
+  void hear(double velocity, bool sticks) { (sticks ? low : high) = velocity; }
+};
+
+// From speeds between which a cycle that is nearly closed loses its stick: away from them, ever
+// faster, until one that is closed sticks below and another one slips above.
+Bracket sure_bracket(const Model& model, Bracket near) {
+  constexpr double first = 1e-15, farthest = 1e-2;
+  for (const double side : {-1.0, 1.0}) {
+    double& end = side < 0 ? near.low : near.high;
+    const double from = end;
+    for (double away = first; surely_sticks(model, end) != (side < 0); away *= 4) {
+      if (away > farthest) throw ModelError(too_near_resonance);
+      end = from * (1 + side * away);
+    }
+  }
+  return near;
+}
+
+// Closes in on the last stick as far as cycles tell.
+Bracket closed_in(const Model& model, Bracket bracket) {
+  constexpr double finest = 1e-15;
+  const auto narrow = [&] {
+    for (const double share : {0.5, 0.25, 0.75}) {
+      const double middle = bracket.low + share * (bracket.high - bracket.low);
+      if (const auto sticks = surely_sticks(model, middle)) {
+        bracket.hear(middle, *sticks);
+        return true;
+      }
+    }
+    return false;
+  };
+  while (bracket.high - bracket.low > finest * bracket.high && narrow()) continue;
+  return bracket;
 }
 
 std::string why_infinite(ForwardSliding::Ends ends) {
@@ -47,7 +102,7 @@ Onset sliding_threshold(const System& system) {
     const ForwardSliding sliding = forward_sliding(model);
     const double drive = sliding.least_velocity;
     return {(drive - model.creep) * model.velocity_unit, drive * model.velocity_unit,
-            why_infinite(sliding.ends)};
+            why_infinite(sliding.ends), sliding.error * model.velocity_unit};
   }
   const double lowest = model.threshold;
   return {lowest * model.velocity_unit, (lowest + model.creep) * model.velocity_unit};
@@ -69,12 +124,21 @@ Onset stick_onset(const System& given) {
     if (high > highest_speed) throw ModelError("stick vanishes at no speed");
     low = std::exchange(high, 2 * high);
   }
+  Bracket bracket{low, high};
   for (int i = 0; i < 50; ++i) {
-    const double middle = 0.5 * (low + high);
-    (sticks(model, middle) ? low : high) = middle;
+    const double middle = 0.5 * (bracket.low + bracket.high);
+    bracket.hear(middle, sticks(model, middle));
   }
-  const double contact = low - (model.creep - model.creep * model.load);
-  return {contact * model.velocity_unit, (contact + model.creep) * model.velocity_unit};
+  double uncertainty = 0;
+  if (surely_sticks(model, bracket.low) != true || surely_sticks(model, bracket.high) != false) {
+    bracket = closed_in(model, sure_bracket(model, bracket));
+    uncertainty = 0.5 * (bracket.high - bracket.low);
+  }
+  const double contact = bracket.low + uncertainty - (model.creep - model.creep * model.load);
+  return {contact * model.velocity_unit,
+          (contact + model.creep) * model.velocity_unit,
+          {},
+          uncertainty * model.velocity_unit};
 }
 
 }  // namespace vcrit::simulation

@@ -19,8 +19,9 @@ namespace {
 // The share of the residual by which a step may miss what was expected of it.
 constexpr double good_miss = 0.3;
 
-// A residual of so many rounding errors may be rounding, too, if the ratio does not notice it.
-constexpr double nearly = 1e3;
+// In rounding errors: a residual of so many may be rounding, too, if the ratio does not notice it.
+// That does not tell whether the cycle sticks, so near to v*; there a residual is no more than one.
+constexpr double nearly = 1e3, strictly = 1;
 
 // Where rounding errors would grow beyond this, no digits of the motion are left to speak of.
 constexpr double fastest_creep = 1e7;
@@ -74,8 +75,12 @@ constexpr Patience usual_patience{8, 200}, last_patience{16, most_parts};
 class SteadyCycleSearch {
  public:
   SteadyCycleSearch(const Model& model, double velocity, State start,
-                    const Patience& patience = usual_patience)
-      : model_(model), velocity_(velocity), patience_(patience), state_(std::move(start)) {}
+                    const Patience& patience = usual_patience, double enough = nearly)
+      : model_(model),
+        velocity_(velocity),
+        patience_(patience),
+        enough_(enough),
+        state_(std::move(start)) {}
 
   SteadyCycle run() {
     int cycles = 1;
@@ -197,7 +202,7 @@ class SteadyCycleSearch {
         state_ = trial->start();
         now = std::move(trial);
         damping.lower(miss);
-      } else if (now->size <= nearly && moved(*now, trial) <= error(*now).rounding) {
+      } else if (now->size <= enough_ && moved(*now, trial) <= error(*now).rounding) {
         return finished(std::move(*now));
       } else if (!patient) {
         return std::nullopt;
@@ -207,7 +212,7 @@ class SteadyCycleSearch {
         damping.raise(miss);
       }
     }
-    if (patient && now && now->size <= nearly) return finished(std::move(*now), last_moved);
+    if (patient && now && now->size <= enough_) return finished(std::move(*now), last_moved);
     return std::nullopt;
   }
 
@@ -288,6 +293,7 @@ class SteadyCycleSearch {
   const Model& model_;
   double velocity_;
   Patience patience_;
+  double enough_;  ///< within so many rounding errors, where steps lead no further
   State state_;
   Trace last_;
   int traced_ = 0;
@@ -295,19 +301,36 @@ class SteadyCycleSearch {
 
 }  // namespace
 
+namespace {
+
+std::optional<SteadyCycle> searched(const Model& model, double velocity, State start,
+                                    const Patience& patience, double enough) try {
+  return SteadyCycleSearch(model, velocity, std::move(start), patience, enough).run();
+} catch (const ModelError&) {
+  return std::nullopt;
+}
+
+// From the given start, and where that does not settle from both of ours.
+std::optional<SteadyCycle> searched(const Model& model, double velocity, State start,
+                                    double enough) {
+  model.effort.renew(effort_of_state);
+  if (auto found = searched(model, velocity, std::move(start), usual_patience, enough))
+    return found;
+  return searched(model, velocity, sliding_start(model, velocity), last_patience, enough);
+}
+
+}  // namespace
+
 SteadyCycle steady_cycle(const Model& model, double velocity, State start) {
   check_reach(model);
-  model.effort.renew(effort_of_state);
-  const auto search = [&](State from, const Patience& patience) -> std::optional<SteadyCycle> {
-    try {
-      return SteadyCycleSearch(model, velocity, std::move(from), patience).run();
-    } catch (const ModelError&) {
-      return std::nullopt;
-    }
-  };
-  if (auto found = search(std::move(start), usual_patience)) return *std::move(found);
-  if (auto found = search(sliding_start(model, velocity), last_patience)) return *std::move(found);
+  if (auto found = searched(model, velocity, std::move(start), nearly)) return *std::move(found);
   return SteadyCycleSearch(model, velocity, rest_start(model, velocity), last_patience).run();
+}
+
+std::optional<SteadyCycle> strictly_steady_cycle(const Model& model, double velocity, State start) {
+  check_reach(model);
+  if (auto found = searched(model, velocity, std::move(start), strictly)) return found;
+  return searched(model, velocity, rest_start(model, velocity), last_patience, strictly);
 }
 
 std::optional<SteadyCycle> steady_cycle_near(const Model& model, double velocity,

@@ -21,6 +21,10 @@ struct SteadyCycle {
 /// Throws ModelError if no closed cycle is found.
 SteadyCycle steady_cycle(const Model& model, double velocity, State start);
 
+/// The same, closed to a few rounding errors, so that what sticks and what slips in it does.
+/// Nothing where no such cycle is found.
+std::optional<SteadyCycle> strictly_steady_cycle(const Model& model, double velocity, State start);
+
 /// The same, beginning at the steady cycle of another velocity; nothing where that does not lead to
 /// one at once.
 std::optional<SteadyCycle> steady_cycle_near(const Model& model, double velocity,

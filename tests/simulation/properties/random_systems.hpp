@@ -56,7 +56,8 @@ inline rc::Gen<double> ratio_below_one() {
 /// A share of the threshold. Left out is what the simulator declines by name: body and drive in
 /// undamped resonance, and creep that leaves no digits of the contact's swing.
 inline double drive_velocity(const simulation::System& system, double ratio) {
-  const auto [contact, drive, reason] = simulation::sliding_threshold(system);
+  const simulation::Onset onset = simulation::sliding_threshold(system);
+  const double contact = onset.contact_velocity, drive = onset.drive_velocity;
   RC_PRE(std::isfinite(drive) && contact > 0);
   RC_PRE(drive - contact < 0.9e7 * contact);
   return ratio * drive;
