@@ -19,11 +19,12 @@
 #include "friction.hpp"
 #include "indented.hpp"
 #include "method_curves.hpp"
-#include "network/masses.hpp"
 #include "onset/critical_onset.hpp"
 #include "onset/formula_scope.hpp"
 #include "parting.hpp"
+#include "periodic_motion.hpp"
 #include "reduced_difference.hpp"
+#include "scene/motion_scope.hpp"
 #include "simulation/steady/near_resonance.hpp"
 #include "simulation/steady/onset.hpp"
 #include "values.hpp"
@@ -56,7 +57,7 @@ Comparison balanced(const SceneReport& report, const simulation::Onset& threshol
   Comparison comparison = velocity_comparison(
       report, "balance", "harmonic balance, as Eq. 24, of the networks in relaxation form");
   comparison.found = threshold.contact_velocity;
-  comparison.tolerance = balance_tolerance(report.condition);
+  comparison.tolerance = motion_tolerance(report.condition);
   comparison.reason =
       comparison.tolerance > motion_promise
           ? fmt::format("doubles: 32 roundings of 2⁻⁵³, times the condition number {:.3g} here",
@@ -111,22 +112,22 @@ void trace_curve(SceneReport& report, const simulation::System& system, double t
   if (closed_form) report.comparisons.push_back(compare_closed_form(report.curve));
 }
 
+// Why no march in time tells anything of v*; empty where one does.
+std::string why_no_march(const SceneReport& report) {
+  if (!is_speed(report.critical_velocity)) return "v* is infinite or 0: no speed to look for";
+  if (std::string why = beyond_simulation(report.scene); !why.empty()) return why;
+  if (report.scene.drive && !leaves_digits(formula_tolerance(report.condition))) return lost_digits;
+  return {};
+}
+
 void simulate(SceneReport& report, const Witnesses& witnesses, const Progress& progress) {
   progress("simulating");
   const std::vector<Comparison> evaluated = report.comparisons;
   Comparison pending = velocity_comparison(report, "simulation", "stick-slip simulation");
-  if (!is_speed(report.critical_velocity)) {
-    report.comparisons.push_back(not_run(pending, "v* is infinite or 0: no speed to look for"));
-    return;
-  }
-  const std::optional<Network>& drive = report.scene.drive;
-  if (!leaves_digits(formula_tolerance(report.condition)) && drive && !has_masses(*drive)) {
-    report.comparisons.push_back(not_run(pending, lost_digits));
-    return;
-  }
-  if (report.scene.receptance || (drive && has_masses(*drive))) {
-    report.comparisons.push_back(
-        not_run(pending, "the simulator knows one body, under a network of springs and dampers"));
+  if (const std::string why = why_no_march(report); !why.empty()) {
+    report.comparisons.push_back(not_run(pending, why));
+    if (!report.scene.separation || !opens(report.scene))
+      report.comparisons.push_back(compare_periodic_motion(report));
     return;
   }
   bool out_of_reach = false;
