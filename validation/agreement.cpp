@@ -20,11 +20,10 @@
 #include "indented.hpp"
 #include "method_curves.hpp"
 #include "onset/critical_onset.hpp"
-#include "onset/formula_scope.hpp"
 #include "parting.hpp"
 #include "periodic_motion.hpp"
 #include "reduced_difference.hpp"
-#include "scene/motion_scope.hpp"
+#include "rules/rulebook.hpp"
 #include "simulation/steady/near_resonance.hpp"
 #include "simulation/steady/onset.hpp"
 #include "values.hpp"
@@ -115,7 +114,8 @@ void trace_curve(SceneReport& report, const simulation::System& system, double t
 // Why no march in time tells anything of v*; empty where one does.
 std::string why_no_march(const SceneReport& report) {
   if (!is_speed(report.critical_velocity)) return "v* is infinite or 0: no speed to look for";
-  if (std::string why = beyond_simulation(report.scene); !why.empty()) return why;
+  if (const auto moves = rules::answer(rules::Question::report_simulation, report.scene); !moves)
+    return moves.reason;
   if (report.scene.drive && !leaves_digits(formula_tolerance(report.condition))) return lost_digits;
   return {};
 }
@@ -176,7 +176,7 @@ SceneReport agree(const Scene& given, Driver& driver, const Progress& progress,
   SceneReport report;
   report.scene = scene;
   report.reasons = inadmissible_reasons(scene);
-  report.formula_applies = report.reasons.empty() && formula_holds(scene);
+  report.formula_applies = report.reasons.empty() && rules::answer(rules::Question::formula, scene);
   const CertifiedVelocity certified = witnesses.certified(scene);
   report.critical_velocity = certified.value;
   report.relative_error_bound = certified.relative_error_bound;
