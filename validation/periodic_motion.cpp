@@ -43,8 +43,8 @@ Complex bounded(Complex answer) { return std::abs(answer) < freest ? answer : fr
 // border, above which the friction on the contact point has one harmonic alone.
 Complex resistive(Complex answer, std::size_t n) {
   const double high = static_cast<double>(n) / (points / 2);
-  return Complex(std::max(answer.real(), 0.0), answer.imag()) + 1e-3 * high +
-         std::abs(answer.imag()) * high * high;
+  return Complex(std::max(answer.real(), 0.0), answer.imag()) + 0.1 * high +
+         std::abs(answer.imag()) * high;
 }
 
 }  // namespace
