@@ -50,7 +50,7 @@ ParameterList::ParameterList(const Scene& scene, const std::vector<Symbol>& symb
 
 void ParameterList::add(const Symbol& symbol, const std::string& comment, const Scene& scene) {
   known_.insert(symbol);
-  const std::string name = spelled(as_called(scene, symbol).name);
+  const std::string name = in_language(as_called(scene, symbol).name);
   if (symbol.entry == 0) return members_.push_back({name, comment, 0, symbol.name});
   const bool is_there = std::any_of(members_.begin(), members_.end(), [&](const Member& member) {
     return member.symbol == symbol.name;
@@ -67,10 +67,10 @@ std::string ParameterList::named(std::string text) const {
 
 std::string ParameterList::name_of(const std::string& symbol) const {
   const auto found = names_.find(symbol);
-  return spelled(found == names_.end() ? symbol : found->second);
+  return in_language(found == names_.end() ? symbol : found->second);
 }
 
-std::string ParameterList::spelled(const std::string& name) const {
+std::string ParameterList::in_language(const std::string& name) const {
   return spelled_ == nullptr ? name : spelled_(name);
 }
 

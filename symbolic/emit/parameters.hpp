@@ -52,7 +52,7 @@ class ParameterList {
  private:
   void add(const Symbol& symbol, const std::string& comment, const Scene& scene);
   std::string name_of(const std::string& symbol) const;
-  std::string spelled(const std::string& name) const;
+  std::string in_language(const std::string& name) const;
 
   std::set<Symbol> known_;
   std::map<std::string, std::string> names_;
