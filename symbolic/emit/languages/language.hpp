@@ -37,6 +37,9 @@ const std::vector<const Language*>& languages();
 /// Throws InputError for a name that no language has.
 const Language& language_of(const GenerateOptions& options);
 
+/// Whether the name is one of the words, which blanks or lines part.
+bool is_among(std::string_view words, std::string_view name);
+
 /// Throws InputError unless `name` can be the prefix, module or namespace of a generated file.
 void check_library_name(const std::string& name, const Language& language);
 

@@ -17,13 +17,6 @@ namespace vcrit::symbolic {
 
 namespace {
 
-bool is_among(std::string_view words, std::string_view name) {
-  std::istringstream all{std::string(words)};
-  for (std::string word; all >> word;)
-    if (word == name) return true;
-  return false;
-}
-
 [[noreturn]] void refuse_in_language(const std::string& place, const std::string& name,
                                      const std::string& why, const Language& language) {
   throw InputError({place},
@@ -61,6 +54,13 @@ const Language& language_of(const GenerateOptions& options) {
   }
   throw InputError({"--language"}, fmt::format("\"{}\"", options.language),
                    fmt::format("one of {}", fmt::join(language_names(), ", ")));
+}
+
+bool is_among(std::string_view words, std::string_view name) {
+  std::istringstream all{std::string(words)};
+  for (std::string word; all >> word;)
+    if (word == name) return true;
+  return false;
 }
 
 void check_library_name(const std::string& name, const Language& language) {
