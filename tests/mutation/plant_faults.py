@@ -53,7 +53,7 @@ FAULTS = [
     ("symbolic/program/star_mesh.cpp", "program_.multiply(b.roundings, b.size)", "b.size", "a.size",
      "emit/test_graphs"),
     ("symbolic/program/gradient.cpp", "add(b, change, c);", "change, c", "change, b", "emit/test_gradients"),
-    ("symbolic/emit/groups.cpp", "program_.divide(product(monomial.above), product(monomial.below))", "below", "above",
+    ("symbolic/emit/languages/cpp/groups.cpp", "program_.divide(product(monomial.above), product(monomial.below))", "below", "above",
      "emit/test_quantities"),
     ("symbolic/document/markup.cpp", "return dialect().asymptote(form_of(line.left)", "asymptote", "equation",
      "document/test_print"),

@@ -1,4 +1,4 @@
-#include "emit/groups.hpp"
+#include "emit/languages/cpp/groups.hpp"
 
 #include <algorithm>
 #include <cstdlib>

@@ -34,7 +34,4 @@ class GuardDialect : public CppDialect {
   }
 };
 
-/// A double as C++ writes it.
-std::string literal(double value);
-
 }  // namespace vcrit::symbolic

@@ -1,9 +1,7 @@
-#include "emit/languages/javascript_arithmetic.hpp"
-
-namespace vcrit::symbolic::javascript {
-
-const char* const numbers =
-    R"(// hi + lo; operations err by less than 16 u^2 of their terms' absolute values, u = 2^-53
+// The fixed parts of generated JavaScript, by sections. The generator fills in what begins with THE_. What is under "alone"
+// is not generated: with it this file can be imported as it is.
+//: numbers
+// hi + lo; operations err by less than 16 u^2 of their terms' absolute values, u = 2^-53
 const dd_number = (hi, lo) => ({ hi, lo });
 const dd_of = (x) => dd_number(x, 0);
 const dd_quick = (a, b) => dd_number(a + b, b - (a + b - a));
@@ -37,17 +35,15 @@ const dd_div = (a, b) => {
   const q = a.hi / b.hi;
   return dd_quick(q, dd_add(a, dd_negated(dd_mul_d(b, q))).hi / b.hi);
 };
-)";
-
-const char* const root =
-    R"(const dd_root = (a) => {
+//: root
+const dd_root = (a) => {
   const r = Math.sqrt(a.hi);
   return dd_quick(r, dd_add(a, dd_negated(dd_product(r, r))).hi / (2 * r));
 };
-)";
-
-const char* const less_inertia =
-    R"(// k - m w^2, exact but for the last rounding
+//: within
+const within = (limit, x) => Object.is(x, 0) || (x <= limit && x * limit >= 1);
+//: less_inertia
+// k - m w^2, exact but for the last rounding
 const dd_less_inertia = (k, m, w) => {
   const t = dd_product(m, w), p = dd_product(t.hi, w), q = dd_product(t.lo, w);
   return dd_add_d(dd_add(dd_sum(k, -p.hi), dd_negated(dd_sum(p.lo, q.hi))), -q.lo);
@@ -56,26 +52,20 @@ const plain_less_inertia = (k, m, w) => {
   const t = dd_product(m, w), p = dd_product(t.hi, w), s = dd_sum(k, -p.hi);
   return s.hi + ((s.lo - p.lo) - t.lo * w);
 };
-)";
-
-const char* const power_unit =
-    R"(const bits = new DataView(new ArrayBuffer(8));
+//: power_unit
+const bits = new DataView(new ArrayBuffer(8));
 const unit = (x) => {  // a power of two near 1/x
   bits.setFloat64(0, x);
   bits.setUint32(0, 0x7fe00000 - (bits.getUint32(0) & 0x7ff00000));
   bits.setUint32(4, 0);
   return bits.getFloat64(0);
 };
-)";
-
-const char* const nonzero =
-    R"(// T/Q = 0/1 of what is not there
+//: nonzero
+// T/Q = 0/1 of what is not there
 const dd_nonzero = (a, b) => (a.hi === 0 && b.hi === 0 ? dd_of(1) : a);
 const plain_nonzero = (a, b) => (a === 0 && b === 0 ? 1 : a);
-)";
-
-const char* const ties =
-    R"(// edges that are 0, as bits
+//: ties
+// edges that are 0, as bits
 const plain_gap = (gaps, re, im) => 2 * gaps + (re === 0 && im === 0 ? 1 : 0);
 const dd_gap = (gaps, re, im) => plain_gap(gaps, re.hi, im.hi);
 // Gaps may leave parts that nothing holds. They carry no load: one gap that leads to each becomes an edge of stiffness 1
@@ -103,18 +93,16 @@ const tie = (wiring, gaps, edge) => {
 };
 const plain_tied = (a, kind, otherwise) => (kind < 0 ? a : kind * otherwise);
 const dd_tied = (a, kind, otherwise) => (kind < 0 ? a : dd_of(kind * otherwise));
-)";
-
-const char* const magnitude =
-    R"(const dd_magnitude = (a) => (a.hi < 0 ? dd_negated(a) : a);
-)";
-
-const char* const unless_moderate =
-    R"(const unless_moderate = (x) => (within(2 ** 200, x) ? 0 : Infinity);
-)";
-
-const char* const finished =
-    R"(// v* = factor root(above/below). Factors (1 + e_j)^(+-1) with sum |e_j| = e < 2^-10 change it by less than 1.01 e, the
+//: magnitude
+const dd_magnitude = (a) => (a.hi < 0 ? dd_negated(a) : a);
+//: unless_moderate
+const unless_moderate = (x) => (within(2 ** 200, x) ? 0 : Infinity);
+//: alone
+const in_range = (p) => within(2 ** 200, p.mu0);
+const THE_SQUARE_ROOT = Math.sqrt;
+const THE_ROOT = dd_root;
+//: finished
+// v* = factor root(above/below). Factors (1 + e_j)^(+-1) with sum |e_j| = e < 2^-10 change it by less than 1.01 e, the
 // last rounding by u. safe: no number has left the range of doubles.
 const finished = (h, value, e, u, inside) => {
   const safe = inside && h > 2 ** -900 && h < 2 ** 900 && value >= 2 ** -1022 && value < Infinity;
@@ -123,16 +111,21 @@ const finished = (h, value, e, u, inside) => {
 };
 const plain_finished = (above, below, factor, roundings, inside) => {
   const h = above / below;
-  return finished(h, @SQRT(h) * factor, roundings * 2 ** -53, 0, inside);
+  return finished(h, THE_SQUARE_ROOT(h) * factor, roundings * 2 ** -53, 0, inside);
 };
 const dd_finished = (above, below, factor, roundings, inside) => {
-  const v = dd_mul(@ROOT(dd_div(above, below)), factor).hi;
+  const v = dd_mul(THE_ROOT(dd_div(above, below)), factor).hi;
   return finished(above.hi / below.hi, v, roundings * 2 ** -102, 2 ** -53, inside);
 };
-)";
-
-const char* const calls =
-    R"(const dd_result = (p, gradient) => {
+//: alone
+const evaluated = (r, p) => ({ ...r, partial: p });
+const dd_evaluate = (p) => {
+  const x = dd_of(p.mu0);
+  return evaluated(dd_finished(x, x, x, 50, in_range(p)), p);
+};
+const plain_evaluate = (p) => evaluated(plain_finished(p.mu0, p.mu0, p.mu0, 50, in_range(p)), p);
+//: calls
+const dd_result = (p, gradient) => {
   const r = dd_evaluate(p, gradient);
   return r.safe ? r : plain_evaluate(p, gradient);
 };
@@ -146,7 +139,7 @@ export const critical_velocity_gradient = (p) => {  // partial: d value/d parame
 export const critical_velocity_batch = (p, omega, out = new Float64Array(omega.length)) => {
   const at = { ...p };
   for (let i = 0; i < omega.length; ++i) {
-    at.@omega@ = omega[i];
+    at.THE_OMEGA = omega[i];
     out[i] = critical_velocity(at);
   }
   return out;
@@ -162,11 +155,8 @@ export const fast_critical_velocity_gradient = (p) => {
 export const fast_critical_velocity_batch = (p, omega, out = new Float64Array(omega.length)) => {
   const at = { ...p };
   for (let i = 0; i < omega.length; ++i) {
-    at.@omega@ = omega[i];
+    at.THE_OMEGA = omega[i];
     out[i] = fast_critical_velocity(at);
   }
   return out;
 };
-)";
-
-}  // namespace vcrit::symbolic::javascript

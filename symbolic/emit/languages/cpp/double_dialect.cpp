@@ -1,9 +1,9 @@
-#include "emit/double_dialect.hpp"
+#include "emit/languages/cpp/double_dialect.hpp"
 
 #include <fmt/core.h>
 
 #include "base/errors.hpp"
-#include "emit/cpp_dialect.hpp"
+#include "emit/languages/cpp/dialect.hpp"
 
 namespace vcrit::symbolic {
 

@@ -4,28 +4,21 @@
 
 #include <algorithm>
 
-#include "emit/languages/javascript_arithmetic.hpp"
-#include "emit/languages/printers.hpp"
+#include "emit/languages/language.hpp"
+#include "emit/languages/sections.hpp"
 #include "emit/pieces.hpp"
 #include "emit/words.hpp"
+
+VCRIT_ARITHMETIC(javascript)
 
 namespace vcrit::symbolic {
 
 namespace {
 
 std::string javascript_operations(const Evaluator& evaluator) {
-  using Operation = Node::Operation;
-  std::string out = javascript::numbers;
-  if (evaluator.velocity.rooted) out += javascript::root;
-  // -0 comes of a negative parameter.
-  out += "const within = (limit, x) => Object.is(x, 0) || (x <= limit && x * limit >= 1);\n";
-  if (evaluator.has(Operation::less_inertia)) out += javascript::less_inertia;
-  if (evaluator.has(Operation::unit)) out += javascript::power_unit;
-  if (evaluator.has(Operation::nonzero)) out += javascript::nonzero;
-  if (evaluator.has(Operation::gap)) out += javascript::ties;
-  if (evaluator.has(Operation::magnitude)) out += javascript::magnitude;
-  if (evaluator.has(Operation::unless_moderate)) out += javascript::unless_moderate;
-  return out;
+  const Sections& sections = javascript_sections();
+  return sections["numbers"] + (evaluator.velocity.rooted ? sections["root"] : "") +
+         sections["within"] + sections.rare_operations(evaluator.gradient.program);
 }
 
 /// "{ mu0: 1.0, k: [2.0, 3.0] }" of the entries' texts.
@@ -56,9 +49,8 @@ std::string javascript_evaluation(const Evaluator& evaluator, CallGrade grade,
   return out + "  return r;\n};\n";
 }
 
-}  // namespace
-
-std::string javascript_text(const Evaluator& evaluator) {
+std::string javascript_text(const Evaluator& evaluator, const std::string&) {
+  const Sections& sections = javascript_sections();
   const Spelling spelling{"", "Math.abs", "Math.sqrt", false, Zeros::in_range};
   const bool rooted = evaluator.velocity.rooted;
   std::string out = comment("Parameters p: an object of numbers and arrays of numbers. " +
@@ -69,16 +61,27 @@ std::string javascript_text(const Evaluator& evaluator) {
   out += "\n" + javascript_operations(evaluator);
   out +=
       "const in_range = (p) =>\n" + statement(in_range(evaluator, spelling, " && ", "false") + ";");
-  out += replaced(replaced(javascript::finished, "@SQRT", rooted ? "Math.sqrt" : ""), "@ROOT",
-                  rooted ? "dd_root" : "");
+  out += replaced(replaced(sections["finished"], "THE_SQUARE_ROOT", rooted ? "Math.sqrt" : ""),
+                  "THE_ROOT", rooted ? "dd_root" : "");
   out += javascript_evaluation(evaluator, CallGrade::accurate, spelling);
   out += javascript_evaluation(evaluator, CallGrade::fast, spelling);
   out +=
       "\n" +
       comment(evaluator.parameters.named(
           "v* is infinite at resonance, 0 at antiresonance, NaN for 0/0. Batches: a value for each "
-          "@omega@."));
-  return out + evaluator.parameters.named(javascript::calls);
+          "THE_OMEGA."));
+  return out + evaluator.parameters.named(sections["calls"]);
 }
+
+}  // namespace
+
+extern const Language javascript{
+    .name = "javascript",
+    .extension = ".mjs",
+    .zeros = Zeros::in_range,
+    .reserved =
+        "arguments debugger eval extends implements instanceof interface "
+        "null package super undefined",
+    .text = javascript_text};
 
 }  // namespace vcrit::symbolic

@@ -2,26 +2,47 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "emit/languages/printers.hpp"
-#include "emit/languages/python_arithmetic.hpp"
+#include "emit/languages/language.hpp"
+#include "emit/languages/sections.hpp"
 #include "emit/pieces.hpp"
+
+VCRIT_ARITHMETIC(python)
 
 namespace vcrit::symbolic {
 
 namespace {
 
+// Those that are reserved in C++ as well are refused as names of a scene.
+const char* const python_keywords = "None True False as";
+
+// A file of such a name would be imported in the place of Python's own module or of NumPy.
+const char* const python_modules = R"(
+abc aifc antigravity argparse array ast asynchat asyncio asyncore atexit audioop base64
+bdb binascii bisect builtins bz2 cProfile calendar cgi cgitb chunk cmath cmd code codecs
+codeop collections colorsys compileall concurrent configparser contextlib contextvars
+copy copyreg crypt csv ctypes curses dataclasses datetime dbm decimal difflib dis
+distutils doctest email encodings ensurepip enum errno faulthandler fcntl filecmp
+fileinput fnmatch fractions ftplib functools gc genericpath getopt getpass gettext glob
+graphlib grp gzip hashlib heapq hmac html http idlelib imaplib imghdr imp importlib
+inspect io ipaddress itertools json keyword lib2to3 linecache locale logging lzma
+mailbox mailcap marshal math mimetypes mmap modulefinder msilib msvcrt multiprocessing
+netrc nis nntplib nt ntpath nturl2path numbers numpy opcode operator optparse os
+ossaudiodev pathlib pdb pickle pickletools pipes pkgutil platform plistlib poplib posix
+posixpath pprint profile pstats pty pwd py_compile pyclbr pydoc pydoc_data pyexpat queue
+quopri random re readline reprlib resource rlcompleter runpy sched secrets select
+selectors shelve shlex shutil signal site smtpd smtplib sndhdr socket socketserver spwd
+sqlite3 sre_compile sre_constants sre_parse ssl stat statistics string stringprep struct
+subprocess sunau symtable sys sysconfig syslog tabnanny tarfile telnetlib tempfile
+termios textwrap this threading time timeit tkinter token tokenize tomllib trace
+traceback tracemalloc tty turtle turtledemo types typing unicodedata unittest urllib uu
+uuid venv warnings wave weakref webbrowser winreg winsound wsgiref xdrlib xml xmlrpc
+zipapp zipfile zipimport zlib zoneinfo
+)";
+
 std::string python_operations(const Evaluator& evaluator) {
-  using Operation = Node::Operation;
-  std::string out = python::numbers;
-  if (evaluator.velocity.rooted) out += python::root;
-  out += python::within;
-  if (evaluator.has(Operation::less_inertia)) out += python::less_inertia;
-  if (evaluator.has(Operation::unit)) out += python::power_unit;
-  if (evaluator.has(Operation::nonzero)) out += python::nonzero;
-  if (evaluator.has(Operation::gap)) out += python::ties;
-  if (evaluator.has(Operation::magnitude)) out += python::magnitude;
-  if (evaluator.has(Operation::unless_moderate)) out += python::unless_moderate;
-  return out;
+  const Sections& sections = python_sections();
+  return sections["numbers"] + (evaluator.velocity.rooted ? sections["root"] : "") +
+         sections["within"] + sections.rare_operations(evaluator.gradient.program);
 }
 
 /// A statement of any length has to stand on one line.
@@ -75,20 +96,30 @@ std::string python_evaluation(const Evaluator& evaluator, CallGrade grade,
                      fmt::join(code.partials, ",\n        "));
 }
 
-}  // namespace
-
-std::string python_text(const Evaluator& evaluator) {
+std::string python_text(const Evaluator& evaluator, const std::string&) {
+  const Sections& sections = python_sections();
   const Spelling spelling{"_", "np.abs", "np.sqrt", false, Zeros::in_range};
   const bool rooted = evaluator.velocity.rooted;
-  std::string out = python::imports + parameters_class(evaluator.parameters) + python::tuples;
+  std::string out =
+      sections["imports"] + parameters_class(evaluator.parameters) + sections["tuples"];
   out += conversions(evaluator.parameters) + python_operations(evaluator);
   out += "\n\ndef _in_range(p):\n    return (\n        " +
          in_range(evaluator, spelling, "\n        & ", "np.False_") + "\n    )\n";
-  out += replaced(replaced(python::finished, "@SQRT", rooted ? "np.sqrt" : ""), "@ROOT",
-                  rooted ? "_dd_root" : "");
+  out += replaced(replaced(sections["finished"], "THE_SQUARE_ROOT", rooted ? "np.sqrt" : ""),
+                  "THE_ROOT", rooted ? "_dd_root" : "");
   out += python_evaluation(evaluator, CallGrade::accurate, spelling);
   out += python_evaluation(evaluator, CallGrade::fast, spelling);
-  return out + evaluator.parameters.named(python::calls);
+  return out + evaluator.parameters.named(sections["calls"]);
 }
+
+}  // namespace
+
+extern const Language python{.name = "python",
+                             .extension = ".py",
+                             .comment = "#",
+                             .zeros = Zeros::in_range,
+                             .reserved = python_keywords,
+                             .taken = python_modules,
+                             .text = python_text};
 
 }  // namespace vcrit::symbolic

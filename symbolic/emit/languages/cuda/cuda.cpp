@@ -2,40 +2,37 @@
 // as in C++, on number types that a device has, too.
 #include <fmt/core.h>
 
-#include "emit/cpp_dialect.hpp"
-#include "emit/languages/cuda_arithmetic.hpp"
-#include "emit/languages/printers.hpp"
+#include "emit/languages/cpp/dialect.hpp"
+#include "emit/languages/language.hpp"
+#include "emit/languages/sections.hpp"
 #include "emit/pieces.hpp"
 #include "emit/words.hpp"
+
+VCRIT_ARITHMETIC(cuda)
 
 namespace vcrit::symbolic {
 
 namespace {
 
-std::string cuda_operations(const Evaluator& evaluator) {
-  using Operation = Node::Operation;
-  std::string out = std::string(cuda::numbers) + cuda::operations;
-  if (evaluator.has(Operation::less_inertia)) out += cuda::less_inertia;
-  if (evaluator.has(Operation::unit)) out += cuda::power_unit;
-  if (evaluator.has(Operation::nonzero)) out += cuda::nonzero;
-  if (evaluator.has(Operation::gap))
-    out += replaced(cuda::ties, "@MOST", std::to_string(Program::most_edges));
-  if (evaluator.has(Operation::magnitude)) out += cuda::magnitude;
-  if (evaluator.has(Operation::unless_moderate)) out += cuda::unless_moderate;
-  return out;
-}
+// What CUDA's headers declare for everyone beside the C library.
+const char* const cuda_names = R"(
+threadIdx blockIdx blockDim gridDim warpSize dim3 min max norm norm3d norm4d normcdf
+normcdfinv rnorm rnorm3d rnorm4d rhypot rsqrt rcbrt sinpi cospi sincospi erfinv erfcinv
+erfcx clock clock64 abort assert printf cuda nvcuda cooperative_groups thrust cub
+)";
 
 std::string cuda_range_function(const Evaluator& evaluator) {
   const Spelling spelling{"", "::fabs", "::sqrt", true, Zeros::out_of_range};
-  return "@CALL bool in_range(const Parameters& p) {\n" +
+  return "THE_CALL bool in_range(const Parameters& p) {\n" +
          statement(fmt::format("return {};", in_range(evaluator, spelling, " && ", "false"))) +
-         "}\n@CALL bool allowed(const Parameters& p) {\n" +
+         "}\nTHE_CALL bool allowed(const Parameters& p) {\n" +
          allowed_body(evaluator.parameters, evaluator.velocity) + "}\n";
 }
 
 std::string cuda_finished(bool rooted) {
-  const std::string out = replaced(cuda::finished, "@SQRT", rooted ? "::sqrt" : "");
-  return replaced(out, "@ROOT", rooted ? "sqrt" : "");
+  const std::string out =
+      replaced(cuda_sections()["finished"], "THE_SQUARE_ROOT", rooted ? "::sqrt" : "");
+  return replaced(out, "THE_ROOT", rooted ? "sqrt" : "");
 }
 
 std::string cuda_evaluation(const Evaluator& evaluator) {
@@ -44,7 +41,7 @@ std::string cuda_evaluation(const Evaluator& evaluator) {
   const CppDialect dialect(evaluator.parameters);
   StraightLine code(gradient.program, dialect);
   const auto text = [&](NodeId id) { return code.expression(id).text; };
-  std::string out = "template <class T, bool G> @CALL Result evaluate(const Parameters& p) {\n";
+  std::string out = "template <class T, bool G> THE_CALL Result evaluate(const Parameters& p) {\n";
   out += statements(
       code.declare({velocity.above, velocity.below, velocity.factor, velocity.roundings}), dialect);
   out +=
@@ -60,28 +57,33 @@ std::string cuda_evaluation(const Evaluator& evaluator) {
 }
 
 std::string grade(const Evaluator& evaluator, const std::string& number) {
-  return replaced(evaluator.parameters.named(cuda::calls), "@T", number);
+  return replaced(evaluator.parameters.named(cuda_sections()["calls"]), "THE_NUMBER", number);
+}
+
+std::string cuda_text(const Evaluator& evaluator, const std::string& name) {
+  const Sections& sections = cuda_sections();
+  const std::string guard = "VCRIT_GENERATED_" + name + "_CUH";
+  std::string out = fmt::format("#ifndef {0}\n#define {0}\n", guard) + sections["includes"];
+  out += fmt::format("namespace {} {{\n", name) + comment(meanings(evaluator.parameters)) +
+         "struct Parameters {\n" + c_members(evaluator.parameters) + "};\n" + sections["structs"];
+  out += "namespace detail {\n" + sections["numbers"] + sections["operations"] +
+         sections.rare_operations(evaluator.gradient.program) + cuda_range_function(evaluator) +
+         cuda_finished(evaluator.velocity.rooted) + cuda_evaluation(evaluator) +
+         sections["result"] + "}  // namespace detail\n\n";
+  out += comment(evaluator.parameters.named(
+      "v* is infinite at resonance, 0 at antiresonance, NaN for 0/0. Batches: a value for each "
+      "THE_OMEGA."));
+  out += grade(evaluator, "detail::Twofold") + "namespace fast {  // in plain double\n" +
+         grade(evaluator, "double") + "}  // namespace fast\n" +
+         fmt::format("}}  // namespace {}\n", name);
+  out += fmt::format("#undef THE_CALL\n#undef THE_COLD\n#endif  // {}\n", guard);
+  out = replaced(out, "THE_CALL", "VCRIT_CALL_" + name);
+  return replaced(out, "THE_COLD", "VCRIT_COLD_" + name);
 }
 
 }  // namespace
 
-std::string cuda_text(const Evaluator& evaluator, const std::string& name) {
-  const std::string guard = "VCRIT_GENERATED_" + name + "_CUH";
-  std::string out = fmt::format("#ifndef {0}\n#define {0}\n", guard) + cuda::includes;
-  out += fmt::format("namespace {} {{\n", name) + comment(meanings(evaluator.parameters)) +
-         "struct Parameters {\n" + c_members(evaluator.parameters) + "};\n" + cuda::structs;
-  out += "namespace detail {\n" + cuda_operations(evaluator) + cuda_range_function(evaluator) +
-         cuda_finished(evaluator.velocity.rooted) + cuda_evaluation(evaluator) + cuda::result +
-         "}  // namespace detail\n\n";
-  out += comment(evaluator.parameters.named(
-      "v* is infinite at resonance, 0 at antiresonance, NaN for 0/0. Batches: a value for each "
-      "@omega@."));
-  out += grade(evaluator, "detail::Twofold") + "namespace fast {  // in plain double\n" +
-         grade(evaluator, "double") + "}  // namespace fast\n" +
-         fmt::format("}}  // namespace {}\n", name);
-  out += fmt::format("#undef @CALL\n#undef @COLD\n#endif  // {}\n", guard);
-  out = replaced(out, "@CALL", "VCRIT_CALL_" + name);
-  return replaced(out, "@COLD", "VCRIT_COLD_" + name);
-}
+extern const Language cuda{
+    .name = "cuda", .extension = ".cuh", .taken = cuda_names, .text = cuda_text};
 
 }  // namespace vcrit::symbolic

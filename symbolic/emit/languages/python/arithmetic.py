@@ -1,19 +1,21 @@
-#include "emit/languages/python_arithmetic.hpp"
-
-namespace vcrit::symbolic::python {
-
-const char* const imports =
-    R"(# mypy: disable-error-code="no-untyped-def,no-untyped-call"
+# The fixed parts of generated Python, by sections. The generator fills in what begins with THE_. What is under "alone" is
+# not generated: with it this file can be imported as it is.
+#: imports
+# mypy: disable-error-code="no-untyped-def,no-untyped-call"
 from dataclasses import dataclass, replace
 from typing import Any, NamedTuple
 
 import numpy as np
 
 
-)";
+#: alone
+@dataclass(eq=False)
+class Parameters:
+    mu0: Any
+    THE_OMEGA: Any
+    du_z: Any
+#: tuples
 
-const char* const tuples =
-    R"(
 
 class Certified(NamedTuple):
     value: Any
@@ -47,10 +49,19 @@ def _arrays(x, n):
     return [_array(entry) for entry in x]
 
 
-)";
+#: alone
+def _given(p):
+    return Parameters(_array(p.mu0), _array(p.THE_OMEGA), _array(p.du_z))
 
-const char* const numbers =
-    R"(
+
+def _gathered(x):
+    return Parameters(*x)
+
+
+def _in_range(p):
+    return p.mu0 > 0.0
+#: numbers
+
 
 def _dd_number(hi, lo):
     return _DD(hi, lo)
@@ -111,25 +122,19 @@ def _dd_mul(a, b):
 def _dd_div(a, b):
     q = a.hi / b.hi
     return _dd_quick(q, _dd_add(a, _dd_negated(_dd_mul_d(b, q))).hi / b.hi)
-)";
+#: root
 
-const char* const root =
-    R"(
 
 def _dd_root(a):
     r = np.sqrt(a.hi)
     return _dd_quick(r, _dd_add(a, _dd_negated(_dd_product(r, r))).hi / (2.0 * r))
-)";
+#: within
 
-const char* const within =
-    R"(
 
 def _within(limit, x):  # -0 comes of a negative parameter
     return (x == 0.0) & ~np.signbit(x) | (x <= limit) & (x * limit >= 1.0)
-)";
+#: less_inertia
 
-const char* const less_inertia =
-    R"(
 
 def _dd_less_inertia(k, m, w):  # k - m w^2, exact but for the last rounding
     t = _dd_product(m, w)
@@ -143,17 +148,13 @@ def _plain_less_inertia(k, m, w):
     p = _dd_product(t.hi, w)
     s = _dd_sum(k, -p.hi)
     return s.hi + ((s.lo - p.lo) - t.lo * w)
-)";
+#: power_unit
 
-const char* const power_unit =
-    R"(
 
 def _unit(x):  # a power of two near 1/x
     return np.ldexp(1.0, 1 - np.frexp(x)[1])
-)";
+#: nonzero
 
-const char* const nonzero =
-    R"(
 
 def _plain_nonzero(a, b):  # T/Q = 0/1 of what is not there
     return np.where((a == 0.0) & (b == 0.0), 1.0, a)
@@ -161,10 +162,8 @@ def _plain_nonzero(a, b):  # T/Q = 0/1 of what is not there
 
 def _dd_nonzero(a, b):
     return _DD(_plain_nonzero(a.hi, b.hi), a.lo)
-)";
+#: ties
 
-const char* const ties =
-    R"(
 
 def _plain_gap(gaps, re, im):  # edges that are 0, as bits
     return 2.0 * gaps + ((re == 0.0) & (im == 0.0))
@@ -210,25 +209,22 @@ def _plain_tied(a, kind, otherwise):
 
 def _dd_tied(a, kind, otherwise):
     return _DD(_plain_tied(a.hi, kind, otherwise), np.where(kind < 0.0, a.lo, 0.0))
-)";
+#: magnitude
 
-const char* const magnitude =
-    R"(
 
 def _dd_magnitude(a):
     sign = np.where(a.hi < 0.0, -1.0, 1.0)
     return _DD(sign * a.hi, sign * a.lo)
-)";
+#: unless_moderate
 
-const char* const unless_moderate =
-    R"(
 
 def _unless_moderate(x):
     return np.where(_within(2.0**200, x), 0.0, np.inf)
-)";
+#: alone
+THE_SQUARE_ROOT = np.sqrt
+THE_ROOT = _dd_root
+#: finished
 
-const char* const finished =
-    R"(
 
 # v* = factor root(above/below). Factors (1 + e_j)^(+-1) with sum |e_j| = e < 2^-10 change it by less than 1.01 e, the
 # last rounding by u. safe: no number has left the range of doubles.
@@ -240,19 +236,25 @@ def _finished(h, value, e, u, inside):
 
 def _plain_finished(above, below, factor, roundings, inside):
     h = above / below
-    return _finished(h, @SQRT(h) * factor, roundings * 2.0**-53, 0.0, inside)
+    return _finished(h, THE_SQUARE_ROOT(h) * factor, roundings * 2.0**-53, 0.0, inside)
 
 
 def _dd_finished(above, below, factor, roundings, inside):
-    v = _dd_mul(@ROOT(_dd_div(above, below)), factor).hi
+    v = _dd_mul(THE_ROOT(_dd_div(above, below)), factor).hi
     return _finished(above.hi / below.hi, v, roundings * 2.0**-102, 2.0**-53, inside)
-)";
+#: alone
+def _dd_evaluate(p, gradient):
+    x = _dd_of(p.mu0)
+    return _dd_finished(x, x, x, 50.0, _in_range(p))._replace(partial=[p.mu0] * 3)
 
-const char* const calls =
-    R"(
+
+def _plain_evaluate(p, gradient):
+    return _plain_finished(p.mu0, p.mu0, p.mu0, 50.0, _in_range(p))._replace(partial=[p.mu0] * 3)
+#: calls
+
 
 def _result(evaluate, p, omega, gradient):
-    p = _given(p if omega is None else replace(p, @omega@=omega))
+    p = _given(p if omega is None else replace(p, THE_OMEGA=omega))
     with np.errstate(all="ignore"):
         r = evaluate(p, gradient)
         plain = r if evaluate is _plain_evaluate or np.all(r.safe) else _plain_evaluate(p, gradient)
@@ -265,7 +267,7 @@ def _result(evaluate, p, omega, gradient):
 
 
 # v* is infinite at resonance, 0 at antiresonance, NaN for 0/0. Batches: any parameter may be an array; `omega`, where it
-# is given, stands in the place of p.@omega@.
+# is given, stands in the place of p.THE_OMEGA.
 def critical_velocity(p: Parameters, omega: Any = None) -> Any:
     return _result(_dd_evaluate, p, omega, False).value
 
@@ -293,6 +295,3 @@ def fast_critical_velocity_certified(p: Parameters, omega: Any = None) -> Certif
 def fast_critical_velocity_gradient(p: Parameters, omega: Any = None) -> Gradient:
     r = _result(_plain_evaluate, p, omega, True)
     return Gradient(r.value, _gathered(r.partial))
-)";
-
-}  // namespace vcrit::symbolic::python

@@ -1,9 +1,11 @@
-#include "emit/arithmetic_text.hpp"
-
-namespace vcrit::symbolic::text {
-
-const char* const includes =
-    R"(#include <algorithm>
+// The fixed parts of generated C++, by sections. The generator fills in what begins with THE_. What is under "alone" is not
+// generated: with it this file compiles as it is.
+//: alone
+// clang-format off
+#include <bit>
+#include <cstdint>
+//: includes
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <span>
@@ -14,33 +16,26 @@ const char* const includes =
 #if defined __FLT_EVAL_METHOD__ && (__FLT_EVAL_METHOD__ == 2 || __FLT_EVAL_METHOD__ < 0)
 #error "doubles have to be rounded as doubles: -msse2 -mfpmath=sse"
 #endif
-)";
-
-const char* const structs =
-    R"(struct Certified { double value, relative_error_bound; };  ///< infinite: nothing is known
+//: alone
+namespace alone {
+struct Parameters { double mu0, THE_OMEGA, du_z; };
+//: structs
+struct Certified { double value, relative_error_bound; };  ///< infinite: nothing is known
 struct Gradient { double value; Parameters partial; };     ///< d value/d parameter
-)";
-
-const char* const each =
-    R"(using Columns = Each<const double*>;   ///< the values of each parameter that varies; null: as in Parameters
+//: alone
+template <class T> struct Each { T mu0{}, THE_OMEGA{}, du_z{}; };
+//: each
+using Columns = Each<const double*>;   ///< the values of each parameter that varies; null: as in Parameters
 using PartialColumns = Each<double*>;  ///< null: not wanted
 using Varying = Each<bool>;            ///< known when compiled: what depends on the others only is computed once
-)";
-
-const char* const inline_all =
-    R"(#ifdef __clang__
+//: alone
+namespace detail {
+//: inline_all
+#ifdef __clang__
 #pragma clang attribute push(__attribute__((always_inline)), apply_to = function)
 #endif
-)";
-
-const char* const inline_no_more =
-    R"(#ifdef __clang__
-#pragma clang attribute pop
-#endif
-)";
-
-const char* const numbers =
-    R"(struct Twofold {  // hi + lo; operations err by less than 16 u^2 of their terms' absolute values, u = 2^-53
+//: numbers
+struct Twofold {  // hi + lo; operations err by less than 16 u^2 of their terms' absolute values, u = 2^-53
   double hi, lo;
   constexpr Twofold(double h, double l = 0) : hi(h), lo(l) {}
   static Twofold quick(double a, double b) { return {a + b, b - ((a + b) - a)}; }
@@ -74,10 +69,8 @@ inline double size(auto x) { return std::fabs(head(x)); }
 inline Wide size(Wide x) { return x.hi < 0 ? -x : x; }
 inline bool within(double limit, auto... x) { return (((x <= limit) & (x * limit >= 1.0)) & ...); }
 inline bool every(auto... x) { return (x & ...); }
-)";
-
-const char* const operations =
-    R"(template <class T> T times(double a, double b) {
+//: operations
+template <class T> T times(double a, double b) {
   if constexpr (std::is_same_v<T, Twofold>) return T::product(a, b); else return T(a) * T(b);
 }
 template <class T> T mad(auto a, auto b, auto c) {  // a b + c
@@ -86,10 +79,8 @@ template <class T> T mad(auto a, auto b, auto c) {  // a b + c
 #endif
   if constexpr (std::is_same_v<decltype(a * b), double>) return times<T>(a, b) + T(c); else return a * b + T(c);
 }
-)";
-
-const char* const less_inertia =
-    R"(template <class T> T less_inertia(double k, double m, double w) {  // k - m w^2, exact but for the last rounding
+//: less_inertia
+template <class T> T less_inertia(double k, double m, double w) {  // k - m w^2, exact but for the last rounding
   const Twofold t = Twofold::product(m, w), p = Twofold::product(t.hi, w), q = Twofold::product(t.lo, w);
   if constexpr (std::is_same_v<T, double>) return std::fma(-m, std::fma(w, w, -(w * w)), std::fma(-m, w * w, k));
   else if constexpr (std::is_same_v<T, Twofold>) return T::sum(k, -p.hi) + -T::sum(p.lo, q.hi) + -q.lo;
@@ -97,25 +88,18 @@ const char* const less_inertia =
   if (std::labs(a.e - bcc.e) > 300) return T(a + -bcc);
   return T(Wide(less_inertia<Twofold>(a.times(-(b.e + 2 * c.e)).hi, b.hi, c.hi), b.e + 2 * c.e));
 }
-)";
-
-const char* const power_unit =
-    R"(inline double unit(double x) {  // a power of two near 1/x
+//: power_unit
+inline double unit(double x) {  // a power of two near 1/x
   return std::bit_cast<double>(0x7fe0000000000000 - (std::bit_cast<std::uint64_t>(x) & 0x7ff0000000000000));
 }
 inline double unit(Twofold x) { return unit(x.hi); }
 inline double unit(Wide) { return 1.0; }
-)";
-
-const char* const nonzero =
-    R"(template <class T> T nonzero(T a, [[maybe_unused]] std::type_identity_t<T> b) {  // zeros only occur out of range: T/Q = 0/1
+//: nonzero
+template <class T> T nonzero(T a, [[maybe_unused]] std::type_identity_t<T> b) {  // zeros only occur out of range: T/Q = 0/1
   if constexpr (std::is_same_v<T, Wide>) return a.hi == 0 && b.hi == 0 ? Wide(1.0) : a; else return a;
 }
-)";
-
-// Zeros only occur out of range.
-const char* const ties =
-    R"(template <class T> double gap(double gaps, [[maybe_unused]] auto re, [[maybe_unused]] auto im) {  // edges that are 0, as bits
+//: ties
+template <class T> double gap(double gaps, [[maybe_unused]] auto re, [[maybe_unused]] auto im) {  // edges that are 0, as bits
   if constexpr (std::is_same_v<T, Wide>) return 2 * gaps + (head(re) == 0 && head(im) == 0); else return gaps;
 }
 // Gaps may leave parts that nothing holds. They carry no load: one gap that leads to each becomes an edge of stiffness 1
@@ -143,45 +127,61 @@ template <class T> double tie([[maybe_unused]] const char* wiring, [[maybe_unuse
 template <class T, class A> A tied(A a, [[maybe_unused]] double kind, [[maybe_unused]] double otherwise) {
   if constexpr (std::is_same_v<T, Wide>) return kind < 0 ? a : A(kind * otherwise); else return a;
 }
-)";
-
-const char* const magnitude =
-    R"(template <class T> T magnitude(T x) {
+//: magnitude
+template <class T> T magnitude(T x) {
   if constexpr (std::is_same_v<T, double>) return std::fabs(x); else return head(x) < 0 ? -x : x;
 }
-)";
-
-const char* const steps =
-    R"(inline unsigned long long steps(double x, double least) {  // 2^(52 + n) or more: beyond 2^(2^n) least, or no number
-  return std::bit_cast<unsigned long long>(x) - std::bit_cast<unsigned long long>(least);
-}
-)";
-
-const char* const unless_moderate =
-    R"(inline double unless_moderate(double x) { return within(0x1p200, x) ? 0.0 : HUGE_VAL; }
+//: unless_moderate
+inline double unless_moderate(double x) { return within(0x1p200, x) ? 0.0 : HUGE_VAL; }
 inline Wide unless_moderate(Wide) { return 0.0; }
 using std::sqrt;
-)";
-
-const char* const result =
-    R"(struct Result : Certified { unsigned long long unsafe; };
-// v* = factor @ROOT@(above/below). Factors (1 + e_j)^(+-1) with sum |e_j| = e < 2^-10 change it by less than 1.01 e, the
+//: steps
+inline unsigned long long steps(double x, double least) {  // 2^(52 + n) or more: beyond 2^(2^n) least, or no number
+  return std::bit_cast<unsigned long long>(x) - std::bit_cast<unsigned long long>(least);
+}
+//: alone
+inline bool in_range(const Parameters& p) { return p.mu0 > 0; }
+inline bool allowed(const Parameters& p) { return p.mu0 > 0; }
+inline bool has_polynomials(const Parameters& p) { return p.mu0 > 0; }
+auto THE_ROOT(auto x) { return sqrt(x); }
+#define THE_SIMPLE_ROOT std::sqrt(h)
+//: result
+struct Result : Certified { unsigned long long unsafe; };
+// v* = factor THE_ROOT(above/below). Factors (1 + e_j)^(+-1) with sum |e_j| = e < 2^-10 change it by less than 1.01 e, the
 // last rounding by u, and another one by 2^-1075 where numbers are subnormal. unsafe is 0 if none left the range of doubles.
 template <class T> [[gnu::always_inline]] inline Result finished(const Parameters& p, T above, T below, T factor, auto n) {
   constexpr bool plain = std::is_same_v<T, double>, wide = std::is_same_v<T, Wide>;
   const double h = std::fabs(head(above) / head(below)), e = double(n) * (plain ? 0x1p-53 : 0x1p-102);
-  const double whole = double(@ROOT@(above / below) * factor), u = plain ? 0.0 : 0x1p-53;
-  const double v = wide && !(h > 0 && h < HUGE_VAL) ? @SIMPLE@ * head(factor) : whole;
+  const double whole = double(THE_ROOT(above / below) * factor), u = plain ? 0.0 : 0x1p-53;
+  const double v = wide && !(h > 0 && h < HUGE_VAL) ? THE_SIMPLE_ROOT * head(factor) : whole;
   const double last = !wide || v >= 0x1p-1022 ? u : v > 0 ? u + 0x1p-1074 / (2.0 * v - 0x1p-1074) : 1.0;
   const bool inside = wide ? allowed(p) : in_range(p), known = (e < 0x1p-10) & (v < 0x1.fffffffffffffp1023) & inside;
   const bool safe = wide | ((h > 0x1p-900) & (h < 0x1p900) & (v >= 0x1p-1022) & inside);
   const auto far = (std::bit_cast<unsigned long long>(h) - 0x1ff0000000000000) >> 62;  // 0 within 2^512, 2^-512
   return {{v, known ? (1.01 * e + last) * (1.0 + 0x1p-50) : HUGE_VAL}, plain ? far : safe ? 0ULL : 1ULL};
 }
-)";
-
-const char* const sweep =
-    R"(// Whether sums and products keep what they round off, of numbers that compilers do not know. Not every compiler says that
+//: alone
+template <class T> Result evaluate(const Parameters& p, auto&... partial) {
+  ((partial = p), ...);
+  return finished<T>(p, T(p.mu0), T(p.mu0), T(p.mu0), T(50.0));
+}
+//: inline_no_more
+#ifdef __clang__
+#pragma clang attribute pop
+#endif
+//: polynomials
+// For sweeps: T and Q as polynomials in i THE_OMEGA, whose coefficients are computed once. Their terms add up to at most 2^5
+// times their sums, but for (anti)resonance; beyond what is checked the other way is taken.
+//: alone
+constexpr double THE_LEAST_OMEGA = 0x1p-24, THE_LEAST_SQUARE = 0x1p-512;
+inline Result evaluate_polynomials(const Parameters& p) {
+  const double above = p.mu0, below = p.mu0, v = p.mu0;
+//: polynomials_end
+  const auto squares = steps(above, THE_LEAST_SQUARE) | steps(below, THE_LEAST_SQUARE);
+  return {{v, HUGE_VAL}, squares >> 62 | steps(p.THE_OMEGA, THE_LEAST_OMEGA) >> 58};
+}
+//: sweep
+// Whether sums and products keep what they round off, of numbers that compilers do not know. Not every compiler says that
 // it is told to regroup sums, as by -fassociative-math; and there are libraries whose fma is a product and a sum.
 [[gnu::always_inline]] inline bool is_exact() {
   const volatile double one = 1.0, small = 0x1p-60, odd = 0x1.fffffffffffffp0;
@@ -212,32 +212,17 @@ template <class T, Result function(const Parameters&) = evaluate<T>>
     if (!apart) std::copy_n(omega.data() + i, n, copy.data());
     const double* const from = apart ? omega.data() + i : copy.data();
     unsigned long long unsafe = 0;
-    const auto at = [&](std::size_t l) { Parameters q = p; q.@omega@ = from[l]; return q; };
+    const auto at = [&](std::size_t l) { Parameters q = p; q.THE_OMEGA = from[l]; return q; };
     const auto store = [&](std::size_t l, const Result& r) { out[i + l] = r.value, unsafe |= r.unsafe; };
     for (std::size_t l = 0; l < n; ++l) store(l, function(at(l)));
     for (std::size_t l = 0; unsafe != 0 && l < n; ++l) store(l, result<T>(at(l)));
   }
 }
-)";
-
-const char* const polynomials =
-    R"(// For sweeps: T and Q as polynomials in i @omega@, whose coefficients are computed once. Their terms add up to at most 2^5
-// times their sums, but for (anti)resonance; beyond what is checked the other way is taken.
-)";
-
-const char* const polynomials_end =
-    R"(  const auto squares = steps(above, 0x1p@SQUARE@) | steps(below, 0x1p@SQUARE@);
-  return {{v, HUGE_VAL}, squares >> 62 | steps(p.@omega@, 0x1p@OMEGA@) >> 58};
-}
-)";
-
-const char* const polynomial_sweep =
-    R"(  if (detail::has_polynomials(p)) detail::sweep<double, detail::evaluate_polynomials>(p, omega, out);
-  else detail::sweep<double>(p, omega, out);
-)";
-
-const char* const batch =
-    R"(#ifdef __clang__  // not vectorised without optimisation, or with a square root that sets errno
+//: alone
+constexpr void each(auto f, auto&&... a) { f(a.mu0...); f(a.THE_OMEGA...); f(a.du_z...); }
+constexpr Varying all{true, true, true}, reused{false, true, false};
+//: batch
+#ifdef __clang__  // not vectorised without optimisation, or with a square root that sets errno
 #pragma clang diagnostic push
 #pragma clang diagnostic ignored "-Wpass-failed"
 #endif
@@ -327,34 +312,36 @@ template <class T, Varying S>
 #ifdef __clang__
 #pragma clang diagnostic pop
 #endif
-)";
-
-const char* const calls_comment =
-    R"(// Infinite at resonance and above the largest double, 0 at antiresonance, NaN for 0/0 alone; `out` may be `omega` itself.
-)";
-
-const char* const calls =
-    R"(inline double critical_velocity(const Parameters& p) noexcept { return detail::result<@T@>(p).value; }
-inline Certified critical_velocity_certified(const Parameters& p) noexcept { return detail::result<@T@>(p); }
-inline Gradient critical_velocity_gradient(const Parameters& p) noexcept { return detail::gradient<@T@>(p); }
+//: alone
+}  // namespace detail
+//: calls_comment
+// Infinite at resonance and above the largest double, 0 at antiresonance, NaN for 0/0 alone; `out` may be `omega` itself.
+//: alone
+using THE_NUMBER = detail::Twofold;
+//: calls
+inline double critical_velocity(const Parameters& p) noexcept { return detail::result<THE_NUMBER>(p).value; }
+inline Certified critical_velocity_certified(const Parameters& p) noexcept { return detail::result<THE_NUMBER>(p); }
+inline Gradient critical_velocity_gradient(const Parameters& p) noexcept { return detail::gradient<THE_NUMBER>(p); }
 inline void critical_velocity(const Parameters& p, std::span<const double> omega, std::span<double> out) noexcept {
-  detail::sweep<@T@>(p, omega, out);
+  detail::sweep<THE_NUMBER>(p, omega, out);
 }
-)";
-
-const char* const batch_comment =
-    R"(//   critical_velocity(p, columns, out)            one value for each element of `out`, which may be a column
+//: alone
+inline void sweep_of_doubles(const Parameters& p, std::span<const double> omega, std::span<double> out) {
+//: polynomial_sweep
+  if (detail::has_polynomials(p)) detail::sweep<double, detail::evaluate_polynomials>(p, omega, out);
+  else detail::sweep<double>(p, omega, out);
+//: alone
+}
+//: batch_comment
+//   critical_velocity(p, columns, out)            one value for each element of `out`, which may be a column
 //   critical_velocity(p, columns, out, bounds)    and a std::span<double> of their relative error bounds
 //   critical_velocity(p, columns, out, partials)  and the partial derivatives, PartialColumns
-//   critical_velocity<Varying{.@omega@ = true}>(p, columns, out)  for these columns only, and faster
+//   critical_velocity<Varying{.THE_OMEGA = true}>(p, columns, out)  for these columns only, and faster
 // Vectorised by -O3 -march=native -fno-math-errno.
-)";
-
-const char* const batch_calls =
-    R"(template <Varying S = detail::all>
+//: batch_calls
+template <Varying S = detail::all>
 void critical_velocity(const Parameters& p, const Columns& c, std::span<double> out, auto&&... more) noexcept {
-  detail::batch<@T@, S>(p, c, out, more...);
+  detail::batch<THE_NUMBER, S>(p, c, out, more...);
 }
-)";
-
-}  // namespace vcrit::symbolic::text
+//: alone
+}  // namespace alone

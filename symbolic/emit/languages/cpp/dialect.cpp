@@ -1,17 +1,11 @@
-#include "emit/cpp_dialect.hpp"
+#include "emit/languages/cpp/dialect.hpp"
 
 #include <fmt/core.h>
 
 #include "base/errors.hpp"
-#include "base/numbers.hpp"
 #include "formula/symbols.hpp"
 
 namespace vcrit::symbolic {
-
-std::string literal(double value) {
-  const std::string digits = to_text(value);
-  return digits.find_first_of(".e") == std::string::npos ? digits + ".0" : digits;
-}
 
 Operand CppDialect::constant(const Node& node) const {
   const double high = node.constant.to_double();

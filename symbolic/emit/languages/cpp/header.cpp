@@ -7,9 +7,9 @@
 #include <map>
 
 #include "derivation/derivation.hpp"
-#include "emit/arithmetic_text.hpp"
-#include "emit/cpp_dialect.hpp"
 #include "emit/generate.hpp"
+#include "emit/languages/cpp/dialect.hpp"
+#include "emit/languages/sections.hpp"
 #include "emit/names.hpp"
 #include "emit/parameters.hpp"
 #include "emit/pieces.hpp"
@@ -20,6 +20,8 @@
 #include "program/proof.hpp"
 #include "program/sweep.hpp"
 #include "program/velocity.hpp"
+
+VCRIT_ARITHMETIC(cpp)
 
 namespace vcrit::symbolic {
 
@@ -180,7 +182,7 @@ std::string cpp_evaluation(const VelocityProgram& velocity, const GradientProgra
 std::string polynomial_functions(const SweepProgram& sweep, const ParameterList& parameters) {
   const CppDialect dialect(parameters);
   StraightLine code(sweep.program, dialect);
-  std::string out = parameters.named(text::polynomials);
+  std::string out = parameters.named(cpp_sections()["polynomials"]);
   out += cpp_range_function(sweep, parameters, "has_polynomials");
   out += "inline Result evaluate_polynomials(const Parameters& p) {\n  using T = double;\n";
   out += declarations(code, {sweep.above, sweep.below, sweep.factor}, dialect);
@@ -189,26 +191,15 @@ std::string polynomial_functions(const SweepProgram& sweep, const ParameterList&
   out +=
       statement(fmt::format("const T v = {}(above / below) * ({});",
                             sweep.rooted ? "std::sqrt" : "", code.expression(sweep.factor).text));
-  const std::string last = replaced(parameters.named(text::polynomials_end), "@OMEGA@",
-                                    std::to_string(sweep.least_omega));
-  return out + replaced(last, "@SQUARE@", std::to_string(sweep.least_square));
+  const std::string last = replaced(parameters.named(cpp_sections()["polynomials_end"]),
+                                    "THE_LEAST_OMEGA", "0x1p" + std::to_string(sweep.least_omega));
+  return out + replaced(last, "THE_LEAST_SQUARE", "0x1p" + std::to_string(sweep.least_square));
 }
 
 std::string includes(const Program& program) {
   return std::string("#include <bit>\n") +
-         (program.has(Node::Operation::unit) ? "#include <cstdint>\n" : "") + text::includes;
-}
-
-/// What of the optional arithmetic the program needs.
-std::string cpp_operations(const Program& program) {
-  std::string out = text::operations;
-  if (program.has(Node::Operation::less_inertia)) out += text::less_inertia;
-  if (program.has(Node::Operation::unit)) out += text::power_unit;
-  if (program.has(Node::Operation::nonzero)) out += text::nonzero;
-  if (program.has(Node::Operation::gap)) out += text::ties;
-  if (program.has(Node::Operation::magnitude)) out += text::magnitude;
-  if (program.has(Node::Operation::unless_moderate)) out += text::unless_moderate;
-  return out;
+         (program.has(Node::Operation::unit) ? "#include <cstdint>\n" : "") +
+         cpp_sections()["includes"];
 }
 
 // Beyond this compilers find functions too long to be copied into a loop.
@@ -219,6 +210,7 @@ constexpr int short_program = 60;
 std::string emit_header(const Scene& scene, const std::string& name,
                         const GenerateOptions& options) {
   const AlgebraLock lock;
+  const Sections& sections = cpp_sections();
   const NamesOfScene names(scene);
   check_library_name(name);
   const FixedValues fixed = fixed_values(scene, options.fixed);
@@ -245,22 +237,25 @@ std::string emit_header(const Scene& scene, const std::string& name,
   const std::string guard = guard_of(name);
   out += fmt::format("#ifndef {0}\n#define {0}\n", guard) + includes(gradient.program);
   out += fmt::format("namespace {} {{\n", name) + comment(meanings(parameters)) +
-         structure("struct Parameters", members(parameters, "double", "")) + text::structs;
-  out += std::string("namespace detail {\n") + (is_long ? text::inline_all : "");
-  out += text::numbers + cpp_operations(gradient.program) + (sweep ? text::steps : "") +
-         cpp_range_function(velocity, parameters, "in_range") +
+         structure("struct Parameters", members(parameters, "double", "")) + sections["structs"];
+  out += std::string("namespace detail {\n") + (is_long ? sections["inline_all"] : "");
+  out += sections["numbers"] + sections["operations"] + sections.rare_operations(gradient.program) +
+         (sweep ? sections["steps"] : "") + cpp_range_function(velocity, parameters, "in_range") +
          "inline bool allowed(const Parameters& p) {\n" + allowed_body(parameters, velocity) +
          "}\n";
-  std::string result = replaced(text::result, "@ROOT@", velocity.rooted ? "sqrt" : "");
-  result = replaced(result, "@SIMPLE@", velocity.rooted ? "std::sqrt(h)" : "h");
+  std::string result = replaced(sections["result"], "THE_ROOT", velocity.rooted ? "sqrt" : "");
+  result = replaced(result, "THE_SIMPLE_ROOT", velocity.rooted ? "std::sqrt(h)" : "h");
   out += result;
-  out += cpp_evaluation(velocity, gradient, parameters) + (is_long ? text::inline_no_more : "");
+  out +=
+      cpp_evaluation(velocity, gradient, parameters) + (is_long ? sections["inline_no_more"] : "");
   if (sweep) out += polynomial_functions(*sweep, parameters);
-  out += parameters.named(text::sweep) + "}  // namespace detail\n" + text::calls_comment;
-  out += replaced(text::calls, "@T@", "detail::Twofold");
-  std::string fast = replaced(text::calls, "@T@", "double");
+  out +=
+      parameters.named(sections["sweep"]) + "}  // namespace detail\n" + sections["calls_comment"];
+  out += replaced(sections["calls"], "THE_NUMBER", "detail::Twofold");
+  std::string fast = replaced(sections["calls"], "THE_NUMBER", "double");
   if (sweep)
-    fast = replaced(fast, "  detail::sweep<double>(p, omega, out);\n", text::polynomial_sweep);
+    fast =
+        replaced(fast, "  detail::sweep<double>(p, omega, out);\n", sections["polynomial_sweep"]);
   out += "namespace fast {  // in plain double\n" + fast + "}  // namespace fast\n";
   return out + fmt::format("}}  // namespace {}\n#endif  // {}\n", name, guard);
 }
@@ -268,6 +263,7 @@ std::string emit_header(const Scene& scene, const std::string& name,
 std::string emit_batch_header(const Scene& scene, const std::string& name,
                               const GenerateOptions& options) {
   const AlgebraLock lock;
+  const Sections& sections = cpp_sections();
   check_library_name(name);
   const ParameterList parameters(scene, derive(scene), fixed_values(scene, options.fixed));
   const std::string guard = guard_of(name + "_batch");
@@ -275,16 +271,19 @@ std::string emit_batch_header(const Scene& scene, const std::string& name,
              "Generated by vcrit, do not edit. SPDX-License-Identifier: MIT-0. Batches over any "
              "parameters of " +
              name + ".hpp:") +
-         parameters.named(text::batch_comment) +
+         parameters.named(sections["batch_comment"]) +
          fmt::format(
              "#ifndef {0}\n#define {0}\n#include <bit>\n\n#include \"{1}.hpp\"\n\nnamespace {1} "
              "{{\n",
              guard, name) +
-         each_struct(parameters) + text::each + "namespace detail {\n" + each_function(parameters) +
+         each_struct(parameters) + sections["each"] + "namespace detail {\n" +
+         each_function(parameters) +
          flags(parameters, "all", [](const Symbol&) { return "true"; }) +
-         reused_flags(parameters, velocity_program(scene, parameters.values())) + text::batch +
-         "}  // namespace detail\n\n" + replaced(text::batch_calls, "@T@", "detail::Twofold") +
-         "namespace fast {  // in plain double\n" + replaced(text::batch_calls, "@T@", "double") +
+         reused_flags(parameters, velocity_program(scene, parameters.values())) +
+         sections["batch"] + "}  // namespace detail\n\n" +
+         replaced(sections["batch_calls"], "THE_NUMBER", "detail::Twofold") +
+         "namespace fast {  // in plain double\n" +
+         replaced(sections["batch_calls"], "THE_NUMBER", "double") +
          fmt::format("}}  // namespace fast\n}}  // namespace {}\n#endif  // {}\n", name, guard);
 }
 

@@ -1,5 +1,5 @@
 // The generated header of quantities put together from its parts.
-#include "emit/quantities.hpp"
+#include "emit/languages/cpp/quantities.hpp"
 
 #include <fmt/args.h>
 #include <fmt/format.h>
@@ -8,9 +8,9 @@
 #include <algorithm>
 
 #include "base/errors.hpp"
-#include "emit/double_dialect.hpp"
 #include "emit/generate.hpp"
-#include "emit/groups.hpp"
+#include "emit/languages/cpp/double_dialect.hpp"
+#include "emit/languages/cpp/groups.hpp"
 #include "emit/names.hpp"
 #include "emit/pieces.hpp"
 #include "emit/words.hpp"
@@ -57,12 +57,12 @@ std::string declaration(const std::string& name, std::size_t length) {
   return (length == 0 ? "double " : fmt::format("std::array<double, {}> ", length)) + name;
 }
 
-const char* const structs = R"(/// K(i @omega@), N/m
+const char* const structs = R"(/// K(i THE_OMEGA), N/m
 struct Stiffness {
   double storage;  ///< Re K
   double loss;     ///< Im K
 };
-/// amplitude cos(@omega@ t + phase), while the normal motion is @du_z@ cos(@omega@ t)
+/// amplitude cos(THE_OMEGA t + phase), while the normal motion is THE_DU_Z cos(THE_OMEGA t)
 struct Oscillation {
   double amplitude;  ///< m
   double phase;      ///< rad, from -pi to pi
@@ -181,18 +181,18 @@ class Header {
   std::string oscillations() const {
     std::string out;
     if (quantities_.body)
-      out += oscillation(
-          *quantities_.body,
-          parameters_.named(fmt::format("Body (13), A = -@mu0@ @du_z@ K_n/(K_d - {}).", inertia())),
-          "body_oscillation");
+      out += oscillation(*quantities_.body,
+                         parameters_.named(fmt::format(
+                             "Body (13), A = -THE_MU0 THE_DU_Z K_n/(K_d - {}).", inertia())),
+                         "body_oscillation");
     const std::string compliance = scene_.mass
                                        ? fmt::format("(1/K_t + 1/(K_d - {})) (13), (19)", inertia())
                                    : scene_.drive ? "(1/K_t + 1/K_d) (13), (19)"
                                                   : "1/K_t (19)";
     return out + oscillation(quantities_.contact_point,
                              parameters_.named(fmt::format(
-                                 "Contact point while it slides, B = -@mu0@ @du_z@ K_n {}; "
-                                 "@omega@ times its amplitude is v* (24).",
+                                 "Contact point while it slides, B = -THE_MU0 THE_DU_Z K_n {}; "
+                                 "THE_OMEGA times its amplitude is v* (24).",
                                  compliance)),
                              "contact_point_oscillation");
   }
@@ -232,7 +232,7 @@ class Header {
       const std::string list = fmt::format("{}", fmt::join(entries, ", "));
       places.push_back(group.is_array ? "{{" + list + "}}" : list);
     }
-    return "\n" + comment(parameters_.named("What v*/(@mu0@ @omega@ @du_z@) depends on.")) +
+    return "\n" + comment(parameters_.named("What v*/(THE_MU0 THE_OMEGA THE_DU_Z) depends on.")) +
            "struct DimensionlessGroups {\n" + member_lines(members) + "};\n" +
            function(quantities_.program, "The groups at these parameters.",
                     "DimensionlessGroups dimensionless_groups", nodes,
