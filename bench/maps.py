@@ -1,6 +1,6 @@
 """What maps cost, measured: `./dev bench maps [--points N] [--folder DIR]`.
 
-Rates end to end into HDF5 beside the disk's own, which the same number of bytes written and synced by itself shows in
+Rates end to end into netCDF beside the disk's own, which the same number of bytes written and synced by itself shows in
 the same minute; beside the generated batch evaluator, compiled and run alone; memory; and how friction maps scale
 with cores, beside two processes that have nothing to do with each other. Markdown on standard output.
 """

@@ -3,6 +3,7 @@
 
 #include "derivation/derivation.hpp"
 #include "derivation/stiffness_forms.hpp"
+#include "formula/names.hpp"
 #include "polynomial/network_polynomials.hpp"
 #include "scaling/own.hpp"
 
@@ -20,7 +21,7 @@ std::optional<double> named_formula(const Case& each) {
 }
 
 std::optional<double> multiplied_out(const Case& each) {
-  std::set<std::string> names{"s"};
+  std::set<std::string> names{symbolic::own_name("s")};
   for (const Symbol& symbol : symbols_of(each.network)) names.insert(to_text(symbol));
   return seconds_of([&] {
     const symbolic::Ring ring({names.begin(), names.end()});
