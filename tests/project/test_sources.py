@@ -7,7 +7,7 @@ import unittest
 from pathlib import Path
 
 PROJECT = Path(sys.argv.pop(1))
-FOLDERS = ["src", "symbolic", "validation", "app", "python", "examples", "cmake", "scenes", "docs", "tests", ".ci"]
+FOLDERS = ["src", "symbolic", "validation", "app", "python", "bench", "examples", "cmake", "scenes", "docs", "tests", ".ci"]
 SUFFIXES = {".cpp", ".hpp", ".h", ".py", ".txt", ".cmake", ".toml", ".md", ".js", ".mjs", ".css", ".html"}
 UNFINISHED = re.compile(r"\b(TO" + r"DO|FIX" + r"ME|X" + r"XX)\b")
 LONGEST = 400
