@@ -1,0 +1,184 @@
+#include "record/template.hpp"
+
+#include <fmt/format.h>
+
+#include <deque>
+#include <kainjow/mustache.hpp>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <unordered_map>
+#include <vector>
+
+#include "base/errors.hpp"
+
+namespace vcrit::record {
+
+namespace mustache = kainjow::mustache;
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+std::string trimmed(const std::string& text) {
+  const auto begin = text.find_first_not_of(' ');
+  return begin == text.npos ? "" : text.substr(begin, text.find_last_not_of(' ') + 1 - begin);
+}
+
+/// The text before the first `mark`, and the text behind it.
+std::pair<std::string, std::string> split(const std::string& text, char mark) {
+  const auto at = text.find(mark);
+  if (at == text.npos) return {trimmed(text), ""};
+  return {trimmed(text.substr(0, at)), trimmed(text.substr(at + 1))};
+}
+
+std::string before_last_dot(const std::string& tag) { return tag.substr(0, tag.rfind('.')); }
+
+/// Records write what JSON has no number for as words.
+double number_in(const Json& value, const std::string& tag) {
+  if (value.is_number()) return value.get<double>();
+  if (value == "inf") return std::numeric_limits<double>::infinity();
+  if (value == "-inf") return -std::numeric_limits<double>::infinity();
+  if (value == "nan") return std::numeric_limits<double>::quiet_NaN();
+  throw Bug("a template asks for a number that is none: " + tag);
+}
+
+std::string plain_number(const Json& value) {
+  return value.is_number_float() ? fmt::format("{}", value.get<double>()) : value.dump();
+}
+
+}  // namespace
+
+/// What the engine is told of the record. It asks for one tag after the other and knows texts,
+/// lists and truth; behind what it gets as list or object stand parts of the record.
+class Lookup : public mustache::basic_context<std::string> {
+ public:
+  Lookup(const Templates& templates, std::string name, const Json& record)
+      : templates_(templates), name_(std::move(name)), stack_{{&record, 0, 1}} {}
+
+  void push(const mustache::data* data) override {
+    const auto known = parts_.find(data);
+    stack_.push_back(known == parts_.end() ? stack_.back() : known->second);
+  }
+
+  void pop() override { stack_.pop_back(); }
+
+  const mustache::data* get(const std::string& tag) const override {
+    if (tag == "@number") return keep(std::to_string(stack_.back().number));
+    if (tag == "@last") return keep(stack_.back().number + 1 == stack_.back().count);
+    if (tag.ends_with(".@any")) return keep(!find(before_last_dot(tag)).empty());
+    if (tag.ends_with(".@count")) return keep(std::to_string(find(before_last_dot(tag)).size()));
+    const auto [key, format] = split(tag, '|');
+    const Json& value = find(key);
+    return format.empty() ? shown(value) : keep(escaped(formatted(value, format, tag)));
+  }
+
+  const mustache::data* get_partial(const std::string& name) const override {
+    const auto found = templates_.texts_.find(name);
+    if (found == templates_.texts_.end()) throw Bug(name_ + ": no template " + name);
+    return keep(found->second);
+  }
+
+ private:
+  struct Part {
+    const Json* value;
+    std::size_t number, count;
+  };
+
+  template <class Value>
+  mustache::data* keep(const Value& value) const {
+    return &kept_.emplace_back(value);
+  }
+
+  std::string escaped(const std::string& text) const { return templates_.escape_(text); }
+
+  /// By one key after the other: "drive.mass".
+  const Json& find(const std::string& path) const {
+    if (path == ".") return *stack_.back().value;
+    const auto [key, rest] = split(path, '.');
+    for (auto part = stack_.rbegin(); part != stack_.rend(); ++part)
+      if (part->value->is_object() && part->value->contains(key)) {
+        const Json* value = &part->value->at(key);
+        for (std::string left = rest; !left.empty();) {
+          const auto [next, more] = split(left, '.');
+          if (!value->is_object() || !value->contains(next)) missing(path);
+          value = &value->at(next);
+          left = more;
+        }
+        return *value;
+      }
+    missing(path);
+  }
+
+  [[noreturn]] void missing(const std::string& key) const {
+    throw Bug("the template " + name_ + " asks for " + key + ", which its record has not");
+  }
+
+  const mustache::data* shown(const Json& value) const {
+    if (value.is_array()) return list(value);
+    if (value.is_binary())
+      return keep(std::string(value.get_binary().begin(), value.get_binary().end()));
+    if (value.is_number()) return keep(escaped(plain_number(value)));
+    const std::string* text = value.get_ptr<const std::string*>();
+    if (value.is_null() || value == false || (text != nullptr && text->empty())) return keep(false);
+    const mustache::data* data = text != nullptr ? keep(escaped(*text))
+                                 : value == true ? keep(true)
+                                                 : keep(mustache::data::type::object);
+    if (value.is_object()) parts_[data] = {&value, 0, 1};
+    if (text != nullptr) parts_[data] = {&value, 0, 1};
+    return data;
+  }
+
+  const mustache::data* list(const Json& values) const {
+    const mustache::data* data = keep(mustache::list(values.size()));
+    std::size_t number = 0;
+    for (const Json& value : values) {
+      parts_[&data->list_value()[number]] = {&value, number, values.size()};
+      ++number;
+    }
+    return data;
+  }
+
+  std::string formatted(const Json& value, const std::string& format,
+                        const std::string& tag) const {
+    auto [name, argument] = split(format, ' ');
+    if (argument.starts_with('@')) argument = find(argument.substr(1)).get<std::string>();
+    const auto known = templates_.formats_.find(name);
+    if (known != templates_.formats_.end()) return known->second(number_in(value, tag), argument);
+    return fmt::format(fmt::runtime("{:" + format + "}"), number_in(value, tag));
+  }
+
+  const Templates& templates_;
+  std::string name_;
+  std::vector<Part> stack_;
+  mutable std::deque<mustache::data> kept_;  // addresses stay
+  mutable std::unordered_map<const mustache::data*, Part> parts_;
+};
+
+Templates::Templates(std::string_view packed, std::string (*escape)(std::string_view),
+                     std::map<std::string, Format> formats)
+    : escape_(escape), formats_(std::move(formats)) {
+  while (!packed.empty()) {
+    const auto name_end = packed.find('\0'), end = packed.find('\0', name_end + 1);
+    ensure(end != packed.npos, "templates come with their names");
+    std::string_view text = packed.substr(name_end + 1, end - name_end - 1);
+    if (text.ends_with('\n')) text.remove_suffix(1);
+    const std::string name(packed.substr(0, name_end));
+    if (text.find("{{{") != text.npos || text.find("{{&") != text.npos)
+      throw Bug(name + ": a template cannot keep text from being escaped");
+    texts_.emplace(name, text);
+    packed.remove_prefix(end + 1);
+  }
+}
+
+std::string Templates::render(const std::string& name, const Json& record) const {
+  const auto found = texts_.find(name);
+  if (found == texts_.end()) throw Bug("no template " + name);
+  mustache::mustache page(found->second);
+  page.set_custom_escape([](const std::string& text) { return text; });  // Lookup did
+  Lookup lookup(*this, name, record);
+  const std::string text = page.is_valid() ? page.render(lookup) : std::string();
+  if (!page.is_valid()) throw Bug(name + ": " + page.error_message());
+  return text;
+}
+
+}  // namespace vcrit::record
