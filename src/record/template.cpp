@@ -64,6 +64,7 @@ class Lookup : public mustache::basic_context<std::string> {
 
   const mustache::data* get(const std::string& tag) const override {
     if (tag == "@number") return keep(std::to_string(stack_.back().number));
+    if (tag == "@place") return keep(std::to_string(stack_.back().number + 1));
     if (tag == "@last") return keep(stack_.back().number + 1 == stack_.back().count);
     if (tag.ends_with(".@any")) return keep(!find(before_last_dot(tag)).empty());
     if (tag.ends_with(".@count")) return keep(std::to_string(find(before_last_dot(tag)).size()));
@@ -115,8 +116,7 @@ class Lookup : public mustache::basic_context<std::string> {
 
   const mustache::data* shown(const Json& value) const {
     if (value.is_array()) return list(value);
-    if (value.is_binary())
-      return keep(std::string(value.get_binary().begin(), value.get_binary().end()));
+    if (value.is_binary()) return markup(value.get_binary());
     if (value.is_number()) return keep(escaped(plain_number(value)));
     const std::string* text = value.get_ptr<const std::string*>();
     if (value.is_null() || value == false || (text != nullptr && text->empty())) return keep(false);
@@ -126,6 +126,10 @@ class Lookup : public mustache::basic_context<std::string> {
     if (value.is_object()) parts_[data] = {&value, 0, 1};
     if (text != nullptr) parts_[data] = {&value, 0, 1};
     return data;
+  }
+
+  const mustache::data* markup(const Json::binary_t& bytes) const {
+    return bytes.empty() ? keep(false) : keep(std::string(bytes.begin(), bytes.end()));
   }
 
   const mustache::data* list(const Json& values) const {

@@ -3,7 +3,8 @@
 //
 //   {{velocity | quantity m/s}}   a number by a format: one with a name, or one of fmt (.4g, +.3f);
 //                                 an argument @unit is what the record says under "unit"
-//   {{#rows}}{{@number}}{{/rows}} the place in a list, from 0; {{@last}} is true in its last item
+//   {{#rows}}{{@number}}{{/rows}} the number in a list, from 0; {{@place}} counts from 1, and
+//                                 {{@last}} is true in its last item
 //   {{#rows.@any}}, {{rows.@count}}  whether a list has items, and how many
 //   a key that the record has not is a Bug: a misspelt one cannot vanish in silence
 //   every text is escaped, whatever the braces; {{{ }}} and {{& }} are refused. Only Markup

@@ -91,6 +91,7 @@ BOOST_AUTO_TEST_CASE(lists_know_their_places) {
   const Json record{{"rows", {{{"x", 1}}, {{"x", 2}}, {{"x", 3}}}}, {"y", 9}};
   BOOST_TEST(page("{{#rows}}{{@number}}:{{x}}{{y}}{{^@last}}, {{/@last}}{{/rows}}", record) ==
              "0:19, 1:29, 2:39");
+  BOOST_TEST(page("{{#rows}}{{@place}}{{/rows}}", record) == "123");
   BOOST_TEST(page("{{#rows}}{{#y}}{{@number}}{{/y}}{{/rows}}", record) == "012");
   BOOST_TEST(page("{{#grid}}{{#.}}{{.}}{{/.}};{{/grid}}", {{"grid", {{1, 2}, {3}}}}) == "12;3;");
 }
