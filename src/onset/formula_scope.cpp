@@ -4,7 +4,7 @@
 #include "critical/admissibility.hpp"
 #include "indenter/friction.hpp"
 #include "network/law.hpp"
-#include "simulation/steady/normal_force.hpp"
+#include "normal/normal_force.hpp"
 
 namespace vcrit {
 
@@ -45,8 +45,9 @@ FormulaScope formula_scope(const Scene& scene) {
 bool formula_holds(const Scene& scene) {
   const FormulaScope scope = formula_scope(scene);
   if (scope == FormulaScope::always || !opens(scene)) return true;
-  return scope == FormulaScope::while_touching &&
-         simulation::touches_at(last_to_part(scene), steepest_phase);
+  if (scope == FormulaScope::never) return false;
+  const simulation::System system = last_to_part(scene);
+  return !system.opening || simulation::touches_at(*system.opening, system.omega, steepest_phase);
 }
 
 }  // namespace vcrit
