@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <deque>
 #include <kainjow/mustache.hpp>
 #include <limits>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "base/errors.hpp"
+#include "base/trimmed.hpp"
 
 namespace vcrit::record {
 
@@ -19,16 +21,52 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-std::string trimmed(const std::string& text) {
-  const auto begin = text.find_first_not_of(' ');
-  return begin == text.npos ? "" : text.substr(begin, text.find_last_not_of(' ') + 1 - begin);
+/// The text before the first `mark`, and the text behind it.
+std::pair<std::string, std::string> parted(const std::string& text, char mark) {
+  const auto at = text.find(mark);
+  if (at == text.npos) return {std::string(trimmed(text, " ")), ""};
+  const std::string_view all = text;
+  return {std::string(trimmed(all.substr(0, at), " ")),
+          std::string(trimmed(all.substr(at + 1), " "))};
 }
 
-/// The text before the first `mark`, and the text behind it.
-std::pair<std::string, std::string> split(const std::string& text, char mark) {
-  const auto at = text.find(mark);
-  if (at == text.npos) return {trimmed(text), ""};
-  return {trimmed(text.substr(0, at)), trimmed(text.substr(at + 1))};
+constexpr const char* line_break = "@line_break";
+
+/// What a template has tags between: {{ }}, or what it begins with: {{=<< >>=}}.
+struct Braces {
+  explicit Braces(std::string_view text) {
+    if (!text.starts_with("{{=")) return;
+    const auto space = text.find(' '), end = text.find("=}}");
+    ensure(space < end && end != text.npos, "a template says its braces in full");
+    open = text.substr(3, space - 3);
+    close = text.substr(space + 1, end - space - 1);
+  }
+  std::string open = "{{", close = "}}";
+};
+
+/// The begin or end of a section, or a comment, and nothing else: such a line is none of the text.
+bool only_a_section(std::string_view line, const Braces& braces) {
+  line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
+  if (!line.starts_with(braces.open)) return false;
+  const std::string_view inside = line.substr(braces.open.size());
+  return !inside.empty() && std::string_view("#^/!").find(inside.front()) != inside.npos &&
+         inside.find(braces.close) + braces.close.size() == inside.size();
+}
+
+/// Line breaks as tags: the engine would drop some, and keep that of a section that is left out.
+std::string prepared(std::string_view text) {
+  const Braces braces(text);
+  std::string result;
+  while (!text.empty()) {
+    const auto end = text.find('\n');
+    const std::string_view line = text.substr(0, end);
+    const bool none = end != text.npos && only_a_section(line, braces);
+    result += none ? line.substr(line.find_first_not_of(' ')) : line;
+    if (end == text.npos) break;
+    if (!none) result += braces.open + line_break + braces.close;
+    text.remove_prefix(end + 1);
+  }
+  return result;
 }
 
 std::string before_last_dot(const std::string& tag) { return tag.substr(0, tag.rfind('.')); }
@@ -63,12 +101,13 @@ class Lookup : public mustache::basic_context<std::string> {
   void pop() override { stack_.pop_back(); }
 
   const mustache::data* get(const std::string& tag) const override {
+    if (tag == line_break) return keep(std::string("\n"));
     if (tag == "@number") return keep(std::to_string(stack_.back().number));
     if (tag == "@place") return keep(std::to_string(stack_.back().number + 1));
     if (tag == "@last") return keep(stack_.back().number + 1 == stack_.back().count);
     if (tag.ends_with(".@any")) return keep(!find(before_last_dot(tag)).empty());
     if (tag.ends_with(".@count")) return keep(std::to_string(find(before_last_dot(tag)).size()));
-    const auto [key, format] = split(tag, '|');
+    const auto [key, format] = parted(tag, '|');
     const Json& value = find(key);
     return format.empty() ? shown(value) : keep(escaped(formatted(value, format, tag)));
   }
@@ -95,12 +134,12 @@ class Lookup : public mustache::basic_context<std::string> {
   /// By one key after the other: "drive.mass".
   const Json& find(const std::string& path) const {
     if (path == ".") return *stack_.back().value;
-    const auto [key, rest] = split(path, '.');
+    const auto [key, rest] = parted(path, '.');
     for (auto part = stack_.rbegin(); part != stack_.rend(); ++part)
       if (part->value->is_object() && part->value->contains(key)) {
         const Json* value = &part->value->at(key);
         for (std::string left = rest; !left.empty();) {
-          const auto [next, more] = split(left, '.');
+          const auto [next, more] = parted(left, '.');
           if (!value->is_object() || !value->contains(next)) missing(path);
           value = &value->at(next);
           left = more;
@@ -144,7 +183,7 @@ class Lookup : public mustache::basic_context<std::string> {
 
   std::string formatted(const Json& value, const std::string& format,
                         const std::string& tag) const {
-    auto [name, argument] = split(format, ' ');
+    auto [name, argument] = parted(format, ' ');
     if (argument.starts_with('@')) argument = find(argument.substr(1)).get<std::string>();
     const auto known = templates_.formats_.find(name);
     if (known != templates_.formats_.end()) return known->second(number_in(value, tag), argument);
@@ -169,7 +208,7 @@ Templates::Templates(std::string_view packed, std::string (*escape)(std::string_
     const std::string name(packed.substr(0, name_end));
     if (text.find("{{{") != text.npos || text.find("{{&") != text.npos)
       throw Bug(name + ": a template cannot keep text from being escaped");
-    texts_.emplace(name, text);
+    texts_.emplace(name, prepared(text));
     packed.remove_prefix(end + 1);
   }
 }

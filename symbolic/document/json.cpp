@@ -10,56 +10,57 @@ namespace vcrit::record {
 
 namespace symbolic = vcrit::symbolic;
 
-namespace {
-
-struct Formula {
+struct DerivedFormula {
   const GiNaC::ex& expression;
 };
 
-void fields(Fields& f, const Formula& it) {
+void fields(Fields& f, const DerivedFormula& it) {
   f("text", symbolic::to_text(it.expression))("latex", symbolic::to_latex(it.expression));
 }
 
-struct Equation {
+struct DerivedEquation {
   const GiNaC::ex& left;
   const GiNaC::ex right;
 };
 
-void fields(Fields& f, const Equation& it) {
+void fields(Fields& f, const DerivedEquation& it) {
   const auto left = symbolic::form_of(it.left), right = symbolic::form_of(it.right);
   f("text", symbolic::text_dialect().equation(left, right));
   f("latex", symbolic::latex_dialect().equation(left, right));
 }
 
-std::optional<Equation> zero(const GiNaC::ex* expression) {
+namespace {
+
+std::optional<DerivedEquation> zero(const GiNaC::ex* expression) {
   if (expression == nullptr) return std::nullopt;
-  return Equation{*expression, 0};
+  return DerivedEquation{*expression, 0};
 }
 
 }  // namespace
 
 void fields(Fields& f, const symbolic::Line& it) {
   f("words", it.words);
-  fields(f, Equation{it.left, it.right});
+  fields(f, DerivedEquation{it.left, it.right});
 }
 
 void fields(Fields& f, const symbolic::Limit& it) {
   f("name", it.name)("equation", it.equation);
-  fields(f, Formula{it.result});
+  fields(f, DerivedFormula{it.result});
   f("definitions", it.definitions);
 }
 
 void fields(Fields& f, const symbolic::Asymptote& it) {
-  f("name", it.name)("power", it.power)("coefficient", Formula{it.coefficient});
+  f("name", it.name)("power", it.power)("coefficient", DerivedFormula{it.coefficient});
   f("definitions", it.definitions);
 }
 
 void fields(Fields& f, const symbolic::Resonance& it) {
   const bool infinite = it.kind == symbolic::Resonance::Kind::resonance;
-  f("name", infinite ? "resonance" : "antiresonance")("condition", Equation{it.condition, 0});
+  f("name", infinite ? "resonance" : "antiresonance")("condition",
+                                                      DerivedEquation{it.condition, 0});
   f("damped", it.damped);
   if (it.frequency)
-    f("frequency", Formula{*it.frequency});
+    f("frequency", DerivedFormula{*it.frequency});
   else
     f("frequency", nullptr);
   f("real_part", zero(it.parts ? &it.parts->real : nullptr));
@@ -70,21 +71,22 @@ void fields(Fields& f, const symbolic::Resonance& it) {
 void fields(Fields& f, const symbolic::Sensitivity& it) {
   std::vector<symbolic::Line> definitions = it.stiffnesses;
   definitions.insert(definitions.end(), it.changes.begin(), it.changes.end());
-  f("parameter", symbolic::printed_name(to_text(it.parameter)))("relative", Formula{it.relative});
-  f("derivative", Formula{it.derivative})("definitions", definitions);
+  f("parameter", symbolic::printed_name(to_text(it.parameter)))("relative",
+                                                                DerivedFormula{it.relative});
+  f("derivative", DerivedFormula{it.derivative})("definitions", definitions);
 }
 
-namespace {
-
-struct Separation {
+struct DerivedSeparation {
   const std::vector<symbolic::Line>& lines;
   const std::string& beyond_simulation;
 };
 
-void fields(Fields& f, const Separation& it) {
+void fields(Fields& f, const DerivedSeparation& it) {
   f("closed_form", !it.lines.empty())("lines", it.lines);
   if (it.lines.empty()) f.some("not_simulated", it.beyond_simulation);
 }
+
+namespace {
 
 std::vector<std::string> names_of(const std::vector<Symbol>& symbols) {
   std::vector<std::string> names;
@@ -94,36 +96,32 @@ std::vector<std::string> names_of(const std::vector<Symbol>& symbols) {
 
 }  // namespace
 
-namespace {
-
-struct Document {
+struct DerivedDocument {
   const Scene& scene;
   const symbolic::Findings& findings;
 };
 
-void fields(Fields& f, const Document& document) {
+void fields(Fields& f, const DerivedDocument& document) {
   const symbolic::Findings& it = document.findings;
   const symbolic::Derivation& d = it.derivation;
   const bool rational = it.form == symbolic::ResultForm::rational;
   f("title", document.scene.title);
   f("form", d.definitions.empty() ? "multiplied out" : "nested")("fingerprint", it.fingerprint);
   f("lines", d.lines)("parameters", names_of(d.parameters))("equation", d.equation);
-  f("critical_velocity", Formula{d.critical_velocity})("definitions", d.definitions);
+  f("critical_velocity", DerivedFormula{d.critical_velocity})("definitions", d.definitions);
   f("limits", it.limits)("asymptotes", it.asymptotes)("resonances", it.resonances);
   f("sensitivities", it.sensitivities).some("warnings", document.scene.warnings);
   f.some("indenter", it.half_space);
-  if (it.parting) f("separation", Separation{*it.parting, it.beyond_simulation});
+  if (it.parting) f("separation", DerivedSeparation{*it.parting, it.beyond_simulation});
   f.some("extrema", it.extrema).some(rational ? "rational" : "dimensionless", it.form_lines);
 }
-
-}  // namespace
 
 }  // namespace vcrit::record
 
 namespace vcrit::symbolic {
 
 std::string json_document(const Scene& scene, const Findings& findings) {
-  return record::json_of(record::Document{scene, findings}).dump(2) + "\n";
+  return record::json_of(record::DerivedDocument{scene, findings}).dump(2) + "\n";
 }
 
 }  // namespace vcrit::symbolic

@@ -18,9 +18,9 @@ using record::Fields, record::Json;
 
 /// Equations in one dialect. Those of a large network's limits are largely the same, hundreds of
 /// times.
-class Equations {
+class PrintedEquations {
  public:
-  explicit Equations(const Dialect& dialect) : dialect_(dialect) {}
+  explicit PrintedEquations(const Dialect& dialect) : dialect_(dialect) {}
 
   std::string operator()(const Line& line, bool asymptotic) {
     if (asymptotic) return dialect_.asymptote(form_of(line.left), form_of(line.right));
@@ -41,7 +41,7 @@ class Equations {
   std::map<Less::Sides, std::string, Less> known_;
 };
 
-Json block_record(const DocumentBlock& block, Equations& equation) {
+Json block_record(const DocumentBlock& block, PrintedEquations& equation) {
   std::vector<record::Markup> lines;
   for (const Line& line : block.lines)
     lines.push_back({equation(line, block.asymptotic && &line == &block.lines.back())});
@@ -52,7 +52,7 @@ Json block_record(const DocumentBlock& block, Equations& equation) {
   return f.take();
 }
 
-Json section_record(const Section& section, Equations& equation) {
+Json section_record(const Section& section, PrintedEquations& equation) {
   Json blocks = Json::array();
   for (const DocumentBlock& block : section.blocks) blocks.push_back(block_record(block, equation));
   return {{"heading", section.title},
@@ -104,7 +104,7 @@ Markup markup_of(Format format) {
 std::string markup_document(Format format, const std::string& title,
                             const std::vector<Section>& sections) {
   const Markup markup = markup_of(format);
-  Equations equation(markup.dialect());
+  PrintedEquations equation(markup.dialect());
   const record::Markup heading{markup.title(one_line(title))};
   Json record{{"title", Fields(record::Reader::page).written(heading)},
               {"sections", Json::array()}};

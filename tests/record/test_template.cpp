@@ -119,4 +119,17 @@ BOOST_AUTO_TEST_CASE(a_template_stands_within_a_line) {
                       {{"rows", {{{"x", 1}}, {{"x", 2}}}}}) == "<i>1</i>\n<i>2</i>\n");
 }
 
+BOOST_AUTO_TEST_CASE(lines_of_sections_alone_are_none) {
+  const std::string text =
+      "a\n{{#x}}\n\n  {{y}}\n{{/x}}\n{{^x}}\n  {{! no }}\nno\n{{/x}}\nb\n\nc\n";
+  BOOST_TEST(page(text, {{"x", true}, {"y", "Y"}}) == "a\n\n  Y\nb\n\nc");
+  BOOST_TEST(page(text, {{"x", false}, {"y", "Y"}}) == "a\nno\nb\n\nc");
+  BOOST_TEST(page("{{#x}}\n{{.}}\n{{/x}}\nend\n", {{"x", {" ", "1"}}}) == " \n1\nend");
+}
+
+BOOST_AUTO_TEST_CASE(other_braces) {
+  const std::string text = "{{=<< >>=}}{<<x>>}\n<<#y>>\n{{<<.>>}}\n<</y>>\nend\n";
+  BOOST_TEST(page(text, {{"x", 1}, {"y", {2, 3}}}) == "{1}\n{{2}}\n{{3}}\nend");
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -16,14 +16,14 @@ namespace {
 /// Exact, whoever reads it.
 std::string hexadecimal(double value) { return fmt::format("{:a}", value); }
 
+}  // namespace
+
 /// What was not ranked, and why.
 struct NotRanked {
   std::string what, why;
 };
 
 void fields(Fields& f, const NotRanked& it) { f("what", it.what)("why", it.why); }
-
-}  // namespace
 
 void fields(Fields& f, const accuracy::Histogram& it) {
   std::size_t last = 0;
@@ -49,6 +49,8 @@ std::string inputs(const Json& parameters) {
   }
   return text;
 }
+
+}  // namespace
 
 struct NamedInput {
   const accuracy::WorstInput& input;
@@ -78,8 +80,6 @@ void fields(Fields& f, const NamedWay& it) {
   f("nanoseconds", way.nanoseconds)("worst", way.worst)("rms", way.rms);
   f("on_front", way.on_front)("histogram", way.histogram)("worst_inputs", worst);
 }
-
-}  // namespace
 
 void fields(Fields& f, const accuracy::EvaluatorErrors& it) {
   f("seed", it.seed)("sets", it.sets);

@@ -114,7 +114,7 @@ void add_drive(const Entry& entry, record::Json& record) {
   add_limits(scene, record);
 }
 
-record::Json entry_record(const Entry& entry) {
+record::Json rheology_record(const Entry& entry) {
   const symbolic::Response response = symbolic::response(entry.network);
   record::Json record{{"name", entry.name},
                       {"call", entry.call},
@@ -138,7 +138,7 @@ record::Json entry_record(const Entry& entry) {
 std::string catalogue_page() {
   record::Json record{{"version", VCRIT_VERSION}, {"rheologies", record::Json::array()}};
   for (const Rheology& rheology : catalogue())
-    record["rheologies"].push_back(entry_record(Entry(rheology)));
+    record["rheologies"].push_back(rheology_record(Entry(rheology)));
   return document("catalogue", record, {"Named rheologies", false, {}});
 }
 

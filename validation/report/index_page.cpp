@@ -15,7 +15,7 @@ namespace vcrit::validation::report {
 
 namespace {
 
-record::Json entry_record(const IndexEntry& entry) {
+record::Json index_entry(const IndexEntry& entry) {
   record::Json record = to_json(entry.line);
   record["page_file"] = entry.page;
   return record;
@@ -47,7 +47,7 @@ std::string index_page(const std::vector<IndexEntry>& entries, const Origin& ori
     made += entry.line.made;
     failures += entry.line.failed.size();
     skipped += entry.line.not_run.size();
-    record["entries"].push_back(entry_record(entry));
+    record["entries"].push_back(index_entry(entry));
   }
   record["state"] = failures > 0 ? "failed" : skipped > 0 ? "not-run" : "passed";
   record["count_words"] = count_words(made, failures, skipped);

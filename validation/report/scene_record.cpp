@@ -169,11 +169,14 @@ std::vector<std::string> failing(const SceneReport& report) {
   return keys;
 }
 
-struct Velocity {
+}  // namespace
+
+/// v* of a scene and what is said of it.
+struct VelocityOfScene {
   const SceneReport& report;
 };
 
-void fields(Fields& f, const Velocity& it) {
+void fields(Fields& f, const VelocityOfScene& it) {
   const SceneReport& report = it.report;
   const bool swings = !report.free_harmonics.empty(), creeps = report.creep_velocity > 0;
   f("value", report.critical_velocity)("relative_error_bound", report.relative_error_bound);
@@ -185,10 +188,13 @@ void fields(Fields& f, const Velocity& it) {
   f.page("twice_the_harmonic", swings ? 2 * report.free_harmonics.front() : 0);
 }
 
+namespace {
+
 void results(Fields& f, const report::SceneContents& contents) {
   const SceneReport& report = contents.report;
   f("admissible", report.reasons.empty())("reasons", report.reasons);
-  f("critical_velocity", Velocity{report})("values", report.values)("formula", report.formula);
+  f("critical_velocity", VelocityOfScene{report})("values", report.values)("formula",
+                                                                           report.formula);
   f("equation", report.equation)("definitions", report.definitions);
   f("derivation", report.derivation)("limits", report.limits).some("compiler", report.compiler);
   f.some("friction_curve", report.curve).some("methods", report.methods);
