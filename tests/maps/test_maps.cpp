@@ -228,7 +228,7 @@ BOOST_AUTO_TEST_CASE(an_element_named_progress_is_swept_as_a_table) {
       "[friction]\ncoefficient = 0.3\n[elements]\nprogress = 7.0\nc1 = 2.0\nk2 = 5.0\n",
       "s.toml");
   sweep.axes.push_back(parse_axis("progress=lin:7:9:20", sweep.scene));
-  BOOST_TEST(has(message([&] { streamed(sweep, folder.path() / "map.nc"); }), "--over progress"));
+  BOOST_TEST(has(message([&] { streamed(sweep, folder.path() / "map.nc"); }), "over progress"));
   BOOST_TEST(fs::is_empty(folder.path()));
   BOOST_TEST(message([&] { streamed(sweep, folder.path() / "map.csv"); }) == "accepted");
 }
@@ -245,7 +245,7 @@ BOOST_AUTO_TEST_CASE(two_axes_of_one_name_in_the_file_are_swept_as_a_table) {
       "s.toml");
   for (const char* axis : {"k[1]=lin:1:2:3", "k_1=lin:7:9:4"})
     sweep.axes.push_back(parse_axis(axis, sweep.scene));
-  BOOST_TEST(has(message([&] { streamed(sweep, folder.path() / "map.nc"); }), "--over k_1"));
+  BOOST_TEST(has(message([&] { streamed(sweep, folder.path() / "map.nc"); }), "over k_1"));
   BOOST_TEST(fs::is_empty(folder.path()));
   BOOST_TEST(message([&] { streamed(sweep, folder.path() / "map.csv"); }) == "accepted");
 }

@@ -12,6 +12,7 @@ from pathlib import Path
 # Earliest first; the folder of each room.
 ROOMS = [
     "src/base",
+    "src/record",
     "src/network",
     "src/scene",
     "src/stiffness",
