@@ -55,7 +55,7 @@ FAULTS = [
     ("symbolic/program/gradient.cpp", "add(b, change, c);", "change, c", "change, b", "emit/test_gradients"),
     ("symbolic/emit/languages/cpp/groups.cpp", "program_.divide(product(monomial.above), product(monomial.below))", "below", "above",
      "emit/test_quantities"),
-    ("symbolic/document/markup.cpp", "return dialect().asymptote(form_of(line.left)", "asymptote", "equation",
+    ("symbolic/document/markup.cpp", "return dialect_.asymptote(form_of(line.left)", "asymptote", "equation",
      "document/test_print"),
     ("validation/agreement.cpp", "if (closed_form) report.curve.back().closed_form", "closed_form", "!closed_form",
      "validation/test_validate"),

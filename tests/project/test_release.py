@@ -60,7 +60,7 @@ class DebianPackages(unittest.TestCase):
 
     def test_need_what_they_use(self):
         needs = self.field("vcrit", "Depends")
-        for library in ("libginac", "libgsl", "libflint-arb", "libudunits2", "libhdf5", "libstdc++6"):
+        for library in ("libginac", "libgsl", "libflint-arb", "libudunits2", "libnetcdf", "libhdf5", "libstdc++6"):
             self.assertIn(library, needs)
         self.assertIn("libgsl-dev", self.field("libvcrit-dev", "Depends"))
 
