@@ -36,25 +36,26 @@ struct Written {
   std::vector<std::filesystem::path> all;
 };
 
-Written write_cpp(const Scene& scene, const GenerateArguments& options) {
+Written write_cpp(const symbolic::Derivation& derivation, const GenerateArguments& options) {
   const std::filesystem::path directory = options.directory;
   Written written{{directory / (options.name + ".hpp")}, {}};
   if (options.generated.quantities)
     written.main.push_back(directory / (options.name + "_quantities.hpp"));
-  written.all = symbolic::generate(scene, options.directory, options.name, options.generated);
+  written.all = symbolic::generate(derivation, options.directory, options.name, options.generated);
   return written;
 }
 
 Written write(const Scene& scene, const GenerateArguments& options) {
+  const symbolic::Derivation derivation = symbolic::derive(scene);
   const std::vector<std::string>& names = symbolic::language_names();
   const auto other = std::find(names.begin(), names.end(), options.generated.language);
-  if (other == names.end()) return write_cpp(scene, options);
+  if (other == names.end()) return write_cpp(derivation, options);
   if (options.generated.quantities)
     throw InputError({"--quantities"}, fmt::format("--language {}", options.generated.language),
                      "--language c++, the only one with other quantities");
   const auto chosen = static_cast<symbolic::Language>(other - names.begin());
   const auto file =
-      symbolic::generate(scene, options.directory, options.name, chosen, options.generated);
+      symbolic::generate(derivation, options.directory, options.name, chosen, options.generated);
   return {{file}, {file}};
 }
 

@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "base/errors.hpp"
+#include "emit/cpp_files.hpp"
+#include "emit/names.hpp"
 #include "emit/pieces.hpp"
 #include "emit/written.hpp"
 #include "formula/algebra_lock.hpp"
@@ -43,14 +45,40 @@ void insert_check(std::string& text, const std::string& file, const std::string&
                            guard_of(name), hash, file, name));
 }
 
+/// One of the files made by itself.
+std::string alone(const Derivation& derivation, const std::string& name,
+                  const GenerateOptions& options,
+                  std::string (*file)(const Evaluator&, const std::string&)) {
+  const AlgebraLock lock;
+  check_library_name(name);
+  return file(Evaluator(derivation, options, Zeros::out_of_range), name);
+}
+
 }  // namespace
 
-std::vector<std::filesystem::path> generate(const Scene& scene,
+std::string emit_header(const Derivation& derivation, const std::string& name,
+                        const GenerateOptions& options) {
+  return alone(derivation, name, options, cpp_header);
+}
+
+std::string emit_batch_header(const Derivation& derivation, const std::string& name,
+                              const GenerateOptions& options) {
+  return alone(derivation, name, options, cpp_batch_header);
+}
+
+std::string emit_test(const Derivation& derivation, const std::string& name,
+                      const GenerateOptions& options) {
+  return alone(derivation, name, options, cpp_test);
+}
+
+std::vector<std::filesystem::path> generate(const Derivation& derivation,
                                             const std::filesystem::path& directory,
                                             const std::string& name,
                                             const GenerateOptions& options) {
   const AlgebraLock lock;
-  std::string header = emit_header(scene, name, options);
+  check_library_name(name);
+  const Evaluator evaluator(derivation, options, Zeros::out_of_range);
+  std::string header = cpp_header(evaluator, name);
   const std::string hash = hash_of(header);
   stamp(header, name, hash);
   std::vector<NewFile> written;
@@ -58,10 +86,10 @@ std::vector<std::filesystem::path> generate(const Scene& scene,
     insert_check(text, file, name, hash);
     written.push_back({directory / file, std::move(text)});
   };
-  companion(name + "_batch.hpp", emit_batch_header(scene, name, options));
+  companion(name + "_batch.hpp", cpp_batch_header(evaluator, name));
   if (options.quantities)
-    companion(name + "_quantities.hpp", emit_quantities(scene, name, options));
-  companion("test_" + name + ".cpp", emit_test(scene, name, options));
+    companion(name + "_quantities.hpp", emit_quantities(derivation, name, options));
+  companion("test_" + name + ".cpp", cpp_test(evaluator, name));
   written.push_back({directory / (name + "_evaluator.cmake"), emit_cmake(name)});
   written.push_back({directory / "CMakeLists.txt", emit_cmake_of_folder()});
   written.insert(written.begin(), {directory / (name + ".hpp"), std::move(header)});

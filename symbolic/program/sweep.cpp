@@ -252,9 +252,9 @@ int operations_at_each_omega(const VelocityProgram& velocity) {
 
 }  // namespace
 
-std::optional<SweepProgram> sweep_program(const Scene& scene, const SymbolValue& value) {
-  refuse_other_scenes(scene);
-  const int others = operations_at_each_omega(velocity_program(scene, value));
+std::optional<SweepProgram> sweep_program(const Scene& scene, const SymbolValue& value,
+                                          const VelocityProgram& single) {
+  const int others = operations_at_each_omega(single);
   for (const bool normalised : {false, true}) {
     SweepProgram program = SweepWriter(scene, value, normalised).write();
     if (program.fits && operations_at_each_omega(program) + checks < others) return program;

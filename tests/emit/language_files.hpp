@@ -36,7 +36,7 @@ class LanguageFiles {
       for (const symbolic::Language language :
            {symbolic::Language::c99, symbolic::Language::python, symbolic::Language::javascript,
             symbolic::Language::cuda})
-        symbolic::generate(scenes[i], folder_.path(), library(i), language);
+        symbolic::generate(symbolic::derive(scenes[i]), folder_.path(), library(i), language);
     write_file(folder_.path() / "driver.c", c99_driver(scenes.size(), asked));
     write_file(folder_.path() / "driver.cu", cuda_driver(scenes.size(), asked));
     write_file(folder_.path() / "driver.py", python_driver(scenes, asked));

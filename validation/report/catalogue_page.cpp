@@ -101,8 +101,8 @@ std::string spectrum_part(const Network& network) {
 }
 
 /// Arrays are not multiplied out: even three branches would give hundreds of terms.
-std::string velocity_part(const char* heading, const Scene& scene) {
-  const symbolic::Derivation derivation = symbolic::derive(scene, !scene.arrays.empty());
+std::string velocity_part(const char* heading, symbolic::Derivation derivation) {
+  if (!derivation.scene.arrays.empty()) derivation = nested_form(std::move(derivation));
   return fmt::format("<h3>{}</h3>\n{}", heading, numbered(derivation.equation)) +
          equation(velocity_sign, formula_of(derivation.critical_velocity).mathml) +
          definitions(equations_of(derivation.definitions));
@@ -121,21 +121,21 @@ std::string admissibility(const Entry& entry) {
 }
 
 std::string contact_part(const Entry& entry) {
-  const Scene isotropic = scene_of(
-      entry.call, "tangential_ratio = \"r\"\n[drive]\nnetwork = \"kd\"\n[body]\nmass = \"m\"\n");
+  const symbolic::Derivation isotropic = symbolic::derive(scene_of(
+      entry.call, "tangential_ratio = \"r\"\n[drive]\nnetwork = \"kd\"\n[body]\nmass = \"m\"\n"));
   return extremes_part(symbolic::extremes(entry.network)) + spectrum_part(entry.network) +
          velocity_part("Critical velocity, elastic drive with a mass", isotropic) +
          velocity_part("Critical velocity, elastic tangential contact, rigid drive",
-                       scene_of(entry.call, "tangential = \"kt\"\n")) +
+                       symbolic::derive(scene_of(entry.call, "tangential = \"kt\"\n"))) +
          limits_table(limits_of(isotropic));
 }
 
 std::string drive_part(const Entry& entry) {
-  const Scene scene =
-      scene_of("kn", "tangential = \"kt\"\n[drive]\nnetwork = \"kd | " + entry.call + "\"\n");
+  const symbolic::Derivation derivation = symbolic::derive(
+      scene_of("kn", "tangential = \"kt\"\n[drive]\nnetwork = \"kd | " + entry.call + "\"\n"));
   return velocity_part("Critical velocity, elastic contact, the mass beside an elastic drive",
-                       scene) +
-         limits_table(limits_of(scene));
+                       derivation) +
+         limits_table(limits_of(derivation));
 }
 
 std::string rheology_section(const Entry& entry) {

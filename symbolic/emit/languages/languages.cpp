@@ -63,29 +63,29 @@ std::string extension(Language language) {
   return extensions[static_cast<std::size_t>(language)];
 }
 
-std::string emit(const Scene& scene, const std::string& name, Language language,
+std::string emit(const Derivation& derivation, const std::string& name, Language language,
                  const GenerateOptions& options) {
   const AlgebraLock lock;
+  const Scene& scene = derivation.scene;
   const NamesOfScene names(scene);
   check_library_name(name, language);
-  const FixedValues fixed = fixed_values(scene, options.fixed);
-  const Evaluator evaluator(scene, fixed,
-                            has_wide(language) ? Zeros::out_of_range : Zeros::in_range);
-  check_member_names(scene, evaluator.derivation.parameters, language);
   GenerateOptions own = options;
   own.language = language_names()[static_cast<std::size_t>(language)];
-  std::string head = banner(scene, evaluator.derivation, command_line(scene, name, own), fixed) +
+  const Evaluator evaluator(derivation, own,
+                            has_wide(language) ? Zeros::out_of_range : Zeros::in_range);
+  check_member_names(scene, derivation.parameters, language);
+  std::string head = banner(derivation, command_line(scene, name, own), evaluator.fixed) +
                      comment(fmt::format("{} operations.", evaluator.operations)) +
                      accuracy_lines(language);
   if (language == Language::python) head = "#" + replaced(head.substr(2), "\n//", "\n#");
   return head + evaluator_text(evaluator, name, language);
 }
 
-std::filesystem::path generate(const Scene& scene, const std::filesystem::path& directory,
+std::filesystem::path generate(const Derivation& derivation, const std::filesystem::path& directory,
                                const std::string& name, Language language,
                                const GenerateOptions& options) {
   const AlgebraLock lock;
-  const std::string text = emit(scene, name, language, options);
+  const std::string text = emit(derivation, name, language, options);
   std::filesystem::path file = directory / (name + extension(language));
   write_generated({{file, text}});
   return file;

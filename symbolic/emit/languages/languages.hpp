@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "derivation/derivation.hpp"
 #include "emit/options.hpp"
-#include "scene/scene.hpp"
 
 namespace vcrit::symbolic {
 
@@ -19,11 +19,11 @@ std::string extension(Language language);
 
 /// The file NAME.h, NAME.py, NAME.mjs or NAME.cuh as text. Throws InputError where the language
 /// does not allow `name` or the name of a parameter, ModelError as emit_header() does.
-std::string emit(const Scene& scene, const std::string& name, Language language,
+std::string emit(const Derivation& derivation, const std::string& name, Language language,
                  const GenerateOptions& options = {});
 
 /// Writes that file to `directory`. Returns the file.
-std::filesystem::path generate(const Scene& scene, const std::filesystem::path& directory,
+std::filesystem::path generate(const Derivation& derivation, const std::filesystem::path& directory,
                                const std::string& name, Language language,
                                const GenerateOptions& options = {});
 
