@@ -15,10 +15,11 @@ ROOMS = [
     "src/network",
     "src/scene",
     "src/stiffness",
+    "src/modes",
+    "src/normal",
+    "src/rules",
     "src/critical",
     "src/simulation/system",
-    "src/simulation/modes",
-    "src/simulation/normal",
     "src/simulation/motion",
     "src/simulation/steady",
     "src/simulation/methods",
@@ -57,7 +58,8 @@ FORBIDDEN = {
     ("src/simulation", "src/critical"),
     ("symbolic", "src/simulation"),
     # Methods beside the exact one are witnesses against it, too: they share no code but the system.
-    ("src/simulation/methods", "src/simulation/modes"),
+    ("src/simulation/methods", "src/modes"),
+    ("src/simulation/methods", "src/normal"),
     ("src/simulation/methods", "src/simulation/motion"),
     ("src/simulation/methods", "src/simulation/steady"),
     # The benchmark brings SUNDIALS with it; the program does not.

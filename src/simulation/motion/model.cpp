@@ -5,8 +5,8 @@
 
 #include "base/constants.hpp"
 #include "base/errors.hpp"
-#include "simulation/modes/body_modes.hpp"
-#include "simulation/modes/driven_modes.hpp"
+#include "modes/body_modes.hpp"
+#include "modes/driven_modes.hpp"
 
 namespace vcrit::simulation {
 

@@ -18,7 +18,7 @@
 #include <complex>
 #include <optional>
 
-#include "simulation/modes/contact_modes.hpp"
+#include "modes/contact_modes.hpp"
 #include "simulation/motion/opening.hpp"
 #include "simulation/system/system.hpp"
 

@@ -19,26 +19,10 @@ double until(double phase, double t) {
   return result < two_pi - shortest ? result : 0;
 }
 
-Relaxation in_radians(Relaxation form, double omega) {
-  form.damper *= omega;
-  for (MaxwellBranch& branch : form.branches) branch.time *= omega;
-  return form;
-}
-
 }  // namespace
 
-double wrapped(double t) {
-  const double result = t - two_pi * std::floor(t / two_pi);
-  return result < two_pi ? result : 0;
-}
-
-NormalCycle steady_normal_force(const NormalMotion& motion, double omega) {
-  return normal_cycle(contact_modes(in_radians(motion.network, omega)),
-                      {motion.mean, motion.amplitude});
-}
-
 Opening::Opening(const NormalMotion& motion, double omega) : jumps(motion.network.damper > 0) {
-  const ContactModes network = contact_modes(in_radians(motion.network, omega));
+  const ContactModes network = modes_of(motion, omega);
   const NormalCycle cycle = normal_cycle(network, {motion.mean, motion.amplitude});
   if (cycle.touches.empty()) throw ModelError("the surfaces never meet: there is no friction");
   if (cycle.touches.size() == 1 && cycle.touches.front().duration > two_pi - shortest)

@@ -2,16 +2,10 @@
 // while they touch. It does not depend on what the contact does along the surface.
 #pragma once
 
-#include "simulation/normal/normal_cycle.hpp"
+#include "normal/normal_force.hpp"
 #include "simulation/system/system.hpp"
 
 namespace vcrit::simulation {
-
-/// A time less whole periods, in [0, 2 pi).
-double wrapped(double t);
-
-/// The cycle of the normal force, in N, with omega t for time.
-NormalCycle steady_normal_force(const NormalMotion& motion, double omega);
 
 /// Times and forces as in model.hpp.
 struct Opening {
@@ -35,10 +29,10 @@ struct Opening {
   /// rounding.
   double until_parted(Index touch, double t) const;
   double until_met(Index touch, double t) const;
-  /// The middle of the longest time apart, and the touch that ends it.
   /// A decaying part of b at a time of its touch, or the sum of the derivatives of all of them.
   double part(Index i, Index touch, double t) const;
   double decaying(Index touch, double t, int derivative) const;
+  /// The middle of the longest time apart, and the touch that ends it.
   struct Middle {
     double time = 0;
     Index next = 0;

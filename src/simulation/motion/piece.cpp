@@ -4,7 +4,7 @@
 
 #include "base/complex.hpp"
 #include "base/errors.hpp"
-#include "simulation/modes/first_zero.hpp"
+#include "modes/first_zero.hpp"
 
 namespace vcrit::simulation {
 

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "simulation/modes/event_function.hpp"
+#include "modes/event_function.hpp"
 #include "simulation/motion/flow.hpp"
 #include "simulation/system/steady_state.hpp"
 

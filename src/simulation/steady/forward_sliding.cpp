@@ -6,8 +6,8 @@
 
 #include "base/constants.hpp"
 #include "base/errors.hpp"
-#include "simulation/modes/highest.hpp"
-#include "simulation/modes/linear_solver.hpp"
+#include "modes/highest.hpp"
+#include "modes/linear_solver.hpp"
 #include "simulation/steady/closing.hpp"
 #include "simulation/steady/steady_cycle.hpp"
 

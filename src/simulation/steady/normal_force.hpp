@@ -8,7 +8,4 @@ namespace vcrit::simulation {
 /// <F_n> in N. Of a contact that opens: 0 where the surfaces never meet.
 double mean_normal_force(const System& system);
 
-/// Whether the surfaces touch at omega t = phase in [0, 2 pi).
-bool touches_at(const System& system, double phase);
-
 }  // namespace vcrit::simulation

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "base/constants.hpp"
-#include "simulation/modes/linear_solver.hpp"
+#include "modes/linear_solver.hpp"
 #include "simulation/steady/closing.hpp"
 
 namespace vcrit::simulation {

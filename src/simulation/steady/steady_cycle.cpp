@@ -6,7 +6,7 @@
 
 #include "base/constants.hpp"
 #include "base/errors.hpp"
-#include "simulation/modes/linear_solver.hpp"
+#include "modes/linear_solver.hpp"
 #include "simulation/motion/course.hpp"
 #include "simulation/steady/closing.hpp"
 #include "simulation/steady/near_resonance.hpp"

@@ -4,18 +4,12 @@
 #include <complex>
 #include <optional>
 
+#include "normal/normal_motion.hpp"
 #include "scene/scene.hpp"
 #include "simulation/system/effort.hpp"
 #include "stiffness/relaxation.hpp"
 
 namespace vcrit::simulation {
-
-/// Of a contact that opens: the normal network below the indentation mean + amplitude cos(omega t).
-struct NormalMotion {
-  Relaxation network;    ///< with a spring that carries the static load
-  double mean = 0;       ///< m, of any sign
-  double amplitude = 0;  ///< m, > 0
-};
 
 /// A body drawn through the drive with its contact below; what the scene lacks is absent.
 struct System {

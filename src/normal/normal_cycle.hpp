@@ -1,0 +1,34 @@
+// The steady normal force of a contact that opens, F = max(0, reaction of the normal network),
+// without adhesion: while the surfaces touch, the network's deformation is the indentation and its
+// Maxwell branches relax on their own; while they are apart, it carries no force and its Kelvin
+// units creep back on their own, until the surface meets the substrate again.
+#pragma once
+
+#include <complex>
+
+#include "normal/normal_stays.hpp"
+
+namespace vcrit::simulation {
+
+/// One period of the steady force, in units of the network's stiffness times the length.
+struct NormalCycle {
+  /// F = Re(swing e^{it}) + sum_i decays_i e^{-rate_i (t - begin)}, rates those of the network's
+  /// branches; 0 between one touch and the next.
+  struct Touch {
+    double begin = 0;  ///< [0, 2 pi)
+    double duration = 0;
+    Vector decays;
+  };
+
+  double mean = 0;
+  double error = 0;  ///< estimate of the mean's absolute error
+  std::complex<double> swing;
+  List<Touch, 2> touches;  ///< by time; none where the surfaces never meet
+};
+
+/// The network with time in units of 1/omega; a spring carries its static load. Whether it opens at
+/// all: otherwise the cycle is one touch over the whole period. Throws ModelError where no closed
+/// cycle is found.
+NormalCycle normal_cycle(const ContactModes& network, const Indentation& indentation);
+
+}  // namespace vcrit::simulation

@@ -1,0 +1,186 @@
+#include "normal/normal_stays.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/complex.hpp"
+#include "base/constants.hpp"
+#include "modes/first_zero.hpp"
+
+namespace vcrit::simulation {
+
+namespace {
+
+// Radians: with slower units a speed has 13 digits.
+constexpr double fast = 1e3;
+
+double sum(ConstView x) {
+  double result = 0;
+  for (const double value : x) result += value;
+  return result;
+}
+
+void relax(NormalState& now, NormalIntegrals& sums, Index j, Index k,
+           const Integrals<double>& own) {
+  sums.strains(j, k) += now.strains(j, k) * own[1];
+  now.strains(j, k) *= own[0];
+}
+
+}  // namespace
+
+NormalStays::NormalStays(const ContactModes& network, const Indentation& indentation)
+    : network_(network),
+      indentation_(indentation),
+      branches_{network.branch_rates, {}},
+      units_{network.unit_rates, {}} {
+  using namespace std::complex_literals;
+  swing_ = network.damper * 1i * indentation.amplitude;
+  for (Index i = 0; i < branches_.singles(); ++i) swing_ += branch_swing(i);
+}
+
+double NormalStays::gap(const NormalState& now) const {
+  return sum(now.strains.column(0)) - depth(now.time);
+}
+
+NormalState NormalStays::start() const {
+  NormalState result{-pi, Matrix(units(), 1), false};
+  const double deepest = indentation_.mean + indentation_.amplitude;
+  for (Index j = 0; j < units(); ++j)
+    result.strains(j, 0) =
+        network_.branch_stiffness[0] * deepest * network_.unit_fluidity[j] / network_.unit_rates[j];
+  return result;
+}
+
+bool NormalStays::stay_apart(NormalState& now, double end, NormalStay& stay,
+                             NormalIntegrals& sums) const {
+  const auto met = touch_down(now, end - now.time);
+  stay = {false, now.time, met.value_or(end - now.time), {}};
+  for (Index j = 0; j < units(); ++j) {
+    const auto own = integrals(units_.rates[j], stay.duration);
+    for (Index k = 0; k < now.strains.columns(); ++k) relax(now, sums, j, k, own);
+  }
+  now.time = met ? now.time + *met : end;
+  now.released = false;
+  return met.has_value();
+}
+
+bool NormalStays::stay_touching(NormalState& now, double end, NormalStay& stay,
+                                NormalIntegrals& sums) const {
+  strike(now, sums);
+  const Matrix decays = decays_at(now);
+  const auto parted = lift_off(now, decays.column(0), end - now.time);
+  stay = {true, now.time, parted.value_or(end - now.time),
+          Vector(decays.column(0).begin(), decays.column(0).end())};
+  press(now, decays, stay.duration, sums);
+  now.time = parted ? now.time + *parted : end;
+  now.released = parted.has_value();
+  return now.released;
+}
+
+double NormalStays::depth(double time) const {
+  return indentation_.mean + indentation_.amplitude * std::cos(time);
+}
+
+ComplexDouble NormalStays::branch_swing(Index i) const {
+  using namespace std::complex_literals;
+  return network_.branch_stiffness[i] * indentation_.amplitude * 1i / (branches_.rates[i] + 1i);
+}
+
+// Surfaces that meet a little earlier or later: a direct damper, whose force jumps up there,
+// makes an impulse of the difference.
+void NormalStays::strike(NormalState& now, NormalIntegrals& sums) const {
+  for (Index k = 1; k < now.strains.columns() && network_.damper > 0; ++k) {
+    const double impulse = -network_.damper * sum(now.strains.column(k));
+    sums.impulse[k] += impulse;
+    add(network_.unit_fluidity, impulse, now.strains.column(k));
+  }
+}
+
+// Forces of the branches where the surfaces meet, k_i sum_j beta_j eps_j/(beta_j - a_i), less
+// their swing: the spring's is that of the mean indentation. With changed strains at the same
+// place F = -sum_j eps_j/J_g begins elsewhere, too.
+Matrix NormalStays::decays_at(const NormalState& now) const {
+  const ComplexDouble turn = std::polar(1.0, now.time);
+  Matrix result(branches_.singles(), now.strains.columns());
+  for (Index k = 0; k < result.columns(); ++k) {
+    const View decays = result.column(k);
+    add_product(network_.to_branches, now.strains.column(k), decays);
+    if (k > 0) add(network_.branch_stiffness, -sum(now.strains.column(k)), decays);
+    for (Index i = 0; i < decays.size(); ++i) {
+      if (k == 0) decays[i] -= (branch_swing(i) * turn).real();
+      if (branches_.rates[i] == 0)
+        decays[i] = k == 0 ? network_.branch_stiffness[i] * indentation_.mean : 0;
+    }
+  }
+  return result;
+}
+
+// The surface less the substrate, as a function that reaches 0 from below. With a direct damper
+// the gap begins with no speed, but that is a difference of rates, whose rounding of a fast unit
+// would stay in the speed for good: of such a one the rates are taken as they are.
+std::optional<double> NormalStays::touch_down(const NormalState& now, double horizon) const {
+  const ConstView strains = now.strains.column(0);
+  const int order = now.released && network_.damper > 0 && !has_fast_unit() ? 2 : 1;
+  const double size = std::abs(depth(now.time)) + sum_of_sizes(strains);
+  EventFunction f(units_, order, now.released ? 0 : -gap(now), now.released ? 0 : size);
+  f.add_modes(units_.rates, strains, 1, order - 1);
+  using namespace std::complex_literals;
+  const ComplexDouble rate = 1i * indentation_.amplitude * std::polar(1.0, now.time);
+  f.add_sinusoid(order == 2 ? 1i * rate : rate);
+  return now.released ? first_zero_after_leaving(f, horizon) : first_zero(f, horizon, false);
+}
+
+bool NormalStays::has_fast_unit() const {
+  return std::any_of(units_.rates.begin(), units_.rates.end(),
+                     [](double rate) { return rate > fast; });
+}
+
+std::optional<double> NormalStays::lift_off(const NormalState& now, ConstView decays,
+                                            double horizon) const {
+  const ComplexDouble swing = swing_ * std::polar(1.0, now.time);
+  const double force = swing.real() + sum(decays), size = std::abs(swing) + sum_of_sizes(decays);
+  // One within rounding is no force to begin with.
+  const bool jump = network_.damper > 0 && force > 8 * epsilon * size;
+  EventFunction f(branches_, 1, jump ? -force : 0, jump ? size : 0);
+  f.add_modes(branches_.rates, decays, 1);
+  using namespace std::complex_literals;
+  f.add_sinusoid(-1i * swing);
+  return jump ? first_zero(f, horizon, false) : first_zero_after_leaving(f, horizon);
+}
+
+// eps_j' = psi_j F - beta_j eps_j.
+void NormalStays::press(NormalState& now, const Matrix& decays, double duration,
+                        NormalIntegrals& sums) const {
+  const Factors factors(branches_, duration);
+  const ComplexDouble swing = swing_ * std::polar(1.0, now.time);
+  const auto swung = [&](PairNumber x) { return swing.real() * x.a - swing.imag() * x.b; };
+  const Index columns = decays.columns();
+  for (Index i = 0; i < decays.rows(); ++i) {
+    for (Index k = 0; k < columns; ++k) sums.impulse[k] += decays(i, k) * factors.single(i)[1];
+    sums.size += std::abs(decays(i, 0) * factors.single(i)[1]);
+  }
+  sums.impulse[0] += swung(factors.turn()[1]);
+  sums.size += std::abs(swing) * magnitude(factors.turn()[1]);
+  for (Index j = 0; j < units(); ++j) {
+    const double rate = units_.rates[j], fluidity = network_.unit_fluidity[j];
+    const Integrals<double> own = integrals(rate, duration);
+    const auto answer = [&](auto r, const auto& factor, const auto& use) {
+      const auto now_there = convolution(r, factor[0], -rate, own[0], duration);
+      use(now_there, integrated_convolution(r, factor[1], -rate, own[1], now_there, duration));
+    };
+    for (Index k = 0; k < columns; ++k) relax(now, sums, j, k, own);
+    for (Index i = 0; i < decays.rows(); ++i)
+      answer(-branches_.rates[i], factors.single(i), [&](double strain, double sum) {
+        for (Index k = 0; k < columns; ++k) {
+          now.strains(j, k) += fluidity * decays(i, k) * strain;
+          sums.strains(j, k) += fluidity * decays(i, k) * sum;
+        }
+      });
+    answer(PairNumber{0, 1, -1}, factors.turn(), [&](PairNumber strain, PairNumber sum) {
+      now.strains(j, 0) += fluidity * swung(strain);
+      sums.strains(j, 0) += fluidity * swung(sum);
+    });
+  }
+}
+
+}  // namespace vcrit::simulation
