@@ -14,5 +14,5 @@ int main(int argc, char** argv) {
   namespace symbolic = vcrit::symbolic;
   const symbolic::Derivation derivation = symbolic::derive(vcrit::read_scene(argv[1]));
   symbolic::generate(derivation, argv[2], "slider");
-  symbolic::generate(derivation, argv[2], "slider", symbolic::Language::c99);
+  symbolic::generate(derivation, argv[2], "slider", {.language = "c99"});
 }

@@ -6,17 +6,18 @@
 #include <algorithm>
 #include <cmath>
 
-#include "emit/cpp_dialect.hpp"
+#include "emit/languages/cpp/dialect.hpp"
 #include "emit/pieces.hpp"
 #include "program/proof.hpp"
 
 namespace vcrit::symbolic {
 
-Evaluator::Evaluator(const Derivation& derivation_, const GenerateOptions& options_, Zeros zeros)
+Evaluator::Evaluator(const Derivation& derivation_, const GenerateOptions& options_, Zeros zeros,
+                     Spelled spelled)
     : derivation(derivation_),
       options(options_),
       fixed(fixed_values(derivation.scene, options.fixed)),
-      parameters(derivation.scene, derivation, fixed),
+      parameters(derivation.scene, derivation, fixed, spelled),
       velocity(velocity_program(derivation.scene, parameters.values(), zeros)),
       gradient(gradient_program(velocity)) {
   const Proof proof(derivation, parameters.values());

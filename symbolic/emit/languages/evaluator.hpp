@@ -16,7 +16,8 @@ namespace vcrit::symbolic {
 
 struct Evaluator {
   /// Throws ModelError for a drive that generated code does not know.
-  Evaluator(const Derivation& derivation, const GenerateOptions& options, Zeros zeros);
+  Evaluator(const Derivation& derivation, const GenerateOptions& options, Zeros zeros,
+            Spelled spelled = nullptr);
 
   const Derivation& derivation;
   const GenerateOptions& options;
