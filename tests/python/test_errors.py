@@ -133,10 +133,13 @@ class Exceptions(unittest.TestCase):
             scene.critical_velocity(k9=np.ones(3))
         with self.assertRaisesRegex(vcrit.InputError, "^at index 1: k0: found k0 = -1; expected a finite value"):
             scene.critical_velocity(k0=np.array([1e6, -1]))
+        with self.assertRaisesRegex(vcrit.InputError, "^frequency: found 1000.*; expected one number"):
+            scene.critical_velocity(frequency=10**400)
 
     def test_name_half_characters(self):
         scene = vcrit.Scene(ZENER)
-        for call in [lambda: vcrit.Scene.from_text("title = '\ud800'"), lambda: scene.with_values(k0="8 N\udc80"),
+        for call in [lambda: vcrit.Scene("\ud800.toml"), lambda: vcrit.Scene.from_text("", "\ud800.toml"),
+                     lambda: vcrit.Scene.from_text("title = '\ud800'"), lambda: scene.with_values(k0="8 N\udc80"),
                      lambda: scene.with_values({"k\ud800": 1}), lambda: scene.critical_velocity({"k\ud800": [1]}),
                      lambda: scene.critical_velocity(k0="8 N\udc80"), lambda: scene.simulate("1 m\udc80")]:
             self.assertRaisesRegex(vcrit.InputError, r"found '\\u(d800|dc80)', a lone surrogate", call)
