@@ -86,12 +86,9 @@ bool asks_for_json(int argc, char** argv) {
                      [](const char* word) { return std::string_view(word) == "--json"; });
 }
 
-int run_command(int argc, char** argv, const AddCommands& add,
-                const std::function<std::string()>& version, bool json) {
+int run_command(int argc, char** argv, const AddCommands& add, bool json) {
   CLI::App program{"Up to which sliding velocity can normal oscillation reduce friction?", "vcrit"};
   program.require_subcommand(1);
-  if (version)
-    program.set_version_flag("--version", version, "print the versions of vcrit and its parts");
   int status = done;
   add(program, status);
   try {
@@ -107,14 +104,13 @@ int run_command(int argc, char** argv, const AddCommands& add,
 
 }  // namespace
 
-int run_program(int argc, char** argv, const AddCommands& add,
-                const std::function<std::string()>& version) {
+int run_program(int argc, char** argv, const AddCommands& add) {
   open_missing_streams();
   std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is told as a full disk is
   const bool json = asks_for_json(argc, argv);
   if (json) keep_warnings();
   try {
-    const int status = run_command(argc, argv, add, version, json);
+    const int status = run_command(argc, argv, add, json);
     for (const std::string& warning : kept_warnings()) warn(warning);
     return status;
   } catch (const InputError& error) {
