@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
+#include "answers/critical_onset.hpp"
 #include "commands.hpp"
-#include "critical/certified.hpp"
 #include "critical/conditioning.hpp"
 #include "indenter/friction.hpp"
 #include "options.hpp"
@@ -51,9 +51,9 @@ double condition_of(const Scene& scene, double formula) {
 // Sliding of all cells, and the last stick of any.
 Comparison below_indenter(const Scene& scene) {
   const indenter::HalfSpace half_space(scene);
-  return {certified_critical_velocity(scene).value,
+  return {certified_onset(scene).value,
           condition_number(scene, values_of(scene)),
-          indenter::critical_velocity(half_space).contact_velocity,
+          indenter::sliding_threshold(half_space).contact_velocity,
           indenter::last_stick(half_space).onset.contact_velocity,
           {}};
 }
@@ -62,7 +62,7 @@ Comparison compared(const Scene& scene) {
   rules::require(rules::Question::comparison, scene);
   if (scene.indenter) return below_indenter(scene);
   const simulation::System system = simulation::system_of(scene);
-  const auto [formula, bound, reason] = certified_critical_velocity(scene);
+  const auto [formula, bound, reason] = certified_onset(scene);
   if (std::isinf(formula)) throw ModelError(reason + ": nothing to compare");
   const double condition = condition_of(scene, formula);
   Comparison result{

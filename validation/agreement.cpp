@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "answers/critical_onset.hpp"
 #include "base/constants.hpp"
 #include "base/free_swings.hpp"
 #include "border.hpp"
@@ -20,7 +21,6 @@
 #include "indented.hpp"
 #include "method_curves.hpp"
 #include "network/masses.hpp"
-#include "onset/critical_onset.hpp"
 #include "parting.hpp"
 #include "reduced_difference.hpp"
 #include "rules/rulebook.hpp"

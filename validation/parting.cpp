@@ -6,11 +6,11 @@
 #include <cmath>
 
 #include "analysis/parting.hpp"
+#include "answers/critical_onset.hpp"
 #include "base/constants.hpp"
 #include "critical/admissibility.hpp"
 #include "critical/critical_velocity.hpp"
 #include "formulas.hpp"
-#include "onset/critical_onset.hpp"
 #include "simulation/steady/curve.hpp"
 #include "simulation/steady/energy.hpp"
 #include "simulation/steady/exact.hpp"

@@ -3,9 +3,9 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
+#include "answers/critical_onset.hpp"
 #include "critical/admissibility.hpp"
 #include "critical/certified.hpp"
-#include "onset/critical_onset.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_range_ends)
 

@@ -1,6 +1,6 @@
 // v* where the surfaces part: Eq. (24) against the simulator, which does not know it, where the
 // closed form is said to hold; and the simulator's own where it is not.
-#include "onset/critical_onset.hpp"
+#include "answers/critical_onset.hpp"
 
 #include <fmt/core.h>
 

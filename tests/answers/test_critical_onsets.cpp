@@ -1,12 +1,12 @@
 // v* over columns where surfaces separate: each lane is that of its scene.
-#include "onset/critical_onsets.hpp"
+#include "answers/critical_onsets.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <limits>
 
+#include "answers/critical_onset.hpp"
 #include "critical/certified.hpp"
-#include "onset/critical_onset.hpp"
 #include "scene/changing.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_critical_onsets)
@@ -49,6 +49,11 @@ BOOST_AUTO_TEST_CASE(lanes_without_the_formula_are_simulated) {
   // v* is mu0 omega du_z/0.8 as of any isotropic contact under a rigid drive, in the batch's
   // 1280 u an element.
   BOOST_TEST(std::abs(found[3] / 0.0375 - 1) < 3 * 1280 * 0x1p-53);
+}
+
+BOOST_AUTO_TEST_CASE(without_columns_all_lanes_are_the_scene) {
+  const auto found = onsets(slow(), {}, {}, 3);
+  for (const double each : found) BOOST_TEST(each == critical_onset(slow()).contact_velocity);
 }
 
 BOOST_AUTO_TEST_CASE(each_lane_is_that_of_its_scene) {
