@@ -11,6 +11,9 @@ import tempfile
 import unittest
 from pathlib import Path
 
+sys.path.insert(0, str(Path(__file__).parents[1] / "languages"))
+import drivers
+
 import completion_drivers
 
 PROJECT, PROGRAM, SHARE = (Path(sys.argv.pop(1)).resolve() for _ in range(3))
@@ -171,7 +174,7 @@ class Completion(unittest.TestCase):
         self.assertGreaterEqual(seen, 7)  # completion, format, form, language, method, start, quantity
         self.offered("vcrit simulate --method=mo", ["moreau"])
         self.offered("vcrit simulate --method m", ["moreau", "msbdf"])
-        self.offered("vcrit generate --language ", ["c++", "c99", "python", "javascript", "cuda"])
+        self.offered("vcrit generate --language ", list(drivers.LANGUAGES))
 
     def test_of_scenes_and_folders(self):
         scenes = ["pad.toml", "pin.toml", "some scenes"]
