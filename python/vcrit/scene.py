@@ -17,6 +17,7 @@ from .inputs import (
     is_text,
     labelled,
     ma,
+    name_of_file,
     number_with_unit,
     numbers,
     refused,
@@ -48,7 +49,7 @@ class Scene:
 
     def __init__(self, file: "str | os.PathLike[str]") -> None:
         name = os.fspath(file)
-        self._read(_vcrit.read_file(os.fsencode(name)), os.fsdecode(name), {})
+        self._read(_vcrit.read_file(name_of_file(name)), os.fsdecode(name), {})
         self._warn()
 
     @classmethod
@@ -66,7 +67,7 @@ class Scene:
         return scene
 
     def _read(self, text: str, file: str, settings: Mapping[str, str]) -> None:
-        handle = _vcrit.Scene(text, os.fsencode(file), list(settings.items()))
+        handle = _vcrit.Scene(text, name_of_file(file), list(settings.items()))
         # A table is beside the file, wherever the process goes or the scene is sent to.
         if handle.reads_tables and not os.path.isabs(file):
             return self._read(text, os.path.abspath(file), settings)
