@@ -5,8 +5,9 @@ import subprocess
 import sys
 import unittest
 
-LIBRARY = sys.argv.pop(3)
-from support import PROJECT  # noqa: E402
+from support import PROJECT
+
+LIBRARY = sys.argv.pop(1)
 
 
 class Benchmark(unittest.TestCase):
