@@ -10,8 +10,8 @@
 #include "critical/certified.hpp"
 #include "critical/conditioning.hpp"
 #include "indenter/friction.hpp"
-#include "onset/critical_onset.hpp"
 #include "options.hpp"
+#include "rules/rulebook.hpp"
 #include "simulation/steady/onset.hpp"
 
 namespace vcrit::app {
@@ -59,10 +59,7 @@ Comparison below_indenter(const Scene& scene) {
 }
 
 Comparison compared(const Scene& scene) {
-  if (scene.separation && critical_onset(scene).by == CriticalOnset::By::simulation)
-    throw ModelError(
-        "no closed form of v* where these surfaces part: nothing to compare",
-        "vcrit eval gives the simulated one, and vcrit validate holds it against the motion");
+  rules::require(rules::Question::comparison, scene);
   if (scene.indenter) return below_indenter(scene);
   const simulation::System system = simulation::system_of(scene);
   const auto [formula, bound, reason] = certified_critical_velocity(scene);

@@ -12,6 +12,7 @@
 #include "method_choice.hpp"
 #include "onset/critical_onset.hpp"
 #include "options.hpp"
+#include "rules/rulebook.hpp"
 #include "simulate_indenter.hpp"
 #include "simulation/steady/energy.hpp"
 #include "simulation/steady/exact.hpp"
@@ -140,7 +141,8 @@ void print_simulate_text(const Speed& speed, const SimulationAnswer& answer, dou
 
 // Of the whole; what the cells do is told beside it.
 void simulate_below_indenter(const SimulateOptions& options, const Scene& scene) {
-  if (!options.method.is_exact()) throw ModelError(options.method.name() + " knows no indenter");
+  if (!options.method.is_exact())
+    rules::require(rules::Question::other_methods, scene, options.method.name() + " ");
   const Speed speed = speed_of(options, scene);
   const IndenterAnswer answer = simulate_indenter(scene, speed.velocity);
   const SimulationAnswer whole{indenter::steady_state_of(answer.friction), {}, {}};

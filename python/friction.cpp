@@ -14,6 +14,7 @@
 #include "bindings.hpp"
 #include "indenter/friction.hpp"
 #include "interrupt.hpp"
+#include "rules/rulebook.hpp"
 #include "simulation/methods/methods.hpp"
 #include "simulation/steady/curve.hpp"
 #include "simulation/steady/energy.hpp"
@@ -56,7 +57,7 @@ SteadyState steady_state(const Scene& scene, double velocity, const std::string&
   simulation::MethodOptions options;
   if (start == "rest") options.start = simulation::Start::rest;
   if (scene.indenter) {
-    if (method != "exact") throw ModelError(method + " knows no indenter");
+    if (method != "exact") rules::require(rules::Question::other_methods, scene, method + " ");
     return indenter::steady_state_of(indenter::friction(indenter::HalfSpace(scene), velocity));
   }
   const simulation::System system = simulation::system_of(scene);

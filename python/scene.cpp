@@ -13,7 +13,7 @@
 #include "critical/certified.hpp"
 #include "interrupt.hpp"
 #include "onset/critical_onset.hpp"
-#include "onset/formula_scope.hpp"
+#include "rules/rulebook.hpp"
 #include "scene/settings.hpp"
 
 namespace vcrit::python {
@@ -50,7 +50,7 @@ std::map<std::string, std::string> settable(const Scene& scene) {
 
 std::tuple<double, double, std::string> certified(const Scene& scene) {
   const OthersRun others_run;
-  if (formula_holds(scene)) {
+  if (rules::answer(rules::Question::formula, scene)) {
     const auto [value, bound, reason] = certified_critical_velocity(scene);
     return {value, bound, reason};
   }

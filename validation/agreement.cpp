@@ -21,9 +21,9 @@
 #include "method_curves.hpp"
 #include "network/masses.hpp"
 #include "onset/critical_onset.hpp"
-#include "onset/formula_scope.hpp"
 #include "parting.hpp"
 #include "reduced_difference.hpp"
+#include "rules/rulebook.hpp"
 #include "simulation/steady/near_resonance.hpp"
 #include "simulation/steady/onset.hpp"
 #include "values.hpp"
@@ -124,9 +124,8 @@ void simulate(SceneReport& report, const Witnesses& witnesses, const Progress& p
     report.comparisons.push_back(not_run(pending, lost_digits));
     return;
   }
-  if (report.scene.receptance || (drive && has_masses(*drive))) {
-    report.comparisons.push_back(
-        not_run(pending, "the simulator knows one body, under a network of springs and dampers"));
+  if (const auto moves = rules::answer(rules::Question::report_simulation, report.scene); !moves) {
+    report.comparisons.push_back(not_run(pending, moves.reason));
     return;
   }
   bool out_of_reach = false;
@@ -175,7 +174,7 @@ SceneReport agree(const Scene& given, Driver& driver, const Progress& progress,
   SceneReport report;
   report.scene = scene;
   report.reasons = inadmissible_reasons(scene);
-  report.formula_applies = report.reasons.empty() && formula_holds(scene);
+  report.formula_applies = report.reasons.empty() && rules::answer(rules::Question::formula, scene);
   const CertifiedVelocity certified = witnesses.certified(scene);
   report.critical_velocity = certified.value;
   report.relative_error_bound = certified.relative_error_bound;

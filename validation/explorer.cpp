@@ -13,6 +13,7 @@
 #include "critical/critical_velocity.hpp"
 #include "derivation/derivation.hpp"
 #include "emit/languages/languages.hpp"
+#include "rules/rulebook.hpp"
 #include "simulation/steady/curve.hpp"
 #include "stiffness/at_rest.hpp"
 #include "stiffness/dynamic_stiffness.hpp"
@@ -197,7 +198,7 @@ std::optional<Explorer> explorer(const Scene& given, const symbolic::Derivation&
   }
   result.sliders = sliders(scene, derivation, values);
   result.carries_load = at_rest(scene.normal, values_of(scene)).stiffness() > 0;
-  if (scene.separation || scene.indenter || !inadmissible_reasons(scene).empty()) return result;
+  if (!rules::answer(rules::Question::report_explorer, scene)) return result;
   const Simulated simulated(scene);
   if (simulated.affordable())
     result.friction = friction_grid(simulated, values_of(scene).at(scene.angular_frequency.symbol));

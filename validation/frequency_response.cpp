@@ -11,7 +11,7 @@
 #include "formula/value.hpp"
 #include "formulas.hpp"
 #include "network/masses.hpp"
-#include "onset/formula_scope.hpp"
+#include "rules/rulebook.hpp"
 #include "stiffness/at_rest.hpp"
 #include "stiffness/dynamic_stiffness.hpp"
 #include "stiffness/relaxation.hpp"
@@ -66,7 +66,7 @@ class Response {
     Scene there = scene_;
     there.angular_frequency.value = omega;
     try {
-      return formula_holds(there);
+      return bool{rules::answer(rules::Question::formula, there)};
     } catch (const ModelError&) {
       return false;
     }

@@ -1,7 +1,6 @@
 #include "design/opening.hpp"
 
-#include <fmt/core.h>
-
+#include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <complex>
@@ -9,6 +8,7 @@
 
 #include "base/constants.hpp"
 #include "onset/critical_onset.hpp"
+#include "rules/rulebook.hpp"
 
 namespace vcrit::design {
 
@@ -34,11 +34,7 @@ NormalContact::NormalContact(const Scene& scene) : scene_(scene) {
   const Values values = values_of(complete(scene));
   normal_ = relaxation_form(scene.normal, values);
   indentation_ = values.at(scene.indentation.symbol);
-  if (!(normal_.equilibrium * indentation_ > 0))
-    throw ModelError(normal_.equilibrium == 0
-                         ? "the normal network carries no static load: K_n(0) = 0"
-                         : fmt::format("without an indentation {} the contact carries no load",
-                                       name_in(scene, scene.indentation)));
+  rules::require(rules::Question::mean_load, complete(scene));
 }
 
 double NormalContact::largest_amplitude(double omega) const {
@@ -46,9 +42,10 @@ double NormalContact::largest_amplitude(double omega) const {
 }
 
 std::optional<double> NormalContact::largest_angular_frequency(double amplitude) const {
-  const double allowed = normal_.equilibrium * indentation_ / amplitude;
-  if (!(normal_.equilibrium < allowed))
-    throw ModelError(beyond_indentation(scene_, amplitude, indentation_));
+  rules::require(rules::Question::closed_range, with_amplitude(complete(scene_), amplitude));
+  // Below the amplitude, the indentation may round to it.
+  const double allowed = std::max(normal_.equilibrium * indentation_ / amplitude,
+                                  std::nextafter(normal_.equilibrium, infinity));
   if (at_infinity(normal_) <= allowed) return std::nullopt;
   const auto above = [&](double logarithm) {
     return std::log(std::abs(dynamic_stiffness(normal_, std::exp(logarithm))) / allowed);

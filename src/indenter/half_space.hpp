@@ -53,7 +53,6 @@ class HalfSpace {
   bool elastic() const { return normal_.branches.empty() && normal_.damper == 0; }
 
  private:
-  void require_admissible(const Scene& scene) const;
   bool meets(double depth) const { return depth + amplitude_ > 0; }
   bool never_parts(double depth) const;
 

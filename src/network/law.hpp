@@ -13,6 +13,14 @@
 
 namespace vcrit {
 
+/// Why a lossy spring has no law in time, and what to do.
+inline constexpr const char* no_law =
+    "lossy(k, eta) is not causal: K = k (1 + i eta) at one frequency is no law in time, nor a "
+    "rational function of s";
+inline constexpr const char* no_law_advice =
+    "eval, derive and generate need that frequency alone; a Zener body or a Prony series fitted "
+    "around it has a motion";
+
 /// K(s) of an element in an algebra, which gives the type Value and
 ///   Value of(const Symbol&)                 a number as a stiffness
 ///   Value times_s(const Value& k)           k s
@@ -35,11 +43,7 @@ typename std::remove_reference_t<Algebra>::Value law(const Element& e, Algebra&&
     case ElementKind::lossy:
       if constexpr (requires { algebra.lossy(coefficient, coefficient); })
         return algebra.lossy(coefficient, algebra.of(e.second));
-      throw ModelError(
-          "lossy(k, eta) is not causal: K = k (1 + i eta) at one frequency is no law in time, nor "
-          "a rational function of s",
-          "eval, derive and generate need that frequency alone; a Zener body or a Prony series "
-          "fitted around it has a motion");
+      throw ModelError(no_law, no_law_advice);
   }
   throw Bug("an element of no kind");
 }

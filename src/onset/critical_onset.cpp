@@ -11,7 +11,7 @@
 #include "indenter/friction.hpp"
 #include "network/law.hpp"
 #include "network/masses.hpp"
-#include "onset/formula_scope.hpp"
+#include "rules/rulebook.hpp"
 #include "scene/changing.hpp"
 #include "simulation/steady/onset.hpp"
 #include "stiffness/dynamic_stiffness.hpp"
@@ -88,7 +88,7 @@ constexpr double log_step = 1e-3;
 }  // namespace
 
 std::vector<int> free_harmonics(const Scene& scene) {
-  if (!scene.drive || !knows_all_frequencies(scene)) return {};
+  if (!scene.drive || !rules::answer(rules::Question::all_frequencies, scene)) return {};
   const Values values = values_of(scene);
   const double mass = scene.mass ? values.at(scene.mass->symbol) : 0;
   const double omega = values.at(scene.angular_frequency.symbol);
@@ -98,14 +98,14 @@ std::vector<int> free_harmonics(const Scene& scene) {
 }
 
 CriticalOnset critical_onset(const Scene& scene) {
-  if (formula_holds(scene)) return by_formula(scene);
+  if (rules::answer(rules::Question::formula, scene)) return by_formula(scene);
   return by_simulation(scene.indenter
                            ? indenter::critical_velocity(indenter::HalfSpace(scene))
                            : simulation::sliding_threshold(simulation::system_of(scene)));
 }
 
 double onset_log_derivative(const Scene& scene, const Symbol& symbol) {
-  if (formula_holds(scene)) return log_derivative(scene, symbol);
+  if (rules::answer(rules::Question::formula, scene)) return log_derivative(scene, symbol);
   ChangingScene changing(scene, {to_text(as_called(scene, symbol))});
   const double value = changing.targets().front().value->value();
   const auto log_velocity = [&](double steps) {

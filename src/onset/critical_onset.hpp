@@ -1,4 +1,4 @@
-// The critical velocity of any scene: by Eq. (24) where that holds (formula_scope.hpp), else by
+// The critical velocity of any scene: by Eq. (24) where the rulebook says that it holds, else by
 // simulation.
 #pragma once
 

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "onset/critical_onset.hpp"
-#include "onset/formula_scope.hpp"
+#include "rules/rulebook.hpp"
 #include "scene/changing.hpp"
 
 namespace vcrit {
@@ -88,7 +88,7 @@ class CriticalOnsets::Lanes {
   std::optional<double> simulated() {
     try {
       const Scene& lane = scene();
-      if (formula_holds(lane)) return std::nullopt;
+      if (rules::answer(rules::Question::formula, lane)) return std::nullopt;
       return critical_onset(lane).contact_velocity;
     } catch (const ModelError&) {
       return std::numeric_limits<double>::quiet_NaN();

@@ -56,13 +56,6 @@ void for_each_element(const Scene& scene, const std::function<void(const Element
   if (scene.drive) for_each_element(*scene.drive, visit);
 }
 
-bool knows_all_frequencies(const Scene& scene) {
-  bool rational = !scene.receptance;
-  for_each_element(scene,
-                   [&](const Element& element) { rational = rational && is_rational(element); });
-  return rational;
-}
-
 std::vector<const Quantity*> quantities(const Scene& scene) {
   return quantities_of<const Quantity>(scene);
 }
@@ -76,12 +69,6 @@ Symbol as_called(const Scene& scene, const Symbol& symbol) {
 
 std::string name_in(const Scene& scene, const Quantity& quantity) {
   return to_text(as_called(scene, quantity.symbol));
-}
-
-std::string beyond_indentation(const Scene& scene, double amplitude, double indentation) {
-  return fmt::format("the amplitude {} = {} m is not below the indentation {} = {} m (3)",
-                     name_in(scene, scene.amplitude), amplitude, name_in(scene, scene.indentation),
-                     indentation);
 }
 
 Scene as_doubles(Scene scene) {

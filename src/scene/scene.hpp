@@ -97,10 +97,6 @@ std::vector<Quantity*> quantities(Scene& scene);
 /// writing.
 void for_each_element(const Scene& scene, const std::function<void(const Element&)>& visit);
 
-/// Whether v* is known as a function of the frequency, and not at some frequencies alone: not of a
-/// measured drive.
-bool knows_all_frequencies(const Scene& scene);
-
 /// What to warn of where a scene is evaluated at angular frequencies `from` to `to` (rad/s):
 /// nothing where all of them are in its fitted range, or it has none. Reading a scene asks this for
 /// the scene's own frequency; who varies that asks again.
@@ -112,9 +108,6 @@ Symbol as_called(const Scene& scene, const Symbol& symbol);
 
 /// "m", or what the scene calls it.
 std::string name_in(const Scene& scene, const Quantity& quantity);
-
-/// What is wrong with such an amplitude: that it is not below this indentation (m).
-std::string beyond_indentation(const Scene& scene, double amplitude, double indentation);
 
 /// As evaluators and simulators take it: no number as it was typed.
 Scene as_doubles(Scene scene);

@@ -6,6 +6,7 @@
 #include "formula/names.hpp"
 #include "formula/symbols.hpp"
 #include "formula/text.hpp"
+#include "rules/rulebook.hpp"
 
 namespace vcrit::symbolic {
 
@@ -41,7 +42,7 @@ Asymptote asymptote(const Model& model, bool high) {
 
 std::vector<Asymptote> asymptotes(const Scene& scene) {
   const AlgebraLock lock;
-  if (!knows_all_frequencies(scene)) return {};
+  if (!rules::answer(rules::Question::all_frequencies, scene)) return {};
   const Model model(scene);
   return {asymptote(model, false), asymptote(model, true)};
 }

@@ -15,7 +15,7 @@
 #include "formula/algebra_lock.hpp"
 #include "formula/symbols.hpp"
 #include "network/law.hpp"
-#include "onset/formula_scope.hpp"
+#include "rules/rulebook.hpp"
 
 namespace vcrit::symbolic {
 
@@ -215,9 +215,7 @@ Comparison compare(const Scene& a, const Scene& other) {
   using Scope = Comparison::Scope;
   refuse_two_tables(a, b);
   for (const Scene* scene : {&a, &b})
-    if (formula_scope(*scene) != FormulaScope::always)
-      throw ModelError(
-          "where surfaces part (separation = true) v* is no formula of all symbols to compare");
+    rules::require(rules::Question::formula_of_all_values, *scene);
   const Model first(a), second(b);
   if (agree(first, {}, second, {})) {
     const bool proved = small(first) && small(second) &&

@@ -6,7 +6,7 @@
 #include "derivation/model.hpp"
 #include "formula/algebra_lock.hpp"
 #include "formula/symbols.hpp"
-#include "onset/formula_scope.hpp"
+#include "rules/rulebook.hpp"
 
 namespace vcrit::symbolic {
 
@@ -30,9 +30,9 @@ ex following(const Model& model) {
 
 // Whether the formula is v* of the scene, as far as its values are there to tell.
 bool holds(const Scene& scene) {
-  if (formula_scope(scene) == FormulaScope::never) return false;
+  if (!rules::answer(rules::Question::closed_form, scene)) return false;
   try {
-    return formula_holds(scene);
+    return bool{rules::answer(rules::Question::formula, scene)};
   } catch (const InputError&) {
     return true;  // while they touch there, as the line says
   } catch (const ModelError&) {
@@ -45,6 +45,7 @@ bool holds(const Scene& scene) {
 std::vector<Line> parting_lines(const Scene& scene) {
   const AlgebraLock lock;
   if (!holds(scene)) return {};
+  const bool always{rules::answer(rules::Question::formula_of_all_values, scene)};
   const Model model(scene);
   const ex ratio = following(model);
   for (const char* name : {"s", "K_n", "K_t", "K_d"})
@@ -59,8 +60,7 @@ std::vector<Line> parting_lines(const Scene& scene) {
   return {{"In sliding contact force and friction balance at all times, also apart, where both are "
            "0; so the contact point follows the normal deformation z without memory",
            quantity("y"), ratio * mu0 * z},
-          {formula_scope(scene) == FormulaScope::always ? always_touching : while_touching,
-           quantity("v*"), velocity}};
+          {always ? always_touching : while_touching, quantity("v*"), velocity}};
 }
 
 }  // namespace vcrit::symbolic

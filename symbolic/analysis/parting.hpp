@@ -12,7 +12,7 @@
 namespace vcrit::symbolic {
 
 /// The derivation of v* for surfaces that part, or no lines where v* is not Eq. (24) then, by
-/// onset/formula_scope.hpp.
+/// rules/rulebook.hpp.
 std::vector<Line> parting_lines(const Scene& scene);
 
 }  // namespace vcrit::symbolic

@@ -28,7 +28,7 @@ struct Findings {
   std::vector<Line> extrema;
   std::vector<Sensitivity> sensitivities;
   std::optional<std::vector<Line>> parting;  ///< of surfaces that may part
-  std::string beyond_simulation;             ///< see scene/motion_scope.hpp
+  std::string beyond_simulation;             ///< why it has no motion in time
   std::vector<Line> half_space;              ///< below an indenter
 };
 

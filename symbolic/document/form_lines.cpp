@@ -6,6 +6,7 @@
 #include "analysis/rational_form.hpp"
 #include "formula/names.hpp"
 #include "formula/symbols.hpp"
+#include "rules/rulebook.hpp"
 
 namespace vcrit::symbolic {
 
@@ -56,7 +57,9 @@ std::vector<Line> dimensionless_lines(const Scene& scene) {
 
 std::vector<Line> extrema_lines(const Scene& scene, double budget) {
   const Model model(scene);
-  if (!knows_all_frequencies(scene) || terms_before_squaring(model) > budget) return {};
+  if (!rules::answer(rules::Question::all_frequencies, scene) ||
+      terms_before_squaring(model) > budget)
+    return {};
   return extrema_of(rational_form(model, budget));
 }
 

@@ -13,7 +13,7 @@
 #include "formula/algebra_lock.hpp"
 #include "formula/names.hpp"
 #include "formula/text.hpp"
-#include "scene/motion_scope.hpp"
+#include "rules/rulebook.hpp"
 
 namespace vcrit::symbolic {
 
@@ -47,7 +47,7 @@ Findings find(const Scene& scene, const DocumentOptions& options) {
                     {},
                     {},
                     {},
-                    beyond_simulation(scene),
+                    rules::answer(rules::Question::motion_in_time, scene).reason,
                     {}};
   const std::size_t symbols = findings.derivation.parameters.size();
   if (options.limits) refuse_large(findings.derivation, 2 * symbols, "limits");

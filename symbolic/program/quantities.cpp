@@ -5,6 +5,7 @@
 #include "critical/eq24.hpp"
 #include "formula/symbols.hpp"
 #include "network/graph.hpp"
+#include "rules/rulebook.hpp"
 
 namespace vcrit::symbolic {
 
@@ -173,7 +174,7 @@ class QuantityWriter {
 }  // namespace
 
 QuantityProgram quantity_program(const Scene& scene, const SymbolValue& value) {
-  refuse_other_scenes(scene);
+  rules::require(rules::Question::evaluator, scene);
   return QuantityWriter(scene, value).write();
 }
 

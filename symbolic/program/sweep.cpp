@@ -1,4 +1,5 @@
 #include "program/sweep.hpp"
+#include "rules/rulebook.hpp"
 
 #include <cmath>
 
@@ -253,7 +254,7 @@ int operations_at_each_omega(const VelocityProgram& velocity) {
 }  // namespace
 
 std::optional<SweepProgram> sweep_program(const Scene& scene, const SymbolValue& value) {
-  refuse_other_scenes(scene);
+  rules::require(rules::Question::evaluator, scene);
   const int others = operations_at_each_omega(velocity_program(scene, value));
   for (const bool normalised : {false, true}) {
     SweepProgram program = SweepWriter(scene, value, normalised).write();

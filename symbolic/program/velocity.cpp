@@ -3,8 +3,7 @@
 #include <cmath>
 
 #include "critical/eq24.hpp"
-#include "network/masses.hpp"
-#include "onset/formula_scope.hpp"
+#include "rules/rulebook.hpp"
 
 namespace vcrit::symbolic {
 
@@ -270,29 +269,10 @@ class VelocityWriter {
 
 }  // namespace
 
-void refuse_other_scenes(const Scene& scene) {
-  if (scene.receptance)
-    throw ModelError("the generator needs a network; this drive is a measured receptance");
-  if (scene.drive && has_masses(*scene.drive))
-    throw ModelError("the generator knows one body; this drive holds masses of its own");
-  switch (formula_scope(scene)) {
-    case FormulaScope::always:
-      return;
-    case FormulaScope::while_touching:
-      throw ModelError(
-          "where these surfaces part (separation = true) v* is Eq. (24) only while they touch "
-          "where the indentation grows fastest, which an evaluator cannot tell",
-          "vcrit eval can, and of the closed contact there is an evaluator, without separation");
-    case FormulaScope::never:
-      throw ModelError("no closed form of v* where these surfaces part (separation = true)",
-                       "of the closed contact there is one, without it");
-  }
-}
-
 // The widest range for which all numbers stay among the doubles, and scaling only where there is
 // none otherwise: it costs a tenth of the time.
 VelocityProgram velocity_program(const Scene& scene, const SymbolValue& value, Zeros zeros) {
-  refuse_other_scenes(scene);
+  rules::require(rules::Question::evaluator, scene);
   for (const int exponent : {200, 150, 100, 64, 40}) {
     VelocityProgram program =
         VelocityWriter(scene, value, exponent, VelocityWriter::Form::plain, zeros).write();

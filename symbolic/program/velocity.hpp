@@ -25,11 +25,7 @@ struct VelocityProgram {
   std::optional<Symbol> poisson;  ///< a parameter above -1, up to 1/2; all others are not negative
 };
 
-/// Throws ModelError for a drive with masses of its own or a measured one, and for surfaces that
-/// may part where Eq. (24) does not hold then.
-void refuse_other_scenes(const Scene& scene);
-
-/// Throws ModelError for such a scene.
+/// Throws ModelError for a scene of which no code is generated (rules/rulebook.hpp).
 VelocityProgram velocity_program(const Scene& scene, const SymbolValue& value,
                                  Zeros zeros = Zeros::out_of_range);
 

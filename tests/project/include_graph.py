@@ -17,6 +17,7 @@ ROOMS = [
     "src/stiffness",
     "src/modes",
     "src/normal",
+    "src/rules",
     "src/critical",
     "src/simulation/system",
     "src/simulation/motion",

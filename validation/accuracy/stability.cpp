@@ -9,10 +9,9 @@
 #include "accuracy/cells.hpp"
 #include "accuracy/resonance.hpp"
 #include "accuracy/simulated_cell.hpp"
-#include "critical/admissibility.hpp"
 #include "critical/critical_velocity.hpp"
 #include "network/law.hpp"
-#include "network/masses.hpp"
+#include "rules/rulebook.hpp"
 #include "system_size.hpp"
 
 namespace vcrit::validation::accuracy {
@@ -126,8 +125,7 @@ std::string names(const std::vector<Symbol>& symbols) {
 }
 
 bool can_be_simulated(const Scene& scene) {
-  return !scene.receptance && !scene.separation && !scene.indenter &&
-         !(scene.drive && has_masses(*scene.drive)) && inadmissible_reasons(scene).empty();
+  return bool{rules::answer(rules::Question::report_stability, scene)};
 }
 
 bool is_too_large(const Scene& scene) {

@@ -1,32 +1,18 @@
 #include "simulation/system/system.hpp"
 
-#include <fmt/core.h>
-
 #include <cmath>
 
-#include "base/errors.hpp"
-#include "scene/motion_scope.hpp"
+#include "rules/rulebook.hpp"
 
 namespace vcrit::simulation {
 
 namespace {
 
-// Surfaces that part for less than rounding can tell only touch at one instant of the period.
-constexpr double hardly = 1e-14;
-
-void require_contact(const Scene& scene, const System& system, double amplitude,
-                     double indentation) {
-  if (!(amplitude < indentation))
-    throw ModelError(beyond_indentation(scene, amplitude, indentation));
-  if (!(std::abs(system.normal_force_amplitude) < system.mean_normal_force))
-    throw ModelError(
-        fmt::format("the contact opens: F_n oscillates by {:.6g} N about a mean of {:.6g} N (4)",
-                    std::abs(system.normal_force_amplitude), system.mean_normal_force));
-}
-
-void let_open(System& system, const Relaxation& normal, double amplitude, double indentation) {
+// What is left above a share of 1 is rounding.
+void let_open(System& system, bool separates, const Relaxation& normal, double amplitude,
+              double indentation) {
   const double share = std::abs(system.normal_force_amplitude) / system.mean_normal_force;
-  if (share > 1 + hardly)
+  if (separates && share > 1 + hardly_parting(false))
     system.opening = {normal, indentation, amplitude};
   else if (share > 1)
     system.normal_force_amplitude /= share;
@@ -73,10 +59,7 @@ int nearly_free_harmonic(const System& system) {
 }
 
 System system_of(const Scene& scene) {
-  if (const std::string why = beyond_simulation(scene); !why.empty()) throw ModelError(why);
-  if (scene.indenter)
-    throw ModelError(
-        "below an indenter each place has a motion of its own: this asks for that of one contact");
+  rules::require(rules::Question::motion, scene);
   const Values values = values_of(scene);
   const double amplitude = values.at(scene.amplitude.symbol);
   const double indentation = values.at(scene.indentation.symbol);
@@ -93,15 +76,7 @@ System system_of(const Scene& scene) {
     system.drive = relaxation_form(*scene.drive, values);
     if (scene.mass) system.mass = values.at(scene.mass->symbol);
   }
-  if (!(normal.equilibrium > 0))
-    throw ModelError("the normal network carries no static load: K_n(0) = 0");
-  if (!(system.friction > 0))
-    throw ModelError(fmt::format("with {} = 0 there is no friction to compare with",
-                                 name_in(scene, scene.coefficient)));
-  if (scene.separation)
-    let_open(system, normal, amplitude, indentation);
-  else
-    require_contact(scene, system, amplitude, indentation);
+  let_open(system, scene.separation, normal, amplitude, indentation);
   return system;
 }
 

@@ -1,0 +1,66 @@
+// Of what kinds a scene is, as far as that decides which questions have an answer; it may be of
+// several at once. All but the last six are seen without any value.
+#pragma once
+
+#include <optional>
+
+#include "scene/scene.hpp"
+
+namespace vcrit::rules {
+
+enum class Kind {
+  measured_drive,             ///< known at the frequencies of its table
+  masses_in_drive,            ///< beside the one body
+  lossy_spring,               ///< k (1 + i eta): known at one frequency at a time
+  indenter,                   ///< many contacts, each with a motion of its own
+  no_indenter,                ///< one contact
+  separating,                 ///< the surfaces may part
+  separating_while_touching,  ///< v* is Eq. 24 while they touch where the indentation rises fastest
+  separating_with_memory,     ///< v* is Eq. 24 while they never part
+  no_static_load,             ///< K_n(0) = 0
+  no_static_load_below_indenter,  ///< E(0) = 0
+  no_friction,                    ///< mu0 = 0
+  no_indentation,                 ///< u_z0 = 0 where a spring would carry a load
+  never_meeting,                  ///< u_z0 = du_z = 0
+  jumping,                        ///< (3): du_z >= u_z0 of surfaces that must not part
+  deep_amplitude,                 ///< the same of surfaces that may
+  opening,                        ///< (4) broken by surfaces that must not part
+  opening_below_indenter,         ///< (4) at the centre, likewise
+  opening_with_memory,            ///< surfaces that part, so that v* is another one
+  apart_where_steepest,           ///< likewise, since they are apart where u_z rises fastest
+};
+inline constexpr std::size_t kinds = static_cast<std::size_t>(Kind::apart_where_steepest) + 1;
+
+/// "measured_drive": a name that stays the same, for programs.
+const char* name_of(Kind kind);
+
+/// What a scene is, each thing found when it is first asked for.
+class Facts {
+ public:
+  /// The scene must outlive the object.
+  explicit Facts(const Scene& scene) : scene_(scene) {}
+
+  /// Throws InputError where that needs values that are missing, ModelError where the motion of the
+  /// surfaces would have to be known and is not.
+  bool is(Kind kind) const;
+
+  const Scene& scene() const { return scene_; }
+  /// Of the contact as if closed, N: mean and amplitude of the normal force.
+  long double mean_force() const;
+  long double oscillating_force() const;
+  double value(const Quantity& quantity) const { return values().at(quantity.symbol); }
+  /// Whether the normal force would pull for a part of the period; below an indenter the pressure
+  /// at its centre.
+  bool opens() const { return oscillating_force() > mean_force(); }
+
+ private:
+  const Values& values() const;
+  long double static_stiffness() const;
+  bool apart_where_steepest() const;
+
+  const Scene& scene_;
+  mutable std::optional<Values> values_;
+  mutable std::optional<long double> static_stiffness_, oscillating_;
+};
+
+}  // namespace vcrit::rules

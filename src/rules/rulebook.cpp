@@ -1,0 +1,291 @@
+#include "rules/rulebook.hpp"
+
+#include <fmt/core.h>
+#include <fmt/format.h>
+
+#include <array>
+
+#include "base/errors.hpp"
+#include "network/law.hpp"
+
+namespace vcrit::rules {
+
+namespace {
+
+// {du_z}, {u_z0}, {mu0} are names; {amplitude} and {indentation} are in m, {oscillating} and {mean}
+// in N, {share} is one over the other.
+struct Cell {
+  Verdict verdict = Verdict::unset;
+  const char* reason = "";
+  const char* advice = "";
+};
+
+constexpr Cell refused(const char* reason, const char* advice = "") {
+  return {Verdict::refused, reason, advice};
+}
+constexpr Cell left_out(const char* reason) { return {Verdict::left_out, reason}; }
+constexpr Cell yes{Verdict::yes};
+
+constexpr Cell measured_motion = refused(
+    "the simulator needs a network; this drive is a measured receptance, which says nothing of "
+    "motion that is not harmonic");
+constexpr Cell masses_motion =
+    refused("the simulator knows one body; this drive holds masses of its own");
+constexpr Cell lossy_motion =
+    refused("lossy(k, eta) is not causal: K = k (1 + i eta) at one frequency is no law of motion");
+constexpr Cell lossy_law = refused(no_law, no_law_advice);
+constexpr Cell each_place = refused(
+    "below an indenter each place has a motion of its own: this asks for that of one contact");
+constexpr Cell no_cells = refused("the scene has no indenter");
+constexpr Cell no_methods = refused("knows no indenter");
+
+constexpr Cell measured_code =
+    refused("the generator needs a network; this drive is a measured receptance");
+constexpr Cell masses_code =
+    refused("the generator knows one body; this drive holds masses of its own");
+constexpr Cell touching_code = refused(
+    "where these surfaces part (separation = true) v* is Eq. (24) only while they touch where the "
+    "indentation grows fastest, which an evaluator cannot tell",
+    "vcrit eval can, and of the closed contact there is an evaluator, without separation");
+constexpr Cell memory_code =
+    refused("no closed form of v* where these surfaces part (separation = true)",
+            "of the closed contact there is one, without it");
+constexpr Cell measured_polynomial =
+    refused("a measured receptance is no polynomial: v* has no rational form");
+constexpr Cell no_symbols =
+    refused("where surfaces part (separation = true) v* is no formula of all symbols to compare");
+constexpr Cell no_comparison =
+    refused("no closed form of v* where these surfaces part: nothing to compare",
+            "vcrit eval gives the simulated one, and vcrit validate holds it against the motion");
+
+constexpr Cell no_load = refused("the normal network carries no static load: K_n(0) = 0");
+constexpr Cell no_modulus = refused("the half-space carries no static load: E(0) = 0");
+constexpr Cell no_friction = refused("with {mu0} = 0 there is no friction to compare with");
+constexpr Cell no_indentation =
+    refused("without an indentation {u_z0} the contact carries no load");
+constexpr Cell never_meet = refused("the surfaces never meet");
+constexpr Cell jumps = refused(
+    "the amplitude {du_z} = {amplitude} m is not below the indentation {u_z0} = {indentation} m "
+    "(3)");
+constexpr Cell opens_closed = refused(
+    "the contact opens: the normal force oscillates by {du_z} |K_n| = {oscillating:.6g} N about a "
+    "mean of K_n(0) {u_z0} = {mean:.6g} N (4)");
+constexpr Cell opens_moving = refused(
+    "the contact opens: F_n oscillates by {oscillating:.6g} N about a mean of {mean:.6g} N (4)");
+constexpr Cell opens_all_over = refused(
+    "the contact opens all over: at its centre, too, the pressure would oscillate beyond its mean "
+    "(4)");
+constexpr Cell opens_at_tip = refused(
+    "the contact opens all over: at the tip F_n oscillates by {share:.6g} times its mean (4)");
+
+constexpr Cell memory = left_out(
+    "the contact point follows the normal deformation with memory, also where the surfaces part");
+constexpr Cell apart = left_out("the surfaces are apart where the indentation grows fastest");
+constexpr Cell table_alone = left_out("v* is known at the frequencies of a table alone");
+constexpr Cell one_frequency = left_out("lossy(k, eta) is known at one frequency at a time");
+constexpr Cell one_body =
+    left_out("the simulator knows one body, under a network of springs and dampers");
+constexpr Cell closed_alone = left_out("of a closed contact alone");
+constexpr Cell one_contact = left_out("of one contact alone");
+constexpr Cell networks_alone = left_out("of networks of springs and dampers alone");
+constexpr Cell inadmissible = left_out("of an admissible scene alone");
+
+struct Row {
+  Question question;
+  std::array<Cell, kinds> cells;
+};
+
+// In the order of Kind:
+//   measured, masses, lossy | indenter, none | separating, while touching, with memory
+//   no load, below indenter, no friction, no indentation, never meeting
+//   (3), deep | (4), below indenter | opening with memory, apart where steepest
+constexpr Cell y = yes;
+constexpr std::array<Row, questions> table{{
+    {Question::admissible,
+     {y, y, y, y, y, y, y, y,                          //
+      no_load, no_load, y, no_indentation, y,          //
+      jumps, y, opens_closed, opens_all_over, y, y}},  //
+    {Question::formula,
+     {y, y, y, y, y, y, y, y,  //
+      y, y, y, y, y,           //
+      y, y, y, y, memory, apart}},
+    {Question::closed_form,
+     {y, y, y, y, y, y, y, memory,  //
+      y, y, y, y, y,                //
+      y, y, y, y, y, y}},
+    {Question::formula_of_all_values,
+     {y, y, y, y, y, y, no_symbols, no_symbols,  //
+      y, y, y, y, y,                             //
+      y, y, y, y, y, y}},
+    {Question::evaluator,
+     {measured_code, masses_code, y, y, y, y, touching_code, memory_code,  //
+      y, y, y, y, y,                                                       //
+      y, y, y, y, y, y}},
+    {Question::rational_form,
+     {measured_polynomial, y, lossy_law, y, y, y, y, y,  //
+      y, y, y, y, y,                                     //
+      y, y, y, y, y, y}},
+    {Question::all_frequencies,
+     {table_alone, y, one_frequency, y, y, y, y, y,  //
+      y, y, y, y, y,                                 //
+      y, y, y, y, y, y}},
+    {Question::motion,
+     {measured_motion, masses_motion, lossy_motion, each_place, y, y, y, y,  //
+      no_load, y, no_friction, y, y,                                         //
+      jumps, y, opens_moving, y, y, y}},
+    {Question::motion_below_indenter,
+     {y, y, lossy_law, y, no_cells, y, y, y,      //
+      y, no_modulus, no_friction, y, never_meet,  //
+      jumps, y, y, opens_at_tip, y, y}},
+    {Question::normal_motion,
+     {y, y, lossy_motion, y, y, y, y, y,  //
+      no_load, no_modulus, y, y, y,       //
+      y, y, y, y, y, y}},
+    {Question::motion_in_time,
+     {measured_motion, masses_motion, lossy_motion, y, y, y, y, y,  //
+      y, y, y, y, y,                                                //
+      y, y, y, y, y, y}},
+    {Question::comparison,
+     {measured_motion, masses_motion, lossy_motion, y, y, y, y, y,  //
+      no_load, no_modulus, no_friction, y, y,                       //
+      y, y, y, y, no_comparison, no_comparison}},
+    {Question::other_methods,
+     {y, y, y, no_methods, y, y, y, y,  //
+      y, y, y, y, y,                    //
+      y, y, y, y, y, y}},
+    {Question::report_simulation,
+     {one_body, one_body, y, y, y, y, y, y,  //
+      y, y, y, y, y,                         //
+      y, y, y, y, y, y}},
+    {Question::report_explorer,
+     {y, y, y, one_contact, y, closed_alone, y, y,     //
+      inadmissible, inadmissible, y, inadmissible, y,  //
+      inadmissible, y, inadmissible, inadmissible, y, y}},
+    {Question::report_stability,
+     {networks_alone, networks_alone, y, one_contact, y, closed_alone, y, y,  //
+      inadmissible, inadmissible, y, inadmissible, y,                         //
+      inadmissible, y, inadmissible, inadmissible, y, y}},
+    {Question::mean_load,
+     {y, y, y, y, y, y, y, y,                  //
+      no_load, no_load, y, no_indentation, y,  //
+      y, y, y, y, y, y}},
+    {Question::closed_range,
+     {y, y, y, y, y, y, y, y,  //
+      y, y, y, y, y,           //
+      jumps, jumps, y, y, y, y}},
+}};
+
+// A question or a kind without its cell is no program.
+constexpr bool complete() {
+  for (std::size_t row = 0; row < questions; ++row) {
+    if (table[row].question != static_cast<Question>(row)) return false;
+    for (const Cell& each : table[row].cells)
+      if (each.verdict == Verdict::unset) return false;
+  }
+  return true;
+}
+static_assert(complete());
+
+const Cell& entry(Question question, Kind kind) {
+  return table[static_cast<std::size_t>(question)].cells[static_cast<std::size_t>(kind)];
+}
+
+std::string filled(const std::string& pattern, const Facts& facts) {
+  if (pattern.find('{') == std::string::npos) return pattern;
+  const Scene& scene = facts.scene();
+  const auto oscillating = static_cast<double>(facts.oscillating_force()),
+             mean = static_cast<double>(facts.mean_force());
+  return fmt::format(fmt::runtime(pattern), fmt::arg("du_z", name_in(scene, scene.amplitude)),
+                     fmt::arg("u_z0", name_in(scene, scene.indentation)),
+                     fmt::arg("mu0", name_in(scene, scene.coefficient)),
+                     fmt::arg("amplitude", facts.value(scene.amplitude)),
+                     fmt::arg("indentation", facts.value(scene.indentation)),
+                     fmt::arg("oscillating", oscillating), fmt::arg("mean", mean),
+                     fmt::arg("share", oscillating / mean));
+}
+
+// Each that is not yes, by the order of kinds.
+template <class Use>
+void for_each_refusal(Question question, const Facts& facts, const Use& use) {
+  for (std::size_t i = 0; i < kinds; ++i) {
+    const auto kind = static_cast<Kind>(i);
+    if (entry(question, kind).verdict == Verdict::yes || !facts.is(kind)) continue;
+    Answer found = cell(question, kind);
+    found.reason = filled(found.reason, facts);
+    if (!use(found)) return;
+  }
+}
+
+}  // namespace
+
+Answer cell(Question question, Kind kind) {
+  const Cell& found = entry(question, kind);
+  return {found.verdict, found.reason, found.advice, name_of(kind)};
+}
+
+Answer answer(Question question, const Scene& scene) {
+  Answer result;
+  for_each_refusal(question, Facts(scene), [&](const Answer& first) {
+    result = first;
+    return false;
+  });
+  return result;
+}
+
+std::vector<std::string> reasons(Question question, const Scene& scene) {
+  std::vector<std::string> all;
+  for_each_refusal(question, Facts(scene), [&](const Answer& each) {
+    all.push_back(each.reason);
+    return true;
+  });
+  return all;
+}
+
+void require(Question question, const Scene& scene, const std::string& asker) {
+  const Answer found = answer(question, scene);
+  if (!found) throw ModelError(asker + found.reason, found.advice);
+}
+
+const char* name_of(Question question) {
+  switch (question) {
+    case Question::admissible:
+      return "admissible";
+    case Question::formula:
+      return "formula";
+    case Question::closed_form:
+      return "closed_form";
+    case Question::formula_of_all_values:
+      return "formula_of_all_values";
+    case Question::evaluator:
+      return "evaluator";
+    case Question::rational_form:
+      return "rational_form";
+    case Question::all_frequencies:
+      return "all_frequencies";
+    case Question::motion:
+      return "motion";
+    case Question::motion_below_indenter:
+      return "motion_below_indenter";
+    case Question::normal_motion:
+      return "normal_motion";
+    case Question::motion_in_time:
+      return "motion_in_time";
+    case Question::comparison:
+      return "comparison";
+    case Question::other_methods:
+      return "other_methods";
+    case Question::report_simulation:
+      return "report_simulation";
+    case Question::report_explorer:
+      return "report_explorer";
+    case Question::report_stability:
+      return "report_stability";
+    case Question::mean_load:
+      return "mean_load";
+    case Question::closed_range:
+      return "closed_range";
+  }
+  throw Bug("a question without a name");
+}
+
+}  // namespace vcrit::rules

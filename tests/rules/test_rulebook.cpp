@@ -1,0 +1,266 @@
+// Every cell of the rulebook: which questions a scene of each kind has no answer for, by hand, and
+// in what words.
+#include "rules/rulebook.hpp"
+
+#include <algorithm>
+#include <boost/test/unit_test.hpp>
+#include <functional>
+#include <set>
+#include <string>
+
+#include "base/errors.hpp"
+#include "indenter/half_space.hpp"
+#include "simulation/system/system.hpp"
+
+BOOST_AUTO_TEST_SUITE(test_rulebook)
+
+using namespace vcrit;
+using namespace vcrit::rules;
+
+namespace {
+
+// Parts of a scene, with omega = 1/s; k and c are 1.
+struct Parts {
+  std::string contact = "normal = \"k\"\npoisson = 0.3";
+  double amplitude = 0.5, indentation = 1, coefficient = 0.5;
+  std::string rest = {};
+};
+
+Scene scene_of(const Parts& parts) {
+  const auto number = [](double value) { return std::to_string(value); };
+  std::string text =
+      "[contact]\n" + parts.contact +
+      "\n[oscillation]\nangular_frequency = 1.0\namplitude = " + number(parts.amplitude) +
+      "\nindentation = " + number(parts.indentation) +
+      "\n[friction]\ncoefficient = " + number(parts.coefficient) + "\n" + parts.rest +
+      "[elements]\n";
+  for (const char* name : {"k", "c", "kd", "m1", "l", "slow"})
+    text += std::string(name) + " = " + (std::string(name) == "slow" ? "1e3" : "1.0") + "\n";
+  return parse_scene(text, "s.toml");
+}
+
+const std::string separating = "\nseparation = true";
+const std::string kelvin = "normal = \"k | c\"\npoisson = 0.3";
+const std::string cone = "[indenter]\nshape = \"cone\"\nangle = 0.1\n";
+
+Scene measured() {
+  Scene scene = scene_of({});
+  scene.receptance = parse_receptance("omega,Re,Im\n0.5,1,0\n2,1,0\n", "drive.csv");
+  return scene;
+}
+
+// One scene of each kind, in which nothing else is unusual.
+Scene scene_of(Kind kind) {
+  switch (kind) {
+    case Kind::measured_drive:
+      return measured();
+    case Kind::masses_in_drive:
+      return scene_of({.rest = "[drive]\nnetwork = \"kd - (mass(m1) | k)\"\n"});
+    case Kind::lossy_spring:
+      return scene_of({.contact = "normal = \"lossy(k, l)\"\npoisson = 0.3"});
+    case Kind::indenter:
+      return scene_of({.rest = cone});
+    case Kind::no_indenter:
+      return scene_of(Parts{});
+    case Kind::separating:
+      return scene_of({.contact = "normal = \"k\"\npoisson = 0.3" + separating});
+    case Kind::separating_while_touching:
+      return scene_of({.contact = kelvin + separating});
+    case Kind::separating_with_memory:
+      return scene_of({.contact = "normal = \"k\"\ntangential = \"k | c\"" + separating});
+    case Kind::no_static_load:
+      return scene_of({.contact = "normal = \"k - c\"\npoisson = 0.3"});
+    case Kind::no_static_load_below_indenter:
+      return scene_of({.contact = "normal = \"k - c\"\npoisson = 0.3", .rest = cone});
+    case Kind::no_friction:
+      return scene_of({.coefficient = 0});
+    case Kind::no_indentation:
+      return scene_of({.contact = "normal = \"k\"\npoisson = 0.3" + separating, .indentation = 0});
+    case Kind::never_meeting:
+      return scene_of({.contact = "normal = \"k\"\npoisson = 0.3" + separating,
+                       .amplitude = 0,
+                       .indentation = 0,
+                       .rest = cone});
+    case Kind::jumping:
+      return scene_of({.amplitude = 1});
+    case Kind::deep_amplitude:
+      return scene_of({.contact = "normal = \"k\"\npoisson = 0.3" + separating, .amplitude = 2});
+    case Kind::opening:
+      return scene_of({.contact = kelvin, .amplitude = 0.8});
+    case Kind::opening_below_indenter:
+      return scene_of({.contact = kelvin, .amplitude = 0.8, .rest = cone});
+    case Kind::opening_with_memory:
+      return scene_of(
+          {.contact = "normal = \"k\"\ntangential = \"k | c\"" + separating, .amplitude = 2});
+    case Kind::apart_where_steepest:
+      return scene_of({.contact = "normal = \"k | damper(slow)\"\npoisson = 0.3" + separating,
+                       .amplitude = 0.9});
+  }
+  throw Bug("a kind without a scene");
+}
+
+using Names = std::set<std::string>;
+
+Names operator+(Names a, const Names& b) {
+  a.insert(b.begin(), b.end());
+  return a;
+}
+
+// What has no answer: for one contact, and below an indenter, where the surfaces never part or part
+// without a memory.
+const Names contact{"motion_below_indenter"};
+const Names half_space{"motion", "other_methods", "report_explorer", "report_stability"};
+const Names may_part{"report_explorer", "report_stability"};
+const Names outside{"admissible", "report_explorer", "report_stability"};
+
+Names without_answer(Kind kind) {
+  switch (kind) {
+    case Kind::measured_drive:
+      return contact +
+             Names{"evaluator",      "rational_form", "all_frequencies",   "motion",
+                   "motion_in_time", "comparison",    "report_simulation", "report_stability"};
+    case Kind::masses_in_drive:
+      return contact + Names{"evaluator",         "motion",          "motion_in_time", "comparison",
+                             "report_simulation", "report_stability"};
+    case Kind::lossy_spring:
+      return contact + Names{"rational_form", "all_frequencies", "motion",
+                             "normal_motion", "motion_in_time",  "comparison"};
+    case Kind::indenter:
+      return half_space;
+    case Kind::no_indenter:
+      return contact;
+    case Kind::separating:
+      return contact + may_part;
+    case Kind::separating_while_touching:
+      return contact + may_part + Names{"formula_of_all_values", "evaluator"};
+    case Kind::separating_with_memory:
+      return contact + may_part + Names{"formula_of_all_values", "evaluator", "closed_form"};
+    case Kind::no_static_load:
+      return contact + outside + Names{"motion", "normal_motion", "comparison", "mean_load"};
+    case Kind::no_static_load_below_indenter:
+      return half_space + outside +
+             Names{"motion_below_indenter", "normal_motion", "comparison", "mean_load"};
+    case Kind::no_friction:
+      return contact + Names{"motion", "comparison"};
+    case Kind::no_indentation:
+      return contact + may_part + outside + Names{"mean_load", "closed_range"};
+    case Kind::never_meeting:
+      return half_space + outside + Names{"motion_below_indenter", "mean_load", "closed_range"};
+    case Kind::jumping:
+      return contact + outside + Names{"motion", "closed_range"};
+    case Kind::deep_amplitude:
+      return contact + may_part + Names{"closed_range"};
+    case Kind::opening:
+      return contact + outside + Names{"motion"};
+    case Kind::opening_below_indenter:
+      return half_space + outside + Names{"motion_below_indenter"};
+    case Kind::opening_with_memory:
+      return without_answer(Kind::separating_with_memory) +
+             Names{"formula", "comparison", "closed_range"};
+    case Kind::apart_where_steepest:
+      return without_answer(Kind::separating_while_touching) + Names{"formula", "comparison"};
+  }
+  throw Bug("a kind without its questions");
+}
+
+template <class Use>
+void for_each_kind(const Use& use) {
+  for (std::size_t i = 0; i < kinds; ++i) use(static_cast<Kind>(i));
+}
+
+std::string refusal(const std::function<void()>& work) {
+  try {
+    work();
+  } catch (const ModelError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+std::string words(Question question, Kind kind) {
+  const Scene scene = scene_of(kind);
+  return answer(question, scene).reason;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_scene_of_each_kind_is_of_it) {
+  for_each_kind([](Kind kind) {
+    const Scene scene = scene_of(kind);
+    BOOST_TEST(Facts(scene).is(kind), name_of(kind));
+  });
+}
+
+BOOST_AUTO_TEST_CASE(each_cell_says_what_it_says_by_hand) {
+  for_each_kind([](Kind kind) {
+    const Scene scene = scene_of(kind);
+    Names found;
+    for (std::size_t q = 0; q < questions; ++q) {
+      const auto question = static_cast<Question>(q);
+      const Answer given = answer(question, scene);
+      if (!given) found.insert(name_of(question));
+      BOOST_TEST(given.reason.empty() == bool{given});
+      BOOST_TEST(given.reason.find('{') == std::string::npos, given.reason);
+      BOOST_TEST((given.status() == 3) == (given.verdict == Verdict::refused));
+      BOOST_TEST(bool{given} == reasons(question, scene).empty());
+    }
+    BOOST_TEST(found == without_answer(kind), name_of(kind));
+  });
+}
+
+// So that no cell is a dead letter: each decides for the scene of its kind, unless an earlier kind
+// of that scene has decided already.
+BOOST_AUTO_TEST_CASE(each_refusal_is_reached) {
+  for_each_kind([](Kind kind) {
+    const Scene scene = scene_of(kind);
+    for (std::size_t q = 0; q < questions; ++q) {
+      const auto question = static_cast<Question>(q);
+      const Answer here = cell(question, kind), given = answer(question, scene);
+      if (here) continue;
+      BOOST_TEST(!given);
+      const std::vector<std::string> all = reasons(question, scene);
+      BOOST_TEST((given.key == std::string(name_of(kind)) || all.size() > 1),
+                 name_of(question) << ", " << name_of(kind) << ": " << given.key);
+    }
+  });
+}
+
+BOOST_AUTO_TEST_CASE(who_is_refused_by_the_rulebook_is_refused_in_its_words) {
+  for_each_kind([](Kind kind) {
+    const Scene scene = scene_of(kind);
+    const auto expected = [&](Question question) {
+      const Answer given = answer(question, scene);
+      return given.advice.empty() ? given.reason : given.reason + "; " + given.advice;
+    };
+    BOOST_TEST(refusal([&] { simulation::system_of(scene); }) == expected(Question::motion));
+    BOOST_TEST(refusal([&] { indenter::HalfSpace{scene}; }) ==
+               expected(Question::motion_below_indenter));
+  });
+}
+
+BOOST_AUTO_TEST_CASE(numbers_stand_in_the_words) {
+  BOOST_TEST(words(Question::motion, Kind::jumping) ==
+             "the amplitude du_z = 1 m is not below the indentation u_z0 = 1 m (3)");
+  // |1 + i| = sqrt 2
+  BOOST_TEST(words(Question::motion, Kind::opening) ==
+             "the contact opens: F_n oscillates by 1.13137 N about a mean of 1 N (4)");
+  BOOST_TEST(words(Question::admissible, Kind::opening) ==
+             "the contact opens: the normal force oscillates by du_z |K_n| = 1.13137 N about a "
+             "mean of K_n(0) u_z0 = 1 N (4)");
+  BOOST_TEST(words(Question::motion_below_indenter, Kind::opening_below_indenter) ==
+             "the contact opens all over: at the tip F_n oscillates by 1.13137 times its mean (4)");
+  BOOST_TEST(words(Question::motion, Kind::no_friction) ==
+             "with mu0 = 0 there is no friction to compare with");
+  BOOST_TEST(words(Question::mean_load, Kind::no_indentation) ==
+             "without an indentation u_z0 the contact carries no load");
+}
+
+BOOST_AUTO_TEST_CASE(kinds_seen_without_values_need_none) {
+  Scene scene = scene_of(Kind::separating_while_touching);
+  scene.amplitude.value.reset();
+  BOOST_TEST(!answer(Question::evaluator, scene));
+  BOOST_TEST(bool{answer(Question::closed_form, scene)});
+  BOOST_CHECK_THROW(answer(Question::formula, scene), InputError);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
