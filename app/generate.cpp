@@ -1,27 +1,18 @@
 // vcrit generate: the evaluator of one scene, in C++ or another language.
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "base/errors.hpp"
 #include "commands.hpp"
 #include "emit/generate.hpp"
-#include "emit/languages/languages.hpp"
 #include "options.hpp"
 
 namespace vcrit::app {
 
 namespace {
-
-std::vector<std::string> all_languages() {
-  std::vector<std::string> names = symbolic::language_names();
-  names.insert(names.begin(), "c++");
-  return names;
-}
 
 struct GenerateArguments {
   SceneOptions scene;
@@ -30,47 +21,23 @@ struct GenerateArguments {
   bool json = false;
 };
 
-/// Paths as the user named the folder: DIR/NAME.hpp.
-struct Written {
-  std::vector<std::filesystem::path> main;  // to be included or imported
-  std::vector<std::filesystem::path> all;
-};
-
-Written write_cpp(const Scene& scene, const GenerateArguments& options) {
-  const std::filesystem::path directory = options.directory;
-  Written written{{directory / (options.name + ".hpp")}, {}};
-  if (options.generated.quantities)
-    written.main.push_back(directory / (options.name + "_quantities.hpp"));
-  written.all = symbolic::generate(scene, options.directory, options.name, options.generated);
-  return written;
-}
-
-Written write(const Scene& scene, const GenerateArguments& options) {
-  const std::vector<std::string>& names = symbolic::language_names();
-  const auto other = std::find(names.begin(), names.end(), options.generated.language);
-  if (other == names.end()) return write_cpp(scene, options);
-  if (options.generated.quantities)
-    throw InputError({"--quantities"}, fmt::format("--language {}", options.generated.language),
-                     "--language c++, the only one with other quantities");
-  const auto chosen = static_cast<symbolic::Language>(other - names.begin());
-  const auto file =
-      symbolic::generate(scene, options.directory, options.name, chosen, options.generated);
-  return {{file}, {file}};
-}
-
-std::vector<std::string> as_text(const std::vector<std::filesystem::path>& files) {
-  return {files.begin(), files.end()};
-}
+using Paths = std::vector<std::string>;
 
 void generate(const GenerateArguments& options) {
   const Scene scene = options.scene.read();
-  const Written written = write(scene, options);
+  const std::vector<symbolic::CodeFile> files =
+      symbolic::code_files(scene, options.name, options.generated);
+  // As the user named the folder: DIR/NAME.hpp.
+  Paths written, main;
+  for (const std::filesystem::path& path : symbolic::write_code(files, options.directory)) {
+    if (files[written.size()].is_main) main.push_back(path.string());
+    written.push_back(path.string());
+  }
   if (options.json)
-    return print(with_warnings({{"language", options.generated.language},
-                                {"main", as_text(written.main)},
-                                {"files", as_text(written.all)}},
-                               scene.warnings));
-  for (const std::filesystem::path& file : written.main) fmt::print("{}\n", file.string());
+    return print(with_warnings(
+        {{"language", options.generated.language}, {"main", main}, {"files", written}},
+        scene.warnings));
+  for (const std::string& file : main) fmt::print("{}\n", file);
 }
 
 }  // namespace
@@ -86,7 +53,7 @@ void add_generate(CLI::App& program) {
   command->add_option("--name", options->name, "namespace, prefix or module, and file name")
       ->capture_default_str();
   command->add_option("--language", options->generated.language, "language of the evaluator")
-      ->check(CLI::IsMember(all_languages()))
+      ->check(CLI::IsMember(symbolic::language_names()))
       ->capture_default_str();
   command
       ->add_option("--fix", options->generated.fixed,

@@ -36,6 +36,25 @@ ordered_json place_of(const Place& place) {
   return parts;
 }
 
+/// The option of an argument that a library names: "--friction-ratio", "--set k_1", "--from, --to".
+std::string option_of(const std::string& argument) {
+  std::string option = "--";
+  bool of_name = true;  // a value may follow
+  for (std::size_t i = 0; i < argument.size(); ++i) {
+    of_name = of_name && argument[i] != ' ';
+    option += of_name && argument[i] == '_' ? '-' : argument[i];
+    if (of_name && argument.substr(i, 2) == ", ") option += " --", ++i;
+  }
+  return option;
+}
+
+/// What a library says of an argument, of the option.
+InputError of_options(const InputError& error) {
+  Place place = error.place();
+  if (!place.argument.empty()) place = {option_of(place.argument)};
+  return {place, error.found(), error.expected(), error.advice()};
+}
+
 /// One object on one line, with null for what is not known.
 std::string in_json(const Failure& failure) {
   const auto known = [](const std::string& text) {
@@ -99,7 +118,8 @@ int run_program(int argc, char** argv, const AddCommands& add,
     for (const std::string& warning : kept_warnings()) warn(warning);
     return status;
   } catch (const InputError& error) {
-    return complain({input_wrong, error.what(), &error, error.advice()}, json);
+    const InputError words = of_options(error);
+    return complain({input_wrong, words.what(), &words, words.advice()}, json);
   } catch (const Refused& error) {
     return complain({input_wrong, error.what()}, json);
   } catch (const ModelError& error) {

@@ -1,4 +1,4 @@
-// vcrit sweep: becomes the program that sweeps. Loading HDF5, MPI and the forty libraries behind
+// vcrit sweep: becomes the program that sweeps. Loading netCDF, MPI and the forty libraries behind
 // them takes more than half of the time in which any other command starts and answers.
 #include <fmt/format.h>
 #include <unistd.h>

@@ -13,5 +13,5 @@ int main(int argc, char** argv) {
   if (argc != 3) return std::fprintf(stderr, "usage: generate SCENE DIR\n"), 2;
   const vcrit::Scene scene = vcrit::read_scene(argv[1]);
   vcrit::symbolic::generate(scene, argv[2], "slider");
-  vcrit::symbolic::generate(scene, argv[2], "slider", vcrit::symbolic::Language::c99);
+  vcrit::symbolic::generate(scene, argv[2], "slider", {.language = "c99"});
 }

@@ -32,12 +32,12 @@ const std::map<std::string, ResultForm>& forms() {
 }
 
 template <class Value>
-Value named(const std::map<std::string, Value>& names, const std::string& option,
+Value named(const std::map<std::string, Value>& names, const std::string& asked,
             const std::string& name) {
   if (const auto found = names.find(name); found != names.end()) return found->second;
   std::string expected;
   for (const auto& [known, value] : names) expected += (expected.empty() ? "" : ", ") + known;
-  throw InputError({option}, '"' + name + '"', "one of " + expected);
+  throw InputError(argument(asked), '"' + name + '"', "one of " + expected);
 }
 
 // GiNaC works in one thread at a time. Who waits has let go of the interpreter, which the one that
@@ -52,8 +52,8 @@ std::unique_lock<std::timed_mutex> alone() {
 std::string document(const Scene& scene, const std::string& format, const std::string& form,
                      bool limits, bool sensitivities) {
   symbolic::DocumentOptions options;
-  options.format = named(formats(), "--format", format);
-  options.form = named(forms(), "--form", form);
+  options.format = named(formats(), "format", format);
+  options.form = named(forms(), "form", form);
   options.limits = limits;
   options.sensitivities = sensitivities;
   const OthersRun others_run;

@@ -44,7 +44,8 @@ py::object place_of(const Place& place) {
   const auto known = [](int number) {
     return number > 0 ? py::object(py::int_(number)) : py::object(py::none());
   };
-  return py::make_tuple(text(place.file), known(place.line), known(place.column));
+  return py::make_tuple(text(place.argument.empty() ? place.file : place.argument),
+                        known(place.line), known(place.column));
 }
 
 void raise(PyObject* type, const std::exception& error, const std::string& advice,

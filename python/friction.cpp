@@ -38,22 +38,23 @@ std::optional<std::size_t> first_refused_speed(const Array& velocities) {
   return static_cast<std::size_t>(wrong - all.begin());
 }
 
-void refuse_speed(double velocity, const std::string& option) {
-  throw InputError({option}, fmt::format("a speed of {} m/s", velocity), "a finite speed above 0");
+void refuse_speed(double velocity, const std::string& name) {
+  throw InputError(argument(name), fmt::format("a speed of {} m/s", velocity),
+                   "a finite speed above 0");
 }
 
 double parse_velocity(const std::string& text) {
-  return parse_quantity(text, Dimension::velocity, {"--velocity"});
+  return parse_quantity(text, Dimension::velocity, argument("velocity"));
 }
 
 double parse_ratio(const std::string& text) {
-  return parse_quantity(text, Dimension::none, {"--velocity-ratio"});
+  return parse_quantity(text, Dimension::none, argument("velocity_ratio"));
 }
 
 SteadyState steady_state(const Scene& scene, double velocity, const std::string& method,
                          const std::string& start) {
   if (start != "sliding" && start != "rest")
-    throw InputError({"--start"}, '"' + start + '"', "sliding or rest");
+    throw InputError(argument("start"), '"' + start + '"', "sliding or rest");
   simulation::MethodOptions options;
   if (start == "rest") options.start = simulation::Start::rest;
   if (scene.indenter) {
@@ -67,7 +68,7 @@ SteadyState steady_state(const Scene& scene, double velocity, const std::string&
   std::string known = "exact";
   for (const simulation::Method each : simulation::all_methods())
     known += std::string(", ") + to_text(each);
-  throw InputError({"--method"}, '"' + method + '"', "one of " + known);
+  throw InputError(argument("method"), '"' + method + '"', "one of " + known);
 }
 
 SteadyState simulated(const Scene& scene, double velocity, const std::string& method,
@@ -155,7 +156,7 @@ void add_friction(py::module_& module) {
   module.def("parse_velocity", &parse_velocity, arg("text"));
   module.def("parse_ratio", &parse_ratio, arg("text"));
   module.def("first_refused_speed", &first_refused_speed, arg("velocities").noconvert());
-  module.def("refuse_speed", &refuse_speed, arg("velocity"), arg("option"));
+  module.def("refuse_speed", &refuse_speed, arg("velocity"), arg("argument"));
   module.def("simulate", &simulate, arg("scene"), arg("velocity"), arg("method"), arg("start"));
   module.def("energy", &energy, arg("scene"), arg("velocity"));
   module.def("friction_curve", &friction_curve, arg("scene"), arg("velocities").noconvert(),

@@ -12,7 +12,7 @@
 #include "critical/admissibility.hpp"
 #include "critical/critical_velocity.hpp"
 #include "derivation/derivation.hpp"
-#include "emit/languages/languages.hpp"
+#include "emit/generate.hpp"
 #include "rules/rulebook.hpp"
 #include "simulation/steady/curve.hpp"
 #include "stiffness/at_rest.hpp"
@@ -30,7 +30,7 @@ constexpr double largest_amplitude = 0.99;                 // of the normal forc
 
 /// The generated module as the body of a function that returns what it exports.
 std::string module_script(const Scene& scene, const char* name) {
-  std::string text = symbolic::emit(scene, "scene", symbolic::Language::javascript);
+  std::string text = symbolic::emit(scene, "scene", {.language = "javascript"});
   const std::string word = "\nexport const ";
   for (auto at = text.find(word); at != text.npos; at = text.find(word, at))
     text.replace(at, word.size(), "\nconst ");

@@ -1,5 +1,6 @@
 """What callers give as numbers: arrays of any library, with units, masks and labels."""
 
+import os
 import re
 import sys
 from collections.abc import Callable, Mapping
@@ -39,6 +40,15 @@ def characters(text: str, place: str) -> str:
     return text
 
 
+def name_of_file(name: str | bytes) -> bytes:
+    """As the system has it; what Python shows of bytes that are no UTF-8 is those bytes again."""
+    try:
+        return os.fsencode(name)
+    except UnicodeEncodeError:
+        assert isinstance(name, str)
+        return characters(name, "file").encode()
+
+
 def numbers(given: Any, place: str, factor: Callable[[str], float]) -> Numbers:
     """`given` without unit, in SI. factor: what a unit, as text, is in SI."""
     unit = _unit(given)
@@ -57,7 +67,7 @@ def number_with_unit(given: Any, place: str) -> str:
     unit = _unit(given)
     try:
         plain = float(given if unit is None else _magnitude(given))
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         raise refused(place, _described(given), "one number (SI), or a text with a unit") from None
     return repr(plain) if unit is None else f"{plain!r} {unit}"
 

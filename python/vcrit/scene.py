@@ -17,6 +17,7 @@ from .inputs import (
     is_text,
     labelled,
     ma,
+    name_of_file,
     number_with_unit,
     numbers,
     refused,
@@ -48,7 +49,7 @@ class Scene:
 
     def __init__(self, file: "str | os.PathLike[str]") -> None:
         name = os.fspath(file)
-        self._read(_vcrit.read_file(os.fsencode(name)), os.fsdecode(name), {})
+        self._read(_vcrit.read_file(name_of_file(name)), os.fsdecode(name), {})
         self._warn()
 
     @classmethod
@@ -66,7 +67,7 @@ class Scene:
         return scene
 
     def _read(self, text: str, file: str, settings: Mapping[str, str]) -> None:
-        handle = _vcrit.Scene(text, os.fsencode(file), list(settings.items()))
+        handle = _vcrit.Scene(text, name_of_file(file), list(settings.items()))
         # A table is beside the file, wherever the process goes or the scene is sent to.
         if handle.reads_tables and not os.path.isabs(file):
             return self._read(text, os.path.abspath(file), settings)
@@ -257,7 +258,7 @@ class Scene:
         speeds = self._given_speeds(velocity, velocity_ratio)
         speed, ratio = map(float, self._in_both_units(np.array(speeds.one()), speeds.are_ratios))
         if np.isnan(speed):
-            _vcrit.refuse_speed(speed, speeds.option)
+            _vcrit.refuse_speed(speed, speeds.argument)
         friction, error, regime, periods, events, agree = _vcrit.simulate(
             self._handle, speed, method, start)
         state = SteadyState(speed, ratio, friction, error, regime, method, periods,
@@ -278,20 +279,20 @@ class Scene:
         if are_ratios:
             if np.isinf(critical):
                 raise _vcrit.ModelError(
-                    f"{reason}: --velocity-ratio has no meaning, give --velocity")
+                    f"{reason}: velocity_ratio has no meaning, give velocity")
             speeds *= critical
-        self._refuse_wrong(speeds, "--velocity-ratio" if are_ratios else "--velocity")
+        self._refuse_wrong(speeds, "velocity_ratio" if are_ratios else "velocity")
         with np.errstate(divide="ignore"):  # v* = 0 at antiresonance
             return speeds, np.divide(speeds, critical, out=np.empty_like(speeds))
 
     @staticmethod
-    def _refuse_wrong(speeds: Array, option: str) -> None:
+    def _refuse_wrong(speeds: Array, name: str) -> None:
         first = _vcrit.first_refused_speed(speeds)
         if first is None:
             return
         place = "" if speeds.ndim == 0 else "at index " + ", ".join(
             str(int(each)) for each in np.unravel_index(first, speeds.shape)) + ": "
-        _vcrit.refuse_speed(float(speeds.flat[first]), place + option)
+        _vcrit.refuse_speed(float(speeds.flat[first]), place + name)
 
 
 class _Speeds(NamedTuple):
@@ -305,8 +306,8 @@ class _Speeds(NamedTuple):
         return "velocity_ratios" if self.are_ratios else "velocities"
 
     @property
-    def option(self) -> str:
-        return "--velocity-ratio" if self.are_ratios else "--velocity"
+    def argument(self) -> str:
+        return "velocity_ratio" if self.are_ratios else "velocity"
 
     def parse(self, text: str) -> float:
         parse = _vcrit.parse_ratio if self.are_ratios else _vcrit.parse_velocity

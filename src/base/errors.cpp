@@ -14,7 +14,10 @@ std::string with_advice(const std::string& words, const std::string& advice) {
 
 }  // namespace
 
+Place argument(const std::string& name) { return {"", 0, 0, name}; }
+
 std::string to_text(const Place& place) {
+  if (!place.argument.empty()) return place.argument;
   std::string text = place.file;
   if (place.line > 0) text += fmt::format(":{}", place.line);
   if (place.line > 0 && place.column > 0) text += fmt::format(":{}", place.column);

@@ -14,9 +14,13 @@ struct Place {
   std::string file;
   int line = 0;
   int column = 0;
+  std::string argument = {};  ///< of the call, in place of a file: "velocity", "set k1"
 };
 
-/// "file:12:5", with the parts that are known.
+/// An argument of the call: the program's option of that name, Python's keyword.
+Place argument(const std::string& name);
+
+/// "file:12:5", with the parts that are known, or the argument.
 std::string to_text(const Place& place);
 
 /// Wrong input: says where, what was found, what was expected instead, and what to do where that is

@@ -22,7 +22,7 @@ constexpr double slowest = 1e-9;
 
 void refuse_empty(const Question& question, double from, double to) {
   if (from < to && std::isfinite(to)) return;
-  throw InputError({"--from, --to"},
+  throw InputError(argument("from, to"),
                    fmt::format("from {} to {} {}", from, to, unit_of(question.sought)),
                    "a range that rises and ends");
 }
@@ -70,7 +70,7 @@ SearchRange amplitudes(const Question& question, const NormalContact& contact) {
 SearchRange frequencies(const Question& question, const NormalContact& contact) {
   const auto omega = question.scene.angular_frequency.value;
   if (!omega && !(question.from && question.to))
-    throw InputError({"--for frequency"}, "a scene without a frequency",
+    throw InputError(argument("for frequency"), "a scene without a frequency",
                      "--from and --to, the range to search");
   const auto most = contact.largest_angular_frequency(*question.scene.amplitude.value);
   SearchRange range{question.from ? *question.from : *omega / two_pi / 100,

@@ -44,14 +44,14 @@ class Solving {
 
   static const Question& checked(const Question& question) {
     if (!(question.friction_ratio > 0 && question.friction_ratio < 1))
-      throw InputError({"--friction-ratio"}, fmt::format("{}", question.friction_ratio),
+      throw InputError(argument("friction_ratio"), fmt::format("{}", question.friction_ratio),
                        "a ratio between 0 and 1, both excluded");
     if (question.sought != Sought::velocity &&
         !(question.velocity > 0 && std::isfinite(question.velocity)))
-      throw InputError({"--velocity"}, fmt::format("a speed of {} m/s", question.velocity),
+      throw InputError(argument("velocity"), fmt::format("a speed of {} m/s", question.velocity),
                        "a finite speed above 0");
     if (question.samples < 3)
-      throw InputError({"--samples"}, fmt::format("{}", question.samples), "at least 3");
+      throw InputError(argument("samples"), fmt::format("{}", question.samples), "at least 3");
     Scene scene = question.scene;  // what is sought needs no value
     if (question.sought == Sought::amplitude) scene.amplitude.value = 1;
     if (question.sought == Sought::frequency) scene.angular_frequency.value = 1;

@@ -317,7 +317,8 @@ double per_degree(const Fit& fit) { return fit.sum_of_squares / fit.degrees_of_f
 
 Fit fitted(const Data& data, const Options& options) {
   if (options.most_branches < 1)
-    throw InputError({"--max-branches"}, fmt::format("{}", options.most_branches), "at least 1");
+    throw InputError(argument("max_branches"), fmt::format("{}", options.most_branches),
+                     "at least 1");
   refuse_what_cannot_be_fitted(data);
   Options chosen = options;
   Fit fit = Fitting(data, chosen).run();

@@ -52,7 +52,7 @@ struct Line {
 // A bare number stays one; anything else is a text with a unit.
 std::string given(const Line& line) {
   if (line.value.empty()) return fmt::format("# {} = {}\n", line.key, line.example);
-  parse_quantity(line.value, line.dimension, {fmt::format("--{}", line.key)});
+  parse_quantity(line.value, line.dimension, argument(line.key));
   return fmt::format("{} = {}\n", line.key, quoted(line.value));
 }
 
@@ -70,7 +70,7 @@ std::string contact(const Fit& fit, const Data& data, const Rest& rest) {
   if (rest.poisson.empty())
     return text +
            "poisson = \"nu\"  # a symbol: put Poisson's ratio here, or a tangential network\n";
-  parse_quantity(rest.poisson, Dimension::none, {"--poisson"});
+  parse_quantity(rest.poisson, Dimension::none, argument("poisson"));
   return text + fmt::format("poisson = {}\n", quoted(rest.poisson));
 }
 

@@ -47,6 +47,13 @@ std::string cell(const SweptQuantity& quantity, double value) {
   return words(quantity).empty() ? to_text(value) : word_of(quantity, value);
 }
 
+const fs::path& of_one_process(const fs::path& file, const Ranks& ranks) {
+  if (ranks.size() > 1)
+    throw InputError({"--out"}, fmt::format("\"{}\" under mpirun", file.string()),
+                     "a file ending in .h5, which several processes can write");
+  return file;
+}
+
 }  // namespace
 
 std::string csv_header(const Sweep& sweep) {
@@ -57,50 +64,38 @@ std::string csv_header(const Sweep& sweep) {
 }
 
 CsvMap::CsvMap(const Sweeping& sweeping, const fs::path& file, bool resume, const Ranks& ranks)
-    : sweeping_(sweeping), file_(file), part_(part_of(file)), sweep_file_(part_) {
+    : sweeping_(sweeping),
+      part_(of_one_process(file, ranks), resume),
+      path_(part_of(file)),
+      sweep_file_(path_) {
   sweep_file_ += ".sweep";
-  if (ranks.size() > 1)
-    throw InputError({"--out"}, fmt::format("\"{}\" under mpirun", file.string()),
-                     "a file ending in .h5, which several processes can write");
-  refuse_links(part_);
-  lock_.emplace(part_);
-  if (resume && fs::exists(part_))
-    go_on();
-  else
-    begin();
-}
-
-void CsvMap::refuse(const std::string& found) const {
-  throw InputError({part_.string()}, found, "a place that can be written");
+  part_.is_there() ? go_on() : begin();
 }
 
 void CsvMap::begin() {
-  if (fs::exists(part_))
-    throw InputError({part_.string()}, "an unfinished sweep",
-                     "--resume to go on with it, or that you remove it");
   std::error_code error;
   fs::remove(sweep_file_, error);  // or what somebody has linked there would be written over
   // Whole before the part is there: whatever has that name can be gone on with.
   open(sweep_file_, std::ios::out);
   append(signature(sweeping_.sweep()));
   out_.close();
-  open(part_, std::ios::out);
+  open(path_, std::ios::out);
   append(csv_header(sweeping_.sweep()));
 }
 
 void CsvMap::go_on() {
   const std::string header = csv_header(sweeping_.sweep());
   if (!fs::exists(sweep_file_) || read_file(sweep_file_) != signature(sweeping_.sweep()))
-    throw InputError({part_.string()}, "the unfinished file of another sweep",
+    throw InputError({path_.string()}, "the unfinished file of another sweep",
                      "the same scene, axes and quantities");
-  const Whole whole = fs::file_size(part_) < header.size()
+  const Whole whole = fs::file_size(path_) < header.size()
                           ? Whole{}
-                          : whole_blocks(part_, sweeping_.grid(), header.size());
+                          : whole_blocks(path_, sweeping_.grid(), header.size());
   next_ = whole.blocks;
   std::error_code error;
-  fs::resize_file(part_, whole.bytes, error);
-  if (error) refuse(error.message());
-  open(part_, std::ios::app);
+  fs::resize_file(path_, whole.bytes, error);
+  if (error) refuse_part(path_, error.message());
+  open(path_, std::ios::app);
   if (whole.bytes == 0) append(header);
 }
 
@@ -127,13 +122,13 @@ std::string CsvMap::prepare(const BlockAnswer& answer) const {
 void CsvMap::open(const fs::path& file, std::ios::openmode mode) {
   errno = 0;
   out_.open(file, mode | std::ios::binary);
-  if (!out_) refuse(errno != 0 ? std::strerror(errno) : "no file");
+  if (!out_) refuse_part(path_, errno != 0 ? std::strerror(errno) : "no file");
 }
 
 void CsvMap::append(const std::string& text) {
   errno = 0;
   out_ << text << std::flush;
-  if (!out_) refuse(errno != 0 ? std::strerror(errno) : "a write error");
+  if (!out_) refuse_part(path_, errno != 0 ? std::strerror(errno) : "a write error");
 }
 
 void CsvMap::write(const BlockAnswer& answer, const std::string& prepared) {
@@ -145,16 +140,15 @@ void CsvMap::write(const BlockAnswer& answer, const std::string& prepared) {
 
 void CsvMap::finish() {
   out_.close();
-  std::error_code error;
-  if (out_) fs::rename(part_, file_, error);
-  if (!out_ || error) refuse(error ? error.message() : "a write error");
-  fs::remove(sweep_file_, error);
-  lock_.reset();
+  if (!out_) refuse_part(path_, "a write error");
+  part_.put_into_place();
+  std::error_code ignored;
+  fs::remove(sweep_file_, ignored);
 }
 
 void CsvMap::discard() {
+  part_.remove();
   std::error_code ignored;
-  fs::remove(part_, ignored);
   fs::remove(sweep_file_, ignored);
 }
 

@@ -3,10 +3,9 @@
 
 #include <fstream>
 #include <map>
-#include <optional>
 
 #include "maps/map_file.hpp"
-#include "maps/part_lock.hpp"
+#include "maps/part.hpp"
 
 namespace vcrit::maps {
 
@@ -27,11 +26,10 @@ class CsvMap : public MapFile {
   void go_on();
   void open(const std::filesystem::path& file, std::ios::openmode mode);
   void append(const std::string& text);
-  [[noreturn]] void refuse(const std::string& found) const;
 
-  std::optional<PartLock> lock_;  // released last
   const Sweeping& sweeping_;
-  std::filesystem::path file_, part_, sweep_file_;
+  Part part_;
+  std::filesystem::path path_, sweep_file_;
   std::ofstream out_;
   std::size_t next_ = 0;                      // the first block that is not in the file
   std::map<std::size_t, std::string> early_;  // blocks before whose turn it is not yet

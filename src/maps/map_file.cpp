@@ -8,8 +8,8 @@
 
 #include "base/numbers.hpp"
 #include "maps/csv_map.hpp"
-#ifdef VCRIT_WITH_HDF5
-#include "maps/hdf5_map.hpp"
+#ifdef VCRIT_WITH_NETCDF
+#include "maps/netcdf_map.hpp"
 #endif
 
 namespace vcrit::maps {
@@ -33,17 +33,6 @@ std::uint64_t fingerprint(const std::vector<double>& values) {
 }
 
 }  // namespace
-
-std::filesystem::path part_of(const std::filesystem::path& file) {
-  std::filesystem::path part = file;
-  return part += ".part";
-}
-
-void refuse_links(const std::filesystem::path& part) {
-  std::error_code error;
-  if (std::filesystem::is_symlink(part, error))
-    throw InputError({part.string()}, "a symbolic link", "a place of its own for the sweep");
-}
 
 std::string signature(const Sweep& sweep) {
   std::string text = fmt::format("vcrit {} (commit {})\n", VCRIT_VERSION, commit);
@@ -78,11 +67,12 @@ std::unique_ptr<MapFile> open_map(const Sweeping& sweeping, const std::filesyste
   const std::string ending = file.extension();
   if (ending == ".csv") return std::make_unique<CsvMap>(sweeping, file, resume, ranks);
   if (ending == ".h5" || ending == ".hdf5" || ending == ".nc")
-#ifdef VCRIT_WITH_HDF5
-    return std::make_unique<Hdf5Map>(sweeping, file, resume, ranks);
+#ifdef VCRIT_WITH_NETCDF
+    return std::make_unique<NetcdfMap>(sweeping, file, resume, ranks);
 #else
-    throw InputError({"--out"}, fmt::format("\"{}\" and a vcrit built without HDF5", file.string()),
-                     "a file ending in .csv", "or install libhdf5-dev and build vcrit again");
+    throw InputError({"--out"},
+                     fmt::format("\"{}\" and a vcrit built without netCDF", file.string()),
+                     "a file ending in .csv", "or install libnetcdf-dev and build vcrit again");
 #endif
   throw InputError({"--out"}, fmt::format("\"{}\"", file.string()),
                    "a file ending in .csv, .h5, .hdf5 or .nc");

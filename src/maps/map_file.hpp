@@ -36,12 +36,6 @@ class MapFile {
 std::unique_ptr<MapFile> open_map(const Sweeping& sweeping, const std::filesystem::path& file,
                                   bool resume, const Ranks& ranks);
 
-/// OUT.part
-std::filesystem::path part_of(const std::filesystem::path& file);
-
-/// Nothing is written where a link leads. Throws InputError.
-void refuse_links(const std::filesystem::path& part);
-
 /// All that the values depend on, as text: an unfinished file is gone on with by the same sweep
 /// alone.
 std::string signature(const Sweep& sweep);

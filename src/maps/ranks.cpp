@@ -11,8 +11,6 @@
 
 #ifdef VCRIT_WITH_MPI
 #include <mpi.h>
-
-#include "maps/hdf5_objects.hpp"
 #endif
 
 namespace vcrit::maps {
@@ -118,11 +116,6 @@ void Ranks::abort(int status) const {
   if (counter_) MPI_Abort(MPI_COMM_WORLD, status);
 }
 
-void share(const Ranks& ranks, std::int64_t access) {
-  if (ranks.size() > 1)
-    hdf5::succeeded(H5Pset_fapl_mpio(access, MPI_COMM_WORLD, MPI_INFO_NULL), "H5Pset_fapl_mpio");
-}
-
 #else
 
 struct Ranks::Counter {};
@@ -139,7 +132,6 @@ void Ranks::together(const std::function<void()>& action) const { action(); }
 std::size_t Ranks::sum(std::size_t value) const { return value; }
 std::string Ranks::first_text(std::string text) const { return text; }
 void Ranks::abort(int) const {}
-void share(const Ranks&, std::int64_t) {}
 
 #endif
 

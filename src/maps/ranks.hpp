@@ -46,8 +46,4 @@ class Ranks {
   std::size_t alone_ = 0;  // the counter of a single process
 };
 
-/// Opens files of HDF5 for all ranks at once; does nothing for a single process. `access` is a list
-/// of file access properties.
-void share(const Ranks& ranks, std::int64_t access);
-
 }  // namespace vcrit::maps

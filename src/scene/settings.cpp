@@ -21,7 +21,7 @@ Dimension known_dimension(const std::string& name, const std::map<std::string, D
 std::pair<std::string, std::string> parse_setting(const std::string& text) {
   const auto equals = text.find('=');
   if (equals == text.npos || equals == 0)
-    throw InputError({"--set"}, fmt::format("\"{}\"", text), "NAME=VALUE");
+    throw InputError(argument("set"), fmt::format("\"{}\"", text), "NAME=VALUE");
   return {text.substr(0, equals), text.substr(equals + 1)};
 }
 
@@ -29,7 +29,7 @@ OverridingValues::OverridingValues(const Settings& settings) {
   for (const auto& [name, text] : settings) settings_[name] = text;
 }
 
-Place OverridingValues::place(const std::string& name) { return {"--set " + name}; }
+Place OverridingValues::place(const std::string& name) { return argument("set " + name); }
 
 std::optional<TypedNumber> OverridingValues::take(const std::string& name, Dimension dimension,
                                                   const Symbol& symbol) {

@@ -88,11 +88,11 @@ std::vector<double> parse_list(const std::string& text, const std::string& file,
 }
 
 Axis parse_axis(const std::string& text, const Scene& scene) {
-  const Place whole{fmt::format("--over {}", text)};
+  const Place whole = argument("over " + text);
   const auto equals = text.find('=');
   if (equals == text.npos) throw InputError(whole, fmt::format("\"{}\"", text), axis_form);
   const std::string name = text.substr(0, equals), range = text.substr(equals + 1);
-  const Place place{fmt::format("--over {}", name)};
+  const Place place = argument("over " + name);
   if (range.starts_with("list:")) {
     const Dimension dimension = dimension_of(name, scene, place);
     return {name, parse_list(read_file(range.substr(5)), range.substr(5), dimension), dimension};

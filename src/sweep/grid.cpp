@@ -19,7 +19,7 @@ std::size_t quotient_rounded_up(std::size_t a, std::size_t b) { return (a + b - 
 Grid::Grid(std::vector<Axis> axes, std::size_t rows_at_once, std::size_t speeds_at_once)
     : axes_(std::move(axes)), strides_(axes_.size()) {
   for (std::size_t a = axes_.size(); a-- > 0;) {
-    const Place place{fmt::format("--over {}", axes_[a].name)};
+    const Place place = argument("over " + axes_[a].name);
     for (std::size_t b = 0; b < a; ++b)
       if (axes_[b].name == axes_[a].name)
         throw InputError(place, "the same axis again", "each quantity once");
@@ -29,7 +29,7 @@ Grid::Grid(std::vector<Axis> axes, std::size_t rows_at_once, std::size_t speeds_
     }
     strides_[a] = rows_;
     if (axes_[a].values.size() > std::numeric_limits<std::int64_t>::max() / rows_)
-      throw InputError({"--over"}, "more than 2^63 points", "fewer");
+      throw InputError(argument("over"), "more than 2^63 points", "fewer");
     rows_ *= axes_[a].values.size();
   }
   divide(rows_at_once, speeds_at_once);

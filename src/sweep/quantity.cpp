@@ -24,7 +24,7 @@ const std::vector<std::string>& swept_quantity_names() {
 }
 
 SweptQuantity parse_swept_quantity(const std::string& text, const Scene& scene) {
-  const Place place{"--quantity"};
+  const Place place = argument("quantity");
   if (text.starts_with(sensitivity_prefix)) {
     const std::string name = text.substr(sensitivity_prefix.size());
     known_dimension(name, scene.settable, place);

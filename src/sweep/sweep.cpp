@@ -75,7 +75,7 @@ void refuse_settings(const Sweep& sweep) {
   for (const auto& [name, value] : sweep.scene.settings)
     for (const Axis& axis : sweep.axes)
       if (axis.name == name)
-        throw InputError({fmt::format("--over {}", name)}, fmt::format("--set {} as well", name),
+        throw InputError(argument("over " + name), fmt::format("a setting of {} as well", name),
                          "one of the two");
 }
 
@@ -99,10 +99,10 @@ void refuse_repetition(const Sweep& sweep) {
   for (auto q = sweep.quantities.begin(); q != sweep.quantities.end(); ++q) {
     const std::string name = column_name(*q);
     if (std::find(sweep.quantities.begin(), q, *q) != q)
-      throw InputError({"--quantity"}, name + " twice", "each quantity once");
+      throw InputError(argument("quantity"), name + " twice", "each quantity once");
     for (const Axis& axis : sweep.axes)
       if (axis.name == name)
-        throw InputError({"--over " + name}, "an axis named like the quantity " + name,
+        throw InputError(argument("over " + name), "an axis named like the quantity " + name,
                          "another name of this element in the scene");
   }
 }

@@ -1,6 +1,7 @@
 #include "derivation/balance.hpp"
 
 #include <map>
+#include <tuple>
 #include <utility>
 
 #include <fmt/core.h>
@@ -143,8 +144,10 @@ class BalanceWriter {
 }  // namespace
 
 const Balance& solve_balance(const Surrounding& surrounding) {
-  static std::map<std::pair<bool, bool>, Balance> solved;
-  const std::pair key{surrounding.drive, surrounding.mass};
+  // Its words name x and y as the scene being printed lets them.
+  static std::map<std::tuple<bool, bool, std::string, std::string>, Balance> solved;
+  const std::tuple key{surrounding.drive, surrounding.mass, printed_name(own_name("x")),
+                       printed_name(own_name("y"))};
   const auto found = solved.find(key);
   return found != solved.end()
              ? found->second

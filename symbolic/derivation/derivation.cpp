@@ -28,9 +28,10 @@ ex velocity(const ex& amplitude) {
 void write_condition(const Model& model, std::vector<Line>& lines) {
   const ex v = quantity("v*");
   lines.push_back(
-      {fmt::format("Sliding without a stop ends where the contact velocity v0 - |{} B| sin(...) "
+      {fmt::format("Sliding without a stop ends where the contact velocity {} - |{} {}| sin(...) "
                    "first touches zero",
-                   printed_name("omega")),
+                   printed_name(own_name("v0")), printed_name("omega"),
+                   printed_name(own_name("B"))),
        v, omega() * GiNaC::abs(quantity("B"))});
   lines.push_back({"For any linear structure", v, velocity(model.balance().general_amplitude)});
   lines.push_back({"For any networks (24)", v, velocity(model.balance().contact_amplitude)});

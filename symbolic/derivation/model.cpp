@@ -105,7 +105,7 @@ Model::Model(const Scene& scene)
     const std::string words =
         isotropic->by == Isotropic::By::poisson
             ? fmt::format("Isotropic contact, K_t/K_n = 2(1 - {0})/(2 - {0}) (Mindlin)",
-                          ratio.value ? "nu" : printed_name(to_text(ratio.symbol)))
+                          printed_name(ratio.value ? own_name("nu") : to_text(ratio.symbol)))
             : "Isotropic contact";
     identities_.push_back({words, quantity("K_t"), isotropic_ratio(*isotropic) * quantity("K_n")});
   } else {

@@ -1,117 +1,127 @@
 #include "document/json.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include "formula/dialect.hpp"
 #include "formula/names.hpp"
 #include "formula/text.hpp"
+#include "record/fields.hpp"
 
-namespace vcrit::symbolic {
+// A formula or an equation is its text and its LaTeX.
+namespace vcrit::record {
+
+namespace symbolic = vcrit::symbolic;
+
+struct DerivedFormula {
+  const GiNaC::ex& expression;
+};
+
+void fields(Fields& f, const DerivedFormula& it) {
+  f("text", symbolic::to_text(it.expression))("latex", symbolic::to_latex(it.expression));
+}
+
+struct DerivedEquation {
+  const GiNaC::ex& left;
+  const GiNaC::ex right;
+};
+
+void fields(Fields& f, const DerivedEquation& it) {
+  const auto left = symbolic::form_of(it.left), right = symbolic::form_of(it.right);
+  f("text", symbolic::text_dialect().equation(left, right));
+  f("latex", symbolic::latex_dialect().equation(left, right));
+}
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-Json formula(const GiNaC::ex& expression) {
-  return {{"text", to_text(expression)}, {"latex", to_latex(expression)}};
-}
-
-Json condition(const GiNaC::ex& expression) {
-  return {{"text", text_dialect().equation(form_of(expression), form_of(0))},
-          {"latex", latex_dialect().equation(form_of(expression), form_of(0))}};
-}
-
-Json json_lines(const std::vector<Line>& all) {
-  Json out = Json::array();
-  for (const Line& line : all) {
-    const Signed left = form_of(line.left), right = form_of(line.right);
-    out.push_back({{"words", line.words},
-                   {"text", text_dialect().equation(left, right)},
-                   {"latex", latex_dialect().equation(left, right)}});
-  }
-  return out;
-}
-
-Json json(const Limit& limit) {
-  return {{"name", limit.name},
-          {"equation", limit.equation},
-          {"text", to_text(limit.result)},
-          {"latex", to_latex(limit.result)},
-          {"definitions", json_lines(limit.definitions)}};
-}
-
-Json json(const Asymptote& asymptote) {
-  return {{"name", asymptote.name},
-          {"power", asymptote.power},
-          {"coefficient", formula(asymptote.coefficient)},
-          {"definitions", json_lines(asymptote.definitions)}};
-}
-
-Json json(const Resonance& resonance) {
-  const bool infinite = resonance.kind == Resonance::Kind::resonance;
-  Json out{{"name", infinite ? "resonance" : "antiresonance"},
-           {"condition", condition(resonance.condition)},
-           {"damped", resonance.damped},
-           {"frequency", resonance.frequency ? formula(*resonance.frequency) : Json()},
-           {"real_part", Json()},
-           {"imaginary_part", Json()},
-           {"definitions", json_lines(resonance.definitions)}};
-  if (!resonance.parts) return out;
-  out["real_part"] = condition(resonance.parts->real);
-  out["imaginary_part"] = condition(resonance.parts->imaginary);
-  return out;
-}
-
-Json json(const Sensitivity& sensitivity) {
-  std::vector<Line> definitions = sensitivity.stiffnesses;
-  definitions.insert(definitions.end(), sensitivity.changes.begin(), sensitivity.changes.end());
-  return {{"parameter", printed_name(to_text(sensitivity.parameter))},
-          {"relative", formula(sensitivity.relative)},
-          {"derivative", formula(sensitivity.derivative)},
-          {"definitions", json_lines(definitions)}};
-}
-
-template <class Finding>
-Json list(const std::vector<Finding>& all) {
-  Json out = Json::array();
-  for (const Finding& each : all) out.push_back(json(each));
-  return out;
-}
-
-Json json_names(const std::vector<Symbol>& symbols) {
-  Json out = Json::array();
-  for (const Symbol& symbol : symbols) out.push_back(printed_name(to_text(symbol)));
-  return out;
+std::optional<DerivedEquation> zero(const GiNaC::ex* expression) {
+  if (expression == nullptr) return std::nullopt;
+  return DerivedEquation{*expression, 0};
 }
 
 }  // namespace
 
+void fields(Fields& f, const symbolic::Line& it) {
+  f("words", it.words);
+  fields(f, DerivedEquation{it.left, it.right});
+}
+
+void fields(Fields& f, const symbolic::Limit& it) {
+  f("name", it.name)("equation", it.equation);
+  fields(f, DerivedFormula{it.result});
+  f("definitions", it.definitions);
+}
+
+void fields(Fields& f, const symbolic::Asymptote& it) {
+  f("name", it.name)("power", it.power)("coefficient", DerivedFormula{it.coefficient});
+  f("definitions", it.definitions);
+}
+
+void fields(Fields& f, const symbolic::Resonance& it) {
+  const bool infinite = it.kind == symbolic::Resonance::Kind::resonance;
+  f("name", infinite ? "resonance" : "antiresonance")("condition",
+                                                      DerivedEquation{it.condition, 0});
+  f("damped", it.damped);
+  if (it.frequency)
+    f("frequency", DerivedFormula{*it.frequency});
+  else
+    f("frequency", nullptr);
+  f("real_part", zero(it.parts ? &it.parts->real : nullptr));
+  f("imaginary_part", zero(it.parts ? &it.parts->imaginary : nullptr));
+  f("definitions", it.definitions);
+}
+
+void fields(Fields& f, const symbolic::Sensitivity& it) {
+  std::vector<symbolic::Line> definitions = it.stiffnesses;
+  definitions.insert(definitions.end(), it.changes.begin(), it.changes.end());
+  f("parameter", symbolic::printed_name(to_text(it.parameter)))("relative",
+                                                                DerivedFormula{it.relative});
+  f("derivative", DerivedFormula{it.derivative})("definitions", definitions);
+}
+
+struct DerivedSeparation {
+  const std::vector<symbolic::Line>& lines;
+  const std::string& beyond_simulation;
+};
+
+void fields(Fields& f, const DerivedSeparation& it) {
+  f("closed_form", !it.lines.empty())("lines", it.lines);
+  if (it.lines.empty()) f.some("not_simulated", it.beyond_simulation);
+}
+
+namespace {
+
+std::vector<std::string> names_of(const std::vector<Symbol>& symbols) {
+  std::vector<std::string> names;
+  for (const Symbol& symbol : symbols) names.push_back(symbolic::printed_name(to_text(symbol)));
+  return names;
+}
+
+}  // namespace
+
+struct DerivedDocument {
+  const Scene& scene;
+  const symbolic::Findings& findings;
+};
+
+void fields(Fields& f, const DerivedDocument& document) {
+  const symbolic::Findings& it = document.findings;
+  const symbolic::Derivation& d = it.derivation;
+  const bool rational = it.form == symbolic::ResultForm::rational;
+  f("title", document.scene.title);
+  f("form", d.definitions.empty() ? "multiplied out" : "nested")("fingerprint", it.fingerprint);
+  f("lines", d.lines)("parameters", names_of(d.parameters))("equation", d.equation);
+  f("critical_velocity", DerivedFormula{d.critical_velocity})("definitions", d.definitions);
+  f("limits", it.limits)("asymptotes", it.asymptotes)("resonances", it.resonances);
+  f("sensitivities", it.sensitivities).some("warnings", document.scene.warnings);
+  f.some("indenter", it.half_space);
+  if (it.parting) f("separation", DerivedSeparation{*it.parting, it.beyond_simulation});
+  f.some("extrema", it.extrema).some(rational ? "rational" : "dimensionless", it.form_lines);
+}
+
+}  // namespace vcrit::record
+
+namespace vcrit::symbolic {
+
 std::string json_document(const Scene& scene, const Findings& findings) {
-  const Derivation& d = findings.derivation;
-  Json out{{"title", scene.title},
-           {"form", d.definitions.empty() ? "multiplied out" : "nested"},
-           {"fingerprint", findings.fingerprint},
-           {"lines", json_lines(d.lines)},
-           {"parameters", json_names(d.parameters)},
-           {"equation", d.equation},
-           {"critical_velocity", formula(d.critical_velocity)},
-           {"definitions", json_lines(d.definitions)},
-           {"limits", list(findings.limits)},
-           {"asymptotes", list(findings.asymptotes)},
-           {"resonances", list(findings.resonances)},
-           {"sensitivities", list(findings.sensitivities)}};
-  if (!scene.warnings.empty()) out["warnings"] = scene.warnings;
-  if (!findings.half_space.empty()) out["indenter"] = json_lines(findings.half_space);
-  if (findings.parting)
-    out["separation"] = {{"closed_form", !findings.parting->empty()},
-                         {"lines", json_lines(*findings.parting)}};
-  if (findings.parting && findings.parting->empty() && !findings.beyond_simulation.empty())
-    out["separation"]["not_simulated"] = findings.beyond_simulation;
-  if (!findings.extrema.empty()) out["extrema"] = json_lines(findings.extrema);
-  if (!findings.form_lines.empty())
-    out[findings.form == ResultForm::rational ? "rational" : "dimensionless"] =
-        json_lines(findings.form_lines);
-  return out.dump(2) + "\n";
+  return record::json_of(record::DerivedDocument{scene, findings}).dump(2) + "\n";
 }
 
 }  // namespace vcrit::symbolic

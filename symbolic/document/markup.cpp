@@ -5,58 +5,31 @@
 
 #include "base/plain_text.hpp"
 #include "formula/dialect.hpp"
+#include "record/fields.hpp"
+#include "record/template.hpp"
+
+extern "C" const char vcrit_document_templates[], vcrit_document_templates_end[];
 
 namespace vcrit::symbolic {
 
 namespace {
 
-/// One walk over a document for all markups.
-class Markup {
+using record::Fields, record::Json;
+
+/// Equations in one dialect. Those of a large network's limits are largely the same, hundreds of
+/// times.
+class PrintedEquations {
  public:
-  virtual ~Markup() = default;
-  std::string document(const std::string& title, const std::vector<Section>& sections) const {
-    std::string out = titled(title);
-    for (const Section& section : sections) out += this->section(section);
-    return out;
-  }
+  explicit PrintedEquations(const Dialect& dialect) : dialect_(dialect) {}
 
- protected:
-  virtual const Dialect& dialect() const = 0;
-  virtual std::string titled(const std::string& title) const = 0;
-  virtual std::string headed(const std::string& title) const = 0;
-  virtual std::string paragraph(const std::string& words) const = 0;
-  virtual std::string display(const std::string& equation) const = 0;
-  virtual std::string words(const std::string& text) const { return text; }
-  virtual std::string formula(const DocumentBlock& block) const {
-    return "$" + block.latex_formula + "$";
-  }
-
- private:
-  std::string section(const Section& section) const {
-    std::string out = section.title.empty() ? "" : headed(section.title);
-    if (!section.note.empty()) out += paragraph(section.note);
-    for (const DocumentBlock& each : section.blocks) out += block(each);
-    if (!section.remark.empty()) out += paragraph(section.remark);
-    return out;
-  }
-
-  std::string block(const DocumentBlock& block) const {
-    std::string heading = block.formula.empty() ? "" : formula(block);
-    if (!heading.empty() && !block.words.empty()) heading += " ";
-    heading += words(block.words);
-    std::string out = heading.empty() ? "" : heading + ":\n";
-    for (const Line& line : block.lines)
-      out += display(equation(line, block.asymptotic && &line == &block.lines.back()));
-    return out;
-  }
-
-  std::string equation(const Line& line, bool asymptotic) const {
-    if (asymptotic) return dialect().asymptote(form_of(line.left), form_of(line.right));
-    const auto [known, is_new] = equations_.try_emplace({line.left, line.right});
-    if (is_new) known->second = dialect().equation(form_of(line.left), form_of(line.right));
+  std::string operator()(const Line& line, bool asymptotic) {
+    if (asymptotic) return dialect_.asymptote(form_of(line.left), form_of(line.right));
+    const auto [known, is_new] = known_.try_emplace({line.left, line.right});
+    if (is_new) known->second = dialect_.equation(form_of(line.left), form_of(line.right));
     return known->second;
   }
 
+ private:
   struct Less {
     using Sides = std::pair<GiNaC::ex, GiNaC::ex>;
     bool operator()(const Sides& a, const Sides& b) const {
@@ -64,79 +37,84 @@ class Markup {
       return order != 0 ? order < 0 : a.second.compare(b.second) < 0;
     }
   };
-  /// Those of a large network's limits are largely the same, hundreds of times.
-  mutable std::map<Less::Sides, std::string, Less> equations_;
+  const Dialect& dialect_;
+  std::map<Less::Sides, std::string, Less> known_;
 };
 
-class TextMarkup : public Markup {
-  const Dialect& dialect() const override { return text_dialect(); }
-  std::string titled(const std::string& title) const override { return one_line(title) + "\n\n"; }
-  std::string headed(const std::string& title) const override { return "\n" + title + ":\n"; }
-  std::string paragraph(const std::string& words) const override { return words + "\n"; }
-  std::string display(const std::string& equation) const override {
-    return "    " + equation + "\n";
+Json block_record(const DocumentBlock& block, PrintedEquations& equation) {
+  std::vector<record::Markup> lines;
+  for (const Line& line : block.lines)
+    lines.push_back({equation(line, block.asymptotic && &line == &block.lines.back())});
+  const bool formula = !block.formula.empty(), words = !block.words.empty();
+  Fields f(record::Reader::page);
+  f("formula", block.formula)("latex_formula", record::Markup{block.latex_formula});
+  f("words", block.words)("headed", formula || words)("both", formula && words)("lines", lines);
+  return f.take();
+}
+
+Json section_record(const Section& section, PrintedEquations& equation) {
+  Json blocks = Json::array();
+  for (const DocumentBlock& block : section.blocks) blocks.push_back(block_record(block, equation));
+  return {{"heading", section.title},
+          {"note", section.note},
+          {"blocks", std::move(blocks)},
+          {"remark", section.remark}};
+}
+
+std::string as_it_is(std::string_view text) { return std::string(text); }
+
+std::string latex(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    if (std::string_view("_%&#${}").find(c) != std::string_view::npos) out += '\\';
+    if (c == '\\')
+      out += "\\textbackslash{}";
+    else
+      out += c == '^' || c == '~' ? "\\" + std::string(1, c) + "{}" : std::string(1, c);
   }
-  std::string formula(const DocumentBlock& block) const override { return block.formula; }
+  return out;
+}
+
+// What would begin a tag, a link, code or a formula.
+std::string markdown(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    if (std::string_view("\\`*_[]<>&$~|#").find(c) != std::string_view::npos) out += '\\';
+    out += c;
+  }
+  return out;
+}
+
+/// How a markup takes the title, which is the user's, and our own words.
+struct Markup {
+  const char* name;
+  const Dialect& (*dialect)();
+  std::string (*title)(std::string_view);
+  std::string (*words)(std::string_view);
 };
 
-class LatexMarkup : public Markup {
-  const Dialect& dialect() const override { return latex_dialect(); }
-  std::string titled(const std::string& title) const override {
-    return "\\section*{" + words(one_line(title)) + "}\n";
-  }
-  std::string headed(const std::string& title) const override {
-    return "\\subsection*{" + words(title) + "}\n";
-  }
-  std::string paragraph(const std::string& text) const override { return words(text) + "\n\n"; }
-  std::string display(const std::string& equation) const override {
-    return "\\[ " + equation + " \\]\n";
-  }
-  std::string words(const std::string& text) const override {
-    std::string out;
-    for (const char c : text) {
-      if (std::string("_%&#${}").find(c) != std::string::npos) out += '\\';
-      if (c == '\\')
-        out += "\\textbackslash{}";
-      else
-        out += c == '^' || c == '~' ? "\\" + std::string(1, c) + "{}" : std::string(1, c);
-    }
-    return out;
-  }
-};
-
-class MarkdownMarkup : public Markup {
-  const Dialect& dialect() const override { return latex_dialect(); }
-  std::string titled(const std::string& title) const override {
-    return "# " + escaped(one_line(title)) + "\n\n";
-  }
-  std::string headed(const std::string& title) const override { return "## " + title + "\n\n"; }
-  std::string paragraph(const std::string& words) const override { return words + "\n\n"; }
-  std::string display(const std::string& equation) const override {
-    return "\n$$" + equation + "$$\n\n";
-  }
-  // What would begin a tag, a link, code or a formula.
-  static std::string escaped(const std::string& text) {
-    std::string out;
-    for (const char c : text) {
-      if (std::string("\\`*_[]<>&$~|#").find(c) != std::string::npos) out += '\\';
-      out += c;
-    }
-    return out;
-  }
-};
+Markup markup_of(Format format) {
+  if (format == Format::latex) return {"latex", latex_dialect, latex, latex};
+  if (format == Format::markdown) return {"markdown", latex_dialect, markdown, as_it_is};
+  return {"text", text_dialect, as_it_is, as_it_is};
+}
 
 }  // namespace
 
-std::string text_document(const std::string& title, const std::vector<Section>& sections) {
-  return TextMarkup().document(title, sections);
-}
-
-std::string latex_document(const std::string& title, const std::vector<Section>& sections) {
-  return LatexMarkup().document(title, sections);
-}
-
-std::string markdown_document(const std::string& title, const std::vector<Section>& sections) {
-  return MarkdownMarkup().document(title, sections);
+std::string markup_document(Format format, const std::string& title,
+                            const std::vector<Section>& sections) {
+  const Markup markup = markup_of(format);
+  PrintedEquations equation(markup.dialect());
+  const record::Markup heading{markup.title(one_line(title))};
+  Json record{{"title", Fields(record::Reader::page).written(heading)},
+              {"sections", Json::array()}};
+  for (const Section& section : sections)
+    record["sections"].push_back(section_record(section, equation));
+  const record::Templates templates(
+      {vcrit_document_templates,
+       static_cast<std::size_t>(vcrit_document_templates_end - vcrit_document_templates)},
+      markup.words);
+  return templates.render(markup.name, record);
 }
 
 }  // namespace vcrit::symbolic

@@ -1,4 +1,4 @@
-// A document in one markup.
+// A document in one markup, by templates/NAME.mustache.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace vcrit::symbolic {
 
-std::string text_document(const std::string& title, const std::vector<Section>& sections);
-std::string latex_document(const std::string& title, const std::vector<Section>& sections);
-std::string markdown_document(const std::string& title, const std::vector<Section>& sections);
+/// Any format but JSON.
+std::string markup_document(Format format, const std::string& title,
+                            const std::vector<Section>& sections);
 
 }  // namespace vcrit::symbolic

@@ -71,16 +71,8 @@ std::string print(const Scene& scene, const DocumentOptions& options) {
   const AlgebraLock lock;
   const NamesOfScene names(scene);
   const Findings findings = find(scene, options);
-  switch (options.format) {
-    case Format::text:
-      return text_document(title_of(scene), sections(findings));
-    case Format::latex:
-      return latex_document(title_of(scene), sections(findings));
-    case Format::markdown:
-      return markdown_document(title_of(scene), sections(findings));
-    case Format::json:
-      break;
-  }
+  if (options.format != Format::json)
+    return markup_document(options.format, title_of(scene), sections(findings));
   return json_document(scene, findings);
 }
 

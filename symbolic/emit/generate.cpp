@@ -2,73 +2,88 @@
 
 #include <fmt/core.h>
 
-#include <cstdint>
-#include <utility>
-
-#include "base/errors.hpp"
+#include "emit/languages/language.hpp"
 #include "emit/pieces.hpp"
+#include "emit/words.hpp"
 #include "emit/written.hpp"
 #include "formula/algebra_lock.hpp"
+#include "formula/names.hpp"
 
 namespace vcrit::symbolic {
 
 namespace {
 
-/// FNV-1a, as a literal.
-std::string hash_of(const std::string& text) {
-  std::uint64_t hash = 14695981039346656037U;
-  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211U;
-  return fmt::format("0x{:016x}ULL", hash);
+const char* const accuracy =
+    "Accuracy: critical_velocity errs by little more than half an ulp unless v* is badly "
+    "conditioned, "
+    "critical_velocity_certified says by how much at most. The fast grade is in plain double. A "
+    "bound is infinite "
+    "where nothing is known.";
+const char* const unlimited =
+    "As in C++, what leaves the guarded range of doubles is computed again with numbers of a wider "
+    "exponent range.";
+const char* const limited =
+    "Missing compared with C++: numbers of a wider exponent range. Outside of the guarded range "
+    "(see in_range; elements of value 0 are inside) the "
+    "answer is that of plain double, with an infinite bound. No fused multiply-add: products are "
+    "split by Dekker's "
+    "method.";
+
+std::string opening_comment(const Scene& scene, const std::string& name, const Language& language,
+                            const Evaluator& evaluator, const FixedValues& fixed,
+                            const GenerateOptions& options) {
+  const std::string lines =
+      banner(scene, evaluator.derivation, command_line(scene, name, options), fixed) +
+      comment(fmt::format("{} operations.", evaluator.operations)) + comment(accuracy) +
+      comment(language.zeros == Zeros::out_of_range ? unlimited : limited);
+  const std::string sign(language.comment);
+  return sign + replaced(lines.substr(2), "\n//", "\n" + sign);
 }
 
-void insert_after(std::string& text, const std::string& line, const std::string& inserted) {
-  const std::size_t at = text.find(line + "\n");
-  ensure(at != std::string::npos, "the line is there");
-  text.insert(at + line.size(), inserted);
-}
-
-/// The files are renamed one by one. Whoever is killed between two of them leaves whole files of
-/// two runs, which the compiler must not take for one library: the header's guard carries its hash,
-/// and what includes it asks for that.
-void stamp(std::string& header, const std::string& name, const std::string& hash) {
-  insert_after(header, "#define " + guard_of(name), " " + hash);
-}
-
-void insert_check(std::string& text, const std::string& file, const std::string& name,
-                  const std::string& hash) {
-  const std::string included = name + (file == "test_" + name + ".cpp" ? "_batch" : "");
-  insert_after(text, fmt::format("#include \"{}.hpp\"", included),
-               fmt::format("\n\n#if {} != {}\n#error \"{} and {}.hpp are of two runs: vcrit "
-                           "generate again\"\n#endif",
-                           guard_of(name), hash, file, name));
+CodeFile only_file(const Scene& scene, const std::string& name, const Language& language,
+                   const GenerateOptions& options) {
+  const AlgebraLock lock;
+  const NamesOfScene names(scene);
+  check_library_name(name, language);
+  const FixedValues fixed = fixed_values(scene, options.fixed);
+  const Evaluator evaluator(scene, fixed, language.zeros, language.spelled);
+  check_member_names(scene, evaluator.derivation.parameters, language);
+  return {name + std::string(language.extension),
+          opening_comment(scene, name, language, evaluator, fixed, options) +
+              language.text(evaluator, name),
+          true};
 }
 
 }  // namespace
+
+std::string emit(const Scene& scene, const std::string& name, const GenerateOptions& options) {
+  return code_files(scene, name, options).front().text;
+}
+
+std::vector<CodeFile> code_files(const Scene& scene, const std::string& name,
+                                 const GenerateOptions& options) {
+  const Language& language = language_of(options);
+  if (language.files != nullptr) return language.files(scene, name, options);
+  return {only_file(scene, name, language, options)};
+}
+
+std::vector<std::filesystem::path> write_code(const std::vector<CodeFile>& files,
+                                              const std::filesystem::path& directory) {
+  std::vector<NewFile> written;
+  std::vector<std::filesystem::path> places;
+  for (const CodeFile& file : files) {
+    places.push_back(directory / file.name);
+    written.push_back({places.back(), file.text});
+  }
+  write_generated(written);
+  return places;
+}
 
 std::vector<std::filesystem::path> generate(const Scene& scene,
                                             const std::filesystem::path& directory,
                                             const std::string& name,
                                             const GenerateOptions& options) {
-  const AlgebraLock lock;
-  std::string header = emit_header(scene, name, options);
-  const std::string hash = hash_of(header);
-  stamp(header, name, hash);
-  std::vector<NewFile> written;
-  const auto companion = [&](const std::string& file, std::string text) {
-    insert_check(text, file, name, hash);
-    written.push_back({directory / file, std::move(text)});
-  };
-  companion(name + "_batch.hpp", emit_batch_header(scene, name, options));
-  if (options.quantities)
-    companion(name + "_quantities.hpp", emit_quantities(scene, name, options));
-  companion("test_" + name + ".cpp", emit_test(scene, name, options));
-  written.push_back({directory / (name + "_evaluator.cmake"), emit_cmake(name)});
-  written.push_back({directory / "CMakeLists.txt", emit_cmake_of_folder()});
-  written.insert(written.begin(), {directory / (name + ".hpp"), std::move(header)});
-  write_generated(written);
-  std::vector<std::filesystem::path> files;
-  for (const NewFile& file : written) files.push_back(file.place);
-  return files;
+  return write_code(code_files(scene, name, options), directory);
 }
 
 }  // namespace vcrit::symbolic

@@ -1,4 +1,4 @@
-// The evaluator library generated for one scene.
+// The evaluator generated for one scene, in C++ or another language.
 #pragma once
 
 #include <filesystem>
@@ -35,9 +35,30 @@ std::string emit_cmake(const std::string& name);
 /// CMakeLists.txt, the same for every scene: builds and tests all libraries of its folder.
 std::string emit_cmake_of_folder();
 
-/// Writes DIR/NAME.hpp, DIR/NAME_batch.hpp, DIR/NAME_evaluator.cmake, DIR/CMakeLists.txt,
-/// DIR/test_NAME.cpp and, if asked for, DIR/NAME_quantities.hpp, all beside their places and then
-/// renamed. The others refuse to be compiled with a NAME.hpp of another run. Returns the files.
+/// What GenerateOptions::language can be: "c++", "c99", ...
+const std::vector<std::string>& language_names();
+
+/// The file NAME.hpp, NAME.h, NAME.py, ... as text. Throws InputError where there is no such
+/// language or it does not allow `name` or the name of a parameter, ModelError as emit_header().
+std::string emit(const Scene& scene, const std::string& name, const GenerateOptions& options = {});
+
+/// A file of generated code.
+struct CodeFile {
+  std::string name, text;
+  bool is_main = false;  ///< to be included or imported
+};
+
+/// The files of the language. In C++ these are NAME.hpp, NAME_batch.hpp, NAME_evaluator.cmake,
+/// CMakeLists.txt, test_NAME.cpp and, if asked for, NAME_quantities.hpp; the others refuse to be
+/// compiled with a NAME.hpp of another run.
+std::vector<CodeFile> code_files(const Scene& scene, const std::string& name,
+                                 const GenerateOptions& options = {});
+
+/// Writes files to `directory`, all beside their places and then renamed. Returns their paths.
+std::vector<std::filesystem::path> write_code(const std::vector<CodeFile>& files,
+                                              const std::filesystem::path& directory);
+
+/// Both: writes the evaluator's files. Returns them, the one to include or import first.
 std::vector<std::filesystem::path> generate(const Scene& scene,
                                             const std::filesystem::path& directory,
                                             const std::string& name,

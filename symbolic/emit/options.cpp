@@ -46,7 +46,7 @@ class Fixable {
     for (const Quantity& quantity : found->second) {
       if (!quantity.value)
         throw InputError(
-            {"--fix"}, fmt::format("\"{}\", which has no number in the scene", name),
+            argument("fix"), fmt::format("\"{}\", which has no number in the scene", name),
             fmt::format("a number for it, as by --set {}=VALUE", name_in(scene_, quantity)));
       fixed[quantity.symbol] = *quantity.value;
     }
@@ -76,10 +76,10 @@ class Fixable {
     for (const auto& [known, quantities] : known_) names.push_back(known);
     const std::string one_of = fmt::format("one of {}", fmt::join(names, ", "));
     if (is_always(name))
-      throw InputError({"--fix"}, fmt::format("\"{}\", which is a parameter of every call", name),
-                       one_of);
+      throw InputError(argument("fix"),
+                       fmt::format("\"{}\", which is a parameter of every call", name), one_of);
     const auto meant = nearest(name, names);
-    throw InputError({"--fix"}, fmt::format("\"{}\", which this scene does not have", name),
+    throw InputError(argument("fix"), fmt::format("\"{}\", which this scene does not have", name),
                      meant ? fmt::format("\"{}\"", *meant) : one_of);
   }
 

@@ -10,9 +10,9 @@
 namespace vcrit::symbolic {
 
 struct GenerateOptions {
-  std::vector<std::string> fixed;  ///< names of parameters; "all": every one that has a number
-  bool quantities = false;         ///< NAME_quantities.hpp, too; C++ only
-  std::string language = "c++";    ///< or one of language_names()
+  std::vector<std::string> fixed = {};  ///< names of parameters; "all": every one that has a number
+  bool quantities = false;              ///< NAME_quantities.hpp, too; C++ only
+  std::string language = "c++";         ///< or one of language_names()
 };
 
 /// The numbers of fixed parameters, as the scene gives them.

@@ -27,8 +27,8 @@ std::map<Symbol, std::string> element_comments(const Scene& scene) {
 }  // namespace
 
 ParameterList::ParameterList(const Scene& scene, const std::vector<Symbol>& symbols,
-                             const FixedValues& fixed)
-    : names_(scene.names) {
+                             const FixedValues& fixed, Spelled spelled)
+    : names_(scene.names), spelled_(spelled) {
   const std::set<Symbol> always{{"mu0"}, {"omega"}, {"du_z"}};
   add({"mu0"}, "friction coefficient", scene);
   add({"omega"}, "angular frequency", scene);
@@ -50,7 +50,7 @@ ParameterList::ParameterList(const Scene& scene, const std::vector<Symbol>& symb
 
 void ParameterList::add(const Symbol& symbol, const std::string& comment, const Scene& scene) {
   known_.insert(symbol);
-  const std::string name = as_called(scene, symbol).name;
+  const std::string name = in_language(as_called(scene, symbol).name);
   if (symbol.entry == 0) return members_.push_back({name, comment, 0, symbol.name});
   const bool is_there = std::any_of(members_.begin(), members_.end(), [&](const Member& member) {
     return member.symbol == symbol.name;
@@ -59,14 +59,19 @@ void ParameterList::add(const Symbol& symbol, const std::string& comment, const 
 }
 
 std::string ParameterList::named(std::string text) const {
-  for (const char* name : {"mu0", "omega", "du_z"})
-    text = replaced(std::move(text), fmt::format("@{}@", name), name_of(name));
+  for (const auto& [mark, name] :
+       {std::pair("THE_MU0", "mu0"), {"THE_OMEGA", "omega"}, {"THE_DU_Z", "du_z"}})
+    text = replaced(std::move(text), mark, name_of(name));
   return text;
 }
 
 std::string ParameterList::name_of(const std::string& symbol) const {
   const auto found = names_.find(symbol);
-  return found == names_.end() ? symbol : found->second;
+  return in_language(found == names_.end() ? symbol : found->second);
+}
+
+std::string ParameterList::in_language(const std::string& name) const {
+  return spelled_ == nullptr ? name : spelled_(name);
 }
 
 NodeId ParameterList::value(Program& program, const Symbol& symbol) const {

@@ -15,21 +15,26 @@
 namespace vcrit::symbolic {
 
 struct Member {
-  std::string name;  ///< that the scene gives it
+  std::string name;  ///< that the scene gives it, as the language spells it
   std::string comment;
   int length = 0;      ///< of an array, 0 for a number
   std::string symbol;  ///< what it is called in the program: Symbol::name
 };
 
+/// How a language writes a name of the scene that it has another meaning for.
+using Spelled = std::string (*)(const std::string& name);
+
 class ParameterList {
  public:
   /// mu0, omega and du_z are always there, as the calls need them.
-  ParameterList(const Scene& scene, const Derivation& derivation, const FixedValues& fixed = {})
-      : ParameterList(scene, derivation.parameters, fixed) {}
-  ParameterList(const Scene& scene, const std::vector<Symbol>& symbols, const FixedValues& fixed);
+  ParameterList(const Scene& scene, const Derivation& derivation, const FixedValues& fixed = {},
+                Spelled spelled = nullptr)
+      : ParameterList(scene, derivation.parameters, fixed, spelled) {}
+  ParameterList(const Scene& scene, const std::vector<Symbol>& symbols, const FixedValues& fixed,
+                Spelled spelled = nullptr);
 
   const std::vector<Member>& members() const { return members_; }
-  /// The text with the names of those three for "@mu0@", "@omega@" and "@du_z@".
+  /// The text with the names of those three for THE_MU0, THE_OMEGA and THE_DU_Z.
   std::string named(std::string text) const;
   /// "p.k0", "p.k[2]".
   std::string reference(const Symbol& symbol) const;
@@ -47,10 +52,12 @@ class ParameterList {
  private:
   void add(const Symbol& symbol, const std::string& comment, const Scene& scene);
   std::string name_of(const std::string& symbol) const;
+  std::string in_language(const std::string& name) const;
 
   std::set<Symbol> known_;
   std::map<std::string, std::string> names_;
   FixedValues fixed_;
+  Spelled spelled_;
   std::vector<Member> members_;
 };
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "base/numbers.hpp"
+
 namespace vcrit::symbolic {
 
 namespace {
@@ -29,6 +31,11 @@ bool is_too_short_to_name(const Node& node, const Operand& whole) {
 }
 
 }  // namespace
+
+std::string literal(double value) {
+  const std::string digits = to_text(value);
+  return digits.find_first_of(".e") == std::string::npos ? digits + ".0" : digits;
+}
 
 std::string in_brackets(const Operand& operand) {
   return operand.is_simple ? operand.text : "(" + operand.text + ")";

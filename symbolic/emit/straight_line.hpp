@@ -29,6 +29,9 @@ class CodeDialect {
   virtual std::string type(NodeKind kind) const = 0;
 };
 
+/// A double as all these languages write it.
+std::string literal(double value);
+
 /// "a", or "(a + b)".
 std::string in_brackets(const Operand& operand);
 

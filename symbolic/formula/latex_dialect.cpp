@@ -33,8 +33,8 @@ class LatexDialect : public Dialect {
     return "\\frac{" + digits.substr(0, bar) + "}{" + digits.substr(bar + 1) + "}";
   }
   std::string name(const std::string& text) const override {
-    if (text.starts_with("S_")) return "S_{" + name(text.substr(2)) + "}";
     if (is_set_apart(text)) return letter_by_letter(text);
+    if (text.starts_with("S_")) return "S_{" + name(text.substr(2)) + "}";
     const Notation n = notation(text);
     std::string result = is_greek(n.base)    ? "\\" + n.base
                          : n.base.size() > 1 ? "\\mathrm{" + n.base + "}"
@@ -72,7 +72,7 @@ class LatexDialect : public Dialect {
   }
   std::string call(const std::string& function, const std::string& argument) const override {
     if (function == "abs") return "\\left|" + argument + "\\right|";
-    if (function == "exp") return "e^{" + argument + "}";
+    if (function == "exp" && printed_name(own_name("e")) == "e") return "e^{" + argument + "}";
     return "\\operatorname{" + function + "}" + wrapped(argument);
   }
   std::string wrapped(const std::string& text) const override {

@@ -38,9 +38,9 @@ class MathMlDialect : public Dialect {
     return "<mfrac>" + number(digits.substr(0, bar)) + number(digits.substr(bar + 1)) + "</mfrac>";
   }
   std::string name(const std::string& text) const override {
+    if (is_set_apart(text)) return "<mi>" + text + "</mi>";
     if (text.starts_with("S_"))
       return "<msub><mi>S</mi><mrow>" + name(text.substr(2)) + "</mrow></msub>";
-    if (is_set_apart(text)) return "<mi>" + text + "</mi>";
     const Notation n = notation(text);
     std::string result = "<mi>" + letter(n.base) + "</mi>";
     const auto dots = std::count(n.above.begin(), n.above.end(), '\'');
@@ -79,7 +79,8 @@ class MathMlDialect : public Dialect {
   std::string call(const std::string& function, const std::string& argument) const override {
     if (function == "abs")
       return "<mrow><mo fence=\"true\">|</mo>" + argument + "<mo fence=\"true\">|</mo></mrow>";
-    if (function == "exp") return "<msup><mi>e</mi><mrow>" + argument + "</mrow></msup>";
+    if (function == "exp" && printed_name(own_name("e")) == "e")
+      return "<msup><mi>e</mi><mrow>" + argument + "</mrow></msup>";
     return "<mi>" + function + "</mi>" + wrapped(argument);
   }
   std::string wrapped(const std::string& text) const override {

@@ -17,6 +17,7 @@ thread_local const NamesOfScene* printing = nullptr;
 
 /// What a reader sees of a name: its parts without the underscores between them.
 std::string setting_of(const std::string& name) {
+  if (name.starts_with("S_")) return "S " + setting_of(name.substr(2));
   const Notation n = notation(name);
   std::string setting = n.before + " " + n.base + n.above;
   for (const std::string& part : n.index) setting += "," + part;
@@ -59,11 +60,12 @@ std::string NamesOfScene::with_entry(const std::string& name) const {
   return found == names_.end() ? name : found->second + name.substr(entry);
 }
 
-// The imaginary unit has a second name of its own.
+// The imaginary unit has a second name of its own; a derivative (x'') is called after its function.
 std::string printed_name(const std::string& name) {
   const std::string base = printing == nullptr ? base_name(name) : printing->written(name);
   if (!is_own(name)) return base;
-  const std::size_t entry = std::min(base.find('['), base.size());  // of an array's groups
+  const std::size_t entry =
+      std::min(base.find_first_of("['"), base.size());  // of an array's groups
   std::string printed = base.substr(0, entry);
   const auto taken = [](const std::string& candidate) {
     return printing != nullptr && printing->by_setting_.contains(setting_of(candidate));

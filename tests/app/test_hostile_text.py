@@ -11,6 +11,7 @@ import unicodedata
 import unittest
 from pathlib import Path
 
+import drivers
 import program
 from browsing import browser, draw_charts, load
 
@@ -23,8 +24,7 @@ HOSTILE = ('"></title></script><script>window.hostile=1</script><img src=x onerr
            "\u2028window.hostile=1;// \u2029window.hostile=1;// \u202eturned\u2066 \x1b[2J\x1b]0;intruder\x07 \x85\x9b "
            '\nimport os\r#error intruder\n\x0b\x0c"""\n[contact]\n<!-- --> ???/')
 PLAIN = "A contact"
-LANGUAGES = {"c++": "critical.hpp", "c99": "critical.h", "python": "critical.py", "javascript": "critical.mjs",
-             "cuda": "critical.cuh"}
+LANGUAGES = {name: f"critical.{row['file']}" for name, row in drivers.LANGUAGES.items()}
 # A Zener element, to a per mille.
 DATA = "frequency,storage,loss\n" + "".join(f"{1e4 * x},{8e6 + 4e6 * x * x / (1 + x * x) + 1e4 * (i % 3)},"
                                              f"{4e6 * x / (1 + x * x)}\n"
@@ -124,12 +124,12 @@ class Code(Case):
 
     # Only the compiler knows all that ends a comment.
     def test_it_compiles(self):
-        for language, main, command in [("c99", "critical.h", ["gcc", "-std=c99", "-x", "c"]),
-                                        ("c++", "critical.hpp", ["g++", "-std=c++20", "-x", "c++"])]:
-            self.generated(HOSTILE, language)
-            result = subprocess.run([*command, "-fsyntax-only", "-Wall", "-Werror",
-                                     self.folder / "generated" / main], capture_output=True, text=True)
-            self.assertEqual(result.returncode, 0, result.stderr)
+        for language in LANGUAGES:
+            with self.subTest(language):
+                self.generated(HOSTILE, language)
+                folder = self.folder / "generated"
+                library = ("critical", drivers.members(self.generated(HOSTILE, "c++")["critical.hpp"]))
+                drivers.answers(language, folder, [library], [(0, [1.0] * len(library[1]))])
 
     def test_names_of_files(self):
         odd = "odd \"><img src=x>\n$(touch intruder) ';`touch intruder`;'??\u2028.toml"

@@ -118,9 +118,20 @@ class OwnNames(Case):
         for value, right in zip(map(float, found.split()), expected, strict=True):
             self.assertAlmostEqual(value / right, 1, delta=1e-14)
 
+    def test_words_and_derivatives_beside_elements_of_their_names(self):
+        normal = " | ".join(f"spring({name})" for name in ("x", "B", "v0", "nu", "e"))
+        file = self.scene(normal=normal, network="kd", mass="m")
+        text = self.out("derive", file)
+        for part in ("x_own: body", "m*x_own'' +", "v0_own - |omega B_own|", "2(1 - nu_own)/(2 - nu_own)"):
+            self.assertIn(part, text)
+        latex = self.out("derive", file, "--format", "latex")
+        self.assertIn(r"\ddot{x}_{\mathrm{own}}", latex)
+        self.assertIn(r"\operatorname{exp}\left(", latex)
+        self.assertNotIn("e^{", latex)
+
     def test_names_that_would_be_set_alike(self):
         text = named(SHAPES[0], "k_1")[0]
-        for pair in (("k1", "k_1"), ("k1_2", "k_1_2")):
+        for pair in (("k1", "k_1"), ("k1_2", "k_1_2"), ("S_k1", "S_k_1")):
             self.write(text.replace("spring(k_1) |", f"spring({pair[0]}) | spring({pair[1]}) |")
                        .replace("k_1 = 7", f"{pair[0]} = 1.0\n{pair[1]} = 7"))
             latex = self.out("derive", "s.toml", "--format", "latex")

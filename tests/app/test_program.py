@@ -5,6 +5,7 @@ import keyword
 import shutil
 import unittest
 
+import drivers
 from program import PROJECT, Case, example, run, settings
 
 KELVIN, DRIVE = example("kelvin"), example("elastic_drive")
@@ -119,7 +120,10 @@ class Commands(Case):
         self.assertTrue((self.folder / "lib/CMakeLists.txt").exists())
 
     def test_generate_writes_one_file_in_other_languages(self):
-        for language, file in [("c99", "k.h"), ("python", "k.py"), ("javascript", "k.mjs"), ("cuda", "k.cuh")]:
+        for language, row in drivers.LANGUAGES.items():
+            if language == "c++":
+                continue
+            file = f"k.{row['file']}"
             printed = self.out("generate", KELVIN, "--out", language, "--name", "k", "--language", language)
             self.assertEqual(printed, f"{language}/{file}\n")
             self.assertEqual([path.name for path in (self.folder / language).iterdir()], [file])

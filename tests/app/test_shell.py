@@ -12,6 +12,7 @@ import unittest
 from pathlib import Path
 
 import completion_drivers
+import drivers
 from program import PROGRAM, PROJECT
 
 SHARE = Path(sys.argv.pop(1)).resolve()
@@ -172,7 +173,7 @@ class Completion(unittest.TestCase):
         self.assertGreaterEqual(seen, 7)  # completion, format, form, language, method, start, quantity
         self.offered("vcrit simulate --method=mo", ["moreau"])
         self.offered("vcrit simulate --method m", ["moreau", "msbdf"])
-        self.offered("vcrit generate --language ", ["c++", "c99", "python", "javascript", "cuda"])
+        self.offered("vcrit generate --language ", list(drivers.LANGUAGES))
 
     def test_of_scenes_and_folders(self):
         scenes = ["pad.toml", "pin.toml", "some scenes"]

@@ -153,7 +153,7 @@ BOOST_AUTO_TEST_CASE(wrong_names_and_values_are_refused) {
              std::string::npos);
   for (const char* name : {"k1", "u_z0"})
     for (const double value : {-1.0, HUGE_VAL})
-      BOOST_TEST(refused({name}, {{1, value}}).find(std::string("--set ") + name) == 0U);
+      BOOST_TEST(refused({name}, {{1, value}}).find(std::string("set ") + name) == 0U);
 }
 
 // u_z0 is no part of v*; a lane without a number has none all the same.

@@ -6,6 +6,7 @@
 #include "derivation/derivation.hpp"
 #include "derivation/scenes.hpp"
 #include "document/print.hpp"
+#include "formula/names.hpp"
 #include "formula/symbols.hpp"
 #include "formula/text.hpp"
 
@@ -146,6 +147,17 @@ BOOST_AUTO_TEST_CASE(numbers_are_taken_as_written) {
   BOOST_TEST(exact_decimal(2.5e6).is_equal(GiNaC::numeric(2500000)));
   BOOST_TEST(exact_binary(0.375).is_equal(GiNaC::numeric(3, 8)));
   BOOST_TEST(!exact_binary(0.3).is_equal(GiNaC::numeric(3, 10)));
+}
+
+// What two scenes have in common is derived once; its words are each scene's.
+BOOST_AUTO_TEST_CASE(words_are_those_of_the_scene_that_is_printed) {
+  const auto first_words = [](const char* normal) {
+    const Scene scene = test::scene_of(std::string("normal = \"") + normal + "\"\npoisson = 0.3");
+    const NamesOfScene names(scene);
+    return derive(scene).lines.front().words;
+  };
+  BOOST_TEST(first_words("spring(y)").find("(y_own: its") != std::string::npos);
+  BOOST_TEST(first_words("spring(a)").find("(y: its") != std::string::npos);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

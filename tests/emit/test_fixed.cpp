@@ -218,19 +218,19 @@ BOOST_AUTO_TEST_CASE(numbers_that_are_there_already_may_be_named) {
 
 BOOST_AUTO_TEST_CASE(wrong_names_are_refused) {
   const Scene scene = stored("kelvin");
-  refused(scene, "kdd", "--fix: found \"kdd\", which this scene does not have; expected \"kd\"");
+  refused(scene, "kdd", "fix: found \"kdd\", which this scene does not have; expected \"kd\"");
   for (const char* name : {"omega", "mu0", "du_z", "u_z0", "frequency"})
     refused(scene, name,
-            "--fix: found \"" + std::string(name) +
+            "fix: found \"" + std::string(name) +
                 "\", which is a parameter of every call; expected one of all, cn, ct, kd, kn, kt, "
                 "m, mass");
   refused(stored("prony"), "k[11]",
-          "--fix: found \"k[11]\", which this scene does not have; expected \"k[10]\"");
+          "fix: found \"k[11]\", which this scene does not have; expected \"k[10]\"");
   refused(scene_of("normal = \"kn\"\npoisson = \"nu\"", "kd"), "nu",
-          "--fix: found \"nu\", which has no number in the scene; expected a number for it, as by "
+          "fix: found \"nu\", which has no number in the scene; expected a number for it, as by "
           "--set nu=VALUE");
   refused(scene_of("normal = \"prony(k0, k, tau, 3)\"\npoisson = 0.3", "kd"), "tau",
-          "--fix: found \"tau\", which has no number in the scene; expected a number for it, as by "
+          "fix: found \"tau\", which has no number in the scene; expected a number for it, as by "
           "--set tau[1]=VALUE");
 }
 

@@ -5,7 +5,6 @@
 
 #include "derivation/scenes.hpp"
 #include "emit/draw.hpp"
-#include "emit/languages/languages.hpp"
 #include "emit/library.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_inexact_arithmetic)
@@ -103,7 +102,7 @@ class Builds {
   Builds() {
     const Scene scene = scene_of(test::kelvin_contact, "kd | cd", "m");
     symbolic::generate(scene, folder_.path(), "kelvin");
-    symbolic::generate(scene, folder_.path(), "kelvin", symbolic::Language::c99);
+    symbolic::generate(scene, folder_.path(), "kelvin", {.language = "c99"});
     test::Draw draw(seed);
     std::string rows;
     std::size_t count = 0;

@@ -1,9 +1,10 @@
-// Evaluators in C99, Python, JavaScript and CUDA compiled, run, and compared with nodal evaluation
-// at 250 digits: values, bounds and gradients. nvcc alone may be missing.
+// Evaluators in all languages but C++ compiled, run, and compared with nodal evaluation at 250
+// digits: values, bounds and gradients.
 #include <boost/test/unit_test.hpp>
 
+#include <algorithm>
 #include <limits>
-#include <map>
+#include <set>
 
 #include "base/errors.hpp"
 #include "derivation/scenes.hpp"
@@ -14,7 +15,6 @@
 BOOST_AUTO_TEST_SUITE(test_languages)
 
 using namespace vcrit;
-using symbolic::Language;
 using test::Asked;
 using Call = test::LanguageCall;
 using Files = test::LanguageFiles;
@@ -131,7 +131,7 @@ BOOST_AUTO_TEST_CASE(meshes) {
   const std::vector<Scene> shapes{
       scene_of("normal = \"net\"\ntangential = \"kt | ct\"", "", "",
                "[networks.net]\nterminals = [\"0\", \"1\"]\nedges = [" + edges + "]\n")};
-  const std::string c = symbolic::emit(shapes[0], "mesh", Language::c99);
+  const std::string c = symbolic::emit(shapes[0], "mesh", {.language = "c99"});
   BOOST_REQUIRE(c.find("mesh_unless_moderate(") != std::string::npos);
   const Files files(shapes);
   std::vector<Call> all = calls(shapes, 12, -13.0);
@@ -203,46 +203,94 @@ BOOST_AUTO_TEST_CASE(a_missing_tool_is_no_success) {
   BOOST_CHECK_NO_THROW(test::require_tool("g++", folder.path()));
   BOOST_CHECK_THROW(test::require_tool("no-such-compiler", folder.path()), std::runtime_error);
   // Of all tools, no language hangs on one that may be missing.
-  std::set<Language> certain;
-  for (const Tool& tool : test::tools())
-    if (!tool.is_optional) certain.insert(tool.language);
-  BOOST_TEST(certain.size() == 4U);
+  for (const test::LanguageRow& row : test::language_rows())
+    BOOST_TEST(std::any_of(row.tools.begin(), row.tools.end(),
+                           [](const Tool& t) { return !t.is_optional; }),
+               row.name);
+}
+
+BOOST_AUTO_TEST_CASE(every_language_has_a_row) {
+  std::set<std::string> rows;
+  for (const test::LanguageRow& row : test::language_rows()) rows.insert(row.name);
+  const std::vector<std::string>& names = symbolic::language_names();
+  BOOST_TEST(rows == std::set<std::string>(names.begin(), names.end()),
+             boost::test_tools::per_element());
+}
+
+// As in generated files, but for what the generator fills in.
+BOOST_AUTO_TEST_CASE(the_arithmetic_compiles_as_it_is) {
+  const test::PrivateFolder folder;
+  for (const test::LanguageRow& row : test::language_rows()) {
+    const std::string room = VCRIT_LANGUAGES "/" + (row.name == "c++" ? "cpp" : row.name) + "/";
+    test::Command command = row.arithmetic;
+    for (std::string& word : command) {
+      word = test::replaced_all(word, "FOLDER/", folder.path().string() + "/");
+      word = test::replaced_all(word, "HERE/", room);
+    }
+    const test::Outcome outcome = test::run(command, folder.path());
+    BOOST_TEST(outcome.status == 0, row.name << ": " << outcome.output);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(same_bytes_in_every_run) {
   for (const Scene& scene : scenes())
-    for (const Language language :
-         {Language::c99, Language::python, Language::javascript, Language::cuda}) {
-      const std::string first = symbolic::emit(scene, "again", language);
+    for (const std::string& language : symbolic::language_names()) {
+      const std::string first = symbolic::emit(scene, "again", {.language = language});
       for (int run = 1; run < 10; ++run)
-        BOOST_TEST((symbolic::emit(scene, "again", language) == first));
+        BOOST_TEST((symbolic::emit(scene, "again", {.language = language}) == first));
     }
 }
 
-BOOST_AUTO_TEST_CASE(names_are_refused_by_the_language_that_takes_them) {
-  const auto refused = [](const char* element, const char* name, Language language) {
+BOOST_AUTO_TEST_CASE(names_are_refused_by_the_languages_that_take_them) {
+  const auto refused = [](const std::string& element, const std::string& name,
+                          const std::string& language) {
     try {
-      const std::string contact =
-          std::string("normal = \"spring(") + element + ")\"\ntangential = \"kt\"";
-      symbolic::emit(scene_of(contact), name, language);
+      const std::string contact = "normal = \"spring(" + element + ")\"\ntangential = \"kt\"";
+      symbolic::emit(scene_of(contact), name, {.language = language});
       return false;
     } catch (const InputError&) {
       return true;
     }
   };
-  const std::vector<Language> all{Language::c99, Language::python, Language::javascript,
-                                  Language::cuda};
-  const auto only = [&](const char* element, const char* name, Language taker) {
-    for (const Language language : all)
-      BOOST_TEST(refused(element, name, language) == (language == taker), element << ", " << name);
+  const auto is_among = [](const std::string& word, const test::Command& words) {
+    return std::find(words.begin(), words.end(), word) != words.end();
   };
-  only("None", "good", Language::python);
-  only("null", "good", Language::javascript);
-  only("kn", "numpy", Language::python);
-  only("kn", "True", Language::python);
-  only("kn", "super", Language::javascript);
-  only("kn", "threadIdx", Language::cuda);
-  for (const Language language : all) BOOST_TEST(refused("kn", "../up", language));
+  std::set<std::string> elements, libraries;
+  for (const test::LanguageRow& row : test::language_rows()) {
+    elements.insert(row.elements.begin(), row.elements.end());
+    libraries.insert(row.libraries.begin(), row.libraries.end());
+  }
+  BOOST_TEST(elements.size() > 1);
+  BOOST_TEST(libraries.size() > 3);
+  for (const test::LanguageRow& row : test::language_rows()) {
+    for (const std::string& word : elements)
+      BOOST_TEST(refused(word, "good", row.name) == is_among(word, row.elements),
+                 row.name << ": " << word);
+    for (const std::string& word : libraries)
+      BOOST_TEST(refused("kn", word, row.name) == is_among(word, row.libraries),
+                 row.name << ": " << word);
+    BOOST_TEST(refused("kn", "../up", row.name));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(names_are_spelled_as_the_language_does) {
+  const Scene scene = scene_of("normal = \"prony(k0, k, tau, 3)\"\npoisson = \"nu\"", "kd");
+  const auto spelled = [](const std::string& name) { return "r#" + name; };
+  const symbolic::ParameterList parameters(scene, symbolic::derive(scene), {}, spelled);
+  for (const symbolic::Member& member : parameters.members())
+    BOOST_TEST(member.name == "r#" + member.symbol);
+  BOOST_TEST(parameters.reference({"k", 2}) == "p.r#k[1]");
+  BOOST_TEST(parameters.named("at.THE_OMEGA") == "at.r#omega");
+}
+
+BOOST_AUTO_TEST_CASE(an_unknown_language_is_answered_with_all_that_there_are) {
+  try {
+    symbolic::emit(scenes().front(), "good", {.language = "cobol"});
+    BOOST_TEST(false);
+  } catch (const InputError& error) {
+    for (const std::string& name : symbolic::language_names())
+      BOOST_TEST(std::string(error.what()).find(name) != std::string::npos, error.what());
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

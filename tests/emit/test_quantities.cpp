@@ -7,7 +7,7 @@
 #include "base/errors.hpp"
 #include "derivation/scenes.hpp"
 #include "emit/library.hpp"
-#include "emit/quantities.hpp"
+#include "emit/languages/cpp/quantities.hpp"
 #include "program/quantities.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_quantities)

@@ -4,7 +4,7 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include "emit/cpp_dialect.hpp"
+#include "emit/languages/cpp/dialect.hpp"
 
 namespace vcrit::symbolic {
 

@@ -37,8 +37,8 @@ void check_setting(const std::string& setting) {
   static const Scene plain = parse_scene(text, "scene.toml");
   const auto [name, value] = parse_setting(setting);
   const Scene scene = parse_scene(text, "scene.toml", {{name, value}, {"poisson", "0.25"}});
-  const double number =
-      parse_quantity(value, known_dimension(name, plain.settable, {"--set"}), {"--set"});
+  const double number = parse_quantity(
+      value, known_dimension(name, plain.settable, argument("set")), argument("set"));
   const double velocity = certified_critical_velocity(scene).value;
   fuzz::check(velocity >= 0, "v* is no NaN and not negative");
   if (name == "poisson" || name == "nu") return;

@@ -8,7 +8,8 @@
 #include <sstream>
 
 #include "base/numbers.hpp"
-#include "maps/hdf5_objects.hpp"
+#include "maps/netcdf_file.hpp"
+#include "maps/part.hpp"
 #include "maps/stream.hpp"
 #include "support/program.hpp"
 
@@ -71,14 +72,14 @@ std::string message(const std::function<void()>& action) {
 
 bool has(const std::string& text, const std::string& part) { return text.find(part) != text.npos; }
 
-std::vector<double> read_array(const fs::path& file, const std::string& name, std::size_t size) {
-  const hdf5::Object opened(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose,
-                            "H5Fopen");
-  const hdf5::Object array = hdf5::open_array(opened, name);
+std::vector<double> read_array(const fs::path& path, const std::string& name, std::size_t size) {
+  netcdf::File file = netcdf::File::open(path, NC_NOWRITE);
+  int group = file.id(), array = -1;
+  if (name == "blocks") netcdf::call(nc_inq_grp_ncid, file.id(), "progress", &group);
+  netcdf::call(nc_inq_varid, group, name.c_str(), &array);
   std::vector<double> values(size);
-  hdf5::succeeded(
-      H5Dread(array.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
-      "H5Dread");
+  netcdf::call(nc_get_var_double, group, array, values.data());
+  file.close();
   return values;
 }
 
@@ -175,14 +176,18 @@ BOOST_AUTO_TEST_CASE(what_an_unfinished_array_lacks_is_declared_missing) {
   const Sweep sweep = motion_map();
   BOOST_CHECK_THROW(streamed(sweep, file, false, 3), std::runtime_error);
   const std::size_t blocks = Sweeping(sweep).grid().blocks();
-  const auto done = read_array(maps::part_of(file), "/progress/blocks", blocks);
+  const auto done = read_array(maps::part_of(file), "blocks", blocks);
   BOOST_TEST(std::count(done.begin(), done.end(), 1.0) >= 3);
   const auto values = read_array(maps::part_of(file), "critical_velocity", 9 * 20 * 80);
   for (std::size_t block = 0; block < blocks; ++block)
     BOOST_TEST((values[Sweeping(sweep).grid().block(block).first] != 0) == (done[block] == 1));
   const auto missing = [](const fs::path& path) {
-    const hdf5::Object opened(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, "");
-    return H5Aexists(hdf5::open_array(opened, "critical_velocity").id(), "_FillValue") > 0;
+    netcdf::File opened = netcdf::File::open(path, NC_NOWRITE);
+    const int array = opened.array("critical_velocity");
+    const bool declared =
+        nc_inq_att(opened.id(), array, netcdf::fill_value, nullptr, nullptr) == NC_NOERR;
+    opened.close();
+    return declared;
   };
   BOOST_TEST(missing(maps::part_of(file)));
   streamed(sweep, file, true);
@@ -223,7 +228,7 @@ BOOST_AUTO_TEST_CASE(an_element_named_progress_is_swept_as_a_table) {
       "[friction]\ncoefficient = 0.3\n[elements]\nprogress = 7.0\nc1 = 2.0\nk2 = 5.0\n",
       "s.toml");
   sweep.axes.push_back(parse_axis("progress=lin:7:9:20", sweep.scene));
-  BOOST_TEST(has(message([&] { streamed(sweep, folder.path() / "map.nc"); }), "--over progress"));
+  BOOST_TEST(has(message([&] { streamed(sweep, folder.path() / "map.nc"); }), "over progress"));
   BOOST_TEST(fs::is_empty(folder.path()));
   BOOST_TEST(message([&] { streamed(sweep, folder.path() / "map.csv"); }) == "accepted");
 }
@@ -240,7 +245,7 @@ BOOST_AUTO_TEST_CASE(two_axes_of_one_name_in_the_file_are_swept_as_a_table) {
       "s.toml");
   for (const char* axis : {"k[1]=lin:1:2:3", "k_1=lin:7:9:4"})
     sweep.axes.push_back(parse_axis(axis, sweep.scene));
-  BOOST_TEST(has(message([&] { streamed(sweep, folder.path() / "map.nc"); }), "--over k_1"));
+  BOOST_TEST(has(message([&] { streamed(sweep, folder.path() / "map.nc"); }), "over k_1"));
   BOOST_TEST(fs::is_empty(folder.path()));
   BOOST_TEST(message([&] { streamed(sweep, folder.path() / "map.csv"); }) == "accepted");
 }

@@ -35,6 +35,7 @@ class APlantedTree(unittest.TestCase):
         "validation/agreement.hpp": '#include "simulation/system/system.hpp"\n#include "critical/critical.hpp"\n',
         "validation/report/report.hpp": '#include "agreement.hpp"\n',
         "app/main.cpp": '#include "report/report.hpp"\n',
+        "bench/speed/speed.hpp": '#include <ginac/ginac.h>\n#include "agreement.hpp"\n',
     }
 
     def problems(self, **changes):
@@ -98,6 +99,10 @@ class APlantedTree(unittest.TestCase):
 
     def test_the_library_may_not_use_algebra(self):
         self.assert_found("src/critical/wrong.cpp", "#include <ginac/ginac.h>\n", "algebra")
+
+    def test_the_product_may_not_know_the_benchmarks(self):
+        for room in ["src/base", "symbolic/emit", "validation/report", "app", "python"]:
+            self.assert_found(f"{room}/wrong.cpp", '#include "speed/speed.hpp"\n', "comes after")
 
     def test_a_relative_path_does_not_hide_the_arrow(self):
         self.assert_found("src/base/wrong.hpp", ' # include "../scene/scene.hpp"\n', "comes after")

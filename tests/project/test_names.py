@@ -17,13 +17,12 @@ import unittest
 from declarations import declarations
 
 ROOT = pathlib.Path(sys.argv.pop(1))
-LIBRARIES = ("src", "symbolic", "validation", "app", "python")
-PROGRAMS = ("validation/benchmark", "validation/bounds", "validation/scaling", "validation/speed")
+LIBRARIES = ("src", "symbolic", "validation", "app", "python", "bench")
 
 
 def library(name):
     """What the file is compiled into."""
-    return next((p for p in PROGRAMS if name.startswith(p + "/")), name.split("/")[0])
+    return name.split("/")[0]
 
 
 def around(outer, inner):

@@ -16,6 +16,9 @@ import tempfile
 import unittest
 from pathlib import Path
 
+sys.path.insert(0, str(Path(__file__).parents[1] / "languages"))
+import drivers
+
 PROJECT, BUILD = (Path(sys.argv.pop(1)).resolve() for _ in range(2))
 VCRIT = BUILD / "vcrit"
 
@@ -57,7 +60,7 @@ class DebianPackages(unittest.TestCase):
 
     def test_need_what_they_use(self):
         needs = self.field("vcrit", "Depends")
-        for library in ("libginac", "libgsl", "libflint-arb", "libudunits2", "libhdf5", "libstdc++6"):
+        for library in ("libginac", "libgsl", "libflint-arb", "libudunits2", "libnetcdf", "libhdf5", "libstdc++6"):
             self.assertIn(library, needs)
         self.assertIn("libgsl-dev", self.field("libvcrit-dev", "Depends"))
 
@@ -133,7 +136,7 @@ class SameBytes(unittest.TestCase):
         for scene in sorted((PROJECT / "scenes").glob("*.toml")):
             if scene.stem in without:
                 continue
-            for language in ("c++", "c99", "cuda", "python", "javascript"):
+            for language in drivers.LANGUAGES:
                 name = f"{scene.stem}-{language}"
                 with self.subTest(name):
                     first = self.generated(scene, language, self.folder / "here" / name)

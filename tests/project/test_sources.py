@@ -7,7 +7,7 @@ import unittest
 from pathlib import Path
 
 PROJECT = Path(sys.argv.pop(1))
-FOLDERS = ["src", "symbolic", "validation", "app", "python", "examples", "cmake", "scenes", "docs", "tests", ".ci"]
+FOLDERS = ["src", "symbolic", "validation", "app", "python", "bench", "examples", "cmake", "scenes", "docs", "tests", ".ci"]
 SUFFIXES = {".cpp", ".hpp", ".h", ".py", ".txt", ".cmake", ".toml", ".md", ".js", ".mjs", ".css", ".html"}
 UNFINISHED = re.compile(r"\b(TO" + r"DO|FIX" + r"ME|X" + r"XX)\b")
 LONGEST = 400
@@ -49,6 +49,31 @@ def without_opening_comment(root):
     ]
 
 
+# Strings of C++, raw ones too; comments may say <b> as they like.
+STRING = re.compile(r'//[^\n]*|/\*.*?\*/|R"(?P<end>[^(]*)\((?P<raw>.*?)\)(?P=end)"|"(?P<plain>(?:[^"\\\n]|\\.)*)"', re.S)
+HTML = ("html head body meta title style script link header main nav section div span p a ul ol li table thead tbody tr "
+        "th td h1 h2 h3 figure figcaption details summary small strong em b i sub sup code pre button input label output "
+        "svg g path circle text tspan").split()
+PRODUCT = ["src", "symbolic", "validation", "app", "python"]
+
+
+def tag(names):
+    return re.compile(rf"</?(?:{'|'.join(names)})(?:\s+[a-z-]+=|\s*/?>)")
+
+
+def tags(root):
+    """Tags in strings of C++: pages are made of templates, which escape. The symbolic part prints MathML as it prints
+    LaTeX and text."""
+    return [
+        f"{file.relative_to(root)}: {found[0][:60]}"
+        for folder in PRODUCT
+        for file in sorted((root / folder).rglob("*.[ch]pp"))
+        for found in STRING.finditer(file.read_text())
+        if "#include" not in found[0]
+        and tag(HTML if folder == "symbolic" else [*HTML, "m[a-z]+"]).search(found["raw"] or found["plain"] or "")
+    ]
+
+
 class Sources(unittest.TestCase):
     def test_are_finished(self):
         self.assertEqual(unfinished(PROJECT), [])
@@ -58,6 +83,9 @@ class Sources(unittest.TestCase):
 
     def test_say_what_they_are_for(self):
         self.assertEqual(without_opening_comment(PROJECT), [])
+
+    def test_have_no_tags(self):
+        self.assertEqual(tags(PROJECT), [])
 
     def test_are_found_at_all(self):
         self.assertGreater(sum(1 for _ in files(PROJECT)), 50)
@@ -71,6 +99,9 @@ class APlantedTree(unittest.TestCase):
             (root / "src/long.cpp").write_text("// Long.\n" * (LONGEST + 1))
             (root / "src/open.hpp").write_text("int f();  // TO" + "DO: more\n")
             self.assertEqual(too_long(root), [f"src/long.cpp: {LONGEST + 1} lines"])
+            (root / "src/page.cpp").write_text('// A <b>bold</b> page.\nauto a = "<p class=\\"x\\">";\n'
+                                               'auto b = R"(<li>)"; std::vector<double> c; auto d = "a <b, c> d";\n')
+            self.assertEqual(tags(root), ['src/page.cpp: "<p class=\\"x\\">"', 'src/page.cpp: R"(<li>)"'])
             self.assertEqual(unfinished(root), ["src/open.hpp:1: int f();  // TO" + "DO: more"])
 
 

@@ -13,8 +13,8 @@ PROMISED = {"-Wall", "-Wextra", "-Wconversion", "-Wshadow", "-Werror"}
 ALLOWED_OFF = {"-Wno-maybe-uninitialized", "-Wno-restrict", "-Wno-stringop-overread"}
 SILENT = re.compile(r"#\s*pragma\s+(GCC|clang)\s+diagnostic|#\s*pragma\s+GCC\s+system_header")
 # Text of generated code: clang says where it did not vectorise a loop that need not be.
-WRITES_CODE = {"symbolic/emit/arithmetic_text.cpp"}
-FOLDERS = ["src", "symbolic", "validation", "app", "python", "examples", "tests"]
+WRITES_CODE = {"symbolic/emit/languages/cpp/arithmetic.hpp"}
+FOLDERS = ["src", "symbolic", "validation", "app", "python", "bench", "examples", "tests"]
 
 
 def lacking(command):

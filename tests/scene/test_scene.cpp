@@ -148,7 +148,7 @@ BOOST_AUTO_TEST_CASE(set_replaces_and_completes) {
   BOOST_TEST(values_of(scene(text, {{"omega", "100"}})).at({"omega"}) == 100);
   BOOST_TEST(values_of(scene(text, {{"frequency", "10"}})).at({"omega"}) == 20 * std::numbers::pi);
   BOOST_TEST(values_of(scene(text, {{"amplitude", "1 mm"}})).at({"du_z"}) == 1e-3);
-  BOOST_TEST(has(message(text, {{"kk", "1"}}), "--set kk: found \"kk\""));
+  BOOST_TEST(has(message(text, {{"kk", "1"}}), "set kk: found \"kk\""));
   BOOST_TEST(has(message(text, {{"kn", "1 s"}}), "a stiffness in N/m"));
   BOOST_TEST(has(message(text, {{"kn", "-1"}}), "at least 0"));
 }

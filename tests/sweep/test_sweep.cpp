@@ -213,7 +213,7 @@ BOOST_AUTO_TEST_CASE(mistakes_are_named) {
   sweep.velocity = 1;
   BOOST_TEST(has(message(sweep_over("kelvin.toml", {"mass=lin:1:2:2"}, {"critical_velocity"},
                                     {{"mass", "1 g"}})),
-                 "--set mass as well"));
+                 "a setting of mass as well"));
   BOOST_TEST(has(message(sweep_over("zener.toml", {"mass=lin:1:0:2", "poisson=lin:0.4:0.6:3"},
                                     {"critical_velocity"})),
                  "up to 0.5"));

@@ -5,8 +5,8 @@
 #include <boost/test/unit_test.hpp>
 #include <nlohmann/json.hpp>
 
-#include "report/accuracy_json.hpp"
-#include "report/accuracy_section.hpp"
+#include "report/document.hpp"
+#include "report/records.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_accuracy)
 
@@ -40,8 +40,8 @@ BOOST_AUTO_TEST_CASE(the_elastic_scene_has_all_but_relaxation_and_hears_of_no_ma
     BOOST_TEST(layer.lost.size() == 32U * 24U);
     BOOST_TEST(layer.marks.empty(), layer.name);
   }
-  const std::string html = report::accuracy_section(all);
-  const std::string json = report::accuracy_json(all).dump();
+  const std::string html = report::rendered("accuracy", record::page_of(all));
+  const std::string json = record::json_of(all).dump();
   BOOST_TEST(!has(json, "null"));
   for (const char* word : {"mass", " body", "resonance", "K_d", "drive"}) {
     BOOST_TEST(!has(html, word), word);

@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "accuracy/pictures.hpp"
-#include "report/accuracy_json.hpp"
-#include "report/accuracy_section.hpp"
+#include "report/document.hpp"
+#include "report/records.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_accuracy_report)
 
@@ -69,6 +69,10 @@ Accuracy example() {
   return all;
 }
 
+std::string section_of(const Accuracy& accuracy) {
+  return report::rendered("accuracy", vcrit::record::page_of(accuracy));
+}
+
 bool has(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
@@ -76,7 +80,7 @@ bool has(const std::string& text, const std::string& part) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(json_holds_all_data) {
-  const auto json = report::accuracy_json(example());
+  const auto json = vcrit::record::json_of(example());
   BOOST_TEST(json["command"] == "vcrit validate a&b.toml --out DIR");
   const auto& evaluators = json["evaluators"];
   BOOST_TEST(evaluators["seed"] == 7);
@@ -106,7 +110,7 @@ BOOST_AUTO_TEST_CASE(json_holds_all_data) {
 }
 
 BOOST_AUTO_TEST_CASE(the_page_shows_failures_worst_inputs_and_what_is_left_out) {
-  const std::string html = report::accuracy_section(example());
+  const std::string html = section_of(example());
   BOOST_TEST(has(html, "not for this &lt;scene&gt;"));
   BOOST_TEST(!has(html, "<scene>"));
   BOOST_TEST(has(html, "wrong by hand"));
@@ -121,9 +125,9 @@ BOOST_AUTO_TEST_CASE(the_page_shows_failures_worst_inputs_and_what_is_left_out) 
 BOOST_AUTO_TEST_CASE(a_scene_without_a_body_does_not_hear_of_resonance) {
   Accuracy all = example();
   all.maps[0].lines.clear();
-  BOOST_TEST(!has(report::accuracy_section(all), "resonance"));
+  BOOST_TEST(!has(section_of(all), "resonance"));
   all.evaluators.near_resonance = 1;
-  BOOST_TEST(has(report::accuracy_section(all), "resonance"));
+  BOOST_TEST(has(section_of(all), "resonance"));
 }
 
 BOOST_AUTO_TEST_CASE(errors_of_0_are_on_the_logarithmic_axes) {

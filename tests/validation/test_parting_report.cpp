@@ -8,10 +8,13 @@
 
 #include "agreement.hpp"
 #include "critical/critical_velocity.hpp"
-#include "report/indenter_section.hpp"
-#include "report/parting_section.hpp"
+#include "report/document.hpp"
+#include "report/indenter_figures.hpp"
+#include "report/parting_figures.hpp"
+#include "report/records.hpp"
 #include "report/report_json.hpp"
-#include "report/scene_section.hpp"
+#include "report/scene_page.hpp"
+#include "report/verdict.hpp"
 #include "simulation/steady/exact.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_parting_report)
@@ -129,8 +132,9 @@ BOOST_AUTO_TEST_CASE(without_closed_form) {
   BOOST_TEST(passed(report));
   BOOST_TEST(!report.parting.value().closed_form);
   BOOST_TEST(report::velocity_words(report).find("simulated") != std::string::npos);
-  BOOST_TEST(report::parting_section(report).find("Eq. 24 does not hold then") !=
-             std::string::npos);
+  const std::string section =
+      report::rendered("separation", record::page_of(report.parting.value()));
+  BOOST_TEST(section.find("Eq. 24 does not hold then") != std::string::npos);
 }
 
 // An elastic sphere: friction at rest is (1 - D)^(3/2)/<(1 + D sin t)^(3/2)>.
@@ -175,8 +179,9 @@ BOOST_AUTO_TEST_CASE(plain_scenes_say_nothing_of_it) {
   const auto json = report::scene_json({report, {}});
   BOOST_TEST(!json.contains("separation"));
   BOOST_TEST(!json.contains("indenter"));
-  BOOST_TEST(report::parting_section(report).empty());
-  BOOST_TEST(report::indenter_section(report).empty());
+  const std::string page = report::scene_page({report, {}}, {});
+  BOOST_TEST(page.find("Surfaces that part") == std::string::npos);
+  BOOST_TEST(page.find("Below the indenter") == std::string::npos);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -8,7 +8,7 @@
 #include "report/assets.hpp"
 #include "report/document.hpp"
 #include "report/html.hpp"
-#include "report/scene_section.hpp"
+#include "report/verdict.hpp"
 #include "validation/example_report.hpp"
 #include "velocity_comparisons.hpp"
 

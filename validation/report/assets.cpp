@@ -7,6 +7,7 @@ VCRIT_ASSET(scales);
 VCRIT_ASSET(drawing);
 VCRIT_ASSET(charts);
 VCRIT_ASSET(explorer);
+VCRIT_ASSET(page_templates);
 #undef VCRIT_ASSET
 
 namespace vcrit::validation::report {
@@ -27,6 +28,8 @@ const std::vector<std::string_view>& scripts() {
 }
 
 std::string_view style() { return between(vcrit_style, vcrit_style_end); }
+
+std::string_view templates() { return between(vcrit_page_templates, vcrit_page_templates_end); }
 
 std::string_view explorer_script() { return between(vcrit_explorer, vcrit_explorer_end); }
 

@@ -11,6 +11,9 @@ const std::vector<std::string_view>& scripts();
 
 std::string_view style();
 
+/// All of templates/, packed for record::Templates.
+std::string_view templates();
+
 /// What moves the explorer; pages without one do not carry it.
 std::string_view explorer_script();
 

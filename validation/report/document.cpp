@@ -5,10 +5,14 @@
 
 #include <array>
 #include <cctype>
+#include <cmath>
 
 #include "base/errors.hpp"
+#include "base/numbers.hpp"
+#include "record/template.hpp"
 #include "report/assets.hpp"
 #include "report/html.hpp"
+#include "report/units.hpp"
 
 namespace vcrit::validation::report {
 
@@ -42,6 +46,34 @@ std::string policy(const std::vector<std::string_view>& scripts) {
   return allowed + "style-src 'unsafe-inline'; base-uri 'none'; form-action 'none'";
 }
 
+// Formats that templates name.
+
+std::string exact(double value, const std::string&) { return vcrit::to_text(value); }
+
+std::string in_magnitude(double value, const std::string&) { return magnitude(value); }
+
+std::string microseconds(double seconds, const std::string&) {
+  return fmt::format("{:.3g}", 1e6 * seconds);
+}
+
+/// What a number is off, as "−1.4 × 10⁻⁸".
+std::string off(double difference, const std::string&) {
+  return (difference < 0 ? "−" : "") + magnitude(std::abs(difference));
+}
+
+/// With a minus sign as people write it, and so many digits behind the point.
+std::string with_sign(double value, const std::string& digits) {
+  return fmt::format("{}{:.{}f}", value < 0 ? "−" : "", std::abs(value), std::stoi(digits));
+}
+
+/// `argument`: the unit, and how many digits if it says so: "m/s 5".
+std::string in_unit(double value, const std::string& argument) {
+  const auto space = argument.rfind(' ');
+  if (space == argument.npos || std::isdigit(static_cast<unsigned char>(argument.back())) == 0)
+    return quantity(value, argument);
+  return quantity(value, argument.substr(0, space), std::stoi(argument.substr(space + 1)));
+}
+
 }  // namespace
 
 std::string script_hash(std::string_view text) {
@@ -55,19 +87,30 @@ std::string script_hash(std::string_view text) {
   return "sha256-" + std::string(base64.begin(), base64.end() - 1);
 }
 
-std::string document(const Document& content) {
-  const auto scripts = scripts_of(content);
-  for (const std::string_view script : scripts) ensure(!ends_early(script), "a script is whole");
-  std::string html = fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-      "<meta http-equiv=\"Content-Security-Policy\" content=\"{}\">\n"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      "<meta name=\"color-scheme\" content=\"light dark\">\n"
-      "<title>{} · vcrit</title>\n<style>\n{}</style>\n</head>\n<body>\n{}",
-      policy(scripts), escape(content.title), style(), content.body);
-  for (const std::string_view script : scripts)
-    html += fmt::format("<script>{}</script>\n", script);
-  return html + "</body>\n</html>\n";
+std::string rendered(const char* name, const record::Json& record) {
+  static const record::Templates all(templates(), escape,
+                                     {{"exact", exact},
+                                      {"magnitude", in_magnitude},
+                                      {"microseconds", microseconds},
+                                      {"off", off},
+                                      {"quantity", in_unit},
+                                      {"signed", with_sign}});
+  return all.render(name, record);
+}
+
+std::string document(const char* name, record::Json record, const Document& about) {
+  const record::Fields page(record::Reader::page);
+  const auto all = scripts_of(about);
+  std::vector<record::Markup> scripts;
+  for (const std::string_view script : all) {
+    ensure(!ends_early(script), "a script is whole");
+    scripts.push_back({std::string(script)});
+  }
+  record["page"] = {{"title", about.title},
+                    {"policy", policy(all)},
+                    {"style", page.written(record::Markup{std::string(style())})},
+                    {"scripts", page.written(scripts)}};
+  return rendered(name, record) + "\n";
 }
 
 }  // namespace vcrit::validation::report

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "report/extremes_json.hpp"
+#include "report/extremes_record.hpp"
 
 namespace vcrit::validation::report {
 

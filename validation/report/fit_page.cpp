@@ -3,10 +3,31 @@
 #include <fmt/core.h>
 
 #include "base/constants.hpp"
-#include "report/chart.hpp"
 #include "report/document.hpp"
 #include "report/fit_figures.hpp"
-#include "report/html.hpp"
+#include "report/records.hpp"
+
+namespace vcrit::record {
+
+void fields(Fields& f, const fit::Uncertain& it) { f("value", it.value)("error", it.error); }
+
+void fields(Fields& f, const fit::FittedBranch& it) {
+  f("stiffness", it.stiffness)("time", it.time);
+}
+
+void fields(Fields& f, const fit::Interval& it) { f("low", it.low)("high", it.high); }
+
+void fields(Fields& f, const fit::KnownStiffness& it) {
+  f("frequency", it.omega / two_pi)("storage", it.storage)("loss", it.loss);
+  f("storage_interval", it.storage_interval)("loss_interval", it.loss_interval);
+}
+
+void fields(Fields& f, const fit::Trial& it) {
+  f("branches", it.branches)("sum_of_squares", it.sum_of_squares);
+  f("chance", it.chance)("level", it.level)("judged", it.chance.has_value());
+}
+
+}  // namespace vcrit::record
 
 namespace vcrit::validation::report {
 
@@ -30,59 +51,6 @@ std::string noise(const fit::Fit& fit) {
   return fmt::format("chi-squared is {:.4g} with {} degrees of freedom ({:.3g} each)",
                      fit.sum_of_squares, fit.degrees_of_freedom,
                      fit.sum_of_squares / fit.degrees_of_freedom);
-}
-
-std::string uncertain_row(const char* name, const fit::Uncertain& a, const char* unit) {
-  return fmt::format("<tr><th>{}</th><td>{:.5g} ± {:.2g} {}</td><td></td></tr>\n", name, a.value,
-                     a.error, unit);
-}
-
-std::string branch_table(const fit::Fit& fit) {
-  std::string rows;
-  if (fit.equilibrium) rows += uncertain_row("k<sub>0</sub>", *fit.equilibrium, "N/m");
-  if (fit.damper) rows += uncertain_row("c<sub>0</sub>", *fit.damper, "N s/m");
-  int j = 0;
-  for (const auto& [k, tau] : fit.branches)
-    rows += fmt::format(
-        "<tr><th>branch {}</th><td>{:.5g} ± {:.2g} N/m</td><td>{:.5g} ± {:.2g} s</td></tr>\n", ++j,
-        k.value, k.error, tau.value, tau.error);
-  return "<h3>The series</h3>\n<div class=\"scroll\"><table class=\"plain\"><thead><tr><th></th>"
-         "<th>stiffness</th><th>relaxation time</th></tr></thead><tbody>\n" +
-         rows + "</tbody></table></div>\n";
-}
-
-std::string interval_cells(double value, const fit::Interval& interval) {
-  return fmt::format("<td>{:.5g}</td><td>{:.4g} to {:.4g}</td>", value, interval.low,
-                     interval.high);
-}
-
-std::string stiffness_table(const std::vector<fit::KnownStiffness>& known) {
-  std::string rows;
-  for (const fit::KnownStiffness& at : known)
-    rows += fmt::format("<tr><th>{:.4g}</th>", at.omega / two_pi) +
-            interval_cells(at.storage, at.storage_interval) +
-            interval_cells(at.loss, at.loss_interval) + "</tr>\n";
-  return "<h3>How well the stiffness is known</h3>\n<p>Any series of springs and dampers that fits "
-         "these data lies in the 95 % intervals, whatever its number of branches.</p>\n<div "
-         "class=\"scroll\"><table class=\"plain\"><thead><tr><th>frequency, Hz</th><th>storage, "
-         "N/m</th><th>95 %</th><th>loss, N/m</th><th>95 %</th></tr></thead><tbody>\n" +
-         rows + "</tbody></table></div>\n";
-}
-
-std::string trial_table(const fit::Fit& fit) {
-  std::string rows;
-  for (const fit::Trial& trial : fit.trials)
-    rows +=
-        fmt::format("<tr><th>{}</th><td>{:.5g}</td><td>{}</td><td>{}</td></tr>\n", trial.branches,
-                    trial.sum_of_squares, trial.chance ? fmt::format("{:.2g}", *trial.chance) : "",
-                    trial.chance ? fmt::format("{:.2g}", trial.level) : "");
-  return "<h3>How many branches</h3>\n<p>A longer series always comes nearer to the data. It is "
-         "taken "
-         "only where the chance that noise alone makes it so much better is below the level; the "
-         "chance is against the longest series taken before.</p>\n<div class=\"scroll\"><table "
-         "class=\"plain\"><thead><tr><th>branches</th><th>sum of squares</th><th>chance</th>"
-         "<th>level</th></tr></thead><tbody>\n" +
-         rows + "</tbody></table></div>\n";
 }
 
 }  // namespace
@@ -125,26 +93,14 @@ std::vector<std::string> fit_in_words(const fit::Data& data, const fit::Fit& fit
 
 std::string fit_page(const fit::Data& data, const fit::Fit& fit,
                      const std::vector<fit::KnownStiffness>& known, const std::string& scene) {
-  const auto pictures = fit_figures(data, fit);
-  std::string words;
-  for (const std::string& each : fit_in_words(data, fit))
-    words += "<li>" + escape(each) + "</li>\n";
-  std::string charts;
-  for (const figures::Figure& figure : pictures)
-    charts += "<h3>" + escape(figure.title) + "</h3>\n" + chart(figure);
   const std::string title = "Prony series fitted to " + data.file;
-  return document(
-      {title,
-       fmt::format(
-           "<a class=\"skip\" href=\"#content\">To the results</a>\n<header><p "
-           "class=\"program\">vcrit</p>\n<h1>{}</h1>\n<p class=\"lead\">{} frequencies from "
-           "{:.4g} to {:.4g} Hz</p></header>\n<main id=\"content\">\n<ul>\n{}</ul>\n",
-           escape(title), data.rows.size(), data.rows.front().omega / two_pi,
-           data.rows.back().omega / two_pi, words) +
-           charts + stiffness_table(known) + branch_table(fit) + trial_table(fit) +
-           "<h3>The scene</h3>\n<pre><code>" + escape(scene) + "</code></pre>\n</main>\n",
-       true,
-       {}});
+  record::Fields f(record::Reader::page);
+  f("heading", title)("frequencies", data.rows.size());
+  f("lowest", data.rows.front().omega / two_pi)("highest", data.rows.back().omega / two_pi);
+  f("words", fit_in_words(data, fit))("figures", fit_figures(data, fit))("known", known);
+  f("equilibrium", fit.equilibrium)("damper", fit.damper)("branches", fit.branches);
+  f("trials", fit.trials)("scene", scene);
+  return document("fit", f.take(), {title, true, {}});
 }
 
 }  // namespace vcrit::validation::report

@@ -1,6 +1,5 @@
 #include "report/html.hpp"
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 namespace vcrit::validation::report {
@@ -71,12 +70,6 @@ std::string shell_word(const std::string& word) {
   std::string quoted = "'";
   for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return quoted + "'";
-}
-
-ordered_json json_number(double value) {
-  if (std::isnan(value)) return "nan";
-  if (std::isinf(value)) return value > 0 ? "inf" : "-inf";
-  return value;
 }
 
 }  // namespace vcrit::validation::report

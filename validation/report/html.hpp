@@ -17,7 +17,4 @@ std::string json_for_page(const nlohmann::ordered_json& value);
 /// One word of a command line, quoted if a shell would read it otherwise.
 std::string shell_word(const std::string& word);
 
-/// A double as JSON: infinite and undefined numbers, which JSON lacks, are "inf", "-inf", "nan".
-nlohmann::ordered_json json_number(double value);
-
 }  // namespace vcrit::validation::report

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "report/machine_section.hpp"
+#include "report/origin.hpp"
 #include "report/scene_line.hpp"
 
 namespace vcrit::validation::report {

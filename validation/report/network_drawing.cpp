@@ -8,7 +8,6 @@
 #include "base/constants.hpp"
 #include "network/law.hpp"
 #include "report/graph_layout.hpp"
-#include "report/html.hpp"
 
 namespace vcrit::validation::report {
 
@@ -23,41 +22,40 @@ constexpr double connection = 10;  // between elements in series
 const char* const spring_path = "M0 0H18l4 -8l8 16l8 -16l8 16l8 -16l8 16l4 -8H84";
 const char* const damper_path = "M0 0H32V-10H56M32 0V10H56M46 -7V7M46 0H84";
 
-std::string path(const char* d, const char* kind) {
-  return fmt::format(R"(<path class="{}" d="{}"/>)", kind, d);
-}
-
 /// "k_1, tau_1"
-std::string names_of(const Element& element) {
-  std::string names;
+Label names_of(const Element& element) {
+  Label names;
   for_each_number(element, [&](const Symbol& symbol, NumberRole) {
-    names += (names.empty() ? "" : ", ") + label(symbol);
+    if (!names.empty()) names.push_back({"", ", ", ""});
+    names = joined({names, label(symbol)});
   });
   return names;
 }
 
 Drawing draw_maxwell(const Element& element) {
   return {2 * element_width, element_above, element_below,
-          path(spring_path, "spring") + moved(element_width, 0, path(damper_path, "damper")) +
-              text(element_width, -label_height, names_of(element))};
+          joined({{path(spring_path, "spring")},
+                  moved(element_width, 0, {path(damper_path, "damper")}),
+                  {text(element_width, -label_height, names_of(element))}})};
 }
 
 /// A box; what it pushes against, beyond the dashes, is inertial ground.
-std::string mass_box() {
-  return line(0, 0, 22, 0) + path("M62 0H84", "inertial") + path("M22 -12H62V12H22z", "solid");
+Shapes mass_box() {
+  return {line(0, 0, 22, 0), path("M62 0H84", "inertial"), path("M22 -12H62V12H22z", "solid")};
 }
 
-std::string symbol_of(const Element& element) {
+Shapes symbol_of(const Element& element) {
   if (element.kind == ElementKind::mass) return mass_box();
-  return element.kind == ElementKind::spring || element.kind == ElementKind::lossy
-             ? path(spring_path, "spring")
-             : path(damper_path, "damper");
+  return {element.kind == ElementKind::spring || element.kind == ElementKind::lossy
+              ? path(spring_path, "spring")
+              : path(damper_path, "damper")};
 }
 
 Drawing draw_element(const Element& element) {
   if (element.kind == ElementKind::maxwell) return draw_maxwell(element);
-  return {element_width, element_above, element_below,
-          symbol_of(element) + text(element_width / 2, -label_height, names_of(element))};
+  return {
+      element_width, element_above, element_below,
+      joined({symbol_of(element), {text(element_width / 2, -label_height, names_of(element))}})};
 }
 
 Drawing draw_series(const Series& series) {
@@ -65,10 +63,10 @@ Drawing draw_series(const Series& series) {
   for (const Network& part : series.parts) {
     const Drawing drawing = draw(part);
     if (all.width > 0) {
-      all.svg += line(all.width, 0, all.width + connection, 0);
+      all.shapes.push_back(line(all.width, 0, all.width + connection, 0));
       all.width += connection;
     }
-    all.svg += moved(all.width, 0, drawing.svg);
+    all.add(moved(all.width, 0, drawing.shapes));
     all.width += drawing.width;
     all.above = std::max(all.above, drawing.above);
     all.below = std::max(all.below, drawing.below);
@@ -76,14 +74,15 @@ Drawing draw_series(const Series& series) {
   return all;
 }
 
-std::string branch_in(const Drawing& branch, double y, double inner) {
+Shapes branch_in(const Drawing& branch, double y, double inner) {
   const double begin = bus + (inner - branch.width) / 2, end = begin + branch.width;
-  return line(bus / 2, y, begin, y) + moved(begin, y, branch.svg) +
-         line(end, y, inner + 1.5 * bus, y);
+  return joined({{line(bus / 2, y, begin, y)},
+                 moved(begin, y, branch.shapes),
+                 {line(end, y, inner + 1.5 * bus, y)}});
 }
 
-std::string bar(double x, double top, double bottom, double outer) {
-  return line(x, top, x, bottom) + line(x, 0, outer, 0);
+Shapes bar(double x, double top, double bottom, double outer) {
+  return {line(x, top, x, bottom), line(x, 0, outer, 0)};
 }
 
 Drawing draw_parallel(const Parallel& parallel) {
@@ -100,19 +99,24 @@ Drawing draw_parallel(const Parallel& parallel) {
   const double middle = (ys.front() + ys.back()) / 2, width = inner + 2 * bus;
   Drawing all{width, middle, y - branch_gap - middle, {}};
   for (std::size_t i = 0; i < branches.size(); ++i)
-    all.svg += branch_in(branches[i], ys[i] - middle, inner);
+    all.add(branch_in(branches[i], ys[i] - middle, inner));
   const double reach = ys.back() - middle;
-  all.svg += bar(bus / 2, -reach, reach, 0) + bar(width - bus / 2, -reach, reach, width);
+  all.add(bar(bus / 2, -reach, reach, 0));
+  all.add(bar(width - bus / 2, -reach, reach, width));
   return all;
 }
 
-std::string dot(const Point& at) {
-  return fmt::format(R"(<circle class="node" cx="{:.1f}" cy="{:.1f}" r="3.2"/>)", at.x, at.y);
+Shape dot(const Point& at) {
+  Shape shape;
+  shape.form = Shape::Form::node;
+  shape.x = at.x;
+  shape.y = at.y;
+  return shape;
 }
 
 /// The label of a single element beside its edge, upright whatever the edge's direction, on the
 /// side away from the line between the terminals.
-std::string edge_label(const Element& element, const Point& middle, double angle) {
+Shape edge_label(const Element& element, const Point& middle, double angle) {
   const double side = middle.y > 1 ? -1 : 1, away = side > 0 ? 20 : 22;
   const double x = middle.x + side * away * std::sin(angle);
   const double y = middle.y - side * away * std::cos(angle) + 5;
@@ -122,7 +126,7 @@ std::string edge_label(const Element& element, const Point& middle, double angle
 }
 
 /// A part drawn along the straight line from one node to another, never upside down.
-std::string edge(const Network& part, Point from, Point to) {
+Shapes edge(const Network& part, Point from, Point to) {
   if (from.x > to.x) std::swap(from, to);
   const double dx = to.x - from.x, dy = to.y - from.y;
   const double length = std::hypot(dx, dy), angle = std::atan2(dy, dx);
@@ -130,13 +134,14 @@ std::string edge(const Network& part, Point from, Point to) {
   const bool upright = element != nullptr && element->kind != ElementKind::maxwell;
   const Drawing drawing = upright ? Drawing{element_width, 0, 0, symbol_of(*element)} : draw(part);
   const double lead = (length - drawing.width) / 2;
-  const std::string lying =
-      line(0, 0, lead, 0) + moved(lead, 0, drawing.svg) + line(lead + drawing.width, 0, length, 0);
-  const std::string turned =
-      fmt::format(R"svg(<g transform="translate({:.1f} {:.1f}) rotate({:.2f})">{}</g>)svg", from.x,
-                  from.y, angle * 180 / pi, lying);
+  Shapes all = joined({{line(0, 0, lead, 0)},
+                       moved(lead, 0, drawing.shapes),
+                       {line(lead + drawing.width, 0, length, 0)}});
+  transform(all, fmt::format("translate({:.1f} {:.1f}) rotate({:.2f})", from.x, from.y,
+                             angle * 180 / pi));
   const Point middle{(from.x + to.x) / 2, (from.y + to.y) / 2};
-  return upright ? turned + edge_label(*element, middle, angle) : turned;
+  if (upright) all.push_back(edge_label(*element, middle, angle));
+  return all;
 }
 
 Drawing draw_graph(const Graph& graph) {
@@ -152,9 +157,9 @@ Drawing draw_graph(const Graph& graph) {
   for (std::size_t i = 0; i < graph.parts.size(); ++i) {
     const auto from = static_cast<std::size_t>(graph.wires[i].from);
     const auto to = static_cast<std::size_t>(graph.wires[i].to);
-    all.svg += edge(graph.parts[i], layout.nodes[from], layout.nodes[to]);
+    all.add(edge(graph.parts[i], layout.nodes[from], layout.nodes[to]));
   }
-  for (const Point& node : layout.nodes) all.svg += dot(node);
+  for (const Point& node : layout.nodes) all.shapes.push_back(dot(node));
   return all;
 }
 
@@ -169,41 +174,73 @@ struct Drawer {
 
 Drawing draw(const Network& network) { return std::visit(Drawer{}, network.form); }
 
-std::string framed(const Drawing& drawing, const std::string& description) {
-  constexpr double margin = 8;
-  const double width = drawing.width + 2 * margin;
-  const double height = drawing.above + drawing.below + 2 * margin;
-  return fmt::format(
-      R"(<svg class="drawing" role="img" aria-label="{}" width="{:.0f}" height="{:.0f}" )"
-      R"(viewBox="{:.0f} {:.1f} {:.0f} {:.0f}">{}</svg>)",
-      escape(description), width, height, -margin, -drawing.above - margin, width, height,
-      drawing.svg);
-}
-
-std::string label(const Symbol& symbol) {
+Label label(const Symbol& symbol) {
   const bool time = symbol.name.starts_with("tau"), loss = symbol.name.starts_with("eta");
   const std::string base = time ? "τ" : loss ? "η" : symbol.name.substr(0, 1);
   std::string index = symbol.name.substr(time || loss ? 3 : 1);
   if (!index.empty() && index.front() == '_') index.erase(0, 1);
   if (symbol.entry > 0) index += (index.empty() ? "" : ",") + std::to_string(symbol.entry);
-  const std::string letter = fmt::format(R"(<tspan class="letter">{}</tspan>)", escape(base));
-  if (index.empty()) return letter;
-  // The second tspan returns to the line, so that text may follow.
-  return fmt::format(R"({}<tspan class="index" dy="4">{}</tspan><tspan dy="-4">&#8203;</tspan>)",
-                     letter, escape(index));
+  if (index.empty()) return {{"letter", base, ""}};
+  // The last word, of no width, returns to the line, so that text may follow.
+  return {{"letter", base, ""}, {"index", index, "4"}, {"", "\u200b", "-4"}};
 }
 
-std::string moved(double x, double y, const std::string& svg) {
-  return fmt::format(R"svg(<g transform="translate({:.1f} {:.1f})">{}</g>)svg", x, y, svg);
+void Drawing::add(const Shapes& more) { shapes.insert(shapes.end(), more.begin(), more.end()); }
+
+void transform(Shapes& shapes, const std::string& how) {
+  for (Shape& shape : shapes)
+    shape.transform = how + (shape.transform.empty() ? "" : " ") + shape.transform;
 }
 
-std::string line(double x1, double y1, double x2, double y2) {
-  return fmt::format(R"(<path d="M{:.1f} {:.1f}L{:.1f} {:.1f}"/>)", x1, y1, x2, y2);
+Shapes moved(double x, double y, Shapes shapes) {
+  transform(shapes, fmt::format("translate({:.1f} {:.1f})", x, y));
+  return shapes;
 }
 
-std::string text(double x, double y, const std::string& content, const char* anchor) {
-  return fmt::format(R"(<text x="{:.1f}" y="{:.1f}" text-anchor="{}">{}</text>)", x, y, anchor,
-                     content);
+Shape path(const std::string& d, const char* style) {
+  Shape shape;
+  shape.d = d;
+  shape.style = style;
+  return shape;
+}
+
+Shape line(double x1, double y1, double x2, double y2) {
+  return path(fmt::format("M{:.1f} {:.1f}L{:.1f} {:.1f}", x1, y1, x2, y2), "");
+}
+
+Shape text(double x, double y, const Label& words, const char* anchor) {
+  Shape shape;
+  shape.form = Shape::Form::text;
+  shape.x = x;
+  shape.y = y;
+  shape.words = words;
+  shape.anchor = anchor;
+  return shape;
 }
 
 }  // namespace vcrit::validation::report
+
+namespace vcrit::record {
+
+namespace report = validation::report;
+using validation::report::Shape;
+
+void fields(Fields& f, const report::Word& it) {
+  f("style", it.style)("word", it.text)("shift", it.shift);
+}
+
+void fields(Fields& f, const Shape& it) {
+  f("is_path", it.form == Shape::Form::path)("is_node", it.form == Shape::Form::node);
+  f("is_text", it.form == Shape::Form::text)("transform", it.transform)("shape_style", it.style);
+  f("d", it.d)("x", it.x)("y", it.y)("anchor", it.anchor)("words", it.words);
+}
+
+void fields(Fields& f, const report::Picture& it) {
+  constexpr double margin = 8;
+  const report::Drawing& drawing = it.drawing;
+  f("description", it.description)("width", drawing.width + 2 * margin);
+  f("height", drawing.above + drawing.below + 2 * margin);
+  f("left", -margin)("top", -drawing.above - margin)("shapes", drawing.shapes);
+}
+
+}  // namespace vcrit::record

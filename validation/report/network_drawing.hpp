@@ -1,33 +1,78 @@
 // Networks drawn as mechanics draws them: zigzag springs, dashpots, series along the line, parallel
-// branches stacked between bars, graphs with their inner nodes as dots.
+// branches stacked between bars, graphs with their inner nodes as dots. A drawing is a list of
+// shapes; templates/drawing.mustache makes an SVG of it.
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "network/network.hpp"
+#include "record/fields.hpp"
 
 namespace vcrit::validation::report {
 
-/// A piece of a drawing whose terminals lie at (0, 0) and (width, 0); y points down, pixels.
+/// Some letters in one style ("letter", "index"; empty: upright), moved down by `shift` pixels from
+/// here on, if it says how far.
+struct Word {
+  std::string style, text, shift;
+};
+using Label = std::vector<Word>;
+
+/// Coordinates in pixels, y points down.
+struct Shape {
+  enum class Form { path, node, text };
+  Form form = Form::path;
+  std::string transform;          ///< as SVG has it, the outermost first
+  std::string style;              ///< class of the style sheet; may be empty
+  std::string d;                  ///< of a path
+  double x = 0, y = 0;            ///< of a node or a text
+  std::string anchor = "middle";  ///< where a text has (x, y)
+  Label words;                    ///< of a text
+};
+using Shapes = std::vector<Shape>;
+
+/// A piece of a drawing whose terminals lie at (0, 0) and (width, 0).
 struct Drawing {
   double width = 0;
   double above = 0, below = 0;  ///< how far it reaches from the line between the terminals
-  std::string svg;
+  Shapes shapes;
+
+  void add(const Shapes& more);
 };
 
 Drawing draw(const Network& network);
 
-/// The drawing as an image; `description` is read to those who do not see it.
-std::string framed(const Drawing& drawing, const std::string& description);
+/// A drawing as an image; `description` is read to those who do not see it.
+struct Picture {
+  Drawing drawing;
+  std::string description;
+};
 
-/// A name with its index set lower, as SVG text content: "k0", "k[3]", "tau[2]".
-std::string label(const Symbol& symbol);
+/// A name with its index set lower: "k0", "k[3]", "tau[2]".
+Label label(const Symbol& symbol);
 
-/// One SVG piece moved to (x, y).
-std::string moved(double x, double y, const std::string& svg);
+/// Puts `how` around what is done to the shapes already.
+void transform(Shapes& shapes, const std::string& how);
+/// Shapes moved to (x, y).
+Shapes moved(double x, double y, Shapes shapes);
+Shape path(const std::string& d, const char* style);
 /// A straight line.
-std::string line(double x1, double y1, double x2, double y2);
-/// Text around a point; `content` is SVG.
-std::string text(double x, double y, const std::string& content, const char* anchor = "middle");
+Shape line(double x1, double y1, double x2, double y2);
+/// Text around a point.
+Shape text(double x, double y, const Label& words, const char* anchor = "middle");
+
+/// All of them in one list.
+template <class Item>
+std::vector<Item> joined(std::initializer_list<std::vector<Item>> lists) {
+  std::vector<Item> all;
+  for (const auto& list : lists) all.insert(all.end(), list.begin(), list.end());
+  return all;
+}
 
 }  // namespace vcrit::validation::report
+
+namespace vcrit::record {
+
+void fields(Fields& f, const validation::report::Picture& picture);
+
+}  // namespace vcrit::record

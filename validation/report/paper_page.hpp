@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "report/paper_json.hpp"
+#include "report/paper_record.hpp"
 
 namespace vcrit::validation::report {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "report/machine_section.hpp"
+#include "report/origin.hpp"
 #include "report/scene_contents.hpp"
 
 namespace vcrit::validation::report {

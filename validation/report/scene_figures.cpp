@@ -9,8 +9,8 @@
 
 #include "accuracy/pictures.hpp"
 #include "base/constants.hpp"
-#include "report/indenter_section.hpp"
-#include "report/parting_section.hpp"
+#include "report/indenter_figures.hpp"
+#include "report/parting_figures.hpp"
 #include "report/stretches.hpp"
 #include "report/units.hpp"
 

@@ -2,8 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "report/comparison_table.hpp"
-#include "report/scene_section.hpp"
+#include "report/verdict.hpp"
 
 namespace vcrit::validation::report {
 

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "report/machine_section.hpp"
+#include "report/origin.hpp"
 #include "report/scene_contents.hpp"
 
 namespace vcrit::validation::report {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "report/paper_json.hpp"
+#include "report/paper_record.hpp"
 #include "report/validation.hpp"
 #include "workers.hpp"
 

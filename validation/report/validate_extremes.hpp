@@ -1,7 +1,7 @@
 // `vcrit validate --extremes`.
 #pragma once
 
-#include "report/extremes_json.hpp"
+#include "report/extremes_record.hpp"
 #include "report/validate.hpp"
 
 namespace vcrit::validation::report {

@@ -6,7 +6,7 @@
 #include <tuple>
 
 #include "base/errors.hpp"
-#include "emit/cpp_dialect.hpp"
+#include "emit/languages/cpp/dialect.hpp"
 #include "formula/symbols.hpp"
 
 namespace vcrit::symbolic {

@@ -6,15 +6,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "emit/cpp_dialect.hpp"
+#include "emit/languages/cpp/dialect.hpp"
 #include "emit/pieces.hpp"
 #include "program/proof.hpp"
 
 namespace vcrit::symbolic {
 
-Evaluator::Evaluator(const Scene& scene, const FixedValues& fixed, Zeros zeros)
+Evaluator::Evaluator(const Scene& scene, const FixedValues& fixed, Zeros zeros, Spelled spelled)
     : derivation(derive(scene)),
-      parameters(scene, derivation, fixed),
+      parameters(scene, derivation, fixed, spelled),
       velocity(velocity_program(scene, parameters.values(), zeros)),
       gradient(gradient_program(velocity)) {
   const Proof proof(scene, parameters.values());

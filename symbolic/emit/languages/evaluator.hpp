@@ -13,7 +13,7 @@
 namespace vcrit::symbolic {
 
 struct Evaluator {
-  Evaluator(const Scene& scene, const FixedValues& fixed, Zeros zeros);
+  Evaluator(const Scene& scene, const FixedValues& fixed, Zeros zeros, Spelled spelled = nullptr);
 
   Derivation derivation;
   ParameterList parameters;

@@ -1,94 +1,81 @@
-#include "emit/languages/languages.hpp"
-
+// The table of languages, and names that one of them refuses.
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
-#include "emit/languages/language_names.hpp"
-#include "emit/languages/printers.hpp"
-#include "emit/pieces.hpp"
-#include "emit/words.hpp"
-#include "emit/written.hpp"
-#include "formula/algebra_lock.hpp"
-#include "formula/names.hpp"
+#include <algorithm>
+#include <sstream>
+
+#include "base/errors.hpp"
+#include "emit/languages/language.hpp"
+#include "emit/names.hpp"
 
 namespace vcrit::symbolic {
 
+#define VCRIT_LANGUAGE(folder) extern const Language folder;
+#include "emit/languages/languages.inc"
+#undef VCRIT_LANGUAGE
+
 namespace {
 
-const char* const accuracy =
-    "Accuracy: critical_velocity errs by little more than half an ulp unless v* is badly "
-    "conditioned, "
-    "critical_velocity_certified says by how much at most. The fast grade is in plain double. A "
-    "bound is infinite "
-    "where nothing is known.";
-const char* const unlimited =
-    "As in C++, what leaves the guarded range of doubles is computed again with numbers of a wider "
-    "exponent range.";
-const char* const limited =
-    "Missing compared with C++: numbers of a wider exponent range. Outside of the guarded range "
-    "(see in_range; elements of value 0 are inside) the "
-    "answer is that of plain double, with an infinite bound. No fused multiply-add: products are "
-    "split by Dekker's "
-    "method.";
-
-/// Numbers of a wider exponent range.
-bool has_wide(Language language) { return language == Language::c99 || language == Language::cuda; }
-
-std::string accuracy_lines(Language language) {
-  return comment(accuracy) + comment(has_wide(language) ? unlimited : limited);
-}
-
-std::string evaluator_text(const Evaluator& evaluator, const std::string& name, Language language) {
-  switch (language) {
-    case Language::c99:
-      return c99_text(evaluator, name);
-    case Language::python:
-      return python_text(evaluator);
-    case Language::javascript:
-      return javascript_text(evaluator);
-    case Language::cuda:
-      return cuda_text(evaluator, name);
-  }
-  return {};
+[[noreturn]] void refuse_in_language(const std::string& place, const std::string& name,
+                                     const std::string& why, const Language& language) {
+  throw InputError({place},
+                   fmt::format("\"{}\", which is {} (--language {})", name, why, language.name),
+                   "another name, of letters, digits and underscores");
 }
 
 }  // namespace
 
+const std::vector<const Language*>& languages() {
+  static const std::vector<const Language*> all{
+#define VCRIT_LANGUAGE(folder) &folder,
+#include "emit/languages/languages.inc"
+#undef VCRIT_LANGUAGE
+  };
+  return all;
+}
+
 const std::vector<std::string>& language_names() {
-  static const std::vector<std::string> names{"c99", "python", "javascript", "cuda"};
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all;
+    for (const Language* language : languages()) all.emplace_back(language->name);
+    return all;
+  }();
   return names;
 }
 
-std::string extension(Language language) {
-  static const std::vector<std::string> extensions{".h", ".py", ".mjs", ".cuh"};
-  return extensions[static_cast<std::size_t>(language)];
+const Language& language_of(const GenerateOptions& options) {
+  for (const Language* language : languages()) {
+    if (language->name != options.language) continue;
+    if (options.quantities && !language->has_quantities)
+      throw InputError({"--quantities"}, fmt::format("--language {}", options.language),
+                       "--language c++, the only one with other quantities");
+    return *language;
+  }
+  throw InputError({"--language"}, fmt::format("\"{}\"", options.language),
+                   fmt::format("one of {}", fmt::join(language_names(), ", ")));
 }
 
-std::string emit(const Scene& scene, const std::string& name, Language language,
-                 const GenerateOptions& options) {
-  const AlgebraLock lock;
-  const NamesOfScene names(scene);
-  check_library_name(name, language);
-  const FixedValues fixed = fixed_values(scene, options.fixed);
-  const Evaluator evaluator(scene, fixed,
-                            has_wide(language) ? Zeros::out_of_range : Zeros::in_range);
-  check_member_names(scene, evaluator.derivation.parameters, language);
-  GenerateOptions own = options;
-  own.language = language_names()[static_cast<std::size_t>(language)];
-  std::string head = banner(scene, evaluator.derivation, command_line(scene, name, own), fixed) +
-                     comment(fmt::format("{} operations.", evaluator.operations)) +
-                     accuracy_lines(language);
-  if (language == Language::python) head = "#" + replaced(head.substr(2), "\n//", "\n#");
-  return head + evaluator_text(evaluator, name, language);
+bool is_among(std::string_view words, std::string_view name) {
+  std::istringstream all{std::string(words)};
+  for (std::string word; all >> word;)
+    if (word == name) return true;
+  return false;
 }
 
-std::filesystem::path generate(const Scene& scene, const std::filesystem::path& directory,
-                               const std::string& name, Language language,
-                               const GenerateOptions& options) {
-  const AlgebraLock lock;
-  const std::string text = emit(scene, name, language, options);
-  std::filesystem::path file = directory / (name + extension(language));
-  write_generated({{file, text}});
-  return file;
+void check_library_name(const std::string& name, const Language& language) {
+  check_library_name(name);
+  if (is_among(language.reserved, name))
+    refuse_in_language("--name", name, "a reserved word", language);
+  if (is_among(language.taken, name)) refuse_in_language("--name", name, "taken", language);
+}
+
+void check_member_names(const Scene& scene, const std::vector<Symbol>& symbols,
+                        const Language& language) {
+  check_member_names(scene, symbols);
+  for (const Symbol& symbol : symbols)
+    if (const std::string name = as_called(scene, symbol).name; is_among(language.reserved, name))
+      refuse_in_language(scene.file, name, "a reserved word", language);
 }
 
 }  // namespace vcrit::symbolic

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "base/errors.hpp"
-#include "simulation/forced.hpp"
 #include "simulation/random_systems.hpp"
 #include "simulation/steady/exact.hpp"
 #include "simulation/steady/onset.hpp"
@@ -21,7 +20,15 @@ using namespace vcrit::simulation;
 constexpr Method integrating[] = {Method::moreau, Method::rkf45, Method::rk8pd, Method::msbdf,
                                   Method::tanh};
 
-System of_contact(const Relaxation& contact) { return reference::forced(contact, 2, {0, 1.6}); }
+System of_contact(const Relaxation& contact) {
+  System system;
+  system.contact = contact;
+  system.omega = 1;
+  system.friction = 0.5;
+  system.mean_normal_force = 2;
+  system.normal_force_amplitude = {0, 1.6};
+  return system;
+}
 
 }  // namespace
 

@@ -2,7 +2,6 @@
 // little as one of few.
 #include <boost/test/unit_test.hpp>
 
-#include "simulation/forced.hpp"
 #include "simulation/methods/moreau.hpp"
 #include "simulation/methods/switching.hpp"
 #include "simulation/methods/tanh_friction.hpp"
@@ -18,8 +17,15 @@ using namespace vcrit::simulation::methods;
 
 // Contact and drive of two branches each, and a body.
 System with_body() {
-  return reference::forced({1, 0.1, {{0.5, 0.3}, {0.2, 3}}}, {0.3, 0.05, {{0.2, 1}, {0.1, 10}}}, 2,
-                           2, 1.8);
+  System system;
+  system.contact = {1, 0.1, {{0.5, 0.3}, {0.2, 3}}};
+  system.drive = Relaxation{0.3, 0.05, {{0.2, 1}, {0.1, 10}}};
+  system.mass = 2;
+  system.omega = 1;
+  system.friction = 0.5;
+  system.mean_normal_force = 2;
+  system.normal_force_amplitude = 1.8;
+  return system;
 }
 
 constexpr double velocity = 0.3;

@@ -3,7 +3,6 @@
 // allowed.
 #include <boost/test/unit_test.hpp>
 
-#include "simulation/forced.hpp"
 #include "simulation/steady/exact.hpp"
 #include "simulation/steady/onset.hpp"
 #include "time_stepping.hpp"
@@ -15,7 +14,14 @@ namespace {
 using namespace vcrit;
 using namespace vcrit::simulation;
 
-System base() { return reference::forced({}, 1, 0.8); }
+System base() {
+  System s;
+  s.omega = 1;
+  s.friction = 0.5;
+  s.mean_normal_force = 1;
+  s.normal_force_amplitude = 0.8;
+  return s;
+}
 
 void compare(const System& system, double share, int steps = 4000) {
   const Onset threshold = sliding_threshold(system);

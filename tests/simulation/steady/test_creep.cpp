@@ -2,7 +2,6 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
-#include "simulation/forced.hpp"
 #include "simulation/steady/exact.hpp"
 #include "simulation/steady/onset.hpp"
 
@@ -16,7 +15,15 @@ using namespace vcrit::simulation;
 constexpr double u = 1.1e-16;
 
 // mu0 <F_n> = 1, mu0 min F_n = 0.2.
-System creeping(const Relaxation& contact) { return reference::forced(contact, 2, {0, 1.6}); }
+System creeping(const Relaxation& contact) {
+  System s;
+  s.contact = contact;
+  s.omega = 1;
+  s.friction = 0.5;
+  s.mean_normal_force = 2;
+  s.normal_force_amplitude = {0, 1.6};
+  return s;
+}
 
 const Relaxation branch{0, 0, {{2, 1.5}}};  // eta = 3
 

@@ -4,7 +4,6 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
-#include "simulation/forced.hpp"
 #include "simulation/random_systems.hpp"
 #include "simulation/steady/answers.hpp"
 #include "simulation/steady/exact.hpp"
@@ -66,7 +65,14 @@ BOOST_AUTO_TEST_CASE(traces_fewer_periods_than_single_calls) {
 
 // K_d = m w^2: stick bounds the swing, but the faster the drive the less of it is left.
 BOOST_AUTO_TEST_CASE(a_point_outside_the_model_says_why_and_stops_nothing) {
-  const System system = reference::forced({0, 0, {{2, 1.5}}}, {1, 0, {}}, 1, 2, 1.6);
+  System system;
+  system.contact = {0, 0, {{2, 1.5}}};
+  system.drive = Relaxation{1, 0, {}};
+  system.mass = 1;
+  system.omega = 1;
+  system.friction = 0.5;
+  system.mean_normal_force = 2;
+  system.normal_force_amplitude = 1.6;
   // Below mu0 min F_n/eta = 0.2/3 the creeping contact sticks, and no swing arises.
   const std::vector<CurvePoint> curve = friction_curve(system, std::vector{1e9, 0.01, 0.2});
   BOOST_TEST(!curve[0].state.has_value());

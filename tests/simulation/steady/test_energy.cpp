@@ -6,8 +6,6 @@
 #include <numbers>
 #include <tuple>
 
-#include "simulation/forced.hpp"
-
 BOOST_AUTO_TEST_SUITE(test_energy)
 
 namespace {
@@ -19,8 +17,12 @@ constexpr double u = 1.1e-16, pi = std::numbers::pi;
 
 // mu0 <F_n> = 3 N, the bound 3 (1 + 0.8 cos t) N.
 System under(const Relaxation& contact, double omega) {
-  System system = reference::forced(contact, 6, std::polar(6 * 0.8, 1.0));
+  System system;
+  system.contact = contact;
   system.omega = omega;
+  system.friction = 0.5;
+  system.mean_normal_force = 6;
+  system.normal_force_amplitude = std::polar(6 * 0.8, 1.0);
   return system;
 }
 

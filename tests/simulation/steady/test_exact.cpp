@@ -9,7 +9,6 @@
 #include <numbers>
 
 #include "base/errors.hpp"
-#include "simulation/forced.hpp"
 #include "simulation/methods/methods.hpp"
 #include "simulation/random_systems.hpp"
 #include "simulation/reference_systems.hpp"
@@ -38,7 +37,15 @@ double reference_tolerance(const System& system) {
 Relaxation spring(double k) { return {k, 0, {}}; }
 
 // k = 1, mu0 <F_n> = 1, v* = D.
-System elastic(double d) { return reference::forced(spring(1), 2, 2 * d); }
+System elastic(double d) {
+  System system;
+  system.contact = spring(1);
+  system.omega = 1;
+  system.friction = 0.5;
+  system.mean_normal_force = 2;
+  system.normal_force_amplitude = 2 * d;
+  return system;
+}
 
 }  // namespace
 

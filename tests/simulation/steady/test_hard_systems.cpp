@@ -5,7 +5,6 @@
 #include <string>
 
 #include "base/errors.hpp"
-#include "simulation/forced.hpp"
 #include "simulation/steady/exact.hpp"
 #include "simulation/steady/onset.hpp"
 
@@ -24,8 +23,14 @@ struct Scene {
 };
 
 void check(const std::string& name, const Scene& scene, double error) {
-  const System system = reference::forced(scene.contact, scene.drive, scene.mass, 1,
-                                          std::polar(scene.amplitude, scene.phase), 1);
+  System system;
+  system.contact = scene.contact;
+  system.drive = scene.drive;
+  system.mass = scene.mass;
+  system.omega = 1;
+  system.friction = 1;
+  system.mean_normal_force = 1;
+  system.normal_force_amplitude = std::polar(scene.amplitude, scene.phase);
   const Onset threshold = sliding_threshold(system);
   const double velocity = scene.share * threshold.drive_velocity;
   const SteadyState slid = steady_state(system, velocity, Start::sliding);
@@ -117,8 +122,14 @@ BOOST_AUTO_TEST_CASE(one_start_serves_for_the_other) {
 }
 
 BOOST_AUTO_TEST_CASE(creep_beyond_what_numbers_hold_is_told) {
-  const System system =
-      reference::forced({1778.2796838808863, 0, {}}, {0, 1e-10, {}}, 0.133352, 1, 0.334, 1);
+  System system;
+  system.contact = {1778.2796838808863, 0, {}};
+  system.drive = Relaxation{0, 1e-10, {}};
+  system.mass = 0.133352;
+  system.omega = 1;
+  system.friction = 1;
+  system.mean_normal_force = 1;
+  system.normal_force_amplitude = 0.334;
   const double velocity = 0.9 * sliding_threshold(system).drive_velocity;
   BOOST_CHECK_EXCEPTION(steady_state(system, velocity), ModelError, [](const ModelError& error) {
     return std::string(error.what()).find("lost in rounding") != std::string::npos;

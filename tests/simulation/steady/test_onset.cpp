@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "base/errors.hpp"
-#include "simulation/forced.hpp"
 #include "simulation/random_systems.hpp"
 #include "simulation/reference_systems.hpp"
 #include "simulation/steady/exact.hpp"
@@ -49,7 +48,13 @@ BOOST_AUTO_TEST_CASE(both_witnesses_agree_on_random_systems) {
 // A body that forgets its start over m/c periods; of what is left of it in 1e13 of them a period
 // takes less than some roundings of the contact's velocity.
 System settling(double damper, double slowness) {
-  return reference::forced({1, 0, {}}, {0, damper, {}}, damper * slowness, 1, 0.5, 1);
+  System system;
+  system.contact = {1, 0, {}};
+  system.drive = Relaxation{0, damper, {}};
+  system.mass = damper * slowness;
+  system.omega = system.friction = system.mean_normal_force = 1;
+  system.normal_force_amplitude = 0.5;
+  return system;
 }
 
 BOOST_AUTO_TEST_CASE(a_body_that_settles_slowly_loses_its_last_stick_there_too) {
@@ -76,7 +81,15 @@ BOOST_AUTO_TEST_CASE(a_body_that_never_settles_is_refused) {
 }
 
 BOOST_AUTO_TEST_CASE(no_speed_is_high_enough_at_an_undamped_resonance) {
-  BOOST_CHECK_THROW(stick_onset(reference::forced({2, 0, {}}, {1, 0, {}}, 1, 1, 0.5)), ModelError);
+  System system;
+  system.contact = {2, 0, {}};
+  system.drive = Relaxation{1, 0, {}};
+  system.mass = 1;
+  system.omega = 1;
+  system.friction = 0.5;
+  system.mean_normal_force = 1;
+  system.normal_force_amplitude = 0.5;
+  BOOST_CHECK_THROW(stick_onset(system), ModelError);
 }
 
 }  // namespace

@@ -1,0 +1,26 @@
+// The result of all trials as tables and as JSON.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "bounds/trial.hpp"
+#include "harness/text_table.hpp"
+
+namespace vcrit::bounds {
+
+struct Result {
+  std::string system;
+  Tallies tallies;
+};
+
+/// One line a system, then one a kind of draw.
+std::string tables(const std::vector<Result>& results, bench::Style style);
+
+nlohmann::ordered_json as_json(const std::vector<Result>& results, const TrialOptions& options);
+
+/// The first violation of each kind by each system, in words; empty for none.
+std::string first_violations(const std::vector<Result>& results);
+
+}  // namespace vcrit::bounds

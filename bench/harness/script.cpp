@@ -1,0 +1,28 @@
+#include "harness/script.hpp"
+
+#include <fmt/core.h>
+
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "base/files.hpp"
+#include "compiler.hpp"
+
+namespace vcrit::bench {
+
+std::string run_script(const std::string& name, const nlohmann::json& input,
+                       const std::vector<std::string>& words, const std::filesystem::path& folder,
+                       std::chrono::seconds longest) {
+  const std::filesystem::path file = folder / "input.json";
+  write_file(file, input.dump());
+  std::vector<std::string> command{"/usr/bin/python3", "-B", VCRIT_BENCH "/peers/" + name, file};
+  command.insert(command.end(), words.begin(), words.end());
+  const auto result = validation::run_program(command, folder, longest, std::nullopt);
+  if (result.timed_out)
+    throw std::runtime_error(fmt::format("{} was not back in {} s", name, longest.count()));
+  if (!result.succeeded())
+    throw std::runtime_error(fmt::format("{} failed: {}", name, result.output.substr(0, 2000)));
+  return result.output;
+}
+
+}  // namespace vcrit::bench

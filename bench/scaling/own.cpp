@@ -1,0 +1,43 @@
+// vcrit's own ways.
+#include <set>
+
+#include "derivation/derivation.hpp"
+#include "derivation/stiffness_forms.hpp"
+#include "formula/names.hpp"
+#include "polynomial/network_polynomials.hpp"
+#include "scaling/own.hpp"
+
+namespace vcrit::scaling {
+
+std::optional<double> straight_line(const Case& each) {
+  return seconds_of([&] { reduce(each.network); });
+}
+
+std::optional<double> named_formula(const Case& each) {
+  return seconds_of([&] {
+    std::vector<symbolic::Line> definitions;
+    symbolic::nested(reduce(each.network), {}, definitions);
+  });
+}
+
+std::optional<double> multiplied_out(const Case& each) {
+  std::set<std::string> names{symbolic::own_name("s")};
+  for (const Symbol& symbol : symbols_of(each.network)) names.insert(to_text(symbol));
+  return seconds_of([&] {
+    const symbolic::Ring ring({names.begin(), names.end()});
+    symbolic::stiffness(each.network, ring);
+  });
+}
+
+double whole_derivation(const Case& each) {
+  Scene scene;
+  scene.normal = each.network;
+  scene.tangential = Isotropic{Isotropic::By::ratio, {{"tangential_ratio"}, 0.8}};
+  scene.drive = spring({"kd"});
+  scene.mass = Quantity{{"m"}, {}};
+  for (const Symbol& symbol : symbols_of(each.network))
+    scene.elements.emplace_back(symbol, std::nullopt);
+  return seconds_of([&] { symbolic::derive(scene); });
+}
+
+}  // namespace vcrit::scaling

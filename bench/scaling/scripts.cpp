@@ -1,0 +1,44 @@
+#include "scaling/scripts.hpp"
+
+#include <cstdlib>
+#include <stdexcept>
+
+#include "compiler.hpp"
+#include "harness/network_json.hpp"
+#include "harness/script.hpp"
+
+namespace vcrit::scaling {
+
+namespace {
+
+// A script has the processor time of whoever calls it.
+constexpr std::chrono::minutes longest{10};
+
+nlohmann::json asked(const Case& each) {
+  nlohmann::json names{"s"}, edges = nlohmann::json::array();
+  for (const Symbol& symbol : symbols_of(each.network)) names.push_back(to_text(symbol));
+  const Wiring wires = wiring(each.network);
+  for (const Wiring::Edge& edge : wires.edges)
+    edges.push_back({edge.from, edge.to, edge.stiffness});
+  return {{"names", names},
+          {"steps", bench::network_json(each.network)},
+          {"nodes", wires.nodes},
+          {"edges", edges}};
+}
+
+std::optional<double> run(const Case& each, const char* method) {
+  const validation::PrivateFolder folder;
+  const std::string said =
+      bench::run_script("stiffness.py", asked(each), {method}, folder.path(), longest);
+  const double seconds = std::atof(said.c_str() + said.rfind("seconds ") + 8);
+  return seconds > 0 ? std::optional(seconds) : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<double> sympy_composed(const Case& each) { return run(each, "composed"); }
+std::optional<double> sympy_cancel(const Case& each) { return run(each, "cancel"); }
+std::optional<double> sympy_field(const Case& each) { return run(each, "field"); }
+std::optional<double> maxima_newdet(const Case& each) { return run(each, "newdet"); }
+
+}  // namespace vcrit::scaling

@@ -1,0 +1,76 @@
+// Time and error of all ways to evaluate v*, in one run on one core.
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "base/errors.hpp"
+#include "base/files.hpp"
+#include "harness/commands.hpp"
+#include "speed/tables.hpp"
+
+namespace vcrit::bench {
+
+namespace {
+
+using namespace speed;
+
+struct EvaluatorOptions {
+  std::string compiler = "g++", only, json;
+  bool markdown = false;
+  Plan plan;
+};
+
+std::vector<Problem> chosen_problems(const EvaluatorOptions& options) {
+  std::vector<Problem> chosen;
+  std::string known;
+  for (Problem& problem : all_problems()) {
+    known += (known.empty() ? "" : ", ") + problem.name;
+    if (options.only.empty() || problem.name == options.only) chosen.push_back(std::move(problem));
+  }
+  if (chosen.empty()) throw InputError({"--only"}, "\"" + options.only + "\"", "one of " + known);
+  return chosen;
+}
+
+void run_evaluators(const EvaluatorOptions& options) {
+  const std::vector<Problem> problems = chosen_problems(options);
+  const std::filesystem::path compiler = compiler_named(options.compiler);
+  const validation::PrivateFolder folder;
+  Comparison all;
+  all.compiler = validation::describe_compiler(compiler, folder.path());
+  all.plan = options.plan;
+  for (const Problem& problem : problems) {
+    fmt::print(stderr, "{}\n", problem.name);
+    all.problems.push_back(problem.name);
+    const std::vector<Evaluator> methods = evaluators(problem, compiler, all.missing);
+    for (const Mode mode : both_modes)
+      for (Result& each : measure(problem, mode, methods, options.plan))
+        all.results.push_back(std::move(each));
+  }
+  fmt::print("{}", heading(all));
+  for (const Mode mode : both_modes)
+    fmt::print("{}", table(all, mode, options.markdown ? Style::markdown : Style::text));
+  fmt::print("{}", notes(all));
+  if (!options.json.empty()) write_file(options.json, as_json(all).dump(1) + "\n");
+}
+
+}  // namespace
+
+void add_evaluators(CLI::App& program, int&) {
+  const auto options = std::make_shared<EvaluatorOptions>();
+  CLI::App& command = *program.add_subcommand(
+      "evaluators", "Time and error of all ways to evaluate the critical velocity.");
+  command.add_option("--compiler", options->compiler, "g++ or clang++")->capture_default_str();
+  command.add_option("--only", options->only, "only this problem");
+  command.add_option("--values", options->plan.values, "length of the arrays")
+      ->check(CLI::Range(8, 1 << 20))
+      ->capture_default_str();
+  command.add_option("--seconds", options->plan.seconds, "for a problem in one mode")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  command.add_flag("--markdown", options->markdown, "tables for docs/benchmarks.md");
+  command.add_option("--json", options->json, "also write all figures to this file");
+  command.callback([options] { run_evaluators(*options); });
+}
+
+}  // namespace vcrit::bench

@@ -1,0 +1,140 @@
+#include "speed/tables.hpp"
+
+#include <fmt/core.h>
+
+#include "machine.hpp"
+
+namespace vcrit::speed {
+
+namespace {
+
+using Row = bench::TextRow;
+
+const char* name_of(Mode mode) { return mode == Mode::sweep ? "sweep" : "all varying"; }
+
+const Result* find(const Comparison& all, Mode mode, const std::string& problem,
+                   const std::string& method) {
+  for (const Result& each : all.results)
+    if (each.mode == mode && each.problem == problem && each.method == method) return &each;
+  return nullptr;
+}
+
+std::string time_text(double nanoseconds) {
+  return fmt::format(fmt::runtime(nanoseconds < 10 ? "{:.2f}" : "{:.0f}"), nanoseconds);
+}
+
+std::string error_text(double ulp) {
+  return fmt::format(fmt::runtime(ulp < 10 ? "{:.2g}" : ulp < 1e4 ? "{:.0f}" : "{:.0e}"), ulp);
+}
+
+std::string cell(const Result* result) {
+  if (result == nullptr) return "-";
+  if (result->wrong()) return "wrong";
+  if (result->family == Family::machine) return time_text(result->nanoseconds);
+  return fmt::format("{}, {}", time_text(result->nanoseconds), error_text(result->error));
+}
+
+const Result* best_peer(const Comparison& all, Mode mode, const std::string& problem) {
+  const Result* best = nullptr;
+  for (const Result& each : all.results)
+    if (each.mode == mode && each.problem == problem && each.family == Family::peer &&
+        !each.wrong() && (best == nullptr || each.nanoseconds < best->nanoseconds))
+      best = &each;
+  return best;
+}
+
+/// Best peer's time over ours.
+Row ratios(const Comparison& all, Mode mode, const std::string& grade) {
+  Row row{"best other / vcrit " + grade};
+  for (const std::string& problem : all.problems) {
+    const Result* best = best_peer(all, mode, problem);
+    const Result* own = find(all, mode, problem, "vcrit " + grade + ", batch");
+    const bool known = best != nullptr && own != nullptr;
+    row.push_back(known ? fmt::format("{:.2g}x", best->nanoseconds / own->nanoseconds) : "-");
+  }
+  return row;
+}
+
+Row best_row(const Comparison& all, Mode mode) {
+  Row row{"best other"};
+  for (const std::string& problem : all.problems) {
+    const Result* best = best_peer(all, mode, problem);
+    row.push_back(best == nullptr ? "-" : best->method);
+  }
+  return row;
+}
+
+std::vector<Row> rows(const Comparison& all, Mode mode) {
+  std::vector<Row> result{{name_of(mode)}};
+  for (const std::string& problem : all.problems) result.front().push_back(problem);
+  for (const std::string& method : all_methods()) {
+    Row row{method};
+    for (const std::string& problem : all.problems)
+      row.push_back(cell(find(all, mode, problem, method)));
+    result.push_back(row);
+  }
+  for (const char* grade : {"accurate", "fast"}) result.push_back(ratios(all, mode, grade));
+  return result;
+}
+
+std::vector<std::pair<std::string, std::string>> all_flags() {
+  return {{"std::complex, SymPy", to_text(Flags::scalar())},
+          {"fast-math", to_text(Flags::unsafe())},
+          {"by hand", to_text(Flags::by_hand())},
+          {"vcrit", to_text(Flags::generated())},
+          {"GiNaC", "gcc without flags; -O3: -O3 -march=native"}};
+}
+
+}  // namespace
+
+std::string heading(const Comparison& all) {
+  const validation::Machine machine = validation::this_machine();
+  std::string out = fmt::format("{}, {} cores, one used; {}\n{}\n", machine.processor,
+                                machine.cores, machine.system, all.compiler);
+  for (const auto& [name, flags] : all_flags()) out += fmt::format("  {}: {}\n", name, flags);
+  out += fmt::format(
+      "nanoseconds a value, worst error in ulp, over arrays of {}; the best of repeated runs\n",
+      all.plan.values);
+  return out;
+}
+
+std::string table(const Comparison& all, Mode mode, Style style) {
+  const std::vector<Row> body = rows(all, mode);
+  std::string out = "\n" + bench::text_table(body, style) + "\n";
+  const Row best = best_row(all, mode);
+  for (std::size_t j = 1; j < best.size(); ++j)
+    out += fmt::format("{}best other on {}: {}\n", style == Style::text ? "" : "* ",
+                       all.problems[j - 1], best[j]);
+  return out;
+}
+
+std::string notes(const Comparison& all) {
+  std::string out;
+  for (const Missing& each : all.missing)
+    out += fmt::format("{}, {}: {}\n", each.problem, each.method, each.reason);
+  return out.empty() ? out : "\nnot measured\n" + out;
+}
+
+nlohmann::ordered_json as_json(const Comparison& all) {
+  using Json = nlohmann::ordered_json;
+  const validation::Machine machine = validation::this_machine();
+  Json json{{"processor", machine.processor}, {"system", machine.system},
+            {"compiler", all.compiler},       {"flags", Json::object()},
+            {"values", all.plan.values},      {"results", Json::array()},
+            {"missing", Json::array()}};
+  for (const auto& [name, flags] : all_flags()) json["flags"][name] = flags;
+  for (const auto& [name, version] : machine.versions) json["versions"][name] = version;
+  for (const Result& each : all.results)
+    json["results"].push_back({{"problem", each.problem},
+                               {"mode", name_of(each.mode)},
+                               {"method", each.method},
+                               {"nanoseconds", each.nanoseconds},
+                               {"ulp", each.error},
+                               {"wrong", each.wrong()}});
+  for (const Missing& each : all.missing)
+    json["missing"].push_back(
+        {{"problem", each.problem}, {"method", each.method}, {"reason", each.reason}});
+  return json;
+}
+
+}  // namespace vcrit::speed

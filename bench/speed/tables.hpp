@@ -1,0 +1,33 @@
+// The comparison as text for people and as JSON for programs.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "harness/text_table.hpp"
+#include "speed/measurement.hpp"
+
+namespace vcrit::speed {
+
+struct Comparison {
+  std::string compiler;  ///< "g++ (Debian 12.2.0-14) 12.2.0"
+  Plan plan;
+  std::vector<std::string> problems;
+  std::vector<Result> results;
+  std::vector<Missing> missing;
+};
+
+using bench::Style;
+
+/// Machine, compiler and flags.
+std::string heading(const Comparison& all);
+/// Methods by problems: nanoseconds a value, and the worst error in ulp; then the fastest of the
+/// other methods, and how many times faster ours are.
+std::string table(const Comparison& all, Mode mode, Style style);
+/// What is not in the tables, and why.
+std::string notes(const Comparison& all);
+
+nlohmann::ordered_json as_json(const Comparison& all);
+
+}  // namespace vcrit::speed

@@ -1,0 +1,275 @@
+// What accompanies a generated header: a test program and what CMake builds both by.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <map>
+#include <vector>
+
+#include "base/numbers.hpp"
+#include "critical/certified.hpp"
+#include "derivation/derivation.hpp"
+#include "emit/generate.hpp"
+#include "emit/languages/cpp/dialect.hpp"
+#include "emit/names.hpp"
+#include "emit/parameters.hpp"
+#include "formula/algebra_lock.hpp"
+#include "network/law.hpp"
+#include "program/sweep.hpp"
+
+namespace vcrit::symbolic {
+
+namespace {
+
+bool has_all_values(const Scene& scene) {
+  for (const auto& [symbol, value] : scene.elements)
+    if (!value) return false;
+  const auto* isotropic = std::get_if<Isotropic>(&scene.tangential);
+  if (isotropic != nullptr && !isotropic->quantity.value) return false;
+  return scene.coefficient.value && scene.angular_frequency.value && scene.amplitude.value &&
+         (!scene.mass || scene.mass->value);
+}
+
+/// The scene's values, and values of the size of real devices for symbols without one.
+std::map<Symbol, double> example_values(const Scene& scene) {
+  std::map<Symbol, double> values;
+  const auto put = [&values](const Quantity& quantity, double otherwise) {
+    values[quantity.symbol] = quantity.value.value_or(otherwise);
+  };
+  put(scene.coefficient, 0.25);
+  put(scene.angular_frequency, 125000.0);
+  put(scene.amplitude, 1e-7);
+  if (scene.mass) put(*scene.mass, 0.00025);
+  const auto* isotropic = std::get_if<Isotropic>(&scene.tangential);
+  if (isotropic != nullptr) put(isotropic->quantity, 0.25);
+  int count = 0;
+  const auto add = [&](const Symbol& symbol, double otherwise) {
+    values.try_emplace(symbol, otherwise * (1 + count++ / 8.0));
+  };
+  for (const auto& [symbol, value] : scene.elements)
+    if (value) values[symbol] = *value;
+  const auto element = [&](const Element& e) {
+    for_each_number(
+        e, [&](const Symbol& symbol, NumberRole role) { add(symbol, number_row(role).example); });
+  };
+  for_each_element(scene, element);
+  return values;
+}
+
+std::string example(const Scene& scene, const ParameterList& parameters) {
+  const std::map<Symbol, double> values = example_values(scene);
+  std::string out = "  Parameters p{};\n";
+  for (const Member& member : parameters.members())
+    for (int entry = member.length == 0 ? 0 : 1; entry <= member.length; ++entry) {
+      const Symbol symbol{member.symbol, entry};
+      const auto value = values.find(symbol);
+      // An entry of value 0 stands in no network.
+      if (value == values.end()) continue;
+      out += fmt::format("  {} = {};\n", parameters.reference(symbol), literal(value->second));
+    }
+  return out;
+}
+
+/// The symbols of the mass and of all stiffnesses and dampers.
+std::vector<Symbol> scaled_symbols(const Scene& scene) {
+  std::vector<Symbol> symbols;
+  if (scene.mass) symbols.push_back(scene.mass->symbol);
+  const auto element = [&](const Element& e) { symbols.push_back(e.coefficient); };
+  for_each_element(scene, element);
+  return symbols;
+}
+
+bool scales_fixed_values(const Scene& scene, const FixedValues& fixed) {
+  const std::vector<Symbol> symbols = scaled_symbols(scene);
+  return std::any_of(symbols.begin(), symbols.end(),
+                     [&](const Symbol& symbol) { return fixed.contains(symbol); });
+}
+
+/// Those of them that are parameters, as "p.k0", each once.
+std::vector<std::string> element_members(const Scene& scene, const ParameterList& parameters) {
+  std::vector<std::string> members;
+  for (const Symbol& symbol : scaled_symbols(scene)) {
+    if (!parameters.contains(symbol)) continue;
+    const std::string member = parameters.reference(symbol);
+    if (std::find(members.begin(), members.end(), member) == members.end())
+      members.push_back(member);
+  }
+  return members;
+}
+
+/// Multiplies them by 2. Nothing where one of them is a number of the code.
+std::string doubled(const Scene& scene, const ParameterList& parameters, const FixedValues& fixed) {
+  if (scales_fixed_values(scene, fixed)) return "";
+  std::string out = fmt::format(
+      "  // A power of two changes no rounding, and a common factor of all stiffnesses, dampers{}\n"
+      "  // does not change v*.\n"
+      "  Parameters doubled = p;\n",
+      scene.mass ? " and the mass" : "");
+  for (const std::string& member : element_members(scene, parameters))
+    out += "  doubled" + member.substr(1) + " *= 2.0;\n";
+  return out +
+         "  expect(critical_velocity(doubled) == v.value, \"a common factor of all elements "
+         "cancels\");\n"
+         "  expect(fast::critical_velocity(doubled) == f.value, \"fast: a common factor "
+         "cancels\");\n";
+}
+
+/// Each times its partial derivative; nothing where one of them is a number of the code.
+std::string euler(const Scene& scene, const ParameterList& parameters, const FixedValues& fixed) {
+  if (scales_fixed_values(scene, fixed)) return "0.0";
+  std::vector<std::string> terms{"0.0"};
+  for (const std::string& member : element_members(scene, parameters))
+    terms.push_back(member + " * d" + member.substr(1));
+  return fmt::format("{}", fmt::join(terms, ", "));
+}
+
+/// A fast sweep gives the bits of single calls, or takes polynomials in omega: T, Q, D and N
+/// then err by 5 roundings a term, 11 terms, times 2^5 for cancellation, 3500 in all, where the
+/// bound of the single call counts 9 or more for the network.
+std::string fast_sweep(const Scene& scene, const ParameterList& parameters) {
+  if (!sweep_program(scene, parameters.values()))
+    return "    expect(fast_out[i] == fast_one.value, \"fast sweep equals scalar\");";
+  return "    // Polynomials in omega: a few digits less.\n"
+         "    expect(near(fast_out[i], fast_one.value, 400.0 * fast_one.relative_error_bound), "
+         "\"fast sweep\");";
+}
+
+// v* correctly rounded errs by at most 2^-53, the function by its own bound.
+std::string known_value(const Scene& scene) {
+  if (!has_all_values(scene)) return "";
+  const CertifiedVelocity v = certified_critical_velocity(scene);
+  if (!v.reason.empty()) return "";
+  return fmt::format(
+      "  const double known = {};\n"
+      "  expect(near(v.value, known, v.relative_error_bound + 0x1p-52), \"value of the scene\");\n"
+      "  expect(near(f.value, known, f.relative_error_bound + 0x1p-52), \"fast value\");\n",
+      literal(v.value));
+}
+
+const char* const frame =
+    R"(// Generated by vcrit, do not edit: checks what Eq. 24 implies for the functions of {name}.hpp.
+{include}
+#include <cmath>
+#include <cstdio>
+#include <vector>
+
+namespace {{
+
+int failures = 0;
+
+void expect(bool holds, const char* what) {{
+  if (holds) return;
+  std::fprintf(stderr, "failed: %s\n", what);
+  ++failures;
+}}
+
+// Tolerances are the functions' own bounds, where these are finite.
+bool near(double a, double b, double tolerance) {{
+  return !std::isfinite(tolerance) || std::abs(a - b) <= tolerance * std::abs(b);
+}}
+
+}}  // namespace
+
+int main() {{
+  using namespace {name};
+{example}
+  const Certified v = critical_velocity_certified(p), f = fast::critical_velocity_certified(p);
+  expect(v.value == critical_velocity(p), "certified value is the value");
+  expect(f.value == fast::critical_velocity(p), "certified fast value is the fast value");
+  expect(near(f.value, v.value, f.relative_error_bound + 2.0 * v.relative_error_bound), "both grades agree");
+{known}
+  // Powers of two change no rounding: v* is linear in {mu0} and {du_z}.
+  Parameters other = p;
+  other.{mu0} = 2.0 * p.{mu0};
+  expect(critical_velocity(other) == 2.0 * v.value, "linear in {mu0}");
+  other = p;
+  other.{du_z} = 0.5 * p.{du_z};
+  expect(critical_velocity(other) == 0.5 * v.value, "linear in {du_z}");
+{doubled}
+  // v* does not change with a common factor of all elements: Euler's identity for their partial derivatives. Each
+  // is known as well as the parts of the size of v* that it is the difference of, in plain double or in twice its digits.
+  const Gradient g = critical_velocity_gradient(p), fast_g = fast::critical_velocity_gradient(p);
+  expect(g.value == v.value && fast_g.value == f.value, "value beside the gradient");
+  expect(std::abs(g.partial.{mu0} * p.{mu0} - v.value) <= 0x1p-51 * v.value, "d v/d {mu0} = v/{mu0}");
+  const auto identity = [&]([[maybe_unused]] const Parameters& d, double parts) {{
+    const double terms[] = {{{euler}}};
+    double sum = 0, size = parts;
+    for (const double term : terms) sum += term, size += std::abs(term);
+    return std::abs(sum) <= 1e-12 * size;
+  }};
+  expect(identity(g.partial, 0x1p-53 * v.value), "partial derivatives by the elements");
+  expect(!(f.relative_error_bound < 1e-13) || identity(fast_g.partial, v.value), "the same in plain double");
+
+  std::vector<double> omega(75), out(75), fast_out(75), bounds(75);
+  for (std::size_t i = 0; i < omega.size(); ++i)
+    omega[i] = p.{omega} * (0.25 + 0.125 * static_cast<double>(i));
+  critical_velocity(p, omega, out);
+  fast::critical_velocity(p, omega, fast_out);
+  std::vector<double> columns = omega, fast_columns = omega;
+  critical_velocity(p, Columns{{.{omega} = columns.data()}}, columns, std::span<double>(bounds));
+  fast::critical_velocity<Varying{{.{omega} = true}}>(p, {{.{omega} = fast_columns.data()}}, fast_columns);
+  for (std::size_t i = 0; i < omega.size(); ++i) {{
+    Parameters at = p;
+    at.{omega} = omega[i];
+    const Certified one = critical_velocity_certified(at);
+    expect(out[i] == one.value && columns[i] == one.value, "batch equals scalar");
+    expect(bounds[i] == one.relative_error_bound, "bound of the batch");
+    const Certified fast_one = fast::critical_velocity_certified(at);
+    expect(fast_columns[i] == fast_one.value, "fast batch equals scalar");
+{sweep}
+  }}
+  return failures == 0 ? 0 : 1;
+}}
+)";
+
+}  // namespace
+
+std::string emit_test(const Scene& scene, const std::string& name, const GenerateOptions& options) {
+  const AlgebraLock lock;
+  check_library_name(name);
+  const FixedValues fixed = fixed_values(scene, options.fixed);
+  const ParameterList parameters(scene, derive(scene), fixed);
+  return fmt::format(fmt::runtime(frame), fmt::arg("name", name),
+                     fmt::arg("mu0", name_in(scene, scene.coefficient)),
+                     fmt::arg("omega", name_in(scene, scene.angular_frequency)),
+                     fmt::arg("du_z", name_in(scene, scene.amplitude)),
+                     fmt::arg("include", fmt::format("#include \"{}_batch.hpp\"\n", name)),
+                     fmt::arg("example", example(scene, parameters)),
+                     fmt::arg("known", known_value(scene)),
+                     fmt::arg("doubled", doubled(scene, parameters, fixed)),
+                     fmt::arg("euler", euler(scene, parameters, fixed)),
+                     fmt::arg("sweep", fast_sweep(scene, parameters)));
+}
+
+std::string emit_cmake(const std::string& name) {
+  check_library_name(name);
+  return fmt::format(
+      "# Generated by vcrit, do not edit: the header-only library {0}::{0} and its test.\n"
+      "add_library({0}_evaluator INTERFACE)\n"
+      "add_library({0}::{0} ALIAS {0}_evaluator)\n"
+      "target_include_directories({0}_evaluator INTERFACE ${{CMAKE_CURRENT_LIST_DIR}})\n"
+      "target_compile_features({0}_evaluator INTERFACE cxx_std_20)\n\n"
+      "# A project that takes this folder in gets the library alone.\n"
+      "if(CMAKE_SOURCE_DIR STREQUAL CMAKE_CURRENT_LIST_DIR AND BUILD_TESTING)\n"
+      "  add_executable(test_{0} ${{CMAKE_CURRENT_LIST_DIR}}/test_{0}.cpp)\n"
+      "  target_link_libraries(test_{0} PRIVATE {0}::{0})\n"
+      "  add_test(NAME test_{0} COMMAND test_{0})\n"
+      "endif()\n",
+      name);
+}
+
+std::string emit_cmake_of_folder() {
+  return "# Generated by vcrit, do not edit: all evaluators that were generated into this folder.\n"
+         "cmake_minimum_required(VERSION 3.16)\n"
+         "project(vcrit_evaluators LANGUAGES CXX)\n\n"
+         "if(CMAKE_SOURCE_DIR STREQUAL CMAKE_CURRENT_SOURCE_DIR)\n"
+         "  include(CTest)\n"
+         "endif()\n"
+         "file(GLOB evaluators CONFIGURE_DEPENDS "
+         "\"${CMAKE_CURRENT_SOURCE_DIR}/*_evaluator.cmake\")\n"
+         "foreach(evaluator IN LISTS evaluators)\n"
+         "  include(\"${evaluator}\")\n"
+         "endforeach()\n";
+}
+
+}  // namespace vcrit::symbolic

@@ -1,0 +1,15 @@
+// Who made a report, and how to make it again.
+#pragma once
+
+#include <string>
+
+#include "machine.hpp"
+
+namespace vcrit::validation::report {
+
+struct Origin {
+  Machine machine;
+  std::string command;
+};
+
+}  // namespace vcrit::validation::report

@@ -1,0 +1,13 @@
+// The pictures of surfaces that may part.
+#pragma once
+
+#include "figures/figure.hpp"
+#include "scene_report.hpp"
+
+namespace vcrit::validation::report {
+
+/// Friction over speed at some amplitudes, and what the contact does over the period at each speed.
+figures::Figure amplitude_figure(const Parting& parting);
+figures::Figure state_figure(const Parting& parting);
+
+}  // namespace vcrit::validation::report

@@ -1,0 +1,61 @@
+#include "report/verdict.hpp"
+
+#include <fmt/core.h>
+
+#include <cmath>
+
+#include "report/units.hpp"
+
+namespace vcrit::validation::report {
+
+std::string title_of(const SceneReport& report) {
+  return report.scene.title.empty() ? report.scene.file : report.scene.title;
+}
+
+const char* state_class(const SceneReport& report) {
+  if (!passed(report)) return "failed";
+  if (!report.reasons.empty()) return "outside";
+  return count(report, Comparison::Outcome::not_run) > 0 ? "not-run" : "passed";
+}
+
+std::string state_words(const SceneReport& report) {
+  const std::string words = count_words(report.comparisons);
+  if (report.reasons.empty()) return words;
+  return "Outside the model: no v*, not simulated" +
+         (passed(report) ? std::string() : "; " + words);
+}
+
+std::string velocity_words(const SceneReport& report) {
+  if (!report.failure.empty()) return "no v*";
+  if (!report.reasons.empty()) return {};
+  if (report.indented && !report.indented->closed_form)
+    return "v* = " + quantity(report.indented->critical_velocity, "m/s", 5) + ", simulated";
+  if (report.parting && !report.parting->closed_form)
+    return std::isinf(report.parting->critical_velocity)
+               ? "no v*"
+               : "v* = " + quantity(report.parting->critical_velocity, "m/s", 5) + ", simulated";
+  return "v* = " + quantity(report.critical_velocity, "m/s", 5);
+}
+
+std::string count_words(std::size_t made, std::size_t failed, std::size_t not_run) {
+  std::string words = failed > 0 ? fmt::format("{} of {} comparisons failed", failed, made)
+                                 : fmt::format("{} comparisons passed", made);
+  if (not_run > 0) words += fmt::format(", {} not run", not_run);
+  return words;
+}
+
+std::string count_words(const std::vector<Comparison>& comparisons) {
+  const auto not_run = count(comparisons, Comparison::Outcome::not_run);
+  return count_words(comparisons.size() - not_run, count(comparisons, Comparison::Outcome::failed),
+                     not_run);
+}
+
+std::string tightest_words(const std::vector<Comparison>& comparisons) {
+  const Comparison* worst = tightest(comparisons);
+  if (worst == nullptr) return {};
+  if (worst->broken) return fmt::format("{}: {}", worst->name, worst->detail);
+  return fmt::format("Nearest to its tolerance: {}, {} of {} allowed.", worst->name,
+                     magnitude(difference(*worst)), magnitude(worst->tolerance));
+}
+
+}  // namespace vcrit::validation::report
