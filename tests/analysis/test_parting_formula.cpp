@@ -11,6 +11,7 @@
 #include "emit/generate.hpp"
 #include "formula/symbols.hpp"
 #include "formula/text.hpp"
+#include "support/scene_text.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_parting_formula)
 
@@ -60,12 +61,8 @@ BOOST_AUTO_TEST_CASE(with_memory) {
 // Whether they touch where the indentation grows fastest is a question of numbers: no evaluator
 // answers it, and the derivation with numbers does.
 BOOST_AUTO_TEST_CASE(while_the_surfaces_touch) {
-  const std::string slow =
-      "[contact]\nnormal = \"zener(k0, k1, c1)\"\ntangential_ratio = 0.8\nseparation = true\n"
-      "[oscillation]\nangular_frequency = 1e5\namplitude = 1e-6\nindentation = 4e-7\n"
-      "[friction]\ncoefficient = 0.3\n[elements]\nk0 = 2e5\nk1 = 2e6\nc1 = ";
-  const Scene apart = parse_scene(slow + "40\n", "apart.toml");
-  const Scene touching = parse_scene(slow + "0.1\n", "touching.toml");
+  const Scene apart = test::scene_of(test::slow_zener());
+  const Scene touching = test::scene_of(test::slow_zener(), {{"c1", "0.1"}});
   BOOST_TEST(parting_lines(derive(apart)).empty());
   BOOST_TEST(parting_lines(derive(touching)).size() == 2u);
   for (const Scene& scene : {apart, touching})

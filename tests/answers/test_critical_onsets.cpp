@@ -8,6 +8,7 @@
 #include "answers/critical_onset.hpp"
 #include "critical/certified.hpp"
 #include "scene/changing.hpp"
+#include "support/scene_text.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_critical_onsets)
 
@@ -19,13 +20,8 @@ using Table = std::vector<std::vector<double>>;
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-// The surface creeps back so slowly that it is apart where the indentation grows fastest.
 const Scene& slow() {
-  static const Scene scene = parse_scene(
-      "[contact]\nnormal = \"zener(k0, k1, c1)\"\ntangential_ratio = 0.8\nseparation = true\n"
-      "[oscillation]\nangular_frequency = 1e5\namplitude = 1e-6\nindentation = 4e-7\n"
-      "[friction]\ncoefficient = 0.3\n[elements]\nk0 = 2e5\nk1 = 2e6\nc1 = 40.0\n",
-      "s.toml");
+  static const Scene scene = test::scene_of(test::slow_zener());
   return scene;
 }
 

@@ -1,6 +1,6 @@
 """What the program tells the shell about itself: help with examples, man page, completions.
 
-    test_shell.py PROJECT PROGRAM SHARE     SHARE holds man page and completions as they are installed
+    test_shell.py PROGRAM SHARE     SHARE holds man page and completions as they are installed
 """
 
 import os
@@ -12,12 +12,11 @@ import unittest
 import unittest.mock
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).parents[1] / "languages"))
-import drivers
-
 import completion_drivers
+import drivers
+from program import PROGRAM, PROJECT
 
-PROJECT, PROGRAM, SHARE = (Path(sys.argv.pop(1)).resolve() for _ in range(3))
+SHARE = Path(sys.argv.pop(1)).resolve()
 MAN = SHARE / "man/man1/vcrit.1"
 COMMANDS = ["derive", "eval", "generate", "simulate", "critical", "sweep", "solve", "fit", "validate"]
 # "  -h,--help   Print ...", as CLI11 writes options; positionals stand under a heading of their own.
@@ -68,7 +67,7 @@ class Help(unittest.TestCase):
 
     def run_example(self, line, folder):
         (folder / "scenes").symlink_to(PROJECT / "scenes")
-        path = f"{PROGRAM.resolve().parent}:{os.environ['PATH']}"
+        path = f"{Path(PROGRAM).parent}:{os.environ['PATH']}"
         run = subprocess.run(["bash", "-c", line], cwd=folder, env=os.environ | {"PATH": path},
                              capture_output=True, text=True, timeout=300)
         self.assertEqual(run.returncode, 0, run.stderr)
