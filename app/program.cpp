@@ -12,6 +12,7 @@
 
 #include "base/errors.hpp"
 #include "streams.hpp"
+#include "usage.hpp"
 
 namespace vcrit::app {
 
@@ -91,11 +92,14 @@ int run_command(int argc, char** argv, const AddCommands& add, bool json) {
   program.require_subcommand(1);
   int status = done;
   add(program, status);
+  refuse_options_as_values(program);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    if (json && error.get_exit_code() != 0)
-      return complain({input_wrong, error.what(), nullptr, "run with --help for more"}, json);
+    if (json && error.get_exit_code() != 0) {
+      const InputError parts = in_parts(error);
+      return complain({input_wrong, error.what(), &parts, parts.advice()}, json);
+    }
     status = program.exit(error) == 0 ? done : input_wrong;
   }
   finish_stdout();

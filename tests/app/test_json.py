@@ -78,6 +78,19 @@ class Json(Case):
         for words in (["--frobnicate"], ["eval", KELVIN, "--frobnicate"], ["eval"], ["simulate", KELVIN]):
             told = self.failure(*words)
             self.assertIn("--help", told["advice"])
+            self.assertEqual(told["place"], {"file": "command line"})
+        for words, place, found, expected in (
+                (["eval", KELVIN, "--frobnicate"], "command line", "--frobnicate", "--help"),
+                (["eval"], "command line", "none", "SCENE"),
+                (["generate", KELVIN, "--out", "g", "--language", "ada"], "--language", "ada", "one of {c++,"),
+                (["derive", KELVIN, "--budget", "few"], "--budget", "few", "a number of terms above 0"),
+                (["solve", KELVIN, "--for", "velocity", "--friction-ratio", "half"], "--friction-ratio", "half",
+                 "a number"),
+                (["generate", KELVIN, "--out", "--quantities"], "--out", "--quantities", "a value (./--quantities")):
+            told = self.failure(*words)
+            self.assertEqual((told["place"], told["found"]), ({"file": place}, found))
+            self.assertIn(expected, told["expected"])
+        self.assertFalse((self.folder / "--quantities").exists())
 
     def test_warnings_of_a_failure_stand_in_its_object(self):
         scene = self.write(Path(KELVIN).read_text().replace("[contact]", '[contact]\nfitted_range = ["1 Hz", "2 Hz"]', 1))
