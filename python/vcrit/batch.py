@@ -93,7 +93,7 @@ def _refuse_wrong(formula: _vcrit.CriticalVelocities, columns: list[Array],
             if wrong is not None:
                 place = np.unravel_index(done + wrong[0], np.broadcast(*whole).shape)
                 index = ", ".join(str(int(each)) for each in place)
-                raise _vcrit.InputError(f"at index {index}: {wrong[1].removeprefix('--set ')}")
+                raise _vcrit.InputError(f"at index {index}: {wrong[1].removeprefix('set ')}")
             done += block[0].size
 
 

@@ -48,6 +48,19 @@ void succeeded(int status) {
   throw std::runtime_error(std::string(text, static_cast<std::size_t>(length)));
 }
 
+/// Open MPI calls it a success when a disk is full: what counts is how many bytes were moved.
+template <class Transfer>
+void all_at_once(std::size_t size, const Transfer& transfer) {
+  errno = 0;
+  MPI_Status status;
+  succeeded(transfer(static_cast<int>(size), &status));
+  int moved = 0;
+  MPI_Get_elements(&status, MPI_BYTE, &moved);
+  if (moved == static_cast<int>(size)) return;
+  if (errno != 0) fail();
+  throw std::runtime_error("fewer bytes than were to be read or written");
+}
+
 }  // namespace
 
 #else
@@ -74,8 +87,10 @@ SharedFile::~SharedFile() {
 void SharedFile::read(std::uint64_t offset, void* bytes, std::size_t size) const {
 #ifdef VCRIT_WITH_MPI
   if (handle_)
-    return succeeded(MPI_File_read_at(handle_->file, static_cast<MPI_Offset>(offset), bytes,
-                                      static_cast<int>(size), MPI_BYTE, MPI_STATUS_IGNORE));
+    return all_at_once(size, [&](int count, MPI_Status* status) {
+      return MPI_File_read_at(handle_->file, static_cast<MPI_Offset>(offset), bytes, count,
+                              MPI_BYTE, status);
+    });
 #endif
   all_of(size, [&](std::size_t done) {
     return ::pread(descriptor_, static_cast<char*>(bytes) + done, size - done,
@@ -86,8 +101,10 @@ void SharedFile::read(std::uint64_t offset, void* bytes, std::size_t size) const
 void SharedFile::write(std::uint64_t offset, const void* bytes, std::size_t size) const {
 #ifdef VCRIT_WITH_MPI
   if (handle_)
-    return succeeded(MPI_File_write_at(handle_->file, static_cast<MPI_Offset>(offset), bytes,
-                                       static_cast<int>(size), MPI_BYTE, MPI_STATUS_IGNORE));
+    return all_at_once(size, [&](int count, MPI_Status* status) {
+      return MPI_File_write_at(handle_->file, static_cast<MPI_Offset>(offset), bytes, count,
+                               MPI_BYTE, status);
+    });
 #endif
   all_of(size, [&](std::size_t done) {
     return ::pwrite(descriptor_, static_cast<const char*>(bytes) + done, size - done,

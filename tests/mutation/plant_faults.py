@@ -27,7 +27,7 @@ FAULTS = [
     ("src/stiffness/graph_relaxation.cpp", "form_.damper -= mode.squared_coupling / nu;", "-=", "+=",
      "stiffness/test_graph_relaxation"),
     ("src/stiffness/secular.cpp", "((value > 0) == rising ? high : low) = d;", ">", "<", "stiffness/test_secular"),
-    ("src/critical/admissibility.cpp", "|| force.oscillating < force.mean)", "<", ">", "critical/test_admissibility"),
+    ("src/rules/kinds.hpp", "return oscillating_force() > mean_force();", ">", "<", "critical/test_admissibility"),
     ("src/critical/log_derivative.cpp", "return Dual{2} * (Dual{1} - value) / (Dual{2} - value)", "Dual{1}", "Dual{2}",
      "sweep/test_sweep"),
     ("src/simulation/system/system.cpp", "system.mean_normal_force = normal.equilibrium * indentation", "*", "/",

@@ -107,7 +107,7 @@ std::string document(const char* name, record::Json record, const Document& abou
     scripts.push_back({std::string(script)});
   }
   record["page"] = {{"title", about.title},
-                    {"policy", policy(all)},
+                    {"policy", page.written(record::Markup{policy(all)})},
                     {"style", page.written(record::Markup{std::string(style())})},
                     {"scripts", page.written(scripts)}};
   return rendered(name, record) + "\n";
