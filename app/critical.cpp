@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
+#include "answers/critical_onset.hpp"
 #include "commands.hpp"
-#include "critical/certified.hpp"
 #include "critical/conditioning.hpp"
 #include "indenter/friction.hpp"
 #include "options.hpp"
@@ -53,9 +53,9 @@ double condition_of(const Scene& scene, double formula) {
 Comparison below_indenter(const Scene& scene) {
   const indenter::HalfSpace half_space(scene);
   const simulation::Onset last = indenter::last_stick(half_space).onset;
-  return {certified_critical_velocity(scene).value,
+  return {certified_onset(scene).value,
           condition_number(scene, values_of(scene)),
-          indenter::critical_velocity(half_space).contact_velocity,
+          indenter::sliding_threshold(half_space).contact_velocity,
           last.contact_velocity,
           {},
           last.uncertainty};
@@ -65,7 +65,7 @@ Comparison compared(const Scene& scene) {
   rules::require(rules::Question::comparison, scene);
   if (scene.indenter) return below_indenter(scene);
   const simulation::System system = simulation::system_of(scene);
-  const auto [formula, bound, reason] = certified_critical_velocity(scene);
+  const auto [formula, bound, reason] = certified_onset(scene);
   if (std::isinf(formula)) throw ModelError(reason + ": nothing to compare");
   const double condition = condition_of(scene, formula);
   Comparison result{formula, condition, simulation::sliding_threshold(system).contact_velocity,

@@ -70,7 +70,11 @@ void add_derive(CLI::App& program, int& status, std::string (*catalogue)()) {
   command
       ->add_option("--budget", options->document.budget,
                    "terms up to which the rational form is multiplied out")
-      ->check(CLI::PositiveNumber)
+      ->check([](const std::string& text) {
+        double terms = 0;
+        const bool fits = CLI::detail::lexical_cast(text, terms) && terms > 0;
+        return fits ? "" : "found " + text + "; expected a number of terms above 0";
+      })
       ->capture_default_str();
   command
       ->add_option("--equal", options->equal,

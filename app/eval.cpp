@@ -7,9 +7,9 @@
 #include <memory>
 #include <string>
 
+#include "answers/critical_onset.hpp"
 #include "commands.hpp"
 #include "critical/admissibility.hpp"
-#include "onset/critical_onset.hpp"
 #include "options.hpp"
 
 namespace vcrit::app {

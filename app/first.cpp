@@ -12,6 +12,4 @@ void add_first_commands(CLI::App& program, int& status) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  return vcrit::app::run_program(argc, argv, add_first_commands, nullptr);
-}
+int main(int argc, char** argv) { return vcrit::app::run_program(argc, argv, add_first_commands); }

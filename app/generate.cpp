@@ -26,7 +26,7 @@ using Paths = std::vector<std::string>;
 void generate(const GenerateArguments& options) {
   const Scene scene = options.scene.read();
   const std::vector<symbolic::CodeFile> files =
-      symbolic::code_files(scene, options.name, options.generated);
+      symbolic::code_files(symbolic::derive(scene), options.name, options.generated);
   // As the user named the folder: DIR/NAME.hpp.
   Paths written, main;
   for (const std::filesystem::path& path : symbolic::write_code(files, options.directory)) {

@@ -2,6 +2,7 @@
 #include <fmt/core.h>
 
 #include <string>
+#include <string_view>
 
 #include "commands.hpp"
 #include "machine.hpp"
@@ -20,6 +21,7 @@ std::string version_text() {
 }
 
 void add_commands(CLI::App& program, int& status, char** argv) {
+  program.set_version_flag("--version", version_text, "print the versions of vcrit and its parts");
   vcrit::app::add_derive(program, status, vcrit::validation::report::catalogue_page);
   vcrit::app::add_eval(program);
   vcrit::app::add_generate(program);
@@ -32,9 +34,19 @@ void add_commands(CLI::App& program, int& status, char** argv) {
   vcrit::app::add_shell(program);
 }
 
+/// vcrit --complete WORD...: what the shells' completions ask, in words that are no command line.
+int complete(int argc, char** argv) {
+  CLI::App program;
+  int status = 0;
+  add_commands(program, status, argv);
+  fmt::print("{}", vcrit::app::completions(program, {argv + 2, argv + argc}));
+  return status;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  if (argc > 1 && std::string_view(argv[1]) == "--complete") return complete(argc, argv);
   const auto add = [argv](CLI::App& program, int& status) { add_commands(program, status, argv); };
-  return vcrit::app::run_program(argc, argv, add, version_text);
+  return vcrit::app::run_program(argc, argv, add);
 }

@@ -12,6 +12,7 @@
 
 #include "base/errors.hpp"
 #include "streams.hpp"
+#include "usage.hpp"
 
 namespace vcrit::app {
 
@@ -86,19 +87,19 @@ bool asks_for_json(int argc, char** argv) {
                      [](const char* word) { return std::string_view(word) == "--json"; });
 }
 
-int run_command(int argc, char** argv, const AddCommands& add,
-                const std::function<std::string()>& version, bool json) {
+int run_command(int argc, char** argv, const AddCommands& add, bool json) {
   CLI::App program{"Up to which sliding velocity can normal oscillation reduce friction?", "vcrit"};
   program.require_subcommand(1);
-  if (version)
-    program.set_version_flag("--version", version, "print the versions of vcrit and its parts");
   int status = done;
   add(program, status);
+  refuse_options_as_values(program);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    if (json && error.get_exit_code() != 0)
-      return complain({input_wrong, error.what(), nullptr, "run with --help for more"}, json);
+    if (json && error.get_exit_code() != 0) {
+      const InputError parts = in_parts(error);
+      return complain({input_wrong, error.what(), &parts, parts.advice()}, json);
+    }
     status = program.exit(error) == 0 ? done : input_wrong;
   }
   finish_stdout();
@@ -107,14 +108,13 @@ int run_command(int argc, char** argv, const AddCommands& add,
 
 }  // namespace
 
-int run_program(int argc, char** argv, const AddCommands& add,
-                const std::function<std::string()>& version) {
+int run_program(int argc, char** argv, const AddCommands& add) {
   open_missing_streams();
   std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is told as a full disk is
   const bool json = asks_for_json(argc, argv);
   if (json) keep_warnings();
   try {
-    const int status = run_command(argc, argv, add, version, json);
+    const int status = run_command(argc, argv, add, json);
     for (const std::string& warning : kept_warnings()) warn(warning);
     return status;
   } catch (const InputError& error) {

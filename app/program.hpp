@@ -17,9 +17,7 @@ class Refused : public std::runtime_error {
 /// Adds the commands; they set the exit status where it is not 0.
 using AddCommands = std::function<void(CLI::App& program, int& status)>;
 
-/// Runs the command that the arguments name; `version` is what --version prints, no option where
-/// there is none. Returns the exit status.
-int run_program(int argc, char** argv, const AddCommands& add,
-                const std::function<std::string()>& version);
+/// Runs the command that the arguments name. Returns the exit status.
+int run_program(int argc, char** argv, const AddCommands& add);
 
 }  // namespace vcrit::app

@@ -1,8 +1,13 @@
 #include "shell.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
 #include <memory>
 
 #include "examples.hpp"
+#include "shell_texts.hpp"
 
 namespace vcrit::app {
 
@@ -11,7 +16,7 @@ namespace {
 class HelpFormatter : public CLI::Formatter {
  public:
   std::string make_option_opts(const CLI::Option* option) const override {
-    const std::string words = value_words(argument_of(*option));
+    const std::string words = value_words(*option);
     return words.empty() ? "" : " " + words;
   }
 
@@ -36,18 +41,66 @@ void set_formatter(CLI::App& app, const std::shared_ptr<HelpFormatter>& formatte
   throw CLI::CallForVersion(text, 0);
 }
 
+/// CLI11 gives each group of options a help flag of its own; only the command's counts.
+void collect(const CLI::App& app, std::vector<const CLI::Option*>& options) {
+  for (const CLI::Option* option : app.get_options())
+    if (option != app.get_help_ptr() || !app.get_name().empty() || app.get_parent() == nullptr)
+      options.push_back(option);
+  for (const CLI::App* group : app.get_subcommands({}))
+    if (group->get_name().empty()) collect(*group, options);
+}
+
 }  // namespace
+
+std::vector<const CLI::Option*> options_of(const CLI::App& command) {
+  std::vector<const CLI::Option*> options;
+  collect(command, options);
+  std::stable_partition(options.begin(), options.end(),
+                        [](const CLI::Option* option) { return option->get_positional(); });
+  return options;
+}
+
+std::vector<std::string> names_of(const CLI::Option& option) {
+  if (option.get_positional()) return {option.get_name(true, false)};
+  std::vector<std::string> names;
+  for (const std::string& name : option.get_snames()) names.push_back("-" + name);
+  for (const std::string& name : option.get_lnames()) names.push_back("--" + name);
+  return names;
+}
+
+// CLI11 puts choices behind the type: "TEXT:{exact,moreau}".
+std::vector<std::string> choices_of(const CLI::Option& option) {
+  const std::string type = option.get_type_name();
+  const auto open = type.find(":{"), close = type.find('}', open);
+  if (open == type.npos) return {};
+  return CLI::detail::split(type.substr(open + 2, close - open - 2), ',');
+}
+
+bool is_repeated(const CLI::Option& option) {
+  return option.get_expected_max() == CLI::detail::expected_max_vector_size;
+}
+
+std::string value_words(const CLI::Option& option) {
+  std::string words;
+  const std::vector<std::string> choices = choices_of(option);
+  const std::string type = option.get_type_name(), preset = option.get_default_str();
+  if (!option.get_positional() && option.get_type_size() != 0)
+    words = type.substr(0, type.find(':'));
+  if (!choices.empty()) words = fmt::format("{{{}}}", fmt::join(choices, ","));
+  if (!preset.empty()) words += "=" + preset;
+  if (is_repeated(option)) words += words.empty() ? "..." : " ...";
+  if (option.get_required()) words += words.empty() ? "required" : ", required";
+  return words;
+}
 
 void add_shell(CLI::App& program) {
   program.add_flag_callback(
-      "--man", [&program] { print_instead(man_page(commands_of(program))); },
-      "print the man page vcrit(1)");
+      "--man", [&program] { print_instead(man_page(program)); }, "print the man page vcrit(1)");
   program
       .add_option_function<std::string>(
           "--completion",
-          [&program](const std::string& shell) {
-            const std::vector<Command> commands = commands_of(program);
-            print_instead(shell == "zsh" ? zsh_completion(commands) : bash_completion(commands));
+          [](const std::string& shell) {
+            print_instead(shell == "zsh" ? zsh_completion : bash_completion);
           },
           "print the completion for a shell")
       ->check(CLI::IsMember({"bash", "zsh"}));

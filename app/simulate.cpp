@@ -7,10 +7,10 @@
 #include <numbers>
 #include <optional>
 
+#include "answers/critical_onset.hpp"
 #include "base/units.hpp"
 #include "commands.hpp"
 #include "method_choice.hpp"
-#include "onset/critical_onset.hpp"
 #include "options.hpp"
 #include "rules/rulebook.hpp"
 #include "simulate_indenter.hpp"

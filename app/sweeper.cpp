@@ -139,6 +139,5 @@ void run_sweep(const SweepOptions& options) {
 
 int main(int argc, char** argv) {
   using namespace vcrit::app;
-  return run_program(
-      argc, argv, [](CLI::App& program, int&) { add_sweep(program, run_sweep); }, nullptr);
+  return run_program(argc, argv, [](CLI::App& program, int&) { add_sweep(program, run_sweep); });
 }

@@ -17,7 +17,7 @@ int main(int argc, char** argv) {
   const symbolic::Derivation derivation = symbolic::derive(scene);
   std::printf("%s v* = %s\n", derivation.equation.c_str(),
               symbolic::to_latex(derivation.critical_velocity).c_str());
-  for (const symbolic::Limit& limit : symbolic::limits(scene))
+  for (const symbolic::Limit& limit : symbolic::limits(derivation))
     if (!limit.equation.empty())
       std::printf("%s %s: v* = %s\n", limit.equation.c_str(), limit.name.c_str(),
                   symbolic::to_latex(limit.result).c_str());

@@ -11,7 +11,8 @@
 
 int main(int argc, char** argv) {
   if (argc != 3) return std::fprintf(stderr, "usage: generate SCENE DIR\n"), 2;
-  const vcrit::Scene scene = vcrit::read_scene(argv[1]);
-  vcrit::symbolic::generate(scene, argv[2], "slider");
-  vcrit::symbolic::generate(scene, argv[2], "slider", {.language = "c99"});
+  namespace symbolic = vcrit::symbolic;
+  const symbolic::Derivation derivation = symbolic::derive(vcrit::read_scene(argv[1]));
+  symbolic::generate(derivation, argv[2], "slider");
+  symbolic::generate(derivation, argv[2], "slider", {.language = "c99"});
 }

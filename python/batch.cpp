@@ -3,10 +3,10 @@
 
 #include <utility>
 
+#include "answers/critical_onsets.hpp"
 #include "arrays.hpp"
 #include "bindings.hpp"
 #include "interrupt.hpp"
-#include "onset/critical_onsets.hpp"
 
 namespace vcrit::python {
 

@@ -4,21 +4,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <span>
 #include <tuple>
 
+#include "answers/friction.hpp"
 #include "arrays.hpp"
 #include "base/units.hpp"
 #include "bindings.hpp"
-#include "indenter/friction.hpp"
 #include "interrupt.hpp"
 #include "rules/rulebook.hpp"
 #include "simulation/methods/methods.hpp"
-#include "simulation/steady/curve.hpp"
 #include "simulation/steady/energy.hpp"
-#include "simulation/steady/exact.hpp"
 
 namespace vcrit::python {
 
@@ -57,14 +54,10 @@ SteadyState steady_state(const Scene& scene, double velocity, const std::string&
     throw InputError(argument("start"), '"' + start + '"', "sliding or rest");
   simulation::MethodOptions options;
   if (start == "rest") options.start = simulation::Start::rest;
-  if (scene.indenter) {
-    if (method != "exact") rules::require(rules::Question::other_methods, scene, method + " ");
-    return indenter::steady_state_of(indenter::friction(indenter::HalfSpace(scene), velocity));
-  }
-  const simulation::System system = simulation::system_of(scene);
-  if (method == "exact") return simulation::steady_state(system, velocity, options.start);
+  if (method == "exact") return SteadyFriction(scene).at(velocity, options.start);
+  rules::require(rules::Question::other_methods, scene, method + " ");
   if (const auto other = simulation::method_named(method))
-    return simulation::steady_state(*other, system, velocity, options);
+    return simulation::steady_state(*other, simulation::system_of(scene), velocity, options);
   std::string known = "exact";
   for (const simulation::Method each : simulation::all_methods())
     known += std::string(", ") + to_text(each);
@@ -102,47 +95,32 @@ struct Curve {
   std::span<double> ratio, error;
   std::vector<std::string> regimes, reasons;
 
-  void add(std::size_t i, const simulation::CurvePoint& point) {
+  void put(std::size_t i, const simulation::PassingPoint& point) {
     constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
     ratio[i] = point.state ? point.state->friction_ratio : nothing;
     error[i] = point.state ? point.state->friction_ratio_error : nothing;
-    regimes.emplace_back(point.state ? to_text(point.state->regime) : "");
-    reasons.push_back(point.reason);
+    regimes[i] = point.state ? to_text(point.state->regime) : "";
+    reasons[i] = point.reason;
   }
 };
 
 // Speeds that are found one from another, as in `vcrit sweep`; Ctrl-C is heard between two lots.
 constexpr std::size_t speeds_at_once = 32;
 
-using CurveOf = std::function<std::vector<simulation::CurvePoint>(std::span<const double>)>;
-
-CurveOf curves_of(const Scene& scene) {
-  if (!scene.indenter)
-    return [system = simulation::system_of(scene)](std::span<const double> velocities) {
-      return simulation::friction_curve(system, velocities);
-    };
-  return [half_space = indenter::HalfSpace(scene)](std::span<const double> velocities) {
-    std::vector<simulation::CurvePoint> points;
-    for (const indenter::CurvePoint& point : indenter::friction_curve(half_space, velocities)) {
-      points.push_back({std::nullopt, point.reason});
-      if (point.friction) points.back().state = indenter::steady_state_of(*point.friction);
-    }
-    return points;
-  };
-}
-
 py::tuple friction_curve(const Scene& scene, const Array& velocities, Array ratio, Array error) {
   const std::span<const double> speeds = values(velocities);
-  Curve curve{values(ratio), values(error), {}, {}};
+  const std::vector<std::string> room(speeds.size());
+  Curve curve{values(ratio), values(error), room, room};
   ensure(curve.ratio.size() == speeds.size() && curve.error.size() == speeds.size(),
          "friction_curve has room for all its answers");
-  const auto curve_of = curves_of(scene);
+  const SteadyFriction friction(scene);
   for (std::size_t first = 0; first < speeds.size(); first += speeds_at_once) {
     {
       const OthersRun others_run;
       const auto lot = speeds.subspan(first, std::min(speeds_at_once, speeds.size() - first));
-      const auto points = curve_of(lot);
-      for (std::size_t i = 0; i < points.size(); ++i) curve.add(first + i, points[i]);
+      friction.curve(lot, [&](std::size_t i, const simulation::PassingPoint& point) {
+        curve.put(first + i, point);
+      });
     }
     if (PyErr_CheckSignals() != 0) throw py::error_already_set();
   }

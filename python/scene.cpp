@@ -6,14 +6,12 @@
 
 #include <tuple>
 
+#include "answers/critical_onset.hpp"
 #include "base/files.hpp"
 #include "base/units.hpp"
 #include "bindings.hpp"
 #include "critical/admissibility.hpp"
-#include "critical/certified.hpp"
 #include "interrupt.hpp"
-#include "onset/critical_onset.hpp"
-#include "rules/rulebook.hpp"
 #include "scene/settings.hpp"
 
 namespace vcrit::python {
@@ -50,12 +48,8 @@ std::map<std::string, std::string> settable(const Scene& scene) {
 
 std::tuple<double, double, std::string> certified(const Scene& scene) {
   const OthersRun others_run;
-  if (rules::answer(rules::Question::formula, scene)) {
-    const auto [value, bound, reason] = certified_critical_velocity(scene);
-    return {value, bound, reason};
-  }
-  const CriticalOnset onset = critical_onset(scene);
-  return {onset.contact_velocity, onset.relative_error_bound, onset.reason};
+  const auto [value, bound, reason] = certified_onset(scene);
+  return {value, bound, reason};
 }
 
 std::tuple<double, double, std::string, std::string> onset(const Scene& scene) {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "answers/critical_onset.hpp"
 #include "base/constants.hpp"
 #include "base/free_swings.hpp"
 #include "border.hpp"
@@ -19,7 +20,6 @@
 #include "friction.hpp"
 #include "indented.hpp"
 #include "method_curves.hpp"
-#include "onset/critical_onset.hpp"
 #include "parting.hpp"
 #include "periodic_motion.hpp"
 #include "reduced_difference.hpp"
@@ -38,7 +38,7 @@ void derive_all(SceneReport& report, const symbolic::Derivation& derivation) {
   report.equation = derivation.equation;
   report.definitions = equations_of(derivation.definitions);
   report.derivation = equations_of(derivation.lines);
-  report.limits = limits_of(report.scene);
+  report.limits = limits_of(derivation);
 }
 
 /// Elastic networks, a rigid drive: the case with a closed form.
@@ -120,7 +120,8 @@ std::string why_no_march(const SceneReport& report) {
   return {};
 }
 
-void simulate(SceneReport& report, const Witnesses& witnesses, const Progress& progress) {
+void simulate(SceneReport& report, const symbolic::Derivation& derivation,
+              const Witnesses& witnesses, const Progress& progress) {
   progress("simulating");
   const std::vector<Comparison> evaluated = report.comparisons;
   Comparison pending = velocity_comparison(report, "simulation", "stick-slip simulation");
@@ -137,7 +138,7 @@ void simulate(SceneReport& report, const Witnesses& witnesses, const Progress& p
     out_of_reach = simulation::lost_in_resonance(simulation::Model(system));
     if (report.scene.separation) {
       progress("letting the surfaces part");
-      examine_parting(report, system);
+      examine_parting(report, derivation, system);
     }
     if (by_formula(report))
       report.comparisons.push_back(balanced(report, witnesses.balance(system)));
@@ -163,14 +164,13 @@ void simulate(SceneReport& report, const Witnesses& witnesses, const Progress& p
 Witnesses own_witnesses() {
   return {[](const Scene& scene) { return certified_critical_velocity(scene); },
           [](const Scene& scene) { return critical_velocity(scene); },
-          [](const Scene& scene) { return symbolic::derive(scene); },
           [](const Scene& scene) { return simulation::system_of(scene); },
           [](const simulation::System& system) { return simulation::sliding_threshold(system); }};
 }
 
-SceneReport agree(const Scene& given, Driver& driver, const Progress& progress,
+SceneReport agree(Driver& driver, const symbolic::Derivation& formula, const Progress& progress,
                   const Witnesses& witnesses) {
-  const Scene scene = as_doubles(given);
+  const Scene scene = as_doubles(driver.derivation().scene);
   const symbolic::NamesOfScene names(scene);
   const Values values = values_of(scene);
   SceneReport report;
@@ -189,18 +189,17 @@ SceneReport agree(const Scene& given, Driver& driver, const Progress& progress,
   report.values = value_lines(scene);
 
   progress("deriving the formula");
-  const symbolic::Derivation derivation = witnesses.derivation(scene);
-  derive_all(report, derivation);
+  derive_all(report, formula);
   report.comparisons.push_back(
       in_doubles(report, "formula", "Eq. 24 in doubles", witnesses.formula(scene)));
-  report.comparisons.push_back(derived_comparison(report, derivation, values));
-  report.response = frequency_response(scene);
+  report.comparisons.push_back(derived_comparison(report, formula, values));
+  report.response = frequency_response(driver.derivation());
   progress("compiling all evaluators");
   compare_generated(report, driver, values);
 
-  if (report.reasons.empty()) simulate(report, witnesses, progress);
+  if (report.reasons.empty()) simulate(report, driver.derivation(), witnesses, progress);
   progress("preparing the explorer");
-  report.explorer = explorer(scene, derivation, report.values);
+  report.explorer = explorer(driver.derivation(), report.values);
   return report;
 }
 

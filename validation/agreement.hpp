@@ -22,19 +22,19 @@ namespace vcrit::validation {
 
 /// Who is heard besides the generated evaluator and the motion. Tests put false ones among them.
 struct Witnesses {
-  std::function<CertifiedVelocity(const Scene&)> certified;      ///< the reference
-  std::function<double(const Scene&)> formula;                   ///< Eq. 24 in doubles, m/s
-  std::function<symbolic::Derivation(const Scene&)> derivation;  ///< the generator has its own
-  std::function<simulation::System(const Scene&)> system;        ///< what is simulated
+  std::function<CertifiedVelocity(const Scene&)> certified;  ///< the reference
+  std::function<double(const Scene&)> formula;               ///< Eq. 24 in doubles, m/s
+  std::function<simulation::System(const Scene&)> system;    ///< what is simulated
   /// The simulator's own harmonic balance: from where on steady sliding exists.
   std::function<simulation::Onset(const simulation::System&)> balance;
 };
 Witnesses own_witnesses();
 
-/// Throws InputError for missing values, ModelError where Eq. 24 is 0/0. A scene that is not
-/// admissible is not simulated; its formulas are compared all the same.
-/// `driver` is the scene's, compiled here if there is a compiler.
-SceneReport agree(const Scene& scene, Driver& driver, const Progress& progress,
+/// `driver` is the scene's, compiled here if there is a compiler; its derivation is what others are
+/// asked for, `formula` the one that is compared. Throws InputError for missing values, ModelError
+/// where Eq. 24 is 0/0. A scene that is not admissible is not simulated; its formulas are compared
+/// all the same.
+SceneReport agree(Driver& driver, const symbolic::Derivation& formula, const Progress& progress,
                   const Witnesses& witnesses = own_witnesses());
 
 }  // namespace vcrit::validation

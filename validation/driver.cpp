@@ -9,7 +9,6 @@
 #include <stdexcept>
 
 #include "base/files.hpp"
-#include "derivation/derivation.hpp"
 #include "driver_source.hpp"
 #include "emit/generate.hpp"
 
@@ -20,9 +19,10 @@ namespace {
 constexpr std::chrono::seconds answer_limit{60};
 
 /// Why there is no generated library; empty if there is one, in `folder`.
-std::string generate_into(const Scene& scene, const std::filesystem::path& folder) {
+std::string generate_into(const symbolic::Derivation& derivation,
+                          const std::filesystem::path& folder) {
   try {
-    symbolic::generate(scene, folder, "scene");
+    symbolic::generate(derivation, folder, "scene");
     return {};
   } catch (const ModelError& error) {
     return error.what();
@@ -43,34 +43,32 @@ Answers read_answers(std::istream& stream, const Way& way, std::size_t count) {
 
 }  // namespace
 
-Driver::Driver(const Scene& scene, const std::filesystem::path& compiler) : Driver(scene) {
+Driver::Driver(symbolic::Derivation derivation, const std::filesystem::path& compiler)
+    : Driver(std::move(derivation)) {
   compile(compiler);
 }
 
 void Driver::generate() {
-  if (formula_) return;
+  if (folder_) return;
   folder_.emplace();
-  no_library_ = generate_into(scene_, folder_->path());
-  symbolic::Derivation formula = symbolic::derive(scene_);
+  no_library_ = generate_into(derivation_, folder_->path());
   for (const Call& call : generated_calls())
     if (no_library_.empty())
       ways_.push_back(call.way);
     else
       missing_.push_back({call.way, no_library_});
   ways_.push_back(complex_call().way);
-  if (formula.definitions.empty())
+  if (derivation_.definitions.empty())
     ways_.push_back(pasted_call().way);
   else
     missing_.push_back({pasted_call().way, "it stays nested: the same as Eq. 24 as written"});
-  formula_ = std::move(formula);
 }
 
 void Driver::compile(const std::filesystem::path& compiler) {
   generate();
   if (compiled_) return;
   if (!failure_.empty()) throw std::runtime_error(failure_);
-  write_file(folder_->path() / "driver.cpp",
-             driver_source(scene_, symbolic::derive(scene_, true), *formula_, no_library_.empty()));
+  write_file(folder_->path() / "driver.cpp", driver_source(derivation_, no_library_.empty()));
   // What the generated headers ask for.
   const ProgramResult result =
       validation::compile(compiler, folder_->path(), "driver.cpp", "driver",

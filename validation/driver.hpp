@@ -5,11 +5,11 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "compiler.hpp"
 #include "derivation/derivation.hpp"
-#include "scene/scene.hpp"
 
 namespace vcrit::validation {
 
@@ -32,11 +32,11 @@ struct Missing {
 
 class Driver {
  public:
-  explicit Driver(const Scene& scene) : scene_(scene) {}
+  explicit Driver(symbolic::Derivation derivation) : derivation_(std::move(derivation)) {}
   /// Compiled at once.
-  Driver(const Scene& scene, const std::filesystem::path& compiler);
+  Driver(symbolic::Derivation derivation, const std::filesystem::path& compiler);
 
-  /// Derives, and generates the library; only once. From then on the ways are known.
+  /// Generates the library; only once. From then on the ways are known.
   void generate();
 
   /// Compiles what is generated, for all who ask; takes a second or two. Throws std::runtime_error
@@ -44,7 +44,8 @@ class Driver {
   void compile(const std::filesystem::path& compiler);
 
   /// What v* depends on: the numbers that a set holds, in the order of Inputs::symbols.
-  const std::vector<Symbol>& symbols() const { return formula_->parameters; }
+  const std::vector<Symbol>& symbols() const { return derivation_.parameters; }
+  const symbolic::Derivation& derivation() const { return derivation_; }
   const std::vector<Way>& ways() const { return ways_; }
   const std::vector<Missing>& missing() const { return missing_; }
   bool has(const std::string& key) const;
@@ -63,9 +64,8 @@ class Driver {
   std::vector<Answers> run(const std::vector<std::vector<double>>& sets,
                            const std::vector<Way>& ways) const;
 
-  Scene scene_;
+  symbolic::Derivation derivation_;
   std::optional<PrivateFolder> folder_;
-  std::optional<symbolic::Derivation> formula_;
   std::string no_library_;  ///< why there is no generated library; empty if there is one
   std::string failure_;     ///< why it does not compile; empty if that is not known
   bool compiled_ = false;

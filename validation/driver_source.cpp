@@ -91,7 +91,7 @@ Call batch(const char* key, const char* name, const std::string& grade) {
 
 /// Statements with the member of each number of a set.
 std::string statement_for_each(const std::vector<Symbol>& symbols,
-                            const symbolic::ParameterList& parameters, const char* statement) {
+                               const symbolic::ParameterList& parameters, const char* statement) {
   std::string text;
   for (std::size_t i = 0; i < symbols.size(); ++i)
     text += fmt::format(fmt::runtime(statement),
@@ -182,19 +182,19 @@ const Call& pasted_call() {
   return call;
 }
 
-std::string driver_source(const Scene& scene, const symbolic::Derivation& nested,
-                          const symbolic::Derivation& formula, bool has_generated) {
-  const symbolic::ParameterList parameters(scene, formula);
+std::string driver_source(const symbolic::Derivation& formula, bool has_generated) {
+  const symbolic::ParameterList parameters(formula.scene, formula);
   const std::vector<Symbol>& symbols = formula.parameters;
   std::string text = includes;
   text += has_generated ? "#include \"scene_batch.hpp\"\nusing scene::Parameters;\n"
                           "static scene::Columns columns;\n"
                         : own_struct(parameters);
-  text += pasted_preamble() + pasted_function("in_complex_numbers", nested, parameters);
+  text += pasted_preamble() +
+          pasted_function("in_complex_numbers", symbolic::nested_form(formula), parameters);
   if (formula.definitions.empty()) text += pasted_function("derived_formula", formula, parameters);
   text += "static bool read(std::FILE* in, Parameters& p) {\n  return true" +
           statement_for_each(symbols, parameters,
-                          " &&\n         std::fscanf(in, \"%la\", &{member}) == 1") +
+                             " &&\n         std::fscanf(in, \"%la\", &{member}) == 1") +
           ";\n}\n";
   text += numbers_of_all + functions(calls_of(formula, has_generated)) + measuring;
   text += main_begins;

@@ -26,10 +26,8 @@ const std::vector<Call>& generated_calls();
 const Call& complex_call();
 const Call& pasted_call();
 
-/// `nested` and `formula`: the derivation with its networks as complex stiffnesses, and the formula
-/// as `vcrit derive` prints it, of which the parameters are read in their order. With the generated
-/// library "scene" if there is one.
-std::string driver_source(const Scene& scene, const symbolic::Derivation& nested,
-                          const symbolic::Derivation& formula, bool has_generated);
+/// Of the formula as `vcrit derive` prints it, of which the parameters are read in their order, and
+/// with its networks as complex stiffnesses. With the generated library "scene" if there is one.
+std::string driver_source(const symbolic::Derivation& formula, bool has_generated);
 
 }  // namespace vcrit::validation

@@ -48,8 +48,8 @@ double value_in_digits(const GiNaC::ex& formula, const std::vector<symbolic::Lin
   return value.to_double();
 }
 
-double derived_velocity(const Scene& scene, const symbolic::Derivation& derivation,
-                        const Values& values, long digits) {
+double derived_velocity(const symbolic::Derivation& derivation, const Values& values, long digits) {
+  const Scene& scene = derivation.scene;
   std::vector<symbolic::Line> definitions;
   if (scene.receptance)
     definitions.push_back(

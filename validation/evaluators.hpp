@@ -18,8 +18,8 @@ double value_in_digits(const GiNaC::ex& formula, const std::vector<symbolic::Lin
                        const Values& values, long digits);
 
 /// The derived formula in that way, at the scene's doubles.
-double derived_velocity(const Scene& scene, const symbolic::Derivation& derivation,
-                        const Values& values, long digits = usual_digits);
+double derived_velocity(const symbolic::Derivation& derivation, const Values& values,
+                        long digits = usual_digits);
 
 /// What the generated library answers, each call of its interface once; m/s.
 struct GeneratedVelocities {

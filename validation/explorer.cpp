@@ -29,8 +29,8 @@ constexpr int stops_per_decade = 5, decades_each_way = 2;  // to each side
 constexpr double largest_amplitude = 0.99;                 // of the normal force, over its mean
 
 /// The generated module as the body of a function that returns what it exports.
-std::string module_script(const Scene& scene, const char* name) {
-  std::string text = symbolic::emit(scene, "scene", {.language = "javascript"});
+std::string module_script(const symbolic::Derivation& derivation, const char* name) {
+  std::string text = symbolic::emit(derivation, "scene", {.language = "javascript"});
   const std::string word = "\nexport const ";
   for (auto at = text.find(word); at != text.npos; at = text.find(word, at))
     text.replace(at, word.size(), "\nconst ");
@@ -184,15 +184,16 @@ std::map<std::string, std::string> names_in_page(const Scene& scene) {
   return names;
 }
 
-std::optional<Explorer> explorer(const Scene& given, const symbolic::Derivation& derivation,
+std::optional<Explorer> explorer(symbolic::Derivation derivation,
                                  const std::vector<ValueLine>& values) {
   Explorer result;
-  Scene scene = given;
-  scene.names = names_in_page(given);
+  Scene& scene = derivation.scene;
+  scene.names = names_in_page(scene);
   try {
     result.unit = unused_name(scene);
-    result.script = "\"use strict\";\n" + module_script(scene, "vcrit_scene") +
-                    module_script(normal_over(result.unit, scene), "vcrit_normal");
+    result.script =
+        "\"use strict\";\n" + module_script(derivation, "vcrit_scene") +
+        module_script(symbolic::derive(normal_over(result.unit, scene)), "vcrit_normal");
   } catch (const ModelError&) {
     return std::nullopt;
   }

@@ -20,7 +20,7 @@ std::map<std::string, std::string> names_in_page(const Scene& scene);
 
 /// Nothing for drives that generated code does not know. Friction is left out where the scene is
 /// not simulated, or large (system_size.hpp).
-std::optional<Explorer> explorer(const Scene& scene, const symbolic::Derivation& derivation,
+std::optional<Explorer> explorer(symbolic::Derivation derivation,
                                  const std::vector<ValueLine>& values);
 
 }  // namespace vcrit::validation

@@ -17,9 +17,9 @@ std::vector<Equation> equations_of(const std::vector<symbolic::Line>& lines) {
   return equations;
 }
 
-std::vector<LimitLine> limits_of(const Scene& scene) {
+std::vector<LimitLine> limits_of(const symbolic::Derivation& derivation) {
   std::vector<LimitLine> lines;
-  for (const symbolic::Limit& limit : symbolic::limits(scene))
+  for (const symbolic::Limit& limit : symbolic::limits(derivation))
     lines.push_back({limit.name, limit.equation, limit.mathml_name, formula_of(limit.result),
                      equations_of(limit.definitions)});
   return lines;

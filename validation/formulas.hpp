@@ -8,6 +8,10 @@
 #include "formula/line.hpp"
 #include "scene_report.hpp"
 
+namespace vcrit::symbolic {
+struct Derivation;
+}
+
 namespace vcrit::validation {
 
 Formula formula_of(const GiNaC::ex& expression);
@@ -15,6 +19,6 @@ Formula formula_of(const GiNaC::ex& expression);
 std::vector<Equation> equations_of(const std::vector<symbolic::Line>& lines);
 
 /// The limits and special cases that the scene has.
-std::vector<LimitLine> limits_of(const Scene& scene);
+std::vector<LimitLine> limits_of(const symbolic::Derivation& derivation);
 
 }  // namespace vcrit::validation

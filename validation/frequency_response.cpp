@@ -164,11 +164,12 @@ void add_points_around_marks(const Response& response, FrequencyResponse& result
             [](const ResponsePoint& a, const ResponsePoint& b) { return a.omega < b.omega; });
 }
 
-std::vector<AsymptoteLine> asymptotes_of(const Scene& scene, const Values& values) {
+std::vector<AsymptoteLine> asymptotes_of(const symbolic::Derivation& derivation,
+                                         const Values& values) {
   std::map<Symbol, GiNaC::numeric> numbers;
   for (const auto& [symbol, value] : values) numbers[symbol] = GiNaC::numeric(value);
   std::vector<AsymptoteLine> lines;
-  for (const symbolic::Asymptote& asymptote : symbolic::asymptotes(scene)) {
+  for (const symbolic::Asymptote& asymptote : symbolic::asymptotes(derivation)) {
     const double coefficient =
         symbolic::value_at(asymptote.coefficient, asymptote.definitions, numbers).to_double();
     lines.push_back(
@@ -181,7 +182,8 @@ std::vector<AsymptoteLine> asymptotes_of(const Scene& scene, const Values& value
 
 }  // namespace
 
-FrequencyResponse frequency_response(const Scene& scene) {
+FrequencyResponse frequency_response(const symbolic::Derivation& derivation) {
+  const Scene& scene = derivation.scene;
   const Values values = values_of(scene);
   const Response response(scene);
   FrequencyResponse result;
@@ -196,7 +198,7 @@ FrequencyResponse frequency_response(const Scene& scene) {
     find_extremes(response, factors, -1, result);
     add_points_around_marks(response, result);
   }
-  result.asymptotes = asymptotes_of(scene, values);
+  result.asymptotes = asymptotes_of(derivation, values);
   return result;
 }
 

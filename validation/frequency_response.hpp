@@ -6,10 +6,14 @@
 
 #include "scene_report.hpp"
 
+namespace vcrit::symbolic {
+struct Derivation;
+}
+
 namespace vcrit::validation {
 
 /// From well below to well above the scene's own frequency and all its rates of relaxation and
 /// resonances; over the table of a measured drive. Every value must be given.
-FrequencyResponse frequency_response(const Scene& scene);
+FrequencyResponse frequency_response(const symbolic::Derivation& derivation);
 
 }  // namespace vcrit::validation

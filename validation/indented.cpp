@@ -7,12 +7,12 @@
 #include <cmath>
 #include <memory>
 
+#include "answers/critical_onset.hpp"
 #include "base/constants.hpp"
 #include "border.hpp"
 #include "critical/conditioning.hpp"
 #include "critical/critical_velocity.hpp"
 #include "indenter/friction.hpp"
-#include "onset/critical_onset.hpp"
 #include "parting.hpp"
 #include "velocity_comparisons.hpp"
 
@@ -128,7 +128,7 @@ double static_force(const HalfSpace& half_space, double depth) {
 Comparison indenter_velocity(const SceneReport& report, const HalfSpace& half_space) {
   Comparison comparison = velocity_comparison(
       report, "balance", "harmonic balance, as Eq. 24, of each cell in relaxation form");
-  comparison.found = indenter::critical_velocity(half_space).contact_velocity;
+  comparison.found = indenter::sliding_threshold(half_space).contact_velocity;
   comparison.tolerance = motion_tolerance(report.condition);
   comparison.reason = "the fastest of all cells, in doubles";
   return comparison;

@@ -6,11 +6,11 @@
 #include <cmath>
 
 #include "analysis/parting.hpp"
+#include "answers/critical_onset.hpp"
 #include "base/constants.hpp"
 #include "critical/admissibility.hpp"
 #include "critical/critical_velocity.hpp"
 #include "formulas.hpp"
-#include "onset/critical_onset.hpp"
 #include "simulation/steady/curve.hpp"
 #include "simulation/steady/energy.hpp"
 #include "simulation/steady/exact.hpp"
@@ -230,7 +230,8 @@ std::vector<std::optional<Motion>> motions_in(const simulation::SteadyState& sta
   return motions;
 }
 
-void examine_parting(SceneReport& report, const System& system) {
+void examine_parting(SceneReport& report, const symbolic::Derivation& derivation,
+                     const System& system) {
   const Scene& scene = report.scene;
   const CriticalOnset onset = critical_onset(scene);
   Parting& parting = report.parting.emplace();
@@ -239,7 +240,7 @@ void examine_parting(SceneReport& report, const System& system) {
   parting.critical_velocity = onset.contact_velocity;
   parting.drive_velocity = onset.drive_velocity;
   parting.border = opening_border(scene);
-  parting.derivation = equations_of(symbolic::parting_lines(scene));
+  parting.derivation = equations_of(symbolic::parting_lines(derivation));
   const double speed = critical_velocity(scene);
   if (scene.indentation.value.value() > 0) parting.curves = curves_of(scene, parting.border);
   parting.map = parting_map(system, speed);

@@ -5,10 +5,15 @@
 #include "scene_report.hpp"
 #include "simulation/system/system.hpp"
 
+namespace vcrit::symbolic {
+struct Derivation;
+}
+
 namespace vcrit::validation {
 
 /// Adds `parting` and its comparisons. The system is the scene's.
-void examine_parting(SceneReport& report, const simulation::System& system);
+void examine_parting(SceneReport& report, const symbolic::Derivation& derivation,
+                     const simulation::System& system);
 
 /// du_z/u_z0 beyond which the surfaces part, K_n(0)/|K_n(i omega)|.
 double opening_border(const Scene& scene);

@@ -58,7 +58,7 @@ Comparison derived_comparison(const SceneReport& report, const symbolic::Derivat
     return not_run(comparison, "v* is infinite or 0: no relative error");
   if (!leaves_digits(comparison.tolerance)) return not_run(comparison, lost_digits);
   try {
-    comparison.found = derived_velocity(report.scene, derivation, values);
+    comparison.found = derived_velocity(derivation, values);
     return comparison;
   } catch (const std::exception& error) {
     return broken(comparison, error.what());

@@ -63,7 +63,7 @@ std::size_t slot_of(const System& system, const std::string& name, int entry) {
 }  // namespace
 
 std::string header_for(const System& system) {
-  return symbolic::emit_header(system.scene, "evaluator");
+  return symbolic::emit_header(symbolic::derive(system.scene), "evaluator");
 }
 
 Evaluator::Evaluator(const System& system, const std::string& header,

@@ -1,15 +1,15 @@
 // The C++ batch call as a C++ program makes it, to be timed beside the Python module in one process
 // and on the same arrays (benchmark.py).
-#include "critical/batch.hpp"
+#include "answers/critical_onsets.hpp"
 
 #include <cstddef>
 #include <memory>
 
-using vcrit::CriticalVelocities;
+using vcrit::CriticalOnsets;
 
 // Frequency and k... by their names in the scene; the formula is never freed: there are few.
 extern "C" void* vcrit_formula(const char* scene, const char* const* names, std::size_t count) {
-  return new CriticalVelocities(vcrit::read_scene(scene),
+  return new CriticalOnsets(vcrit::read_scene(scene),
                                 std::vector<std::string>(names, names + count));
 }
 
@@ -17,7 +17,7 @@ extern "C" void vcrit_evaluate(const void* formula, const double* const* columns
                                double* out, std::size_t size) {
   std::vector<std::span<const double>> values;
   for (std::size_t i = 0; i < count; ++i) values.emplace_back(columns[i], size);
-  (*static_cast<const CriticalVelocities*>(formula))(values, {out, size});
+  (*static_cast<const CriticalOnsets*>(formula))(values, {out, size});
 }
 
 // The same into memory of its own, as a call for a new array does.

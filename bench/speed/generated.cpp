@@ -114,9 +114,10 @@ std::string driver(const Problem& problem) {
 
 std::vector<Evaluator> generated(const Problem& problem, const std::filesystem::path& compiler) {
   const validation::PrivateFolder folder;
-  write_file(folder.path() / "problem.hpp", symbolic::emit_header(problem.scene, "problem"));
+  write_file(folder.path() / "problem.hpp",
+             symbolic::emit_header(symbolic::derive(problem.scene), "problem"));
   write_file(folder.path() / "problem_batch.hpp",
-             symbolic::emit_batch_header(problem.scene, "problem"));
+             symbolic::emit_batch_header(symbolic::derive(problem.scene), "problem"));
   write_file(folder.path() / "driver.cpp", driver(problem));
   const auto library =
       std::make_shared<const Library>(compiler, Flags::generated(), folder.path() / "driver.cpp");

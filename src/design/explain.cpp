@@ -4,9 +4,9 @@
 
 #include <cmath>
 
+#include "answers/critical_onset.hpp"
 #include "base/constants.hpp"
 #include "critical/admissibility.hpp"
-#include "critical/critical_velocity.hpp"
 
 namespace vcrit::design {
 
@@ -97,7 +97,7 @@ std::string too_fast_for_frequencies(const Failure& f) {
   const double limit = f.range.largest_velocity;
   const Scene there = with_angular_frequency(f.question.scene, two_pi * f.range.largest_at);
   const double amplitude = *there.amplitude.value * (f.question.velocity - creep_velocity(there)) /
-                           critical_velocity(there);
+                           quick_onset(there, two_pi * f.range.largest_at);
   const double most = f.contact.largest_amplitude(two_pi * f.range.largest_at);
   std::string text = fmt::format(
       "at {:.6g} m/s friction stays full at every searched {}: it is reduced up to {:.6g} m/s at "

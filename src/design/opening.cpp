@@ -6,8 +6,8 @@
 #include <complex>
 #include <cstdint>
 
+#include "answers/critical_onset.hpp"
 #include "base/constants.hpp"
-#include "onset/critical_onset.hpp"
 #include "rules/rulebook.hpp"
 
 namespace vcrit::design {

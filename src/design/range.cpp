@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "answers/critical_onset.hpp"
 #include "base/constants.hpp"
 #include "critical/admissibility.hpp"
-#include "critical/critical_velocity.hpp"
 
 namespace vcrit::design {
 
@@ -46,8 +46,10 @@ std::vector<double> even_ratios(double a, double b, int samples) {
 // full.
 SearchRange amplitudes(const Question& question, const NormalContact& contact) {
   const Scene scene = with_amplitude(question.scene, 1);
-  const double most =
-      contact.largest_amplitude(values_of(scene).at(scene.angular_frequency.symbol));
+  Scene closed = scene;  // as it is at all amplitudes of the range
+  closed.separation = false;
+  const double omega = values_of(scene).at(scene.angular_frequency.symbol);
+  const double most = contact.largest_amplitude(omega);
   SearchRange range{question.from.value_or(0),
                     std::min(question.to.value_or(most), inside_the_bound * most),
                     {},
@@ -56,8 +58,8 @@ SearchRange amplitudes(const Question& question, const NormalContact& contact) {
   refuse_empty(question, range.from, range.to);
   range.largest_velocity = reduced_up_to(with_amplitude(scene, range.to));
   range.largest_at = range.to;
-  const double first =
-      std::max(range.from, (question.velocity - creep_velocity(scene)) / critical_velocity(scene));
+  const double first = std::max(
+      range.from, (question.velocity - creep_velocity(scene)) / quick_onset(closed, omega));
   if (!(question.velocity < range.largest_velocity) || !(first < range.to)) return range;
   if (first > 0)
     range.rows.push_back(even(first, range.to, question.samples));

@@ -4,13 +4,13 @@
 
 #include <cmath>
 
+#include "answers/critical_onset.hpp"
 #include "base/constants.hpp"
 #include "critical/admissibility.hpp"
 #include "design/explain.hpp"
 #include "design/first_reach.hpp"
 #include "design/opening.hpp"
 #include "design/range.hpp"
-#include "onset/critical_onset.hpp"
 #include "simulation/steady/exact.hpp"
 
 namespace vcrit::design {

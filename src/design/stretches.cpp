@@ -6,8 +6,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "answers/critical_onset.hpp"
 #include "critical/admissibility.hpp"
-#include "critical/critical_velocity.hpp"
 
 namespace vcrit::design {
 
@@ -45,7 +45,7 @@ class Looking {
  private:
   double excess(double x) const {
     // A root finder wants finite numbers, at resonance too; the simulator speaks for itself there.
-    const double limit = std::log((critical_velocity(scene_, std::exp(x)) + creep_) / velocity_);
+    const double limit = std::log((quick_onset(scene_, std::exp(x)) + creep_) / velocity_);
     return std::clamp(limit, -700.0, 700.0);
   }
   Sample sample(double x) const { return {x, excess(x)}; }

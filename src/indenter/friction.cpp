@@ -119,7 +119,7 @@ std::vector<Cell> cells(const HalfSpace& half_space, double velocity, int count,
   return result;
 }
 
-simulation::Onset critical_velocity(const HalfSpace& half_space) {
+simulation::Onset sliding_threshold(const HalfSpace& half_space) {
   const auto at = [&](double x) { return simulation::sliding_threshold(half_space.cell(x)); };
   if (half_space.elastic() || half_space.uniform()) return at(0);
   return highest(half_space, at).onset;

@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "critical/critical_velocity.hpp"
 #include "indenter/half_space.hpp"
 #include "simulation/steady/onset.hpp"
 #include "simulation/system/steady_state.hpp"
@@ -52,12 +51,10 @@ struct Cell {
 /// `samples` points of each cycle.
 std::vector<Cell> cells(const HalfSpace& half_space, double velocity, int count, int samples);
 
-// The overload below does not hide that of a scene.
-using vcrit::critical_velocity;
 /// The lowest velocity at which all cells slide forward whenever they touch. That of the centre
 /// where the half-space is elastic; else the highest of 64 cells, refined to about 1e-12 where the
 /// threshold is a smooth function of x. Throws ModelError where no steady sliding is found.
-simulation::Onset critical_velocity(const HalfSpace& half_space);
+simulation::Onset sliding_threshold(const HalfSpace& half_space);
 
 struct LastStick {
   double x = 0;  ///< of the cell that sticks longest, m

@@ -49,7 +49,7 @@ std::string cell(const SweptQuantity& quantity, double value) {
 
 const fs::path& of_one_process(const fs::path& file, const Ranks& ranks) {
   if (ranks.size() > 1)
-    throw InputError({"--out"}, fmt::format("\"{}\" under mpirun", file.string()),
+    throw InputError(argument("out"), fmt::format("\"{}\" under mpirun", file.string()),
                      "a file ending in .h5, which several processes can write");
   return file;
 }

@@ -70,11 +70,11 @@ std::unique_ptr<MapFile> open_map(const Sweeping& sweeping, const std::filesyste
 #ifdef VCRIT_WITH_NETCDF
     return std::make_unique<NetcdfMap>(sweeping, file, resume, ranks);
 #else
-    throw InputError({"--out"},
+    throw InputError(argument("out"),
                      fmt::format("\"{}\" and a vcrit built without netCDF", file.string()),
                      "a file ending in .csv", "or install libnetcdf-dev and build vcrit again");
 #endif
-  throw InputError({"--out"}, fmt::format("\"{}\"", file.string()),
+  throw InputError(argument("out"), fmt::format("\"{}\"", file.string()),
                    "a file ending in .csv, .h5, .hdf5 or .nc");
 }
 

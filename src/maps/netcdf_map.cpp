@@ -38,15 +38,15 @@ std::string variable_name(const SweptQuantity& quantity) {
 /// An element of the scene may be named as the file's group, or k_3 beside k[3].
 void refuse_names_of_others(const Sweep& sweep) {
   std::set<std::string> taken{progress_group};
-  const auto take = [&taken](const std::string& option, const std::string& name) {
+  const auto take = [&taken](const std::string& what, const std::string& name) {
     if (!taken.insert(variable_name(name)).second)
       throw InputError(
-          {fmt::format("{} {}", option, name)},
+          argument(what + " " + name),
           fmt::format("{}, the name of something else in the file", variable_name(name)),
           "another name of this element in the scene, or a file ending in .csv");
   };
-  for (const SweptQuantity& quantity : sweep.quantities) take("--quantity", column_name(quantity));
-  for (const Axis& axis : sweep.axes) take("--over", axis.name);
+  for (const SweptQuantity& quantity : sweep.quantities) take("quantity", column_name(quantity));
+  for (const Axis& axis : sweep.axes) take("over", axis.name);
 }
 
 void put_attributes(int file, const Sweep& sweep) {

@@ -6,12 +6,11 @@
 #include <cmath>
 #include <limits>
 
+#include "answers/critical_onset.hpp"
+#include "answers/friction.hpp"
 #include "critical/admissibility.hpp"
-#include "critical/certified.hpp"
-#include "indenter/friction.hpp"
-#include "onset/critical_onset.hpp"
+#include "rules/rulebook.hpp"
 #include "scene/changing.hpp"
-#include "simulation/steady/curve.hpp"
 
 namespace vcrit {
 
@@ -39,7 +38,9 @@ bool needs_scene(const SweptQuantity& quantity) {
 }
 
 std::size_t rows_at_once(const Sweep& sweep) {
-  if (any_of(sweep, needs_motion) || sweep.scene.separation) return rows_of_motion;
+  if (any_of(sweep, needs_motion) ||
+      !rules::answer(rules::Question::formula_of_all_values, sweep.scene))
+    return rows_of_motion;
   return any_of(sweep, needs_scene) ? rows_of_scenes : rows_of_formula;
 }
 
@@ -161,7 +162,6 @@ class Sweeping::Rows {
       find_admissible(views, begin, rows);
       begin += rows;
     }
-    if (sweeping_.sweep_.scene.separation) find_critical_of_parting();
   }
 
   void find_admissible(const std::vector<std::span<const double>>& columns, std::size_t begin,
@@ -186,27 +186,6 @@ class Sweeping::Rows {
     if (std::isfinite(share) && sweeping_.sweep_.scene.separation) return share > 0;
     if (std::isfinite(share) && std::abs(part - share) > close * share) return part < share;
     return inadmissible_reasons(scene_at(row)).empty();
-  }
-
-  // Eq. (24) need not hold where the surfaces part.
-  void find_critical_of_parting() {
-    std::vector<double> last;
-    for (std::size_t row = 0; row < block_.rows; ++row) {
-      if (outside_[row]) continue;
-      const Scene& scene = scene_at(row);
-      if (!opens(scene)) continue;
-      if (row > 0 && point_ == last) {
-        critical_[row] = critical_[row - 1];
-        continue;
-      }
-      try {
-        critical_[row] = critical_onset(scene).contact_velocity;
-        last = point_;
-      } catch (const ModelError& error) {
-        critical_[row] = nothing;
-        note(row, error.what());
-      }
-    }
   }
 
   // Where the last axis is long, no more than its rows: all that the other axes decide is the same.
@@ -243,7 +222,7 @@ class Sweeping::Rows {
   std::string why_no_velocity(std::size_t row) {
     if (!answer_.reason.empty()) return {};
     try {
-      certified_critical_velocity(scene_at(row));
+      certified_onset(scene_at(row));
     } catch (const ModelError& error) {
       return error.what();
     }
@@ -285,11 +264,10 @@ class Sweeping::Rows {
       }
     }
     if (!any_of(sweeping_.sweep_, needs_motion)) return;
-    if (scene.indenter) return find_indenter(scene, row, speeds, stride);
     try {
-      const simulation::System system = simulation::system_of(scene);
+      const SteadyFriction friction(scene);
       for (std::size_t i = 0; i < speeds; i += speeds_at_once)
-        find_motion(system, row + i * stride, std::min(speeds_at_once, speeds - i), stride);
+        find_motion(friction, row + i * stride, std::min(speeds_at_once, speeds - i), stride);
     } catch (const ModelError& error) {
       for (std::size_t i = 0; i < speeds; ++i) note(row + i * stride, error.what());
     }
@@ -314,37 +292,16 @@ class Sweeping::Rows {
     return speed * (grid_.axes()[*grid_.speed()].name == "velocity" ? 1 : critical_[row]);
   }
 
-  void take_velocities(std::size_t row, std::size_t speeds, std::size_t stride) {
+  void find_motion(const SteadyFriction& friction, std::size_t row, std::size_t speeds,
+                   std::size_t stride) {
     velocities_.clear();
     for (std::size_t i = 0; i < speeds; ++i) velocities_.push_back(velocity(row + i * stride));
     if (!std::all_of(velocities_.begin(), velocities_.end(),
                      [](double v) { return v > 0 && std::isfinite(v); }))
       throw ModelError("v* is 0 or infinite, so that velocity_ratio has no meaning");
-  }
-
-  void find_indenter(const Scene& scene, std::size_t row, std::size_t speeds, std::size_t stride) {
-    try {
-      const indenter::HalfSpace half_space(scene);
-      take_velocities(row, speeds, stride);
-      const auto curve = indenter::friction_curve(half_space, velocities_);
-      for (std::size_t i = 0; i < speeds; ++i) {
-        const auto& friction = curve[i].friction;
-        const auto state =
-            friction ? std::optional(indenter::steady_state_of(*friction)) : std::nullopt;
-        put_motion(row + i * stride, {state ? &*state : nullptr, curve[i].reason.c_str()});
-      }
-    } catch (const ModelError& error) {
-      for (std::size_t i = 0; i < speeds; ++i) note(row + i * stride, error.what());
-    }
-  }
-
-  void find_motion(const simulation::System& system, std::size_t row, std::size_t speeds,
-                   std::size_t stride) {
-    take_velocities(row, speeds, stride);
-    simulation::friction_curve(system, velocities_,
-                               [&](std::size_t i, const simulation::PassingPoint& point) {
-                                 put_motion(row + i * stride, point);
-                               });
+    friction.curve(velocities_, [&](std::size_t i, const simulation::PassingPoint& point) {
+      put_motion(row + i * stride, point);
+    });
   }
 
   void put_motion(std::size_t row, const simulation::PassingPoint& point) {

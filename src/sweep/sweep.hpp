@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "critical/batch.hpp"
+#include "answers/closed_share.hpp"
+#include "answers/critical_onsets.hpp"
 #include "scene/scene.hpp"
 #include "sweep/axis.hpp"
-#include "sweep/closed_share.hpp"
 #include "sweep/grid.hpp"
 #include "sweep/quantity.hpp"
 
@@ -59,7 +59,7 @@ class Sweeping {
   Sweep sweep_;
   Grid grid_;
   std::vector<std::size_t> parameters_;  // the axes that are not of speeds
-  CriticalVelocities critical_;
+  CriticalOnsets critical_;
   Varying amplitude_, indentation_;
   std::optional<ClosedShare> closed_;  // unless elements of the normal network vanish on the way
 };

@@ -40,10 +40,10 @@ Asymptote asymptote(const Model& model, bool high) {
 
 }  // namespace
 
-std::vector<Asymptote> asymptotes(const Scene& scene) {
+std::vector<Asymptote> asymptotes(const Derivation& derivation) {
   const AlgebraLock lock;
-  if (!rules::answer(rules::Question::all_frequencies, scene)) return {};
-  const Model model(scene);
+  if (!rules::answer(rules::Question::all_frequencies, derivation.scene)) return {};
+  const Model& model = *derivation.model;
   return {asymptote(model, false), asymptote(model, true)};
 }
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "derivation/derivation.hpp"
 #include "formula/line.hpp"
-#include "scene/scene.hpp"
 
 namespace vcrit::symbolic {
 
@@ -23,6 +23,6 @@ struct Asymptote {
 };
 
 /// At omega to 0 and to infinity, for every scene.
-std::vector<Asymptote> asymptotes(const Scene& scene);
+std::vector<Asymptote> asymptotes(const Derivation& derivation);
 
 }  // namespace vcrit::symbolic

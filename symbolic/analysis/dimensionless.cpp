@@ -130,12 +130,12 @@ class Groups {
 
 // v* over mu0 omega du_z does not change with the units of stiffness and time: 1 for the reference
 // and for omega leaves what it is.
-DimensionlessForm dimensionless(const Scene& scene) {
+DimensionlessForm dimensionless(const Derivation& derivation) {
   const AlgebraLock lock;
-  const Groups groups(scene);
+  const Groups groups(derivation.scene);
   Change change;
   change.scale = groups.scale;
-  const std::optional<Formula> formula = Model(scene).formula(change);
+  const std::optional<Formula> formula = derivation.model->formula(change);
   ensure(formula.has_value(), "a scene without a limit has a formula");
   const GiNaC::exmap units{{omega(), 1}, {laplace(), GiNaC::I}};
   DimensionlessForm form;

@@ -7,8 +7,8 @@
 
 #include <vector>
 
+#include "derivation/derivation.hpp"
 #include "formula/line.hpp"
-#include "scene/scene.hpp"
 
 namespace vcrit::symbolic {
 
@@ -18,6 +18,6 @@ struct DimensionlessForm {
   Expression velocity;            ///< v*/(mu0 omega du_z)
 };
 
-DimensionlessForm dimensionless(const Scene& scene);
+DimensionlessForm dimensionless(const Derivation& derivation);
 
 }  // namespace vcrit::symbolic

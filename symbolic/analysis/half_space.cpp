@@ -1,7 +1,6 @@
 #include "analysis/half_space.hpp"
 
 #include "base/errors.hpp"
-#include "derivation/derivation.hpp"
 #include "derivation/model.hpp"
 #include "formula/algebra_lock.hpp"
 #include "formula/symbols.hpp"
@@ -10,9 +9,9 @@ namespace vcrit::symbolic {
 
 using GiNaC::ex;
 
-std::vector<Line> half_space_lines(const Scene& scene) {
+std::vector<Line> half_space_lines(const Derivation& derivation) {
   const AlgebraLock lock;
-  const auto& isotropic = std::get<Isotropic>(scene.tangential);
+  const auto& isotropic = std::get<Isotropic>(derivation.scene.tangential);
   const auto& given = isotropic.quantity.value;
   const ex nu = given ? ex(exact_decimal(*given)) : poisson_ratio(isotropic.quantity.symbol);
   const ex E = quantity("E"), b = quantity("b");
@@ -28,7 +27,7 @@ std::vector<Line> half_space_lines(const Scene& scene) {
            tangential},
           {"Their ratio is the same everywhere, whatever E is made of and the shape is",
            quantity("K_t") / quantity("K_n"), ratio},
-          {"so that all have one v*", quantity("v*"), derive(scene).critical_velocity}};
+          {"so that all have one v*", quantity("v*"), derivation.critical_velocity}};
 }
 
 }  // namespace vcrit::symbolic

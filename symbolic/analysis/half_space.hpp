@@ -4,12 +4,12 @@
 
 #include <vector>
 
+#include "derivation/derivation.hpp"
 #include "formula/line.hpp"
-#include "scene/scene.hpp"
 
 namespace vcrit::symbolic {
 
 /// Why one v* holds for all of them, and thereby for any shape. The scene has an indenter.
-std::vector<Line> half_space_lines(const Scene& scene);
+std::vector<Line> half_space_lines(const Derivation& derivation);
 
 }  // namespace vcrit::symbolic

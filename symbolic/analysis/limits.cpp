@@ -10,7 +10,6 @@
 #include <set>
 
 #include "analysis/shape.hpp"
-#include "derivation/derivation.hpp"
 #include "derivation/model.hpp"
 #include "formula/algebra_lock.hpp"
 #include "formula/dialect.hpp"
@@ -85,11 +84,11 @@ ex drive_label(const Scene& scene) {
 
 class Collector {
  public:
-  explicit Collector(const Scene& scene)
-      : scene_(scene),
-        model_(scene),
-        own_(derive(scene)),
-        elements_(element_groups(scene, own_.parameters)) {}
+  explicit Collector(const Derivation& derivation)
+      : own_(derivation),
+        scene_(derivation.scene),
+        model_(*derivation.model),
+        elements_(element_groups(scene_, own_.parameters)) {}
 
   std::vector<Limit> collect() {
     single_limits();
@@ -205,18 +204,18 @@ class Collector {
     return dialect.equation(form_of(left), form_of(right));
   }
 
+  const Derivation& own_;
   const Scene& scene_;
-  Model model_;
-  Derivation own_;
+  const Model& model_;
   std::vector<ElementGroup> elements_;
   std::vector<Limit> limits_;
 };
 
 }  // namespace
 
-std::vector<Limit> limits(const Scene& scene) {
+std::vector<Limit> limits(const Derivation& derivation) {
   const AlgebraLock lock;
-  return Collector(scene).collect();
+  return Collector(derivation).collect();
 }
 
 }  // namespace vcrit::symbolic

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "derivation/derivation.hpp"
 #include "derivation/stiffness_forms.hpp"
 #include "formula/line.hpp"
-#include "scene/scene.hpp"
 
 namespace vcrit::symbolic {
 
@@ -26,6 +26,6 @@ struct Limit {
 /// 0, then the drive to rigid, and the isotropic contact where both networks have one shape. Left
 /// out: limits that cut a network in two, in which the normal force grows without end or its mean
 /// can no longer be carried, or in which nothing is left that moves.
-std::vector<Limit> limits(const Scene& scene);
+std::vector<Limit> limits(const Derivation& derivation);
 
 }  // namespace vcrit::symbolic

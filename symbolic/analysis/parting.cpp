@@ -1,7 +1,6 @@
 #include "analysis/parting.hpp"
 
 #include "base/errors.hpp"
-#include "derivation/derivation.hpp"
 #include "derivation/factors.hpp"
 #include "derivation/model.hpp"
 #include "formula/algebra_lock.hpp"
@@ -42,12 +41,12 @@ bool holds(const Scene& scene) {
 
 }  // namespace
 
-std::vector<Line> parting_lines(const Scene& scene) {
+std::vector<Line> parting_lines(const Derivation& derivation) {
   const AlgebraLock lock;
+  const Scene& scene = derivation.scene;
   if (!holds(scene)) return {};
   const bool always{rules::answer(rules::Question::formula_of_all_values, scene)};
-  const Model model(scene);
-  const ex ratio = following(model);
+  const ex ratio = following(*derivation.model);
   for (const char* name : {"s", "K_n", "K_t", "K_d"})
     ensure(!ratio.has(quantity(name)), "the contact point follows without memory");
   const ex z = quantity("z"), mu0 = symbol({"mu0"});
@@ -55,7 +54,7 @@ std::vector<Line> parting_lines(const Scene& scene) {
   swing.multiply_rational(ratio * mu0 * symbol({"du_z"}));
   swing.cancel();
   const ex velocity = omega() * swing.modulus();
-  ensure((velocity - derive(scene).critical_velocity).normal().is_zero(),
+  ensure((velocity - derivation.critical_velocity).normal().is_zero(),
          "v* of surfaces that part is that of a closed contact");
   return {{"In sliding contact force and friction balance at all times, also apart, where both are "
            "0; so the contact point follows the normal deformation z without memory",

@@ -6,13 +6,13 @@
 
 #include <vector>
 
+#include "derivation/derivation.hpp"
 #include "formula/line.hpp"
-#include "scene/scene.hpp"
 
 namespace vcrit::symbolic {
 
 /// The derivation of v* for surfaces that part, or no lines where v* is not Eq. (24) then, by
 /// rules/rulebook.hpp.
-std::vector<Line> parting_lines(const Scene& scene);
+std::vector<Line> parting_lines(const Derivation& derivation);
 
 }  // namespace vcrit::symbolic

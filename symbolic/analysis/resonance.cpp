@@ -84,10 +84,10 @@ Resonance resonance(const ex& factor, Resonance::Kind kind, const Model& model) 
 
 }  // namespace
 
-std::vector<Resonance> resonances(const Scene& scene) {
+std::vector<Resonance> resonances(const Derivation& derivation) {
   const AlgebraLock lock;
-  if (!scene.mass || scene.receptance) return {};
-  const Model model(scene);
+  if (!derivation.scene.mass || derivation.scene.receptance) return {};
+  const Model& model = *derivation.model;
   Factors amplitude;
   amplitude.multiply_rational(model.amplitude({}));
   std::vector<Resonance> found;

@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
+#include "derivation/derivation.hpp"
 #include "formula/line.hpp"
-#include "scene/scene.hpp"
 
 namespace vcrit::symbolic {
 
@@ -30,6 +30,6 @@ struct Resonance {
 };
 
 /// Resonance, then antiresonance; nothing for a scene without a mass.
-std::vector<Resonance> resonances(const Scene& scene);
+std::vector<Resonance> resonances(const Derivation& derivation);
 
 }  // namespace vcrit::symbolic

@@ -5,7 +5,6 @@
 
 #include "analysis/logarithmic.hpp"
 #include "base/interruption.hpp"
-#include "derivation/derivation.hpp"
 #include "derivation/factors.hpp"
 #include "derivation/model.hpp"
 #include "formula/algebra_lock.hpp"
@@ -142,10 +141,10 @@ class Chain {
 
 }  // namespace
 
-std::vector<Sensitivity> sensitivities(const Scene& scene) {
+std::vector<Sensitivity> sensitivities(const Derivation& derivation) {
   const AlgebraLock lock;
-  const Derivation derivation = derive(scene);
-  Chain chain{Model(scene)};
+  const Scene& scene = derivation.scene;
+  Chain chain(*derivation.model);
   const ex& velocity = derivation.critical_velocity;
   // The complex R_d stands in moduli that no real fraction has.
   const bool is_nested = !derivation.definitions.empty() || scene.receptance;

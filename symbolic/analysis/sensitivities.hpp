@@ -5,8 +5,8 @@
 
 #include <vector>
 
+#include "derivation/derivation.hpp"
 #include "formula/line.hpp"
-#include "scene/scene.hpp"
 
 namespace vcrit::symbolic {
 
@@ -22,6 +22,6 @@ struct Sensitivity {
 /// For every parameter of v*, in the order of Derivation::parameters. Sensitivities of up to a few
 /// dozen terms are multiplied out; larger ones follow the definitions by the chain rule, in as many
 /// lines as these have.
-std::vector<Sensitivity> sensitivities(const Scene& scene);
+std::vector<Sensitivity> sensitivities(const Derivation& derivation);
 
 }  // namespace vcrit::symbolic

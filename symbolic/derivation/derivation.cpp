@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <atomic>
 #include <set>
 
 #include "base/errors.hpp"
@@ -16,6 +17,16 @@ namespace vcrit::symbolic {
 namespace {
 
 using GiNaC::ex;
+
+std::atomic<std::size_t> made = 0;
+
+/// Its last owner may be in any thread.
+std::shared_ptr<const Model> model_of(const Scene& scene) {
+  return {new Model(scene), [](const Model* model) {
+            const AlgebraLock lock;
+            delete model;
+          }};
+}
 
 ex velocity(const ex& amplitude) {
   Factors factors;
@@ -79,14 +90,27 @@ std::vector<Symbol> parameters(const Scene& scene, const Formula& formula) {
   return candidates;
 }
 
+/// The formula as the last of the lines and as the result.
+void write_result(const Formula& formula, Derivation& derivation) {
+  derivation.lines.back().right = formula.velocity;
+  derivation.critical_velocity = formula.velocity;
+  derivation.definitions = formula.definitions;
+  derivation.equation = formula.equation.empty() ? "(24)" : formula.equation;
+  derivation.parameters = parameters(derivation.scene, formula);
+}
+
 }  // namespace
 
-Derivation derive(const Scene& scene, bool nested) {
+Derivation derive(const Scene& scene) {
   const AlgebraLock lock;
-  const Model model(scene);
-  const std::optional<Formula> formula = nested ? model.nested_formula() : model.formula({});
-  ensure(formula.has_value(), "a scene without a limit has a formula");
+  const NamesOfScene names(scene);
+  ++made;
   Derivation result;
+  result.scene = scene;
+  result.model = model_of(scene);
+  const Model& model = *result.model;
+  const std::optional<Formula> formula = model.formula({});
+  ensure(formula.has_value(), "a scene without a limit has a formula");
   result.lines = model.balance().lines;
   write_condition(model, result.lines);
   if (scene.names.contains(frequency_symbol.name))
@@ -94,13 +118,17 @@ Derivation derive(const Scene& scene, bool nested) {
         {"Angular frequency", omega(), 2 * positive_quantity("pi") * symbol(frequency_symbol)});
   write_networks(model, result.lines);
   if (result.lines.back().left.is_equal(quantity("v*"))) result.lines.pop_back();
-  result.lines.push_back({"Result", quantity("v*"), formula->velocity});
-
-  result.critical_velocity = formula->velocity;
-  result.definitions = formula->definitions;
-  result.equation = formula->equation.empty() ? "(24)" : formula->equation;
-  result.parameters = parameters(scene, *formula);
+  result.lines.push_back({"Result", quantity("v*"), {}});
+  write_result(*formula, result);
   return result;
 }
+
+Derivation nested_form(Derivation derivation) {
+  const AlgebraLock lock;
+  write_result(derivation.model->nested_formula(), derivation);
+  return derivation;
+}
+
+std::size_t derivations_made() { return made; }
 
 }  // namespace vcrit::symbolic

@@ -5,6 +5,8 @@
 
 #include <ginac/ginac.h>
 
+#include <cstddef>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -13,8 +15,13 @@
 
 namespace vcrit::symbolic {
 
+class Model;
+
+/// Handed on to all who ask something of the formula: nothing is derived twice.
 struct Derivation {
-  std::vector<Line> lines;         ///< from the equations of motion to the result
+  Scene scene;                         ///< whose formula it is
+  std::shared_ptr<const Model> model;  ///< the scene prepared: what limits and the like start from
+  std::vector<Line> lines;             ///< from the equations of motion to the result
   Expression critical_velocity;    ///< v*, real, in the scene's symbols (and in definitions, and in
                                    ///< R_d, the complex receptance of a measured drive)
   std::vector<Line> definitions;   ///< names in critical_velocity where it is too large to be
@@ -23,8 +30,14 @@ struct Derivation {
   std::vector<Symbol> parameters;  ///< the symbols v* depends on
 };
 
-/// A formula of up to about two dozen terms in each polynomial is multiplied out, unless `nested`
-/// is asked for; a larger one stays nested, in terms of K_n, K_t, K_d and further inner quantities.
-Derivation derive(const Scene& scene, bool nested = false);
+/// A formula of up to about two dozen terms in each polynomial is multiplied out; a larger one
+/// stays nested, in terms of K_n, K_t, K_d and further inner quantities.
+Derivation derive(const Scene& scene);
+
+/// The same with its formula nested, however small it is.
+Derivation nested_form(Derivation derivation);
+
+/// How many this process has made. Tests hold commands to one.
+std::size_t derivations_made();
 
 }  // namespace vcrit::symbolic

@@ -22,8 +22,8 @@ std::vector<Line> extrema_of(const RationalForm& form) {
                         "v* is largest or least, at frequencies besides 0, where E = 0");
 }
 
-std::vector<Line> rational_lines(const Scene& scene, double budget) {
-  const RationalForm form = rational_form(Model(scene), budget);
+std::vector<Line> rational_lines(const Derivation& derivation, double budget) {
+  const RationalForm form = rational_form(*derivation.model, budget);
   const std::size_t terms = form.square.over.terms() + form.square.under.terms();
   if (terms > most_terms)
     throw ModelError(
@@ -40,8 +40,8 @@ std::vector<Line> rational_lines(const Scene& scene, double budget) {
   return lines;
 }
 
-std::vector<Line> dimensionless_lines(const Scene& scene) {
-  const DimensionlessForm form = dimensionless(scene);
+std::vector<Line> dimensionless_lines(const Derivation& derivation) {
+  const DimensionlessForm form = dimensionless(derivation);
   std::vector<Line> lines = form.groups;
   if (!lines.empty()) lines.front().words = "In dimensionless groups";
   if (!form.definitions.empty()) {
@@ -55,17 +55,17 @@ std::vector<Line> dimensionless_lines(const Scene& scene) {
 
 }  // namespace
 
-std::vector<Line> extrema_lines(const Scene& scene, double budget) {
-  const Model model(scene);
-  if (!rules::answer(rules::Question::all_frequencies, scene) ||
+std::vector<Line> extrema_lines(const Derivation& derivation, double budget) {
+  const Model& model = *derivation.model;
+  if (!rules::answer(rules::Question::all_frequencies, derivation.scene) ||
       terms_before_squaring(model) > budget)
     return {};
   return extrema_of(rational_form(model, budget));
 }
 
-std::vector<Line> form_lines(const Scene& scene, const DocumentOptions& options) {
-  if (options.form == ResultForm::rational) return rational_lines(scene, options.budget);
-  if (options.form == ResultForm::dimensionless) return dimensionless_lines(scene);
+std::vector<Line> form_lines(const Derivation& derivation, const DocumentOptions& options) {
+  if (options.form == ResultForm::rational) return rational_lines(derivation, options.budget);
+  if (options.form == ResultForm::dimensionless) return dimensionless_lines(derivation);
   return {};
 }
 

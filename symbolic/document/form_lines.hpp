@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "derivation/derivation.hpp"
 #include "document/print.hpp"
 #include "formula/line.hpp"
 
@@ -10,9 +11,9 @@ namespace vcrit::symbolic {
 
 /// The equation for the frequencies of largest and least v*: none if there is no such frequency,
 /// or if the polynomial in v* has more than `budget` terms before squaring.
-std::vector<Line> extrema_lines(const Scene& scene, double budget);
+std::vector<Line> extrema_lines(const Derivation& derivation, double budget);
 
 /// None for a form that is the derivation's own.
-std::vector<Line> form_lines(const Scene& scene, const DocumentOptions& options);
+std::vector<Line> form_lines(const Derivation& derivation, const DocumentOptions& options);
 
 }  // namespace vcrit::symbolic

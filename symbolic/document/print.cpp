@@ -37,10 +37,11 @@ void refuse_large(const Derivation& derivation, std::size_t formulas, const char
 }
 
 Findings find(const Scene& scene, const DocumentOptions& options) {
-  Findings findings{derive(scene, options.form == ResultForm::nested),
-                    fingerprint(Model(scene)),
+  const Derivation derivation = derive(scene);
+  Findings findings{options.form == ResultForm::nested ? nested_form(derivation) : derivation,
+                    fingerprint(*derivation.model),
                     options.form,
-                    form_lines(scene, options),
+                    form_lines(derivation, options),
                     {},
                     {},
                     {},
@@ -52,16 +53,16 @@ Findings find(const Scene& scene, const DocumentOptions& options) {
   const std::size_t symbols = findings.derivation.parameters.size();
   if (options.limits) refuse_large(findings.derivation, 2 * symbols, "limits");
   if (options.sensitivities) refuse_large(findings.derivation, symbols, "sensitivities");
-  if (scene.indenter) findings.half_space = half_space_lines(scene);
-  if (scene.separation) findings.parting = parting_lines(scene);
+  if (scene.indenter) findings.half_space = half_space_lines(derivation);
+  if (scene.separation) findings.parting = parting_lines(derivation);
   if (options.limits) {
-    findings.limits = limits(scene);
-    findings.asymptotes = asymptotes(scene);
-    findings.resonances = resonances(scene);
+    findings.limits = limits(derivation);
+    findings.asymptotes = asymptotes(derivation);
+    findings.resonances = resonances(derivation);
     if (options.form != ResultForm::rational)
-      findings.extrema = extrema_lines(scene, readable_extrema);
+      findings.extrema = extrema_lines(derivation, readable_extrema);
   }
-  if (options.sensitivities) findings.sensitivities = sensitivities(scene);
+  if (options.sensitivities) findings.sensitivities = sensitivities(derivation);
   return findings;
 }
 

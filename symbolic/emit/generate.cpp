@@ -29,42 +29,40 @@ const char* const limited =
     "split by Dekker's "
     "method.";
 
-std::string opening_comment(const Scene& scene, const std::string& name, const Language& language,
-                            const Evaluator& evaluator, const FixedValues& fixed,
-                            const GenerateOptions& options) {
+std::string opening_comment(const std::string& name, const Language& language,
+                            const Evaluator& evaluator) {
+  const Derivation& derivation = evaluator.derivation;
   const std::string lines =
-      banner(scene, evaluator.derivation, command_line(scene, name, options), fixed) +
+      banner(derivation, command_line(derivation.scene, name, evaluator.options), evaluator.fixed) +
       comment(fmt::format("{} operations.", evaluator.operations)) + comment(accuracy) +
       comment(language.zeros == Zeros::out_of_range ? unlimited : limited);
   const std::string sign(language.comment);
   return sign + replaced(lines.substr(2), "\n//", "\n" + sign);
 }
 
-CodeFile only_file(const Scene& scene, const std::string& name, const Language& language,
+CodeFile only_file(const Derivation& derivation, const std::string& name, const Language& language,
                    const GenerateOptions& options) {
   const AlgebraLock lock;
-  const NamesOfScene names(scene);
+  const NamesOfScene names(derivation.scene);
   check_library_name(name, language);
-  const FixedValues fixed = fixed_values(scene, options.fixed);
-  const Evaluator evaluator(scene, fixed, language.zeros, language.spelled);
-  check_member_names(scene, evaluator.derivation.parameters, language);
+  const Evaluator evaluator(derivation, options, language.zeros, language.spelled);
+  check_member_names(derivation.scene, derivation.parameters, language);
   return {name + std::string(language.extension),
-          opening_comment(scene, name, language, evaluator, fixed, options) +
-              language.text(evaluator, name),
-          true};
+          opening_comment(name, language, evaluator) + language.text(evaluator, name), true};
 }
 
 }  // namespace
 
-std::string emit(const Scene& scene, const std::string& name, const GenerateOptions& options) {
-  return code_files(scene, name, options).front().text;
+std::string emit(const Derivation& derivation, const std::string& name,
+                 const GenerateOptions& options) {
+  return code_files(derivation, name, options).front().text;
 }
 
-std::vector<CodeFile> code_files(const Scene& scene, const std::string& name,
+std::vector<CodeFile> code_files(const Derivation& derivation, const std::string& name,
                                  const GenerateOptions& options) {
   const Language& language = language_of(options);
-  if (language.files != nullptr) return language.files(scene, name, options);
-  return {only_file(scene, name, language, options)};
+  if (language.files != nullptr) return language.files(derivation, name, options);
+  return {only_file(derivation, name, language, options)};
 }
 
 std::vector<std::filesystem::path> write_code(const std::vector<CodeFile>& files,
@@ -79,11 +77,11 @@ std::vector<std::filesystem::path> write_code(const std::vector<CodeFile>& files
   return places;
 }
 
-std::vector<std::filesystem::path> generate(const Scene& scene,
+std::vector<std::filesystem::path> generate(const Derivation& derivation,
                                             const std::filesystem::path& directory,
                                             const std::string& name,
                                             const GenerateOptions& options) {
-  return write_code(code_files(scene, name, options), directory);
+  return write_code(code_files(derivation, name, options), directory);
 }
 
 }  // namespace vcrit::symbolic

@@ -213,28 +213,27 @@ bool is_taken_in_cpp(std::string_view name) {
   return std::find(cpp_names.begin(), cpp_names.end(), name) != cpp_names.end();
 }
 
-[[noreturn]] void refuse_name(const std::string& place, const std::string& name,
-                              const std::string& why) {
-  throw InputError({place}, fmt::format("\"{}\", which {}", name, why),
+[[noreturn]] void refuse_name(const Place& place, const std::string& name, const std::string& why) {
+  throw InputError(place, fmt::format("\"{}\", which {}", name, why),
                    "another name, of letters, digits and underscores");
 }
 
 }  // namespace
 
 void check_library_name(const std::string& name) {
-  if (const auto why = unsafe_as_identifier(name)) refuse_name("--name", name, *why);
+  if (const auto why = unsafe_as_identifier(name)) refuse_name(argument("name"), name, *why);
   const bool variant = name.size() > 1 && (name.back() == 'f' || name.back() == 'l');
   if (is_taken_in_cpp(name) ||
       (variant && is_taken_in_cpp(std::string_view(name).substr(0, name.size() - 1))))
-    refuse_name("--name", name, "is taken in C++ or in the generated code");
+    refuse_name(argument("name"), name, "is taken in C++ or in the generated code");
 }
 
 void check_member_names(const Scene& scene, const std::vector<Symbol>& symbols) {
   for (const Symbol& symbol : symbols) {
     const std::string name = as_called(scene, symbol).name;
-    if (const auto why = unsafe_as_identifier(name)) refuse_name(scene.file, name, *why);
+    if (const auto why = unsafe_as_identifier(name)) refuse_name({scene.file}, name, *why);
     if (name == "Parameters")
-      refuse_name(scene.file, name, "is the name of the struct that it would be a member of");
+      refuse_name({scene.file}, name, "is the name of the struct that it would be a member of");
   }
 }
 

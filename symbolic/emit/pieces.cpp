@@ -14,8 +14,9 @@
 
 namespace vcrit::symbolic {
 
-std::string banner(const Scene& scene, const Derivation& derivation, const std::string& command,
+std::string banner(const Derivation& derivation, const std::string& command,
                    const FixedValues& fixed) {
+  const Scene& scene = derivation.scene;
   const std::string file = std::filesystem::path(scene.file).filename().string();
   const std::string title = scene.title.empty() ? file : scene.title;
   std::string out =
@@ -28,7 +29,8 @@ std::string banner(const Scene& scene, const Derivation& derivation, const std::
                       : fmt::format(", {} = {} {}", to_text(laplace()), printed_name(own_name("i")),
                                     to_text(omega()))));
   if (!fixed.empty()) out += comment(fixed_text(scene, fixed));
-  return out + comment(fmt::format("Formula {}; again: {}", fingerprint(Model(scene)), command));
+  return out +
+         comment(fmt::format("Formula {}; again: {}", fingerprint(*derivation.model), command));
 }
 
 std::string guard_of(const std::string& name) { return "VCRIT_GENERATED_" + name + "_HPP"; }

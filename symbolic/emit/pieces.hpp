@@ -13,7 +13,7 @@
 namespace vcrit::symbolic {
 
 /// What the file is, the formula it evaluates, and the command that makes it again, as // comments.
-std::string banner(const Scene& scene, const Derivation& derivation, const std::string& command,
+std::string banner(const Derivation& derivation, const std::string& command,
                    const FixedValues& fixed);
 
 /// The macro around a generated C++ header. Not #pragma once, which compilers complain about when

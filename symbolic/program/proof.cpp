@@ -28,11 +28,10 @@ constexpr std::uint64_t points_looked_at = 100;
 /// The scene at a point, and how it changes along a line through it.
 class SceneAt {
  public:
-  SceneAt(const Scene& scene, const FixedNumbers& fixed, std::uint64_t number)
+  SceneAt(const Model& model, const FixedNumbers& fixed, std::uint64_t number)
       : fixed_(fixed), point_(named_point(2 * number)), direction_(named_point(2 * number + 1)) {
     algebra_.point = [this](const std::string& name) { return at(name); };
     algebra_.s = DualResidue(imaginary_unit) * at("omega");
-    const Model model(scene);
     for (const Part& part : model.networks())
       algebra_.known[own_name(part.name)] = evaluate(part.reduction, algebra_);
     for (const Line& identity : model.identities())
@@ -159,12 +158,12 @@ class ProgramAt {
 
 /// compare: throws Bug for a difference, and NoInverse where it divides by 0.
 template <class Compare>
-void at_points(const Scene& scene, const FixedNumbers& fixed, const Compare& compare) {
+void at_points(const Model& model, const FixedNumbers& fixed, const Compare& compare) {
   int compared = 0;
   for (std::uint64_t number = 0; number < points_looked_at && compared < compared_points;
        ++number) {
     try {
-      compare(SceneAt(scene, fixed, number));
+      compare(SceneAt(model, fixed, number));
       ++compared;
     } catch (const NoInverse&) {
       continue;
@@ -191,26 +190,28 @@ GaussianResidue stiffness_of_springs(const Network& network, const SceneAt& scen
 
 }  // namespace
 
-Proof::Proof(const Scene& scene, const SymbolValue& value) : scene_(scene) {
+Proof::Proof(const Derivation& derivation, const SymbolValue& value)
+    : scene_(derivation.scene), model_(derivation.model) {
   Program program;
   const auto fix = [&](const Symbol& symbol) {
     const Node& node = program[value(program, symbol)];
     if (node.operation == Node::Operation::constant) fixed_[to_text(symbol)] = node.constant;
   };
-  for (const auto& [symbol, number] : scene.elements) fix(symbol);
-  for (const Quantity* quantity : quantities(scene)) fix(quantity->symbol);
+  for (const auto& [symbol, number] : scene_.elements) fix(symbol);
+  for (const Quantity* quantity : quantities(scene_)) fix(quantity->symbol);
   auto* isotropic = std::get_if<Isotropic>(&scene_.tangential);
   if (isotropic == nullptr || !isotropic->quantity.value) return;
   ratio_ = std::exchange(isotropic->quantity.value, std::nullopt);
   ratio_name_ = to_text(isotropic->quantity.symbol);
   fixed_[ratio_name_] = exact_binary(*ratio_);
+  model_ = std::make_shared<const Model>(scene_);
 }
 
 // A ratio that is a number is a decimal there.
 void Proof::holds(const Derivation& derivation) const {
   FixedNumbers values;
   if (ratio_) values[ratio_name_] = exact_decimal(*ratio_);
-  at_points(scene_, values, [&](const SceneAt& scene) {
+  at_points(*model_, values, [&](const SceneAt& scene) {
     NumberAlgebra<DualResidue> algebra = scene.algebra();
     for (const Line& line : derivation.definitions)
       algebra.known[GiNaC::ex_to<GiNaC::symbol>(line.left).get_name()] =
@@ -221,7 +222,7 @@ void Proof::holds(const Derivation& derivation) const {
 }
 
 void Proof::holds(const VelocityProgram& velocity) const {
-  at_points(scene_, fixed_, [&](const SceneAt& scene) {
+  at_points(*model_, fixed_, [&](const SceneAt& scene) {
     const ProgramAt at(velocity.program, {velocity.above, velocity.below, velocity.factor}, scene);
     const GaussianResidue ratio = at[velocity.above] * inverse(at[velocity.below]);
     check(at[velocity.factor] * at[velocity.factor] * (velocity.rooted ? ratio : ratio * ratio),
@@ -232,7 +233,7 @@ void Proof::holds(const VelocityProgram& velocity) const {
 void Proof::holds(const GradientProgram& gradient) const {
   std::vector<NodeId> results{gradient.value};
   for (const auto& [symbol, partial] : gradient.partials) results.push_back(partial);
-  at_points(scene_, fixed_, [&](const SceneAt& scene) {
+  at_points(*model_, fixed_, [&](const SceneAt& scene) {
     const ProgramAt at(gradient.program, results, scene);
     const DualResidue square = square_of_velocity(scene);
     const GaussianResidue value = at[gradient.value];
@@ -261,7 +262,7 @@ void Proof::holds(const QuantityProgram& quantities) const {
   add_oscillation(quantities.contact_point);
   if (quantities.largest_amplitude) results.push_back(*quantities.largest_amplitude);
 
-  at_points(scene_, fixed_, [&](const SceneAt& scene) {
+  at_points(*model_, fixed_, [&](const SceneAt& scene) {
     const ProgramAt at(quantities.program, results, scene);
     const GaussianResidue normal = scene.stiffness("K_n").value;
     check(at[quantities.normal.k], normal, "K_n");

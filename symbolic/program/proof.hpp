@@ -4,6 +4,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -16,10 +17,10 @@ namespace vcrit::symbolic {
 class Proof {
  public:
   /// value: what the programs compute with, as it was given to them.
-  Proof(const Scene& scene, const SymbolValue& value);
+  Proof(const Derivation& derivation, const SymbolValue& value);
 
   /// Each throws Bug where there is a difference to the harmonic balance of the scene: in v*, for
-  /// the formula that is printed and for a program,
+  /// a formula that is printed and for a program,
   void holds(const Derivation& derivation) const;
   void holds(const VelocityProgram& velocity) const;
   /// in v* and its derivative along a direction that nobody chose,
@@ -28,7 +29,8 @@ class Proof {
   void holds(const QuantityProgram& quantities) const;
 
  private:
-  Scene scene_;  ///< the ratio of an isotropic contact is a symbol
+  Scene scene_;                         ///< the ratio of an isotropic contact is a symbol
+  std::shared_ptr<const Model> model_;  ///< of that
   std::map<std::string, GiNaC::numeric> fixed_;
   std::optional<double> ratio_;
   std::string ratio_name_;

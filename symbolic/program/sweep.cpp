@@ -1,5 +1,4 @@
 #include "program/sweep.hpp"
-#include "rules/rulebook.hpp"
 
 #include <cmath>
 
@@ -253,9 +252,9 @@ int operations_at_each_omega(const VelocityProgram& velocity) {
 
 }  // namespace
 
-std::optional<SweepProgram> sweep_program(const Scene& scene, const SymbolValue& value) {
-  rules::require(rules::Question::evaluator, scene);
-  const int others = operations_at_each_omega(velocity_program(scene, value));
+std::optional<SweepProgram> sweep_program(const Scene& scene, const SymbolValue& value,
+                                          const VelocityProgram& single) {
+  const int others = operations_at_each_omega(single);
   for (const bool normalised : {false, true}) {
     SweepProgram program = SweepWriter(scene, value, normalised).write();
     if (program.fits && operations_at_each_omega(program) + checks < others) return program;

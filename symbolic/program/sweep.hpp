@@ -27,7 +27,8 @@ struct SweepProgram : VelocityProgram {
       0;  ///< and for `above` and `below` from 2^least_square on, to 2^1024 times that
 };
 
-/// Nothing where that is not less work.
-std::optional<SweepProgram> sweep_program(const Scene& scene, const SymbolValue& value);
+/// Nothing where that is not less work than `single`, the program of one v* of the scene.
+std::optional<SweepProgram> sweep_program(const Scene& scene, const SymbolValue& value,
+                                          const VelocityProgram& single);
 
 }  // namespace vcrit::symbolic

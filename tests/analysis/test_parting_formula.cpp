@@ -11,6 +11,7 @@
 #include "emit/generate.hpp"
 #include "formula/symbols.hpp"
 #include "formula/text.hpp"
+#include "support/scene_text.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_parting_formula)
 
@@ -32,14 +33,13 @@ BOOST_AUTO_TEST_CASE(without_memory) {
         parting("normal = \"k\"\ntangential = \"kt\"", "kd"),
         parting("normal = \"burgers(k1, c1, k2, c2)\"\npoisson = 0.3"),
         parting("normal = \"bridge\"\ntangential_ratio = 0.8", "", "", test::bridge_network)}) {
-    const std::vector<Line> lines = parting_lines(scene);
+    const std::vector<Line> lines = parting_lines(derive(scene));
     BOOST_REQUIRE(lines.size() == 2u);
     BOOST_TEST(!lines[0].right.has(laplace()));
     BOOST_TEST((lines[1].right - derive(scene).critical_velocity).normal().is_zero());
   }
-  BOOST_TEST(
-      to_text(parting_lines(parting("normal = \"k\"\ntangential = \"kt\"", "kd"))[0].right) ==
-      "-mu0*k*z*(kd + kt)/(kd*kt)");
+  BOOST_TEST(to_text(parting_lines(derive(parting("normal = \"k\"\ntangential = \"kt\"", "kd")))[0]
+                         .right) == "-mu0*k*z*(kd + kt)/(kd*kt)");
 }
 
 BOOST_AUTO_TEST_CASE(with_memory) {
@@ -49,32 +49,28 @@ BOOST_AUTO_TEST_CASE(with_memory) {
                              parting("normal = \"k | c\"\ntangential_ratio = 1", "k | c"),
                              parting("normal = \"k\"\npoisson = 0.3", "kd", "m"),
                              parting("normal = \"prony(k0, k, tau, 20)\"\ntangential = \"kt\"")}) {
-    BOOST_TEST(parting_lines(scene).empty());
+    BOOST_TEST(parting_lines(derive(scene)).empty());
     // No evaluator for what has no closed form; one as soon as the surfaces stay together.
-    BOOST_CHECK_THROW(emit_header(scene, "f"), ModelError);
+    BOOST_CHECK_THROW(emit_header(derive(scene), "f"), ModelError);
     Scene closed = scene;
     closed.separation = false;
-    BOOST_TEST(!emit_header(closed, "f").empty());
+    BOOST_TEST(!emit_header(derive(closed), "f").empty());
   }
 }
 
 // Whether they touch where the indentation grows fastest is a question of numbers: no evaluator
 // answers it, and the derivation with numbers does.
 BOOST_AUTO_TEST_CASE(while_the_surfaces_touch) {
-  const std::string slow =
-      "[contact]\nnormal = \"zener(k0, k1, c1)\"\ntangential_ratio = 0.8\nseparation = true\n"
-      "[oscillation]\nangular_frequency = 1e5\namplitude = 1e-6\nindentation = 4e-7\n"
-      "[friction]\ncoefficient = 0.3\n[elements]\nk0 = 2e5\nk1 = 2e6\nc1 = ";
-  const Scene apart = parse_scene(slow + "40\n", "apart.toml");
-  const Scene touching = parse_scene(slow + "0.1\n", "touching.toml");
-  BOOST_TEST(parting_lines(apart).empty());
-  BOOST_TEST(parting_lines(touching).size() == 2u);
+  const Scene apart = test::scene_of(test::slow_zener());
+  const Scene touching = test::scene_of(test::slow_zener(), {{"c1", "0.1"}});
+  BOOST_TEST(parting_lines(derive(apart)).empty());
+  BOOST_TEST(parting_lines(derive(touching)).size() == 2u);
   for (const Scene& scene : {apart, touching})
-    BOOST_CHECK_THROW(emit_header(scene, "f"), ModelError);
+    BOOST_CHECK_THROW(emit_header(derive(scene), "f"), ModelError);
   Scene unknown = apart;
   unknown.elements.front().second.reset();
-  BOOST_REQUIRE(parting_lines(unknown).size() == 2u);
-  BOOST_TEST(parting_lines(unknown)[1].words.find("as long as they touch there") !=
+  BOOST_REQUIRE(parting_lines(derive(unknown)).size() == 2u);
+  BOOST_TEST(parting_lines(derive(unknown))[1].words.find("as long as they touch there") !=
              std::string::npos);
   // Nor is one formula of both equal to the other's v*.
   BOOST_CHECK_THROW(compare(apart, touching), ModelError);

@@ -1,14 +1,11 @@
 """The report in a real browser: it opens without a network, every chart is drawn, the explorer's numbers
 are those of the C++ program, and it can be read on a phone, in the dark, on paper and by keyboard.
-
-test_browser.py PROJECT PROGRAM
 """
 
 import itertools
 import json
 import os
 import subprocess
-import sys
 import tempfile
 import unittest
 from pathlib import Path
@@ -18,8 +15,8 @@ from selenium.webdriver.common.keys import Keys
 from selenium.webdriver.support.ui import WebDriverWait
 
 from browsing import CHARTS, PATIENCE, Ruler, browser, draw_charts, load, places
+from program import PROGRAM, PROJECT
 
-PROJECT, PROGRAM = sys.argv.pop(1), sys.argv.pop(1)
 SCENES = ["zener", "prony", "kelvin_rigid"]
 OUTSIDE = ["inadmissible"]
 MORE = ["sphere", "bridge"]

@@ -1,13 +1,9 @@
-"""The charts of the report's pages in a real browser: what is drawn is what their records say.
-
-test_charts.py PROJECT PROGRAM
-"""
+"""The charts of the report's pages in a real browser: what is drawn is what their records say."""
 
 import itertools
 import os
 import re
 import subprocess
-import sys
 import tempfile
 import unittest
 import xml.etree.ElementTree
@@ -18,8 +14,8 @@ from selenium.webdriver.common.keys import Keys
 from selenium.webdriver.support.ui import WebDriverWait
 
 from browsing import CHARTS, PATIENCE, Ruler, browser, draw_charts, load, number, places
+from program import PROGRAM, PROJECT
 
-PROJECT, PROGRAM = (str(Path(sys.argv.pop(1)).resolve()) for _ in range(2))
 PAGES = ["zener", "jumping", "paper/index"]
 HOSTILE = "</script><img src=x onerror=window.hostile=1> & \"it's\""
 

@@ -1,40 +1,25 @@
-"""`vcrit critical`: its verdict, printed and as an exit status.
-
-    test_critical.py PROGRAM
-"""
+"""`vcrit critical`: its verdict, printed and as an exit status."""
 
 import json
-import subprocess
-import sys
-import tempfile
 import unittest
 
-PROGRAM = sys.argv.pop(1)
+from program import Case
 
 
-def run(*arguments):
-    return subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, timeout=60)
-
-
-class Verdicts(unittest.TestCase):
+class Verdicts(Case):
     def compared(self, drive, contact, elements, mass):
-        with tempfile.NamedTemporaryFile("w", suffix=".toml") as scene:
-            scene.write(f'[contact]\nnormal = "kn"\ntangential = "{contact}"\n[drive]\nnetwork = "{drive}"\n'
-                        f"[body]\nmass = {mass!r}\n[oscillation]\nangular_frequency = 2.0\n"
-                        "amplitude = 0.1\nindentation = 1.0\n[friction]\ncoefficient = 0.3\n"
-                        f"[elements]\nkn = 3\n{elements}")
-            scene.flush()
-            return run("critical", scene.name, "--json"), run("critical", scene.name)
+        scene = self.scene({"kn": 3} | elements, tangential=contact, network=drive, mass=mass)
+        return self.run_program("critical", scene, "--json"), self.run_program("critical", scene)
 
     # Doubles lose digits there like the inverse of the distance, and no more than that: the tolerance is derived in
     # src/critical/conditioning.hpp. Cycles that close to a few roundings leave hardly anything of the last stick open.
     def test_near_resonance_all_ways_agree(self):
-        for contact, elements in (("kt", "kt = 2\n"), ("kt | ct", "kt = 1.6\nct = 0.4\n")):
-            for drive, more in (("kd", ""), ("kd | cd", "cd = {}\n")):
+        for contact, elements in (("kt", {"kt": 2}), ("kt | ct", {"kt": 1.6, "ct": 0.4})):
+            for drive in ("kd", "kd | cd"):
                 for exponent in range(3, 14):
                     for sign in (1, -1):
                         off = sign * 10.0**-exponent
-                        each = elements + "kd = 4\n" + more.format(abs(off))
+                        each = elements | {"kd": 4} | ({"cd": abs(off)} if "cd" in drive else {})
                         with self.subTest(contact=contact, drive=drive, off=off):
                             result, text = self.compared(drive, contact, each, 1 - off)
                             answer = json.loads(result.stdout)
@@ -46,13 +31,13 @@ class Verdicts(unittest.TestCase):
 
     def test_status_3_where_doubles_have_no_digit(self):
         for mass in (1 - 2**-53, 1 + 2**-52):
-            result, text = self.compared("kd", "kt", "kt = 2\nkd = 4\n", mass)
+            result, text = self.compared("kd", "kt", {"kt": 2, "kd": 4}, mass)
             self.assertEqual((result.returncode, text.returncode), (3, 3))
             self.assertIn("has no digit of v*", text.stderr)
 
     # A free swing at the second harmonic: steady sliding from v*/sqrt(2) on.
     def test_is_status_1_where_the_ways_differ(self):
-        result, text = self.compared("kd", "kt", "kt = 2\nkd = 16\n", 1.0)
+        result, text = self.compared("kd", "kt", {"kt": 2, "kd": 16}, 1)
         self.assertEqual((result.returncode, text.returncode), (1, 1))
         self.assertFalse(json.loads(result.stdout)["agree"])
         self.assertIn("ABOVE 1e-09", text.stdout)

@@ -1,18 +1,11 @@
 """`vcrit eval` on every row of tests/data/vstar_extreme.csv: the double nearest to v* to the last bit, whatever
 the size of the scene's numbers, and the right words where there is no such double.
-
-    test_extreme.py TABLE PROGRAM
 """
 
-import csv
-import json
-import subprocess
-import sys
-import tempfile
 import unittest
-from pathlib import Path
 
-TABLE, PROGRAM = Path(sys.argv.pop(1)), Path(sys.argv.pop(1)).resolve()
+import program
+
 HALF_ULP, SMALLEST = 2.0**-53, 2.0**-1074
 
 # Springs and dampers in the order of the table's numbers, and what is made of them.
@@ -33,33 +26,30 @@ def ladder(names):
 
 
 def network(kind, letter, numbers):
-    """A network of the table's kind: its expression, its lines of [elements], and those of [networks]."""
-    values = [repr(float.fromhex(x)) for x in numbers.split(";")]
+    """A network of the table's kind: its expression, its elements, and its graphs."""
+    values = [float.fromhex(x) for x in numbers.split(";")]
     if kind == "prony10":
-        lines = [f"k{letter}0 = {values[0]}", f"k{letter} = [{', '.join(values[1:11])}]",
-                 f"tau{letter} = [{', '.join(values[11:])}]"]
-        return f"prony(k{letter}0, k{letter}, tau{letter})", lines, ""
+        elements = {f"k{letter}0": values[0], f"k{letter}": values[1:11], f"tau{letter}": values[11:]}
+        return f"prony(k{letter}0, k{letter}, tau{letter})", elements, {}
     roles, expression = SHAPES.get(kind, ("k" * (len(values) // 2) + "c" * (len(values) // 2), ""))
     names = [f"{role}{letter}{i}" for i, role in enumerate(roles)]
-    lines = [f"{name} = {value}" for name, value in zip(names, values)]
+    elements = dict(zip(names, values))
     if expression:
-        return expression.format(*names), lines, ""
+        return expression.format(*names), elements, {}
     if kind == "ladder10":
-        return ladder(names), lines, ""
+        return ladder(names), elements, {}
     edges = [[f"{names[i]} | {names[5 + i]}", *ends.split()] for i, ends in enumerate(BRIDGE)]
-    graph = f'[networks.bridge_{letter}]\nterminals = ["A", "B"]\nedges = {json.dumps(edges)}\n'
-    return f"bridge_{letter}", lines, graph
+    return f"bridge_{letter}", elements, {f"bridge_{letter}": (["A", "B"], edges)}
 
 
 def scene(row):
-    numbers = {name: repr(float.fromhex(row[name])) for name in ("mu0", "w", "duz", "m")}
+    coefficient, frequency, amplitude, mass = (float.fromhex(row[name]) for name in ("mu0", "w", "duz", "m"))
     parts = [network(row["kind"], letter, row[column]) for letter, column in (("t", "kx"), ("n", "kz"), ("d", "ks"))]
     (tangential, normal, drive), elements, graphs = zip(*parts)
-    body = f"[body]\nmass = {numbers['m']}\n" if float(numbers["m"]) else ""
-    return (f'[contact]\nnormal = "{normal}"\ntangential = "{tangential}"\n[drive]\nnetwork = "{drive}"\n{body}'
-            f"[oscillation]\nangular_frequency = {numbers['w']}\namplitude = {numbers['duz']}\nindentation = 1\n"
-            f"[friction]\ncoefficient = {numbers['mu0']}\n{''.join(graphs)}"
-            "[elements]\n" + "\n".join(line for lines in elements for line in lines) + "\n")
+    return program.scene({name: value for each in elements for name, value in each.items()},
+                         {name: graph for each in graphs for name, graph in each.items()}, normal=normal,
+                         tangential=tangential, network=drive, mass=mass or None, angular_frequency=frequency,
+                         amplitude=amplitude, coefficient=coefficient)
 
 
 def has_empty_network(row):
@@ -74,26 +64,19 @@ def has_empty_network(row):
     return not all(carries(row[column]) for column in ("kx", "kz", "ks"))
 
 
-def evaluated(text):
-    with tempfile.TemporaryDirectory() as folder:
-        Path(folder, "s.toml").write_text(text)
-        return subprocess.run([PROGRAM, "eval", "s.toml", "--json"], cwd=folder, capture_output=True, text=True,
-                              timeout=60)
+class Case(program.Case):
+    def value(self, row):
+        return self.answer("eval", self.write(scene(row)))
+
+    def refused_with(self, status, row, words):
+        self.refused(status, ["eval", self.write(scene(row))], words)
 
 
-class TheTable(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        with TABLE.open() as file:
-            cls.rows = list(csv.DictReader(file))
-
-    def answered(self, row, text):
-        result = evaluated(text)
-        self.assertEqual(result.returncode, 0, result.stderr)
-        return json.loads(result.stdout)
+class TheTable(Case):
+    rows = program.rows("vstar_extreme.csv", 247)
 
     def check(self, row):
-        answer = self.answered(row, scene(row))
+        answer = self.value(row)
         value, bound, reasons = answer["critical_velocity"], answer["relative_error_bound"], answer["reasons"]
         if row["status"] == "pole":
             self.assertEqual(value, "inf")
@@ -121,32 +104,27 @@ class TheTable(unittest.TestCase):
         rows = [row for row in self.rows if has_empty_network(row)]
         for row in rows:
             with self.subTest(id=row["id"]):
-                result = evaluated(scene(row))
-                self.assertEqual((result.returncode, result.stdout), (2, ""))
-                self.assertIn("value 0 cut in two", result.stderr)
+                self.refused_with(2, row, "value 0 cut in two")
         self.assertEqual(len(rows), 5)
 
 
-class Beside(unittest.TestCase):
+class Beside(Case):
     """What the table has no row of."""
 
     ROW = {"kind": "kelvin", "mu0": "0x1p-1", "w": "0x1p+1", "duz": "0x1p-20", "m": "0x1p+1", "kx": "0x1p+0;0x0p+0",
            "kz": "0x1p+3;0x0p+0", "ks": "0x1p+3;0x0p+0"}
 
     def test_above_the_largest_double_it_is_infinite_and_says_why(self):
-        result = evaluated(scene(self.ROW | {"mu0": "0x1p+600", "duz": "0x1p+600", "m": "0x0p+0"}))
-        answer = json.loads(result.stdout)
-        self.assertEqual((result.returncode, answer["critical_velocity"]), (0, "inf"))
+        answer = self.value(self.ROW | {"mu0": "0x1p+600", "duz": "0x1p+600", "m": "0x0p+0"})
+        self.assertEqual(answer["critical_velocity"], "inf")
         self.assertIn("v* is above the largest double", answer["reasons"])
 
     def test_resonance_of_both_kinds_is_outside_the_model(self):
-        result = evaluated(scene(self.ROW | {"mu0": "0x0p+0"}))
-        self.assertEqual((result.returncode, result.stdout), (3, ""))
-        self.assertIn("0/0", result.stderr)
+        self.refused_with(3, self.ROW | {"mu0": "0x0p+0"}, "0/0")
 
     def test_above_the_largest_double_there_is_infinity_with_its_reason(self):
         row = self.ROW | {"m": "0x1p+0", "duz": "0x1p+1023", "kz": "0x1p+10;0x0p+0"}
-        answer = json.loads(evaluated(scene(row)).stdout)
+        answer = self.value(row)
         self.assertEqual((answer["critical_velocity"], answer["relative_error_bound"]), ("inf", "inf"))
         self.assertIn("largest double", " ".join(answer["reasons"]))
 

@@ -1,29 +1,15 @@
 """vcrit validate --extremes as a user meets it: exit status, files, what is in them."""
 
-import json
-import subprocess
-import sys
-import tempfile
 import unittest
-from pathlib import Path
 
-PROJECT, PROGRAM = Path(sys.argv.pop(1)), sys.argv.pop(1)
+from program import Case, example
+
 REGIONS = ["relaxation", "stiffness", "corners", "resonance", "antiresonance", "limits"]
 
 
-def run(*arguments):
-    return subprocess.run([PROGRAM, *arguments], cwd=PROJECT, capture_output=True, text=True, timeout=300)
-
-
-class Extremes(unittest.TestCase):
+class Extremes(Case):
     def test_everything_is_taken_to_extremes(self):
-        with tempfile.TemporaryDirectory() as folder:
-            result = run("validate", "--extremes", "--out", f"{folder}/out")
-            self.assertEqual((result.returncode, result.stdout, result.stderr), (0, f"{folder}/out/index.html\n", ""))
-            self.assertEqual(sorted(p.name for p in Path(folder, "out").iterdir()), ["index.html", "report.json"])
-            report = json.loads(Path(folder, "out", "report.json").read_text())
-            page = Path(folder, "out", "index.html").read_text()
-        self.assertIs(report["passed"], True)
+        report, page = self.reported("--extremes")
         self.assertIn('class="verdict passed"', page)
         families = {family["key"]: family for family in report["extremes"]["families"]}
         self.assertEqual(len(families), 9)
@@ -46,13 +32,9 @@ class Extremes(unittest.TestCase):
                     self.assertGreater(region["simulator"]["right"], 12)
 
     def test_extremes_stand_alone(self):
-        with tempfile.TemporaryDirectory() as folder:
-            for arguments, words in [(("scenes/kelvin.toml",), ["--extremes", "scene files"]), (("--paper",), ["--extremes", "--paper"])]:
-                result = run("validate", "--extremes", *arguments, "--out", f"{folder}/out")
-                self.assertEqual((result.returncode, result.stdout), (2, ""))
-                for word in words:
-                    self.assertIn(word, result.stderr)
-                self.assertFalse(Path(folder, "out").exists())
+        for argument, words in [(example("kelvin"), ["--extremes", "scene files"]), ("--paper", ["--extremes", "--paper"])]:
+            self.refused(2, ["validate", "--extremes", argument, "--out", "out"], *words)
+            self.assertFalse((self.folder / "out").exists())
 
 
 if __name__ == "__main__":

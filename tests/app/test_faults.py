@@ -1,7 +1,7 @@
 """What can go wrong around the program: streams that are full or closed, disks without room, folders that cannot be
 written, compilers that die, and signals. It says so, leaves earlier results as they were, and nothing behind.
 
-test_faults.py PROJECT PROGRAM FAULTS
+test_faults.py PROGRAM FAULTS
 """
 
 import filecmp
@@ -14,13 +14,15 @@ import signal
 import stat
 import subprocess
 import sys
-import tempfile
 import time
 import unittest
 from pathlib import Path
 
-PROJECT, PROGRAM, FAULTS = (str(Path(sys.argv.pop(1)).resolve()) for _ in range(3))
-ZENER, KELVIN, ELASTIC = (f"{PROJECT}/scenes/{name}.toml" for name in ("zener", "kelvin_rigid", "elastic"))
+import program
+from program import PROGRAM, example
+
+FAULTS = str(Path(sys.argv.pop(1)).resolve())
+ZENER, KELVIN, ELASTIC = example("zener"), example("kelvin_rigid"), example("elastic")
 PATIENCE = 60  # seconds, for what takes a moment; the machine may be busy
 CAN_MOUNT = os.geteuid() == 0 and subprocess.run(["unshare", "-m", "true"], capture_output=True).returncode == 0
 
@@ -29,17 +31,14 @@ DATA = "frequency,storage,loss\n" + "".join(f"{f},{8e6 + 4e6 * x * x / (1 + x * 
 
 
 def run(*arguments, **options):
-    return subprocess.run([PROGRAM, *arguments], text=True, timeout=300,
-                          **{"stdout": subprocess.PIPE, "stderr": subprocess.PIPE} | options)
+    streams = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE}
+    return program.run(*arguments, capture_output=False, **streams | options)
 
 
-class Case(unittest.TestCase):
+class Case(program.Case):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory(prefix="vcrit-faults-")
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name).resolve()
-        self.data = self.folder / "data.csv"
-        self.data.write_text(DATA)
+        super().setUp()
+        self.data = self.write(DATA, "data.csv")
 
     def commands(self, out):
         """What writes files, without those that take long."""
@@ -276,10 +275,8 @@ class Limits(Case):
     """A scene uses what memory and time it is given, and no more."""
 
     def scene(self, networks, normal):
-        path = self.folder / "large.toml"
-        path.write_text(Path(KELVIN).read_text().replace("[contact]", f"[networks]\n{networks}\n[contact]", 1)
-                        .replace('"kelvin(k, c)"', f'"{normal}"'))
-        return path
+        return self.write(Path(KELVIN).read_text().replace("[contact]", f"[networks]\n{networks}\n[contact]", 1)
+                          .replace('"kelvin(k, c)"', f'"{normal}"'))
 
     def test_networks_of_networks_end(self):
         # 2^60 elements in 60 lines.
@@ -303,7 +300,7 @@ class Validate(Case):
 
     def setUp(self):
         super().setUp()
-        self.temporary, self.bin, self.out = (self.folder / name for name in ["tmp", "bin", "out"])
+        self.temporary, self.bin, self.report = (self.folder / name for name in ["tmp", "bin", "out"])
         self.temporary.mkdir()
         self.bin.mkdir()
 
@@ -315,22 +312,22 @@ class Validate(Case):
         return os.environ | {"PATH": str(self.bin), "TMPDIR": str(self.temporary)} | more
 
     def validate(self, scene=KELVIN, **more):
-        return run("validate", scene, "--out", self.out, env=self.environment(**more))
+        return run("validate", scene, "--out", self.report, env=self.environment(**more))
 
     def nothing_is_left(self):
         self.assertEqual(list(self.temporary.iterdir()), [])
 
     def test_the_files_are_written_together(self):
         self.assertEqual(self.validate().returncode, 0)
-        old = self.texts(self.out)
+        old = self.texts(self.report)
         self.assertEqual(set(old), {"index.html", "report.json"})
-        fault = {"LD_PRELOAD": FAULTS, "FAULT_IN": str(self.out)}
+        fault = {"LD_PRELOAD": FAULTS, "FAULT_IN": str(self.report)}
         # Two writes and two renames, the index last.
         for kind, number, status in [("full", 1, 2), ("full", 2, 2), ("kill", 2, -signal.SIGKILL),
                                      ("kill", 3, -signal.SIGKILL), ("kill", 4, -signal.SIGKILL)]:
             result = self.validate(ELASTIC, **fault, FAULT=kind, FAULT_AT=str(number))
             self.assertEqual(result.returncode, status, result.stderr)
-            now = self.texts(self.out)
+            now = self.texts(self.report)
             self.assertEqual(now["index.html"], old["index.html"])
             if number < 4:
                 self.assertEqual(now["report.json"], old["report.json"])
@@ -343,7 +340,7 @@ class Validate(Case):
         result = self.validate()
         self.assertEqual(result.returncode, 1, result.stderr)
         self.assertIn("FAILED", result.stderr)
-        self.assertIn("failed", (self.out / "report.json").read_text())
+        self.assertIn("failed", (self.report / "report.json").read_text())
         self.nothing_is_left()
 
     def wait_for(self, holds):
@@ -364,12 +361,12 @@ class Validate(Case):
         self.compiler(f'''echo half >"$TMPDIR/cc.s"
             /bin/sleep 1000 & echo "$$ $! $TMPDIR" >"{told}.new"
             /bin/mv "{told}.new" "{told}"; wait''')
-        self.out.mkdir()
-        (self.out / "index.html").write_text("earlier")
+        self.report.mkdir()
+        (self.report / "index.html").write_text("earlier")
         for number in [signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGKILL]:
             with self.subTest(number):
                 told.unlink(missing_ok=True)
-                process = subprocess.Popen([PROGRAM, "validate", KELVIN, "--out", self.out], env=self.environment(),
+                process = subprocess.Popen([PROGRAM, "validate", KELVIN, "--out", self.report], env=self.environment(),
                                            stdout=subprocess.DEVNULL, start_new_session=True)
                 self.wait_for(told.exists)
                 compiler, child, folder = told.read_text().split()
@@ -381,7 +378,7 @@ class Validate(Case):
                 self.assertEqual(process.wait(PATIENCE), -number)
                 self.wait_for(lambda: not list(self.temporary.iterdir()))
                 self.wait_for(lambda: not self.alive(compiler) and not self.alive(child))
-        self.assertEqual(self.texts(self.out), {"index.html": b"earlier"})
+        self.assertEqual(self.texts(self.report), {"index.html": b"earlier"})
 
     def test_a_missing_place_for_temporary_files_is_told(self):
         self.compiler("exit 1")
@@ -389,7 +386,7 @@ class Validate(Case):
         result = self.validate()
         self.assertEqual(result.returncode, 2)
         self.one_message(result, f"{self.temporary}")
-        self.assertFalse(self.out.exists())
+        self.assertFalse(self.report.exists())
         self.temporary.mkdir()
 
 

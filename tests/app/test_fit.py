@@ -4,14 +4,10 @@ import cmath
 import json
 import math
 import random
-import shutil
-import subprocess
-import sys
-import tempfile
 import unittest
-from pathlib import Path
 
-PROGRAM = str(Path(sys.argv.pop(1)).resolve())
+from program import Case
+
 K0, BRANCHES = 2e6, [(1e6, 1e-5), (3e6, 1e-3), (5e5, 2e-2)]
 
 
@@ -36,17 +32,9 @@ def table(model, noise=0.0, errors=False, rows=60, first=0.1, last=1e6):
     return text + "\n"
 
 
-class Fit(unittest.TestCase):
-    def setUp(self):
-        self.folder = Path(tempfile.mkdtemp(prefix="vcrit-test-"))
-        self.addCleanup(shutil.rmtree, self.folder)
-
-    def run_program(self, *arguments):
-        return subprocess.run([PROGRAM, *map(str, arguments)], cwd=self.folder, capture_output=True, text=True,
-                              timeout=120)
-
+class Fit(Case):
     def fit(self, text, *arguments):
-        (self.folder / "data.csv").write_text(text)
+        self.write(text, "data.csv")
         result = self.run_program("fit", "data.csv", "--out", "out/scene.toml", "--json", *arguments)
         self.assertEqual((result.returncode, result.stderr), (0, ""))
         return json.loads(result.stdout)
@@ -111,10 +99,7 @@ class Fit(unittest.TestCase):
         for command in [["derive", "out/scene.toml"], ["generate", "out/scene.toml", "--out", "lib"]]:
             result = self.run_program(*command)
             self.assertEqual((result.returncode, result.stderr), (0, ""), command)
-        missing = self.run_program("eval", "out/scene.toml")
-        self.assertEqual(missing.returncode, 2)
-        for symbol in ["nu", "omega", "du_z", "u_z0", "mu0"]:
-            self.assertIn(symbol, missing.stderr)
+        self.refused(2, ["eval", "out/scene.toml"], "nu", "omega", "du_z", "u_z0", "mu0")
         text = (self.folder / "out/scene.toml").read_text()
         self.assertNotIn("[body]", text)
         self.assertNotIn("[drive]", text)
@@ -122,10 +107,10 @@ class Fit(unittest.TestCase):
     def test_what_is_given_makes_it_complete(self):
         self.fit(table(stiffness), "--frequency", "20 kHz", "--amplitude", "0.1 um", "--indentation", "0.5 um",
                  "--coefficient", "0.3", "--poisson", "0.4", "--title", "Pad")
-        result = self.run_program("eval", "out/scene.toml", "--json")
+        result = self.answer("eval", "out/scene.toml")
         # Rigid drive, isotropic contact: v* = mu0 omega du_z (2 - nu)/(2 - 2 nu).
         expected = 0.3 * 2 * math.pi * 20e3 * 1e-7 * 1.6 / 1.2
-        self.assertAlmostEqual(json.loads(result.stdout)["critical_velocity"] / expected, 1, delta=1e-14)
+        self.assertAlmostEqual(result["critical_velocity"] / expected, 1, delta=1e-14)
 
     def test_the_page_shows_data_fit_and_residuals_and_needs_nothing_else(self):
         # All losses are well above the noise: logarithmic axes show no others.
@@ -153,7 +138,7 @@ class Fit(unittest.TestCase):
             sorted(f"{name}.{ending}" for name in ["branches", "residuals", "stiffness"] for ending in ["gp", "pdf", "svg"]))
 
     def test_the_terminal_says_what_was_found(self):
-        (self.folder / "d.csv").write_text(table(stiffness))
+        self.write(table(stiffness), "d.csv")
         result = self.run_program("fit", "d.csv", "--out", "s.toml")
         self.assertEqual(result.stdout.splitlines()[0], "3 branches and an equilibrium spring")
         self.assertEqual(result.stdout.splitlines()[-2:], ["s.toml", "s.html"])
@@ -176,12 +161,9 @@ class Fit(unittest.TestCase):
             (head + "1,2,1\n2,2,1\n", 3, "2 rows of numbers; expected at least 3 rows"),
         ]:
             with self.subTest(words=words):
-                (self.folder / "bad.csv").write_text(text)
-                result = self.run_program("fit", "bad.csv", "--out", "out/s.toml")
-                self.assertEqual((result.returncode, result.stdout), (2, ""))
-                self.assertEqual(len(result.stderr.splitlines()), 1)
-                self.assertTrue(result.stderr.startswith(f"vcrit: bad.csv:{line}: "), result.stderr)
-                self.assertIn(words, result.stderr)
+                self.write(text, "bad.csv")
+                message = self.refused(2, ["fit", "bad.csv", "--out", "out/s.toml"], words)
+                self.assertTrue(message.startswith(f"bad.csv:{line}: "), message)
                 self.assertFalse((self.folder / "out").exists())
 
     def test_units_that_are_assumed_are_named(self):
@@ -225,16 +207,14 @@ class Fit(unittest.TestCase):
                 self.assertEqual(result.stderr, f"vcrit: warning: {found['warnings'][0]}\n")
 
     def test_wrong_options_write_nothing(self):
-        (self.folder / "d.csv").write_text(table(stiffness))
+        self.write(table(stiffness), "d.csv")
         for arguments, words in [
             (["--out", "o/s.txt"], ".toml"), (["--out", "o/s.toml", "--max-branches", "0"], "at least 1"),
             (["--out", "o/s.toml", "--frequency", "1 mm"], "--frequency"), ([], "--out"),
             (["--out", "o/s.toml", "--amplitude", "-1 um"], "amplitude"),
         ]:
             with self.subTest(arguments=arguments):
-                result = self.run_program("fit", "d.csv", *arguments)
-                self.assertEqual(result.returncode, 2)
-                self.assertIn(words, result.stderr)
+                self.refused(2, ["fit", "d.csv", *arguments], words)
                 self.assertFalse((self.folder / "o").exists())
 
 

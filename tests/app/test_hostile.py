@@ -1,7 +1,5 @@
 """Input that was written to do harm, or that grew beyond any sense: every command answers rightly or refuses with
 exit status 2 and a message of bounded length that says what the limit is, within the memory allowed here.
-
-    test_hostile.py PROGRAM
 """
 
 import math
@@ -9,13 +7,10 @@ import os
 import re
 import resource
 import subprocess
-import sys
-import tempfile
 import unittest
 from itertools import combinations
-from pathlib import Path
 
-PROGRAM = Path(sys.argv.pop(1)).resolve()
+from program import Case
 
 # Address space of the program. What is tried here needs at most about a third; without the limits in the sources
 # each of the refused inputs needs more, or a stack beyond the usual 8 MiB.
@@ -62,19 +57,12 @@ def limits():
     resource.setrlimit(resource.RLIMIT_STACK, (8 * 2**20, 8 * 2**20))
 
 
-class Hostile(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
-
+class Hostile(Case):
     def run_program(self, *arguments):
-        return subprocess.run([PROGRAM, *arguments], cwd=self.folder, capture_output=True, preexec_fn=limits)
+        return super().run_program(*arguments, text=False, preexec_fn=limits)
 
     def write(self, text, name="s.toml"):
-        content = text if isinstance(text, bytes) else text.encode()
-        (self.folder / name).write_bytes(content)
-        return name
+        return super().write(text, name).name  # messages name it as it is given
 
     def assert_refused(self, done, *words):
         message = done.stderr.decode()  # must be UTF-8

@@ -1,7 +1,4 @@
-"""Texts from scenes stay texts: in terminals, in documents, in the code of every language, and on pages in a browser.
-
-test_hostile_text.py PROJECT PROGRAM
-"""
+"""Texts from scenes stay texts: in terminals, in documents, in the code of every language, and on pages in a browser."""
 
 import ast
 import html
@@ -11,19 +8,16 @@ import os
 import re
 import shutil
 import subprocess
-import sys
 import tempfile
 import unicodedata
 import unittest
 from pathlib import Path
 
+import drivers
+import program
 from browsing import browser, draw_charts, load
 
-sys.path.insert(0, str(Path(__file__).parents[1] / "languages"))
-import drivers
-
-PROJECT, PROGRAM = (str(Path(sys.argv.pop(1)).resolve()) for _ in range(2))
-SCENE = Path(PROJECT, "scenes/kelvin_rigid.toml").read_text()
+SCENE = Path(program.example("kelvin_rigid")).read_text()
 # One title that would do harm in a terminal, HTML, a shell, LaTeX, Markdown, TOML, and in comments of C (the trigraph
 # of a backslash), C++, JavaScript (U+2028 ends a line there) and Python.
 HOSTILE = ('"></title></script><script>window.hostile=1</script><img src=x onerror="window.hostile=1">'
@@ -44,35 +38,22 @@ def scene(title):
     return re.sub(r"^title = .*$", lambda _: "title = " + json.dumps(title), SCENE, count=1, flags=re.M)
 
 
-def run(*arguments, **options):
-    return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, timeout=300, **options)
-
-
 def steering(text):
     """Characters that are not shown, but for newlines and tabulators."""
     return [c for c in text if unicodedata.category(c) in ("Cc", "Zl", "Zp") and c not in "\n\t"
             or unicodedata.bidirectional(c) in ("LRE", "RLE", "LRO", "RLO", "PDF", "LRI", "RLI", "FSI", "PDI")]
 
 
-class Case(unittest.TestCase):
+class Case(program.Case):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory(prefix="vcrit-hostile-")
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
+        super().setUp()
         self.addCleanup(self.no_intruder)
 
     def no_intruder(self):
         self.assertEqual(list(self.folder.rglob("intruder*")), [])
 
     def file(self, title, name="scene.toml"):
-        path = self.folder / name
-        path.write_text(scene(title))
-        return path
-
-    def out(self, *arguments):
-        result = run(*arguments, cwd=self.folder)
-        self.assertEqual(result.returncode, 0, result.stderr)
-        return result.stdout.decode()
+        return self.write(scene(title), name)
 
 
 class Documents(Case):
@@ -109,17 +90,11 @@ class Documents(Case):
     def test_messages(self):
         for broken in [scene(HOSTILE).replace("normal", '"\\u001b[2J\\u202e\\u0085"'),
                        scene(HOSTILE).replace('"k', '"\\u001b[2J\\u202e\\u0085k'), "\x1b[2J", "a = '\u202e'"]:
-            path = self.folder / "broken.toml"
-            path.write_text(broken)
-            result = run("eval", path)
-            self.assertEqual(result.returncode, 2)
-            self.assertEqual(steering(result.stderr.decode()), [])
-        result = run("eval", b"absent\x1b[2J\xff.toml")
-        self.assertEqual(result.returncode, 2)
-        self.assertNotIn(b"\x1b", result.stderr)
+            self.assertEqual(steering(self.refused(2, ["eval", self.write(broken)])), [])
+        self.assertNotIn("\x1b", self.refused(2, ["eval", b"absent\x1b[2J\xff.toml"]))
 
     def test_a_fitted_scene(self):
-        (self.folder / "data.csv").write_text(DATA)
+        self.write(DATA, "data.csv")
         fitted = self.folder / "fitted.toml"
         self.out("fit", self.folder / "data.csv", "--title", HOSTILE.replace("\x85\x9b", ""), "--out", fitted)
         self.assertEqual(len(re.findall(r"(?m)^\[contact\]", fitted.read_text())), 1)
@@ -168,14 +143,12 @@ class Code(Case):
         for name in ["../intruder", "a/b", "a b", "$(touch intruder)", "a;b", "", ".", "-O3", "x\ny", "é", "a\u2028b",
                      "int", "/tmp/intruder"]:
             for language in LANGUAGES:
-                result = run("generate", path, "--language", language, f"--name={name}", "--out", out)
-                self.assertEqual(result.returncode, 2, (language, name))
+                self.refused(2, ["generate", path, "--language", language, f"--name={name}", "--out", out])
         for name in ["k 0", "k/0", "../k", "$(k)", "k\\\"", "k\\n", "<b>", "k}", "é"]:
             for text in [re.sub('(?m)^normal .*$', lambda _: f"normal = {json.dumps(name)}", f'{SCENE}\n"{name}" = 1'),
                          f'{SCENE}\n[networks]\n"{name}" = "k"']:
                 path.write_text(text)
-                result = run("generate", path, "--out", out)
-                self.assertEqual(result.returncode, 2, text[-40:])
+                self.refused(2, ["generate", path, "--out", out])
         self.assertFalse(out.exists())
 
 
@@ -231,8 +204,7 @@ class Pages(Case):
                  self.file(PLAIN, "b.toml")]
         files[0].write_text(files[0].read_text() + "\n# </script><script>window.hostile=1</script>\n")
         out = self.folder / "out"
-        result = run("validate", *files, "--out", out, cwd=self.folder, env=environment)
-        self.assertEqual(result.returncode, 0, result.stderr)
+        self.out("validate", *files, "--out", out, env=environment)
         pages = sorted(path.name for path in out.iterdir())
         self.assertEqual(len(pages), 4)
         for name in pages:

@@ -1,57 +1,20 @@
 """Friction below an indenter, through the program: numbers known to others, and what is outside."""
 
-import csv
-import json
-import subprocess
-import sys
-import tempfile
 import unittest
-from pathlib import Path
 
-PROJECT, PROGRAM = Path(sys.argv.pop(1)), sys.argv.pop(1)
-
-PARABOLA = """[contact]
-normal = "spring(E)"
-poisson = 0.3
-{separation}
-[indenter]
-shape = "{shape}"
-{size}
-[oscillation]
-frequency = "20 kHz"
-amplitude = "{amplitude} um"
-indentation = "1 um"
-[friction]
-coefficient = 0.3
-[elements]
-E = "2 GPa"
-"""
+from program import Case
 
 
-def run(*arguments):
-    return subprocess.run([PROGRAM, *map(str, arguments)], cwd=PROJECT, capture_output=True, text=True, timeout=120)
-
-
-class Indenters(unittest.TestCase):
-    def setUp(self):
-        self.folder = tempfile.TemporaryDirectory()
-        self.addCleanup(self.folder.cleanup)
-
-    def scene(self, shape="parabola", size='radius = "5 mm"', amplitude=0.5, separation=""):
-        file = Path(self.folder.name) / "scene.toml"
-        file.write_text(PARABOLA.format(shape=shape, size=size, amplitude=amplitude, separation=separation))
-        return file
-
-    def json(self, *arguments):
-        done = run(*arguments, "--json")
-        self.assertEqual(done.returncode, 0, done.stderr)
-        return json.loads(done.stdout)
+class Indenters(Case):
+    def indenter(self, shape="parabola", radius="5 mm", amplitude=0.5, **more):
+        return self.scene({"E": "2 GPa"}, normal="spring(E)", shape=shape, radius=radius, frequency="20 kHz",
+                          amplitude=f"{amplitude} um", indentation="1 um", **more)
 
     # Elastic parabola at half the indentation, mu_macro/mu0 to 1e-5 by others.
     def test_known_friction(self):
-        scene = self.scene()
+        scene = self.indenter()
         for ratio, friction in ((0.1, 0.49477), (0.25, 0.66931), (0.75, 0.96733), (0.9, 0.99488)):
-            motion = self.json("simulate", scene, "--velocity-ratio", ratio)
+            motion = self.answer("simulate", scene, "--velocity-ratio", ratio)
             self.assertAlmostEqual(motion["friction_ratio"], friction, delta=1e-5)
             self.assertLess(motion["friction_ratio_error"], 1e-9)
             self.assertLess(motion["indenter"]["start_disagreement"], 1e-12)
@@ -59,49 +22,44 @@ class Indenters(unittest.TestCase):
     # v* of Hertz' contact of any size: mu0 omega du_z (2 - nu)/(2(1 - nu)).
     def test_one_critical_velocity(self):
         expected = 0.3 * 2 * 3.141592653589793 * 20e3 * 0.5e-6 * 1.7 / 1.4
-        for shape, size in (("parabola", "radius = 1"), ("cone", 'angle = "1 deg"'), ("flat", "radius = 0.01"),
-                            ("power", "prefactor = 1e6\nexponent = 4")):
-            scene = self.scene(shape, size)
-            self.assertAlmostEqual(self.json("eval", scene)["critical_velocity"] / expected, 1, delta=1e-14)
-            compared = self.json("critical", scene)
+        for shape, size in (("parabola", {"radius": 1}), ("cone", {"radius": None, "angle": "1 deg"}),
+                            ("flat", {"radius": 0.01}), ("power", {"radius": None, "prefactor": 1e6, "exponent": 4})):
+            scene = self.indenter(shape, **size)
+            self.assertAlmostEqual(self.answer("eval", scene)["critical_velocity"] / expected, 1, delta=1e-14)
+            compared = self.answer("critical", scene)
             self.assertTrue(compared["agree"])
             self.assertLess(compared["stick_onset_difference"], 1e-9)
 
     # Hertz: F = 4/3 E* sqrt(R) d^(3/2); at a small amplitude its mean is that at rest, (1 + 3/16 D^2) of it.
     def test_normal_force_is_that_of_hertz(self):
-        motion = self.json("simulate", self.scene(amplitude=0.001), "--velocity-ratio", 0.5)
+        motion = self.answer("simulate", self.indenter(amplitude=0.001), "--velocity-ratio", 0.5)
         hertz = 4 / 3 * 2e9 / (1 - 0.3**2) * 5e-3**0.5 * 1e-6**1.5
         self.assertAlmostEqual(motion["indenter"]["mean_normal_force"] / hertz, 1, delta=1e-6)
         self.assertAlmostEqual(motion["indenter"]["contact_radius"], (5e-3 * 1e-6) ** 0.5, delta=1e-18)
 
     # A profile with many rows of a parabola is that parabola.
     def test_a_table(self):
-        table = Path(self.folder.name) / "tip.csv"
         rows = [(i * 1e-6, (i * 1e-6) ** 2 / 1e-2) for i in range(140)]
-        table.write_text("r,f\n" + "".join(f"{r!r},{f!r}\n" for r, f in rows))
-        motion = self.json("simulate", self.scene("tip.csv", ""), "--velocity-ratio", 0.25)
+        self.write("r,f\n" + "".join(f"{r!r},{f!r}\n" for r, f in rows), "tip.csv")
+        motion = self.answer("simulate", self.indenter("tip.csv", None), "--velocity-ratio", 0.25)
         # The chords lie above the parabola by at most (1 um)^2/(8 R) = 2.5e-11 m, 2.5e-5 of the depth.
         self.assertAlmostEqual(motion["friction_ratio"], 0.66931, delta=1e-4)
 
     def test_jumping_and_what_is_outside(self):
-        open_scene = self.scene(amplitude=2)
-        self.assertFalse(self.json("eval", open_scene)["admissible"])
-        self.assertEqual(run("simulate", open_scene, "--velocity", 0.1).returncode, 3)
-        jumping = self.scene(amplitude=2, separation="separation = true")
-        self.assertTrue(self.json("eval", jumping)["opens"])
-        motion = self.json("simulate", jumping, "--velocity-ratio", 0.3)
+        open_scene = self.indenter(amplitude=2)
+        self.assertFalse(self.answer("eval", open_scene)["admissible"])
+        self.refused(3, ["simulate", open_scene, "--velocity", 0.1])
+        jumping = self.indenter(amplitude=2, separation=True)
+        self.assertTrue(self.answer("eval", jumping)["opens"])
+        motion = self.answer("simulate", jumping, "--velocity-ratio", 0.3)
         self.assertEqual(motion["regime"], "stick-slip-apart")
         self.assertEqual(motion["indenter"]["cells"][0]["regime"], "stick-slip-apart")
-        self.assertEqual(run("simulate", jumping, "--velocity", 0.1, "--method", "moreau").returncode, 3)
-        self.assertEqual(run("solve", jumping, "--for", "amplitude", "--friction-ratio", 0.5, "--velocity",
-                             0.1).returncode, 3)
+        self.refused(3, ["simulate", jumping, "--velocity", 0.1, "--method", "moreau"])
+        self.refused(3, ["solve", jumping, "--for", "amplitude", "--friction-ratio", 0.5, "--velocity", 0.1])
 
     def test_a_map(self):
-        out = Path(self.folder.name) / "map.csv"
-        done = run("sweep", self.scene(), "--over", "amplitude=lin:0.1e-6:0.9e-6:3", "--over",
-                   "velocity_ratio=lin:0.25:1.25:3", "--quantity", "friction_ratio", "--quantity", "regime", "--out", out)
-        self.assertEqual(done.returncode, 0, done.stderr)
-        rows = list(csv.DictReader(out.open()))
+        rows = self.table(self.indenter(), "--over", "amplitude=lin:0.1e-6:0.9e-6:3", "--over",
+                          "velocity_ratio=lin:0.25:1.25:3", "--quantity", "friction_ratio", "--quantity", "regime")
         self.assertEqual({row["regime"] for row in rows}, {"stick-slip-apart", "sliding-apart"})
         there = [row for row in rows if row["amplitude"] == "5e-07" and row["velocity_ratio"] == "0.25"]
         self.assertAlmostEqual(float(there[0]["friction_ratio"]), 0.66931, delta=1e-5)

@@ -1,22 +1,15 @@
-"""--json of every command: one object on standard output, with the keys that the README tells of.
-
-    test_json.py PROJECT PROGRAM
-"""
+"""--json of every command: one object on standard output, with the keys that the README tells of."""
 
 import json
 import os
 import re
-import subprocess
-import sys
-import tempfile
 import unittest
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).parents[1] / "languages"))
 import drivers
+from program import PROJECT, Case, example
 
-PROJECT, PROGRAM = Path(sys.argv.pop(1)).resolve(), Path(sys.argv.pop(1)).resolve()
-ELASTIC, KELVIN = str(PROJECT / "scenes/elastic.toml"), str(PROJECT / "scenes/kelvin.toml")
+ELASTIC, KELVIN = example("elastic"), example("kelvin")
 PAD = str(PROJECT / "scenes/measured_pad.csv")
 CALLS = {
     "derive": [KELVIN],
@@ -31,49 +24,29 @@ CALLS = {
 }
 
 
-def run(*arguments, folder, **environment):
-    return subprocess.run([PROGRAM, *arguments], cwd=folder, env=os.environ | environment, capture_output=True,
-                          text=True, timeout=300)
-
-
-class Json(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
-
-    def object(self, *arguments, status=0, **environment):
-        ended = run(*arguments, "--json", folder=self.folder, **environment)
-        self.assertEqual(ended.returncode, status, ended.stderr)
-        result = json.loads(ended.stdout)
-        self.assertIsInstance(result, dict)
-        return result
-
-    def written(self):
-        return {str(file.relative_to(self.folder)) for file in self.folder.rglob("*") if file.is_file()}
-
+class Json(Case):
     def test_every_command_has_it(self):
-        listed = re.findall(r"^  (\w+) {2,}", run("--help", folder=self.folder).stdout.split("Subcommands:")[1], re.MULTILINE)
+        listed = re.findall(r"^  (\w+) {2,}", self.run_program("--help").stdout.split("Subcommands:")[1], re.MULTILINE)
         self.assertEqual(set(listed), set(CALLS))
         for command, arguments in CALLS.items():
-            self.assertIn("--json", run(command, "--help", folder=self.folder).stdout)
-            self.object(command, *arguments)
+            self.assertIn("--json", self.run_program(command, "--help").stdout)
+            self.answer(command, *arguments)
 
     def test_every_key_is_in_the_readme(self):
         readme = (PROJECT / "README.md").read_text().split("### JSON")[1]
         readme += (PROJECT / "docs/design.md").read_text()  # solve and fit
         for command, arguments in CALLS.items():
-            for key in self.object(command, *arguments):
+            for key in self.answer(command, *arguments):
                 self.assertIn(f"`{key}`", readme, command)
 
     def test_wrong_input_leaves_standard_output_empty(self):
         for command, arguments in CALLS.items():
-            ended = run(command, *["absent.toml" if word in (KELVIN, PAD) else word for word in arguments], "--json",
-                        *(["absent.toml"] if command == "validate" else []), folder=self.folder)
+            ended = self.run_program(command, *["absent.toml" if word in (KELVIN, PAD) else word for word in arguments], "--json",
+                                         *(["absent.toml"] if command == "validate" else []))
             self.assertEqual((ended.returncode, ended.stdout), (2, ""), command)
 
     def failure(self, *arguments, status=2):
-        ended = run(*arguments, "--json", folder=self.folder)
+        ended = self.run_program(*arguments, "--json")
         self.assertEqual((ended.returncode, ended.stdout), (status, ""))
         told = json.loads(ended.stderr)
         self.assertEqual(told["status"], status)
@@ -81,58 +54,66 @@ class Json(unittest.TestCase):
         return told
 
     def test_a_failure_is_one_object_on_standard_error(self):
-        scene = self.folder / "wrong.toml"
         text = Path(KELVIN).read_text()
-        scene.write_text(text.replace("coefficient", "koefficient", 1))
+        scene = self.write(text.replace("coefficient", "koefficient", 1))
         line = 1 + text[:text.index("coefficient")].count("\n")
         for command, arguments in CALLS.items():
             if KELVIN not in arguments:
                 continue
-            told = self.failure(command, *[str(scene) if word == KELVIN else word for word in arguments])
+            wrong = [command, *[str(scene) if word == KELVIN else word for word in arguments]]
+            told = self.failure(*wrong)
             self.assertEqual(told["place"], {"file": str(scene), "line": line, "column": 1}, command)
             self.assertIn("koefficient", told["found"])
-            text_message = run(command, *[str(scene) if word == KELVIN else word for word in arguments],
-                               folder=self.folder).stderr
-            self.assertIn(told["message"], text_message)
+            self.refused(2, wrong, told["message"])
         told = self.failure("fit", "absent.csv", "--out", "pad.toml")
         self.assertEqual(told["place"], {"file": "absent.csv"})
         told = self.failure("validate", KELVIN, "--paper", "--out", "out")
         self.assertEqual(told["found"], "scene files beside it")
 
     def test_a_failure_of_the_model_and_of_the_command_line(self):
-        jumping = str(PROJECT / "scenes/jumping.toml")
-        told = self.failure("generate", jumping, "--out", "out", status=3)
+        told = self.failure("generate", example("jumping"), "--out", "out", status=3)
         self.assertIn("of the closed contact there is an evaluator", told["advice"])
         self.assertTrue(told["message"].endswith(told["advice"]))
         self.assertIsNone(told["place"])
         for words in (["--frobnicate"], ["eval", KELVIN, "--frobnicate"], ["eval"], ["simulate", KELVIN]):
             told = self.failure(*words)
             self.assertIn("--help", told["advice"])
+            self.assertEqual(told["place"], {"file": "command line"})
+        for words, place, found, expected in (
+                (["eval", KELVIN, "--frobnicate"], "command line", "--frobnicate", "--help"),
+                (["eval"], "command line", "none", "SCENE"),
+                (["generate", KELVIN, "--out", "g", "--language", "ada"], "--language", "ada", "one of {c++,"),
+                (["derive", KELVIN, "--budget", "few"], "--budget", "few", "a number of terms above 0"),
+                (["solve", KELVIN, "--for", "velocity", "--friction-ratio", "half"], "--friction-ratio", "half",
+                 "a number"),
+                (["generate", KELVIN, "--out", "--quantities"], "--out", "--quantities", "a value (./--quantities")):
+            told = self.failure(*words)
+            self.assertEqual((told["place"], told["found"]), ({"file": place}, found))
+            self.assertIn(expected, told["expected"])
+        self.assertFalse((self.folder / "--quantities").exists())
 
     def test_warnings_of_a_failure_stand_in_its_object(self):
-        scene = self.folder / "beyond.toml"
-        scene.write_text(Path(KELVIN).read_text().replace("[contact]", '[contact]\nfitted_range = ["1 Hz", "2 Hz"]', 1))
-        told = self.failure("solve", str(scene), "--for", "velocity", "--friction-ratio", "0.001", status=3)
+        scene = self.write(Path(KELVIN).read_text().replace("[contact]", '[contact]\nfitted_range = ["1 Hz", "2 Hz"]', 1))
+        told = self.failure("solve", scene, "--for", "velocity", "--friction-ratio", "0.001", status=3)
         self.assertEqual(len(told["warnings"]), 1)
-        self.assertIn("vcrit: warning: ", run("eval", str(scene), "--json", folder=self.folder).stderr)
+        self.assertIn("vcrit: warning: ", self.run_program("eval", scene, "--json").stderr)
 
     def test_names_that_steer_a_terminal_are_escaped(self):
         told = self.failure("eval", "\u202e\x1b[31m.toml")
         self.assertEqual(told["place"]["file"], "\u202e\x1b[31m.toml")
-        raw = run("eval", "\u202e\x1b[31m.toml", "--json", folder=self.folder).stderr
+        raw = self.run_program("eval", "\u202e\x1b[31m.toml", "--json").stderr
         self.assertNotIn("\u202e", raw)
         self.assertNotIn("\x1b", raw)
 
     def test_derive_is_its_format(self):
-        text = run("derive", KELVIN, "--format", "json", folder=self.folder).stdout
-        self.assertEqual(run("derive", KELVIN, "--json", folder=self.folder).stdout, text)
+        self.assertEqual(self.out("derive", KELVIN, "--json"), self.out("derive", KELVIN, "--format", "json"))
 
     def test_derive_compares(self):
-        self.assertTrue(self.object("derive", KELVIN, "--equal", KELVIN)["equal"])
-        self.assertFalse(self.object("derive", KELVIN, "--equal", ELASTIC, status=1)["equal"])
+        self.assertTrue(self.answer("derive", KELVIN, "--equal", KELVIN)["equal"])
+        self.assertFalse(self.answer("derive", KELVIN, "--equal", ELASTIC, status=1)["equal"])
 
     def test_generate_tells_what_it_wrote(self):
-        result = self.object("generate", KELVIN, "--out", "lib", "--name", "pad", "--quantities")
+        result = self.answer("generate", KELVIN, "--out", "lib", "--name", "pad", "--quantities")
         self.assertEqual(result["language"], "c++")
         self.assertEqual(result["main"], ["lib/pad.hpp", "lib/pad_quantities.hpp"])
         self.assertEqual(set(result["files"]), self.written())
@@ -142,7 +123,7 @@ class Json(unittest.TestCase):
         for language, row in drivers.LANGUAGES.items():
             if language == "c++":
                 continue
-            result = self.object("generate", KELVIN, "--out", language, "--language", language)
+            result = self.answer("generate", KELVIN, "--out", language, "--language", language)
             file = f"{language}/critical.{row['file']}"
             self.assertEqual(result, {"language": language, "main": [file], "files": [file]})
             self.assertIn(file, self.written())
@@ -161,7 +142,7 @@ class Json(unittest.TestCase):
         return json.loads((self.folder / "out/report.json").read_text())
 
     def test_validate_tells_all_verdicts_and_files(self):
-        result = self.object("validate", ELASTIC, str(PROJECT / "scenes/measured_drive.toml"), "--out", "out",
+        result = self.answer("validate", ELASTIC, example("measured_drive"), "--out", "out",
                              "--figures", "pictures")
         self.check_validation(result, [(scene["file"], scene["comparisons"]) for scene in self.report()["scenes"]])
         self.assertTrue(result["passed"])
@@ -172,14 +153,14 @@ class Json(unittest.TestCase):
         for compiler in ["g++", "clang++", "c++"]:
             (self.folder / compiler).write_text("#!/bin/sh\nexit 1\n")
             (self.folder / compiler).chmod(0o755)
-        result = self.object("validate", ELASTIC, "--out", "out", status=1,
-                             PATH=f"{self.folder}:{os.environ['PATH']}")
+        result = self.answer("validate", ELASTIC, "--out", "out", status=1,
+                             env=os.environ | {"PATH": f"{self.folder}:{os.environ['PATH']}"})
         result["files"] += ["g++", "clang++", "c++"]
         self.check_validation(result, [(scene["file"], scene["comparisons"]) for scene in self.report()["scenes"]])
         self.assertFalse(result["passed"])
 
     def test_validate_the_paper(self):
-        result = self.object("validate", "--paper", "--out", "out")
+        result = self.answer("validate", "--paper", "--out", "out")
         parts = [part["comparisons"] for part in self.report()["paper"].values() if "comparisons" in part]
         by_key = sorted((one["key"], one["name"], one["outcome"]) for part in parts for one in part)
         found = sorted((one["key"], one["name"], one["outcome"]) for one in result["comparisons"])

@@ -5,19 +5,13 @@ same, to the bit where nothing is rounded on the way, and everything that is pri
 """
 import cmath
 import contextlib
-import csv
 import json
-import pathlib
 import re
 import subprocess
-import sys
-import tempfile
 import unittest
 
-sys.path.insert(0, str(pathlib.Path(__file__).parents[1] / "languages"))
 import drivers
-
-PROGRAM = sys.argv[1]
+import program
 
 # What can be called otherwise, in the order of the scene below: canonical name and value.
 VALUES = {"nu": 0.3, "m": 1e-3, "omega": 6e4, "du_z": 1e-7, "u_z0": 1e-6, "mu0": 0.3,
@@ -40,61 +34,48 @@ OTHERS = [
      "c1": "match", "kd": "self_"},
     {"m": "beta_kd", "k0": "S_k1", "k1": "v", "c1": "kappa_k1", "kd": "out", "omega": "n", "mu0": "theta_c1"},
 ]
-NETWORKS = 'normal = "k0 | (k1 - c1)"'
 
 
-def scene(names, values=None):
-    """All symbols, but for `values`."""
-    given = {key: json.dumps(names.get(key, key)) for key in VALUES} | {k: repr(v) for k, v in (values or {}).items()}
-    return (f'[contact]\n{NETWORKS}\npoisson = {given["nu"]}\n[drive]\nnetwork = "kd"\n[body]\nmass = {given["m"]}\n'
-            f'[oscillation]\nangular_frequency = {given["omega"]}\namplitude = {given["du_z"]}\n'
-            f'indentation = {given["u_z0"]}\n[friction]\ncoefficient = {given["mu0"]}\n[elements]\n'
-            + "".join(f"{key} = {given[key]}\n" for key in ("k0", "k1", "c1", "kd")))
+def scene(names):
+    given = {key: names.get(key, key) for key in VALUES}
+    return program.scene({key: given[key] for key in ("k0", "k1", "c1", "kd")}, normal="k0 | (k1 - c1)", network="kd",
+                         **{KEYS[key]: given[key] for key in ("nu", "m", "omega", "du_z", "u_z0", "mu0")})
 
 
 def settings(names, but=()):
-    return [part for key, value in VALUES.items() if key not in but
-            for part in ("--set", f"{names.get(key, key)}={value!r}")]
+    return program.settings({names.get(key, key): value for key, value in VALUES.items() if key not in but})
 
 
-class OtherNames(unittest.TestCase):
+class OtherNames(program.Case):
     def setUp(self):
-        self.temporary = tempfile.TemporaryDirectory()
-        self.addCleanup(self.temporary.cleanup)
-        self.folder = pathlib.Path(self.temporary.name)
-        self.file = self.folder / "s.toml"
-        self.canonical = self.folder / "canonical.toml"
-        self.canonical.write_text(scene({}))
+        super().setUp()
+        self.file = self.write(scene({}))
+        self.canonical = self.write(scene({}), "canonical.toml")
 
-    def run_program(self, *arguments, file=None):
-        command, *rest = arguments
-        ran = subprocess.run([PROGRAM, command, file or self.file, *rest], capture_output=True, text=True)
-        self.assertEqual(ran.returncode, 0, ran.stderr)
-        self.assertNotRegex(ran.stdout, r"\w~")
-        return ran.stdout
+    def run_on(self, command, *rest, file=None):
+        printed = self.out(command, file or self.file, *rest)
+        self.assertNotRegex(printed, r"\w~")
+        return printed
 
-    def refused(self, text, *arguments, found):
-        self.file.write_text(text)
-        command, *rest = arguments
-        ran = subprocess.run([PROGRAM, command, self.file, *rest], capture_output=True, text=True)
-        self.assertEqual(ran.returncode, 2, ran.stdout)
-        self.assertIn(found, ran.stderr)
+    def wrong(self, text, command, *rest, found):
+        self.write(text)
+        self.refused(2, [command, self.file, *rest], found)
 
     @contextlib.contextmanager
-    def scene(self, names):
-        self.file.write_text(scene(names))
+    def named(self, names):
+        self.write(scene(names))
         with self.subTest(scene=OTHERS.index(names)):
             yield
 
     def value(self):
-        return json.loads(self.run_program("eval", "--json", *settings({}), file=self.canonical))["critical_velocity"]
+        return self.answer("eval", self.canonical, *settings({}))["critical_velocity"]
 
     def test_formulas_are_printed_in_the_scenes_names(self):
         expected = self.value()
         for names in OTHERS:
-            with self.scene(names):
+            with self.named(names):
                 for form in ("by-size", "nested"):
-                    text = self.run_program("derive", "--form", form)
+                    text = self.run_on("derive", "--form", form)
                     s, i, omega = re.search(r"with (\w+) = (\w+)\*(\w+)", text).groups()
                     self.assertEqual(omega, names.get("omega", "omega"))
                     known = {names.get(key, key): value for key, value in VALUES.items()}
@@ -114,10 +95,10 @@ class OtherNames(unittest.TestCase):
                     self.assertAlmostEqual(result / expected, 1, delta=1e-13)
 
     def test_documents_name_what_varies(self):
-        own = json.loads(self.run_program("derive", "--format", "json", "--sensitivities", file=self.canonical))
+        own = json.loads(self.run_on("derive", "--format", "json", "--sensitivities", file=self.canonical))
         for names in OTHERS:
-            with self.scene(names):
-                found = json.loads(self.run_program("derive", "--format", "json", "--sensitivities"))
+            with self.named(names):
+                found = json.loads(self.run_on("derive", "--format", "json", "--sensitivities"))
                 self.assertEqual(found["parameters"], [names.get(key, key) for key in own["parameters"]])
                 self.assertEqual([each["parameter"] for each in found["sensitivities"]],
                                  [names.get(each["parameter"], each["parameter"]) for each in own["sensitivities"]])
@@ -126,73 +107,70 @@ class OtherNames(unittest.TestCase):
                     self.assertEqual(found["fingerprint"], own["fingerprint"])
                 for options in (["--format", "latex"], ["--format", "markdown"], ["--form", "rational"],
                                 ["--form", "dimensionless"], ["--limits"]):
-                    self.assertNotRegex(self.run_program("derive", *options), r"[\x00-\x08\x0b-\x1f]")
+                    self.assertNotRegex(self.run_on("derive", *options), r"[\x00-\x08\x0b-\x1f]")
 
     def test_scenes_that_differ_in_names_of_quantities_are_equal(self):
         for names in ({"m": "M", "mu0": "mu"}, OTHERS[1], OTHERS[3]):
-            self.file.write_text(scene(names))
-            self.assertIn("equal: ", self.run_program("derive", "--equal", str(self.canonical)))
+            self.write(scene(names))
+            self.assertIn("equal: ", self.run_on("derive", "--equal", str(self.canonical)))
 
     def test_numbers_by_the_scenes_names(self):
-        reference = {command[0]: self.run_program(*command, "--json", *settings({}), file=self.canonical)
+        reference = {command[0]: self.run_on(*command, "--json", *settings({}), file=self.canonical)
                      for command in (["eval"], ["critical"], ["simulate", "--velocity-ratio", "0.5"])}
         for names in OTHERS:
-            with self.scene(names):
+            with self.named(names):
                 for command in (["eval"], ["critical"], ["simulate", "--velocity-ratio", "0.5"]):
-                    found = self.run_program(*command, "--json", *settings(names))
+                    found = self.run_on(*command, "--json", *settings(names))
                     self.assertEqual(json.loads(found), json.loads(reference[command[0]]))
                 # The keys of the file stand for the same.
                 by_keys = [f"{KEYS[key]}={value!r}" for key, value in VALUES.items()]
-                found = self.run_program("eval", "--json", *(p for each in by_keys for p in ("--set", each)))
+                found = self.run_on("eval", "--json", *(p for each in by_keys for p in ("--set", each)))
                 self.assertEqual(json.loads(found), json.loads(reference["eval"]))
 
     def test_what_is_missing_is_called_by_its_name(self):
         for names in OTHERS:
-            with self.scene(names):
-                ran = subprocess.run([PROGRAM, "eval", self.file], capture_output=True, text=True)
-                self.assertEqual(ran.returncode, 2)
-                listed = re.search(r"no value for (.*); expected", ran.stderr).group(1).split(", ")
+            with self.named(names):
+                message = self.refused(2, ["eval", self.file])
+                listed = re.search(r"no value for (.*); expected", message).group(1).split(", ")
                 self.assertEqual(sorted(listed), sorted(names.get(key, key) for key in VALUES))
 
     def test_solve(self):
         question = ["--for", "amplitude", "--friction-ratio", "0.99", "--velocity", "1e-3", "--samples", "20", "--json"]
-        expected = json.loads(self.run_program("solve", *question, *settings({}, but=["du_z"]), file=self.canonical))
+        expected = json.loads(self.run_on("solve", *question, *settings({}, but=["du_z"]), file=self.canonical))
         for names in OTHERS:
-            with self.scene(names):
-                found = json.loads(self.run_program("solve", *question, *settings(names, but=["du_z"])))
+            with self.named(names):
+                found = json.loads(self.run_on("solve", *question, *settings(names, but=["du_z"])))
                 self.assertEqual(found, expected)
-                ran = subprocess.run([PROGRAM, "solve", self.file, *question, *settings(names)],
-                                     capture_output=True, text=True)
-                self.assertEqual(ran.returncode, 2)
-                self.assertIn("no value for what is sought", ran.stderr)
+                told = self.run_program("solve", self.file, *question, *settings(names))
+                self.assertEqual(told.returncode, 2)
+                self.assertIn("no value for what is sought", told.stderr)
 
-    def table(self, names, file):
-        out = self.folder / "t.csv"
-        out.unlink(missing_ok=True)
+    def swept(self, names, file):
         name = {key: names.get(key, key) for key in VALUES}
-        self.run_program("sweep", "--over", f"{name['k1']}=lin:1e6:4e6:3", "--over", f"{name['omega']}=log:1e4:1e5:3",
-                         "--quantity", "critical_velocity", f"sensitivity:{name['m']}", f"sensitivity:{name['c1']}",
-                         *settings(names, but=["k1", "omega"]), "--out", out, file=file)
-        return list(csv.reader(line for line in out.read_text().splitlines() if not line.startswith("#")))
+        rows = self.table(file, "--over", f"{name['k1']}=lin:1e6:4e6:3", "--over", f"{name['omega']}=log:1e4:1e5:3",
+                          "--quantity", "critical_velocity", f"sensitivity:{name['m']}", f"sensitivity:{name['c1']}",
+                          *settings(names, but=["k1", "omega"]))
+        return [list(rows[0]), *(list(row.values()) for row in rows)]
 
     def test_sweep(self):
-        header, *rows = self.table({}, self.canonical)
+        header, *rows = self.swept({}, self.canonical)
+        self.assertEqual(len(rows), 9)
         self.assertEqual(header, ["k1", "omega", "critical_velocity", "sensitivity_m", "sensitivity_c1"])
         for names in OTHERS:
-            with self.scene(names):
-                found, *numbers = self.table(names, self.file)
+            with self.named(names):
+                found, *numbers = self.swept(names, self.file)
                 self.assertEqual(found, [names.get("k1", "k1"), names.get("omega", "omega"), "critical_velocity",
                                          "sensitivity_" + names.get("m", "m"), "sensitivity_" + names.get("c1", "c1")])
                 self.assertEqual(numbers, rows)
 
     def generate(self, name, *options):
-        self.run_program("generate", "--out", self.folder, "--name", name, *options)
+        self.run_on("generate", "--out", self.folder, "--name", name, *options)
 
     def test_generated_code(self):
         expected = self.value()
         libraries, rows = [], []
         for number, names in enumerate(OTHERS):
-            self.file.write_text(scene(names))
+            self.write(scene(names))
             given = {names.get(key, key): value for key, value in VALUES.items() if key != "u_z0"}
             for language in drivers.LANGUAGES:
                 self.generate(f"g{number}", "--language", language)
@@ -214,53 +192,51 @@ class OtherNames(unittest.TestCase):
                         self.assertAlmostEqual(found / expected, 1, delta=1e-14)
 
     def test_fixed_by_its_name(self):
-        self.file.write_text(scene({"m": "M", "k1": "E"}))
+        self.write(scene({"m": "M", "k1": "E"}))
         self.generate("f", "--fix", "M,E", "--set", "M=0.001", "--set", "E=3e6")
         members = re.search(r"struct Parameters \{(.*?)\};", (self.folder / "f.hpp").read_text(), re.S).group(1)
         self.assertEqual(re.findall(r"(\w+)[,;]", members), ["mu0", "omega", "du_z", "nu", "k0", "c1", "kd"])
 
     def test_a_frequency_by_its_name(self):
         text = scene({}).replace('angular_frequency = "omega"', 'frequency = "f"')
-        self.file.write_text(text)
-        self.assertIn("    omega = 2*pi*f\n", self.run_program("derive"))
-        found = self.run_program("eval", "--json", *settings({}, but=["omega"]), "--set", "f=9549.296585513721")
+        self.write(text)
+        self.assertIn("    omega = 2*pi*f\n", self.run_on("derive"))
+        found = self.run_on("eval", "--json", *settings({}, but=["omega"]), "--set", "f=9549.296585513721")
         self.assertAlmostEqual(json.loads(found)["critical_velocity"] / self.value(), 1, delta=1e-14)
-        ran = subprocess.run([PROGRAM, "eval", self.file], capture_output=True, text=True)
-        self.assertRegex(ran.stderr, r"no value for .*\bf\b")
+        self.assertRegex(self.refused(2, ["eval", self.file]), r"no value for .*\bf\b")
 
     def test_elements_of_one_name_are_one(self):
         # k1 is k0: as if the networks were written so, whether k0 has a value or not.
         for value in ('"k0"', "7e6"):
-            self.file.write_text(scene({"k1": "k0"}).replace('k0 = "k0"', f"k0 = {value}"))
-            same = self.folder / "same.toml"
-            same.write_text(scene({}).replace("k1 - c1", "k0 - c1").replace('k1 = "k1"\n', "")
-                            .replace('k0 = "k0"', f"k0 = {value}"))
-            self.assertEqual(self.run_program("derive"), self.run_program("derive", file=same))
+            self.write(scene({"k1": "k0"}).replace('k0 = "k0"', f"k0 = {value}"))
+            same = self.write(scene({}).replace("k1 - c1", "k0 - c1").replace('k1 = "k1"\n', "")
+                              .replace('k0 = "k0"', f"k0 = {value}"), "same.toml")
+            self.assertEqual(self.run_on("derive"), self.run_on("derive", file=same))
             both = settings({}, but=["k1"])
-            self.assertEqual(self.run_program("eval", *both), self.run_program("eval", *both, file=same))
-        self.refused(scene({"k1": "k0"}), "eval", "--set", "k1=3e6", found='"k0", which sets them all')
+            self.assertEqual(self.run_on("eval", *both), self.run_on("eval", *both, file=same))
+        self.wrong(scene({"k1": "k0"}), "eval", "--set", "k1=3e6", found='"k0", which sets them all')
         # Names are followed, through elements that no network has as well.
-        self.file.write_text(scene({"k1": "k8"}) + 'k8 = "k9"\nk9 = 3e6\n')
-        self.assertEqual(json.loads(self.run_program("eval", "--json", *settings({}, but=["k1"])))["critical_velocity"],
+        self.write(scene({"k1": "k8"}) + 'k8 = "k9"\nk9 = 3e6\n')
+        self.assertEqual(json.loads(self.run_on("eval", "--json", *settings({}, but=["k1"])))["critical_velocity"],
                          self.value())
 
     def test_entries_of_arrays(self):
         prony = scene({}).replace("k0 | (k1 - c1)", "prony(k0, k, tau)").replace('k1 = "k1"\nc1 = "c1"\n', "")
-        self.file.write_text(prony + 'k = ["E", "k0"]\ntau = ["t1", 2e-5]\n')
+        self.write(prony + 'k = ["E", "k0"]\ntau = ["t1", 2e-5]\n')
         self.canonical.write_text(prony + "k = [3e6, 7e6]\ntau = [1e-5, 2e-5]\n")
         given = settings({}, but=["k1", "c1"])
         own = ["--set", "E=3e6", "--set", "t1=1e-5"]
-        expected = json.loads(self.run_program("eval", "--json", *given, file=self.canonical))["critical_velocity"]
-        found = self.run_program("eval", "--json", *given, *own)
+        expected = json.loads(self.run_on("eval", "--json", *given, file=self.canonical))["critical_velocity"]
+        found = self.run_on("eval", "--json", *given, *own)
         self.assertEqual(json.loads(found)["critical_velocity"], expected)
-        self.assertIn("E*t1*s/(1 + t1*s)", self.run_program("derive", "--form", "nested"))
+        self.assertIn("E*t1*s/(1 + t1*s)", self.run_on("derive", "--form", "nested"))
         self.generate("array", "--quantities")
         subprocess.run(["g++", "-std=c++20", "-O0", "-o", "a", "test_array.cpp"], cwd=self.folder, check=True)
         subprocess.run(["./a"], cwd=self.folder, check=True)
         # An array by another's name.
-        self.file.write_text(prony + 'k = "E"\nE = [3e6, 7e6]\ntau = [1e-5, 2e-5]\n')
-        self.assertEqual(json.loads(self.run_program("eval", "--json", *given))["critical_velocity"], expected)
-        self.assertIn("E[2]", self.run_program("derive", "--form", "nested"))
+        self.write(prony + 'k = "E"\nE = [3e6, 7e6]\ntau = [1e-5, 2e-5]\n')
+        self.assertEqual(json.loads(self.run_on("eval", "--json", *given))["critical_velocity"], expected)
+        self.assertIn("E[2]", self.run_on("derive", "--form", "nested"))
 
     def test_what_makes_no_sense_is_refused(self):
         for names, found in (({"m": "mu0"}, "another name: coefficient is called so"),
@@ -276,13 +252,13 @@ class OtherNames(unittest.TestCase):
                              ({"k1": "template"}, "reserved word"),
                              ({"m": "MASS"}, "capitals")):
             with self.subTest(names=names):
-                self.refused(scene(names), "derive", found=found)
-        self.refused(scene({"m": "M"}), "eval", "--set", "mass=1", "--set", "M=2", found="one of the two")
-        self.refused(scene({"m": "M"}), "eval", "--set", "m=1", found='"m", which this scene does not have')
-        self.refused(scene({}).replace('angular_frequency = "omega"', 'frequency = "omega"'), "derive",
+                self.wrong(scene(names), "derive", found=found)
+        self.wrong(scene({"m": "M"}), "eval", "--set", "mass=1", "--set", "M=2", found="one of the two")
+        self.wrong(scene({"m": "M"}), "eval", "--set", "m=1", found='"m", which this scene does not have')
+        self.wrong(scene({}).replace('angular_frequency = "omega"', 'frequency = "omega"'), "derive",
                      found="angular_frequency is called so")
-        self.refused(scene({"k1": "pad"}) + '[networks]\npad = "k7"\n', "derive", found="as a network and as an element")
+        self.wrong(scene({"k1": "pad"}) + '[networks]\npad = "k7"\n', "derive", found="as a network and as an element")
 
 
 if __name__ == "__main__":
-    unittest.main(argv=sys.argv[:1])
+    unittest.main()

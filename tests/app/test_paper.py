@@ -3,29 +3,15 @@
 import csv
 import json
 import re
-import subprocess
-import sys
-import tempfile
 import unittest
 from decimal import Decimal
-from pathlib import Path
 
-PROJECT, PROGRAM = Path(sys.argv.pop(1)), sys.argv.pop(1)
-
-
-def run(*arguments):
-    return subprocess.run([PROGRAM, *arguments], cwd=PROJECT, capture_output=True, text=True, timeout=120)
+from program import PROJECT, Case, example
 
 
-class Paper(unittest.TestCase):
+class Paper(Case):
     def test_the_paper_is_gone_through(self):
-        with tempfile.TemporaryDirectory() as folder:
-            result = run("validate", "--paper", "--out", f"{folder}/out")
-            self.assertEqual((result.returncode, result.stdout, result.stderr), (0, f"{folder}/out/index.html\n", ""))
-            self.assertEqual(sorted(p.name for p in Path(folder, "out").iterdir()), ["index.html", "report.json"])
-            report = json.loads(Path(folder, "out", "report.json").read_text())
-            page = Path(folder, "out", "index.html").read_text()
-        self.assertIs(report["passed"], True)
+        report, page = self.reported("--paper")
         known = list(csv.DictReader((PROJECT / "tests/data/paper_claims.csv").read_text().splitlines()))
         told = {str(claim["number"]): claim for claim in report["paper"]["claims"]}
         self.assertEqual({number: claim["verdict"] for number, claim in told.items()},
@@ -55,21 +41,15 @@ class Paper(unittest.TestCase):
             self.assertTrue(re.search(line, page), cells)
 
     def test_it_is_the_same_in_every_run(self):
-        def files():
-            with tempfile.TemporaryDirectory() as folder:
-                run("validate", "--paper", "--out", folder)
-                return [Path(folder, name).read_text() for name in ["index.html", "report.json"]]
-
-        self.assertEqual(files(), files())
+        for folder in ["first", "again"]:
+            self.out("validate", "--paper", "--out", folder)
+        for name in ["index.html", "report.json"]:
+            self.assertEqual(*((self.folder / folder / name).read_text() for folder in ["first", "again"]))
 
     def test_scenes_or_the_paper(self):
-        with tempfile.TemporaryDirectory() as folder:
-            for arguments, words in [((), ["SCENE", "--paper"]), (("--paper", "scenes/kelvin.toml"), ["--paper", "scene files"])]:
-                result = run("validate", *arguments, "--out", f"{folder}/out")
-                self.assertEqual((result.returncode, result.stdout), (2, ""))
-                for word in words:
-                    self.assertIn(word, result.stderr)
-                self.assertFalse(Path(folder, "out").exists())
+        for arguments, words in [((), ["SCENE", "--paper"]), (("--paper", example("kelvin")), ["--paper", "scene files"])]:
+            self.refused(2, ["validate", *arguments, "--out", "out"], *words)
+            self.assertFalse((self.folder / "out").exists())
 
 
 if __name__ == "__main__":

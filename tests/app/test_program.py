@@ -3,36 +3,23 @@
 import json
 import keyword
 import shutil
-import subprocess
-import sys
-import tempfile
 import unittest
-from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).parents[1] / "languages"))
 import drivers
+from program import PROJECT, Case, example, run, settings
 
-PROJECT, PROGRAM = Path(sys.argv.pop(1)), sys.argv.pop(1)
-KELVIN = "scenes/kelvin.toml"
-
-
-def run(*arguments, folder=PROJECT):
-    return subprocess.run([PROGRAM, *arguments], cwd=folder, capture_output=True, text=True, timeout=120)
+KELVIN, DRIVE = example("kelvin"), example("elastic_drive")
+RESONANCE = settings({"omega": 1000, "m": 2, "kd": 2e6})
 
 
-class Commands(unittest.TestCase):
-    def object(self, *arguments, status=0):
-        result = run(*arguments, "--json")
-        self.assertEqual(result.returncode, status, result.stderr)
-        return json.loads(result.stdout)
-
+class Commands(Case):
     def test_eval_has_its_keys(self):
         self.assertEqual(
-            set(self.object("eval", KELVIN)),
+            set(self.answer("eval", KELVIN)),
             {"critical_velocity", "relative_error_bound", "admissible", "reasons", "drive_velocity"})
 
     def test_simulate_has_its_keys(self):
-        result = self.object("simulate", KELVIN, "--velocity-ratio", "0.5")
+        result = self.answer("simulate", KELVIN, "--velocity-ratio", "0.5")
         self.assertLessEqual(
             {"velocity", "velocity_ratio", "friction_ratio", "friction_ratio_error", "regime", "method",
              "periods", "events", "energy"}, set(result))
@@ -46,28 +33,28 @@ class Commands(unittest.TestCase):
 
     # The drive does v0 <F> in a second; the scene has mu0 = 0.25, k_n = 10 N/um, u_z0 = 0.3 um, 20 kHz.
     def test_simulate_tells_where_the_work_goes(self):
-        result = self.object("simulate", KELVIN, "--velocity-ratio", "0.5")
+        result = self.answer("simulate", KELVIN, "--velocity-ratio", "0.5")
         energy = result["energy"]
         self.assertEqual(set(energy), {"drive", "friction", "dampers", "error"})
         self.assertLessEqual(abs(energy["drive"] - energy["friction"] - energy["dampers"]), energy["error"])
         self.assertLess(energy["error"], 1e-12 * energy["drive"])
         power = result["velocity"] * result["friction_ratio"] * 0.25 * 10 * 0.3
         self.assertAlmostEqual(energy["drive"] * 20e3 / power, 1, delta=1e-14)
-        self.assertIn(f"power of drive  {power:.6g} W", run("simulate", KELVIN, "--velocity-ratio", "0.5").stdout)
+        self.assertIn(f"power of drive  {power:.6g} W", self.out("simulate", KELVIN, "--velocity-ratio", "0.5"))
 
     def test_simulate_above_the_critical_velocity_is_pure_sliding(self):
-        result = self.object("simulate", KELVIN, "--velocity-ratio", "1.01")
+        result = self.answer("simulate", KELVIN, "--velocity-ratio", "1.01")
         self.assertEqual(result["regime"], "sliding")
         self.assertEqual(result["friction_ratio"], 1)
         self.assertEqual(result["events"], [])
 
     def test_a_speed_with_a_unit_is_the_same_speed(self):
-        plain = self.object("simulate", KELVIN, "--velocity", "0.002")
-        self.assertEqual(self.object("simulate", KELVIN, "--velocity", "2 mm/s"), plain)
+        plain = self.answer("simulate", KELVIN, "--velocity", "0.002")
+        self.assertEqual(self.answer("simulate", KELVIN, "--velocity", "2 mm/s"), plain)
 
     def test_both_starts_end_at_the_same_friction(self):
         for scene in ["kelvin", "zener", "bridge"]:
-            ratios = [self.object("simulate", f"scenes/{scene}.toml", "--velocity-ratio", "0.3", "--start", start)
+            ratios = [self.answer("simulate", example(scene), "--velocity-ratio", "0.3", "--start", start)
                       for start in ["sliding", "rest"]]
             # One steady value (the distance of two motions never grows), found twice to its own error.
             allowed = sum(r["friction_ratio_error"] for r in ratios)
@@ -76,11 +63,11 @@ class Commands(unittest.TestCase):
 
     def test_every_method_has_the_same_keys_and_the_same_friction(self):
         command = ["simulate", KELVIN, "--velocity-ratio", "0.5"]
-        exact = self.object(*command)
+        exact = self.answer(*command)
         for method in ["moreau", "rkf45", "rk8pd", "msbdf", "tanh"]:
             for extra in [[], ["--start", "rest"], ["--plain"]]:
                 with self.subTest(method=method, extra=extra):
-                    result = self.object(*command, "--method", method, *extra)
+                    result = self.answer(*command, "--method", method, *extra)
                     # Where the work of the drive goes is known for the exact method alone.
                     self.assertEqual(list(result), [key for key in exact if key != "energy"])
                     self.assertEqual(result["method"], method)
@@ -95,12 +82,12 @@ class Commands(unittest.TestCase):
         for method, option, rough, fine in [("rk8pd", "--tolerance", "1e-3", "1e-12"), ("moreau", "--steps", "50", "5000"),
                                             ("moreau", "--theta", "1", "0.5"), ("tanh", "--regularisation", "0.1", "1e-4")]:
             with self.subTest(option=option):
-                errors = [self.object(*command, method, option, value)["friction_ratio_error"] for value in [rough, fine]]
+                errors = [self.answer(*command, method, option, value)["friction_ratio_error"] for value in [rough, fine]]
                 self.assertLess(errors[1], errors[0] / 10)
 
     def test_the_reduced_model_takes_a_kelvin_contact_under_a_rigid_drive(self):
-        result = self.object("simulate", "scenes/kelvin_rigid.toml", "--velocity-ratio", "0.5", "--method", "reduced")
-        exact = self.object("simulate", "scenes/kelvin_rigid.toml", "--velocity-ratio", "0.5")
+        result = self.answer("simulate", example("kelvin_rigid"), "--velocity-ratio", "0.5", "--method", "reduced")
+        exact = self.answer("simulate", example("kelvin_rigid"), "--velocity-ratio", "0.5")
         self.assertEqual(list(result), [key for key in exact if key != "energy"])
         self.assertLessEqual(abs(result["friction_ratio"] - exact["friction_ratio"]), result["friction_ratio_error"])
 
@@ -109,7 +96,7 @@ class Commands(unittest.TestCase):
             if scene.name in ("inadmissible.toml", "sonotrode.toml", "measured_drive.toml"):
                 continue
             with self.subTest(scene=scene.name):
-                result = self.object("critical", f"scenes/{scene.name}")
+                result = self.answer("critical", scene)
                 self.assertLess(abs(result["simulated"] - result["formula"]) / result["formula"], 1e-9)
                 self.assertLess(result["relative_difference"], 1e-9)
                 # Both witnesses lose a few units in the last place here.
@@ -117,46 +104,39 @@ class Commands(unittest.TestCase):
                 self.assertTrue(result["agree"])
 
     def test_set_changes_the_scene(self):
-        value = self.object("eval", KELVIN)["critical_velocity"]
-        doubled = self.object("eval", KELVIN, "--set", "amplitude=0.2 um")["critical_velocity"]
+        value = self.answer("eval", KELVIN)["critical_velocity"]
+        doubled = self.answer("eval", KELVIN, "--set", "amplitude=0.2 um")["critical_velocity"]
         # v* is linear in du_z; the two amplitudes are rounded on their own.
         self.assertAlmostEqual(doubled / value, 2, delta=1e-14)
 
     def test_an_infinite_value_has_its_reason(self):
-        result = self.object("eval", "scenes/elastic_drive.toml", "--set", "omega=1000", "--set", "m=2",
-                             "--set", "kd=2e6")
+        result = self.answer("eval", DRIVE, *RESONANCE)
         self.assertEqual(result["critical_velocity"], "inf")
         self.assertIn("resonance", result["reasons"][0])
 
     def test_generate_writes_a_library(self):
-        with tempfile.TemporaryDirectory() as folder:
-            result = run("generate", KELVIN, "--out", f"{folder}/lib", "--name", "kelvin_contact")
-            self.assertEqual(result.returncode, 0, result.stderr)
-            header = Path(folder, "lib", "kelvin_contact.hpp").read_text()
-            self.assertIn("namespace kelvin_contact", header)
-            self.assertTrue(Path(folder, "lib", "CMakeLists.txt").exists())
+        self.out("generate", KELVIN, "--out", "lib", "--name", "kelvin_contact")
+        self.assertIn("namespace kelvin_contact", (self.folder / "lib/kelvin_contact.hpp").read_text())
+        self.assertTrue((self.folder / "lib/CMakeLists.txt").exists())
 
     def test_generate_writes_one_file_in_other_languages(self):
-        with tempfile.TemporaryDirectory() as folder:
-            for language, row in drivers.LANGUAGES.items():
-                if language == "c++":
-                    continue
-                out, file = Path(folder, language), f"k.{row['file']}"
-                result = run("generate", KELVIN, "--out", out, "--name", "k", "--language", language)
-                self.assertEqual((result.returncode, result.stdout), (0, f"{out}/{file}\n"), result.stderr)
-                self.assertEqual([path.name for path in out.iterdir()], [file])
+        for language, row in drivers.LANGUAGES.items():
+            if language == "c++":
+                continue
+            file = f"k.{row['file']}"
+            printed = self.out("generate", KELVIN, "--out", language, "--name", "k", "--language", language)
+            self.assertEqual(printed, f"{language}/{file}\n")
+            self.assertEqual([path.name for path in (self.folder / language).iterdir()], [file])
 
     def test_generate_fixes_parameters(self):
-        with tempfile.TemporaryDirectory() as folder:
-            result = run("generate", "--out", folder, "--fix", "kn,cn", "--fix", "m", "--quantities", KELVIN)
-            self.assertEqual(result.returncode, 0, result.stderr)
-            self.assertEqual(result.stdout, f"{folder}/critical.hpp\n{folder}/critical_quantities.hpp\n")
-            for name, first in [("critical", "struct Parameters"), ("critical_quantities", "struct QuantityParameters")]:
-                header = Path(folder, f"{name}.hpp").read_text()
-                self.assertIn("--fix kn,cn,m --quantities", header.replace("\n//", ""))
-                parameters = header[header.index(first):].split("};")[0]
-                self.assertRegex(parameters, r"\bkt\b")
-                self.assertNotRegex(parameters, r"\b(kn|cn|m)[,;]")
+        printed = self.out("generate", "--out", "lib", "--fix", "kn,cn", "--fix", "m", "--quantities", KELVIN)
+        self.assertEqual(printed, "lib/critical.hpp\nlib/critical_quantities.hpp\n")
+        for name, first in [("critical", "struct Parameters"), ("critical_quantities", "struct QuantityParameters")]:
+            header = (self.folder / f"lib/{name}.hpp").read_text()
+            self.assertIn("--fix kn,cn,m --quantities", header.replace("\n//", ""))
+            parameters = header[header.index(first):].split("};")[0]
+            self.assertRegex(parameters, r"\bkt\b")
+            self.assertNotRegex(parameters, r"\b(kn|cn|m)[,;]")
 
     # The order of GiNaC's terms changes from process to process.
     def test_the_catalogue_is_the_same_page_in_every_run(self):
@@ -166,137 +146,98 @@ class Commands(unittest.TestCase):
         self.assertEqual({page.stdout for page in pages}, {pages[0].stdout})
 
     def test_a_massless_rigid_scene_has_neither_mass_nor_drive(self):
-        with tempfile.TemporaryDirectory() as folder:
-            run("generate", "scenes/kelvin_rigid.toml", "--out", folder, "--name", "kelvin_rigid")
-            header = Path(folder, "kelvin_rigid.hpp").read_text()
+        self.out("generate", example("kelvin_rigid"), "--out", "lib")
+        header = (self.folder / "lib/critical.hpp").read_text()
         parameters = header[header.index("struct Parameters"):].split("};")[0]
         for absent in [r"\bm\b", r"\bk_?d\b", "mass", "drive"]:
             self.assertNotRegex(parameters, absent)
 
 
-class Verdicts(unittest.TestCase):
+class Verdicts(Case):
     """Exit status 1: a comparison failed. Here the compiler on the path is a liar."""
 
-    def validated(self, fake):
-        with tempfile.TemporaryDirectory() as folder:
-            for name in ["g++", "clang++", "c++"]:
-                compiler = Path(folder, name)
-                compiler.write_text(f"#!/bin/sh\n{fake}\n")
-                compiler.chmod(0o755)
-            result = subprocess.run(
-                [PROGRAM, "validate", "scenes/elastic.toml", "--out", f"{folder}/out"], cwd=PROJECT,
-                capture_output=True, text=True, timeout=120, env={"PATH": f"{folder}:/usr/bin:/bin"})
-            return result, json.loads(Path(folder, "out", "report.json").read_text())
-
     def test_a_failed_comparison_ends_with_1_and_is_named(self):
-        result, report = self.validated("exit 1")
+        for name in ["g++", "clang++", "c++"]:
+            self.write("#!/bin/sh\nexit 1\n", name).chmod(0o755)
+        result = self.run_program("validate", example("elastic"), "--out", "out",
+                                  env={"PATH": f"{self.folder}:/usr/bin:/bin"})
         self.assertEqual(result.returncode, 1)
         self.assertIn("FAILED", result.stderr)
+        report = json.loads((self.folder / "out/report.json").read_text())
         outcomes = {c["key"]: c["outcome"] for c in report["scenes"][0]["comparisons"]}
         self.assertEqual(outcomes["generated"], "failed")
         self.assertEqual(outcomes["simulation"], "passed")
 
 
-class Mistakes(unittest.TestCase):
-    def refused(self, *arguments, status=2, folder=PROJECT):
-        result = run(*arguments, folder=folder)
-        self.assertEqual(result.returncode, status, result.stderr)
-        self.assertEqual(result.stdout, "")
-        # Warnings may come first; the error itself is one line.
-        errors = [line for line in result.stderr.splitlines() if "warning:" not in line]
-        self.assertEqual(len(errors), 1, result.stderr)
-        return errors[0]
+class Mistakes(Case):
+    METHOD = ["simulate", KELVIN, "--velocity-ratio", "0.5", "--method"]
 
-    def scene(self, text, *command):
-        with tempfile.TemporaryDirectory() as folder:
-            Path(folder, "s.toml").write_text(text)
-            before = sorted(Path(folder).rglob("*"))
-            error = self.refused(*(command or ("eval",)), "s.toml", *self.extra(command), folder=folder)
-            self.assertEqual(sorted(Path(folder).rglob("*")), before, "nothing is written")
-            return error
-
-    @staticmethod
-    def extra(command):
-        return ("--out", "out") if command in (("generate",), ("validate",)) else ()
+    def text_refused(self, text, *words, command="eval"):
+        self.write(text)
+        out = ["--out", "out"] if command in ("generate", "validate") else []
+        self.refused(2, [command, "s.toml", *out], *words)
 
     def test_an_unknown_method_is_refused(self):
-        result = run("simulate", KELVIN, "--velocity-ratio", "0.5", "--method", "euler")
-        self.assertEqual((result.returncode, result.stdout), (2, ""))
-        self.assertIn("euler", result.stderr)
-        self.assertIn("rk8pd", result.stderr)
+        self.refused(2, [*self.METHOD, "euler"], "euler", "rk8pd")
 
     def test_options_that_a_method_does_not_take_are_refused(self):
-        command = ["simulate", KELVIN, "--velocity-ratio", "0.5", "--method"]
         for method, *option in [("exact", "--tolerance", "1e-6"), ("exact", "--plain"), ("rk8pd", "--steps", "100"),
                                 ("rkf45", "--theta", "1"), ("moreau", "--tolerance", "1e-6"),
                                 ("msbdf", "--regularisation", "0.1"), ("reduced", "--plain")]:
             with self.subTest(method=method, option=option):
-                error = self.refused(*command, method, *option)
-                self.assertIn(option[0], error)
-                self.assertIn(method, error)
+                self.refused(2, [*self.METHOD, method, *option], option[0], method)
 
     def test_options_out_of_range_are_refused(self):
-        command = ["simulate", KELVIN, "--velocity-ratio", "0.5", "--method"]
         for method, option, value in [("rk8pd", "--tolerance", "0"), ("moreau", "--steps", "1"), ("moreau", "--theta", "2"),
                                       ("tanh", "--regularisation", "-1")]:
             with self.subTest(option=option):
-                self.assertIn(option[2:], self.refused(*command, method, option, value))
+                self.refused(2, [*self.METHOD, method, option, value], option[2:])
 
     def test_the_reduced_model_says_what_it_has_not(self):
-        error = self.refused("simulate", "scenes/zener.toml", "--velocity-ratio", "0.5", "--method", "reduced", status=3)
-        self.assertIn("a drive that is not rigid, and a mass", error)
+        self.refused(3, ["simulate", example("zener"), "--velocity-ratio", "0.5", "--method", "reduced"],
+                     "a drive that is not rigid, and a mass")
 
     def test_a_method_that_does_not_settle_says_how(self):
         # Above v* what swings on an undamped drive swings for ever.
-        error = self.refused("simulate", "scenes/elastic_drive.toml", "--velocity-ratio", "1.05", "--method", "rk8pd",
-                             "--tolerance", "1e-6", "--plain", status=3)
-        self.assertIn("rk8pd has not settled after", error)
+        self.refused(3, ["simulate", DRIVE, "--velocity-ratio", "1.05", "--method", "rk8pd", "--tolerance", "1e-6",
+                         "--plain"], "rk8pd has not settled after")
 
     def test_errors_name_file_line_found_and_expected(self):
-        error = self.scene('[contact]\nnormal = "k0 | (k1 - c1"\npoisson = 0.3\n')
-        self.assertIn("s.toml:2:16", error)
-        self.assertIn("found", error)
-        self.assertIn("expected", error)
+        self.text_refused('[contact]\nnormal = "k0 | (k1 - c1"\npoisson = 0.3\n', "s.toml:2:16", "found", "expected")
 
     def test_every_command_refuses_a_wrong_scene_and_writes_nothing(self):
         for command in ["derive", "eval", "generate", "critical", "validate"]:
             with self.subTest(command=command):
-                self.assertIn("norml", self.scene('[contact]\nnorml = "k"\npoisson = 0.3\n', command))
+                self.text_refused('[contact]\nnorml = "k"\npoisson = 0.3\n', "norml", command=command)
 
     def test_missing_values_are_named_at_once(self):
-        error = self.scene('[contact]\nnormal = "kn | cn"\npoisson = 0.3\n')
-        for name in ["kn", "cn", "mu0", "omega", "du_z", "u_z0"]:
-            self.assertIn(name, error)
+        self.text_refused('[contact]\nnormal = "kn | cn"\npoisson = 0.3\n', "kn", "cn", "mu0", "omega", "du_z", "u_z0")
 
     def test_a_missing_file(self):
-        self.assertIn("none.toml", self.refused("eval", "none.toml"))
+        self.refused(2, ["eval", "none.toml"], "none.toml")
 
     def test_names_that_cannot_be_generated(self):
-        with tempfile.TemporaryDirectory() as folder:
-            for name in ["class", "../evil", "a b", "std", "x;y"]:
-                with self.subTest(name=name):
-                    self.refused("generate", str(PROJECT / KELVIN), "--out", "out", "--name", name, folder=folder)
-                    self.assertEqual(list(Path(folder).iterdir()), [])
+        for name in ["class", "../evil", "a b", "std", "x;y"]:
+            with self.subTest(name=name):
+                self.refused(2, ["generate", KELVIN, "--out", "out", "--name", name])
+                self.assertEqual(list(self.folder.iterdir()), [])
 
     def test_names_that_python_refuses(self):
         for name in keyword.kwlist:
-            with self.subTest(name=name), tempfile.TemporaryDirectory() as folder:
-                scene = Path(folder, "scene.toml")
-                scene.write_text(f'[contact]\nnormal = "spring({name})"\ntangential = "kt"\n')
-                to = ["generate", str(scene), "--out", str(Path(folder, "out")), "--name", "good", "--language"]
-                self.assertIn(name, self.refused(*to, "python"))
-                self.assertFalse(Path(folder, "out").exists())
+            with self.subTest(name=name):
+                self.scene(normal=f"spring({name})", tangential="kt")
+                to = ["generate", "s.toml", "--out", name, "--name", "good", "--language"]
+                self.refused(2, [*to, "python"], name)
+                self.assertFalse((self.folder / name).exists())
                 # Words that Python alone reserves are names elsewhere.
                 if name in ("None", "True", "False", "as"):
-                    self.assertEqual(run(*to, "c99").returncode, 0)
+                    self.out(*to, "c99")
 
     def test_parameters_that_cannot_be_fixed(self):
-        with tempfile.TemporaryDirectory() as folder:
-            for name, words in [("kdd", 'expected "kd"'), ("omega", "parameter of every call")]:
-                with self.subTest(name=name):
-                    error = self.refused("generate", str(PROJECT / KELVIN), "--out", "out", "--fix", name, folder=folder)
-                    self.assertIn(words, error)
-                    self.assertEqual(list(Path(folder).iterdir()), [])
+        for name, words in [("kdd", 'expected "kd"'), ("omega", "parameter of every call")]:
+            with self.subTest(name=name):
+                self.refused(2, ["generate", KELVIN, "--out", "out", "--fix", name], words)
+                self.assertEqual(list(self.folder.iterdir()), [])
 
     def test_wrong_usage_ends_with_2(self):
         for arguments in [[], ["nothing"], ["eval"], ["eval", KELVIN, "--wrong"], ["simulate", KELVIN],
@@ -306,44 +247,34 @@ class Mistakes(unittest.TestCase):
                           ["simulate", KELVIN, "--velocity", "-1"],
                           ["simulate", KELVIN, "--velocity", "3 kg"], ["eval", KELVIN, "--set", "kn"]]:
             with self.subTest(arguments=arguments):
-                result = run(*arguments)
-                self.assertEqual(result.returncode, 2)
-                self.assertEqual(result.stdout, "")
+                self.refused(2, arguments)
 
     def test_outside_the_model_ends_with_3(self):
         for command in [["simulate", "--velocity", "0.01"], ["critical"]]:
-            self.refused(command[0], "scenes/inadmissible.toml", *command[1:], status=3)
+            self.refused(3, [command[0], example("inadmissible"), *command[1:]])
 
     def test_resonance_leaves_nothing_to_compare(self):
-        resonance = ["--set", "omega=1000", "--set", "m=2", "--set", "kd=2e6"]
         for command in [["critical"], ["simulate", "--velocity-ratio", "0.5"]]:
-            error = self.refused(command[0], "scenes/elastic_drive.toml", *command[1:], *resonance, status=3)
-            self.assertIn("resonance", error)
+            self.refused(3, [command[0], DRIVE, *command[1:], *RESONANCE], "resonance")
 
     def test_zero_by_zero_ends_with_3(self):
-        self.refused("eval", "scenes/elastic_drive.toml", "--set", "omega=1000", "--set", "m=2", "--set",
-                     "kd=2e6", "--set", "mu0=0", status=3)
+        self.refused(3, ["eval", DRIVE, *RESONANCE, "--set", "mu0=0"])
 
 
-class Sweep(unittest.TestCase):
-    def sweep(self, *arguments, status=0):
-        with tempfile.TemporaryDirectory() as folder:
-            result = run("sweep", str(PROJECT / KELVIN), *arguments, "--out", "table.csv", folder=folder)
-            self.assertEqual(result.returncode, status, result.stderr)
-            self.assertEqual(result.stdout, "")
-            file = Path(folder) / "table.csv"
-            if status != 0:
-                self.assertEqual(list(Path(folder).iterdir()), [], "nothing is written")
-                return None, result.stderr
-            header, *rows = file.read_text().splitlines()
-            return [header.split(",")] + [[float(cell) for cell in row.split(",")] for row in rows], result.stderr
+class Sweep(Case):
+    def sweep(self, *arguments):
+        """The table with its header, and what is told beside it."""
+        result = self.run_program("sweep", KELVIN, *arguments, "--out", "table.csv")
+        self.assertEqual((result.returncode, result.stdout), (0, ""), result.stderr)
+        header, *rows = (self.folder / "table.csv").read_text().splitlines()
+        return [header.split(",")] + [[float(cell) for cell in row.split(",")] for row in rows], result.stderr
 
     def test_the_friction_curve_is_that_of_simulate(self):
         table, _ = self.sweep("--over", "velocity_ratio=lin:0.2:1:5", "--quantity", "friction_ratio")
         self.assertEqual(table[0], ["velocity_ratio", "friction_ratio"])
         self.assertEqual([row[0] for row in table[1:]], [0.2, 0.4, 0.6, 0.8, 1])
         for ratio, friction in table[1:]:
-            single = json.loads(run("simulate", KELVIN, "--velocity-ratio", str(ratio), "--json").stdout)
+            single = self.answer("simulate", KELVIN, "--velocity-ratio", ratio)
             # Both are good to their own estimate.
             self.assertLessEqual(abs(friction - single["friction_ratio"]), 2 * single["friction_ratio_error"])
 
@@ -354,8 +285,8 @@ class Sweep(unittest.TestCase):
         self.assertEqual([row[:2] for row in table[1:]],
                          [[f, m] for f in [1e3, 1e4, 1e5] for m in [1e-3, 5e-3]])
         for frequency, mass, critical in table[1:]:
-            single = run("eval", KELVIN, "--json", "--set", f"frequency={frequency!r}", "--set", f"m={mass!r}")
-            self.assertEqual(critical, json.loads(single.stdout)["critical_velocity"])
+            single = self.answer("eval", KELVIN, *settings({"frequency": frequency, "m": mass}))
+            self.assertEqual(critical, single["critical_velocity"])
 
     def test_rows_outside_the_model_are_nan_and_told(self):
         table, told = self.sweep("--over", "amplitude=lin:0.1 um:1 um:2", "--velocity-ratio", "0.5",
@@ -364,17 +295,15 @@ class Sweep(unittest.TestCase):
         self.assertIn("1 of 2 rows", told)
 
     def test_mistakes_write_nothing(self):
-        friction = ["--quantity", "friction_ratio"]
-        self.assertIn("NAME=lin|log:FROM:TO:N", self.sweep("--over", "mass=1:2:3", *friction, status=2)[1])
-        self.assertIn("at no speed", self.sweep("--over", "mass=lin:1:2:3", *friction, status=2)[1])
-        self.assertIn("frequency", self.sweep("--over", "frequncy=lin:1:2:3", *friction, status=2)[1])
-        self.assertIn("above 0", self.sweep("--over", "frequency=lin:0:2:3", "--quantity", "critical_velocity",
-                                            status=2)[1])
-        self.assertIn("(3)", self.sweep("--over", "amplitude=lin:1 mm:2 mm:3", "--velocity", "1", *friction,
-                                        status=3)[1])
-        result = run("sweep", KELVIN, "--over", "mass=lin:1:2:3", "--quantity", "critical_velocity", "--out", "a.xls")
-        self.assertEqual(result.returncode, 2)
-        self.assertIn(".csv", result.stderr)
+        for status, axis, quantity, words, *rest in [
+                (2, "mass=1:2:3", "friction_ratio", "NAME=lin|log:FROM:TO:N"),
+                (2, "mass=lin:1:2:3", "friction_ratio", "at no speed"),
+                (2, "frequncy=lin:1:2:3", "friction_ratio", "frequency"),
+                (2, "frequency=lin:0:2:3", "critical_velocity", "above 0"),
+                (3, "amplitude=lin:1 mm:2 mm:3", "friction_ratio", "(3)", "--velocity", "1"),
+                (2, "mass=lin:1:2:3", "critical_velocity", ".csv", "--out", "a.xls")]:
+            out = [] if "--out" in rest else ["--out", "table.csv"]
+            self.refused(status, ["sweep", KELVIN, "--over", axis, "--quantity", quantity, *out, *rest], words)
 
 
 class Help(unittest.TestCase):

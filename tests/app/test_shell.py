@@ -1,6 +1,6 @@
 """What the program tells the shell about itself: help with examples, man page, completions.
 
-    test_shell.py PROJECT PROGRAM SHARE     SHARE holds man page and completions as they are installed
+    test_shell.py PROGRAM SHARE     SHARE holds man page and completions as they are installed
 """
 
 import os
@@ -9,14 +9,14 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import unittest.mock
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).parents[1] / "languages"))
-import drivers
-
 import completion_drivers
+import drivers
+from program import PROGRAM, PROJECT
 
-PROJECT, PROGRAM, SHARE = (Path(sys.argv.pop(1)).resolve() for _ in range(3))
+SHARE = Path(sys.argv.pop(1)).resolve()
 MAN = SHARE / "man/man1/vcrit.1"
 COMMANDS = ["derive", "eval", "generate", "simulate", "critical", "sweep", "solve", "fit", "validate"]
 # "  -h,--help   Print ...", as CLI11 writes options; positionals stand under a heading of their own.
@@ -67,7 +67,7 @@ class Help(unittest.TestCase):
 
     def run_example(self, line, folder):
         (folder / "scenes").symlink_to(PROJECT / "scenes")
-        path = f"{PROGRAM.resolve().parent}:{os.environ['PATH']}"
+        path = f"{Path(PROGRAM).parent}:{os.environ['PATH']}"
         run = subprocess.run(["bash", "-c", line], cwd=folder, env=os.environ | {"PATH": path},
                              capture_output=True, text=True, timeout=300)
         self.assertEqual(run.returncode, 0, run.stderr)
@@ -130,10 +130,13 @@ class Man(unittest.TestCase):
 
 
 class Completion(unittest.TestCase):
-    """The same questions for both shells."""
+    """The same questions for both shells, which ask the program."""
 
     @classmethod
     def setUpClass(cls):
+        path = os.environ["PATH"]
+        os.environ["PATH"] = f"{PROGRAM.parent}:{path}"
+        cls.addClassCleanup(os.environ.update, PATH=path)
         folder = tempfile.TemporaryDirectory()
         cls.addClassCleanup(folder.cleanup)
         cls.folder = Path(folder.name)
@@ -183,6 +186,7 @@ class Completion(unittest.TestCase):
         self.offered("vcrit derive pad.toml --equal pi", ["pin.toml"])
         self.offered("vcrit validate pad.toml pi", ["pin.toml"])
         self.offered("vcrit generate pad.toml --out ", ["some scenes"], lambda words: [word.rstrip("/") for word in words])
+        self.offered("vcrit fit no", ["notes.txt"])
 
     def test_of_zsh_may_be_sourced(self):
         script = SHARE / "zsh/site-functions/_vcrit"
@@ -191,6 +195,14 @@ class Completion(unittest.TestCase):
 
     def test_of_what_nobody_can_know(self):
         self.offered("vcrit simulate pad.toml --velocity ", [])
+
+    def test_of_further_values(self):
+        line = "vcrit sweep pad.toml --quantity critical_velocity fr"
+        self.offered(line, ["friction_ratio", "friction_ratio_error"], lambda words: [word for word in words if not word.endswith(".toml")])
+
+    def test_is_silent_where_the_program_is_gone(self):
+        with unittest.mock.patch.dict(os.environ, PATH="/usr/bin:/bin"):
+            self.offered("vcrit si", [])
 
     def test_goes_on_behind_a_value(self):
         self.offered("vcrit simulate pad.toml --method exact --sta", ["--start"])

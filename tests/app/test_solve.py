@@ -1,33 +1,18 @@
 """vcrit solve as a user meets it: the answer goes back into `simulate`, and what cannot be reached is explained."""
 
-import json
-import subprocess
-import sys
 import unittest
 
-PROJECT, PROGRAM = sys.argv.pop(1), sys.argv.pop(1)
-KELVIN, ELASTIC = "scenes/kelvin.toml", "scenes/elastic.toml"
+from program import Case, example, settings
+
+KELVIN, ELASTIC = example("kelvin"), example("elastic")
 
 
-def run(*arguments):
-    return subprocess.run([PROGRAM, *arguments], cwd=PROJECT, capture_output=True, text=True, timeout=120)
+class Solve(Case):
+    def friction(self, velocity, **values):
+        return self.answer("simulate", KELVIN, "--velocity", velocity, *settings(values))["friction_ratio"]
 
-
-def answer(*arguments):
-    result = run(*arguments, "--json")
-    if result.returncode != 0:
-        raise AssertionError(result.stderr)
-    return json.loads(result.stdout)
-
-
-def friction(scene, velocity, *settings):
-    sets = [word for setting in settings for word in ("--set", setting)]
-    return answer("simulate", scene, "--velocity", repr(velocity), *sets)["friction_ratio"]
-
-
-class Solve(unittest.TestCase):
     def test_has_its_keys(self):
-        result = answer("solve", KELVIN, "--for", "amplitude", "--friction-ratio", "0.5", "--velocity", "10 mm/s")
+        result = self.answer("solve", KELVIN, "--for", "amplitude", "--friction-ratio", "0.5", "--velocity", "10 mm/s")
         self.assertEqual(
             list(result),
             ["for", "value", "unit", "value_error", "at_start", "wanted_friction_ratio", "friction_ratio",
@@ -40,36 +25,34 @@ class Solve(unittest.TestCase):
 
     # The numbers print so that they read back: simulate sees the same system to the last bit.
     def test_the_answer_reaches_the_ratio_in_simulate_and_a_hundredth_less_does_not(self):
-        for sought, name in [("amplitude", "amplitude"), ("frequency", "frequency")]:
+        for sought in ["amplitude", "frequency"]:
             for velocity in [0.004, 0.01]:
                 with self.subTest(sought=sought, velocity=velocity):
-                    result = answer("solve", KELVIN, "--for", sought, "--friction-ratio", "0.75",
-                                    "--velocity", str(velocity))
+                    result = self.answer("solve", KELVIN, "--for", sought, "--friction-ratio", "0.75",
+                                         "--velocity", velocity)
                     value = result["value"]
-                    self.assertEqual(friction(KELVIN, velocity, f"{name}={value!r}"), result["friction_ratio"])
+                    self.assertEqual(self.friction(velocity, **{sought: value}), result["friction_ratio"])
                     self.assertLessEqual(result["friction_ratio"], 0.75)
                     self.assertAlmostEqual(result["friction_ratio"], 0.75, delta=1e-12)
-                    self.assertGreater(friction(KELVIN, velocity, f"{name}={0.99 * value!r}"), 0.75)
+                    self.assertGreater(self.friction(velocity, **{sought: 0.99 * value}), 0.75)
 
     def test_the_largest_velocity_reaches_it_and_a_hundredth_more_does_not(self):
-        result = answer("solve", KELVIN, "--for", "velocity", "--friction-ratio", "0.75")
-        self.assertLessEqual(friction(KELVIN, result["value"]), 0.75)
-        self.assertGreater(friction(KELVIN, 1.01 * result["value"]), 0.75)
+        result = self.answer("solve", KELVIN, "--for", "velocity", "--friction-ratio", "0.75")
+        self.assertLessEqual(self.friction(result["value"]), 0.75)
+        self.assertGreater(self.friction(1.01 * result["value"]), 0.75)
         self.assertEqual(result["velocity"], result["value"])
 
     def test_a_value_of_what_is_sought_is_not_needed_and_not_taken(self):
         command = ["solve", ELASTIC, "--for", "amplitude", "--friction-ratio", "0.6", "--velocity", "1 mm/s"]
-        result = run(*command, "--set", "du_z=0.1 um")
-        self.assertEqual(result.returncode, 2)
-        self.assertIn("du_z with --for amplitude", result.stderr)
+        self.refused(2, [*command, "--set", "du_z=0.1 um"], "du_z with --for amplitude")
         # v* is linear in mu0, so that twice of both is the same question.
-        twice = answer("solve", ELASTIC, "--for", "amplitude", "--friction-ratio", "0.6", "--velocity", "2 mm/s",
-                       "--set", "mu0=0.6")
-        once = answer(*command)
+        twice = self.answer("solve", ELASTIC, "--for", "amplitude", "--friction-ratio", "0.6", "--velocity", "2 mm/s",
+                            "--set", "mu0=0.6")
+        once = self.answer(*command)
         self.assertAlmostEqual(twice["value"] / once["value"], 1, delta=1e-12)
 
     def test_text_says_value_ratio_regime_limits_and_what_was_searched(self):
-        result = run("solve", KELVIN, "--for", "frequency", "--friction-ratio", "0.8", "--velocity", "0.01",
+        result = self.run_program("solve", KELVIN, "--for", "frequency", "--friction-ratio", "0.8", "--velocity", "0.01",
                      "--from", "5 kHz", "--to", "50 kHz", "--samples", "100")
         self.assertEqual((result.returncode, result.stderr), (0, ""))
         for part in ["frequency       10504.2", "Hz, the smallest", "(wanted: 0.8), stick-slip", "0.595559 v*",
@@ -82,10 +65,12 @@ class Solve(unittest.TestCase):
             (ELASTIC, ["--for", "amplitude", "--velocity", "0.2"], "friction stays full at every admissible amplitude"),
             (ELASTIC, ["--for", "frequency", "--velocity", "0.01"], "an amplitude of"),
             (ELASTIC, ["--for", "velocity"], "the amplitude must be above"),
-            ("scenes/sonotrode.toml", ["--for", "velocity"], "masses of its own"),
+            (example("sonotrode"), ["--for", "velocity"], "masses of its own"),
         ]:
             with self.subTest(question=question):
-                result = run("solve", scene, *question, "--friction-ratio", "0.5", "--json")
+                command = ["solve", scene, *question, "--friction-ratio", "0.5"]
+                self.refused(3, command, words)
+                result = self.run_program(*command, "--json")
                 self.assertEqual((result.returncode, result.stdout), (3, ""))
                 self.assertIn(words, result.stderr)
 
@@ -93,7 +78,7 @@ class Solve(unittest.TestCase):
     def test_what_a_scene_does_not_have_is_not_told(self):
         for question in [["--for", "velocity"], ["--for", "amplitude", "--velocity", "0.2"]]:
             for ratio in ["0.5", "0.9"]:
-                result = run("solve", ELASTIC, *question, "--friction-ratio", ratio)
+                result = self.run_program("solve", ELASTIC, *question, "--friction-ratio", ratio)
                 for word in ["mass", "body", "resonance", "damper"]:
                     self.assertNotIn(word, result.stdout + result.stderr)
 
@@ -108,9 +93,7 @@ class Solve(unittest.TestCase):
             (["--for", "velocity", "--friction-ratio", "0.9", "--from", "-1"], "above 0"),
         ]:
             with self.subTest(question=question):
-                result = run("solve", ELASTIC, *question)
-                self.assertEqual((result.returncode, result.stdout), (2, ""))
-                self.assertIn(words, result.stderr)
+                self.refused(2, ["solve", ELASTIC, *question], words)
 
 
 if __name__ == "__main__":

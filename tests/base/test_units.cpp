@@ -4,26 +4,19 @@
 #include <string>
 
 #include "base/units.hpp"
+#include "support/refusal.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_units)
 
 using namespace vcrit;
+using test::has;
 
 namespace {
 
 const Place place{"scene.toml", 3, 8};
 
 std::string message(const std::string& text, Dimension dimension) {
-  try {
-    parse_quantity(text, dimension, place);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
-}
-
-bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
+  return test::refusal([&] { parse_quantity(text, dimension, place); });
 }
 
 // A conversion is one multiplication by a factor that is itself rounded: two units in the last

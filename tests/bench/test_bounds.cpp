@@ -186,7 +186,7 @@ BOOST_AUTO_TEST_CASE(no_bound_is_violated) {
 
 BOOST_AUTO_TEST_CASE(a_bound_that_is_too_small_is_seen_and_shown) {
   const System system = system_named("kelvin");
-  const std::string liar = symbolic::emit_header(system.scene, "honest") + R"(
+  const std::string liar = symbolic::emit_header(symbolic::derive(system.scene), "honest") + R"(
 namespace evaluator {
 using honest::Parameters;
 inline honest::Certified critical_velocity_certified(const Parameters& p) noexcept {

@@ -13,6 +13,8 @@
 #include "scene/changing.hpp"
 #include "support/random_scene.hpp"
 #include "support/reference_scene.hpp"
+#include "support/refusal.hpp"
+#include "support/scene_text.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_batch)
 
@@ -101,28 +103,15 @@ BOOST_AUTO_TEST_CASE(random_scenes_in_any_parameters) {
 // Resonance within a few units in the last place, numbers beyond the usual range, an element that
 // vanishes, Poisson's ratio of both signs: lanes beside each other.
 BOOST_AUTO_TEST_CASE(lanes_that_need_the_certified_value) {
-  const Scene scene = parse_scene(R"toml(
-[contact]
-normal = "k0 | (k1 - c1)"
-poisson = 0.3
-[drive]
-network = "kd | cd"
-[body]
-mass = 4.0
-[oscillation]
-angular_frequency = 1e3
-amplitude = 1e-7
-indentation = 1e-6
-[friction]
-coefficient = 0.3
-[elements]
-k0 = 8e6
-k1 = 4e6
-c1 = 30.0
-kd = 4e6
-cd = 1e-9
-)toml",
-                                  "test.toml");
+  const Scene scene = test::scene_of(
+      {.normal = "k0 | (k1 - c1)",
+       .network = "kd | cd",
+       .mass = 4,
+       .angular_frequency = 1e3,
+       .amplitude = 1e-7,
+       .indentation = 1e-6,
+       .coefficient = 0.3,
+       .elements = {{"k0", 8e6}, {"k1", 4e6}, {"c1", 30}, {"kd", 4e6}, {"cd", 1e-9}}});
   Table table(4);
   for (std::size_t lane = 0; lane < 300; ++lane) {
     const double off = 1 + 1e-16 * std::pow(2, static_cast<double>(lane % 50));
@@ -156,12 +145,7 @@ BOOST_AUTO_TEST_CASE(the_result_may_take_the_place_of_a_column) {
 BOOST_AUTO_TEST_CASE(wrong_names_and_values_are_refused) {
   const Scene scene = read_scene(VCRIT_SCENES "/zener.toml");
   const auto refused = [&](const std::vector<std::string>& names, const Table& table) {
-    try {
-      batch(scene, names, table, table.empty() ? 1 : table[0].size());
-    } catch (const InputError& error) {
-      return std::string(error.what());
-    }
-    return std::string("accepted");
+    return test::refusal([&] { batch(scene, names, table, table.empty() ? 1 : table[0].size()); });
   };
   BOOST_TEST(refused({"k9"}, {{1}}).find("\"k9\", which this scene does not have") !=
              std::string::npos);

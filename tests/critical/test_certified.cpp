@@ -11,6 +11,7 @@
 #include "support/nodal.hpp"
 #include "support/random_scene.hpp"
 #include "support/reference_scene.hpp"
+#include "support/scene_text.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_certified)
 
@@ -101,14 +102,10 @@ BOOST_AUTO_TEST_CASE(doubles_agree_away_from_resonance) {
 namespace {
 
 Scene undamped_drive(double mass) {
-  return parse_scene(
-      "[contact]\nnormal = \"kn\"\ntangential = \"kt\"\n[drive]\nnetwork = \"kd\"\n"
-      "[body]\nmass = " +
-          std::to_string(mass) +
-          "\n"
-          "[oscillation]\nangular_frequency = 2.0\namplitude = 1\nindentation = 2\n"
-          "[friction]\ncoefficient = 0.5\n[elements]\nkn = 3\nkt = 4\nkd = 8\n",
-      "drive.toml");
+  return test::scene_of({.tangential = "kt",
+                         .network = "kd",
+                         .mass = mass,
+                         .elements = {{"kn", 3}, {"kt", 4}, {"kd", 8}}});
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <numbers>
+#include "support/scene_text.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_conditioning)
 
@@ -14,13 +15,11 @@ using namespace vcrit;
 
 constexpr double root = std::numbers::sqrt2;
 
-double condition(const std::string& drive, const std::string& elements) {
-  const Scene scene =
-      parse_scene("[contact]\nnormal = \"kn\"\ntangential = \"kt\"\n" + drive +
-                      "[oscillation]\nangular_frequency = 2.0\namplitude = 0.1\nindentation = 1.0\n"
-                      "[friction]\ncoefficient = 0.3\n[elements]\nkn = 3.0\nkt = 5.0\n" +
-                      elements,
-                  "s.toml");
+double condition(test::Toml drive, test::Toml mass, double kd) {
+  const Scene scene = test::scene_of({.tangential = "kt",
+                                      .network = drive,
+                                      .mass = mass,
+                                      .elements = {{"kn", 3}, {"kt", 5}, {"kd", kd}}});
   return condition_number(scene, values_of(scene));
 }
 
@@ -29,16 +28,13 @@ bool is(double value, double expected) { return std::abs(value / expected - 1) <
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(known_by_hand) {
-  BOOST_TEST(is(condition("", ""), 3 + 2 * root));
+  BOOST_TEST(is(condition({}, {}, 0), 3 + 2 * root));
   // D = K_d, N = K_t + K_d.
-  const std::string drive = "[drive]\nnetwork = \"kd\"\n";
-  BOOST_TEST(is(condition(drive, "kd = 7.0\n"), 3 + 4 * root));
+  BOOST_TEST(is(condition("kd", {}, 7), 3 + 4 * root));
   // m omega^2 = 4 counts three times: D = 7 - 4, N = 5 + 7 - 4.
-  const std::string body = drive + "[body]\nmass = 1.0\n";
-  BOOST_TEST(
-      is(condition(body, "kd = 7.0\n"), 3 + 2 * root + (7 * root + 12) / 3 + (12 * root + 12) / 8));
+  BOOST_TEST(is(condition("kd", 1, 7), 3 + 2 * root + (7 * root + 12) / 3 + (12 * root + 12) / 8));
   // Near resonance as its distance, 2^-20, says.
-  BOOST_TEST(is(condition(body, "kd = 4.00000095367431640625\n"),
+  BOOST_TEST(is(condition("kd", 1, 4.00000095367431640625),
                 3 + 2 * root + (4.00000095367431640625 * root + 12) * 0x1p20 +
                     (9.00000095367431640625 * root + 12) / 5.00000095367431640625));
 }

@@ -8,6 +8,7 @@
 #include "critical/critical_velocity.hpp"
 #include "support/nodal.hpp"
 #include "support/random_scene.hpp"
+#include "support/scene_text.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_log_derivative)
 
@@ -83,12 +84,10 @@ BOOST_AUTO_TEST_CASE(drives_with_masses_against_nodes) {
 }
 
 BOOST_AUTO_TEST_CASE(no_sensitivity_of_what_is_0_or_infinite) {
-  const Scene resonant = parse_scene(
-      "[contact]\nnormal = \"kn\"\ntangential = \"kt\"\n[drive]\nnetwork = \"kd\"\n[body]\nmass = "
-      "2\n"
-      "[oscillation]\nangular_frequency = 2\namplitude = 1\nindentation = 2\n"
-      "[friction]\ncoefficient = 0.5\n[elements]\nkn = 3\nkt = 4\nkd = 8\n",
-      "resonant.toml");
+  const Scene resonant = test::scene_of({.tangential = "kt",
+                                         .network = "kd",
+                                         .mass = 2,
+                                         .elements = {{"kn", 3}, {"kt", 4}, {"kd", 8}}});
   BOOST_CHECK_THROW(log_derivative(resonant, {"kt"}), ModelError);
 }
 

@@ -9,6 +9,7 @@
 #include "critical/critical_velocity.hpp"
 #include "stiffness/dynamic_stiffness.hpp"
 #include "support/nodal.hpp"
+#include "support/scene_text.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_measured_drive)
 
@@ -18,20 +19,25 @@ namespace {
 
 using Complex = std::complex<double>;
 
-const std::string contact =
-    "[contact]\nnormal = \"kn | cn\"\ntangential = \"kt | ct\"\n[body]\nmass = 0.7\n"
-    "[oscillation]\nangular_frequency = 2.3\namplitude = 0.1\nindentation = 2\n"
-    "[friction]\ncoefficient = 0.5\n[elements]\nkn = 3\ncn = 0.2\nkt = 4\nct = 0.1\n";
+Scene driven(const char* drive, test::Elements elements) {
+  for (const auto& [name, value] :
+       {std::pair("kn", 3.0), std::pair("cn", 0.2), std::pair("kt", 4.0), std::pair("ct", 0.1)})
+    elements.emplace_back(name, value);
+  return test::scene_of({.normal = "kn | cn",
+                         .tangential = "kt | ct",
+                         .network = drive,
+                         .mass = 0.7,
+                         .angular_frequency = 2.3,
+                         .indentation = 2,
+                         .elements = std::move(elements)});
+}
 
 Scene known_drive() {
-  return parse_scene(contact +
-                         "k1 = 5\nm1 = 1.2\nk2 = 6\nc2 = 0.4\n"
-                         "[drive]\nnetwork = \"k1 - (mass(m1) | k2 | c2)\"\n",
-                     "s.toml");
+  return driven("k1 - (mass(m1) | k2 | c2)", {{"k1", 5}, {"m1", 1.2}, {"k2", 6}, {"c2", 0.4}});
 }
 
 Scene measured(std::vector<Receptance::Row> rows, double omega) {
-  Scene scene = parse_scene(contact + "k1 = 1\n[drive]\nnetwork = \"k1\"\n", "s.toml");
+  Scene scene = driven("k1", {{"k1", 1}});
   scene.drive.reset();
   scene.receptance = Receptance{"r.csv", std::move(rows)};
   scene.angular_frequency.value = omega;

@@ -3,9 +3,10 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
+#include "answers/critical_onset.hpp"
 #include "critical/admissibility.hpp"
 #include "critical/certified.hpp"
-#include "onset/critical_onset.hpp"
+#include "support/scene_text.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_range_ends)
 
@@ -44,19 +45,16 @@ BOOST_AUTO_TEST_CASE(graphs_whose_relaxation_times_are_not_asked_for) {
 // take hours.
 BOOST_AUTO_TEST_CASE(exact_resonance_below_a_large_contact) {
   const auto scene = [](double mass, double coefficient) {
-    std::string text =
-        "[contact]\nnormal = \"prony(k0, k, tau, 3000)\"\npoisson = 0.3\n[drive]\n"
-        "network = \"kd\"\n[body]\nmass = " +
-        std::to_string(mass) +
-        "\n[oscillation]\nangular_frequency = 2\n"
-        "amplitude = 1\nindentation = 2\n[friction]\ncoefficient = " +
-        std::to_string(coefficient) + "\n[elements]\nkd = 8\nk0 = 1\nk = [";
-    std::string times = "tau = [";
+    std::vector<double> stiffnesses, times;
     for (int i = 0; i < 3000; ++i) {
-      text += std::to_string(1 + i % 7) + ".0, ";
-      times += std::to_string(1 + i) + "e-4, ";
+      stiffnesses.push_back(1 + i % 7);
+      times.push_back((1 + i) * 1e-4);
     }
-    return parse_scene(text + "]\n" + times + "]\n", "large.toml");
+    return test::scene_of({.normal = "prony(k0, k, tau, 3000)",
+                           .network = "kd",
+                           .mass = mass,
+                           .coefficient = coefficient,
+                           .elements = {{"kd", 8}, {"k0", 1}, {"k", stiffnesses}, {"tau", times}}});
   };
   const CertifiedVelocity at = certified_critical_velocity(scene(2, 0.5));
   BOOST_TEST(std::isinf(at.value));

@@ -21,11 +21,11 @@ constexpr int rounds = 30, threads = 4;
 std::string everything(const Scene& scene) {
   const symbolic::Derivation derivation = symbolic::derive(scene);
   std::string text = symbolic::to_text(derivation.critical_velocity);
-  for (const symbolic::Limit& limit : symbolic::limits(scene))
+  for (const symbolic::Limit& limit : symbolic::limits(derivation))
     text += symbolic::to_latex(limit.result);
-  for (const symbolic::Sensitivity& sensitivity : symbolic::sensitivities(scene))
+  for (const symbolic::Sensitivity& sensitivity : symbolic::sensitivities(derivation))
     text += symbolic::to_mathml(sensitivity.derivative);
-  return text + symbolic::print(scene, {}) + symbolic::emit_header(scene, "scene");
+  return text + symbolic::print(scene, {}) + symbolic::emit_header(derivation, "scene");
 }
 
 }  // namespace

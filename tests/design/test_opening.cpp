@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "critical/admissibility.hpp"
+#include "support/scene_text.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_opening)
 
@@ -58,16 +59,10 @@ BOOST_AUTO_TEST_CASE(springs_that_end_the_rise_leave_no_bound) {
 }
 
 BOOST_AUTO_TEST_CASE(a_contact_without_load_is_outside_the_model) {
-  const auto with = [](const char* elements) {
-    return parse_scene(std::string("[contact]\nnormal = \"k1 - c1\"\ntangential_ratio = 0.8\n"
-                                   "[oscillation]\nfrequency = 1\n") +
-                           elements,
-                       "s.toml");
-  };
-  BOOST_CHECK_THROW(NormalContact(with("indentation = 1\n[friction]\ncoefficient = 0.3\n"
-                                       "[elements]\nk1 = 1\nc1 = 1\n")),
-                    ModelError);
-  BOOST_CHECK_THROW(NormalContact(with("[elements]\nk1 = 1\n")), InputError);
+  test::SceneText text{.normal = "k1 - c1", .amplitude = {}, .elements = {{"k1", 1}, {"c1", 1}}};
+  BOOST_CHECK_THROW(NormalContact(test::scene_of(text)), ModelError);
+  text.elements.pop_back();
+  BOOST_CHECK_THROW(NormalContact(test::scene_of(test::symbolic(text))), InputError);
 }
 
 }  // namespace

@@ -39,11 +39,13 @@ int main() {
         scene_of("normal = \"bridge\"\ntangential = \"kt | ct\"", "kd", "m", test::bridge_network),
         scene_of("normal = \"bridge\"\ntangential_ratio = 0.7", "", "", test::bridge_network)}) {
     print_derivation(scene);
-    std::cout << symbolic::emit_header(scene, "scene") << symbolic::emit_test(scene, "scene");
+    const symbolic::Derivation derivation = symbolic::derive(scene);
+    std::cout << symbolic::emit_header(derivation, "scene")
+              << symbolic::emit_test(derivation, "scene");
   }
   const symbolic::GenerateOptions options{{"all"}, true};
   for (const char* file : {VCRIT_SCENES "/prony.toml", VCRIT_SCENES "/bridge.toml"}) {
-    const Scene scene = read_scene(file);
+    const symbolic::Derivation scene = symbolic::derive(read_scene(file));
     std::cout << symbolic::emit_header(scene, "scene", options)
               << symbolic::emit_quantities(scene, "scene")
               << symbolic::emit_test(scene, "scene", options);

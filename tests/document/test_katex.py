@@ -2,8 +2,6 @@
 throws where TeX would stop or guess: an unknown command, a missing brace, a letter that is no mathematics. The same of
 what Markdown has between dollars, of the formulas in JSON, and of names that are hard to print.
 
-test_katex.py PROJECT VCRIT
-
 KaTeX is Debian's package libjs-katex, nodejs runs it: without them the test fails.
 """
 
@@ -12,12 +10,11 @@ import json
 import os
 import re
 import subprocess
-import sys
-import tempfile
 import unittest
 from pathlib import Path
 
-PROJECT, VCRIT = (Path(sys.argv.pop(1)).resolve() for _ in range(2))
+from program import PROJECT, Case, run
+
 KATEX = "/usr/share/javascript/katex/katex.js"
 HERE = Path(__file__).resolve().parent
 
@@ -28,14 +25,8 @@ ASKED = [
 ]
 REFUSED = [("measured_drive", "rational"), ("prony", "rational")]  # no polynomials; too many terms
 # Names with digits, underscores, Greek letters, the program's own symbols and LaTeX's own words.
-HARD = """[contact]
-normal = "k_1 | spring(alpha_beta12) - damper(nabla)"
-tangential = "spring(frac) | spring(s) - damper(i_)"
-[drive]
-network = "spring(K_n) | damper(c_9_x) - spring(mathrm)"
-[body]
-mass = "m"
-"""
+HARD = {"normal": "k_1 | spring(alpha_beta12) - damper(nabla)", "tangential": "spring(frac) | spring(s) - damper(i_)",
+        "network": "spring(K_n) | damper(c_9_x) - spring(mathrm)", "mass": "m"}
 
 DISPLAYED = re.compile(r"\\\[(.*?)\\\]", re.DOTALL)
 IN_LINE = re.compile(r"(?<![\\$])\$(?!\$)(.+?)(?<!\\)\$(?!\$)")
@@ -62,10 +53,6 @@ def formulas(text, form):
     return [(each, True) for each in displayed] + [(each, False) for each in IN_LINE.findall(rest)]
 
 
-def derived(scene, words):
-    return subprocess.run([VCRIT, "derive", scene, *words], cwd=PROJECT, capture_output=True, text=True, timeout=120)
-
-
 def faults_of(items):
     """One process for all of them."""
     done = subprocess.run(["node", HERE / "katex.mjs", KATEX], input=json.dumps(items), capture_output=True, text=True,
@@ -73,21 +60,18 @@ def faults_of(items):
     return json.loads(done.stdout)
 
 
-class Katex(unittest.TestCase):
+class Katex(Case):
     @classmethod
     def setUpClass(cls):
         if not Path(KATEX).exists():
             raise RuntimeError(f"{KATEX} is missing: apt-get install libjs-katex")
 
     def test_it_takes_all_that_is_derived(self):
-        with tempfile.TemporaryDirectory() as folder:
-            hard = Path(folder, "hard.toml")
-            hard.write_text(HARD)
-            scenes = [*sorted((PROJECT / "scenes").glob("*.toml")), hard]
-            runs = [(scene, words) for scene in scenes for words in ASKED
-                    if (scene.stem, words[3] if "--form" in words else "") not in REFUSED]
-            with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-                results = list(pool.map(lambda run: derived(*run), runs))
+        scenes = [*sorted((PROJECT / "scenes").glob("*.toml")), self.scene(**HARD)]
+        runs = [(scene, words) for scene in scenes for words in ASKED
+                if (scene.stem, words[3] if "--form" in words else "") not in REFUSED]
+        with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+            results = list(pool.map(lambda asked: run("derive", asked[0], *asked[1]), runs))
         items = []
         for (scene, words), result in zip(runs, results):
             where = f"{scene.name} {' '.join(words)}"

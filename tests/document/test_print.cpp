@@ -103,7 +103,7 @@ BOOST_AUTO_TEST_CASE(mathml_is_well_formed) {
   const Scene scene = test::kelvin_scene();
   const Derivation derivation = derive(scene);
   for (const Line& line : derivation.lines) BOOST_TEST(is_balanced(to_mathml(line)), line.words);
-  for (const Limit& limit : limits(scene)) BOOST_TEST(is_balanced(to_mathml(limit.result)));
+  for (const Limit& limit : limits(derive(scene))) BOOST_TEST(is_balanced(to_mathml(limit.result)));
 }
 
 BOOST_AUTO_TEST_CASE(text_shows_the_way_and_the_limits) {
@@ -170,6 +170,18 @@ BOOST_AUTO_TEST_CASE(large_formulas_stay_nested_and_say_so) {
   BOOST_TEST(text.find("left nested") != std::string::npos);
   BOOST_TEST(text.find("k[10]*tau[10]*s/(1 + tau[10]*s)") != std::string::npos);
   BOOST_TEST(text.size() < 6000u);
+}
+
+BOOST_AUTO_TEST_CASE(a_document_with_all_that_can_be_asked_is_derived_once) {
+  for (const Scene& scene :
+       {test::kelvin_scene(), read_scene(VCRIT_SCENES "/jumping.toml"),
+        read_scene(VCRIT_SCENES "/sphere.toml"), read_scene(VCRIT_SCENES "/measured_drive.toml")})
+    for (const ResultForm form :
+         {ResultForm::by_size, ResultForm::nested, ResultForm::dimensionless}) {
+      const std::size_t before = derivations_made();
+      print(scene, {Format::json, true, true, form});
+      BOOST_TEST(derivations_made() - before == 1u);
+    }
 }
 
 // GiNaC orders terms by addresses and hashes, which differ from run to run: five processes

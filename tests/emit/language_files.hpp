@@ -32,7 +32,8 @@ class LanguageFiles {
       : scenes_(scenes), asked_(asked) {
     for (const LanguageRow& row : other_languages()) {
       for (std::size_t i = 0; i < scenes.size(); ++i)
-        symbolic::generate(scenes[i], folder_.path(), library(i), {.language = row.name});
+        symbolic::generate(symbolic::derive(scenes[i]), folder_.path(), library(i),
+                           {.language = row.name});
       write_file(folder_.path() / row.driver, driver_of(row, scenes, asked));
     }
   }

@@ -68,7 +68,8 @@ class Libraries {
       : scenes_(std::move(scenes)), asked_(asked), options_(std::move(options)) {
     options_.resize(scenes_.size());
     for (std::size_t i = 0; i < scenes_.size(); ++i)
-      write_file(header(i), symbolic::emit_header(scenes_[i], name(i), options_[i]));
+      write_file(header(i),
+                 symbolic::emit_header(symbolic::derive(scenes_[i]), name(i), options_[i]));
     write_file(folder_.path() / "driver.cpp", driver());
   }
 

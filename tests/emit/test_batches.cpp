@@ -88,8 +88,10 @@ void fast_columns(const Parameters& p, const Columns& c, std::span<double> v) { 
 )";
 
 void write_library(const test::PrivateFolder& folder, const Scene& scene) {
-  write_file(folder.path() / "library.hpp", symbolic::emit_header(scene, "library"));
-  write_file(folder.path() / "library_batch.hpp", symbolic::emit_batch_header(scene, "library"));
+  write_file(folder.path() / "library.hpp",
+             symbolic::emit_header(symbolic::derive(scene), "library"));
+  write_file(folder.path() / "library_batch.hpp",
+             symbolic::emit_batch_header(symbolic::derive(scene), "library"));
 }
 
 }  // namespace

@@ -104,7 +104,7 @@ std::string struct_of_parameters(const std::string& header) {
 
 void refused(const Scene& scene, const std::string& name, const std::string& message) {
   try {
-    symbolic::emit_header(scene, "scene", {{name}, false});
+    symbolic::emit_header(symbolic::derive(scene), "scene", {{name}, false});
     BOOST_TEST(false, name << " was taken");
   } catch (const InputError& error) {
     BOOST_TEST(std::string(error.what()) == message);
@@ -160,7 +160,8 @@ BOOST_AUTO_TEST_CASE(fixed_and_unfixed_keep_their_bounds) {
 
 BOOST_AUTO_TEST_CASE(fixed_names_are_no_parameters) {
   for (const Case& each : cases()) {
-    const std::string header = symbolic::emit_header(each.scene, "scene", {each.fixed, false});
+    const std::string header =
+        symbolic::emit_header(symbolic::derive(each.scene), "scene", {each.fixed, false});
     const std::string code = header.substr(header.find("#ifndef"));
     const std::string members = struct_of_parameters(header);
     for (const std::string& name : each.fixed) {
@@ -175,7 +176,7 @@ BOOST_AUTO_TEST_CASE(fixed_names_are_no_parameters) {
 
 BOOST_AUTO_TEST_CASE(an_entry_fixed_alone_is_not_read) {
   const std::string header =
-      symbolic::emit_header(stored("prony"), "scene", {{"k[3]", "tau"}, false});
+      symbolic::emit_header(symbolic::derive(stored("prony")), "scene", {{"k[3]", "tau"}, false});
   BOOST_TEST(struct_of_parameters(header).find("std::array<double, 10> k;") != std::string::npos);
   BOOST_TEST(header.find("p.k[1]") != std::string::npos);
   BOOST_TEST(header.find("p.k[2]") == std::string::npos);
@@ -200,7 +201,8 @@ BOOST_AUTO_TEST_CASE(a_mesh_keeps_its_bounds) {
 }
 
 BOOST_AUTO_TEST_CASE(the_banner_tells_how_and_what) {
-  const std::string header = symbolic::emit_header(stored("kelvin"), "scene", {{"kn", "cn"}, true});
+  const std::string header =
+      symbolic::emit_header(symbolic::derive(stored("kelvin")), "scene", {{"kn", "cn"}, true});
   BOOST_TEST(header.find("Fixed: cn = 20, kn = 10000000.") != std::string::npos);
   std::string joined = header;
   for (std::size_t at = 0; (at = joined.find("\n// ", at)) != std::string::npos;)

@@ -101,8 +101,8 @@ class Builds {
  public:
   Builds() {
     const Scene scene = scene_of(test::kelvin_contact, "kd | cd", "m");
-    symbolic::generate(scene, folder_.path(), "kelvin");
-    symbolic::generate(scene, folder_.path(), "kelvin", {.language = "c99"});
+    symbolic::generate(symbolic::derive(scene), folder_.path(), "kelvin");
+    symbolic::generate(symbolic::derive(scene), folder_.path(), "kelvin", {.language = "c99"});
     test::Draw draw(seed);
     std::string rows;
     std::size_t count = 0;

@@ -131,7 +131,7 @@ BOOST_AUTO_TEST_CASE(meshes) {
   const std::vector<Scene> shapes{
       scene_of("normal = \"net\"\ntangential = \"kt | ct\"", "", "",
                "[networks.net]\nterminals = [\"0\", \"1\"]\nedges = [" + edges + "]\n")};
-  const std::string c = symbolic::emit(shapes[0], "mesh", {.language = "c99"});
+  const std::string c = symbolic::emit(symbolic::derive(shapes[0]), "mesh", {.language = "c99"});
   BOOST_REQUIRE(c.find("mesh_unless_moderate(") != std::string::npos);
   const Files files(shapes);
   std::vector<Call> all = calls(shapes, 12, -13.0);
@@ -235,9 +235,11 @@ BOOST_AUTO_TEST_CASE(the_arithmetic_compiles_as_it_is) {
 BOOST_AUTO_TEST_CASE(same_bytes_in_every_run) {
   for (const Scene& scene : scenes())
     for (const std::string& language : symbolic::language_names()) {
-      const std::string first = symbolic::emit(scene, "again", {.language = language});
+      const std::string first =
+          symbolic::emit(symbolic::derive(scene), "again", {.language = language});
       for (int run = 1; run < 10; ++run)
-        BOOST_TEST((symbolic::emit(scene, "again", {.language = language}) == first));
+        BOOST_TEST(
+            (symbolic::emit(symbolic::derive(scene), "again", {.language = language}) == first));
     }
 }
 
@@ -246,7 +248,7 @@ BOOST_AUTO_TEST_CASE(names_are_refused_by_the_languages_that_take_them) {
                           const std::string& language) {
     try {
       const std::string contact = "normal = \"spring(" + element + ")\"\ntangential = \"kt\"";
-      symbolic::emit(scene_of(contact), name, {.language = language});
+      symbolic::emit(symbolic::derive(scene_of(contact)), name, {.language = language});
       return false;
     } catch (const InputError&) {
       return true;
@@ -285,7 +287,7 @@ BOOST_AUTO_TEST_CASE(names_are_spelled_as_the_language_does) {
 
 BOOST_AUTO_TEST_CASE(an_unknown_language_is_answered_with_all_that_there_are) {
   try {
-    symbolic::emit(scenes().front(), "good", {.language = "cobol"});
+    symbolic::emit(symbolic::derive(scenes().front()), "good", {.language = "cobol"});
     BOOST_TEST(false);
   } catch (const InputError& error) {
     for (const std::string& name : symbolic::language_names())

@@ -42,7 +42,7 @@ BOOST_AUTO_TEST_CASE(its_own_test_passes) {
   int number = 0;
   for (const Scene& scene : scenes()) {
     const test::PrivateFolder folder;
-    symbolic::generate(scene, folder.path(), "library");
+    symbolic::generate(symbolic::derive(scene), folder.path(), "library");
     const std::string program = (folder.path() / "program").string();
     for (const std::string& compiler : test::compilers(folder))
       for (const char* level : {"-O0", "-O3"}) {
@@ -60,12 +60,23 @@ BOOST_AUTO_TEST_CASE(its_own_test_passes) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(all_files_of_all_languages_come_from_one_derivation) {
+  const test::PrivateFolder folder;
+  const std::size_t before = symbolic::derivations_made();
+  const symbolic::Derivation derivation = symbolic::derive(read_scene(VCRIT_SCENES "/zener.toml"));
+  symbolic::generate(derivation, folder.path(), "library", {{}, true});
+  for (const std::string& language : symbolic::language_names())
+    if (language != "c++")
+      symbolic::generate(derivation, folder.path(), "library", {.language = language});
+  BOOST_TEST(symbolic::derivations_made() - before == 1u);
+}
+
 BOOST_AUTO_TEST_CASE(its_own_test_passes_with_fixed_parameters) {
   const Scene scene = read_scene(VCRIT_SCENES "/prony.toml");
   for (const std::vector<std::string>& fixed :
        {std::vector<std::string>{"all"}, {"k", "tau[3]"}, {"tau"}}) {
     const test::PrivateFolder folder;
-    symbolic::generate(scene, folder.path(), "library", {fixed, true});
+    symbolic::generate(symbolic::derive(scene), folder.path(), "library", {fixed, true});
     const std::string program = (folder.path() / "program").string();
     std::vector<std::string> command{test::compilers(folder).front(), "-o", program,
                                      (folder.path() / "test_library.cpp").string()};
@@ -79,7 +90,8 @@ BOOST_AUTO_TEST_CASE(its_own_test_passes_with_fixed_parameters) {
 
 BOOST_AUTO_TEST_CASE(its_own_test_can_fail) {
   const test::PrivateFolder folder;
-  symbolic::generate(read_scene(VCRIT_SCENES "/kelvin.toml"), folder.path(), "library");
+  symbolic::generate(symbolic::derive(read_scene(VCRIT_SCENES "/kelvin.toml")), folder.path(),
+                     "library");
   const auto header = folder.path() / "library.hpp";
   std::string text = test::contents(header);
   // A sign in front of the inertia.
@@ -97,7 +109,8 @@ BOOST_AUTO_TEST_CASE(its_own_test_can_fail) {
 
 BOOST_AUTO_TEST_CASE(its_cmake_project_builds_and_tests) {
   const test::PrivateFolder folder;
-  symbolic::generate(read_scene(VCRIT_SCENES "/kelvin.toml"), folder.path(), "kelvin");
+  symbolic::generate(symbolic::derive(read_scene(VCRIT_SCENES "/kelvin.toml")), folder.path(),
+                     "kelvin");
   build_and_test(folder);
 }
 
@@ -105,10 +118,12 @@ BOOST_AUTO_TEST_CASE(its_cmake_project_builds_and_tests) {
 // end in .cmake are not read.
 BOOST_AUTO_TEST_CASE(two_scenes_in_one_folder_are_both_built_and_tested) {
   const test::PrivateFolder folder;
-  symbolic::generate(read_scene(VCRIT_SCENES "/kelvin.toml"), folder.path(), "pad");
+  symbolic::generate(symbolic::derive(read_scene(VCRIT_SCENES "/kelvin.toml")), folder.path(),
+                     "pad");
   write_file(folder.path() / "own.cmake", "message(FATAL_ERROR \"not asked for\")\n");
   build_and_test(folder);
-  symbolic::generate(read_scene(VCRIT_SCENES "/elastic.toml"), folder.path(), "tip");
+  symbolic::generate(symbolic::derive(read_scene(VCRIT_SCENES "/elastic.toml")), folder.path(),
+                     "tip");
   const std::string tests = build_and_test(folder);
   for (const char* name : {"test_pad", "test_tip"})
     BOOST_TEST(tests.find(name) != std::string::npos, tests);
@@ -119,7 +134,8 @@ BOOST_AUTO_TEST_CASE(two_scenes_in_one_folder_are_both_built_and_tested) {
 BOOST_AUTO_TEST_CASE(a_project_that_takes_it_in_stays_as_it_is) {
   const test::PrivateFolder folder;
   std::filesystem::create_directory(folder.path() / "pad");
-  symbolic::generate(read_scene(VCRIT_SCENES "/kelvin.toml"), folder.path() / "pad", "pad");
+  symbolic::generate(symbolic::derive(read_scene(VCRIT_SCENES "/kelvin.toml")),
+                     folder.path() / "pad", "pad");
   write_file(folder.path() / "CMakeLists.txt",
              "cmake_minimum_required(VERSION 3.16)\nproject(mine LANGUAGES CXX)\nenable_testing()\n"
              "add_subdirectory(pad)\nif(DEFINED BUILD_TESTING OR TARGET test_pad)\n"

@@ -57,8 +57,10 @@ BOOST_AUTO_TEST_CASE(values_batches_and_gradients) {
        {test::kelvin_scene(), scene_of("normal = \"bridge\"\ntangential = \"prony(k, q, tau, 3)\"",
                                        "kd", "m", test::bridge_network)}) {
     const test::PrivateFolder folder;
-    write_file(folder.path() / "library.hpp", symbolic::emit_header(scene, "library"));
-    write_file(folder.path() / "library_batch.hpp", symbolic::emit_batch_header(scene, "library"));
+    write_file(folder.path() / "library.hpp",
+               symbolic::emit_header(symbolic::derive(scene), "library"));
+    write_file(folder.path() / "library_batch.hpp",
+               symbolic::emit_batch_header(symbolic::derive(scene), "library"));
     write_file(folder.path() / "driver.cpp", driver);
     const std::string program = (folder.path() / "program").string();
     const test::Outcome built =

@@ -148,14 +148,16 @@ std::optional<VelocityProgram> faulty(const VelocityProgram& velocity, NodeId ch
 BOOST_AUTO_TEST_CASE(programs_are_the_derived_formula) {
   for (const char* text : scenes) {
     const Scene scene = read(text);
-    const Proof proof(scene, own);
+    const Derivation derivation = derive(scene);
+    const Proof proof(derivation, own);
     const VelocityProgram velocity = velocity_program(scene, own);
-    BOOST_CHECK_NO_THROW(proof.holds(derive(scene)));
-    BOOST_CHECK_NO_THROW(proof.holds(derive(scene, true)));
+    BOOST_CHECK_NO_THROW(proof.holds(derivation));
+    BOOST_CHECK_NO_THROW(proof.holds(nested_form(derivation)));
     BOOST_CHECK_NO_THROW(proof.holds(velocity));
     BOOST_CHECK_NO_THROW(proof.holds(gradient_program(velocity)));
     BOOST_CHECK_NO_THROW(proof.holds(quantity_program(scene, own)));
-    if (const auto sweep = sweep_program(scene, own)) BOOST_CHECK_NO_THROW(proof.holds(*sweep));
+    if (const auto sweep = sweep_program(scene, own, velocity))
+      BOOST_CHECK_NO_THROW(proof.holds(*sweep));
   }
 }
 
@@ -165,7 +167,7 @@ BOOST_AUTO_TEST_CASE(programs_are_the_derived_formula) {
 BOOST_AUTO_TEST_CASE(one_other_step_is_found) {
   for (const char* text : scenes) {
     const Scene scene = read(text);
-    const Proof proof(scene, own);
+    const Proof proof(derive(scene), own);
     const VelocityProgram velocity = velocity_program(scene, own);
     int planted = 0;
     for (NodeId id = 0; id < velocity.program.nodes().size(); ++id) {
@@ -181,7 +183,7 @@ BOOST_AUTO_TEST_CASE(one_other_step_is_found) {
 
 BOOST_AUTO_TEST_CASE(other_partial_derivatives_are_found) {
   const Scene scene = read(bridge);
-  const Proof proof(scene, own);
+  const Proof proof(derive(scene), own);
   const GradientProgram gradient = gradient_program(velocity_program(scene, own));
   for (const auto& [symbol, partial] : gradient.partials)
     for (const auto& [other, its] : gradient.partials) {
@@ -194,7 +196,7 @@ BOOST_AUTO_TEST_CASE(other_partial_derivatives_are_found) {
 
 BOOST_AUTO_TEST_CASE(other_quantities_are_found) {
   const Scene scene = read(bridge);
-  const Proof proof(scene, own);
+  const Proof proof(derive(scene), own);
   const QuantityProgram right = quantity_program(scene, own);
   const auto refused = [&](const auto& change) {
     QuantityProgram wrong = right;
@@ -214,10 +216,10 @@ BOOST_AUTO_TEST_CASE(other_quantities_are_found) {
 BOOST_AUTO_TEST_CASE(another_formula_is_found) {
   const Scene scene = read(bridge);
   Derivation derivation = derive(read(rigid));
-  BOOST_CHECK_THROW(Proof(scene, own).holds(derivation), Bug);
-  derivation = derive(scene, true);
+  BOOST_CHECK_THROW(Proof(derive(scene), own).holds(derivation), Bug);
+  derivation = nested_form(derive(scene));
   std::swap(derivation.definitions.front().right, derivation.definitions.back().right);
-  BOOST_CHECK_THROW(Proof(scene, own).holds(derivation), Bug);
+  BOOST_CHECK_THROW(Proof(derive(scene), own).holds(derivation), Bug);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

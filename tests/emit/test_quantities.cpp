@@ -13,7 +13,7 @@
 BOOST_AUTO_TEST_SUITE(test_quantities)
 
 using namespace vcrit;
-using symbolic::GenerateOptions;
+using symbolic::derive, symbolic::GenerateOptions;
 using test::scene_of;
 
 namespace {
@@ -95,9 +95,9 @@ class Headers {
     for (std::size_t i = 0; i < cases_.size(); ++i) {
       const GenerateOptions options{cases_[i].fixed, true};
       const auto file = [&](const char* end) { return folder_.path() / (name(i) + end); };
-      write_file(file(".hpp"), symbolic::emit_header(cases_[i].scene, name(i), options));
-      write_file(file("_quantities.hpp"),
-                 symbolic::emit_quantities(cases_[i].scene, name(i), options));
+      const symbolic::Derivation derivation = derive(cases_[i].scene);
+      write_file(file(".hpp"), symbolic::emit_header(derivation, name(i), options));
+      write_file(file("_quantities.hpp"), emit_quantities(derivation, name(i), options));
     }
     write_file(folder_.path() / "driver.cpp", driver());
   }
@@ -326,7 +326,7 @@ BOOST_AUTO_TEST_CASE(values_are_those_of_nodal_evaluation) {
 
 BOOST_AUTO_TEST_CASE(massless_rigid_scene_has_neither_body_nor_drive) {
   const std::string header = symbolic::emit_quantities(
-      scene_of("normal = \"k0 | (k1 - c1)\"\ntangential = \"kt | ct\""), "rigid");
+      derive(scene_of("normal = \"k0 | (k1 - c1)\"\ntangential = \"kt | ct\"")), "rigid");
   for (const char* absent : {"mass", "drive", "Drive", "body", "Body", "K_d", "p.m;", "p.m,",
                              "p.m)", "inertia", "beta", " m;", "m omega"})
     BOOST_TEST(!contains(header, absent), absent);
@@ -335,7 +335,7 @@ BOOST_AUTO_TEST_CASE(massless_rigid_scene_has_neither_body_nor_drive) {
 
 BOOST_AUTO_TEST_CASE(massless_scene_has_no_body) {
   const std::string header = symbolic::emit_quantities(
-      scene_of("normal = \"k0 | (k1 - c1)\"\npoisson = 0.3", "kd"), "pulled");
+      derive(scene_of("normal = \"k0 | (k1 - c1)\"\npoisson = 0.3", "kd")), "pulled");
   for (const char* absent :
        {"mass", "body", "Body", "p.m;", "p.m,", "p.m)", "inertia", "beta", " m;", "m omega"})
     BOOST_TEST(!contains(header, absent), absent);
@@ -344,12 +344,12 @@ BOOST_AUTO_TEST_CASE(massless_scene_has_no_body) {
 
 // u_z0 and, in an isotropic contact pulled rigidly, the elements are in no v*.
 BOOST_AUTO_TEST_CASE(parameters_are_those_of_the_quantities) {
-  const std::string header =
-      symbolic::emit_quantities(scene_of("normal = \"kn | cn\"\npoisson = 0.3"), "isotropic");
+  const std::string header = symbolic::emit_quantities(
+      derive(scene_of("normal = \"kn | cn\"\npoisson = 0.3")), "isotropic");
   for (const char* member : {"double u_z0;", "double kn;", "double cn;"})
     BOOST_TEST(contains(header, member), member);
-  const std::string fluid =
-      symbolic::emit_quantities(scene_of("normal = \"kn - cn\"\ntangential = \"kt\""), "fluid");
+  const std::string fluid = symbolic::emit_quantities(
+      derive(scene_of("normal = \"kn - cn\"\ntangential = \"kt\"")), "fluid");
   BOOST_TEST(!contains(fluid, "double u_z0;"));
   BOOST_TEST(!contains(fluid, "double admissible_amplitude"));
 }
@@ -360,7 +360,7 @@ BOOST_AUTO_TEST_CASE(groups_have_their_values) {
       {"kelvin", test::kelvin_scene()},
       {"prony", scene_of("normal = \"prony(k0, k, tau, 3)\"\npoisson = 0.3", "kd", "m")}};
   for (const auto& [name, scene] : scenes)
-    symbolic::generate(scene, folder.path(), name, {{}, true});
+    symbolic::generate(derive(scene), folder.path(), name, {{}, true});
   // Products and quotients of powers of two are exact.
   write_file(
       folder.path() / "groups.cpp",
@@ -386,15 +386,15 @@ BOOST_AUTO_TEST_CASE(groups_have_their_values) {
 
 BOOST_AUTO_TEST_CASE(written_only_when_asked_for) {
   const test::PrivateFolder folder;
-  symbolic::generate(test::kelvin_scene(), folder.path(), "kelvin");
+  symbolic::generate(derive(test::kelvin_scene()), folder.path(), "kelvin");
   BOOST_TEST(!std::filesystem::exists(folder.path() / "kelvin_quantities.hpp"));
-  symbolic::generate(test::kelvin_scene(), folder.path(), "kelvin", {{}, true});
+  symbolic::generate(derive(test::kelvin_scene()), folder.path(), "kelvin", {{}, true});
   BOOST_TEST(std::filesystem::exists(folder.path() / "kelvin_quantities.hpp"));
 }
 
 BOOST_AUTO_TEST_CASE(other_drives_are_refused) {
   const Scene scene = scene_of("normal = \"kn\"\ntangential = \"kt\"", "kd - (mass(m2) | k2)", "m");
-  BOOST_CHECK_THROW(symbolic::emit_quantities(scene, "scene"), ModelError);
+  BOOST_CHECK_THROW(symbolic::emit_quantities(derive(scene), "scene"), ModelError);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -7,6 +7,7 @@
 
 #include "base/errors.hpp"
 #include "fit/rounding.hpp"
+#include "support/refusal.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_data)
 
@@ -17,12 +18,7 @@ using fit::parse_data;
 namespace {
 
 std::string message(const std::string& text) {
-  try {
-    parse_data(text, "d.csv");
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "data";
+  return test::refusal([&] { parse_data(text, "d.csv"); });
 }
 
 // A few roundings of the unit's factor and of 2 pi.

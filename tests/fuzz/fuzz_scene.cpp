@@ -2,10 +2,10 @@
 // with its reason, or an error; where the surfaces may part, the simulated one as well.
 #include <cmath>
 
+#include "answers/critical_onset.hpp"
 #include "critical/admissibility.hpp"
 #include "critical/certified.hpp"
 #include "fuzz.hpp"
-#include "onset/critical_onset.hpp"
 #include "scene/scene.hpp"
 
 using namespace vcrit;

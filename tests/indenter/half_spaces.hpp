@@ -4,6 +4,7 @@
 #include <string>
 
 #include "indenter/half_space.hpp"
+#include "support/scene_text.hpp"
 
 namespace vcrit::reference {
 
@@ -11,13 +12,14 @@ namespace vcrit::reference {
 inline Scene scene_of(const std::string& indenter, double indentation, double amplitude,
                       const std::string& normal = "k0",
                       const std::string& elements = "k0 = \"5 GPa\"", bool separation = true) {
-  return parse_scene("[contact]\nnormal = \"" + normal + "\"\npoisson = 0.3\nseparation = " +
-                         (separation ? "true" : "false") + "\n[indenter]\n" + indenter +
-                         "\n[oscillation]\nfrequency = \"20 kHz\"\namplitude = " +
-                         std::to_string(amplitude * 1e9) +
-                         "e-9\nindentation = " + std::to_string(indentation * 1e9) +
-                         "e-9\n[friction]\ncoefficient = 0.3\n[elements]\n" + elements + "\n",
-                     "scene.toml");
+  return test::scene_of({.normal = normal,
+                         .separation = separation,
+                         .indenter = indenter + "\n",
+                         .frequency = "20 kHz",
+                         .amplitude = amplitude,
+                         .indentation = indentation,
+                         .coefficient = 0.3,
+                         .more = "[elements]\n" + elements + "\n"});
 }
 
 /// v* of an elastic half-space, mu0 omega du_z/ratio with ratio = 2(1 - nu)/(2 - nu), in m/s.

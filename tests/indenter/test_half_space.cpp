@@ -8,6 +8,7 @@
 
 #include "base/errors.hpp"
 #include "indenter/half_spaces.hpp"
+#include "support/refusal.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_half_space)
 
@@ -24,17 +25,8 @@ bool near(double value, double expected, double errors = 8) {
   return std::abs(value - expected) <= errors * epsilon * std::abs(expected);
 }
 
-std::string refusal(const std::function<void()>& make) {
-  try {
-    make();
-  } catch (const ModelError& error) {
-    return error.what();
-  }
-  return "";
-}
-
 bool refused(const Scene& scene, const std::string& part) {
-  return refusal([&] { HalfSpace{scene}; }).find(part) != std::string::npos;
+  return test::refusal<ModelError>([&] { HalfSpace{scene}; }).find(part) != std::string::npos;
 }
 
 }  // namespace

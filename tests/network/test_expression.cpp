@@ -4,10 +4,12 @@
 
 #include "network/catalogue.hpp"
 #include "network/expression.hpp"
+#include "support/refusal.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_expression)
 
 using namespace vcrit;
+using test::has;
 
 namespace {
 
@@ -19,16 +21,7 @@ Network parsed(const std::string& text) {
 }
 
 std::string message(const std::string& text) {
-  try {
-    parsed(text);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
-}
-
-bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
+  return test::refusal([&] { parsed(text); });
 }
 
 Network k(const std::string& name) { return spring({name}); }

@@ -86,6 +86,37 @@ class APlantedTree(unittest.TestCase):
             self.assertEqual(len(found), 1, found)
             self.assertIn("must not know", found[0])
 
+    def test_the_simulation_may_ask_the_rulebook(self):
+        files = {"src/rules/rulebook.hpp": "#pragma once\n"}
+        text = '#include "rules/rulebook.hpp"\n'
+        self.assertEqual(self.problems(files=files | {"src/simulation/system/right.cpp": text}), [])
+
+    def test_neither_simulation_nor_indenter_may_know_the_answers(self):
+        files = {"src/answers/critical_onset.hpp": "#pragma once\n"}
+        for room in ["simulation/steady", "indenter"]:
+            wrong = {f"src/{room}/wrong.cpp": '#include "answers/critical_onset.hpp"\n'}
+            found = self.problems(files=files | wrong)
+            self.assertEqual(len(found), 1, found)
+            self.assertIn("comes after", found[0])
+
+    def test_the_rules_may_not_know_the_formula(self):
+        self.assert_found("src/rules/wrong.cpp", '#include "critical/critical.hpp"\n', "comes after")
+
+    def test_the_normal_force_may_not_know_the_rules(self):
+        files = {"src/rules/rulebook.hpp": "#pragma once\n", "src/normal/wrong.cpp": '#include "rules/rulebook.hpp"\n'}
+        found = self.problems(files=files)
+        self.assertEqual(len(found), 1, found)
+        self.assertIn("comes after", found[0])
+
+    def test_v_star_is_asked_of_the_answers(self):
+        files = {"src/critical/certified.hpp": "#pragma once\n"}
+        for name in ["src/sweep/wrong.cpp", "src/design/wrong.cpp", "app/wrong.cpp", "python/wrong.cpp"]:
+            found = self.problems(files=files | {name: '#include "critical/certified.hpp"\n'})
+            self.assertEqual(len(found), 1, found)
+            self.assertIn("asked of src/answers", found[0])
+        for name in ["src/answers/right.cpp", "validation/right.cpp", "symbolic/analysis/right.cpp"]:
+            self.assertEqual(self.problems(files=files | {name: '#include "critical/certified.hpp"\n'}), [])
+
     def test_the_formula_may_not_know_simulation(self):
         self.assert_found("src/critical/wrong.cpp", '#include "simulation/system/system.hpp"\n', "comes after")
 

@@ -1,31 +1,21 @@
 """What the tests of the Python package share."""
 
-import csv
 import os
 import subprocess
 import sys
 from fractions import Fraction
-from pathlib import Path
 
-PROJECT, PROGRAM = Path(sys.argv.pop(1)), sys.argv.pop(1)
+from program import PROGRAM, PROJECT, rows, scene  # noqa: F401
+from program import run as program  # noqa: F401
+
 os.chdir(PROJECT)
+
+# An undamped drive in resonance, kd = m omega^2 exactly: 4 = 1 x 2^2.
+RESONANT = scene({"k": 1, "kd": 4}, normal="k", tangential_ratio=0.5, network="kd", mass=1, indentation=0.5,
+                 coefficient=0.25)
 
 # A unit in the last place, relative.
 U = 2.0**-53
-
-
-def program(*arguments):
-    """The program run in the project's folder."""
-    return subprocess.run([PROGRAM, *arguments], cwd=PROJECT, capture_output=True, text=True, timeout=60)
-
-
-def rows(name, expected):
-    """A table of tests/data, with so many rows: a test over none would pass."""
-    with (PROJECT / "tests/data" / name).open() as file:
-        found = list(csv.DictReader(file))
-    if len(found) != expected:
-        raise AssertionError(f"tests/data/{name}: found {len(found)} rows; expected {expected}")
-    return found
 
 
 def relative_difference(value, reference):

@@ -7,7 +7,7 @@ from fractions import Fraction
 
 import numpy as np
 import vcrit
-from support import PROJECT, U, in_python, relative_difference, rows
+from support import PROJECT, U, in_python, relative_difference, rows, scene
 
 ZENER = vcrit.Scene("scenes/zener.toml")
 ELASTIC = vcrit.Scene("scenes/elastic.toml")
@@ -171,22 +171,8 @@ class UnknownValues(unittest.TestCase):
 
 
 # v* as four methods of simulation agree on it, to 6 digits; Eq. (24) has 0.0375 for both.
-SEPARATING = """
-[contact]
-normal = "zener(k0, k1, c1)"
-tangential_ratio = 0.8
-separation = true
-[oscillation]
-angular_frequency = 100000
-amplitude = 1e-6
-indentation = 4e-7
-[friction]
-coefficient = 0.3
-[elements]
-k0 = 200000
-k1 = 2000000
-c1 = 40
-"""
+SEPARATING = scene({"k0": 200000, "k1": 2000000, "c1": 40}, normal="zener(k0, k1, c1)", tangential_ratio=0.8,
+                   separation=True, angular_frequency=100000, amplitude=1e-6, indentation=4e-7)
 
 
 class WhereSurfacesSeparate(unittest.TestCase):

@@ -10,8 +10,7 @@ from pathlib import Path
 
 import numpy as np
 import vcrit
-from support import PROGRAM, PROJECT, program
-from test_scene import RESONANT
+from support import PROJECT, RESONANT, program
 
 ZENER = "scenes/zener.toml"
 
@@ -113,7 +112,7 @@ class Environment(unittest.TestCase):
     def test_without_the_database_of_units_names_the_variable(self):
         environment = os.environ | {"UDUNITS2_XML_PATH": "/no such file.xml"}
         expected = 'UDUNITS2_XML_PATH: found "/no such file.xml"; expected the database of units'
-        result = subprocess.run([PROGRAM, "eval", PROJECT / ZENER], env=environment, capture_output=True, text=True)
+        result = program("eval", ZENER, env=environment)
         self.assertEqual(result.returncode, 2)
         self.assertIn(f"vcrit: {expected}", result.stderr)
         code = f"import vcrit\ntry:\n    vcrit.Scene({ZENER!r})\nexcept vcrit.InputError as error:\n    print(error)"

@@ -8,7 +8,7 @@ import unittest.mock
 
 import numpy as np
 import vcrit
-from support import PROJECT, U, program, rows
+from support import PROJECT, U, program, rows, scene
 
 KELVIN = "scenes/kelvin.toml"
 
@@ -23,13 +23,13 @@ def scene_of(row):
     if row["k1"]:
         tangential += " | maxwell(k1, c1)"
         elements |= {"k1": row["k1"], "c1": float(row["k1"]) * float(row["tau_periods"]) * 2 * math.pi}
-    text = f'[contact]\nnormal = "kn"\ntangential = "{tangential}"\n'
+    drive = {}
     if row["k_d"] != "inf":
-        text += f'[drive]\nnetwork = "kd | cd"\n[body]\nmass = {row["m"]}\n'
+        drive = {"network": "kd | cd", "mass": float(row["m"])}
         elements |= {"kd": row["k_d"], "cd": row["c_d"]}
-    text += f'[oscillation]\nangular_frequency = 1\namplitude = {row["F_n_amplitude"]}\nindentation = 1\n'
-    text += f'[friction]\ncoefficient = {row["mu0"]}\n[elements]\n'
-    return vcrit.Scene.from_text(text + "".join(f"{name} = {value}\n" for name, value in elements.items()))
+    return vcrit.Scene.from_text(scene({name: float(value) for name, value in elements.items()}, tangential=tangential,
+                                       angular_frequency=1, amplitude=float(row["F_n_amplitude"]),
+                                       coefficient=float(row["mu0"]), **drive))
 
 
 def allowed(row):

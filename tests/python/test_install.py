@@ -7,9 +7,10 @@ import tempfile
 import unittest
 from pathlib import Path
 
-BUILD = sys.argv.pop(3)
-import vcrit  # noqa: E402
-from support import PROJECT  # noqa: E402
+import vcrit
+from support import PROJECT
+
+BUILD = sys.argv.pop(1)
 
 
 class Installed(unittest.TestCase):

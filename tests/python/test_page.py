@@ -1,7 +1,7 @@
 """What docs/python.md shows is what Python prints.
 
-    test_page.py PROJECT PROGRAM             compares
-    test_page.py PROJECT PROGRAM --update    writes what is printed now into the page
+    test_page.py PROGRAM             compares
+    test_page.py PROGRAM --update    writes what is printed now into the page
 """
 
 import doctest

@@ -9,7 +9,7 @@ import unittest
 import warnings
 
 import vcrit
-from support import PROJECT, U, program, relative_difference, rows
+from support import PROJECT, RESONANT, U, program, relative_difference, rows
 
 ZENER = "scenes/zener.toml"
 
@@ -85,7 +85,6 @@ class Scenes(unittest.TestCase):
         self.assertEqual(scene.with_values(m="5 g").critical_velocity(), vcrit.Scene(ZENER).critical_velocity())
 
     def test_say_why_they_are_infinite(self):
-        # An undamped drive in resonance, kd = m omega^2 exactly: 4 = 1 x 2^2.
         found = vcrit.Scene.from_text(RESONANT).certified_critical_velocity
         self.assertEqual(found.value, math.inf)
         self.assertIn("resonance", found.reason)
@@ -201,26 +200,6 @@ class AsValues(unittest.TestCase):
                 self.assertEqual(scene.with_values(mu0=0.3).critical_velocity({"mu0": [0.0]})[0], 0)
             finally:
                 os.chdir(before)
-
-
-RESONANT = """
-[contact]
-normal = "k"
-tangential_ratio = 0.5
-[drive]
-network = "kd"
-[body]
-mass = 1
-[oscillation]
-angular_frequency = 2
-amplitude = 0.1
-indentation = 0.5
-[friction]
-coefficient = 0.25
-[elements]
-k = 1
-kd = 4
-"""
 
 
 if __name__ == "__main__":

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/numbers.hpp"
+#include "support/refusal.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_changing)
 
@@ -45,13 +46,8 @@ BOOST_AUTO_TEST_CASE(a_name_takes_the_place_of_its_setting) {
 }
 
 std::string refused(const std::vector<std::string>& names, const std::vector<double>& values) {
-  try {
-    ChangingScene changing(read_scene(VCRIT_SCENES "/zener.toml"), names);
-    changing.at(values);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "accepted";
+  return test::refusal(
+      [&] { ChangingScene(read_scene(VCRIT_SCENES "/zener.toml"), names).at(values); });
 }
 
 BOOST_AUTO_TEST_CASE(what_reading_refuses_is_refused) {

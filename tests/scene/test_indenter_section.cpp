@@ -7,6 +7,7 @@
 #include "scene/changing.hpp"
 #include "scene/scene.hpp"
 #include "support/program.hpp"
+#include "support/refusal.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_indenter_section)
 
@@ -28,12 +29,7 @@ Scene with_indenter(const std::string& indenter, const Settings& settings = {}) 
 }
 
 std::string message(const std::string& text) {
-  try {
-    parse_scene(text, "s.toml");
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
+  return test::refusal([&] { parse_scene(text, "s.toml"); });
 }
 
 std::string indenter_message(const std::string& indenter) {

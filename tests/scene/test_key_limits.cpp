@@ -2,6 +2,7 @@
 #include "scene/key_limits.hpp"
 
 #include <boost/test/unit_test.hpp>
+#include "support/refusal.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_key_limits)
 
@@ -10,12 +11,7 @@ using namespace vcrit;
 namespace {
 
 std::string message(const std::string& text) {
-  try {
-    document::check_keys(text, "s.toml");
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "accepted";
+  return test::refusal([&] { document::check_keys(text, "s.toml"); });
 }
 
 std::string repeated(const std::string& text, int times) {

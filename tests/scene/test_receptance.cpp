@@ -6,6 +6,7 @@
 #include "scene/receptance.hpp"
 #include "scene/scene.hpp"
 #include "support/program.hpp"
+#include "support/refusal.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_receptance)
 
@@ -20,13 +21,9 @@ struct Table {
   }
   /// The message without the folder.
   std::string message(const std::string& text) const {
-    try {
-      read(text);
-    } catch (const InputError& error) {
-      const std::string what = error.what(), path = folder.path().string() + "/";
-      return what.starts_with(path) ? what.substr(path.size()) : what;
-    }
-    return "no error";
+    const std::string what = test::refusal([&] { read(text); }),
+                      path = folder.path().string() + "/";
+    return what.starts_with(path) ? what.substr(path.size()) : what;
   }
 };
 
@@ -91,22 +88,15 @@ BOOST_FIXTURE_TEST_CASE(a_scene_names_its_table_relative_to_itself, Table) {
   BOOST_TEST(has_drive(scene));
   BOOST_TEST(scene.mass.has_value());
   const auto message = [&](const std::string& drive) {
-    try {
-      parse_scene(contact + drive, file);
-    } catch (const InputError& error) {
-      return std::string(error.what());
-    }
-    return std::string("no error");
+    return test::refusal([&] { parse_scene(contact + drive, file); });
   };
-  BOOST_TEST(message("receptance = \"none.csv\"\n").find("s.toml:5:14: found receptance = ") !=
-             std::string::npos);
-  BOOST_TEST(message("receptance = \"none.csv\"\n").find("which is no file") != std::string::npos);
-  BOOST_TEST(message("receptance = 3\n")
-                 .find("s.toml:5:14: found receptance = 3; expected a text in quotes") !=
-             std::string::npos);
-  BOOST_TEST(message("network = \"kd\"\nreceptance = \"r.csv\"\n")
-                 .find("s.toml:6:14: found network and receptance; expected one of the two") !=
-             std::string::npos);
+  using test::has;
+  BOOST_TEST(has(message("receptance = \"none.csv\"\n"), "s.toml:5:14: found receptance = "));
+  BOOST_TEST(has(message("receptance = \"none.csv\"\n"), "which is no file"));
+  BOOST_TEST(has(message("receptance = 3\n"),
+                 "s.toml:5:14: found receptance = 3; expected a text in quotes"));
+  BOOST_TEST(has(message("network = \"kd\"\nreceptance = \"r.csv\"\n"),
+                 "s.toml:6:14: found network and receptance; expected one of the two"));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -6,10 +6,12 @@
 
 #include "network/expression.hpp"
 #include "scene/scene.hpp"
+#include "support/refusal.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_scene)
 
 using namespace vcrit;
+using test::has;
 
 namespace {
 
@@ -22,18 +24,7 @@ Scene scene(const std::string& text, const Settings& settings = {}) {
 }
 
 std::string message(const std::string& text, const Settings& settings = {}) {
-  try {
-    values_of(scene(text, settings));
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
-}
-
-bool has(const std::string& text, const std::string& part) {
-  if (text.find(part) != std::string::npos) return true;
-  BOOST_TEST_MESSAGE("not in: " << text);
-  return false;
+  return test::refusal([&] { values_of(scene(text, settings)); });
 }
 
 bool warns(const Scene& s, const std::string& part) {
@@ -45,11 +36,14 @@ bool warns(const Scene& s, const std::string& part) {
 Network k(const std::string& name) { return spring({name}); }
 Network c(const std::string& name) { return damper({name}); }
 
+/// A contact with one more line.
+std::string contact(const std::string& normal, const std::string& line = "poisson = 0.3") {
+  return "[contact]\nnormal = \"" + normal + "\"\n" + line + "\n";
+}
+
 const std::string kelvin = "[contact]\nnormal = \"kn | cn\"\ntangential = \"kt | ct\"\n";
 const std::string kelvin_values = "[elements]\nkn = 4e6\ncn = 10\nkt = \"3 N/um\"\nct = 7\n";
-const std::string bridge =
-    "[contact]\nnormal = \"bridge\"\npoisson = 0.3\n[networks.bridge]\nterminals = [\"a\", "
-    "\"b\"]\n";
+const std::string bridge = contact("bridge") + "[networks.bridge]\nterminals = [\"a\", \"b\"]\n";
 
 }  // namespace
 
@@ -102,7 +96,7 @@ BOOST_AUTO_TEST_CASE(a_mass_under_a_rigid_drive_is_left_out) {
 
 BOOST_AUTO_TEST_CASE(a_fitted_range_is_warned_of_beyond_it) {
   const auto with = [](const std::string& range, const std::string& frequency) {
-    return parse_scene("[contact]\nnormal = \"k\"\npoisson = 0.3\nfitted_range = " + range +
+    return parse_scene(contact("k") + "fitted_range = " + range +
                            "\n[oscillation]\nfrequency = \"" + frequency + "\"\n",
                        "s.toml");
   };
@@ -118,7 +112,7 @@ BOOST_AUTO_TEST_CASE(a_fitted_range_is_warned_of_beyond_it) {
   BOOST_TEST(beyond_fitted_range(s, 1, s.fitted_range->to).has_value());
   BOOST_TEST(!beyond_fitted_range(scene(kelvin), 1, 1e9).has_value());
   const auto wrong = [&](const std::string& value) {
-    return message("[contact]\nnormal = \"k\"\npoisson = 0.3\nfitted_range = " + value + "\n");
+    return message(contact("k") + "fitted_range = " + value + "\n");
   };
   for (const char* value : {"10", "[10]", "[10, 20, 30]", "[\"f\", 20]"})
     BOOST_TEST(has(wrong(value), "two frequencies, the lower one first"), value);
@@ -128,7 +122,7 @@ BOOST_AUTO_TEST_CASE(a_fitted_range_is_warned_of_beyond_it) {
 }
 
 BOOST_AUTO_TEST_CASE(equal_networks_are_isotropic) {
-  const Scene s = scene("[contact]\nnormal = \"k | c\"\ntangential = \"kelvin(k, c)\"\n");
+  const Scene s = scene(contact("k | c", "tangential = \"kelvin(k, c)\""));
   BOOST_TEST(tangential_ratio(std::get<Isotropic>(s.tangential)) == 1);
 }
 
@@ -141,12 +135,11 @@ BOOST_AUTO_TEST_CASE(symbols_need_no_value_until_a_number_is_asked_for) {
 }
 
 BOOST_AUTO_TEST_CASE(a_ratio_may_be_a_symbol) {
-  const Scene s = scene("[contact]\nnormal = \"kn\"\npoisson = \"nu\"\n");
+  const Scene s = scene(contact("kn", "poisson = \"nu\""));
   BOOST_TEST(std::get<Isotropic>(s.tangential).quantity.symbol.name == "nu");
-  BOOST_TEST(
-      values_of(scene("[contact]\nnormal = \"kn\"\npoisson = \"nu\"\n" + oscillation + friction,
-                      {{"nu", "0.25"}, {"kn", "1"}}))
-          .at({"nu"}) == 0.25);
+  BOOST_TEST(values_of(scene(contact("kn", "poisson = \"nu\"") + oscillation + friction,
+                             {{"nu", "0.25"}, {"kn", "1"}}))
+                 .at({"nu"}) == 0.25);
 }
 
 BOOST_AUTO_TEST_CASE(set_replaces_and_completes) {
@@ -178,24 +171,22 @@ BOOST_AUTO_TEST_CASE(set_names_a_quantity_once) {
 }
 
 BOOST_AUTO_TEST_CASE(arrays_of_a_prony_series) {
-  const std::string text = "[contact]\nnormal = \"prony(k0, k, tau)\"\ntangential_ratio = 0.8\n" +
-                           oscillation + friction +
+  const std::string text = contact("prony(k0, k, tau)", "tangential_ratio = 0.8") + oscillation +
+                           friction +
                            "[elements]\nk0 = 1\nk = [2, \"3 N/mm\", 0]\ntau = [\"1 ms\", 2, 3]\n";
   const Scene s = scene(text);
   BOOST_TEST(s.arrays.at("k") == 3);
   BOOST_TEST(values_of(s).at({"k", 2}) == 3000);
   BOOST_TEST(values_of(s).count({"k", 3}) == 0);  // a branch of stiffness 0 is left out
   BOOST_TEST(values_of(scene(text, {{"k[1]", "7"}})).at({"k", 1}) == 7);
-  BOOST_TEST(
-      scene("[contact]\nnormal = \"prony(k0, k, tau, 10)\"\npoisson = 0.3\n").elements.size() ==
-      21);
+  BOOST_TEST(scene(contact("prony(k0, k, tau, 10)")).elements.size() == 21);
 }
 
 BOOST_AUTO_TEST_CASE(zeros_are_left_out) {
-  const std::string zener = "[contact]\nnormal = \"k0 | (k1 - c1)\"\npoisson = 0.3\n";
+  const std::string zener = contact("k0 | (k1 - c1)");
   BOOST_CHECK(scene(zener + "[elements]\nc1 = 0\n").normal == k("k0"));
   BOOST_CHECK(scene(zener + "[elements]\nk0 = 0.0\n").normal == series({k("k1"), c("c1")}));
-  const std::string lossy = "[contact]\nnormal = \"lossy(k0, eta)\"\npoisson = 0.3\n";
+  const std::string lossy = contact("lossy(k0, eta)");
   BOOST_CHECK(scene(lossy + "[elements]\neta = 0\n").normal == k("k0"));
   BOOST_TEST(has(message(lossy + "[elements]\nk0 = 0\n"), "that elements of value 0 cut"));
   BOOST_TEST(has(message(zener + "[elements]\nk0 = 0\nk1 = 0\n"),
@@ -208,9 +199,8 @@ BOOST_AUTO_TEST_CASE(graphs_and_named_networks) {
             "edges = [[\"k1\", \"a\", \"1\"], [\"c1\", \"a\", \"2\"], [\"k2\", \"1\", \"2\"], "
             "[\"c2\", \"1\", \"b\"], [\"k3\", \"2\", \"b\"]]\n");
   BOOST_TEST(std::get<Graph>(s.normal.form).wires.size() == 5);
-  const Scene named = scene(
-      "[contact]\nnormal = \"foot | k9\"\npoisson = 0.3\n[networks]\nfoot = \"toe - c1\"\n"
-      "toe = \"k1 | k2\"\n");
+  const Scene named =
+      scene(contact("foot | k9") + "[networks]\nfoot = \"toe - c1\"\ntoe = \"k1 | k2\"\n");
   BOOST_CHECK(named.normal == parallel({series({parallel({k("k1"), k("k2")}), c("c1")}), k("k9")}));
 }
 
@@ -227,13 +217,12 @@ BOOST_AUTO_TEST_CASE(wrong_graphs) {
   BOOST_TEST(
       has(message(bridge + "edges = [[\"k1\", \"a\"]]\n"), "[\"network\", \"node\", \"node\"]"));
   BOOST_TEST(has(message(bridge), "no edges"));
-  BOOST_TEST(has(
-      message("[contact]\nnormal = \"x\"\npoisson = 0.3\n[networks]\nx = \"y\"\ny = \"x | k\"\n"),
-      "inside itself"));
+  BOOST_TEST(
+      has(message(contact("x") + "[networks]\nx = \"y\"\ny = \"x | k\"\n"), "inside itself"));
 }
 
 BOOST_AUTO_TEST_CASE(a_network_that_doubles_at_each_name_is_refused_in_time) {
-  std::string text = "[contact]\nnormal = \"n30\"\npoisson = 0.3\n[networks]\nn0 = \"k | k\"\n";
+  std::string text = contact("n30") + "[networks]\nn0 = \"k | k\"\n";
   for (int i = 1; i <= 30; ++i)
     text += "n" + std::to_string(i) + " = \"n" + std::to_string(i - 1) + " | n" +
             std::to_string(i - 1) + "\"\n";
@@ -244,8 +233,7 @@ BOOST_AUTO_TEST_CASE(unknown_keys_name_the_nearest) {
   BOOST_TEST(has(message("[contact]\nnorml = \"k\"\npoisson = 0.3\n"),
                  "s.toml:2:1: found unknown key \"norml\" in [contact]; expected \"normal\""));
   BOOST_TEST(has(message("[contakt]\nnormal = \"k\"\n"), "expected \"contact\""));
-  BOOST_TEST(warns(scene("[contact]\nnormal = \"k1\"\npoisson = 0.3\n[elements]\nk2 = 1\n"),
-                   "\"k2\" is in no network"));
+  BOOST_TEST(warns(scene(contact("k1") + "[elements]\nk2 = 1\n"), "\"k2\" is in no network"));
 }
 
 BOOST_AUTO_TEST_CASE(units_and_ranges) {
@@ -267,27 +255,24 @@ BOOST_AUTO_TEST_CASE(units_and_ranges) {
   BOOST_TEST(has(message(kelvin + "[elements]\nkn = inf\n"), "expected a finite value"));
   BOOST_TEST(has(message(kelvin + "[elements]\nkn = nan\n"), "expected a finite value"));
   BOOST_TEST(has(message(kelvin + "[elements]\nkn = [1]\n"), "an array"));
-  BOOST_TEST(has(message("[contact]\nnormal = \"kn\"\npoisson = 0.7\n"), "Poisson"));
+  BOOST_TEST(has(message(contact("kn", "poisson = 0.7")), "Poisson"));
 }
 
 BOOST_AUTO_TEST_CASE(contacts_need_exactly_one_tangential_network) {
   BOOST_TEST(has(message("[contact]\nnormal = \"k\"\n"), "exactly one"));
-  BOOST_TEST(has(message("[contact]\nnormal = \"k\"\npoisson = 0.3\ntangential = \"kt\"\n"),
-                 "exactly one"));
+  BOOST_TEST(has(message(contact("k") + "tangential = \"kt\"\n"), "exactly one"));
   BOOST_TEST(has(message("[contact]\npoisson = 0.3\n"), "no \"normal\""));
   BOOST_TEST(has(message("title = \"x\"\n"), "no [contact]"));
   BOOST_TEST(has(message("[contact\n"), "no TOML"));
 }
 
 BOOST_AUTO_TEST_CASE(one_name_is_one_kind_of_number) {
-  BOOST_TEST(has(message("[contact]\nnormal = \"spring(a)\"\ntangential = \"damper(a)\"\n"),
+  BOOST_TEST(has(message(contact("spring(a)", "tangential = \"damper(a)\"")),
                  "s.toml:3:14: found \"a\" as a damper; expected a spring, as at s.toml:2:10"));
-  BOOST_TEST(has(message("[contact]\nnormal = \"k1 | prony(k0, k1, tau, 2)\"\npoisson = 0.3\n"),
-                 "\"k1\" as an array of stiffnesses"));
-  BOOST_TEST(has(message("[contact]\nnormal = \"spring(m)\"\npoisson = 0.3\n"),
-                 "a quantity of the scene"));
-  BOOST_TEST(has(message("[contact]\nnormal = \"kn\"\npoisson = 0.3\n[networks]\nkn = "
-                         "\"k1\"\n[elements]\nkn = 1\n"),
+  BOOST_TEST(
+      has(message(contact("k1 | prony(k0, k1, tau, 2)")), "\"k1\" as an array of stiffnesses"));
+  BOOST_TEST(has(message(contact("spring(m)")), "a quantity of the scene"));
+  BOOST_TEST(has(message(contact("kn") + "[networks]\nkn = \"k1\"\n[elements]\nkn = 1\n"),
                  "as a network and as an element"));
 }
 
@@ -316,7 +301,8 @@ BOOST_AUTO_TEST_CASE(names_of_quantities_are_free_for_nothing_else) {
 // What the program calls a quantity is free where the scene calls it otherwise.
 BOOST_AUTO_TEST_CASE(symbols_are_known_by_themselves_and_called_by_the_scene) {
   const Scene s = scene(
-      "[contact]\nnormal = \"spring(mu0) | k1\"\npoisson = \"m\"\n[drive]\nnetwork = \"kd\"\n"
+      contact("spring(mu0) | k1", "poisson = \"m\"") +
+      "[drive]\nnetwork = \"kd\"\n"
       "[body]\nmass = \"M\"\n[friction]\ncoefficient = \"mu\"\n[oscillation]\nfrequency = \"f\"\n"
       "[elements]\nk1 = \"E\"\nE = 5\nmu0 = 7\n");
   BOOST_TEST(name_in(s, *s.mass) == "M");
@@ -350,9 +336,8 @@ BOOST_AUTO_TEST_CASE(a_setting_by_another_name_than_the_scenes_is_told_that) {
 
 // The struct is public: what was changed in it is checked where it is evaluated.
 BOOST_AUTO_TEST_CASE(a_changed_scene_is_checked) {
-  const Scene good = scene("[contact]\nnormal = \"k\"\npoisson = 0.3\n[drive]\nnetwork = \"kd\"\n" +
-                           std::string("[body]\nmass = 1\n") + oscillation + friction +
-                           "[elements]\nk = 3\nkd = 2\n");
+  const Scene good = scene(contact("k") + "[drive]\nnetwork = \"kd\"\n[body]\nmass = 1\n" +
+                           oscillation + friction + "[elements]\nk = 3\nkd = 2\n");
   BOOST_TEST(values_of(good).size() == 8U);
   const auto refused = [&](const std::string& expected, auto change) {
     Scene changed = good;

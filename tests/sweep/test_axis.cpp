@@ -6,27 +6,22 @@
 #include <fstream>
 
 #include "support/program.hpp"
+#include "support/refusal.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_axis)
 
 namespace {
 
 using namespace vcrit;
+using test::has;
 
 Scene kelvin() { return read_scene(VCRIT_SCENES "/kelvin.toml"); }
 
 std::vector<double> values(const std::string& text) { return parse_axis(text, kelvin()).values; }
 
 std::string message(const std::string& text) {
-  try {
-    parse_axis(text, kelvin());
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "accepted";
+  return test::refusal([&] { parse_axis(text, kelvin()); });
 }
-
-bool has(const std::string& text, const std::string& part) { return text.find(part) != text.npos; }
 
 BOOST_AUTO_TEST_CASE(even_steps_with_both_ends) {
   BOOST_TEST((values("velocity_ratio=lin:0.1:1.1:11") ==

@@ -10,12 +10,15 @@
 #include "critical/certified.hpp"
 #include "scene/changing.hpp"
 #include "simulation/steady/exact.hpp"
+#include "support/refusal.hpp"
+#include "support/scene_text.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_sweep)
 
 namespace {
 
 using namespace vcrit;
+using test::has;
 
 Sweep sweep_over(const std::string& scene, const std::vector<std::string>& axes,
                  const std::vector<std::string>& quantities, const Settings& settings = {}) {
@@ -27,15 +30,8 @@ Sweep sweep_over(const std::string& scene, const std::vector<std::string>& axes,
 }
 
 std::string message(const Sweep& sweep) {
-  try {
-    swept(sweep);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "accepted";
+  return test::refusal([&] { swept(sweep); });
 }
-
-bool has(const std::string& text, const std::string& part) { return text.find(part) != text.npos; }
 
 BOOST_AUTO_TEST_CASE(rows_are_single_calls_in_row_major_order) {
   const Sweep sweep = sweep_over(
@@ -236,13 +232,9 @@ BOOST_AUTO_TEST_CASE(mistakes_are_named) {
 // Elements may be named like quantities; columns of one table may not.
 BOOST_AUTO_TEST_CASE(an_axis_named_like_a_quantity_is_refused) {
   const auto with = [](const std::string& element, const std::string& quantity) {
-    const Scene scene =
-        parse_scene("[contact]\nnormal = \"spring(" + element +
-                        ") | c1\"\ntangential = \"k2\"\n[oscillation]\nangular_frequency = 3.0\n"
-                        "amplitude = 1e-3\nindentation = 5e-3\n[friction]\ncoefficient = 0.3\n"
-                        "[elements]\n" +
-                        element + " = 7.0\nc1 = 2.0\nk2 = 5.0\n",
-                    "s.toml");
+    const Scene scene = test::scene_of({.normal = "spring(" + element + ") | c1",
+                                        .tangential = "k2",
+                                        .elements = {{element, 7}, {"c1", 2}, {"k2", 5}}});
     Sweep sweep{scene, {parse_axis(element + "=lin:1:2:2", scene)}, {}, {}, {}};
     sweep.quantities.push_back(parse_swept_quantity(quantity, scene));
     sweep.velocity_ratio = 0.5;

@@ -16,14 +16,14 @@ inline const extremes::Family& family(const std::string& key) {
 
 /// Compiled once.
 inline const extremes::Subjects& honest() {
-  static const Scene scene = scene_of(family("elastic"));
-  static const extremes::Subjects subjects = extremes::subjects_of(scene, find_compiler());
+  static const extremes::Subjects subjects =
+      extremes::subjects_of(symbolic::derive(scene_of(family("elastic"))), find_compiler());
   return subjects;
 }
 
 inline extremes::FamilyResult elastic(const extremes::Subjects& subjects) {
-  const Scene scene = scene_of(family("elastic"));
-  return examine(family("elastic"), scene, subjects, {4, 5, 2}, [](const std::string&) {});
+  return examine(family("elastic"), symbolic::derive(scene_of(family("elastic"))), subjects,
+                 {4, 5, 2}, [](const std::string&) {});
 }
 
 /// The answers of one way changed: change(way, cells).

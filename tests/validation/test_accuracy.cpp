@@ -17,8 +17,8 @@ namespace {
 
 accuracy::Accuracy measured(const std::string& name) {
   const Scene scene = read_scene(std::string(VCRIT_SCENES) + "/" + name);
-  Driver driver(scene);
-  return accuracy::measure(scene, driver, [](const std::string&) {});
+  Driver driver(symbolic::derive(scene));
+  return accuracy::measure(driver, [](const std::string&) {});
 }
 
 bool has(const std::string& text, const std::string& part) {

@@ -155,7 +155,7 @@ BOOST_AUTO_TEST_CASE(all_ways_of_the_zener_scene_run_and_are_right) {
   const Scene scene = scene_named("zener.toml");
   const auto compiler = find_compiler();
   BOOST_REQUIRE(compiler.has_value());
-  const Driver driver(scene, *compiler);
+  const Driver driver(symbolic::derive(scene), *compiler);
   BOOST_TEST(driver.missing().empty());
   const Inputs inputs = draw_inputs(scene, driver.symbols(), 64, 1);
   const EvaluatorErrors errors = evaluator_errors(scene, &driver, inputs);
@@ -171,7 +171,7 @@ BOOST_AUTO_TEST_CASE(all_ways_of_the_zener_scene_run_and_are_right) {
 }
 
 BOOST_AUTO_TEST_CASE(what_a_scene_does_not_have_is_missing_with_its_reason) {
-  const Driver driver(scene_named("sonotrode.toml"), *find_compiler());
+  const Driver driver(symbolic::derive(scene_named("sonotrode.toml")), *find_compiler());
   BOOST_TEST(!driver.has("fast"));
   BOOST_TEST(driver.has("complex"));
   BOOST_REQUIRE(driver.missing().size() == 8U);
@@ -182,7 +182,7 @@ BOOST_AUTO_TEST_CASE(what_a_scene_does_not_have_is_missing_with_its_reason) {
 BOOST_AUTO_TEST_CASE(a_massless_rigid_scene_has_no_mass_and_no_drive_in_its_driver) {
   const Scene scene = scene_named("elastic.toml");
   const symbolic::Derivation formula = symbolic::derive(scene);
-  const std::string source = driver_source(scene, symbolic::derive(scene, true), formula, true);
+  const std::string source = driver_source(formula, true);
   BOOST_TEST(source.find("p.kt") != std::string::npos);
   for (const char* word : {"p.m)", "p.m ", "p.m*", "K_d", "kd", "mass", "drive"})
     BOOST_TEST(source.find(word) == std::string::npos, word);

@@ -98,7 +98,7 @@ BOOST_AUTO_TEST_CASE(resonances_of_the_elastic_drive_by_hand) {
 // all below a thousandth of 2^-53 would not). The contact's cells are the resonances' own.
 BOOST_AUTO_TEST_CASE(a_cell_at_a_resonance_loses_what_its_conditioning_says) {
   const Scene scene = scene_named("elastic_drive.toml");
-  const Driver driver(scene, *find_compiler());
+  const Driver driver(symbolic::derive(scene), *find_compiler());
   const auto scaled = stiffness_symbols(scene);
   const StabilityMap map = stability_map(scene, &driver, "stiffness", scaled, small);
   const Cells cells = cells_of(scene, scaled, small);

@@ -56,7 +56,7 @@ kt = 8e6
 // The search ends where neighbouring logarithms of the factor no longer differ: 40 bits of half the
 // digits, 2^-20, of log(omega) at worst.
 BOOST_AUTO_TEST_CASE(resonance_and_antiresonance_are_where_the_masses_swing) {
-  const auto response = frequency_response(parse_scene(elastic, "elastic.toml"));
+  const auto response = frequency_response(symbolic::derive(parse_scene(elastic, "elastic.toml")));
   BOOST_REQUIRE(response.marks.size() == 2u);
   BOOST_TEST(response.marks[0].resonance);
   BOOST_TEST(std::abs(response.marks[0].omega / 2e4 - 1) < 1e-5);
@@ -67,7 +67,7 @@ BOOST_AUTO_TEST_CASE(resonance_and_antiresonance_are_where_the_masses_swing) {
 // 0.3 omega 1e-7 (1e7/8e6) |1e7 - m omega^2|/|2e6 - m omega^2|: at low frequency 5 times, at high
 // once 0.375e-7 omega.
 BOOST_AUTO_TEST_CASE(asymptotes_are_met) {
-  const auto response = frequency_response(parse_scene(elastic, "elastic.toml"));
+  const auto response = frequency_response(symbolic::derive(parse_scene(elastic, "elastic.toml")));
   BOOST_REQUIRE(response.asymptotes.size() == 2u);
   for (const AsymptoteLine& line : response.asymptotes) {
     BOOST_TEST(line.power == 1);
@@ -84,12 +84,12 @@ BOOST_AUTO_TEST_CASE(asymptotes_are_met) {
 // (3) holds at no frequency or at all of them. Elastic surfaces that may part need neither.
 BOOST_AUTO_TEST_CASE(the_formula_applies_where_the_contact_stays_closed) {
   const auto of = [](const std::string& contact, double amplitude) {
-    return frequency_response(parse_scene(
+    return frequency_response(symbolic::derive(parse_scene(
         "[contact]\nnormal = \"" + contact + "\ntangential_ratio = 0.8\n[oscillation]\n" +
             "angular_frequency = 2\namplitude = " + std::to_string(amplitude) +
             "\nindentation = 0.5\n[friction]\ncoefficient = 0.3\n[elements]\nk = 3\n" +
             (contact.starts_with("kelvin") ? "c = 2\n" : ""),
-        "scene.toml"));
+        "scene.toml")));
   };
   const double border = std::sqrt(24.0) * 3 / 2;
   for (const ResponsePoint& point : of("kelvin(k, c)\"", 0.1).points)
@@ -100,7 +100,7 @@ BOOST_AUTO_TEST_CASE(the_formula_applies_where_the_contact_stays_closed) {
 }
 
 BOOST_AUTO_TEST_CASE(a_rigid_scene_has_no_drive_and_no_resonance) {
-  const auto response = frequency_response(parse_scene(rigid, "rigid.toml"));
+  const auto response = frequency_response(symbolic::derive(parse_scene(rigid, "rigid.toml")));
   BOOST_TEST(response.marks.empty());
   double nearest = 1;
   for (const ResponsePoint& point : response.points) {

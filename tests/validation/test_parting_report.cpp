@@ -25,8 +25,8 @@ using namespace vcrit::validation;
 namespace {
 
 SceneReport report_of(const Scene& scene) {
-  Driver driver(scene);
-  return agree(scene, driver, [](const std::string&) {});
+  Driver driver(symbolic::derive(scene));
+  return agree(driver, driver.derivation(), [](const std::string&) {});
 }
 
 const Comparison& comparison(const SceneReport& report, const std::string& key) {

@@ -8,6 +8,7 @@
 #include "base/errors.hpp"
 #include "base/files.hpp"
 #include "compiler.hpp"
+#include "derivation/derivation.hpp"
 #include "validation/example_report.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_validate)
@@ -49,6 +50,18 @@ BOOST_AUTO_TEST_CASE(a_rigid_scene_passes_everything) {
     BOOST_TEST(comparison(scene, key)["outcome"] == "passed", key);
   BOOST_TEST(scene["friction_curve"].size() >= 40u);
   BOOST_TEST(scene["cycle"]["points"].size() >= 100u);
+}
+
+// The scene itself, and its normal contact over one spring, whose evaluator the page's reader
+// moves.
+BOOST_AUTO_TEST_CASE(a_scene_is_derived_at_most_twice) {
+  for (const char* file : {"/elastic.toml", "/jumping.toml"}) {
+    const std::size_t before = symbolic::derivations_made();
+    const auto contents = report::compare(read_scene(scenes + file), [](const std::string&) {});
+    BOOST_TEST(contents.report.comparisons.size() >= 5u);
+    BOOST_TEST(contents.accuracy->evaluators.ways.size() >= 1u);
+    BOOST_TEST(symbolic::derivations_made() - before <= 2u, file);
+  }
 }
 
 // Its file gives delta = 2, and a = D sqrt(1 + delta^2) = 0.36 sqrt(5) to four digits.

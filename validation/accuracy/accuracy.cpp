@@ -8,7 +8,6 @@
 #include "accuracy/simulator_errors.hpp"
 #include "accuracy/stability.hpp"
 #include "critical/admissibility.hpp"
-#include "derivation/derivation.hpp"
 #include "driver.hpp"
 
 namespace vcrit::validation::accuracy {
@@ -58,16 +57,15 @@ void add_simulators(const Scene& scene, Accuracy& result) {
 
 }  // namespace
 
-Accuracy measure(const Scene& scene, Driver& own, const Progress& progress) {
+Accuracy measure(Driver& own, const Progress& progress) {
+  const Scene& scene = own.derivation().scene;
   Accuracy result;
   result.command = fmt::format("vcrit validate {} --out DIR", scene.file);
   progress("compiling all evaluators");
   const Driver* const driver = compiled(scene, own, result);
   progress("evaluators: error against run time");
-  const std::vector<Symbol> symbols =
-      driver != nullptr ? driver->symbols() : symbolic::derive(scene).parameters;
   result.evaluators =
-      evaluator_errors(scene, driver, draw_inputs(scene, symbols, drawn_sets, draw_seed));
+      evaluator_errors(scene, driver, draw_inputs(scene, own.symbols(), drawn_sets, draw_seed));
   if (driver != nullptr) result.evaluators.compiler = compiler_version();
   progress("simulators: error against run time");
   add_simulators(scene, result);

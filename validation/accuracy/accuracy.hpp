@@ -4,13 +4,12 @@
 #include "accuracy/data.hpp"
 #include "driver.hpp"
 #include "progress.hpp"
-#include "scene/scene.hpp"
 
 namespace vcrit::validation::accuracy {
 
-/// Takes some seconds, most of it simulation, and compiles the scene's driver if that is not yet
+/// Takes some seconds, most of it simulation, and compiles the driver if that is not yet
 /// done. Errors against run time depend on the machine; inputs
 /// and values do not. Throws InputError for missing values.
-Accuracy measure(const Scene& scene, Driver& driver, const Progress& progress);
+Accuracy measure(Driver& driver, const Progress& progress);
 
 }  // namespace vcrit::validation::accuracy

@@ -74,9 +74,8 @@ Known known_of(const Scene& scene, const Cells& cells) {
 }
 
 /// Both are rounded once.
-Comparison by_algebra(const Scene& scene, const Cells& cells,
-                      const symbolic::Derivation& derivation, const Known& known,
-                      const std::string& where) {
+Comparison by_algebra(const symbolic::Derivation& derivation, const Cells& cells,
+                      const Known& known, const std::string& where) {
   const Words words{"derived",
                     fmt::format("{}: the derived formula in {} digits", where, derived_digits),
                     "v* correctly rounded", "both are rounded once"};
@@ -84,7 +83,7 @@ Comparison by_algebra(const Scene& scene, const Cells& cells,
   const std::size_t step = std::max<std::size_t>(1, cells.values.size() / derived_cells);
   for (std::size_t i = 0; i < cells.values.size(); i += step) {
     if (!std::isnormal(cells.right[i])) continue;
-    const double found = derived_velocity(scene, derivation, cells.values[i], derived_digits);
+    const double found = derived_velocity(derivation, cells.values[i], derived_digits);
     all.push_back(relative(words, cells.right[i], found, 2 * 0x1p-53, known.inputs[i]));
   }
   return worst(words, all);
@@ -102,9 +101,9 @@ std::vector<std::size_t> asked_cells(const CellsOf& made, std::size_t every) {
   return which;
 }
 
-Region examined(const Family& family, const Scene& scene, const Subjects& subjects,
-                const symbolic::Derivation& derivation, const CellsOf& made,
-                const Fineness& fineness) {
+Region examined(const Family& family, const symbolic::Derivation& derivation,
+                const Subjects& subjects, const CellsOf& made, const Fineness& fineness) {
+  const Scene& scene = derivation.scene;
   const std::string where = fmt::format("{}, {}", family.title, made.region);
   const Known known = known_of(scene, made.cells);
   Region region{made.region, made.cells.omega, made.cells.factor, known.condition, {}, {}, {}};
@@ -120,10 +119,10 @@ Region examined(const Family& family, const Scene& scene, const Subjects& subjec
     region.comparisons.push_back(
         not_compared({"accurate", where + ": generated evaluators", {}, {}},
                      "there is no C++ compiler on the PATH"));
-  region.comparisons.push_back(by_algebra(scene, made.cells, derivation, known, where));
+  region.comparisons.push_back(by_algebra(derivation, made.cells, known, where));
   if (!made.approach.empty()) {
-    const auto limits =
-        compare_limits(family, scene, made, best, subjects.generated ? way_name("accurate") : "v*");
+    const auto limits = compare_limits(family, derivation, made, best,
+                                       subjects.generated ? way_name("accurate") : "v*");
     region.comparisons.insert(region.comparisons.end(), limits.begin(), limits.end());
     return region;
   }
@@ -135,11 +134,12 @@ Region examined(const Family& family, const Scene& scene, const Subjects& subjec
 
 }  // namespace
 
-Subjects subjects_of(const Scene& scene, const std::optional<std::filesystem::path>& compiler) {
+Subjects subjects_of(const symbolic::Derivation& derivation,
+                     const std::optional<std::filesystem::path>& compiler) {
   std::shared_ptr<const Driver> driver;
-  if (compiler) driver = std::make_shared<Driver>(scene, *compiler);
-  const Evaluate evaluate = [&scene, driver](const Cells& cells) {
-    std::vector<Claimed> all{by_library(scene, cells)};
+  if (compiler) driver = std::make_shared<Driver>(derivation, *compiler);
+  const Evaluate evaluate = [derivation, driver](const Cells& cells) {
+    std::vector<Claimed> all{by_library(derivation.scene, cells)};
     if (driver == nullptr) return all;
     const std::vector<Claimed> generated = by_driver(*driver, cells);
     all.insert(all.end(), generated.begin(), generated.end());
@@ -148,14 +148,13 @@ Subjects subjects_of(const Scene& scene, const std::optional<std::filesystem::pa
   return {evaluate, accuracy::simulated_cell, driver != nullptr};
 }
 
-FamilyResult examine(const Family& family, const Scene& scene, const Subjects& subjects,
-                     const Fineness& fineness, const Progress& progress) {
+FamilyResult examine(const Family& family, const symbolic::Derivation& derivation,
+                     const Subjects& subjects, const Fineness& fineness, const Progress& progress) {
   FamilyResult result{family.key, family.title, {}};
-  const symbolic::Derivation derivation = symbolic::derive(scene);
   progress("v* correctly rounded");
-  for (const CellsOf& made : all_cells(family, scene, fineness)) {
+  for (const CellsOf& made : all_cells(family, derivation.scene, fineness)) {
     progress(made.region);
-    result.regions.push_back(examined(family, scene, subjects, derivation, made, fineness));
+    result.regions.push_back(examined(family, derivation, subjects, made, fineness));
   }
   return result;
 }

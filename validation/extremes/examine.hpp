@@ -24,11 +24,12 @@ struct Subjects {
 };
 
 /// The library's own evaluator, the generated ones (with a compiler; takes seconds to compile) and
-/// the exact simulator. `scene` must stay. Throws std::runtime_error when a generated evaluator
+/// the exact simulator. Throws std::runtime_error when a generated evaluator
 /// does not compile.
-Subjects subjects_of(const Scene& scene, const std::optional<std::filesystem::path>& compiler);
+Subjects subjects_of(const symbolic::Derivation& derivation,
+                     const std::optional<std::filesystem::path>& compiler);
 
-FamilyResult examine(const Family& family, const Scene& scene, const Subjects& subjects,
-                     const Fineness& fineness, const Progress& progress);
+FamilyResult examine(const Family& family, const symbolic::Derivation& derivation,
+                     const Subjects& subjects, const Fineness& fineness, const Progress& progress);
 
 }  // namespace vcrit::validation::extremes

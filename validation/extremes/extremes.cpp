@@ -11,9 +11,9 @@ namespace {
 
 std::string work_on(const Family& family, const std::optional<std::filesystem::path>& compiler,
                     const Progress& step) {
-  const Scene scene = scene_of(family);
+  const symbolic::Derivation derivation = symbolic::derive(scene_of(family));
   step("compiling its evaluators");
-  return handed_over(examine(family, scene, subjects_of(scene, compiler), {}, step));
+  return handed_over(examine(family, derivation, subjects_of(derivation, compiler), {}, step));
 }
 
 }  // namespace

@@ -36,8 +36,9 @@ Scene remaining(const Approach& approach, const Scene& scene, const Values& valu
   return rest;
 }
 
-symbolic::Limit limit_of(const Scene& scene, const Approach& approach) {
-  for (const symbolic::Limit& limit : symbolic::limits(scene))
+const symbolic::Limit& limit_of(const std::vector<symbolic::Limit>& limits,
+                                const Approach& approach) {
+  for (const symbolic::Limit& limit : limits)
     if (limit.name == name_of(approach)) return limit;
   throw Bug("an approach is none of the scene's limits");
 }
@@ -69,13 +70,15 @@ double distance_allowed(const Scene& scene, const Approach& approach, const Valu
   return limit_roundings + factor * k / (omega * value / k) / left;
 }
 
-std::vector<Comparison> compare_limits(const Family& family, const Scene& scene,
+std::vector<Comparison> compare_limits(const Family& family, const symbolic::Derivation& derivation,
                                        const CellsOf& made, const std::vector<double>& found,
                                        const std::string& what) {
+  const Scene& scene = derivation.scene;
+  const std::vector<symbolic::Limit> limits = symbolic::limits(derivation);
   std::vector<Comparison> result;
   for (std::size_t k = 0; k < family.approaches.size(); ++k) {
     const Approach& approach = family.approaches[k];
-    const symbolic::Limit limit = limit_of(scene, approach);
+    const symbolic::Limit& limit = limit_of(limits, approach);
     const Words of_rest{"limit_derived",
                         fmt::format("{}: derived limit {}", family.title, limit.name),
                         "v* of what remains, correctly rounded", "both are rounded once"};

@@ -7,6 +7,10 @@
 #include "extremes/regions.hpp"
 #include "scene_report.hpp"
 
+namespace vcrit::symbolic {
+struct Derivation;
+}
+
 namespace vcrit::validation::extremes {
 
 /// How far v* may be from the limit of `approach` at these values, relatively. Needs a scene with a
@@ -15,7 +19,7 @@ double distance_allowed(const Scene& scene, const Approach& approach, const Valu
 
 /// For each approach of the family: the limit by computer algebra against v* of the remaining
 /// scene, and `found` (v* in the cells, m/s) against that limit. `what`: who found it.
-std::vector<Comparison> compare_limits(const Family& family, const Scene& scene,
+std::vector<Comparison> compare_limits(const Family& family, const symbolic::Derivation& derivation,
                                        const CellsOf& made, const std::vector<double>& found,
                                        const std::string& what);
 

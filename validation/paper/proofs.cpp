@@ -89,7 +89,7 @@ class Prover {
 
   void prove_limit(const std::string& equation, const std::string& words, const Scene& scene,
                    const std::string& name, const ex& by_hand, const GiNaC::exmap& names = {}) {
-    for (const symbolic::Limit& limit : symbolic::limits(scene))
+    for (const symbolic::Limit& limit : symbolic::limits(symbolic::derive(scene)))
       if (limit.name == name) return prove(equation, words, limit.result.subs(names), by_hand);
     throw Bug("no limit " + name);
   }

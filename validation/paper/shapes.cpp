@@ -36,7 +36,7 @@ Scene indented(const std::string& sizes, double nu) {
 /// mu0 omega du_z (2 - nu)/(2 (1 - nu)), by hand.
 Comparison velocity_of(const Form& form) {
   const auto found =
-      indenter::critical_velocity(indenter::HalfSpace(indented(form.sizes, shape_poisson)));
+      indenter::sliding_threshold(indenter::HalfSpace(indented(form.sizes, shape_poisson)));
   return comparison(
       {"shape", fmt::format("lowest speed at which all of {} slides", form.name),
        "μ₀ ω du_z (2 − ν)/(2(1 − ν))", "the simulator’s threshold, which is refined to 10⁻¹²",

@@ -84,34 +84,35 @@ record::Json spectrum_record(const Network& network) {
 }
 
 /// Arrays are not multiplied out: even three branches would give hundreds of terms.
-record::Json velocity_record(const Scene& scene) {
-  const symbolic::Derivation derivation = symbolic::derive(scene, !scene.arrays.empty());
+record::Json velocity_record(symbolic::Derivation derivation) {
+  if (!derivation.scene.arrays.empty()) derivation = nested_form(std::move(derivation));
   return {{"equation", derivation.equation},
           {"formula", formula_record(derivation.critical_velocity)},
           {"definitions", record::page_of(equations_of(derivation.definitions))}};
 }
 
-void add_limits(const Scene& scene, record::Json& record) {
-  const std::vector<LimitLine> limits = limits_of(scene);
+void add_limits(const symbolic::Derivation& derivation, record::Json& record) {
+  const std::vector<LimitLine> limits = limits_of(derivation);
   record["limits"] = record::page_of(limits);
   record["many_limits"] = limits.size() > shown_limits;
 }
 
 void add_contact(const Entry& entry, record::Json& record) {
-  const Scene isotropic = scene_of(
-      entry.call, "tangential_ratio = \"r\"\n[drive]\nnetwork = \"kd\"\n[body]\nmass = \"m\"\n");
+  const symbolic::Derivation isotropic = symbolic::derive(scene_of(
+      entry.call, "tangential_ratio = \"r\"\n[drive]\nnetwork = \"kd\"\n[body]\nmass = \"m\"\n"));
   record["extremes"] = extremes_record(entry.network);
   record["spectrum"] = spectrum_record(entry.network);
   record["under_an_elastic_drive"] = velocity_record(isotropic);
-  record["under_a_rigid_drive"] = velocity_record(scene_of(entry.call, "tangential = \"kt\"\n"));
+  record["under_a_rigid_drive"] =
+      velocity_record(symbolic::derive(scene_of(entry.call, "tangential = \"kt\"\n")));
   add_limits(isotropic, record);
 }
 
 void add_drive(const Entry& entry, record::Json& record) {
-  const Scene scene =
-      scene_of("kn", "tangential = \"kt\"\n[drive]\nnetwork = \"kd | " + entry.call + "\"\n");
-  record["beside_a_drive"] = velocity_record(scene);
-  add_limits(scene, record);
+  const symbolic::Derivation derivation = symbolic::derive(
+      scene_of("kn", "tangential = \"kt\"\n[drive]\nnetwork = \"kd | " + entry.call + "\"\n"));
+  record["beside_a_drive"] = velocity_record(derivation);
+  add_limits(derivation, record);
 }
 
 record::Json rheology_record(const Entry& entry) {

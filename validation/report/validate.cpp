@@ -92,10 +92,7 @@ std::vector<FigureFile> figure_files(const std::vector<ordered_json>& scenes,
 std::vector<ordered_json> work_on(const std::vector<Scene>& scenes, const Request& request,
                                   const Machine& machine, const Watch& watch) {
   const auto work = [&](std::size_t i, const Progress& step) {
-    Driver driver(scenes[i]);
-    SceneReport report = agree(scenes[i], driver, step);
-    return handed_over({std::move(report), accuracy::measure(scenes[i], driver, step)}, machine,
-                       request);
+    return handed_over(compare(scenes[i], step), machine, request);
   };
   const auto in_place = [&](std::size_t i, const std::string& why) {
     return handed_over({failed_report(scenes[i], why), {}}, machine, request);
@@ -108,6 +105,12 @@ std::vector<ordered_json> work_on(const std::vector<Scene>& scenes, const Reques
 }
 
 }  // namespace
+
+SceneContents compare(const Scene& scene, const Progress& step) {
+  Driver driver(symbolic::derive(scene));
+  SceneReport report = agree(driver, driver.derivation(), step);
+  return {std::move(report), accuracy::measure(driver, step)};
+}
 
 Validation validate(const Request& request, const Watch& watch) {
   const std::vector<Scene> scenes = read_all(request.files);

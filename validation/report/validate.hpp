@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "report/paper_record.hpp"
+#include "report/scene_contents.hpp"
 #include "report/validation.hpp"
 #include "workers.hpp"
 
@@ -17,7 +18,10 @@ struct Request {
   std::filesystem::path figures;    ///< for the figures as files; empty: none
 };
 
-/// Compares everything with everything in each scene file and writes DIR/report.json with
+/// Everything compared with everything of one scene.
+SceneContents compare(const Scene& scene, const Progress& step);
+
+/// The same for each scene file and writes DIR/report.json with
 /// all data and DIR/index.html: the page of the scene, or of several an index with a line
 /// each, and their pages beside it under the files' names. Scenes are read first and worked on side
 /// by side, as many as there are cores. Figures go below the folder that is named after the page,

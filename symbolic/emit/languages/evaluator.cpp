@@ -12,15 +12,21 @@
 
 namespace vcrit::symbolic {
 
-Evaluator::Evaluator(const Scene& scene, const FixedValues& fixed, Zeros zeros, Spelled spelled)
-    : derivation(derive(scene)),
-      parameters(scene, derivation, fixed, spelled),
-      velocity(velocity_program(scene, parameters.values(), zeros)),
+Evaluator::Evaluator(const Derivation& derivation_, const GenerateOptions& options_, Zeros zeros,
+                     Spelled spelled)
+    : derivation(derivation_),
+      options(options_),
+      fixed(fixed_values(derivation.scene, options.fixed)),
+      parameters(derivation.scene, derivation, fixed, spelled),
+      velocity(velocity_program(derivation.scene, parameters.values(), zeros)),
       gradient(gradient_program(velocity)) {
-  const Proof proof(scene, parameters.values());
+  const Proof proof(derivation, parameters.values());
   proof.holds(derivation);
   proof.holds(velocity);
   proof.holds(gradient);
+  if (options.language == "c++")
+    sweep = sweep_program(derivation.scene, parameters.values(), velocity);
+  if (sweep) proof.holds(*sweep);
   const Program& program = gradient.program;
   // The product with the factor and its conversion stand outside of these.
   operations = program.operations(program.needed_for({gradient.ratio, velocity.factor})) + 2;

@@ -1,25 +1,32 @@
-// What every language prints: the parameters and programs of a scene, and one evaluation of them as
-// statements.
+// What every language prints: the parameters and programs of a scene, made and proved once, and one
+// evaluation of them as statements.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "emit/languages/call_dialect.hpp"
 #include "emit/parameters.hpp"
 #include "program/gradient.hpp"
+#include "program/sweep.hpp"
 #include "program/velocity.hpp"
 
 namespace vcrit::symbolic {
 
 struct Evaluator {
-  Evaluator(const Scene& scene, const FixedValues& fixed, Zeros zeros, Spelled spelled = nullptr);
+  /// Throws ModelError for a drive that generated code does not know.
+  Evaluator(const Derivation& derivation, const GenerateOptions& options, Zeros zeros,
+            Spelled spelled = nullptr);
 
-  Derivation derivation;
+  const Derivation& derivation;
+  const GenerateOptions& options;
+  FixedValues fixed;
   ParameterList parameters;
   VelocityProgram velocity;
   GradientProgram gradient;
-  int operations;  ///< of the value
+  std::optional<SweepProgram> sweep;  ///< in C++
+  int operations;                     ///< of the value
 
   bool has(Node::Operation operation) const { return gradient.program.has(operation); }
 };

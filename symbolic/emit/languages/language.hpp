@@ -26,7 +26,7 @@ struct Language {
   /// The file of that name, but its opening comment.
   std::string (*text)(const Evaluator& evaluator, const std::string& name) = nullptr;
   /// All files where there is more than that one, the file to include first.
-  std::vector<CodeFile> (*files)(const Scene& scene, const std::string& name,
+  std::vector<CodeFile> (*files)(const Derivation& derivation, const std::string& name,
                                  const GenerateOptions& options) = nullptr;
   bool has_quantities = false;
 };

@@ -17,10 +17,10 @@ namespace vcrit::symbolic {
 
 namespace {
 
-[[noreturn]] void refuse_in_language(const std::string& place, const std::string& name,
+[[noreturn]] void refuse_in_language(const Place& place, const std::string& name,
                                      const std::string& why, const Language& language) {
-  throw InputError({place},
-                   fmt::format("\"{}\", which is {} (--language {})", name, why, language.name),
+  throw InputError(place,
+                   fmt::format("\"{}\", which is {} (language {})", name, why, language.name),
                    "another name, of letters, digits and underscores");
 }
 
@@ -48,11 +48,11 @@ const Language& language_of(const GenerateOptions& options) {
   for (const Language* language : languages()) {
     if (language->name != options.language) continue;
     if (options.quantities && !language->has_quantities)
-      throw InputError({"--quantities"}, fmt::format("--language {}", options.language),
-                       "--language c++, the only one with other quantities");
+      throw InputError(argument("quantities"), fmt::format("the language {}", options.language),
+                       "c++, the only one with other quantities");
     return *language;
   }
-  throw InputError({"--language"}, fmt::format("\"{}\"", options.language),
+  throw InputError(argument("language"), fmt::format("\"{}\"", options.language),
                    fmt::format("one of {}", fmt::join(language_names(), ", ")));
 }
 
@@ -66,8 +66,8 @@ bool is_among(std::string_view words, std::string_view name) {
 void check_library_name(const std::string& name, const Language& language) {
   check_library_name(name);
   if (is_among(language.reserved, name))
-    refuse_in_language("--name", name, "a reserved word", language);
-  if (is_among(language.taken, name)) refuse_in_language("--name", name, "taken", language);
+    refuse_in_language(argument("name"), name, "a reserved word", language);
+  if (is_among(language.taken, name)) refuse_in_language(argument("name"), name, "taken", language);
 }
 
 void check_member_names(const Scene& scene, const std::vector<Symbol>& symbols,
@@ -75,7 +75,7 @@ void check_member_names(const Scene& scene, const std::vector<Symbol>& symbols,
   check_member_names(scene, symbols);
   for (const Symbol& symbol : symbols)
     if (const std::string name = as_called(scene, symbol).name; is_among(language.reserved, name))
-      refuse_in_language(scene.file, name, "a reserved word", language);
+      refuse_in_language({scene.file}, name, "a reserved word", language);
 }
 
 }  // namespace vcrit::symbolic

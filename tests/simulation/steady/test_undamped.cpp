@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "answers/critical_onset.hpp"
 #include "base/errors.hpp"
-#include "onset/critical_onset.hpp"
 #include "simulation/steady/energy.hpp"
 #include "simulation/steady/exact.hpp"
 #include "simulation/steady/onset.hpp"

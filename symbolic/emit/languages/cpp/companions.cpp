@@ -8,14 +8,12 @@
 
 #include "base/numbers.hpp"
 #include "critical/certified.hpp"
-#include "derivation/derivation.hpp"
 #include "emit/generate.hpp"
+#include "emit/languages/cpp/cpp_files.hpp"
 #include "emit/languages/cpp/dialect.hpp"
 #include "emit/names.hpp"
 #include "emit/parameters.hpp"
-#include "formula/algebra_lock.hpp"
 #include "network/law.hpp"
-#include "program/sweep.hpp"
 
 namespace vcrit::symbolic {
 
@@ -126,8 +124,8 @@ std::string euler(const Scene& scene, const ParameterList& parameters, const Fix
 /// A fast sweep gives the bits of single calls, or takes polynomials in omega: T, Q, D and N
 /// then err by 5 roundings a term, 11 terms, times 2^5 for cancellation, 3500 in all, where the
 /// bound of the single call counts 9 or more for the network.
-std::string fast_sweep(const Scene& scene, const ParameterList& parameters) {
-  if (!sweep_program(scene, parameters.values()))
+std::string fast_sweep(const Evaluator& evaluator) {
+  if (!evaluator.sweep)
     return "    expect(fast_out[i] == fast_one.value, \"fast sweep equals scalar\");";
   return "    // Polynomials in omega: a few digits less.\n"
          "    expect(near(fast_out[i], fast_one.value, 400.0 * fast_one.relative_error_bound), "
@@ -224,21 +222,19 @@ int main() {{
 
 }  // namespace
 
-std::string emit_test(const Scene& scene, const std::string& name, const GenerateOptions& options) {
-  const AlgebraLock lock;
-  check_library_name(name);
-  const FixedValues fixed = fixed_values(scene, options.fixed);
-  const ParameterList parameters(scene, derive(scene), fixed);
-  return fmt::format(fmt::runtime(frame), fmt::arg("name", name),
-                     fmt::arg("mu0", name_in(scene, scene.coefficient)),
-                     fmt::arg("omega", name_in(scene, scene.angular_frequency)),
-                     fmt::arg("du_z", name_in(scene, scene.amplitude)),
-                     fmt::arg("include", fmt::format("#include \"{}_batch.hpp\"\n", name)),
-                     fmt::arg("example", example(scene, parameters)),
-                     fmt::arg("known", known_value(scene)),
-                     fmt::arg("doubled", doubled(scene, parameters, fixed)),
-                     fmt::arg("euler", euler(scene, parameters, fixed)),
-                     fmt::arg("sweep", fast_sweep(scene, parameters)));
+std::string cpp_test(const Evaluator& evaluator, const std::string& name) {
+  const Scene& scene = evaluator.derivation.scene;
+  const FixedValues& fixed = evaluator.fixed;
+  const ParameterList& parameters = evaluator.parameters;
+  return fmt::format(
+      fmt::runtime(frame), fmt::arg("name", name),
+      fmt::arg("mu0", name_in(scene, scene.coefficient)),
+      fmt::arg("omega", name_in(scene, scene.angular_frequency)),
+      fmt::arg("du_z", name_in(scene, scene.amplitude)),
+      fmt::arg("include", fmt::format("#include \"{}_batch.hpp\"\n", name)),
+      fmt::arg("example", example(scene, parameters)), fmt::arg("known", known_value(scene)),
+      fmt::arg("doubled", doubled(scene, parameters, fixed)),
+      fmt::arg("euler", euler(scene, parameters, fixed)), fmt::arg("sweep", fast_sweep(evaluator)));
 }
 
 std::string emit_cmake(const std::string& name) {

@@ -6,7 +6,9 @@
 
 #include "base/errors.hpp"
 #include "emit/generate.hpp"
+#include "emit/languages/cpp/cpp_files.hpp"
 #include "emit/languages/language.hpp"
+#include "emit/names.hpp"
 #include "emit/pieces.hpp"
 #include "formula/algebra_lock.hpp"
 
@@ -43,10 +45,12 @@ void insert_check(std::string& text, const std::string& file, const std::string&
                            guard_of(name), hash, file, name));
 }
 
-std::vector<CodeFile> cpp_files(const Scene& scene, const std::string& name,
+std::vector<CodeFile> cpp_files(const Derivation& derivation, const std::string& name,
                                 const GenerateOptions& options) {
   const AlgebraLock lock;
-  std::string header = emit_header(scene, name, options);
+  check_library_name(name);
+  const Evaluator evaluator(derivation, options, Zeros::out_of_range);
+  std::string header = cpp_header(evaluator, name);
   const std::string hash = hash_of(header);
   stamp(header, name, hash);
   std::vector<CodeFile> files{{name + ".hpp", std::move(header), true}};
@@ -54,16 +58,40 @@ std::vector<CodeFile> cpp_files(const Scene& scene, const std::string& name,
     insert_check(text, file, name, hash);
     files.push_back({file, std::move(text), is_main});
   };
-  companion(name + "_batch.hpp", emit_batch_header(scene, name, options), false);
+  companion(name + "_batch.hpp", cpp_batch_header(evaluator, name), false);
   if (options.quantities)
-    companion(name + "_quantities.hpp", emit_quantities(scene, name, options), true);
-  companion("test_" + name + ".cpp", emit_test(scene, name, options), false);
+    companion(name + "_quantities.hpp", emit_quantities(derivation, name, options), true);
+  companion("test_" + name + ".cpp", cpp_test(evaluator, name), false);
   files.push_back({name + "_evaluator.cmake", emit_cmake(name)});
   files.push_back({"CMakeLists.txt", emit_cmake_of_folder()});
   return files;
 }
 
+/// One of the files made by itself.
+std::string alone(const Derivation& derivation, const std::string& name,
+                  const GenerateOptions& options,
+                  std::string (*file)(const Evaluator&, const std::string&)) {
+  const AlgebraLock lock;
+  check_library_name(name);
+  return file(Evaluator(derivation, options, Zeros::out_of_range), name);
+}
+
 }  // namespace
+
+std::string emit_header(const Derivation& derivation, const std::string& name,
+                        const GenerateOptions& options) {
+  return alone(derivation, name, options, cpp_header);
+}
+
+std::string emit_batch_header(const Derivation& derivation, const std::string& name,
+                              const GenerateOptions& options) {
+  return alone(derivation, name, options, cpp_batch_header);
+}
+
+std::string emit_test(const Derivation& derivation, const std::string& name,
+                      const GenerateOptions& options) {
+  return alone(derivation, name, options, cpp_test);
+}
 
 extern const Language cpp{
     .name = "c++", .extension = ".hpp", .files = cpp_files, .has_quantities = true};

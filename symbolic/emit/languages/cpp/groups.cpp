@@ -54,15 +54,16 @@ struct GroupName {
 
 class GroupWriter {
  public:
-  GroupWriter(const Scene& scene, Program& program, const SymbolValue& value)
-      : scene_(scene), program_(program), value_(value) {
+  GroupWriter(const Derivation& derivation, Program& program, const SymbolValue& value)
+      : derivation_(derivation), program_(program), value_(value) {
+    const Scene& scene = derivation.scene;
     symbols_["omega"] = {"omega"};
     if (scene.mass) symbols_["m"] = scene.mass->symbol;
     for (const auto& [symbol, number] : scene.elements) symbols_[to_text(symbol)] = symbol;
   }
 
   std::vector<Group> write() {
-    for (const Line& line : dimensionless(scene_).groups) add(line);
+    for (const Line& line : dimensionless(derivation_).groups) add(line);
     return std::move(groups_);
   }
 
@@ -91,7 +92,7 @@ class GroupWriter {
   /// "beta_M" of "beta_m" where the scene calls m so.
   std::string named_after(const std::string& group) const {
     const std::size_t symbol = group.find('_') + 1;
-    return group.substr(0, symbol) + as_called(scene_, {group.substr(symbol)}).name;
+    return group.substr(0, symbol) + as_called(derivation_.scene, {group.substr(symbol)}).name;
   }
 
   /// What entries are without a group.
@@ -99,14 +100,14 @@ class GroupWriter {
     const std::string array = group.substr(group.find('_') + 1);
     const bool stiffness = group.starts_with("kappa_");
     std::vector<NodeId> values;
-    for (int entry = 1; entry <= scene_.arrays.at(array); ++entry) {
+    for (int entry = 1; entry <= derivation_.scene.arrays.at(array); ++entry) {
       const bool is_there = symbols_.contains(to_text(Symbol{array, entry}));
       values.push_back(program_.constant(stiffness && is_there ? 1 : 0));
     }
     return values;
   }
 
-  const Scene& scene_;
+  const Derivation& derivation_;
   Program& program_;
   const SymbolValue& value_;
   std::map<std::string, Symbol> symbols_;
@@ -115,9 +116,9 @@ class GroupWriter {
 
 }  // namespace
 
-std::vector<Group> dimensionless_groups(const Scene& scene, Program& program,
+std::vector<Group> dimensionless_groups(const Derivation& derivation, Program& program,
                                         const SymbolValue& value) {
-  return GroupWriter(scene, program, value).write();
+  return GroupWriter(derivation, program, value).write();
 }
 
 }  // namespace vcrit::symbolic

@@ -17,7 +17,7 @@ struct Group {
 
 /// The groups that v* depends on, see analysis/dimensionless.hpp. Entries of an array without a
 /// group of their own are 1 for the reference, else 0.
-std::vector<Group> dimensionless_groups(const Scene& scene, Program& program,
+std::vector<Group> dimensionless_groups(const Derivation& derivation, Program& program,
                                         const SymbolValue& value);
 
 }  // namespace vcrit::symbolic

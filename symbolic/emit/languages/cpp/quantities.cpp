@@ -80,15 +80,16 @@ inline double exact_less_inertia(double k, double m, double w) noexcept {
 
 class Header {
  public:
-  Header(const Scene& scene, const std::string& name, const GenerateOptions& options)
-      : scene_(scene),
+  Header(const Derivation& derivation, const std::string& name, const GenerateOptions& options)
+      : derivation_(derivation),
+        scene_(derivation.scene),
         name_(name),
         options_(options),
-        fixed_(fixed_values(scene, options.fixed)),
-        parameters_(quantity_parameters(scene, fixed_)),
+        fixed_(fixed_values(scene_, options.fixed)),
+        parameters_(quantity_parameters(scene_, fixed_)),
         dialect_(parameters_),
-        quantities_(quantity_program(scene, parameters_.values())) {
-    Proof(scene, parameters_.values()).holds(quantities_);
+        quantities_(quantity_program(scene_, parameters_.values())) {
+    Proof(derivation, parameters_.values()).holds(quantities_);
   }
 
   std::string text() {
@@ -219,7 +220,7 @@ class Header {
 
   std::string groups() {
     const std::vector<Group> found =
-        dimensionless_groups(scene_, quantities_.program, parameters_.values());
+        dimensionless_groups(derivation_, quantities_.program, parameters_.values());
     if (found.empty()) return "";
     std::vector<std::pair<std::string, std::string>> members;
     std::vector<NodeId> nodes;
@@ -239,6 +240,7 @@ class Header {
                     fmt::format("{{{{{}}}}}", fmt::join(places, ", ")));
   }
 
+  const Derivation& derivation_;
   const Scene& scene_;
   const std::string& name_;
   const GenerateOptions& options_;
@@ -258,9 +260,10 @@ ParameterList quantity_parameters(const Scene& scene, const FixedValues& fixed) 
   return {scene, all, fixed};
 }
 
-std::string emit_quantities(const Scene& scene, const std::string& name,
+std::string emit_quantities(const Derivation& derivation, const std::string& name,
                             const GenerateOptions& options) {
   const AlgebraLock lock;
+  const Scene& scene = derivation.scene;
   const NamesOfScene names(scene);
   check_library_name(name);
   std::vector<Symbol> all = symbols(scene);
@@ -272,7 +275,7 @@ std::string emit_quantities(const Scene& scene, const std::string& name,
                        "\"QuantityParameters\", which is the name of the struct that it would be a "
                        "member of",
                        "another name, of letters, digits and underscores");
-  return Header(scene, name, options).text();
+  return Header(derivation, name, options).text();
 }
 
 }  // namespace vcrit::symbolic

@@ -16,7 +16,8 @@ class CriticalOnsets {
  public:
   /// `varying`: parameters by their names for --set. Throws InputError for names that the scene
   /// does not have, two names of one quantity, and values that are missing.
-  CriticalOnsets(const Scene& scene, std::vector<std::string> varying);
+  CriticalOnsets(const Scene& scene, std::vector<std::string> varying,
+                 Grade grade = Grade::doubles);
 
   /// v* in m/s, as critical_onset() has it of each lane and CriticalVelocities promises it of Eq.
   /// (24); NaN also where the scene of a lane is outside the model. Columns as there; `out` may be

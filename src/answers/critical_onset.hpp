@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "critical/certified.hpp"
 #include "scene/scene.hpp"
 
 namespace vcrit {
@@ -28,6 +29,13 @@ std::vector<int> free_harmonics(const Scene& scene);
 
 /// Throws InputError for missing values, ModelError where v* is 0/0 and outside the model.
 CriticalOnset critical_onset(const Scene& scene);
+
+/// v* alone, with its bound, NaN where it is simulated, and why it is infinite. Throws likewise.
+CertifiedVelocity certified_onset(const Scene& scene);
+
+/// v* alone at another angular frequency (rad/s), for loops: where it is Eq. (24), in doubles.
+/// Throws likewise.
+double quick_onset(Scene scene, double omega);
 
 /// (p/v*) dv*/dp of that v* as log_derivative.hpp has it of Eq. (24); where v* is simulated, by
 /// differences of it, right to some 1e-9. Throws as both do.

@@ -1,4 +1,4 @@
-#include "onset/critical_onsets.hpp"
+#include "answers/critical_onsets.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 #include <set>
 #include <utility>
 
-#include "onset/critical_onset.hpp"
+#include "answers/critical_onset.hpp"
 #include "rules/rulebook.hpp"
 #include "scene/changing.hpp"
 
@@ -41,10 +41,7 @@ bool any_unusual(std::span<const double> values) {
 class CriticalOnsets::Lanes {
  public:
   Lanes(const CriticalOnsets& onsets, Columns columns)
-      : columns_(columns),
-        changing_(onsets.scene_, onsets.names_),
-        values_(columns.size()),
-        answered_(columns.size(), std::numeric_limits<double>::quiet_NaN()) {}
+      : columns_(columns), changing_(onsets.scene_, onsets.names_), values_(columns.size()) {}
 
   void go_to(std::size_t lane) {
     for (std::size_t i = 0; i < columns_.size(); ++i)
@@ -97,13 +94,14 @@ class CriticalOnsets::Lanes {
 
   Columns columns_;
   ChangingScene changing_;
-  std::vector<double> values_, answered_;
-  std::optional<double> velocity_;  // of the lane answered last
+  std::vector<double> values_;
+  std::optional<std::vector<double>> answered_;  // values of the lane answered last
+  std::optional<double> velocity_;               // and its v*
   std::set<std::vector<bool>> allowed_;
 };
 
-CriticalOnsets::CriticalOnsets(const Scene& scene, std::vector<std::string> varying)
-    : scene_(scene), names_(varying), formula_(scene, std::move(varying)) {}
+CriticalOnsets::CriticalOnsets(const Scene& scene, std::vector<std::string> varying, Grade grade)
+    : scene_(scene), names_(varying), formula_(scene, std::move(varying), grade) {}
 
 void CriticalOnsets::operator()(Columns columns, std::span<double> out) const {
   if (!scene_.separation) return formula_(columns, out);

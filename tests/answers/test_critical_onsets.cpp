@@ -1,13 +1,14 @@
 // v* over columns where surfaces separate: each lane is that of its scene.
-#include "onset/critical_onsets.hpp"
+#include "answers/critical_onsets.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <limits>
 
+#include "answers/critical_onset.hpp"
 #include "critical/certified.hpp"
-#include "onset/critical_onset.hpp"
 #include "scene/changing.hpp"
+#include "support/scene_text.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_critical_onsets)
 
@@ -19,13 +20,8 @@ using Table = std::vector<std::vector<double>>;
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-// The surface creeps back so slowly that it is apart where the indentation grows fastest.
 const Scene& slow() {
-  static const Scene scene = parse_scene(
-      "[contact]\nnormal = \"zener(k0, k1, c1)\"\ntangential_ratio = 0.8\nseparation = true\n"
-      "[oscillation]\nangular_frequency = 1e5\namplitude = 1e-6\nindentation = 4e-7\n"
-      "[friction]\ncoefficient = 0.3\n[elements]\nk0 = 2e5\nk1 = 2e6\nc1 = 40.0\n",
-      "s.toml");
+  static const Scene scene = test::scene_of(test::slow_zener());
   return scene;
 }
 
@@ -49,6 +45,11 @@ BOOST_AUTO_TEST_CASE(lanes_without_the_formula_are_simulated) {
   // v* is mu0 omega du_z/0.8 as of any isotropic contact under a rigid drive, in the batch's
   // 1280 u an element.
   BOOST_TEST(std::abs(found[3] / 0.0375 - 1) < 3 * 1280 * 0x1p-53);
+}
+
+BOOST_AUTO_TEST_CASE(without_columns_all_lanes_are_the_scene) {
+  const auto found = onsets(slow(), {}, {}, 3);
+  for (const double each : found) BOOST_TEST(each == critical_onset(slow()).contact_velocity);
 }
 
 BOOST_AUTO_TEST_CASE(each_lane_is_that_of_its_scene) {

@@ -1,4 +1,4 @@
-#include "sweep/closed_share.hpp"
+#include "answers/closed_share.hpp"
 
 #include <algorithm>
 #include <utility>

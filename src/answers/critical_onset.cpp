@@ -1,4 +1,4 @@
-#include "onset/critical_onset.hpp"
+#include "answers/critical_onset.hpp"
 
 #include <cmath>
 #include <limits>
@@ -7,6 +7,7 @@
 #include "base/free_swings.hpp"
 #include "critical/admissibility.hpp"
 #include "critical/certified.hpp"
+#include "critical/critical_velocity.hpp"
 #include "critical/log_derivative.hpp"
 #include "indenter/friction.hpp"
 #include "network/law.hpp"
@@ -19,6 +20,10 @@
 namespace vcrit {
 
 namespace {
+
+bool holds_formula(const Scene& scene) {
+  return bool{rules::answer(rules::Question::formula, scene)};
+}
 
 // Harmonics above this are not looked for below a drive with masses: there the border of sliding is
 // within 1e-4 of v*.
@@ -72,7 +77,13 @@ CriticalOnset by_formula(const Scene& scene) {
   return onset;
 }
 
-CriticalOnset by_simulation(const simulation::Onset& onset) {
+simulation::Onset sliding_threshold(const Scene& scene) {
+  if (scene.indenter) return indenter::sliding_threshold(indenter::HalfSpace(scene));
+  return simulation::sliding_threshold(simulation::system_of(scene));
+}
+
+CriticalOnset by_simulation(const Scene& scene) {
+  const simulation::Onset onset = sliding_threshold(scene);
   CriticalOnset result{CriticalOnset::By::simulation,
                        onset.contact_velocity,
                        onset.drive_velocity,
@@ -101,14 +112,22 @@ std::vector<int> free_harmonics(const Scene& scene) {
 }
 
 CriticalOnset critical_onset(const Scene& scene) {
-  if (rules::answer(rules::Question::formula, scene)) return by_formula(scene);
-  return by_simulation(scene.indenter
-                           ? indenter::critical_velocity(indenter::HalfSpace(scene))
-                           : simulation::sliding_threshold(simulation::system_of(scene)));
+  return holds_formula(scene) ? by_formula(scene) : by_simulation(scene);
+}
+
+CertifiedVelocity certified_onset(const Scene& scene) {
+  if (holds_formula(scene)) return certified_critical_velocity(scene);
+  const CriticalOnset onset = by_simulation(scene);
+  return {onset.contact_velocity, onset.relative_error_bound, onset.reason};
+}
+
+double quick_onset(Scene scene, double omega) {
+  scene.angular_frequency.value = omega;
+  return holds_formula(scene) ? critical_velocity(scene) : by_simulation(scene).contact_velocity;
 }
 
 double onset_log_derivative(const Scene& scene, const Symbol& symbol) {
-  if (rules::answer(rules::Question::formula, scene)) return log_derivative(scene, symbol);
+  if (holds_formula(scene)) return log_derivative(scene, symbol);
   ChangingScene changing(scene, {to_text(as_called(scene, symbol))});
   const double value = changing.targets().front().value->value();
   const auto log_velocity = [&](double steps) {

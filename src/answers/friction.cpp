@@ -1,0 +1,38 @@
+#include "answers/friction.hpp"
+
+#include "indenter/friction.hpp"
+
+namespace vcrit {
+
+namespace {
+
+std::variant<simulation::System, indenter::HalfSpace> motion_of(const Scene& scene) {
+  if (scene.indenter) return indenter::HalfSpace(scene);
+  return simulation::system_of(scene);
+}
+
+}  // namespace
+
+SteadyFriction::SteadyFriction(const Scene& scene) : motion_(motion_of(scene)) {}
+
+simulation::SteadyState SteadyFriction::at(double velocity, simulation::Start start) const {
+  if (const auto* half_space = std::get_if<indenter::HalfSpace>(&motion_))
+    return indenter::steady_state_of(indenter::friction(*half_space, velocity));
+  return simulation::steady_state(std::get<simulation::System>(motion_), velocity, start);
+}
+
+void SteadyFriction::curve(
+    std::span<const double> velocities,
+    const std::function<void(std::size_t, const simulation::PassingPoint&)>& use) const {
+  if (const auto* system = std::get_if<simulation::System>(&motion_))
+    return simulation::friction_curve(*system, velocities, use);
+  const auto points = indenter::friction_curve(std::get<indenter::HalfSpace>(motion_), velocities);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto state = points[i].friction
+                           ? std::optional(indenter::steady_state_of(*points[i].friction))
+                           : std::nullopt;
+    use(i, {state ? &*state : nullptr, points[i].reason.c_str()});
+  }
+}
+
+}  // namespace vcrit

@@ -1,0 +1,34 @@
+// Friction of any scene in steady motion: of its one contact, or of all cells below its indenter.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <variant>
+
+#include "indenter/half_space.hpp"
+#include "scene/scene.hpp"
+#include "simulation/steady/curve.hpp"
+#include "simulation/steady/exact.hpp"
+
+namespace vcrit {
+
+class SteadyFriction {
+ public:
+  /// Throws InputError for missing values, ModelError where the scene has no motion that is known.
+  explicit SteadyFriction(const Scene& scene);
+
+  /// At one velocity of the drive, m/s, > 0. Below an indenter of the whole, without events and
+  /// from both starts. Throws ModelError where no steady state is found.
+  simulation::SteadyState at(double velocity,
+                             simulation::Start start = simulation::Start::sliding) const;
+
+  /// use(place, point) for each velocity as it is found; nothing is thrown for one without a steady
+  /// state.
+  void curve(std::span<const double> velocities,
+             const std::function<void(std::size_t, const simulation::PassingPoint&)>& use) const;
+
+ private:
+  std::variant<simulation::System, indenter::HalfSpace> motion_;
+};
+
+}  // namespace vcrit

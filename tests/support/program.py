@@ -1,0 +1,143 @@
+"""What Python tests share: the program run as a user runs it, scenes for it, and what a refusal looks like.
+
+A test is started as test_NAME.py PROGRAM [ARGUMENT...], with this folder on PYTHONPATH (tests/CMakeLists.txt).
+"""
+
+import csv
+import json
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+PROJECT = Path(__file__).resolve().parents[2]
+PROGRAM = str(Path(sys.argv.pop(1)).resolve())
+PATIENCE = 300  # seconds, several times what the slowest command takes where the machine is busy
+
+SECTIONS = {
+    "contact": ["normal", "tangential", "poisson", "tangential_ratio", "separation"],
+    "indenter": ["shape", "radius", "angle", "prefactor", "exponent"],
+    "drive": ["network", "receptance"],
+    "body": ["mass"],
+    "oscillation": ["frequency", "angular_frequency", "amplitude", "indentation"],
+    "friction": ["coefficient"],
+}
+USUAL = {"normal": "kn", "amplitude": 0.1, "indentation": 1, "coefficient": 0.3}
+
+
+def example(name):
+    return str(PROJECT / f"scenes/{name}.toml")
+
+
+def section(name, values):
+    # A value of JSON is one of TOML.
+    lines = "".join(f"{key} = {json.dumps(value, ensure_ascii=False)}\n" for key, value in values.items())
+    return f"[{name}]\n{lines}" if lines else ""
+
+
+def scene(elements=(), networks=(), **changed):
+    """The text of a scene of few words: keys as in the file, each put into its section; None leaves one out. Numbers
+    stay as they are, texts are quoted. `networks`: expressions, and graphs as (terminals, edges)."""
+    given = dict(USUAL)
+    if not {"tangential", "tangential_ratio"} & set(changed):
+        given["poisson"] = 0.3
+    if "frequency" not in changed:
+        given["angular_frequency"] = 2
+    given |= changed
+    unknown = set(given) - {key for keys in SECTIONS.values() for key in keys}
+    if unknown:
+        raise KeyError(f"{unknown} in no section; write them into the text")
+    text = "".join(section(name, {key: given[key] for key in keys if given.get(key) is not None})
+                   for name, keys in SECTIONS.items())
+    graphs = {name: each for name, each in dict(networks).items() if not isinstance(each, str)}
+    text += section("elements", dict(elements))
+    text += section("networks", {name: each for name, each in dict(networks).items() if name not in graphs})
+    return text + "".join(section(f"networks.{name}", {"terminals": terminals, "edges": edges})
+                          for name, (terminals, edges) in graphs.items())
+
+
+def run(*arguments, folder=PROJECT, **options):
+    """The program, from the project's folder; numbers among the arguments are written as they print."""
+    words = [word if isinstance(word, (bytes, Path)) else str(word) for word in arguments]
+    return subprocess.run([PROGRAM, *words], cwd=folder, timeout=PATIENCE,
+                          **{"capture_output": True, "text": True} | options)
+
+
+def settings(values):
+    """{"kn": 3} as --set kn=3"""
+    return [word for name, value in values.items() for word in ("--set", f"{name}={value}")]
+
+
+def rows(table, expected):
+    """A table of tests/data, with so many rows: a test over none would pass."""
+    with (PROJECT / "tests/data" / table).open() as file:
+        found = list(csv.DictReader(file))
+    if len(found) != expected:
+        raise AssertionError(f"tests/data/{table}: found {len(found)} rows; expected {expected}")
+    return found
+
+
+class Case(unittest.TestCase):
+    """With a folder of its own, in which the program runs."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory(prefix="vcrit-test-")
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name).resolve()
+
+    def run_program(self, *arguments, **options):
+        return run(*arguments, **{"folder": self.folder} | options)
+
+    def write(self, text, name="s.toml"):
+        """A file in the test's folder."""
+        file = self.folder / name
+        file.write_bytes(text if isinstance(text, bytes) else text.encode())
+        return file
+
+    def scene(self, *parts, name="s.toml", **changed):
+        return self.write(scene(*parts, **changed), name)
+
+    def out(self, *arguments, status=0, **options):
+        """What is printed."""
+        result = self.run_program(*arguments, **options)
+        self.assertEqual(result.returncode, status, result.stderr)
+        return result.stdout
+
+    def answer(self, *arguments, status=0, **options):
+        """The one object that --json prints."""
+        found = json.loads(self.out(*arguments, "--json", status=status, **options))
+        self.assertIsInstance(found, dict)
+        return found
+
+    def table(self, *arguments):
+        """The rows that a sweep writes, as texts by column."""
+        out = self.folder / "table.csv"
+        self.out("sweep", *arguments, "--out", out)
+        return list(csv.DictReader(line for line in out.read_text().splitlines() if not line.startswith("#")))
+
+    def reported(self, subject):
+        """What `validate --paper` or `--extremes` finds, all of it as expected, and its page."""
+        result = self.run_program("validate", subject, "--out", "out")
+        self.assertEqual((result.returncode, result.stdout, result.stderr), (0, "out/index.html\n", ""))
+        self.assertEqual(self.written(), {"out/index.html", "out/report.json"})
+        report = json.loads((self.folder / "out/report.json").read_text())
+        self.assertIs(report["passed"], True)
+        return report, (self.folder / "out/index.html").read_text()
+
+    def written(self):
+        return {str(file.relative_to(self.folder)) for file in self.folder.rglob("*") if file.is_file()}
+
+    def refused(self, status, arguments, *words, **options):
+        """One message with these words, nothing printed and nothing written; the message."""
+        before = self.written()
+        result = self.run_program(*arguments, **options)
+        self.assertEqual((result.returncode, result.stdout), (status, ""), result.stderr)
+        errors = [line for line in result.stderr.splitlines() if not line.startswith("vcrit: warning:")]
+        if errors[1:] != ["Run with --help for more information."]:  # as of a wrong command line
+            self.assertEqual(len(errors), 1, result.stderr)
+            self.assertRegex(errors[0], "^vcrit: ")
+        for word in words:
+            self.assertIn(word, errors[0])
+        self.assertEqual(self.written(), before)
+        return errors[0].removeprefix("vcrit: ")
