@@ -61,7 +61,8 @@ std::tuple<double, double, std::string, std::string> onset(const Scene& scene) {
 
 double factor(const Scene& scene, const std::string& name, const std::string& unit) {
   const Place place{name};
-  return parse_quantity("1 " + unit, known_dimension(name, scene.settable, place), place);
+  return parse_quantity("1 " + unit, known_dimension(name, scene.settable, place, scene.named),
+                        place);
 }
 
 // Of files beside the scene's own.

@@ -28,7 +28,7 @@ ChangingScene::ChangingScene(const Scene& scene, std::vector<std::string> names)
     : names_(std::move(names)), scene_(scene) {
   std::map<Symbol, std::string> seen;
   for (const std::string& name : names_) {
-    known_dimension(name, scene_.settable, OverridingValues::place(name));
+    known_dimension(name, scene_.settable, OverridingValues::place(name), scene_.named);
     targets_.push_back(target(name));
     const auto [other, is_new] = seen.emplace(targets_.back().symbol, name);
     if (!is_new)

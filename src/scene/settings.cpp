@@ -7,12 +7,26 @@
 
 namespace vcrit {
 
+namespace {
+
+// What the symbol of that name is called in a scene, in short: "M" or "mass" of "m".
+std::optional<std::string> named_for(const std::string& name,
+                                     const std::map<std::string, Symbol>& named) {
+  std::optional<std::string> shortest;
+  for (const auto& [given, symbol] : named)
+    if (to_text(symbol) == name && (!shortest || given.size() < shortest->size())) shortest = given;
+  return shortest;
+}
+
+}  // namespace
+
 Dimension known_dimension(const std::string& name, const std::map<std::string, Dimension>& known,
-                          const Place& place) {
+                          const Place& place, const std::map<std::string, Symbol>& named) {
   if (const auto found = known.find(name); found != known.end()) return found->second;
   std::vector<std::string> names;
   for (const auto& [known_name, dimension] : known) names.push_back(known_name);
-  const auto meant = nearest(name, names);
+  auto meant = named_for(name, named);
+  if (!meant) meant = nearest(name, names);
   throw InputError(
       place, fmt::format("\"{}\", which this scene does not have", name),
       meant ? fmt::format("\"{}\"", *meant) : fmt::format("one of {}", fmt::join(names, ", ")));
@@ -41,7 +55,7 @@ std::optional<TypedNumber> OverridingValues::take(const std::string& name, Dimen
 }
 
 void OverridingValues::refuse_untaken() const {
-  for (const auto& [name, text] : settings_) known_dimension(name, known_, place(name));
+  for (const auto& [name, text] : settings_) known_dimension(name, known_, place(name), named_);
 }
 
 }  // namespace vcrit

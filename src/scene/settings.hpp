@@ -11,10 +11,10 @@
 
 namespace vcrit {
 
-/// What the quantity `name` measures. Throws InputError at `place`, with the nearest known name,
-/// for others.
+/// What the quantity `name` measures. Throws InputError at `place` for others, with the name that
+/// the scene gives the symbol of that name ("M" for "m" where mass = "M"), else the nearest one.
 Dimension known_dimension(const std::string& name, const std::map<std::string, Dimension>& known,
-                          const Place& place);
+                          const Place& place, const std::map<std::string, Symbol>& named = {});
 
 /// "NAME=VALUE" of --set. Throws InputError if it has another form.
 std::pair<std::string, std::string> parse_setting(const std::string& text);

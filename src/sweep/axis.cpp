@@ -39,7 +39,7 @@ Dimension dimension_of(const std::string& name, const Scene& scene, const Place&
   std::map<std::string, Dimension> known = scene.settable;
   known.emplace("velocity", Dimension::velocity);
   known.emplace("velocity_ratio", Dimension::none);
-  return known_dimension(name, known, place);
+  return known_dimension(name, known, place, scene.named);
 }
 
 std::size_t count(const std::string& text, const Place& place) {

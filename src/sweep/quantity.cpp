@@ -27,7 +27,7 @@ SweptQuantity parse_swept_quantity(const std::string& text, const Scene& scene) 
   const Place place = argument("quantity");
   if (text.starts_with(sensitivity_prefix)) {
     const std::string name = text.substr(sensitivity_prefix.size());
-    known_dimension(name, scene.settable, place);
+    known_dimension(name, scene.settable, place, scene.named);
     const ChangingScene changing(scene, {name});
     const Symbol& parameter = changing.targets().front().symbol;
     return {SweptQuantity::Kind::sensitivity, parameter, scene.separation || scene.indenter,

@@ -321,6 +321,14 @@ BOOST_AUTO_TEST_CASE(symbols_are_known_by_themselves_and_called_by_the_scene) {
   BOOST_TEST(s.warnings.empty());
 }
 
+BOOST_AUTO_TEST_CASE(a_setting_by_another_name_than_the_scenes_is_told_that) {
+  const std::string text = contact("k1") +
+                           "[drive]\nnetwork = \"kd\"\n[body]\nmass = \"M\"\n"
+                           "[friction]\ncoefficient = \"mu\"\n";
+  BOOST_TEST(has(message(text, {{"m", "1"}}), "expected \"M\""));
+  BOOST_TEST(has(message(text, {{"mu0", "1"}}), "expected \"mu\""));
+}
+
 // The struct is public: what was changed in it is checked where it is evaluated.
 BOOST_AUTO_TEST_CASE(a_changed_scene_is_checked) {
   const Scene good = scene(contact("k") + "[drive]\nnetwork = \"kd\"\n[body]\nmass = 1\n" +
