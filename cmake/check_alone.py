@@ -45,12 +45,11 @@ entries = [entry for entry in json.loads((build / "compile_commands.json").read_
            if entry["file"].endswith(".cpp") and project in Path(entry["file"]).parents
            and (not folders or Path(entry["file"]).relative_to(project).parts[0] in folders)]
 entries += headers_without_file(entries)
-failed = 0
+failures = []
 with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
     for done, (entry, result) in enumerate(zip(entries, pool.map(alone, entries)), 1):
         print(f"[{done}/{len(entries)}] {Path(entry['file']).relative_to(project)}", flush=True)
         if result.returncode:
-            failed += 1
-            print(result.stderr, flush=True)
-if failed or not entries:
-    sys.exit(f"{failed} of {len(entries)} files do not compile on their own")
+            failures.append(result.stderr)
+if failures or not entries:
+    sys.exit("\n".join(failures) + f"{len(failures)} of {len(entries)} files do not compile on their own")

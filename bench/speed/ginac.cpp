@@ -4,6 +4,7 @@
 #include <ginac/ginac.h>
 
 #include <cstdlib>
+#include <filesystem>
 #include <stdexcept>
 
 #include "network/reduction.hpp"
@@ -103,6 +104,18 @@ class CompilerFlags {
   CompilerFlags& operator=(const CompilerFlags&) = delete;
 };
 
+/// compile_ex writes into the working folder, and an interruption leaves it there.
+class InTemporaryFolder {
+ public:
+  InTemporaryFolder() { current_path(std::filesystem::temp_directory_path()); }
+  ~InTemporaryFolder() { current_path(before_); }
+  InTemporaryFolder(const InTemporaryFolder&) = delete;
+  InTemporaryFolder& operator=(const InTemporaryFolder&) = delete;
+
+ private:
+  std::filesystem::path before_ = std::filesystem::current_path();
+};
+
 void run_on_samples(GiNaC::FUNCP_CUBA function, const Samples& samples, int columns, double* out) {
   std::vector<double> x(static_cast<std::size_t>(columns));
   const int one = 1;
@@ -122,6 +135,7 @@ std::vector<Evaluator> ginac(const Problem& problem) {
   for (const auto& [name, flags] : {std::pair{"GiNaC compile_ex", ""},
                                     std::pair{"GiNaC compile_ex, -O3", "-O3 -march=native"}}) {
     const CompilerFlags environment(flags);
+    const InTemporaryFolder folder;
     GiNaC::FUNCP_CUBA function = nullptr;
     GiNaC::compile_ex(all.value, all.symbols, function);
     const int columns = static_cast<int>(problem.columns.size());

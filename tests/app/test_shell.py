@@ -135,7 +135,7 @@ class Completion(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         path = os.environ["PATH"]
-        os.environ["PATH"] = f"{PROGRAM.parent}:{path}"
+        os.environ["PATH"] = f"{Path(PROGRAM).parent}:{path}"
         cls.addClassCleanup(os.environ.update, PATH=path)
         folder = tempfile.TemporaryDirectory()
         cls.addClassCleanup(folder.cleanup)

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "derivation/derivation.hpp"
 #include "program/velocity.hpp"
 
 namespace vcrit::symbolic {
