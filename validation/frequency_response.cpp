@@ -184,6 +184,7 @@ std::vector<AsymptoteLine> asymptotes_of(const symbolic::Derivation& derivation,
 
 FrequencyResponse frequency_response(const symbolic::Derivation& derivation) {
   const Scene& scene = derivation.scene;
+  if (!scene.receptance && !rules::answer(rules::Question::all_frequencies, scene)) return {};
   const Values values = values_of(scene);
   const Response response(scene);
   FrequencyResponse result;

@@ -63,7 +63,8 @@ class Pasted : public symbolic::Dialect {
 
 std::string pasted_function(const std::string& name, const symbolic::Derivation& derivation,
                             const symbolic::ParameterList& parameters) {
-  std::map<std::string, std::string> references;
+  std::map<std::string, std::string> references{
+      {symbolic::printed_name(symbolic::own_name("i")), "Complex(0.0, 1.0)"}};
   for (const Symbol& symbol : derivation.parameters)
     references[symbolic::printed_name(to_text(symbol))] = parameters.reference(symbol);
   const Pasted dialect(references);

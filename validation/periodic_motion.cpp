@@ -26,7 +26,7 @@ constexpr double swing_cost = 1e3 / freest;
 
 // Speeds that are tried, in units of what the contact's own stiffness gives. Long doubles tell less
 // from 0 at an antiresonance, and a drive that gives more from a resonance.
-constexpr double slowest = 1e-17, fastest = 0.1 * freest;
+constexpr double slowest_speed = 1e-17, fastest_speed = 0.1 * freest;
 
 // A border is searched for to this share of it.
 constexpr double precision = 1e-6;
@@ -123,7 +123,7 @@ double PeriodicMotion::missing_friction(double velocity) const {
   return amplitude_ * std::accumulate(x.begin(), x.end(), 0.0) / points;
 }
 
-double PeriodicMotion::highest() const { return fastest * unit_; }
+double PeriodicMotion::highest() const { return fastest_speed * unit_; }
 
 double PeriodicMotion::border() const {
   const auto sticks = [&](double velocity) {
@@ -131,9 +131,9 @@ double PeriodicMotion::border() const {
     const double least = swings_freely_ ? swing_cost * velocity : 0;
     return *std::max_element(x.begin(), x.end()) > least;
   };
-  if (!sticks(slowest)) return 0;
-  if (sticks(fastest)) return infinity;
-  double low = slowest, high = fastest;
+  if (!sticks(slowest_speed)) return 0;
+  if (sticks(fastest_speed)) return infinity;
+  double low = slowest_speed, high = fastest_speed;
   while (high > low * (1 + precision)) {
     const double middle = std::sqrt(low) * std::sqrt(high);
     (sticks(middle) ? low : high) = middle;

@@ -160,12 +160,12 @@ constexpr std::array<Row, questions> table{{
       y, y, y, y, y,                                  //
       y, y, y, y, y, y}},
     {Question::report_explorer,
-     {y, y, y, one_contact, y, closed_alone, y, y,     //
-      inadmissible, inadmissible, y, inadmissible, y,  //
+     {y, y, not_causal, one_contact, y, closed_alone, y, y,  //
+      inadmissible, inadmissible, y, inadmissible, y,        //
       inadmissible, y, inadmissible, inadmissible, y, y}},
     {Question::report_stability,
-     {networks_alone, networks_alone, y, one_contact, y, closed_alone, y, y,  //
-      inadmissible, inadmissible, y, inadmissible, y,                         //
+     {networks_alone, networks_alone, not_causal, one_contact, y, closed_alone, y, y,  //
+      inadmissible, inadmissible, y, inadmissible, y,                                  //
       inadmissible, y, inadmissible, inadmissible, y, y}},
     {Question::mean_load,
      {y, y, y, y, y, y, y, y,                  //

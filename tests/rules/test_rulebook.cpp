@@ -123,9 +123,9 @@ Names without_answer(Kind kind) {
       return contact + Names{"evaluator",         "motion",          "motion_in_time", "comparison",
                              "report_simulation", "report_stability"};
     case Kind::lossy_spring:
-      return contact + Names{"rational_form",    "all_frequencies", "motion",
-                             "normal_motion",    "motion_in_time",  "comparison",
-                             "report_simulation"};
+      return contact + Names{"rational_form",     "all_frequencies", "motion",
+                             "normal_motion",     "motion_in_time",  "comparison",
+                             "report_simulation", "report_explorer", "report_stability"};
     case Kind::indenter:
       return half_space;
     case Kind::no_indenter:

@@ -9,8 +9,8 @@
 #include "accuracy/varied_scene.hpp"
 #include "critical/certified.hpp"
 #include "network/masses.hpp"
+#include "stiffness/at_rest.hpp"
 #include "stiffness/dynamic_stiffness.hpp"
-#include "stiffness/relaxation.hpp"
 
 namespace vcrit::validation::accuracy {
 
@@ -59,10 +59,10 @@ double certified_or_nan(const Scene& scene) {
 
 double closed_amplitude(const Scene& scene, const Reduction& normal, const Values& values) {
   const double amplitude = values.at(scene.amplitude.symbol);
-  const double at_rest = relaxation_form(scene.normal, values).equilibrium;
-  if (at_rest == 0) return amplitude;
+  const auto stiffness_at_rest = static_cast<double>(at_rest(scene.normal, values).stiffness());
+  if (stiffness_at_rest == 0) return amplitude;
   const double omega = values.at(scene.angular_frequency.symbol);
-  const double stiffening = at_rest / std::abs(dynamic_stiffness(normal, values, omega));
+  const double stiffening = stiffness_at_rest / std::abs(dynamic_stiffness(normal, values, omega));
   return std::min(amplitude,
                   largest_oscillation * stiffening * values.at(scene.indentation.symbol));
 }

@@ -42,7 +42,7 @@ std::optional<bool> surely_sticks(const Model& model, double velocity) {
 }
 
 // The highest speed that is known to stick, and the lowest known not to.
-struct Bracket {
+struct SpeedBracket {
   double low, high;
 
   void hear(double velocity, bool sticks) { (sticks ? low : high) = velocity; }
@@ -50,7 +50,7 @@ struct Bracket {
 
 // From speeds between which a cycle that is nearly closed loses its stick: away from them, ever
 // faster, until one that is closed sticks below and another one slips above.
-Bracket sure_bracket(const Model& model, Bracket near) {
+SpeedBracket sure_bracket(const Model& model, SpeedBracket near) {
   constexpr double first = 1e-15, farthest = 1e-2;
   for (const double side : {-1.0, 1.0}) {
     double& end = side < 0 ? near.low : near.high;
@@ -64,7 +64,7 @@ Bracket sure_bracket(const Model& model, Bracket near) {
 }
 
 // Closes in on the last stick as far as cycles tell.
-Bracket closed_in(const Model& model, Bracket bracket) {
+SpeedBracket closed_in(const Model& model, SpeedBracket bracket) {
   constexpr double finest = 1e-15;
   const auto narrow = [&] {
     for (const double share : {0.5, 0.25, 0.75}) {
@@ -124,7 +124,7 @@ Onset stick_onset(const System& given) {
     if (high > highest_speed) throw ModelError("stick vanishes at no speed");
     low = std::exchange(high, 2 * high);
   }
-  Bracket bracket{low, high};
+  SpeedBracket bracket{low, high};
   for (int i = 0; i < 50; ++i) {
     const double middle = 0.5 * (bracket.low + bracket.high);
     bracket.hear(middle, sticks(model, middle));
