@@ -203,6 +203,7 @@ BOOST_AUTO_TEST_CASE(inexact_arithmetic_is_refused_or_has_no_bound) {
       {"-O2", "-ffast-math", "-fno-finite-math-only"},
       {"-O2", "-funsafe-math-optimizations"},
       {"-O2", "-fassociative-math", "-fno-signed-zeros", "-fno-trapping-math"},
+      {"-O2", "-freciprocal-math"},
       {"-O2", "-mfpmath=387"},
       {"-O2", "-mfpmath=sse+387"},
       {"-O2", "-m32"},
