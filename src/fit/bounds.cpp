@@ -1,6 +1,6 @@
 #include "fit/bounds.hpp"
 
-#include <Eigen/SVD>
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -23,7 +23,7 @@ constexpr int frequencies = 9;
 // A 95 % interval in standard deviations.
 constexpr double reach = 1.959963984540054;
 
-// Singular values below this part of the largest are rounding.
+// Pivots below this part of the largest are rounding.
 constexpr double rank_cut = 1e-13;
 
 // Exact data: rounding in the search for an end of the interval stays below this part of |K|.
@@ -68,10 +68,10 @@ class AnySeries {
     // Scaled to one length; and in the few directions that differ at all.
     size_ = columns.colwise().norm();
     columns = columns * size_.cwiseInverse().asDiagonal();
-    const Eigen::BDCSVD<MatrixXd> parts(columns, Eigen::ComputeThinU);
-    const VectorXd& values = parts.singularValues();
-    const Index rank = (values.array() > rank_cut * values[0]).count();
-    const MatrixXd across = parts.matrixU().leftCols(rank).transpose();
+    Eigen::ColPivHouseholderQR<MatrixXd> parts(columns);
+    parts.setThreshold(rank_cut);
+    const MatrixXd across =
+        (parts.householderQ() * MatrixXd::Identity(columns.rows(), parts.rank())).transpose();
     matrix_ = across * columns;
     target_ = across * data.target();
     nearest_ = nonnegative_least_squares(matrix_, target_);
