@@ -83,7 +83,7 @@ Border border_of(const SceneReport& report) {
 
 /// evaluated: v* by formula and evaluators.
 void compare_border(SceneReport& report, const simulation::System& system,
-                    const std::vector<Comparison>& evaluated) {
+                    const std::vector<Comparison>& evaluated, const Witnesses& witnesses) {
   const Border border = border_of(report);
   if (!is_speed(border.contact_velocity)) return;
   const auto add = [&](const std::optional<Comparison>& comparison) {
@@ -97,7 +97,7 @@ void compare_border(SceneReport& report, const simulation::System& system,
   } catch (const ModelError& error) {
     add(not_run(compare_last_stick(border, {}), error.what()));
   }
-  add(compare_march(border, system));
+  add(witnesses.march(border, system));
 }
 
 void trace_curve(SceneReport& report, const simulation::System& system, double threshold) {
@@ -143,7 +143,7 @@ void simulate(SceneReport& report, const symbolic::Derivation& derivation,
     if (by_formula(report))
       report.comparisons.push_back(balanced(report, witnesses.balance(system)));
     progress("looking for the last stick");
-    compare_border(report, system, evaluated);
+    compare_border(report, system, evaluated, witnesses);
     double drive_velocity = report.critical_velocity + report.creep_velocity;
     if (!by_formula(report) && std::isfinite(report.parting->drive_velocity))
       drive_velocity = report.parting->drive_velocity;
@@ -165,7 +165,8 @@ Witnesses own_witnesses() {
   return {[](const Scene& scene) { return certified_critical_velocity(scene); },
           [](const Scene& scene) { return critical_velocity(scene); },
           [](const Scene& scene) { return simulation::system_of(scene); },
-          [](const simulation::System& system) { return simulation::sliding_threshold(system); }};
+          [](const simulation::System& system) { return simulation::sliding_threshold(system); },
+          compare_march};
 }
 
 SceneReport agree(Driver& driver, const symbolic::Derivation& formula, const Progress& progress,

@@ -7,6 +7,7 @@
 #include <functional>
 #include <string>
 
+#include "border.hpp"
 #include "critical/certified.hpp"
 #include "driver.hpp"
 #include "progress.hpp"
@@ -27,6 +28,8 @@ struct Witnesses {
   std::function<simulation::System(const Scene&)> system;    ///< what is simulated
   /// The simulator's own harmonic balance: from where on steady sliding exists.
   std::function<simulation::Onset(const simulation::System&)> balance;
+  /// Another method marched just below and above v*.
+  std::function<Comparison(const Border&, const simulation::System&)> march;
 };
 Witnesses own_witnesses();
 

@@ -70,8 +70,8 @@ class LanguageFiles {
     }
   }
 
-  /// The tools that are there, their drivers compiled. Large programs take nvcc too
-  /// long, and very large ones every optimiser.
+  /// The tools that are there, their drivers compiled. Large programs take nvcc too long. Very
+  /// large ones take every optimiser too long: one tool a language, which does not optimise.
   enum class Length { usual, large, very_large };
   template <class Use>
   void with_each_tool(Use use, Length length = Length::usual) const {
@@ -79,6 +79,7 @@ class LanguageFiles {
       bool tried = false;
       for (Tool tool : row.tools) {
         if (length != Length::usual && tool.label == "nvcc") continue;
+        if (length == Length::very_large && tried) break;
         if (length == Length::very_large)
           tool.compile.insert(tool.compile.end(), row.quick.begin(), row.quick.end());
         if (run(tool.present).status != 0) {

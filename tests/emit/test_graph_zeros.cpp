@@ -239,7 +239,7 @@ BOOST_AUTO_TEST_CASE(other_languages_with_gradients) {
                          {from + count + 1, from + 2 * count + 1});
         }
       },
-      test::LanguageFiles::Length::large);
+      test::LanguageFiles::Length::very_large);
 }
 
 BOOST_AUTO_TEST_CASE(meshes) {
