@@ -1,0 +1,147 @@
+"""ctest over those entries of which something is another than when they last passed.
+
+    run_changed.py BUILD [--all] [WORD...]     in the project's folder; --all and named entries run in any case
+
+What an entry depends on is hashed: its command and environment, the files and folders that these name, those whose
+paths are in the programs among them, the machine, its packages and tools; of scripts also each file of the project
+that is no C++, of whatever is given the project's or the build's folder each file there. An entry that has passed is
+kept under its hash (BUILD/passed.json) and left out as long as the hash stays. Without git all entries run.
+"""
+
+import functools
+import hashlib
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+import xml.etree.ElementTree
+from pathlib import Path
+
+PROJECT, BUILD = Path.cwd(), Path(sys.argv[1]).resolve()
+WORDS = sys.argv[2:]
+PASSED, OUTCOMES = BUILD / "passed.json", BUILD / "Testing/outcomes.xml"
+# Read by C++ tests, by rooms of whatever name.
+ALL_READ = ("scenes", "symbolic/emit/languages", "tests/data", "tests/languages", "tests/support", "bench")
+READ_SOURCES = ("consumer", "examples", "mutation", "project")  # rooms whose scripts do
+# In the build: what tests, ninja and ctest themselves write, and what is linked into something else.
+WRITTEN = re.compile(r"(Testing|compilers|mypy_cache|same_bytes|CMakeFiles)/|\.ninja_|passed\.json|install_manifest")
+VARIABLES = re.compile(r"PATH|HOME|TMPDIR|TZ|LANG|LC_|LD_|PYTHON|VCRIT|CC|CXX|C\w*FLAGS|CPATH|C\w*_PATH|LIBRARY_PATH|OMP|"
+                       r"GLIBC|MALLOC|\w*SAN_OPTIONS|SOURCE_DATE|SE_")
+TOOLS = ("g++", "gcc", "clang++", "clang", "ld", "nvcc", "rustc", "node", "python3", "cmake", "ctest", "chromium", "mpirun")
+
+
+def tracked():
+    """All files that git knows or would."""
+    if not shutil.which("git"):
+        return []
+    listed = subprocess.run(["git", "ls-files", "-co", "--exclude-standard", "-z"], stdout=subprocess.PIPE)
+    return [PROJECT / name for name in listed.stdout.decode().split("\0") if name] if listed.returncode == 0 else []
+
+
+FILES = sorted(tracked())
+
+
+@functools.cache
+def digest(file):
+    return hashlib.sha256(file.read_bytes()).hexdigest() if file.is_file() else "no file"
+
+
+@functools.cache
+def below(folder):
+    """The files of the project, or what was built, below a folder of it."""
+    if BUILD in [folder, *folder.parents]:
+        names = (file.relative_to(BUILD) for file in folder.rglob("*") if file.is_file())
+        return frozenset(BUILD / name for name in names if not WRITTEN.match(str(name)) and "/CMakeFiles/" not in str(name))
+    return frozenset(file for file in FILES if folder in file.parents)
+
+
+def named_in(text):
+    """The files behind all paths of the project in these bytes."""
+    found = set()
+    for path in set(re.findall(re.escape(os.fsencode(PROJECT)) + rb"[-+.\w/]*", text)):
+        path = Path(os.path.normpath(os.fsdecode(path)))
+        found |= below(path) if path.is_dir() else {path}
+    if BUILD / "vcrit" in found:  # which starts its neighbour
+        found.add(BUILD / "vcrit-sweep")
+    return found
+
+
+@functools.cache
+def named_by(file):
+    """The same, if the file is a program that was built."""
+    text = file.read_bytes() if BUILD in file.parents and file.is_file() else b""
+    return named_in(text) if text.startswith(b"\x7fELF") else set()
+
+
+def inputs(entry, stated):
+    room = entry["name"].split("/")[0]
+    new = found = named_in(os.fsencode(stated))
+    while new:
+        new = set().union(*map(named_by, new)) - found
+        found = found | new
+    for folder in (*ALL_READ, f"tests/{room}"):
+        found = found | below(PROJECT / folder)
+    if any(word.endswith(".py") for word in entry["command"]):
+        found = found | {file for file in FILES if room in READ_SOURCES or file.suffix not in (".cpp", ".hpp")}
+    elif BUILD / "build.ninja" not in found:  # they are in the program
+        found = {file for file in found if PROJECT / "tests" not in file.parents or file.suffix not in (".cpp", ".hpp")}
+    return sorted(found)
+
+
+def machine():
+    with open("/proc/cpuinfo") as processors:
+        flags = [line for line in processors if line.startswith(("model name", "flags"))]
+    path = ":".join(each for each in os.environ.get("PATH", "").split(":") if Path(each) != BUILD / "compilers")
+    tools = [os.path.realpath(found) for tool in TOOLS if (found := shutil.which(tool, path=path))]
+    packages = [file for file in ("/var/lib/dpkg/status", *tools) if os.path.exists(file)]
+    return [flags, os.uname().release, os.geteuid(), os.path.exists("/dev/nvidia0"),
+            [(file, os.stat(file).st_size, os.stat(file).st_mtime_ns) for file in packages],
+            sorted(each for each in os.environ.items() if VARIABLES.match(each[0])), digest(Path(__file__).resolve())]
+
+
+def hashes():
+    """{entry: hash} of all entries."""
+    for cached in (digest, below, named_by):
+        cached.cache_clear()
+    listed = subprocess.run(["ctest", "--test-dir", BUILD, "--show-only=json-v1"], check=True, stdout=subprocess.PIPE)
+    of_machine, result = machine(), {}
+    for entry in json.loads(listed.stdout)["tests"]:
+        # Not all that lies in the folder where it runs is for it.
+        stated = [entry["command"], [each for each in entry["properties"] if each["name"] not in ("WORKING_DIRECTORY", "COST")]]
+        files = [(str(file), digest(file)) for file in inputs(entry, json.dumps(stated))]
+        result[entry["name"]] = hashlib.sha256(repr([stated, of_machine, files]).encode()).hexdigest()
+    return result
+
+
+def run(left_out, chosen):
+    """ctest's exit status, and the entries that passed and that did not."""
+    OUTCOMES.unlink(missing_ok=True)
+    words = ["-E", f"^({'|'.join(map(re.escape, left_out))})$"] if left_out else []
+    words += ["-R", "|".join(chosen)] if chosen else []
+    words += ["--output-on-failure", "--no-tests=error", "--output-junit", OUTCOMES]
+    at_once = str(len(os.sched_getaffinity(0)) + 1)  # some tests wait more than they work
+    status = subprocess.run(["ctest", "--test-dir", BUILD, "--parallel", at_once, *words]).returncode
+    cases = xml.etree.ElementTree.parse(OUTCOMES).iter("testcase") if OUTCOMES.exists() else []
+    outcomes = {case.get("name"): case.get("status") == "run" and case.find("failure") is None for case in cases}
+    return status, outcomes
+
+
+def main():
+    chosen = [word for word in WORDS if word != "--all"]
+    before = hashes()
+    passed = json.loads(PASSED.read_text()) if PASSED.exists() else {}
+    same = [] if WORDS or not FILES else [name for name, value in before.items() if passed.get(name) == value]
+    status = 0
+    if len(same) < len(before):
+        status, outcomes = run(same, chosen)
+        after = hashes()  # what was changed meanwhile has not passed
+        good = {name: before[name] for name, fine in outcomes.items() if fine and before[name] == after.get(name)}
+        PASSED.write_text(json.dumps({name: value for name, value in passed.items() if name not in outcomes} | good))
+    if same:
+        print(f"Not run: {len(same)} of {len(before)} tests, which have passed with the very same inputs (--all runs them, too)")
+    sys.exit(status)
+
+
+main()
