@@ -28,9 +28,11 @@ void relax(NormalState& now, NormalIntegrals& sums, Index j, Index k,
 
 }  // namespace
 
-NormalStays::NormalStays(const ContactModes& network, const Indentation& indentation)
+NormalStays::NormalStays(const ContactModes& network, const Indentation& indentation,
+                         Effort& effort)
     : network_(network),
       indentation_(indentation),
+      effort_(effort),
       branches_{network.branch_rates, {}},
       units_{network.unit_rates, {}} {
   using namespace std::complex_literals;
@@ -101,8 +103,10 @@ void NormalStays::strike(NormalState& now, NormalIntegrals& sums) const {
 // place F = -sum_j eps_j/J_g begins elsewhere, too.
 Matrix NormalStays::decays_at(const NormalState& now) const {
   const ComplexDouble turn = std::polar(1.0, now.time);
-  Matrix result(branches_.singles(), now.strains.columns());
-  for (Index k = 0; k < result.columns(); ++k) {
+  const Index columns = now.strains.columns();
+  effort_.spend(Effort::of_products(branches_.singles() * units() * columns));
+  Matrix result(branches_.singles(), columns);
+  for (Index k = 0; k < columns; ++k) {
     const View decays = result.column(k);
     add_product(network_.to_branches, now.strains.column(k), decays);
     if (k > 0) add(network_.branch_stiffness, -sum(now.strains.column(k)), decays);
@@ -122,7 +126,7 @@ std::optional<double> NormalStays::touch_down(const NormalState& now, double hor
   const ConstView strains = now.strains.column(0);
   const int order = now.released && network_.damper > 0 && !has_fast_unit() ? 2 : 1;
   const double size = std::abs(depth(now.time)) + sum_of_sizes(strains);
-  EventFunction f(units_, order, now.released ? 0 : -gap(now), now.released ? 0 : size);
+  EventFunction f(units_, order, now.released ? 0 : -gap(now), now.released ? 0 : size, &effort_);
   f.add_modes(units_.rates, strains, 1, order - 1);
   using namespace std::complex_literals;
   const ComplexDouble rate = 1i * indentation_.amplitude * std::polar(1.0, now.time);
@@ -141,7 +145,7 @@ std::optional<double> NormalStays::lift_off(const NormalState& now, ConstView de
   const double force = swing.real() + sum(decays), size = std::abs(swing) + sum_of_sizes(decays);
   // One within rounding is no force to begin with.
   const bool jump = network_.damper > 0 && force > 8 * epsilon * size;
-  EventFunction f(branches_, 1, jump ? -force : 0, jump ? size : 0);
+  EventFunction f(branches_, 1, jump ? -force : 0, jump ? size : 0, &effort_);
   f.add_modes(branches_.rates, decays, 1);
   using namespace std::complex_literals;
   f.add_sinusoid(-1i * swing);
@@ -155,6 +159,7 @@ void NormalStays::press(NormalState& now, const Matrix& decays, double duration,
   const ComplexDouble swing = swing_ * std::polar(1.0, now.time);
   const auto swung = [&](PairNumber x) { return swing.real() * x.a - swing.imag() * x.b; };
   const Index columns = decays.columns();
+  effort_.spend(units() * decays.rows() * (convolution_work + Effort::of_products(2 * columns)));
   for (Index i = 0; i < decays.rows(); ++i) {
     for (Index k = 0; k < columns; ++k) sums.impulse[k] += decays(i, k) * factors.single(i)[1];
     sums.size += std::abs(decays(i, 0) * factors.single(i)[1]);
