@@ -20,6 +20,32 @@ double sum(ConstView x) {
   return result;
 }
 
+double swung(ComplexDouble swing, PairNumber x) { return swing.real() * x.a - swing.imag() * x.b; }
+
+// What each unit takes up over a touch, from the decay of each branch and from the oscillation, per
+// unit of fluidity: strain at its end, and the integral of that.
+struct Uptake {
+  Uptake(const ContactModes& network, const Spectrum& branches, const Factors& factors)
+      : strain(network.unit_rates.size(), branches.singles()), sum(strain) {
+    const double duration = factors.duration();
+    for (Index j = 0; j < strain.rows(); ++j) {
+      const double rate = network.unit_rates[j];
+      const Integrals<double> own = integrals(rate, duration);
+      const auto answer = [&](auto r, const auto& factor, auto& now_there, auto& integral) {
+        now_there = convolution(r, factor[0], -rate, own[0], duration);
+        integral = integrated_convolution(r, factor[1], -rate, own[1], now_there, duration);
+      };
+      for (Index i = 0; i < branches.singles(); ++i)
+        answer(-branches.rates[i], factors.single(i), strain(j, i), sum(j, i));
+      answer(PairNumber{0, 1, -1}, factors.turn(), swing_strain.emplace_back(),
+             swing_sum.emplace_back());
+    }
+  }
+
+  Matrix strain, sum;
+  List<PairNumber> swing_strain, swing_sum;
+};
+
 void relax(NormalState& now, NormalIntegrals& sums, Index j, Index k,
            const Integrals<double>& own) {
   sums.strains(j, k) += now.strains(j, k) * own[1];
@@ -157,34 +183,32 @@ void NormalStays::press(NormalState& now, const Matrix& decays, double duration,
                         NormalIntegrals& sums) const {
   const Factors factors(branches_, duration);
   const ComplexDouble swing = swing_ * std::polar(1.0, now.time);
-  const auto swung = [&](PairNumber x) { return swing.real() * x.a - swing.imag() * x.b; };
   const Index columns = decays.columns();
   effort_.spend(units() * decays.rows() * (convolution_work + Effort::of_products(2 * columns)));
   for (Index i = 0; i < decays.rows(); ++i) {
     for (Index k = 0; k < columns; ++k) sums.impulse[k] += decays(i, k) * factors.single(i)[1];
     sums.size += std::abs(decays(i, 0) * factors.single(i)[1]);
   }
-  sums.impulse[0] += swung(factors.turn()[1]);
+  sums.impulse[0] += swung(swing, factors.turn()[1]);
   sums.size += std::abs(swing) * magnitude(factors.turn()[1]);
+  const Uptake taken(network_, branches_, factors);
   for (Index j = 0; j < units(); ++j) {
-    const double rate = units_.rates[j], fluidity = network_.unit_fluidity[j];
-    const Integrals<double> own = integrals(rate, duration);
-    const auto answer = [&](auto r, const auto& factor, const auto& use) {
-      const auto now_there = convolution(r, factor[0], -rate, own[0], duration);
-      use(now_there, integrated_convolution(r, factor[1], -rate, own[1], now_there, duration));
-    };
+    const Integrals<double> own = integrals(units_.rates[j], duration);
     for (Index k = 0; k < columns; ++k) relax(now, sums, j, k, own);
+  }
+  const auto take_up = [&](const Matrix& of, Index k, View strains) {
     for (Index i = 0; i < decays.rows(); ++i)
-      answer(-branches_.rates[i], factors.single(i), [&](double strain, double sum) {
-        for (Index k = 0; k < columns; ++k) {
-          now.strains(j, k) += fluidity * decays(i, k) * strain;
-          sums.strains(j, k) += fluidity * decays(i, k) * sum;
-        }
-      });
-    answer(PairNumber{0, 1, -1}, factors.turn(), [&](PairNumber strain, PairNumber sum) {
-      now.strains(j, 0) += fluidity * swung(strain);
-      sums.strains(j, 0) += fluidity * swung(sum);
-    });
+      for (Index j = 0; j < strains.size(); ++j)
+        strains[j] += network_.unit_fluidity[j] * decays(i, k) * of(j, i);
+  };
+  for (Index k = 0; k < columns; ++k) {
+    take_up(taken.strain, k, now.strains.column(k));
+    take_up(taken.sum, k, sums.strains.column(k));
+  }
+  for (Index j = 0; j < units(); ++j) {
+    const double fluidity = network_.unit_fluidity[j];
+    now.strains(j, 0) += fluidity * swung(swing, taken.swing_strain[j]);
+    sums.strains(j, 0) += fluidity * swung(swing, taken.swing_sum[j]);
   }
 }
 
