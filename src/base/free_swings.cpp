@@ -24,6 +24,7 @@
 
 #include "base/constants.hpp"
 #include "base/errors.hpp"
+#include "base/interruption.hpp"
 
 namespace vcrit {
 
@@ -196,8 +197,10 @@ class Program {
   }
 
   LeastMaximum run() {
-    for (int i = 0; i < most_exchanges && upper_ - lower_ > close_enough; ++i)
+    for (int i = 0; i < most_exchanges && upper_ - lower_ > close_enough; ++i) {
+      hear_interruption();
       if (!exchange()) break;
+    }
     ensure(upper_ - lower_ <= worst_width, "the border of free swings is enclosed");
     return {static_cast<double>(lower_), static_cast<double>(upper_)};
   }

@@ -1,8 +1,17 @@
 #include "modes/contact_modes.hpp"
 
+#include <fmt/core.h>
+
+#include "base/errors.hpp"
+
 namespace vcrit::simulation {
 
 ContactModes contact_modes(const Relaxation& contact) {
+  if (contact.branches.size() > most_moving_branches)
+    throw ModelError(fmt::format("a network of {} Maxwell branches is too large to simulate: at "
+                                 "most {}",
+                                 contact.branches.size(), most_moving_branches),
+                     "a series of fewer branches");
   const PoleSum branches = stiffness_poles(contact);
   const DualPoles units = dual(branches);
   const Index n = branches.rates.size(), m = units.rates.size();

@@ -25,6 +25,10 @@ struct ContactModes {
   Matrix to_branches;       ///< k_i beta_j/(beta_j - a_i)
 };
 
+/// Full matrices of them are kept, some dozen.
+inline constexpr Index most_moving_branches = 4000;
+
+/// Throws ModelError for more branches than that.
 ContactModes contact_modes(const Relaxation& contact);
 
 }  // namespace vcrit::simulation

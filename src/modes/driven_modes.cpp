@@ -66,9 +66,11 @@ class Driven {
   void single(Index k) {
     const double rate = own_.spectrum.rates[k];
     Mode alone = mode();
+    List<Index> moving;  // one of many, where the mode is of a network
     for (Index j = 0; j < states_; ++j) {
       alone.to[j] = own_.to_modes(k, j);
       alone.from[j] = own_.from_modes(j, k);
+      if (alone.from[j] != 0) moving.push_back(j);
     }
     List<Index, 2> near;
     for (Index i = 0; i < rates_.size() && push_[k] != 0; ++i) {
@@ -78,7 +80,7 @@ class Driven {
       }
       const double share = push_[k] * rates_[i] / (rate - rates_[i]);
       alone.to[states_ + i] = share;
-      for (Index j = 0; j < states_; ++j) singles_[i].from[j] -= share * alone.from[j];
+      for (const Index j : moving) singles_[i].from[j] -= share * alone.from[j];
     }
     if (near.empty()) return add_single(rate, std::move(alone));
     for (const Index i : near) {

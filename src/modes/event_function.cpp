@@ -30,11 +30,13 @@ double largest(PairNumber x, PairNumber exponent) {
 
 }  // namespace
 
-EventFunction::EventFunction(const Spectrum& spectrum, int order, double value, double size)
+EventFunction::EventFunction(const Spectrum& spectrum, int order, double value, double size,
+                             Effort* effort)
     : spectrum_(&spectrum),
       order_(static_cast<std::size_t>(order)),
       value_(value),
       size_(size),
+      effort_(effort),
       singles_(spectrum.singles()) {
   ensure(order == 1 || order == 2, "event functions are integrals of order 1 or 2");
   for (const ModePair& pair : spectrum.pairs) pairs_.push_back({0, 0, pair.q});
@@ -54,7 +56,12 @@ void EventFunction::add_sinusoid(std::complex<double> amplitude) {
   sinusoid_ = sinusoid_ + PairNumber{-amplitude.imag(), amplitude.real(), -1};
 }
 
+void EventFunction::count() const {
+  if (effort_ != nullptr) effort_->spend(fixed_work + spectrum_->size());
+}
+
 EventFunction::Point EventFunction::at(const Factors& factors) const {
+  count();
   Point p{factors.duration(), value_, 0, 0, size_};
   const auto add = [&](double value, double slope, double curvature) {
     p.value += value;
@@ -82,7 +89,6 @@ EventFunction::Point EventFunction::at(const Factors& factors) const {
 }
 
 EventFunction::Point EventFunction::move_to(double t) {
-  work_ += fixed_work + spectrum_->size();
   here_ = Factors(*spectrum_, t);
   const Point p = at(here_);
   slope_ = p.slope;
@@ -151,7 +157,7 @@ bool EventFunction::bound_pair(Derivatives& bound, double h, PairNumber now,
 }
 
 EventFunction::Safe EventFunction::safe_duration(double value, double h) const {
-  work_ += fixed_work + spectrum_->size();
+  count();
   Derivatives bound{value};
   if (order_ == 2) bound[1] = slope_;
   bool fast = bound_decays(bound, h);

@@ -6,6 +6,7 @@
 
 #include <complex>
 
+#include "base/effort.hpp"
 #include "modes/bernstein.hpp"
 #include "modes/spectrum.hpp"
 
@@ -14,8 +15,10 @@ namespace vcrit::simulation {
 class EventFunction {
  public:
   /// order 1: f = value + ..., order 2: f = value + 0 t + ...; `size` of what was added to make the
-  /// value tells its rounding error. The spectrum must outlive the function.
-  EventFunction(const Spectrum& spectrum, int order, double value, double size);
+  /// value tells its rounding error. The spectrum must outlive the function, as must the effort that
+  /// all that is done with it is taken from.
+  EventFunction(const Spectrum& spectrum, int order, double value, double size,
+                Effort* effort = nullptr);
 
   /// Adds factor * row * (modes z), differentiated in time `derivative` times (0 or 1).
   void add_modes(ConstView row, ConstView z, double factor, int derivative = 0);
@@ -35,9 +38,6 @@ class EventFunction {
   /// f at t, which becomes the present point.
   Point move_to(double t);
 
-  /// What has been done with it, in modes carried over a step.
-  Index work() const { return work_; }
-
   /// A bound from above on f over [0, t], from the size of each term alone.
   double ceiling(double t) const;
 
@@ -55,19 +55,20 @@ class EventFunction {
   double safe_step(double value, double& h) const;
 
  private:
+  void count() const;
   bool bound_decays(Derivatives& bound, double h) const;
   bool bound_pair(Derivatives& bound, double h, PairNumber now, const ModePair& pair) const;
 
   const Spectrum* spectrum_;
   std::size_t order_;
   double value_, size_;
+  Effort* effort_;
   Vector singles_;
   List<PairNumber, 1> pairs_;
   PairNumber sinusoid_;
 
   Factors here_;  ///< of the present point
   double slope_ = 0;
-  mutable Index work_ = 0;
 };
 
 }  // namespace vcrit::simulation

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 
 #include "modes/pair_number.hpp"
 
@@ -72,6 +73,9 @@ inline Integrals<PairNumber> turn_integrals(double t) {
   }
   return {PairNumber{1 - fall, whole, -1}, {whole, fall, -1}, {fall, lag, -1}};
 }
+
+/// What a convolution takes with its integral, in units of effort.
+inline constexpr std::size_t convolution_work = 4;
 
 /// Integral of e^{r x} e^{s (t - x)} over x from 0 to t, (e^{r t} - e^{s t})/(r - s), from its two
 /// exponentials.

@@ -8,7 +8,7 @@
 namespace vcrit::simulation {
 
 /// The largest f(t), 0 <= t <= end, to within its rounding error. Throws ModelError where f
-/// oscillates too often.
+/// oscillates too often, or its effort is spent.
 double highest(EventFunction& f, double end);
 
 }  // namespace vcrit::simulation

@@ -13,6 +13,9 @@ class LinearSolver {
   /// within rounding are left out of solutions.
   LinearSolver(Matrix a, ConstView sizes);
 
+  /// Numbers multiplied or compared to make one of n unknowns.
+  static constexpr Index work(Index n) { return n * n * n; }
+
   Vector solve(ConstView right) const;
   /// With the transposed matrix.
   Vector solve_transposed(ConstView right) const;

@@ -55,12 +55,6 @@ inline void add_product(const Matrix& a, ConstView x, View y) {
   for (Index j = 0; j < a.columns(); ++j) add(a.column(j), x[j], y);
 }
 
-inline Matrix product(const Matrix& a, const Matrix& b) {
-  Matrix result(a.rows(), b.columns());
-  for (Index j = 0; j < b.columns(); ++j) add_product(a, b.column(j), result.column(j));
-  return result;
-}
-
 inline Matrix identity(Index n) {
   Matrix result(n, n);
   for (Index i = 0; i < n; ++i) result(i, i) = 1;

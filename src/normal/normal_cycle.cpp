@@ -17,8 +17,11 @@ namespace {
 // safe way where a step misses.
 class NormalCycleSearch {
  public:
-  NormalCycleSearch(const ContactModes& network, const Indentation& indentation)
-      : network_(network), indentation_(indentation), contact_(network, indentation) {}
+  NormalCycleSearch(const ContactModes& network, const Indentation& indentation, Effort& effort)
+      : network_(network),
+        indentation_(indentation),
+        effort_(effort),
+        contact_(network, indentation, effort) {}
 
   NormalCycle run() {
     const NormalState start = contact_.start();
@@ -131,6 +134,7 @@ class NormalCycleSearch {
 
   LinearSolver solver(const Period& now) const {
     const Index n = contact_.units();
+    effort_.spend(Effort::of_products(LinearSolver::work(n)));
     Matrix derivative(n, n);
     Vector sizes;
     for (Index j = 0; j < n; ++j) {
@@ -198,17 +202,22 @@ class NormalCycleSearch {
 
   const ContactModes& network_;
   Indentation indentation_;
+  Effort& effort_;
   NormalStays contact_;
 };
 
 }  // namespace
 
-NormalCycle normal_cycle(const ContactModes& network, const Indentation& indentation) {
+NormalCycle normal_cycle(const ContactModes& network, const Indentation& indentation,
+                         Effort* whole) {
   ensure(!network.branch_rates.empty() && network.branch_rates[0] == 0,
          "a spring of the normal network carries the static load");
   ensure(indentation.amplitude > 0, "the indentation oscillates");
   if (indentation.mean + indentation.amplitude <= 0) return {};
-  return NormalCycleSearch(network, indentation).run();
+  Effort effort(effort_of_normal_force, whole,
+                "the steady normal force is not found within the bound on the work for it: the "
+                "normal network has too many branches, or the surfaces meet and part too often");
+  return NormalCycleSearch(network, indentation, effort).run();
 }
 
 }  // namespace vcrit::simulation

@@ -28,7 +28,11 @@ struct NormalCycle {
 
 /// The network with time in units of 1/omega; a spring carries its static load. Whether it opens at
 /// all: otherwise the cycle is one touch over the whole period. Throws ModelError where no closed
-/// cycle is found.
-NormalCycle normal_cycle(const ContactModes& network, const Indentation& indentation);
+/// cycle is found, and beyond effort_of_normal_force, or that of `whole`, if there is one.
+NormalCycle normal_cycle(const ContactModes& network, const Indentation& indentation,
+                         Effort* whole = nullptr);
+
+/// A few seconds: enough for some hundred branches.
+inline constexpr std::size_t effort_of_normal_force = 200'000'000;
 
 }  // namespace vcrit::simulation

@@ -20,6 +20,32 @@ double sum(ConstView x) {
   return result;
 }
 
+double swung(ComplexDouble swing, PairNumber x) { return swing.real() * x.a - swing.imag() * x.b; }
+
+// What each unit takes up over a touch, from the decay of each branch and from the oscillation, per
+// unit of fluidity: strain at its end, and the integral of that.
+struct Uptake {
+  Uptake(const ContactModes& network, const Spectrum& branches, const Factors& factors)
+      : strain(network.unit_rates.size(), branches.singles()), sum(strain) {
+    const double duration = factors.duration();
+    for (Index j = 0; j < strain.rows(); ++j) {
+      const double rate = network.unit_rates[j];
+      const Integrals<double> own = integrals(rate, duration);
+      const auto answer = [&](auto r, const auto& factor, auto& now_there, auto& integral) {
+        now_there = convolution(r, factor[0], -rate, own[0], duration);
+        integral = integrated_convolution(r, factor[1], -rate, own[1], now_there, duration);
+      };
+      for (Index i = 0; i < branches.singles(); ++i)
+        answer(-branches.rates[i], factors.single(i), strain(j, i), sum(j, i));
+      answer(PairNumber{0, 1, -1}, factors.turn(), swing_strain.emplace_back(),
+             swing_sum.emplace_back());
+    }
+  }
+
+  Matrix strain, sum;
+  List<PairNumber> swing_strain, swing_sum;
+};
+
 void relax(NormalState& now, NormalIntegrals& sums, Index j, Index k,
            const Integrals<double>& own) {
   sums.strains(j, k) += now.strains(j, k) * own[1];
@@ -28,9 +54,11 @@ void relax(NormalState& now, NormalIntegrals& sums, Index j, Index k,
 
 }  // namespace
 
-NormalStays::NormalStays(const ContactModes& network, const Indentation& indentation)
+NormalStays::NormalStays(const ContactModes& network, const Indentation& indentation,
+                         Effort& effort)
     : network_(network),
       indentation_(indentation),
+      effort_(effort),
       branches_{network.branch_rates, {}},
       units_{network.unit_rates, {}} {
   using namespace std::complex_literals;
@@ -101,8 +129,10 @@ void NormalStays::strike(NormalState& now, NormalIntegrals& sums) const {
 // place F = -sum_j eps_j/J_g begins elsewhere, too.
 Matrix NormalStays::decays_at(const NormalState& now) const {
   const ComplexDouble turn = std::polar(1.0, now.time);
-  Matrix result(branches_.singles(), now.strains.columns());
-  for (Index k = 0; k < result.columns(); ++k) {
+  const Index columns = now.strains.columns();
+  effort_.spend(Effort::of_products(branches_.singles() * units() * columns));
+  Matrix result(branches_.singles(), columns);
+  for (Index k = 0; k < columns; ++k) {
     const View decays = result.column(k);
     add_product(network_.to_branches, now.strains.column(k), decays);
     if (k > 0) add(network_.branch_stiffness, -sum(now.strains.column(k)), decays);
@@ -122,7 +152,7 @@ std::optional<double> NormalStays::touch_down(const NormalState& now, double hor
   const ConstView strains = now.strains.column(0);
   const int order = now.released && network_.damper > 0 && !has_fast_unit() ? 2 : 1;
   const double size = std::abs(depth(now.time)) + sum_of_sizes(strains);
-  EventFunction f(units_, order, now.released ? 0 : -gap(now), now.released ? 0 : size);
+  EventFunction f(units_, order, now.released ? 0 : -gap(now), now.released ? 0 : size, &effort_);
   f.add_modes(units_.rates, strains, 1, order - 1);
   using namespace std::complex_literals;
   const ComplexDouble rate = 1i * indentation_.amplitude * std::polar(1.0, now.time);
@@ -141,7 +171,7 @@ std::optional<double> NormalStays::lift_off(const NormalState& now, ConstView de
   const double force = swing.real() + sum(decays), size = std::abs(swing) + sum_of_sizes(decays);
   // One within rounding is no force to begin with.
   const bool jump = network_.damper > 0 && force > 8 * epsilon * size;
-  EventFunction f(branches_, 1, jump ? -force : 0, jump ? size : 0);
+  EventFunction f(branches_, 1, jump ? -force : 0, jump ? size : 0, &effort_);
   f.add_modes(branches_.rates, decays, 1);
   using namespace std::complex_literals;
   f.add_sinusoid(-1i * swing);
@@ -153,33 +183,32 @@ void NormalStays::press(NormalState& now, const Matrix& decays, double duration,
                         NormalIntegrals& sums) const {
   const Factors factors(branches_, duration);
   const ComplexDouble swing = swing_ * std::polar(1.0, now.time);
-  const auto swung = [&](PairNumber x) { return swing.real() * x.a - swing.imag() * x.b; };
   const Index columns = decays.columns();
+  effort_.spend(units() * decays.rows() * (convolution_work + Effort::of_products(2 * columns)));
   for (Index i = 0; i < decays.rows(); ++i) {
     for (Index k = 0; k < columns; ++k) sums.impulse[k] += decays(i, k) * factors.single(i)[1];
     sums.size += std::abs(decays(i, 0) * factors.single(i)[1]);
   }
-  sums.impulse[0] += swung(factors.turn()[1]);
+  sums.impulse[0] += swung(swing, factors.turn()[1]);
   sums.size += std::abs(swing) * magnitude(factors.turn()[1]);
+  const Uptake taken(network_, branches_, factors);
   for (Index j = 0; j < units(); ++j) {
-    const double rate = units_.rates[j], fluidity = network_.unit_fluidity[j];
-    const Integrals<double> own = integrals(rate, duration);
-    const auto answer = [&](auto r, const auto& factor, const auto& use) {
-      const auto now_there = convolution(r, factor[0], -rate, own[0], duration);
-      use(now_there, integrated_convolution(r, factor[1], -rate, own[1], now_there, duration));
-    };
+    const Integrals<double> own = integrals(units_.rates[j], duration);
     for (Index k = 0; k < columns; ++k) relax(now, sums, j, k, own);
+  }
+  const auto take_up = [&](const Matrix& of, Index k, View strains) {
     for (Index i = 0; i < decays.rows(); ++i)
-      answer(-branches_.rates[i], factors.single(i), [&](double strain, double sum) {
-        for (Index k = 0; k < columns; ++k) {
-          now.strains(j, k) += fluidity * decays(i, k) * strain;
-          sums.strains(j, k) += fluidity * decays(i, k) * sum;
-        }
-      });
-    answer(PairNumber{0, 1, -1}, factors.turn(), [&](PairNumber strain, PairNumber sum) {
-      now.strains(j, 0) += fluidity * swung(strain);
-      sums.strains(j, 0) += fluidity * swung(sum);
-    });
+      for (Index j = 0; j < strains.size(); ++j)
+        strains[j] += network_.unit_fluidity[j] * decays(i, k) * of(j, i);
+  };
+  for (Index k = 0; k < columns; ++k) {
+    take_up(taken.strain, k, now.strains.column(k));
+    take_up(taken.sum, k, sums.strains.column(k));
+  }
+  for (Index j = 0; j < units(); ++j) {
+    const double fluidity = network_.unit_fluidity[j];
+    now.strains(j, 0) += fluidity * swung(swing, taken.swing_strain[j]);
+    sums.strains(j, 0) += fluidity * swung(swing, taken.swing_sum[j]);
   }
 }
 

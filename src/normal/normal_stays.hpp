@@ -5,6 +5,7 @@
 #include <complex>
 #include <optional>
 
+#include "base/effort.hpp"
 #include "modes/contact_modes.hpp"
 
 namespace vcrit::simulation {
@@ -40,8 +41,8 @@ struct NormalStay {
 
 class NormalStays {
  public:
-  /// The network with time in units of 1/omega; it must outlive the object.
-  NormalStays(const ContactModes& network, const Indentation& indentation);
+  /// The network with time in units of 1/omega; both it and the effort must outlive the object.
+  NormalStays(const ContactModes& network, const Indentation& indentation, Effort& effort);
   NormalStays(const NormalStays&) = delete;
   NormalStays& operator=(const NormalStays&) = delete;
 
@@ -68,6 +69,7 @@ class NormalStays {
 
   const ContactModes& network_;
   Indentation indentation_;
+  Effort& effort_;
   Spectrum branches_, units_;
   std::complex<double> swing_;
 };

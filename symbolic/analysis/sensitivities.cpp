@@ -139,26 +139,99 @@ class Chain {
   Factors amplitude_;
 };
 
+/// The chain rule against the order of the definitions: with G_j = (dB/dK_j)/B, all of which follow
+/// from one pass, p dB/dp/B = p sum_j G_j dK_j/dp.
+class Backwards {
+ public:
+  explicit Backwards(const Model& model) {
+    Factors amplitude;
+    amplitude.multiply_rational(model.amplitude({}));
+    for (const auto& [factor, exponent] : amplitude.parts())
+      pass_on(exponent / factor, factor);
+    const std::vector<Line> definitions = model.nested_formula().definitions;
+    for (auto line = definitions.rbegin(); line != definitions.rend(); ++line) {
+      hear_interruption();
+      const auto found = by_.find(line->left);
+      if (found == by_.end()) continue;
+      const std::string name = base_name(GiNaC::ex_to<GiNaC::symbol>(line->left).get_name());
+      const ex g = quantity("G" + name.substr(1));
+      shared.push_back({"", g, found->second});
+      pass_on_definition(g, *line);
+    }
+  }
+
+  Sensitivity along(const Symbol& parameter, const ex& variable) const {
+    const bool is_frequency = variable.is_equal(omega());
+    const ex p = is_frequency ? laplace() : variable;
+    const auto found = by_.find(p);
+    const ex sum = found == by_.end() ? ex(0) : p * found->second;
+    const ex relative = real_part_of(sum.subs(laplace() == GiNaC::I * omega()));
+    return {parameter, relative + (is_frequency ? 1 : 0), {}, {}, {}};
+  }
+
+  std::vector<Line> shared;
+
+ private:
+  // K = 1/u: dK = -K^2 du.
+  void pass_on_definition(const ex& g, const Line& line) {
+    const ex& k = line.right;
+    if (GiNaC::is_a<GiNaC::power>(k) && k.op(1).is_equal(-1))
+      pass_on_terms(-g * GiNaC::pow(line.left, 2), k.op(0));
+    else
+      pass_on_terms(g, k);
+  }
+  void pass_on_terms(const ex& weight, const ex& sum) {
+    if (!GiNaC::is_a<GiNaC::add>(sum)) return pass_on(weight, sum);
+    for (const ex& term : sum) pass_on(weight, term);
+  }
+  void pass_on(const ex& weight, const ex& term) {
+    for (const ex& each : free_symbols(term))
+      by_[each] += weight * shorter_of(term.diff(GiNaC::ex_to<GiNaC::symbol>(each)));
+  }
+
+  std::map<ex, ex, GiNaC::ex_is_less> by_;  ///< (dB/dx)/B of each symbol x, as far as it is known
+};
+
+// Sensitivities whose lines would together be longer than this share them.
+constexpr std::size_t longest_unshared = 200'000;
+
+bool has_long_lines(const Derivation& derivation) {
+  return derivation.parameters.size() * length_of_definitions(derivation) > longest_unshared;
+}
+
 }  // namespace
 
-std::vector<Sensitivity> sensitivities(const Derivation& derivation) {
+std::size_t length_of_definitions(const Derivation& derivation) {
+  std::size_t length = 0;
+  for (const Line& line : derivation.definitions) length += to_text(line.right).size();
+  return length;
+}
+
+Sensitivities sensitivities(const Derivation& derivation) {
   const AlgebraLock lock;
   const Scene& scene = derivation.scene;
-  Chain chain(*derivation.model);
+  std::optional<Backwards> backwards;
+  std::optional<Chain> chain;
+  if (has_long_lines(derivation))
+    backwards.emplace(*derivation.model);
+  else
+    chain.emplace(*derivation.model);
   const ex& velocity = derivation.critical_velocity;
   // The complex R_d stands in moduli that no real fraction has.
   const bool is_nested = !derivation.definitions.empty() || scene.receptance;
-  std::vector<Sensitivity> result;
+  Sensitivities result;
   for (const Symbol& parameter : derivation.parameters) {
     // How a measured receptance changes with omega is in its table, not in symbols.
     if (scene.receptance && parameter == scene.angular_frequency.symbol) continue;
     const ex p = variable(scene, parameter);
     std::optional<ex> fraction;
     if (!is_nested) fraction = logarithmic_derivative(velocity, p);
-    result.push_back(fraction ? Sensitivity{parameter, *fraction, {}, {}, {}}
-                              : chain.along(parameter, p));
-    result.back().derivative = velocity * result.back().relative / p;
+    result.each.push_back(fraction    ? Sensitivity{parameter, *fraction, {}, {}, {}}
+                          : backwards ? backwards->along(parameter, p)
+                                      : chain->along(parameter, p));
+    result.each.back().derivative = velocity * result.each.back().relative / p;
   }
+  if (backwards) result.shared = std::move(backwards->shared);
   return result;
 }
 

@@ -19,9 +19,20 @@ struct Sensitivity {
   std::vector<Line> stiffnesses, changes;
 };
 
-/// For every parameter of v*, in the order of Derivation::parameters. Sensitivities of up to a few
-/// dozen terms are multiplied out; larger ones follow the definitions by the chain rule, in as many
-/// lines as these have.
-std::vector<Sensitivity> sensitivities(const Derivation& derivation);
+/// Of all parameters of v*, in the order of Derivation::parameters.
+struct Sensitivities {
+  /// G_j = (dB/dK_j)/B with B the amplitude, v* = omega |B|: what all of `each` name, where the
+  /// lines of each would be too long together. Those of later K_j come first.
+  std::vector<Line> shared;
+  std::vector<Sensitivity> each;
+};
+
+/// Sensitivities of up to a few dozen terms are multiplied out; larger ones follow the definitions
+/// by the chain rule, forwards, in as many lines for each parameter as these have, or backwards, in
+/// as many lines for all of them.
+Sensitivities sensitivities(const Derivation& derivation);
+
+/// Characters of the definitions of v*, which its sensitivities take some times, backwards.
+std::size_t length_of_definitions(const Derivation& derivation);
 
 }  // namespace vcrit::symbolic

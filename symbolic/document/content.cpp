@@ -125,7 +125,11 @@ Section sensitivities_section(const Findings& findings) {
   Section section{"Sensitivities", note, {}, ""};
   Reader reader;
   reader.tell(findings.derivation.definitions);
-  for (const Sensitivity& sensitivity : findings.sensitivities) {
+  if (const auto& shared = findings.sensitivities.shared; !shared.empty()) {
+    section.note = note + " G_j stands for (dB/dK_j)/B.";
+    section.blocks.push_back({"", "", "", shared});
+  }
+  for (const Sensitivity& sensitivity : findings.sensitivities.each) {
     if (!sensitivity.changes.empty())
       section.note = note + " dK_j stands for p dK_j/dp, with the p of the S_p that follows.";
     std::vector<Line> lines = reader.tell(sensitivity.stiffnesses);

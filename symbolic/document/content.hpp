@@ -26,7 +26,7 @@ struct Findings {
   std::vector<Asymptote> asymptotes;
   std::vector<Resonance> resonances;
   std::vector<Line> extrema;
-  std::vector<Sensitivity> sensitivities;
+  Sensitivities sensitivities;
   std::optional<std::vector<Line>> parting;  ///< of surfaces that may part
   std::string beyond_simulation;             ///< why it has no motion in time
   std::vector<Line> half_space;              ///< below an indenter

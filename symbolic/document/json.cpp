@@ -110,7 +110,9 @@ void fields(Fields& f, const DerivedDocument& document) {
   f("lines", d.lines)("parameters", names_of(d.parameters))("equation", d.equation);
   f("critical_velocity", DerivedFormula{d.critical_velocity})("definitions", d.definitions);
   f("limits", it.limits)("asymptotes", it.asymptotes)("resonances", it.resonances);
-  f("sensitivities", it.sensitivities).some("warnings", document.scene.warnings);
+  f("sensitivities", it.sensitivities.each);
+  f.some("sensitivity_definitions", it.sensitivities.shared);
+  f.some("warnings", document.scene.warnings);
   f.some("indenter", it.half_space);
   if (it.parting) f("separation", DerivedSeparation{*it.parting, it.beyond_simulation});
   f.some("extrema", it.extrema).some(rational ? "rational" : "dimensionless", it.form_lines);

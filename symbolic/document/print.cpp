@@ -12,7 +12,6 @@
 #include "document/markup.hpp"
 #include "formula/algebra_lock.hpp"
 #include "formula/names.hpp"
-#include "formula/text.hpp"
 #include "rules/rulebook.hpp"
 
 namespace vcrit::symbolic {
@@ -26,9 +25,11 @@ constexpr double readable_extrema = 8;
 // many characters of text are printed in a few seconds.
 constexpr std::size_t most_characters = 10'000'000;
 
+// All of them together, in definitions of v*: some three for each, and the derivatives.
+constexpr std::size_t lengths_of_sensitivities = 8;
+
 void refuse_large(const Derivation& derivation, std::size_t formulas, const char* what) {
-  std::size_t length = 0;
-  for (const Line& line : derivation.definitions) length += to_text(line.right).size();
+  const std::size_t length = length_of_definitions(derivation);
   if (formulas * length > most_characters)
     throw ModelError(fmt::format(
         "v* of {} symbols has {} as long as itself: some {:.2g} MB of text, more than {:.2g}",
@@ -52,7 +53,8 @@ Findings find(const Scene& scene, const DocumentOptions& options) {
                     {}};
   const std::size_t symbols = findings.derivation.parameters.size();
   if (options.limits) refuse_large(findings.derivation, 2 * symbols, "limits");
-  if (options.sensitivities) refuse_large(findings.derivation, symbols, "sensitivities");
+  if (options.sensitivities)
+    refuse_large(findings.derivation, lengths_of_sensitivities, "sensitivities");
   if (scene.indenter) findings.half_space = half_space_lines(derivation);
   if (scene.separation) findings.parting = parting_lines(derivation);
   if (options.limits) {

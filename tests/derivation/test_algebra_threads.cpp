@@ -23,7 +23,7 @@ std::string everything(const Scene& scene) {
   std::string text = symbolic::to_text(derivation.critical_velocity);
   for (const symbolic::Limit& limit : symbolic::limits(derivation))
     text += symbolic::to_latex(limit.result);
-  for (const symbolic::Sensitivity& sensitivity : symbolic::sensitivities(derivation))
+  for (const symbolic::Sensitivity& sensitivity : symbolic::sensitivities(derivation).each)
     text += symbolic::to_mathml(sensitivity.derivative);
   return text + symbolic::print(scene, {}) + symbolic::emit_header(derivation, "scene");
 }

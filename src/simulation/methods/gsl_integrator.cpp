@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/errors.hpp"
 #include "base/interruption.hpp"
@@ -13,17 +14,27 @@ namespace vcrit::simulation::methods {
 
 namespace {
 
-int rates_of(double t, const double y[], double dydt[], void* ode) {
-  static_cast<Ode*>(ode)->rates(t, y, dydt);
-  return GSL_SUCCESS;
-}
-
-int jacobian_of(double t, const double y[], double* by_y, double by_t[], void* ode) {
-  static_cast<Ode*>(ode)->jacobian(t, y, by_y, by_t);
-  return GSL_SUCCESS;
-}
+// What a call takes whatever the number of states, in units of effort.
+constexpr std::size_t call_work = 12;
 
 }  // namespace
+
+int GslIntegrator::rates_of(double t, const double y[], double dydt[], void* self) {
+  auto& integrator = *static_cast<GslIntegrator*>(self);
+  integrator.work_ += call_work + integrator.system_.dimension;
+  integrator.ode_.rates(t, y, dydt);
+  return GSL_SUCCESS;
+}
+
+// By columns, each as much as all rates. GSL then takes the matrix apart, by n^3/3 products.
+int GslIntegrator::jacobian_of(double t, const double y[], double* by_y, double by_t[],
+                               void* self) {
+  auto& integrator = *static_cast<GslIntegrator*>(self);
+  const std::size_t n = integrator.system_.dimension;
+  integrator.work_ += call_work + n * n + Effort::of_products(n * n * n / 3);
+  integrator.ode_.jacobian(t, y, by_y, by_t);
+  return GSL_SUCCESS;
+}
 
 void StepBudget::take(double size) {
   if (left-- <= 0)
@@ -34,7 +45,8 @@ void StepBudget::take(double size) {
 GslIntegrator::GslIntegrator(Ode& ode, const gsl_odeiv2_step_type* type,
                              const std::vector<double>& scales, double tolerance,
                              StepBudget& budget)
-    : system_{rates_of, jacobian_of, scales.size(), &ode},
+    : ode_(ode),
+      system_{rates_of, jacobian_of, scales.size(), this},
       driver_(gsl_odeiv2_driver_alloc_scaled_new(&system_, type, 1e-3, tolerance, tolerance, 1, 0,
                                                  scales.data())),
       budget_(budget),
@@ -65,11 +77,14 @@ void GslIntegrator::check(int status) const {
                                  finite ? gsl_strerror(status) : "the state is not finite", h_));
 }
 
+void GslIntegrator::count() { budget_.effort.spend(std::exchange(work_, 0)); }
+
 void GslIntegrator::evolve(double limit) {
   hear_interruption();
   budget_.take(h_);
   check(gsl_odeiv2_evolve_apply(driver_->e, driver_->c, driver_->s, &system_, &t_, limit, &h_,
                                 y_.data()));
+  count();
 }
 
 void GslIntegrator::step(double limit) {
@@ -93,6 +108,7 @@ void GslIntegrator::shorten(double t) {
     check(gsl_odeiv2_step_apply(driver_->s, t_, t - t_, y_.data(), error_.data(),
                                 driver_->e->dydt_in, driver_->e->dydt_out, &system_));
     t_ = t;
+    count();
     return;
   }
   restart();

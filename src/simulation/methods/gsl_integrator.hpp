@@ -7,6 +7,8 @@
 #include <memory>
 #include <vector>
 
+#include "simulation/system/effort.hpp"
+
 namespace vcrit::simulation::methods {
 
 class Ode {
@@ -21,6 +23,7 @@ class Ode {
 struct StepBudget {
   long left = 0;
   long most = 0;
+  Effort effort{effort_of_method, nullptr, beyond_effort_of_method};
   void take(double size);  ///< throws ModelError when none is left
 };
 
@@ -57,9 +60,14 @@ class GslIntegrator {
   struct Free {
     void operator()(gsl_odeiv2_driver* driver) const { gsl_odeiv2_driver_free(driver); }
   };
+  static int rates_of(double t, const double y[], double dydt[], void* self);
+  static int jacobian_of(double t, const double y[], double* by_y, double by_t[], void* self);
   void evolve(double limit);
+  void count();
   void check(int status) const;
 
+  Ode& ode_;
+  std::size_t work_ = 0;  ///< since it was counted last: GSL's C lets no error through
   gsl_odeiv2_system system_;
   std::unique_ptr<gsl_odeiv2_driver, Free> driver_;
   StepBudget& budget_;

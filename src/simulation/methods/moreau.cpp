@@ -10,6 +10,9 @@ namespace vcrit::simulation::methods {
 
 namespace {
 
+// What a step takes without branches, in units of effort.
+constexpr std::size_t step_work = 8;
+
 /// An affine function of the network's velocity e' over the step: offset(f_0) + slope e'.
 struct Affine {
   std::vector<double> kept;  ///< of each branch's force
@@ -74,6 +77,8 @@ class Stepper {
     for (int i = 0; i < steps; ++i) bounds_.push_back(equations.bound((i + law) * h_));
   }
 
+  std::size_t steps() const { return bounds_.size(); }
+
   Period run(const MapState& state) const {
     Period period{state, 0, {}, infinity};
     double* const y = period.end.y.data();
@@ -133,8 +138,11 @@ struct Normal {
   Normal(const System& given, const MethodOptions& options) : system(given), theta(options.theta) {
     if (!given.opening) return;
     theta = 1;  // the bound is known at the end of a step
-    asked = normal_force_steps(*given.opening, given.omega, options.steps_per_period);
-    coarser = normal_force_steps(*given.opening, given.omega, options.steps_per_period / 3);
+    const auto steps = [&](int count) {
+      return normal_force_steps(*given.opening, given.omega, count, effort);
+    };
+    asked = steps(options.steps_per_period);
+    coarser = steps(options.steps_per_period / 3);
     double sum = 0;
     for (const double force : asked) sum += force;
     system.opening.reset();
@@ -145,6 +153,7 @@ struct Normal {
 
   System system;
   double theta;
+  Effort effort{effort_of_method, nullptr, beyond_effort_of_method};
   std::vector<double> asked, coarser;  ///< in units of the mean
 };
 
@@ -154,6 +163,7 @@ class MoreauMap final : public PeriodMap {
       : equations_(normal.system, velocity),
         scales_(equations_.scales()),
         target_(1e-3 / options.steps_per_period),
+        effort_(normal.effort),
         asked_(equations_, options.steps_per_period, normal.theta, normal.asked),
         coarser_(equations_, options.steps_per_period / 3, normal.theta, normal.coarser) {
     for (std::size_t i = 1; i < normal.asked.size(); ++i)
@@ -166,7 +176,9 @@ class MoreauMap final : public PeriodMap {
             start == Start::rest ? Motion::stick : Motion::slip};
   }
   Period run(const MapState& state, Accuracy accuracy) override {
-    return (accuracy == Accuracy::asked ? asked_ : coarser_).run(state);
+    const Stepper& stepper = accuracy == Accuracy::asked ? asked_ : coarser_;
+    effort_.spend(stepper.steps() * (step_work + equations_.size()));
+    return stepper.run(state);
   }
   std::vector<Eigen::Index> variables(const MapState& state) const override {
     std::vector<Eigen::Index> list(static_cast<std::size_t>(state.y.size()));
@@ -185,6 +197,7 @@ class MoreauMap final : public PeriodMap {
   Equations equations_;
   std::vector<double> scales_;
   double target_;
+  Effort effort_;
   Stepper asked_, coarser_;
   // Where in a step the surfaces part or meet, steps of another length do not tell: the mean of
   // what a step changes the bound by.

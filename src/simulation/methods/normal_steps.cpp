@@ -13,6 +13,9 @@ namespace {
 // Relaxation over thousands of periods is not waited for.
 constexpr int most_periods = 20'000;
 
+// What a step takes without branches, in units of effort.
+constexpr std::size_t step_work = 4;
+
 class Steps {
  public:
   Steps(const NormalMotion& motion, double omega, int steps)
@@ -52,10 +55,12 @@ class Steps {
 
 }  // namespace
 
-std::vector<double> normal_force_steps(const NormalMotion& motion, double omega, int steps) {
+std::vector<double> normal_force_steps(const NormalMotion& motion, double omega, int steps,
+                                       Effort& effort) {
   Steps normal(motion, omega, steps);
   std::vector<double> now(static_cast<std::size_t>(steps)), before;
   for (int period = 0; period < most_periods; ++period) {
+    effort.spend(now.size() * (step_work + motion.network.branches.size()));
     for (int i = 0; i < steps; ++i) now[static_cast<std::size_t>(i)] = normal.force_after(i);
     const double largest = *std::max_element(now.begin(), now.end());
     if (period > 0 && largest == 0)

@@ -14,6 +14,7 @@ Flow::Flow(const Model& model, bool stuck, double duration)
 void Flow::filter_units() {
   const Spectrum& spectrum = phase().modes.spectrum;
   const Index units = model_->units(), n = spectrum.singles();
+  model_->effort.spend(convolution_work * units * spectrum.size());
   unit_answer_ = Matrix(units, spectrum.size());
   unit_integral_ = Matrix(model_->slow_units, spectrum.size());
   for (Index j = 0; j < units; ++j) {
@@ -66,7 +67,9 @@ void Flow::move_units(ConstView z, View units, View slow) const {
 
 void Flow::carry(Changes& changes) const {
   const Matrix& to_modes = phase().modes.to_modes;
-  model_->effort.spend(changes.state.columns() * (1 + to_modes.rows()));
+  const Index columns = changes.state.columns(), modes = to_modes.rows();
+  const Index states = to_modes.columns() + changes.state.rows() + unit_integral_.rows();
+  model_->effort.spend(columns * (1 + modes + Effort::of_products(modes * states)));
   Vector y(to_modes.columns()), z(to_modes.rows());
   for (Index j = 0; j < changes.state.columns(); ++j) {
     const View x = changes.state.column(j);

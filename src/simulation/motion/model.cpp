@@ -57,10 +57,15 @@ Modes stuck_modes(const Body& body, const ContactModes& contact) {
     if (poles.passing(l)) passing.push_back(poles.sum.rates[l]);
   const Modes both = passing.empty() ? whole : beside(whole, uncoupled(passing));
 
-  // y = from h, h = to y with h = (u', sums of branch forces, parts that pass).
+  // y = from h, h = to y with h = (u', sums of branch forces, parts that pass): two numbers a row
+  // at most, by which rows and columns are added.
   const Index drives = body.drive.rates.size(), n = both.to_modes.columns();
-  Matrix to(n, n), from(n, n);
-  to(0, 0) = from(0, 0) = 1;
+  Modes result{both.spectrum, Matrix(n, n), Matrix(n, n)};
+  const auto link = [&](Index h, Index y, double to, double from) {
+    add(both.to_modes.column(h), to, result.to_modes.column(y));
+    for (Index j = 0; j < n; ++j) result.from_modes(y, j) += from * both.from_modes(h, j);
+  };
+  link(0, 0, 1, 1);
   Index part = whole.to_modes.columns();
   for (Index l = 0; l < poles.sum.rates.size(); ++l) {
     const Index h = l + 1;
@@ -69,15 +74,13 @@ Modes stuck_modes(const Body& body, const ContactModes& contact) {
     const double share =
         c == 0 ? 0 : contact.branch_stiffness[*poles.contact[l]] / poles.sum.weights[l];
     const double other = d == 0 ? 0 : body.drive.weights[d - 1] / poles.sum.weights[l];
-    if (c != 0) to(h, c) = 1, from(c, h) = share;
-    if (d != 0) to(h, d) = 1, from(d, h) = other;
+    if (c != 0) link(h, c, 1, share);
+    if (d != 0) link(h, d, 1, other);
     if (!poles.passing(l)) continue;
-    to(part, c) = other;
-    to(part, d) = -share;
-    from(c, part) = 1;
-    from(d, part++) = -1;
+    link(part, c, other, 1);
+    link(part++, d, -share, -1);
   }
-  return {both.spectrum, product(both.to_modes, to), product(from, both.from_modes)};
+  return result;
 }
 
 Matrix rows(const Matrix& a, Index first, Index count) {
@@ -97,6 +100,15 @@ Matrix levels(const Vector& force_rate, const Matrix& body) {
   return result;
 }
 
+// All rates of one network are found among all of the other form, and full matrices lead from one
+// to the other: some dozen numbers for each two branches.
+std::size_t setup_work(const System& system) {
+  std::size_t branches = system.contact.branches.size();
+  if (system.drive) branches += system.drive->branches.size();
+  if (system.opening) branches += system.opening->network.branches.size();
+  return 10 * branches * branches;
+}
+
 // How many of the rates, in increasing order, are below 1.
 template <class Rates>
 Index slow(const Rates& rates) {
@@ -106,6 +118,7 @@ Index slow(const Rates& rates) {
 }  // namespace
 
 Model::Model(const System& system) : effort(effort_of_state, system.effort) {
+  effort.spend(setup_work(system));
   const bool moves = system.drive && system.mass && *system.mass > 0;
   const Relaxation path =
       system.drive && !moves ? series({system.contact, *system.drive}) : system.contact;
@@ -135,7 +148,7 @@ Model::Model(const System& system) : effort(effort_of_state, system.effort) {
 
 void Model::set_bound(const System& system) {
   if (system.opening) {
-    opening.emplace(*system.opening, system.omega);
+    opening.emplace(*system.opening, system.omega, system.effort);
     force_unit = system.friction * opening->mean_force;
     mean = opening->constant;
     amplitude = opening->amplitude;

@@ -21,9 +21,10 @@ double until(double phase, double t) {
 
 }  // namespace
 
-Opening::Opening(const NormalMotion& motion, double omega) : jumps(motion.network.damper > 0) {
+Opening::Opening(const NormalMotion& motion, double omega, Effort* whole)
+    : jumps(motion.network.damper > 0) {
   const ContactModes network = modes_of(motion, omega);
-  const NormalCycle cycle = normal_cycle(network, {motion.mean, motion.amplitude});
+  const NormalCycle cycle = normal_cycle(network, {motion.mean, motion.amplitude}, whole);
   if (cycle.touches.empty()) throw ModelError("the surfaces never meet: there is no friction");
   if (cycle.touches.size() == 1 && cycle.touches.front().duration > two_pi - shortest)
     throw ModelError("the surfaces never part: their normal force is that of a closed contact");

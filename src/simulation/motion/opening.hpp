@@ -9,7 +9,8 @@ namespace vcrit::simulation {
 
 /// Times and forces as in model.hpp.
 struct Opening {
-  explicit Opening(const NormalMotion& motion, double omega);
+  /// whole: see normal_cycle.hpp.
+  Opening(const NormalMotion& motion, double omega, Effort* whole = nullptr);
 
   struct Touch {
     double begin = 0;  ///< [0, 2 pi)

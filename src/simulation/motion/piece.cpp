@@ -25,19 +25,6 @@ ComplexDouble turned(const Instant& start, PairNumber factor) {
           start.turn.real() * factor.b + start.turn.imag() * factor.a};
 }
 
-// A search that is given up has been work, too.
-std::optional<double> counted_zero(EventFunction& f, double end, bool leaving, Effort& effort) {
-  std::optional<double> zero;
-  try {
-    zero = first_zero(f, end, leaving);
-  } catch (const ModelError&) {
-    effort.spend(f.work());
-    throw;
-  }
-  effort.spend(f.work());
-  return zero;
-}
-
 }  // namespace
 
 // The modes are those of what is left of y without its sinusoidal part in slip.
@@ -96,7 +83,7 @@ State Piece::after(double duration) const {
 std::optional<Piece::Event> Piece::next_event(double horizon) const {
   const auto before = [&](Motion to, double end) -> std::optional<Event> {
     EventFunction f = event_function(to);
-    const auto zero = counted_zero(f, end, leaving(to), model_->effort);
+    const auto zero = first_zero(f, end, leaving(to));
     if (!zero || *zero >= end) return std::nullopt;
     return Event{*zero, to};
   };
@@ -126,7 +113,7 @@ EventFunction Piece::slip_end() const {
   const double size =
       velocity_ + sum_of_sizes(start_.x) + model_->contact.glassy * model_->force_size();
   EventFunction f(model_->slip.modes.spectrum, 1, from_zero ? 0 : -side * velocity,
-                  from_zero ? 0 : size);
+                  from_zero ? 0 : size, &model_->effort);
   f.add_modes(model_->slip.event, modes_, -side);
   const ComplexDouble velocity_now = model_->sliding_velocity * start_.at.turn;
   f.add_sinusoid({velocity_now.imag(), -velocity_now.real()});
@@ -141,7 +128,7 @@ EventFunction Piece::stick_end(int side) const {
   const int order = start_.entered == side && model_->contact.damper == 0 ? 2 : 1;
   const double gap = side * (start_.x[0] - model_->slip_force(side, start_.at, start_.touch));
   EventFunction f(model_->stick.modes.spectrum, order, entered ? 0 : std::min(gap, 0.0),
-                  entered ? 0 : std::abs(start_.x[0]));
+                  entered ? 0 : std::abs(start_.x[0]), &model_->effort);
   f.add_modes(model_->stick.event, modes_, side, order - 1);
   if (model_->opening) f.add_modes(model_->stick.bound, modes_, -1, order - 1);
   f.add_sinusoid(order == 2 ? bound : ComplexDouble{bound.imag(), -bound.real()});

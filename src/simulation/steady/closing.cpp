@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/constants.hpp"
 #include "base/errors.hpp"
@@ -135,6 +136,11 @@ double close_heavy_body(const Model& model, const Passage& period, Closing& clos
   closing.residual[0] = -impulse / mass;
   for (Index c = 0; c < row.size(); ++c) closing.derivative(0, c) = row[c] / mass;
   return 8 * epsilon * size / mass;
+}
+
+LinearSolver counted_solver(const Model& model, Matrix derivative, ConstView sizes) {
+  model.effort.spend(Effort::of_products(LinearSolver::work(derivative.rows())));
+  return {std::move(derivative), sizes};
 }
 
 Vector state_size(const Model& model, double velocity, const State& start) {

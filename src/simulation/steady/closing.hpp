@@ -1,6 +1,7 @@
 // What is left to close a cycle after one period, and how it depends on the start.
 #pragma once
 
+#include "modes/linear_solver.hpp"
 #include "simulation/motion/trace.hpp"
 
 namespace vcrit::simulation {
@@ -18,6 +19,9 @@ Closing closing(const Model& model, const State& start, const Passage& period);
 /// where its change would be lost in rounding. A few rounding errors of it; 0 of any other body,
 /// which is left as it is.
 double close_heavy_body(const Model& model, const Passage& period, Closing& closing);
+
+/// For steps to where a cycle closes. Its work is counted.
+LinearSolver counted_solver(const Model& model, Matrix derivative, ConstView sizes);
 
 /// What each number of the state but F is measured by.
 Vector state_size(const Model& model, double velocity, const State& start);

@@ -7,7 +7,6 @@
 #include "base/constants.hpp"
 #include "base/errors.hpp"
 #include "modes/highest.hpp"
-#include "modes/linear_solver.hpp"
 #include "simulation/steady/closing.hpp"
 #include "simulation/steady/steady_cycle.hpp"
 
@@ -58,9 +57,11 @@ double effect(const Model& model, ConstView change) {
 // of the state.
 double error_of(const Model& model, const LinearSolver& solver, const Vector& residual,
                 const Vector& unit) {
+  const Index n = unit.size();
+  model.effort.spend(Effort::of_products(n * n * n));
   double sum = effect(model, solver.solve(residual));
-  for (Index i = 0; i < unit.size(); ++i) {
-    Vector one(unit.size());
+  for (Index i = 0; i < n; ++i) {
+    Vector one(n);
     one[i] = unit[i];
     sum += effect(model, solver.solve(one));
   }
@@ -74,7 +75,8 @@ SlidingCycle sliding_cycle(const Model& model) {
     Trace period = trace(model, any_speed, state, two_pi, unit_changes(state, changing));
     Closing left = closing(model, state, period);
     const double impulse_rounding = close_heavy_body(model, period, left);
-    const LinearSolver solver(left.derivative, state_size(model, 0, state));
+    const LinearSolver solver =
+        counted_solver(model, left.derivative, state_size(model, 0, state));
     Vector unit = slip_rounding(model, state);
     if (impulse_rounding > 0) unit[0] = impulse_rounding;
     if (i == most_steps || in_roundings(left.residual, unit) <= closed)

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "base/constants.hpp"
-#include "modes/linear_solver.hpp"
 #include "simulation/steady/closing.hpp"
 
 namespace vcrit::simulation {
@@ -40,7 +39,7 @@ NewtonStep newton_step(const Model& model, double velocity, const Course& course
 
   Vector sizes = state_size(model, velocity, course.start);
   sizes.push_back(1);
-  const Vector solution = LinearSolver(derivative, sizes).solve(residual);
+  const Vector solution = counted_solver(model, derivative, sizes).solve(residual);
   NewtonStep step{Vector(solution.begin(), solution.end() - 1), solution.back(), {}};
   for (Index i = 0; i < course.legs.size(); ++i) {
     double shift = passage.shifts(n, i);

@@ -6,7 +6,6 @@
 
 #include "base/constants.hpp"
 #include "base/errors.hpp"
-#include "modes/linear_solver.hpp"
 #include "simulation/motion/course.hpp"
 #include "simulation/steady/closing.hpp"
 #include "simulation/steady/near_resonance.hpp"
@@ -194,7 +193,8 @@ class SteadyCycleSearch {
         }
       }
       const Vector step =
-          LinearSolver(damped(now->left, damping.value), size_of(*now)).solve(now->left.residual);
+          counted_solver(model_, damped(now->left, damping.value), size_of(*now))
+              .solve(now->left.residual);
       if (!std::isfinite(sum_of_sizes(step))) return std::nullopt;
       std::optional<Mapped> trial = mapped(corrected(state_, step));
       const double miss = missed(*now, trial, left_over(*now, damping.value, step));
@@ -256,7 +256,7 @@ class SteadyCycleSearch {
     double change, rounding;
   };
   Error error(const Mapped& now) const {
-    const LinearSolver solver(now.left.derivative, size_of(now));
+    const LinearSolver solver = counted_solver(model_, now.left.derivative, size_of(now));
     const Vector step = solver.solve(now.left.residual);
     const Matrix& changes = now.trace.changes.integrals;
     Vector gradient;
