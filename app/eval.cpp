@@ -30,6 +30,11 @@ std::string true_digits(const CriticalOnset& critical) {
   return fmt::format("{:.{}g}", value, std::max(digits, 1));
 }
 
+std::string border_words(double sliding_from) {
+  if (std::isnan(sliding_from)) return "from a speed below v* on that is not known";
+  return fmt::format("from {} m/s on", sliding_from);
+}
+
 // What the surfaces do is told where the scene lets them part.
 void print_eval_json(const Scene& scene, const Result& result) {
   std::vector<std::string> reasons = result.reasons;
@@ -70,9 +75,9 @@ void print_eval_text(const Scene& scene, const Result& result) {
   if (result.critical.drive_velocity != critical)
     fmt::print("drive velocity        {} m/s (the path creeps)\n", result.critical.drive_velocity);
   if (const std::vector<int>& free = result.critical.free_harmonics; !free.empty())
-    fmt::print("steady sliding        from {} m/s on: the undamped body swings freely at {} {}\n",
-               result.critical.sliding_from, free.size() > 1 ? "harmonics" : "harmonic",
-               fmt::join(free, ", "));
+    fmt::print("steady sliding        {}: the undamped body swings freely at {} {}\n",
+               border_words(result.critical.sliding_from),
+               free.size() > 1 ? "harmonics" : "harmonic", fmt::join(free, ", "));
   if (scene.separation)
     fmt::print("surfaces              {}\n",
                opens(scene) ? "part for a while in each period" : "always touch");

@@ -6,7 +6,6 @@
 
 #include "answers/critical_onset.hpp"
 #include "base/constants.hpp"
-#include "base/free_swings.hpp"
 #include "border.hpp"
 #include "critical/admissibility.hpp"
 #include "critical/certified.hpp"
@@ -75,7 +74,7 @@ bool by_formula(const SceneReport& report) {
 
 Border border_of(const SceneReport& report) {
   if (by_formula(report))
-    return {report.critical_velocity, report.critical_velocity + report.creep_velocity,
+    return {report.velocity_of_doubles, report.velocity_of_doubles + report.creep_velocity,
             report.condition, formula_reference};
   return {report.parting->critical_velocity, report.parting->drive_velocity, report.condition,
           "v* by the slowest steady sliding"};
@@ -171,20 +170,22 @@ Witnesses own_witnesses() {
 
 SceneReport agree(Driver& driver, const symbolic::Derivation& formula, const Progress& progress,
                   const Witnesses& witnesses) {
-  const Scene scene = as_doubles(driver.derivation().scene);
+  const Scene& typed = driver.derivation().scene;
+  const Scene scene = as_doubles(typed);
   const symbolic::NamesOfScene names(scene);
   const Values values = values_of(scene);
   SceneReport report;
   report.scene = scene;
   report.reasons = inadmissible_reasons(scene);
   report.formula_applies = report.reasons.empty() && rules::answer(rules::Question::formula, scene);
-  const CertifiedVelocity certified = witnesses.certified(scene);
+  const CertifiedVelocity certified = witnesses.certified(typed);
+  report.velocity_of_doubles = witnesses.certified(scene).value;
   report.critical_velocity = certified.value;
   report.relative_error_bound = certified.relative_error_bound;
   report.infinite_reason = certified.reason;
   report.condition = condition_number(scene, values);
   if (report.formula_applies) report.free_harmonics = free_harmonics(scene);
-  report.sliding_from = report.critical_velocity * least_maximum(report.free_harmonics).upper;
+  report.sliding_from = report.critical_velocity * sliding_share(report.free_harmonics);
   report.creep_velocity = creep_velocity(scene);
 
   report.values = value_lines(scene);

@@ -231,12 +231,15 @@ struct SceneReport {
   std::vector<std::string> reasons;  ///< why the scene is not admissible; empty when it is
   bool formula_applies = true;       ///< admissible, and v* is Eq. 24
   std::vector<int> free_harmonics;   ///< n > 1 where an undamped drive swings freely at n omega
-  double sliding_from = 0;           ///< m/s; below v* where there are such n
+  double sliding_from = 0;           ///< m/s; below v* where there are such n, NaN where not known
   double critical_velocity = 0;      ///< m/s, certified; may be infinite
   double relative_error_bound = 0;   ///< of it
-  std::string infinite_reason;       ///< why it is infinite, else empty
-  double condition = 0;              ///< condition number of Eq. 24 on its inputs
-  double creep_velocity = 0;         ///< m/s, 0 unless a network on the path creeps
+  /// m/s, of the doubles next to the numbers as they were typed: evaluators and simulators take
+  /// doubles, and what they find is compared with this.
+  double velocity_of_doubles = 0;
+  std::string infinite_reason;  ///< why it is infinite, else empty
+  double condition = 0;         ///< condition number of Eq. 24 on its inputs
+  double creep_velocity = 0;    ///< m/s, 0 unless a network on the path creeps
   std::vector<ValueLine> values;
   Formula formula;
   std::string equation;               ///< number of the formula in the paper

@@ -17,7 +17,7 @@ Comparison velocity_comparison(const SceneReport& report, const char* key, const
   comparison.name = name;
   comparison.reference = formula_reference;
   comparison.unit = "m/s";
-  comparison.expected = report.critical_velocity;
+  comparison.expected = report.velocity_of_doubles;
   return comparison;
 }
 

@@ -15,7 +15,7 @@ namespace vcrit::validation {
 /// Relative roundings of doubles.
 inline constexpr double unit_roundoff = 0x1p-53;
 
-/// A comparison of a velocity with report.critical_velocity, still without its value.
+/// A comparison of a velocity with report.velocity_of_doubles, still without its value.
 /// What a comparison with Eq. 24 itself has as its reference.
 inline constexpr const char* formula_reference = "Eq. 24, certified";
 

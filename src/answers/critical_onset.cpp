@@ -1,8 +1,13 @@
 #include "answers/critical_onset.hpp"
 
+#include <fmt/core.h>
+
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
+#include "answers/slope.hpp"
 #include "base/constants.hpp"
 #include "base/free_swings.hpp"
 #include "critical/admissibility.hpp"
@@ -25,12 +30,10 @@ bool holds_formula(const Scene& scene) {
   return bool{rules::answer(rules::Question::formula, scene)};
 }
 
-// Harmonics above this are not looked for below a drive with masses: there the border of sliding is
-// within 1e-4 of v*.
-constexpr int highest_harmonic = 100;
-
-// In units of what one rounding of every element and step changes: K_d and m (n omega)^2 are equal.
-constexpr double equal_in_roundings = 16;
+// Harmonics above this are not looked for below a drive with masses. As many as there may be, they
+// take less than 1e-4 off the border of sliding: Fejer's measure has no mean of any swing above N,
+// and one of cos(pi/(N + 2)) of the oscillation.
+constexpr int highest_harmonic = 221;
 
 // So close to a frequency at which a mass keeps its end still that K_d has no digits, it is
 // infinite.
@@ -62,7 +65,7 @@ std::vector<int> free_harmonics_of_masses(const Network& drive, const Values& va
     const double off = std::abs(dynamic_stiffness(reduction, values, frequency) - inertia);
     const double uncertain = sensitivity(reduction, values, frequency) + inertia;
     if (uncertain < ill_conditioned * stiffness_of_parts(drive, values, inertia, frequency) &&
-        off <= equal_in_roundings * epsilon * uncertain)
+        off <= simulation::equal_in_roundings * epsilon * uncertain)
       found.push_back(n);
   }
   return found;
@@ -73,7 +76,7 @@ CriticalOnset by_formula(const Scene& scene) {
   CriticalOnset onset{
       CriticalOnset::By::formula, value, value + creep_velocity(scene), bound, reason, value};
   onset.free_harmonics = free_harmonics(scene);
-  if (std::isfinite(value)) onset.sliding_from *= least_maximum(onset.free_harmonics).upper;
+  if (std::isfinite(value)) onset.sliding_from *= sliding_share(onset.free_harmonics);
   return onset;
 }
 
@@ -95,9 +98,48 @@ CriticalOnset by_simulation(const Scene& scene) {
   return result;
 }
 
-// Steps of ln p. Differences of fourth order err by their fourth power, 1e-12, and the 1e-13 to
-// which v* is simulated by 1e-10.
-constexpr double log_step = 1e-3;
+// Digits of a simulated v* where its own estimate says nothing; a relative slope with an error
+// above this has too few.
+constexpr double usual_error = 1e-13, worst_slope_error = 1e-3;
+
+double simulated_log_derivative(const Scene& scene, const Symbol& symbol) {
+  const std::string name = to_text(as_called(scene, symbol));
+  const CriticalOnset here = by_simulation(scene);
+  if (!(here.contact_velocity > 0 && std::isfinite(here.contact_velocity)))
+    throw ModelError("v* is 0 or infinite, so that it has no relative sensitivity");
+  ChangingScene changing(scene, {name});
+  const double value = changing.targets().front().value->value();
+  const auto log_velocity = [&](double logarithm) -> std::optional<double> {
+    const double changed = value * std::exp(logarithm);
+    try {
+      return std::log(critical_onset(changing.at({&changed, 1})).contact_velocity);
+    } catch (const ModelError&) {
+      return std::nullopt;
+    }
+  };
+  const Slope slope = slope_at_zero(log_velocity, std::max(usual_error, here.relative_error));
+  if (slope.error <= worst_slope_error * std::max(1.0, std::abs(slope.value))) return slope.value;
+  if (std::isinf(slope.error))
+    throw ModelError(
+        fmt::format("no sensitivity to {}: beside this value of it v* is not found", name));
+  throw ModelError(
+      fmt::format(
+          "the sensitivity to {} is not known to three digits: the simulated v* bends here, "
+          "or has too few digits; below it is {:.3g}, above {:.3g}, with errors up to {:.1g}",
+          name, slope.below, slope.above, slope.error),
+      fmt::format("another value of {}", name));
+}
+
+// By the ratio of stiffnesses, which is not bounded as Poisson's ratio is. Under a rigid drive, as
+// below every indenter, an isotropic contact point follows in inverse proportion to it.
+double poisson_log_derivative(const Scene& scene, const Isotropic& isotropic) {
+  const double nu = *isotropic.quantity.value, by_ratio = -nu / ((1 - nu) * (2 - nu));
+  if (!has_drive(scene)) return -by_ratio;
+  Scene given_by_ratio = scene;
+  given_by_ratio.tangential =
+      Isotropic{Isotropic::By::ratio, {isotropic.quantity.symbol, tangential_ratio(isotropic)}};
+  return by_ratio * simulated_log_derivative(given_by_ratio, isotropic.quantity.symbol);
+}
 
 }  // namespace
 
@@ -107,8 +149,14 @@ std::vector<int> free_harmonics(const Scene& scene) {
   const double mass = scene.mass ? values.at(scene.mass->symbol) : 0;
   const double omega = values.at(scene.angular_frequency.symbol);
   if (has_masses(*scene.drive)) return free_harmonics_of_masses(*scene.drive, values, mass, omega);
-  const int n = simulation::free_harmonic(relaxation_form(*scene.drive, values), mass, omega);
+  const int n = simulation::free_harmonic(relaxation_form(*scene.drive, values), mass, omega,
+                                          simulation::equal_in_roundings * epsilon);
   return n > 1 ? std::vector{n} : std::vector<int>{};
+}
+
+double sliding_share(const std::vector<int>& free_harmonics) {
+  const auto least = least_maximum(free_harmonics);
+  return least ? least->upper : std::numeric_limits<double>::quiet_NaN();
 }
 
 CriticalOnset critical_onset(const Scene& scene) {
@@ -128,17 +176,11 @@ double quick_onset(Scene scene, double omega) {
 
 double onset_log_derivative(const Scene& scene, const Symbol& symbol) {
   if (holds_formula(scene)) return log_derivative(scene, symbol);
-  ChangingScene changing(scene, {to_text(as_called(scene, symbol))});
-  const double value = changing.targets().front().value->value();
-  const auto log_velocity = [&](double steps) {
-    const double changed = value * std::exp(steps * log_step);
-    return std::log(critical_onset(changing.at({&changed, 1})).contact_velocity);
-  };
-  const double near = log_velocity(1) - log_velocity(-1), far = log_velocity(2) - log_velocity(-2);
-  const double change = (8 * near - far) / (12 * log_step);
-  if (!std::isfinite(change))
-    throw ModelError("v* is 0 or infinite, so that it has no relative sensitivity");
-  return change;
+  const auto* isotropic = std::get_if<Isotropic>(&scene.tangential);
+  if (isotropic != nullptr && isotropic->by == Isotropic::By::poisson &&
+      isotropic->quantity.symbol == symbol)
+    return poisson_log_derivative(scene, *isotropic);
+  return simulated_log_derivative(scene, symbol);
 }
 
 }  // namespace vcrit

@@ -18,14 +18,20 @@ struct CriticalOnset {
   double relative_error_bound = 0;  ///< of v*; of a simulated one NaN: none is known
   std::string reason;               ///< why v* is infinite, else empty
   /// m/s, of a body that swings freely at harmonics n > 1 of the oscillation, K_d = m (n omega)^2
-  /// without damping: friction is full from a lower speed on (base/free_swings.hpp); else v*.
+  /// without damping: friction is full from a lower speed on (base/free_swings.hpp), NaN where that
+  /// is not known; else v*.
   double sliding_from = 0;
   std::vector<int> free_harmonics = {};  ///< these n, increasing
   double relative_error = 0;             ///< of a simulated v*, an estimate of what rounding takes
 };
 
-/// Those n of a scene whose surfaces stay together. Throws InputError for missing values.
+/// Those n of a scene whose surfaces stay together, K_d and m (n omega)^2 being equal but for
+/// rounding. Throws InputError for missing values.
 std::vector<int> free_harmonics(const Scene& scene);
+
+/// From what part of v* on sliding is steady with free swings at these harmonics; NaN where that is
+/// not known.
+double sliding_share(const std::vector<int>& free_harmonics);
 
 /// Throws InputError for missing values, ModelError where v* is 0/0 and outside the model.
 CriticalOnset critical_onset(const Scene& scene);
@@ -38,7 +44,8 @@ CertifiedVelocity certified_onset(const Scene& scene);
 double quick_onset(Scene scene, double omega);
 
 /// (p/v*) dv*/dp of that v* as log_derivative.hpp has it of Eq. (24); where v* is simulated, by
-/// differences of it, right to some 1e-9. Throws as both do.
+/// differences of it, right to some 1e-9 where it does not bend nearby. Throws as both do, and
+/// ModelError where fewer than three digits are known.
 double onset_log_derivative(const Scene& scene, const Symbol& symbol);
 
 }  // namespace vcrit

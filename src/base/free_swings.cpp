@@ -13,8 +13,6 @@
 // and a_n, twice the mean of f cos(n t), at most 4.
 #include "base/free_swings.hpp"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -23,7 +21,6 @@
 #include <utility>
 
 #include "base/constants.hpp"
-#include "base/errors.hpp"
 #include "base/interruption.hpp"
 
 namespace vcrit {
@@ -196,13 +193,13 @@ class Program {
       basis_.push_back(bought(rows, row, first.entries[row] > 0 ? -1 : 1));
   }
 
-  LeastMaximum run() {
+  std::optional<LeastMaximum> run() {
     for (int i = 0; i < most_exchanges && upper_ - lower_ > close_enough; ++i) {
       hear_interruption();
       if (!exchange()) break;
     }
-    ensure(upper_ - lower_ <= worst_width, "the border of free swings is enclosed");
-    return {static_cast<double>(lower_), static_cast<double>(upper_)};
+    if (!(upper_ - lower_ <= worst_width)) return std::nullopt;
+    return LeastMaximum{static_cast<double>(lower_), static_cast<double>(upper_)};
   }
 
  private:
@@ -265,18 +262,12 @@ class Program {
 
 }  // namespace
 
-LeastMaximum least_maximum(const std::vector<int>& harmonics) {
-  if (harmonics.empty()) return {};
-  if (harmonics.size() > most_swings)
-    throw ModelError(
-        fmt::format(
-            "the body and the masses of its drive swing freely at {} harmonics of the oscillation; "
-            "from which speed on sliding lasts is known for at most {} at once",
-            harmonics.size(), most_swings),
-        "a damper beside some of the masses, or another frequency");
+std::optional<LeastMaximum> least_maximum(const std::vector<int>& harmonics) {
+  if (harmonics.empty()) return LeastMaximum{};
+  if (harmonics.size() > most_swings) return std::nullopt;
   if (harmonics.size() > 1) return Program(harmonics).run();
   const double border = std::cos(pi / (2 * harmonics.front()));
-  return {border, border};
+  return LeastMaximum{border, border};
 }
 
 }  // namespace vcrit

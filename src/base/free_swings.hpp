@@ -10,6 +10,7 @@
 // at its phase, instants of the same t have no mean of it.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 namespace vcrit {
@@ -20,8 +21,8 @@ struct LeastMaximum {
 };
 
 /// harmonics: different ones, each > 1. 1 for none, cos(pi/(2 n)) for one, the enclosure of a
-/// linear program for more, some 1e-12 wide. Throws
-/// ModelError for more than nine.
-LeastMaximum least_maximum(const std::vector<int>& harmonics);
+/// linear program for more, some 1e-12 wide. Nothing for more than nine, and where the program does
+/// not enclose E to 1e-9.
+std::optional<LeastMaximum> least_maximum(const std::vector<int>& harmonics);
 
 }  // namespace vcrit

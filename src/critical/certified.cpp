@@ -110,13 +110,12 @@ class Evaluation {
     return balls;
   }
 
-  // Of a frequency that was typed with its unit 2 pi f, not the double of that.
+  // Of what was given as a frequency 2 pi f, not the double of that.
   Ball omega(const Balls& balls) const {
     const Symbol& symbol = scene_.angular_frequency.symbol;
     const double value = values_.at(symbol);
     const auto frequency = scene_.typed.find({"frequency"});
-    if (frequency == scene_.typed.end() || frequency->second.decimal.empty() ||
-        two_pi * frequency->second.value != value)
+    if (frequency == scene_.typed.end() || two_pi * frequency->second.value != value)
       return balls.exact(symbol, value);
     Ball turn;
     arb_const_pi(acb_realref(turn.get()), balls.precision);

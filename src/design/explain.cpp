@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "answers/critical_onset.hpp"
@@ -138,7 +139,7 @@ std::string ratio_over_frequencies(const Failure& f) {
 std::string ratio_over_velocities(const Failure& f) {
   const double amplitude = *f.question.scene.amplitude.value;
   const double most = f.contact.largest_amplitude(omega_of(f.question));
-  const double limit = 1 - amplitude / most;
+  const double limit = std::max(0.0, 1 - amplitude / most);
   std::string text = fmt::format("no velocity reaches a friction ratio of {}: {}",
                                  f.question.friction_ratio, least_found(f));
   if (creep_velocity(f.question.scene) > 0) return text;

@@ -8,6 +8,7 @@
 #include "answers/critical_onset.hpp"
 #include "base/constants.hpp"
 #include "critical/admissibility.hpp"
+#include "stiffness/dynamic_stiffness.hpp"
 
 namespace vcrit::design {
 
@@ -16,9 +17,12 @@ namespace {
 // The bounds themselves are not admissible: there the normal force touches zero.
 constexpr double inside_the_bound = 0.999999;
 
-// Speeds below this part of the largest are not asked for. Friction is within its square root of
-// the static limit there.
+// Amplitudes below this part of the largest are not asked for, nor are speeds below this part of
+// what the contact's velocity oscillates by: friction is within its square root of the static limit
+// there.
 constexpr double slowest = 1e-9;
+// Down to the largest speed over this they are tried evenly, below by even ratios.
+constexpr double even_down_to = 20;
 
 void refuse_empty(const Question& question, double from, double to) {
   if (from < to && std::isfinite(to)) return;
@@ -106,6 +110,35 @@ SearchRange frequencies(const Question& question, const NormalContact& contact) 
   return range;
 }
 
+// What the contact point's velocity oscillates by as long as body and drive are out of resonance.
+// At one v* grows without end, while friction rises where it would without.
+double usual_speed(const Scene& scene) {
+  const Values values = values_of(scene);
+  const double omega = values.at(scene.angular_frequency.symbol);
+  const auto size = [&](const Network& network) {
+    return std::abs(dynamic_stiffness(network, values, omega));
+  };
+  const ScaledNetwork tangential = tangential_network(scene);
+  double compliance = 1 / (tangential.factor * size(*tangential.network));
+  const double mass = scene.mass ? values.at(scene.mass->symbol) : 0;
+  if (scene.drive) compliance += 1 / (size(*scene.drive) + mass * omega * omega);
+  const double force =
+      values.at(scene.coefficient.symbol) * values.at(scene.amplitude.symbol) * size(scene.normal);
+  return force * omega * compliance;
+}
+
+// From `to` down to `end`.
+std::vector<double> falling_speeds(double to, double end, int samples) {
+  const double joint = std::max(end, to / even_down_to);
+  std::vector<double> row = even(to, joint, samples);
+  if (!(joint > end)) return row;
+  const double spans = std::log(joint / end) / -std::log(even_down_to * slowest);
+  const int slow_samples = static_cast<int>(std::ceil(samples / 2 * std::max(1.0, spans)));
+  const std::vector<double> slow = even_ratios(joint, end, slow_samples + 2);
+  row.insert(row.end(), slow.begin() + 1, slow.end());
+  return row;
+}
+
 // From the fastest on, which is worth most: finely where friction begins to fall, then by even
 // ratios. Above the limit it is full.
 SearchRange velocities(const Question& question) {
@@ -114,21 +147,15 @@ SearchRange velocities(const Question& question) {
       question.from.value_or(0), std::min(question.to.value_or(limit), limit), {}, 0, 0};
   if (std::isinf(range.to))
     throw ModelError(
-        "v* is infinite here, so that no speed is the largest: give a range with --to");
+        "v* is infinite here, so that the search has no upper end: give one with --to");
   if (!(range.to > 0))
     throw ModelError(
         "v* is 0 here: at an antiresonance the oscillation reduces friction at no speed");
   range.largest_velocity = range.largest_at = limit;
   if (range.from < limit) refuse_empty(question, range.from, range.to);
   if (!(range.from < range.to)) return range;
-  const double end = std::max(range.from, slowest * range.to);
-  const double joint = std::max(end, range.to / 20);
-  std::vector<double> row = even(range.to, joint, question.samples);
-  if (joint > end) {
-    const std::vector<double> slow = even_ratios(joint, end, question.samples / 2 + 2);
-    row.insert(row.end(), slow.begin() + 1, slow.end());
-  }
-  range.rows.push_back(std::move(row));
+  range.from = std::max(range.from, slowest * std::min(range.to, usual_speed(question.scene)));
+  range.rows.push_back(falling_speeds(range.to, range.from, question.samples));
   return range;
 }
 

@@ -11,6 +11,7 @@
 #include "design/first_reach.hpp"
 #include "design/opening.hpp"
 #include "design/range.hpp"
+#include "rules/rulebook.hpp"
 #include "simulation/steady/exact.hpp"
 
 namespace vcrit::design {
@@ -64,6 +65,7 @@ class Solving {
     Scene scene = question_.scene;
     if (question_.sought != Sought::velocity) {
       if (!scene.angular_frequency.value) scene.angular_frequency.value = 1;
+      rules::require(rules::Question::closed_amplitude, with_amplitude(scene, 1));
       scene.amplitude.value = contact_.largest_amplitude(*scene.angular_frequency.value) / 2;
     }
     simulation::system_of(scene);

@@ -70,6 +70,8 @@ const char* name_of(Kind kind) {
       return "no_friction";
     case Kind::no_indentation:
       return "no_indentation";
+    case Kind::tapping:
+      return "tapping";
     case Kind::never_meeting:
       return "never_meeting";
     case Kind::jumping:
@@ -114,7 +116,9 @@ bool Facts::is(Kind kind) const {
     case Kind::no_friction:
       return !(value(scene_.coefficient) > 0);
     case Kind::no_indentation:
-      return static_stiffness() > 0 && !(mean_force() > 0);
+      return !separating && static_stiffness() > 0 && !(mean_force() > 0);
+    case Kind::tapping:
+      return separating && !(value(scene_.indentation) > 0) && value(scene_.amplitude) > 0;
     case Kind::never_meeting:
       return !(value(scene_.indentation) + value(scene_.amplitude) > 0);
     case Kind::jumping:
@@ -128,9 +132,10 @@ bool Facts::is(Kind kind) const {
       return !separating && scene_.indenter && mean_force() > 0 &&
              !(oscillating_force() < mean_force());
     case Kind::opening_with_memory:
-      return is(Kind::separating_with_memory) && opens();
+      return is(Kind::separating_with_memory) && opens() && !is(Kind::no_friction);
     case Kind::apart_where_steepest:
-      return is(Kind::separating_while_touching) && opens() && apart_where_steepest();
+      return is(Kind::separating_while_touching) && opens() && !is(Kind::no_friction) &&
+             apart_where_steepest();
   }
   throw Bug("a kind of scene without a rule");
 }

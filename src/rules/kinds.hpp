@@ -21,6 +21,7 @@ enum class Kind {
   no_static_load_below_indenter,  ///< E(0) = 0
   no_friction,                    ///< mu0 = 0
   no_indentation,                 ///< u_z0 = 0 where a spring would carry a load
+  tapping,                        ///< the same of surfaces that may part, and meet for a while
   never_meeting,                  ///< u_z0 = du_z = 0
   jumping,                        ///< (3): du_z >= u_z0 of surfaces that must not part
   deep_amplitude,                 ///< the same of surfaces that may

@@ -64,6 +64,8 @@ constexpr Cell no_friction = refused("with {mu0} = 0 there is no friction to com
 constexpr Cell no_indentation =
     refused("without an indentation {u_z0} the contact carries no load");
 constexpr Cell never_meet = refused("the surfaces never meet");
+constexpr Cell never_closed =
+    refused("without an indentation {u_z0} the contact opens at every amplitude");
 constexpr Cell jumps = refused(
     "the amplitude {du_z} = {amplitude} m is not below the indentation {u_z0} = {indentation} m "
     "(3)");
@@ -99,83 +101,89 @@ struct Row {
 
 // In the order of Kind:
 //   measured, masses, lossy | indenter, none | separating, while touching, with memory
-//   no load, below indenter, no friction, no indentation, never meeting
+//   no load, below indenter, no friction, no indentation, tapping, never meeting
 //   (3), deep | (4), below indenter | opening with memory, apart where steepest
 constexpr Cell y = yes;
+// clang-format off
 constexpr std::array<Row, questions> table{{
     {Question::admissible,
-     {y, y, y, y, y, y, y, y,                          //
-      no_load, no_load, y, no_indentation, y,          //
-      jumps, y, opens_closed, opens_all_over, y, y}},  //
+     {y, y, y, y, y, y, y, y,
+      no_load, no_load, y, no_indentation, y, never_meet,
+      jumps, y, opens_closed, opens_all_over, y, y}},
     {Question::formula,
-     {y, y, y, y, y, y, y, y,  //
-      y, y, y, y, y,           //
+     {y, y, y, y, y, y, y, y,
+      y, y, y, y, y, y,
       y, y, y, y, memory, apart}},
     {Question::closed_form,
-     {y, y, y, y, y, y, y, memory,  //
-      y, y, y, y, y,                //
+     {y, y, y, y, y, y, y, memory,
+      y, y, y, y, y, y,
       y, y, y, y, y, y}},
     {Question::formula_of_all_values,
-     {y, y, y, y, y, y, no_symbols, no_symbols,  //
-      y, y, y, y, y,                             //
+     {y, y, y, y, y, y, no_symbols, no_symbols,
+      y, y, y, y, y, y,
       y, y, y, y, y, y}},
     {Question::evaluator,
-     {measured_code, masses_code, y, y, y, y, touching_code, memory_code,  //
-      y, y, y, y, y,                                                       //
+     {measured_code, masses_code, y, y, y, y, touching_code, memory_code,
+      y, y, y, y, y, y,
       y, y, y, y, y, y}},
     {Question::rational_form,
-     {measured_polynomial, y, lossy_law, y, y, y, y, y,  //
-      y, y, y, y, y,                                     //
+     {measured_polynomial, y, lossy_law, y, y, y, y, y,
+      y, y, y, y, y, y,
       y, y, y, y, y, y}},
     {Question::all_frequencies,
-     {table_alone, y, one_frequency, y, y, y, y, y,  //
-      y, y, y, y, y,                                 //
+     {table_alone, y, one_frequency, y, y, y, y, y,
+      y, y, y, y, y, y,
       y, y, y, y, y, y}},
     {Question::motion,
-     {measured_motion, masses_motion, lossy_motion, each_place, y, y, y, y,  //
-      no_load, y, no_friction, y, y,                                         //
+     {measured_motion, masses_motion, lossy_motion, each_place, y, y, y, y,
+      no_load, y, no_friction, y, y, never_meet,
       jumps, y, opens_moving, y, y, y}},
     {Question::motion_below_indenter,
-     {y, y, lossy_law, y, no_cells, y, y, y,      //
-      y, no_modulus, no_friction, y, never_meet,  //
+     {y, y, lossy_law, y, no_cells, y, y, y,
+      y, no_modulus, no_friction, y, y, never_meet,
       jumps, y, y, opens_at_tip, y, y}},
     {Question::normal_motion,
-     {y, y, lossy_motion, y, y, y, y, y,  //
-      no_load, no_modulus, y, y, y,       //
+     {y, y, lossy_motion, y, y, y, y, y,
+      no_load, no_modulus, y, y, y, y,
       y, y, y, y, y, y}},
     {Question::motion_in_time,
-     {measured_motion, masses_motion, lossy_motion, y, y, y, y, y,  //
-      y, y, y, y, y,                                                //
+     {measured_motion, masses_motion, lossy_motion, y, y, y, y, y,
+      y, y, y, y, y, y,
       y, y, y, y, y, y}},
     {Question::comparison,
-     {measured_motion, masses_motion, lossy_motion, y, y, y, y, y,  //
-      no_load, no_modulus, no_friction, y, y,                       //
+     {measured_motion, masses_motion, lossy_motion, y, y, y, y, y,
+      no_load, no_modulus, no_friction, y, y, never_meet,
       y, y, y, y, no_comparison, no_comparison}},
     {Question::other_methods,
-     {y, y, y, no_methods, y, y, y, y,  //
-      y, y, y, y, y,                    //
+     {y, y, y, no_methods, y, y, y, y,
+      y, y, y, y, y, y,
       y, y, y, y, y, y}},
     {Question::report_simulation,
-     {one_body, one_body, not_causal, y, y, y, y, y,  //
-      y, y, y, y, y,                                  //
+     {one_body, one_body, not_causal, y, y, y, y, y,
+      y, y, y, y, y, y,
       y, y, y, y, y, y}},
     {Question::report_explorer,
-     {y, y, not_causal, one_contact, y, closed_alone, y, y,  //
-      inadmissible, inadmissible, y, inadmissible, y,        //
+     {y, y, not_causal, one_contact, y, closed_alone, y, y,
+      inadmissible, inadmissible, y, inadmissible, y, inadmissible,
       inadmissible, y, inadmissible, inadmissible, y, y}},
     {Question::report_stability,
-     {networks_alone, networks_alone, not_causal, one_contact, y, closed_alone, y, y,  //
-      inadmissible, inadmissible, y, inadmissible, y,                                  //
+     {networks_alone, networks_alone, not_causal, one_contact, y, closed_alone, y, y,
+      inadmissible, inadmissible, y, inadmissible, y, inadmissible,
       inadmissible, y, inadmissible, inadmissible, y, y}},
     {Question::mean_load,
-     {y, y, y, y, y, y, y, y,                  //
-      no_load, no_load, y, no_indentation, y,  //
+     {y, y, y, y, y, y, y, y,
+      no_load, no_load, y, no_indentation, y, y,
       y, y, y, y, y, y}},
     {Question::closed_range,
-     {y, y, y, y, y, y, y, y,  //
-      y, y, y, y, y,           //
+     {y, y, y, y, y, y, y, y,
+      y, y, y, y, never_closed, never_closed,
       jumps, jumps, y, y, y, y}},
+    {Question::closed_amplitude,
+     {y, y, y, y, y, y, y, y,
+      y, y, y, y, never_closed, never_closed,
+      y, y, y, y, y, y}},
 }};
+// clang-format on
 
 // A question or a kind without its cell is no program.
 constexpr bool complete() {
@@ -286,6 +294,8 @@ const char* name_of(Question question) {
       return "mean_load";
     case Question::closed_range:
       return "closed_range";
+    case Question::closed_amplitude:
+      return "closed_amplitude";
   }
   throw Bug("a question without a name");
 }

@@ -29,8 +29,9 @@ enum class Question {
   report_stability,       ///< a report maps the digits lost
   mean_load,              ///< the contact carries a load, as `solve` needs
   closed_range,           ///< the contact stays closed at some frequencies
+  closed_amplitude,       ///< and at some amplitudes
 };
-inline constexpr std::size_t questions = static_cast<std::size_t>(Question::closed_range) + 1;
+inline constexpr std::size_t questions = static_cast<std::size_t>(Question::closed_amplitude) + 1;
 
 /// Refused: the command cannot go on. Left out: it goes on without, or by another way.
 enum class Verdict { unset, yes, refused, left_out };

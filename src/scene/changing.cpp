@@ -60,8 +60,10 @@ const Scene& ChangingScene::at(std::span<const double> values) {
   ensure(values.size() == targets_.size(), "one value for each name");
   for (std::size_t i = 0; i < values.size(); ++i)
     if (!fits(targets_[i], values[i])) return read_again(values);
-  for (std::size_t i = 0; i < values.size(); ++i)
+  for (std::size_t i = 0; i < values.size(); ++i) {
     *targets_[i].value = targets_[i].factor * values[i];
+    if (targets_[i].factor != 1) scene_.typed[frequency_symbol] = {values[i], {}};
+  }
   return scene_;
 }
 

@@ -71,8 +71,9 @@ struct Scene {
   Quantity coefficient, angular_frequency, amplitude, indentation;  ///< mu0, omega, du_z, u_z0
   std::vector<std::pair<Symbol, std::optional<double>>>
       elements;  ///< of the networks, in order of writing
-  /// As numbers were typed, by symbol; "frequency" where that was, in place of omega. Read by those
-  /// who carry them exactly, where the value beside it is still the scene's own.
+  /// As numbers were typed, by symbol; "frequency" where that was, in place of omega, with or
+  /// without a unit. Read by those who carry them and 2 pi f exactly, where the value beside it is
+  /// still the scene's own.
   std::map<Symbol, TypedNumber> typed;
   std::map<std::string, int> arrays;          ///< length of each array among the elements
   std::map<std::string, Dimension> settable;  ///< what --set may name, and what it measures

@@ -181,10 +181,11 @@ class Sweeping::Rows {
   // The border itself is a question of more digits, as are shares beyond the range of doubles.
   bool is_admissible(std::size_t row, double share) {
     constexpr double close = 1e-9;
-    const double part = sweeping_.amplitude_.of(grid_, block_.first + row) /
-                        sweeping_.indentation_.of(grid_, block_.first + row);
-    if (std::isfinite(share) && sweeping_.sweep_.scene.separation) return share > 0;
-    if (std::isfinite(share) && std::abs(part - share) > close * share) return part < share;
+    const double amplitude = sweeping_.amplitude_.of(grid_, block_.first + row);
+    const double part = amplitude / sweeping_.indentation_.of(grid_, block_.first + row);
+    const bool usual = std::isfinite(share) && share > 0 && amplitude > 0;
+    if (usual && sweeping_.sweep_.scene.separation) return true;
+    if (usual && std::abs(part - share) > close * share) return part < share;
     return inadmissible_reasons(scene_at(row)).empty();
   }
 

@@ -35,21 +35,21 @@ std::vector<int> drawn(std::mt19937& random, int most) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(work_is_bounded) {
-  BOOST_CHECK_NO_THROW(least_maximum({2, 13, 24, 35, 46, 57, 68, 79, 100}));
-  BOOST_CHECK_THROW(least_maximum({2, 3, 4, 5, 6, 7, 8, 9, 10, 11}), ModelError);
+  BOOST_TEST(least_maximum({2, 13, 24, 35, 46, 57, 68, 79, 100}).has_value());
+  BOOST_TEST(!least_maximum({2, 3, 4, 5, 6, 7, 8, 9, 10, 11}).has_value());
 }
 
 BOOST_AUTO_TEST_CASE(one_harmonic_or_none) {
-  BOOST_TEST(least_maximum({}).upper == 1);
+  BOOST_TEST(least_maximum({})->upper == 1);
   for (const int n : {2, 3, 4, 17, 100})
-    BOOST_TEST(least_maximum({n}).upper == std::cos(pi / (2 * n)));
+    BOOST_TEST(least_maximum({n})->upper == std::cos(pi / (2 * n)));
 }
 
 BOOST_AUTO_TEST_CASE(all_harmonics_up_to_one) {
   std::vector<int> harmonics{2};
   for (int n = 3; n <= 7; ++n) {
     harmonics.push_back(n);
-    BOOST_TEST(encloses(least_maximum(harmonics), 1 / (2 * std::cos(pi / (n + 2)))), n);
+    BOOST_TEST(encloses(*least_maximum(harmonics), 1 / (2 * std::cos(pi / (n + 2)))), n);
   }
 }
 
@@ -57,25 +57,25 @@ BOOST_AUTO_TEST_CASE(all_harmonics_up_to_one) {
 BOOST_AUTO_TEST_CASE(odd_multiples_add_nothing) {
   for (const int n : {2, 3, 5})
     for (const int odd : {3, 5, 7})
-      BOOST_TEST(encloses(least_maximum({n, odd * n}), std::cos(pi / (2 * n))), n << " " << odd);
+      BOOST_TEST(encloses(*least_maximum({n, odd * n}), std::cos(pi / (2 * n))), n << " " << odd);
 }
 
 BOOST_AUTO_TEST_CASE(two_harmonics) {
-  BOOST_TEST(encloses(least_maximum({2, 4}), 2.0 / 3));
-  BOOST_TEST(encloses(least_maximum({3, 5}), 2 * std::sqrt(2.0) - 2));
-  BOOST_TEST(encloses(least_maximum({5, 7}), 4 * std::sqrt(3.0) - 6));
+  BOOST_TEST(encloses(*least_maximum({2, 4}), 2.0 / 3));
+  BOOST_TEST(encloses(*least_maximum({3, 5}), 2 * std::sqrt(2.0) - 2));
+  BOOST_TEST(encloses(*least_maximum({5, 7}), 4 * std::sqrt(3.0) - 6));
 }
 
 BOOST_AUTO_TEST_CASE(more_harmonics_never_raise_it) {
   std::mt19937 random(3);
   for (int i = 0; i < 40; ++i) {
     const std::vector<int> all = drawn(random, 20);
-    const LeastMaximum together = least_maximum(all);
+    const LeastMaximum together = *least_maximum(all);
     BOOST_TEST(together.upper - together.lower <= width);
     for (const int n : all) {
       std::vector<int> fewer = all;
       std::erase(fewer, n);
-      BOOST_TEST(together.lower <= least_maximum(fewer).upper);
+      BOOST_TEST(together.lower <= least_maximum(fewer)->upper);
     }
   }
 }

@@ -75,6 +75,8 @@ Scene scene_of(Kind kind) {
     case Kind::no_friction:
       return scene_of({.coefficient = 0});
     case Kind::no_indentation:
+      return scene_of({.indentation = 0});
+    case Kind::tapping:
       return scene_of({.contact = "normal = \"k\"\npoisson = 0.3" + separating, .indentation = 0});
     case Kind::never_meeting:
       return scene_of({.contact = "normal = \"k\"\npoisson = 0.3" + separating,
@@ -144,9 +146,12 @@ Names without_answer(Kind kind) {
     case Kind::no_friction:
       return contact + Names{"motion", "comparison"};
     case Kind::no_indentation:
-      return contact + may_part + outside + Names{"mean_load", "closed_range"};
+      return contact + outside + Names{"motion", "mean_load", "closed_range"};
+    case Kind::tapping:
+      return contact + may_part + Names{"closed_range", "closed_amplitude"};
     case Kind::never_meeting:
-      return half_space + outside + Names{"motion_below_indenter", "mean_load", "closed_range"};
+      return half_space + outside +
+             Names{"motion_below_indenter", "comparison", "closed_range", "closed_amplitude"};
     case Kind::jumping:
       return contact + outside + Names{"motion", "closed_range"};
     case Kind::deep_amplitude:
@@ -254,6 +259,18 @@ BOOST_AUTO_TEST_CASE(numbers_stand_in_the_words) {
              "with mu0 = 0 there is no friction to compare with");
   BOOST_TEST(words(Question::mean_load, Kind::no_indentation) ==
              "without an indentation u_z0 the contact carries no load");
+  BOOST_TEST(words(Question::closed_amplitude, Kind::tapping) ==
+             "without an indentation u_z0 the contact opens at every amplitude");
+}
+
+// v* is then 0 with a memory as without, and needs no motion.
+BOOST_AUTO_TEST_CASE(without_friction_the_formula_holds_where_surfaces_part) {
+  for (const Kind kind : {Kind::opening_with_memory, Kind::apart_where_steepest}) {
+    Scene scene = scene_of(kind);
+    BOOST_TEST(!answer(Question::formula, scene));
+    scene.coefficient.value = 0;
+    BOOST_TEST(bool{answer(Question::formula, scene)}, name_of(kind));
+  }
 }
 
 BOOST_AUTO_TEST_CASE(kinds_seen_without_values_need_none) {

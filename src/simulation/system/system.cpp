@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "base/constants.hpp"
 #include "rules/rulebook.hpp"
 
 namespace vcrit::simulation {
@@ -43,8 +44,9 @@ int free_harmonic(const Relaxation& drive, double mass, double omega, double wit
   return off <= within * spring ? static_cast<int>(n) : 0;
 }
 
-int free_harmonic(const System& system, double within) {
+int free_harmonic(const System& system) {
   if (!system.drive || !system.mass) return 0;
+  const double within = system.opening ? 1e-30 : equal_in_roundings * epsilon;
   return free_harmonic(*system.drive, *system.mass, system.omega, within);
 }
 

@@ -25,11 +25,16 @@ struct System {
   Effort* effort = nullptr;  ///< that all searches on it share; without one each has its own alone
 };
 
+/// Numbers that differ by so many of their roundings are equal, but for rounding.
+inline constexpr double equal_in_roundings = 16;
+
 /// n where a body on an undamped drive swings freely at the n-th harmonic of the oscillation,
-/// K_d = m (n omega)^2, as exact numbers to 30 digits or to the share `within`; 0 where it does
-/// not.
-int free_harmonic(const Relaxation& drive, double mass, double omega, double within = 1e-30);
-int free_harmonic(const System& system, double within = 1e-30);
+/// K_d = m (n omega)^2, to the share `within`; 0 where it does not. The difference itself is right
+/// to 30 digits.
+int free_harmonic(const Relaxation& drive, double mass, double omega, double within);
+/// But for rounding, where the contact never opens. Where it does, its force drives every harmonic:
+/// only a drive at one as exact numbers, to 30 digits, is known to be in resonance.
+int free_harmonic(const System& system);
 
 /// The same within a part in 1e5, with the drive's damper left out if that takes no larger share of
 /// a swing. A share d off a free harmonic, a cycle with sticks that die away repeats to within d of

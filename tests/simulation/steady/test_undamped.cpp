@@ -124,17 +124,50 @@ BOOST_AUTO_TEST_CASE(a_damper_or_another_stiffness_is_no_free_swing) {
   BOOST_TEST(free_harmonic(system) == 3);
   const double spring = system.drive->equilibrium;
   system.drive->equilibrium = std::nextafter(spring, 2 * spring);
+  BOOST_TEST(free_harmonic(system) == 3);
+  system.drive->equilibrium = spring * (1 + 1e-14);
   BOOST_TEST(free_harmonic(system) == 0);
   system.drive->equilibrium = spring;
   system.drive->damper = 1e-300;
   BOOST_TEST(free_harmonic(system) == 0);
 }
 
-// Between the border and v* of a drive that is at its harmonic but for rounding: full friction but
-// for the share by which it is off, or an error that says so and what to do; never another one.
+// Decimals at a harmonic whose doubles are not, and springs in series whose stiffness rounds: what
+// eval tells of, the motion does.
+BOOST_AUTO_TEST_CASE(a_harmonic_but_for_rounding_is_one) {
+  const auto check = [](const test::SceneText& text, int n) {
+    const Scene scene = test::scene_of(text);
+    const System system = system_of(scene);
+    const CriticalOnset onset = critical_onset(scene);
+    BOOST_TEST(onset.free_harmonics == std::vector{n});
+    BOOST_TEST(free_harmonic(system) == n);
+    const double border = onset.contact_velocity * std::cos(std::numbers::pi / (2 * n));
+    BOOST_TEST(std::abs(onset.sliding_from / border - 1) <= 1e-15);
+    // Both v* lose some roundings; no sum cancels.
+    BOOST_TEST(std::abs(sliding_threshold(system).contact_velocity / border - 1) <= 1e-13);
+    const SteadyState state = steady_state(system, 1.001 * border);
+    BOOST_TEST((state.regime == Regime::sliding));
+    BOOST_TEST(state.friction_ratio == 1);
+  };
+  test::SceneText text{.tangential = "kt", .network = "kd", .mass = 0.1, .angular_frequency = 1};
+  text.elements = {{"kn", 3}, {"kt", 2}, {"kd", 0.9}};
+  check(text, 3);
+  text.network = "k1 - k2";
+  for (const int k1 : {1, 3, 5, 7})
+    for (const int k2 : {2, 3, 6, 9})
+      for (const int n : {2, 3, 5}) {
+        text.mass = static_cast<double>(k1 * k2) / ((k1 + k2) * n * n);
+        text.elements = {{"kn", 3}, {"kt", 2}, {"k1", k1}, {"k2", k2}};
+        check(text, n);
+      }
+}
+
+// Between the border and v* of a drive that is next to its harmonic, by more than rounding: full
+// friction but for the share by which it is off, or an error that says so and what to do; never
+// another one.
 BOOST_AUTO_TEST_CASE(nearly_at_a_harmonic_it_answers_or_says_why) {
   for (const Harmonic& harmonic : harmonics)
-    for (const double off : {1e-15, -1e-14, 1e-12, -1e-11, 1e-10, 1e-9}) {
+    for (const double off : {6e-15, -1e-14, 1e-12, -1e-11, 1e-10, 1e-9}) {
       System system = system_of(scene_of(harmonic.name));
       const double border = sliding_threshold(system).drive_velocity;
       system.drive->equilibrium *= 1 + off;
