@@ -1,0 +1,48 @@
+// The ways in which an expert would write the stiffness of a network before doing algebra: storage
+// and loss, a quotient with a common denominator, compliances of what is one behind the other.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "network/network.hpp"
+#include "shortest/complex.hpp"
+
+namespace vcrit::symbolic::shortest {
+
+class Presentations {
+ public:
+  using Lookup = std::function<Ex(const Symbol&)>;
+  Presentations(Expressions& all, Ex omega, Lookup symbol)
+      : all_(all), complex_(all), omega_(omega), symbol_(std::move(symbol)) {}
+
+  /// Of the stiffness, a few, those most promising first.
+  std::vector<Quotient> of(const Network& network);
+  /// Of the stiffness with something beside it.
+  std::vector<Quotient> beside(const Network& network, const Quotient& other);
+  /// Of the compliance with another behind it.
+  std::vector<Quotient> behind(const Network& network, const Quotient& other);
+  /// Of sums, of each of which any presentation may be taken.
+  std::vector<Quotient> sums(const std::vector<std::vector<Quotient>>& parts,
+                             const std::vector<int>& alike);
+  Quotient sum(const std::vector<Quotient>& parts, bool one_denominator);
+
+ private:
+  using Choices = std::vector<std::vector<Quotient>>;
+  std::vector<Quotient> of(const Element& element);
+  std::vector<Quotient> of(const Series& series);
+  std::vector<Quotient> of(const Parallel& parallel);
+  std::vector<Quotient> of(const Graph& graph);
+  std::vector<Quotient> best(std::vector<Quotient> all);
+  void offer(std::vector<Quotient>& all, const Quotient& quotient);
+
+  Expressions& all_;
+  ComplexAlgebra complex_;
+  Ex omega_;
+  Lookup symbol_;
+};
+
+/// Networks of the same form have the same number.
+std::vector<int> alike(const std::vector<Network>& parts);
+
+}  // namespace vcrit::symbolic::shortest
