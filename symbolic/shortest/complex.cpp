@@ -60,4 +60,18 @@ Quotient ComplexAlgebra::cartesian(const Quotient& a) {
   return {multiply(multiply(a.over, turned), all_.power(square, -1))};
 }
 
+std::vector<Quotient> ComplexAlgebra::cartesians(const Quotient& a) {
+  std::vector<Quotient> result{cartesian(a)};
+  if (a.under.is_real() || a.under.re.is_zero()) return result;
+  const Ex &re = a.under.re, &im = a.under.im, one = Expressions::number(1);
+  const Ex slope = all_.divide(im, re), back = all_.divide(re, im);
+  const Ex first = all_.add(re, all_.multiply(im, slope));
+  const Ex second = all_.add(im, all_.multiply(re, back));
+  const Complex turned{one, Expressions::negative(slope)};
+  const Complex turned_back{back, Expressions::negative(one)};
+  result.push_back({multiply(multiply(a.over, turned), all_.power(first, -1))});
+  result.push_back({multiply(multiply(a.over, turned_back), all_.power(second, -1))});
+  return result;
+}
+
 }  // namespace vcrit::symbolic::shortest

@@ -1,6 +1,8 @@
 // Complex numbers and their quotients with real and imaginary parts as expressions.
 #pragma once
 
+#include <vector>
+
 #include "shortest/expressions.hpp"
 
 namespace vcrit::symbolic::shortest {
@@ -37,6 +39,8 @@ class ComplexAlgebra {
   Ex modulus(const Quotient& a) { return all_.divide(modulus(a.over), modulus(a.under)); }
   /// Storage and loss: with 1 below the bar.
   Quotient cartesian(const Quotient& a);
+  /// In each of the ways in which 1/(a + i b) = (a - i b)/(a^2 + b^2) = (1 - i b/a)/(a + b b/a).
+  std::vector<Quotient> cartesians(const Quotient& a);
 
  private:
   Expressions& all_;

@@ -6,6 +6,17 @@ namespace vcrit::symbolic::shortest {
 
 namespace {
 
+/// Whether it has one presentation: springs and dampers side by side.
+bool is_simple(const Network& network) {
+  const auto is_element = [](const Network& part) {
+    const auto* e = std::get_if<Element>(&part.form);
+    return e != nullptr && (e->kind == ElementKind::spring || e->kind == ElementKind::damper);
+  };
+  const auto* parallel = std::get_if<Parallel>(&network.form);
+  if (parallel == nullptr) return is_element(network);
+  return std::all_of(parallel->parts.begin(), parallel->parts.end(), is_element);
+}
+
 class CriticalVelocity {
  public:
   CriticalVelocity(Expressions& all, Presentations& presentations, const Parts& parts)
@@ -25,21 +36,13 @@ class CriticalVelocity {
     if (std::find(found_.begin(), found_.end(), whole) == found_.end()) found_.push_back(whole);
   }
 
-  Quotients with_mass(const Quotients& stiffness, const Quotient& mass) {
-    Quotients result;
-    for (const Quotient& each : stiffness) result.push_back(presentations_.sum({each, mass}, false));
-    return result;
-  }
-
   /// D = K_d - m omega^2. Where the drive is a network of the contact, written as that is here.
   Quotients drive(const Network* same, const Quotient& written) {
-    if (!parts_.mass)
-      return same != nullptr && *parts_.drive == *same ? Quotients{written}
-                                                       : presentations_.of(*parts_.drive);
-    const Quotient mass{real(Expressions::negative(
-        all_.multiply(*parts_.mass, all_.power(parts_.omega, 2))))};
-    if (same != nullptr && *parts_.drive == *same) return with_mass({written}, mass);
-    return presentations_.beside(*parts_.drive, mass);
+    const bool own = same == nullptr || !(*parts_.drive == *same) || is_simple(*parts_.drive);
+    if (own) return presentations_.swinging(*parts_.drive, parts_.mass);
+    if (!parts_.mass) return {written};
+    const Quotient mass{real(Expressions::negative(presentations_.inertia(*parts_.mass)))};
+    return {presentations_.sum({written, mass}, false)};
   }
 
   /// |K + D|/|D| from two presentations.

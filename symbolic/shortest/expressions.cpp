@@ -98,11 +98,22 @@ Node Expressions::make(Kind kind, std::vector<Item> items) {
 }
 
 Ex Expressions::symbol(std::string name, int operations, bool leads) {
-  names_.push_back({std::move(name), operations, leads});
-  nodes_.push_back({Kind::symbol, true, static_cast<std::uint32_t>(names_.size() - 1), {}, 0});
+  nodes_.push_back({Kind::symbol, true, static_cast<std::uint32_t>(names_.size()), {}, 0});
   nodes_.back().hash = hash_of(nodes_.back());
-  known_.insert(static_cast<Node>(nodes_.size() - 1));
-  return {{}, static_cast<Node>(nodes_.size() - 1)};
+  const Node node = static_cast<Node>(nodes_.size() - 1);
+  known_.insert(node);
+  names_.push_back({std::move(name), operations, leads, number(0), node});
+  return {{}, node};
+}
+
+Ex Expressions::named(std::string letter, const Ex& meaning, int operations) {
+  if (meaning.factor.is_one() && nodes_[meaning.node].kind == Kind::symbol) return meaning;
+  for (const Name& name : names_)
+    if (!name.meaning.is_zero() && name.meaning == meaning) return {{}, name.symbol};
+  const Ex ex = symbol(std::move(letter), operations);
+  nodes_[ex.node].positive = !meaning.factor.negative() && nodes_[meaning.node].positive;
+  names_.back().meaning = meaning;
+  return ex;
 }
 
 Ex Expressions::sum(std::vector<Ex> terms) {

@@ -55,6 +55,9 @@ class Expressions {
   /// A new symbol at each call, positive. `operations` is what writing it takes: 0 for a name. One
   /// that `leads` stays in front of the formula.
   Ex symbol(std::string name, int operations = 0, bool leads = false);
+  /// A symbol for what people give a letter of its own (T = omega tau): nothing looks into it. One
+  /// symbol for one meaning, and none for a symbol.
+  Ex named(std::string letter, const Ex& meaning, int operations);
   static Ex number(std::int64_t over, std::int64_t under = 1) { return {reduced(over, under), 0}; }
 
   Ex add(const Ex& a, const Ex& b) { return sum({a, b}); }
@@ -72,6 +75,8 @@ class Expressions {
   std::size_t size() const { return nodes_.size(); }
   const std::string& name(Node symbol) const { return names_[nodes_[symbol].name].text; }
   int operations(Node symbol) const { return names_[nodes_[symbol].name].operations; }
+  /// What a named symbol stands for; 0 for others.
+  const Ex& meaning(Node symbol) const { return names_[nodes_[symbol].name].meaning; }
   bool leads(Node node) const {
     return nodes_[node].kind == Kind::symbol && names_[nodes_[node].name].leads;
   }
@@ -96,8 +101,10 @@ class Expressions {
   std::deque<NodeData> nodes_;
   struct Name {
     std::string text;
-    int operations;
-    bool leads;
+    int operations = 0;
+    bool leads = false;
+    Ex meaning = {{0, 1}, 0};
+    Node symbol = 0;
   };
   std::vector<Name> names_;
   std::unordered_set<Node, Hash, Same> known_;

@@ -56,35 +56,119 @@ std::vector<Quotient> Presentations::of(const Network& network) {
   return std::visit([this](const auto& form) { return of(form); }, network.form);
 }
 
+Ex Presentations::named(const char* letter, const Ex& meaning) {
+  return all_.named(letter, meaning, operations(all_, meaning));
+}
+
+Ex Presentations::inertia(const Ex& mass) {
+  return named("M", all_.multiply(mass, all_.power(omega_, 2)));
+}
+
+Quotient Presentations::damper(const Ex& c, const char* letter) {
+  return {imaginary(named(letter, all_.multiply(omega_, c)))};
+}
+
 std::vector<Quotient> Presentations::of(const Element& e) {
   const Ex k = symbol_(e.coefficient);
   switch (e.kind) {
     case ElementKind::spring:
       return {{real(k)}};
     case ElementKind::damper:
-      return {{imaginary(all_.multiply(omega_, k))}};
+      return {damper(k, "W")};
     case ElementKind::mass:
-      return {{real(Expressions::negative(all_.multiply(k, all_.power(omega_, 2))))}};
+      return {{real(Expressions::negative(inertia(k)))}};
     case ElementKind::lossy:
       return {{{k, all_.multiply(k, symbol_(e.second))}}};
     case ElementKind::maxwell:
       break;
   }
-  const Ex turn = all_.multiply(omega_, symbol_(e.second));
-  const Quotient quotient{imaginary(all_.multiply(k, turn)), {Expressions::number(1), turn}};
-  return {complex_.cartesian(quotient), quotient};
+  return maxwell(k, named("T", all_.multiply(omega_, symbol_(e.second))));
+}
+
+/// k i T/(1 + i T): K'' = A = k/(T + 1/T), K' = A T.
+std::vector<Quotient> Presentations::maxwell(const Ex& k, const Ex& turn) {
+  const Ex one = Expressions::number(1);
+  const Ex loss = all_.divide(k, all_.add(turn, all_.divide(one, turn)));
+  return {{{all_.multiply(loss, turn), loss}}, {imaginary(all_.multiply(k, turn)), {one, turn}}};
+}
+
+Gathered Presentations::gathered(const std::vector<Network>& parts, bool inverse) {
+  Gathered result;
+  const auto add = [&](std::optional<Ex>& whole, const Ex& value) {
+    if (!whole) whole = value;
+    else if (!inverse) whole = all_.add(*whole, value);
+    else
+      whole = all_.divide(all_.multiply(*whole, value), all_.add(*whole, value));
+  };
+  for (const Network& part : parts) {
+    const auto* e = std::get_if<Element>(&part.form);
+    if (e != nullptr && e->kind == ElementKind::spring) add(result.spring, symbol_(e->coefficient));
+    else if (e != nullptr && e->kind == ElementKind::damper)
+      add(result.damper, symbol_(e->coefficient));
+    else if (e != nullptr && e->kind == ElementKind::mass && !inverse)
+      add(result.mass, symbol_(e->coefficient));
+    else
+      result.others.push_back(part);
+  }
+  return result;
+}
+
+Presentations::Terms Presentations::side_by_side(const std::vector<Network>& parts) {
+  const Gathered all = gathered(parts, false);
+  Terms terms{{}, alike(all.others)};
+  for (const Network& part : all.others) terms.choices.push_back(of(part));
+  Complex rest;
+  if (all.spring) rest.re = *all.spring;
+  if (all.mass) rest.re = all_.subtract(rest.re, inertia(*all.mass));
+  if (all.damper) rest.im = damper(*all.damper, "W").over.im;
+  if (!rest.is_zero()) terms.choices.push_back({{rest}}), terms.groups.push_back(-1);
+  return terms;
+}
+
+Presentations::Terms Presentations::one_behind_another(const std::vector<Network>& parts) {
+  const Gathered all = gathered(parts, true);
+  if (all.others.empty() && all.spring && all.damper) {
+    const Ex turn = named("T", all_.product({{omega_, 1}, {*all.damper, 1}, {*all.spring, -1}}));
+    const Quotient compliance = inverse(Quotient{{*all.spring}});
+    const Quotient simple = sum({compliance, inverse(damper(*all.damper, "W"))}, false);
+    std::vector<Quotient> choices = inverses(maxwell(*all.spring, turn));
+    choices.push_back(simple);
+    return {{choices}, {0}};
+  }
+  Terms terms{{}, alike(all.others)};
+  for (const Network& part : all.others) terms.choices.push_back(inverses(of(part)));
+  for (const auto& each : {all.spring ? std::optional(Quotient{{*all.spring}}) : std::nullopt,
+                           all.damper ? std::optional(damper(*all.damper, "W")) : std::nullopt})
+    if (each) terms.choices.push_back({inverse(*each)}), terms.groups.push_back(-1);
+  return terms;
 }
 
 std::vector<Quotient> Presentations::of(const Parallel& parallel) {
-  Choices parts;
-  for (const Network& part : parallel.parts) parts.push_back(of(part));
-  return sums(parts, alike(parallel.parts));
+  const Terms terms = side_by_side(parallel.parts);
+  return sums(terms.choices, terms.groups);
 }
 
 std::vector<Quotient> Presentations::of(const Series& series) {
-  Choices parts;
-  for (const Network& part : series.parts) parts.push_back(inverses(of(part)));
-  return inverses(sums(parts, alike(series.parts)));
+  const Terms terms = one_behind_another(series.parts);
+  if (terms.choices.size() == 1) return inverses(terms.choices[0]);
+  return inverses(sums(terms.choices, terms.groups));
+}
+
+std::vector<Quotient> Presentations::swinging(const Network& drive, const std::optional<Ex>& mass) {
+  const auto* parallel = std::get_if<Parallel>(&drive.form);
+  Gathered parts = gathered(parallel != nullptr ? parallel->parts : std::vector{drive}, false);
+  if (!parts.others.empty()) {
+    if (!mass) return of(drive);
+    return beside(drive, {real(Expressions::negative(inertia(*mass)))});
+  }
+  Ex z = parts.spring.value_or(Expressions::number(0));
+  if (mass) parts.mass = parts.mass ? all_.add(*parts.mass, *mass) : *mass;
+  if (parts.mass)
+    z = all_.subtract(z, all_.multiply(*parts.mass, all_.power(omega_, 2)));
+  if (parts.spring) z = named("Z", z);
+  else if (parts.mass) z = Expressions::negative(inertia(*parts.mass));
+  if (!parts.damper) return {{real(z)}};
+  return {{{z, damper(*parts.damper, "V").over.im}}};
 }
 
 std::vector<Quotient> Presentations::of(const Graph& graph) {
@@ -98,33 +182,20 @@ std::vector<Quotient> Presentations::of(const Graph& graph) {
 }
 
 std::vector<Quotient> Presentations::beside(const Network& network, const Quotient& other) {
-  Choices parts;
-  std::vector<int> groups;
-  if (const auto* parallel = std::get_if<Parallel>(&network.form)) {
-    for (const Network& part : parallel->parts) parts.push_back(of(part));
-    groups = alike(parallel->parts);
-  } else {
-    parts.push_back(of(network));
-    groups = {0};
-  }
-  parts.push_back({other});
-  groups.push_back(-1);
-  return sums(parts, groups);
+  const auto* parallel = std::get_if<Parallel>(&network.form);
+  Terms terms = parallel != nullptr ? side_by_side(parallel->parts) : Terms{{of(network)}, {0}};
+  terms.choices.push_back({other});
+  terms.groups.push_back(-1);
+  return sums(terms.choices, terms.groups);
 }
 
 std::vector<Quotient> Presentations::behind(const Network& network, const Quotient& other) {
-  Choices parts;
-  std::vector<int> groups;
-  if (const auto* series = std::get_if<Series>(&network.form)) {
-    for (const Network& part : series->parts) parts.push_back(inverses(of(part)));
-    groups = alike(series->parts);
-  } else {
-    parts.push_back(inverses(of(network)));
-    groups = {0};
-  }
-  parts.push_back({other});
-  groups.push_back(-1);
-  return sums(parts, groups);
+  const auto* series = std::get_if<Series>(&network.form);
+  Terms terms =
+      series != nullptr ? one_behind_another(series->parts) : Terms{{inverses(of(network))}, {0}};
+  terms.choices.push_back({other});
+  terms.groups.push_back(-1);
+  return sums(terms.choices, terms.groups);
 }
 
 Quotient Presentations::sum(const std::vector<Quotient>& parts, bool one_denominator) {
@@ -173,8 +244,8 @@ std::vector<Quotient> Presentations::sums(const Choices& parts, const std::vecto
     if (digit == choice.size()) break;
   }
   for (const Quotient& each : std::vector<Quotient>(all)) {
-    offer(all, complex_.cartesian(each));
-    offer(all, inverse(complex_.cartesian(inverse(each))));
+    for (const Quotient& other : complex_.cartesians(each)) offer(all, other);
+    for (const Quotient& other : complex_.cartesians(inverse(each))) offer(all, inverse(other));
   }
   return best(std::move(all));
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "network/network.hpp"
@@ -10,8 +11,16 @@
 
 namespace vcrit::symbolic::shortest {
 
+/// Parts of a network of which those of one kind are one: springs side by side, dampers one behind
+/// the other, ...
+struct Gathered {
+  std::optional<Ex> spring, damper, mass;
+  std::vector<Network> others;
+};
+
 class Presentations {
  public:
+  using Choices = std::vector<std::vector<Quotient>>;
   using Lookup = std::function<Ex(const Symbol&)>;
   Presentations(Expressions& all, Ex omega, Lookup symbol)
       : all_(all), complex_(all), omega_(omega), symbol_(std::move(symbol)) {}
@@ -26,13 +35,28 @@ class Presentations {
   std::vector<Quotient> sums(const std::vector<std::vector<Quotient>>& parts,
                              const std::vector<int>& alike);
   Quotient sum(const std::vector<Quotient>& parts, bool one_denominator);
+  /// K - m omega^2 of a drive and a mass, if there is one: of springs and dampers side by side
+  /// Z + i V.
+  std::vector<Quotient> swinging(const Network& drive, const std::optional<Ex>& mass);
+  /// m omega^2
+  Ex inertia(const Ex& mass);
 
  private:
-  using Choices = std::vector<std::vector<Quotient>>;
   std::vector<Quotient> of(const Element& element);
   std::vector<Quotient> of(const Series& series);
   std::vector<Quotient> of(const Parallel& parallel);
   std::vector<Quotient> of(const Graph& graph);
+  Quotient damper(const Ex& c, const char* letter);
+  std::vector<Quotient> maxwell(const Ex& k, const Ex& turn);
+  /// The parts of a sum, and which of them are alike.
+  struct Terms {
+    Choices choices;
+    std::vector<int> groups;
+  };
+  Terms side_by_side(const std::vector<Network>& parts);
+  Terms one_behind_another(const std::vector<Network>& parts);
+  Gathered gathered(const std::vector<Network>& parts, bool inverse);
+  Ex named(const char* letter, const Ex& meaning);
   std::vector<Quotient> best(std::vector<Quotient> all);
   void offer(std::vector<Quotient>& all, const Quotient& quotient);
 
