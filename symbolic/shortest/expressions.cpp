@@ -106,12 +106,14 @@ Ex Expressions::symbol(std::string name, int operations, bool leads) {
   return {{}, node};
 }
 
-Ex Expressions::named(std::string letter, const Ex& meaning, int operations) {
-  if (meaning.factor.is_one() && nodes_[meaning.node].kind == Kind::symbol) return meaning;
+Ex Expressions::named(std::string letter, const Ex& meaning, int operations, bool positive) {
+  const bool is_name = meaning.factor.is_one() && nodes_[meaning.node].kind == Kind::symbol &&
+                       this->operations(meaning.node) == 0;
+  if (is_name) return meaning;
   for (const Name& name : names_)
     if (!name.meaning.is_zero() && name.meaning == meaning) return {{}, name.symbol};
   const Ex ex = symbol(std::move(letter), operations);
-  nodes_[ex.node].positive = !meaning.factor.negative() && nodes_[meaning.node].positive;
+  nodes_[ex.node].positive = positive;
   names_.back().meaning = meaning;
   return ex;
 }

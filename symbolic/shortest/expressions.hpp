@@ -57,7 +57,8 @@ class Expressions {
   Ex symbol(std::string name, int operations = 0, bool leads = false);
   /// A symbol for what people give a letter of its own (T = omega tau): nothing looks into it. One
   /// symbol for one meaning, and none for a symbol.
-  Ex named(std::string letter, const Ex& meaning, int operations);
+  Ex named(std::string letter, const Ex& meaning, int operations, bool positive);
+  bool is_positive(const Ex& ex) const { return !ex.factor.negative() && nodes_[ex.node].positive; }
   static Ex number(std::int64_t over, std::int64_t under = 1) { return {reduced(over, under), 0}; }
 
   Ex add(const Ex& a, const Ex& b) { return sum({a, b}); }

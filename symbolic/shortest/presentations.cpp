@@ -57,7 +57,7 @@ std::vector<Quotient> Presentations::of(const Network& network) {
 }
 
 Ex Presentations::named(const char* letter, const Ex& meaning) {
-  return all_.named(letter, meaning, operations(all_, meaning));
+  return all_.named(letter, meaning, operations(all_, meaning), all_.is_positive(meaning));
 }
 
 Ex Presentations::inertia(const Ex& mass) {
