@@ -91,6 +91,7 @@ bool Expressions::is_positive(Kind kind, const std::vector<Item>& items) const {
 Node Expressions::make(Kind kind, std::vector<Item> items) {
   NodeData data{kind, is_positive(kind, items), 0, std::move(items), 0};
   data.hash = hash_of(data);
+  spend(8 + 2 * data.items.size());
   nodes_.push_back(std::move(data));
   const auto [known, is_new] = known_.insert(static_cast<Node>(nodes_.size() - 1));
   if (!is_new) nodes_.pop_back();

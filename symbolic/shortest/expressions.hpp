@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <deque>
 #include <functional>
+#include <limits>
 #include <string>
 #include <unordered_set>
 #include <utility>
@@ -82,6 +83,14 @@ class Expressions {
     return nodes_[node].kind == Kind::symbol && names_[nodes_[node].name].leads;
   }
 
+  /// What has been worked, in steps of some ten nanoseconds: what bounds a search without a clock.
+  std::size_t work() const { return work_; }
+  void spend(std::size_t work) const {
+    if ((work_ += work) > allowed_) throw TooLarge{};
+  }
+  /// From here on no more work than this.
+  void allow(std::size_t work) { allowed_ = work_ + work; }
+
   /// The node of the items as they are: a sum or product part of a larger one.
   Node make(Kind kind, std::vector<Item> items);
 
@@ -99,6 +108,8 @@ class Expressions {
   void multiply_into(std::vector<Item>& items, Fraction& factor, std::vector<Item>& under_root,
                      Fraction& root_factor, const Ex& base, int exponent);
 
+  mutable std::size_t work_ = 0;
+  std::size_t allowed_ = std::numeric_limits<std::size_t>::max();
   std::deque<NodeData> nodes_;
   struct Name {
     std::string text;

@@ -255,7 +255,7 @@ std::vector<Node> nodes_of(const Expressions& all, Node whole) {
 }
 
 void for_each_move(Expressions& all, const Ex& whole,
-                   const std::function<void(const Ex&)>& visit) {
+                   const std::function<bool(const Ex&)>& visit) {
   const std::vector<Node> order = nodes_of(all, whole.node);
   Alternatives alternatives(all);
   Replacing replacing(all, order);
@@ -263,7 +263,8 @@ void for_each_move(Expressions& all, const Ex& whole,
     const std::vector<Ex> others = alternatives.of(order[i]);
     for (const Ex& other : others) {
       const Ex moved = replacing(whole, i, other);
-      if (!(moved == whole)) visit(moved);
+      all.spend(2 * order.size());
+      if (!(moved == whole) && !visit(moved)) return;
     }
   }
 }

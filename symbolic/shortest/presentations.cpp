@@ -10,9 +10,6 @@ namespace vcrit::symbolic::shortest {
 
 namespace {
 
-constexpr std::size_t most_combinations = 48;
-constexpr std::size_t kept = 3;  ///< presentations of each sort
-
 /// Its kinds of elements and how they are connected, without names.
 std::string shape(const Network& network) {
   const auto of_parts = [](const char* sign, const std::vector<Network>& parts) {
@@ -226,7 +223,7 @@ std::vector<Quotient> Presentations::sums(const Choices& parts, const std::vecto
   int most = 0;
   for (const int group : groups) most = std::max(most, group);
   std::vector<std::size_t> choice(static_cast<std::size_t>(most) + 1, 0);
-  for (std::size_t combination = 0; combination < most_combinations; ++combination) {
+  for (std::size_t combination = 0; combination < thrift_.combinations; ++combination) {
     std::vector<Quotient> chosen;
     for (std::size_t i = 0; i < parts.size(); ++i) {
       const std::size_t at = groups[i] < 0 ? 0 : choice[static_cast<std::size_t>(groups[i])];
@@ -262,7 +259,7 @@ std::vector<Quotient> Presentations::best(std::vector<Quotient> all) {
   std::vector<Quotient> result;
   std::vector<std::size_t> of_sort(3);
   for (const auto& [cost, i] : order)
-    if (of_sort[static_cast<std::size_t>(sort_of(all[i]))]++ < kept) result.push_back(all[i]);
+    if (of_sort[static_cast<std::size_t>(sort_of(all[i]))]++ < thrift_.kept) result.push_back(all[i]);
   return result;
 }
 

@@ -18,12 +18,18 @@ struct Gathered {
   std::vector<Network> others;
 };
 
+/// How many presentations are looked at and kept.
+struct Thrift {
+  std::size_t combinations = 48;  ///< of those of the parts of a sum
+  std::size_t kept = 3;           ///< of each sort
+};
+
 class Presentations {
  public:
   using Choices = std::vector<std::vector<Quotient>>;
   using Lookup = std::function<Ex(const Symbol&)>;
-  Presentations(Expressions& all, Ex omega, Lookup symbol)
-      : all_(all), complex_(all), omega_(omega), symbol_(std::move(symbol)) {}
+  Presentations(Expressions& all, Ex omega, Lookup symbol, const Thrift& thrift)
+      : all_(all), complex_(all), omega_(omega), symbol_(std::move(symbol)), thrift_(thrift) {}
 
   /// Of the stiffness, a few, those most promising first.
   std::vector<Quotient> of(const Network& network);
@@ -64,6 +70,7 @@ class Presentations {
   ComplexAlgebra complex_;
   Ex omega_;
   Lookup symbol_;
+  Thrift thrift_;
 };
 
 /// Networks of the same form have the same number.

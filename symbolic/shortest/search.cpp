@@ -22,11 +22,16 @@ class Search {
 
   void run(const Effort& effort) {
     std::size_t expanded = 0;
-    while (!open_.empty() && expanded++ < effort.expanded && tried_ < effort.tried) {
+    const std::size_t end = all_.work() + effort.work;
+    while (!open_.empty() && expanded++ < effort.expanded) {
       const auto [cost, order, ex] = open_.top();
       open_.pop();
       if (cost > least_ + uphill) return;
-      for_each_move(all_, ex, [&](const Ex& moved) { meet(moved); });
+      for_each_move(all_, ex, [&](const Ex& moved) {
+        meet(moved);
+        return all_.work() < end;
+      });
+      if (all_.work() >= end) return;
     }
   }
 
@@ -44,7 +49,6 @@ class Search {
 
   void meet(const Ex& ex) {
     if (!seen_.insert(ex.node).second) return;
-    ++tried_;
     const int cost = operations(all_, ex);
     if (seen_.size() == 1 || cost < least_) least_ = cost, best_ = ex;
     if (cost <= least_ + uphill) open_.push({cost, seen_.size(), ex});
@@ -53,7 +57,6 @@ class Search {
   Expressions& all_;
   std::priority_queue<Entry> open_;
   std::unordered_set<Node> seen_;
-  std::size_t tried_ = 0;
   int least_ = 0;
   Ex best_;
 };

@@ -8,10 +8,11 @@
 
 namespace vcrit::symbolic::shortest {
 
-/// What a search may cost; the same in every run, as no clock is asked.
+/// What a search may cost; the same in every run, as no clock is asked. What was found until then
+/// is taken.
 struct Effort {
   std::size_t expanded = 0;  ///< expressions whose moves are tried
-  std::size_t tried = 0;     ///< moves
+  std::size_t work = 0;      ///< as the expressions count it
 };
 
 int operations(const Expressions& all, const Ex& whole);

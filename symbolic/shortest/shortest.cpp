@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <sstream>
 
@@ -25,12 +26,12 @@ using namespace shortest;
 constexpr std::size_t most_elements = 48;
 constexpr int most_operations = 250;
 
-/// A larger formula has more moves, and each takes longer.
-Effort effort_for(std::size_t elements) {
-  if (elements <= 12) return {60, 15'000};
-  if (elements <= 24) return {20, 3'000};
-  return {4, 400};
-}
+// Some 0.1 s each.
+constexpr std::size_t work_of_beginning = 5'000'000;
+constexpr Effort effort{60, 5'000'000};
+
+/// What is tried one after the other until the beginning takes no more work than that.
+constexpr std::array<Thrift, 3> thrifts{{{48, 3}, {6, 1}, {1, 1}}};
 
 /// The symbols of a contact as expressions, with what each measures.
 class Alphabet {
@@ -47,11 +48,14 @@ class Alphabet {
     if (contact.isotropic != nullptr) parts_.ratio = ratio(*contact.isotropic);
   }
 
-  std::optional<ShortestForm> shortest() {
-    Presentations presentations(all_, parts_.omega,
-                                [this](const Symbol& symbol) { return symbols_.at(symbol); });
+  /// Throws TooLarge.
+  std::optional<ShortestForm> shortest(const Thrift& thrift) {
+    Presentations presentations(
+        all_, parts_.omega, [this](const Symbol& symbol) { return symbols_.at(symbol); }, thrift);
+    all_.allow(work_of_beginning);
     const std::vector<Ex> starts = critical_velocities(all_, presentations, parts_);
-    const Ex best = shortest_of(all_, starts, effort_for(elements_));
+    all_.allow(2 * effort.work);
+    const Ex best = shortest_of(all_, starts, effort);
     if (operations(all_, best) > most_operations) return std::nullopt;
     ShortestForm form = Lines(all_, measures_, best).form();
     for (ShortestForm::Definition& definition : form.definitions)
@@ -76,7 +80,6 @@ class Alphabet {
                                                         {NumberRole::mass, {1, 2}},
                                                         {NumberRole::loss_factor, {0, 0}}};
     for_each_element(network, [&](const Element& element) {
-      ++elements_;
       for_each_number(element, [&](const Symbol& each, NumberRole role) {
         symbol(each, measures.at(role));
       });
@@ -120,7 +123,6 @@ class Alphabet {
   Parts parts_;
   std::map<Symbol, Ex> symbols_;
   Measures measures_;
-  std::size_t elements_ = 0;
 };
 
 int operations_of(const std::vector<Form>& forms) {
@@ -140,11 +142,16 @@ bool too_many_elements(const Contact& contact) {
 
 }  // namespace
 
-std::optional<ShortestForm> shortest_form(const Contact& contact) try {
+std::optional<ShortestForm> shortest_form(const Contact& contact) {
   const AlgebraLock lock;
   if (too_many_elements(contact)) return std::nullopt;
-  return Alphabet(contact).shortest();
-} catch (const TooLarge&) {
+  for (const Thrift& thrift : thrifts) {
+    try {
+      return Alphabet(contact).shortest(thrift);
+    } catch (const TooLarge&) {
+      continue;
+    }
+  }
   return std::nullopt;
 }
 

@@ -72,10 +72,12 @@ Steps::Steps(const Expressions& all, const Ex& whole) : all_(all) {
   share(Step::Kind::sum);
   share(Step::Kind::product);
   count();
+  all.spend(20 * steps_.size());
 }
 
 std::uint32_t Steps::put(Step step) {
   remember_parts(step);
+  all_.spend(steps_.size() / 16);
   for (std::uint32_t i = 0; i < steps_.size(); ++i) {
     const Step& old = steps_[i];
     if (old.mask == step.mask && old.kind == step.kind && old.node == step.node &&
@@ -182,6 +184,7 @@ void Steps::replace(std::uint32_t in, const std::vector<Part>& common, std::uint
 
 bool Steps::share_best(const std::vector<std::uint32_t>& sets) {
   std::vector<Part> best;
+  all_.spend(sets.size() * sets.size() / 8);
   for (std::size_t i = 0; i < sets.size(); ++i)
     for (std::size_t j = i + 1; j < sets.size(); ++j) {
       const Step &a = steps_[sets[i]], &b = steps_[sets[j]];
