@@ -195,6 +195,13 @@ Form Lines::product(const Step& step) const {
   std::sort(over.begin(), over.end(), before);
   std::sort(under.begin(), under.end(), before);
   if (under.empty() && over.size() == 1) return over[0];
+  // A root stands behind a fraction, where it is set large, not above its bar.
+  if (!under.empty() && over.size() > 1 && over.back().kind == Form::Kind::root) {
+    Form root = std::move(over.back());
+    over.pop_back();
+    const Form before{Form::Kind::product, "", std::move(over), std::move(under), {}, 1};
+    return {Form::Kind::product, "", {before, std::move(root)}, {}, {}, 1};
+  }
   return {Form::Kind::product, "", std::move(over), std::move(under), {}, 1};
 }
 
