@@ -46,8 +46,8 @@ std::vector<Equation> equations(const ShortestForm& form);
 struct DocumentBlock {
   std::string formula, latex_formula, words;
   std::vector<Line> lines;
-  bool asymptotic = false;          ///< the last line is left ~ right
-  std::vector<Equation> equations;  ///< behind the lines
+  bool asymptotic = false;               ///< the last line is left ~ right
+  std::vector<Equation> equations = {};  ///< behind the lines
 };
 
 struct Section {

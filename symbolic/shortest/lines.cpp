@@ -11,7 +11,7 @@ namespace vcrit::symbolic::shortest {
 namespace {
 
 // Characters of plain text.
-constexpr std::size_t longest_line = 110, least_part = 16;
+constexpr std::size_t longest_line = 90, least_part = 16;
 
 Form number_form(std::int64_t value) {
   return {Form::Kind::number, std::to_string(value), {}, {}, {}, 1};

@@ -1,5 +1,6 @@
 #include "shortest/search.hpp"
 
+#include <algorithm>
 #include <queue>
 #include <tuple>
 #include <unordered_set>
@@ -11,8 +12,16 @@ namespace vcrit::symbolic::shortest {
 
 namespace {
 
+// Of two formulas with as many operations the one with fewer lines is shorter.
+constexpr int operation = 64;
+
 // A way to something shorter may lead over what is this much longer.
-constexpr int uphill = 2;
+constexpr int uphill = 2 * operation;
+
+int length(const Expressions& all, const Ex& whole) {
+  const Steps steps(all, whole);
+  return operation * steps.operations() + std::min(steps.shared(), operation - 1);
+}
 
 class Search {
  public:
@@ -49,7 +58,7 @@ class Search {
 
   void meet(const Ex& ex) {
     if (!seen_.insert(ex.node).second) return;
-    const int cost = operations(all_, ex);
+    const int cost = length(all_, ex);
     if (seen_.size() == 1 || cost < least_) least_ = cost, best_ = ex;
     if (cost <= least_ + uphill) open_.push({cost, seen_.size(), ex});
   }

@@ -237,8 +237,11 @@ void Steps::count() {
     const Step& step = steps_[open.back()];
     open.pop_back();
     operations_ += operations_of(step, all_);
-    for (const Part& part : step.parts)
-      if (steps_[part.step].uses++ == 0) open.push_back(part.step);
+    for (const Part& part : step.parts) {
+      Step& used = steps_[part.step];
+      if (used.uses++ == 0) open.push_back(part.step);
+      if (used.uses == 2 && operations_of(used, all_) > 0) ++shared_;
+    }
   }
 }
 

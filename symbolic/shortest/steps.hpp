@@ -33,6 +33,8 @@ class Steps {
   Steps(const Expressions& all, const Ex& whole);
 
   int operations() const { return operations_; }
+  /// Steps that are used more than once.
+  int shared() const { return shared_; }
   const std::vector<Step>& steps() const { return steps_; }
   std::uint32_t whole() const { return whole_; }
 
@@ -51,7 +53,7 @@ class Steps {
   std::vector<Step> steps_;
   std::vector<std::pair<Node, std::uint32_t>> known_;
   std::uint32_t whole_ = 0;
-  int operations_ = 0;
+  int operations_ = 0, shared_ = 0;
 };
 
 /// Operations of one step, its parts not counted.
