@@ -22,7 +22,8 @@ const Choices<Format> formats{{"text", Format::text},
                               {"markdown", Format::markdown},
                               {"json", Format::json}};
 
-const Choices<ResultForm> forms{{"by-size", ResultForm::by_size},
+const Choices<ResultForm> forms{{"shortest", ResultForm::shortest},
+                                {"by-size", ResultForm::by_size},
                                 {"nested", ResultForm::nested},
                                 {"rational", ResultForm::rational},
                                 {"dimensionless", ResultForm::dimensionless}};
@@ -66,7 +67,7 @@ void add_derive(CLI::App& program, int& status, std::string (*catalogue)()) {
   command->add_flag("--sensitivities", options->document.sensitivities,
                     "derive dv*/dp for every parameter p");
   add_choice<ResultForm>(*command, "--form", options->document.form, forms,
-                         "of the result; rational: in omega^2");
+                         "of the result; shortest: real, in named steps; rational: in omega^2");
   command
       ->add_option("--budget", options->document.budget,
                    "terms up to which the rational form is multiplied out")

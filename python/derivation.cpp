@@ -24,6 +24,7 @@ const std::map<std::string, Format>& formats() {
 
 const std::map<std::string, ResultForm>& forms() {
   static const std::map<std::string, ResultForm> names{
+      {"shortest", ResultForm::shortest},
       {"by-size", ResultForm::by_size},
       {"nested", ResultForm::nested},
       {"rational", ResultForm::rational},

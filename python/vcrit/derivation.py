@@ -81,7 +81,7 @@ class Derivation:
 
     @property
     def definitions(self) -> tuple[Equation, ...]:
-        """Of K_n, K_t, ... in the result, where it is too large to be multiplied out."""
+        """Of the names in the result that are no symbols of the scene, each of earlier ones."""
         return _equations(self._found["definitions"])
 
     @cached_property
@@ -108,10 +108,10 @@ class Derivation:
         return f"v* = {self.formula}"
 
 
-def derive(scene: Scene, *, form: str = "by-size") -> Derivation:
+def derive(scene: Scene, *, form: str = "shortest") -> Derivation:
     """Derives the formula of v* for `scene`, whose elements need no values.
 
-    form: "by-size", "nested", "rational" or "dimensionless", as `vcrit derive --form`.
+    form: "shortest", "by-size", "nested", "rational" or "dimensionless", as `vcrit derive --form`.
     Raises ModelError where the rational form is too large.
     """
     return Derivation(scene, form)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "formula/names.hpp"
 #include "formula/symbols.hpp"
 
 namespace vcrit::symbolic {
@@ -38,15 +39,33 @@ bool same(const std::vector<Line>& a, const std::vector<Line>& b) {
   });
 }
 
+/// Its definitions and v* in place of the result's line.
+void show_shortest(const ShortestForm& form, DocumentBlock& result) {
+  for (const ShortestForm::Definition& definition : form.definitions)
+    if (!definition.words.empty())
+      result.words += ", " + base_name(definition.name.text) + " = " + definition.words;
+  result.lines.clear();
+  result.equations = equations(form);
+}
+
 /// The last line is the result, with its number in the paper.
 Section derivation_section(const Findings& findings) {
   const Derivation& derivation = findings.derivation;
   Section section;
   for (const Line& line : derivation.lines) section.blocks.push_back({"", "", line.words, {line}});
-  section.blocks.back().words += " " + derivation.equation;
-  if (findings.form == ResultForm::by_size && !derivation.definitions.empty())
+  DocumentBlock& result = section.blocks.back();
+  result.words += " " + derivation.equation;
+  if (findings.shortest) {
+    show_shortest(*findings.shortest, result);
+    return section;
+  }
+  const bool nested = !derivation.definitions.empty();
+  if (findings.form == ResultForm::by_size && nested)
     section.remark =
         "The formula is left nested: multiplied out, its polynomials would be too long to read.";
+  if (findings.form == ResultForm::shortest && nested)
+    section.remark =
+        "The formula is left in complex stiffnesses: a real one would not fit a page.";
   return section;
 }
 
@@ -183,6 +202,14 @@ std::vector<Section> sections(const Findings& findings) {
 
 Line asymptote_line(const Asymptote& asymptote) {
   return velocity_line(asymptote.coefficient * GiNaC::pow(omega(), asymptote.power));
+}
+
+std::vector<Equation> equations(const ShortestForm& form) {
+  std::vector<Equation> result;
+  for (const ShortestForm::Definition& each : form.definitions)
+    result.push_back({each.name, each.meaning});
+  result.push_back({form_of(quantity("v*")).form, form.velocity});
+  return result;
 }
 
 std::string title_of(const Scene& scene) {

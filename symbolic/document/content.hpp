@@ -13,6 +13,7 @@
 #include "document/print.hpp"
 #include "formula/line.hpp"
 #include "scene/scene.hpp"
+#include "shortest/shortest.hpp"
 
 namespace vcrit::symbolic {
 
@@ -20,7 +21,7 @@ namespace vcrit::symbolic {
 struct Findings {
   Derivation derivation;
   std::string fingerprint;
-  ResultForm form = ResultForm::by_size;
+  ResultForm form = ResultForm::shortest;
   std::vector<Line> form_lines;  ///< of the form that was asked for
   std::vector<Limit> limits;
   std::vector<Asymptote> asymptotes;
@@ -30,13 +31,23 @@ struct Findings {
   std::optional<std::vector<Line>> parting;  ///< of surfaces that may part
   std::string beyond_simulation;             ///< why it has no motion in time
   std::vector<Line> half_space;              ///< below an indenter
+  std::optional<ShortestForm> shortest;      ///< where it was asked for and fits a page
 };
+
+/// An equation as it is to be written.
+struct Equation {
+  Form left, right;
+};
+
+/// The definitions of a shortest form, then v*.
+std::vector<Equation> equations(const ShortestForm& form);
 
 /// Some lines under a heading: a formula, words or both.
 struct DocumentBlock {
   std::string formula, latex_formula, words;
   std::vector<Line> lines;
-  bool asymptotic = false;  ///< the last line is left ~ right
+  bool asymptotic = false;               ///< the last line is left ~ right
+  std::vector<Equation> equations = {};  ///< behind the lines
 };
 
 struct Section {

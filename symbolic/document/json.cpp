@@ -96,6 +96,38 @@ std::vector<std::string> names_of(const std::vector<Symbol>& symbols) {
 
 }  // namespace
 
+/// An equation whose sides are forms.
+struct WrittenEquation {
+  std::string words;
+  symbolic::Signed left, right;
+};
+
+void fields(Fields& f, const WrittenEquation& it) {
+  f("words", it.words);
+  f("text", symbolic::text_dialect().equation(it.left, it.right));
+  f("latex", symbolic::latex_dialect().equation(it.left, it.right));
+}
+
+struct WrittenFormula {
+  const symbolic::Form& form;
+};
+
+void fields(Fields& f, const WrittenFormula& it) {
+  f("text", symbolic::text_dialect().print({false, it.form}));
+  f("latex", symbolic::latex_dialect().print({false, it.form}));
+}
+
+namespace {
+
+std::vector<WrittenEquation> written(const std::vector<symbolic::Line>& lines) {
+  std::vector<WrittenEquation> result;
+  for (const symbolic::Line& line : lines)
+    result.push_back({line.words, symbolic::form_of(line.left), symbolic::form_of(line.right)});
+  return result;
+}
+
+}  // namespace
+
 struct DerivedDocument {
   const Scene& scene;
   const symbolic::Findings& findings;
@@ -104,11 +136,25 @@ struct DerivedDocument {
 void fields(Fields& f, const DerivedDocument& document) {
   const symbolic::Findings& it = document.findings;
   const symbolic::Derivation& d = it.derivation;
+  std::vector<WrittenEquation> lines = written(d.lines), definitions = written(d.definitions);
+  std::string form = d.definitions.empty() ? "multiplied out" : "nested";
+  if (it.shortest) {
+    form = "shortest";
+    definitions.clear();
+    for (const auto& each : it.shortest->definitions)
+      definitions.push_back({each.words, {false, each.name}, {false, each.meaning}});
+    lines.back().right = {false, it.shortest->velocity};
+  }
   const bool rational = it.form == symbolic::ResultForm::rational;
   f("title", document.scene.title);
-  f("form", d.definitions.empty() ? "multiplied out" : "nested")("fingerprint", it.fingerprint);
-  f("lines", d.lines)("parameters", names_of(d.parameters))("equation", d.equation);
-  f("critical_velocity", DerivedFormula{d.critical_velocity})("definitions", d.definitions);
+  f("form", form)("fingerprint", it.fingerprint);
+  f("lines", lines)("parameters", names_of(d.parameters))("equation", d.equation);
+  if (it.shortest)
+    f("critical_velocity", WrittenFormula{it.shortest->velocity});
+  else
+    f("critical_velocity", DerivedFormula{d.critical_velocity});
+  f("definitions", definitions);
+  if (it.shortest) f("operations", it.shortest->operations);
   f("limits", it.limits)("asymptotes", it.asymptotes)("resonances", it.resonances);
   f("sensitivities", it.sensitivities.each);
   f.some("sensitivity_definitions", it.sensitivities.shared);

@@ -22,6 +22,10 @@ class PrintedEquations {
  public:
   explicit PrintedEquations(const Dialect& dialect) : dialect_(dialect) {}
 
+  std::string operator()(const Equation& equation) const {
+    return dialect_.equation({false, equation.left}, {false, equation.right});
+  }
+
   std::string operator()(const Line& line, bool asymptotic) {
     if (asymptotic) return dialect_.asymptote(form_of(line.left), form_of(line.right));
     const auto [known, is_new] = known_.try_emplace({line.left, line.right});
@@ -45,6 +49,7 @@ Json block_record(const DocumentBlock& block, PrintedEquations& equation) {
   std::vector<record::Markup> lines;
   for (const Line& line : block.lines)
     lines.push_back({equation(line, block.asymptotic && &line == &block.lines.back())});
+  for (const Equation& each : block.equations) lines.push_back({equation(each)});
   const bool formula = !block.formula.empty(), words = !block.words.empty();
   Fields f(record::Reader::page);
   f("formula", block.formula)("latex_formula", record::Markup{block.latex_formula});

@@ -13,6 +13,7 @@
 #include "formula/algebra_lock.hpp"
 #include "formula/names.hpp"
 #include "rules/rulebook.hpp"
+#include "shortest/proof.hpp"
 
 namespace vcrit::symbolic {
 
@@ -37,6 +38,20 @@ void refuse_large(const Derivation& derivation, std::size_t formulas, const char
         1e-6 * static_cast<double>(most_characters)));
 }
 
+/// Of a measured drive there is no formula but its receptance.
+std::optional<ShortestForm> proved_shortest_form(const Derivation& derivation) {
+  const Scene& scene = derivation.scene;
+  if (scene.receptance) return std::nullopt;
+  Contact contact{scene.normal};
+  contact.tangential = std::get_if<Network>(&scene.tangential);
+  contact.isotropic = std::get_if<Isotropic>(&scene.tangential);
+  if (scene.drive) contact.drive = &*scene.drive;
+  if (scene.mass) contact.mass = scene.mass->symbol;
+  std::optional<ShortestForm> form = shortest_form(contact);
+  if (form) prove(*form, *derivation.model);
+  return form;
+}
+
 Findings find(const Scene& scene, const DocumentOptions& options) {
   const Derivation derivation = derive(scene);
   Findings findings{options.form == ResultForm::nested ? nested_form(derivation) : derivation,
@@ -50,7 +65,9 @@ Findings find(const Scene& scene, const DocumentOptions& options) {
                     {},
                     {},
                     rules::answer(rules::Question::motion_in_time, scene).reason,
+                    {},
                     {}};
+  if (options.form == ResultForm::shortest) findings.shortest = proved_shortest_form(derivation);
   const std::size_t symbols = findings.derivation.parameters.size();
   if (options.limits) refuse_large(findings.derivation, 2 * symbols, "limits");
   if (options.sensitivities)

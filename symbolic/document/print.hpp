@@ -9,15 +9,16 @@ namespace vcrit::symbolic {
 
 enum class Format { text, latex, markdown, json };
 
-/// How the result is written: by its size; nested; or besides that as a rational function of
-/// omega^2, or in dimensionless groups.
-enum class ResultForm { by_size, nested, rational, dimensionless };
+/// How the result is written: as the shortest real formula in named steps (where that fits a page,
+/// else by its size); by its size, multiplied out or nested; nested; or besides that as a rational
+/// function of omega^2, or in dimensionless groups.
+enum class ResultForm { shortest, by_size, nested, rational, dimensionless };
 
 struct DocumentOptions {
   Format format = Format::text;
   bool limits = false;  ///< with asymptotes and resonances
   bool sensitivities = false;
-  ResultForm form = ResultForm::by_size;
+  ResultForm form = ResultForm::shortest;
   double budget = 5000;  ///< terms of the polynomials in v* up to which they are multiplied out
 };
 

@@ -82,4 +82,8 @@ bool is_set_apart(const std::string& name) {
   return first != printing->by_setting_.end() && first->second != scalar;
 }
 
+bool is_taken(const std::string& name) {
+  return printing != nullptr && printing->by_setting_.contains(setting_of(name));
+}
+
 }  // namespace vcrit::symbolic

@@ -33,6 +33,7 @@ class NamesOfScene {
  private:
   friend std::string printed_name(const std::string& name);
   friend bool is_set_apart(const std::string& name);
+  friend bool is_taken(const std::string& name);
   std::string written(const std::string& name) const;
   std::string with_entry(const std::string& name) const;
 
@@ -43,5 +44,8 @@ class NamesOfScene {
 
 /// Whether an earlier name of the scene is set alike, so that this one is set letter by letter.
 bool is_set_apart(const std::string& name);
+
+/// Whether the scene that is printed has a name that would read the same.
+bool is_taken(const std::string& name);
 
 }  // namespace vcrit::symbolic

@@ -34,6 +34,7 @@ ROOMS = [
     "symbolic/polynomial",
     "symbolic/derivation",
     "symbolic/analysis",
+    "symbolic/shortest",
     "symbolic/document",
     "symbolic/program",
     "symbolic/emit",

@@ -1,0 +1,125 @@
+// Real expressions as one graph in which equal parts are one node: sums, products with whole
+// powers, square roots and absolute values of symbols. What is built is brought to one order at
+// once (sums and products flat, like terms joined, squares out of roots), so that equal node
+// numbers are equal expressions. Nodes are numbered in the order in which they are made, which
+// depends on nothing but the calls: the same in every run.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <limits>
+#include <string>
+#include <unordered_set>
+#include <utility>
+#include <vector>
+
+#include "shortest/fraction.hpp"
+
+namespace vcrit::symbolic::shortest {
+
+using Node = std::uint32_t;
+
+/// factor * node.
+struct Ex {
+  Fraction factor;
+  Node node = 0;  ///< 0 is the number one
+  bool is_zero() const { return factor.is_zero(); }
+  bool is_one() const { return node == 0 && factor.is_one(); }
+  bool is_number() const { return node == 0; }
+  friend bool operator==(const Ex&, const Ex&) = default;
+};
+
+enum class Kind : std::uint8_t { one, symbol, sum, product, root, magnitude };
+
+/// A term of a sum (factor * node), a factor of a product (node ^ exponent) or the argument of a
+/// root (factor * node) or an absolute value.
+struct Item {
+  Node node = 0;
+  int exponent = 1;
+  Fraction factor;
+  friend bool operator==(const Item&, const Item&) = default;
+};
+
+struct NodeData {
+  Kind kind = Kind::one;
+  bool positive = true;  ///< for all values of its symbols, of which none is zero
+  std::uint32_t name = 0;
+  std::vector<Item> items;  ///< by node number
+  std::size_t hash = 0;
+};
+
+class Expressions {
+ public:
+  Expressions();
+
+  /// A new symbol at each call, positive. `operations` is what writing it takes: 0 for a name. One
+  /// that `leads` stays in front of the formula.
+  Ex symbol(std::string name, int operations = 0, bool leads = false);
+  /// A symbol for what people give a letter of its own (T = omega tau): nothing looks into it. One
+  /// symbol for one meaning, and none for a symbol.
+  Ex named(std::string letter, const Ex& meaning, int operations, bool positive);
+  bool is_positive(const Ex& ex) const { return !ex.factor.negative() && nodes_[ex.node].positive; }
+  static Ex number(std::int64_t over, std::int64_t under = 1) { return {reduced(over, under), 0}; }
+
+  Ex add(const Ex& a, const Ex& b) { return sum({a, b}); }
+  Ex subtract(const Ex& a, const Ex& b) { return sum({a, negative(b)}); }
+  Ex multiply(const Ex& a, const Ex& b) { return product({{a, 1}, {b, 1}}); }
+  Ex divide(const Ex& a, const Ex& b) { return product({{a, 1}, {b, -1}}); }
+  Ex power(const Ex& a, int exponent) { return product({{a, exponent}}); }
+  static Ex negative(Ex a) { return {-a.factor, a.node}; }
+  Ex sum(std::vector<Ex> terms);
+  Ex product(const std::vector<std::pair<Ex, int>>& factors);
+  Ex root(const Ex& argument);
+  Ex magnitude(const Ex& argument);
+
+  const NodeData& operator[](Node node) const { return nodes_[node]; }
+  std::size_t size() const { return nodes_.size(); }
+  const std::string& name(Node symbol) const { return names_[nodes_[symbol].name].text; }
+  int operations(Node symbol) const { return names_[nodes_[symbol].name].operations; }
+  /// What a named symbol stands for; 0 for others.
+  const Ex& meaning(Node symbol) const { return names_[nodes_[symbol].name].meaning; }
+  bool leads(Node node) const {
+    return nodes_[node].kind == Kind::symbol && names_[nodes_[node].name].leads;
+  }
+
+  /// What has been worked, in steps of some ten nanoseconds: what bounds a search without a clock.
+  std::size_t work() const { return work_; }
+  void spend(std::size_t work) const {
+    if ((work_ += work) > allowed_) throw TooLarge{};
+  }
+  /// From here on no more work than this.
+  void allow(std::size_t work) { allowed_ = work_ + work; }
+
+  /// The node of the items as they are: a sum or product part of a larger one.
+  Node make(Kind kind, std::vector<Item> items);
+
+ private:
+  struct Hash {
+    const Expressions* all;
+    std::size_t operator()(Node node) const { return all->nodes_[node].hash; }
+  };
+  struct Same {
+    const Expressions* all;
+    bool operator()(Node a, Node b) const;
+  };
+
+  bool is_positive(Kind kind, const std::vector<Item>& items) const;
+  void multiply_into(std::vector<Item>& items, Fraction& factor, std::vector<Item>& under_root,
+                     Fraction& root_factor, const Ex& base, int exponent);
+
+  mutable std::size_t work_ = 0;
+  std::size_t allowed_ = std::numeric_limits<std::size_t>::max();
+  std::deque<NodeData> nodes_;
+  struct Name {
+    std::string text;
+    int operations = 0;
+    bool leads = false;
+    Ex meaning = {{0, 1}, 0};
+    Node symbol = 0;
+  };
+  std::vector<Name> names_;
+  std::unordered_set<Node, Hash, Same> known_;
+};
+
+}  // namespace vcrit::symbolic::shortest

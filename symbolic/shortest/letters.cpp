@@ -1,0 +1,96 @@
+#include "shortest/letters.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "formula/names.hpp"
+
+namespace vcrit::symbolic::shortest {
+
+namespace {
+
+class Measuring {
+ public:
+  Measuring(const Expressions& all, const Measures& symbols, const Steps& steps)
+      : all_(all), symbols_(symbols), steps_(steps) {}
+
+  Measure of(std::uint32_t step) {
+    if (const auto known = known_.find(step); known != known_.end()) return known->second;
+    return known_[step] = measured(steps_.steps()[step]);
+  }
+
+ private:
+  Measure measured(const Step& step) {
+    if (step.kind == Step::Kind::symbol) return of_symbol(step.node);
+    if (step.kind == Step::Kind::number) return {};
+    if (step.kind == Step::Kind::sum || step.kind == Step::Kind::magnitude)
+      return of(step.parts[0].step);
+    Measure whole;
+    for (const Part& part : step.parts) {
+      const Measure each = of(part.step);
+      whole.stiffness += part.sign * each.stiffness;
+      whole.time += part.sign * each.time;
+    }
+    const double power = step.kind == Step::Kind::power  ? step.exponent
+                         : step.kind == Step::Kind::root ? 0.5
+                                                         : 1;
+    return {whole.stiffness * power, whole.time * power};
+  }
+
+  Measure of_symbol(Node node) const {
+    const auto found = symbols_.find(node);
+    if (found != symbols_.end()) return found->second;
+    // A letter is a number (g, T) or a stiffness.
+    const std::string& letter = all_.name(node);
+    return letter == "T" || letter == "g" ? Measure{} : Measure{1, 0};
+  }
+
+  const Expressions& all_;
+  const Measures& symbols_;
+  const Steps& steps_;
+  std::map<std::uint32_t, Measure> known_;
+};
+
+std::string letter_of(const Step& step, const Measure& measure) {
+  if (std::abs(measure.time) > 0.1) return "X";
+  const bool sum = step.kind == Step::Kind::sum;
+  switch (static_cast<int>(std::lround(2 * measure.stiffness))) {
+    case 0:
+      return "R";
+    case 2:
+      return sum ? "S" : "L";
+    case 4:
+      return "Q";
+    case -2:
+      return "J";
+    default:
+      return "X";
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> letters(const Expressions& all, const Measures& measures,
+                                 const Steps& steps, const std::vector<std::uint32_t>& named) {
+  Measuring measuring(all, measures, steps);
+  std::vector<std::string> result;
+  std::map<std::string, int> count, next;
+  for (const std::uint32_t i : named) {
+    const Step& step = steps.steps()[i];
+    const bool symbol = step.kind == Step::Kind::symbol;
+    result.push_back(symbol ? all.name(step.node) : letter_of(step, measuring.of(i)));
+    ++count[result.back()];
+  }
+  std::set<std::string> given;
+  for (std::string& name : result) {
+    const std::string letter = name;
+    if (count[letter] > 1) name = letter + std::to_string(++next[letter]);
+    // An element of the scene may have that name.
+    while (is_taken(name) || given.contains(name)) name = letter + std::to_string(++next[letter]);
+    given.insert(name);
+  }
+  return result;
+}
+
+}  // namespace vcrit::symbolic::shortest

@@ -1,0 +1,27 @@
+// Names for the steps of a formula, as people would call them.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "shortest/expressions.hpp"
+#include "shortest/steps.hpp"
+
+namespace vcrit::symbolic::shortest {
+
+/// Powers of stiffness and time.
+struct Measure {
+  double stiffness = 0, time = 0;
+};
+
+/// What symbols measure, by node.
+using Measures = std::map<Node, Measure>;
+
+/// A name for each of `named`, steps of `steps` in the order of their definitions: the letter of a
+/// symbol that has one; S a sum and L a product of stiffness, Q its square, J a compliance, R a
+/// number; with an index where there are several.
+std::vector<std::string> letters(const Expressions& all, const Measures& measures,
+                                 const Steps& steps, const std::vector<std::uint32_t>& named);
+
+}  // namespace vcrit::symbolic::shortest

@@ -1,0 +1,208 @@
+#include "shortest/lines.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "formula/dialect.hpp"
+#include "formula/names.hpp"
+
+namespace vcrit::symbolic::shortest {
+
+namespace {
+
+// Characters of plain text.
+constexpr std::size_t longest_line = 90, least_part = 16;
+
+Form number_form(std::int64_t value) {
+  return {Form::Kind::number, std::to_string(value), {}, {}, {}, 1};
+}
+
+Form named(const std::string& name) { return {Form::Kind::name, name, {}, {}, {}, 1}; }
+
+/// The order of factors: numbers, the prefactor, our letters behind the scene's names, then what is
+/// not a name.
+int rank(const Form& form) {
+  static const std::map<std::string, int> leading{{"mu0", 1}, {"omega", 2}, {"du_z", 3}};
+  switch (form.kind) {
+    case Form::Kind::number:
+      return 0;
+    case Form::Kind::name: {
+      if (form.text == own_name("g")) return 4;
+      const auto found = leading.find(form.text);
+      return found != leading.end() ? found->second : is_own(form.text) ? 6 : 5;
+    }
+    case Form::Kind::power:
+      return 7 + (form.over[0].kind == Form::Kind::name ? 0 : 1);
+    case Form::Kind::product:
+    case Form::Kind::sum:
+      return 9;
+    case Form::Kind::call:
+      return 10;
+    case Form::Kind::root:
+      return 11;
+  }
+  return 12;
+}
+
+bool before(const Form& a, const Form& b) {
+  const int first = rank(a), second = rank(b);
+  if (first != second) return first < second;
+  return natural_less(text_dialect().print({false, a}), text_dialect().print({false, b}));
+}
+
+/// In a sum omega has no place of its own.
+bool before_in_sum(const Signed& a, const Signed& b) {
+  if (a.minus != b.minus) return b.minus;
+  return before(a.form, b.form);
+}
+
+}  // namespace
+
+Lines::Lines(const Expressions& all, const Measures& measures, const Ex& velocity)
+    : all_(all), measures_(measures), steps_(all, velocity) {}
+
+ShortestForm Lines::form() {
+  do give_names();
+  while (divide_long_line());
+  ShortestForm result;
+  for (const Index line : lines_) {
+    result.definitions.push_back({"", named(own_name(names_.at(line))), written(line)});
+    result.operations += operations_of(result.definitions.back().meaning);
+  }
+  result.velocity = written(steps_.whole());
+  result.operations += operations_of(result.velocity);
+  return result;
+}
+
+/// A letter that is used once and short stands as what it means.
+bool Lines::has_line(Index i) const {
+  const Step& step = steps_.steps()[i];
+  if (step.kind == Step::Kind::number) return false;
+  if (step.kind == Step::Kind::symbol) return all_.operations(step.node) > 0 && step.uses > 1;
+  return step.uses > 1 || std::find(divided_.begin(), divided_.end(), i) != divided_.end();
+}
+
+void Lines::collect(Index i) {
+  if (std::find(lines_.begin(), lines_.end(), i) != lines_.end()) return;
+  for (const Part& part : steps_.steps()[i].parts) collect(part.step);
+  if (i != steps_.whole() && has_line(i)) lines_.push_back(i);
+}
+
+void Lines::give_names() {
+  lines_.clear(), names_.clear();
+  collect(steps_.whole());
+  // Letters first, in the order in which they were given.
+  const auto is_letter = [&](Index i) { return steps_.steps()[i].kind == Step::Kind::symbol; };
+  const auto rest = std::stable_partition(lines_.begin(), lines_.end(), is_letter);
+  std::sort(lines_.begin(), rest, [&](Index a, Index b) {
+    return steps_.steps()[a].node < steps_.steps()[b].node;
+  });
+  const std::vector<std::string> names = letters(all_, measures_, steps_, lines_);
+  for (std::size_t i = 0; i < lines_.size(); ++i) names_[lines_[i]] = names[i];
+}
+
+bool Lines::divide_long_line() {
+  std::vector<Index> all = lines_;
+  all.push_back(steps_.whole());
+  for (const Index line : all) {
+    if (text_dialect().print({false, written(line)}).size() <= longest_line) continue;
+    // The longest part of it that fits a line itself.
+    std::size_t length = least_part;
+    std::optional<Index> longest;
+    std::vector<Index> open{line};
+    while (!open.empty()) {
+      const Index at = open.back();
+      open.pop_back();
+      for (const Part& part : steps_.steps()[at].parts) {
+        if (names_.contains(part.step)) continue;
+        open.push_back(part.step);
+        if (steps_.steps()[part.step].kind != Step::Kind::sum) continue;
+        const std::size_t size = text_dialect().print({false, written(part.step)}).size();
+        if (size > length && size <= longest_line) length = size, longest = part.step;
+      }
+    }
+    if (!longest) continue;
+    divided_.push_back(*longest);
+    return true;
+  }
+  return false;
+}
+
+Form Lines::of(Index i) const {
+  const auto name = names_.find(i);
+  return name == names_.end() ? written(i) : named(own_name(name->second));
+}
+
+Form Lines::symbol(Node node) const {
+  if (!all_.meaning(node).is_zero()) return meaning(node);
+  const std::string& name = all_.name(node);
+  const bool digits = name.find_first_not_of("0123456789/") == std::string::npos;
+  return digits ? Form{Form::Kind::number, name, {}, {}, {}, 1} : named(name);
+}
+
+Form Lines::meaning(Node node) const {
+  const Lines lines(all_, measures_, all_.meaning(node));
+  return lines.written(lines.steps_.whole());
+}
+
+Form Lines::written(Index i) const {
+  const Step& step = steps_.steps()[i];
+  switch (step.kind) {
+    case Step::Kind::symbol:
+      return symbol(step.node);
+    case Step::Kind::number:
+      return number_form(step.number);
+    case Step::Kind::sum:
+      return sum(step);
+    case Step::Kind::product:
+      return product(step);
+    case Step::Kind::power:
+      return {Form::Kind::power, "", {of(step.parts[0].step)}, {}, {}, step.exponent};
+    case Step::Kind::root:
+      return {Form::Kind::root, "", {of(step.parts[0].step)}, {}, {}, 1};
+    case Step::Kind::magnitude:
+      break;
+  }
+  return {Form::Kind::call, "abs", {}, {}, {{false, of(step.parts[0].step)}}, 1};
+}
+
+Form Lines::sum(const Step& step) const {
+  Form form{Form::Kind::sum, "", {}, {}, {}, 1};
+  for (const Part& part : step.parts) form.terms.push_back({part.sign < 0, of(part.step)});
+  std::sort(form.terms.begin(), form.terms.end(), before_in_sum);
+  return form;
+}
+
+Form Lines::product(const Step& step) const {
+  std::vector<Form> over, under;
+  const auto put = [&](Form factor, bool below) {
+    (below ? under : over).push_back(std::move(factor));
+  };
+  for (const Part& part : step.parts) {
+    const Step& inner = steps_.steps()[part.step];
+    if (inner.kind == Step::Kind::symbol && all_.leads(inner.node)) {
+      for (const char* name : {"mu0", "omega", "du_z"}) put(named(name), part.sign < 0);
+      continue;
+    }
+    Form factor = of(part.step);
+    if (factor.kind != Form::Kind::product) {
+      put(std::move(factor), part.sign < 0);
+      continue;
+    }
+    for (Form& each : factor.over) put(std::move(each), part.sign < 0);
+    for (Form& each : factor.under) put(std::move(each), part.sign > 0);
+  }
+  std::sort(over.begin(), over.end(), before);
+  std::sort(under.begin(), under.end(), before);
+  if (under.empty() && over.size() == 1) return over[0];
+  // A root stands behind a fraction, where it is set large, not above its bar.
+  if (!under.empty() && over.size() > 1 && over.back().kind == Form::Kind::root) {
+    Form root = std::move(over.back());
+    over.pop_back();
+    const Form before{Form::Kind::product, "", std::move(over), std::move(under), {}, 1};
+    return {Form::Kind::product, "", {before, std::move(root)}, {}, {}, 1};
+  }
+  return {Form::Kind::product, "", std::move(over), std::move(under), {}, 1};
+}
+
+}  // namespace vcrit::symbolic::shortest

@@ -1,0 +1,40 @@
+// Steps as lines that people read.
+#pragma once
+
+#include <vector>
+
+#include "shortest/letters.hpp"
+#include "shortest/shortest.hpp"
+#include "shortest/steps.hpp"
+
+namespace vcrit::symbolic::shortest {
+
+/// What is used more than once has a line of its own; so have parts of a line that would be too
+/// long.
+class Lines {
+ public:
+  Lines(const Expressions& all, const Measures& measures, const Ex& velocity);
+  ShortestForm form();
+
+ private:
+  using Index = std::uint32_t;
+  bool has_line(Index step) const;
+  void collect(Index step);
+  void give_names();
+  bool divide_long_line();
+  Form of(Index step) const;
+  Form written(Index step) const;
+  Form sum(const Step& step) const;
+  Form product(const Step& step) const;
+  Form meaning(Node symbol) const;
+  Form symbol(Node node) const;
+
+  const Expressions& all_;
+  const Measures& measures_;
+  Steps steps_;
+  std::vector<Index> lines_;  ///< in their order
+  std::vector<Index> divided_;
+  std::map<Index, std::string> names_;
+};
+
+}  // namespace vcrit::symbolic::shortest

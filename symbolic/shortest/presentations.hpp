@@ -1,0 +1,79 @@
+// The ways in which an expert would write the stiffness of a network before doing algebra: storage
+// and loss, a quotient with a common denominator, compliances of what is one behind the other.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "network/network.hpp"
+#include "shortest/complex.hpp"
+
+namespace vcrit::symbolic::shortest {
+
+/// Parts of a network of which those of one kind are one: springs side by side, dampers one behind
+/// the other, ...
+struct Gathered {
+  std::optional<Ex> spring, damper, mass;
+  std::vector<Network> others;
+};
+
+/// How many presentations are looked at and kept.
+struct Thrift {
+  std::size_t combinations = 48;  ///< of those of the parts of a sum
+  std::size_t kept = 3;           ///< of each sort
+};
+
+class Presentations {
+ public:
+  using Choices = std::vector<std::vector<Quotient>>;
+  using Lookup = std::function<Ex(const Symbol&)>;
+  Presentations(Expressions& all, Ex omega, Lookup symbol, const Thrift& thrift)
+      : all_(all), complex_(all), omega_(omega), symbol_(std::move(symbol)), thrift_(thrift) {}
+
+  /// Of the stiffness, a few, those most promising first.
+  std::vector<Quotient> of(const Network& network);
+  /// Of the stiffness with something beside it.
+  std::vector<Quotient> beside(const Network& network, const Quotient& other);
+  /// Of the compliance with another behind it.
+  std::vector<Quotient> behind(const Network& network, const Quotient& other);
+  /// Of sums, of each of which any presentation may be taken.
+  std::vector<Quotient> sums(const std::vector<std::vector<Quotient>>& parts,
+                             const std::vector<int>& alike);
+  Quotient sum(const std::vector<Quotient>& parts, bool one_denominator);
+  /// K - m omega^2 of a drive and a mass, if there is one: of springs and dampers side by side
+  /// Z + i V.
+  std::vector<Quotient> swinging(const Network& drive, const std::optional<Ex>& mass);
+  /// m omega^2
+  Ex inertia(const Ex& mass);
+
+ private:
+  std::vector<Quotient> of(const Element& element);
+  std::vector<Quotient> of(const Series& series);
+  std::vector<Quotient> of(const Parallel& parallel);
+  std::vector<Quotient> of(const Graph& graph);
+  Quotient damper(const Ex& c, const char* letter);
+  std::vector<Quotient> maxwell(const Ex& k, const Ex& turn);
+  /// The parts of a sum, and which of them are alike.
+  struct Terms {
+    Choices choices;
+    std::vector<int> groups;
+  };
+  Terms side_by_side(const std::vector<Network>& parts);
+  Terms one_behind_another(const std::vector<Network>& parts);
+  Gathered gathered(const std::vector<Network>& parts, bool inverse);
+  Ex named(const char* letter, const Ex& meaning);
+  std::vector<Quotient> best(std::vector<Quotient> all);
+  void offer(std::vector<Quotient>& all, const Quotient& quotient);
+
+  Expressions& all_;
+  ComplexAlgebra complex_;
+  Ex omega_;
+  Lookup symbol_;
+  Thrift thrift_;
+};
+
+/// Networks of the same form have the same number.
+std::vector<int> alike(const std::vector<Network>& parts);
+
+}  // namespace vcrit::symbolic::shortest

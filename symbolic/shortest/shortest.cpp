@@ -1,0 +1,183 @@
+#include "shortest/shortest.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <sstream>
+
+#include "base/numbers.hpp"
+#include "derivation/model.hpp"
+#include "formula/algebra_lock.hpp"
+#include "formula/names.hpp"
+#include "network/law.hpp"
+#include "shortest/critical.hpp"
+#include "shortest/lines.hpp"
+#include "shortest/search.hpp"
+
+namespace vcrit::symbolic {
+
+namespace {
+
+using namespace shortest;
+
+// Elements that a formula on a page has, and operations: some forty lines.
+constexpr std::size_t most_elements = 48;
+constexpr int most_operations = 250;
+
+// Some 0.1 s each.
+constexpr std::size_t work_of_beginning = 5'000'000;
+constexpr Effort effort{60, 5'000'000};
+
+/// What is tried one after the other until the beginning takes no more work than that.
+constexpr std::array<Thrift, 3> thrifts{{{48, 3}, {6, 1}, {1, 1}}};
+
+/// The symbols of a contact as expressions, with what each measures.
+class Alphabet {
+ public:
+  explicit Alphabet(const Contact& contact) : contact_(contact) {
+    parts_.prefactor = all_.symbol("", 2, true);
+    parts_.omega = symbol({"omega"}, {0, -1});
+    for (const Network* network : {&contact.normal, contact.tangential, contact.drive})
+      if (network != nullptr) add(*network);
+    parts_.normal = &contact.normal;
+    parts_.tangential = contact.tangential;
+    parts_.drive = contact.drive;
+    if (contact.mass) parts_.mass = symbol(*contact.mass, {1, 2});
+    if (contact.isotropic != nullptr) parts_.ratio = ratio(*contact.isotropic);
+  }
+
+  /// Throws TooLarge.
+  std::optional<ShortestForm> shortest(const Thrift& thrift) {
+    Presentations presentations(
+        all_, parts_.omega, [this](const Symbol& symbol) { return symbols_.at(symbol); }, thrift);
+    all_.allow(work_of_beginning);
+    const std::vector<Ex> starts = critical_velocities(all_, presentations, parts_);
+    all_.allow(2 * effort.work);
+    const Ex best = shortest_of(all_, starts, effort);
+    if (operations(all_, best) > most_operations) return std::nullopt;
+    ShortestForm form = Lines(all_, measures_, best).form();
+    for (ShortestForm::Definition& definition : form.definitions)
+      if (definition.name.text == own_name("g")) definition.words = ratio_words();
+    return form;
+  }
+
+ private:
+  Ex symbol(const Symbol& symbol, const Measure& measure) {
+    const auto [known, is_new] = symbols_.try_emplace(symbol);
+    if (is_new) {
+      known->second = all_.symbol(to_text(symbol));
+      measures_[known->second.node] = measure;
+    }
+    return known->second;
+  }
+
+  void add(const Network& network) {
+    static const std::map<NumberRole, Measure> measures{{NumberRole::stiffness, {1, 0}},
+                                                        {NumberRole::damping, {1, 1}},
+                                                        {NumberRole::time, {0, 1}},
+                                                        {NumberRole::mass, {1, 2}},
+                                                        {NumberRole::loss_factor, {0, 0}}};
+    for_each_element(network, [&](const Element& element) {
+      for_each_number(element, [&](const Symbol& each, NumberRole role) {
+        symbol(each, measures.at(role));
+      });
+    });
+  }
+
+  /// g = K_n/K_t: Mindlin's (2 - nu)/(2 (1 - nu)), or a number.
+  Ex ratio(const Isotropic& isotropic) {
+    const bool poisson = isotropic.by == Isotropic::By::poisson;
+    if (isotropic.quantity.value) return number_ratio(isotropic);
+    const Ex given = symbol(isotropic.quantity.symbol, {});
+    if (!poisson) return all_.power(given, -1);
+    const Ex two = Expressions::number(2), one = Expressions::number(1);
+    const Ex meaning = all_.product(
+        {{all_.subtract(two, given), 1}, {two, -1}, {all_.subtract(one, given), -1}});
+    return all_.named("g", meaning, operations(all_, meaning), true);
+  }
+
+  Ex number_ratio(const Isotropic& isotropic) {
+    const GiNaC::ex inverse = 1 / isotropic_ratio(isotropic);
+    if (inverse.is_equal(1)) return Expressions::number(1);
+    std::ostringstream digits;
+    digits << inverse;
+    const bool whole = inverse.info(GiNaC::info_flags::integer);
+    const Ex number = all_.symbol(digits.str(), whole ? 0 : 1);
+    measures_[number.node] = {};
+    return all_.named("g", number, 1, true);
+  }
+
+  std::string ratio_words() const {
+    const Quantity& given = contact_.isotropic->quantity;
+    const bool poisson = contact_.isotropic->by == Isotropic::By::poisson;
+    const std::string name = printed_name(own_name(poisson ? "nu" : "K_t/K_n"));
+    if (!given.value) return "K_n/K_t (Mindlin)";
+    return fmt::format("K_n/K_t{} for {} = {}", poisson ? " (Mindlin)" : "", name,
+                       to_text(*given.value));
+  }
+
+  const Contact& contact_;
+  Expressions all_;
+  Parts parts_;
+  std::map<Symbol, Ex> symbols_;
+  Measures measures_;
+};
+
+int operations_of(const std::vector<Form>& forms) {
+  int sum = 0;
+  for (const Form& form : forms) sum += symbolic::operations_of(form);
+  return sum;
+}
+
+int size(const std::vector<Form>& forms) { return static_cast<int>(forms.size()); }
+
+bool too_many_elements(const Contact& contact) {
+  std::size_t elements = 0;
+  for (const Network* network : {&contact.normal, contact.tangential, contact.drive})
+    if (network != nullptr) elements += vcrit::size(*network);
+  return elements > most_elements;
+}
+
+}  // namespace
+
+std::optional<ShortestForm> shortest_form(const Contact& contact) {
+  const AlgebraLock lock;
+  if (too_many_elements(contact)) return std::nullopt;
+  for (const Thrift& thrift : thrifts) {
+    try {
+      return Alphabet(contact).shortest(thrift);
+    } catch (const TooLarge&) {
+      continue;
+    }
+  }
+  return std::nullopt;
+}
+
+int operations_of(const Form& form) {
+  switch (form.kind) {
+    case Form::Kind::number:
+      return form.text.find('/') == std::string::npos ? 0 : 1;
+    case Form::Kind::name:
+      return 0;
+    case Form::Kind::sum: {
+      int sum = static_cast<int>(form.terms.size()) - (form.terms.front().minus ? 0 : 1);
+      for (const Signed& term : form.terms) sum += operations_of(term.form);
+      return sum;
+    }
+    case Form::Kind::product: {
+      const int bar = form.under.empty() ? 0 : 1;
+      return operations_of(form.over) + operations_of(form.under) +
+             std::max(size(form.over) - 1, 0) + std::max(size(form.under) - 1, 0) + bar;
+    }
+    case Form::Kind::power:
+    case Form::Kind::root:
+      return 1 + operations_of(form.over);
+    case Form::Kind::call:
+      break;
+  }
+  return 1 + operations_of(form.terms.front().form);
+}
+
+}  // namespace vcrit::symbolic

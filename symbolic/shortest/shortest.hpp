@@ -1,0 +1,45 @@
+// The shortest real formula of v* = mu0 omega du_z |K_n|/|K_t| |K_t + D|/|D|, D = K_d - m omega^2,
+// in named steps: the letters that people use (g = K_n/K_t, Z + i V = D, T = omega tau, W = omega c),
+// then what is used more than once. Several ways to write the networks (storage and loss, one
+// denominator, compliances) are begun with, and each is shortened by moves of algebra; of all, the
+// one with the fewest + - * / ^ sqrt abs is taken.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "formula/form.hpp"
+#include "network/network.hpp"
+#include "scene/scene.hpp"
+
+namespace vcrit::symbolic {
+
+/// What v* depends on. Without a tangential network the contact is isotropic; without a drive it is
+/// rigid, and there is no mass.
+struct Contact {
+  const Network& normal;
+  const Network* tangential = nullptr;
+  const Isotropic* isotropic = nullptr;
+  const Network* drive = nullptr;
+  std::optional<Symbol> mass = {};
+};
+
+struct ShortestForm {
+  struct Definition {
+    std::string words;  ///< what it is, where a reader would ask; else empty
+    Form name, meaning;
+  };
+  std::vector<Definition> definitions;  ///< each of earlier ones
+  Form velocity;
+  int operations = 0;  ///< each + - * / ^ sqrt abs in all of it
+};
+
+/// The same in every run. Nothing where it would not fit a page: who asks for v* is better served
+/// by a formula in complex stiffnesses.
+std::optional<ShortestForm> shortest_form(const Contact& contact);
+
+/// Each + - * / ^ sqrt abs.
+int operations_of(const Form& form);
+
+}  // namespace vcrit::symbolic

@@ -1,0 +1,248 @@
+#include "shortest/steps.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <optional>
+
+namespace vcrit::symbolic::shortest {
+
+namespace {
+
+std::uint64_t bit(std::uint32_t step) { return std::uint64_t{1} << (step % 64); }
+
+void remember_parts(Step& step) {
+  std::sort(step.parts.begin(), step.parts.end());
+  step.mask = 0;
+  for (const Part& part : step.parts) step.mask |= bit(part.step);
+}
+
+/// What two steps of a kind have in common, as it stands in `a`: in `b` it has the same signs or all
+/// others. The larger of both.
+std::vector<Part> common_parts(const Step& a, const Step& b) {
+  std::vector<Part> same, opposite;
+  for (auto i = a.parts.begin(), j = b.parts.begin(); i != a.parts.end() && j != b.parts.end();) {
+    if (i->step < j->step) ++i;
+    else if (j->step < i->step) ++j;
+    else {
+      (i->sign == j->sign ? same : opposite).push_back(*i);
+      ++i, ++j;
+    }
+  }
+  return opposite.size() > same.size() ? opposite : same;
+}
+
+/// The sign with which `step` holds all of `parts`, if it does.
+std::optional<int> holds(const Step& step, const std::vector<Part>& parts) {
+  int sign = 0;
+  auto i = step.parts.begin();
+  for (const Part& part : parts) {
+    while (i != step.parts.end() && i->step < part.step) ++i;
+    if (i == step.parts.end() || i->step != part.step) return std::nullopt;
+    const int here = i->sign == part.sign ? 1 : -1;
+    if (sign != 0 && sign != here) return std::nullopt;
+    sign = here;
+  }
+  return sign;
+}
+
+}  // namespace
+
+int operations_of(const Step& step, const Expressions& all) {
+  const int size = static_cast<int>(step.parts.size());
+  switch (step.kind) {
+    case Step::Kind::symbol:
+      return all.operations(step.node);
+    case Step::Kind::number:
+      return 0;
+    case Step::Kind::sum:
+      return size - 1;
+    case Step::Kind::product: {
+      const bool over = std::any_of(step.parts.begin(), step.parts.end(),
+                                    [](const Part& part) { return part.sign > 0; });
+      return over ? size - 1 : size;
+    }
+    default:
+      return 1;
+  }
+}
+
+Steps::Steps(const Expressions& all, const Ex& whole) : all_(all) {
+  steps_.reserve(64);
+  whole_ = of(whole.factor, whole.node);
+  share(Step::Kind::sum);
+  share(Step::Kind::product);
+  count();
+  all.spend(20 * steps_.size());
+}
+
+std::uint32_t Steps::put(Step step) {
+  remember_parts(step);
+  all_.spend(steps_.size() / 16);
+  for (std::uint32_t i = 0; i < steps_.size(); ++i) {
+    const Step& old = steps_[i];
+    if (old.mask == step.mask && old.kind == step.kind && old.node == step.node &&
+        old.number == step.number && old.exponent == step.exponent && old.parts == step.parts)
+      return i;
+  }
+  steps_.push_back(std::move(step));
+  return static_cast<std::uint32_t>(steps_.size() - 1);
+}
+
+std::uint32_t Steps::number(std::int64_t value) {
+  Step step;
+  step.kind = Step::Kind::number;
+  step.number = value;
+  return put(std::move(step));
+}
+
+std::uint32_t Steps::of(const Fraction& factor, Node node) {
+  const Fraction size = absolute(factor);
+  if (size.is_one()) return of(node);
+  if (all_[node].kind == Kind::product) return product(size, all_[node].items);
+  if (node == 0) return size.under == 1 ? number(size.over) : product(size, {});
+  return product(size, {{node, 1, {}}});
+}
+
+std::uint32_t Steps::product(const Fraction& factor, const std::vector<Item>& items) {
+  Step step;
+  step.kind = Step::Kind::product;
+  if (factor.over != 1) step.parts.push_back({number(factor.over), 1});
+  if (factor.under != 1) step.parts.push_back({number(factor.under), -1});
+  for (const Item& item : items)
+    if (item.exponent == 1 || item.exponent == -1)
+      step.parts.push_back({of(item.node), item.exponent});
+  // (a b)^2 rather than a^2 b^2.
+  int highest = 1;
+  for (const Item& item : items) highest = std::max(highest, std::abs(item.exponent));
+  for (int exponent = 2; exponent <= highest; ++exponent) {
+    Step base;
+    base.kind = Step::Kind::product;
+    for (const Item& item : items)
+      if (std::abs(item.exponent) == exponent)
+        base.parts.push_back({of(item.node), item.exponent > 0 ? 1 : -1});
+    if (base.parts.empty()) continue;
+    int sign = 1;
+    if (std::none_of(base.parts.begin(), base.parts.end(),
+                     [](const Part& part) { return part.sign > 0; })) {
+      sign = -1;
+      for (Part& part : base.parts) part.sign = 1;
+    }
+    Step power;
+    power.kind = Step::Kind::power;
+    power.exponent = exponent;
+    power.parts = {{base.parts.size() == 1 ? base.parts[0].step : put(std::move(base)), 1}};
+    step.parts.push_back({put(std::move(power)), sign});
+  }
+  if (step.parts.size() == 1 && step.parts[0].sign == 1) return step.parts[0].step;
+  return put(std::move(step));
+}
+
+std::uint32_t Steps::of(Node node) {
+  for (const auto& [known, step] : known_)
+    if (known == node) return step;
+  const NodeData& data = all_[node];
+  Step step;
+  std::uint32_t made = 0;
+  switch (data.kind) {
+    case Kind::one:
+      made = number(1);
+      break;
+    case Kind::symbol:
+      step.node = node;
+      made = put(std::move(step));
+      break;
+    case Kind::product:
+      made = product({}, data.items);
+      break;
+    case Kind::sum:
+      step.kind = Step::Kind::sum;
+      for (const Item& item : data.items)
+        step.parts.push_back({of(item.factor, item.node), item.factor.negative() ? -1 : 1});
+      made = put(std::move(step));
+      break;
+    case Kind::root:
+    case Kind::magnitude:
+      step.kind = data.kind == Kind::root ? Step::Kind::root : Step::Kind::magnitude;
+      step.parts = {{of(data.items[0].factor, data.items[0].node), 1}};
+      made = put(std::move(step));
+      break;
+  }
+  known_.emplace_back(node, made);
+  return made;
+}
+
+void Steps::replace(std::uint32_t in, const std::vector<Part>& common, std::uint32_t by) {
+  const std::optional<int> sign = holds(steps_[in], common);
+  if (!sign) return;
+  std::erase_if(steps_[in].parts, [&](const Part& part) {
+    return std::any_of(common.begin(), common.end(),
+                       [&](const Part& each) { return each.step == part.step; });
+  });
+  steps_[in].parts.push_back({by, *sign});
+  remember_parts(steps_[in]);
+}
+
+bool Steps::share_best(const std::vector<std::uint32_t>& sets) {
+  std::vector<Part> best;
+  all_.spend(sets.size() * sets.size() / 8);
+  for (std::size_t i = 0; i < sets.size(); ++i)
+    for (std::size_t j = i + 1; j < sets.size(); ++j) {
+      const Step &a = steps_[sets[i]], &b = steps_[sets[j]];
+      const std::uint64_t mask = a.mask & b.mask;
+      // One bit may stand for several steps where there are more than 64.
+      if (mask == 0 || (std::has_single_bit(mask) && steps_.size() <= 64)) continue;
+      std::vector<Part> common = common_parts(a, b);
+      if (common.size() >= 2 && common.size() > best.size()) best = std::move(common);
+    }
+  if (best.empty()) return false;
+  // Where it is all of a step, that step is it.
+  std::uint32_t shared = static_cast<std::uint32_t>(steps_.size());
+  for (const std::uint32_t set : sets)
+    if (steps_[set].parts.size() == best.size() && holds(steps_[set], best)) {
+      shared = set;
+      best = steps_[set].parts;
+      break;
+    }
+  if (shared == steps_.size()) {
+    Step step;
+    step.kind = steps_[sets[0]].kind;
+    const bool turned = step.kind == Step::Kind::sum
+                            ? best.front().sign < 0
+                            : std::none_of(best.begin(), best.end(),
+                                           [](const Part& part) { return part.sign > 0; });
+    if (turned)
+      for (Part& part : best) part.sign = -part.sign;
+    step.parts = best;
+    remember_parts(step);
+    steps_.push_back(std::move(step));
+  }
+  for (const std::uint32_t set : sets)
+    if (set != shared) replace(set, best, shared);
+  return true;
+}
+
+void Steps::share(Step::Kind kind) {
+  for (bool more = true; more;) {
+    std::vector<std::uint32_t> sets;
+    for (std::uint32_t i = 0; i < steps_.size(); ++i)
+      if (steps_[i].kind == kind && i != whole_ && steps_[i].parts.size() >= 2) sets.push_back(i);
+    more = sets.size() >= 2 && share_best(sets);
+  }
+}
+
+void Steps::count() {
+  std::vector<std::uint32_t> open{whole_};
+  steps_[whole_].uses = 1;
+  while (!open.empty()) {
+    const Step& step = steps_[open.back()];
+    open.pop_back();
+    operations_ += operations_of(step, all_);
+    for (const Part& part : step.parts) {
+      Step& used = steps_[part.step];
+      if (used.uses++ == 0) open.push_back(part.step);
+      if (used.uses == 2 && operations_of(used, all_) > 0) ++shared_;
+    }
+  }
+}
+
+}  // namespace vcrit::symbolic::shortest

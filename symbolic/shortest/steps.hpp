@@ -1,0 +1,62 @@
+// An expression as steps in which nothing is written twice: what two sums or two products have in
+// common is a step of its own. The number of operations is exactly that of the formula printed
+// with a name for each step that is used more than once.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "shortest/expressions.hpp"
+
+namespace vcrit::symbolic::shortest {
+
+/// One term (`sign` is that before it) or factor (-1: below the bar).
+struct Part {
+  std::uint32_t step = 0;
+  std::int32_t sign = 1;
+  friend auto operator<=>(const Part&, const Part&) = default;
+};
+
+struct Step {
+  enum class Kind : std::uint8_t { symbol, number, sum, product, power, root, magnitude };
+  Kind kind = Kind::symbol;
+  Node node = 0;            ///< of a symbol
+  std::int64_t number = 0;  ///< natural
+  int exponent = 1;         ///< of a power
+  std::vector<Part> parts;
+  int uses = 0;
+  std::uint64_t mask = 0;  ///< of the parts' steps: disjoint masks have no part in common
+};
+
+class Steps {
+ public:
+  Steps(const Expressions& all, const Ex& whole);
+
+  int operations() const { return operations_; }
+  /// Steps that are used more than once.
+  int shared() const { return shared_; }
+  const std::vector<Step>& steps() const { return steps_; }
+  std::uint32_t whole() const { return whole_; }
+
+ private:
+  std::uint32_t of(Node node);
+  std::uint32_t of(const Fraction& factor, Node node);
+  std::uint32_t number(std::int64_t value);
+  std::uint32_t put(Step step);
+  std::uint32_t product(const Fraction& factor, const std::vector<Item>& items);
+  void share(Step::Kind kind);
+  bool share_best(const std::vector<std::uint32_t>& sets);
+  void replace(std::uint32_t in, const std::vector<Part>& common, std::uint32_t by);
+  void count();
+
+  const Expressions& all_;
+  std::vector<Step> steps_;
+  std::vector<std::pair<Node, std::uint32_t>> known_;
+  std::uint32_t whole_ = 0;
+  int operations_ = 0, shared_ = 0;
+};
+
+/// Operations of one step, its parts not counted.
+int operations_of(const Step& step, const Expressions& all);
+
+}  // namespace vcrit::symbolic::shortest

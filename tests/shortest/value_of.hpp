@@ -1,0 +1,73 @@
+// Expressions and forms as numbers.
+#pragma once
+
+#include <cmath>
+#include <map>
+#include <string>
+
+#include "shortest/expressions.hpp"
+#include "shortest/shortest.hpp"
+
+namespace vcrit::test {
+
+using symbolic::Form;
+using symbolic::Signed;
+
+inline double value_of(const symbolic::shortest::Fraction& fraction) {
+  return static_cast<double>(fraction.over) / static_cast<double>(fraction.under);
+}
+
+/// Of an expression; `known`: the symbols, and then what was evaluated.
+inline double value_of(const symbolic::shortest::Expressions& all, symbolic::shortest::Node node,
+                       std::map<symbolic::shortest::Node, double>& known) {
+  using symbolic::shortest::Kind;
+  if (const auto found = known.find(node); found != known.end()) return found->second;
+  const auto& data = all[node];
+  double value = data.kind == Kind::sum ? 0 : 1;
+  for (const auto& item : data.items) {
+    const double part = value_of(all, item.node, known);
+    if (data.kind == Kind::sum) value += value_of(item.factor) * part;
+    if (data.kind == Kind::product) value *= std::pow(part, item.exponent);
+    if (data.kind == Kind::root) value = std::sqrt(value_of(item.factor) * part);
+    if (data.kind == Kind::magnitude) value = std::abs(part);
+  }
+  if (data.kind == Kind::symbol) {
+    const auto& meaning = all.meaning(node);
+    value = value_of(meaning.factor) * value_of(all, meaning.node, known);
+  }
+  return known[node] = value;
+}
+
+/// Of a form with a number for each name.
+inline double value_of(const Form& form, const std::map<std::string, double>& names) {
+  switch (form.kind) {
+    case Form::Kind::number: {
+      const std::size_t bar = form.text.find('/');
+      const double over = std::stod(form.text.substr(0, bar));
+      return bar == std::string::npos ? over : over / std::stod(form.text.substr(bar + 1));
+    }
+    case Form::Kind::name:
+      return names.at(form.text);
+    case Form::Kind::sum: {
+      double sum = 0;
+      for (const Signed& term : form.terms)
+        sum += (term.minus ? -1 : 1) * value_of(term.form, names);
+      return sum;
+    }
+    case Form::Kind::product: {
+      double product = 1;
+      for (const Form& factor : form.over) product *= value_of(factor, names);
+      for (const Form& factor : form.under) product /= value_of(factor, names);
+      return product;
+    }
+    case Form::Kind::power:
+      return std::pow(value_of(form.over[0], names), form.exponent);
+    case Form::Kind::root:
+      return std::sqrt(value_of(form.over[0], names));
+    case Form::Kind::call:
+      break;
+  }
+  return std::abs(value_of(form.terms[0].form, names));
+}
+
+}  // namespace vcrit::test
