@@ -30,6 +30,12 @@ using test::SceneText;
 constexpr int samples = 60;
 constexpr double two_turns = 4 * 3.14159265358979323846;
 
+// Neither series nor parallel: c1 between the middles of k1 - ct and kt - k2.
+constexpr const char* bridge = R"([networks.bridge]
+terminals = ["a", "b"]
+edges = [["k1", "a", "x"], ["ct", "x", "b"], ["kt", "a", "y"], ["k2", "y", "b"], ["c1", "x", "y"]]
+)";
+
 class Random {
  public:
   explicit Random(unsigned seed) : random_(seed) {}
@@ -43,7 +49,11 @@ class Random {
     SceneText text{.normal = normal, .tangential = tangential, .angular_frequency = 1};
     if (drive != nullptr) text.network = drive;
     if (body) text.mass = magnitude();
-    const std::string used = std::string(normal) + tangential + (drive != nullptr ? drive : "");
+    std::string used = std::string(normal) + tangential + (drive != nullptr ? drive : "");
+    if (tangential == std::string("bridge")) {
+      text.more = bridge;
+      used += bridge;
+    }
     for (const char* name : {"kn", "k1", "c1", "kt", "ct", "kd", "cd", "k2"})
       if (used.find(name) != std::string::npos) text.elements.emplace_back(name, magnitude());
     return text;
@@ -94,20 +104,22 @@ Question question(const Scene& scene, Sought sought, double ratio, double veloci
   return asked;
 }
 
-/// All that may be sought of a scene, at a part of its v*.
-void ask(const Scene& scene, Random& random) {
+/// All that may be sought of a scene, at a part of its v*; false where friction is nearly full
+/// there.
+bool ask(const Scene& scene, Random& random) {
   const CriticalOnset onset = critical_onset(scene);
   BOOST_REQUIRE((onset.contact_velocity > 0 && std::isfinite(onset.contact_velocity)));
   const double velocity = onset.drive_velocity - random.uniform(0.1, 0.9) * onset.contact_velocity;
   const double ratio = ratio_of(scene, velocity);
-  if (!(ratio > 0 && ratio < 1 - 1e-6)) return;
+  if (!(ratio > 0 && ratio < 1 - 1e-6)) return false;
   check(question(scene, Sought::velocity, ratio, 0), velocity, random);
-  if (opens(scene)) return;
+  if (opens(scene)) return true;
   check(question(scene, Sought::amplitude, ratio, velocity), *scene.amplitude.value, random);
   Question frequency = question(scene, Sought::frequency, ratio, velocity);
   const double here = *scene.angular_frequency.value / (two_turns / 2);
   frequency.from = 0.8 * here, frequency.to = 1.25 * here;
   check(frequency, here, random);
+  return true;
 }
 
 struct Kind {
@@ -120,7 +132,7 @@ constexpr Kind kinds[]{
     {"mass", "kn | c1", "kt | ct", "kd | cd", true, false},
     {"undamped mass", "kn", "kt", "kd", true, false},
     {"creeping", "kn", "kt - ct", nullptr, false, false},
-    {"graph", "kn", "kt | ((k1 | c1) - (k2 | ct))", "kd | cd", true, false},
+    {"graph", "kn", "bridge", "kd | cd", true, false},
     {"separation elastic", "kn", "kt", nullptr, false, true},
     {"separation with memory", "kn | (k1 - c1)", "kt | ct", nullptr, false, true},
     {"separation with body", "kn", "kt | ct", "kd | cd", true, true},
@@ -132,6 +144,7 @@ BOOST_AUTO_TEST_CASE(what_is_answered_is_what_was_asked_for) {
   constexpr unsigned seed = 20;
   BOOST_TEST_MESSAGE("seed " << seed);
   Random random(seed);
+  int asked = 0;
   for (const Kind& kind : kinds)
     for (int i = 0; i < 4; ++i) {
       SceneText text = random.scene(kind.normal, kind.tangential, kind.drive, kind.body);
@@ -141,14 +154,14 @@ BOOST_AUTO_TEST_CASE(what_is_answered_is_what_was_asked_for) {
       const design::NormalContact contact(scene);
       if (!kind.separation)
         scene.amplitude.value = random.uniform(0.2, 0.7) * contact.largest_amplitude(1);
-      BOOST_TEST_CONTEXT(kind.name << " " << i) { ask(scene, random); }
+      BOOST_TEST_CONTEXT(kind.name << " " << i) { asked += ask(scene, random) ? 1 : 0; }
     }
+  BOOST_TEST(asked >= 30);
 }
 
 // Surfaces that only tap have a largest speed as others, but no amplitude that keeps them closed.
 // Springs, rigid drive, u_z0 = 0: the contact sticks from its meeting at -pi/2 until vbar (t +
-// pi/2) = cos t and then slips, by hand (vbar^2... )/2 = [vbar (t + pi/2)^2/2 + 1 - sin t]/2 of
-// friction.
+// pi/2) = cos t and then slips, by hand with a ratio of [vbar (t + pi/2)^2/2 + 1 - sin t]/2.
 BOOST_AUTO_TEST_CASE(a_tapping_contact) {
   const Scene scene = test::scene_of({.tangential = "kt",
                                       .separation = true,

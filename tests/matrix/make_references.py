@@ -206,7 +206,7 @@ def linear_rows(name, values, text):
     mean = equilibrium(system) * values["u_z0"]
     force = values["du_z"] * abs(contact_stiffness(system, values["omega"])[0])
     yield "closed", int(force < mean and values["du_z"] < values["u_z0"])
-    yield "loaded", int(mean > 0)
+    yield "loaded", int(equilibrium(system) > 0)
     creep = mp.mpf(0)
     networks = [system.tangential if not system.ratio else system.normal]
     if callable(system.drive):

@@ -115,10 +115,13 @@ def friction_rows(name, values, text, linear):
         yield from cells(name, values, text, linear)
         return
     system = wired(name, values)
-    if isinstance(system.drive, str) or name.startswith("drive_") or not linear["loaded"] or not text.get("oscillation"):
+    if not linear["loaded"] or not text.get("oscillation") or not is_simulated(system):
         return
     opening = bool(text["contact"].get("separation")) and not linear["closed"]
-    yield from design_rows(name, design_values(name, values, linear))
+    if values["u_z0"] > 0:
+        yield from design_rows(name, design_values(name, values, linear))
+    else:
+        yield from tapping_design_rows(system, values)
     if not linear["closed"] and not opening:
         return
     means = np.array([float(values["u_z0"])])
@@ -203,6 +206,29 @@ def design_rows(name, values):
             errors.append(worst[0])
         width = 0.04 * float(values[key])
         yield f"design:slope:{unknown}", (ends[0] - ends[1]) / width, sum(errors) / width
+
+
+def tapping_design_rows(system, values):
+    """Of springs that no amplitude keeps closed, under a rigid drive: friction depends on v/(omega du_z) alone."""
+    velocity = formula_of(system, values) / 2
+    motions = Motions(system, values, np.zeros(3), True, velocity * np.array([1, 1.02, 0.98]))
+    ratio, error = motions.ratio()
+    yield "design:velocity", velocity, 0
+    yield "design:amplitude", float(values["du_z"]), 0
+    yield "design:friction_ratio", ratio[0], error[0]
+    yield "design:omega", float(values["omega"]), 0
+    slope, uncertain = (ratio[1] - ratio[2]) / (0.04 * velocity), (error[1] + error[2]) / (0.04 * velocity)
+    yield "design:slope:velocity", slope, uncertain
+    change = velocity / float(values["omega"])
+    yield "design:slope:frequency", -slope * change, uncertain * change
+
+
+def is_simulated(system):
+    """One body, under networks of springs and dampers."""
+    networks = [system.normal, None if system.ratio else system.tangential, system.drive]
+    if any(isinstance(network, str) for network in networks):
+        return False
+    return all(edge[0] in "kc" for network in networks if network for edge in network("a", "b"))
 
 
 def formula_of(system, values):

@@ -59,6 +59,12 @@ KINDS = {
     "separation_memory": lambda v: (zener(v["k0"], v["k1"], v["c1"]), kelvin(v["kt"], v["ct"]), None),
     "separation_body": lambda v: (spring(v["kn"]), spring(v["kt"]), kelvin(v["kd"], v["cd"])),
     "separation_creeping": lambda v: (spring(v["kn"]), maxwell(v["kt"], v["ct"]), None),
+    "separation_masses": lambda v: (spring(v["kn"]), spring(v["kt"]),
+                                    series(spring(v["kf"]), parallel(mass(v["ms"]), kelvin(v["km"], v["cm"])))),
+    "separation_measured": lambda v: (spring(v["kn"]), spring(v["kt"]), "receptance.csv"),
+    "separation_lossy": lambda v: (spring(v["kn"]), lossy(v["kt"], v["eta1"]), None),
+    "drive_free_harmonics": lambda v: (spring(v["kn"]), spring(v["kt"]),
+                                       series(spring(v["kf"]), parallel(mass(v["ms"]), spring(v["km"])))),
     "separation_jump": lambda v: (kelvin(v["kn"], v["cn"]), spring(v["kt"]), None),
     "indenter_elastic": lambda v: (spring(v["E0"]), mindlin("0.4"), None),
     "indenter_viscoelastic": lambda v: (zener(v["E0"], v["E1"], v["c1"]), mindlin("0.4"), None),
@@ -86,7 +92,7 @@ KINDS = {
 for same, other in [("antiresonance", "free_harmonic"), ("near_free_harmonic", "free_harmonic"),
                     ("not_admissible", "closed"),
                     ("separation_undamped", "free_harmonic"), ("separation_free_harmonic", "free_harmonic"),
-                    ("separation_closed", "separation_memory"), ("separation_no_load", "no_static_load"),
+                    ("separation_tapping", "separation_elastic"), ("separation_closed", "separation_memory"), ("separation_no_load", "no_static_load"),
                     ("indenter_separation", "indenter_viscoelastic"), ("indenter_flat", "indenter_viscoelastic"),
                     ("indenter_table", "indenter_elastic"), ("near_resonance", "resonance")]:
     KINDS[same] = KINDS[other]

@@ -179,10 +179,10 @@ struct VelocityOfScene {
 namespace {
 
 // By more than the last digits that anyone reads.
-bool differ(const SceneReport& report) {
+bool doubles_differ(const SceneReport& report) {
   constexpr double worth_a_word = 1e-12;
   const double a = report.critical_velocity, b = report.velocity_of_doubles;
-  return a != b && !(std::abs(a - b) <= worth_a_word * std::abs(a));
+  return a != b && !(std::abs(a - b) <= worth_a_word * std::min(std::abs(a), std::abs(b)));
 }
 
 }  // namespace
@@ -192,12 +192,14 @@ void fields(Fields& f, const VelocityOfScene& it) {
   const bool swings = !report.free_harmonics.empty(), creeps = report.creep_velocity > 0;
   f("value", report.critical_velocity)("relative_error_bound", report.relative_error_bound);
   f("condition_number", report.condition).some("reason", report.infinite_reason);
-  f.when(differ(report), "of_doubles", report.velocity_of_doubles);
+  f.when(doubles_differ(report), "of_doubles", report.velocity_of_doubles);
   const bool known = swings && !std::isnan(report.sliding_from);
   f.when(known, "sliding_from", report.sliding_from).some("free_harmonics", report.free_harmonics);
   f.when(creeps, "creep_velocity", report.creep_velocity);
   f.when(creeps, "drive_velocity", report.critical_velocity + report.creep_velocity);
-  f.page("several_swings", report.free_harmonics.size() > 1)("border_known", known);
+  f.page("doubles_differ", doubles_differ(report))
+      .page("several_swings", report.free_harmonics.size() > 1)
+      .page("border_known", known);
   f.page("twice_the_harmonic", swings ? 2 * report.free_harmonics.front() : 0);
 }
 

@@ -10,6 +10,7 @@
 #include "simulation/steady/energy.hpp"
 #include "simulation/steady/exact.hpp"
 #include "simulation/steady/onset.hpp"
+#include "support/scene_text.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_undamped)
 
