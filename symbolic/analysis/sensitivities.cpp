@@ -146,8 +146,7 @@ class Backwards {
   explicit Backwards(const Model& model) {
     Factors amplitude;
     amplitude.multiply_rational(model.amplitude({}));
-    for (const auto& [factor, exponent] : amplitude.parts())
-      pass_on(exponent / factor, factor);
+    for (const auto& [factor, exponent] : amplitude.parts()) pass_on(exponent / factor, factor);
     const std::vector<Line> definitions = model.nested_formula().definitions;
     for (auto line = definitions.rbegin(); line != definitions.rend(); ++line) {
       hear_interruption();
@@ -193,7 +192,7 @@ class Backwards {
 };
 
 // Sensitivities whose lines would together be longer than this share them.
-constexpr std::size_t longest_unshared = 200'000;
+constexpr std::size_t longest_unshared = 100'000;
 
 bool has_long_lines(const Derivation& derivation) {
   return derivation.parameters.size() * length_of_definitions(derivation) > longest_unshared;

@@ -17,14 +17,20 @@ using test::scene_of;
 
 namespace {
 
-std::vector<Line> definitions(const Sensitivity& sensitivity) {
-  std::vector<Line> all = sensitivity.stiffnesses;
+/// Shared lines name the definitions of v* besides.
+std::vector<Line> definitions(const Derivation& full, const Sensitivities& every,
+                              const Sensitivity& sensitivity) {
+  std::vector<Line> all;
+  if (!every.shared.empty()) all = full.definitions;
+  all.insert(all.end(), every.shared.begin(), every.shared.end());
+  all.insert(all.end(), sensitivity.stiffnesses.begin(), sensitivity.stiffnesses.end());
   all.insert(all.end(), sensitivity.changes.begin(), sensitivity.changes.end());
   return all;
 }
 
-GiNaC::numeric relative(const Sensitivity& sensitivity, const test::ExactValues& values) {
-  return value_at(sensitivity.relative, definitions(sensitivity), values);
+GiNaC::numeric relative(const Derivation& full, const Sensitivities& every,
+                        const Sensitivity& sensitivity, const test::ExactValues& values) {
+  return value_at(sensitivity.relative, definitions(full, every, sensitivity), values);
 }
 
 /// p (v(p + h) - v(p - h))/(2 h v(p)) with h = 1e-60 p.
@@ -46,15 +52,15 @@ const char* const tolerance = "1e-100";
 
 void check(const Scene& scene, const test::ExactValues& values) {
   const Derivation full = derive(scene);
-  const std::vector<Sensitivity> all = sensitivities(derive(scene));
-  BOOST_REQUIRE(all.size() == full.parameters.size());
-  for (const Sensitivity& sensitivity : all) {
-    const GiNaC::numeric found = relative(sensitivity, values);
+  const Sensitivities all = sensitivities(derive(scene));
+  BOOST_REQUIRE(all.each.size() == full.parameters.size());
+  for (const Sensitivity& sensitivity : all.each) {
+    const GiNaC::numeric found = relative(full, all, sensitivity, values);
     const GiNaC::numeric expected = difference(full, sensitivity.parameter, values);
     BOOST_TEST((GiNaC::abs(found - expected) <= GiNaC::numeric(tolerance)),
                to_text(sensitivity.parameter));
     std::vector<Line> names = full.definitions;
-    for (const Line& line : definitions(sensitivity)) names.push_back(line);
+    for (const Line& line : definitions(full, all, sensitivity)) names.push_back(line);
     const GiNaC::numeric slope = value_at(sensitivity.derivative, names, values);
     const GiNaC::numeric velocity = value_at(full.critical_velocity, full.definitions, values);
     const GiNaC::numeric product = slope * values.at(sensitivity.parameter) / velocity;
@@ -80,8 +86,10 @@ Units units(const Symbol& parameter) {
 // with 1/T when the unit of time is scaled by T.
 void check_sums(const Scene& scene, const test::ExactValues& values) {
   GiNaC::numeric force = 0, time = 0;
-  for (const Sensitivity& sensitivity : sensitivities(derive(scene))) {
-    const GiNaC::numeric s = relative(sensitivity, values);
+  const Derivation full = derive(scene);
+  const Sensitivities all = sensitivities(full);
+  for (const Sensitivity& sensitivity : all.each) {
+    const GiNaC::numeric s = relative(full, all, sensitivity, values);
     force += s * units(sensitivity.parameter).force;
     time += s * units(sensitivity.parameter).time;
   }
@@ -89,8 +97,8 @@ void check_sums(const Scene& scene, const test::ExactValues& values) {
   BOOST_TEST((GiNaC::abs(time + 1) <= GiNaC::numeric(tolerance)));
 }
 
-const Sensitivity& of(const std::vector<Sensitivity>& all, const std::string& name) {
-  for (const Sensitivity& sensitivity : all)
+const Sensitivity& of(const Sensitivities& all, const std::string& name) {
+  for (const Sensitivity& sensitivity : all.each)
     if (to_text(sensitivity.parameter) == name) return sensitivity;
   throw std::runtime_error("no sensitivity to " + name);
 }
@@ -115,7 +123,7 @@ BOOST_AUTO_TEST_CASE(an_elastic_contact_under_an_elastic_drive) {
 // v* = mu0 omega du_z (2 - nu)/(2(1 - nu)): S = -nu/(2 - nu) + nu/(1 - nu).
 BOOST_AUTO_TEST_CASE(poissons_ratio) {
   const auto all = sensitivities(derive(scene_of("normal = \"k0 | (k1 - c1)\"\npoisson = \"nu\"")));
-  BOOST_TEST(all.size() == 4u);
+  BOOST_TEST(all.each.size() == 4u);
   BOOST_TEST(to_text(of(all, "nu").relative) == "nu/((1 - nu)*(2 - nu))");
 }
 
@@ -163,28 +171,64 @@ BOOST_AUTO_TEST_CASE(a_formula_that_is_multiplied_out_may_have_sensitivities_tha
   const auto all = sensitivities(derive(scene));
   const auto chained = [](const Sensitivity& s) { return !s.changes.empty(); };
   BOOST_TEST(derive(scene).definitions.empty());
-  BOOST_TEST(std::any_of(all.begin(), all.end(), chained));
-  BOOST_TEST(!std::all_of(all.begin(), all.end(), chained));
+  BOOST_TEST(std::any_of(all.each.begin(), all.each.end(), chained));
+  BOOST_TEST(!std::all_of(all.each.begin(), all.each.end(), chained));
 }
+
+namespace {
+
+Scene ladder(int rungs) {
+  std::string network = "k0";
+  for (int i = 1; i <= rungs; ++i)
+    network = "(c" + std::to_string(i) + " | (k" + std::to_string(i) + " - " + network + "))";
+  return scene_of("normal = \"" + network + "\"\ntangential = \"kt\"", "kd", "m");
+}
+
+struct Lines {
+  std::size_t count = 0, longest = 0;
+
+  void add(const std::vector<Line>& lines) {
+    count += lines.size();
+    for (const Line& line : lines) longest = std::max(longest, to_text(line.right).size());
+  }
+};
+
+}  // namespace
 
 // A ladder of n rungs is a chain of n names; no line grows with n.
 BOOST_AUTO_TEST_CASE(the_chain_rule_does_not_swell) {
-  const auto ladder = [](int rungs) {
-    std::string network = "k0";
-    for (int i = 1; i <= rungs; ++i)
-      network = "(c" + std::to_string(i) + " | (k" + std::to_string(i) + " - " + network + "))";
-    return scene_of("normal = \"" + network + "\"\ntangential = \"kt\"", "kd", "m");
-  };
   const auto longest = [](const Scene& scene) {
-    std::size_t most = 0;
-    for (const Sensitivity& sensitivity : sensitivities(derive(scene)))
-      for (const Line& line : sensitivity.changes)
-        most = std::max(most, to_text(line.right).size());
-    return most;
+    Lines lines;
+    for (const Sensitivity& sensitivity : sensitivities(derive(scene)).each)
+      lines.add(sensitivity.changes);
+    BOOST_TEST(lines.count > 0u);
+    return lines.longest;
   };
-  const Scene large = ladder(40);
+  const Scene large = ladder(30);
   BOOST_TEST(longest(large) < 2 * longest(ladder(10)));
   GiNaC::Digits = 300;
+  check_sums(large, test::some_values(large));
+}
+
+// Backwards, in as many lines for all parameters as v* has, where they would be as many for each.
+BOOST_AUTO_TEST_CASE(many_parameters_share_their_lines) {
+  GiNaC::Digits = 300;
+  const Scene large = ladder(60);
+  const Derivation full = derive(large);
+  const Sensitivities all = sensitivities(full);
+  Lines shared, own;
+  shared.add(all.shared);
+  for (const Sensitivity& sensitivity : all.each) {
+    own.add(sensitivity.stiffnesses);
+    own.add(sensitivity.changes);
+  }
+  BOOST_TEST(own.count == 0u);
+  BOOST_TEST(shared.count == full.definitions.size());
+  // No line grows but by the digits of its names.
+  Lines longer;
+  longer.add(sensitivities(derive(ladder(90))).shared);
+  BOOST_TEST(longer.longest < 1.2 * static_cast<double>(shared.longest));
+  check(large, test::some_values(large));
   check_sums(large, test::some_values(large));
 }
 
@@ -204,11 +248,11 @@ BOOST_AUTO_TEST_CASE(measured_drives) {
                         GiNaC::numeric(3, 7) - GiNaC::I * GiNaC::numeric(2, 5)};
   Derivation full = derive(scene);
   full.definitions.insert(full.definitions.begin(), receptance);
-  const std::vector<Sensitivity> all = sensitivities(derive(scene));
-  BOOST_TEST(all.size() + 1 == full.parameters.size());
-  for (const Sensitivity& sensitivity : all) {
+  const Sensitivities all = sensitivities(derive(scene));
+  BOOST_TEST(all.each.size() + 1 == full.parameters.size());
+  for (const Sensitivity& sensitivity : all.each) {
     BOOST_TEST((sensitivity.parameter != Symbol{"omega"}));
-    std::vector<Line> names = definitions(sensitivity);
+    std::vector<Line> names = definitions(full, all, sensitivity);
     names.insert(names.begin(), receptance);
     const GiNaC::numeric found = value_at(sensitivity.relative, names, values);
     const GiNaC::numeric expected = difference(full, sensitivity.parameter, values);
