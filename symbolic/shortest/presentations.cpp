@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "shortest/graphs.hpp"
 #include "shortest/search.hpp"
 #include "shortest/trees.hpp"
 
@@ -30,6 +31,11 @@ std::vector<Quotient> inverses(const std::vector<Quotient>& all) {
   return result;
 }
 
+Network joined_network(const Network& network) {
+  const auto* graph = std::get_if<Graph>(&network.form);
+  return graph == nullptr ? network : series_parallel(*graph);
+}
+
 /// 0: nothing below the bar; 1: nothing above it; 2: something on both sides.
 int sort_of(const Quotient& q) {
   if (q.under.is_real()) return 0;
@@ -50,7 +56,8 @@ std::vector<int> alike(const std::vector<Network>& parts) {
 }
 
 std::vector<Quotient> Presentations::of(const Network& network) {
-  return std::visit([this](const auto& form) { return of(form); }, network.form);
+  const Network joined = joined_network(network);
+  return std::visit([this](const auto& form) { return of(form); }, joined.form);
 }
 
 Ex Presentations::named(const char* letter, const Ex& meaning) {
@@ -179,17 +186,19 @@ std::vector<Quotient> Presentations::of(const Graph& graph) {
 }
 
 std::vector<Quotient> Presentations::beside(const Network& network, const Quotient& other) {
-  const auto* parallel = std::get_if<Parallel>(&network.form);
-  Terms terms = parallel != nullptr ? side_by_side(parallel->parts) : Terms{{of(network)}, {0}};
+  const Network joined = joined_network(network);
+  const auto* parallel = std::get_if<Parallel>(&joined.form);
+  Terms terms = parallel != nullptr ? side_by_side(parallel->parts) : Terms{{of(joined)}, {0}};
   terms.choices.push_back({other});
   terms.groups.push_back(-1);
   return sums(terms.choices, terms.groups);
 }
 
 std::vector<Quotient> Presentations::behind(const Network& network, const Quotient& other) {
-  const auto* series = std::get_if<Series>(&network.form);
+  const Network joined = joined_network(network);
+  const auto* series = std::get_if<Series>(&joined.form);
   Terms terms =
-      series != nullptr ? one_behind_another(series->parts) : Terms{{inverses(of(network))}, {0}};
+      series != nullptr ? one_behind_another(series->parts) : Terms{{inverses(of(joined))}, {0}};
   terms.choices.push_back({other});
   terms.groups.push_back(-1);
   return sums(terms.choices, terms.groups);
