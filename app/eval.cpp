@@ -11,6 +11,7 @@
 #include "commands.hpp"
 #include "critical/admissibility.hpp"
 #include "options.hpp"
+#include "rules/kinds.hpp"
 
 namespace vcrit::app {
 
@@ -28,6 +29,12 @@ std::string true_digits(const CriticalOnset& critical) {
   if (!(error > 0.5e-15)) return fmt::format("{}", value);
   const int digits = static_cast<int>(-std::log10(2 * error));
   return fmt::format("{:.{}g}", value, std::max(digits, 1));
+}
+
+const char* surface_words(const Scene& scene) {
+  const rules::Facts facts(scene);
+  if (facts.is(rules::Kind::never_meeting)) return "never meet";
+  return facts.opens() ? "part for a while in each period" : "always touch";
 }
 
 std::string border_words(double sliding_from) {
@@ -78,9 +85,7 @@ void print_eval_text(const Scene& scene, const Result& result) {
     fmt::print("steady sliding        {}: the undamped body swings freely at {} {}\n",
                border_words(result.critical.sliding_from),
                free.size() > 1 ? "harmonics" : "harmonic", fmt::join(free, ", "));
-  if (scene.separation)
-    fmt::print("surfaces              {}\n",
-               opens(scene) ? "part for a while in each period" : "always touch");
+  if (scene.separation) fmt::print("surfaces              {}\n", surface_words(scene));
   fmt::print("admissible            {}\n", result.reasons.empty() ? "yes" : "no");
   for (const std::string& reason : result.reasons) fmt::print("                      {}\n", reason);
 }

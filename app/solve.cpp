@@ -131,7 +131,10 @@ void print_solve_text(const Question& question, const Answer& answer) {
              question.friction_ratio, to_text(answer.state.regime));
   fmt::print("velocity        {:.6g} m/s ({:.6g} v*)\n", answer.velocity,
              answer.velocity / answer.critical_velocity);
-  fmt::print("contact closed  below an amplitude of {:.6g} m", answer.largest_amplitude);
+  if (answer.largest_amplitude > 0)
+    fmt::print("contact closed  below an amplitude of {:.6g} m", answer.largest_amplitude);
+  else
+    fmt::print("contact closed  at no amplitude");
   if (answer.largest_frequency)
     fmt::print(", or a frequency of {:.6g} Hz", *answer.largest_frequency);
   fmt::print(

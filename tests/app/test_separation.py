@@ -107,6 +107,29 @@ class Separation(Case):
         self.assertAlmostEqual(motion["friction_ratio"], 0.5, delta=1e-9)
         self.assertEqual(motion["regime"], "stick-slip-apart")
 
+    def test_surfaces_that_only_tap(self):
+        tapping = (JUMPING, "--set", "indentation=0")
+        answer = self.answer("eval", *tapping)
+        self.assertTrue(answer["admissible"] and answer["opens"])
+        ratio = self.answer("simulate", *tapping, "--velocity", answer["critical_velocity"] / 2)["friction_ratio"]
+        found = self.answer("solve", *tapping, "--for", "velocity", "--friction-ratio", ratio)
+        self.assertAlmostEqual(found["velocity"] / answer["critical_velocity"], 0.5, delta=1e-9)
+        self.assertIn("contact closed  at no amplitude\n", self.run_program(
+            "solve", *tapping, "--for", "velocity", "--friction-ratio", ratio).stdout)
+        self.refused(3, ["solve", *tapping, "--for", "amplitude", "--friction-ratio", 0.5, "--velocity", 1e-3],
+                     "without an indentation u_z0 the contact opens at every amplitude")
+        table = self.folder / "table.csv"
+        self.assertEqual(self.run_program("sweep", JUMPING, "--over", "indentation=lin:0:1e-7:2", "--quantity", "admissible",
+                                          "--quantity", "critical_velocity", "--out", table).returncode, 0)
+        self.assertIn(f"0,yes,{answer['critical_velocity']}", table.read_text())
+
+    def test_surfaces_that_never_meet(self):
+        apart = (JUMPING, "--set", "indentation=0", "--set", "amplitude=0")
+        answer = self.answer("eval", *apart)
+        self.assertEqual((answer["admissible"], answer["reasons"]), (False, ["the surfaces never meet"]))
+        self.assertIn("surfaces              never meet\n", self.run_program("eval", *apart).stdout)
+        self.refused(3, ["simulate", *apart, "--velocity", 1e-3], "the surfaces never meet")
+
     def test_derive_says_where_the_formula_holds(self):
         self.assertTrue(self.answer("derive", JUMPING)["separation"]["closed_form"])
         derived = self.answer("derive", self.simulated())
