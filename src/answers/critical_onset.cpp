@@ -10,6 +10,7 @@
 #include "answers/slope.hpp"
 #include "base/constants.hpp"
 #include "base/free_swings.hpp"
+#include "base/interruption.hpp"
 #include "critical/admissibility.hpp"
 #include "critical/certified.hpp"
 #include "critical/critical_velocity.hpp"
@@ -39,34 +40,41 @@ constexpr int highest_harmonic = 221;
 // infinite.
 constexpr double ill_conditioned = 1e8;
 
-// What the elements and the body have of stiffness and inertia, all of it.
-double stiffness_of_parts(const Network& drive, const Values& values, double inertia,
-                          double frequency) {
-  double sum = inertia;
-  for_each_element(drive, [&](const Element& element) {
-    for_each_number(element, [&](const Symbol& symbol, NumberRole role) {
-      const double number = values.at(symbol);
-      if (role == NumberRole::stiffness) sum += number;
-      if (role == NumberRole::damping) sum += number * frequency;
-      if (role == NumberRole::mass) sum += number * frequency * frequency;
+// What the elements have of stiffness, damping and inertia, all of it.
+struct DriveParts {
+  DriveParts(const Network& drive, const Values& values) {
+    for_each_element(drive, [&](const Element& element) {
+      for_each_number(element, [&](const Symbol& symbol, NumberRole role) {
+        const double number = values.at(symbol);
+        if (role == NumberRole::stiffness) stiffness += number;
+        if (role == NumberRole::damping) damping += number;
+        if (role == NumberRole::mass) mass += number;
+      });
     });
-  });
-  return sum;
-}
+  }
+  double at(double frequency) const {
+    return stiffness + damping * frequency + mass * frequency * frequency;
+  }
+
+  double stiffness = 0, damping = 0, mass = 0;
+};
 
 // The harmonics at which a body, of whatever mass, and the masses of its drive swing freely: K_d =
 // m (n omega)^2. A damper that moves with them leaves a loss stiffness, which is no rounding.
 std::vector<int> free_harmonics_of_masses(const Network& drive, const Values& values, double mass,
                                           double omega) {
   const Reduction reduction = reduce(drive);
+  const DriveParts parts(drive, values);
+  const double nearly_equal = simulation::equal_in_roundings * epsilon;
   std::vector<int> found;
   for (int n = 2; n <= highest_harmonic; ++n) {
+    hear_interruption();
     const double frequency = n * omega, inertia = mass * frequency * frequency;
     const double off = std::abs(dynamic_stiffness(reduction, values, frequency) - inertia);
+    const double most_uncertain = ill_conditioned * (parts.at(frequency) + inertia);
+    if (!(off <= nearly_equal * most_uncertain)) continue;
     const double uncertain = sensitivity(reduction, values, frequency) + inertia;
-    if (uncertain < ill_conditioned * stiffness_of_parts(drive, values, inertia, frequency) &&
-        off <= simulation::equal_in_roundings * epsilon * uncertain)
-      found.push_back(n);
+    if (uncertain < most_uncertain && off <= nearly_equal * uncertain) found.push_back(n);
   }
   return found;
 }

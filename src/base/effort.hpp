@@ -27,7 +27,7 @@ class Effort {
   }
 
   /// Of full matrices, in units, where so many numbers are multiplied and added.
-  static constexpr std::size_t of_products(std::size_t count) { return count / 16; }
+  static constexpr std::size_t of_products(std::size_t count) { return count / 32; }
 
  private:
   static constexpr const char* by_a_steady_state =

@@ -15,8 +15,8 @@ namespace vcrit::simulation {
 class EventFunction {
  public:
   /// order 1: f = value + ..., order 2: f = value + 0 t + ...; `size` of what was added to make the
-  /// value tells its rounding error. The spectrum must outlive the function, as must the effort that
-  /// all that is done with it is taken from.
+  /// value tells its rounding error. The spectrum must outlive the function, as must the effort
+  /// that all that is done with it is taken from.
   EventFunction(const Spectrum& spectrum, int order, double value, double size,
                 Effort* effort = nullptr);
 

@@ -75,7 +75,7 @@ inline Integrals<PairNumber> turn_integrals(double t) {
 }
 
 /// What a convolution takes with its integral, in units of effort.
-inline constexpr std::size_t convolution_work = 4;
+inline constexpr std::size_t convolution_work = 2;
 
 /// Integral of e^{r x} e^{s (t - x)} over x from 0 to t, (e^{r t} - e^{s t})/(r - s), from its two
 /// exponentials.

@@ -26,9 +26,10 @@ struct NormalCycle {
   List<Touch, 2> touches;  ///< by time; none where the surfaces never meet
 };
 
-/// The network with time in units of 1/omega; a spring carries its static load. Whether it opens at
-/// all: otherwise the cycle is one touch over the whole period. Throws ModelError where no closed
-/// cycle is found, and beyond effort_of_normal_force, or that of `whole`, if there is one.
+/// The network with time in units of 1/omega; a spring carries its static load. Where it does not
+/// open, or hardly, so that rounding hides it, the cycle is one touch over the whole period, with
+/// what it would pull as the error. Throws ModelError where no closed cycle is found, and beyond
+/// effort_of_normal_force, or that of `whole`, if there is one.
 NormalCycle normal_cycle(const ContactModes& network, const Indentation& indentation,
                          Effort* whole = nullptr);
 

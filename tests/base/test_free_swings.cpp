@@ -10,6 +10,7 @@
 
 #include "base/constants.hpp"
 #include "base/errors.hpp"
+#include "base/interruption.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_free_swings)
 
@@ -37,6 +38,12 @@ std::vector<int> drawn(std::mt19937& random, int most) {
 BOOST_AUTO_TEST_CASE(work_is_bounded) {
   BOOST_TEST(least_maximum({2, 13, 24, 35, 46, 57, 68, 79, 100}).has_value());
   BOOST_TEST(!least_maximum({2, 3, 4, 5, 6, 7, 8, 9, 10, 11}).has_value());
+}
+
+BOOST_AUTO_TEST_CASE(it_can_be_interrupted) {
+  struct Interrupted {};
+  const Interruptible asked([] { throw Interrupted{}; });
+  BOOST_CHECK_THROW(least_maximum({2, 3}), Interrupted);
 }
 
 BOOST_AUTO_TEST_CASE(one_harmonic_or_none) {

@@ -1,5 +1,6 @@
 // The first zero of event functions: known roots, grazing, and random sums against fine sampling.
 #include "modes/first_zero.hpp"
+#include "modes/highest.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -10,6 +11,7 @@ BOOST_AUTO_TEST_SUITE(test_event_function)
 
 namespace {
 
+using namespace vcrit;
 using namespace vcrit::simulation;
 using std::numbers::pi;
 
@@ -65,6 +67,15 @@ BOOST_AUTO_TEST_CASE(a_step_of_few_modes_is_no_less_work_than_it_is) {
   EventFunction f = sum.function(&two_steps);
   f.move_to(1);
   BOOST_CHECK_THROW(f.safe_duration(-1, 1), ModelError);
+}
+
+// The same of the search for the highest point: it looks at both ends, and goes from one of them to
+// the other.
+BOOST_AUTO_TEST_CASE(the_search_for_the_highest_point_counts) {
+  const Sum sum(1, -1, {1}, {0}, {0, -1});
+  Effort three_steps(3 * 13);
+  EventFunction f = sum.function(&three_steps);
+  BOOST_CHECK_THROW(highest(f, 2 * pi), ModelError);
 }
 
 // f = -(1 - e^{-t}) + t/2 - ...: f = 0.5 t - (1 - e^{-t}) leaves 0 downwards; its zero solves

@@ -150,9 +150,16 @@ void Model::set_bound(const System& system) {
   if (system.opening) {
     opening.emplace(*system.opening, system.omega, system.effort);
     force_unit = system.friction * opening->mean_force;
-    mean = opening->constant;
     amplitude = opening->amplitude;
     phase = opening->phase;
+    if (!opening->closed) {
+      mean = opening->constant;
+      return;
+    }
+    load = mean;
+    amplitude = std::min(1.0, amplitude);
+    closed_error_ = opening->error;
+    opening.reset();
     return;
   }
   load = mean;

@@ -58,7 +58,7 @@ struct Model {
   double velocity_unit = 0;  ///< m/s
   ContactModes contact;
   std::optional<Body> body;
-  std::optional<Opening> opening;
+  std::optional<Opening> opening;  ///< where the surfaces part
   Phase stick, slip;
 
   /// Response to b(t) in steady forward sliding: amplitudes of e^{it} of y and of the contact
@@ -119,7 +119,7 @@ struct Model {
   void add_steady(double times, View x) const;
 
   /// Estimate of the relative error of <F_n>.
-  double bound_error() const { return opening ? opening->error : 0; }
+  double bound_error() const { return opening ? opening->error : closed_error_; }
 
   /// y from x, or a change of y from a change of x.
   void rates(ConstView x, bool stuck, View y) const;
@@ -133,6 +133,8 @@ struct Model {
       return 0;
     return opening->decaying(touch, t.time, derivative);
   }
+  double closed_error_ = 0;  ///< what a contact taken for closed leaves out by not parting
+
   void set_bound(const System& system);
   void set_stick();
   void set_slip();

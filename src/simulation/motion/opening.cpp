@@ -26,12 +26,12 @@ Opening::Opening(const NormalMotion& motion, double omega, Effort* whole)
   const ContactModes network = modes_of(motion, omega);
   const NormalCycle cycle = normal_cycle(network, {motion.mean, motion.amplitude}, whole);
   if (cycle.touches.empty()) throw ModelError("the surfaces never meet: there is no friction");
-  if (cycle.touches.size() == 1 && cycle.touches.front().duration > two_pi - shortest)
-    throw ModelError("the surfaces never part: their normal force is that of a closed contact");
   mean_force = cycle.mean;
   error = cycle.error / cycle.mean;
   amplitude = std::abs(cycle.swing) / cycle.mean;
   phase = std::arg(cycle.swing);
+  closed = cycle.touches.size() == 1 && cycle.touches.front().duration > two_pi - shortest;
+  if (closed) return;
   constant = cycle.touches.front().decays[0] / cycle.mean;
   rates.assign(network.branch_rates.begin() + 1, network.branch_rates.end());
   for (const NormalCycle::Touch& touch : cycle.touches) {

@@ -18,6 +18,8 @@ struct Opening {
     Vector decaying;  ///< parts of b at its begin
   };
 
+  /// The surfaces do not part, or rounding hides it; no touches are listed then.
+  bool closed = false;
   double mean_force = 0;  ///< N
   double error = 0;       ///< estimate of its relative error
   double constant = 0;    ///< part of b

@@ -75,8 +75,7 @@ SlidingCycle sliding_cycle(const Model& model) {
     Trace period = trace(model, any_speed, state, two_pi, unit_changes(state, changing));
     Closing left = closing(model, state, period);
     const double impulse_rounding = close_heavy_body(model, period, left);
-    const LinearSolver solver =
-        counted_solver(model, left.derivative, state_size(model, 0, state));
+    const LinearSolver solver = counted_solver(model, left.derivative, state_size(model, 0, state));
     Vector unit = slip_rounding(model, state);
     if (impulse_rounding > 0) unit[0] = impulse_rounding;
     if (i == most_steps || in_roundings(left.residual, unit) <= closed)

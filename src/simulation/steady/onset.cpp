@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/constants.hpp"
 #include "base/errors.hpp"
 #include "simulation/steady/forward_sliding.hpp"
 #include "simulation/steady/steady_cycle.hpp"
@@ -98,6 +99,10 @@ std::string why_infinite(ForwardSliding::Ends ends) {
 
 Onset sliding_threshold(const System& system) {
   const Model model(system);
+  // Also of surfaces that hardly part, so that rounding hides it.
+  if (!model.opening && system.opening && system.opening->network.damper > 0 &&
+      model.contact.damper == 0)
+    return {infinity, infinity, why_infinite(ForwardSliding::Ends::sticks_at_meetings)};
   if (model.opening) {
     const ForwardSliding sliding = forward_sliding(model);
     const double drive = sliding.least_velocity;
@@ -105,7 +110,10 @@ Onset sliding_threshold(const System& system) {
             why_infinite(sliding.ends), sliding.error * model.velocity_unit};
   }
   const double lowest = model.threshold;
-  return {lowest * model.velocity_unit, (lowest + model.creep) * model.velocity_unit};
+  return {lowest * model.velocity_unit,
+          (lowest + model.creep) * model.velocity_unit,
+          {},
+          model.bound_error() * std::abs(lowest) * model.velocity_unit};
 }
 
 Onset stick_onset(const System& given) {

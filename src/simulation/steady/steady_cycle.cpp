@@ -192,9 +192,8 @@ class SteadyCycleSearch {
           continue;
         }
       }
-      const Vector step =
-          counted_solver(model_, damped(now->left, damping.value), size_of(*now))
-              .solve(now->left.residual);
+      const Vector step = counted_solver(model_, damped(now->left, damping.value), size_of(*now))
+                              .solve(now->left.residual);
       if (!std::isfinite(sum_of_sizes(step))) return std::nullopt;
       std::optional<Mapped> trial = mapped(corrected(state_, step));
       const double miss = missed(*now, trial, left_over(*now, damping.value, step));

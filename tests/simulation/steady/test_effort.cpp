@@ -2,7 +2,9 @@
 #include "simulation/system/effort.hpp"
 
 #include <boost/test/unit_test.hpp>
+#include <cmath>
 
+#include "modes/contact_modes.hpp"
 #include "simulation/reference_systems.hpp"
 #include "simulation/steady/exact.hpp"
 #include "simulation/steady/onset.hpp"
@@ -51,6 +53,84 @@ BOOST_AUTO_TEST_CASE(searches_share_the_effort_of_their_system) {
                     ModelError);
   system.effort = nullptr;
   BOOST_CHECK_NO_THROW(steady_state(system, 0.1 * sliding_threshold(system).drive_velocity));
+}
+
+// Contact branches over six decades of relaxation time.
+Relaxation many_branches(std::size_t count) {
+  Relaxation result{1, 0, {}};
+  for (std::size_t i = 0; i < count; ++i) {
+    const double place = (static_cast<double>(i) + 0.5) / static_cast<double>(count);
+    result.branches.push_back({1 / static_cast<double>(count), std::pow(10, 6 * place - 3)});
+  }
+  return result;
+}
+
+System of_many_branches(std::size_t count) {
+  System system;
+  system.contact = many_branches(count);
+  system.omega = system.mean_normal_force = 1;
+  system.friction = 0.3;
+  system.normal_force_amplitude = 0.8;
+  return system;
+}
+
+std::string refusal(const System& system, double velocity) try {
+  steady_state(system, velocity);
+  return "";
+} catch (const ModelError& error) {
+  return error.what();
+}
+
+// Newton's method carries n changes of n numbers through a stick and a slip, each by a full matrix
+// at least, and solves n equations: 2 n^3 + n^3/3 products for each period that it takes a step
+// from. It takes three steps at the least.
+BOOST_AUTO_TEST_CASE(full_matrices_count) {
+  constexpr std::size_t n = 300;
+  System system = of_many_branches(n);
+  const double velocity = 0.5 * sliding_threshold(system).drive_velocity;
+  Effort less_than_that(Effort::of_products(3 * (2 * n * n * n + n * n * n / 3)));
+  system.effort = &less_than_that;
+  BOOST_TEST(refusal(system, velocity).find("for all steady states") != std::string::npos);
+  system.effort = nullptr;
+  BOOST_TEST(refusal(system, velocity).empty());
+}
+
+// The matrices of one period alone are more than the bound; one is not even made for so many.
+BOOST_AUTO_TEST_CASE(very_many_branches_are_refused_at_once) {
+  const System system = of_many_branches(2000);
+  const double velocity = 0.5 * sliding_threshold(system).drive_velocity;
+  BOOST_TEST(refusal(system, velocity).find("too many branches") != std::string::npos);
+  BOOST_TEST(refusal(of_many_branches(most_moving_branches + 1), 1).find("at most 4000") !=
+             std::string::npos);
+}
+
+// Surfaces that part: the search for their normal force, with a full matrix of changes, too.
+BOOST_AUTO_TEST_CASE(the_normal_force_counts) {
+  constexpr std::size_t n = 150;
+  System system = of_many_branches(2);
+  system.opening = {many_branches(n), 1, 1};
+  Effort less_than_a_period(Effort::of_products(2 * n * n * n));
+  system.effort = &less_than_a_period;
+  BOOST_CHECK_EXCEPTION(sliding_threshold(system), ModelError, [](const ModelError& error) {
+    return std::string(error.what()).find("for all steady states") != std::string::npos;
+  });
+  system.effort = nullptr;
+  BOOST_TEST(sliding_threshold(system).contact_velocity > 0);
+  system.opening->network = many_branches(2000);
+  BOOST_CHECK_EXCEPTION(sliding_threshold(system), ModelError, [](const ModelError& error) {
+    return std::string(error.what()).find("normal network has too many branches") !=
+           std::string::npos;
+  });
+}
+
+// A search of 100 branches takes ten million units and more: several times what passes between two
+// questions whether to go on.
+BOOST_AUTO_TEST_CASE(searches_can_be_interrupted) {
+  struct Interrupted {};
+  const Interruptible asked([] { throw Interrupted{}; });
+  System system = of_many_branches(2);
+  system.opening = {many_branches(200), 1, 1};
+  BOOST_CHECK_THROW(sliding_threshold(system), Interrupted);
 }
 
 }  // namespace
