@@ -101,13 +101,17 @@ def machine():
             sorted(each for each in os.environ.items() if VARIABLES.match(each[0])), digest(Path(__file__).resolve())]
 
 
-def hashes():
-    """{entry: hash} of all entries."""
+def entries():
+    listed = subprocess.run(["ctest", "--test-dir", BUILD, "--show-only=json-v1"], check=True, stdout=subprocess.PIPE)
+    return json.loads(listed.stdout)["tests"]
+
+
+def hashes(listed):
+    """{entry: hash} of these entries."""
     for cached in (digest, below, named_by):
         cached.cache_clear()
-    listed = subprocess.run(["ctest", "--test-dir", BUILD, "--show-only=json-v1"], check=True, stdout=subprocess.PIPE)
     of_machine, result = machine(), {}
-    for entry in json.loads(listed.stdout)["tests"]:
+    for entry in listed:
         # Not all that lies in the folder where it runs is for it.
         stated = [entry["command"], [each for each in entry["properties"] if each["name"] not in ("WORKING_DIRECTORY", "COST")]]
         files = [(str(file), digest(file)) for file in inputs(entry, json.dumps(stated))]
@@ -130,13 +134,14 @@ def run(left_out, chosen):
 
 def main():
     chosen = [word for word in WORDS if word != "--all"]
-    before = hashes()
+    listed = entries()
+    before = hashes(listed)
     passed = json.loads(PASSED.read_text()) if PASSED.exists() else {}
     same = [] if WORDS or not FILES else [name for name, value in before.items() if passed.get(name) == value]
     status = 0
     if len(same) < len(before):
         status, outcomes = run(same, chosen)
-        after = hashes()  # what was changed meanwhile has not passed
+        after = hashes(listed)  # what was changed meanwhile has not passed
         good = {name: before[name] for name, fine in outcomes.items() if fine and before[name] == after.get(name)}
         PASSED.write_text(json.dumps({name: value for name, value in passed.items() if name not in outcomes} | good))
     if same:
