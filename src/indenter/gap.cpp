@@ -9,6 +9,7 @@
 
 #include "base/constants.hpp"
 #include "base/errors.hpp"
+#include "scene/members.hpp"
 
 namespace vcrit::indenter {
 
@@ -17,10 +18,7 @@ namespace {
 // Of rounded heights; what g falls by is of second order in their error.
 constexpr double harmless_fall = 1e-6;
 
-double given_size(const Indenter& indenter, std::size_t i) {
-  ensure(i < indenter.sizes.size() && indenter.sizes[i].value, "the indenter has its sizes");
-  return *indenter.sizes[i].value;
-}
+double given_size(const Indenter& indenter, std::size_t i) { return *indenter.sizes[i].value; }
 
 // sqrt(pi)/2 n Gamma(n/2)/Gamma((n + 1)/2)
 double kappa(double n) {
@@ -34,6 +32,7 @@ double angle(double r, double x) { return std::atan2(std::sqrt((x - r) * (x + r)
 }  // namespace
 
 Gap::Gap(const Indenter& indenter) : end_(infinity) {
+  check_indenter(indenter, argument("indenter"));
   switch (indenter.shape) {
     case Indenter::Shape::flat:
       end_ = given_size(indenter, 0);
@@ -48,7 +47,6 @@ Gap::Gap(const Indenter& indenter) : end_(infinity) {
       set_power(given_size(indenter, 0), given_size(indenter, 1));
       break;
     case Indenter::Shape::table:
-      ensure(indenter.profile.has_value(), "the table has been read");
       set_table(*indenter.profile);
   }
 }

@@ -12,8 +12,8 @@ namespace vcrit::indenter {
 
 class Gap {
  public:
-  /// All sizes have values. Throws ModelError where g falls by more than 1e-6 of itself: the
-  /// contact would have holes.
+  /// Throws InputError for an indenter without its sizes or rows, ModelError where g falls by more
+  /// than 1e-6 of itself: the contact would have holes.
   explicit Gap(const Indenter& indenter);
 
   /// g(x) in m; infinite beyond a punch or the last row of a table.

@@ -1,5 +1,7 @@
 #include "indenter/half_space.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 
 #include "base/errors.hpp"
@@ -17,13 +19,8 @@ const Indenter& indenter_of(const Scene& scene) {
 // Cells that hardly part have an amplitude of the normal force just below its mean.
 constexpr double nearly_all = 1 - 1e-15;
 
-// Of the half-space; the reader of scenes lets no indenter stand without it.
-const Isotropic& isotropic_of(const Scene& scene) {
-  const auto* isotropic = std::get_if<Isotropic>(&scene.tangential);
-  ensure(isotropic != nullptr && isotropic->by == Isotropic::By::poisson,
-         "an indenter's half-space has a Poisson's ratio");
-  return *isotropic;
-}
+// Of the half-space: values_of() lets no indenter stand without it.
+const Isotropic& isotropic_of(const Scene& scene) { return std::get<Isotropic>(scene.tangential); }
 
 }  // namespace
 
@@ -50,7 +47,9 @@ double HalfSpace::neglected(double depth) const {
 }
 
 simulation::System HalfSpace::cell_under(double depth) const {
-  ensure(meets(depth), "the surfaces meet there");
+  if (!meets(depth))
+    throw InputError(argument("x"), fmt::format("a mean indentation of {} m there", depth),
+                     fmt::format("one above {} m, so that the surfaces meet", -amplitude_));
   simulation::System system;
   system.contact = tangential_;
   system.omega = omega_;

@@ -19,7 +19,8 @@ class HalfSpace {
   /// The mean indentation at x, u_z0 - g(x), m.
   double depth(double x) const { return indentation_ - gap_.at(x); }
 
-  /// The contact at x, where the surfaces touch; forces per length, N/m.
+  /// The contact at x, where the surfaces touch; forces per length, N/m. Throws InputError where
+  /// they never do.
   simulation::System cell(double x) const { return cell_under(depth(x)); }
   /// The same by its mean indentation.
   simulation::System cell_under(double depth) const;

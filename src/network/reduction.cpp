@@ -1,4 +1,5 @@
 #include "network/reduction.hpp"
+#include "network/wiring.hpp"
 
 #include <fmt/core.h>
 
@@ -73,14 +74,19 @@ std::size_t Reducer::operator()(const Graph& graph) {
       if (n >= 2) by_degree.emplace(edges[n].size(), n);
   }
   const auto whole = edges[0].find(1);
-  ensure(whole != edges[0].end(), "a graph's terminals are connected");
+  if (whole == edges[0].end())
+    throw InputError(argument("network"), "a graph whose terminals are not connected",
+                     "a path of wires between its first two nodes");
   return whole->second;
 }
 
 void Reducer::eliminate(Edges& edges, std::size_t node) {
   const std::vector<std::pair<std::size_t, std::size_t>> star(edges[node].begin(),
                                                               edges[node].end());
-  ensure(star.size() >= 2, "a graph holds no dangling edge");
+  if (star.size() < 2)
+    throw InputError(argument("network"),
+                     fmt::format("a graph with a part that leads nowhere, at node {}", node),
+                     "edges on paths between the terminals alone, as load_carrying() leaves them");
   for (const auto& [n, step] : star) edges[n].erase(node);
   edges[node].clear();
   if (star.size() == 2)
@@ -98,6 +104,7 @@ void Reducer::eliminate(Edges& edges, std::size_t node) {
 }  // namespace
 
 Reduction reduce(const Network& network) {
+  check_wiring(network);
   Reducer reducer;
   reducer.reduce(network);
   return {std::move(reducer.steps)};

@@ -32,7 +32,8 @@ struct Reduction {
 /// The elimination of a graph's inner nodes can make far more edges than the graph has.
 constexpr std::size_t most_reduction_steps = 4'000'000;
 
-/// Throws InputError beyond `most_reduction_steps`.
+/// Throws InputError beyond `most_reduction_steps`, and for a network that is none (wiring.hpp),
+/// or a graph with edges off all paths between its terminals.
 Reduction reduce(const Network& network);
 
 /// Runs the program. `Algebra` gives what law() asks for, or element(const Element&) of its own,

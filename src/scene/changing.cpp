@@ -57,7 +57,9 @@ ChangingScene::Target ChangingScene::target(const std::string& name) {
 }
 
 const Scene& ChangingScene::at(std::span<const double> values) {
-  ensure(values.size() == targets_.size(), "one value for each name");
+  if (values.size() != targets_.size())
+    throw InputError(argument("values"), fmt::format("{} values", values.size()),
+                     fmt::format("{}, one for each name", targets_.size()));
   for (std::size_t i = 0; i < values.size(); ++i)
     if (!fits(targets_[i], values[i])) return read_again(values);
   for (std::size_t i = 0; i < values.size(); ++i) {

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "scene/members.hpp"
+
 namespace vcrit {
 
 namespace {
@@ -44,6 +46,12 @@ const Form& form_named(const std::string& name) {
   return *known;
 }
 
+const Form& form_by(Shape shape) {
+  for (const Form& form : forms())
+    if (form.shape == shape) return form;
+  throw Bug("an indenter of no shape");
+}
+
 }  // namespace
 
 Indenter read_indenter(const document::Section& section, const std::filesystem::path& folder,
@@ -63,6 +71,23 @@ Indenter read_indenter(const document::Section& section, const std::filesystem::
   if (form.shape == Shape::table)
     indenter.profile = read_profile(folder / name, section.place("shape"));
   return indenter;
+}
+
+void check_indenter(const Indenter& indenter, const Place& place) {
+  const Form& form = form_by(indenter.shape);
+  if (indenter.sizes.size() != form.sizes.size())
+    throw InputError(place,
+                     fmt::format("indenter {} with {} sizes", form.name, indenter.sizes.size()),
+                     fmt::format("{}", form.sizes.size()));
+  for (std::size_t i = 0; i < form.sizes.size(); ++i) {
+    const auto& [key, dimension, range] = form.sizes[i];
+    if (!indenter.sizes[i].value)
+      throw InputError(place, fmt::format("no value for {} of the indenter", key), range->expected);
+    checked(*indenter.sizes[i].value, *range, key, place);
+  }
+  if (form.shape != Shape::table) return;
+  if (!indenter.profile) throw InputError(place, "an indenter by a table without profile", "one");
+  check_profile(*indenter.profile, place);
 }
 
 }  // namespace vcrit

@@ -2,10 +2,12 @@
 
 #include <fmt/core.h>
 
+#include <cmath>
 #include <filesystem>
 
 #include "base/csv.hpp"
 #include "base/files.hpp"
+#include "scene/members.hpp"
 
 namespace vcrit {
 
@@ -17,20 +19,26 @@ const std::vector<std::string> profile_columns{"r", "f"};
 // Seconds for one speed; the profile takes the square of it.
 constexpr std::size_t most_profile_rows = 2000;
 
-void refuse_profile_order(const Profile& profile, const Profile::Row& row, const Place& place) {
-  if (profile.rows.empty()) {
+/// last: the row before, none for the first one.
+void refuse_profile_order(const Profile::Row* last, const Profile::Row& row, const Place& place) {
+  if (last == nullptr) {
     if (row != Profile::Row{})
       throw InputError(place, fmt::format("r = {}, f = {} first", row.r, row.f),
                        "0,0: the tip of the indenter");
     return;
   }
-  const Profile::Row& last = profile.rows.back();
-  if (!(row.r > last.r))
-    throw InputError(place, fmt::format("r = {} after {}", row.r, last.r),
+  if (!(row.r > last->r))
+    throw InputError(place, fmt::format("r = {} after {}", row.r, last->r),
                      "r increasing from row to row");
-  if (row.f < last.f)
-    throw InputError(place, fmt::format("f = {} after {}", row.f, last.f),
+  if (!(row.f >= last->f))
+    throw InputError(place, fmt::format("f = {} after {}", row.f, last->f),
                      "f that never decreases: one contact area without holes");
+}
+
+void refuse_too_few(const Profile& profile, const Place& place) {
+  if (profile.rows.size() < 2)
+    throw InputError(place, profile.rows.empty() ? "no row of numbers" : "one row of numbers",
+                     "at least two rows: the tip and the outer radius");
 }
 
 }  // namespace
@@ -51,17 +59,25 @@ Profile parse_profile(const std::string& text, const std::string& file) {
   while (lines.next()) {
     const auto numbers = lines.numbers(profile_columns.size(), "two numbers: r, f");
     const Profile::Row row{numbers[0], numbers[1]};
-    refuse_profile_order(profile, row, lines.place());
+    refuse_profile_order(profile.rows.empty() ? nullptr : &profile.rows.back(), row, lines.place());
     if (profile.rows.size() == most_profile_rows)
       throw InputError(lines.place(), fmt::format("more than {} rows", most_profile_rows),
                        "at most so many: each is a place where the contact changes");
     profile.rows.push_back(row);
   }
-  if (profile.rows.size() < 2)
-    throw InputError(lines.place(),
-                     profile.rows.empty() ? "no row of numbers" : "one row of numbers",
-                     "at least two rows: the tip and the outer radius");
+  refuse_too_few(profile, lines.place());
   return profile;
+}
+
+void check_profile(const Profile& profile, const Place& place) {
+  refuse_too_few(profile, place);
+  const Profile::Row* last = nullptr;
+  for (const Profile::Row& row : profile.rows) {
+    refuse_profile_order(last, row, place);
+    if (!std::isfinite(row.r) || !std::isfinite(row.f))
+      throw InputError(place, fmt::format("r = {}, f = {}", row.r, row.f), "finite numbers");
+    last = &row;
+  }
 }
 
 }  // namespace vcrit

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include "network/law.hpp"
+#include "scene/members.hpp"
 #include "scene/quantities.hpp"
 
 namespace vcrit {
@@ -81,7 +82,8 @@ bool has_drive(const Scene& scene) {
 }
 
 double tangential_ratio(const Isotropic& isotropic) {
-  if (!isotropic.quantity.value) throw Bug("a tangential ratio without a value");
+  if (!isotropic.quantity.value)
+    throw InputError(argument(to_text(isotropic.quantity.symbol)), "no value", "a number");
   const double value = *isotropic.quantity.value;
   return isotropic.by == Isotropic::By::poisson ? 2 * (1 - value) / (2 - value) : value;
 }
@@ -98,6 +100,7 @@ Values values_of(const Scene& scene) {
   };
   // Reading leaves elements of value 0 out of the networks.
   for (const auto& [symbol, value] : scene.elements) add(symbol, value, positive);
+  if (missing.empty()) check_members(scene, values);
   for (const Quantity* quantity : quantities(scene))
     add(quantity->symbol, quantity->value, range_of(scene, *quantity));
   refuse_missing(scene, missing);

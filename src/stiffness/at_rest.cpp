@@ -1,6 +1,7 @@
 #include "stiffness/at_rest.hpp"
 
 #include "network/reduction.hpp"
+#include "network/wiring.hpp"
 
 namespace vcrit {
 
@@ -12,7 +13,7 @@ struct LeadingTerms {
   using Value = AtRest;
   const Values& values;
 
-  AtRest of(const Symbol& symbol) const { return {0, values.at(symbol)}; }
+  AtRest of(const Symbol& symbol) const { return {0, value_of(values, symbol)}; }
   static AtRest times_s(const AtRest& k) { return {k.order + 1, k.coefficient}; }
   static AtRest relaxing(const AtRest& k, const AtRest& tau) {
     return {1, k.coefficient * tau.coefficient};

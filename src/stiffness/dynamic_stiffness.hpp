@@ -10,7 +10,8 @@
 
 namespace vcrit {
 
-/// K(i omega) in N/m; omega in rad/s. Every symbol of the network must be in `values`, positive.
+/// K(i omega) in N/m; omega in rad/s. Every symbol of the network must be in `values`, positive;
+/// throws InputError for one that is not there.
 std::complex<double> dynamic_stiffness(const Reduction& reduction, const Values& values,
                                        double omega);
 std::complex<double> dynamic_stiffness(const Network& network, const Values& values, double omega);

@@ -11,15 +11,17 @@
 #include "network/law.hpp"
 #include "stiffness/condensation.hpp"
 #include "stiffness/graph_relaxation.hpp"
+#include "network/wiring.hpp"
 
 namespace vcrit {
 
 namespace {
 
 double positive_value(const Values& values, const Symbol& symbol) {
-  const double value = values.at(symbol);
-  ensure(value > 0 && std::isfinite(value), "elements of a relaxation form have positive values");
-  return value;
+  const double value = value_of(values, symbol);
+  if (value > 0 && std::isfinite(value)) return value;
+  throw InputError(argument("values"), fmt::format("{} = {}", to_text(symbol), value),
+                   "a finite value above 0");
 }
 
 /// The algebra of an element's law.
@@ -28,7 +30,8 @@ struct ElementForms {
   const Values& values;
   Relaxation of(const Symbol& symbol) const { return {positive_value(values, symbol), 0, {}}; }
   static Relaxation times_s(const Relaxation& k) {
-    ensure(k.damper == 0, "a relaxation form is of springs and dampers only");
+    if (k.damper != 0)
+      throw InputError(argument("network"), "a mass", "springs and dampers, which alone relax");
     return {0, k.equilibrium, {}};
   }
   static Relaxation relaxing(const Relaxation& k, const Relaxation& tau) {
@@ -86,9 +89,11 @@ PoleSum compliance_poles(const Relaxation& relaxation) {
   return pole_sum(dual(stiffness_poles(relaxation)));
 }
 
+Relaxation relaxed(const Network& network, const Values& values);
+
 std::vector<Relaxation> forms_of(const std::vector<Network>& parts, const Values& values) {
   std::vector<Relaxation> forms;
-  for (const Network& part : parts) forms.push_back(relaxation_form(part, values));
+  for (const Network& part : parts) forms.push_back(relaxed(part, values));
   return forms;
 }
 
@@ -102,6 +107,10 @@ struct FormOf {
         condensed({graph.nodes.size(), graph.wires, forms_of(graph.parts, values)}));
   }
 };
+
+Relaxation relaxed(const Network& network, const Values& values) {
+  return std::visit(FormOf{values}, network.form);
+}
 
 }  // namespace
 
@@ -169,7 +178,8 @@ Relaxation series(const std::vector<Relaxation>& parts) {
 }
 
 Relaxation relaxation_form(const Network& network, const Values& values) {
-  return std::visit(FormOf{values}, network.form);
+  check_wiring(network);
+  return relaxed(network, values);
 }
 
 std::complex<double> dynamic_stiffness(const Relaxation& relaxation, double omega) {

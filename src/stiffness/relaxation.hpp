@@ -25,7 +25,8 @@ struct Relaxation {
 };
 
 /// The relaxation form of a network whose elements all have positive values. Relative error of
-/// K(i omega): a few rounding errors an element at any omega. Throws Bug for other values.
+/// K(i omega): a few rounding errors an element at any omega. Throws InputError for other values,
+/// and for a network with masses or that is none (wiring.hpp).
 Relaxation relaxation_form(const Network& network, const Values& values);
 
 /// K(i omega) of the form.

@@ -60,7 +60,7 @@ BOOST_AUTO_TEST_CASE(springs_of_a_cell) {
   BOOST_TEST(!closed.opening.has_value());
   BOOST_TEST(near(closed.mean_normal_force, modulus * 5e-7));
   BOOST_TEST(near(std::abs(closed.normal_force_amplitude), modulus * 3e-7));
-  BOOST_CHECK_THROW(h.cell(1.001 * h.edge()), Bug);
+  BOOST_CHECK_THROW(h.cell(1.001 * h.edge()), InputError);
 }
 
 // With |K(i omega)| = sqrt(2) K(0) the surfaces part from du_z sqrt(2) > depth on.

@@ -14,6 +14,7 @@
 #include "simulation/methods/steady.hpp"
 #include "simulation/methods/switching.hpp"
 #include "simulation/methods/tanh_friction.hpp"
+#include "simulation/system/check.hpp"
 
 namespace vcrit::simulation {
 
@@ -84,6 +85,7 @@ SteadyState steady_state(Method method, const System& system, double velocity,
                          const MethodOptions& options) {
   require_forward(velocity);
   check(options);
+  check_system(system);
   const GslErrorsOff errors_off;
   if (method == Method::reduced) return methods::reduced_model(system, velocity);
   try {

@@ -7,6 +7,7 @@
 #include "base/errors.hpp"
 #include "modes/body_modes.hpp"
 #include "modes/driven_modes.hpp"
+#include "simulation/system/check.hpp"
 
 namespace vcrit::simulation {
 
@@ -118,6 +119,7 @@ Index slow(const Rates& rates) {
 }  // namespace
 
 Model::Model(const System& system) : effort(effort_of_state, system.effort) {
+  check_system(system);
   effort.spend(setup_work(system));
   const bool moves = system.drive && system.mass && *system.mass > 0;
   const Relaxation path =
@@ -166,7 +168,6 @@ void Model::set_bound(const System& system) {
   force_unit = system.friction * system.mean_normal_force;
   amplitude = std::abs(system.normal_force_amplitude) / system.mean_normal_force;
   phase = std::arg(system.normal_force_amplitude);
-  ensure(amplitude <= 1 + epsilon, "the normal force never pulls");
 }
 
 // Both phases have the decaying parts of b behind their own y: stick beside it, for its end, and

@@ -8,6 +8,7 @@
 #include "base/errors.hpp"
 #include "simulation/motion/course.hpp"
 #include "simulation/steady/closing.hpp"
+#include "simulation/steady/full_friction.hpp"
 #include "simulation/steady/near_resonance.hpp"
 #include "simulation/steady/shooting.hpp"
 
@@ -275,7 +276,8 @@ class SteadyCycleSearch {
   // Below the threshold a cycle that only slips is one whose stick is lost in rounding: no error of
   // its own tells of that. The ratio is taken not to be below that of the speeds: proved without a
   // body, where friction is concave in speed, an estimate with one. What passes outside the law
-  // moves forces by no more than its time. All ratios lie between 1 - a and 1.
+  // moves forces by no more than its time. All ratios lie between 1 - a and 1, and near a free swing
+  // of the body closer to 1.
   SteadyCycle finished(Mapped now, double more = 0) const {
     if (now.trace.parts.size() == 1) more = 1 - velocity_ / model_.threshold;
     const double ratio = model_.load + now.trace.impulse() / two_pi;
@@ -285,7 +287,9 @@ class SteadyCycleSearch {
         2 * epsilon * model_.load * model_.creep / model_.threshold * model_.amplitude;
     const double sum =
         epsilon + creeping + change + rounding + more + now.trace.unlawful + model_.bound_error();
-    const double most = model_.opening ? 1 : model_.amplitude;
+    const double missing = most_missing_friction(model_, velocity_);
+    const double most = std::min(model_.opening ? 1 : model_.amplitude,
+                                 std::max(std::abs(1 - ratio), std::abs(ratio - 1 + missing)));
     return {std::move(now.trace), ratio, sum < most ? sum : most, traced_};
   }
 

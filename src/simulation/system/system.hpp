@@ -36,8 +36,9 @@ int free_harmonic(const Relaxation& drive, double mass, double omega, double wit
 /// only a drive at one as exact numbers, to 30 digits, is known to be in resonance.
 int free_harmonic(const System& system);
 
-/// The same within a part in 1e5, with the drive's damper left out if that takes no larger share of
-/// a swing. A share d off a free harmonic, a cycle with sticks that die away repeats to within d of
+/// n where the body swings nearly freely at the n-th harmonic, on a drive of any network: springs
+/// and inertia cancel there and losses are faint, |K_d(i n omega) - m (n omega)^2| within a part in
+/// 1e5 of m (n omega)^2. A share d off a free harmonic, a cycle with sticks that die away repeats to within d of
 /// itself: below 1e-5, rounding and a search's own error of some 1e-12 take it for a steady one.
 int nearly_free_harmonic(const System& system);
 
