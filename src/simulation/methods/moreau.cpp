@@ -11,7 +11,7 @@ namespace vcrit::simulation::methods {
 namespace {
 
 // What a step takes without branches, in units of effort.
-constexpr std::size_t step_work = 8;
+constexpr std::size_t moreau_step_work = 8;
 
 /// An affine function of the network's velocity e' over the step: offset(f_0) + slope e'.
 struct Affine {
@@ -177,7 +177,7 @@ class MoreauMap final : public PeriodMap {
   }
   Period run(const MapState& state, Accuracy accuracy) override {
     const Stepper& stepper = accuracy == Accuracy::asked ? asked_ : coarser_;
-    effort_.spend(stepper.steps() * (step_work + equations_.size()));
+    effort_.spend(stepper.steps() * (moreau_step_work + equations_.size()));
     return stepper.run(state);
   }
   std::vector<Eigen::Index> variables(const MapState& state) const override {
