@@ -29,13 +29,21 @@ inline constexpr std::size_t plain_answers = 8;
 class LanguageFiles {
  public:
   explicit LanguageFiles(const std::vector<Scene>& scenes, Asked asked = Asked::values)
-      : scenes_(scenes), asked_(asked) {
-    for (const LanguageRow& row : other_languages()) {
-      for (std::size_t i = 0; i < scenes.size(); ++i)
-        symbolic::generate(symbolic::derive(scenes[i]), folder_.path(), library(i),
-                           {.language = row.name});
-      write_file(folder_.path() / row.driver, driver_of(row, scenes, asked));
+      : asked_(asked) {
+    std::vector<symbolic::Derivation> derivations;
+    for (const Scene& scene : scenes) {
+      derivations.push_back(symbolic::derive(scene));
+      parameters_.emplace_back(scene, derivations.back());
     }
+    for (const LanguageRow& row : other_languages()) {
+      for (std::size_t i = 0; i < derivations.size(); ++i)
+        symbolic::generate(derivations[i], folder_.path(), library(i), {.language = row.name});
+      write_file(folder_.path() / row.driver, driver_of(row, parameters_, asked));
+    }
+  }
+
+  std::vector<double> members_of(const LanguageCall& call) const {
+    return members(call.scene, parameters_[call.library]);
   }
 
   Outcome run(Command command, const std::string& input = "/dev/null") const {
@@ -49,7 +57,7 @@ class LanguageFiles {
     std::string input;
     for (const LanguageCall& call : calls) {
       input += std::to_string(call.library);
-      for (const double x : members(call.scene, scenes_[call.library]))
+      for (const double x : members_of(call))
         input += fmt::format(" {}", to_text(x));
       input += "\n";
     }
@@ -64,7 +72,7 @@ class LanguageFiles {
       std::istringstream words(line);
       call.answers.clear();
       while (words >> word) call.answers.push_back(std::strtod(word.c_str(), nullptr));
-      const std::size_t count = members(call.scene, scenes_[call.library]).size();
+      const std::size_t count = members_of(call).size();
       BOOST_REQUIRE_EQUAL(call.answers.size(),
                           plain_answers + (asked_ == Asked::values ? 0 : 2 * (1 + count)));
     }
@@ -101,7 +109,7 @@ class LanguageFiles {
 
  private:
   PrivateFolder folder_;
-  std::vector<Scene> scenes_;
+  std::vector<symbolic::ParameterList> parameters_;
   Asked asked_;
 };
 

@@ -107,8 +107,8 @@ inline std::string layout(const symbolic::ParameterList& parameters) {
 }
 
 /// The lines between "//: each" and "//: end" for every scene's library.
-inline std::string driver_of(const LanguageRow& row, const std::vector<Scene>& scenes,
-                             Asked asked) {
+inline std::string driver_of(const LanguageRow& row,
+                             const std::vector<symbolic::ParameterList>& libraries, Asked asked) {
   std::istringstream lines(read_file(std::filesystem::path(VCRIT_LANGUAGE_TESTS) / row.driver));
   std::string out, each;
   bool inside = false;
@@ -116,12 +116,11 @@ inline std::string driver_of(const LanguageRow& row, const std::vector<Scene>& s
     if (line.ends_with(": each")) {
       inside = true;
     } else if (line.ends_with(": end")) {
-      for (std::size_t i = 0; i < scenes.size(); ++i) {
-        const symbolic::ParameterList parameters(scenes[i], symbolic::derive(scenes[i]));
+      for (std::size_t i = 0; i < libraries.size(); ++i) {
         std::string own = replaced_all(each, "LIBRARY", library(i));
         own = replaced_all(own, "NUMBER", std::to_string(i));
-        own = replaced_all(own, "MEMBERS", layout(parameters));
-        out += replaced_all(own, "OMEGA", parameters.named("THE_OMEGA"));
+        own = replaced_all(own, "MEMBERS", layout(libraries[i]));
+        out += replaced_all(own, "OMEGA", libraries[i].named("THE_OMEGA"));
       }
       each.clear();
       inside = false;

@@ -46,10 +46,7 @@ struct Call {
 
 /// The scene's values in the order of the members of Parameters; entries of arrays that the scene
 /// leaves out are 0.
-inline std::vector<double> members(const Scene& scene, const Scene& generated_for,
-                                   const symbolic::GenerateOptions& options = {}) {
-  const symbolic::ParameterList parameters(generated_for, symbolic::derive(generated_for),
-                                           symbolic::fixed_values(generated_for, options.fixed));
+inline std::vector<double> members(const Scene& scene, const symbolic::ParameterList& parameters) {
   const Values values = test::numbers_of(scene);
   std::vector<double> result;
   for (const symbolic::Member& member : parameters.members())
@@ -67,9 +64,12 @@ class Libraries {
                      std::vector<symbolic::GenerateOptions> options = {})
       : scenes_(std::move(scenes)), asked_(asked), options_(std::move(options)) {
     options_.resize(scenes_.size());
-    for (std::size_t i = 0; i < scenes_.size(); ++i)
-      write_file(header(i),
-                 symbolic::emit_header(symbolic::derive(scenes_[i]), name(i), options_[i]));
+    for (std::size_t i = 0; i < scenes_.size(); ++i) {
+      const symbolic::Derivation derivation = symbolic::derive(scenes_[i]);
+      parameters_.emplace_back(scenes_[i], derivation,
+                               symbolic::fixed_values(scenes_[i], options_[i].fixed));
+      write_file(header(i), symbolic::emit_header(derivation, name(i), options_[i]));
+    }
     write_file(folder_.path() / "driver.cpp", driver());
   }
 
@@ -77,6 +77,9 @@ class Libraries {
   std::filesystem::path header(std::size_t i) const { return folder_.path() / (name(i) + ".hpp"); }
   std::size_t size() const { return scenes_.size(); }
   const Scene& scene(std::size_t i) const { return scenes_[i]; }
+  std::vector<double> members_of(const Call& call) const {
+    return members(call.scene, parameters_[call.library]);
+  }
 
   /// Compiles the driver; returns the compiler's complaints.
   std::string compile(const std::string& compiler, const std::vector<std::string>& flags) const {
@@ -95,7 +98,7 @@ class Libraries {
     std::string input;
     for (const Call& call : calls) {
       input += std::to_string(call.library);
-      for (const double x : members(call.scene, scenes_[call.library], options_[call.library]))
+      for (const double x : members_of(call))
         input += fmt::format(" {}", to_text(x));
       input += "\n";
     }
@@ -116,7 +119,7 @@ class Libraries {
         *result = next();
       if (asked_ == Asked::values) continue;
       for (std::vector<double>* partials : {&call.partials, &call.fast_partials}) {
-        partials->resize(members(call.scene, scenes_[call.library], options_[call.library]).size());
+        partials->resize(members_of(call).size());
         for (double& partial : *partials) partial = next();
       }
     }
@@ -211,6 +214,7 @@ int main(int, char** arguments) {
   std::vector<Scene> scenes_;
   Asked asked_;
   std::vector<symbolic::GenerateOptions> options_;
+  std::vector<symbolic::ParameterList> parameters_;
 };
 
 }  // namespace vcrit::test

@@ -215,24 +215,23 @@ BOOST_AUTO_TEST_CASE(cpp_with_gradients) {
   libraries.evaluate(found);
   for (std::size_t i = 0; i < calls.size(); ++i) {
     calls[i].answers = {found[i].value, found[i].bound, found[i].fast_value, found[i].fast_bound};
-    check_partials(calls[i], partials[i], test::members(calls[i].scene, scenes[calls[i].library]),
-                   found[i].partials, found[i].fast_partials);
+    check_partials(calls[i], partials[i], libraries.members_of(found[i]), found[i].partials,
+                   found[i].fast_partials);
   }
   check_values(calls, false);
 }
 
 BOOST_AUTO_TEST_CASE(other_languages_with_gradients) {
   Cases cases = cases_with_gradients();
-  const std::vector<Scene>& scenes = cases.scenes;
   std::vector<LanguageCall>& calls = cases.calls;
-  const test::LanguageFiles files(scenes, Asked::values_and_gradients);
+  const test::LanguageFiles files(cases.scenes, Asked::values_and_gradients);
   files.with_each_tool(
       [&](const Tool& tool) {
         files.evaluate(tool, calls);
         check_values(calls, !tool.wide);
         for (std::size_t i = 0; i < calls.size(); ++i) {
           const LanguageCall& call = calls[i];
-          const std::vector<double> x = test::members(call.scene, scenes[call.library]);
+          const std::vector<double> x = files.members_of(call);
           const auto from = call.answers.begin() + test::plain_answers + 1;
           const auto count = static_cast<std::ptrdiff_t>(x.size());
           check_partials(call, cases.partials[i], x, {from, from + count},

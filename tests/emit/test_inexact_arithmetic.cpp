@@ -101,21 +101,23 @@ class Builds {
  public:
   Builds() {
     const Scene scene = scene_of(test::kelvin_contact, "kd | cd", "m");
-    symbolic::generate(symbolic::derive(scene), folder_.path(), "kelvin");
-    symbolic::generate(symbolic::derive(scene), folder_.path(), "kelvin", {.language = "c99"});
+    const symbolic::Derivation derivation = symbolic::derive(scene);
+    const symbolic::ParameterList parameters(scene, derivation);
+    symbolic::generate(derivation, folder_.path(), "kelvin");
+    symbolic::generate(derivation, folder_.path(), "kelvin", {.language = "c99"});
     test::Draw draw(seed);
     std::string rows;
     std::size_t count = 0;
     for (int i = 0; i < cases; ++i) {
       const Scene drawn = draw.values_for(scene, i % 3 == 2 ? 2 : 0);
-      std::vector<double> row = test::members(drawn, scene);
+      std::vector<double> row = test::members(drawn, parameters);
       count = row.size();
       const test::Real exact = test::critical_velocity_by_nodes(drawn);
       row.push_back(static_cast<double>(exact));
       row.push_back(static_cast<double>(exact - test::Real(row.back())));
       rows += fmt::format("{{{:a}}},\n", fmt::join(row, ", "));
     }
-    rows += wrong_rows(test::members(draw.values_for(scene, 0), scene));
+    rows += wrong_rows(test::members(draw.values_for(scene, 0), parameters));
     Words members;
     for (std::size_t i = 0; i < count; ++i) members.push_back(fmt::format("x[{}]", i));
     const auto with = [&](const std::string& text, const std::string& mark, const std::string& by) {

@@ -101,7 +101,7 @@ BOOST_AUTO_TEST_CASE(values_and_bounds_hold) {
     for (std::size_t i = 0; i < smooth.size(); ++i) {
       const Call& call = smooth[i];
       if (!std::isfinite(call.bound())) continue;
-      const std::vector<double> x = test::members(call.scene, shapes[call.library]);
+      const std::vector<double> x = files.members_of(call);
       for (std::size_t j = 0; j < x.size(); ++j)
         BOOST_TEST_CONTEXT("scene " << call.library << ", call " << i << ", parameter " << j) {
           // Terms of a derivative are at most v*/x times the square of the condition, 1e14, of

@@ -5,7 +5,7 @@
 #include <cfenv>
 #include <string>
 #ifdef __SSE2__
-#include <immintrin.h>
+#include <xmmintrin.h>
 #endif
 
 namespace vcrit::test {
