@@ -137,9 +137,9 @@ void check_elastic(const Relaxation& network, double mean) {
 
 }  // namespace
 
-// A period of 200 branches carries 200 changes through their matrices, 2 n^3/32 units and more: half
-// of what passes between two questions whether to go on, and there are several. The modes are found
-// before, as that search hears an interruption by itself.
+// A period of 200 branches carries 200 changes through their matrices, 2 n^3/32 units and more:
+// half of what passes between two questions whether to go on, and there are several. The modes are
+// found before, as that search hears an interruption by itself.
 BOOST_AUTO_TEST_CASE(the_search_can_be_interrupted) {
   struct Interrupted {};
   Relaxation network{1, 0, {}};

@@ -14,7 +14,7 @@ namespace {
 constexpr int most_periods = 20'000;
 
 // What a step takes without branches, in units of effort.
-constexpr std::size_t step_work = 4;
+constexpr std::size_t normal_step_work = 4;
 
 class Steps {
  public:
@@ -60,7 +60,7 @@ std::vector<double> normal_force_steps(const NormalMotion& motion, double omega,
   Steps normal(motion, omega, steps);
   std::vector<double> now(static_cast<std::size_t>(steps)), before;
   for (int period = 0; period < most_periods; ++period) {
-    effort.spend(now.size() * (step_work + motion.network.branches.size()));
+    effort.spend(now.size() * (normal_step_work + motion.network.branches.size()));
     for (int i = 0; i < steps; ++i) now[static_cast<std::size_t>(i)] = normal.force_after(i);
     const double largest = *std::max_element(now.begin(), now.end());
     if (period > 0 && largest == 0)
