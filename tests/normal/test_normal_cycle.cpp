@@ -137,6 +137,18 @@ void check_elastic(const Relaxation& network, double mean) {
 
 }  // namespace
 
+// A period of 200 branches carries 200 changes through their matrices, 2 n^3/32 units and more:
+// half of what passes between two questions whether to go on, and there are several. The modes are
+// found before, as that search hears an interruption by itself.
+BOOST_AUTO_TEST_CASE(the_search_can_be_interrupted) {
+  struct Interrupted {};
+  Relaxation network{1, 0, {}};
+  for (int i = 0; i < 200; ++i) network.branches.push_back({0.01, std::pow(10, 0.03 * i - 3)});
+  const ContactModes modes = contact_modes(network);
+  const Interruptible asked([] { throw Interrupted{}; });
+  BOOST_CHECK_THROW(normal_cycle(modes, {1, 1}), Interrupted);
+}
+
 BOOST_AUTO_TEST_CASE(agrees_with_references) {
   const auto rows = references();
   BOOST_REQUIRE(rows.size() == 11u);

@@ -143,7 +143,14 @@ class KeyboardInterrupts(unittest.TestCase):
                   '.replace("poisson    = 0.3", "tangential = \\"kelvin(k0, c1)\\""))')
 
     def test_end_a_derivation(self):
-        self.assert_heard_inside("document", "derived.document(sensitivities=True)")
+        self.assert_heard_inside("document", "derived.document('json', sensitivities=True)")
+
+    def test_end_the_search_for_a_normal_force(self):
+        self.assert_heard_inside("critical_onset", "parting.critical_onset")
+        self.assert_heard_inside("certified", "parting.certified_critical_velocity")
+
+    def test_end_the_search_for_free_harmonics(self):
+        self.assert_heard_inside("critical_onset", "dense.critical_onset")
 
 
 # Many relaxation times: a simulation takes a second, sensitivities more.
@@ -176,6 +183,53 @@ k = {[1e5 + i for i in range(n)]}
 tau = {[1e-6 * 1.01**i for i in range(n)]}
 '''
 slow = vcrit.Scene.from_text(TEXT)
+# Of surfaces that part the normal force is searched for, with more branches.
+m = 500
+parting = vcrit.Scene.from_text(f'''
+[contact]
+normal = "prony(k0, k, tau)"
+tangential = "kt | ct"
+separation = true
+[oscillation]
+frequency = 2e4
+amplitude = 4e-7
+indentation = 5e-7
+[friction]
+coefficient = 0.3
+[elements]
+k0 = 8e6
+k = {[1e5 + i for i in range(m)]}
+tau = {[1e-6 * 1.01**i for i in range(m)]}
+kt = 1e6
+ct = 3
+''')
+# Each two of a hundred nodes with masses, at a hundred harmonics.
+nodes = ["a", "b", *(f"n{i}" for i in range(100))]
+pairs = [(a, b) for i, a in enumerate(nodes) for b in nodes[i + 1:]][1:]
+edges = [[f"k{i}", *pair] for i, pair in enumerate(pairs)] + [[f"mass(m{i})", f"n{i}", "b"] for i in range(100)]
+values = "\\n".join([f"k{i} = {1 + i % 7}" for i in range(len(pairs))] + [f"m{i} = {1 + i % 5}" for i in range(100)])
+dense = vcrit.Scene.from_text(f'''
+[contact]
+normal = "kn"
+tangential = "kt"
+[drive]
+network = "g"
+[body]
+mass = 1
+[oscillation]
+angular_frequency = 3
+amplitude = 0.1
+indentation = 1
+[friction]
+coefficient = 0.3
+[elements]
+kn = 1
+kt = 1
+{values}
+[networks.g]
+terminals = ["a", "b"]
+edges = {edges}
+''')
 derived = vcrit.derive(slow)  # which asks for a document, too
 under_way, ended = threading.Event(), []
 

@@ -10,8 +10,8 @@ using vcrit::Effort;
 /// For one steady state, a few seconds; and for all that an answer asks for together.
 inline constexpr std::size_t effort_of_state = 200'000'000, effort_of_answer = 400'000'000;
 
-/// For one steady state by another method, a minute, and what is said beyond.
-inline constexpr std::size_t effort_of_method = 4'000'000'000;
+/// For one steady state by another method, half a minute, and what is said beyond.
+inline constexpr std::size_t effort_of_method = 2'000'000'000;
 inline constexpr const char* beyond_effort_of_method =
     "has not settled within the bound on the work for one steady state, of which networks of many "
     "branches take the most";

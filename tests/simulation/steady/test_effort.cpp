@@ -123,16 +123,6 @@ BOOST_AUTO_TEST_CASE(the_normal_force_counts) {
   });
 }
 
-// A search of 100 branches takes ten million units and more: several times what passes between two
-// questions whether to go on.
-BOOST_AUTO_TEST_CASE(searches_can_be_interrupted) {
-  struct Interrupted {};
-  const Interruptible asked([] { throw Interrupted{}; });
-  System system = of_many_branches(2);
-  system.opening = {many_branches(200), 1, 1};
-  BOOST_CHECK_THROW(sliding_threshold(system), Interrupted);
-}
-
 }  // namespace
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -139,8 +139,19 @@ BOOST_AUTO_TEST_CASE(a_mean_force_of_few_digits_is_no_better_as_a_ratio) {
 }
 
 BOOST_AUTO_TEST_CASE(outside_the_model) {
-  BOOST_CHECK_THROW(steady_state(elastic(2, 1), 0.5), ModelError);   // never part
   BOOST_CHECK_THROW(steady_state(elastic(-2, 1), 0.5), ModelError);  // never meet
+}
+
+BOOST_AUTO_TEST_CASE(surfaces_that_never_part_are_closed) {
+  const System open = elastic(2, 1);
+  System closed = open;
+  closed.opening.reset();
+  closed.mean_normal_force = 2;
+  closed.normal_force_amplitude = 1;
+  const SteadyState found = steady_state(open, 0.5), expected = steady_state(closed, 0.5);
+  BOOST_TEST(expected.friction_ratio < 0.99);
+  BOOST_TEST(std::abs(found.friction_ratio - expected.friction_ratio) <=
+             found.friction_ratio_error + expected.friction_ratio_error);
 }
 
 // Where the surfaces hardly part, friction goes over into that of those that never do.
