@@ -165,14 +165,14 @@ BOOST_AUTO_TEST_CASE(below_an_indenter_the_same_fault_is_red) {
     }
 }
 
-// More friction in the cells than in the scene: v* is larger by as much.
+// Less friction in the cells than in the scene: v* is smaller by as much.
 BOOST_AUTO_TEST_CASE(a_fault_in_the_half_space_is_red) {
   const Derivation scene =
       symbolic::derive(read_scene(VCRIT_TEST_DATA "/../matrix/kinds/indenter_elastic.toml"));
   Witnesses witnesses = own_witnesses();
   witnesses.half_space = [](const Scene& right) {
     Scene wrong = right;
-    wrong.coefficient.value = 1.002 * *right.coefficient.value;
+    wrong.coefficient.value = 0.998 * *right.coefficient.value;
     return indenter::HalfSpace(wrong);
   };
   const SceneReport report = heard(witnesses, scene);
