@@ -22,9 +22,10 @@ namespace {
 // the last stick of a start at rest vanishes.
 struct Comparison {
   double formula, condition, simulated;
-  std::optional<double> stick_onset;
-  std::string missing;     // why there is no stick onset
-  double uncertainty = 0;  // to either side of it: what rounding leaves open
+  std::optional<double> stick_onset = {};
+  std::string missing = {};     // why there is no stick onset
+  double uncertainty = 0;       // to either side of it: what rounding leaves open
+  int cells = 0, answered = 0;  // below an indenter: asked for it, and those with a steady state
 
   double difference(double value) const {
     return formula == value ? 0 : std::abs(value - formula) / formula;
@@ -52,13 +53,18 @@ double condition_of(const Scene& scene, double formula) {
 // Sliding of all cells, and the last stick of any.
 Comparison below_indenter(const Scene& scene) {
   const indenter::HalfSpace half_space(scene);
-  const simulation::Onset last = indenter::last_stick(half_space).onset;
-  return {certified_onset(scene).value,
-          condition_number(scene, values_of(scene)),
-          indenter::sliding_threshold(half_space).contact_velocity,
-          last.contact_velocity,
-          {},
-          last.uncertainty};
+  Comparison result{certified_onset(scene).value, condition_number(scene, values_of(scene)),
+                    indenter::sliding_threshold(half_space).contact_velocity};
+  try {
+    const indenter::LastStick last = indenter::last_stick(half_space);
+    result.stick_onset = last.onset.contact_velocity;
+    result.uncertainty = last.onset.uncertainty;
+    result.cells = last.asked;
+    result.answered = last.answered;
+  } catch (const ModelError& error) {
+    result.missing = error.what();
+  }
+  return result;
 }
 
 Comparison compared(const Scene& scene) {
@@ -68,8 +74,7 @@ Comparison compared(const Scene& scene) {
   const auto [formula, bound, reason] = certified_onset(scene);
   if (std::isinf(formula)) throw ModelError(reason + ": nothing to compare");
   const double condition = condition_of(scene, formula);
-  Comparison result{formula, condition, simulation::sliding_threshold(system).contact_velocity,
-                    {},      {},        0};
+  Comparison result{formula, condition, simulation::sliding_threshold(system).contact_velocity};
   try {
     const simulation::Onset last = simulation::stick_onset(system);
     result.stick_onset = last.contact_velocity;
@@ -91,6 +96,8 @@ void print_critical_json(const Comparison& c, const std::vector<std::string>& wa
                                 {"stick_onset_difference", nullptr},
                                 {"tolerance", c.tolerance()},
                                 {"agree", c.agrees()}};
+  if (c.answered < c.cells)
+    object["stick_onset_cells"] = {{"asked", c.cells}, {"with_steady_state", c.answered}};
   if (c.uncertainty > 0) object["stick_onset_tolerance"] = json_number(c.stick_tolerance());
   if (c.stick_onset)
     object["stick_onset_difference"] = json_number(c.difference(*c.stick_onset));
@@ -109,9 +116,12 @@ void print_critical_text(const Comparison& c) {
   line("simulated", c.simulated, c.tolerance(), "steady sliding exists from here on");
   if (c.stick_onset)
     line("stick onset", *c.stick_onset, c.stick_tolerance(),
-         "a start at rest ends in stick up to here");
+         c.answered < c.cells ? "the last stick of the cells that have a steady state"
+                              : "a start at rest ends in stick up to here");
   else
     fmt::print("stick onset  not found: {}\n", c.missing);
+  if (c.answered < c.cells)
+    fmt::print("             {} of {} cells have one\n", c.answered, c.cells);
 }
 
 }  // namespace

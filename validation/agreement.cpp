@@ -6,6 +6,7 @@
 
 #include "answers/critical_onset.hpp"
 #include "base/constants.hpp"
+#include "base/free_swings.hpp"
 #include "border.hpp"
 #include "critical/admissibility.hpp"
 #include "critical/certified.hpp"
@@ -72,22 +73,26 @@ bool by_formula(const SceneReport& report) {
   return !report.parting || report.parting->closed_form;
 }
 
-Border border_of(const SceneReport& report) {
+Border border_of(const SceneReport& report, const CriticalOnset& onset) {
   if (by_formula(report))
     return {report.velocity_of_doubles, report.velocity_of_doubles + report.creep_velocity,
             report.condition, formula_reference};
-  return {report.parting->critical_velocity, report.parting->drive_velocity, report.condition,
-          "v* by the slowest steady sliding"};
+  return simulated_border(onset);
 }
 
 /// evaluated: v* by formula and evaluators.
-void compare_border(SceneReport& report, const simulation::System& system,
-                    const std::vector<Comparison>& evaluated, const Witnesses& witnesses) {
-  const Border border = border_of(report);
-  if (!is_speed(border.contact_velocity)) return;
+void compare_border(SceneReport& report, const CriticalOnset& onset,
+                    const simulation::System& system, const std::vector<Comparison>& evaluated,
+                    const Witnesses& witnesses) {
+  const Border border = border_of(report, onset);
   const auto add = [&](const std::optional<Comparison>& comparison) {
     if (comparison) report.comparisons.push_back(*comparison);
   };
+  if (!is_speed(border.contact_velocity)) {
+    add(compare_stick_without_end(border, system));
+    add(compare_march_without_end(border, system));
+    return;
+  }
   try {
     const simulation::Onset last_stick = simulation::stick_onset(system);
     add(compare_last_stick(border, last_stick));
@@ -112,40 +117,53 @@ void trace_curve(SceneReport& report, const simulation::System& system, double t
 
 // Why no march in time tells anything of v*; empty where one does.
 std::string why_no_march(const SceneReport& report) {
-  if (!is_speed(report.critical_velocity)) return "v* is infinite or 0: no speed to look for";
   if (const auto moves = rules::answer(rules::Question::report_simulation, report.scene); !moves)
     return moves.reason;
+  if (!report.formula_applies) return {};
+  if (!is_speed(report.critical_velocity)) return "v* is infinite or 0: no speed to look for";
   if (report.scene.drive && !leaves_digits(formula_tolerance(report.condition))) return lost_digits;
   return {};
 }
 
+// v* as the program answers it. Nothing where it refuses: then the scene is outside the model here,
+// too, for that reason.
+std::optional<CriticalOnset> answered_onset(SceneReport& report) {
+  if (!report.reasons.empty()) return std::nullopt;
+  try {
+    return critical_onset(report.scene);
+  } catch (const ModelError& error) {
+    report.reasons.emplace_back(error.what());
+    return std::nullopt;
+  }
+}
+
 void simulate(SceneReport& report, const symbolic::Derivation& derivation,
-              const Witnesses& witnesses, const Progress& progress) {
+              const CriticalOnset& onset, const Witnesses& witnesses, const Progress& progress) {
   progress("simulating");
   const std::vector<Comparison> evaluated = report.comparisons;
   Comparison pending = velocity_comparison(report, "simulation", "stick-slip simulation");
   if (const std::string why = why_no_march(report); !why.empty()) {
     report.comparisons.push_back(not_run(pending, why));
-    if (!report.scene.separation || !opens(report.scene))
-      report.comparisons.push_back(compare_periodic_motion(report));
+    report.comparisons.push_back(compare_periodic_motion(report));
     return;
   }
   bool out_of_reach = false;
   try {
-    if (report.scene.indenter) return examine_indenter(report);
+    if (report.scene.indenter) return examine_indenter(report, onset, witnesses);
     const simulation::System system = witnesses.system(report.scene);
     out_of_reach = simulation::lost_in_resonance(simulation::Model(system));
     if (report.scene.separation) {
       progress("letting the surfaces part");
-      examine_parting(report, derivation, system);
+      examine_parting(report, derivation, system, onset);
     }
     if (by_formula(report))
       report.comparisons.push_back(balanced(report, witnesses.balance(system)));
     progress("looking for the last stick");
-    compare_border(report, system, evaluated, witnesses);
-    double drive_velocity = report.critical_velocity + report.creep_velocity;
-    if (!by_formula(report) && std::isfinite(report.parting->drive_velocity))
-      drive_velocity = report.parting->drive_velocity;
+    compare_border(report, onset, system, evaluated, witnesses);
+    const double finite = by_formula(report) ? report.critical_velocity + report.creep_velocity
+                                             : onset.drive_velocity;
+    const double drive_velocity =
+        std::isfinite(finite) ? finite : unit_of_speed(report.scene) + report.creep_velocity;
     pending = velocity_comparison(report, "curve", "friction curve");
     progress("tracing the friction curve");
     trace_curve(report, system, drive_velocity);
@@ -164,6 +182,7 @@ Witnesses own_witnesses() {
   return {[](const Scene& scene) { return certified_critical_velocity(scene); },
           [](const Scene& scene) { return critical_velocity(scene); },
           [](const Scene& scene) { return simulation::system_of(scene); },
+          [](const Scene& scene) { return indenter::HalfSpace(scene); },
           [](const simulation::System& system) { return simulation::sliding_threshold(system); },
           compare_march};
 }
@@ -177,6 +196,7 @@ SceneReport agree(Driver& driver, const symbolic::Derivation& formula, const Pro
   SceneReport report;
   report.scene = scene;
   report.reasons = inadmissible_reasons(scene);
+  const std::optional<CriticalOnset> onset = answered_onset(report);
   report.formula_applies = report.reasons.empty() && rules::answer(rules::Question::formula, scene);
   const CertifiedVelocity certified = witnesses.certified(typed);
   report.velocity_of_doubles = witnesses.certified(scene).value;
@@ -199,7 +219,7 @@ SceneReport agree(Driver& driver, const symbolic::Derivation& formula, const Pro
   progress("compiling all evaluators");
   compare_generated(report, driver, values);
 
-  if (report.reasons.empty()) simulate(report, driver.derivation(), witnesses, progress);
+  if (onset) simulate(report, driver.derivation(), *onset, witnesses, progress);
   progress("preparing the explorer");
   report.explorer = explorer(driver.derivation(), report.values);
   return report;

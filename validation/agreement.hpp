@@ -4,34 +4,16 @@
 // nothing of either (border.hpp).
 #pragma once
 
-#include <functional>
-#include <string>
-
-#include "border.hpp"
-#include "critical/certified.hpp"
 #include "driver.hpp"
 #include "progress.hpp"
 #include "scene_report.hpp"
-#include "simulation/steady/onset.hpp"
-#include "simulation/system/system.hpp"
+#include "witnesses.hpp"
 
 namespace vcrit::symbolic {
 struct Derivation;
 }
 
 namespace vcrit::validation {
-
-/// Who is heard besides the generated evaluator and the motion. Tests put false ones among them.
-struct Witnesses {
-  std::function<CertifiedVelocity(const Scene&)> certified;  ///< the reference
-  std::function<double(const Scene&)> formula;               ///< Eq. 24 in doubles, m/s
-  std::function<simulation::System(const Scene&)> system;    ///< what is simulated
-  /// The simulator's own harmonic balance: from where on steady sliding exists.
-  std::function<simulation::Onset(const simulation::System&)> balance;
-  /// Another method marched just below and above v*.
-  std::function<Comparison(const Border&, const simulation::System&)> march;
-};
-Witnesses own_witnesses();
 
 /// `driver` is the scene's, compiled here if there is a compiler; its derivation is what others are
 /// asked for, `formula` the one that is compared. Throws InputError for missing values, ModelError

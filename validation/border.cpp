@@ -4,10 +4,15 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
+#include "base/constants.hpp"
 #include "critical/conditioning.hpp"
 #include "simulation/methods/methods.hpp"
+#include "simulation/steady/exact.hpp"
+#include "simulation/steady/normal_force.hpp"
 #include "system_size.hpp"
+#include "velocity_comparisons.hpp"
 
 namespace vcrit::validation {
 
@@ -40,7 +45,8 @@ Comparison of_velocity(const Border& border, double uncertainty, const char* key
   comparison.reference = border.reference;
   comparison.unit = "m/s";
   comparison.expected = border.contact_velocity;
-  comparison.tolerance = motion_tolerance(border.condition) + uncertainty / border.contact_velocity;
+  const double open = uncertainty + border.uncertainty;
+  comparison.tolerance = motion_tolerance(border.condition) + open / border.contact_velocity;
   comparison.reason =
       motion_tolerance(border.condition) > motion_promise
           ? fmt::format(
@@ -48,12 +54,16 @@ Comparison of_velocity(const Border& border, double uncertainty, const char* key
                 "number {:.3g} of Eq. 24 here",
                 border.condition)
           : "motion in closed form, in doubles: leaves six digits to lose near resonance";
-  if (uncertainty > 0)
+  if (open > 0)
     comparison.reason += fmt::format(
         "; and ±{:.2g} m/s, between which rounding leaves open whether it "
         "sticks",
-        uncertainty);
+        open);
   return comparison;
+}
+
+bool still_sticks(Regime regime) {
+  return regime != Regime::sliding && regime != Regime::sliding_apart;
 }
 
 struct Marched {
@@ -65,11 +75,17 @@ Marched march(Method method, const System& system, double velocity) {
   options.start = simulation::Start::rest;
   options.steps_per_period = march_steps;
   const auto state = simulation::steady_state(method, system, velocity, options);
-  const bool slides = state.regime == Regime::sliding || state.regime == Regime::sliding_apart;
-  return {!slides, state.friction_ratio_error <= least_stick};
+  return {still_sticks(state.regime), state.friction_ratio_error <= least_stick};
 }
 
 }  // namespace
+
+Border simulated_border(const CriticalOnset& onset) {
+  const double velocity = onset.contact_velocity;
+  if (std::isinf(velocity))
+    return {velocity, velocity, 0, fmt::format("{}: none, {}", simulated_reference, onset.reason)};
+  return {velocity, onset.drive_velocity, 0, simulated_reference, onset.relative_error * velocity};
+}
 
 Comparison compare_last_stick(const Border& border, const simulation::Onset& last_stick) {
   Comparison comparison = of_velocity(border, last_stick.uncertainty, "simulation",
@@ -103,6 +119,61 @@ std::optional<Comparison> compare_evaluators(const std::vector<Comparison>& velo
     if (!farthest || difference(comparison) > difference(*farthest)) farthest = comparison;
   }
   return farthest;
+}
+
+namespace {
+
+// In units of mu0 <F_n> omega/|K_t|: far above every speed that such a scene has, and slow enough
+// that a stick of a part in so many of a radian is one for a method of 20,000 steps.
+constexpr double very_fast = 100;
+
+double very_fast_speed(const System& system) {
+  return very_fast * system.friction * simulation::mean_normal_force(system) * system.omega /
+         std::abs(dynamic_stiffness(system.contact, system.omega));
+}
+
+// Found: infinite if it still sticks, else the speed at which it does not.
+Comparison without_end(const Border& border, const char* key, double velocity) {
+  Comparison comparison = of_velocity(border, 0, key, "");
+  comparison.tolerance = 0;
+  comparison.reason = "it sticks or it does not";
+  comparison.found = velocity;
+  return comparison;
+}
+
+}  // namespace
+
+Comparison compare_stick_without_end(const Border& border, const System& system) {
+  const double velocity = very_fast_speed(system);
+  Comparison comparison = without_end(border, "simulation", velocity);
+  comparison.name = fmt::format(
+      "stick-slip motion at {} mu0 ⟨F_n⟩ ω/|K_t|: it still sticks in each period", very_fast);
+  try {
+    const auto state = simulation::steady_state(system, velocity, simulation::Start::rest);
+    if (still_sticks(state.regime)) comparison.found = infinity;
+  } catch (const ModelError& error) {
+    return not_run(comparison, error.what());
+  }
+  return comparison;
+}
+
+Comparison compare_march_without_end(const Border& border, const System& system) {
+  const double velocity = very_fast_speed(system);
+  Comparison comparison = without_end(border, "marched", velocity);
+  std::string why;
+  for (const Method method : {Method::rk8pd, Method::msbdf, Method::moreau}) {
+    comparison.name = fmt::format("marched by {} at {} mu0 ⟨F_n⟩ ω/|K_t|: it still sticks",
+                                  to_text(method), very_fast);
+    try {
+      const Marched found = march(method, system, velocity);
+      if (found.sticks) comparison.found = infinity;
+      return comparison;
+    } catch (const ModelError& error) {
+      why += fmt::format("{}; ", error.what());
+    }
+  }
+  comparison.name = "marched by another method at a speed above all others";
+  return not_run(comparison, why.substr(0, why.size() - 2));
 }
 
 Comparison compare_march(const Border& border, const System& system) {

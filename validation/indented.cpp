@@ -125,27 +125,52 @@ double static_force(const HalfSpace& half_space, double depth) {
   return 2 * half_space.static_modulus() * sum;
 }
 
-Comparison indenter_velocity(const SceneReport& report, const HalfSpace& half_space) {
+Comparison indenter_velocity(const SceneReport& report, const HalfSpace& half_space,
+                             const Witnesses& witnesses) {
   Comparison comparison = velocity_comparison(
       report, "balance", "harmonic balance, as Eq. 24, of each cell in relaxation form");
-  comparison.found = indenter::sliding_threshold(half_space).contact_velocity;
+  comparison.found = indenter::sliding_threshold(half_space, witnesses.balance).contact_velocity;
   comparison.tolerance = motion_tolerance(report.condition);
   comparison.reason = "the fastest of all cells, in doubles";
   return comparison;
 }
 
-void compare_cells(SceneReport& report, const HalfSpace& half_space, const CriticalOnset& onset) {
-  const bool by_formula = onset.by == CriticalOnset::By::formula;
-  const Border border{onset.contact_velocity, onset.drive_velocity, report.condition,
-                      by_formula ? formula_reference : "v* by the slowest steady sliding"};
-  if (!is_speed(border.contact_velocity)) return;
-  const indenter::LastStick last = indenter::last_stick(half_space);
+Border border_of_cells(const SceneReport& report, const CriticalOnset& onset) {
+  if (onset.by == CriticalOnset::By::formula)
+    return {report.critical_velocity, report.critical_velocity, report.condition,
+            formula_reference};
+  return simulated_border(onset);
+}
+
+Comparison compare_last_cell(const Border& border, const indenter::LastStick& last) {
+  Comparison comparison = compare_last_stick(border, last.onset);
+  if (last.answered < last.asked)
+    comparison.detail =
+        fmt::format("{} of the {} cells that were asked have no steady state: of the others",
+                    last.asked - last.answered, last.asked);
+  return comparison;
+}
+
+void compare_cells(SceneReport& report, const HalfSpace& half_space, const CriticalOnset& onset,
+                   const Witnesses& witnesses) {
+  const Border border = border_of_cells(report, onset);
+  if (!is_speed(border.contact_velocity)) {
+    report.comparisons.push_back(compare_stick_without_end(border, half_space.cell(0)));
+    report.comparisons.push_back(compare_march_without_end(border, half_space.cell(0)));
+    return;
+  }
   const std::vector<Comparison> velocities = report.comparisons;
-  report.comparisons.push_back(compare_last_stick(border, last.onset));
-  if (by_formula)
-    if (const auto farthest = compare_evaluators(velocities, last.onset, border.condition))
-      report.comparisons.push_back(*farthest);
-  report.comparisons.push_back(compare_march(border, half_space.cell(last.x)));
+  try {
+    const indenter::LastStick last = indenter::last_stick(half_space);
+    report.comparisons.push_back(compare_last_cell(border, last));
+    if (onset.by == CriticalOnset::By::formula)
+      if (const auto farthest = compare_evaluators(velocities, last.onset, border.condition))
+        report.comparisons.push_back(*farthest);
+    report.comparisons.push_back(witnesses.march(border, half_space.cell(last.x)));
+  } catch (const ModelError& error) {
+    report.comparisons.push_back(not_run(compare_last_stick(border, {}), error.what()));
+    report.comparisons.push_back(witnesses.march(border, half_space.cell(0)));
+  }
 }
 
 Comparison starts(const Friction& friction) {
@@ -235,14 +260,13 @@ std::optional<Comparison> indenter_quasi_static(const Scene& scene) {
 
 }  // namespace
 
-void examine_indenter(SceneReport& report) {
+void examine_indenter(SceneReport& report, const CriticalOnset& onset, const Witnesses& witnesses) {
   const Scene& scene = report.scene;
-  const HalfSpace half_space(scene);
-  const CriticalOnset onset = critical_onset(scene);
+  const HalfSpace half_space = witnesses.half_space(scene);
   const double speed = critical_velocity(scene);
   Indented& indented = report.indented.emplace();
   indented.closed_form = onset.by == CriticalOnset::By::formula;
-  indented.critical_velocity = onset.contact_velocity;
+  indented.critical_velocity = border_of_cells(report, onset).contact_velocity;
   indented.radius = half_space.radius();
   indented.edge = half_space.edge();
   indented.amplitudes = amplitudes_of(scene);
@@ -251,8 +275,9 @@ void examine_indenter(SceneReport& report) {
   indented.map = indenter_map(half_space, indented.map_ratio * speed);
   const Friction half = indenter::friction(half_space, 0.5 * speed, compared_error);
   indented.normal_force = half.normal_force;
-  compare_cells(report, half_space, onset);
-  if (indented.closed_form) report.comparisons.push_back(indenter_velocity(report, half_space));
+  compare_cells(report, half_space, onset, witnesses);
+  if (indented.closed_form)
+    report.comparisons.push_back(indenter_velocity(report, half_space, witnesses));
   report.comparisons.push_back(starts(half));
   report.comparisons.push_back(indenter_static_limit(report, half_space, speed));
   for (const auto& comparison : {indenter_small_amplitude(scene), indenter_quasi_static(scene)})

@@ -2,11 +2,14 @@
 // width and period, and the limits that must hold.
 #pragma once
 
+#include "answers/critical_onset.hpp"
 #include "scene_report.hpp"
+#include "witnesses.hpp"
 
 namespace vcrit::validation {
 
-/// Adds `indented` and its comparisons. Throws ModelError where cells have no steady state.
-void examine_indenter(SceneReport& report);
+/// Adds `indented` and its comparisons. onset: the scene's. Throws ModelError where cells have no
+/// steady state.
+void examine_indenter(SceneReport& report, const CriticalOnset& onset, const Witnesses& witnesses);
 
 }  // namespace vcrit::validation

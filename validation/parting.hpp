@@ -2,6 +2,7 @@
 // border of separation, the state of the contact over the period, and the limits that must hold.
 #pragma once
 
+#include "answers/critical_onset.hpp"
 #include "scene_report.hpp"
 #include "simulation/system/system.hpp"
 
@@ -11,9 +12,13 @@ struct Derivation;
 
 namespace vcrit::validation {
 
-/// Adds `parting` and its comparisons. The system is the scene's.
+/// Adds `parting` and its comparisons. System and onset are the scene's.
 void examine_parting(SceneReport& report, const symbolic::Derivation& derivation,
-                     const simulation::System& system);
+                     const simulation::System& system, const CriticalOnset& onset);
+
+/// In what curves and maps measure speed, m/s: v* by Eq. 24, or where that is 0 or infinite v*
+/// under a rigid drive.
+double unit_of_speed(const Scene& scene);
 
 /// du_z/u_z0 beyond which the surfaces part, K_n(0)/|K_n(i omega)|.
 double opening_border(const Scene& scene);

@@ -2,6 +2,7 @@
 //   mu_macro/mu0 = int r(x) <f_n(x)> dx / int <f_n(x)> dx.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -51,19 +52,25 @@ struct Cell {
 /// `samples` points of each cycle.
 std::vector<Cell> cells(const HalfSpace& half_space, double velocity, int count, int samples);
 
+/// What is asked of each cell; tests ask otherwise.
+using OnsetOfCell = std::function<simulation::Onset(const simulation::System&)>;
+
 /// The lowest velocity at which all cells slide forward whenever they touch. That of the centre
 /// where the half-space is elastic; else the highest of 64 cells, refined to about 1e-12 where the
 /// threshold is a smooth function of x. Throws ModelError where no steady sliding is found.
-simulation::Onset sliding_threshold(const HalfSpace& half_space);
+simulation::Onset sliding_threshold(const HalfSpace& half_space,
+                                    const OnsetOfCell& onset = simulation::sliding_threshold);
 
 struct LastStick {
   double x = 0;  ///< of the cell that sticks longest, m
   simulation::Onset onset;
+  int asked = 0, answered = 0;  ///< cells, and those of them with a steady state
 };
 
 /// The highest velocity at which a cell still sticks, from starts at rest, among 64 cells and
-/// refined between them; see simulation::stick_onset. Cells without a steady state are left out.
-/// Throws ModelError where none has one.
-LastStick last_stick(const HalfSpace& half_space);
+/// refined between them; see simulation::stick_onset. Cells without a steady state are left out and
+/// counted. Throws ModelError where more than a quarter of them have none.
+LastStick last_stick(const HalfSpace& half_space,
+                     const OnsetOfCell& onset = simulation::stick_onset);
 
 }  // namespace vcrit::indenter

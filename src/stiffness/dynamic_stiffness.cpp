@@ -20,7 +20,9 @@ struct Pairs {
   const Values& values;
   Real omega;
 
-  Complex of(const Symbol& symbol) const { return {static_cast<Real>(value_of(values, symbol)), 0}; }
+  Complex of(const Symbol& symbol) const {
+    return {static_cast<Real>(value_of(values, symbol)), 0};
+  }
   // Without a 0 below 0.
   Complex times_s(Complex k) const { return {0 - k.imag() * omega, k.real() * omega}; }
   Complex relaxing(Complex k, Complex tau) const {

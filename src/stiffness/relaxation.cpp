@@ -9,9 +9,9 @@
 #include "base/constants.hpp"
 #include "base/errors.hpp"
 #include "network/law.hpp"
+#include "network/wiring.hpp"
 #include "stiffness/condensation.hpp"
 #include "stiffness/graph_relaxation.hpp"
-#include "network/wiring.hpp"
 
 namespace vcrit {
 

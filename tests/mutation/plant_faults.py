@@ -18,7 +18,7 @@ PROJECT = Path(__file__).resolve().parents[2]
 
 # File, where (the only place with this text), its token, what is planted, the test that has to fail.
 FAULTS = [
-    ("src/base/csv.cpp", "begin = comma + 1;", "1", "0", "base/test_csv"),
+    ("src/base/csv.cpp", "begin = comma + 1;", "1", "2", "base/test_csv"),
     ("src/base/units.cpp", "dimension == Dimension::frequency && angular", "&&", "||", "base/test_units"),
     ("src/network/reduction.cpp", "is_new) known->second = combine(Step::Kind::parallel", "parallel", "series",
      "network/test_reduction"),

@@ -33,7 +33,8 @@ Scene with_drive() {
 
 Scene with_indenter() {
   return parsed(
-      "[contact]\nnormal = \"spring(E)\"\npoisson = 0.3\n[indenter]\nshape = \"parabola\"\nradius = 1\n"
+      "[contact]\nnormal = \"spring(E)\"\npoisson = 0.3\n[indenter]\nshape = \"parabola\"\nradius "
+      "= 1\n"
       "[oscillation]\nangular_frequency = 2\namplitude = 0.1\nindentation = 0.5\n"
       "[friction]\ncoefficient = 0.3\n[elements]\nE = 3\n");
 }
@@ -64,8 +65,9 @@ void set_radius(Scene& scene, std::optional<double> radius) {
 BOOST_AUTO_TEST_CASE(numbers_of_networks_are_among_the_elements) {
   check_refused(with_drive(), "k2 in the normal network but not in elements",
                 [](Scene& s) { s.normal = spring({"k2"}); });
-  check_refused(with_drive(), "c in the drive network but not in elements",
-                [](Scene& s) { s.drive = parallel({*s.drive, damper({"c"})}); });
+  check_refused(with_drive(), "c in the drive network but not in elements", [](Scene& s) {
+    s.drive = parallel({*s.drive, damper({"c"})});
+  });
   check_refused(with_drive(), "k in the normal network but not in elements",
                 [](Scene& s) { s.elements.erase(s.elements.begin()); });
   // omega is a number of the scene, but no element.
@@ -76,10 +78,12 @@ BOOST_AUTO_TEST_CASE(numbers_of_networks_are_among_the_elements) {
 BOOST_AUTO_TEST_CASE(masses_belong_to_the_far_end_of_a_drive) {
   check_refused(with_drive(), "a mass in the normal network",
                 [](Scene& s) { s.normal = mass({"k"}); });
-  check_refused(with_drive(), "mass kd in the drive between two moving points",
-                [](Scene& s) { s.drive = series({mass({"kd"}), spring({"k"})}); });
-  check_refused(with_drive(), "a drive in which only masses lead to the far end",
-                [](Scene& s) { s.drive = series({spring({"k"}), mass({"kd"})}); });
+  check_refused(with_drive(), "mass kd in the drive between two moving points", [](Scene& s) {
+    s.drive = series({mass({"kd"}), spring({"k"})});
+  });
+  check_refused(with_drive(), "a drive in which only masses lead to the far end", [](Scene& s) {
+    s.drive = series({spring({"k"}), mass({"kd"})});
+  });
 }
 
 BOOST_AUTO_TEST_CASE(parts_that_do_not_fit_together) {
@@ -105,8 +109,9 @@ BOOST_AUTO_TEST_CASE(indenters_have_their_sizes) {
   for (const double radius : {0.0, -1.0})
     check_refused(with_indenter(), radius == 0 ? "radius = 0" : "radius = -1",
                   [radius](Scene& s) { set_radius(s, radius); });
-  check_refused(with_indenter(), "an indenter by a table without profile",
-                [](Scene& s) { s.indenter = Indenter{Indenter::Shape::table, {}, {}}; });
+  check_refused(with_indenter(), "an indenter by a table without profile", [](Scene& s) {
+    s.indenter = Indenter{Indenter::Shape::table, {}, {}};
+  });
   const auto with_rows = [](std::vector<Profile::Row> rows) {
     return [rows](Scene& s) {
       s.indenter = Indenter{Indenter::Shape::table, {}, Profile{"", rows}};
@@ -124,8 +129,11 @@ BOOST_AUTO_TEST_CASE(an_indenter_and_a_place_below_it_by_themselves) {
 }
 
 BOOST_AUTO_TEST_CASE(a_ratio_without_a_value) {
-  BOOST_TEST(refused([] { tangential_ratio({Isotropic::By::poisson, {{"nu"}, {}}}); },
-                     "nu: found no value"));
+  BOOST_TEST(refused(
+      [] {
+        tangential_ratio({Isotropic::By::poisson, {{"nu"}, {}}});
+      },
+      "nu: found no value"));
 }
 
 // Networks and values by hand, as in docs/library.md.
@@ -144,12 +152,20 @@ BOOST_AUTO_TEST_CASE(networks_by_themselves) {
   wrong(graph({{0, 4}}), values, "network: found a wire from 0 to 4");
   wrong(graph({{0, 0}}), values, "network: found a wire from 0 to 0");
   wrong(Network{Graph{{"a", "b"}, {spring({"k"})}, {}}}, values, "network: found a graph of 2");
-  BOOST_TEST(refused([] { relaxation_form(mass({"k"}), {{{"k"}, 1.0}}); }, "network: found a mass"));
-  BOOST_TEST(refused([] { relaxation_form(spring({"k"}), {{{"k"}, -1.0}}); }, "values: found k = "));
+  BOOST_TEST(refused(
+      [] {
+        relaxation_form(mass({"k"}), {{{"k"}, 1.0}});
+      },
+      "network: found a mass"));
+  BOOST_TEST(refused(
+      [] {
+        relaxation_form(spring({"k"}), {{{"k"}, -1.0}});
+      },
+      "values: found k = "));
   // A part that leads nowhere; no path between the terminals.
   for (const auto& wires : {std::vector<Wire>{{0, 1}, {1, 2}, {2, 3}}, {{0, 2}, {1, 3}}})
-    BOOST_TEST(refused([&] { dynamic_stiffness(graph(wires), values, 1); },
-                       "network: found a graph w"));
+    BOOST_TEST(
+        refused([&] { dynamic_stiffness(graph(wires), values, 1); }, "network: found a graph w"));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

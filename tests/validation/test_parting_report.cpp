@@ -7,6 +7,7 @@
 #include <set>
 
 #include "agreement.hpp"
+#include "answers/critical_onset.hpp"
 #include "critical/critical_velocity.hpp"
 #include "report/document.hpp"
 #include "report/indenter_figures.hpp"
@@ -28,6 +29,8 @@ SceneReport report_of(const Scene& scene) {
   Driver driver(symbolic::derive(scene));
   return agree(driver, driver.derivation(), [](const std::string&) {});
 }
+
+const std::string kinds = VCRIT_TEST_DATA "/../matrix/kinds/";
 
 const Comparison& comparison(const SceneReport& report, const std::string& key) {
   const auto found = std::find_if(report.comparisons.begin(), report.comparisons.end(),
@@ -135,6 +138,67 @@ BOOST_AUTO_TEST_CASE(without_closed_form) {
   const std::string section =
       report::rendered("separation", record::page_of(report.parting.value()));
   BOOST_TEST(section.find("Eq. 24 does not hold then") != std::string::npos);
+}
+
+// Where `vcrit eval` refuses to say v* the page says none, and nothing on it is green.
+BOOST_AUTO_TEST_CASE(where_the_program_answers_no_velocity_the_page_has_none) {
+  const std::pair<std::string, const char*> refused[] = {
+      {"drive_masses", "holds masses of its own"},
+      {"drive_graph_masses", "holds masses of its own"},
+      {"measured_drive", "a measured receptance"},
+      {"lossy", "is not causal"}};
+  for (const auto& [kind, reason] : refused)
+    for (const bool isotropic : {false, true}) BOOST_TEST_CONTEXT(kind << isotropic) {
+        Scene scene = read_scene(kinds + kind + ".toml");
+        scene.separation = true;
+        scene.amplitude.value = 1.2e-6;  // of 0.5 and 0.8 um: the surfaces part
+        if (isotropic) scene.tangential = Isotropic{Isotropic::By::ratio, {{"r"}, 0.8}};
+        BOOST_CHECK_THROW(critical_onset(scene), ModelError);
+        const SceneReport report = report_of(scene);
+        BOOST_TEST(report::velocity_words(report) == "");
+        BOOST_TEST(report::state_class(report) == "outside");
+        BOOST_REQUIRE(!report.reasons.empty());
+        BOOST_TEST(report.reasons.front().find(reason) != std::string::npos);
+        const std::string page = report::scene_page({report, {}}, {});
+        for (const char* part : {"v* = ", "class=\"verdict passed\"", "badge passed"})
+          BOOST_TEST(page.find(part) == std::string::npos, part);
+      }
+}
+
+// Why the contact sticks at any speed: the spring along the surface starts from 0 at each meeting
+// while the bound jumps, and a swing that the force drives in resonance grows until sticks stop it.
+BOOST_AUTO_TEST_CASE(without_a_finite_velocity_motion_shows_that_there_is_none) {
+  for (const char* kind : {"separation_jump", "separation_free_harmonic"})
+    BOOST_TEST_CONTEXT(kind) {
+      const SceneReport report = report_of(read_scene(kinds + kind + ".toml"));
+      BOOST_TEST(std::isinf(report.parting.value().critical_velocity));
+      for (const char* key : {"simulation", "marched"})
+        BOOST_TEST((outcome(comparison(report, key)) == Comparison::Outcome::passed), key);
+      const std::string& why = comparison(report, "simulation").reference;
+      const bool jumps = why.find("the normal force jumps") != std::string::npos;
+      BOOST_TEST(jumps == (std::string(kind) == "separation_jump"));
+    }
+}
+
+// v* that is finite, said to be none: both see that it slides.
+BOOST_AUTO_TEST_CASE(an_infinite_velocity_that_is_none_is_red) {
+  const Border endless{HUGE_VAL, HUGE_VAL, 0, "no v*"};
+  const simulation::System system = simulation::system_of(jumping_with_memory());
+  BOOST_TEST((outcome(compare_stick_without_end(endless, system)) == Comparison::Outcome::failed));
+  BOOST_TEST((outcome(compare_march_without_end(endless, system)) == Comparison::Outcome::failed));
+}
+
+// Eq. 24 has its resonance at the frequency itself, and 0 at its antiresonance; the motion of
+// surfaces that part has neither to do with, and its v* is witnessed all the same.
+BOOST_AUTO_TEST_CASE(where_the_formula_is_zero_a_simulated_velocity_has_its_witnesses) {
+  Scene scene = read_scene(kinds + "antiresonance.toml");
+  scene.separation = true;
+  scene.amplitude.value = 1.2e-6;
+  const SceneReport report = report_of(scene);
+  BOOST_TEST(report.critical_velocity == 0);
+  BOOST_TEST(report.parting.value().critical_velocity > 0);
+  for (const char* key : {"simulation", "marched", "starts"})
+    BOOST_TEST((outcome(comparison(report, key)) == Comparison::Outcome::passed), key);
 }
 
 // An elastic sphere: friction at rest is (1 - D)^(3/2)/<(1 + D sin t)^(3/2)>.

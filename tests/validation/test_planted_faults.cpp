@@ -152,6 +152,36 @@ BOOST_AUTO_TEST_CASE(without_a_march_the_same_fault_is_red) {
   }
 }
 
+// Below an indenter the last stick of any cell, and another method on that cell, know better.
+BOOST_AUTO_TEST_CASE(below_an_indenter_the_same_fault_is_red) {
+  for (const char* file : {"/indenter_elastic.toml", "/indenter_viscoelastic.toml"})
+    BOOST_TEST_CONTEXT(file) {
+      const Derivation scene =
+          symbolic::derive(read_scene(VCRIT_TEST_DATA "/../matrix/kinds" + std::string(file)));
+      BOOST_TEST(passed(heard(own_witnesses(), scene)));
+      check_red(heard(balance_off_by(2), scene, formula_off_by(2, scene)),
+                {"generated", "generated_batch", "generated_fast", "generated_certified",
+                 "simulation", "evaluators", "marched"});
+    }
+}
+
+// Less friction in the cells than in the scene: v* is smaller by as much.
+BOOST_AUTO_TEST_CASE(a_fault_in_the_half_space_is_red) {
+  const Derivation scene =
+      symbolic::derive(read_scene(VCRIT_TEST_DATA "/../matrix/kinds/indenter_elastic.toml"));
+  Witnesses witnesses = own_witnesses();
+  witnesses.half_space = [](const Scene& right) {
+    Scene wrong = right;
+    wrong.coefficient.value = 0.998 * *right.coefficient.value;
+    return indenter::HalfSpace(wrong);
+  };
+  const SceneReport report = heard(witnesses, scene);
+  for (const char* key : {"balance", "simulation", "evaluators", "marched"})
+    BOOST_TEST((outcome(*std::ranges::find(report.comparisons, key, &Comparison::key)) ==
+                Comparison::Outcome::failed),
+               key);
+}
+
 BOOST_AUTO_TEST_CASE(a_speed_of_zero_or_infinity_that_is_none_is_red) {
   for (const double wrong : {0.0, std::numeric_limits<double>::infinity()}) {
     Witnesses witnesses = own_witnesses();

@@ -31,7 +31,10 @@ void check_reach(const Model& model) {
   if (lost_in_resonance(model))
     throw ModelError(
         "body and drive are in undamped resonance: the swing in slip grows without bound");
-  if (!(model.creep < fastest_creep * std::abs(model.sliding_velocity)))
+  // One that opens swings with harmonics, too, also where the first moves it nowhere.
+  const double swing =
+      std::max(std::abs(model.sliding_velocity), model.opening ? model.amplitude : 0);
+  if (!(model.creep == 0 || model.creep < fastest_creep * swing))
     throw ModelError(
         "drive and contact creep ten million times faster than the contact swings: its "
         "velocity is lost in rounding");
@@ -276,15 +279,15 @@ class SteadyCycleSearch {
   // Below the threshold a cycle that only slips is one whose stick is lost in rounding: no error of
   // its own tells of that. The ratio is taken not to be below that of the speeds: proved without a
   // body, where friction is concave in speed, an estimate with one. What passes outside the law
-  // moves forces by no more than its time. All ratios lie between 1 - a and 1, and near a free swing
-  // of the body closer to 1.
+  // moves forces by no more than its time. All ratios lie between 1 - a and 1, and near a free
+  // swing of the body closer to 1.
   SteadyCycle finished(Mapped now, double more = 0) const {
     if (now.trace.parts.size() == 1) more = 1 - velocity_ / model_.threshold;
     const double ratio = model_.load + now.trace.impulse() / two_pi;
     const auto [change, rounding] = error(now);
     // The contact's velocity is the small difference of the drive's and the creep.
     const double creeping =
-        2 * epsilon * model_.load * model_.creep / model_.threshold * model_.amplitude;
+        model_.opening ? 0 : 2 * epsilon * model_.creep / model_.threshold * model_.amplitude;
     const double sum =
         epsilon + creeping + change + rounding + more + now.trace.unlawful + model_.bound_error();
     const double missing = most_missing_friction(model_, velocity_);

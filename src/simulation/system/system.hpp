@@ -38,8 +38,9 @@ int free_harmonic(const System& system);
 
 /// n where the body swings nearly freely at the n-th harmonic, on a drive of any network: springs
 /// and inertia cancel there and losses are faint, |K_d(i n omega) - m (n omega)^2| within a part in
-/// 1e5 of m (n omega)^2. A share d off a free harmonic, a cycle with sticks that die away repeats to within d of
-/// itself: below 1e-5, rounding and a search's own error of some 1e-12 take it for a steady one.
+/// 1e5 of m (n omega)^2. A share d off a free harmonic, a cycle with sticks that die away repeats
+/// to within d of itself: below 1e-5, rounding and a search's own error of some 1e-12 take it for a
+/// steady one.
 int nearly_free_harmonic(const System& system);
 
 /// Throws InputError for missing values, ModelError unless the normal network carries the mean load

@@ -164,8 +164,8 @@ BOOST_AUTO_TEST_CASE(a_harmonic_but_for_rounding_is_one) {
 }
 
 // What friction falls short of mu0 by at most where a body on a spring swings nearly freely at
-// harmonic n (proof: src/simulation/steady/full_friction.cpp), in SI units: with Z = (kd - m s^2)/s,
-// s = n omega, missing force x and speed v between border and v*, (v - border) <x> <= v*
+// harmonic n (proof: src/simulation/steady/full_friction.cpp), in SI units: with Z = (kd - m
+// s^2)/s, s = n omega, missing force x and speed v between border and v*, (v - border) <x> <= v*
 // sin(pi/(2 n))/n <|w|> |Z|, <|w|> <= v/(1 - D). The contact's own answer and the rounding of Z,
 // some 1e-16, are left out: twice the bound is more than both.
 double most_missing(const System& system, int n, double border, double critical, double share) {

@@ -59,8 +59,7 @@ BOOST_AUTO_TEST_CASE(numbers_of_a_closed_contact) {
                 [](System& s) { s.normal_force_amplitude = 8; });
   check_refused(good(), "normal_force_amplitude: found nan",
                 [](System& s) { s.normal_force_amplitude = NAN; });
-  check_refused(good(), "mean_normal_force: found 0",
-                [](System& s) { s.mean_normal_force = 0; });
+  check_refused(good(), "mean_normal_force: found 0", [](System& s) { s.mean_normal_force = 0; });
   check_refused(good(), "omega: found -2", [](System& s) { s.omega = -2; });
   check_refused(good(), "friction: found 0", [](System& s) { s.friction = 0; });
   check_refused(good(), "friction: found inf", [](System& s) { s.friction = HUGE_VAL; });
@@ -73,8 +72,9 @@ BOOST_AUTO_TEST_CASE(networks_of_a_system) {
                 [](System& s) { s.contact.equilibrium = -1; });
   check_refused(good(), "contact.branches: time: found 0",
                 [](System& s) { s.contact.branches[0].time = 0; });
-  check_refused(good(), "contact.branches: time: found 0.25",
-                [](System& s) { s.contact.branches.push_back({1, 0.25}); });
+  check_refused(good(), "contact.branches: time: found 0.25", [](System& s) {
+    s.contact.branches.push_back({1, 0.25});
+  });
   check_refused(good(), "contact.branches: stiffness: found -1",
                 [](System& s) { s.contact.branches[0].stiffness = -1; });
   check_refused(good(), "drive.damper: found nan", [](System& s) { s.drive->damper = NAN; });
