@@ -13,6 +13,9 @@ namespace {
 // Characters of plain text.
 constexpr std::size_t longest_line = 90, least_part = 16;
 
+// Operations of a letter that has a line although it is used once.
+constexpr int least_named_once = 4;
+
 Form number_form(std::int64_t value) {
   return {Form::Kind::number, std::to_string(value), {}, {}, {}, 1};
 }
@@ -66,7 +69,7 @@ ShortestForm Lines::form() {
   while (divide_long_line());
   ShortestForm result;
   for (const Index line : lines_) {
-    result.definitions.push_back({"", named(own_name(names_.at(line))), written(line)});
+    result.definitions.push_back({named(own_name(names_.at(line))), written(line)});
     result.operations += operations_of(result.definitions.back().meaning);
   }
   result.velocity = written(steps_.whole());
@@ -74,11 +77,16 @@ ShortestForm Lines::form() {
   return result;
 }
 
-/// A letter that is used once and short stands as what it means.
+/// A letter that is used once stands as what it means; a long one, within a sum, does not.
 bool Lines::has_line(Index i) const {
   const Step& step = steps_.steps()[i];
   if (step.kind == Step::Kind::number) return false;
-  if (step.kind == Step::Kind::symbol) return all_.operations(step.node) > 0 && step.uses > 1;
+  if (step.kind == Step::Kind::symbol) {
+    if (step.uses > 1) return all_.operations(step.node) > 0;
+    const std::vector<Part>& factors = steps_.steps()[steps_.whole()].parts;
+    const bool factor = std::find(factors.begin(), factors.end(), Part{i, 1}) != factors.end();
+    return all_.operations(step.node) >= least_named_once && !factor;
+  }
   return step.uses > 1 || std::find(divided_.begin(), divided_.end(), i) != divided_.end();
 }
 

@@ -4,6 +4,8 @@
 // program's own formula when it was last made shorter.
 #include <boost/test/unit_test.hpp>
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <random>
 
