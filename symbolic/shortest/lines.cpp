@@ -37,14 +37,15 @@ int rank(const Form& form) {
     case Form::Kind::power:
       return 7 + (form.over[0].kind == Form::Kind::name ? 0 : 1);
     case Form::Kind::product:
+      return !form.over.empty() && rank(form.over[0]) <= 4 ? 9 : 10;
     case Form::Kind::sum:
-      return 9;
-    case Form::Kind::call:
       return 10;
-    case Form::Kind::root:
+    case Form::Kind::call:
       return 11;
+    case Form::Kind::root:
+      return 12;
   }
-  return 12;
+  return 13;
 }
 
 bool before(const Form& a, const Form& b) {
