@@ -1,7 +1,6 @@
 #include "shortest/lines.hpp"
 
 #include <algorithm>
-#include <set>
 
 #include "formula/dialect.hpp"
 #include "formula/names.hpp"
@@ -100,41 +99,76 @@ void Lines::collect(Index i) {
 void Lines::give_names() {
   lines_.clear(), names_.clear();
   collect(steps_.whole());
-  // Letters first, in the order in which they were given.
+  put_in_order();
+  const std::vector<std::string> names = letters(all_, measures_, steps_, lines_);
+  for (std::size_t i = 0; i < lines_.size(); ++i) names_[lines_[i]] = names[i];
+}
+
+/// Letters first, in the order in which they were given; the others as they were made, each behind
+/// those that it needs.
+void Lines::put_in_order() {
   const auto is_letter = [&](Index i) { return steps_.steps()[i].kind == Step::Kind::symbol; };
   const auto rest = std::stable_partition(lines_.begin(), lines_.end(), is_letter);
   std::sort(lines_.begin(), rest, [&](Index a, Index b) {
     return steps_.steps()[a].node < steps_.steps()[b].node;
   });
-  const std::vector<std::string> names = letters(all_, measures_, steps_, lines_);
-  for (std::size_t i = 0; i < lines_.size(); ++i) names_[lines_[i]] = names[i];
+  std::set<Index> placed(lines_.begin(), rest), open(rest, lines_.end());
+  for (auto next = rest; next != lines_.end(); ++next) {
+    const auto ready = std::find_if(open.begin(), open.end(), [&](Index line) {
+      return needs_only(line, placed, open);
+    });
+    *next = *ready;
+    placed.insert(*ready);
+    open.erase(ready);
+  }
+}
+
+bool Lines::needs_only(Index step, const std::set<Index>& placed,
+                       const std::set<Index>& open) const {
+  const std::vector<Part>& parts = steps_.steps()[step].parts;
+  return std::all_of(parts.begin(), parts.end(), [&](const Part& part) {
+    if (placed.contains(part.step)) return true;
+    return !open.contains(part.step) && needs_only(part.step, placed, open);
+  });
 }
 
 bool Lines::divide_long_line() {
   std::vector<Index> all = lines_;
   all.push_back(steps_.whole());
   for (const Index line : all) {
-    if (text_dialect().print({false, written(line)}).size() <= longest_line) continue;
-    // The longest part of it that fits a line itself.
-    std::size_t length = least_part;
-    std::optional<Index> longest;
-    std::vector<Index> open{line};
-    while (!open.empty()) {
-      const Index at = open.back();
-      open.pop_back();
-      for (const Part& part : steps_.steps()[at].parts) {
-        if (names_.contains(part.step)) continue;
-        open.push_back(part.step);
-        if (steps_.steps()[part.step].kind != Step::Kind::sum) continue;
-        const std::size_t size = text_dialect().print({false, written(part.step)}).size();
-        if (size > length && size <= longest_line) length = size, longest = part.step;
-      }
-    }
-    if (!longest) continue;
-    divided_.push_back(*longest);
+    if (length(line) <= longest_line) continue;
+    std::optional<Index> part = longest_part(line, longest_line);
+    if (!part) part = longest_part(line, std::string::npos);
+    const Step& step = steps_.steps()[line];
+    if (!part && step.kind == Step::Kind::sum && step.parts.size() > 3) part = steps_.halve(line);
+    if (!part) continue;
+    divided_.push_back(*part);
     return true;
   }
   return false;
+}
+
+std::size_t Lines::length(Index step) const {
+  return text_dialect().print({false, written(step)}).size();
+}
+
+/// A sum within the line.
+std::optional<Lines::Index> Lines::longest_part(Index line, std::size_t most) const {
+  std::size_t longest = least_part;
+  std::optional<Index> result;
+  std::vector<Index> open{line};
+  while (!open.empty()) {
+    const Index at = open.back();
+    open.pop_back();
+    for (const Part& part : steps_.steps()[at].parts) {
+      if (names_.contains(part.step)) continue;
+      open.push_back(part.step);
+      if (steps_.steps()[part.step].kind != Step::Kind::sum) continue;
+      const std::size_t size = length(part.step);
+      if (size > longest && size <= most) longest = size, result = part.step;
+    }
+  }
+  return result;
 }
 
 Form Lines::of(Index i) const {
