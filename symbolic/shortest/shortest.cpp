@@ -118,10 +118,12 @@ class Alphabet {
       if (all_.name(parts_.ratio.node) == "g" && definition.name.text.starts_with("g"))
         name = printed_name(definition.name.text);
     if (name.empty()) return "";
-    const std::string from = poisson ? " (Mindlin)" : "";
-    if (!given.value) return name + " = K_n/K_t" + from;
-    return fmt::format("{} = K_n/K_t{} for {} = {}", name, from, poisson ? "nu" : "K_t/K_n",
-                       to_text(*given.value));
+    const std::string normal = printed_name(own_name("K_n")), other = printed_name(own_name("K_t"));
+    const std::string words =
+        fmt::format("{} = {}/{}{}", name, normal, other, poisson ? " (Mindlin)" : "");
+    if (!given.value) return words;
+    const std::string from = poisson ? printed_name(own_name("nu")) : other + "/" + normal;
+    return fmt::format("{} for {} = {}", words, from, to_text(*given.value));
   }
 
   const Contact& contact_;
