@@ -73,7 +73,7 @@ std::string letter_of(const Step& step, const Measure& measure) {
     case 0:
       return "R";
     case 2:
-      return sum ? "S" : "L";
+      return sum ? "S" : "G";
     case 4:
       return "Q";
     case -2:
