@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "formula/names.hpp"
 #include "formula/symbols.hpp"
 
 namespace vcrit::symbolic {
@@ -41,9 +40,7 @@ bool same(const std::vector<Line>& a, const std::vector<Line>& b) {
 
 /// Its definitions and v* in place of the result's line.
 void show_shortest(const ShortestForm& form, DocumentBlock& result) {
-  for (const ShortestForm::Definition& definition : form.definitions)
-    if (!definition.words.empty())
-      result.words += ", " + base_name(definition.name.text) + " = " + definition.words;
+  if (!form.ratio.empty()) result.words += ", " + form.ratio;
   result.lines.clear();
   result.equations = equations(form);
 }

@@ -142,7 +142,7 @@ void fields(Fields& f, const DerivedDocument& document) {
     form = "shortest";
     definitions.clear();
     for (const auto& each : it.shortest->definitions)
-      definitions.push_back({each.words, {false, each.name}, {false, each.meaning}});
+      definitions.push_back({"", {false, each.name}, {false, each.meaning}});
     lines.back().right = {false, it.shortest->velocity};
   }
   const bool rational = it.form == symbolic::ResultForm::rational;

@@ -52,6 +52,20 @@ class Measuring {
   std::map<std::uint32_t, Measure> known_;
 };
 
+/// omega c/k
+bool is_turn(const Expressions& all, const Steps& steps, const Step& step,
+             const Measure& measure) {
+  if (std::abs(measure.stiffness) > 0.1) return false;
+  const auto symbol = [&](const Part& part) -> const Step& { return steps.steps()[part.step]; };
+  const auto holds = [&](const auto& which) {
+    return std::any_of(step.parts.begin(), step.parts.end(), which);
+  };
+  return step.kind == Step::Kind::product &&
+         !holds([&](const Part& part) { return symbol(part).kind != Step::Kind::symbol; }) &&
+         holds([&](const Part& part) { return all.name(symbol(part).node) == "W"; }) &&
+         holds([](const Part& part) { return part.sign < 0; });
+}
+
 std::string letter_of(const Step& step, const Measure& measure) {
   if (std::abs(measure.time) > 0.1) return "X";
   const bool sum = step.kind == Step::Kind::sum;
@@ -59,7 +73,7 @@ std::string letter_of(const Step& step, const Measure& measure) {
     case 0:
       return "R";
     case 2:
-      return sum ? "S" : "L";
+      return sum ? "S" : "G";
     case 4:
       return "Q";
     case -2:
@@ -79,7 +93,10 @@ std::vector<std::string> letters(const Expressions& all, const Measures& measure
   for (const std::uint32_t i : named) {
     const Step& step = steps.steps()[i];
     const bool symbol = step.kind == Step::Kind::symbol;
-    result.push_back(symbol ? all.name(step.node) : letter_of(step, measuring.of(i)));
+    const Measure measure = symbol ? Measure{} : measuring.of(i);
+    result.push_back(symbol                               ? all.name(step.node)
+                     : is_turn(all, steps, step, measure) ? "T"
+                                                          : letter_of(step, measure));
     ++count[result.back()];
   }
   std::set<std::string> given;

@@ -19,7 +19,7 @@ struct Measure {
 using Measures = std::map<Node, Measure>;
 
 /// A name for each of `named`, steps of `steps` in the order of their definitions: the letter of a
-/// symbol that has one; S a sum and L a product of stiffness, Q its square, J a compliance, R a
+/// symbol that has one; S a sum and G a product of stiffness, Q its square, J a compliance, R a
 /// number; with an index where there are several.
 std::vector<std::string> letters(const Expressions& all, const Measures& measures,
                                  const Steps& steps, const std::vector<std::uint32_t>& named);

@@ -1,7 +1,6 @@
 #include "shortest/lines.hpp"
 
 #include <algorithm>
-#include <set>
 
 #include "formula/dialect.hpp"
 #include "formula/names.hpp"
@@ -12,6 +11,9 @@ namespace {
 
 // Characters of plain text.
 constexpr std::size_t longest_line = 90, least_part = 16;
+
+// Operations of a letter that has a line although it is used once.
+constexpr int least_named_once = 4;
 
 Form number_form(std::int64_t value) {
   return {Form::Kind::number, std::to_string(value), {}, {}, {}, 1};
@@ -34,14 +36,15 @@ int rank(const Form& form) {
     case Form::Kind::power:
       return 7 + (form.over[0].kind == Form::Kind::name ? 0 : 1);
     case Form::Kind::product:
+      return !form.over.empty() && rank(form.over[0]) <= 4 ? 9 : 10;
     case Form::Kind::sum:
-      return 9;
-    case Form::Kind::call:
       return 10;
-    case Form::Kind::root:
+    case Form::Kind::call:
       return 11;
+    case Form::Kind::root:
+      return 12;
   }
-  return 12;
+  return 13;
 }
 
 bool before(const Form& a, const Form& b) {
@@ -66,7 +69,7 @@ ShortestForm Lines::form() {
   while (divide_long_line());
   ShortestForm result;
   for (const Index line : lines_) {
-    result.definitions.push_back({"", named(own_name(names_.at(line))), written(line)});
+    result.definitions.push_back({named(own_name(names_.at(line))), written(line)});
     result.operations += operations_of(result.definitions.back().meaning);
   }
   result.velocity = written(steps_.whole());
@@ -74,11 +77,16 @@ ShortestForm Lines::form() {
   return result;
 }
 
-/// A letter that is used once and short stands as what it means.
+/// A letter that is used once stands as what it means; a long one, within a sum, does not.
 bool Lines::has_line(Index i) const {
   const Step& step = steps_.steps()[i];
   if (step.kind == Step::Kind::number) return false;
-  if (step.kind == Step::Kind::symbol) return all_.operations(step.node) > 0 && step.uses > 1;
+  if (step.kind == Step::Kind::symbol) {
+    if (step.uses > 1) return all_.operations(step.node) > 0;
+    const std::vector<Part>& factors = steps_.steps()[steps_.whole()].parts;
+    const bool factor = std::find(factors.begin(), factors.end(), Part{i, 1}) != factors.end();
+    return all_.operations(step.node) >= least_named_once && !factor;
+  }
   return step.uses > 1 || std::find(divided_.begin(), divided_.end(), i) != divided_.end();
 }
 
@@ -91,41 +99,76 @@ void Lines::collect(Index i) {
 void Lines::give_names() {
   lines_.clear(), names_.clear();
   collect(steps_.whole());
-  // Letters first, in the order in which they were given.
+  put_in_order();
+  const std::vector<std::string> names = letters(all_, measures_, steps_, lines_);
+  for (std::size_t i = 0; i < lines_.size(); ++i) names_[lines_[i]] = names[i];
+}
+
+/// Letters first, in the order in which they were given; the others as they were made, each behind
+/// those that it needs.
+void Lines::put_in_order() {
   const auto is_letter = [&](Index i) { return steps_.steps()[i].kind == Step::Kind::symbol; };
   const auto rest = std::stable_partition(lines_.begin(), lines_.end(), is_letter);
   std::sort(lines_.begin(), rest, [&](Index a, Index b) {
     return steps_.steps()[a].node < steps_.steps()[b].node;
   });
-  const std::vector<std::string> names = letters(all_, measures_, steps_, lines_);
-  for (std::size_t i = 0; i < lines_.size(); ++i) names_[lines_[i]] = names[i];
+  std::set<Index> placed(lines_.begin(), rest), open(rest, lines_.end());
+  for (auto next = rest; next != lines_.end(); ++next) {
+    const auto ready = std::find_if(open.begin(), open.end(), [&](Index line) {
+      return needs_only(line, placed, open);
+    });
+    *next = *ready;
+    placed.insert(*ready);
+    open.erase(ready);
+  }
+}
+
+bool Lines::needs_only(Index step, const std::set<Index>& placed,
+                       const std::set<Index>& open) const {
+  const std::vector<Part>& parts = steps_.steps()[step].parts;
+  return std::all_of(parts.begin(), parts.end(), [&](const Part& part) {
+    if (placed.contains(part.step)) return true;
+    return !open.contains(part.step) && needs_only(part.step, placed, open);
+  });
 }
 
 bool Lines::divide_long_line() {
   std::vector<Index> all = lines_;
   all.push_back(steps_.whole());
   for (const Index line : all) {
-    if (text_dialect().print({false, written(line)}).size() <= longest_line) continue;
-    // The longest part of it that fits a line itself.
-    std::size_t length = least_part;
-    std::optional<Index> longest;
-    std::vector<Index> open{line};
-    while (!open.empty()) {
-      const Index at = open.back();
-      open.pop_back();
-      for (const Part& part : steps_.steps()[at].parts) {
-        if (names_.contains(part.step)) continue;
-        open.push_back(part.step);
-        if (steps_.steps()[part.step].kind != Step::Kind::sum) continue;
-        const std::size_t size = text_dialect().print({false, written(part.step)}).size();
-        if (size > length && size <= longest_line) length = size, longest = part.step;
-      }
-    }
-    if (!longest) continue;
-    divided_.push_back(*longest);
+    if (length(line) <= longest_line) continue;
+    std::optional<Index> part = longest_part(line, longest_line);
+    if (!part) part = longest_part(line, std::string::npos);
+    const Step& step = steps_.steps()[line];
+    if (!part && step.kind == Step::Kind::sum && step.parts.size() > 3) part = steps_.halve(line);
+    if (!part) continue;
+    divided_.push_back(*part);
     return true;
   }
   return false;
+}
+
+std::size_t Lines::length(Index step) const {
+  return text_dialect().print({false, written(step)}).size();
+}
+
+/// A sum within the line.
+std::optional<Lines::Index> Lines::longest_part(Index line, std::size_t most) const {
+  std::size_t longest = least_part;
+  std::optional<Index> result;
+  std::vector<Index> open{line};
+  while (!open.empty()) {
+    const Index at = open.back();
+    open.pop_back();
+    for (const Part& part : steps_.steps()[at].parts) {
+      if (names_.contains(part.step)) continue;
+      open.push_back(part.step);
+      if (steps_.steps()[part.step].kind != Step::Kind::sum) continue;
+      const std::size_t size = length(part.step);
+      if (size > longest && size <= most) longest = size, result = part.step;
+    }
+  }
+  return result;
 }
 
 Form Lines::of(Index i) const {

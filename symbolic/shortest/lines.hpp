@@ -1,6 +1,8 @@
 // Steps as lines that people read.
 #pragma once
 
+#include <optional>
+#include <set>
 #include <vector>
 
 #include "shortest/letters.hpp"
@@ -21,7 +23,11 @@ class Lines {
   bool has_line(Index step) const;
   void collect(Index step);
   void give_names();
+  void put_in_order();
+  bool needs_only(Index step, const std::set<Index>& placed, const std::set<Index>& open) const;
   bool divide_long_line();
+  std::size_t length(Index step) const;
+  std::optional<Index> longest_part(Index line, std::size_t most) const;
   Form of(Index step) const;
   Form written(Index step) const;
   Form sum(const Step& step) const;

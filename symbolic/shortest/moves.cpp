@@ -110,11 +110,16 @@ class Alternatives {
     }
   }
 
+  /// Roots stay factors of the whole, and so does what leads it.
+  bool stays_rational(Node factor) const {
+    return !all_.leads(factor) && all_[factor].kind != Kind::root;
+  }
+
   void of_product(const Items& factors) {
     for (const Item& sum : factors)
       if (all_[sum.node].kind == Kind::sum) {
         for (const Item& factor : factors)
-          if (factor.node != sum.node && !all_.leads(factor.node)) move_in(factors, sum, factor);
+          if (factor.node != sum.node && stays_rational(factor.node)) move_in(factors, sum, factor);
         scale_quotient(factors, sum);
       }
     for (const Item& root : factors)

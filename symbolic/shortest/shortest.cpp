@@ -58,8 +58,7 @@ class Alphabet {
     const Ex best = shortest_of(all_, starts, effort);
     if (operations(all_, best) > most_operations) return std::nullopt;
     ShortestForm form = Lines(all_, measures_, best).form();
-    for (ShortestForm::Definition& definition : form.definitions)
-      if (definition.name.text == own_name("g")) definition.words = ratio_words();
+    if (contact_.isotropic != nullptr) form.ratio = ratio_words(form);
     return form;
   }
 
@@ -103,19 +102,28 @@ class Alphabet {
     if (inverse.is_equal(1)) return Expressions::number(1);
     std::ostringstream digits;
     digits << inverse;
+    ratio_ = digits.str();
     const bool whole = inverse.info(GiNaC::info_flags::integer);
     const Ex number = all_.symbol(digits.str(), whole ? 0 : 1);
     measures_[number.node] = {};
     return all_.named("g", number, 1, true);
   }
 
-  std::string ratio_words() const {
+  /// "g = K_n/K_t (Mindlin) for nu = 0.3", or by its number where that has no line.
+  std::string ratio_words(const ShortestForm& form) const {
     const Quantity& given = contact_.isotropic->quantity;
     const bool poisson = contact_.isotropic->by == Isotropic::By::poisson;
-    const std::string name = printed_name(own_name(poisson ? "nu" : "K_t/K_n"));
-    if (!given.value) return "K_n/K_t (Mindlin)";
-    return fmt::format("K_n/K_t{} for {} = {}", poisson ? " (Mindlin)" : "", name,
-                       to_text(*given.value));
+    std::string name = given.value ? ratio_ : "";
+    for (const ShortestForm::Definition& definition : form.definitions)
+      if (all_.name(parts_.ratio.node) == "g" && definition.name.text.starts_with("g"))
+        name = printed_name(definition.name.text);
+    if (name.empty()) return "";
+    const std::string normal = printed_name(own_name("K_n")), other = printed_name(own_name("K_t"));
+    const std::string words =
+        fmt::format("{} = {}/{}{}", name, normal, other, poisson ? " (Mindlin)" : "");
+    if (!given.value) return words;
+    const std::string from = poisson ? printed_name(own_name("nu")) : other + "/" + normal;
+    return fmt::format("{} for {} = {}", words, from, to_text(*given.value));
   }
 
   const Contact& contact_;
@@ -123,6 +131,7 @@ class Alphabet {
   Parts parts_;
   std::map<Symbol, Ex> symbols_;
   Measures measures_;
+  std::string ratio_;  ///< K_n/K_t where it is a number other than 1
 };
 
 int operations_of(const std::vector<Form>& forms) {

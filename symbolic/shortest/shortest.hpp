@@ -27,11 +27,11 @@ struct Contact {
 
 struct ShortestForm {
   struct Definition {
-    std::string words;  ///< what it is, where a reader would ask; else empty
     Form name, meaning;
   };
   std::vector<Definition> definitions;  ///< each of earlier ones
   Form velocity;
+  std::string ratio;   ///< where K_n/K_t of an isotropic contact comes from; else empty
   int operations = 0;  ///< each + - * / ^ sqrt abs in all of it
 };
 

@@ -230,6 +230,26 @@ void Steps::share(Step::Kind kind) {
   }
 }
 
+std::uint32_t Steps::halve(std::uint32_t sum) {
+  Step half;
+  half.kind = Step::Kind::sum;
+  half.uses = 1;
+  std::vector<Part>& parts = steps_[sum].parts;
+  const auto middle = parts.begin() + static_cast<std::ptrdiff_t>((parts.size() + 1) / 2);
+  half.parts.assign(parts.begin(), middle);
+  // A sum begins with what is added.
+  const int sign = std::any_of(half.parts.begin(), half.parts.end(),
+                               [](const Part& part) { return part.sign > 0; })
+                       ? 1
+                       : -1;
+  for (Part& part : half.parts) part.sign *= sign;
+  parts.erase(parts.begin(), middle);
+  const auto made = static_cast<std::uint32_t>(steps_.size());
+  parts.push_back({made, sign});
+  steps_.push_back(std::move(half));
+  return made;
+}
+
 void Steps::count() {
   std::vector<std::uint32_t> open{whole_};
   steps_[whole_].uses = 1;

@@ -37,6 +37,8 @@ class Steps {
   int shared() const { return shared_; }
   const std::vector<Step>& steps() const { return steps_; }
   std::uint32_t whole() const { return whole_; }
+  /// Makes the first half of a sum's terms a step of its own: as many operations.
+  std::uint32_t halve(std::uint32_t sum);
 
  private:
   std::uint32_t of(Node node);

@@ -21,7 +21,7 @@ HERE = Path(__file__).resolve().parent
 ALL = ["--limits", "--sensitivities"]
 ASKED = [
     *([*ALL, "--format", form] for form in ("latex", "markdown", "json")),
-    *([*ALL, "--form", form, "--format", "latex"] for form in ("nested", "rational", "dimensionless")),
+    *([*ALL, "--form", form, "--format", "latex"] for form in ("by-size", "nested", "rational", "dimensionless")),
 ]
 REFUSED = [("measured_drive", "rational"), ("prony", "rational")]  # no polynomials; too many terms
 # Names with digits, underscores, Greek letters, the program's own symbols and LaTeX's own words.

@@ -166,10 +166,25 @@ BOOST_AUTO_TEST_CASE(all_markups_show_what_was_asked_for) {
 BOOST_AUTO_TEST_CASE(large_formulas_stay_nested_and_say_so) {
   const Scene prony =
       test::scene_of("normal = \"prony(k0, k, tau, 10)\"\npoisson = 0.3", "kd", "m");
-  const std::string text = print(prony, {Format::text, true});
+  const std::string text = print(prony, {Format::text, true, false, ResultForm::by_size});
   BOOST_TEST(text.find("left nested") != std::string::npos);
   BOOST_TEST(text.find("k[10]*tau[10]*s/(1 + tau[10]*s)") != std::string::npos);
   BOOST_TEST(text.size() < 6000u);
+}
+
+BOOST_AUTO_TEST_CASE(the_result_is_the_shortest_form_where_it_fits_a_page) {
+  const Scene zener = test::scene_of("normal = \"zener(k0, k1, c1)\"\npoisson = 0.3", "kd", "m");
+  const std::string text = print(zener, {});
+  BOOST_TEST(text.find("    Z = kd - m*omega^2\n") != std::string::npos, text);
+  BOOST_TEST(text.find("17/14 = K_n/K_t (Mindlin) for nu = 0.3") != std::string::npos, text);
+  const auto json = nlohmann::json::parse(print(zener, {Format::json}));
+  BOOST_TEST(json["form"] == "shortest");
+  BOOST_TEST(json["definitions"][1]["text"] == "Z = kd - m*omega^2");
+  BOOST_TEST(json["lines"].back()["text"].get<std::string>() ==
+             "v* = " + json["critical_velocity"]["text"].get<std::string>());
+  const Scene prony =
+      test::scene_of("normal = \"prony(k0, k, tau, 100)\"\npoisson = 0.3", "kd", "m");
+  BOOST_TEST(print(prony, {}).find("left in complex stiffnesses") != std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(a_document_with_all_that_can_be_asked_is_derived_once) {
@@ -177,7 +192,8 @@ BOOST_AUTO_TEST_CASE(a_document_with_all_that_can_be_asked_is_derived_once) {
        {test::kelvin_scene(), read_scene(VCRIT_SCENES "/jumping.toml"),
         read_scene(VCRIT_SCENES "/sphere.toml"), read_scene(VCRIT_SCENES "/measured_drive.toml")})
     for (const ResultForm form :
-         {ResultForm::by_size, ResultForm::nested, ResultForm::dimensionless}) {
+         {ResultForm::shortest, ResultForm::by_size, ResultForm::nested,
+          ResultForm::dimensionless}) {
       const std::size_t before = derivations_made();
       print(scene, {Format::json, true, true, form});
       BOOST_TEST(derivations_made() - before == 1u);

@@ -42,7 +42,7 @@ SCENE = [
     "derive {scene} --limits --sensitivities --format latex",
     "derive {scene} --limits --sensitivities --format markdown",
     "derive {scene} --limits --sensitivities --format json",
-    *(f"derive {{scene}} --form {form}" for form in ("nested", "rational", "dimensionless")),
+    *(f"derive {{scene}} --form {form}" for form in ("by-size", "nested", "rational", "dimensionless")),
     "derive {scene} --equal scenes/zener.toml",
     "generate {scene} --out {out} --quantities --name other --json",
     "generate {scene} --out {out} --fix mu0",

@@ -48,7 +48,11 @@ class Derivation(unittest.TestCase):
         for file in [ELASTIC, KELVIN, "scenes/zener.toml", "scenes/kelvin_rigid.toml"]:
             scene = vcrit.Scene(file)
             names = {name: each.value for name, each in scene.parameters.items()} | {"sqrt": math.sqrt, "abs": abs}
-            value = eval(vcrit.derive(scene).formula.replace("^", "**"), {}, names)
+            derivation = vcrit.derive(scene)
+            for definition in derivation.definitions:
+                name, formula = definition.text.split(" = ")
+                names[name] = eval(formula.replace("^", "**"), {}, names)
+            value = eval(derivation.formula.replace("^", "**"), {}, names)
             # Some fifty operations far from resonance, |D| above a tenth of its terms.
             self.assertLess(relative_difference(value, scene.critical_velocity()), 1e-13)
 

@@ -9,10 +9,9 @@
 
 BOOST_AUTO_TEST_SUITE(test_expressions)
 
+using namespace vcrit;
 using namespace vcrit::symbolic::shortest;
 using vcrit::test::value_of;
-
-namespace {
 
 struct Names {
   Expressions all;
@@ -24,10 +23,8 @@ struct Names {
     std::map<Node, double> known{{a.node, 1.7}, {b.node, 0.6}, {c.node, 2.3}, {d.node, 0.9}};
     return value_of(ex.factor) * value_of(all, ex.node, known);
   }
-  int operations(const Ex& ex) const { return shortest::operations(all, ex); }
+  int operations(const Ex& ex) const { return symbolic::shortest::operations(all, ex); }
 };
-
-}  // namespace
 
 BOOST_FIXTURE_TEST_CASE(equal_expressions_are_one_node, Names) {
   BOOST_TEST((sum(a, b) == sum(b, a)));

@@ -4,6 +4,8 @@
 // program's own formula when it was last made shorter.
 #include <boost/test/unit_test.hpp>
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <random>
 
@@ -143,8 +145,8 @@ BOOST_AUTO_TEST_CASE(formulas_read_as_people_write_them) {
              "v* = mu0*omega*du_z*(2 - nu)/(2*(1 - nu))");
   BOOST_TEST(text_for(scene_of("normal = \"prony(k0, k, tau, 2)\"\npoisson = \"nu\"", "kd")) ==
              "g = (2 - nu)/(2*(1 - nu)); T1 = omega*tau[1]; T2 = omega*tau[2]; "
-             "L1 = k[1]/(T1 + 1/T1); L2 = k[2]/(T2 + 1/T2); "
-             "v* = mu0*omega*du_z/kd*sqrt((L1 + L2)^2 + (k0 + g*kd + L1*T1 + L2*T2)^2)");
+             "G1 = k[1]/(T1 + 1/T1); G2 = k[2]/(T2 + 1/T2); "
+             "v* = mu0*omega*du_z/kd*sqrt((G1 + G2)^2 + (k0 + g*kd + G1*T1 + G2*T2)^2)");
 }
 
 BOOST_AUTO_TEST_CASE(other_scenes_have_a_formula_that_is_proved) {
