@@ -23,12 +23,12 @@ namespace {
 using namespace shortest;
 
 // Elements that a formula on a page has, and operations: some forty-five lines.
-constexpr std::size_t most_elements = 48;
+constexpr std::size_t most_elements_on_a_page = 48;
 constexpr int most_operations = 170;
 
 // Some 0.1 s each.
 constexpr std::size_t work_of_beginning = 5'000'000;
-constexpr Effort effort{60, 5'000'000};
+constexpr SearchEffort effort{60, 5'000'000};
 
 /// What is tried one after the other until the beginning takes no more work than that.
 constexpr std::array<Thrift, 3> thrifts{{{48, 3}, {6, 1}, {1, 1}}};
@@ -79,9 +79,8 @@ class Alphabet {
                                                         {NumberRole::mass, {1, 2}},
                                                         {NumberRole::loss_factor, {0, 0}}};
     for_each_element(network, [&](const Element& element) {
-      for_each_number(element, [&](const Symbol& each, NumberRole role) {
-        symbol(each, measures.at(role));
-      });
+      for_each_number(
+          element, [&](const Symbol& each, NumberRole role) { symbol(each, measures.at(role)); });
     });
   }
 
@@ -92,8 +91,8 @@ class Alphabet {
     const Ex given = symbol(isotropic.quantity.symbol, {});
     if (!poisson) return all_.power(given, -1);
     const Ex two = Expressions::number(2), one = Expressions::number(1);
-    const Ex meaning = all_.product(
-        {{all_.subtract(two, given), 1}, {two, -1}, {all_.subtract(one, given), -1}});
+    const Ex meaning =
+        all_.product({{all_.subtract(two, given), 1}, {two, -1}, {all_.subtract(one, given), -1}});
     return all_.named("g", meaning, operations(all_, meaning), true);
   }
 
@@ -134,19 +133,19 @@ class Alphabet {
   std::string ratio_;  ///< K_n/K_t where it is a number other than 1
 };
 
-int operations_of(const std::vector<Form>& forms) {
+int all_operations(const std::vector<Form>& forms) {
   int sum = 0;
-  for (const Form& form : forms) sum += symbolic::operations_of(form);
+  for (const Form& form : forms) sum += symbolic::form_operations(form);
   return sum;
 }
 
-int size(const std::vector<Form>& forms) { return static_cast<int>(forms.size()); }
+int count_of(const std::vector<Form>& forms) { return static_cast<int>(forms.size()); }
 
 bool too_many_elements(const Contact& contact) {
   std::size_t elements = 0;
   for (const Network* network : {&contact.normal, contact.tangential, contact.drive})
     if (network != nullptr) elements += vcrit::size(*network);
-  return elements > most_elements;
+  return elements > most_elements_on_a_page;
 }
 
 }  // namespace
@@ -164,7 +163,7 @@ std::optional<ShortestForm> shortest_form(const Contact& contact) {
   return std::nullopt;
 }
 
-int operations_of(const Form& form) {
+int form_operations(const Form& form) {
   switch (form.kind) {
     case Form::Kind::number:
       return form.text.find('/') == std::string::npos ? 0 : 1;
@@ -172,21 +171,21 @@ int operations_of(const Form& form) {
       return 0;
     case Form::Kind::sum: {
       int sum = static_cast<int>(form.terms.size()) - (form.terms.front().minus ? 0 : 1);
-      for (const Signed& term : form.terms) sum += operations_of(term.form);
+      for (const Signed& term : form.terms) sum += form_operations(term.form);
       return sum;
     }
     case Form::Kind::product: {
       const int bar = form.under.empty() ? 0 : 1;
-      return operations_of(form.over) + operations_of(form.under) +
-             std::max(size(form.over) - 1, 0) + std::max(size(form.under) - 1, 0) + bar;
+      return all_operations(form.over) + all_operations(form.under) +
+             std::max(count_of(form.over) - 1, 0) + std::max(count_of(form.under) - 1, 0) + bar;
     }
     case Form::Kind::power:
     case Form::Kind::root:
-      return 1 + operations_of(form.over);
+      return 1 + all_operations(form.over);
     case Form::Kind::call:
       break;
   }
-  return 1 + operations_of(form.terms.front().form);
+  return 1 + form_operations(form.terms.front().form);
 }
 
 }  // namespace vcrit::symbolic
