@@ -7,14 +7,14 @@ namespace vcrit::symbolic::shortest {
 namespace {
 
 /// A node as factors.
-std::vector<Item> factors(const Expressions& all, Node node) {
+std::vector<Item> factors(const Expressions& all, ExNode node) {
   if (node == 0) return {};
   if (all[node].kind == Kind::product) return all[node].items;
   return {{node, 1, {}}};
 }
 
 /// What both products have in common.
-std::vector<std::pair<Ex, int>> common_factors(const Expressions& all, Node a, Node b) {
+std::vector<std::pair<Ex, int>> common_factors(const Expressions& all, ExNode a, ExNode b) {
   std::vector<std::pair<Ex, int>> common;
   for (const Item& x : factors(all, a))
     for (const Item& y : factors(all, b)) {
@@ -27,20 +27,20 @@ std::vector<std::pair<Ex, int>> common_factors(const Expressions& all, Node a, N
 
 }  // namespace
 
-Complex ComplexAlgebra::add(const Complex& a, const Complex& b) {
+ComplexEx ComplexAlgebra::add(const ComplexEx& a, const ComplexEx& b) {
   return {all_.add(a.re, b.re), all_.add(a.im, b.im)};
 }
 
-Complex ComplexAlgebra::multiply(const Complex& a, const Complex& b) {
+ComplexEx ComplexAlgebra::multiply(const ComplexEx& a, const ComplexEx& b) {
   return {all_.subtract(all_.multiply(a.re, b.re), all_.multiply(a.im, b.im)),
           all_.add(all_.multiply(a.re, b.im), all_.multiply(a.im, b.re))};
 }
 
-Complex ComplexAlgebra::multiply(const Complex& a, const Ex& real) {
+ComplexEx ComplexAlgebra::multiply(const ComplexEx& a, const Ex& real) {
   return {all_.multiply(a.re, real), all_.multiply(a.im, real)};
 }
 
-Ex ComplexAlgebra::modulus(const Complex& a) {
+Ex ComplexAlgebra::modulus(const ComplexEx& a) {
   if (a.im.is_zero()) return all_.magnitude(a.re);
   if (a.re.is_zero()) return all_.magnitude(a.im);
   const Ex common = all_.product(common_factors(all_, a.re.node, a.im.node));
@@ -49,26 +49,26 @@ Ex ComplexAlgebra::modulus(const Complex& a) {
   return all_.multiply(all_.magnitude(common), all_.root(square));
 }
 
-Quotient ComplexAlgebra::cartesian(const Quotient& a) {
+ComplexQuotient ComplexAlgebra::cartesian(const ComplexQuotient& a) {
   if (a.under.is_one()) return a;
   if (a.under.is_real()) return {multiply(a.over, all_.power(a.under.re, -1))};
   if (a.under.re.is_zero())
     return {{all_.divide(a.over.im, a.under.im),
              Expressions::negative(all_.divide(a.over.re, a.under.im))}};
-  const Complex turned{a.under.re, Expressions::negative(a.under.im)};
+  const ComplexEx turned{a.under.re, Expressions::negative(a.under.im)};
   const Ex square = all_.add(all_.power(a.under.re, 2), all_.power(a.under.im, 2));
   return {multiply(multiply(a.over, turned), all_.power(square, -1))};
 }
 
-std::vector<Quotient> ComplexAlgebra::cartesians(const Quotient& a) {
-  std::vector<Quotient> result{cartesian(a)};
+std::vector<ComplexQuotient> ComplexAlgebra::cartesians(const ComplexQuotient& a) {
+  std::vector<ComplexQuotient> result{cartesian(a)};
   if (a.under.is_real() || a.under.re.is_zero()) return result;
   const Ex &re = a.under.re, &im = a.under.im, one = Expressions::number(1);
   const Ex slope = all_.divide(im, re), back = all_.divide(re, im);
   const Ex first = all_.add(re, all_.multiply(im, slope));
   const Ex second = all_.add(im, all_.multiply(re, back));
-  const Complex turned{one, Expressions::negative(slope)};
-  const Complex turned_back{back, Expressions::negative(one)};
+  const ComplexEx turned{one, Expressions::negative(slope)};
+  const ComplexEx turned_back{back, Expressions::negative(one)};
   result.push_back({multiply(multiply(a.over, turned), all_.power(first, -1))});
   result.push_back({multiply(multiply(a.over, turned_back), all_.power(second, -1))});
   return result;

@@ -8,27 +8,27 @@ namespace vcrit::symbolic::shortest {
 
 namespace {
 
-std::size_t mixed(std::size_t hash, std::size_t value) {
+std::size_t hash_with(std::size_t hash, std::size_t value) {
   hash = (hash ^ value) * 0x9e3779b97f4a7c15;
   return hash ^ (hash >> 29);
 }
 
-std::size_t hash_of(const NodeData& data) {
-  std::size_t hash = mixed(static_cast<std::size_t>(data.kind) + 1, data.name);
+std::size_t node_hash(const NodeData& data) {
+  std::size_t hash = hash_with(static_cast<std::size_t>(data.kind) + 1, data.name);
   for (const Item& item : data.items) {
-    hash = mixed(hash, item.node);
-    hash = mixed(hash, static_cast<std::size_t>(item.exponent));
-    hash = mixed(hash, static_cast<std::size_t>(item.factor.over));
-    hash = mixed(hash, static_cast<std::size_t>(item.factor.under));
+    hash = hash_with(hash, item.node);
+    hash = hash_with(hash, static_cast<std::size_t>(item.exponent));
+    hash = hash_with(hash, static_cast<std::size_t>(item.factor.over));
+    hash = hash_with(hash, static_cast<std::size_t>(item.factor.under));
   }
   return hash;
 }
 
 bool by_node(const Item& a, const Item& b) { return a.node < b.node; }
 
-Fraction power(Fraction base, int exponent) {
-  if (exponent < 0) return power(inverse(base), -exponent);
-  Fraction result;
+SmallFraction power(SmallFraction base, int exponent) {
+  if (exponent < 0) return power(reciprocal(base), -exponent);
+  SmallFraction result;
   for (int i = 0; i < exponent; ++i) result = result * base;
   return result;
 }
@@ -72,7 +72,7 @@ std::int64_t square_part(std::int64_t& n) {
 
 Expressions::Expressions() : known_(1024, Hash{this}, Same{this}) { make(Kind::one, {}); }
 
-bool Expressions::Same::operator()(Node a, Node b) const {
+bool Expressions::Same::operator()(ExNode a, ExNode b) const {
   const NodeData &x = all->nodes_[a], &y = all->nodes_[b];
   return x.kind == y.kind && x.name == y.name && x.items == y.items;
 }
@@ -88,20 +88,20 @@ bool Expressions::is_positive(Kind kind, const std::vector<Item>& items) const {
   return true;
 }
 
-Node Expressions::make(Kind kind, std::vector<Item> items) {
+ExNode Expressions::make(Kind kind, std::vector<Item> items) {
   NodeData data{kind, is_positive(kind, items), 0, std::move(items), 0};
-  data.hash = hash_of(data);
+  data.hash = node_hash(data);
   spend(8 + 2 * data.items.size());
   nodes_.push_back(std::move(data));
-  const auto [known, is_new] = known_.insert(static_cast<Node>(nodes_.size() - 1));
+  const auto [known, is_new] = known_.insert(static_cast<ExNode>(nodes_.size() - 1));
   if (!is_new) nodes_.pop_back();
   return *known;
 }
 
 Ex Expressions::symbol(std::string name, int operations, bool leads) {
   nodes_.push_back({Kind::symbol, true, static_cast<std::uint32_t>(names_.size()), {}, 0});
-  nodes_.back().hash = hash_of(nodes_.back());
-  const Node node = static_cast<Node>(nodes_.size() - 1);
+  nodes_.back().hash = node_hash(nodes_.back());
+  const ExNode node = static_cast<ExNode>(nodes_.size() - 1);
   known_.insert(node);
   names_.push_back({std::move(name), operations, leads, number(0), node});
   return {{}, node};
@@ -131,7 +131,8 @@ Ex Expressions::sum(std::vector<Ex> terms) {
   while (std::any_of(items.begin(), items.end(), is_part)) {
     std::vector<Item> flat;
     for (const Item& item : items) {
-      if (!is_part(item)) flat.push_back(item);
+      if (!is_part(item))
+        flat.push_back(item);
       else
         for (const Item& part : nodes_[item.node].items)
           flat.push_back({part.node, 1, part.factor * item.factor});
@@ -141,7 +142,7 @@ Ex Expressions::sum(std::vector<Ex> terms) {
   }
   if (items.empty()) return number(0);
   if (items.size() == 1) return {items[0].factor, items[0].node};
-  Fraction common = absolute(items[0].factor);
+  SmallFraction common = absolute(items[0].factor);
   for (const Item& item : items)
     if (!(absolute(item.factor) == common)) common = {};
   if (items[0].factor.negative()) common = -common;
@@ -149,8 +150,8 @@ Ex Expressions::sum(std::vector<Ex> terms) {
   return {common, make(Kind::sum, std::move(items))};
 }
 
-void Expressions::multiply_into(std::vector<Item>& items, Fraction& factor,
-                                std::vector<Item>& under_root, Fraction& root_factor,
+void Expressions::multiply_into(std::vector<Item>& items, SmallFraction& factor,
+                                std::vector<Item>& under_root, SmallFraction& root_factor,
                                 const Ex& base, int exponent) {
   factor = factor * shortest::power(base.factor, exponent);
   const NodeData& data = nodes_[base.node];
@@ -183,7 +184,7 @@ void Expressions::multiply_into(std::vector<Item>& items, Fraction& factor,
 
 Ex Expressions::product(const std::vector<std::pair<Ex, int>>& factors) {
   std::vector<Item> items, under_root;
-  Fraction factor, root_factor;
+  SmallFraction factor, root_factor;
   for (const auto& [base, exponent] : factors) {
     if (base.is_zero()) return number(0);
     multiply_into(items, factor, under_root, root_factor, base, exponent);
@@ -216,7 +217,7 @@ Ex Expressions::product(const std::vector<std::pair<Ex, int>>& factors) {
 Ex Expressions::root(const Ex& argument) {
   ensure(!argument.factor.negative(), "roots are real");
   if (argument.is_zero()) return argument;
-  Fraction inside = argument.factor, outside;
+  SmallFraction inside = argument.factor, outside;
   outside.over = square_part(inside.over), outside.under = square_part(inside.under);
   std::vector<std::pair<Ex, int>> before{{{outside, 0}, 1}}, left;
   const NodeData& data = nodes_[argument.node];
@@ -235,9 +236,9 @@ Ex Expressions::root(const Ex& argument) {
   before.push_back({{{}, make(Kind::root, {{rest.node, 1, inside}})}, 1});
   // Not by product(), which would take the root apart again.
   std::vector<Item> items;
-  Fraction factor = outside;
+  SmallFraction factor = outside;
   for (std::size_t i = 1; i < before.size(); ++i) {
-    const Node node = before[i].first.node;
+    const ExNode node = before[i].first.node;
     if (nodes_[node].kind == Kind::product)
       for (const Item& item : nodes_[node].items)
         items.push_back({item.node, item.exponent * before[i].second, {}});
@@ -250,7 +251,7 @@ Ex Expressions::root(const Ex& argument) {
 }
 
 Ex Expressions::magnitude(const Ex& argument) {
-  const Fraction size = absolute(argument.factor);
+  const SmallFraction size = absolute(argument.factor);
   const NodeData& data = nodes_[argument.node];
   if (data.positive) return {size, argument.node};
   if (data.kind != Kind::product) return {size, make(Kind::magnitude, {{argument.node, 1, {}}})};

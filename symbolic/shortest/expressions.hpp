@@ -18,12 +18,12 @@
 
 namespace vcrit::symbolic::shortest {
 
-using Node = std::uint32_t;
+using ExNode = std::uint32_t;
 
 /// factor * node.
 struct Ex {
-  Fraction factor;
-  Node node = 0;  ///< 0 is the number one
+  SmallFraction factor;
+  ExNode node = 0;  ///< 0 is the number one
   bool is_zero() const { return factor.is_zero(); }
   bool is_one() const { return node == 0 && factor.is_one(); }
   bool is_number() const { return node == 0; }
@@ -35,9 +35,9 @@ enum class Kind : std::uint8_t { one, symbol, sum, product, root, magnitude };
 /// A term of a sum (factor * node), a factor of a product (node ^ exponent) or the argument of a
 /// root (factor * node) or an absolute value.
 struct Item {
-  Node node = 0;
+  ExNode node = 0;
   int exponent = 1;
-  Fraction factor;
+  SmallFraction factor;
   friend bool operator==(const Item&, const Item&) = default;
 };
 
@@ -73,13 +73,13 @@ class Expressions {
   Ex root(const Ex& argument);
   Ex magnitude(const Ex& argument);
 
-  const NodeData& operator[](Node node) const { return nodes_[node]; }
+  const NodeData& operator[](ExNode node) const { return nodes_[node]; }
   std::size_t size() const { return nodes_.size(); }
-  const std::string& name(Node symbol) const { return names_[nodes_[symbol].name].text; }
-  int operations(Node symbol) const { return names_[nodes_[symbol].name].operations; }
+  const std::string& name(ExNode symbol) const { return names_[nodes_[symbol].name].text; }
+  int operations(ExNode symbol) const { return names_[nodes_[symbol].name].operations; }
   /// What a named symbol stands for; 0 for others.
-  const Ex& meaning(Node symbol) const { return names_[nodes_[symbol].name].meaning; }
-  bool leads(Node node) const {
+  const Ex& meaning(ExNode symbol) const { return names_[nodes_[symbol].name].meaning; }
+  bool leads(ExNode node) const {
     return nodes_[node].kind == Kind::symbol && names_[nodes_[node].name].leads;
   }
 
@@ -92,21 +92,21 @@ class Expressions {
   void allow(std::size_t work) { allowed_ = work_ + work; }
 
   /// The node of the items as they are: a sum or product part of a larger one.
-  Node make(Kind kind, std::vector<Item> items);
+  ExNode make(Kind kind, std::vector<Item> items);
 
  private:
   struct Hash {
     const Expressions* all;
-    std::size_t operator()(Node node) const { return all->nodes_[node].hash; }
+    std::size_t operator()(ExNode node) const { return all->nodes_[node].hash; }
   };
   struct Same {
     const Expressions* all;
-    bool operator()(Node a, Node b) const;
+    bool operator()(ExNode a, ExNode b) const;
   };
 
   bool is_positive(Kind kind, const std::vector<Item>& items) const;
-  void multiply_into(std::vector<Item>& items, Fraction& factor, std::vector<Item>& under_root,
-                     Fraction& root_factor, const Ex& base, int exponent);
+  void multiply_into(std::vector<Item>& items, SmallFraction& factor, std::vector<Item>& under_root,
+                     SmallFraction& root_factor, const Ex& base, int exponent);
 
   mutable std::size_t work_ = 0;
   std::size_t allowed_ = std::numeric_limits<std::size_t>::max();
@@ -116,10 +116,10 @@ class Expressions {
     int operations = 0;
     bool leads = false;
     Ex meaning = {{0, 1}, 0};
-    Node symbol = 0;
+    ExNode symbol = 0;
   };
   std::vector<Name> names_;
-  std::unordered_set<Node, Hash, Same> known_;
+  std::unordered_set<ExNode, Hash, Same> known_;
 };
 
 }  // namespace vcrit::symbolic::shortest

@@ -11,14 +11,14 @@ namespace vcrit::symbolic::shortest {
 /// A coefficient beyond 64 bits, or work beyond its bound.
 struct TooLarge {};
 
-struct Fraction {
+struct SmallFraction {
   std::int64_t over = 1, under = 1;  ///< without a common divisor; under > 0
 
   bool is_zero() const { return over == 0; }
   bool is_one() const { return over == 1 && under == 1; }
   bool is_unit() const { return (over == 1 || over == -1) && under == 1; }
   bool negative() const { return over < 0; }
-  friend bool operator==(const Fraction&, const Fraction&) = default;
+  friend bool operator==(const SmallFraction&, const SmallFraction&) = default;
 };
 
 inline std::int64_t times_checked(std::int64_t a, std::int64_t b) {
@@ -27,25 +27,25 @@ inline std::int64_t times_checked(std::int64_t a, std::int64_t b) {
   return product;
 }
 
-inline Fraction reduced(std::int64_t over, std::int64_t under) {
+inline SmallFraction reduced(std::int64_t over, std::int64_t under) {
   if (under < 0) over = -over, under = -under;
   const std::int64_t common = std::gcd(over, under);
-  return common == 0 ? Fraction{over, under} : Fraction{over / common, under / common};
+  return common == 0 ? SmallFraction{over, under} : SmallFraction{over / common, under / common};
 }
 
-inline Fraction operator-(Fraction a) { return {-a.over, a.under}; }
-inline Fraction operator*(Fraction a, Fraction b) {
-  const Fraction first = reduced(a.over, b.under), second = reduced(b.over, a.under);
+inline SmallFraction operator-(SmallFraction a) { return {-a.over, a.under}; }
+inline SmallFraction operator*(SmallFraction a, SmallFraction b) {
+  const SmallFraction first = reduced(a.over, b.under), second = reduced(b.over, a.under);
   return {times_checked(first.over, second.over), times_checked(first.under, second.under)};
 }
-inline Fraction inverse(Fraction a) { return reduced(a.under, a.over); }
-inline Fraction operator/(Fraction a, Fraction b) { return a * inverse(b); }
-inline Fraction operator+(Fraction a, Fraction b) {
+inline SmallFraction reciprocal(SmallFraction a) { return reduced(a.under, a.over); }
+inline SmallFraction operator/(SmallFraction a, SmallFraction b) { return a * reciprocal(b); }
+inline SmallFraction operator+(SmallFraction a, SmallFraction b) {
   std::int64_t sum = 0;
   if (__builtin_add_overflow(times_checked(a.over, b.under), times_checked(b.over, a.under), &sum))
     throw TooLarge{};
   return reduced(sum, times_checked(a.under, b.under));
 }
-inline Fraction absolute(Fraction a) { return {a.over < 0 ? -a.over : a.over, a.under}; }
+inline SmallFraction absolute(SmallFraction a) { return {a.over < 0 ? -a.over : a.over, a.under}; }
 
 }  // namespace vcrit::symbolic::shortest

@@ -16,7 +16,7 @@ struct Measure {
 };
 
 /// What symbols measure, by node.
-using Measures = std::map<Node, Measure>;
+using Measures = std::map<ExNode, Measure>;
 
 /// A name for each of `named`, steps of `steps` in the order of their definitions: the letter of a
 /// symbol that has one; S a sum and G a product of stiffness, Q its square, J a compliance, R a

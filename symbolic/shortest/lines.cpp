@@ -15,15 +15,15 @@ constexpr std::size_t longest_line = 90, least_part = 16;
 // Operations of a letter that has a line although it is used once.
 constexpr int least_named_once = 4;
 
-Form number_form(std::int64_t value) {
+Form digits_form(std::int64_t value) {
   return {Form::Kind::number, std::to_string(value), {}, {}, {}, 1};
 }
 
-Form named(const std::string& name) { return {Form::Kind::name, name, {}, {}, {}, 1}; }
+Form name_form(const std::string& name) { return {Form::Kind::name, name, {}, {}, {}, 1}; }
 
 /// The order of factors: numbers, the prefactor, our letters behind the scene's names, then what is
 /// not a name.
-int rank(const Form& form) {
+int factor_rank(const Form& form) {
   static const std::map<std::string, int> leading{{"mu0", 1}, {"omega", 2}, {"du_z", 3}};
   switch (form.kind) {
     case Form::Kind::number:
@@ -36,7 +36,7 @@ int rank(const Form& form) {
     case Form::Kind::power:
       return 7 + (form.over[0].kind == Form::Kind::name ? 0 : 1);
     case Form::Kind::product:
-      return !form.over.empty() && rank(form.over[0]) <= 4 ? 9 : 10;
+      return !form.over.empty() && factor_rank(form.over[0]) <= 4 ? 9 : 10;
     case Form::Kind::sum:
       return 10;
     case Form::Kind::call:
@@ -48,7 +48,7 @@ int rank(const Form& form) {
 }
 
 bool before(const Form& a, const Form& b) {
-  const int first = rank(a), second = rank(b);
+  const int first = factor_rank(a), second = factor_rank(b);
   if (first != second) return first < second;
   return natural_less(text_dialect().print({false, a}), text_dialect().print({false, b}));
 }
@@ -69,22 +69,22 @@ ShortestForm Lines::form() {
   while (divide_long_line());
   ShortestForm result;
   for (const Index line : lines_) {
-    result.definitions.push_back({named(own_name(names_.at(line))), written(line)});
-    result.operations += operations_of(result.definitions.back().meaning);
+    result.definitions.push_back({name_form(own_name(names_.at(line))), written(line)});
+    result.operations += operations_in(result.definitions.back().meaning);
   }
   result.velocity = written(steps_.whole());
-  result.operations += operations_of(result.velocity);
+  result.operations += operations_in(result.velocity);
   return result;
 }
 
 /// A letter that is used once stands as what it means; a long one, within a sum, does not.
 bool Lines::has_line(Index i) const {
-  const Step& step = steps_.steps()[i];
-  if (step.kind == Step::Kind::number) return false;
-  if (step.kind == Step::Kind::symbol) {
+  const FormulaStep& step = steps_.steps()[i];
+  if (step.kind == FormulaStep::Kind::number) return false;
+  if (step.kind == FormulaStep::Kind::symbol) {
     if (step.uses > 1) return all_.operations(step.node) > 0;
-    const std::vector<Part>& factors = steps_.steps()[steps_.whole()].parts;
-    const bool factor = std::find(factors.begin(), factors.end(), Part{i, 1}) != factors.end();
+    const std::vector<StepPart>& factors = steps_.steps()[steps_.whole()].parts;
+    const bool factor = std::find(factors.begin(), factors.end(), StepPart{i, 1}) != factors.end();
     return all_.operations(step.node) >= least_named_once && !factor;
   }
   return step.uses > 1 || std::find(divided_.begin(), divided_.end(), i) != divided_.end();
@@ -92,7 +92,7 @@ bool Lines::has_line(Index i) const {
 
 void Lines::collect(Index i) {
   if (std::find(lines_.begin(), lines_.end(), i) != lines_.end()) return;
-  for (const Part& part : steps_.steps()[i].parts) collect(part.step);
+  for (const StepPart& part : steps_.steps()[i].parts) collect(part.step);
   if (i != steps_.whole() && has_line(i)) lines_.push_back(i);
 }
 
@@ -107,16 +107,16 @@ void Lines::give_names() {
 /// Letters first, in the order in which they were given; the others as they were made, each behind
 /// those that it needs.
 void Lines::put_in_order() {
-  const auto is_letter = [&](Index i) { return steps_.steps()[i].kind == Step::Kind::symbol; };
+  const auto is_letter = [&](Index i) {
+    return steps_.steps()[i].kind == FormulaStep::Kind::symbol;
+  };
   const auto rest = std::stable_partition(lines_.begin(), lines_.end(), is_letter);
-  std::sort(lines_.begin(), rest, [&](Index a, Index b) {
-    return steps_.steps()[a].node < steps_.steps()[b].node;
-  });
+  std::sort(lines_.begin(), rest,
+            [&](Index a, Index b) { return steps_.steps()[a].node < steps_.steps()[b].node; });
   std::set<Index> placed(lines_.begin(), rest), open(rest, lines_.end());
   for (auto next = rest; next != lines_.end(); ++next) {
-    const auto ready = std::find_if(open.begin(), open.end(), [&](Index line) {
-      return needs_only(line, placed, open);
-    });
+    const auto ready = std::find_if(open.begin(), open.end(),
+                                    [&](Index line) { return needs_only(line, placed, open); });
     *next = *ready;
     placed.insert(*ready);
     open.erase(ready);
@@ -125,8 +125,8 @@ void Lines::put_in_order() {
 
 bool Lines::needs_only(Index step, const std::set<Index>& placed,
                        const std::set<Index>& open) const {
-  const std::vector<Part>& parts = steps_.steps()[step].parts;
-  return std::all_of(parts.begin(), parts.end(), [&](const Part& part) {
+  const std::vector<StepPart>& parts = steps_.steps()[step].parts;
+  return std::all_of(parts.begin(), parts.end(), [&](const StepPart& part) {
     if (placed.contains(part.step)) return true;
     return !open.contains(part.step) && needs_only(part.step, placed, open);
   });
@@ -139,8 +139,9 @@ bool Lines::divide_long_line() {
     if (length(line) <= longest_line) continue;
     std::optional<Index> part = longest_part(line, longest_line);
     if (!part) part = longest_part(line, std::string::npos);
-    const Step& step = steps_.steps()[line];
-    if (!part && step.kind == Step::Kind::sum && step.parts.size() > 3) part = steps_.halve(line);
+    const FormulaStep& step = steps_.steps()[line];
+    if (!part && step.kind == FormulaStep::Kind::sum && step.parts.size() > 3)
+      part = steps_.halve(line);
     if (!part) continue;
     divided_.push_back(*part);
     return true;
@@ -160,10 +161,10 @@ std::optional<Lines::Index> Lines::longest_part(Index line, std::size_t most) co
   while (!open.empty()) {
     const Index at = open.back();
     open.pop_back();
-    for (const Part& part : steps_.steps()[at].parts) {
+    for (const StepPart& part : steps_.steps()[at].parts) {
       if (names_.contains(part.step)) continue;
       open.push_back(part.step);
-      if (steps_.steps()[part.step].kind != Step::Kind::sum) continue;
+      if (steps_.steps()[part.step].kind != FormulaStep::Kind::sum) continue;
       const std::size_t size = length(part.step);
       if (size > longest && size <= most) longest = size, result = part.step;
     }
@@ -173,58 +174,58 @@ std::optional<Lines::Index> Lines::longest_part(Index line, std::size_t most) co
 
 Form Lines::of(Index i) const {
   const auto name = names_.find(i);
-  return name == names_.end() ? written(i) : named(own_name(name->second));
+  return name == names_.end() ? written(i) : name_form(own_name(name->second));
 }
 
-Form Lines::symbol(Node node) const {
+Form Lines::symbol(ExNode node) const {
   if (!all_.meaning(node).is_zero()) return meaning(node);
   const std::string& name = all_.name(node);
   const bool digits = name.find_first_not_of("0123456789/") == std::string::npos;
-  return digits ? Form{Form::Kind::number, name, {}, {}, {}, 1} : named(name);
+  return digits ? Form{Form::Kind::number, name, {}, {}, {}, 1} : name_form(name);
 }
 
-Form Lines::meaning(Node node) const {
+Form Lines::meaning(ExNode node) const {
   const Lines lines(all_, measures_, all_.meaning(node));
   return lines.written(lines.steps_.whole());
 }
 
 Form Lines::written(Index i) const {
-  const Step& step = steps_.steps()[i];
+  const FormulaStep& step = steps_.steps()[i];
   switch (step.kind) {
-    case Step::Kind::symbol:
+    case FormulaStep::Kind::symbol:
       return symbol(step.node);
-    case Step::Kind::number:
-      return number_form(step.number);
-    case Step::Kind::sum:
+    case FormulaStep::Kind::number:
+      return digits_form(step.number);
+    case FormulaStep::Kind::sum:
       return sum(step);
-    case Step::Kind::product:
+    case FormulaStep::Kind::product:
       return product(step);
-    case Step::Kind::power:
+    case FormulaStep::Kind::power:
       return {Form::Kind::power, "", {of(step.parts[0].step)}, {}, {}, step.exponent};
-    case Step::Kind::root:
+    case FormulaStep::Kind::root:
       return {Form::Kind::root, "", {of(step.parts[0].step)}, {}, {}, 1};
-    case Step::Kind::magnitude:
+    case FormulaStep::Kind::magnitude:
       break;
   }
   return {Form::Kind::call, "abs", {}, {}, {{false, of(step.parts[0].step)}}, 1};
 }
 
-Form Lines::sum(const Step& step) const {
+Form Lines::sum(const FormulaStep& step) const {
   Form form{Form::Kind::sum, "", {}, {}, {}, 1};
-  for (const Part& part : step.parts) form.terms.push_back({part.sign < 0, of(part.step)});
+  for (const StepPart& part : step.parts) form.terms.push_back({part.sign < 0, of(part.step)});
   std::sort(form.terms.begin(), form.terms.end(), before_in_sum);
   return form;
 }
 
-Form Lines::product(const Step& step) const {
+Form Lines::product(const FormulaStep& step) const {
   std::vector<Form> over, under;
   const auto put = [&](Form factor, bool below) {
     (below ? under : over).push_back(std::move(factor));
   };
-  for (const Part& part : step.parts) {
-    const Step& inner = steps_.steps()[part.step];
-    if (inner.kind == Step::Kind::symbol && all_.leads(inner.node)) {
-      for (const char* name : {"mu0", "omega", "du_z"}) put(named(name), part.sign < 0);
+  for (const StepPart& part : step.parts) {
+    const FormulaStep& inner = steps_.steps()[part.step];
+    if (inner.kind == FormulaStep::Kind::symbol && all_.leads(inner.node)) {
+      for (const char* name : {"mu0", "omega", "du_z"}) put(name_form(name), part.sign < 0);
       continue;
     }
     Form factor = of(part.step);

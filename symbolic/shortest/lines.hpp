@@ -30,10 +30,10 @@ class Lines {
   std::optional<Index> longest_part(Index line, std::size_t most) const;
   Form of(Index step) const;
   Form written(Index step) const;
-  Form sum(const Step& step) const;
-  Form product(const Step& step) const;
-  Form meaning(Node symbol) const;
-  Form symbol(Node node) const;
+  Form sum(const FormulaStep& step) const;
+  Form product(const FormulaStep& step) const;
+  Form meaning(ExNode symbol) const;
+  Form symbol(ExNode node) const;
 
   const Expressions& all_;
   const Measures& measures_;

@@ -12,7 +12,7 @@ class Alternatives {
  public:
   explicit Alternatives(Expressions& all) : all_(all) {}
 
-  const std::vector<Ex>& of(Node node) {
+  const std::vector<Ex>& of(ExNode node) {
     node_ = node;
     found_.clear();
     if (all_[node].kind == Kind::sum) of_sum(items(node));
@@ -23,12 +23,12 @@ class Alternatives {
  private:
   using Items = std::vector<Item>;
   struct Power {
-    Node node;
+    ExNode node;
     int exponent;
     friend bool operator==(const Power&, const Power&) = default;
   };
 
-  Items items(Node node) const { return all_[node].items; }
+  Items items(ExNode node) const { return all_[node].items; }
 
   void offer(const Ex& ex) {
     const Ex same{{}, node_};
@@ -37,7 +37,7 @@ class Alternatives {
   }
 
   /// A term as its factors.
-  Items factors(Node term) const {
+  Items factors(ExNode term) const {
     if (term == 0) return {};
     if (all_[term].kind == Kind::product) return all_[term].items;
     return {{term, 1, {}}};
@@ -87,8 +87,10 @@ class Alternatives {
   void take_out(const Items& terms, const Power& power) {
     std::vector<Ex> with, without;
     for (const Item& term : terms) {
-      if (has(term, power)) with.push_back(over(term, power));
-      else without.push_back({term.factor, term.node});
+      if (has(term, power))
+        with.push_back(over(term, power));
+      else
+        without.push_back({term.factor, term.node});
     }
     if (with.size() < 2 || without.empty()) return;
     without.push_back(
@@ -111,7 +113,7 @@ class Alternatives {
   }
 
   /// Roots stay factors of the whole, and so does what leads it.
-  bool stays_rational(Node factor) const {
+  bool stays_rational(ExNode factor) const {
     return !all_.leads(factor) && all_[factor].kind != Kind::root;
   }
 
@@ -125,26 +127,28 @@ class Alternatives {
     for (const Item& root : factors)
       if (all_[root.node].kind == Kind::root)
         for (const Item& factor : factors)
-          if (factor.node != root.node && !all_.leads(factor.node)) move_under_root(factors, root, factor);
+          if (factor.node != root.node && !all_.leads(factor.node))
+            move_under_root(factors, root, factor);
   }
 
-  Ex product_without(const Items& factors, Node a, Node b) {
+  Ex product_without(const Items& factors, ExNode a, ExNode b) {
     std::vector<std::pair<Ex, int>> rest;
     for (const Item& factor : factors)
-      if (factor.node != a && factor.node != b) rest.push_back({{{}, factor.node}, factor.exponent});
+      if (factor.node != a && factor.node != b)
+        rest.push_back({{{}, factor.node}, factor.exponent});
     return all_.product(rest);
   }
 
   /// a (b + c) = a b + a c, a/(b + c) = 1/(b/a + c/a), a^2 (b + c)^2 = (a b + a c)^2.
   void move_in(const Items& factors, const Item& sum, const Item& factor) {
     if (factor.exponent % sum.exponent != 0) return;
-    const Ex inside =
-        sum_over(items(sum.node), {factor.node, -(factor.exponent / sum.exponent)});
+    const Ex inside = sum_over(items(sum.node), {factor.node, -(factor.exponent / sum.exponent)});
     offer(all_.product(
         {{product_without(factors, sum.node, factor.node), 1}, {inside, sum.exponent}}));
   }
 
-  /// (a + b)/(c + d) = (a f + b f)/(c f + d f) for what stands below a bar, or in all terms, of one.
+  /// (a + b)/(c + d) = (a f + b f)/(c f + d f) for what stands below a bar, or in all terms, of
+  /// one.
   void scale_quotient(const Items& factors, const Item& sum) {
     for (const Item& other : factors) {
       if (other.node == sum.node || all_[other.node].kind != Kind::sum) continue;
@@ -162,29 +166,29 @@ class Alternatives {
   void move_under_root(const Items& factors, const Item& root, const Item& factor) {
     if (factor.exponent % root.exponent != 0) return;
     const Item argument = items(root.node)[0];
-    const Node base = all_[factor.node].kind == Kind::magnitude ? items(factor.node)[0].node
-                                                                : factor.node;
+    const ExNode base =
+        all_[factor.node].kind == Kind::magnitude ? items(factor.node)[0].node : factor.node;
     const int exponent = 2 * factor.exponent / root.exponent;
     for (const Item& inner : this->factors(argument.node)) {
       if (all_[inner.node].kind != Kind::sum || exponent % inner.exponent != 0) continue;
       const Ex inside = sum_over(items(inner.node), {base, -(exponent / inner.exponent)});
       const Ex rest = product_without(this->factors(argument.node), inner.node, inner.node);
-      const Ex whole = all_.product(
-          {{{argument.factor, 0}, 1}, {rest, 1}, {inside, inner.exponent}});
+      const Ex whole =
+          all_.product({{{argument.factor, 0}, 1}, {rest, 1}, {inside, inner.exponent}});
       offer(all_.product({{product_without(factors, root.node, factor.node), 1},
                           {all_.root(whole), root.exponent}}));
     }
   }
 
   Expressions& all_;
-  Node node_ = 0;
+  ExNode node_ = 0;
   std::vector<Ex> found_;
 };
 
 /// The expression with one node replaced, wherever it occurs.
 class Replacing {
  public:
-  Replacing(Expressions& all, const std::vector<Node>& order) : all_(all), order_(order) {}
+  Replacing(Expressions& all, const std::vector<ExNode>& order) : all_(all), order_(order) {}
 
   Ex operator()(const Ex& whole, std::size_t place, const Ex& by) {
     made_.resize(order_.size());
@@ -197,7 +201,7 @@ class Replacing {
   }
 
  private:
-  const Ex* new_of(Node node, std::size_t from, std::size_t to) const {
+  const Ex* new_of(ExNode node, std::size_t from, std::size_t to) const {
     for (std::size_t i = from; i < to; ++i)
       if (order_[i] == node) return changed_[i] ? &made_[i] : nullptr;
     return nullptr;
@@ -233,16 +237,16 @@ class Replacing {
   }
 
   Expressions& all_;
-  const std::vector<Node>& order_;
+  const std::vector<ExNode>& order_;
   std::vector<Ex> made_;
   std::vector<char> changed_;
 };
 
 }  // namespace
 
-std::vector<Node> nodes_of(const Expressions& all, Node whole) {
-  std::vector<Node> order;
-  std::vector<std::pair<Node, std::size_t>> open{{whole, 0}};
+std::vector<ExNode> nodes_of(const Expressions& all, ExNode whole) {
+  std::vector<ExNode> order;
+  std::vector<std::pair<ExNode, std::size_t>> open{{whole, 0}};
   while (!open.empty()) {
     auto& [node, next] = open.back();
     if (next == all[node].items.size()) {
@@ -250,7 +254,7 @@ std::vector<Node> nodes_of(const Expressions& all, Node whole) {
       open.pop_back();
       continue;
     }
-    const Node part = all[node].items[next++].node;
+    const ExNode part = all[node].items[next++].node;
     const auto is_open = [&](const auto& each) { return each.first == part; };
     if (std::find(order.begin(), order.end(), part) == order.end() &&
         std::none_of(open.begin(), open.end(), is_open))
@@ -259,9 +263,8 @@ std::vector<Node> nodes_of(const Expressions& all, Node whole) {
   return order;
 }
 
-void for_each_move(Expressions& all, const Ex& whole,
-                   const std::function<bool(const Ex&)>& visit) {
-  const std::vector<Node> order = nodes_of(all, whole.node);
+void for_each_move(Expressions& all, const Ex& whole, const std::function<bool(const Ex&)>& visit) {
+  const std::vector<ExNode> order = nodes_of(all, whole.node);
   Alternatives alternatives(all);
   Replacing replacing(all, order);
   for (std::size_t i = 0; i < order.size(); ++i) {

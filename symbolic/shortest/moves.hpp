@@ -9,10 +9,10 @@
 namespace vcrit::symbolic::shortest {
 
 /// The nodes of the expression, each once, parts first.
-std::vector<Node> nodes_of(const Expressions& all, Node whole);
+std::vector<ExNode> nodes_of(const Expressions& all, ExNode whole);
 
-/// Calls `visit` with the expression after each move, until it returns false: at each of its nodes a
-/// factor is taken out of a sum, multiplied into it, or moved across a bar or a root.
+/// Calls `visit` with the expression after each move, until it returns false: at each of its nodes
+/// a factor is taken out of a sum, multiplied into it, or moved across a bar or a root.
 void for_each_move(Expressions& all, const Ex& whole, const std::function<bool(const Ex&)>& visit);
 
 }  // namespace vcrit::symbolic::shortest

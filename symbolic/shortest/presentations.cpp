@@ -25,9 +25,9 @@ std::string shape(const Network& network) {
   return of_parts("*", std::get<Graph>(network.form).parts);
 }
 
-std::vector<Quotient> inverses(const std::vector<Quotient>& all) {
-  std::vector<Quotient> result;
-  for (const Quotient& each : all) result.push_back(inverse(each));
+std::vector<ComplexQuotient> inverses(const std::vector<ComplexQuotient>& all) {
+  std::vector<ComplexQuotient> result;
+  for (const ComplexQuotient& each : all) result.push_back(reciprocal(each));
   return result;
 }
 
@@ -37,7 +37,7 @@ Network joined_network(const Network& network) {
 }
 
 /// 0: nothing below the bar; 1: nothing above it; 2: something on both sides.
-int sort_of(const Quotient& q) {
+int sort_of(const ComplexQuotient& q) {
   if (q.under.is_real()) return 0;
   return q.over.is_real() ? 1 : 2;
 }
@@ -55,7 +55,7 @@ std::vector<int> alike(const std::vector<Network>& parts) {
   return numbers;
 }
 
-std::vector<Quotient> Presentations::of(const Network& network) {
+std::vector<ComplexQuotient> Presentations::of(const Network& network) {
   const Network joined = joined_network(network);
   return std::visit([this](const auto& form) { return of(form); }, joined.form);
 }
@@ -68,19 +68,19 @@ Ex Presentations::inertia(const Ex& mass) {
   return named("M", all_.multiply(mass, all_.power(omega_, 2)));
 }
 
-Quotient Presentations::damper(const Ex& c, const char* letter) {
-  return {imaginary(named(letter, all_.multiply(omega_, c)))};
+ComplexQuotient Presentations::damper(const Ex& c, const char* letter) {
+  return {from_imaginary(named(letter, all_.multiply(omega_, c)))};
 }
 
-std::vector<Quotient> Presentations::of(const Element& e) {
+std::vector<ComplexQuotient> Presentations::of(const Element& e) {
   const Ex k = symbol_(e.coefficient);
   switch (e.kind) {
     case ElementKind::spring:
-      return {{real(k)}};
+      return {{from_real(k)}};
     case ElementKind::damper:
       return {damper(k, "W")};
     case ElementKind::mass:
-      return {{real(Expressions::negative(inertia(k)))}};
+      return {{from_real(Expressions::negative(inertia(k)))}};
     case ElementKind::lossy:
       return {{{k, all_.multiply(k, symbol_(e.second))}}};
     case ElementKind::maxwell:
@@ -90,23 +90,27 @@ std::vector<Quotient> Presentations::of(const Element& e) {
 }
 
 /// k i T/(1 + i T): K'' = A = k/(T + 1/T), K' = A T.
-std::vector<Quotient> Presentations::maxwell(const Ex& k, const Ex& turn) {
+std::vector<ComplexQuotient> Presentations::maxwell(const Ex& k, const Ex& turn) {
   const Ex one = Expressions::number(1);
   const Ex loss = all_.divide(k, all_.add(turn, all_.divide(one, turn)));
-  return {{{all_.multiply(loss, turn), loss}}, {imaginary(all_.multiply(k, turn)), {one, turn}}};
+  return {{{all_.multiply(loss, turn), loss}},
+          {from_imaginary(all_.multiply(k, turn)), {one, turn}}};
 }
 
 Gathered Presentations::gathered(const std::vector<Network>& parts, bool inverse) {
   Gathered result;
   const auto add = [&](std::optional<Ex>& whole, const Ex& value) {
-    if (!whole) whole = value;
-    else if (!inverse) whole = all_.add(*whole, value);
+    if (!whole)
+      whole = value;
+    else if (!inverse)
+      whole = all_.add(*whole, value);
     else
       whole = all_.divide(all_.multiply(*whole, value), all_.add(*whole, value));
   };
   for (const Network& part : parts) {
     const auto* e = std::get_if<Element>(&part.form);
-    if (e != nullptr && e->kind == ElementKind::spring) add(result.spring, symbol_(e->coefficient));
+    if (e != nullptr && e->kind == ElementKind::spring)
+      add(result.spring, symbol_(e->coefficient));
     else if (e != nullptr && e->kind == ElementKind::damper)
       add(result.damper, symbol_(e->coefficient));
     else if (e != nullptr && e->kind == ElementKind::mass && !inverse)
@@ -121,7 +125,7 @@ Presentations::Terms Presentations::side_by_side(const std::vector<Network>& par
   const Gathered all = gathered(parts, false);
   Terms terms{{}, alike(all.others)};
   for (const Network& part : all.others) terms.choices.push_back(of(part));
-  Complex rest;
+  ComplexEx rest;
   if (all.spring) rest.re = *all.spring;
   if (all.mass) rest.re = all_.subtract(rest.re, inertia(*all.mass));
   if (all.damper) rest.im = damper(*all.damper, "W").over.im;
@@ -133,59 +137,63 @@ Presentations::Terms Presentations::one_behind_another(const std::vector<Network
   const Gathered all = gathered(parts, true);
   if (all.others.empty() && all.spring && all.damper) {
     const Ex turn = named("T", all_.product({{omega_, 1}, {*all.damper, 1}, {*all.spring, -1}}));
-    const Quotient compliance = inverse(Quotient{{*all.spring}});
-    const Quotient simple = sum({compliance, inverse(damper(*all.damper, "W"))}, false);
-    std::vector<Quotient> choices = inverses(maxwell(*all.spring, turn));
+    const ComplexQuotient compliance = reciprocal(ComplexQuotient{{*all.spring}});
+    const ComplexQuotient simple = sum({compliance, reciprocal(damper(*all.damper, "W"))}, false);
+    std::vector<ComplexQuotient> choices = inverses(maxwell(*all.spring, turn));
     choices.push_back(simple);
     return {{choices}, {0}};
   }
   Terms terms{{}, alike(all.others)};
   for (const Network& part : all.others) terms.choices.push_back(inverses(of(part)));
-  for (const auto& each : {all.spring ? std::optional(Quotient{{*all.spring}}) : std::nullopt,
-                           all.damper ? std::optional(damper(*all.damper, "W")) : std::nullopt})
-    if (each) terms.choices.push_back({inverse(*each)}), terms.groups.push_back(-1);
+  for (const auto& each :
+       {all.spring ? std::optional(ComplexQuotient{{*all.spring}}) : std::nullopt,
+        all.damper ? std::optional(damper(*all.damper, "W")) : std::nullopt})
+    if (each) terms.choices.push_back({reciprocal(*each)}), terms.groups.push_back(-1);
   return terms;
 }
 
-std::vector<Quotient> Presentations::of(const Parallel& parallel) {
+std::vector<ComplexQuotient> Presentations::of(const Parallel& parallel) {
   const Terms terms = side_by_side(parallel.parts);
   return sums(terms.choices, terms.groups);
 }
 
-std::vector<Quotient> Presentations::of(const Series& series) {
+std::vector<ComplexQuotient> Presentations::of(const Series& series) {
   const Terms terms = one_behind_another(series.parts);
   if (terms.choices.size() == 1) return inverses(terms.choices[0]);
   return inverses(sums(terms.choices, terms.groups));
 }
 
-std::vector<Quotient> Presentations::swinging(const Network& drive, const std::optional<Ex>& mass) {
+std::vector<ComplexQuotient> Presentations::swinging(const Network& drive,
+                                                     const std::optional<Ex>& mass) {
   const auto* parallel = std::get_if<Parallel>(&drive.form);
   Gathered parts = gathered(parallel != nullptr ? parallel->parts : std::vector{drive}, false);
   if (!parts.others.empty()) {
     if (!mass) return of(drive);
-    return beside(drive, {real(Expressions::negative(inertia(*mass)))});
+    return beside(drive, {from_real(Expressions::negative(inertia(*mass)))});
   }
   Ex z = parts.spring.value_or(Expressions::number(0));
   if (mass) parts.mass = parts.mass ? all_.add(*parts.mass, *mass) : *mass;
-  if (parts.mass)
-    z = all_.subtract(z, all_.multiply(*parts.mass, all_.power(omega_, 2)));
-  if (parts.spring) z = named("Z", z);
-  else if (parts.mass) z = Expressions::negative(inertia(*parts.mass));
-  if (!parts.damper) return {{real(z)}};
+  if (parts.mass) z = all_.subtract(z, all_.multiply(*parts.mass, all_.power(omega_, 2)));
+  if (parts.spring)
+    z = named("Z", z);
+  else if (parts.mass)
+    z = Expressions::negative(inertia(*parts.mass));
+  if (!parts.damper) return {{from_real(z)}};
   return {{{z, damper(*parts.damper, "V").over.im}}};
 }
 
-std::vector<Quotient> Presentations::of(const Graph& graph) {
-  std::vector<Complex> edges;
+std::vector<ComplexQuotient> Presentations::of(const Graph& graph) {
+  std::vector<ComplexEx> edges;
   for (const Network& part : graph.parts) edges.push_back(complex_.cartesian(of(part)[0]).over);
-  std::vector<Quotient> all;
-  for (const Trees::Order order : {Trees::Order::inner_first, Trees::Order::as_written,
-                                   Trees::Order::backwards})
+  std::vector<ComplexQuotient> all;
+  for (const Trees::Order order :
+       {Trees::Order::inner_first, Trees::Order::as_written, Trees::Order::backwards})
     offer(all, Trees(complex_, graph, edges, order).stiffness());
   return best(std::move(all));
 }
 
-std::vector<Quotient> Presentations::beside(const Network& network, const Quotient& other) {
+std::vector<ComplexQuotient> Presentations::beside(const Network& network,
+                                                   const ComplexQuotient& other) {
   const Network joined = joined_network(network);
   const auto* parallel = std::get_if<Parallel>(&joined.form);
   Terms terms = parallel != nullptr ? side_by_side(parallel->parts) : Terms{{of(joined)}, {0}};
@@ -194,7 +202,8 @@ std::vector<Quotient> Presentations::beside(const Network& network, const Quotie
   return sums(terms.choices, terms.groups);
 }
 
-std::vector<Quotient> Presentations::behind(const Network& network, const Quotient& other) {
+std::vector<ComplexQuotient> Presentations::behind(const Network& network,
+                                                   const ComplexQuotient& other) {
   const Network joined = joined_network(network);
   const auto* series = std::get_if<Series>(&joined.form);
   Terms terms =
@@ -204,36 +213,40 @@ std::vector<Quotient> Presentations::behind(const Network& network, const Quotie
   return sums(terms.choices, terms.groups);
 }
 
-Quotient Presentations::sum(const std::vector<Quotient>& parts, bool one_denominator) {
-  Complex whole;
-  std::vector<Quotient> left;
-  for (const Quotient& part : parts) {
+ComplexQuotient Presentations::sum(const std::vector<ComplexQuotient>& parts,
+                                   bool one_denominator) {
+  ComplexEx whole;
+  std::vector<ComplexQuotient> left;
+  for (const ComplexQuotient& part : parts) {
     if (part.under.is_one() || (part.under.is_real() && !one_denominator)) {
       whole = complex_.add(whole, complex_.cartesian(part).over);
       continue;
     }
-    const auto same = std::find_if(left.begin(), left.end(), [&](const Quotient& each) {
+    const auto same = std::find_if(left.begin(), left.end(), [&](const ComplexQuotient& each) {
       return each.under == part.under;
     });
-    if (same == left.end()) left.push_back(part);
-    else same->over = complex_.add(same->over, part.over);
+    if (same == left.end())
+      left.push_back(part);
+    else
+      same->over = complex_.add(same->over, part.over);
   }
-  Quotient result{whole};
-  for (const Quotient& part : left)
+  ComplexQuotient result{whole};
+  for (const ComplexQuotient& part : left)
     result = {complex_.add(complex_.multiply(result.over, part.under),
                            complex_.multiply(part.over, result.under)),
               complex_.multiply(result.under, part.under)};
   return result;
 }
 
-std::vector<Quotient> Presentations::sums(const Choices& parts, const std::vector<int>& groups) {
-  std::vector<Quotient> all;
+std::vector<ComplexQuotient> Presentations::sums(const Choices& parts,
+                                                 const std::vector<int>& groups) {
+  std::vector<ComplexQuotient> all;
   // The choice of each group, as digits of a number.
   int most = 0;
   for (const int group : groups) most = std::max(most, group);
   std::vector<std::size_t> choice(static_cast<std::size_t>(most) + 1, 0);
   for (std::size_t combination = 0; combination < thrift_.combinations; ++combination) {
-    std::vector<Quotient> chosen;
+    std::vector<ComplexQuotient> chosen;
     for (std::size_t i = 0; i < parts.size(); ++i) {
       const std::size_t at = groups[i] < 0 ? 0 : choice[static_cast<std::size_t>(groups[i])];
       chosen.push_back(parts[i][std::min(at, parts[i].size() - 1)]);
@@ -249,26 +262,28 @@ std::vector<Quotient> Presentations::sums(const Choices& parts, const std::vecto
     }
     if (digit == choice.size()) break;
   }
-  for (const Quotient& each : std::vector<Quotient>(all)) {
-    for (const Quotient& other : complex_.cartesians(each)) offer(all, other);
-    for (const Quotient& other : complex_.cartesians(inverse(each))) offer(all, inverse(other));
+  for (const ComplexQuotient& each : std::vector<ComplexQuotient>(all)) {
+    for (const ComplexQuotient& other : complex_.cartesians(each)) offer(all, other);
+    for (const ComplexQuotient& other : complex_.cartesians(reciprocal(each)))
+      offer(all, reciprocal(other));
   }
   return best(std::move(all));
 }
 
-void Presentations::offer(std::vector<Quotient>& all, const Quotient& quotient) {
+void Presentations::offer(std::vector<ComplexQuotient>& all, const ComplexQuotient& quotient) {
   if (std::find(all.begin(), all.end(), quotient) == all.end()) all.push_back(quotient);
 }
 
-std::vector<Quotient> Presentations::best(std::vector<Quotient> all) {
+std::vector<ComplexQuotient> Presentations::best(std::vector<ComplexQuotient> all) {
   std::vector<std::pair<int, std::size_t>> order;
   for (std::size_t i = 0; i < all.size(); ++i)
     order.emplace_back(operations(all_, complex_.modulus(all[i])), i);
   std::sort(order.begin(), order.end());
-  std::vector<Quotient> result;
+  std::vector<ComplexQuotient> result;
   std::vector<std::size_t> of_sort(3);
   for (const auto& [cost, i] : order)
-    if (of_sort[static_cast<std::size_t>(sort_of(all[i]))]++ < thrift_.kept) result.push_back(all[i]);
+    if (of_sort[static_cast<std::size_t>(sort_of(all[i]))]++ < thrift_.kept)
+      result.push_back(all[i]);
   return result;
 }
 

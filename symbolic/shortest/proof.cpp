@@ -9,9 +9,9 @@ namespace vcrit::symbolic {
 
 namespace {
 
-constexpr int compared_points = 3;
+constexpr int points_to_compare = 3;
 // Nobody divides by 0 at so many.
-constexpr std::uint64_t points_looked_at = 100;
+constexpr std::uint64_t most_points = 100;
 
 using Number = GaussianResidue;
 
@@ -106,7 +106,7 @@ class FormAt {
   std::map<std::string, Residue> known_;
 };
 
-bool agree(const ShortestForm& form, const Model& model, const Point& point) {
+bool same_squares(const ShortestForm& form, const Model& model, const Point& point) {
   FormAt at(point);
   for (const ShortestForm::Definition& definition : form.definitions) at.define(definition);
   return GaussianResidue(at.square(form.velocity)) == DerivedAt(point).square(model);
@@ -116,15 +116,16 @@ bool agree(const ShortestForm& form, const Model& model, const Point& point) {
 
 void prove(const ShortestForm& form, const Model& model) {
   int compared = 0;
-  for (std::uint64_t number = 0; number < points_looked_at && compared < compared_points; ++number) {
+  for (std::uint64_t number = 0; number < most_points && compared < points_to_compare; ++number) {
     try {
-      ensure(agree(form, model, named_point(number)), "the shortest form is the derived formula");
+      ensure(same_squares(form, model, named_point(number)),
+             "the shortest form is the derived formula");
       ++compared;
     } catch (const NoInverse&) {
       continue;
     }
   }
-  ensure(compared == compared_points, "a formula is finite at nearly all points");
+  ensure(compared == points_to_compare, "a formula is finite at nearly all points");
 }
 
 }  // namespace vcrit::symbolic

@@ -65,7 +65,7 @@ class Search {
 
   Expressions& all_;
   std::priority_queue<Entry> open_;
-  std::unordered_set<Node> seen_;
+  std::unordered_set<ExNode> seen_;
   int least_ = 0;
   Ex best_;
 };

@@ -1,6 +1,6 @@
 // The shortest real formula of v* = mu0 omega du_z |K_n|/|K_t| |K_t + D|/|D|, D = K_d - m omega^2,
-// in named steps: the letters that people use (g = K_n/K_t, Z + i V = D, T = omega tau, W = omega c),
-// then what is used more than once. Several ways to write the networks (storage and loss, one
+// in named steps: the letters that people use (g = K_n/K_t, Z + i V = D, T = omega tau, W = omega
+// c), then what is used more than once. Several ways to write the networks (storage and loss, one
 // denominator, compliances) are begun with, and each is shortened by moves of algebra; of all, the
 // one with the fewest + - * / ^ sqrt abs is taken.
 #pragma once
@@ -40,6 +40,6 @@ struct ShortestForm {
 std::optional<ShortestForm> shortest_form(const Contact& contact);
 
 /// Each + - * / ^ sqrt abs.
-int operations_of(const Form& form);
+int operations_in(const Form& form);
 
 }  // namespace vcrit::symbolic

@@ -10,19 +10,21 @@ namespace {
 
 std::uint64_t bit(std::uint32_t step) { return std::uint64_t{1} << (step % 64); }
 
-void remember_parts(Step& step) {
+void remember_parts(FormulaStep& step) {
   std::sort(step.parts.begin(), step.parts.end());
   step.mask = 0;
-  for (const Part& part : step.parts) step.mask |= bit(part.step);
+  for (const StepPart& part : step.parts) step.mask |= bit(part.step);
 }
 
-/// What two steps of a kind have in common, as it stands in `a`: in `b` it has the same signs or all
-/// others. The larger of both.
-std::vector<Part> common_parts(const Step& a, const Step& b) {
-  std::vector<Part> same, opposite;
+/// What two steps of a kind have in common, as it stands in `a`: in `b` it has the same signs or
+/// all others. The larger of both.
+std::vector<StepPart> common_parts(const FormulaStep& a, const FormulaStep& b) {
+  std::vector<StepPart> same, opposite;
   for (auto i = a.parts.begin(), j = b.parts.begin(); i != a.parts.end() && j != b.parts.end();) {
-    if (i->step < j->step) ++i;
-    else if (j->step < i->step) ++j;
+    if (i->step < j->step)
+      ++i;
+    else if (j->step < i->step)
+      ++j;
     else {
       (i->sign == j->sign ? same : opposite).push_back(*i);
       ++i, ++j;
@@ -32,10 +34,10 @@ std::vector<Part> common_parts(const Step& a, const Step& b) {
 }
 
 /// The sign with which `step` holds all of `parts`, if it does.
-std::optional<int> holds(const Step& step, const std::vector<Part>& parts) {
+std::optional<int> sign_in(const FormulaStep& step, const std::vector<StepPart>& parts) {
   int sign = 0;
   auto i = step.parts.begin();
-  for (const Part& part : parts) {
+  for (const StepPart& part : parts) {
     while (i != step.parts.end() && i->step < part.step) ++i;
     if (i == step.parts.end() || i->step != part.step) return std::nullopt;
     const int here = i->sign == part.sign ? 1 : -1;
@@ -47,18 +49,18 @@ std::optional<int> holds(const Step& step, const std::vector<Part>& parts) {
 
 }  // namespace
 
-int operations_of(const Step& step, const Expressions& all) {
+int step_operations(const FormulaStep& step, const Expressions& all) {
   const int size = static_cast<int>(step.parts.size());
   switch (step.kind) {
-    case Step::Kind::symbol:
+    case FormulaStep::Kind::symbol:
       return all.operations(step.node);
-    case Step::Kind::number:
+    case FormulaStep::Kind::number:
       return 0;
-    case Step::Kind::sum:
+    case FormulaStep::Kind::sum:
       return size - 1;
-    case Step::Kind::product: {
+    case FormulaStep::Kind::product: {
       const bool over = std::any_of(step.parts.begin(), step.parts.end(),
-                                    [](const Part& part) { return part.sign > 0; });
+                                    [](const StepPart& part) { return part.sign > 0; });
       return over ? size - 1 : size;
     }
     default:
@@ -69,17 +71,17 @@ int operations_of(const Step& step, const Expressions& all) {
 Steps::Steps(const Expressions& all, const Ex& whole) : all_(all) {
   steps_.reserve(64);
   whole_ = of(whole.factor, whole.node);
-  share(Step::Kind::sum);
-  share(Step::Kind::product);
+  share(FormulaStep::Kind::sum);
+  share(FormulaStep::Kind::product);
   count();
   all.spend(20 * steps_.size());
 }
 
-std::uint32_t Steps::put(Step step) {
+std::uint32_t Steps::put(FormulaStep step) {
   remember_parts(step);
   all_.spend(steps_.size() / 16);
   for (std::uint32_t i = 0; i < steps_.size(); ++i) {
-    const Step& old = steps_[i];
+    const FormulaStep& old = steps_[i];
     if (old.mask == step.mask && old.kind == step.kind && old.node == step.node &&
         old.number == step.number && old.exponent == step.exponent && old.parts == step.parts)
       return i;
@@ -89,23 +91,23 @@ std::uint32_t Steps::put(Step step) {
 }
 
 std::uint32_t Steps::number(std::int64_t value) {
-  Step step;
-  step.kind = Step::Kind::number;
+  FormulaStep step;
+  step.kind = FormulaStep::Kind::number;
   step.number = value;
   return put(std::move(step));
 }
 
-std::uint32_t Steps::of(const Fraction& factor, Node node) {
-  const Fraction size = absolute(factor);
+std::uint32_t Steps::of(const SmallFraction& factor, ExNode node) {
+  const SmallFraction size = absolute(factor);
   if (size.is_one()) return of(node);
   if (all_[node].kind == Kind::product) return product(size, all_[node].items);
   if (node == 0) return size.under == 1 ? number(size.over) : product(size, {});
   return product(size, {{node, 1, {}}});
 }
 
-std::uint32_t Steps::product(const Fraction& factor, const std::vector<Item>& items) {
-  Step step;
-  step.kind = Step::Kind::product;
+std::uint32_t Steps::product(const SmallFraction& factor, const std::vector<Item>& items) {
+  FormulaStep step;
+  step.kind = FormulaStep::Kind::product;
   if (factor.over != 1) step.parts.push_back({number(factor.over), 1});
   if (factor.under != 1) step.parts.push_back({number(factor.under), -1});
   for (const Item& item : items)
@@ -115,20 +117,20 @@ std::uint32_t Steps::product(const Fraction& factor, const std::vector<Item>& it
   int highest = 1;
   for (const Item& item : items) highest = std::max(highest, std::abs(item.exponent));
   for (int exponent = 2; exponent <= highest; ++exponent) {
-    Step base;
-    base.kind = Step::Kind::product;
+    FormulaStep base;
+    base.kind = FormulaStep::Kind::product;
     for (const Item& item : items)
       if (std::abs(item.exponent) == exponent)
         base.parts.push_back({of(item.node), item.exponent > 0 ? 1 : -1});
     if (base.parts.empty()) continue;
     int sign = 1;
     if (std::none_of(base.parts.begin(), base.parts.end(),
-                     [](const Part& part) { return part.sign > 0; })) {
+                     [](const StepPart& part) { return part.sign > 0; })) {
       sign = -1;
-      for (Part& part : base.parts) part.sign = 1;
+      for (StepPart& part : base.parts) part.sign = 1;
     }
-    Step power;
-    power.kind = Step::Kind::power;
+    FormulaStep power;
+    power.kind = FormulaStep::Kind::power;
     power.exponent = exponent;
     power.parts = {{base.parts.size() == 1 ? base.parts[0].step : put(std::move(base)), 1}};
     step.parts.push_back({put(std::move(power)), sign});
@@ -137,11 +139,11 @@ std::uint32_t Steps::product(const Fraction& factor, const std::vector<Item>& it
   return put(std::move(step));
 }
 
-std::uint32_t Steps::of(Node node) {
+std::uint32_t Steps::of(ExNode node) {
   for (const auto& [known, step] : known_)
     if (known == node) return step;
   const NodeData& data = all_[node];
-  Step step;
+  FormulaStep step;
   std::uint32_t made = 0;
   switch (data.kind) {
     case Kind::one:
@@ -155,14 +157,14 @@ std::uint32_t Steps::of(Node node) {
       made = product({}, data.items);
       break;
     case Kind::sum:
-      step.kind = Step::Kind::sum;
+      step.kind = FormulaStep::Kind::sum;
       for (const Item& item : data.items)
         step.parts.push_back({of(item.factor, item.node), item.factor.negative() ? -1 : 1});
       made = put(std::move(step));
       break;
     case Kind::root:
     case Kind::magnitude:
-      step.kind = data.kind == Kind::root ? Step::Kind::root : Step::Kind::magnitude;
+      step.kind = data.kind == Kind::root ? FormulaStep::Kind::root : FormulaStep::Kind::magnitude;
       step.parts = {{of(data.items[0].factor, data.items[0].node), 1}};
       made = put(std::move(step));
       break;
@@ -171,47 +173,47 @@ std::uint32_t Steps::of(Node node) {
   return made;
 }
 
-void Steps::replace(std::uint32_t in, const std::vector<Part>& common, std::uint32_t by) {
-  const std::optional<int> sign = holds(steps_[in], common);
+void Steps::replace(std::uint32_t in, const std::vector<StepPart>& common, std::uint32_t by) {
+  const std::optional<int> sign = sign_in(steps_[in], common);
   if (!sign) return;
-  std::erase_if(steps_[in].parts, [&](const Part& part) {
+  std::erase_if(steps_[in].parts, [&](const StepPart& part) {
     return std::any_of(common.begin(), common.end(),
-                       [&](const Part& each) { return each.step == part.step; });
+                       [&](const StepPart& each) { return each.step == part.step; });
   });
   steps_[in].parts.push_back({by, *sign});
   remember_parts(steps_[in]);
 }
 
 bool Steps::share_best(const std::vector<std::uint32_t>& sets) {
-  std::vector<Part> best;
+  std::vector<StepPart> best;
   all_.spend(sets.size() * sets.size() / 8);
   for (std::size_t i = 0; i < sets.size(); ++i)
     for (std::size_t j = i + 1; j < sets.size(); ++j) {
-      const Step &a = steps_[sets[i]], &b = steps_[sets[j]];
+      const FormulaStep &a = steps_[sets[i]], &b = steps_[sets[j]];
       const std::uint64_t mask = a.mask & b.mask;
       // One bit may stand for several steps where there are more than 64.
       if (mask == 0 || (std::has_single_bit(mask) && steps_.size() <= 64)) continue;
-      std::vector<Part> common = common_parts(a, b);
+      std::vector<StepPart> common = common_parts(a, b);
       if (common.size() >= 2 && common.size() > best.size()) best = std::move(common);
     }
   if (best.empty()) return false;
   // Where it is all of a step, that step is it.
   std::uint32_t shared = static_cast<std::uint32_t>(steps_.size());
   for (const std::uint32_t set : sets)
-    if (steps_[set].parts.size() == best.size() && holds(steps_[set], best)) {
+    if (steps_[set].parts.size() == best.size() && sign_in(steps_[set], best)) {
       shared = set;
       best = steps_[set].parts;
       break;
     }
   if (shared == steps_.size()) {
-    Step step;
+    FormulaStep step;
     step.kind = steps_[sets[0]].kind;
-    const bool turned = step.kind == Step::Kind::sum
+    const bool turned = step.kind == FormulaStep::Kind::sum
                             ? best.front().sign < 0
                             : std::none_of(best.begin(), best.end(),
-                                           [](const Part& part) { return part.sign > 0; });
+                                           [](const StepPart& part) { return part.sign > 0; });
     if (turned)
-      for (Part& part : best) part.sign = -part.sign;
+      for (StepPart& part : best) part.sign = -part.sign;
     step.parts = best;
     remember_parts(step);
     steps_.push_back(std::move(step));
@@ -221,7 +223,7 @@ bool Steps::share_best(const std::vector<std::uint32_t>& sets) {
   return true;
 }
 
-void Steps::share(Step::Kind kind) {
+void Steps::share(FormulaStep::Kind kind) {
   for (bool more = true; more;) {
     std::vector<std::uint32_t> sets;
     for (std::uint32_t i = 0; i < steps_.size(); ++i)
@@ -231,18 +233,18 @@ void Steps::share(Step::Kind kind) {
 }
 
 std::uint32_t Steps::halve(std::uint32_t sum) {
-  Step half;
-  half.kind = Step::Kind::sum;
+  FormulaStep half;
+  half.kind = FormulaStep::Kind::sum;
   half.uses = 1;
-  std::vector<Part>& parts = steps_[sum].parts;
+  std::vector<StepPart>& parts = steps_[sum].parts;
   const auto middle = parts.begin() + static_cast<std::ptrdiff_t>((parts.size() + 1) / 2);
   half.parts.assign(parts.begin(), middle);
   // A sum begins with what is added.
   const int sign = std::any_of(half.parts.begin(), half.parts.end(),
-                               [](const Part& part) { return part.sign > 0; })
+                               [](const StepPart& part) { return part.sign > 0; })
                        ? 1
                        : -1;
-  for (Part& part : half.parts) part.sign *= sign;
+  for (StepPart& part : half.parts) part.sign *= sign;
   parts.erase(parts.begin(), middle);
   const auto made = static_cast<std::uint32_t>(steps_.size());
   parts.push_back({made, sign});
@@ -254,13 +256,13 @@ void Steps::count() {
   std::vector<std::uint32_t> open{whole_};
   steps_[whole_].uses = 1;
   while (!open.empty()) {
-    const Step& step = steps_[open.back()];
+    const FormulaStep& step = steps_[open.back()];
     open.pop_back();
-    operations_ += operations_of(step, all_);
-    for (const Part& part : step.parts) {
-      Step& used = steps_[part.step];
+    operations_ += step_operations(step, all_);
+    for (const StepPart& part : step.parts) {
+      FormulaStep& used = steps_[part.step];
       if (used.uses++ == 0) open.push_back(part.step);
-      if (used.uses == 2 && operations_of(used, all_) > 0) ++shared_;
+      if (used.uses == 2 && step_operations(used, all_) > 0) ++shared_;
     }
   }
 }

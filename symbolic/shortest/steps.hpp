@@ -11,19 +11,19 @@
 namespace vcrit::symbolic::shortest {
 
 /// One term (`sign` is that before it) or factor (-1: below the bar).
-struct Part {
+struct StepPart {
   std::uint32_t step = 0;
   std::int32_t sign = 1;
-  friend auto operator<=>(const Part&, const Part&) = default;
+  friend auto operator<=>(const StepPart&, const StepPart&) = default;
 };
 
-struct Step {
+struct FormulaStep {
   enum class Kind : std::uint8_t { symbol, number, sum, product, power, root, magnitude };
   Kind kind = Kind::symbol;
-  Node node = 0;            ///< of a symbol
+  ExNode node = 0;          ///< of a symbol
   std::int64_t number = 0;  ///< natural
   int exponent = 1;         ///< of a power
-  std::vector<Part> parts;
+  std::vector<StepPart> parts;
   int uses = 0;
   std::uint64_t mask = 0;  ///< of the parts' steps: disjoint masks have no part in common
 };
@@ -35,30 +35,30 @@ class Steps {
   int operations() const { return operations_; }
   /// Steps that are used more than once.
   int shared() const { return shared_; }
-  const std::vector<Step>& steps() const { return steps_; }
+  const std::vector<FormulaStep>& steps() const { return steps_; }
   std::uint32_t whole() const { return whole_; }
   /// Makes the first half of a sum's terms a step of its own: as many operations.
   std::uint32_t halve(std::uint32_t sum);
 
  private:
-  std::uint32_t of(Node node);
-  std::uint32_t of(const Fraction& factor, Node node);
+  std::uint32_t of(ExNode node);
+  std::uint32_t of(const SmallFraction& factor, ExNode node);
   std::uint32_t number(std::int64_t value);
-  std::uint32_t put(Step step);
-  std::uint32_t product(const Fraction& factor, const std::vector<Item>& items);
-  void share(Step::Kind kind);
+  std::uint32_t put(FormulaStep step);
+  std::uint32_t product(const SmallFraction& factor, const std::vector<Item>& items);
+  void share(FormulaStep::Kind kind);
   bool share_best(const std::vector<std::uint32_t>& sets);
-  void replace(std::uint32_t in, const std::vector<Part>& common, std::uint32_t by);
+  void replace(std::uint32_t in, const std::vector<StepPart>& common, std::uint32_t by);
   void count();
 
   const Expressions& all_;
-  std::vector<Step> steps_;
-  std::vector<std::pair<Node, std::uint32_t>> known_;
+  std::vector<FormulaStep> steps_;
+  std::vector<std::pair<ExNode, std::uint32_t>> known_;
   std::uint32_t whole_ = 0;
   int operations_ = 0, shared_ = 0;
 };
 
 /// Operations of one step, its parts not counted.
-int operations_of(const Step& step, const Expressions& all);
+int step_operations(const FormulaStep& step, const Expressions& all);
 
 }  // namespace vcrit::symbolic::shortest

@@ -38,7 +38,7 @@ void check(const Network& network) {
   const Ex w = all.symbol("omega");
   std::map<Symbol, Ex> symbols;
   std::map<Symbol, double> values;
-  std::map<Node, double> known{{w.node, omega}};
+  std::map<ExNode, double> known{{w.node, omega}};
   double next = 0.4;
   for (const Symbol& symbol : symbols_of(network)) {
     symbols[symbol] = all.symbol(to_text(symbol));
@@ -48,12 +48,12 @@ void check(const Network& network) {
   const auto number = [&](const Ex& ex) {
     return value_of(ex.factor) * value_of(all, ex.node, known);
   };
-  const auto complex = [&](const Complex& z) {
+  const auto complex = [&](const ComplexEx& z) {
     return std::complex<double>(number(z.re), number(z.im));
   };
   Numbers numbers{values};
   const std::complex<double> wanted = evaluate(reduce(network), numbers);
-  for (const Quotient& each : presentations.of(network)) {
+  for (const ComplexQuotient& each : presentations.of(network)) {
     const std::complex<double> found = complex(each.over) / complex(each.under);
     BOOST_TEST(std::abs(found - wanted) < 1e-12 * std::abs(wanted));
   }
@@ -67,10 +67,11 @@ Network network_of(const std::string& text, const std::string& rest = "") {
 
 BOOST_AUTO_TEST_CASE(of_springs_and_dampers) {
   for (const char* text :
-       {"k0", "k0 | c0", "k0 - c0", "zener(k0, k1, c1)", "k0 - (k1 | c1)", "burgers(k1, c1, k2, c2)",
-        "k0 | (k1 - c1) | (k2 - c2)", "k0 | (k1 - (c1 | (k2 - c2)))", "k0 | (k1 - c1 - c2)",
-        "prony(k0, k, tau, 3)", "k0 - k1 - (k2 | c2 | c3) - c4", "lossy(k0, eta)",
-        "lossy(k0, eta) - (k1 | c1)", "k0 - (mass(m1) | k1 - (mass(m2) | k2 | c2))"})
+       {"k0", "k0 | c0", "k0 - c0", "zener(k0, k1, c1)", "k0 - (k1 | c1)",
+        "burgers(k1, c1, k2, c2)", "k0 | (k1 - c1) | (k2 - c2)", "k0 | (k1 - (c1 | (k2 - c2)))",
+        "k0 | (k1 - c1 - c2)", "prony(k0, k, tau, 3)", "k0 - k1 - (k2 | c2 | c3) - c4",
+        "lossy(k0, eta)", "lossy(k0, eta) - (k1 | c1)",
+        "k0 - (mass(m1) | k1 - (mass(m2) | k2 | c2))"})
     check(network_of(text));
 }
 

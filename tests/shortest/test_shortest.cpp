@@ -1,7 +1,7 @@
-// The shortest form of v*, held against formulas that were written by hand: tests/data/hand_forms.csv
-// has 18 rheologies under 4 drives with 3 kinds of Poisson's ratio, each with the formula that an
-// expert prints (checked at three points to 60 digits) and its operations, and the operations of the
-// program's own formula when it was last made shorter.
+// The shortest form of v*, held against formulas that were written by hand:
+// tests/data/hand_forms.csv has 18 rheologies under 4 drives with 3 kinds of Poisson's ratio, each
+// with the formula that an expert prints (checked at three points to 60 digits) and its operations,
+// and the operations of the program's own formula when it was last made shorter.
 #include <boost/test/unit_test.hpp>
 
 #include <fmt/core.h>
@@ -50,7 +50,7 @@ std::string text_for(const Scene& scene) {
 }
 
 /// Each + - * / ^ sqrt abs of a text.
-int operations_in(const std::string& text) {
+int operations_in_text(const std::string& text) {
   int count = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const bool star_of_velocity = text[i] == '*' && i > 0 && text[i - 1] == 'v';
@@ -98,7 +98,7 @@ void check(const Scene& scene, const ShortestForm& form) {
                boost::test_tools::tolerance(1e-9));
   }
   const NamesOfScene names(scene);
-  BOOST_TEST(form.operations == operations_in(text_of(form)), text_of(form));
+  BOOST_TEST(form.operations == operations_in_text(text_of(form)), text_of(form));
 }
 
 /// Cells in quotes may have several lines.
@@ -106,11 +106,16 @@ std::vector<std::vector<std::string>> table(const std::string& text) {
   std::vector<std::vector<std::string>> rows(1, std::vector<std::string>(1));
   bool quoted = false;
   for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] == '"' && quoted && text[i + 1] == '"') rows.back().back() += text[++i];
-    else if (text[i] == '"') quoted = !quoted;
-    else if (text[i] == ',' && !quoted) rows.back().emplace_back();
-    else if (text[i] == '\n' && !quoted) rows.emplace_back(1);
-    else rows.back().back() += text[i];
+    if (text[i] == '"' && quoted && text[i + 1] == '"')
+      rows.back().back() += text[++i];
+    else if (text[i] == '"')
+      quoted = !quoted;
+    else if (text[i] == ',' && !quoted)
+      rows.back().emplace_back();
+    else if (text[i] == '\n' && !quoted)
+      rows.emplace_back(1);
+    else
+      rows.back().back() += text[i];
   }
   rows.pop_back();
   return rows;
@@ -139,8 +144,7 @@ BOOST_AUTO_TEST_CASE(no_formula_is_longer_than_an_experts) {
 }
 
 BOOST_AUTO_TEST_CASE(formulas_read_as_people_write_them) {
-  BOOST_TEST(text_for(scene_of("normal = \"k0\"\npoisson = 0.3")) ==
-             "v* = 17/14*mu0*omega*du_z");
+  BOOST_TEST(text_for(scene_of("normal = \"k0\"\npoisson = 0.3")) == "v* = 17/14*mu0*omega*du_z");
   BOOST_TEST(text_for(scene_of("normal = \"k0\"\npoisson = \"nu\"")) ==
              "v* = mu0*omega*du_z*(2 - nu)/(2*(1 - nu))");
   BOOST_TEST(text_for(scene_of("normal = \"prony(k0, k, tau, 2)\"\npoisson = \"nu\"", "kd")) ==
@@ -154,10 +158,8 @@ BOOST_AUTO_TEST_CASE(other_scenes_have_a_formula_that_is_proved) {
   const std::string open = "\"\npoisson = \"nu\"", zener = "zener(k0, k1, c1)";
   for (const Scene& scene :
        {scene_of("normal = \"" + zener + open, zener, "m"),
-        scene_of("normal = \"" + zener + open, zener),
-        scene_of("normal = \"k0" + open, "k0", "m"),
-        scene_of(own + "\"" + zener + "\"", zener, "m"),
-        scene_of(own + "\"" + zener + "\"", zener),
+        scene_of("normal = \"" + zener + open, zener), scene_of("normal = \"k0" + open, "k0", "m"),
+        scene_of(own + "\"" + zener + "\"", zener, "m"), scene_of(own + "\"" + zener + "\"", zener),
         scene_of("normal = \"lossy(k0, eta)" + open, "lossy(kd, eta)", "m"),
         scene_of("normal = \"" + zener + "\"\ntangential_ratio = \"r\"", "kd | cd", "m"),
         scene_of("normal = \"" + zener + "\"\ntangential_ratio = 0.5", "kd | cd", "m"),
@@ -172,8 +174,8 @@ BOOST_AUTO_TEST_CASE(other_scenes_have_a_formula_that_is_proved) {
 }
 
 BOOST_AUTO_TEST_CASE(names_are_nobody_elses) {
-  const std::string text = text_for(
-      scene_of("normal = \"prony(k0, k, T, 2)\"\npoisson = \"g\"", "kelvin(Z, W)", "M"));
+  const std::string text =
+      text_for(scene_of("normal = \"prony(k0, k, T, 2)\"\npoisson = \"g\"", "kelvin(Z, W)", "M"));
   for (const char* taken : {"T = ", "g = ", "Z = ", "W = ", "M = "})
     BOOST_TEST(text.find(taken) == std::string::npos, text);
 }
@@ -196,7 +198,8 @@ BOOST_AUTO_TEST_CASE(what_fits_no_page_has_none) {
       if (j < 4) edges += fmt::format("[\"c{}\", {}, {}], ", ++count, node(i, j), node(i, j + 1));
     }
   edges.resize(edges.size() - 2);
-  const std::string grid = "[networks.grid]\nterminals = [\"00\", \"44\"]\nedges = [" + edges + "]\n";
+  const std::string grid =
+      "[networks.grid]\nterminals = [\"00\", \"44\"]\nedges = [" + edges + "]\n";
   BOOST_TEST(!form_for(scene_of("normal = \"grid\"\npoisson = 0.3", "kd", "m", grid)));
 }
 

@@ -13,13 +13,13 @@ namespace vcrit::test {
 using symbolic::Form;
 using symbolic::Signed;
 
-inline double value_of(const symbolic::shortest::Fraction& fraction) {
+inline double value_of(const symbolic::shortest::SmallFraction& fraction) {
   return static_cast<double>(fraction.over) / static_cast<double>(fraction.under);
 }
 
 /// Of an expression; `known`: the symbols, and then what was evaluated.
-inline double value_of(const symbolic::shortest::Expressions& all, symbolic::shortest::Node node,
-                       std::map<symbolic::shortest::Node, double>& known) {
+inline double value_of(const symbolic::shortest::Expressions& all, symbolic::shortest::ExNode node,
+                       std::map<symbolic::shortest::ExNode, double>& known) {
   using symbolic::shortest::Kind;
   if (const auto found = known.find(node); found != known.end()) return found->second;
   const auto& data = all[node];
