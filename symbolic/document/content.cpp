@@ -42,7 +42,7 @@ bool same(const std::vector<Line>& a, const std::vector<Line>& b) {
 void show_shortest(const ShortestForm& form, DocumentBlock& result) {
   if (!form.ratio.empty()) result.words += ", " + form.ratio;
   result.lines.clear();
-  result.equations = form_equations(form);
+  result.equations = equations_of(form);
 }
 
 /// The last line is the result, with its number in the paper.
@@ -200,7 +200,7 @@ Line asymptote_line(const Asymptote& asymptote) {
   return velocity_line(asymptote.coefficient * GiNaC::pow(omega(), asymptote.power));
 }
 
-std::vector<Equation> form_equations(const ShortestForm& form) {
+std::vector<Equation> equations_of(const ShortestForm& form) {
   std::vector<Equation> result;
   for (const ShortestForm::Definition& each : form.definitions)
     result.push_back({each.name, each.meaning});

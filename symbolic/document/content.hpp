@@ -40,7 +40,7 @@ struct Equation {
 };
 
 /// The definitions of a shortest form, then v*.
-std::vector<Equation> form_equations(const ShortestForm& form);
+std::vector<Equation> equations_of(const ShortestForm& form);
 
 /// Some lines under a heading: a formula, words or both.
 struct DocumentBlock {

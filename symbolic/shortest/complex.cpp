@@ -27,20 +27,20 @@ std::vector<std::pair<Ex, int>> common_factors(const Expressions& all, ExNode a,
 
 }  // namespace
 
-RealPair ComplexAlgebra::add(const RealPair& a, const RealPair& b) {
+ComplexEx ComplexAlgebra::add(const ComplexEx& a, const ComplexEx& b) {
   return {all_.add(a.re, b.re), all_.add(a.im, b.im)};
 }
 
-RealPair ComplexAlgebra::multiply(const RealPair& a, const RealPair& b) {
+ComplexEx ComplexAlgebra::multiply(const ComplexEx& a, const ComplexEx& b) {
   return {all_.subtract(all_.multiply(a.re, b.re), all_.multiply(a.im, b.im)),
           all_.add(all_.multiply(a.re, b.im), all_.multiply(a.im, b.re))};
 }
 
-RealPair ComplexAlgebra::multiply(const RealPair& a, const Ex& real) {
+ComplexEx ComplexAlgebra::multiply(const ComplexEx& a, const Ex& real) {
   return {all_.multiply(a.re, real), all_.multiply(a.im, real)};
 }
 
-Ex ComplexAlgebra::modulus(const RealPair& a) {
+Ex ComplexAlgebra::modulus(const ComplexEx& a) {
   if (a.im.is_zero()) return all_.magnitude(a.re);
   if (a.re.is_zero()) return all_.magnitude(a.im);
   const Ex common = all_.product(common_factors(all_, a.re.node, a.im.node));
@@ -49,26 +49,26 @@ Ex ComplexAlgebra::modulus(const RealPair& a) {
   return all_.multiply(all_.magnitude(common), all_.root(square));
 }
 
-PairQuotient ComplexAlgebra::cartesian(const PairQuotient& a) {
+ComplexQuotient ComplexAlgebra::cartesian(const ComplexQuotient& a) {
   if (a.under.is_one()) return a;
   if (a.under.is_real()) return {multiply(a.over, all_.power(a.under.re, -1))};
   if (a.under.re.is_zero())
     return {{all_.divide(a.over.im, a.under.im),
              Expressions::negative(all_.divide(a.over.re, a.under.im))}};
-  const RealPair turned{a.under.re, Expressions::negative(a.under.im)};
+  const ComplexEx turned{a.under.re, Expressions::negative(a.under.im)};
   const Ex square = all_.add(all_.power(a.under.re, 2), all_.power(a.under.im, 2));
   return {multiply(multiply(a.over, turned), all_.power(square, -1))};
 }
 
-std::vector<PairQuotient> ComplexAlgebra::cartesians(const PairQuotient& a) {
-  std::vector<PairQuotient> result{cartesian(a)};
+std::vector<ComplexQuotient> ComplexAlgebra::cartesians(const ComplexQuotient& a) {
+  std::vector<ComplexQuotient> result{cartesian(a)};
   if (a.under.is_real() || a.under.re.is_zero()) return result;
   const Ex &re = a.under.re, &im = a.under.im, one = Expressions::number(1);
   const Ex slope = all_.divide(im, re), back = all_.divide(re, im);
   const Ex first = all_.add(re, all_.multiply(im, slope));
   const Ex second = all_.add(im, all_.multiply(re, back));
-  const RealPair turned{one, Expressions::negative(slope)};
-  const RealPair turned_back{back, Expressions::negative(one)};
+  const ComplexEx turned{one, Expressions::negative(slope)};
+  const ComplexEx turned_back{back, Expressions::negative(one)};
   result.push_back({multiply(multiply(a.over, turned), all_.power(first, -1))});
   result.push_back({multiply(multiply(a.over, turned_back), all_.power(second, -1))});
   return result;

@@ -31,7 +31,7 @@ class CriticalVelocity {
   }
 
  private:
-  using Quotients = std::vector<PairQuotient>;
+  using Quotients = std::vector<ComplexQuotient>;
 
   void offer(const Ex& factor) {
     const Ex whole = all_.multiply(parts_.prefactor, factor);
@@ -39,19 +39,20 @@ class CriticalVelocity {
   }
 
   /// D = K_d - m omega^2. Where the drive is a network of the contact, written as that is here.
-  Quotients drive(const Network* same, const PairQuotient& written) {
+  Quotients drive(const Network* same, const ComplexQuotient& written) {
     const bool own = same == nullptr || !(*parts_.drive == *same) || is_simple(*parts_.drive);
     if (own) return presentations_.swinging(*parts_.drive, parts_.mass);
     if (!parts_.mass) return {written};
-    const PairQuotient mass{pair_of(Expressions::negative(presentations_.inertia(*parts_.mass)))};
+    const ComplexQuotient mass{
+        from_real(Expressions::negative(presentations_.inertia(*parts_.mass)))};
     return {presentations_.sum({written, mass}, false)};
   }
 
   /// |K + D|/|D| from two presentations.
-  Ex joined(const PairQuotient& k, const PairQuotient& d) {
+  Ex joined(const ComplexQuotient& k, const ComplexQuotient& d) {
     if (k.under == d.under)
       return all_.divide(complex_.modulus(complex_.add(k.over, d.over)), complex_.modulus(d.over));
-    const RealPair both =
+    const ComplexEx both =
         complex_.add(complex_.multiply(k.over, d.under), complex_.multiply(d.over, k.under));
     return all_.product({{complex_.modulus(both), 1},
                          {complex_.modulus(k.under), -1},
@@ -59,62 +60,62 @@ class CriticalVelocity {
   }
 
   /// |1/K + 1/D| in two ways.
-  std::vector<Ex> compliances(const PairQuotient& k, const PairQuotient& d) {
+  std::vector<Ex> compliances(const ComplexQuotient& k, const ComplexQuotient& d) {
     std::vector<Ex> result;
-    for (const PairQuotient& j : {inverted(d), complex_.cartesian(inverted(d))})
+    for (const ComplexQuotient& j : {reciprocal(d), complex_.cartesian(reciprocal(d))})
       for (const bool one_denominator : {false, true})
-        result.push_back(complex_.modulus(presentations_.sum({inverted(k), j}, one_denominator)));
+        result.push_back(complex_.modulus(presentations_.sum({reciprocal(k), j}, one_denominator)));
     return result;
   }
 
   void isotropic() {
     if (parts_.drive == nullptr) return offer(parts_.ratio);
-    for (const PairQuotient& k : presentations_.of(*parts_.normal))
-      for (const PairQuotient& d : drive(parts_.normal, k)) isotropic(k, d);
-    for (const PairQuotient& d : drive(nullptr, {}))
-      for (const PairQuotient& whole : presentations_.beside(*parts_.normal, scaled(d)))
+    for (const ComplexQuotient& k : presentations_.of(*parts_.normal))
+      for (const ComplexQuotient& d : drive(parts_.normal, k)) isotropic(k, d);
+    for (const ComplexQuotient& d : drive(nullptr, {}))
+      for (const ComplexQuotient& whole : presentations_.beside(*parts_.normal, scaled(d)))
         offer(all_.divide(complex_.modulus(whole), complex_.modulus(d)));
   }
 
-  PairQuotient scaled(const PairQuotient& d) { return complex_.multiply(d, parts_.ratio); }
+  ComplexQuotient scaled(const ComplexQuotient& d) { return complex_.multiply(d, parts_.ratio); }
 
-  void isotropic(const PairQuotient& k, const PairQuotient& d) {
+  void isotropic(const ComplexQuotient& k, const ComplexQuotient& d) {
     offer(all_.multiply(joined(k, scaled(d)), parts_.ratio));
     for (const Ex& compliance : compliances(k, scaled(d)))
       offer(all_.product({{parts_.ratio, 1}, {compliance, 1}, {complex_.modulus(k), 1}}));
     // |1 + K/(g D)|
-    const PairQuotient over{k.over, complex_.multiply(k.under, scaled(d).over)};
+    const ComplexQuotient over{k.over, complex_.multiply(k.under, scaled(d).over)};
     if (d.under.is_one())
       offer(all_.multiply(parts_.ratio, complex_.modulus(presentations_.sum(
-                                            {over, {pair_of(Expressions::number(1))}}, false))));
+                                            {over, {from_real(Expressions::number(1))}}, false))));
   }
 
   void own_tangential() {
     Ex normal = complex_.modulus(presentations_.of(*parts_.normal)[0]);
-    for (const PairQuotient& t : presentations_.of(*parts_.tangential)) {
+    for (const ComplexQuotient& t : presentations_.of(*parts_.tangential)) {
       const Ex quotient = all_.divide(normal, complex_.modulus(t));
       if (parts_.drive == nullptr) {
         offer(quotient);
         continue;
       }
-      for (const PairQuotient& d : drive(parts_.tangential, t)) {
+      for (const ComplexQuotient& d : drive(parts_.tangential, t)) {
         offer(all_.multiply(quotient, joined(t, d)));
         for (const Ex& compliance : compliances(t, d)) offer(all_.multiply(normal, compliance));
       }
     }
     if (parts_.drive == nullptr) return;
-    for (const PairQuotient& d : drive(nullptr, {})) beside_and_behind(normal, d);
+    for (const ComplexQuotient& d : drive(nullptr, {})) beside_and_behind(normal, d);
   }
 
-  void beside_and_behind(const Ex& normal, const PairQuotient& d) {
-    for (const PairQuotient& t : presentations_.of(*parts_.tangential))
-      for (const PairQuotient& whole : presentations_.beside(*parts_.tangential, d))
+  void beside_and_behind(const Ex& normal, const ComplexQuotient& d) {
+    for (const ComplexQuotient& t : presentations_.of(*parts_.tangential))
+      for (const ComplexQuotient& whole : presentations_.beside(*parts_.tangential, d))
         offer(all_.product({{normal, 1},
                             {complex_.modulus(t), -1},
                             {complex_.modulus(whole), 1},
                             {complex_.modulus(d), -1}}));
-    for (const PairQuotient& j : {inverted(d), complex_.cartesian(inverted(d))})
-      for (const PairQuotient& whole : presentations_.behind(*parts_.tangential, j))
+    for (const ComplexQuotient& j : {reciprocal(d), complex_.cartesian(reciprocal(d))})
+      for (const ComplexQuotient& whole : presentations_.behind(*parts_.tangential, j))
         offer(all_.multiply(normal, complex_.modulus(whole)));
   }
 

@@ -8,18 +8,18 @@ namespace vcrit::symbolic::shortest {
 
 namespace {
 
-std::size_t mixed_into(std::size_t hash, std::size_t value) {
+std::size_t hash_with(std::size_t hash, std::size_t value) {
   hash = (hash ^ value) * 0x9e3779b97f4a7c15;
   return hash ^ (hash >> 29);
 }
 
-std::size_t hash_of_node(const NodeData& data) {
-  std::size_t hash = mixed_into(static_cast<std::size_t>(data.kind) + 1, data.name);
+std::size_t node_hash(const NodeData& data) {
+  std::size_t hash = hash_with(static_cast<std::size_t>(data.kind) + 1, data.name);
   for (const Item& item : data.items) {
-    hash = mixed_into(hash, item.node);
-    hash = mixed_into(hash, static_cast<std::size_t>(item.exponent));
-    hash = mixed_into(hash, static_cast<std::size_t>(item.factor.over));
-    hash = mixed_into(hash, static_cast<std::size_t>(item.factor.under));
+    hash = hash_with(hash, item.node);
+    hash = hash_with(hash, static_cast<std::size_t>(item.exponent));
+    hash = hash_with(hash, static_cast<std::size_t>(item.factor.over));
+    hash = hash_with(hash, static_cast<std::size_t>(item.factor.under));
   }
   return hash;
 }
@@ -90,7 +90,7 @@ bool Expressions::is_positive(Kind kind, const std::vector<Item>& items) const {
 
 ExNode Expressions::make(Kind kind, std::vector<Item> items) {
   NodeData data{kind, is_positive(kind, items), 0, std::move(items), 0};
-  data.hash = hash_of_node(data);
+  data.hash = node_hash(data);
   spend(8 + 2 * data.items.size());
   nodes_.push_back(std::move(data));
   const auto [known, is_new] = known_.insert(static_cast<ExNode>(nodes_.size() - 1));
@@ -100,7 +100,7 @@ ExNode Expressions::make(Kind kind, std::vector<Item> items) {
 
 Ex Expressions::symbol(std::string name, int operations, bool leads) {
   nodes_.push_back({Kind::symbol, true, static_cast<std::uint32_t>(names_.size()), {}, 0});
-  nodes_.back().hash = hash_of_node(nodes_.back());
+  nodes_.back().hash = node_hash(nodes_.back());
   const ExNode node = static_cast<ExNode>(nodes_.size() - 1);
   known_.insert(node);
   names_.push_back({std::move(name), operations, leads, number(0), node});

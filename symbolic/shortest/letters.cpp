@@ -21,10 +21,10 @@ class Measuring {
   }
 
  private:
-  Measure measured(const FormStep& step) {
-    if (step.kind == FormStep::Kind::symbol) return of_symbol(step.node);
-    if (step.kind == FormStep::Kind::number) return {};
-    if (step.kind == FormStep::Kind::sum || step.kind == FormStep::Kind::magnitude)
+  Measure measured(const FormulaStep& step) {
+    if (step.kind == FormulaStep::Kind::symbol) return of_symbol(step.node);
+    if (step.kind == FormulaStep::Kind::number) return {};
+    if (step.kind == FormulaStep::Kind::sum || step.kind == FormulaStep::Kind::magnitude)
       return of(step.parts[0].step);
     Measure whole;
     for (const StepPart& part : step.parts) {
@@ -32,9 +32,9 @@ class Measuring {
       whole.stiffness += part.sign * each.stiffness;
       whole.time += part.sign * each.time;
     }
-    const double power = step.kind == FormStep::Kind::power  ? step.exponent
-                         : step.kind == FormStep::Kind::root ? 0.5
-                                                             : 1;
+    const double power = step.kind == FormulaStep::Kind::power  ? step.exponent
+                         : step.kind == FormulaStep::Kind::root ? 0.5
+                                                                : 1;
     return {whole.stiffness * power, whole.time * power};
   }
 
@@ -53,25 +53,25 @@ class Measuring {
 };
 
 /// omega c/k
-bool is_turn(const Expressions& all, const Steps& steps, const FormStep& step,
+bool is_turn(const Expressions& all, const Steps& steps, const FormulaStep& step,
              const Measure& measure) {
   if (std::abs(measure.stiffness) > 0.1) return false;
-  const auto symbol = [&](const StepPart& part) -> const FormStep& {
+  const auto symbol = [&](const StepPart& part) -> const FormulaStep& {
     return steps.steps()[part.step];
   };
   const auto holds = [&](const auto& which) {
     return std::any_of(step.parts.begin(), step.parts.end(), which);
   };
-  return step.kind == FormStep::Kind::product && !holds([&](const StepPart& part) {
-           return symbol(part).kind != FormStep::Kind::symbol;
+  return step.kind == FormulaStep::Kind::product && !holds([&](const StepPart& part) {
+           return symbol(part).kind != FormulaStep::Kind::symbol;
          }) &&
          holds([&](const StepPart& part) { return all.name(symbol(part).node) == "W"; }) &&
          holds([](const StepPart& part) { return part.sign < 0; });
 }
 
-std::string letter_of(const FormStep& step, const Measure& measure) {
+std::string letter_of(const FormulaStep& step, const Measure& measure) {
   if (std::abs(measure.time) > 0.1) return "X";
-  const bool sum = step.kind == FormStep::Kind::sum;
+  const bool sum = step.kind == FormulaStep::Kind::sum;
   switch (static_cast<int>(std::lround(2 * measure.stiffness))) {
     case 0:
       return "R";
@@ -94,8 +94,8 @@ std::vector<std::string> letters(const Expressions& all, const Measures& measure
   std::vector<std::string> result;
   std::map<std::string, int> count, next;
   for (const std::uint32_t i : named) {
-    const FormStep& step = steps.steps()[i];
-    const bool symbol = step.kind == FormStep::Kind::symbol;
+    const FormulaStep& step = steps.steps()[i];
+    const bool symbol = step.kind == FormulaStep::Kind::symbol;
     const Measure measure = symbol ? Measure{} : measuring.of(i);
     result.push_back(symbol                               ? all.name(step.node)
                      : is_turn(all, steps, step, measure) ? "T"

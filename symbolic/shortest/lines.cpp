@@ -15,7 +15,7 @@ constexpr std::size_t longest_line = 90, least_part = 16;
 // Operations of a letter that has a line although it is used once.
 constexpr int least_named_once = 4;
 
-Form natural_form(std::int64_t value) {
+Form digits_form(std::int64_t value) {
   return {Form::Kind::number, std::to_string(value), {}, {}, {}, 1};
 }
 
@@ -23,7 +23,7 @@ Form name_form(const std::string& name) { return {Form::Kind::name, name, {}, {}
 
 /// The order of factors: numbers, the prefactor, our letters behind the scene's names, then what is
 /// not a name.
-int reading_rank(const Form& form) {
+int factor_rank(const Form& form) {
   static const std::map<std::string, int> leading{{"mu0", 1}, {"omega", 2}, {"du_z", 3}};
   switch (form.kind) {
     case Form::Kind::number:
@@ -36,7 +36,7 @@ int reading_rank(const Form& form) {
     case Form::Kind::power:
       return 7 + (form.over[0].kind == Form::Kind::name ? 0 : 1);
     case Form::Kind::product:
-      return !form.over.empty() && reading_rank(form.over[0]) <= 4 ? 9 : 10;
+      return !form.over.empty() && factor_rank(form.over[0]) <= 4 ? 9 : 10;
     case Form::Kind::sum:
       return 10;
     case Form::Kind::call:
@@ -48,7 +48,7 @@ int reading_rank(const Form& form) {
 }
 
 bool before(const Form& a, const Form& b) {
-  const int first = reading_rank(a), second = reading_rank(b);
+  const int first = factor_rank(a), second = factor_rank(b);
   if (first != second) return first < second;
   return natural_less(text_dialect().print({false, a}), text_dialect().print({false, b}));
 }
@@ -70,18 +70,18 @@ ShortestForm Lines::form() {
   ShortestForm result;
   for (const Index line : lines_) {
     result.definitions.push_back({name_form(own_name(names_.at(line))), written(line)});
-    result.operations += form_operations(result.definitions.back().meaning);
+    result.operations += operations_in(result.definitions.back().meaning);
   }
   result.velocity = written(steps_.whole());
-  result.operations += form_operations(result.velocity);
+  result.operations += operations_in(result.velocity);
   return result;
 }
 
 /// A letter that is used once stands as what it means; a long one, within a sum, does not.
 bool Lines::has_line(Index i) const {
-  const FormStep& step = steps_.steps()[i];
-  if (step.kind == FormStep::Kind::number) return false;
-  if (step.kind == FormStep::Kind::symbol) {
+  const FormulaStep& step = steps_.steps()[i];
+  if (step.kind == FormulaStep::Kind::number) return false;
+  if (step.kind == FormulaStep::Kind::symbol) {
     if (step.uses > 1) return all_.operations(step.node) > 0;
     const std::vector<StepPart>& factors = steps_.steps()[steps_.whole()].parts;
     const bool factor = std::find(factors.begin(), factors.end(), StepPart{i, 1}) != factors.end();
@@ -107,7 +107,9 @@ void Lines::give_names() {
 /// Letters first, in the order in which they were given; the others as they were made, each behind
 /// those that it needs.
 void Lines::put_in_order() {
-  const auto is_letter = [&](Index i) { return steps_.steps()[i].kind == FormStep::Kind::symbol; };
+  const auto is_letter = [&](Index i) {
+    return steps_.steps()[i].kind == FormulaStep::Kind::symbol;
+  };
   const auto rest = std::stable_partition(lines_.begin(), lines_.end(), is_letter);
   std::sort(lines_.begin(), rest,
             [&](Index a, Index b) { return steps_.steps()[a].node < steps_.steps()[b].node; });
@@ -137,8 +139,8 @@ bool Lines::divide_long_line() {
     if (length(line) <= longest_line) continue;
     std::optional<Index> part = longest_part(line, longest_line);
     if (!part) part = longest_part(line, std::string::npos);
-    const FormStep& step = steps_.steps()[line];
-    if (!part && step.kind == FormStep::Kind::sum && step.parts.size() > 3)
+    const FormulaStep& step = steps_.steps()[line];
+    if (!part && step.kind == FormulaStep::Kind::sum && step.parts.size() > 3)
       part = steps_.halve(line);
     if (!part) continue;
     divided_.push_back(*part);
@@ -162,7 +164,7 @@ std::optional<Lines::Index> Lines::longest_part(Index line, std::size_t most) co
     for (const StepPart& part : steps_.steps()[at].parts) {
       if (names_.contains(part.step)) continue;
       open.push_back(part.step);
-      if (steps_.steps()[part.step].kind != FormStep::Kind::sum) continue;
+      if (steps_.steps()[part.step].kind != FormulaStep::Kind::sum) continue;
       const std::size_t size = length(part.step);
       if (size > longest && size <= most) longest = size, result = part.step;
     }
@@ -188,41 +190,41 @@ Form Lines::meaning(ExNode node) const {
 }
 
 Form Lines::written(Index i) const {
-  const FormStep& step = steps_.steps()[i];
+  const FormulaStep& step = steps_.steps()[i];
   switch (step.kind) {
-    case FormStep::Kind::symbol:
+    case FormulaStep::Kind::symbol:
       return symbol(step.node);
-    case FormStep::Kind::number:
-      return natural_form(step.number);
-    case FormStep::Kind::sum:
+    case FormulaStep::Kind::number:
+      return digits_form(step.number);
+    case FormulaStep::Kind::sum:
       return sum(step);
-    case FormStep::Kind::product:
+    case FormulaStep::Kind::product:
       return product(step);
-    case FormStep::Kind::power:
+    case FormulaStep::Kind::power:
       return {Form::Kind::power, "", {of(step.parts[0].step)}, {}, {}, step.exponent};
-    case FormStep::Kind::root:
+    case FormulaStep::Kind::root:
       return {Form::Kind::root, "", {of(step.parts[0].step)}, {}, {}, 1};
-    case FormStep::Kind::magnitude:
+    case FormulaStep::Kind::magnitude:
       break;
   }
   return {Form::Kind::call, "abs", {}, {}, {{false, of(step.parts[0].step)}}, 1};
 }
 
-Form Lines::sum(const FormStep& step) const {
+Form Lines::sum(const FormulaStep& step) const {
   Form form{Form::Kind::sum, "", {}, {}, {}, 1};
   for (const StepPart& part : step.parts) form.terms.push_back({part.sign < 0, of(part.step)});
   std::sort(form.terms.begin(), form.terms.end(), before_in_sum);
   return form;
 }
 
-Form Lines::product(const FormStep& step) const {
+Form Lines::product(const FormulaStep& step) const {
   std::vector<Form> over, under;
   const auto put = [&](Form factor, bool below) {
     (below ? under : over).push_back(std::move(factor));
   };
   for (const StepPart& part : step.parts) {
-    const FormStep& inner = steps_.steps()[part.step];
-    if (inner.kind == FormStep::Kind::symbol && all_.leads(inner.node)) {
+    const FormulaStep& inner = steps_.steps()[part.step];
+    if (inner.kind == FormulaStep::Kind::symbol && all_.leads(inner.node)) {
       for (const char* name : {"mu0", "omega", "du_z"}) put(name_form(name), part.sign < 0);
       continue;
     }

@@ -30,8 +30,8 @@ class Lines {
   std::optional<Index> longest_part(Index line, std::size_t most) const;
   Form of(Index step) const;
   Form written(Index step) const;
-  Form sum(const FormStep& step) const;
-  Form product(const FormStep& step) const;
+  Form sum(const FormulaStep& step) const;
+  Form product(const FormulaStep& step) const;
   Form meaning(ExNode symbol) const;
   Form symbol(ExNode node) const;
 

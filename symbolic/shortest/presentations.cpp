@@ -25,9 +25,9 @@ std::string shape(const Network& network) {
   return of_parts("*", std::get<Graph>(network.form).parts);
 }
 
-std::vector<PairQuotient> inverses(const std::vector<PairQuotient>& all) {
-  std::vector<PairQuotient> result;
-  for (const PairQuotient& each : all) result.push_back(inverted(each));
+std::vector<ComplexQuotient> inverses(const std::vector<ComplexQuotient>& all) {
+  std::vector<ComplexQuotient> result;
+  for (const ComplexQuotient& each : all) result.push_back(reciprocal(each));
   return result;
 }
 
@@ -37,7 +37,7 @@ Network joined_network(const Network& network) {
 }
 
 /// 0: nothing below the bar; 1: nothing above it; 2: something on both sides.
-int sort_of(const PairQuotient& q) {
+int sort_of(const ComplexQuotient& q) {
   if (q.under.is_real()) return 0;
   return q.over.is_real() ? 1 : 2;
 }
@@ -55,7 +55,7 @@ std::vector<int> alike(const std::vector<Network>& parts) {
   return numbers;
 }
 
-std::vector<PairQuotient> Presentations::of(const Network& network) {
+std::vector<ComplexQuotient> Presentations::of(const Network& network) {
   const Network joined = joined_network(network);
   return std::visit([this](const auto& form) { return of(form); }, joined.form);
 }
@@ -68,19 +68,19 @@ Ex Presentations::inertia(const Ex& mass) {
   return named("M", all_.multiply(mass, all_.power(omega_, 2)));
 }
 
-PairQuotient Presentations::damper(const Ex& c, const char* letter) {
-  return {imaginary(named(letter, all_.multiply(omega_, c)))};
+ComplexQuotient Presentations::damper(const Ex& c, const char* letter) {
+  return {from_imaginary(named(letter, all_.multiply(omega_, c)))};
 }
 
-std::vector<PairQuotient> Presentations::of(const Element& e) {
+std::vector<ComplexQuotient> Presentations::of(const Element& e) {
   const Ex k = symbol_(e.coefficient);
   switch (e.kind) {
     case ElementKind::spring:
-      return {{pair_of(k)}};
+      return {{from_real(k)}};
     case ElementKind::damper:
       return {damper(k, "W")};
     case ElementKind::mass:
-      return {{pair_of(Expressions::negative(inertia(k)))}};
+      return {{from_real(Expressions::negative(inertia(k)))}};
     case ElementKind::lossy:
       return {{{k, all_.multiply(k, symbol_(e.second))}}};
     case ElementKind::maxwell:
@@ -90,10 +90,11 @@ std::vector<PairQuotient> Presentations::of(const Element& e) {
 }
 
 /// k i T/(1 + i T): K'' = A = k/(T + 1/T), K' = A T.
-std::vector<PairQuotient> Presentations::maxwell(const Ex& k, const Ex& turn) {
+std::vector<ComplexQuotient> Presentations::maxwell(const Ex& k, const Ex& turn) {
   const Ex one = Expressions::number(1);
   const Ex loss = all_.divide(k, all_.add(turn, all_.divide(one, turn)));
-  return {{{all_.multiply(loss, turn), loss}}, {imaginary(all_.multiply(k, turn)), {one, turn}}};
+  return {{{all_.multiply(loss, turn), loss}},
+          {from_imaginary(all_.multiply(k, turn)), {one, turn}}};
 }
 
 Gathered Presentations::gathered(const std::vector<Network>& parts, bool inverse) {
@@ -124,7 +125,7 @@ Presentations::Terms Presentations::side_by_side(const std::vector<Network>& par
   const Gathered all = gathered(parts, false);
   Terms terms{{}, alike(all.others)};
   for (const Network& part : all.others) terms.choices.push_back(of(part));
-  RealPair rest;
+  ComplexEx rest;
   if (all.spring) rest.re = *all.spring;
   if (all.mass) rest.re = all_.subtract(rest.re, inertia(*all.mass));
   if (all.damper) rest.im = damper(*all.damper, "W").over.im;
@@ -136,38 +137,39 @@ Presentations::Terms Presentations::one_behind_another(const std::vector<Network
   const Gathered all = gathered(parts, true);
   if (all.others.empty() && all.spring && all.damper) {
     const Ex turn = named("T", all_.product({{omega_, 1}, {*all.damper, 1}, {*all.spring, -1}}));
-    const PairQuotient compliance = inverted(PairQuotient{{*all.spring}});
-    const PairQuotient simple = sum({compliance, inverted(damper(*all.damper, "W"))}, false);
-    std::vector<PairQuotient> choices = inverses(maxwell(*all.spring, turn));
+    const ComplexQuotient compliance = reciprocal(ComplexQuotient{{*all.spring}});
+    const ComplexQuotient simple = sum({compliance, reciprocal(damper(*all.damper, "W"))}, false);
+    std::vector<ComplexQuotient> choices = inverses(maxwell(*all.spring, turn));
     choices.push_back(simple);
     return {{choices}, {0}};
   }
   Terms terms{{}, alike(all.others)};
   for (const Network& part : all.others) terms.choices.push_back(inverses(of(part)));
-  for (const auto& each : {all.spring ? std::optional(PairQuotient{{*all.spring}}) : std::nullopt,
-                           all.damper ? std::optional(damper(*all.damper, "W")) : std::nullopt})
-    if (each) terms.choices.push_back({inverted(*each)}), terms.groups.push_back(-1);
+  for (const auto& each :
+       {all.spring ? std::optional(ComplexQuotient{{*all.spring}}) : std::nullopt,
+        all.damper ? std::optional(damper(*all.damper, "W")) : std::nullopt})
+    if (each) terms.choices.push_back({reciprocal(*each)}), terms.groups.push_back(-1);
   return terms;
 }
 
-std::vector<PairQuotient> Presentations::of(const Parallel& parallel) {
+std::vector<ComplexQuotient> Presentations::of(const Parallel& parallel) {
   const Terms terms = side_by_side(parallel.parts);
   return sums(terms.choices, terms.groups);
 }
 
-std::vector<PairQuotient> Presentations::of(const Series& series) {
+std::vector<ComplexQuotient> Presentations::of(const Series& series) {
   const Terms terms = one_behind_another(series.parts);
   if (terms.choices.size() == 1) return inverses(terms.choices[0]);
   return inverses(sums(terms.choices, terms.groups));
 }
 
-std::vector<PairQuotient> Presentations::swinging(const Network& drive,
-                                                  const std::optional<Ex>& mass) {
+std::vector<ComplexQuotient> Presentations::swinging(const Network& drive,
+                                                     const std::optional<Ex>& mass) {
   const auto* parallel = std::get_if<Parallel>(&drive.form);
   Gathered parts = gathered(parallel != nullptr ? parallel->parts : std::vector{drive}, false);
   if (!parts.others.empty()) {
     if (!mass) return of(drive);
-    return beside(drive, {pair_of(Expressions::negative(inertia(*mass)))});
+    return beside(drive, {from_real(Expressions::negative(inertia(*mass)))});
   }
   Ex z = parts.spring.value_or(Expressions::number(0));
   if (mass) parts.mass = parts.mass ? all_.add(*parts.mass, *mass) : *mass;
@@ -176,21 +178,22 @@ std::vector<PairQuotient> Presentations::swinging(const Network& drive,
     z = named("Z", z);
   else if (parts.mass)
     z = Expressions::negative(inertia(*parts.mass));
-  if (!parts.damper) return {{pair_of(z)}};
+  if (!parts.damper) return {{from_real(z)}};
   return {{{z, damper(*parts.damper, "V").over.im}}};
 }
 
-std::vector<PairQuotient> Presentations::of(const Graph& graph) {
-  std::vector<RealPair> edges;
+std::vector<ComplexQuotient> Presentations::of(const Graph& graph) {
+  std::vector<ComplexEx> edges;
   for (const Network& part : graph.parts) edges.push_back(complex_.cartesian(of(part)[0]).over);
-  std::vector<PairQuotient> all;
+  std::vector<ComplexQuotient> all;
   for (const Trees::Order order :
        {Trees::Order::inner_first, Trees::Order::as_written, Trees::Order::backwards})
     offer(all, Trees(complex_, graph, edges, order).stiffness());
   return best(std::move(all));
 }
 
-std::vector<PairQuotient> Presentations::beside(const Network& network, const PairQuotient& other) {
+std::vector<ComplexQuotient> Presentations::beside(const Network& network,
+                                                   const ComplexQuotient& other) {
   const Network joined = joined_network(network);
   const auto* parallel = std::get_if<Parallel>(&joined.form);
   Terms terms = parallel != nullptr ? side_by_side(parallel->parts) : Terms{{of(joined)}, {0}};
@@ -199,7 +202,8 @@ std::vector<PairQuotient> Presentations::beside(const Network& network, const Pa
   return sums(terms.choices, terms.groups);
 }
 
-std::vector<PairQuotient> Presentations::behind(const Network& network, const PairQuotient& other) {
+std::vector<ComplexQuotient> Presentations::behind(const Network& network,
+                                                   const ComplexQuotient& other) {
   const Network joined = joined_network(network);
   const auto* series = std::get_if<Series>(&joined.form);
   Terms terms =
@@ -209,15 +213,16 @@ std::vector<PairQuotient> Presentations::behind(const Network& network, const Pa
   return sums(terms.choices, terms.groups);
 }
 
-PairQuotient Presentations::sum(const std::vector<PairQuotient>& parts, bool one_denominator) {
-  RealPair whole;
-  std::vector<PairQuotient> left;
-  for (const PairQuotient& part : parts) {
+ComplexQuotient Presentations::sum(const std::vector<ComplexQuotient>& parts,
+                                   bool one_denominator) {
+  ComplexEx whole;
+  std::vector<ComplexQuotient> left;
+  for (const ComplexQuotient& part : parts) {
     if (part.under.is_one() || (part.under.is_real() && !one_denominator)) {
       whole = complex_.add(whole, complex_.cartesian(part).over);
       continue;
     }
-    const auto same = std::find_if(left.begin(), left.end(), [&](const PairQuotient& each) {
+    const auto same = std::find_if(left.begin(), left.end(), [&](const ComplexQuotient& each) {
       return each.under == part.under;
     });
     if (same == left.end())
@@ -225,23 +230,23 @@ PairQuotient Presentations::sum(const std::vector<PairQuotient>& parts, bool one
     else
       same->over = complex_.add(same->over, part.over);
   }
-  PairQuotient result{whole};
-  for (const PairQuotient& part : left)
+  ComplexQuotient result{whole};
+  for (const ComplexQuotient& part : left)
     result = {complex_.add(complex_.multiply(result.over, part.under),
                            complex_.multiply(part.over, result.under)),
               complex_.multiply(result.under, part.under)};
   return result;
 }
 
-std::vector<PairQuotient> Presentations::sums(const Choices& parts,
-                                              const std::vector<int>& groups) {
-  std::vector<PairQuotient> all;
+std::vector<ComplexQuotient> Presentations::sums(const Choices& parts,
+                                                 const std::vector<int>& groups) {
+  std::vector<ComplexQuotient> all;
   // The choice of each group, as digits of a number.
   int most = 0;
   for (const int group : groups) most = std::max(most, group);
   std::vector<std::size_t> choice(static_cast<std::size_t>(most) + 1, 0);
   for (std::size_t combination = 0; combination < thrift_.combinations; ++combination) {
-    std::vector<PairQuotient> chosen;
+    std::vector<ComplexQuotient> chosen;
     for (std::size_t i = 0; i < parts.size(); ++i) {
       const std::size_t at = groups[i] < 0 ? 0 : choice[static_cast<std::size_t>(groups[i])];
       chosen.push_back(parts[i][std::min(at, parts[i].size() - 1)]);
@@ -257,24 +262,24 @@ std::vector<PairQuotient> Presentations::sums(const Choices& parts,
     }
     if (digit == choice.size()) break;
   }
-  for (const PairQuotient& each : std::vector<PairQuotient>(all)) {
-    for (const PairQuotient& other : complex_.cartesians(each)) offer(all, other);
-    for (const PairQuotient& other : complex_.cartesians(inverted(each)))
-      offer(all, inverted(other));
+  for (const ComplexQuotient& each : std::vector<ComplexQuotient>(all)) {
+    for (const ComplexQuotient& other : complex_.cartesians(each)) offer(all, other);
+    for (const ComplexQuotient& other : complex_.cartesians(reciprocal(each)))
+      offer(all, reciprocal(other));
   }
   return best(std::move(all));
 }
 
-void Presentations::offer(std::vector<PairQuotient>& all, const PairQuotient& quotient) {
+void Presentations::offer(std::vector<ComplexQuotient>& all, const ComplexQuotient& quotient) {
   if (std::find(all.begin(), all.end(), quotient) == all.end()) all.push_back(quotient);
 }
 
-std::vector<PairQuotient> Presentations::best(std::vector<PairQuotient> all) {
+std::vector<ComplexQuotient> Presentations::best(std::vector<ComplexQuotient> all) {
   std::vector<std::pair<int, std::size_t>> order;
   for (std::size_t i = 0; i < all.size(); ++i)
     order.emplace_back(operations(all_, complex_.modulus(all[i])), i);
   std::sort(order.begin(), order.end());
-  std::vector<PairQuotient> result;
+  std::vector<ComplexQuotient> result;
   std::vector<std::size_t> of_sort(3);
   for (const auto& [cost, i] : order)
     if (of_sort[static_cast<std::size_t>(sort_of(all[i]))]++ < thrift_.kept)

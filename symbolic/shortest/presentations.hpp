@@ -26,34 +26,34 @@ struct Thrift {
 
 class Presentations {
  public:
-  using Choices = std::vector<std::vector<PairQuotient>>;
+  using Choices = std::vector<std::vector<ComplexQuotient>>;
   using Lookup = std::function<Ex(const Symbol&)>;
   Presentations(Expressions& all, Ex omega, Lookup symbol, const Thrift& thrift)
       : all_(all), complex_(all), omega_(omega), symbol_(std::move(symbol)), thrift_(thrift) {}
 
   /// Of the stiffness, a few, those most promising first.
-  std::vector<PairQuotient> of(const Network& network);
+  std::vector<ComplexQuotient> of(const Network& network);
   /// Of the stiffness with something beside it.
-  std::vector<PairQuotient> beside(const Network& network, const PairQuotient& other);
+  std::vector<ComplexQuotient> beside(const Network& network, const ComplexQuotient& other);
   /// Of the compliance with another behind it.
-  std::vector<PairQuotient> behind(const Network& network, const PairQuotient& other);
+  std::vector<ComplexQuotient> behind(const Network& network, const ComplexQuotient& other);
   /// Of sums, of each of which any presentation may be taken.
-  std::vector<PairQuotient> sums(const std::vector<std::vector<PairQuotient>>& parts,
-                                 const std::vector<int>& alike);
-  PairQuotient sum(const std::vector<PairQuotient>& parts, bool one_denominator);
+  std::vector<ComplexQuotient> sums(const std::vector<std::vector<ComplexQuotient>>& parts,
+                                    const std::vector<int>& alike);
+  ComplexQuotient sum(const std::vector<ComplexQuotient>& parts, bool one_denominator);
   /// K - m omega^2 of a drive and a mass, if there is one: of springs and dampers side by side
   /// Z + i V.
-  std::vector<PairQuotient> swinging(const Network& drive, const std::optional<Ex>& mass);
+  std::vector<ComplexQuotient> swinging(const Network& drive, const std::optional<Ex>& mass);
   /// m omega^2
   Ex inertia(const Ex& mass);
 
  private:
-  std::vector<PairQuotient> of(const Element& element);
-  std::vector<PairQuotient> of(const Series& series);
-  std::vector<PairQuotient> of(const Parallel& parallel);
-  std::vector<PairQuotient> of(const Graph& graph);
-  PairQuotient damper(const Ex& c, const char* letter);
-  std::vector<PairQuotient> maxwell(const Ex& k, const Ex& turn);
+  std::vector<ComplexQuotient> of(const Element& element);
+  std::vector<ComplexQuotient> of(const Series& series);
+  std::vector<ComplexQuotient> of(const Parallel& parallel);
+  std::vector<ComplexQuotient> of(const Graph& graph);
+  ComplexQuotient damper(const Ex& c, const char* letter);
+  std::vector<ComplexQuotient> maxwell(const Ex& k, const Ex& turn);
   /// The parts of a sum, and which of them are alike.
   struct Terms {
     Choices choices;
@@ -63,8 +63,8 @@ class Presentations {
   Terms one_behind_another(const std::vector<Network>& parts);
   Gathered gathered(const std::vector<Network>& parts, bool inverse);
   Ex named(const char* letter, const Ex& meaning);
-  std::vector<PairQuotient> best(std::vector<PairQuotient> all);
-  void offer(std::vector<PairQuotient>& all, const PairQuotient& quotient);
+  std::vector<ComplexQuotient> best(std::vector<ComplexQuotient> all);
+  void offer(std::vector<ComplexQuotient>& all, const ComplexQuotient& quotient);
 
   Expressions& all_;
   ComplexAlgebra complex_;

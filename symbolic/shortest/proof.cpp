@@ -9,9 +9,9 @@ namespace vcrit::symbolic {
 
 namespace {
 
-constexpr int points_compared = 3;
+constexpr int points_to_compare = 3;
 // Nobody divides by 0 at so many.
-constexpr std::uint64_t points_tried = 100;
+constexpr std::uint64_t most_points = 100;
 
 using Number = GaussianResidue;
 
@@ -106,7 +106,7 @@ class FormAt {
   std::map<std::string, Residue> known_;
 };
 
-bool agrees_at(const ShortestForm& form, const Model& model, const Point& point) {
+bool same_squares(const ShortestForm& form, const Model& model, const Point& point) {
   FormAt at(point);
   for (const ShortestForm::Definition& definition : form.definitions) at.define(definition);
   return GaussianResidue(at.square(form.velocity)) == DerivedAt(point).square(model);
@@ -116,16 +116,16 @@ bool agrees_at(const ShortestForm& form, const Model& model, const Point& point)
 
 void prove(const ShortestForm& form, const Model& model) {
   int compared = 0;
-  for (std::uint64_t number = 0; number < points_tried && compared < points_compared; ++number) {
+  for (std::uint64_t number = 0; number < most_points && compared < points_to_compare; ++number) {
     try {
-      ensure(agrees_at(form, model, named_point(number)),
+      ensure(same_squares(form, model, named_point(number)),
              "the shortest form is the derived formula");
       ++compared;
     } catch (const NoInverse&) {
       continue;
     }
   }
-  ensure(compared == points_compared, "a formula is finite at nearly all points");
+  ensure(compared == points_to_compare, "a formula is finite at nearly all points");
 }
 
 }  // namespace vcrit::symbolic

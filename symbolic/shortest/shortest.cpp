@@ -23,12 +23,12 @@ namespace {
 using namespace shortest;
 
 // Elements that a formula on a page has, and operations: some forty-five lines.
-constexpr std::size_t most_elements_on_a_page = 48;
-constexpr int most_operations = 170;
+constexpr std::size_t elements_on_page = 48;
+constexpr int operations_on_page = 170;
 
 // Some 0.1 s each.
 constexpr std::size_t work_of_beginning = 5'000'000;
-constexpr SearchEffort effort{60, 5'000'000};
+constexpr Effort effort{60, 5'000'000};
 
 /// What is tried one after the other until the beginning takes no more work than that.
 constexpr std::array<Thrift, 3> thrifts{{{48, 3}, {6, 1}, {1, 1}}};
@@ -56,7 +56,7 @@ class Alphabet {
     const std::vector<Ex> starts = critical_velocities(all_, presentations, parts_);
     all_.allow(2 * effort.work);
     const Ex best = shortest_of(all_, starts, effort);
-    if (operations(all_, best) > most_operations) return std::nullopt;
+    if (operations(all_, best) > operations_on_page) return std::nullopt;
     ShortestForm form = Lines(all_, measures_, best).form();
     if (contact_.isotropic != nullptr) form.ratio = ratio_words(form);
     return form;
@@ -133,19 +133,22 @@ class Alphabet {
   std::string ratio_;  ///< K_n/K_t where it is a number other than 1
 };
 
-int all_operations(const std::vector<Form>& forms) {
+int operations_in_all(const std::vector<Form>& forms) {
   int sum = 0;
-  for (const Form& form : forms) sum += symbolic::form_operations(form);
+  for (const Form& form : forms) sum += operations_in(form);
   return sum;
 }
 
-int count_of(const std::vector<Form>& forms) { return static_cast<int>(forms.size()); }
+/// Of a product of them.
+int multiplications(const std::vector<Form>& forms) {
+  return std::max(static_cast<int>(forms.size()) - 1, 0);
+}
 
 bool too_many_elements(const Contact& contact) {
   std::size_t elements = 0;
   for (const Network* network : {&contact.normal, contact.tangential, contact.drive})
-    if (network != nullptr) elements += vcrit::size(*network);
-  return elements > most_elements_on_a_page;
+    if (network != nullptr) elements += size(*network);
+  return elements > elements_on_page;
 }
 
 }  // namespace
@@ -163,7 +166,7 @@ std::optional<ShortestForm> shortest_form(const Contact& contact) {
   return std::nullopt;
 }
 
-int form_operations(const Form& form) {
+int operations_in(const Form& form) {
   switch (form.kind) {
     case Form::Kind::number:
       return form.text.find('/') == std::string::npos ? 0 : 1;
@@ -171,21 +174,21 @@ int form_operations(const Form& form) {
       return 0;
     case Form::Kind::sum: {
       int sum = static_cast<int>(form.terms.size()) - (form.terms.front().minus ? 0 : 1);
-      for (const Signed& term : form.terms) sum += form_operations(term.form);
+      for (const Signed& term : form.terms) sum += operations_in(term.form);
       return sum;
     }
     case Form::Kind::product: {
       const int bar = form.under.empty() ? 0 : 1;
-      return all_operations(form.over) + all_operations(form.under) +
-             std::max(count_of(form.over) - 1, 0) + std::max(count_of(form.under) - 1, 0) + bar;
+      return operations_in_all(form.over) + operations_in_all(form.under) +
+             multiplications(form.over) + multiplications(form.under) + bar;
     }
     case Form::Kind::power:
     case Form::Kind::root:
-      return 1 + all_operations(form.over);
+      return 1 + operations_in_all(form.over);
     case Form::Kind::call:
       break;
   }
-  return 1 + form_operations(form.terms.front().form);
+  return 1 + operations_in(form.terms.front().form);
 }
 
 }  // namespace vcrit::symbolic

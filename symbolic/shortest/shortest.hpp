@@ -40,6 +40,6 @@ struct ShortestForm {
 std::optional<ShortestForm> shortest_form(const Contact& contact);
 
 /// Each + - * / ^ sqrt abs.
-int form_operations(const Form& form);
+int operations_in(const Form& form);
 
 }  // namespace vcrit::symbolic

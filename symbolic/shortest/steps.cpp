@@ -10,7 +10,7 @@ namespace {
 
 std::uint64_t bit(std::uint32_t step) { return std::uint64_t{1} << (step % 64); }
 
-void remember_parts(FormStep& step) {
+void remember_parts(FormulaStep& step) {
   std::sort(step.parts.begin(), step.parts.end());
   step.mask = 0;
   for (const StepPart& part : step.parts) step.mask |= bit(part.step);
@@ -18,7 +18,7 @@ void remember_parts(FormStep& step) {
 
 /// What two steps of a kind have in common, as it stands in `a`: in `b` it has the same signs or
 /// all others. The larger of both.
-std::vector<StepPart> common_parts(const FormStep& a, const FormStep& b) {
+std::vector<StepPart> common_parts(const FormulaStep& a, const FormulaStep& b) {
   std::vector<StepPart> same, opposite;
   for (auto i = a.parts.begin(), j = b.parts.begin(); i != a.parts.end() && j != b.parts.end();) {
     if (i->step < j->step)
@@ -34,7 +34,7 @@ std::vector<StepPart> common_parts(const FormStep& a, const FormStep& b) {
 }
 
 /// The sign with which `step` holds all of `parts`, if it does.
-std::optional<int> sign_within(const FormStep& step, const std::vector<StepPart>& parts) {
+std::optional<int> sign_in(const FormulaStep& step, const std::vector<StepPart>& parts) {
   int sign = 0;
   auto i = step.parts.begin();
   for (const StepPart& part : parts) {
@@ -49,16 +49,16 @@ std::optional<int> sign_within(const FormStep& step, const std::vector<StepPart>
 
 }  // namespace
 
-int step_operations(const FormStep& step, const Expressions& all) {
+int step_operations(const FormulaStep& step, const Expressions& all) {
   const int size = static_cast<int>(step.parts.size());
   switch (step.kind) {
-    case FormStep::Kind::symbol:
+    case FormulaStep::Kind::symbol:
       return all.operations(step.node);
-    case FormStep::Kind::number:
+    case FormulaStep::Kind::number:
       return 0;
-    case FormStep::Kind::sum:
+    case FormulaStep::Kind::sum:
       return size - 1;
-    case FormStep::Kind::product: {
+    case FormulaStep::Kind::product: {
       const bool over = std::any_of(step.parts.begin(), step.parts.end(),
                                     [](const StepPart& part) { return part.sign > 0; });
       return over ? size - 1 : size;
@@ -71,17 +71,17 @@ int step_operations(const FormStep& step, const Expressions& all) {
 Steps::Steps(const Expressions& all, const Ex& whole) : all_(all) {
   steps_.reserve(64);
   whole_ = of(whole.factor, whole.node);
-  share(FormStep::Kind::sum);
-  share(FormStep::Kind::product);
+  share(FormulaStep::Kind::sum);
+  share(FormulaStep::Kind::product);
   count();
   all.spend(20 * steps_.size());
 }
 
-std::uint32_t Steps::put(FormStep step) {
+std::uint32_t Steps::put(FormulaStep step) {
   remember_parts(step);
   all_.spend(steps_.size() / 16);
   for (std::uint32_t i = 0; i < steps_.size(); ++i) {
-    const FormStep& old = steps_[i];
+    const FormulaStep& old = steps_[i];
     if (old.mask == step.mask && old.kind == step.kind && old.node == step.node &&
         old.number == step.number && old.exponent == step.exponent && old.parts == step.parts)
       return i;
@@ -91,8 +91,8 @@ std::uint32_t Steps::put(FormStep step) {
 }
 
 std::uint32_t Steps::number(std::int64_t value) {
-  FormStep step;
-  step.kind = FormStep::Kind::number;
+  FormulaStep step;
+  step.kind = FormulaStep::Kind::number;
   step.number = value;
   return put(std::move(step));
 }
@@ -106,8 +106,8 @@ std::uint32_t Steps::of(const SmallFraction& factor, ExNode node) {
 }
 
 std::uint32_t Steps::product(const SmallFraction& factor, const std::vector<Item>& items) {
-  FormStep step;
-  step.kind = FormStep::Kind::product;
+  FormulaStep step;
+  step.kind = FormulaStep::Kind::product;
   if (factor.over != 1) step.parts.push_back({number(factor.over), 1});
   if (factor.under != 1) step.parts.push_back({number(factor.under), -1});
   for (const Item& item : items)
@@ -117,8 +117,8 @@ std::uint32_t Steps::product(const SmallFraction& factor, const std::vector<Item
   int highest = 1;
   for (const Item& item : items) highest = std::max(highest, std::abs(item.exponent));
   for (int exponent = 2; exponent <= highest; ++exponent) {
-    FormStep base;
-    base.kind = FormStep::Kind::product;
+    FormulaStep base;
+    base.kind = FormulaStep::Kind::product;
     for (const Item& item : items)
       if (std::abs(item.exponent) == exponent)
         base.parts.push_back({of(item.node), item.exponent > 0 ? 1 : -1});
@@ -129,8 +129,8 @@ std::uint32_t Steps::product(const SmallFraction& factor, const std::vector<Item
       sign = -1;
       for (StepPart& part : base.parts) part.sign = 1;
     }
-    FormStep power;
-    power.kind = FormStep::Kind::power;
+    FormulaStep power;
+    power.kind = FormulaStep::Kind::power;
     power.exponent = exponent;
     power.parts = {{base.parts.size() == 1 ? base.parts[0].step : put(std::move(base)), 1}};
     step.parts.push_back({put(std::move(power)), sign});
@@ -143,7 +143,7 @@ std::uint32_t Steps::of(ExNode node) {
   for (const auto& [known, step] : known_)
     if (known == node) return step;
   const NodeData& data = all_[node];
-  FormStep step;
+  FormulaStep step;
   std::uint32_t made = 0;
   switch (data.kind) {
     case Kind::one:
@@ -157,14 +157,14 @@ std::uint32_t Steps::of(ExNode node) {
       made = product({}, data.items);
       break;
     case Kind::sum:
-      step.kind = FormStep::Kind::sum;
+      step.kind = FormulaStep::Kind::sum;
       for (const Item& item : data.items)
         step.parts.push_back({of(item.factor, item.node), item.factor.negative() ? -1 : 1});
       made = put(std::move(step));
       break;
     case Kind::root:
     case Kind::magnitude:
-      step.kind = data.kind == Kind::root ? FormStep::Kind::root : FormStep::Kind::magnitude;
+      step.kind = data.kind == Kind::root ? FormulaStep::Kind::root : FormulaStep::Kind::magnitude;
       step.parts = {{of(data.items[0].factor, data.items[0].node), 1}};
       made = put(std::move(step));
       break;
@@ -174,7 +174,7 @@ std::uint32_t Steps::of(ExNode node) {
 }
 
 void Steps::replace(std::uint32_t in, const std::vector<StepPart>& common, std::uint32_t by) {
-  const std::optional<int> sign = sign_within(steps_[in], common);
+  const std::optional<int> sign = sign_in(steps_[in], common);
   if (!sign) return;
   std::erase_if(steps_[in].parts, [&](const StepPart& part) {
     return std::any_of(common.begin(), common.end(),
@@ -189,7 +189,7 @@ bool Steps::share_best(const std::vector<std::uint32_t>& sets) {
   all_.spend(sets.size() * sets.size() / 8);
   for (std::size_t i = 0; i < sets.size(); ++i)
     for (std::size_t j = i + 1; j < sets.size(); ++j) {
-      const FormStep &a = steps_[sets[i]], &b = steps_[sets[j]];
+      const FormulaStep &a = steps_[sets[i]], &b = steps_[sets[j]];
       const std::uint64_t mask = a.mask & b.mask;
       // One bit may stand for several steps where there are more than 64.
       if (mask == 0 || (std::has_single_bit(mask) && steps_.size() <= 64)) continue;
@@ -200,15 +200,15 @@ bool Steps::share_best(const std::vector<std::uint32_t>& sets) {
   // Where it is all of a step, that step is it.
   std::uint32_t shared = static_cast<std::uint32_t>(steps_.size());
   for (const std::uint32_t set : sets)
-    if (steps_[set].parts.size() == best.size() && sign_within(steps_[set], best)) {
+    if (steps_[set].parts.size() == best.size() && sign_in(steps_[set], best)) {
       shared = set;
       best = steps_[set].parts;
       break;
     }
   if (shared == steps_.size()) {
-    FormStep step;
+    FormulaStep step;
     step.kind = steps_[sets[0]].kind;
-    const bool turned = step.kind == FormStep::Kind::sum
+    const bool turned = step.kind == FormulaStep::Kind::sum
                             ? best.front().sign < 0
                             : std::none_of(best.begin(), best.end(),
                                            [](const StepPart& part) { return part.sign > 0; });
@@ -223,7 +223,7 @@ bool Steps::share_best(const std::vector<std::uint32_t>& sets) {
   return true;
 }
 
-void Steps::share(FormStep::Kind kind) {
+void Steps::share(FormulaStep::Kind kind) {
   for (bool more = true; more;) {
     std::vector<std::uint32_t> sets;
     for (std::uint32_t i = 0; i < steps_.size(); ++i)
@@ -233,8 +233,8 @@ void Steps::share(FormStep::Kind kind) {
 }
 
 std::uint32_t Steps::halve(std::uint32_t sum) {
-  FormStep half;
-  half.kind = FormStep::Kind::sum;
+  FormulaStep half;
+  half.kind = FormulaStep::Kind::sum;
   half.uses = 1;
   std::vector<StepPart>& parts = steps_[sum].parts;
   const auto middle = parts.begin() + static_cast<std::ptrdiff_t>((parts.size() + 1) / 2);
@@ -256,11 +256,11 @@ void Steps::count() {
   std::vector<std::uint32_t> open{whole_};
   steps_[whole_].uses = 1;
   while (!open.empty()) {
-    const FormStep& step = steps_[open.back()];
+    const FormulaStep& step = steps_[open.back()];
     open.pop_back();
     operations_ += step_operations(step, all_);
     for (const StepPart& part : step.parts) {
-      FormStep& used = steps_[part.step];
+      FormulaStep& used = steps_[part.step];
       if (used.uses++ == 0) open.push_back(part.step);
       if (used.uses == 2 && step_operations(used, all_) > 0) ++shared_;
     }

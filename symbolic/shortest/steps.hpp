@@ -17,7 +17,7 @@ struct StepPart {
   friend auto operator<=>(const StepPart&, const StepPart&) = default;
 };
 
-struct FormStep {
+struct FormulaStep {
   enum class Kind : std::uint8_t { symbol, number, sum, product, power, root, magnitude };
   Kind kind = Kind::symbol;
   ExNode node = 0;          ///< of a symbol
@@ -35,7 +35,7 @@ class Steps {
   int operations() const { return operations_; }
   /// Steps that are used more than once.
   int shared() const { return shared_; }
-  const std::vector<FormStep>& steps() const { return steps_; }
+  const std::vector<FormulaStep>& steps() const { return steps_; }
   std::uint32_t whole() const { return whole_; }
   /// Makes the first half of a sum's terms a step of its own: as many operations.
   std::uint32_t halve(std::uint32_t sum);
@@ -44,21 +44,21 @@ class Steps {
   std::uint32_t of(ExNode node);
   std::uint32_t of(const SmallFraction& factor, ExNode node);
   std::uint32_t number(std::int64_t value);
-  std::uint32_t put(FormStep step);
+  std::uint32_t put(FormulaStep step);
   std::uint32_t product(const SmallFraction& factor, const std::vector<Item>& items);
-  void share(FormStep::Kind kind);
+  void share(FormulaStep::Kind kind);
   bool share_best(const std::vector<std::uint32_t>& sets);
   void replace(std::uint32_t in, const std::vector<StepPart>& common, std::uint32_t by);
   void count();
 
   const Expressions& all_;
-  std::vector<FormStep> steps_;
+  std::vector<FormulaStep> steps_;
   std::vector<std::pair<ExNode, std::uint32_t>> known_;
   std::uint32_t whole_ = 0;
   int operations_ = 0, shared_ = 0;
 };
 
 /// Operations of one step, its parts not counted.
-int step_operations(const FormStep& step, const Expressions& all);
+int step_operations(const FormulaStep& step, const Expressions& all);
 
 }  // namespace vcrit::symbolic::shortest

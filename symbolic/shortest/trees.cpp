@@ -10,7 +10,7 @@ constexpr std::size_t most_sums = 2000;
 
 }  // namespace
 
-Trees::Trees(ComplexAlgebra& algebra, const Graph& graph, const std::vector<RealPair>& edges,
+Trees::Trees(ComplexAlgebra& algebra, const Graph& graph, const std::vector<ComplexEx>& edges,
              Order order)
     : algebra_(algebra), order_(order) {
   for (std::size_t i = 0; i < edges.size(); ++i)
@@ -18,7 +18,7 @@ Trees::Trees(ComplexAlgebra& algebra, const Graph& graph, const std::vector<Real
   for (std::size_t i = 0; i < graph.nodes.size(); ++i) nodes_.push_back(static_cast<int>(i));
 }
 
-PairQuotient Trees::stiffness() {
+ComplexQuotient Trees::stiffness() {
   Edges joined = edges_;
   for (Edge& edge : joined) {
     if (edge.from == 1) edge.from = 0;
@@ -53,7 +53,7 @@ std::size_t Trees::chosen(const Edges& edges) const {
   return 0;
 }
 
-RealPair Trees::split(const Edges& edges, const std::vector<int>& nodes, std::size_t at) {
+ComplexEx Trees::split(const Edges& edges, const std::vector<int>& nodes, std::size_t at) {
   const Edge edge = edges[at];
   Edges with;
   for (std::size_t i = 0; i < edges.size(); ++i) {
@@ -68,9 +68,9 @@ RealPair Trees::split(const Edges& edges, const std::vector<int>& nodes, std::si
   return algebra_.multiply(edge.stiffness, sum(std::move(with), std::move(left)));
 }
 
-RealPair Trees::sum(Edges edges, std::vector<int> nodes) {
+ComplexEx Trees::sum(Edges edges, std::vector<int> nodes) {
   if (++sums_ > most_sums) throw TooLarge{};
-  if (nodes.size() == 1) return pair_of(Expressions::number(1));
+  if (nodes.size() == 1) return from_real(Expressions::number(1));
   edges = merged(edges);
   std::size_t lone = edges.size();
   for (const int node : nodes) {
@@ -83,7 +83,7 @@ RealPair Trees::sum(Edges edges, std::vector<int> nodes) {
   // All trees have the only edge of a node.
   if (lone < edges.size()) return split(edges, nodes, lone);
   const std::size_t at = chosen(edges);
-  const RealPair with = split(edges, nodes, at);
+  const ComplexEx with = split(edges, nodes, at);
   edges.erase(edges.begin() + static_cast<std::ptrdiff_t>(at));
   return algebra_.add(with, sum(std::move(edges), std::move(nodes)));
 }

@@ -15,20 +15,20 @@ class Trees {
   /// Which edge the sum is split by, trees with it and trees without it.
   enum class Order { inner_first, as_written, backwards };
   /// `edges`: the stiffness of each of the graph's.
-  Trees(ComplexAlgebra& algebra, const Graph& graph, const std::vector<RealPair>& edges,
+  Trees(ComplexAlgebra& algebra, const Graph& graph, const std::vector<ComplexEx>& edges,
         Order order);
   /// Throws TooLarge for graphs that nobody would write out.
-  PairQuotient stiffness();
+  ComplexQuotient stiffness();
 
  private:
   struct Edge {
     int from = 0, to = 0;
-    RealPair stiffness;
+    ComplexEx stiffness;
   };
   using Edges = std::vector<Edge>;
 
-  RealPair sum(Edges edges, std::vector<int> nodes);
-  RealPair split(const Edges& edges, const std::vector<int>& nodes, std::size_t at);
+  ComplexEx sum(Edges edges, std::vector<int> nodes);
+  ComplexEx split(const Edges& edges, const std::vector<int>& nodes, std::size_t at);
   /// The edges between the same nodes joined, those from a node to itself left out.
   Edges merged(const Edges& edges);
   std::size_t chosen(const Edges& edges) const;

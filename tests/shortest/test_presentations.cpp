@@ -48,12 +48,12 @@ void check(const Network& network) {
   const auto number = [&](const Ex& ex) {
     return value_of(ex.factor) * value_of(all, ex.node, known);
   };
-  const auto complex = [&](const RealPair& z) {
+  const auto complex = [&](const ComplexEx& z) {
     return std::complex<double>(number(z.re), number(z.im));
   };
   Numbers numbers{values};
   const std::complex<double> wanted = evaluate(reduce(network), numbers);
-  for (const PairQuotient& each : presentations.of(network)) {
+  for (const ComplexQuotient& each : presentations.of(network)) {
     const std::complex<double> found = complex(each.over) / complex(each.under);
     BOOST_TEST(std::abs(found - wanted) < 1e-12 * std::abs(wanted));
   }

@@ -50,7 +50,7 @@ std::string text_for(const Scene& scene) {
 }
 
 /// Each + - * / ^ sqrt abs of a text.
-int operations_in(const std::string& text) {
+int operations_in_text(const std::string& text) {
   int count = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const bool star_of_velocity = text[i] == '*' && i > 0 && text[i - 1] == 'v';
@@ -98,7 +98,7 @@ void check(const Scene& scene, const ShortestForm& form) {
                boost::test_tools::tolerance(1e-9));
   }
   const NamesOfScene names(scene);
-  BOOST_TEST(form.operations == operations_in(text_of(form)), text_of(form));
+  BOOST_TEST(form.operations == operations_in_text(text_of(form)), text_of(form));
 }
 
 /// Cells in quotes may have several lines.
