@@ -29,7 +29,7 @@ class Search {
 
   void begin(const Ex& start) { meet(start); }
 
-  void run(const Effort& effort) {
+  void run(const SearchEffort& effort) {
     std::size_t expanded = 0;
     const std::size_t end = all_.work() + effort.work;
     while (!open_.empty() && expanded++ < effort.expanded) {
@@ -74,7 +74,7 @@ class Search {
 
 int operations(const Expressions& all, const Ex& whole) { return Steps(all, whole).operations(); }
 
-Ex shortest_of(Expressions& all, const std::vector<Ex>& starts, const Effort& effort) {
+Ex shortest_of(Expressions& all, const std::vector<Ex>& starts, const SearchEffort& effort) {
   Search search(all);
   for (const Ex& start : starts) search.begin(start);
   search.run(effort);

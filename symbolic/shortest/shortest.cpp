@@ -28,7 +28,7 @@ constexpr int operations_on_page = 170;
 
 // Some 0.1 s each.
 constexpr std::size_t work_of_beginning = 5'000'000;
-constexpr Effort effort{60, 5'000'000};
+constexpr SearchEffort effort{60, 5'000'000};
 
 /// What is tried one after the other until the beginning takes no more work than that.
 constexpr std::array<Thrift, 3> thrifts{{{48, 3}, {6, 1}, {1, 1}}};
