@@ -39,8 +39,8 @@ struct Comparison {
 };
 
 // At an antiresonance that is one in doubles, too, nothing is lost: both have to be 0.
-double condition_of(const Scene& scene, double formula) {
-  const double condition = condition_number(scene, values_of(scene));
+double condition_of(const Problem& problem, double formula) {
+  const double condition = condition_number(problem, problem.values());
   if (formula == 0 && std::isinf(condition)) return 0;
   if (leaves_digits(motion_tolerance(condition))) return condition;
   throw ModelError(
@@ -51,9 +51,9 @@ double condition_of(const Scene& scene, double formula) {
 }
 
 // Sliding of all cells, and the last stick of any.
-Comparison below_indenter(const Scene& scene) {
-  const indenter::HalfSpace half_space(scene);
-  Comparison result{certified_onset(scene).value, condition_number(scene, values_of(scene)),
+Comparison below_indenter(const Problem& problem) {
+  const indenter::HalfSpace half_space(problem);
+  Comparison result{certified_onset(problem).value, condition_number(problem, problem.values()),
                     indenter::sliding_threshold(half_space).contact_velocity};
   try {
     const indenter::LastStick last = indenter::last_stick(half_space);
@@ -67,13 +67,13 @@ Comparison below_indenter(const Scene& scene) {
   return result;
 }
 
-Comparison compared(const Scene& scene) {
-  rules::require(rules::Question::comparison, scene);
-  if (scene.indenter) return below_indenter(scene);
-  const simulation::System system = simulation::system_of(scene);
-  const auto [formula, bound, reason] = certified_onset(scene);
+Comparison compared(const Problem& problem) {
+  rules::require(rules::Question::comparison, problem);
+  if (problem->indenter) return below_indenter(problem);
+  const simulation::System system = simulation::system_of(problem);
+  const auto [formula, bound, reason] = certified_onset(problem);
   if (std::isinf(formula)) throw ModelError(reason + ": nothing to compare");
-  const double condition = condition_of(scene, formula);
+  const double condition = condition_of(problem, formula);
   Comparison result{formula, condition, simulation::sliding_threshold(system).contact_velocity};
   try {
     const simulation::Onset last = simulation::stick_onset(system);
@@ -137,11 +137,11 @@ void add_critical(CLI::App& program, int& status) {
   options->scene.add_to(*command);
   command->add_flag("--json", options->json, "print one JSON object");
   command->callback([options, &status] {
-    const Scene scene = options->scene.read();
-    const Comparison comparison = compared(scene);
+    const Problem problem = options->scene.read();
+    const Comparison comparison = compared(problem);
     if (!comparison.agrees()) status = 1;
     if (options->json)
-      print_critical_json(comparison, scene.warnings);
+      print_critical_json(comparison, problem->source->warnings);
     else
       print_critical_text(comparison);
   });

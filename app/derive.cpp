@@ -29,8 +29,8 @@ const Choices<ResultForm> forms{{"shortest", ResultForm::shortest},
                                 {"dimensionless", ResultForm::dimensionless}};
 
 /// The exit status: 0 for equal, 1 for different.
-int print_comparison(const Scene& scene, const Scene& other, Format format) {
-  const symbolic::Comparison comparison = symbolic::compare(scene, other);
+int print_comparison(const Problem& problem, const Problem& other, Format format) {
+  const symbolic::Comparison comparison = symbolic::compare(problem, other);
   fmt::print(
       "{}", format == Format::json ? symbolic::json_of(comparison) : symbolic::text_of(comparison));
   return comparison.equal ? 0 : 1;
@@ -86,7 +86,7 @@ void add_derive(CLI::App& program, int& status, std::string (*catalogue)()) {
     if (options->catalogue) return fmt::print("{}", catalogue());
     if (options->scene.file.empty()) throw CLI::RequiredError("SCENE");
     if (!options->equal.empty()) {
-      status = print_comparison(options->scene.read(), read_scene(options->equal),
+      status = print_comparison(options->scene.read(), read_problem(options->equal),
                                 options->document.format);
       return;
     }

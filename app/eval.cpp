@@ -31,8 +31,8 @@ std::string true_digits(const CriticalOnset& critical) {
   return fmt::format("{:.{}g}", value, std::max(digits, 1));
 }
 
-const char* surface_words(const Scene& scene) {
-  const rules::Facts facts(scene);
+const char* surface_words(const Problem& problem) {
+  const rules::Facts facts(problem);
   if (facts.is(rules::Kind::never_meeting)) return "never meet";
   return facts.opens() ? "part for a while in each period" : "always touch";
 }
@@ -43,7 +43,7 @@ std::string border_words(double sliding_from) {
 }
 
 // What the surfaces do is told where the scene lets them part.
-void print_eval_json(const Scene& scene, const Result& result) {
+void print_eval_json(const Problem& problem, const Result& result) {
   std::vector<std::string> reasons = result.reasons;
   if (!result.critical.reason.empty()) reasons.push_back(result.critical.reason);
   nlohmann::ordered_json object{
@@ -59,17 +59,17 @@ void print_eval_json(const Scene& scene, const Result& result) {
     object["free_harmonic"] = free.front();
     if (free.size() > 1) object["free_harmonics"] = free;
   }
-  if (scene.separation) {
-    object["opens"] = opens(scene);
+  if (problem->separation) {
+    object["opens"] = opens(problem);
     object["critical_velocity_by"] = result.simulated() ? "simulation" : "formula";
     if (result.simulated())
       object["relative_error_estimate"] = json_number(result.critical.relative_error);
   }
-  print(with_warnings(object, scene.warnings));
+  print(with_warnings(object, problem->source->warnings));
 }
 
-void print_eval_text(const Scene& scene, const Result& result) {
-  if (!scene.title.empty()) fmt::print("{}\n", scene.title);
+void print_eval_text(const Problem& problem, const Result& result) {
+  if (!problem->source->title.empty()) fmt::print("{}\n", problem->source->title);
   const double critical = result.critical.contact_velocity;
   fmt::print("critical velocity v*  {} m/s{}\n", true_digits(result.critical),
              result.simulated() ? " (simulated)" : "");
@@ -85,7 +85,7 @@ void print_eval_text(const Scene& scene, const Result& result) {
     fmt::print("steady sliding        {}: the undamped body swings freely at {} {}\n",
                border_words(result.critical.sliding_from),
                free.size() > 1 ? "harmonics" : "harmonic", fmt::join(free, ", "));
-  if (scene.separation) fmt::print("surfaces              {}\n", surface_words(scene));
+  if (problem->separation) fmt::print("surfaces              {}\n", surface_words(problem));
   fmt::print("admissible            {}\n", result.reasons.empty() ? "yes" : "no");
   for (const std::string& reason : result.reasons) fmt::print("                      {}\n", reason);
 }
@@ -102,12 +102,12 @@ void add_eval(CLI::App& program) {
   options->scene.add_to(*command);
   command->add_flag("--json", options->json, "print one JSON object");
   command->callback([options] {
-    const Scene scene = options->scene.read();
-    const Result result{critical_onset(scene), inadmissible_reasons(scene)};
+    const Problem problem = options->scene.read();
+    const Result result{critical_onset(problem), inadmissible_reasons(problem)};
     if (options->json)
-      print_eval_json(scene, result);
+      print_eval_json(problem, result);
     else
-      print_eval_text(scene, result);
+      print_eval_text(problem, result);
   });
 }
 

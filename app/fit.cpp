@@ -15,6 +15,7 @@
 #include "fit/bounds.hpp"
 #include "fit/scene_text.hpp"
 #include "options.hpp"
+#include "problem/problem.hpp"
 #include "report/figure_files.hpp"
 #include "report/fit_figures.hpp"
 #include "report/fit_page.hpp"
@@ -143,7 +144,7 @@ void run_fit(const FitOptions& options) {
   const std::vector<KnownStiffness> known =
       known_stiffness(data, fit, frequencies_of_interest(data, options.rest.frequency));
   const std::string text = scene_text(fit, data, options.rest);
-  parse_scene(text, options.out);
+  parse_problem(text, options.out);
   const std::string page = std::filesystem::path(out).replace_extension(".html").string();
   std::vector<NewFile> files{{out, text},
                              {page, validation::report::fit_page(data, fit, known, text)}};

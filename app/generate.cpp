@@ -24,9 +24,9 @@ struct GenerateArguments {
 using Paths = std::vector<std::string>;
 
 void generate(const GenerateArguments& options) {
-  const Scene scene = options.scene.read();
+  const Problem problem = options.scene.read();
   const std::vector<symbolic::CodeFile> files =
-      symbolic::code_files(symbolic::derive(scene), options.name, options.generated);
+      symbolic::code_files(symbolic::derive(problem), options.name, options.generated);
   // As the user named the folder: DIR/NAME.hpp.
   Paths written, main;
   for (const std::filesystem::path& path : symbolic::write_code(files, options.directory)) {
@@ -36,7 +36,7 @@ void generate(const GenerateArguments& options) {
   if (options.json)
     return print(with_warnings(
         {{"language", options.generated.language}, {"main", main}, {"files", written}},
-        scene.warnings));
+        problem->source->warnings));
   for (const std::string& file : main) fmt::print("{}\n", file);
 }
 

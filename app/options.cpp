@@ -6,6 +6,7 @@
 
 #include "streams.hpp"
 
+#include "problem/variants.hpp"
 #include "scene/settings.hpp"
 
 namespace vcrit::app {
@@ -26,18 +27,18 @@ Settings SceneOptions::split_settings() const {
   return result;
 }
 
-Scene SceneOptions::read(Frequency frequency) const {
-  return read([frequency](const Scene&) { return frequency; });
+Problem SceneOptions::read(Frequency frequency) const {
+  return read([frequency](const Problem&) { return frequency; });
 }
 
-Scene SceneOptions::read(const std::function<Frequency(const Scene&)>& frequency) const {
-  Scene scene = read_scene(file, split_settings());
-  const std::optional<double>& omega = scene.angular_frequency.value;
-  if (frequency(scene) == Frequency::varied && omega)
-    if (const auto own = beyond_fitted_range(scene, *omega, *omega))
-      std::erase(scene.warnings, *own);
-  for (const std::string& warning : scene.warnings) warn(warning);
-  return scene;
+Problem SceneOptions::read(const std::function<Frequency(const Problem&)>& frequency) const {
+  const Problem problem = read_problem(file, split_settings());
+  std::vector<std::string> warnings = problem->source->warnings;
+  const std::optional<double>& omega = problem->angular_frequency.value;
+  if (frequency(problem) == Frequency::varied && omega)
+    if (const auto own = beyond_fitted_range(problem, *omega, *omega)) std::erase(warnings, *own);
+  for (const std::string& warning : warnings) warn(warning);
+  return warning_of(problem, std::move(warnings));
 }
 
 nlohmann::ordered_json with_warnings(nlohmann::ordered_json object,

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "scene/scene.hpp"
+#include "problem/problem.hpp"
 
 namespace vcrit::app {
 
@@ -21,8 +21,8 @@ struct SceneOptions {
   /// Reads the scene; its warnings go to stderr. Where the command varies the frequency, that of
   /// the scene is not warned of.
   enum class Frequency { of_the_scene, varied };
-  Scene read(Frequency frequency = Frequency::of_the_scene) const;
-  Scene read(const std::function<Frequency(const Scene&)>& frequency) const;
+  Problem read(Frequency frequency = Frequency::of_the_scene) const;
+  Problem read(const std::function<Frequency(const Problem&)>& frequency) const;
   Settings split_settings() const;
 };
 

@@ -37,8 +37,8 @@ struct Speed {
   double velocity, ratio;
 };
 
-Speed speed_of(const SimulateOptions& options, const Scene& scene) {
-  const CriticalOnset onset = critical_onset(scene);
+Speed speed_of(const SimulateOptions& options, const Problem& problem) {
+  const CriticalOnset onset = critical_onset(problem);
   const double critical = onset.contact_velocity;
   if (options.velocity_ratio && std::isinf(critical))
     throw ModelError(onset.reason + ": --velocity-ratio has no meaning, give --velocity");
@@ -140,29 +140,30 @@ void print_simulate_text(const Speed& speed, const SimulationAnswer& answer, dou
 }
 
 // Of the whole; what the cells do is told beside it.
-void simulate_below_indenter(const SimulateOptions& options, const Scene& scene) {
+void simulate_below_indenter(const SimulateOptions& options, const Problem& problem) {
   if (!options.method.is_exact())
-    rules::require(rules::Question::other_methods, scene, options.method.name() + " ");
-  const Speed speed = speed_of(options, scene);
-  const IndenterAnswer answer = simulate_indenter(scene, speed.velocity);
+    rules::require(rules::Question::other_methods, problem, options.method.name() + " ");
+  const Speed speed = speed_of(options, problem);
+  const IndenterAnswer answer = simulate_indenter(problem, speed.velocity);
   const SimulationAnswer whole{indenter::steady_state_of(answer.friction), {}, {}};
   if (options.json) {
     nlohmann::ordered_json object = answer_json(speed, whole, options.method.name());
     object["indenter"] = to_json(answer);
-    return print(with_warnings(object, scene.warnings));
+    return print(with_warnings(object, problem->source->warnings));
   }
   print_velocity(speed);
   print_indenter(answer);
 }
 
 void simulate(const SimulateOptions& options) {
-  const Scene scene = options.scene.read();
-  if (scene.indenter) return simulate_below_indenter(options, scene);
-  const simulation::System system = simulation::system_of(scene);
-  const Speed speed = speed_of(options, scene);
+  const Problem problem = options.scene.read();
+  if (problem->indenter) return simulate_below_indenter(options, problem);
+  const simulation::System system = simulation::system_of(problem);
+  const Speed speed = speed_of(options, problem);
   const SimulationAnswer answer = answer_of(options, system, speed.velocity);
   if (options.json)
-    print(with_warnings(answer_json(speed, answer, options.method.name()), scene.warnings));
+    print(with_warnings(answer_json(speed, answer, options.method.name()),
+                        problem->source->warnings));
   else
     print_simulate_text(speed, answer, system.omega);
 }

@@ -15,8 +15,8 @@ constexpr double starts_tolerance = 2e-9;
 
 }  // namespace
 
-IndenterAnswer simulate_indenter(const Scene& scene, double velocity) {
-  const indenter::HalfSpace half_space(scene);
+IndenterAnswer simulate_indenter(const Problem& problem, double velocity) {
+  const indenter::HalfSpace half_space(problem);
   return {indenter::friction(half_space, velocity),
           indenter::cells(half_space, velocity, half_space.uniform() ? 1 : shown_cells, 0),
           half_space.radius(), half_space.edge()};

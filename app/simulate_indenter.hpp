@@ -15,7 +15,7 @@ struct IndenterAnswer {
 };
 
 /// velocity in m/s. Throws InputError, ModelError.
-IndenterAnswer simulate_indenter(const Scene& scene, double velocity);
+IndenterAnswer simulate_indenter(const Problem& problem, double velocity);
 
 nlohmann::ordered_json to_json(const IndenterAnswer& answer);
 void print_indenter(const IndenterAnswer& answer);

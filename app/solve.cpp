@@ -11,6 +11,7 @@
 #include "base/units.hpp"
 #include "commands.hpp"
 #include "options.hpp"
+#include "problem/variants.hpp"
 #include "streams.hpp"
 
 namespace vcrit::app {
@@ -25,7 +26,7 @@ struct SolveOptions {
   SceneOptions scene;
   std::string sought, velocity, from, to;
   double friction_ratio = 0;
-  int samples = Question{}.samples;
+  int samples = design::usual_samples;
   bool json = false;
 };
 
@@ -55,15 +56,15 @@ Dimension dimension_of(Sought sought) {
   throw Bug("something sought without a dimension");
 }
 
-bool is_sought(const Symbol& symbol, Sought sought, const Scene& scene) {
-  if (sought == Sought::amplitude) return symbol == scene.amplitude.symbol;
+bool is_sought(const Symbol& symbol, Sought sought, const Problem& problem) {
+  if (sought == Sought::amplitude) return symbol == problem->amplitude.symbol;
   return sought == Sought::frequency &&
-         (symbol == scene.angular_frequency.symbol || symbol == frequency_symbol);
+         (symbol == problem->angular_frequency.symbol || symbol == frequency_symbol);
 }
 
 void refuse_setting_of_sought(const SolveOptions& options, const Question& question) {
-  for (const auto& [name, value] : question.scene.settings)
-    if (is_sought(question.scene.named.at(name), question.sought, question.scene))
+  for (const auto& [name, value] : question.problem->source->settings)
+    if (is_sought(question.problem->source->named.at(name), question.sought, question.problem))
       throw InputError({"--set"}, fmt::format("{} with --for {}", name, options.sought),
                        "no value for what is sought");
 }
@@ -76,21 +77,24 @@ std::optional<double> end_of_range(const std::string& text, Sought sought, const
 }
 
 Question question_of(const SolveOptions& options) {
-  Question question;
-  question.sought = sought_by(options.sought);
-  const bool speed = question.sought == Sought::velocity;
+  const Sought sought = sought_by(options.sought);
+  const bool speed = sought == Sought::velocity;
   if (options.velocity.empty() != speed)
     throw InputError({"--velocity"}, speed ? "a velocity with --for velocity" : "none",
                      speed ? "none: it is what is sought" : "the velocity of the drive");
-  if (!speed)
-    question.velocity = parse_quantity(options.velocity, Dimension::velocity, {"--velocity"});
-  question.friction_ratio = options.friction_ratio;
-  question.from = end_of_range(options.from, question.sought, "--from");
-  question.to = end_of_range(options.to, question.sought, "--to");
-  question.samples = options.samples;
-  question.scene = options.scene.read(question.sought == Sought::frequency
-                                          ? SceneOptions::Frequency::varied
-                                          : SceneOptions::Frequency::of_the_scene);
+  const double velocity =
+      speed ? 0 : parse_quantity(options.velocity, Dimension::velocity, {"--velocity"});
+  const auto from = end_of_range(options.from, sought, "--from");
+  const auto to = end_of_range(options.to, sought, "--to");
+  const Question question{
+      options.scene.read(sought == Sought::frequency ? SceneOptions::Frequency::varied
+                                                     : SceneOptions::Frequency::of_the_scene),
+      sought,
+      options.friction_ratio,
+      velocity,
+      from,
+      to,
+      options.samples};
   refuse_setting_of_sought(options, question);
   return question;
 }
@@ -117,7 +121,7 @@ void print_solve_json(const Question& question, const Answer& answer) {
                          {"samples", question.samples},
                          {"evaluations", answer.evaluations},
                          {"unanswered", answer.unanswered}}}},
-                      question.scene.warnings));
+                      question.problem->source->warnings));
 }
 
 void print_solve_text(const Question& question, const Answer& answer) {
@@ -148,9 +152,11 @@ void run_solve(const SolveOptions& options) {
   // The smallest frequency is one because all below it were asked.
   if (question.sought == Sought::frequency)
     if (const auto beyond =
-            beyond_fitted_range(question.scene, two_pi * answer.from, two_pi * answer.value)) {
+            beyond_fitted_range(question.problem, two_pi * answer.from, two_pi * answer.value)) {
       warn(*beyond);
-      question.scene.warnings.push_back(*beyond);
+      std::vector<std::string> warnings = question.problem->source->warnings;
+      warnings.push_back(*beyond);
+      question.problem = warning_of(question.problem, std::move(warnings));
     }
   if (options.json)
     print_solve_json(question, answer);

@@ -10,6 +10,7 @@
 
 #include "base/constants.hpp"
 #include "base/units.hpp"
+#include "problem/variants.hpp"
 #include "program.hpp"
 #include "streams.hpp"
 #include "sweep/sweep.hpp"
@@ -20,30 +21,36 @@ namespace vcrit::app {
 namespace {
 
 // The factor to rad/s of an axis of frequencies; nothing for other axes.
-std::optional<double> to_omega(const std::string& axis, const Scene& scene) {
-  const auto named = scene.named.find(axis);
-  if (named == scene.named.end()) return std::nullopt;
+std::optional<double> to_omega(const std::string& axis, const Problem& problem) {
+  const auto named = problem->source->named.find(axis);
+  if (named == problem->source->named.end()) return std::nullopt;
   if (named->second == frequency_symbol) return two_pi;
-  if (named->second == scene.angular_frequency.symbol) return 1;
+  if (named->second == problem->angular_frequency.symbol) return 1;
   return std::nullopt;
 }
 
 // "frequency=log:..." and so on.
-bool varies_frequency(const std::vector<std::string>& axes, const Scene& scene) {
+bool varies_frequency(const std::vector<std::string>& axes, const Problem& problem) {
   return std::any_of(axes.begin(), axes.end(), [&](const std::string& axis) {
-    return to_omega(axis.substr(0, axis.find('=')), scene);
+    return to_omega(axis.substr(0, axis.find('=')), problem);
   });
+}
+
+void warn_of(Sweep& sweep, const std::string& warning) {
+  warn(warning);
+  std::vector<std::string> warnings = sweep.problem->source->warnings;
+  warnings.push_back(warning);
+  sweep.problem = warning_of(sweep.problem, std::move(warnings));
 }
 
 void warn_of_axes(Sweep& sweep) {
   for (const Axis& axis : sweep.axes) {
-    const auto factor = to_omega(axis.name, sweep.scene);
+    const auto factor = to_omega(axis.name, sweep.problem);
     if (!factor || axis.values.empty()) continue;
     const auto [least, most] = std::minmax_element(axis.values.begin(), axis.values.end());
-    const auto beyond = beyond_fitted_range(sweep.scene, *factor * *least, *factor * *most);
+    const auto beyond = beyond_fitted_range(sweep.problem, *factor * *least, *factor * *most);
     if (!beyond) continue;
-    warn(*beyond);
-    sweep.scene.warnings.push_back(*beyond);
+    warn_of(sweep, *beyond);
   }
 }
 
@@ -53,21 +60,21 @@ void warn_of_folder(const SweepOptions& options, Sweep& sweep) {
   std::error_code ignored;
   if (folder.empty() || std::filesystem::exists(folder, ignored)) return;
   const std::string made = fmt::format("{}: there was no such folder, it is made", folder.string());
-  warn(made);
-  sweep.scene.warnings.push_back(made);
+  warn_of(sweep, made);
 }
 
 Sweep sweep_of(const SweepOptions& options) {
   using Frequency = SceneOptions::Frequency;
-  const auto frequency = [&](const Scene& scene) {
-    return varies_frequency(options.over, scene) ? Frequency::varied : Frequency::of_the_scene;
+  const auto frequency = [&](const Problem& problem) {
+    return varies_frequency(options.over, problem) ? Frequency::varied : Frequency::of_the_scene;
   };
   Sweep sweep{options.scene.read(frequency), {}, {}, {}, {}};
-  for (const std::string& axis : options.over) sweep.axes.push_back(parse_axis(axis, sweep.scene));
+  for (const std::string& axis : options.over)
+    sweep.axes.push_back(parse_axis(axis, sweep.problem));
   warn_of_axes(sweep);
   warn_of_folder(options, sweep);
   for (const std::string& name : options.quantities)
-    sweep.quantities.push_back(parse_swept_quantity(name, sweep.scene));
+    sweep.quantities.push_back(parse_swept_quantity(name, sweep.problem));
   if (!options.velocity.empty())
     sweep.velocity = parse_quantity(options.velocity, Dimension::velocity, {"--velocity"});
   sweep.velocity_ratio = options.velocity_ratio;
@@ -105,7 +112,7 @@ void report(const SweepOptions& options, const Sweep& sweep, const maps::Streame
                          {"rows_found", streamed.found},
                          {"rows_outside", streamed.outside},
                          {"reason", streamed.reason}},
-                        sweep.scene.warnings));
+                        sweep.problem->source->warnings));
 }
 
 void run_on(maps::Ranks& ranks, const SweepOptions& options) {

@@ -14,11 +14,11 @@
 int main(int argc, char** argv) {
   if (argc != 2) return std::fprintf(stderr, "usage: critical_velocity SCENE\n"), 2;
   try {
-    const vcrit::Scene scene = vcrit::read_scene(argv[1]);
-    const vcrit::CertifiedVelocity v = vcrit::certified_critical_velocity(scene);
+    const vcrit::Problem problem = vcrit::read_problem(argv[1]);
+    const vcrit::CertifiedVelocity v = vcrit::certified_critical_velocity(problem);
     std::printf("critical velocity %.17g m/s\n", v.value);
     std::printf("relative error at most %.2g\n", v.relative_error_bound);
-    for (const std::string& reason : vcrit::inadmissible_reasons(scene))
+    for (const std::string& reason : vcrit::inadmissible_reasons(problem))
       std::printf("not admissible: %s\n", reason.c_str());
   } catch (const vcrit::InputError& error) {  // says file, line, what was found and expected
     std::fprintf(stderr, "%s\n", error.what());

@@ -13,8 +13,8 @@
 int main(int argc, char** argv) {
   if (argc != 2) return std::fprintf(stderr, "usage: derive SCENE\n"), 2;
   namespace symbolic = vcrit::symbolic;
-  const vcrit::Scene scene = vcrit::read_scene(argv[1]);
-  const symbolic::Derivation derivation = symbolic::derive(scene);
+  const vcrit::Problem problem = vcrit::read_problem(argv[1]);
+  const symbolic::Derivation derivation = symbolic::derive(problem);
   std::printf("%s v* = %s\n", derivation.equation.c_str(),
               symbolic::to_latex(derivation.critical_velocity).c_str());
   for (const symbolic::Limit& limit : symbolic::limits(derivation))

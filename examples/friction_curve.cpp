@@ -16,7 +16,7 @@
 int main(int argc, char** argv) {
   if (argc != 2) return std::fprintf(stderr, "usage: friction_curve SCENE\n"), 2;
   namespace simulation = vcrit::simulation;
-  const simulation::System system = simulation::system_of(vcrit::read_scene(argv[1]));
+  const simulation::System system = simulation::system_of(vcrit::read_problem(argv[1]));
   const double onset = simulation::sliding_threshold(system).drive_velocity;
 
   const std::vector<double> ratios{0.001, 0.1, 0.25, 0.5, 0.75, 0.9, 0.99, 1.01};

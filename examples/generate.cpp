@@ -12,7 +12,7 @@
 int main(int argc, char** argv) {
   if (argc != 3) return std::fprintf(stderr, "usage: generate SCENE DIR\n"), 2;
   namespace symbolic = vcrit::symbolic;
-  const symbolic::Derivation derivation = symbolic::derive(vcrit::read_scene(argv[1]));
+  const symbolic::Derivation derivation = symbolic::derive(vcrit::read_problem(argv[1]));
   symbolic::generate(derivation, argv[2], "slider");
   symbolic::generate(derivation, argv[2], "slider", {.language = "c99"});
 }

@@ -36,10 +36,10 @@ kt = "10 N/um"
 }  // namespace
 
 int main() {
-  const vcrit::Scene scene = vcrit::parse_scene(text, "loop.cpp");
+  const vcrit::Problem problem = vcrit::parse_problem(text, "loop.cpp");
   std::printf("frequency,critical_velocity\n");
   for (double frequency = 1e3; frequency < 2e6; frequency *= 10) {
     const double omega = 2 * std::numbers::pi * frequency;
-    std::printf("%.17g,%.17g\n", frequency, vcrit::critical_velocity(scene, omega));
+    std::printf("%.17g,%.17g\n", frequency, vcrit::critical_velocity(problem, omega));
   }
 }

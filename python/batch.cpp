@@ -43,7 +43,7 @@ std::optional<std::pair<std::size_t, std::string>> first_refused(const CriticalO
 void add_batch(py::module_& module) {
   using py::arg;
   py::class_<CriticalOnsets>(module, "CriticalVelocities")
-      .def(py::init<const Scene&, std::vector<std::string>>(), arg("scene"), arg("varying"))
+      .def(py::init<const Problem&, std::vector<std::string>>(), arg("scene"), arg("varying"))
       .def("__call__", &evaluate_columns, arg("columns").noconvert(), arg("out").noconvert())
       .def("first_refused", &first_refused, arg("columns").noconvert(), arg("lanes"));
 }

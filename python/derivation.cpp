@@ -50,7 +50,7 @@ std::unique_lock<std::timed_mutex> alone() {
   return lock;
 }
 
-std::string document(const Scene& scene, const std::string& format, const std::string& form,
+std::string document(const Problem& problem, const std::string& format, const std::string& form,
                      bool limits, bool sensitivities) {
   symbolic::DocumentOptions options;
   options.format = named(formats(), "format", format);
@@ -59,7 +59,7 @@ std::string document(const Scene& scene, const std::string& format, const std::s
   options.sensitivities = sensitivities;
   const OthersRun others_run;
   const auto lock = alone();
-  return symbolic::print(scene, options);
+  return symbolic::print(problem, options);
 }
 
 }  // namespace

@@ -48,31 +48,31 @@ double parse_ratio(const std::string& text) {
   return parse_quantity(text, Dimension::none, argument("velocity_ratio"));
 }
 
-SteadyState steady_state(const Scene& scene, double velocity, const std::string& method,
+SteadyState steady_state(const Problem& problem, double velocity, const std::string& method,
                          const std::string& start) {
   if (start != "sliding" && start != "rest")
     throw InputError(argument("start"), '"' + start + '"', "sliding or rest");
   simulation::MethodOptions options;
   if (start == "rest") options.start = simulation::Start::rest;
-  if (method == "exact") return SteadyFriction(scene).at(velocity, options.start);
-  rules::require(rules::Question::other_methods, scene, method + " ");
+  if (method == "exact") return SteadyFriction(problem).at(velocity, options.start);
+  rules::require(rules::Question::other_methods, problem, method + " ");
   if (const auto other = simulation::method_named(method))
-    return simulation::steady_state(*other, simulation::system_of(scene), velocity, options);
+    return simulation::steady_state(*other, simulation::system_of(problem), velocity, options);
   std::string known = "exact";
   for (const simulation::Method each : simulation::all_methods())
     known += std::string(", ") + to_text(each);
   throw InputError(argument("method"), '"' + method + '"', "one of " + known);
 }
 
-SteadyState simulated(const Scene& scene, double velocity, const std::string& method,
+SteadyState simulated(const Problem& problem, double velocity, const std::string& method,
                       const std::string& start) {
   const OthersRun others_run;
-  return steady_state(scene, velocity, method, start);
+  return steady_state(problem, velocity, method, start);
 }
 
-py::tuple simulate(const Scene& scene, double velocity, const std::string& method,
+py::tuple simulate(const Problem& problem, double velocity, const std::string& method,
                    const std::string& start) {
-  const SteadyState state = simulated(scene, velocity, method, start);
+  const SteadyState state = simulated(problem, velocity, method, start);
   py::list events;
   for (const simulation::Event& event : state.events)
     events.append(py::make_tuple(event.phase, to_text(event.to)));
@@ -82,11 +82,11 @@ py::tuple simulate(const Scene& scene, double velocity, const std::string& metho
 }
 
 // Drive, friction, dampers, error.
-std::optional<std::tuple<double, double, double, double>> energy(const Scene& scene,
+std::optional<std::tuple<double, double, double, double>> energy(const Problem& problem,
                                                                  double velocity) {
-  if (scene.indenter) return std::nullopt;
+  if (problem->indenter) return std::nullopt;
   const OthersRun others_run;
-  const auto balance = simulation::energy_balance(simulation::system_of(scene), velocity);
+  const auto balance = simulation::energy_balance(simulation::system_of(problem), velocity);
   if (!balance) return std::nullopt;
   return std::tuple(balance->drive, balance->friction, balance->dampers, balance->error);
 }
@@ -107,13 +107,14 @@ struct Curve {
 // Speeds that are found one from another, as in `vcrit sweep`; Ctrl-C is heard between two lots.
 constexpr std::size_t speeds_at_once = 32;
 
-py::tuple friction_curve(const Scene& scene, const Array& velocities, Array ratio, Array error) {
+py::tuple friction_curve(const Problem& problem, const Array& velocities, Array ratio,
+                         Array error) {
   const std::span<const double> speeds = values(velocities);
   const std::vector<std::string> room(speeds.size());
   Curve curve{values(ratio), values(error), room, room};
   ensure(curve.ratio.size() == speeds.size() && curve.error.size() == speeds.size(),
          "friction_curve has room for all its answers");
-  const SteadyFriction friction(scene);
+  const SteadyFriction friction(problem);
   for (std::size_t first = 0; first < speeds.size(); first += speeds_at_once) {
     {
       const OthersRun others_run;

@@ -1,5 +1,5 @@
 // A scene for Python: what it names, whether Eq. 24 applies, and v*.
-#include "scene/scene.hpp"
+#include "problem/problem.hpp"
 
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
@@ -23,51 +23,53 @@ namespace {
 using Parameter = std::tuple<std::string, std::optional<double>, std::string>;
 
 // What the scene's formulas may depend on, under the names of the formulas: name, value, unit.
-std::vector<Parameter> parameters(const Scene& scene) {
+std::vector<Parameter> parameters(const Problem& problem) {
   std::vector<Parameter> all;
   const auto add = [&](const Symbol& symbol, const std::optional<double>& value) {
-    const std::string name = to_text(as_called(scene, symbol));
-    if (const auto known = scene.settable.find(name); known != scene.settable.end())
+    const std::string name = to_text(as_called(problem, symbol));
+    if (const auto known = problem->source->settable.find(name);
+        known != problem->source->settable.end())
       all.emplace_back(name, value, si_unit(known->second));
   };
-  for (const Quantity* quantity :
-       {&scene.coefficient, &scene.angular_frequency, &scene.amplitude, &scene.indentation})
+  for (const Quantity* quantity : {&problem->coefficient, &problem->angular_frequency,
+                                   &problem->amplitude, &problem->indentation})
     add(quantity->symbol, quantity->value);
-  if (scene.mass) add(scene.mass->symbol, scene.mass->value);
-  if (const auto* isotropic = std::get_if<Isotropic>(&scene.tangential))
+  if (problem->mass) add(problem->mass->symbol, problem->mass->value);
+  if (const auto* isotropic = std::get_if<Isotropic>(&problem->tangential))
     add(isotropic->quantity.symbol, isotropic->quantity.value);
-  for (const auto& [symbol, value] : scene.elements) add(symbol, value);
+  for (const auto& [symbol, value] : problem->elements) add(symbol, value);
   return all;
 }
 
-std::map<std::string, std::string> settable(const Scene& scene) {
+std::map<std::string, std::string> settable(const Problem& problem) {
   std::map<std::string, std::string> units;
-  for (const auto& [name, dimension] : scene.settable) units[name] = si_unit(dimension);
+  for (const auto& [name, dimension] : problem->source->settable) units[name] = si_unit(dimension);
   return units;
 }
 
-std::tuple<double, double, std::string> certified(const Scene& scene) {
+std::tuple<double, double, std::string> certified(const Problem& problem) {
   const OthersRun others_run;
-  const auto [value, bound, reason] = certified_onset(scene);
+  const auto [value, bound, reason] = certified_onset(problem);
   return {value, bound, reason};
 }
 
-std::tuple<double, double, std::string, std::string> onset(const Scene& scene) {
+std::tuple<double, double, std::string, std::string> onset(const Problem& problem) {
   const OthersRun others_run;
-  const CriticalOnset found = critical_onset(scene);
+  const CriticalOnset found = critical_onset(problem);
   return {found.contact_velocity, found.drive_velocity,
           found.by == CriticalOnset::By::formula ? "formula" : "simulation", found.reason};
 }
 
-double factor(const Scene& scene, const std::string& name, const std::string& unit) {
+double factor(const Problem& problem, const std::string& name, const std::string& unit) {
   const Place place{name};
-  return parse_quantity("1 " + unit, known_dimension(name, scene.settable, place, scene.named),
-                        place);
+  return parse_quantity(
+      "1 " + unit, known_dimension(name, problem->source->settable, place, problem->source->named),
+      place);
 }
 
 // Of files beside the scene's own.
-bool reads_tables(const Scene& scene) {
-  return scene.receptance.has_value() || (scene.indenter && scene.indenter->profile);
+bool reads_tables(const Problem& problem) {
+  return problem->receptance() != nullptr || (problem->indenter && problem->indenter->profile);
 }
 
 std::string read(const std::string& file) { return read_file(file); }
@@ -76,11 +78,12 @@ std::string read(const std::string& file) { return read_file(file); }
 
 void add_scene(py::module_& module) {
   using py::arg;
-  py::class_<Scene>(module, "Scene")
-      .def(py::init(&parse_scene), arg("text"), arg("file"), arg("settings"))
-      .def_readonly("title", &Scene::title)
+  py::class_<Problem>(module, "Scene")
+      .def(py::init(&parse_problem), arg("text"), arg("file"), arg("settings"))
+      .def_property_readonly("title", [](const Problem& problem) { return problem->source->title; })
       .def_property_readonly("reads_tables", &reads_tables)
-      .def_readonly("warnings", &Scene::warnings);
+      .def_property_readonly("warnings",
+                             [](const Problem& problem) { return problem->source->warnings; });
   module.def("read_file", &read, arg("file"));
   module.def("parameters", &parameters, arg("scene"));
   module.def("settable", &settable, arg("scene"));

@@ -22,6 +22,7 @@
 #include "method_curves.hpp"
 #include "parting.hpp"
 #include "periodic_motion.hpp"
+#include "problem/variants.hpp"
 #include "reduced_difference.hpp"
 #include "rules/rulebook.hpp"
 #include "simulation/steady/near_resonance.hpp"
@@ -46,9 +47,9 @@ bool has_closed_form(const SceneReport& report, const simulation::System& system
   const auto elastic = [](const Relaxation& form) {
     return form.damper == 0 && form.branches.empty() && form.equilibrium > 0;
   };
-  const Values values = values_of(report.scene);
+  const Values& values = report.problem.values();
   return !system.opening && !system.drive && elastic(system.contact) &&
-         elastic(relaxation_form(report.scene.normal, values));
+         elastic(relaxation_form(report.problem->normal.network(), values));
 }
 
 // The same theory as Eq. 24, from the relaxation forms of the networks.
@@ -117,11 +118,12 @@ void trace_curve(SceneReport& report, const simulation::System& system, double t
 
 // Why no march in time tells anything of v*; empty where one does.
 std::string why_no_march(const SceneReport& report) {
-  if (const auto moves = rules::answer(rules::Question::report_simulation, report.scene); !moves)
+  if (const auto moves = rules::answer(rules::Question::report_simulation, report.problem); !moves)
     return moves.reason;
   if (!report.formula_applies) return {};
   if (!is_speed(report.critical_velocity)) return "v* is infinite or 0: no speed to look for";
-  if (report.scene.drive && !leaves_digits(formula_tolerance(report.condition))) return lost_digits;
+  if (!report.problem->rigid() && !leaves_digits(formula_tolerance(report.condition)))
+    return lost_digits;
   return {};
 }
 
@@ -130,7 +132,7 @@ std::string why_no_march(const SceneReport& report) {
 std::optional<CriticalOnset> answered_onset(SceneReport& report) {
   if (!report.reasons.empty()) return std::nullopt;
   try {
-    return critical_onset(report.scene);
+    return critical_onset(report.problem);
   } catch (const ModelError& error) {
     report.reasons.emplace_back(error.what());
     return std::nullopt;
@@ -149,10 +151,10 @@ void simulate(SceneReport& report, const symbolic::Derivation& derivation,
   }
   bool out_of_reach = false;
   try {
-    if (report.scene.indenter) return examine_indenter(report, onset, witnesses);
-    const simulation::System system = witnesses.system(report.scene);
+    if (report.problem->indenter) return examine_indenter(report, onset, witnesses);
+    const simulation::System system = witnesses.system(report.problem);
     out_of_reach = simulation::lost_in_resonance(simulation::Model(system));
-    if (report.scene.separation) {
+    if (report.problem->separation) {
       progress("letting the surfaces part");
       examine_parting(report, derivation, system, onset);
     }
@@ -163,14 +165,14 @@ void simulate(SceneReport& report, const symbolic::Derivation& derivation,
     const double finite = by_formula(report) ? report.critical_velocity + report.creep_velocity
                                              : onset.drive_velocity;
     const double drive_velocity =
-        std::isfinite(finite) ? finite : unit_of_speed(report.scene) + report.creep_velocity;
+        std::isfinite(finite) ? finite : unit_of_speed(report.problem) + report.creep_velocity;
     pending = velocity_comparison(report, "curve", "friction curve");
     progress("tracing the friction curve");
     trace_curve(report, system, drive_velocity);
     report.cycle = steady_cycle(system, drive_velocity, 0.5);
     progress("simulating by other methods");
     report.methods = method_curves(system, drive_velocity);
-    report.reduced_model = reduced_model(report.scene);
+    report.reduced_model = reduced_model(report.problem);
   } catch (const ModelError& error) {
     report.comparisons.push_back((out_of_reach ? not_run : broken)(pending, error.what()));
   }
@@ -179,41 +181,41 @@ void simulate(SceneReport& report, const symbolic::Derivation& derivation,
 }  // namespace
 
 Witnesses own_witnesses() {
-  return {[](const Scene& scene) { return certified_critical_velocity(scene); },
-          [](const Scene& scene) { return critical_velocity(scene); },
-          [](const Scene& scene) { return simulation::system_of(scene); },
-          [](const Scene& scene) { return indenter::HalfSpace(scene); },
+  return {[](const Problem& problem) { return certified_critical_velocity(problem); },
+          [](const Problem& problem) { return critical_velocity(problem); },
+          [](const Problem& problem) { return simulation::system_of(problem); },
+          [](const Problem& problem) { return indenter::HalfSpace(problem); },
           [](const simulation::System& system) { return simulation::sliding_threshold(system); },
           compare_march};
 }
 
 SceneReport agree(Driver& driver, const symbolic::Derivation& formula, const Progress& progress,
                   const Witnesses& witnesses) {
-  const Scene& typed = driver.derivation().scene;
-  const Scene scene = as_doubles(typed);
-  const symbolic::NamesOfScene names(scene);
-  const Values values = values_of(scene);
-  SceneReport report;
-  report.scene = scene;
-  report.reasons = inadmissible_reasons(scene);
+  const Problem& typed = driver.derivation().problem;
+  const Problem problem = as_doubles(typed);
+  const symbolic::NamesOfScene names(problem);
+  const Values& values = problem.values();
+  SceneReport report(problem);
+  report.reasons = inadmissible_reasons(problem);
   const std::optional<CriticalOnset> onset = answered_onset(report);
-  report.formula_applies = report.reasons.empty() && rules::answer(rules::Question::formula, scene);
+  report.formula_applies =
+      report.reasons.empty() && rules::answer(rules::Question::formula, problem);
   const CertifiedVelocity certified = witnesses.certified(typed);
-  report.velocity_of_doubles = witnesses.certified(scene).value;
+  report.velocity_of_doubles = witnesses.certified(problem).value;
   report.critical_velocity = certified.value;
   report.relative_error_bound = certified.relative_error_bound;
   report.infinite_reason = certified.reason;
-  report.condition = condition_number(scene, values);
-  if (report.formula_applies) report.free_harmonics = free_harmonics(scene);
+  report.condition = condition_number(problem, values);
+  if (report.formula_applies) report.free_harmonics = free_harmonics(problem);
   report.sliding_from = report.critical_velocity * sliding_share(report.free_harmonics);
-  report.creep_velocity = creep_velocity(scene);
+  report.creep_velocity = creep_velocity(problem);
 
-  report.values = value_lines(scene);
+  report.values = value_lines(problem);
 
   progress("deriving the formula");
   derive_all(report, formula);
   report.comparisons.push_back(
-      in_doubles(report, "formula", "Eq. 24 in doubles", witnesses.formula(scene)));
+      in_doubles(report, "formula", "Eq. 24 in doubles", witnesses.formula(problem)));
   report.comparisons.push_back(derived_comparison(report, formula, values));
   report.response = frequency_response(driver.derivation());
   progress("compiling all evaluators");

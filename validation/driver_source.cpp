@@ -183,7 +183,7 @@ const Call& pasted_call() {
 }
 
 std::string driver_source(const symbolic::Derivation& formula, bool has_generated) {
-  const symbolic::ParameterList parameters(formula.scene, formula);
+  const symbolic::ParameterList parameters(formula.problem, formula);
   const std::vector<Symbol>& symbols = formula.parameters;
   std::string text = includes;
   text += has_generated ? "#include \"scene_batch.hpp\"\nusing scene::Parameters;\n"

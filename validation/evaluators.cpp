@@ -49,12 +49,12 @@ double value_in_digits(const GiNaC::ex& formula, const std::vector<symbolic::Lin
 }
 
 double derived_velocity(const symbolic::Derivation& derivation, const Values& values, long digits) {
-  const Scene& scene = derivation.scene;
+  const Problem& problem = derivation.problem;
   std::vector<symbolic::Line> definitions;
-  if (scene.receptance)
+  if (problem->receptance() != nullptr)
     definitions.push_back(
         {"", symbolic::quantity("R_d"),
-         interpolated(*scene.receptance, values.at(scene.angular_frequency.symbol))});
+         interpolated(*problem->receptance(), values.at(problem->angular_frequency.symbol))});
   definitions.insert(definitions.end(), derivation.definitions.begin(),
                      derivation.definitions.end());
   return value_in_digits(derivation.critical_velocity, definitions, values, digits);

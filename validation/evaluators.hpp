@@ -4,7 +4,7 @@
 
 #include "derivation/derivation.hpp"
 #include "driver.hpp"
-#include "scene/scene.hpp"
+#include "problem/problem.hpp"
 
 namespace vcrit::validation {
 

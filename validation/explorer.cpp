@@ -13,6 +13,7 @@
 #include "critical/critical_velocity.hpp"
 #include "derivation/derivation.hpp"
 #include "emit/generate.hpp"
+#include "problem/variants.hpp"
 #include "rules/rulebook.hpp"
 #include "simulation/steady/curve.hpp"
 #include "stiffness/at_rest.hpp"
@@ -39,26 +40,15 @@ std::string module_script(const symbolic::Derivation& derivation, const char* na
 }
 
 /// A name that no parameter of the scene has.
-std::string unused_name(const Scene& scene) {
+std::string unused_name(const Problem& problem) {
   std::string name = "unit";
   const auto taken = [&](const auto& value) { return value.first.name == name; };
-  const Values values = values_of(scene);
+  const Values& values = problem.values();
   while (std::any_of(values.begin(), values.end(), taken)) name += "_";
   return name;
 }
 
-/// The normal network over a spring `unit` under a rigid drive: v* is mu0 omega du_z |K_n|/unit.
-Scene normal_over(const std::string& unit, Scene scene) {
-  scene.tangential = spring({unit});
-  scene.drive.reset();
-  scene.receptance.reset();
-  scene.mass.reset();
-  scene.indenter.reset();
-  scene.elements.push_back({{unit}, 1.0});
-  return scene;
-}
-
-std::vector<Slider> sliders(const Scene& scene, const symbolic::Derivation& derivation,
+std::vector<Slider> sliders(const Problem& problem, const symbolic::Derivation& derivation,
                             const std::vector<ValueLine>& values) {
   std::vector<Slider> result;
   for (const ValueLine& line : values) {
@@ -66,7 +56,7 @@ std::vector<Slider> sliders(const Scene& scene, const symbolic::Derivation& deri
     const bool moves = line.meaning == "mean indentation" ||
                        std::find(used.begin(), used.end(), line.symbol) != used.end();
     if (!moves) continue;
-    const std::string name = as_called(scene, line.symbol).name;
+    const std::string name = as_called(problem, line.symbol).name;
     const auto same = [&](const Slider& slider) { return slider.name == name; };
     auto slider = std::find_if(result.begin(), result.end(), same);
     if (slider == result.end())
@@ -105,28 +95,26 @@ struct FrictionRow {
 /// The scene's contact and drive, at other frequencies and amplitudes of the normal force.
 class Simulated {
  public:
-  explicit Simulated(const Scene& scene)
-      : scene_(scene),
-        values_(values_of(scene)),
-        normal_(reduce(scene.normal)),
-        system_(simulation::system_of(scene)) {}
+  explicit Simulated(const Problem& problem)
+      : problem_(problem), values_(problem_.values()), system_(simulation::system_of(problem)) {}
 
   bool affordable() const { return !is_large(system_); }
 
   /// Amplitude of the normal force over its mean, by the scene's own oscillation.
   double amplitude_ratio(double omega) const {
-    return std::abs(dynamic_stiffness(normal_, values_, omega)) *
-           values_.at(scene_.amplitude.symbol) / system_.mean_normal_force;
+    return std::abs(dynamic_stiffness(problem_->normal.reduction(), values_, omega)) *
+           values_.at(problem_->amplitude.symbol) / system_.mean_normal_force;
   }
 
   FrictionRow row(double omega, double amplitude, const std::vector<double>& ratios) const {
     simulation::System system = system_;
     system.omega = omega;
-    const auto stiffness = dynamic_stiffness(normal_, values_, omega);
+    const auto stiffness = dynamic_stiffness(problem_->normal.reduction(), values_, omega);
     system.normal_force_amplitude =
         stiffness * (amplitude * system.mean_normal_force / std::abs(stiffness));
-    const double threshold = critical_velocity(scene_, omega) * amplitude / amplitude_ratio(omega) +
-                             creep_velocity(scene_);
+    const double threshold =
+        critical_velocity(problem_, omega) * amplitude / amplitude_ratio(omega) +
+        creep_velocity(problem_);
     std::vector<double> velocities;
     for (const double ratio : ratios) velocities.push_back(ratio * threshold);
     FrictionRow result;
@@ -143,9 +131,8 @@ class Simulated {
   }
 
  private:
-  const Scene& scene_;
-  Values values_;
-  Reduction normal_;
+  Problem problem_;
+  const Values& values_;  // its
   simulation::System system_;
 };
 
@@ -171,11 +158,11 @@ FrictionGrid friction_grid(const Simulated& simulated, double omega) {
 
 }  // namespace
 
-std::map<std::string, std::string> names_in_page(const Scene& scene) {
+std::map<std::string, std::string> names_in_page(const Problem& problem) {
   std::map<std::string, std::string> names;
   std::set<std::string> taken;
-  for (const auto& [symbol, value] : values_of(scene)) taken.insert(symbol.name);
-  for (const auto& [symbol, name] : scene.names) {
+  for (const auto& [symbol, value] : problem.values()) taken.insert(symbol.name);
+  for (const auto& [symbol, name] : problem->names) {
     if (!unsafe_as_identifier(symbol)) continue;
     std::string other = "element_" + name;
     while (!taken.insert(other).second) other += "_";
@@ -187,22 +174,24 @@ std::map<std::string, std::string> names_in_page(const Scene& scene) {
 std::optional<Explorer> explorer(symbolic::Derivation derivation,
                                  const std::vector<ValueLine>& values) {
   Explorer result;
-  Scene& scene = derivation.scene;
-  scene.names = names_in_page(scene);
+  derivation.problem = called_otherwise(derivation.problem, names_in_page(derivation.problem));
+  const Problem& problem = derivation.problem;
   try {
-    result.unit = unused_name(scene);
+    result.unit = unused_name(problem);
     result.script =
         "\"use strict\";\n" + module_script(derivation, "vcrit_scene") +
-        module_script(symbolic::derive(normal_over(result.unit, scene)), "vcrit_normal");
+        module_script(symbolic::derive(over_spring(problem, problem->normal, {result.unit})),
+                      "vcrit_normal");
   } catch (const ModelError&) {
     return std::nullopt;
   }
-  result.sliders = sliders(scene, derivation, values);
-  result.carries_load = at_rest(scene.normal, values_of(scene)).stiffness() > 0;
-  if (!rules::answer(rules::Question::report_explorer, scene)) return result;
-  const Simulated simulated(scene);
+  result.sliders = sliders(problem, derivation, values);
+  result.carries_load = at_rest(problem->normal.reduction(), problem.values()).stiffness() > 0;
+  if (!rules::answer(rules::Question::report_explorer, problem)) return result;
+  const Simulated simulated(problem);
   if (simulated.affordable())
-    result.friction = friction_grid(simulated, values_of(scene).at(scene.angular_frequency.symbol));
+    result.friction =
+        friction_grid(simulated, problem.values().at(problem->angular_frequency.symbol));
   return result;
 }
 

@@ -16,7 +16,7 @@ namespace vcrit::validation {
 
 /// What the scene's symbols are called in the page's script: as in the program, which knows omega
 /// by its name, but for elements whose name there no script can have.
-std::map<std::string, std::string> names_in_page(const Scene& scene);
+std::map<std::string, std::string> names_in_page(const Problem& problem);
 
 /// Nothing for drives that generated code does not know. Friction is left out where the scene is
 /// not simulated, or large (system_size.hpp).

@@ -23,29 +23,27 @@ namespace {
 constexpr double points_per_decade = 48;
 constexpr double most_points = 600;
 
-/// Scene and values, and what is asked of them again and again.
+/// The problem, and what is asked of it again and again.
 class Response {
  public:
-  explicit Response(const Scene& scene)
-      : scene_(scene),
-        values_(values_of(scene)),
-        normal_(reduce(scene.normal)),
-        tangential_(reduce(*tangential_network(scene).network)),
-        factor_(tangential_network(scene).factor),
-        amplitude_(values_.at(scene.amplitude.symbol)),
-        indentation_(values_.at(scene.indentation.symbol)),
-        at_rest_(at_rest(scene.normal, values_).stiffness()) {
-    if (scene.drive) drive_ = reduce(*scene.drive);
-  }
+  explicit Response(const Problem& problem)
+      : problem_(problem),
+        values_(problem_.values()),
+        tangential_(tangential_network(problem)),
+        amplitude_(values_.at(problem->amplitude.symbol)),
+        indentation_(values_.at(problem->indentation.symbol)),
+        at_rest_(at_rest(problem->normal.reduction(), values_).stiffness()) {}
 
   ResponsePoint at(double omega) const {
     ResponsePoint point;
     point.omega = omega;
-    point.normal = std::abs(dynamic_stiffness(normal_, values_, omega));
-    point.tangential = factor_ * std::abs(dynamic_stiffness(tangential_, values_, omega));
-    if (drive_) point.drive = std::abs(dynamic_stiffness(*drive_, values_, omega));
-    point.velocity = critical_velocity(scene_, omega);
-    point.applies = scene_.separation ? holds_apart(omega) : stays_closed(point.normal);
+    point.normal = std::abs(dynamic_stiffness(problem_->normal.reduction(), values_, omega));
+    point.tangential = tangential_.factor *
+                       std::abs(dynamic_stiffness(tangential_.network.reduction(), values_, omega));
+    if (const auto* drive = problem_->drive_network())
+      point.drive = std::abs(dynamic_stiffness(drive->reduction(), values_, omega));
+    point.velocity = critical_velocity(problem_, omega);
+    point.applies = problem_->separation ? holds_apart(omega) : stays_closed(point.normal);
     return point;
   }
 
@@ -63,8 +61,7 @@ class Response {
 
   /// Whether Eq. 24 is v* of surfaces that may part.
   bool holds_apart(double omega) const {
-    Scene there = scene_;
-    there.angular_frequency.value = omega;
+    const Problem there = problem_.with({{problem_->angular_frequency.symbol, omega}});
     try {
       return bool{rules::answer(rules::Question::formula, there)};
     } catch (const ModelError&) {
@@ -72,12 +69,10 @@ class Response {
     }
   }
 
-  const Scene& scene_;
-  Values values_;
-  Reduction normal_, tangential_;
-  double factor_;
+  Problem problem_;
+  const Values& values_;  // its
+  ScaledNetwork tangential_;
   long double amplitude_, indentation_, at_rest_;
-  std::optional<Reduction> drive_;
 };
 
 struct FrequencyRange {
@@ -96,26 +91,28 @@ void include_relaxation(FrequencyRange& range, const Network& network, const Val
 }
 
 /// The mass against each stiffness that it may swing on.
-void include_resonances(FrequencyRange& range, const Scene& scene, const Values& values) {
-  if (!scene.mass || !scene.drive) return;
-  const double mass = values.at(scene.mass->symbol),
-               omega = values.at(scene.angular_frequency.symbol);
-  const double drive = std::abs(dynamic_stiffness(*scene.drive, values, omega));
-  const auto [contact, factor] = tangential_network(scene);
+void include_resonances(FrequencyRange& range, const Problem& problem, const Values& values) {
+  if (!problem->mass || problem->drive_network() == nullptr) return;
+  const double mass = values.at(problem->mass->symbol),
+               omega = values.at(problem->angular_frequency.symbol);
+  const double drive =
+      std::abs(dynamic_stiffness(problem->drive_network()->reduction(), values, omega));
+  const auto [contact, factor] = tangential_network(problem);
   range.include(std::sqrt(drive / mass));
-  range.include(
-      std::sqrt((drive + factor * std::abs(dynamic_stiffness(*contact, values, omega))) / mass));
+  range.include(std::sqrt(
+      (drive + factor * std::abs(dynamic_stiffness(contact.reduction(), values, omega))) / mass));
 }
 
-FrequencyRange range_of(const Scene& scene, const Values& values) {
-  if (scene.receptance)
-    return {scene.receptance->rows.front().omega, scene.receptance->rows.back().omega};
-  const double omega = values.at(scene.angular_frequency.symbol);
+FrequencyRange range_of(const Problem& problem, const Values& values) {
+  if (const Receptance* measured = problem->receptance())
+    return {measured->rows.front().omega, measured->rows.back().omega};
+  const double omega = values.at(problem->angular_frequency.symbol);
   FrequencyRange range{omega, omega};
-  include_relaxation(range, scene.normal, values);
-  include_relaxation(range, *tangential_network(scene).network, values);
-  if (scene.drive) include_relaxation(range, *scene.drive, values);
-  include_resonances(range, scene, values);
+  include_relaxation(range, problem->normal.network(), values);
+  include_relaxation(range, tangential_network(problem).network.network(), values);
+  if (problem->drive_network() != nullptr)
+    include_relaxation(range, problem->drive_network()->network(), values);
+  include_resonances(range, problem, values);
   return {range.from / 100, range.to * 100};
 }
 
@@ -183,18 +180,20 @@ std::vector<AsymptoteLine> asymptotes_of(const symbolic::Derivation& derivation,
 }  // namespace
 
 FrequencyResponse frequency_response(const symbolic::Derivation& derivation) {
-  const Scene& scene = derivation.scene;
-  if (!scene.receptance && !rules::answer(rules::Question::all_frequencies, scene)) return {};
-  const Values values = values_of(scene);
-  const Response response(scene);
+  const Problem& problem = derivation.problem;
+  if (problem->receptance() == nullptr && !rules::answer(rules::Question::all_frequencies, problem))
+    return {};
+  const Values& values = problem.values();
+  const Response response(problem);
   FrequencyResponse result;
-  result.omega = values.at(scene.angular_frequency.symbol);
+  result.omega = values.at(problem->angular_frequency.symbol);
   std::vector<double> factors;
-  for (const double omega : even_steps(range_of(scene, values))) {
+  for (const double omega : even_steps(range_of(problem, values))) {
     result.points.push_back(response.at(omega));
     factors.push_back(response.drive_factor(result.points.back()));
   }
-  if (scene.mass || scene.receptance || (scene.drive && has_masses(*scene.drive))) {
+  if (problem->mass || problem->receptance() != nullptr ||
+      (problem->drive_network() != nullptr && problem->drive_network()->has_masses())) {
     find_extremes(response, factors, 1, result);
     find_extremes(response, factors, -1, result);
     add_points_around_marks(response, result);

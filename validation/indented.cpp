@@ -14,6 +14,7 @@
 #include "critical/critical_velocity.hpp"
 #include "indenter/friction.hpp"
 #include "parting.hpp"
+#include "problem/variants.hpp"
 #include "velocity_comparisons.hpp"
 
 namespace vcrit::validation {
@@ -39,28 +40,32 @@ const std::vector<double>& indenter_ratios() {
   return ratios;
 }
 
-FrictionCurve indenter_curve(const Scene& scene, std::string name, bool own) {
+FrictionCurve indenter_curve(const Problem& problem, std::string name, bool own) {
   FrictionCurve curve{std::move(name), own, indenter_ratios(), {}};
   std::vector<double> velocities;
-  for (const double ratio : curve.ratios) velocities.push_back(ratio * critical_velocity(scene));
-  for (const auto& point : indenter::friction_curve(HalfSpace(scene), velocities, drawn_error))
+  for (const double ratio : curve.ratios) velocities.push_back(ratio * critical_velocity(problem));
+  for (const auto& point : indenter::friction_curve(HalfSpace(problem), velocities, drawn_error))
     curve.friction.push_back(point.friction ? point.friction->ratio : no_friction);
   return curve;
 }
 
+Problem at_share(const Problem& problem, double share) {
+  const double indentation = problem.value(problem->indentation);
+  return problem.with({{problem->amplitude.symbol, share * indentation}});
+}
+
 // Beyond the whole indentation the indenter jumps, which the scene must allow.
-std::vector<FrictionCurve> amplitudes_of(const Scene& scene) {
-  const double indentation = scene.indentation.value.value();
-  const double own = scene.amplitude.value.value() / indentation;
+std::vector<FrictionCurve> amplitudes_of(const Problem& problem) {
+  const double indentation = problem->indentation.value.value();
+  const double own = problem->amplitude.value.value() / indentation;
   std::vector<double> shares{0.05, 0.2, 0.5, 0.9};
-  if (scene.separation) shares.insert(shares.end(), {1.5, 4});
+  if (problem->separation) shares.insert(shares.end(), {1.5, 4});
   std::erase_if(shares, [&](double share) { return std::abs(share / own - 1) < 0.05; });
   shares.push_back(own);
   std::sort(shares.begin(), shares.end());
   std::vector<FrictionCurve> curves;
   for (const double share : shares) {
-    Scene there = scene;
-    there.amplitude.value = share == own ? scene.amplitude.value.value() : share * indentation;
+    const Problem there = share == own ? problem : at_share(problem, share);
     try {
       curves.push_back(
           indenter_curve(there, fmt::format("{:.3g} of the indentation", share), share == own));
@@ -71,7 +76,7 @@ std::vector<FrictionCurve> amplitudes_of(const Scene& scene) {
   return curves;
 }
 
-std::vector<FrictionCurve> shapes_of(const Scene& scene) {
+std::vector<FrictionCurve> shapes_of(const Problem& problem) {
   using Shape = Indenter::Shape;
   const auto power = [](double exponent) {
     return Indenter{Shape::power, {{{"prefactor"}, 1.0}, {{"exponent"}, exponent}}, {}};
@@ -83,11 +88,9 @@ std::vector<FrictionCurve> shapes_of(const Scene& scene) {
       {"flat", Indenter{Shape::flat, {{{"radius"}, 1.0}}, {}}}};
   std::vector<FrictionCurve> curves;
   for (const auto& [name, shape] : shapes) {
-    Scene other = scene;
-    other.indenter = shape;
-    curves.push_back(indenter_curve(other, name, false));
+    curves.push_back(indenter_curve(with_indenter(problem, shape), name, false));
   }
-  curves.push_back(indenter_curve(scene, "this scene", true));
+  curves.push_back(indenter_curve(problem, "this scene", true));
   return curves;
 }
 
@@ -192,13 +195,13 @@ Comparison indenter_static_limit(const SceneReport& report, const HalfSpace& hal
                                         "least over mean normal force of the cells");
   const double velocity = 1e-9 * speed;
   const Friction friction = indenter::friction(half_space, velocity, compared_error);
-  const double swing = half_space.amplitude() / opening_border(report.scene);
+  const double swing = half_space.amplitude() / opening_border(report.problem);
   const simulation::System centre = half_space.cell(0);
   double glassy = centre.contact.equilibrium;
   for (const MaxwellBranch& branch : centre.contact.branches) glassy += branch.stiffness;
   const double answer =
       (glassy * two_pi / centre.omega + centre.contact.damper) * velocity * 2 * half_space.edge();
-  const double mu0 = report.scene.coefficient.value.value();
+  const double mu0 = report.problem->coefficient.value.value();
   comparison.expected =
       static_force(half_space, half_space.indentation() - swing) / friction.normal_force;
   comparison.found = friction.ratio;
@@ -207,21 +210,16 @@ Comparison indenter_static_limit(const SceneReport& report, const HalfSpace& hal
   return comparison;
 }
 
-Scene at_share(Scene scene, double share) {
-  scene.amplitude.value = share * scene.indentation.value.value();
-  return scene;
-}
-
-Friction at_half(const Scene& scene) {
-  return indenter::friction(HalfSpace(scene), 0.5 * critical_velocity(scene), compared_error);
+Friction at_half(const Problem& problem) {
+  return indenter::friction(HalfSpace(problem), 0.5 * critical_velocity(problem), compared_error);
 }
 
 // Cells that stay closed fall short of mu0 in proportion to the amplitude; the rim that parts is as
 // wide as the amplitude and carries as little force.
-std::optional<Comparison> indenter_small_amplitude(const Scene& scene) {
+std::optional<Comparison> indenter_small_amplitude(const Problem& problem) {
   constexpr double share = 1e-3;
-  const Friction once = at_half(at_share(scene, share)),
-                 twice = at_half(at_share(scene, 2 * share));
+  const Friction once = at_half(at_share(problem, share)),
+                 twice = at_half(at_share(problem, 2 * share));
   if (once.regime == simulation::Regime::stick_slip_backslip_apart) return std::nullopt;
   Comparison comparison =
       by_difference("small_amplitude", "1 − friction ratio at Δu_z = 0.001 u_z0, at half of v*",
@@ -236,17 +234,13 @@ std::optional<Comparison> indenter_small_amplitude(const Scene& scene) {
 }
 
 // So slow an oscillation that the half-space is as at rest.
-std::optional<Comparison> indenter_quasi_static(const Scene& scene) {
+std::optional<Comparison> indenter_quasi_static(const Problem& problem) {
   constexpr double slowness = 1e-6;
-  const Relaxation modulus = relaxation_form(scene.normal, values_of(scene));
+  const Relaxation modulus = relaxation_form(problem->normal.network(), problem.values());
   const double slowest = slowest_relaxation(modulus);
   if (slowest == 0) return std::nullopt;
-  Scene slow = scene;
-  slow.angular_frequency.value = slowness / slowest;
-  Scene elastic = slow;
-  const Symbol at_rest{"E"};
-  elastic.normal = spring(at_rest);
-  elastic.elements = {{at_rest, modulus.equilibrium}};
+  const Problem slow = problem.with({{problem->angular_frequency.symbol, slowness / slowest}});
+  const Problem elastic = with_normal_spring(slow, {"E"}, modulus.equilibrium);
   Comparison comparison = by_difference(
       "quasi_static", "friction at a frequency far below all relaxation, at half of v*",
       "elastic half-space of the modulus at rest");
@@ -261,16 +255,16 @@ std::optional<Comparison> indenter_quasi_static(const Scene& scene) {
 }  // namespace
 
 void examine_indenter(SceneReport& report, const CriticalOnset& onset, const Witnesses& witnesses) {
-  const Scene& scene = report.scene;
-  const HalfSpace half_space = witnesses.half_space(scene);
-  const double speed = critical_velocity(scene);
+  const Problem& problem = report.problem;
+  const HalfSpace half_space = witnesses.half_space(problem);
+  const double speed = critical_velocity(problem);
   Indented& indented = report.indented.emplace();
   indented.closed_form = onset.by == CriticalOnset::By::formula;
   indented.critical_velocity = border_of_cells(report, onset).contact_velocity;
   indented.radius = half_space.radius();
   indented.edge = half_space.edge();
-  indented.amplitudes = amplitudes_of(scene);
-  indented.shapes = shapes_of(scene);
+  indented.amplitudes = amplitudes_of(problem);
+  indented.shapes = shapes_of(problem);
   indented.map_ratio = 0.5;
   indented.map = indenter_map(half_space, indented.map_ratio * speed);
   const Friction half = indenter::friction(half_space, 0.5 * speed, compared_error);
@@ -280,7 +274,7 @@ void examine_indenter(SceneReport& report, const CriticalOnset& onset, const Wit
     report.comparisons.push_back(indenter_velocity(report, half_space, witnesses));
   report.comparisons.push_back(starts(half));
   report.comparisons.push_back(indenter_static_limit(report, half_space, speed));
-  for (const auto& comparison : {indenter_small_amplitude(scene), indenter_quasi_static(scene)})
+  for (const auto& comparison : {indenter_small_amplitude(problem), indenter_quasi_static(problem)})
     if (comparison) report.comparisons.push_back(*comparison);
 }
 

@@ -104,20 +104,23 @@ LongComplex measured_receptance(const Receptance& receptance, double omega) {
 
 }  // namespace
 
-NodalResponse::NodalResponse(const Scene& scene) : scene_(scene), values_(values_of(scene)) {}
+NodalResponse::NodalResponse(const Problem& problem)
+    : problem_(problem), values_(problem_.values()) {}
 
 LongComplex NodalResponse::contact_point(double omega) const {
   LongComplex receptance = 0;
-  if (scene_.receptance) receptance = measured_receptance(*scene_.receptance, omega);
-  if (!scene_.drive && receptance == LongComplex(0)) return contact_alone(omega);
+  const auto* measured = problem_->receptance();
+  if (measured != nullptr) receptance = measured_receptance(*measured, omega);
+  const ReducedNetwork* drive = problem_->drive_network();
+  if (drive == nullptr && receptance == LongComplex(0)) return contact_alone(omega);
   Points points(values_, omega);
   const int contact = points.add(), body = points.add();
-  const auto [network, factor] = tangential_network(scene_);
-  points.place(*network, contact, body, factor);
-  if (scene_.drive) points.place(*scene_.drive, body, Points::ground);
-  if (scene_.receptance) points.connect(body, Points::ground, 1.0L / receptance);
-  if (scene_.mass) {
-    const long double mass = values_.at(scene_.mass->symbol);
+  const auto [network, factor] = tangential_network(problem_);
+  points.place(network.network(), contact, body, factor);
+  if (drive != nullptr) points.place(drive->network(), body, Points::ground);
+  if (measured != nullptr) points.connect(body, Points::ground, 1.0L / receptance);
+  if (problem_->mass) {
+    const long double mass = values_.at(problem_->mass->symbol);
     points.connect(body, Points::ground, -mass * omega * omega);
   }
   return points.compliance(contact);
@@ -126,15 +129,15 @@ LongComplex NodalResponse::contact_point(double omega) const {
 LongComplex NodalResponse::contact_alone(double omega) const {
   Points points(values_, omega);
   const int contact = points.add();
-  const auto [network, factor] = tangential_network(scene_);
-  points.place(*network, contact, Points::ground, factor);
+  const auto [network, factor] = tangential_network(problem_);
+  points.place(network.network(), contact, Points::ground, factor);
   return points.compliance(contact);
 }
 
 LongComplex NodalResponse::normal_stiffness(double omega) const {
   Points points(values_, omega);
   const int surface = points.add();
-  points.place(scene_.normal, surface, Points::ground);
+  points.place(problem_->normal.network(), surface, Points::ground);
   return 1.0L / points.compliance(surface);
 }
 

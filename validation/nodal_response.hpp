@@ -4,7 +4,7 @@
 
 #include <complex>
 
-#include "scene/scene.hpp"
+#include "problem/problem.hpp"
 
 namespace vcrit::validation {
 
@@ -13,7 +13,7 @@ using LongComplex = std::complex<long double>;
 class NodalResponse {
  public:
   /// Throws InputError for missing values.
-  explicit NodalResponse(const Scene& scene);
+  explicit NodalResponse(const Problem& problem);
 
   /// Displacement (m) of the contact point for each newton on it at an angular frequency (rad/s),
   /// through contact, body and drive; not finite at an undamped resonance. A measured drive is
@@ -25,7 +25,7 @@ class NodalResponse {
   LongComplex normal_stiffness(double omega) const;
 
  private:
-  const Scene& scene_;
+  Problem problem_;
   Values values_;
 };
 

@@ -10,6 +10,7 @@
 #include "critical/admissibility.hpp"
 #include "critical/critical_velocity.hpp"
 #include "formulas.hpp"
+#include "problem/variants.hpp"
 #include "simulation/steady/curve.hpp"
 #include "simulation/steady/energy.hpp"
 #include "simulation/steady/exact.hpp"
@@ -39,9 +40,8 @@ std::vector<double> even(double from, double to, int count) {
   return values;
 }
 
-Scene at_amplitude(Scene scene, double amplitude) {
-  scene.amplitude.value = amplitude;
-  return scene;
+Problem at_amplitude(const Problem& problem, double amplitude) {
+  return problem.with({{problem->amplitude.symbol, amplitude}});
 }
 
 std::vector<double> friction_over(const System& system, const std::vector<double>& velocities) {
@@ -58,28 +58,28 @@ std::vector<double> speeds_at(const std::vector<double>& ratios, double speed) {
   return result;
 }
 
-FrictionCurve parting_curve(const Scene& scene) {
+FrictionCurve parting_curve(const Problem& problem) {
   FrictionCurve curve;
   curve.ratios = parting_ratios();
-  curve.friction =
-      friction_over(simulation::system_of(scene), speeds_at(curve.ratios, unit_of_speed(scene)));
+  curve.friction = friction_over(simulation::system_of(problem),
+                                 speeds_at(curve.ratios, unit_of_speed(problem)));
   return curve;
 }
 
 // Within this share of the border two amplitudes are drawn as one.
 constexpr double same_amplitude = 0.05;
 
-std::vector<FrictionCurve> curves_of(const Scene& scene, double border) {
-  const double indentation = scene.indentation.value.value();
-  const double own = scene.amplitude.value.value() / (border * indentation);
+std::vector<FrictionCurve> curves_of(const Problem& problem, double border) {
+  const double indentation = problem->indentation.value.value();
+  const double own = problem->amplitude.value.value() / (border * indentation);
   std::vector<double> shares(std::begin(border_shares), std::end(border_shares));
   std::erase_if(shares, [&](double share) { return std::abs(share / own - 1) < same_amplitude; });
   shares.push_back(own);
   std::sort(shares.begin(), shares.end());
   std::vector<FrictionCurve> curves;
   for (const double share : shares) {
-    curves.push_back(
-        parting_curve(share == own ? scene : at_amplitude(scene, share * border * indentation)));
+    curves.push_back(parting_curve(
+        share == own ? problem : at_amplitude(problem, share * border * indentation)));
     curves.back().name = fmt::format("{:.3g} of the border", share);
     curves.back().own = share == own;
   }
@@ -137,9 +137,10 @@ std::optional<Comparison> parting_static_limit(const System& system, double spee
 
 // At 2 % of the border and at half of that: friction falls short of mu0 in proportion, as nothing
 // slips backward.
-std::optional<Comparison> parting_small_amplitude(const Scene& scene, double border) {
+std::optional<Comparison> parting_small_amplitude(const Problem& problem, double border) {
   const auto shortfall = [&](double share) -> std::optional<simulation::SteadyState> {
-    const Scene there = at_amplitude(scene, share * border * scene.indentation.value.value());
+    const Problem there =
+        at_amplitude(problem, share * border * problem->indentation.value.value());
     auto state = simulation::steady_state(simulation::system_of(there),
                                           0.5 * unit_of_speed(there) + creep_velocity(there));
     if (state.regime != simulation::Regime::stick_slip) return std::nullopt;
@@ -202,8 +203,8 @@ void compare_parting(SceneReport& report, const System& system, double speed) {
     if (comparison) report.comparisons.push_back(std::move(*comparison));
   };
   add(energy(system, 0.5 * speed));
-  if (report.parting->border > 0 && report.scene.indentation.value.value() > 0)
-    add(parting_small_amplitude(report.scene, report.parting->border));
+  if (report.parting->border > 0 && report.problem->indentation.value.value() > 0)
+    add(parting_small_amplitude(report.problem, report.parting->border));
   if (!system.opening) return;
   add(parting_static_limit(system, speed));
   add(parting_quasi_static(system));
@@ -227,19 +228,15 @@ double slowest_relaxation(const Relaxation& solid) {
   return slowest;
 }
 
-double unit_of_speed(const Scene& scene) {
-  if (const double velocity = critical_velocity(scene); is_speed(velocity)) return velocity;
-  Scene rigid = scene;
-  rigid.drive.reset();
-  rigid.receptance.reset();
-  rigid.mass.reset();
-  return critical_velocity(rigid);
+double unit_of_speed(const Problem& problem) {
+  if (const double velocity = critical_velocity(problem); is_speed(velocity)) return velocity;
+  return critical_velocity(with_rigid_drive(problem));
 }
 
-double opening_border(const Scene& scene) {
-  const Relaxation normal = relaxation_form(scene.normal, values_of(scene));
+double opening_border(const Problem& problem) {
+  const Relaxation normal = relaxation_form(problem->normal.network(), problem.values());
   return normal.equilibrium /
-         std::abs(dynamic_stiffness(normal, scene.angular_frequency.value.value()));
+         std::abs(dynamic_stiffness(normal, problem->angular_frequency.value.value()));
 }
 
 std::vector<std::optional<Motion>> motions_in(const simulation::SteadyState& state,
@@ -258,16 +255,16 @@ std::vector<std::optional<Motion>> motions_in(const simulation::SteadyState& sta
 
 void examine_parting(SceneReport& report, const symbolic::Derivation& derivation,
                      const System& system, const CriticalOnset& onset) {
-  const Scene& scene = report.scene;
+  const Problem& problem = report.problem;
   Parting& parting = report.parting.emplace();
   parting.opens = system.opening.has_value();
   parting.closed_form = onset.by == CriticalOnset::By::formula;
   parting.critical_velocity = onset.contact_velocity;
   parting.drive_velocity = onset.drive_velocity;
-  parting.border = opening_border(scene);
+  parting.border = opening_border(problem);
   parting.derivation = equations_of(symbolic::parting_lines(derivation));
-  const double speed = unit_of_speed(scene);
-  if (scene.indentation.value.value() > 0) parting.curves = curves_of(scene, parting.border);
+  const double speed = unit_of_speed(problem);
+  if (problem->indentation.value.value() > 0) parting.curves = curves_of(problem, parting.border);
   parting.map = parting_map(system, speed);
   compare_parting(report, system, speed);
 }

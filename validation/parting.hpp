@@ -18,10 +18,10 @@ void examine_parting(SceneReport& report, const symbolic::Derivation& derivation
 
 /// In what curves and maps measure speed, m/s: v* by Eq. 24, or where that is 0 or infinite v*
 /// under a rigid drive.
-double unit_of_speed(const Scene& scene);
+double unit_of_speed(const Problem& problem);
 
 /// du_z/u_z0 beyond which the surfaces part, K_n(0)/|K_n(i omega)|.
-double opening_border(const Scene& scene);
+double opening_border(const Problem& problem);
 
 /// The longest time (s) in which a solid forgets what was done to it, by order of magnitude; 0 of
 /// an elastic one.

@@ -49,14 +49,14 @@ Complex resistive(Complex answer, std::size_t n) {
 
 }  // namespace
 
-PeriodicMotion::PeriodicMotion(const Scene& scene) : push_(points), kernel_(points) {
-  const NodalResponse response(scene);
-  const Values values = values_of(scene);
-  const double omega = values.at(scene.angular_frequency.symbol);
+PeriodicMotion::PeriodicMotion(const Problem& problem) : push_(points), kernel_(points) {
+  const NodalResponse response(problem);
+  const Values& values = problem.values();
+  const double omega = values.at(problem->angular_frequency.symbol);
   const auto own = static_cast<double>(omega * std::abs(response.contact_alone(omega)));
-  amplitude_ =
-      static_cast<double>(values.at(scene.coefficient.symbol) * values.at(scene.amplitude.symbol) *
-                          std::abs(response.normal_stiffness(omega)));
+  amplitude_ = static_cast<double>(values.at(problem->coefficient.symbol) *
+                                   values.at(problem->amplitude.symbol) *
+                                   std::abs(response.normal_stiffness(omega)));
   unit_ = amplitude_ * own;
   std::vector<Complex> answers{1e-3};
   for (std::size_t n = 1; n <= points / 2; ++n) {
@@ -154,7 +154,7 @@ Comparison compare_periodic_motion(const SceneReport& report) {
       "a border falls between the points of the grid, {} in a period: {:.2g}; and as much again",
       points, PeriodicMotion::resolution());
   try {
-    const PeriodicMotion motion(report.scene);
+    const PeriodicMotion motion(report.problem);
     if (std::isnan(comparison.expected))
       return not_run(comparison, "the border of so many free swings is not known");
     if (is_speed(report.critical_velocity) && report.critical_velocity > motion.highest())

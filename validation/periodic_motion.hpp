@@ -19,7 +19,7 @@ namespace vcrit::validation {
 class PeriodicMotion {
  public:
   /// Throws InputError for missing values, ModelError for networks of too many points.
-  explicit PeriodicMotion(const Scene& scene);
+  explicit PeriodicMotion(const Problem& problem);
 
   /// By how much friction falls short of mu0 F_n in the mean, N, where the contact point moves at
   /// this mean speed (m/s) and never backward. Throws ModelError where no motion is found.

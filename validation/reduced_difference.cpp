@@ -53,9 +53,11 @@ std::optional<double> usable_from(double delta, double a, double allowed) {
   return least;
 }
 
-std::optional<ReducedModel> reduced_model(const Scene& scene) {
-  if (scene.drive || !std::holds_alternative<Isotropic>(scene.tangential)) return std::nullopt;
-  const simulation::System system = simulation::system_of(scene);
+std::optional<ReducedModel> reduced_model(const Problem& problem) {
+  if (problem->drive_network() != nullptr ||
+      !std::holds_alternative<Isotropic>(problem->tangential))
+    return std::nullopt;
+  const simulation::System system = simulation::system_of(problem);
   if (system.opening) return std::nullopt;
   const Relaxation& contact = system.contact;
   if (!(contact.equilibrium > 0 && contact.damper > 0) || !contact.branches.empty())

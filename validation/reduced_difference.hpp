@@ -30,6 +30,6 @@ std::optional<double> usable_from(double delta, double a, double allowed);
 
 /// Nothing unless the scene is an isotropic Kelvin contact (with a damper) under a rigid drive.
 /// Throws InputError for missing values.
-std::optional<ReducedModel> reduced_model(const Scene& scene);
+std::optional<ReducedModel> reduced_model(const Problem& problem);
 
 }  // namespace vcrit::validation

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/numbers.hpp"
-#include "scene/scene.hpp"
+#include "problem/problem.hpp"
 #include "simulation/system/steady_state.hpp"
 
 namespace vcrit::validation {
@@ -225,7 +225,9 @@ struct Indented {
 };
 
 struct SceneReport {
-  Scene scene;
+  explicit SceneReport(Problem of) : problem(std::move(of)) {}
+
+  Problem problem;
   std::string
       failure;  ///< why all that follows is missing but for one broken comparison, else empty
   std::vector<std::string> reasons;  ///< why the scene is not admissible; empty when it is

@@ -19,12 +19,12 @@ const char* place_of(const Element& element) {
   return element.kind == ElementKind::maxwell ? " of a Maxwell branch" : "";
 }
 
-std::map<Symbol, ValueKind> kinds_of_elements(const Scene& scene) {
+std::map<Symbol, ValueKind> kinds_of_elements(const Problem& problem) {
   std::map<Symbol, ValueKind> kinds;
-  for_each_element(scene, [&](const Element& element) {
+  for_each_element(problem, [&](const Element& element) {
     for_each_number(element, [&](const Symbol& symbol, NumberRole role) {
       const Dimension dimension =
-          scene.indenter ? number_row(role).in_half_space : number_row(role).dimension;
+          problem->indenter ? number_row(role).in_half_space : number_row(role).dimension;
       kinds[symbol] = {si_unit(dimension), std::string(number_row(role).words) + place_of(element)};
     });
   });
@@ -33,23 +33,24 @@ std::map<Symbol, ValueKind> kinds_of_elements(const Scene& scene) {
 
 }  // namespace
 
-std::vector<ValueLine> value_lines(const Scene& scene) {
-  const Values values = values_of(scene);
+std::vector<ValueLine> value_lines(const Problem& problem) {
+  const Values& values = problem.values();
   std::vector<ValueLine> lines;
   const auto add = [&](const Symbol& symbol, const ValueKind& kind) {
     const Formula name = formula_of(symbolic::symbol(symbol));
     lines.push_back({symbol, name, values.at(symbol), kind.unit, kind.meaning});
   };
-  add(scene.angular_frequency.symbol, {"rad/s", "angular frequency"});
-  add(scene.amplitude.symbol, {"m", "amplitude of the normal oscillation"});
-  add(scene.indentation.symbol, {"m", "mean indentation"});
-  add(scene.coefficient.symbol, {"", "coefficient of friction"});
-  if (scene.mass) add(scene.mass->symbol, {"kg", "mass of the body"});
-  if (scene.indenter)
-    for (const Quantity& size : scene.indenter->sizes)
-      add(size.symbol, {si_unit(scene.settable.at(size.symbol.name)), "size of the indenter"});
-  const auto kinds = kinds_of_elements(scene);
-  for (const auto& [symbol, value] : scene.elements)
+  add(problem->angular_frequency.symbol, {"rad/s", "angular frequency"});
+  add(problem->amplitude.symbol, {"m", "amplitude of the normal oscillation"});
+  add(problem->indentation.symbol, {"m", "mean indentation"});
+  add(problem->coefficient.symbol, {"", "coefficient of friction"});
+  if (problem->mass) add(problem->mass->symbol, {"kg", "mass of the body"});
+  if (problem->indenter)
+    for (const Quantity& size : problem->indenter->sizes)
+      add(size.symbol,
+          {si_unit(problem->source->settable.at(size.symbol.name)), "size of the indenter"});
+  const auto kinds = kinds_of_elements(problem);
+  for (const auto& [symbol, value] : problem->elements)
     if (const auto kind = kinds.find(symbol); kind != kinds.end()) add(symbol, kind->second);
   return lines;
 }

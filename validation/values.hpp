@@ -7,6 +7,6 @@ namespace vcrit::validation {
 
 /// In the order of writing: oscillation and friction, what moves, then the networks' elements.
 /// Throws InputError for missing values.
-std::vector<ValueLine> value_lines(const Scene& scene);
+std::vector<ValueLine> value_lines(const Problem& problem);
 
 }  // namespace vcrit::validation

@@ -14,10 +14,10 @@ namespace vcrit::validation {
 
 /// Who is heard besides the generated evaluator and the motion. Tests put false ones among them.
 struct Witnesses {
-  std::function<CertifiedVelocity(const Scene&)> certified;     ///< the reference
-  std::function<double(const Scene&)> formula;                  ///< Eq. 24 in doubles, m/s
-  std::function<simulation::System(const Scene&)> system;       ///< what is simulated
-  std::function<indenter::HalfSpace(const Scene&)> half_space;  ///< the same below an indenter
+  std::function<CertifiedVelocity(const Problem&)> certified;     ///< the reference
+  std::function<double(const Problem&)> formula;                  ///< Eq. 24 in doubles, m/s
+  std::function<simulation::System(const Problem&)> system;       ///< what is simulated
+  std::function<indenter::HalfSpace(const Problem&)> half_space;  ///< the same below an indenter
   /// The simulator's own harmonic balance: from where on steady sliding exists.
   std::function<simulation::Onset(const simulation::System&)> balance;
   /// Another method marched just below and above v*.

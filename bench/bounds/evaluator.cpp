@@ -63,13 +63,13 @@ std::size_t slot_of(const System& system, const std::string& name, int entry) {
 }  // namespace
 
 std::string header_for(const System& system) {
-  return symbolic::emit_header(symbolic::derive(system.scene), "evaluator");
+  return symbolic::emit_header(symbolic::derive(system.problem), "evaluator");
 }
 
 Evaluator::Evaluator(const System& system, const std::string& header,
                      const std::filesystem::path& folder)
     : system_(system), program_(folder / "evaluate") {
-  const symbolic::ParameterList list(system.scene, symbolic::derive(system.scene));
+  const symbolic::ParameterList list(system.problem, symbolic::derive(system.problem));
   for (const symbolic::Member& member : list.members()) {
     Member mine{member.name, {}, member.length > 0};
     for (int entry = mine.is_array ? 1 : 0; entry <= member.length; ++entry)

@@ -141,32 +141,38 @@ enum class Contact { own, isotropic };
 
 System system(const std::string& name, Shape contact, Contact tangential,
               std::optional<Shape> drive) {
-  System result;
-  result.name = name;
-  result.contact = contact;
-  result.drive = drive;
   Builder builder;
   builder.add(Role::coefficient, "mu0");
   builder.add(Role::omega, "omega");
   builder.add(Role::amplitude, "du_z");
   std::string normal, other = "\"nu\"", driving;
-  result.normal = builder.network(contact, "n", normal);
+  SlotRange own, driven;
+  std::optional<std::size_t> mass, poisson;
+  const SlotRange contacts = builder.network(contact, "n", normal);
   if (tangential == Contact::own) {
-    result.tangential = builder.network(contact, "t", other);
+    own = builder.network(contact, "t", other);
     other = fmt::format("\"{}\"", other);
   } else {
-    result.poisson = builder.add(Role::poisson, "nu");
+    poisson = builder.add(Role::poisson, "nu");
   }
   std::string text = fmt::format("[contact]\nnormal = \"{}\"\n{} = {}\n", normal,
                                  tangential == Contact::own ? "tangential" : "poisson", other);
   if (drive) {
-    result.driving = builder.network(*drive, "d", driving);
-    result.mass = builder.add(Role::mass, "m");
+    driven = builder.network(*drive, "d", driving);
+    mass = builder.add(Role::mass, "m");
     text += fmt::format("[drive]\nnetwork = \"{}\"\n[body]\nmass = \"m\"\n", driving);
   }
-  result.scene = parse_scene(text + builder.networks, name + ".toml");
-  result.slots = std::move(builder.slots);
-  return result;
+  Problem problem = parse_problem(text + builder.networks, name + ".toml");
+  return {name,
+          std::move(problem),
+          std::move(builder.slots),
+          contact,
+          drive,
+          contacts,
+          own,
+          driven,
+          mass,
+          poisson};
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "scene/scene.hpp"
+#include "problem/problem.hpp"
 
 namespace vcrit::bounds {
 
@@ -36,7 +36,7 @@ struct SlotRange {
 
 struct System {
   std::string name;
-  Scene scene;
+  Problem problem;
   std::vector<Slot> slots;
   Shape contact{};
   std::optional<Shape> drive;

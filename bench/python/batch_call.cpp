@@ -8,9 +8,9 @@
 using vcrit::CriticalOnsets;
 
 // Frequency and k... by their names in the scene; the formula is never freed: there are few.
-extern "C" void* vcrit_formula(const char* scene, const char* const* names, std::size_t count) {
-  return new CriticalOnsets(vcrit::read_scene(scene),
-                                std::vector<std::string>(names, names + count));
+extern "C" void* vcrit_formula(const char* problem, const char* const* names, std::size_t count) {
+  return new CriticalOnsets(vcrit::read_problem(problem),
+                            std::vector<std::string>(names, names + count));
 }
 
 extern "C" void vcrit_evaluate(const void* formula, const double* const* columns, std::size_t count,

@@ -6,6 +6,7 @@
 #include "formula/names.hpp"
 #include "polynomial/network_polynomials.hpp"
 #include "scaling/own.hpp"
+#include "scene/scene.hpp"
 
 namespace vcrit::scaling {
 

@@ -21,30 +21,30 @@ struct EvaluatorOptions {
   Plan plan;
 };
 
-std::vector<Problem> chosen_problems(const EvaluatorOptions& options) {
-  std::vector<Problem> chosen;
+std::vector<Subject> chosen_subjects(const EvaluatorOptions& options) {
+  std::vector<Subject> chosen;
   std::string known;
-  for (Problem& problem : all_problems()) {
-    known += (known.empty() ? "" : ", ") + problem.name;
-    if (options.only.empty() || problem.name == options.only) chosen.push_back(std::move(problem));
+  for (Subject& subject : all_subjects()) {
+    known += (known.empty() ? "" : ", ") + subject.name;
+    if (options.only.empty() || subject.name == options.only) chosen.push_back(std::move(subject));
   }
   if (chosen.empty()) throw InputError({"--only"}, "\"" + options.only + "\"", "one of " + known);
   return chosen;
 }
 
 void run_evaluators(const EvaluatorOptions& options) {
-  const std::vector<Problem> problems = chosen_problems(options);
+  const std::vector<Subject> subjects = chosen_subjects(options);
   const std::filesystem::path compiler = compiler_named(options.compiler);
   const validation::PrivateFolder folder;
   Comparison all;
   all.compiler = validation::describe_compiler(compiler, folder.path());
   all.plan = options.plan;
-  for (const Problem& problem : problems) {
-    fmt::print(stderr, "{}\n", problem.name);
-    all.problems.push_back(problem.name);
-    const std::vector<Evaluator> methods = evaluators(problem, compiler, all.missing);
+  for (const Subject& subject : subjects) {
+    fmt::print(stderr, "{}\n", subject.name);
+    all.subjects.push_back(subject.name);
+    const std::vector<Evaluator> methods = evaluators(subject, compiler, all.missing);
     for (const Mode mode : both_modes)
-      for (Result& each : measure(problem, mode, methods, options.plan))
+      for (Result& each : measure(subject, mode, methods, options.plan))
         all.results.push_back(std::move(each));
   }
   fmt::print("{}", heading(all));

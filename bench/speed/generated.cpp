@@ -60,11 +60,11 @@ std::string function_name(const std::string& grade, const Call& call, Mode mode)
 }
 
 /// Assignments to the members of `p`, one a column; %: the column.
-std::string members(const Problem& problem, const std::string& value) {
-  const symbolic::ParameterList parameters(problem.scene, symbolic::derive(problem.scene));
+std::string members(const Subject& subject, const std::string& value) {
+  const symbolic::ParameterList parameters(subject.problem, symbolic::derive(subject.problem));
   std::string text;
-  for (std::size_t j = 0; j < problem.columns.size(); ++j) {
-    const Symbol& symbol = problem.columns[j].symbol;
+  for (std::size_t j = 0; j < subject.columns.size(); ++j) {
+    const Symbol& symbol = subject.columns[j].symbol;
     if (!parameters.contains(symbol)) continue;
     text += fmt::format("  {} = {};\n", parameters.reference(symbol),
                         replaced(value, "%", std::to_string(j)));
@@ -72,7 +72,7 @@ std::string members(const Problem& problem, const std::string& value) {
   return text;
 }
 
-std::string driver(const Problem& problem) {
+std::string driver(const Subject& subject) {
   std::string out = fmt::format(
       "#include <span>\n#include <vector>\n#include \"problem_batch.hpp\"\n"
       "using Inputs = const double* const*;\n"
@@ -83,13 +83,13 @@ std::string driver(const Problem& problem) {
       "static std::vector<problem::Parameters> sets;\n"
       "static std::vector<problem::Gradient> gradients;\n"
       "constexpr problem::Varying only_omega{{.omega = true}};\n",
-      members(problem, "x[%][i]"));
+      members(subject, "x[%][i]"));
   out += fmt::format(
       "static problem::Columns all_columns(Inputs x) {{\n  problem::Columns p;\n{}  return p;\n"
       "}}\n"
       "static problem::PartialColumns partials(double* extra, std::size_t n) {{\n"
       "  problem::PartialColumns p;\n{}  return p;\n}}\n",
-      members(problem, "x[%]"), members(problem, "extra + % * n"));
+      members(subject, "x[%]"), members(subject, "extra + % * n"));
   out +=
       "extern \"C\" void prepare(Inputs x, std::size_t n, double*, double*) {\n"
       "  sets.clear();\n  for (std::size_t i = 0; i < n; ++i) sets.push_back(at(x, i));\n"
@@ -112,13 +112,13 @@ std::string driver(const Problem& problem) {
 
 }  // namespace
 
-std::vector<Evaluator> generated(const Problem& problem, const std::filesystem::path& compiler) {
+std::vector<Evaluator> generated(const Subject& subject, const std::filesystem::path& compiler) {
   const validation::PrivateFolder folder;
   write_file(folder.path() / "problem.hpp",
-             symbolic::emit_header(symbolic::derive(problem.scene), "problem"));
+             symbolic::emit_header(symbolic::derive(subject.problem), "problem"));
   write_file(folder.path() / "problem_batch.hpp",
-             symbolic::emit_batch_header(symbolic::derive(problem.scene), "problem"));
-  write_file(folder.path() / "driver.cpp", driver(problem));
+             symbolic::emit_batch_header(symbolic::derive(subject.problem), "problem"));
+  write_file(folder.path() / "driver.cpp", driver(subject));
   const auto library =
       std::make_shared<const Library>(compiler, Flags::generated(), folder.path() / "driver.cpp");
   const Function prepare = library->function("prepare");

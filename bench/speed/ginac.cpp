@@ -67,28 +67,28 @@ struct Formula {
   GiNaC::lst symbols, value;
 };
 
-Formula formula(const Problem& problem) {
+Formula formula(const Subject& subject) {
   Formula result;
   std::map<Symbol, ex> symbols;
-  for (const VariedParameter& column : problem.columns) {
+  for (const VariedParameter& column : subject.columns) {
     const GiNaC::symbol symbol(fmt::format("x{}", symbols.size()));
     symbols[column.symbol] = symbol;
     result.symbols.append(symbol);
   }
-  const Scene& scene = problem.scene;
+  const Problem& problem = subject.problem;
   const ex mu0 = result.symbols[0], omega = result.symbols[1], du_z = result.symbols[2],
            m = result.symbols[3];
   Composition composition{symbols, omega};
-  const auto stiffness = [&](const Network& network) {
-    return evaluate(reduce(network), composition);
+  const auto stiffness = [&](const ReducedNetwork& network) {
+    return evaluate(network.reduction(), composition);
   };
-  const Pair normal = stiffness(scene.normal);
-  const auto* network = std::get_if<Network>(&scene.tangential);
+  const Pair normal = stiffness(problem->normal);
+  const auto* network = std::get_if<ReducedNetwork>(&problem->tangential);
   const Pair tangential =
       network != nullptr
           ? stiffness(*network)
-          : Pair{symbols.at(std::get<Isotropic>(scene.tangential).quantity.symbol), 0} * normal;
-  const Pair loaded = stiffness(*scene.drive) + Pair{-m * omega * omega, 0, 3};
+          : Pair{symbols.at(std::get<Isotropic>(problem->tangential).quantity.symbol), 0} * normal;
+  const Pair loaded = stiffness(*problem->drive_network()) + Pair{-m * omega * omega, 0, 3};
   result.value.append(mu0 * omega * du_z *
                       sqrt(squared(normal) * squared(tangential + loaded) /
                            (squared(tangential) * squared(loaded))));
@@ -129,8 +129,8 @@ void run_on_samples(GiNaC::FUNCP_CUBA function, const Samples& samples, int colu
 
 }  // namespace
 
-std::vector<Evaluator> ginac(const Problem& problem) {
-  const Formula all = formula(problem);
+std::vector<Evaluator> ginac(const Subject& subject) {
+  const Formula all = formula(subject);
   std::vector<Evaluator> result;
   for (const auto& [name, flags] : {std::pair{"GiNaC compile_ex", ""},
                                     std::pair{"GiNaC compile_ex, -O3", "-O3 -march=native"}}) {
@@ -138,7 +138,7 @@ std::vector<Evaluator> ginac(const Problem& problem) {
     const InTemporaryFolder folder;
     GiNaC::FUNCP_CUBA function = nullptr;
     GiNaC::compile_ex(all.value, all.symbols, function);
-    const int columns = static_cast<int>(problem.columns.size());
+    const int columns = static_cast<int>(subject.columns.size());
     for (const Mode mode : both_modes) {
       Evaluator each;
       each.method = name;

@@ -14,7 +14,7 @@ struct Plan {
 };
 
 struct Result {
-  std::string problem, method;
+  std::string subject, method;
   Mode mode = Mode::sweep;
   Family family = Family::peer;
   double nanoseconds = 0;  ///< a value
@@ -23,7 +23,7 @@ struct Result {
 };
 
 /// Evaluators of other modes are left out.
-std::vector<Result> measure(const Problem& problem, Mode mode, const std::vector<Evaluator>& all,
+std::vector<Result> measure(const Subject& subject, Mode mode, const std::vector<Evaluator>& all,
                             const Plan& plan);
 
 }  // namespace vcrit::speed

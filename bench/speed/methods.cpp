@@ -6,8 +6,8 @@ namespace vcrit::speed {
 
 namespace {
 
-std::vector<std::string> with_scene(std::vector<std::string> flags, const Problem& problem) {
-  flags.push_back("-DVCRIT_SCENE=" + problem.by_hand);
+std::vector<std::string> with_scene(std::vector<std::string> flags, const Subject& subject) {
+  flags.push_back("-DVCRIT_SCENE=" + subject.by_hand);
   return flags;
 }
 
@@ -45,10 +45,10 @@ std::vector<std::string> all_methods() {
   return names;
 }
 
-std::vector<Evaluator> loops_by_hand(const Problem& problem,
+std::vector<Evaluator> loops_by_hand(const Subject& subject,
                                      const std::filesystem::path& compiler) {
   const auto built = [&](const char* source, const std::vector<std::string>& flags) {
-    return std::make_shared<const Library>(compiler, with_scene(flags, problem),
+    return std::make_shared<const Library>(compiler, with_scene(flags, subject),
                                            peer_source(source));
   };
   const auto complex = built("complex_loop.cpp", Flags::scalar());
@@ -83,21 +83,21 @@ std::vector<Evaluator> machine_limits(const std::filesystem::path& compiler) {
   return all;
 }
 
-std::vector<Evaluator> evaluators(const Problem& problem, const std::filesystem::path& compiler,
+std::vector<Evaluator> evaluators(const Subject& subject, const std::filesystem::path& compiler,
                                   std::vector<Missing>& missing) {
   std::vector<Evaluator> all;
   const auto add = [&](const char* what, const auto& make) {
     try {
       for (Evaluator& each : make()) all.push_back(std::move(each));
     } catch (const std::exception& error) {
-      missing.push_back({problem.name, what, error.what()});
+      missing.push_back({subject.name, what, error.what()});
     }
   };
-  add("loops by hand", [&] { return loops_by_hand(problem, compiler); });
-  add("SymPy", [&] { return sympy(problem, compiler); });
-  add("GiNaC", [&] { return ginac(problem); });
+  add("loops by hand", [&] { return loops_by_hand(subject, compiler); });
+  add("SymPy", [&] { return sympy(subject, compiler); });
+  add("GiNaC", [&] { return ginac(subject); });
   add("machine", [&] { return machine_limits(compiler); });
-  add("vcrit", [&] { return generated(problem, compiler); });
+  add("vcrit", [&] { return generated(subject, compiler); });
   return all;
 }
 

@@ -27,21 +27,21 @@ struct Evaluator {
 
 /// Methods that could not be built, with the reason.
 struct Missing {
-  std::string problem, method, reason;
+  std::string subject, method, reason;
 };
 
 /// Rows of the table.
 std::vector<std::string> all_methods();
 
-std::vector<Evaluator> loops_by_hand(const Problem& problem, const std::filesystem::path& compiler);
+std::vector<Evaluator> loops_by_hand(const Subject& subject, const std::filesystem::path& compiler);
 std::vector<Evaluator> machine_limits(const std::filesystem::path& compiler);
-std::vector<Evaluator> sympy(const Problem& problem, const std::filesystem::path& compiler);
-std::vector<Evaluator> ginac(const Problem& problem);
+std::vector<Evaluator> sympy(const Subject& subject, const std::filesystem::path& compiler);
+std::vector<Evaluator> ginac(const Subject& subject);
 /// The calls of the generated library that its header has.
-std::vector<Evaluator> generated(const Problem& problem, const std::filesystem::path& compiler);
+std::vector<Evaluator> generated(const Subject& subject, const std::filesystem::path& compiler);
 
 /// All of them.
-std::vector<Evaluator> evaluators(const Problem& problem, const std::filesystem::path& compiler,
+std::vector<Evaluator> evaluators(const Subject& subject, const std::filesystem::path& compiler,
                                   std::vector<Missing>& missing);
 
 /// A function of a library, kept with it.

@@ -92,42 +92,40 @@ Part single_element_bridge_part(const std::string& x) {
 
 Part isotropic_part(const std::string&) { return {"Isotropic", "", "", {{{"ratio"}, 0.5, 1}}}; }
 
-Problem problem(const std::string& name, Kind normal, Kind tangential, Kind drive) {
+Subject subject(const std::string& name, Kind normal, Kind tangential, Kind drive) {
   const std::array parts{normal("n"), tangential("t"), drive("d")};
-  Problem result;
-  result.name = name;
-  result.by_hand =
-      fmt::format("Scene<{}, {}, {}>", parts[0].by_hand, parts[1].by_hand, parts[2].by_hand);
-  result.columns = {
+  std::vector<VariedParameter> columns{
       {{"mu0"}, 0.1, 0.5}, {{"omega"}, 5e4, 2e5}, {{"du_z"}, 1e-8, 1e-6}, {{"m"}, 1e-4, 1e-2}};
   std::string tables;
   for (const Part& part : parts) {
-    result.columns.insert(result.columns.end(), part.columns.begin(), part.columns.end());
+    columns.insert(columns.end(), part.columns.begin(), part.columns.end());
     tables += part.table;
   }
   const std::string how = parts[1].expression.empty()
                               ? "tangential_ratio = \"ratio\""
                               : fmt::format("tangential = \"{}\"", parts[1].expression);
-  result.scene = parse_scene(
-      fmt::format("title = \"{}\"\n[contact]\nnormal = \"{}\"\n{}\n[drive]\nnetwork = \"{}\"\n"
-                  "[body]\nmass = \"m\"\n{}",
-                  name, parts[0].expression, how, parts[2].expression, tables),
-      name + ".toml");
-  return result;
+  return {name,
+          fmt::format("Scene<{}, {}, {}>", parts[0].by_hand, parts[1].by_hand, parts[2].by_hand),
+          std::move(columns),
+          parse_problem(
+              fmt::format("title = \"{}\"\n[contact]\nnormal = \"{}\"\n{}\n[drive]\nnetwork = "
+                          "\"{}\"\n[body]\nmass = \"m\"\n{}",
+                          name, parts[0].expression, how, parts[2].expression, tables),
+              name + ".toml")};
 }
 
 }  // namespace
 
-std::vector<Problem> all_problems() {
-  return {problem("Kelvin", kelvin_part, kelvin_part, kelvin_part),
-          problem("Zener", zener_part, zener_part, zener_part),
-          problem("Burgers", burgers_part, burgers_part, burgers_part),
-          problem("Prony-10", prony_part, prony_part, prony_part),
-          problem("ladder-10", ladder_part, ladder_part, ladder_part),
-          problem("bridge", bridge_part, bridge_part, bridge_part),
-          problem("S1", kelvin_part, isotropic_part, spring_part),
-          problem("S2", prony_part, prony_part, kelvin_part),
-          problem("S3", single_element_bridge_part, single_element_bridge_part, spring_part)};
+std::vector<Subject> all_subjects() {
+  return {subject("Kelvin", kelvin_part, kelvin_part, kelvin_part),
+          subject("Zener", zener_part, zener_part, zener_part),
+          subject("Burgers", burgers_part, burgers_part, burgers_part),
+          subject("Prony-10", prony_part, prony_part, prony_part),
+          subject("ladder-10", ladder_part, ladder_part, ladder_part),
+          subject("bridge", bridge_part, bridge_part, bridge_part),
+          subject("S1", kelvin_part, isotropic_part, spring_part),
+          subject("S2", prony_part, prony_part, kelvin_part),
+          subject("S3", single_element_bridge_part, single_element_bridge_part, spring_part)};
 }
 
 }  // namespace vcrit::speed

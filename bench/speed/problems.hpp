@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "scene/scene.hpp"
+#include "problem/problem.hpp"
 
 namespace vcrit::speed {
 
@@ -14,16 +14,16 @@ struct VariedParameter {
   double least = 0, greatest = 0;  ///< SI units
 };
 
-struct Problem {
+struct Subject {
   std::string name;                      ///< "Prony-10"
   std::string by_hand;                   ///< "Scene<Prony, Prony, Prony>", peers/networks.hpp
   std::vector<VariedParameter> columns;  ///< mu0, omega, du_z, m; of K_n, K_t, K_d
-  Scene scene;
+  Problem problem;
 };
 
 /// The place of omega among the columns.
 inline constexpr std::size_t omega_column = 1;
 
-std::vector<Problem> all_problems();
+std::vector<Subject> all_subjects();
 
 }  // namespace vcrit::speed

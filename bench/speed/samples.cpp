@@ -13,27 +13,20 @@ namespace {
 
 constexpr unsigned seed = 20261121;
 
-Scene with_values(const Problem& problem, const Samples& samples, std::size_t i) {
+Problem with_values(const Subject& subject, const Samples& samples, std::size_t i) {
   Values values;
-  for (std::size_t j = 0; j < problem.columns.size(); ++j)
-    values[problem.columns[j].symbol] = samples.value(j, i);
-  Scene scene = problem.scene;
-  for (auto& [symbol, value] : scene.elements) value = values.at(symbol);
-  for (Quantity* quantity : {&scene.coefficient, &scene.angular_frequency, &scene.amplitude})
-    quantity->value = values.at(quantity->symbol);
+  for (std::size_t j = 0; j < subject.columns.size(); ++j)
+    values[subject.columns[j].symbol] = samples.value(j, i);
   // v* does not depend on it.
-  scene.indentation.value = 1.0;
-  if (auto* contact = std::get_if<Isotropic>(&scene.tangential))
-    contact->quantity.value = values.at(contact->quantity.symbol);
-  scene.mass->value = values.at(scene.mass->symbol);
-  return scene;
+  values[subject.problem->indentation.symbol] = 1;
+  return subject.problem.with(values);
 }
 
 }  // namespace
 
-Samples::Samples(const Problem& problem, Mode mode, std::size_t size) : mode_(mode) {
+Samples::Samples(const Subject& subject, Mode mode, std::size_t size) : mode_(mode) {
   std::mt19937_64 random(seed);
-  for (const VariedParameter& column : problem.columns) {
+  for (const VariedParameter& column : subject.columns) {
     std::uniform_real_distribution exponent(std::log(column.least), std::log(column.greatest));
     std::vector<double> values(size);
     for (double& value : values) value = std::exp(exponent(random));
@@ -43,10 +36,10 @@ Samples::Samples(const Problem& problem, Mode mode, std::size_t size) : mode_(mo
   for (const std::vector<double>& column : columns_) pointers_.push_back(column.data());
 }
 
-std::vector<double> reference(const Problem& problem, const Samples& samples) {
+std::vector<double> reference(const Subject& subject, const Samples& samples) {
   std::vector<double> values(samples.size());
   for (std::size_t i = 0; i < values.size(); ++i)
-    values[i] = certified_critical_velocity(with_values(problem, samples, i)).value;
+    values[i] = certified_critical_velocity(with_values(subject, samples, i)).value;
   return values;
 }
 

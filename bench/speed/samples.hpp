@@ -16,7 +16,7 @@ inline constexpr Mode both_modes[] = {Mode::sweep, Mode::varying};
 /// that of omega is read beyond its first value.
 class Samples {
  public:
-  Samples(const Problem& problem, Mode mode, std::size_t size);
+  Samples(const Subject& subject, Mode mode, std::size_t size);
 
   Mode mode() const { return mode_; }
   std::size_t size() const { return columns_.front().size(); }
@@ -32,7 +32,7 @@ class Samples {
 };
 
 /// v* correctly rounded, of each set.
-std::vector<double> reference(const Problem& problem, const Samples& samples);
+std::vector<double> reference(const Subject& subject, const Samples& samples);
 
 /// The largest distance in units of the last place of the reference; infinite if one is no number.
 double worst_error(const std::vector<double>& values, const std::vector<double>& reference);

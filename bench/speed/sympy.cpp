@@ -10,27 +10,27 @@ namespace {
 // cse of a ladder's expressions is not back in any time that one would wait.
 constexpr std::chrono::seconds longest_cse{60};
 
-nlohmann::json asked(const Problem& problem) {
-  const Scene& scene = problem.scene;
+nlohmann::json asked(const Subject& subject) {
+  const Problem& problem = subject.problem;
   nlohmann::json json{{"columns", nlohmann::json::array()},
                       {"omega", omega_column},
-                      {"normal", bench::network_json(scene.normal)},
-                      {"drive", bench::network_json(*scene.drive)}};
-  for (const VariedParameter& column : problem.columns)
+                      {"normal", bench::network_json(problem->normal.network())},
+                      {"drive", bench::network_json(problem->drive_network()->network())}};
+  for (const VariedParameter& column : subject.columns)
     json["columns"].push_back(to_text(column.symbol));
-  if (const auto* network = std::get_if<Network>(&scene.tangential))
-    json["tangential"] = bench::network_json(*network);
+  if (const auto* network = std::get_if<ReducedNetwork>(&problem->tangential))
+    json["tangential"] = bench::network_json(network->network());
   else
-    json["ratio"] = to_text(std::get<Isotropic>(scene.tangential).quantity.symbol);
+    json["ratio"] = to_text(std::get<Isotropic>(problem->tangential).quantity.symbol);
   return json;
 }
 
 }  // namespace
 
-std::vector<Evaluator> sympy(const Problem& problem, const std::filesystem::path& compiler) {
+std::vector<Evaluator> sympy(const Subject& subject, const std::filesystem::path& compiler) {
   const validation::PrivateFolder folder;
   const std::filesystem::path source = folder.path() / "loop.cpp";
-  bench::run_script("sympy_loop.py", asked(problem), {source}, folder.path(), longest_cse);
+  bench::run_script("sympy_loop.py", asked(subject), {source}, folder.path(), longest_cse);
   std::vector<Evaluator> all;
   const auto add = [&](const char* name, const std::vector<std::string>& flags) {
     const auto library = std::make_shared<const Library>(compiler, flags, source);

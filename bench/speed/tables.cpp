@@ -12,10 +12,10 @@ using Row = bench::TextRow;
 
 const char* name_of(Mode mode) { return mode == Mode::sweep ? "sweep" : "all varying"; }
 
-const Result* find(const Comparison& all, Mode mode, const std::string& problem,
+const Result* find(const Comparison& all, Mode mode, const std::string& subject,
                    const std::string& method) {
   for (const Result& each : all.results)
-    if (each.mode == mode && each.problem == problem && each.method == method) return &each;
+    if (each.mode == mode && each.subject == subject && each.method == method) return &each;
   return nullptr;
 }
 
@@ -34,10 +34,10 @@ std::string cell(const Result* result) {
   return fmt::format("{}, {}", time_text(result->nanoseconds), error_text(result->error));
 }
 
-const Result* best_peer(const Comparison& all, Mode mode, const std::string& problem) {
+const Result* best_peer(const Comparison& all, Mode mode, const std::string& subject) {
   const Result* best = nullptr;
   for (const Result& each : all.results)
-    if (each.mode == mode && each.problem == problem && each.family == Family::peer &&
+    if (each.mode == mode && each.subject == subject && each.family == Family::peer &&
         !each.wrong() && (best == nullptr || each.nanoseconds < best->nanoseconds))
       best = &each;
   return best;
@@ -46,9 +46,9 @@ const Result* best_peer(const Comparison& all, Mode mode, const std::string& pro
 /// Best peer's time over ours.
 Row ratios(const Comparison& all, Mode mode, const std::string& grade) {
   Row row{"best other / vcrit " + grade};
-  for (const std::string& problem : all.problems) {
-    const Result* best = best_peer(all, mode, problem);
-    const Result* own = find(all, mode, problem, "vcrit " + grade + ", batch");
+  for (const std::string& subject : all.subjects) {
+    const Result* best = best_peer(all, mode, subject);
+    const Result* own = find(all, mode, subject, "vcrit " + grade + ", batch");
     const bool known = best != nullptr && own != nullptr;
     row.push_back(known ? fmt::format("{:.2g}x", best->nanoseconds / own->nanoseconds) : "-");
   }
@@ -57,8 +57,8 @@ Row ratios(const Comparison& all, Mode mode, const std::string& grade) {
 
 Row best_row(const Comparison& all, Mode mode) {
   Row row{"best other"};
-  for (const std::string& problem : all.problems) {
-    const Result* best = best_peer(all, mode, problem);
+  for (const std::string& subject : all.subjects) {
+    const Result* best = best_peer(all, mode, subject);
     row.push_back(best == nullptr ? "-" : best->method);
   }
   return row;
@@ -66,11 +66,11 @@ Row best_row(const Comparison& all, Mode mode) {
 
 std::vector<Row> rows(const Comparison& all, Mode mode) {
   std::vector<Row> result{{name_of(mode)}};
-  for (const std::string& problem : all.problems) result.front().push_back(problem);
+  for (const std::string& subject : all.subjects) result.front().push_back(subject);
   for (const std::string& method : all_methods()) {
     Row row{method};
-    for (const std::string& problem : all.problems)
-      row.push_back(cell(find(all, mode, problem, method)));
+    for (const std::string& subject : all.subjects)
+      row.push_back(cell(find(all, mode, subject, method)));
     result.push_back(row);
   }
   for (const char* grade : {"accurate", "fast"}) result.push_back(ratios(all, mode, grade));
@@ -104,14 +104,14 @@ std::string table(const Comparison& all, Mode mode, Style style) {
   const Row best = best_row(all, mode);
   for (std::size_t j = 1; j < best.size(); ++j)
     out += fmt::format("{}best other on {}: {}\n", style == Style::text ? "" : "* ",
-                       all.problems[j - 1], best[j]);
+                       all.subjects[j - 1], best[j]);
   return out;
 }
 
 std::string notes(const Comparison& all) {
   std::string out;
   for (const Missing& each : all.missing)
-    out += fmt::format("{}, {}: {}\n", each.problem, each.method, each.reason);
+    out += fmt::format("{}, {}: {}\n", each.subject, each.method, each.reason);
   return out.empty() ? out : "\nnot measured\n" + out;
 }
 
@@ -125,7 +125,7 @@ nlohmann::ordered_json as_json(const Comparison& all) {
   for (const auto& [name, flags] : all_flags()) json["flags"][name] = flags;
   for (const auto& [name, version] : machine.versions) json["versions"][name] = version;
   for (const Result& each : all.results)
-    json["results"].push_back({{"problem", each.problem},
+    json["results"].push_back({{"problem", each.subject},
                                {"mode", name_of(each.mode)},
                                {"method", each.method},
                                {"nanoseconds", each.nanoseconds},
@@ -133,7 +133,7 @@ nlohmann::ordered_json as_json(const Comparison& all) {
                                {"wrong", each.wrong()}});
   for (const Missing& each : all.missing)
     json["missing"].push_back(
-        {{"problem", each.problem}, {"method", each.method}, {"reason", each.reason}});
+        {{"problem", each.subject}, {"method", each.method}, {"reason", each.reason}});
   return json;
 }
 

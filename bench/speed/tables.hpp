@@ -13,7 +13,7 @@ namespace vcrit::speed {
 struct Comparison {
   std::string compiler;  ///< "g++ (Debian 12.2.0-14) 12.2.0"
   Plan plan;
-  std::vector<std::string> problems;
+  std::vector<std::string> subjects;
   std::vector<Result> results;
   std::vector<Missing> missing;
 };

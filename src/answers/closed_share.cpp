@@ -4,7 +4,8 @@
 #include <utility>
 
 #include "network/graph.hpp"
-#include "scene/changing.hpp"
+#include "problem/variants.hpp"
+#include "problem/variation.hpp"
 
 namespace vcrit {
 
@@ -13,35 +14,31 @@ namespace {
 // No element of a scene has this name.
 const Symbol unit_spring{"1", 0};
 
-Scene rigidly_driven(Scene scene, const Network& normal) {
-  scene.normal = normal;
-  scene.tangential = spring(unit_spring);
-  scene.elements.emplace_back(unit_spring, 1.0);
-  scene.drive.reset();
-  scene.receptance.reset();
-  scene.mass.reset();
-  scene.indenter.reset();
-  scene.separation = false;
-  scene.coefficient.value = scene.amplitude.value = scene.indentation.value = 1;
-  return scene;
+// v* = |K_n| omega
+Problem rigidly_driven(const Problem& problem, const ReducedNetwork& normal) {
+  return over_spring(problem, normal, unit_spring)
+      .with({{problem->coefficient.symbol, 1},
+             {problem->amplitude.symbol, 1},
+             {problem->indentation.symbol, 1}});
 }
 
 }  // namespace
 
-ClosedShare::Modulus ClosedShare::modulus(const Scene& scene, const Network& normal,
+ClosedShare::Modulus ClosedShare::modulus(const Problem& problem, const ReducedNetwork& normal,
                                           const std::vector<std::string>& varying) {
-  const std::vector<Symbol> symbols = symbols_of(normal);
+  const std::vector<Symbol> symbols = symbols_of(normal.network());
   std::vector<std::string> names;
   std::vector<std::size_t> columns;
   for (std::size_t i = 0; i < varying.size(); ++i) {
-    const Symbol symbol = ChangingScene(scene, {varying[i]}).targets().front().symbol;
+    const Symbol symbol = target_of(problem, varying[i]).symbol;
     const bool moves = std::find(symbols.begin(), symbols.end(), symbol) != symbols.end() ||
-                       symbol == scene.angular_frequency.symbol;
+                       symbol == problem->angular_frequency.symbol;
     if (!moves) continue;
     names.push_back(varying[i]);
     columns.push_back(i);
   }
-  return {CriticalVelocities(rigidly_driven(scene, normal), std::move(names)), std::move(columns)};
+  return {CriticalVelocities(rigidly_driven(problem, normal), std::move(names)),
+          std::move(columns)};
 }
 
 void ClosedShare::Modulus::operator()(std::span<const std::span<const double>> all,
@@ -51,10 +48,10 @@ void ClosedShare::Modulus::operator()(std::span<const std::span<const double>> a
   velocities(chosen, out);
 }
 
-ClosedShare::ClosedShare(const Scene& scene, const std::vector<std::string>& varying)
-    : oscillating_(modulus(scene, scene.normal, varying)) {
-  const auto springs = springs_alone(scene.normal);
-  if (springs) at_rest_ = modulus(scene, *springs, varying);
+ClosedShare::ClosedShare(const Problem& problem, const std::vector<std::string>& varying)
+    : oscillating_(modulus(problem, problem->normal, varying)) {
+  const auto springs = springs_alone(problem->normal.network());
+  if (springs) at_rest_ = modulus(problem, ReducedNetwork(*springs), varying);
 }
 
 void ClosedShare::operator()(std::span<const std::span<const double>> columns,

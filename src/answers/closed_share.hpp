@@ -14,7 +14,7 @@ namespace vcrit {
 class ClosedShare {
  public:
   /// `varying` as for CriticalVelocities, none of them through 0.
-  ClosedShare(const Scene& scene, const std::vector<std::string>& varying);
+  ClosedShare(const Problem& problem, const std::vector<std::string>& varying);
 
   /// Columns as for CriticalVelocities; one value for each of `out`.
   void operator()(std::span<const std::span<const double>> columns, std::span<double> out) const;
@@ -27,7 +27,7 @@ class ClosedShare {
     std::vector<std::size_t> columns;  ///< of those that vary, the ones it depends on
     void operator()(std::span<const std::span<const double>> all, std::span<double> out) const;
   };
-  static Modulus modulus(const Scene& scene, const Network& normal,
+  static Modulus modulus(const Problem& problem, const ReducedNetwork& normal,
                          const std::vector<std::string>& varying);
 
   Modulus oscillating_;

@@ -18,8 +18,9 @@
 #include "indenter/friction.hpp"
 #include "network/law.hpp"
 #include "network/masses.hpp"
+#include "problem/variants.hpp"
+#include "problem/variation.hpp"
 #include "rules/rulebook.hpp"
-#include "scene/changing.hpp"
 #include "simulation/steady/onset.hpp"
 #include "stiffness/dynamic_stiffness.hpp"
 
@@ -27,8 +28,8 @@ namespace vcrit {
 
 namespace {
 
-bool holds_formula(const Scene& scene) {
-  return bool{rules::answer(rules::Question::formula, scene)};
+bool holds_formula(const Problem& problem) {
+  return bool{rules::answer(rules::Question::formula, problem)};
 }
 
 // Harmonics above this are not looked for below a drive with masses. As many as there may be, they
@@ -61,10 +62,10 @@ struct DriveParts {
 
 // The harmonics at which a body, of whatever mass, and the masses of its drive swing freely: K_d =
 // m (n omega)^2. A damper that moves with them leaves a loss stiffness, which is no rounding.
-std::vector<int> free_harmonics_of_masses(const Network& drive, const Values& values, double mass,
-                                          double omega) {
-  const Reduction reduction = reduce(drive);
-  const DriveParts parts(drive, values);
+std::vector<int> free_harmonics_of_masses(const ReducedNetwork& drive, const Values& values,
+                                          double mass, double omega) {
+  const Reduction& reduction = drive.reduction();
+  const DriveParts parts(drive.network(), values);
   const double nearly_equal = simulation::equal_in_roundings * epsilon;
   std::vector<int> found;
   for (int n = 2; n <= highest_harmonic; ++n) {
@@ -79,22 +80,22 @@ std::vector<int> free_harmonics_of_masses(const Network& drive, const Values& va
   return found;
 }
 
-CriticalOnset by_formula(const Scene& scene) {
-  const auto [value, bound, reason] = certified_critical_velocity(scene);
+CriticalOnset by_formula(const Problem& problem) {
+  const auto [value, bound, reason] = certified_critical_velocity(problem);
   CriticalOnset onset{
-      CriticalOnset::By::formula, value, value + creep_velocity(scene), bound, reason, value};
-  onset.free_harmonics = free_harmonics(scene);
+      CriticalOnset::By::formula, value, value + creep_velocity(problem), bound, reason, value};
+  onset.free_harmonics = free_harmonics(problem);
   if (std::isfinite(value)) onset.sliding_from *= sliding_share(onset.free_harmonics);
   return onset;
 }
 
-simulation::Onset sliding_threshold(const Scene& scene) {
-  if (scene.indenter) return indenter::sliding_threshold(indenter::HalfSpace(scene));
-  return simulation::sliding_threshold(simulation::system_of(scene));
+simulation::Onset sliding_threshold(const Problem& problem) {
+  if (problem->indenter) return indenter::sliding_threshold(indenter::HalfSpace(problem));
+  return simulation::sliding_threshold(simulation::system_of(problem));
 }
 
-CriticalOnset by_simulation(const Scene& scene) {
-  const simulation::Onset onset = sliding_threshold(scene);
+CriticalOnset by_simulation(const Problem& problem) {
+  const simulation::Onset onset = sliding_threshold(problem);
   CriticalOnset result{CriticalOnset::By::simulation,
                        onset.contact_velocity,
                        onset.drive_velocity,
@@ -110,13 +111,13 @@ CriticalOnset by_simulation(const Scene& scene) {
 // above this has too few.
 constexpr double usual_error = 1e-13, worst_slope_error = 1e-3;
 
-double simulated_log_derivative(const Scene& scene, const Symbol& symbol) {
-  const std::string name = to_text(as_called(scene, symbol));
-  const CriticalOnset here = by_simulation(scene);
+double simulated_log_derivative(const Problem& problem, const Symbol& symbol) {
+  const std::string name = to_text(as_called(problem, symbol));
+  const CriticalOnset here = by_simulation(problem);
   if (!(here.contact_velocity > 0 && std::isfinite(here.contact_velocity)))
     throw ModelError("v* is 0 or infinite, so that it has no relative sensitivity");
-  ChangingScene changing(scene, {name});
-  const double value = changing.targets().front().value->value();
+  const Variation changing(problem, {name});
+  const double value = problem.values().at(symbol);
   const auto log_velocity = [&](double logarithm) -> std::optional<double> {
     const double changed = value * std::exp(logarithm);
     try {
@@ -140,24 +141,24 @@ double simulated_log_derivative(const Scene& scene, const Symbol& symbol) {
 
 // By the ratio of stiffnesses, which is not bounded as Poisson's ratio is. Under a rigid drive, as
 // below every indenter, an isotropic contact point follows in inverse proportion to it.
-double poisson_log_derivative(const Scene& scene, const Isotropic& isotropic) {
+double poisson_log_derivative(const Problem& problem, const Isotropic& isotropic) {
   const double nu = *isotropic.quantity.value, by_ratio = -nu / ((1 - nu) * (2 - nu));
-  if (!has_drive(scene)) return -by_ratio;
-  Scene given_by_ratio = scene;
-  given_by_ratio.tangential =
-      Isotropic{Isotropic::By::ratio, {isotropic.quantity.symbol, tangential_ratio(isotropic)}};
+  if (problem->rigid()) return -by_ratio;
+  const Problem given_by_ratio = with_isotropic(
+      problem, {Isotropic::By::ratio, {isotropic.quantity.symbol, tangential_ratio(isotropic)}});
   return by_ratio * simulated_log_derivative(given_by_ratio, isotropic.quantity.symbol);
 }
 
 }  // namespace
 
-std::vector<int> free_harmonics(const Scene& scene) {
-  if (!scene.drive || !rules::answer(rules::Question::all_frequencies, scene)) return {};
-  const Values values = values_of(scene);
-  const double mass = scene.mass ? values.at(scene.mass->symbol) : 0;
-  const double omega = values.at(scene.angular_frequency.symbol);
-  if (has_masses(*scene.drive)) return free_harmonics_of_masses(*scene.drive, values, mass, omega);
-  const int n = simulation::free_harmonic(relaxation_form(*scene.drive, values), mass, omega,
+std::vector<int> free_harmonics(const Problem& problem) {
+  const ReducedNetwork* drive = problem->drive_network();
+  if (drive == nullptr || !rules::answer(rules::Question::all_frequencies, problem)) return {};
+  const Values& values = problem.values();
+  const double mass = problem->mass ? values.at(problem->mass->symbol) : 0;
+  const double omega = values.at(problem->angular_frequency.symbol);
+  if (drive->has_masses()) return free_harmonics_of_masses(*drive, values, mass, omega);
+  const int n = simulation::free_harmonic(relaxation_form(drive->network(), values), mass, omega,
                                           simulation::equal_in_roundings * epsilon);
   return n > 1 ? std::vector{n} : std::vector<int>{};
 }
@@ -167,28 +168,28 @@ double sliding_share(const std::vector<int>& free_harmonics) {
   return least ? least->upper : std::numeric_limits<double>::quiet_NaN();
 }
 
-CriticalOnset critical_onset(const Scene& scene) {
-  return holds_formula(scene) ? by_formula(scene) : by_simulation(scene);
+CriticalOnset critical_onset(const Problem& problem) {
+  return holds_formula(problem) ? by_formula(problem) : by_simulation(problem);
 }
 
-CertifiedVelocity certified_onset(const Scene& scene) {
-  if (holds_formula(scene)) return certified_critical_velocity(scene);
-  const CriticalOnset onset = by_simulation(scene);
+CertifiedVelocity certified_onset(const Problem& problem) {
+  if (holds_formula(problem)) return certified_critical_velocity(problem);
+  const CriticalOnset onset = by_simulation(problem);
   return {onset.contact_velocity, onset.relative_error_bound, onset.reason};
 }
 
-double quick_onset(Scene scene, double omega) {
-  scene.angular_frequency.value = omega;
-  return holds_formula(scene) ? critical_velocity(scene) : by_simulation(scene).contact_velocity;
+double quick_onset(const Problem& problem, double omega) {
+  const Problem there = problem.with({{problem->angular_frequency.symbol, omega}});
+  return holds_formula(there) ? critical_velocity(there) : by_simulation(there).contact_velocity;
 }
 
-double onset_log_derivative(const Scene& scene, const Symbol& symbol) {
-  if (holds_formula(scene)) return log_derivative(scene, symbol);
-  const auto* isotropic = std::get_if<Isotropic>(&scene.tangential);
+double onset_log_derivative(const Problem& problem, const Symbol& symbol) {
+  if (holds_formula(problem)) return log_derivative(problem, symbol);
+  const auto* isotropic = std::get_if<Isotropic>(&problem->tangential);
   if (isotropic != nullptr && isotropic->by == Isotropic::By::poisson &&
       isotropic->quantity.symbol == symbol)
-    return poisson_log_derivative(scene, *isotropic);
-  return simulated_log_derivative(scene, symbol);
+    return poisson_log_derivative(problem, *isotropic);
+  return simulated_log_derivative(problem, symbol);
 }
 
 }  // namespace vcrit

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "critical/certified.hpp"
-#include "scene/scene.hpp"
+#include "problem/problem.hpp"
 
 namespace vcrit {
 
@@ -27,25 +27,25 @@ struct CriticalOnset {
 
 /// Those n of a scene whose surfaces stay together, K_d and m (n omega)^2 being equal but for
 /// rounding. Throws InputError for missing values.
-std::vector<int> free_harmonics(const Scene& scene);
+std::vector<int> free_harmonics(const Problem& problem);
 
 /// From what part of v* on sliding is steady with free swings at these harmonics; NaN where that is
 /// not known.
 double sliding_share(const std::vector<int>& free_harmonics);
 
 /// Throws InputError for missing values, ModelError where v* is 0/0 and outside the model.
-CriticalOnset critical_onset(const Scene& scene);
+CriticalOnset critical_onset(const Problem& problem);
 
 /// v* alone, with its bound, NaN where it is simulated, and why it is infinite. Throws likewise.
-CertifiedVelocity certified_onset(const Scene& scene);
+CertifiedVelocity certified_onset(const Problem& problem);
 
 /// v* alone at another angular frequency (rad/s), for loops: where it is Eq. (24), in doubles.
 /// Throws likewise.
-double quick_onset(Scene scene, double omega);
+double quick_onset(const Problem& problem, double omega);
 
 /// (p/v*) dv*/dp of that v* as log_derivative.hpp has it of Eq. (24); where v* is simulated, by
 /// differences of it, right to some 1e-9 where it does not bend nearby. Throws as both do, and
 /// ModelError where fewer than three digits are known.
-double onset_log_derivative(const Scene& scene, const Symbol& symbol);
+double onset_log_derivative(const Problem& problem, const Symbol& symbol);
 
 }  // namespace vcrit

@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "answers/critical_onset.hpp"
+#include "problem/variation.hpp"
 #include "rules/rulebook.hpp"
-#include "scene/changing.hpp"
 
 namespace vcrit {
 
@@ -37,11 +37,11 @@ bool any_unusual(std::span<const double> values) {
 
 }  // namespace
 
-/// The lanes of a call, each as its values and, when asked for, its scene.
+/// The lanes of a call, each as its values and, when asked for, its problem.
 class CriticalOnsets::Lanes {
  public:
   Lanes(const CriticalOnsets& onsets, Columns columns)
-      : columns_(columns), changing_(onsets.scene_, onsets.names_), values_(columns.size()) {}
+      : columns_(columns), changing_(onsets.problem_, onsets.names_), values_(columns.size()) {}
 
   void go_to(std::size_t lane) {
     for (std::size_t i = 0; i < columns_.size(); ++i)
@@ -52,7 +52,7 @@ class CriticalOnsets::Lanes {
     return std::any_of(values_.begin(), values_.end(), [](double v) { return std::isnan(v); });
   }
 
-  const Scene& scene() { return changing_.at(values_); }
+  Problem problem() const { return changing_.at(values_); }
 
   /// v*, where that is not `formula`.
   double velocity(double formula) {
@@ -73,7 +73,7 @@ class CriticalOnsets::Lanes {
     }
     if (only_zeros && allowed_.contains(zeros)) return std::nullopt;
     try {
-      scene();
+      problem();
     } catch (const InputError& error) {
       return error.what();
     }
@@ -84,7 +84,7 @@ class CriticalOnsets::Lanes {
  private:
   std::optional<double> simulated() {
     try {
-      const Scene& lane = scene();
+      const Problem lane = problem();
       if (rules::answer(rules::Question::formula, lane)) return std::nullopt;
       return critical_onset(lane).contact_velocity;
     } catch (const ModelError&) {
@@ -93,18 +93,19 @@ class CriticalOnsets::Lanes {
   }
 
   Columns columns_;
-  ChangingScene changing_;
+  Variation changing_;
   std::vector<double> values_;
   std::optional<std::vector<double>> answered_;  // values of the lane answered last
   std::optional<double> velocity_;               // and its v*
   std::set<std::vector<bool>> allowed_;
 };
 
-CriticalOnsets::CriticalOnsets(const Scene& scene, std::vector<std::string> varying, Grade grade)
-    : scene_(scene), names_(varying), formula_(scene, std::move(varying), grade) {}
+CriticalOnsets::CriticalOnsets(const Problem& problem, std::vector<std::string> varying,
+                               Grade grade)
+    : problem_(problem), names_(varying), formula_(problem, std::move(varying), grade) {}
 
 void CriticalOnsets::operator()(Columns columns, std::span<double> out) const {
-  if (!scene_.separation) return formula_(columns, out);
+  if (!problem_->separation) return formula_(columns, out);
   Lanes lanes(*this, columns);
   std::vector<std::span<const double>> part(columns.begin(), columns.end());
   std::array<double, lanes_at_once> room{};

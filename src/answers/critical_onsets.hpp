@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "critical/batch.hpp"
-#include "scene/scene.hpp"
+#include "problem/problem.hpp"
 
 namespace vcrit {
 
@@ -16,7 +16,7 @@ class CriticalOnsets {
  public:
   /// `varying`: parameters by their names for --set. Throws InputError for names that the scene
   /// does not have, two names of one quantity, and values that are missing.
-  CriticalOnsets(const Scene& scene, std::vector<std::string> varying,
+  CriticalOnsets(const Problem& problem, std::vector<std::string> varying,
                  Grade grade = Grade::doubles);
 
   /// v* in m/s, as critical_onset() has it of each lane and CriticalVelocities promises it of Eq.
@@ -36,7 +36,7 @@ class CriticalOnsets {
  private:
   class Lanes;
 
-  Scene scene_;
+  Problem problem_;
   std::vector<std::string> names_;
   CriticalVelocities formula_;
 };

@@ -6,14 +6,14 @@ namespace vcrit {
 
 namespace {
 
-std::variant<simulation::System, indenter::HalfSpace> motion_of(const Scene& scene) {
-  if (scene.indenter) return indenter::HalfSpace(scene);
-  return simulation::system_of(scene);
+std::variant<simulation::System, indenter::HalfSpace> motion_of(const Problem& problem) {
+  if (problem->indenter) return indenter::HalfSpace(problem);
+  return simulation::system_of(problem);
 }
 
 }  // namespace
 
-SteadyFriction::SteadyFriction(const Scene& scene) : motion_(motion_of(scene)) {}
+SteadyFriction::SteadyFriction(const Problem& problem) : motion_(motion_of(problem)) {}
 
 simulation::SteadyState SteadyFriction::at(double velocity, simulation::Start start) const {
   if (const auto* half_space = std::get_if<indenter::HalfSpace>(&motion_))

@@ -6,7 +6,7 @@
 #include <variant>
 
 #include "indenter/half_space.hpp"
-#include "scene/scene.hpp"
+#include "problem/problem.hpp"
 #include "simulation/steady/curve.hpp"
 #include "simulation/steady/exact.hpp"
 
@@ -15,7 +15,7 @@ namespace vcrit {
 class SteadyFriction {
  public:
   /// Throws InputError for missing values, ModelError where the scene has no motion that is known.
-  explicit SteadyFriction(const Scene& scene);
+  explicit SteadyFriction(const Problem& problem);
 
   /// At one velocity of the drive, m/s, > 0. Below an indenter of the whole, without events and
   /// from both starts. Throws ModelError where no steady state is found.

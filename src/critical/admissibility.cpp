@@ -5,21 +5,22 @@
 
 namespace vcrit {
 
-std::vector<std::string> inadmissible_reasons(const Scene& scene) {
-  return rules::reasons(rules::Question::admissible, scene);
+std::vector<std::string> inadmissible_reasons(const Problem& problem) {
+  return rules::reasons(rules::Question::admissible, problem);
 }
 
-bool opens(const Scene& scene) { return rules::Facts(scene).opens(); }
+bool opens(const Problem& problem) { return rules::Facts(problem).opens(); }
 
-double creep_velocity(const Scene& scene) {
-  const Values values = values_of(scene);
-  const ScaledNetwork tangential = tangential_network(scene);
-  long double total = at_rest(*tangential.network, values).fluidity() / tangential.factor;
-  if (scene.drive) total += at_rest(*scene.drive, values).fluidity();
+double creep_velocity(const Problem& problem) {
+  const Values& values = problem.values();
+  const ScaledNetwork tangential = tangential_network(problem);
+  long double total = at_rest(tangential.network.reduction(), values).fluidity() / tangential.factor;
+  if (problem->drive_network() != nullptr)
+    total += at_rest(problem->drive_network()->reduction(), values).fluidity();
   if (total == 0) return 0;
-  const long double mean_normal_force =
-      at_rest(scene.normal, values).stiffness() * values.at(scene.indentation.symbol);
-  return static_cast<double>(values.at(scene.coefficient.symbol) * mean_normal_force * total);
+  const long double mean_normal_force = at_rest(problem->normal.reduction(), values).stiffness() *
+                                        values.at(problem->indentation.symbol);
+  return static_cast<double>(values.at(problem->coefficient.symbol) * mean_normal_force * total);
 }
 
 }  // namespace vcrit

@@ -5,21 +5,21 @@
 #include <string>
 #include <vector>
 
-#include "scene/scene.hpp"
+#include "problem/problem.hpp"
 
 namespace vcrit {
 
 /// Why the scene is not admissible, one sentence a reason; empty when it is. Surfaces that may part
 /// need not stay closed.
-std::vector<std::string> inadmissible_reasons(const Scene& scene);
+std::vector<std::string> inadmissible_reasons(const Problem& problem);
 
 /// Whether the normal force would pull for a part of the period (4), under an indenter the pressure
 /// at its centre: the surfaces part there if the scene lets them. Throws InputError for missing
 /// values.
-bool opens(const Scene& scene);
+bool opens(const Problem& problem);
 
 /// mu0 <F_n> (1/eta_t + 1/eta_d) in m/s: what the drive must run faster than the contact point;
 /// 0 where both networks carry a static load.
-double creep_velocity(const Scene& scene);
+double creep_velocity(const Problem& problem);
 
 }  // namespace vcrit

@@ -13,7 +13,7 @@
 #include "critical/certified.hpp"
 #include "critical/kernels.hpp"
 #include "critical/operations.hpp"
-#include "scene/changing.hpp"
+#include "problem/variation.hpp"
 
 namespace vcrit {
 
@@ -32,7 +32,7 @@ double at(std::span<const double> column, std::size_t lane) {
 
 class CriticalVelocities::Formula {
  public:
-  Formula(const Scene& scene, std::vector<std::string> names, Grade grade);
+  Formula(const Problem& problem, std::vector<std::string> names, Grade grade);
   void evaluate(Given given, std::span<double> out) const;
   void refuse_lengths(Given given, std::size_t lanes_wanted) const;
 
@@ -46,25 +46,25 @@ class CriticalVelocities::Formula {
   class Certified;
   class Call;
 
-  Scene scene_;
+  Problem problem_;
   std::vector<std::string> names_;
   std::vector<Varying> varying_;
   Values values_;  // of all symbols; of those that vary any
   std::optional<Operations> operations_;
 };
 
-CriticalVelocities::Formula::Formula(const Scene& scene, std::vector<std::string> names,
+CriticalVelocities::Formula::Formula(const Problem& problem, std::vector<std::string> names,
                                      Grade grade)
-    : scene_(scene), names_(std::move(names)) {
-  ChangingScene changing(scene_, names_);
+    : problem_(problem), names_(std::move(names)) {
+  const Variation changing(problem_, names_);
   bool all_there = true;
-  for (const ChangingScene::Target& target : changing.targets()) {
+  for (const Variation::Target& target : changing.targets()) {
     varying_.push_back({target.symbol, target.factor});
-    all_there = all_there && target.value != nullptr;
+    all_there = all_there && !target.is_left_out;
   }
   // A number that every quantity may have, Poisson's ratio as well.
-  values_ = values_of(changing.at(std::vector<double>(names_.size(), 0.25)));
-  if (all_there && grade == Grade::doubles) operations_ = operations_of(scene_);
+  values_ = changing.at(std::vector<double>(names_.size(), 0.25)).values();
+  if (all_there && grade == Grade::doubles) operations_ = operations_of(problem_);
 }
 
 /// Columns of `lanes` doubles that begin at lines of the cache.
@@ -86,7 +86,8 @@ class CriticalVelocities::Formula::Columns {
 /// scene, as all rows of a sweep over speeds are: it takes memory and microseconds once.
 class CriticalVelocities::Formula::Certified {
  public:
-  Certified(const Scene& scene, const std::vector<std::string>& names) : changing_(scene, names) {}
+  Certified(const Problem& problem, const std::vector<std::string>& names)
+      : changing_(problem, names) {}
 
   double operator()(Given given, std::size_t lane) {
     if (velocity_ && is_last(given, lane)) return *velocity_;
@@ -106,13 +107,13 @@ class CriticalVelocities::Formula::Certified {
         [lane](const auto& column, double value) { return at(column, lane) == value; });
   }
 
-  static double velocity_of(const Scene& scene) try {
-    return certified_critical_velocity(scene).value;
+  static double velocity_of(const Problem& problem) try {
+    return certified_critical_velocity(problem).value;
   } catch (const ModelError&) {
     return no_velocity;
   }
 
-  ChangingScene changing_;
+  Variation changing_;
   std::vector<double> values_;      // of the last lane
   std::optional<double> velocity_;  // its v*
 };
@@ -261,7 +262,7 @@ void CriticalVelocities::Formula::Call::load(std::size_t first, std::size_t coun
 }
 
 double CriticalVelocities::Formula::Call::certified(std::size_t lane) {
-  if (!certified_) certified_.emplace(formula_.scene_, formula_.names_);
+  if (!certified_) certified_.emplace(formula_.problem_, formula_.names_);
   return (*certified_)(given_, lane);
 }
 
@@ -291,13 +292,13 @@ void CriticalVelocities::Formula::evaluate(Given given, std::span<double> out) c
   refuse_lengths(given, out.size());
   if (out.empty()) return;
   if (operations_) return Call(*this, given).run(out);
-  Certified certified(scene_, names_);
+  Certified certified(problem_, names_);
   for (std::size_t lane = 0; lane < out.size(); ++lane) out[lane] = certified(given, lane);
 }
 
-CriticalVelocities::CriticalVelocities(const Scene& scene, std::vector<std::string> varying,
+CriticalVelocities::CriticalVelocities(const Problem& problem, std::vector<std::string> varying,
                                        Grade grade)
-    : formula_(std::make_unique<const Formula>(scene, std::move(varying), grade)) {}
+    : formula_(std::make_unique<const Formula>(problem, std::move(varying), grade)) {}
 CriticalVelocities::~CriticalVelocities() = default;
 CriticalVelocities::CriticalVelocities(CriticalVelocities&&) noexcept = default;
 CriticalVelocities& CriticalVelocities::operator=(CriticalVelocities&&) noexcept = default;

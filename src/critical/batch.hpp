@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "scene/scene.hpp"
+#include "problem/problem.hpp"
 
 namespace vcrit {
 
@@ -18,7 +18,7 @@ class CriticalVelocities {
  public:
   /// `varying`: parameters by their names for --set. Throws InputError for names that the scene
   /// does not have, two names of one quantity, and values that are missing.
-  CriticalVelocities(const Scene& scene, std::vector<std::string> varying,
+  CriticalVelocities(const Problem& problem, std::vector<std::string> varying,
                      Grade grade = Grade::doubles);
   ~CriticalVelocities();
   CriticalVelocities(CriticalVelocities&&) noexcept;

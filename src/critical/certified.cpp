@@ -33,28 +33,25 @@ Ball ratio_ball(const Isotropic& isotropic, const Balls& balls) {
 
 class Evaluation {
  public:
-  explicit Evaluation(const Scene& scene)
-      : scene_(scene), values_(values_of(scene)), normal_(reduce(scene.normal)) {
-    if (const auto* tangential = std::get_if<Network>(&scene.tangential))
-      tangential_ = reduce(*tangential);
-    if (has_drive(scene)) drive_ = drive_in_balls(scene);
-  }
+  explicit Evaluation(const Problem& problem)
+      : problem_(problem), values_(problem_.values()), drive_(drive_in_balls(problem_)) {}
 
   Quotient at(slong precision, const Shift* shift = nullptr) const {
     Balls balls = arithmetic(precision);
     if (shift != nullptr) {
       balls.shift = shift;
-      if (shift->symbol == scene_.angular_frequency.symbol)
+      if (shift->symbol == problem_->angular_frequency.symbol)
         balls.omega = balls.multiply(balls.omega, shift->factor);
     }
-    return eq24(scene_, InBalls{*this, balls});
+    return eq24(problem_, InBalls{*this, balls});
   }
 
   // Enough bits to tell an exact zero of K_t + K_d - m omega^2 from a tiny number: it is a quotient
   // of integers after scaling; every operation on doubles adds at most their whole range.
   slong most_precision() const {
-    const std::size_t contact =
-        normal_.steps.size() + (tangential_ ? tangential_->steps.size() : 0);
+    const auto* tangential = std::get_if<ReducedNetwork>(&problem_->tangential);
+    const std::size_t contact = problem_->normal.reduction().steps.size() +
+                                (tangential != nullptr ? tangential->reduction().steps.size() : 0);
     return precision_for(contact + (drive_ ? drive_->steps() : 0));
   }
 
@@ -76,13 +73,13 @@ class Evaluation {
     Balls& balls;
 
     Quotient outer() const {
-      const Ball friction = balls.multiply(balls.of(of.scene_.coefficient.symbol),
-                                           balls.of(of.scene_.amplitude.symbol));
+      const Ball friction = balls.multiply(balls.of(of.problem_->coefficient.symbol),
+                                           balls.of(of.problem_->amplitude.symbol));
       return {balls.multiply(friction, balls.omega), Ball(1), Ball(1), Ball(1)};
     }
     Ball ratio(const Isotropic& isotropic) const { return ratio_ball(isotropic, balls); }
-    Ball normal() const { return evaluate(of.normal_, balls); }
-    Ball tangential() const { return evaluate(*of.tangential_, balls); }
+    Ball normal() const { return evaluate(of.problem_->normal.reduction(), balls); }
+    Ball tangential(const ReducedNetwork& own) const { return evaluate(own.reduction(), balls); }
     Ball scaled(const Ball& ratio, const Ball& normal) const {
       return balls.multiply(ratio, normal);
     }
@@ -94,7 +91,7 @@ class Evaluation {
     }
     // With K_d = force/deflection, both sides of the quotient times the deflection: neither is ever
     // infinite.
-    void times_drive(Quotient& q, const Ball& tangential) const {
+    void times_drive(Quotient& q, const Ball& tangential, const auto& /*drive_ has it*/) const {
       const DriveResponse drive = of.drive_->at(balls);
       q.denominator = of.inertial(drive, balls);
       q.free_numerator = balls.multiply(tangential, drive.deflection);
@@ -105,17 +102,17 @@ class Evaluation {
   static slong precision_for(std::size_t steps) { return static_cast<slong>(2200 * (steps + 4)); }
 
   Balls arithmetic(slong precision) const {
-    Balls balls{{precision}, values_, Ball(), nullptr, &scene_.typed};
+    Balls balls{{precision}, values_, Ball(), nullptr, problem_->typed.get()};
     balls.omega = omega(balls);
     return balls;
   }
 
   // Of what was given as a frequency 2 pi f, not the double of that.
   Ball omega(const Balls& balls) const {
-    const Symbol& symbol = scene_.angular_frequency.symbol;
+    const Symbol& symbol = problem_->angular_frequency.symbol;
     const double value = values_.at(symbol);
-    const auto frequency = scene_.typed.find({"frequency"});
-    if (frequency == scene_.typed.end() || two_pi * frequency->second.value != value)
+    const auto frequency = problem_->typed->find({"frequency"});
+    if (frequency == problem_->typed->end() || two_pi * frequency->second.value != value)
       return balls.exact(symbol, value);
     Ball turn;
     arb_const_pi(acb_realref(turn.get()), balls.precision);
@@ -125,15 +122,13 @@ class Evaluation {
 
   // (K_d - m omega^2) times the deflection.
   Ball inertial(const DriveResponse& drive, const Balls& balls) const {
-    if (!scene_.mass) return drive.force;
+    if (!problem_->mass) return drive.force;
     return balls.subtract(drive.force,
-                          balls.multiply(balls.inertia(scene_.mass->symbol), drive.deflection));
+                          balls.multiply(balls.inertia(problem_->mass->symbol), drive.deflection));
   }
 
-  const Scene& scene_;
-  Values values_;
-  Reduction normal_;
-  std::optional<Reduction> tangential_;
+  Problem problem_;
+  const Values& values_;  // its
   std::unique_ptr<const DriveInBalls> drive_;
 };
 
@@ -160,10 +155,10 @@ double rounding_bound(double value) {
 
 bool may_be_zero(const Ball& ball) { return acb_contains_zero(ball.get()) != 0; }
 
-CertifiedVelocity at_resonance(const Scene& scene, const Quotient& q) {
-  const std::string resonance = scene.mass
-                                    ? fmt::format("K_d = {} {}^2", name_in(scene, *scene.mass),
-                                                  name_in(scene, scene.angular_frequency))
+CertifiedVelocity at_resonance(const Problem& problem, const Quotient& q) {
+  const std::string resonance = problem->mass
+                                    ? fmt::format("K_d = {} {}^2", name_in(problem, *problem->mass),
+                                                  name_in(problem, problem->angular_frequency))
                                     : "K_d = 0";
   if (may_be_zero(q.prefactor) || may_be_zero(q.free_numerator))
     throw ModelError(
@@ -195,11 +190,11 @@ Shift shift_of(const Symbol& symbol, int direction, slong precision) {
 
 }  // namespace
 
-double certified_log_derivative(const Scene& scene, const Symbol& symbol) {
-  const double value = certified_critical_velocity(scene).value;
+double certified_log_derivative(const Problem& problem, const Symbol& symbol) {
+  const double value = certified_critical_velocity(problem).value;
   if (!(value > 0 && std::isfinite(value)))
     throw ModelError("v* is 0 or infinite, so that it has no relative sensitivity");
-  const Evaluation evaluation(scene);
+  const Evaluation evaluation(problem);
   const slong most = 16 * shift_bits + evaluation.most_precision();
   for (slong precision = 4 * shift_bits; precision <= most; precision *= 2) {
     const Shift up = shift_of(symbol, 1, precision), down = shift_of(symbol, -1, precision);
@@ -213,7 +208,7 @@ double certified_log_derivative(const Scene& scene, const Symbol& symbol) {
   throw Bug("the logarithm of a nonzero critical velocity has digits");
 }
 
-double certified_difference(const Scene& a, const Scene& b) {
+double certified_difference(const Problem& a, const Problem& b) {
   // Differences down to the smallest double, and some digits of them.
   constexpr slong enough_bits = 4096;
   const Evaluation first(a), second(b);
@@ -227,12 +222,12 @@ double certified_difference(const Scene& a, const Scene& b) {
   return 0;
 }
 
-CertifiedVelocity certified_critical_velocity(const Scene& scene) {
-  const Evaluation evaluation(scene);
+CertifiedVelocity certified_critical_velocity(const Problem& problem) {
+  const Evaluation evaluation(problem);
   const slong most = evaluation.most_precision();
   for (slong precision = 128;; precision = std::min(2 * precision, most)) {
     const Quotient q = evaluation.at(precision);
-    if (may_be_zero(q.denominator) && evaluation.resonant()) return at_resonance(scene, q);
+    if (may_be_zero(q.denominator) && evaluation.resonant()) return at_resonance(problem, q);
     const Arithmetic balls{precision};
     const Ball quotient = balls.divide(balls.modulus(q.numerator), balls.modulus(q.denominator));
     if (const auto value = unique_double(balls.multiply(q.prefactor, quotient));

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "scene/scene.hpp"
+#include "problem/problem.hpp"
 
 namespace vcrit {
 
@@ -18,13 +18,13 @@ struct CertifiedVelocity {
 /// where these are still its values; bare numbers, and what is changed after reading, are doubles.
 /// Throws ModelError for 0/0 (resonance and antiresonance at once) and outside the table of a
 /// measured drive.
-CertifiedVelocity certified_critical_velocity(const Scene& scene);
+CertifiedVelocity certified_critical_velocity(const Problem& problem);
 
 /// (p/v*) dv*/dp to the last digits, by differences in hundreds of bits. Throws ModelError where v*
 /// is 0 or infinite, too.
-double certified_log_derivative(const Scene& scene, const Symbol& symbol);
+double certified_log_derivative(const Problem& problem, const Symbol& symbol);
 
 /// |ln v*_a - ln v*_b| of scenes with values, where it is not 0 in 4096 bits; else 0.
-double certified_difference(const Scene& a, const Scene& b);
+double certified_difference(const Problem& a, const Problem& b);
 
 }  // namespace vcrit

@@ -14,9 +14,9 @@ namespace vcrit {
 namespace {
 
 /// The same for a measured drive, of which the table's numbers count.
-double measured_condition(const Scene& scene, std::complex<double> contact, double inertia,
+double measured_condition(const Receptance& measured, std::complex<double> contact, double inertia,
                           double omega) {
-  const auto [below, above] = bracket(*scene.receptance, omega);
+  const auto [below, above] = bracket(measured, omega);
   const double width = above.omega - below.omega;
   const double share = width > 0 ? (omega - below.omega) / width : 0;
   const std::complex<double> first(below.re, below.im), second(above.re, above.im);
@@ -32,19 +32,20 @@ double measured_condition(const Scene& scene, std::complex<double> contact, doub
 
 }  // namespace
 
-double condition_number(const Scene& scene, const Values& values) {
+double condition_number(const Problem& problem, const Values& values) {
   constexpr double root = std::numbers::sqrt2;
   const double least = 3 + 2 * root;
-  if (!has_drive(scene)) return least;
-  const double omega = values.at(scene.angular_frequency.symbol);
-  const double inertia = scene.mass ? values.at(scene.mass->symbol) * omega * omega : 0;
-  const auto [network, factor] = tangential_network(scene);
-  const auto contact = factor * dynamic_stiffness(*network, values, omega);
-  if (scene.receptance) return least + measured_condition(scene, contact, inertia, omega);
-  const auto drive = dynamic_stiffness(*scene.drive, values, omega);
+  if (problem->rigid()) return least;
+  const double omega = values.at(problem->angular_frequency.symbol);
+  const double inertia = problem->mass ? values.at(problem->mass->symbol) * omega * omega : 0;
+  const auto [network, factor] = tangential_network(problem);
+  const auto contact = factor * dynamic_stiffness(network.reduction(), values, omega);
+  if (const Receptance* measured = problem->receptance())
+    return least + measured_condition(*measured, contact, inertia, omega);
+  const Reduction& reduction = problem->drive_network()->reduction();
+  const auto drive = dynamic_stiffness(reduction, values, omega);
   // Springs and masses cancel inside the drive.
-  const double loss = has_masses(*scene.drive) ? sensitivity(reduce(*scene.drive), values, omega)
-                                               : root * std::abs(drive);
+  const double loss = problem->has_masses() ? sensitivity(reduction, values, omega) : root * std::abs(drive);
   const double d = std::abs(drive - inertia), n = std::abs(contact + drive - inertia);
   const double condition =
       least + (loss + 3 * inertia) / d + (root * std::abs(contact) + loss + 3 * inertia) / n;

@@ -2,14 +2,14 @@
 // be apart: one answer for all that compare them.
 #pragma once
 
-#include "scene/scene.hpp"
+#include "problem/problem.hpp"
 
 namespace vcrit {
 
 /// Bound on the relative change of v* over that of all numbers of the scene: Tellegen's bound for
 /// the networks, and the cancellation near resonance and antiresonance (docs/report.md). Infinite
 /// at these.
-double condition_number(const Scene& scene, const Values& values);
+double condition_number(const Problem& problem, const Values& values);
 
 /// Relative, of v* by Eq. (24) in doubles: 32 roundings, each grown by the condition number.
 double formula_tolerance(double condition);

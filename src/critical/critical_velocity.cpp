@@ -28,62 +28,60 @@ double minus_inertia(double a, double b, double mass, double omega) {
 
 /// Eq. (24) in doubles; v is what mu0 omega du_z is multiplied by.
 struct InDoubles {
-  const Scene& scene;
+  Problem problem;
   const Values& values;
   double omega;
 
   static double outer() { return 1; }
   static double ratio(const Isotropic& isotropic) { return tangential_ratio(isotropic); }
-  ComplexDouble normal() const { return dynamic_stiffness(scene.normal, values, omega); }
-  ComplexDouble tangential() const {
-    return dynamic_stiffness(std::get<Network>(scene.tangential), values, omega);
+  ComplexDouble normal() const {
+    return dynamic_stiffness(problem->normal.reduction(), values, omega);
+  }
+  ComplexDouble tangential(const ReducedNetwork& own) const {
+    return dynamic_stiffness(own.reduction(), values, omega);
   }
   static ComplexDouble scaled(double ratio, ComplexDouble normal) { return ratio * normal; }
   static void divide(double& v, double ratio) { v /= ratio; }
   static void times_quotient(double& v, ComplexDouble normal, ComplexDouble tangential) {
     v *= std::abs(normal) / std::abs(tangential);
   }
-  void times_drive(double& v, ComplexDouble tangential) const {
-    v *= scene.receptance ? measured_factor(tangential) : network_factor(tangential);
-  }
-
- private:
-  double mass() const { return scene.mass ? values.at(scene.mass->symbol) : 0; }
-
-  double network_factor(ComplexDouble tangential) const {
-    const ComplexDouble drive = dynamic_stiffness(*scene.drive, values, omega);
+  void times_drive(double& v, ComplexDouble tangential, const ReducedNetwork& network) const {
+    const ComplexDouble drive = dynamic_stiffness(network.reduction(), values, omega);
     const double n = minus_inertia(tangential.real(), drive.real(), mass(), omega);
     const double d = minus_inertia(drive.real(), mass(), omega);
-    return std::hypot(n, tangential.imag() + drive.imag()) / std::hypot(d, drive.imag());
+    v *= std::hypot(n, tangential.imag() + drive.imag()) / std::hypot(d, drive.imag());
   }
 
   // With K_d = 1/R: |K_t R + 1 - m omega^2 R|/|1 - m omega^2 R|
-  double measured_factor(ComplexDouble tangential) const {
-    const auto [below, above] = bracket(*scene.receptance, omega);
+  void times_drive(double& v, ComplexDouble tangential, const Receptance& measured) const {
+    const auto [below, above] = bracket(measured, omega);
     const double width = above.omega - below.omega;
     const double share = width > 0 ? (omega - below.omega) / width : 0;
     const ComplexDouble receptance =
         (1 - share) * ComplexDouble{below.re, below.im} + share * ComplexDouble{above.re, above.im};
     const ComplexDouble d = 1.0 - mass() * omega * omega * receptance;
-    return std::abs(tangential * receptance + d) / std::abs(d);
+    v *= std::abs(tangential * receptance + d) / std::abs(d);
   }
+
+ private:
+  double mass() const { return problem->mass ? values.at(problem->mass->symbol) : 0; }
 };
 
 }  // namespace
 
-double critical_velocity(const Scene& scene, double omega) {
+double critical_velocity(const Problem& problem, double omega) {
   if (!(omega > 0 && std::isfinite(omega)))
-    throw InputError({name_in(scene, scene.angular_frequency)}, fmt::format("{} rad/s", omega),
+    throw InputError({name_in(problem, problem->angular_frequency)}, fmt::format("{} rad/s", omega),
                      "a finite value above 0");
-  const Values values = values_of(scene);
-  const double friction = values.at(scene.coefficient.symbol);
-  const double amplitude = values.at(scene.amplitude.symbol);
-  return friction * omega * amplitude * eq24(scene, InDoubles{scene, values, omega});
+  const Values& values = problem.values();
+  const double friction = values.at(problem->coefficient.symbol);
+  const double amplitude = values.at(problem->amplitude.symbol);
+  return friction * omega * amplitude * eq24(problem, InDoubles{problem, values, omega});
 }
 
-double critical_velocity(const Scene& scene) {
-  const Values values = values_of(scene);
-  return critical_velocity(scene, values.at(scene.angular_frequency.symbol));
+double critical_velocity(const Problem& problem) {
+  const Values& values = problem.values();
+  return critical_velocity(problem, values.at(problem->angular_frequency.symbol));
 }
 
 }  // namespace vcrit

@@ -3,15 +3,15 @@
 // where a rigid drive leaves mu0 omega du_z |K_n|/|K_t|, and an isotropic contact K_n/K_t a number.
 #pragma once
 
-#include "scene/scene.hpp"
+#include "problem/problem.hpp"
 
 namespace vcrit {
 
 /// v* in m/s, the mean velocity of the contact point; every symbol of the scene must have a value.
 /// Infinite at resonance, 0 at antiresonance, NaN where Eq. 24 is 0/0. Throws ModelError outside
 /// the table of a measured drive.
-double critical_velocity(const Scene& scene);
+double critical_velocity(const Problem& problem);
 /// The same at another angular frequency (rad/s).
-double critical_velocity(const Scene& scene, double omega);
+double critical_velocity(const Problem& problem, double omega);
 
 }  // namespace vcrit

@@ -15,12 +15,12 @@ namespace {
 /// Springs and dampers only: the reduction never divides by zero.
 class Massless : public DriveInBalls {
  public:
-  explicit Massless(const Network& drive) : reduction_(reduce(drive)) {}
-  DriveResponse at(Balls& balls) const override { return {evaluate(reduction_, balls), Ball(1)}; }
-  std::size_t steps() const override { return reduction_.steps.size(); }
+  explicit Massless(ReducedNetwork drive) : drive_(std::move(drive)) {}
+  DriveResponse at(Balls& balls) const override { return {evaluate(drive_.reduction(), balls), Ball(1)}; }
+  std::size_t steps() const override { return drive_.reduction().steps.size(); }
 
  private:
-  Reduction reduction_;
+  ReducedNetwork drive_;
 };
 
 /// A matrix of balls that frees itself.
@@ -157,12 +157,19 @@ class Measured : public DriveInBalls {
 
 }  // namespace
 
-std::unique_ptr<const DriveInBalls> drive_in_balls(const Scene& scene) {
-  if (scene.receptance)
-    return std::make_unique<Measured>(
-        bracket(*scene.receptance, values_of(scene).at(scene.angular_frequency.symbol)));
-  if (has_masses(*scene.drive)) return std::make_unique<WithMasses>(*scene.drive);
-  return std::make_unique<Massless>(*scene.drive);
+std::unique_ptr<const DriveInBalls> drive_in_balls(const Problem& problem) {
+  using Drive = std::unique_ptr<const DriveInBalls>;
+  return std::visit(
+      Overloaded{[](const Rigid&) -> Drive { return nullptr; },
+            [](const ReducedNetwork& drive) -> Drive {
+              if (drive.has_masses()) return std::make_unique<WithMasses>(drive.network());
+              return std::make_unique<Massless>(drive);
+            },
+            [&](const Receptance& drive) -> Drive {
+              return std::make_unique<Measured>(
+                  bracket(drive, problem.value(problem->angular_frequency)));
+            }},
+      problem->drive);
 }
 
 }  // namespace vcrit

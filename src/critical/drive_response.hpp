@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "critical/balls.hpp"
-#include "scene/scene.hpp"
+#include "problem/problem.hpp"
 
 namespace vcrit {
 
@@ -27,6 +27,6 @@ class DriveInBalls {
 
 /// The drive of a scene that has one. Throws ModelError where nothing is known of it at the scene's
 /// frequency.
-std::unique_ptr<const DriveInBalls> drive_in_balls(const Scene& scene);
+std::unique_ptr<const DriveInBalls> drive_in_balls(const Problem& problem);
 
 }  // namespace vcrit

@@ -4,30 +4,36 @@
 // K_t = r K_n, the first is 1/r, and K_n counts only where the drive gives.
 #pragma once
 
-#include "scene/scene.hpp"
+#include "problem/problem.hpp"
 
 namespace vcrit {
 
 /// In an algebra, which gives
 ///   outer()                              mu0 omega du_z, with which v* begins
-///   ratio(isotropic), normal(), tangential()      r, K_n, and K_t of a network of its own
+///   ratio(isotropic), normal(), tangential(own)   r, K_n, and K_t of a network of its own
 ///   scaled(ratio, normal)                r K_n
 ///   divide(v, ratio)                     v = v/r
 ///   times_quotient(v, normal, tangential)         v = v |K_n|/|K_t|
-///   times_drive(v, tangential)           v = v |K_t + D|/|D|
+///   times_drive(v, tangential, drive)    v = v |K_t + D|/|D|, of a network and of a Receptance
 template <class Algebra>
-auto eq24(const Scene& scene, Algebra&& algebra) {
+auto eq24(const Problem& problem, Algebra&& algebra) {
   auto v = algebra.outer();
-  if (const auto* isotropic = std::get_if<Isotropic>(&scene.tangential)) {
+  const auto times_drive = [&](const auto& tangential) {
+    std::visit(Overloaded{[](const Rigid&) {},
+                     [&](const ReducedNetwork& drive) { algebra.times_drive(v, tangential, drive); },
+                     [&](const Receptance& drive) { algebra.times_drive(v, tangential, drive); }},
+               problem->drive);
+  };
+  if (const auto* isotropic = std::get_if<Isotropic>(&problem->tangential)) {
     const auto ratio = algebra.ratio(*isotropic);
     algebra.divide(v, ratio);
-    if (has_drive(scene)) algebra.times_drive(v, algebra.scaled(ratio, algebra.normal()));
+    if (!problem->rigid()) times_drive(algebra.scaled(ratio, algebra.normal()));
     return v;
   }
   const auto normal = algebra.normal();
-  const auto tangential = algebra.tangential();
+  const auto tangential = algebra.tangential(std::get<ReducedNetwork>(problem->tangential));
   algebra.times_quotient(v, normal, tangential);
-  if (has_drive(scene)) algebra.times_drive(v, tangential);
+  times_drive(tangential);
   return v;
 }
 

@@ -65,9 +65,9 @@ Dual ratio_of(const Isotropic& isotropic, const Duals& duals) {
 }
 
 /// R_d, and how it goes along the line between two rows of its table.
-Dual receptance_of(const Scene& scene, const Duals& duals) {
+Dual receptance_of(const Receptance& measured, const Duals& duals) {
   const double omega = duals.values.at(duals.omega_symbol);
-  const auto [below, above] = bracket(*scene.receptance, omega);
+  const auto [below, above] = bracket(measured, omega);
   const ComplexDouble first(below.re, below.im);
   const double width = above.omega - below.omega;
   const bool varies = duals.by == duals.omega_symbol;
@@ -80,50 +80,59 @@ Dual receptance_of(const Scene& scene, const Duals& duals) {
 
 /// ln of Eq. (24): what it changes by.
 struct LogChanges {
-  const Scene& scene;
+  Problem problem;
   const Duals& duals;
 
   double outer() const {
-    const Dual product = duals.of(scene.coefficient.symbol) * duals.of(scene.amplitude.symbol) *
-                         duals.of(scene.angular_frequency.symbol);
+    const Dual product = duals.of(problem->coefficient.symbol) *
+                         duals.of(problem->amplitude.symbol) *
+                         duals.of(problem->angular_frequency.symbol);
     return product.log_change();
   }
   Dual ratio(const Isotropic& isotropic) const { return ratio_of(isotropic, duals); }
-  Dual normal() const { return evaluate(reduce(scene.normal), duals); }
-  Dual tangential() const { return evaluate(reduce(std::get<Network>(scene.tangential)), duals); }
+  Dual normal() const { return evaluate(problem->normal.reduction(), duals); }
+  Dual tangential(const ReducedNetwork& own) const { return evaluate(own.reduction(), duals); }
   static Dual scaled(const Dual& ratio, const Dual& normal) { return ratio * normal; }
   static void divide(double& change, const Dual& ratio) { change -= ratio.log_change(); }
   static void times_quotient(double& change, const Dual& normal, const Dual& tangential) {
     change += normal.log_change() - tangential.log_change();
   }
-  void times_drive(double& change, const Dual& tangential) const {
-    const Dual receptance = scene.receptance ? receptance_of(scene, duals) : Dual{1};
-    Dual below = scene.receptance ? Dual{1} : evaluate(reduce(*scene.drive), duals);
-    if (scene.mass) below = below + duals.inertia(scene.mass->symbol) * receptance;
+  void times_drive(double& change, const Dual& tangential, const ReducedNetwork& drive) const {
+    times_drive(change, tangential, Dual{1}, evaluate(drive.reduction(), duals));
+  }
+  void times_drive(double& change, const Dual& tangential, const Receptance& drive) const {
+    times_drive(change, tangential, receptance_of(drive, duals), Dual{1});
+  }
+
+ private:
+  // K_d = below/receptance.
+  void times_drive(double& change, const Dual& tangential, const Dual& receptance,
+                   Dual below) const {
+    if (problem->mass) below = below + duals.inertia(problem->mass->symbol) * receptance;
     change += (tangential * receptance + below).log_change() - below.log_change();
   }
 };
 
 // In doubles.
-double direct(const Scene& scene, const Symbol& symbol) {
-  Values values = values_of(scene);
-  if (const auto* isotropic = std::get_if<Isotropic>(&scene.tangential)) {
+double direct(const Problem& problem, const Symbol& symbol) {
+  Values values = problem.values();
+  if (const auto* isotropic = std::get_if<Isotropic>(&problem->tangential)) {
     if (isotropic->quantity.symbol.name.empty()) throw Bug("an isotropic contact without a ratio");
     values.emplace(isotropic->quantity.symbol, tangential_ratio(*isotropic));
   }
-  const Duals duals{values, scene.angular_frequency.symbol, symbol};
-  return eq24(scene, LogChanges{scene, duals});
+  const Duals duals{values, problem->angular_frequency.symbol, symbol};
+  return eq24(problem, LogChanges{problem, duals});
 }
 
 }  // namespace
 
 // A drive with masses need not give at all at some frequency, and next to that doubles cancel.
-double log_derivative(const Scene& scene, const Symbol& symbol) {
-  if (scene.drive && has_masses(*scene.drive)) return certified_log_derivative(scene, symbol);
-  const double change = direct(scene, symbol);
-  if (scene.receptance && !std::isfinite(change))
+double log_derivative(const Problem& problem, const Symbol& symbol) {
+  if (problem->has_masses()) return certified_log_derivative(problem, symbol);
+  const double change = direct(problem, symbol);
+  if (problem->receptance() != nullptr && !std::isfinite(change))
     throw ModelError("v* is 0 or infinite, so that it has no relative sensitivity");
-  return std::isfinite(change) ? change : certified_log_derivative(scene, symbol);
+  return std::isfinite(change) ? change : certified_log_derivative(problem, symbol);
 }
 
 }  // namespace vcrit

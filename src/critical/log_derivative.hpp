@@ -1,7 +1,7 @@
 // How much v* answers to one parameter, by differentiating Eq. 24 along with its evaluation.
 #pragma once
 
-#include "scene/scene.hpp"
+#include "problem/problem.hpp"
 
 namespace vcrit {
 
@@ -9,6 +9,6 @@ namespace vcrit {
 /// depend on it). In doubles: near a resonance or antiresonance it loses as many digits as v*
 /// there; of drives that hold masses as good as v* itself. Throws ModelError where v* is 0 or
 /// infinite, and for omega at a row of a measured drive, where the table has a kink.
-double log_derivative(const Scene& scene, const Symbol& symbol);
+double log_derivative(const Problem& problem, const Symbol& symbol);
 
 }  // namespace vcrit

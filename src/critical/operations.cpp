@@ -74,12 +74,13 @@ bool is_spring(const Network& network) {
 
 /// Eq. (24) in columns.
 struct InColumns {
-  const Scene& scene;
+  Problem problem;
   Recorder& recorder;
 
   Column outer() const {
-    const Column friction = recorder.parameter(scene.coefficient.symbol);
-    const Column product = recorder.multiply(friction, recorder.parameter(scene.amplitude.symbol));
+    const Column friction = recorder.parameter(problem->coefficient.symbol);
+    const Column product =
+        recorder.multiply(friction, recorder.parameter(problem->amplitude.symbol));
     return recorder.multiply(product, recorder.omega());
   }
   Column ratio(const Isotropic& isotropic) const {
@@ -88,10 +89,8 @@ struct InColumns {
     recorder.written().poisson = given;
     return recorder.single(Operation::Kind::isotropic, {given});
   }
-  Pair normal() const { return evaluate(reduce(scene.normal), recorder); }
-  Pair tangential() const {
-    return evaluate(reduce(std::get<Network>(scene.tangential)), recorder);
-  }
+  Pair normal() const { return evaluate(problem->normal.reduction(), recorder); }
+  Pair tangential(const ReducedNetwork& own) const { return evaluate(own.reduction(), recorder); }
   Pair scaled(Column ratio, Pair normal) const {
     return {recorder.multiply(normal.storage, ratio), recorder.multiply(normal.loss, ratio)};
   }
@@ -102,24 +101,28 @@ struct InColumns {
     v = recorder.multiply(
         v, recorder.single(Operation::Kind::modulus_ratio, {n.storage, n.loss, t.storage, t.loss}));
   }
-  void times_drive(Column& v, Pair t) const {
-    const Pair drive = evaluate(reduce(*scene.drive), recorder);
-    const Column mass = scene.mass ? recorder.parameter(scene.mass->symbol) : zero_column;
+  void times_drive(Column& v, Pair t, const ReducedNetwork& network) const {
+    const Pair drive = evaluate(network.reduction(), recorder);
+    const Column mass = problem->mass ? recorder.parameter(problem->mass->symbol) : zero_column;
     v = recorder.multiply(
         v, recorder.single(Operation::Kind::drive_factor,
                            {t.storage, t.loss, drive.storage, drive.loss, mass, recorder.omega()}));
+  }
+  static void times_drive(Column&, Pair, const Receptance&) {
+    throw Bug("a measured drive has no columns");
   }
 };
 
 }  // namespace
 
-std::optional<Operations> operations_of(const Scene& scene) {
-  if (scene.receptance || (scene.drive && has_masses(*scene.drive))) return std::nullopt;
-  Recorder recorder(scene.angular_frequency.symbol);
-  recorder.written().result = eq24(scene, InColumns{scene, recorder});
-  const auto* tangential = std::get_if<Network>(&scene.tangential);
-  recorder.written().exact_contact = tangential != nullptr && is_spring(*tangential);
-  recorder.written().exact_drive = scene.drive && is_spring(*scene.drive);
+std::optional<Operations> operations_of(const Problem& problem) {
+  if (problem->receptance() != nullptr || problem->has_masses()) return std::nullopt;
+  Recorder recorder(problem->angular_frequency.symbol);
+  recorder.written().result = eq24(problem, InColumns{problem, recorder});
+  const auto* tangential = std::get_if<ReducedNetwork>(&problem->tangential);
+  recorder.written().exact_contact = tangential != nullptr && is_spring(tangential->network());
+  recorder.written().exact_drive =
+      problem->drive_network() != nullptr && is_spring(problem->drive_network()->network());
   return std::move(recorder.written());
 }
 

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "scene/scene.hpp"
+#include "problem/problem.hpp"
 
 namespace vcrit {
 
@@ -45,6 +45,6 @@ struct Operations {
 };
 
 /// Nothing for a measured drive and one that holds masses: no kernel is accurate enough there.
-std::optional<Operations> operations_of(const Scene& scene);
+std::optional<Operations> operations_of(const Problem& problem);
 
 }  // namespace vcrit

@@ -17,10 +17,10 @@ std::string needs_indentation(const Question& question, double times) {
   return fmt::format(
       "an indentation of more than {:.6g} m with the amplitude in proportion ({:.4g} times as "
       "much)",
-      *question.scene.indentation.value * times, times);
+      *question.problem->indentation.value * times, times);
 }
 
-double omega_of(const Question& question) { return *question.scene.angular_frequency.value; }
+double omega_of(const Question& question) { return *question.problem->angular_frequency.value; }
 
 std::string reach_of(const Failure& f) {
   const Sought sought = f.question.sought;
@@ -75,7 +75,7 @@ std::string ratio_over_amplitudes(const Failure& f) {
   std::string text = fmt::format("no {} amplitude reaches a friction ratio of {} at {:.6g} m/s: {}",
                                  f.range.to > 0.9 * most ? "admissible" : "searched",
                                  f.question.friction_ratio, f.question.velocity, least_found(f));
-  Question slower{with_amplitude(f.question.scene, f.range.to),
+  Question slower{with_amplitude(f.question.problem, f.range.to),
                   Sought::velocity,
                   f.question.friction_ratio,
                   0,
@@ -96,8 +96,8 @@ std::string ratio_over_amplitudes(const Failure& f) {
 
 std::string too_fast_for_frequencies(const Failure& f) {
   const double limit = f.range.largest_velocity;
-  const Scene there = with_angular_frequency(f.question.scene, two_pi * f.range.largest_at);
-  const double amplitude = *there.amplitude.value * (f.question.velocity - creep_velocity(there)) /
+  const Problem there = with_angular_frequency(f.question.problem, two_pi * f.range.largest_at);
+  const double amplitude = *there->amplitude.value * (f.question.velocity - creep_velocity(there)) /
                            quick_onset(there, two_pi * f.range.largest_at);
   const double most = f.contact.largest_amplitude(two_pi * f.range.largest_at);
   std::string text = fmt::format(
@@ -115,13 +115,13 @@ std::string ratio_over_frequencies(const Failure& f) {
                                  f.question.friction_ratio, f.question.velocity, least_found(f));
   if (!f.least) return text;
   const double omega = two_pi * f.least_at;
-  const double limit = 1 - f.contact.oscillating_part(*f.question.scene.amplitude.value, omega);
+  const double limit = 1 - f.contact.oscillating_part(*f.question.problem->amplitude.value, omega);
   text += fmt::format(
       ". Even as the velocity vanishes it tends to {:.6g} there, the least normal force over its "
       "mean",
       limit);
   try {
-    const Answer answer = solve({with_angular_frequency(f.question.scene, omega),
+    const Answer answer = solve({with_angular_frequency(f.question.problem, omega),
                                  Sought::amplitude,
                                  f.question.friction_ratio,
                                  f.question.velocity,
@@ -137,12 +137,12 @@ std::string ratio_over_frequencies(const Failure& f) {
 
 // A body that swings by itself can take friction below the static limit; so both are told.
 std::string ratio_over_velocities(const Failure& f) {
-  const double amplitude = *f.question.scene.amplitude.value;
+  const double amplitude = *f.question.problem->amplitude.value;
   const double most = f.contact.largest_amplitude(omega_of(f.question));
   const double limit = std::max(0.0, 1 - amplitude / most);
   std::string text = fmt::format("no velocity reaches a friction ratio of {}: {}",
                                  f.question.friction_ratio, least_found(f));
-  if (creep_velocity(f.question.scene) > 0) return text;
+  if (creep_velocity(f.question.problem) > 0) return text;
   text += fmt::format(
       ". As the velocity vanishes it tends to the static limit {:.6g}, the least normal force over "
       "its mean",

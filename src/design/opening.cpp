@@ -15,10 +15,11 @@ namespace vcrit::design {
 namespace {
 
 // Any value will do where none is asked for.
-Scene complete(Scene scene) {
-  for (Quantity* quantity : {&scene.amplitude, &scene.angular_frequency})
-    if (!quantity->value) quantity->value = 1;
-  return scene;
+Problem complete(const Problem& problem) {
+  Values any;
+  for (const Quantity* quantity : {&problem->amplitude, &problem->angular_frequency})
+    if (!quantity->value) any[quantity->symbol] = 1;
+  return problem.with(any);
 }
 
 double at_infinity(const Relaxation& form) {
@@ -30,11 +31,11 @@ double at_infinity(const Relaxation& form) {
 
 }  // namespace
 
-NormalContact::NormalContact(const Scene& scene) : scene_(scene) {
-  const Values values = values_of(complete(scene));
-  normal_ = relaxation_form(scene.normal, values);
-  indentation_ = values.at(scene.indentation.symbol);
-  rules::require(rules::Question::mean_load, complete(scene));
+NormalContact::NormalContact(const Problem& problem) : problem_(complete(problem)) {
+  const Values& values = problem_.values();
+  normal_ = relaxation_form(problem->normal.network(), values);
+  indentation_ = values.at(problem->indentation.symbol);
+  rules::require(rules::Question::mean_load, problem_);
 }
 
 double NormalContact::largest_amplitude(double omega) const {
@@ -42,7 +43,7 @@ double NormalContact::largest_amplitude(double omega) const {
 }
 
 std::optional<double> NormalContact::largest_angular_frequency(double amplitude) const {
-  rules::require(rules::Question::closed_range, with_amplitude(complete(scene_), amplitude));
+  rules::require(rules::Question::closed_range, with_amplitude(problem_, amplitude));
   // Below the amplitude, the indentation may round to it.
   const double allowed = std::max(normal_.equilibrium * indentation_ / amplitude,
                                   std::nextafter(normal_.equilibrium, infinity));
@@ -64,16 +65,14 @@ double NormalContact::oscillating_part(double amplitude, double omega) const {
   return amplitude / largest_amplitude(omega);
 }
 
-Scene with_amplitude(Scene scene, double amplitude) {
-  scene.amplitude.value = amplitude;
-  return scene;
+Problem with_amplitude(const Problem& problem, double amplitude) {
+  return problem.with({{problem->amplitude.symbol, amplitude}});
 }
 
-Scene with_angular_frequency(Scene scene, double omega) {
-  scene.angular_frequency.value = omega;
-  return scene;
+Problem with_angular_frequency(const Problem& problem, double omega) {
+  return problem.with({{problem->angular_frequency.symbol, omega}});
 }
 
-double reduced_up_to(const Scene& scene) { return critical_onset(scene).drive_velocity; }
+double reduced_up_to(const Problem& problem) { return critical_onset(problem).drive_velocity; }
 
 }  // namespace vcrit::design

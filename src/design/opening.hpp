@@ -5,7 +5,7 @@
 
 #include <optional>
 
-#include "scene/scene.hpp"
+#include "problem/problem.hpp"
 #include "stiffness/relaxation.hpp"
 
 namespace vcrit::design {
@@ -14,7 +14,7 @@ class NormalContact {
  public:
   /// Amplitude and frequency of the scene need no values. Throws InputError for other missing
   /// values, ModelError where the normal network carries no static load.
-  explicit NormalContact(const Scene& scene);
+  explicit NormalContact(const Problem& problem);
 
   /// The amplitude (m) below which the contact stays closed at omega (rad/s).
   double largest_amplitude(double omega) const;
@@ -25,16 +25,16 @@ class NormalContact {
   double oscillating_part(double amplitude, double omega) const;
 
  private:
-  Scene scene_;
+  Problem problem_;  // with any value of amplitude and frequency where it has none
   Relaxation normal_;
   double indentation_ = 0;
 };
 
 /// The scene with other values of what oscillates: amplitude (m) and omega (rad/s).
-Scene with_amplitude(Scene scene, double amplitude);
-Scene with_angular_frequency(Scene scene, double omega);
+Problem with_amplitude(const Problem& problem, double amplitude);
+Problem with_angular_frequency(const Problem& problem, double omega);
 
 /// The drive velocity (m/s) up to which the oscillation reduces friction: v* and the creep.
-double reduced_up_to(const Scene& scene);
+double reduced_up_to(const Problem& problem);
 
 }  // namespace vcrit::design

@@ -8,6 +8,7 @@
 #include "answers/critical_onset.hpp"
 #include "base/constants.hpp"
 #include "critical/admissibility.hpp"
+#include "problem/variants.hpp"
 #include "stiffness/dynamic_stiffness.hpp"
 
 namespace vcrit::design {
@@ -49,10 +50,9 @@ std::vector<double> even_ratios(double a, double b, int samples) {
 // v* grows in proportion to the amplitude, the creep does not: below some amplitude friction is
 // full.
 SearchRange amplitudes(const Question& question, const NormalContact& contact) {
-  const Scene scene = with_amplitude(question.scene, 1);
-  Scene closed = scene;  // as it is at all amplitudes of the range
-  closed.separation = false;
-  const double omega = values_of(scene).at(scene.angular_frequency.symbol);
+  const Problem problem = with_amplitude(question.problem, 1);
+  const Problem closed = staying_closed(problem);  // as it is at all amplitudes of the range
+  const double omega = problem.values().at(problem->angular_frequency.symbol);
   const double most = contact.largest_amplitude(omega);
   SearchRange range{question.from.value_or(0),
                     std::min(question.to.value_or(most), inside_the_bound * most),
@@ -60,10 +60,10 @@ SearchRange amplitudes(const Question& question, const NormalContact& contact) {
                     0,
                     0};
   refuse_empty(question, range.from, range.to);
-  range.largest_velocity = reduced_up_to(with_amplitude(scene, range.to));
+  range.largest_velocity = reduced_up_to(with_amplitude(problem, range.to));
   range.largest_at = range.to;
   const double first = std::max(
-      range.from, (question.velocity - creep_velocity(scene)) / quick_onset(closed, omega));
+      range.from, (question.velocity - creep_velocity(problem)) / quick_onset(closed, omega));
   if (!(question.velocity < range.largest_velocity) || !(first < range.to)) return range;
   if (first > 0)
     range.rows.push_back(even(first, range.to, question.samples));
@@ -74,11 +74,11 @@ SearchRange amplitudes(const Question& question, const NormalContact& contact) {
 
 // Each stretch gets its part of the samples by its width, and enough to show its shape.
 SearchRange frequencies(const Question& question, const NormalContact& contact) {
-  const auto omega = question.scene.angular_frequency.value;
+  const auto omega = question.problem->angular_frequency.value;
   if (!omega && !(question.from && question.to))
     throw InputError(argument("for frequency"), "a scene without a frequency",
                      "--from and --to, the range to search");
-  const auto most = contact.largest_angular_frequency(*question.scene.amplitude.value);
+  const auto most = contact.largest_angular_frequency(*question.problem->amplitude.value);
   SearchRange range{question.from ? *question.from : *omega / two_pi / 100,
                     question.to ? *question.to : *omega / two_pi * 100,
                     {},
@@ -92,7 +92,7 @@ SearchRange frequencies(const Question& question, const NormalContact& contact) 
   if (most) range.to = std::min(range.to, inside_the_bound * *most / two_pi);
   refuse_empty(question, range.from, range.to);
   const Stretches found =
-      reducing_stretches(with_angular_frequency(question.scene, two_pi * range.from),
+      reducing_stretches(with_angular_frequency(question.problem, two_pi * range.from),
                          two_pi * range.from, two_pi * range.to, question.velocity);
   range.largest_velocity = found.largest_velocity;
   range.largest_at = found.largest_at / two_pi;
@@ -112,18 +112,19 @@ SearchRange frequencies(const Question& question, const NormalContact& contact) 
 
 // What the contact point's velocity oscillates by as long as body and drive are out of resonance.
 // At one v* grows without end, while friction rises where it would without.
-double usual_speed(const Scene& scene) {
-  const Values values = values_of(scene);
-  const double omega = values.at(scene.angular_frequency.symbol);
-  const auto size = [&](const Network& network) {
-    return std::abs(dynamic_stiffness(network, values, omega));
+double usual_speed(const Problem& problem) {
+  const Values& values = problem.values();
+  const double omega = values.at(problem->angular_frequency.symbol);
+  const auto size = [&](const ReducedNetwork& network) {
+    return std::abs(dynamic_stiffness(network.reduction(), values, omega));
   };
-  const ScaledNetwork tangential = tangential_network(scene);
-  double compliance = 1 / (tangential.factor * size(*tangential.network));
-  const double mass = scene.mass ? values.at(scene.mass->symbol) : 0;
-  if (scene.drive) compliance += 1 / (size(*scene.drive) + mass * omega * omega);
-  const double force =
-      values.at(scene.coefficient.symbol) * values.at(scene.amplitude.symbol) * size(scene.normal);
+  const ScaledNetwork tangential = tangential_network(problem);
+  double compliance = 1 / (tangential.factor * size(tangential.network));
+  const double mass = problem->mass ? values.at(problem->mass->symbol) : 0;
+  if (const ReducedNetwork* drive = problem->drive_network())
+    compliance += 1 / (size(*drive) + mass * omega * omega);
+  const double force = values.at(problem->coefficient.symbol) *
+                       values.at(problem->amplitude.symbol) * size(problem->normal);
   return force * omega * compliance;
 }
 
@@ -142,7 +143,7 @@ std::vector<double> falling_speeds(double to, double end, int samples) {
 // From the fastest on, which is worth most: finely where friction begins to fall, then by even
 // ratios. Above the limit it is full.
 SearchRange velocities(const Question& question) {
-  const double limit = reduced_up_to(question.scene);
+  const double limit = reduced_up_to(question.problem);
   SearchRange range{
       question.from.value_or(0), std::min(question.to.value_or(limit), limit), {}, 0, 0};
   if (std::isinf(range.to))
@@ -154,7 +155,7 @@ SearchRange velocities(const Question& question) {
   range.largest_velocity = range.largest_at = limit;
   if (range.from < limit) refuse_empty(question, range.from, range.to);
   if (!(range.from < range.to)) return range;
-  range.from = std::max(range.from, slowest * std::min(range.to, usual_speed(question.scene)));
+  range.from = std::max(range.from, slowest * std::min(range.to, usual_speed(question.problem)));
   range.rows.push_back(falling_speeds(range.to, range.from, question.samples));
   return range;
 }

@@ -24,7 +24,7 @@ constexpr double part_for_slope = 1e-4;
 class Solving {
  public:
   explicit Solving(const Question& question)
-      : question_(question), contact_(checked(question).scene), range_(range()) {}
+      : question_(question), contact_(checked(question).problem), range_(range()) {}
 
   Answer run() {
     for (const std::vector<double>& row : range_.rows) {
@@ -53,43 +53,44 @@ class Solving {
                        "a finite speed above 0");
     if (question.samples < 3)
       throw InputError(argument("samples"), fmt::format("{}", question.samples), "at least 3");
-    Scene scene = question.scene;  // what is sought needs no value
-    if (question.sought == Sought::amplitude) scene.amplitude.value = 1;
-    if (question.sought == Sought::frequency) scene.angular_frequency.value = 1;
-    values_of(scene);
+    problem_of(question, 1).values();  // what is sought needs no value
     return question;
   }
 
   // A drive that is not simulated is named before anything is searched.
   SearchRange range() const {
-    Scene scene = question_.scene;
-    if (question_.sought != Sought::velocity) {
-      if (!scene.angular_frequency.value) scene.angular_frequency.value = 1;
-      rules::require(rules::Question::closed_amplitude, with_amplitude(scene, 1));
-      scene.amplitude.value = contact_.largest_amplitude(*scene.angular_frequency.value) / 2;
+    if (question_.sought == Sought::velocity) {
+      simulation::system_of(question_.problem);
+    } else {
+      const double omega = question_.problem->angular_frequency.value.value_or(1);
+      const Problem there = with_angular_frequency(question_.problem, omega);
+      rules::require(rules::Question::closed_amplitude, with_amplitude(there, 1));
+      simulation::system_of(with_amplitude(there, contact_.largest_amplitude(omega) / 2));
     }
-    simulation::system_of(scene);
     return range_of(question_, contact_);
   }
 
-  Scene scene_at(double value) const {
-    switch (question_.sought) {
+  /// With a value of what is sought, as it is searched for.
+  static Problem problem_of(const Question& question, double value) {
+    switch (question.sought) {
       case Sought::amplitude:
-        return with_amplitude(question_.scene, value);
+        return with_amplitude(question.problem, value);
       case Sought::frequency:
-        return with_angular_frequency(question_.scene, two_pi * value);
+        return with_angular_frequency(question.problem, two_pi * value);
       case Sought::velocity:
-        return question_.scene;
+        return question.problem;
     }
     throw Bug("something sought without a scene");
   }
+
+  Problem problem_at(double value) const { return problem_of(question_, value); }
 
   double velocity_at(double value) const {
     return question_.sought == Sought::velocity ? value : question_.velocity;
   }
 
   simulation::SteadyState state_at(double value) const {
-    simulation::System system = simulation::system_of(scene_at(value));
+    simulation::System system = simulation::system_of(problem_at(value));
     system.effort = &effort_;
     return simulation::steady_state(system, velocity_at(value));
   }
@@ -121,18 +122,18 @@ class Solving {
   }
 
   Answer answer(const Reach& reach, double row_start) const {
-    const Scene scene = scene_at(reach.at);
+    const Problem problem = problem_at(reach.at);
     Answer result;
     result.value = reach.at;
     result.velocity = velocity_at(reach.at);
-    result.critical_velocity = critical_onset(scene).contact_velocity;
+    result.critical_velocity = critical_onset(problem).contact_velocity;
     result.state = state_at(reach.at);
     result.at_start = reach.at == row_start;
     if (!result.at_start) result.value_error = error_of(reach, result.state);
-    const double omega = *scene.angular_frequency.value;
+    const double omega = *problem->angular_frequency.value;
     result.largest_amplitude = contact_.largest_amplitude(omega);
-    if (!opens(scene))
-      if (const auto most = contact_.largest_angular_frequency(*scene.amplitude.value))
+    if (!opens(problem))
+      if (const auto most = contact_.largest_angular_frequency(*problem->amplitude.value))
         result.largest_frequency = *most / two_pi;
     result.from = range_.from;
     result.to = range_.to;

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "base/numbers.hpp"
-#include "scene/scene.hpp"
+#include "problem/problem.hpp"
 #include "simulation/system/effort.hpp"
 #include "simulation/system/steady_state.hpp"
 
@@ -20,14 +20,16 @@ using vcrit::to_text;
 const char* to_text(Sought sought);  ///< "amplitude", "frequency", "velocity"
 const char* unit_of(Sought sought);  ///< "m", "Hz", "m/s"
 
+inline constexpr int usual_samples = 400;
+
 struct Question {
-  Scene scene;  ///< its value of what is sought is not used, but for the range of frequencies
+  Problem problem;  ///< its value of what is sought is not used, but for the range of frequencies
   Sought sought = Sought::amplitude;
   double friction_ratio = 0;       ///< wanted: mu_macro/mu0 at most this, in (0, 1)
   double velocity = 0;             ///< of the drive, m/s; not for Sought::velocity
   std::optional<double> from, to;  ///< the range to search, in unit_of(sought); none: all that is
                                    ///< admissible, for frequencies two decades to each side
-  int samples = 400;               ///< of the range, at least 3
+  int samples = usual_samples;     ///< of the range, at least 3
   std::size_t effort = simulation::effort_of_answer;  ///< of all steady states together
 };
 

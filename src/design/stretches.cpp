@@ -23,8 +23,8 @@ struct Sample {
 
 class Looking {
  public:
-  Looking(const Scene& scene, double velocity)
-      : scene_(scene), velocity_(velocity), creep_(creep_velocity(scene)) {}
+  Looking(const Problem& problem, double velocity)
+      : problem_(problem), velocity_(velocity), creep_(creep_velocity(problem)) {}
 
   Stretches between(double from, double to) {
     std::vector<Sample> samples;
@@ -45,7 +45,7 @@ class Looking {
  private:
   double excess(double x) const {
     // A root finder wants finite numbers, at resonance too; the simulator speaks for itself there.
-    const double limit = std::log((quick_onset(scene_, std::exp(x)) + creep_) / velocity_);
+    const double limit = std::log((quick_onset(problem_, std::exp(x)) + creep_) / velocity_);
     return std::clamp(limit, -700.0, 700.0);
   }
   Sample sample(double x) const { return {x, excess(x)}; }
@@ -92,15 +92,15 @@ class Looking {
     }
   }
 
-  const Scene& scene_;
+  Problem problem_;
   double velocity_, creep_;
   Stretches found_;
 };
 
 }  // namespace
 
-Stretches reducing_stretches(const Scene& scene, double from, double to, double velocity) {
-  return Looking(scene, velocity).between(from, to);
+Stretches reducing_stretches(const Problem& problem, double from, double to, double velocity) {
+  return Looking(problem, velocity).between(from, to);
 }
 
 }  // namespace vcrit::design

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "scene/scene.hpp"
+#include "problem/problem.hpp"
 
 namespace vcrit::design {
 
@@ -20,6 +20,6 @@ struct Stretches {
 
 /// Between two angular frequencies (rad/s, from < to) at a drive velocity (m/s), from some thousand
 /// values of Eq. 24 and a search of each of their peaks.
-Stretches reducing_stretches(const Scene& scene, double from, double to, double velocity);
+Stretches reducing_stretches(const Problem& problem, double from, double to, double velocity);
 
 }  // namespace vcrit::design

@@ -24,9 +24,9 @@ constexpr int most_refining_steps = 400;
 // GSL's vectors and matrices by row as Eigen sees them.
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-class Problem {
+class Residuals {
  public:
-  Problem(const Weighed& data, const Terms& terms, Index branches)
+  Residuals(const Weighed& data, const Terms& terms, Index branches)
       : data_(data), terms_(terms), branches_(branches) {}
 
   Index parameters() const { return extra() + 2 * branches_; }
@@ -84,7 +84,7 @@ VectorXd of_gsl(const gsl_vector* vector) {
 }
 
 int residual_for_gsl(const gsl_vector* x, void* problem, gsl_vector* f) {
-  const VectorXd value = static_cast<const Problem*>(problem)->residual(of_gsl(x));
+  const VectorXd value = static_cast<const Residuals*>(problem)->residual(of_gsl(x));
   for (std::size_t i = 0; i < f->size; ++i) gsl_vector_set(f, i, value[static_cast<Index>(i)]);
   return value.allFinite() ? GSL_SUCCESS : GSL_EDOM;
 }
@@ -93,7 +93,7 @@ int slopes_for_gsl(const gsl_vector* x, void* problem, gsl_matrix* j) {
   Eigen::Map<RowMajor, 0, Eigen::OuterStride<>>(j->data, static_cast<Index>(j->size1),
                                                 static_cast<Index>(j->size2),
                                                 Eigen::OuterStride<>(static_cast<Index>(j->tda))) =
-      static_cast<const Problem*>(problem)->slopes(of_gsl(x));
+      static_cast<const Residuals*>(problem)->slopes(of_gsl(x));
   return GSL_SUCCESS;
 }
 
@@ -101,7 +101,7 @@ using Workspace =
     std::unique_ptr<gsl_multifit_nlinear_workspace, void (*)(gsl_multifit_nlinear_workspace*)>;
 
 // The gradient's own criterion of GSL is absolute and would stop early where residuals are small.
-std::optional<VectorXd> least_squares(Problem& problem, Index size, VectorXd start) {
+std::optional<VectorXd> least_squares(Residuals& problem, Index size, VectorXd start) {
   const GslErrorsOff errors_off;
   gsl_multifit_nlinear_parameters settings = gsl_multifit_nlinear_default_parameters();
   settings.scale = gsl_multifit_nlinear_scale_levenberg;
@@ -146,13 +146,13 @@ Relaxation linear_fit(const Weighed& data, const Terms& terms, const std::vector
 }
 
 Refined as_it_is(const Weighed& data, const Terms& terms, const Relaxation& series) {
-  const Problem problem(data, terms, static_cast<Index>(series.branches.size()));
+  const Residuals problem(data, terms, static_cast<Index>(series.branches.size()));
   const VectorXd x = problem.logarithms(series);
   return {series, problem.residual(x).squaredNorm(), problem.slopes(x)};
 }
 
 std::optional<Refined> refined(const Weighed& data, const Terms& terms, const Relaxation& start) {
-  Problem problem(data, terms, static_cast<Index>(start.branches.size()));
+  Residuals problem(data, terms, static_cast<Index>(start.branches.size()));
   VectorXd x = problem.logarithms(start);
   if (x.size() > 0) {
     const auto found = least_squares(problem, data.size(), x);

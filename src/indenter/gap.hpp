@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "scene/scene.hpp"
+#include "problem/problem.hpp"
 
 namespace vcrit::indenter {
 

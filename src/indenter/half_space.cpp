@@ -11,29 +11,32 @@ namespace vcrit::indenter {
 
 namespace {
 
-const Indenter& indenter_of(const Scene& scene) {
-  rules::require(rules::Question::motion_below_indenter, scene);
-  return *scene.indenter;
+const Indenter& indenter_of(const Problem& problem) {
+  rules::require(rules::Question::motion_below_indenter, problem);
+  return *problem->indenter;
 }
 
 // Cells that hardly part have an amplitude of the normal force just below its mean.
 constexpr double nearly_all = 1 - 1e-15;
 
-// Of the half-space: values_of() lets no indenter stand without it.
-const Isotropic& isotropic_of(const Scene& scene) { return std::get<Isotropic>(scene.tangential); }
+// Of the half-space: no problem with an indenter is without it.
+const Isotropic& isotropic_of(const Problem& problem) {
+  return std::get<Isotropic>(problem->tangential);
+}
 
 }  // namespace
 
-HalfSpace::HalfSpace(const Scene& scene) : gap_(indenter_of(scene)) {
-  const Values values = values_of(scene);
-  const Isotropic& isotropic = isotropic_of(scene);
+HalfSpace::HalfSpace(const Problem& problem) : gap_(indenter_of(problem)) {
+  const Values& values = problem.values();
+  const Isotropic& isotropic = isotropic_of(problem);
   const double poisson = *isotropic.quantity.value;
-  normal_ = scaled(relaxation_form(scene.normal, values), 1 / ((1 - poisson) * (1 + poisson)));
+  normal_ = scaled(relaxation_form(problem->normal.network(), values),
+                   1 / ((1 - poisson) * (1 + poisson)));
   tangential_ = scaled(normal_, tangential_ratio(isotropic));
-  omega_ = values.at(scene.angular_frequency.symbol);
-  friction_ = values.at(scene.coefficient.symbol);
-  indentation_ = values.at(scene.indentation.symbol);
-  amplitude_ = values.at(scene.amplitude.symbol);
+  omega_ = values.at(problem->angular_frequency.symbol);
+  friction_ = values.at(problem->coefficient.symbol);
+  indentation_ = values.at(problem->indentation.symbol);
+  amplitude_ = values.at(problem->amplitude.symbol);
   response_ = dynamic_stiffness(normal_, omega_);
   swing_ = amplitude_ * std::abs(response_) / normal_.equilibrium;
 }

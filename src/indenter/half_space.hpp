@@ -5,7 +5,7 @@
 #pragma once
 
 #include "indenter/gap.hpp"
-#include "scene/scene.hpp"
+#include "problem/problem.hpp"
 #include "simulation/system/system.hpp"
 
 namespace vcrit::indenter {
@@ -14,7 +14,7 @@ class HalfSpace {
  public:
   /// A scene with an indenter. Throws InputError for missing values, ModelError where there is no
   /// friction, no static load, no contact, or one that opens all over without scene.separation.
-  explicit HalfSpace(const Scene& scene);
+  explicit HalfSpace(const Problem& problem);
 
   /// The mean indentation at x, u_z0 - g(x), m.
   double depth(double x) const { return indentation_ - gap_.at(x); }

@@ -36,7 +36,7 @@ std::uint64_t fingerprint(const std::vector<double>& values) {
 
 std::string signature(const Sweep& sweep) {
   std::string text = fmt::format("vcrit {} (commit {})\n", VCRIT_VERSION, commit);
-  for (const auto& [name, value] : sweep.scene.settings)
+  for (const auto& [name, value] : sweep.problem->source->settings)
     text += fmt::format("--set {}={}\n", name, value);
   for (const Axis& axis : sweep.axes)
     text += fmt::format("--over {}: {} values from {} to {}, fingerprint {:016x}\n", axis.name,
@@ -47,19 +47,19 @@ std::string signature(const Sweep& sweep) {
   if (sweep.velocity) text += fmt::format("--velocity {}\n", to_text(*sweep.velocity));
   if (sweep.velocity_ratio)
     text += fmt::format("--velocity-ratio {}\n", to_text(*sweep.velocity_ratio));
-  if (sweep.scene.receptance) {
+  if (const Receptance* measured = sweep.problem->receptance()) {
     std::vector<double> numbers;
-    for (const Receptance::Row& row : sweep.scene.receptance->rows)
+    for (const Receptance::Row& row : measured->rows)
       numbers.insert(numbers.end(), {row.omega, row.re, row.im});
     text += fmt::format("receptance, fingerprint {:016x}\n", fingerprint(numbers));
   }
-  if (sweep.scene.indenter && sweep.scene.indenter->profile) {
+  if (sweep.problem->indenter && sweep.problem->indenter->profile) {
     std::vector<double> numbers;
-    for (const Profile::Row& row : sweep.scene.indenter->profile->rows)
+    for (const Profile::Row& row : sweep.problem->indenter->profile->rows)
       numbers.insert(numbers.end(), {row.r, row.f});
     text += fmt::format("indenter, fingerprint {:016x}\n", fingerprint(numbers));
   }
-  return text + sweep.scene.text;
+  return text + sweep.problem->source->text;
 }
 
 std::unique_ptr<MapFile> open_map(const Sweeping& sweeping, const std::filesystem::path& file,

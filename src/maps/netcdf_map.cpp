@@ -54,10 +54,10 @@ void put_attributes(int file, const Sweep& sweep) {
     netcdf::put(file, NC_GLOBAL, name, value...);
   };
   put("Conventions", "CF-1.8");
-  if (!sweep.scene.title.empty()) put("title", sweep.scene.title);
+  if (!sweep.problem->source->title.empty()) put("title", sweep.problem->source->title);
   put("source", "vcrit " VCRIT_VERSION);
-  put("scene_file", sweep.scene.file);
-  put("scene", sweep.scene.text);
+  put("scene_file", sweep.problem->source->file);
+  put("scene", sweep.problem->source->text);
   put("sweep", signature(sweep));
   const auto put_number = [file](const char* name, const std::optional<double>& value) {
     if (value) netcdf::put(file, NC_GLOBAL, name, NC_DOUBLE, {&*value, 1});

@@ -14,20 +14,23 @@ namespace vcrit::rules {
 
 namespace {
 
-bool has_lossy_spring(const Scene& scene) {
+bool has_lossy_spring(const Problem& problem) {
   bool found = false;
-  for_each_element(scene, [&](const Element& element) { found = found || !is_rational(element); });
+  for_each_element(problem,
+                   [&](const Element& element) { found = found || !is_rational(element); });
   return found;
 }
 
-bool isotropic(const Scene& scene) { return std::holds_alternative<Isotropic>(scene.tangential); }
+bool isotropic(const Problem& problem) {
+  return std::holds_alternative<Isotropic>(problem->tangential);
+}
 
 // A path without mass, damper and branches: the contact velocity is v0 less the rate of the
 // friction bound over a stiffness, and the bound is steepest where the closed contact has it.
-bool elastic(const Scene& scene) {
-  bool only_springs = !scene.mass && !scene.receptance;
+bool elastic(const Problem& problem) {
+  bool only_springs = !problem->mass && problem->receptance() == nullptr;
   for_each_element(
-      scene, [&](const Element& element) { only_springs = only_springs && is_elastic(element); });
+      problem, [&](const Element& element) { only_springs = only_springs && is_elastic(element); });
   return only_springs;
 }
 
@@ -35,8 +38,8 @@ bool elastic(const Scene& scene) {
 // deformations are mu0 K_n/K_t times the normal ones, while touching and while apart, so that the
 // contact velocity is v0 - mu0 (K_n/K_t) du_z/dt whatever the network; as long as the surfaces
 // touch where u_z rises fastest, which a surface that creeps back too slowly does not.
-bool follows_without_memory(const Scene& scene) {
-  return scene.indenter || (isotropic(scene) && !has_drive(scene));
+bool follows_without_memory(const Problem& problem) {
+  return problem->indenter || (isotropic(problem) && problem->rigid());
 }
 
 // u_z = u_z0 + du_z cos(omega t) rises fastest there.
@@ -91,45 +94,45 @@ const char* name_of(Kind kind) {
 }
 
 bool Facts::is(Kind kind) const {
-  const bool separating = scene_.separation;
+  const bool separating = problem_->separation;
   switch (kind) {
     case Kind::measured_drive:
-      return scene_.receptance.has_value();
+      return problem_->receptance() != nullptr;
     case Kind::masses_in_drive:
-      return scene_.drive && has_masses(*scene_.drive);
+      return problem_->has_masses();
     case Kind::lossy_spring:
-      return has_lossy_spring(scene_);
+      return has_lossy_spring(problem_);
     case Kind::indenter:
-      return scene_.indenter.has_value();
+      return problem_->indenter.has_value();
     case Kind::no_indenter:
-      return !scene_.indenter;
+      return !problem_->indenter;
     case Kind::separating:
       return separating;
     case Kind::separating_while_touching:
-      return separating && !elastic(scene_) && follows_without_memory(scene_);
+      return separating && !elastic(problem_) && follows_without_memory(problem_);
     case Kind::separating_with_memory:
-      return separating && !elastic(scene_) && !follows_without_memory(scene_);
+      return separating && !elastic(problem_) && !follows_without_memory(problem_);
     case Kind::no_static_load:
-      return !scene_.indenter && static_stiffness() == 0;
+      return !problem_->indenter && static_stiffness() == 0;
     case Kind::no_static_load_below_indenter:
-      return scene_.indenter && static_stiffness() == 0;
+      return problem_->indenter && static_stiffness() == 0;
     case Kind::no_friction:
-      return !(value(scene_.coefficient) > 0);
+      return !(value(problem_->coefficient) > 0);
     case Kind::no_indentation:
       return !separating && static_stiffness() > 0 && !(mean_force() > 0);
     case Kind::tapping:
-      return separating && !(value(scene_.indentation) > 0) && value(scene_.amplitude) > 0;
+      return separating && !(value(problem_->indentation) > 0) && value(problem_->amplitude) > 0;
     case Kind::never_meeting:
-      return !(value(scene_.indentation) + value(scene_.amplitude) > 0);
+      return !(value(problem_->indentation) + value(problem_->amplitude) > 0);
     case Kind::jumping:
-      return !separating && !(value(scene_.amplitude) < value(scene_.indentation));
+      return !separating && !(value(problem_->amplitude) < value(problem_->indentation));
     case Kind::deep_amplitude:
-      return separating && !(value(scene_.amplitude) < value(scene_.indentation));
+      return separating && !(value(problem_->amplitude) < value(problem_->indentation));
     case Kind::opening:
-      return !separating && !scene_.indenter && mean_force() > 0 &&
+      return !separating && !problem_->indenter && mean_force() > 0 &&
              !(oscillating_force() < mean_force());
     case Kind::opening_below_indenter:
-      return !separating && scene_.indenter && mean_force() > 0 &&
+      return !separating && problem_->indenter && mean_force() > 0 &&
              !(oscillating_force() < mean_force());
     case Kind::opening_with_memory:
       return is(Kind::separating_with_memory) && opens() && !is(Kind::no_friction);
@@ -141,32 +144,29 @@ bool Facts::is(Kind kind) const {
 }
 
 bool Facts::apart_where_steepest() const {
-  require(Question::normal_motion, scene_);
+  require(Question::normal_motion, problem_);
   if (oscillating_force() <=
-      (1 + simulation::hardly_parting(scene_.indenter.has_value())) * mean_force())
+      (1 + simulation::hardly_parting(problem_->indenter.has_value())) * mean_force())
     return false;
-  const simulation::NormalMotion motion{relaxation_form(scene_.normal, values()),
-                                        value(scene_.indentation), value(scene_.amplitude)};
-  return !simulation::touches_at(motion, value(scene_.angular_frequency), steepest_phase);
-}
-
-const Values& Facts::values() const {
-  if (!values_) values_ = values_of(scene_);
-  return *values_;
+  const simulation::NormalMotion motion{
+      relaxation_form(problem_->normal.network(), problem_.values()), value(problem_->indentation),
+      value(problem_->amplitude)};
+  return !simulation::touches_at(motion, value(problem_->angular_frequency), steepest_phase);
 }
 
 long double Facts::static_stiffness() const {
-  if (!static_stiffness_) static_stiffness_ = at_rest(scene_.normal, values()).stiffness();
+  if (!static_stiffness_)
+    static_stiffness_ = at_rest(problem_->normal.reduction(), problem_.values()).stiffness();
   return *static_stiffness_;
 }
 
-long double Facts::mean_force() const { return static_stiffness() * value(scene_.indentation); }
+long double Facts::mean_force() const { return static_stiffness() * value(problem_->indentation); }
 
 long double Facts::oscillating_force() const {
   if (!oscillating_)
-    oscillating_ =
-        std::abs(wide_dynamic_stiffness(scene_.normal, values(), value(scene_.angular_frequency))) *
-        value(scene_.amplitude);
+    oscillating_ = std::abs(wide_dynamic_stiffness(problem_->normal.reduction(), problem_.values(),
+                                                   value(problem_->angular_frequency))) *
+                   value(problem_->amplitude);
   return *oscillating_;
 }
 

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "scene/scene.hpp"
+#include "problem/problem.hpp"
 
 namespace vcrit::rules {
 
@@ -38,29 +38,26 @@ const char* name_of(Kind kind);
 /// What a scene is, each thing found when it is first asked for.
 class Facts {
  public:
-  /// The scene must outlive the object.
-  explicit Facts(const Scene& scene) : scene_(scene) {}
+  explicit Facts(const Problem& problem) : problem_(problem) {}
 
   /// Throws InputError where that needs values that are missing, ModelError where the motion of the
   /// surfaces would have to be known and is not.
   bool is(Kind kind) const;
 
-  const Scene& scene() const { return scene_; }
+  const Problem& problem() const { return problem_; }
   /// Of the contact as if closed, N: mean and amplitude of the normal force.
   long double mean_force() const;
   long double oscillating_force() const;
-  double value(const Quantity& quantity) const { return values().at(quantity.symbol); }
+  double value(const Quantity& quantity) const { return problem_.value(quantity); }
   /// Whether the normal force would pull for a part of the period; below an indenter the pressure
   /// at its centre.
   bool opens() const { return oscillating_force() > mean_force(); }
 
  private:
-  const Values& values() const;
   long double static_stiffness() const;
   bool apart_where_steepest() const;
 
-  const Scene& scene_;
-  mutable std::optional<Values> values_;
+  Problem problem_;
   mutable std::optional<long double> static_stiffness_, oscillating_;
 };
 

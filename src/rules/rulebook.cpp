@@ -202,14 +202,14 @@ const Cell& entry(Question question, Kind kind) {
 
 std::string filled(const std::string& pattern, const Facts& facts) {
   if (pattern.find('{') == std::string::npos) return pattern;
-  const Scene& scene = facts.scene();
+  const Problem& problem = facts.problem();
   const auto oscillating = static_cast<double>(facts.oscillating_force()),
              mean = static_cast<double>(facts.mean_force());
-  return fmt::format(fmt::runtime(pattern), fmt::arg("du_z", name_in(scene, scene.amplitude)),
-                     fmt::arg("u_z0", name_in(scene, scene.indentation)),
-                     fmt::arg("mu0", name_in(scene, scene.coefficient)),
-                     fmt::arg("amplitude", facts.value(scene.amplitude)),
-                     fmt::arg("indentation", facts.value(scene.indentation)),
+  return fmt::format(fmt::runtime(pattern), fmt::arg("du_z", name_in(problem, problem->amplitude)),
+                     fmt::arg("u_z0", name_in(problem, problem->indentation)),
+                     fmt::arg("mu0", name_in(problem, problem->coefficient)),
+                     fmt::arg("amplitude", facts.value(problem->amplitude)),
+                     fmt::arg("indentation", facts.value(problem->indentation)),
                      fmt::arg("oscillating", oscillating), fmt::arg("mean", mean),
                      fmt::arg("share", oscillating / mean));
 }
@@ -233,26 +233,26 @@ Answer cell(Question question, Kind kind) {
   return {found.verdict, found.reason, found.advice, name_of(kind)};
 }
 
-Answer answer(Question question, const Scene& scene) {
+Answer answer(Question question, const Problem& problem) {
   Answer result;
-  for_each_refusal(question, Facts(scene), [&](const Answer& first) {
+  for_each_refusal(question, Facts(problem), [&](const Answer& first) {
     result = first;
     return false;
   });
   return result;
 }
 
-std::vector<std::string> reasons(Question question, const Scene& scene) {
+std::vector<std::string> reasons(Question question, const Problem& problem) {
   std::vector<std::string> all;
-  for_each_refusal(question, Facts(scene), [&](const Answer& each) {
+  for_each_refusal(question, Facts(problem), [&](const Answer& each) {
     all.push_back(each.reason);
     return true;
   });
   return all;
 }
 
-void require(Question question, const Scene& scene, const std::string& asker) {
-  const Answer found = answer(question, scene);
+void require(Question question, const Problem& problem, const std::string& asker) {
+  const Answer found = answer(question, problem);
   if (!found) throw ModelError(asker + found.reason, found.advice);
 }
 

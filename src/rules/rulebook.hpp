@@ -47,17 +47,17 @@ struct Answer {
 };
 
 /// Throws InputError for missing values where the answer depends on them.
-Answer answer(Question question, const Scene& scene);
+Answer answer(Question question, const Problem& problem);
 /// The same for one kind, whether or not the scene is of it: words that say numbers of the scene
 /// stay patterns. For tables and tests.
 Answer cell(Question question, Kind kind);
 
 /// All that stands against it.
-std::vector<std::string> reasons(Question question, const Scene& scene);
+std::vector<std::string> reasons(Question question, const Problem& problem);
 
 /// Throws ModelError with reason and advice where the answer is not yes; `asker` in front of the
 /// reason.
-void require(Question question, const Scene& scene, const std::string& asker = "");
+void require(Question question, const Problem& problem, const std::string& asker = "");
 
 /// "motion_in_time"
 const char* name_of(Question question);

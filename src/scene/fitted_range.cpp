@@ -54,14 +54,15 @@ std::optional<FittedRange> read_fitted_range(const document::Section& contact) {
   return range;
 }
 
-std::optional<std::string> beyond_fitted_range(const Scene& scene, double from, double to) {
-  if (!scene.fitted_range) return std::nullopt;
-  const auto [least, most] = *scene.fitted_range;
+std::optional<std::string> beyond_fitted_range(const std::optional<FittedRange>& fitted,
+                                               const std::string& file, double from, double to) {
+  if (!fitted) return std::nullopt;
+  const auto [least, most] = *fitted;
   if (from >= least * (1 - rounding) && to <= most * (1 + rounding)) return std::nullopt;
   return fmt::format(
       "{}: the contact was fitted to data from {} and is asked for at {}: beyond the data its "
       "stiffness is a guess",
-      scene.file, in_hertz(least, most), in_hertz(from, to));
+      file, in_hertz(least, most), in_hertz(from, to));
 }
 
 }  // namespace vcrit

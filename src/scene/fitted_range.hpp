@@ -4,7 +4,7 @@
 #include <toml++/toml.h>
 
 #include "scene/document.hpp"
-#include "scene/scene.hpp"
+#include "scene/quantity.hpp"
 
 namespace vcrit {
 

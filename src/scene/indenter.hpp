@@ -6,7 +6,7 @@
 
 #include "scene/document.hpp"
 #include "scene/quantities.hpp"
-#include "scene/scene.hpp"
+#include "scene/quantity.hpp"
 
 namespace vcrit {
 

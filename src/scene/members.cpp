@@ -5,6 +5,7 @@
 #include "network/law.hpp"
 #include "network/masses.hpp"
 #include "network/wiring.hpp"
+#include "scene/scene.hpp"
 
 namespace vcrit {
 
@@ -60,11 +61,13 @@ class Members {
   }
 
   void check_indenter() const {
-    if (has_drive(scene_)) refuse("indenter with a drive", "a rigid drive");
+    if (scene_.drive || scene_.receptance) refuse("indenter with a drive", "a rigid drive");
     const auto* isotropic = std::get_if<Isotropic>(&scene_.tangential);
     if (isotropic == nullptr || isotropic->by != Isotropic::By::poisson)
       refuse("indenter with a tangential contact by other means than poisson",
              "tangential = Isotropic{By::poisson, ...}, of the half-space");
+    for (const Quantity& size : scene_.indenter->sizes)
+      if (!size.value) return;
     vcrit::check_indenter(*scene_.indenter, {scene_.file});
   }
 

@@ -3,12 +3,15 @@
 // half-space or without its sizes.
 #pragma once
 
-#include "scene/scene.hpp"
+#include "base/errors.hpp"
+#include "scene/quantity.hpp"
 
 namespace vcrit {
 
-/// Values and ranges are not looked at (values_of). `elements`: the scene's, by symbol. Throws
-/// InputError with the scene's file and the member.
+struct Scene;
+
+/// Values and ranges are not looked at (problem/problem.hpp does). `elements`: the scene's, by
+/// symbol. Throws InputError with the scene's file and the member.
 void check_members(const Scene& scene, const Values& elements);
 
 /// Throws InputError, with `place`, for an indenter that reading would not have made: without one

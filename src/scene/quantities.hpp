@@ -10,7 +10,7 @@
 
 #include "base/units.hpp"
 #include "scene/document.hpp"
-#include "scene/scene.hpp"
+#include "scene/quantity.hpp"
 #include "scene/settings.hpp"
 
 namespace vcrit {

@@ -125,7 +125,7 @@ class Reader {
   void warn_beyond_the_data() {
     const std::optional<double>& omega = scene_.angular_frequency.value;
     if (!omega) return;
-    if (const auto warning = beyond_fitted_range(scene_, *omega, *omega))
+    if (const auto warning = beyond_fitted_range(scene_.fitted_range, file_, *omega, *omega))
       scene_.warnings.push_back(*warning);
   }
 
@@ -154,9 +154,12 @@ class Reader {
         vcrit::read_indenter(indenter, std::filesystem::path(file_).parent_path(), quantities_);
   }
 
+  // Whether the drive is a network or measured, and not rigid.
+  bool gives() const { return scene_.drive.has_value() || scene_.receptance.has_value(); }
+
   // Cells of the contact that would move one another, or are of no half-space.
   void refuse_beside_indenter(const Section& indenter) const {
-    if (has_drive(scene_))
+    if (gives())
       throw InputError(indenter.place(""), "[indenter] with [drive]",
                        "a rigid drive: one that gives would let the parts of the contact move one "
                        "another");
@@ -187,7 +190,7 @@ class Reader {
                        "mass = \"5 g\", or no section [body]");
     const Quantity mass = quantities_.read(body, "mass", "m", Dimension::mass, nonnegative);
     if (mass.value == 0.0) return;
-    if (has_drive(scene_))
+    if (gives())
       scene_.mass = mass;
     else
       scene_.warnings.push_back(

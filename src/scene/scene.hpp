@@ -1,9 +1,8 @@
 // A scene: what is there, read from one TOML file. What a scene does not name is not in it: without
 // [drive] the drive is rigid, without [body] (or with a rigid drive, whose far end moves uniformly)
-// there is no mass from here on.
+// there is no mass from here on. Who asks something of it resolves it first (problem/problem.hpp).
 #pragma once
 
-#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -14,45 +13,10 @@
 #include "base/errors.hpp"
 #include "base/units.hpp"
 #include "network/network.hpp"
-#include "scene/profile.hpp"
+#include "scene/quantity.hpp"
 #include "scene/receptance.hpp"
 
 namespace vcrit {
-
-/// A number of the scene, in SI units; without a value it is a symbol.
-struct Quantity {
-  Symbol symbol;
-  std::optional<double> value;
-};
-
-/// Isotropic contact: K_t = ratio K_n.
-struct Isotropic {
-  enum class By { poisson, ratio };
-  By by = By::ratio;
-  Quantity quantity;  ///< Poisson's ratio nu, ratio = 2(1 - nu)/(2 - nu), or the ratio itself
-};
-
-/// An axisymmetric indenter, pressed into a half-space whose Young's modulus the normal network is.
-struct Indenter {
-  enum class Shape { flat, cone, parabola, power, table };
-  Shape shape = Shape::flat;
-  /// flat, parabola: radius (m), of the punch or of curvature; cone: angle (rad) between flank and
-  /// surface; power: prefactor (SI) and exponent of f(r) = prefactor r^exponent; table: none
-  std::vector<Quantity> sizes;
-  std::optional<Profile> profile;  ///< of a table
-};
-
-/// The angular frequencies (rad/s) of the data that a contact was fitted to.
-struct FittedRange {
-  double from = 0, to = 0;
-};
-
-/// The values of --set, by name ("k0", "k[3]", "mu0", "frequency", ...); a number in SI or with a
-/// unit.
-using Settings = std::vector<std::pair<std::string, std::string>>;
-
-/// What is set or varied where omega is by its cycles a second.
-inline const Symbol frequency_symbol{"frequency"};
 
 struct Scene {
   std::string file;  ///< as the user named it
@@ -89,47 +53,8 @@ Scene read_scene(const std::string& file, const Settings& settings = {});
 /// The same from text; `file` only names it in messages.
 Scene parse_scene(const std::string& text, const std::string& file, const Settings& settings = {});
 
-/// The quantities that have names of their own; those of isotropic contact, body and indenter among
-/// them.
-std::vector<const Quantity*> quantities(const Scene& scene);
-std::vector<Quantity*> quantities(Scene& scene);
-
-/// Calls `visit` for every element of its networks: normal, tangential, drive, in the order of
-/// writing.
-void for_each_element(const Scene& scene, const std::function<void(const Element&)>& visit);
-
-/// What to warn of where a scene is evaluated at angular frequencies `from` to `to` (rad/s):
-/// nothing where all of them are in its fitted range, or it has none. Reading a scene asks this for
-/// the scene's own frequency; who varies that asks again.
-std::optional<std::string> beyond_fitted_range(const Scene& scene, double from, double to);
-
 /// The symbol by the name that the scene gives it. Everything that people and other programs read
 /// has that; within the program symbols are known by their own names, of which none is another's.
 Symbol as_called(const Scene& scene, const Symbol& symbol);
-
-/// "m", or what the scene calls it.
-std::string name_in(const Scene& scene, const Quantity& quantity);
-
-/// As evaluators and simulators take it: no number as it was typed.
-Scene as_doubles(Scene scene);
-
-/// Whether the drive is a network or measured, and not rigid.
-bool has_drive(const Scene& scene);
-
-/// K_t/K_n of an isotropic contact. Throws InputError if it has no value.
-double tangential_ratio(const Isotropic& isotropic);
-
-/// All values of the scene (elements and quantities) by symbol. Throws InputError naming every
-/// missing one at once, and for one that no scene may have: whoever evaluates a scene asks this, so
-/// that one whose members were changed after reading is checked as well. An element of value 0 is
-/// such a one: reading leaves it out of the networks, so give it as a setting.
-Values values_of(const Scene& scene);
-
-/// The tangential network as such: with an isotropic contact, the normal one and a factor.
-struct ScaledNetwork {
-  const Network* network;
-  double factor;
-};
-ScaledNetwork tangential_network(const Scene& scene);
 
 }  // namespace vcrit

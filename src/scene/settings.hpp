@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "base/units.hpp"
-#include "scene/scene.hpp"
+#include "scene/quantity.hpp"
 
 namespace vcrit {
 

@@ -31,9 +31,9 @@ struct LeadingTerms {
 
 }  // namespace
 
-AtRest at_rest(const Network& network, const Values& values) {
+AtRest at_rest(const Reduction& reduction, const Values& values) {
   LeadingTerms terms{values};
-  return evaluate(reduce(network), terms);
+  return evaluate(reduction, terms);
 }
 
 }  // namespace vcrit

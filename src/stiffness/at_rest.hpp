@@ -3,7 +3,7 @@
 // relaxation times.
 #pragma once
 
-#include "network/network.hpp"
+#include "network/reduction.hpp"
 
 namespace vcrit {
 
@@ -18,6 +18,6 @@ struct AtRest {
   long double fluidity() const { return order == 1 ? 1 / coefficient : 0; }
 };
 
-AtRest at_rest(const Network& network, const Values& values);
+AtRest at_rest(const Reduction& reduction, const Values& values);
 
 }  // namespace vcrit

@@ -115,10 +115,10 @@ ComplexDouble dynamic_stiffness(const Network& network, const Values& values, do
   return dynamic_stiffness(reduce(network), values, omega);
 }
 
-std::complex<long double> wide_dynamic_stiffness(const Network& network, const Values& values,
+std::complex<long double> wide_dynamic_stiffness(const Reduction& reduction, const Values& values,
                                                  double omega) {
   Pairs<long double> pairs{values, omega};
-  return evaluate(reduce(network), pairs);
+  return evaluate(reduction, pairs);
 }
 
 double sensitivity(const Reduction& reduction, const Values& values, double omega) {

@@ -17,7 +17,7 @@ std::complex<double> dynamic_stiffness(const Reduction& reduction, const Values&
 std::complex<double> dynamic_stiffness(const Network& network, const Values& values, double omega);
 
 /// The same over the range of any product of doubles.
-std::complex<long double> wide_dynamic_stiffness(const Network& network, const Values& values,
+std::complex<long double> wide_dynamic_stiffness(const Reduction& reduction, const Values& values,
                                                  double omega);
 
 /// sum_j |z_j dK/dz_j| over the elements and the intermediate results of the reduction, in N/m: by

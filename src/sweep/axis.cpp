@@ -11,7 +11,7 @@
 #include "base/files.hpp"
 #include "base/numbers.hpp"
 #include "base/trimmed.hpp"
-#include "scene/changing.hpp"
+#include "problem/variation.hpp"
 #include "scene/settings.hpp"
 
 namespace vcrit {
@@ -35,11 +35,11 @@ std::vector<std::string> split(const std::string& text, char separator) {
   return parts;
 }
 
-Dimension dimension_of(const std::string& name, const Scene& scene, const Place& place) {
-  std::map<std::string, Dimension> known = scene.settable;
+Dimension dimension_of(const std::string& name, const Problem& problem, const Place& place) {
+  std::map<std::string, Dimension> known = problem->source->settable;
   known.emplace("velocity", Dimension::velocity);
   known.emplace("velocity_ratio", Dimension::none);
-  return known_dimension(name, known, place, scene.named);
+  return known_dimension(name, known, place, problem->source->named);
 }
 
 std::size_t count(const std::string& text, const Place& place) {
@@ -87,20 +87,20 @@ std::vector<double> parse_list(const std::string& text, const std::string& file,
   return values;
 }
 
-Axis parse_axis(const std::string& text, const Scene& scene) {
+Axis parse_axis(const std::string& text, const Problem& problem) {
   const Place whole = argument("over " + text);
   const auto equals = text.find('=');
   if (equals == text.npos) throw InputError(whole, fmt::format("\"{}\"", text), axis_form);
   const std::string name = text.substr(0, equals), range = text.substr(equals + 1);
   const Place place = argument("over " + name);
   if (range.starts_with("list:")) {
-    const Dimension dimension = dimension_of(name, scene, place);
+    const Dimension dimension = dimension_of(name, problem, place);
     return {name, parse_list(read_file(range.substr(5)), range.substr(5), dimension), dimension};
   }
   const auto parts = split(range, ':');
   if (parts.size() != 4 || (parts[0] != "lin" && parts[0] != "log"))
     throw InputError(whole, fmt::format("\"{}\"", text), axis_form);
-  const Dimension dimension = dimension_of(name, scene, place);
+  const Dimension dimension = dimension_of(name, problem, place);
   const double from = parse_quantity(parts[1], dimension, place);
   const double to = parse_quantity(parts[2], dimension, place);
   const bool logarithmic = parts[0] == "log";
@@ -109,19 +109,19 @@ Axis parse_axis(const std::string& text, const Scene& scene) {
   return {name, spaced(logarithmic, from, to, count(parts[3], place)), dimension};
 }
 
-Scene completed(Scene scene, const std::vector<Axis>& axes) {
+Problem completed(Problem problem, const std::vector<Axis>& axes) {
   for (const Axis& axis : axes) {
-    if (!scene.settable.contains(axis.name) || axis.values.empty()) continue;
-    ChangingScene changing(scene, {axis.name});
-    const ChangingScene::Target& target = changing.targets().front();
-    if (target.value == nullptr || *target.value) continue;
+    if (!problem->source->settable.contains(axis.name) || axis.values.empty()) continue;
+    const Variation varied(problem, {axis.name});
+    const Variation::Target& target = varied.targets().front();
+    if (target.is_left_out || problem.known_values().contains(target.symbol)) continue;
     const auto above = std::find_if(axis.values.begin(), axis.values.end(),
                                     [](double value) { return value > 0 && std::isfinite(value); });
     const bool any = target.is_poisson || above == axis.values.end();
     const double value = any ? axis.values.front() : *above;
-    scene = Scene(changing.at({&value, 1}));
+    problem = varied.at({&value, 1});
   }
-  return scene;
+  return problem;
 }
 
 }  // namespace vcrit

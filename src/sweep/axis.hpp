@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "scene/scene.hpp"
+#include "problem/problem.hpp"
 
 namespace vcrit {
 
@@ -17,12 +17,12 @@ struct Axis {
 /// "velocity_ratio=lin:0.1:1:10" or "frequency=log:1 kHz:1 MHz:31": NAME=lin|log:FROM:TO:N, both
 /// ends included exactly, N >= 1 (1: FROM alone), FROM and TO numbers in SI or with a unit; or
 /// "k1=list:FILE", one value a line, # begins a comment. Throws InputError, also for names that
-/// `scene` does not have.
-Axis parse_axis(const std::string& text, const Scene& scene);
+/// `problem` does not have.
+Axis parse_axis(const std::string& text, const Problem& problem);
 
 /// The scene with a value of whatever the axes vary: any that leaves its networks as they are,
 /// where it has none.
-Scene completed(Scene scene, const std::vector<Axis>& axes);
+Problem completed(Problem problem, const std::vector<Axis>& axes);
 
 /// The values of a list: the text of the file named `file`. Throws InputError with file and line.
 std::vector<double> parse_list(const std::string& text, const std::string& file,

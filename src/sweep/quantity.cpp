@@ -4,7 +4,7 @@
 #include <fmt/ranges.h>
 
 #include "base/identifiers.hpp"
-#include "scene/changing.hpp"
+#include "problem/variation.hpp"
 #include "scene/settings.hpp"
 #include "simulation/system/steady_state.hpp"
 
@@ -23,20 +23,20 @@ const std::vector<std::string>& swept_quantity_names() {
   return names;
 }
 
-SweptQuantity parse_swept_quantity(const std::string& text, const Scene& scene) {
+SweptQuantity parse_swept_quantity(const std::string& text, const Problem& problem) {
   const Place place = argument("quantity");
   if (text.starts_with(sensitivity_prefix)) {
     const std::string name = text.substr(sensitivity_prefix.size());
-    known_dimension(name, scene.settable, place, scene.named);
-    const ChangingScene changing(scene, {name});
-    const Symbol& parameter = changing.targets().front().symbol;
-    return {SweptQuantity::Kind::sensitivity, parameter, scene.separation || scene.indenter,
-            to_text(as_called(scene, parameter))};
+    known_dimension(name, problem->source->settable, place, problem->source->named);
+    const Symbol parameter = target_of(problem, name).symbol;
+    return {SweptQuantity::Kind::sensitivity, parameter, problem->separation || problem->indenter,
+            to_text(as_called(problem, parameter))};
   }
   const auto& names = swept_quantity_names();
   for (std::size_t i = 0; i + 1 < names.size(); ++i)
     if (names[i] == text)
-      return {static_cast<SweptQuantity::Kind>(i), {}, scene.separation || scene.indenter, {}};
+      return {
+          static_cast<SweptQuantity::Kind>(i), {}, problem->separation || problem->indenter, {}};
   const auto meant = nearest(text, names);
   throw InputError(
       place, fmt::format("\"{}\"", text),

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "scene/scene.hpp"
+#include "problem/problem.hpp"
 
 namespace vcrit {
 
@@ -26,7 +26,7 @@ struct SweptQuantity {
 
 /// "critical_velocity", "friction_ratio", "friction_ratio_error", "regime", "admissible", or
 /// "sensitivity:NAME", NAME as for --set. Throws InputError.
-SweptQuantity parse_swept_quantity(const std::string& text, const Scene& scene);
+SweptQuantity parse_swept_quantity(const std::string& text, const Problem& problem);
 
 /// The names, for help; the last one with NAME.
 const std::vector<std::string>& swept_quantity_names();

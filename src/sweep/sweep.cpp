@@ -9,8 +9,8 @@
 #include "answers/critical_onset.hpp"
 #include "answers/friction.hpp"
 #include "critical/admissibility.hpp"
+#include "problem/variation.hpp"
 #include "rules/rulebook.hpp"
-#include "scene/changing.hpp"
 
 namespace vcrit {
 
@@ -39,7 +39,7 @@ bool needs_scene(const SweptQuantity& quantity) {
 
 std::size_t rows_at_once(const Sweep& sweep) {
   if (any_of(sweep, needs_motion) ||
-      !rules::answer(rules::Question::formula_of_all_values, sweep.scene))
+      !rules::answer(rules::Question::formula_of_all_values, sweep.problem))
     return rows_of_motion;
   return any_of(sweep, needs_scene) ? rows_of_scenes : rows_of_formula;
 }
@@ -58,10 +58,11 @@ Grade grade_of(const Grid& grid) {
 
 // Whether an axis lets an element of the normal network vanish, which makes it another network.
 bool leaves_out(const Sweep& sweep) {
-  const std::vector<Symbol> normal = symbols_of(sweep.scene.normal);
+  const std::vector<Symbol> normal = symbols_of(sweep.problem->normal.network());
   return std::any_of(sweep.axes.begin(), sweep.axes.end(), [&](const Axis& axis) {
-    const auto named = sweep.scene.named.find(axis.name);
-    return named != sweep.scene.named.end() && std::ranges::count(normal, named->second) > 0 &&
+    const auto named = sweep.problem->source->named.find(axis.name);
+    return named != sweep.problem->source->named.end() &&
+           std::ranges::count(normal, named->second) > 0 &&
            std::ranges::count(axis.values, 0.0) > 0;
   });
 }
@@ -73,7 +74,7 @@ std::vector<std::string> names_of(const Grid& grid, const std::vector<std::size_
 }
 
 void refuse_settings(const Sweep& sweep) {
-  for (const auto& [name, value] : sweep.scene.settings)
+  for (const auto& [name, value] : sweep.problem->source->settings)
     for (const Axis& axis : sweep.axes)
       if (axis.name == name)
         throw InputError(argument("over " + name), fmt::format("a setting of {} as well", name),
@@ -111,8 +112,8 @@ void refuse_repetition(const Sweep& sweep) {
 // Wrong values are found before the first block, however late their rows come.
 void refuse_axis_values(const Sweep& sweep, const Grid& grid) {
   for (const std::size_t a : parameters_of(grid)) {
-    ChangingScene changing(sweep.scene, {grid.axes()[a].name});
-    for (const double value : grid.axes()[a].values) changing.at({&value, 1});
+    const Variation varied(sweep.problem, {grid.axes()[a].name});
+    for (const double value : grid.axes()[a].values) varied.at({&value, 1});
   }
 }
 
@@ -127,7 +128,7 @@ class Sweeping::Rows {
       : sweeping_(sweeping),
         grid_(sweeping.grid_),
         block_(grid_.block(index)),
-        changing_(sweeping.sweep_.scene, names_of(grid_, sweeping.parameters_)),
+        changing_(sweeping.sweep_.problem, names_of(grid_, sweeping.parameters_)),
         critical_(block_.rows) {
     velocities_.reserve(speeds_at_once);
     answer_.block = index;
@@ -171,10 +172,10 @@ class Sweeping::Rows {
     for (std::size_t i = 0; i < rows; ++i) {
       const std::size_t row = begin + i;
       admissible_[row] = sweeping_.closed_ ? is_admissible(row, shares_[i])
-                                           : inadmissible_reasons(scene_at(row)).empty();
+                                           : inadmissible_reasons(problem_at(row)).empty();
       if (admissible_[row]) continue;
       critical_[row] = nothing;
-      note(row, answer_.reason.empty() ? inadmissible_reasons(scene_at(row)).front() : "");
+      note(row, answer_.reason.empty() ? inadmissible_reasons(problem_at(row)).front() : "");
     }
   }
 
@@ -184,9 +185,9 @@ class Sweeping::Rows {
     const double amplitude = sweeping_.amplitude_.of(grid_, block_.first + row);
     const double part = amplitude / sweeping_.indentation_.of(grid_, block_.first + row);
     const bool usual = std::isfinite(share) && share > 0 && amplitude > 0;
-    if (usual && sweeping_.sweep_.scene.separation) return true;
+    if (usual && sweeping_.sweep_.problem->separation) return true;
     if (usual && std::abs(part - share) > close * share) return part < share;
-    return inadmissible_reasons(scene_at(row)).empty();
+    return inadmissible_reasons(problem_at(row)).empty();
   }
 
   // Where the last axis is long, no more than its rows: all that the other axes decide is the same.
@@ -223,14 +224,14 @@ class Sweeping::Rows {
   std::string why_no_velocity(std::size_t row) {
     if (!answer_.reason.empty()) return {};
     try {
-      certified_onset(scene_at(row));
+      certified_onset(problem_at(row));
     } catch (const ModelError& error) {
       return error.what();
     }
     throw Bug("v* without a number and without a reason");
   }
 
-  const Scene& scene_at(std::size_t row) {
+  Problem problem_at(std::size_t row) {
     point_.clear();
     for (const std::size_t a : sweeping_.parameters_)
       point_.push_back(grid_.value(a, block_.first + row));
@@ -254,11 +255,11 @@ class Sweeping::Rows {
   }
 
   void find_scene(std::size_t row, std::size_t speeds, std::size_t stride) {
-    const Scene& scene = scene_at(row);
+    const Problem problem = problem_at(row);
     for (std::size_t q = 0; q < answer_.values.size(); ++q) {
       const SweptQuantity& quantity = sweeping_.sweep_.quantities[q];
       if (quantity.kind != Kind::sensitivity && quantity.kind != Kind::admissible) continue;
-      const double value = of_scene(quantity, scene, row);
+      const double value = of_scene(quantity, problem, row);
       for (std::size_t i = 0; i < speeds; ++i) {
         answer_.values[q][row + i * stride] = value;
         if (outside_[row]) note(row + i * stride, answer_.reason);
@@ -266,7 +267,7 @@ class Sweeping::Rows {
     }
     if (!any_of(sweeping_.sweep_, needs_motion)) return;
     try {
-      const SteadyFriction friction(scene);
+      const SteadyFriction friction(problem);
       for (std::size_t i = 0; i < speeds; i += speeds_at_once)
         find_motion(friction, row + i * stride, std::min(speeds_at_once, speeds - i), stride);
     } catch (const ModelError& error) {
@@ -274,11 +275,11 @@ class Sweeping::Rows {
     }
   }
 
-  double of_scene(const SweptQuantity& quantity, const Scene& scene, std::size_t row) {
+  double of_scene(const SweptQuantity& quantity, const Problem& problem, std::size_t row) {
     if (quantity.kind == Kind::admissible) return admissible_[row] ? 1 : 0;
     if (!admissible_[row]) return nothing;
     try {
-      return onset_log_derivative(scene, quantity.parameter);
+      return onset_log_derivative(problem, quantity.parameter);
     } catch (const ModelError& error) {
       note(row, error.what());
       return nothing;
@@ -320,33 +321,32 @@ class Sweeping::Rows {
   const Sweeping& sweeping_;
   const Grid& grid_;
   Block block_;
-  ChangingScene changing_;
+  Variation changing_;
   std::vector<double> point_, velocities_, critical_, shares_;
   std::vector<bool> outside_, admissible_;
   BlockAnswer answer_;
 };
 
 Sweeping::Sweeping(const Sweep& sweep)
-    : sweep_({completed(sweep.scene, sweep.axes), sweep.axes, sweep.quantities, sweep.velocity,
+    : sweep_({completed(sweep.problem, sweep.axes), sweep.axes, sweep.quantities, sweep.velocity,
               sweep.velocity_ratio}),
       grid_(sweep_.axes, rows_at_once(sweep_), any_of(sweep_, needs_motion) ? speeds_at_once : 1),
       parameters_(parameters_of(grid_)),
-      critical_(sweep_.scene, names_of(grid_, parameters_), grade_of(grid_)),
-      amplitude_(sweep_.scene, grid_, parameters_, sweep_.scene.amplitude),
-      indentation_(sweep_.scene, grid_, parameters_, sweep_.scene.indentation) {
+      critical_(sweep_.problem, names_of(grid_, parameters_), grade_of(grid_)),
+      amplitude_(sweep_.problem, grid_, parameters_, sweep_.problem->amplitude),
+      indentation_(sweep_.problem, grid_, parameters_, sweep_.problem->indentation) {
   refuse_settings(sweep_);
   refuse_repetition(sweep_);
   refuse_speeds(sweep_, grid_);
   refuse_axis_values(sweep_, grid_);
-  if (!leaves_out(sweep_)) closed_.emplace(sweep_.scene, names_of(grid_, parameters_));
+  if (!leaves_out(sweep_)) closed_.emplace(sweep_.problem, names_of(grid_, parameters_));
 }
 
-Sweeping::Varying::Varying(const Scene& scene, const Grid& grid,
+Sweeping::Varying::Varying(const Problem& problem, const Grid& grid,
                            const std::vector<std::size_t>& parameters, const Quantity& quantity)
     : value_(quantity.value.value_or(0)) {
   for (const std::size_t a : parameters)
-    if (ChangingScene(scene, {grid.axes()[a].name}).targets().front().symbol == quantity.symbol)
-      axis_ = a;
+    if (target_of(problem, grid.axes()[a].name).symbol == quantity.symbol) axis_ = a;
 }
 
 double Sweeping::Varying::of(const Grid& grid, std::size_t row) const {

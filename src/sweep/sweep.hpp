@@ -8,7 +8,7 @@
 
 #include "answers/closed_share.hpp"
 #include "answers/critical_onsets.hpp"
-#include "scene/scene.hpp"
+#include "problem/problem.hpp"
 #include "sweep/axis.hpp"
 #include "sweep/grid.hpp"
 #include "sweep/quantity.hpp"
@@ -16,7 +16,7 @@
 namespace vcrit {
 
 struct Sweep {
-  Scene scene;
+  Problem problem;
   std::vector<Axis> axes;
   std::vector<SweptQuantity> quantities;
   std::optional<double> velocity;        ///< of the drive, m/s, for motion without such an axis
@@ -47,7 +47,7 @@ class Sweeping {
   /// A length of the scene that may be an axis.
   class Varying {
    public:
-    Varying(const Scene& scene, const Grid& grid, const std::vector<std::size_t>& parameters,
+    Varying(const Problem& problem, const Grid& grid, const std::vector<std::size_t>& parameters,
             const Quantity& quantity);
     double of(const Grid& grid, std::size_t row) const;
 

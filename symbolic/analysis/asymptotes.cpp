@@ -42,7 +42,7 @@ Asymptote asymptote(const Model& model, bool high) {
 
 std::vector<Asymptote> asymptotes(const Derivation& derivation) {
   const AlgebraLock lock;
-  if (!rules::answer(rules::Question::all_frequencies, derivation.scene)) return {};
+  if (!rules::answer(rules::Question::all_frequencies, derivation.problem)) return {};
   const Model& model = *derivation.model;
   return {asymptote(model, false), asymptote(model, true)};
 }

@@ -26,24 +26,26 @@ std::optional<Symbol> first_of(const Network& network, NumberRole wanted) {
   return found;
 }
 
-std::vector<const Network*> networks_of(const Scene& scene) {
-  std::vector<const Network*> result{&scene.normal};
-  if (const auto* tangential = std::get_if<Network>(&scene.tangential))
-    result.push_back(tangential);
-  if (scene.drive) result.push_back(&*scene.drive);
+std::vector<const Network*> networks_of(const Problem& problem) {
+  std::vector<const Network*> result{&problem->normal.network()};
+  if (const auto* tangential = std::get_if<ReducedNetwork>(&problem->tangential))
+    result.push_back(&tangential->network());
+  if (const auto* drive = problem->drive_network()) result.push_back(&drive->network());
   return result;
 }
 
 /// The groups of a scene, and what its symbols are in them with reference and omega put to 1.
 class Groups {
  public:
-  explicit Groups(const Scene& scene) {
-    for (const Network* network : networks_of(scene)) choose_reference(*network);
+  explicit Groups(const Problem& problem) {
+    for (const Network* network : networks_of(problem)) choose_reference(*network);
     ensure(reference_ || viscous_, "a network has springs or dampers");
-    for (const Network* network : networks_of(scene)) visit(*network, reference_);
-    if (scene.mass)
-      add_mass({"m"}, scene.drive ? first_of(*scene.drive, NumberRole::stiffness) : reference_);
-    if (scene.receptance) add_receptance();
+    for (const Network* network : networks_of(problem)) visit(*network, reference_);
+    if (problem->mass)
+      add_mass({"m"}, problem->drive_network() != nullptr
+                          ? first_of(problem->drive_network()->network(), NumberRole::stiffness)
+                          : reference_);
+    if (problem->receptance() != nullptr) add_receptance();
   }
 
   GiNaC::exmap scale;
@@ -132,7 +134,7 @@ class Groups {
 // and for omega leaves what it is.
 DimensionlessForm dimensionless(const Derivation& derivation) {
   const AlgebraLock lock;
-  const Groups groups(derivation.scene);
+  const Groups groups(derivation.problem);
   Change change;
   change.scale = groups.scale;
   const std::optional<Formula> formula = derivation.model->formula(change);

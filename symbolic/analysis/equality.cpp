@@ -15,6 +15,7 @@
 #include "formula/algebra_lock.hpp"
 #include "formula/symbols.hpp"
 #include "network/law.hpp"
+#include "problem/variants.hpp"
 #include "rules/rulebook.hpp"
 
 namespace vcrit::symbolic {
@@ -29,18 +30,18 @@ constexpr std::uint64_t points = 4;
 using Decimals = std::map<std::string, GiNaC::numeric>;
 
 /// The decimals of elements and mass; nothing if one is missing.
-std::optional<Decimals> decimals(const Scene& scene) {
+std::optional<Decimals> decimals(const Problem& problem) {
   Decimals result;
-  for (const auto& [symbol, value] : scene.elements) {
+  for (const auto& [symbol, value] : problem->elements) {
     if (!value) return std::nullopt;
     result[to_text(symbol)] = exact_decimal(*value);
   }
-  if (const auto* isotropic = std::get_if<Isotropic>(&scene.tangential);
+  if (const auto* isotropic = std::get_if<Isotropic>(&problem->tangential);
       isotropic != nullptr && !isotropic->quantity.value)
     return std::nullopt;
-  if (!scene.mass) return result;
-  if (!scene.mass->value) return std::nullopt;
-  result["m"] = exact_decimal(*scene.mass->value);
+  if (!problem->mass) return result;
+  if (!problem->mass->value) return std::nullopt;
+  result["m"] = exact_decimal(*problem->mass->value);
   return result;
 }
 
@@ -66,10 +67,9 @@ bool agree(const Model& a, const Decimals& a_values, const Model& b, const Decim
   return true;
 }
 
-bool small(const Model& model) {
-  bool rational = !model.per_friction().has(quantity("R_d"));
-  for (const Part& part : model.networks()) rational = rational && is_rational(part.network);
-  return rational && terms_before_squaring(model) <= terms_to_prove_by;
+bool small(const Problem& problem, const Model& model) {
+  return rules::answer(rules::Question::rational_form, problem) &&
+         terms_before_squaring(model) <= terms_to_prove_by;
 }
 
 /// What is the same at all points, proved where it can be.
@@ -83,38 +83,26 @@ Comparison equal(Comparison::Scope scope, bool proved, const Model& a, const Mod
   return result;
 }
 
-/// The scene with numbers for what has none, and all of its numbers.
-class Filled {
- public:
-  Filled(const Scene& scene, const std::map<Symbol, double>& values) : scene_(scene) {
-    const auto set = [&values](Quantity& quantity) {
-      if (const auto found = values.find(quantity.symbol); found != values.end())
-        quantity.value = found->second;
-    };
-    for (auto& [symbol, value] : scene_.elements)
-      if (const auto found = values.find(symbol); found != values.end()) value = found->second;
-    if (auto* isotropic = std::get_if<Isotropic>(&scene_.tangential)) set(isotropic->quantity);
-    if (scene_.mass) set(*scene_.mass);
-    for (Quantity* each : {&scene_.coefficient, &scene_.angular_frequency, &scene_.amplitude})
-      set(*each);
-    scene_.indentation.value = 1;  // v* does not depend on it
-  }
-  double critical_velocity() const { return vcrit::critical_velocity(scene_); }
-  const Scene& scene() const { return scene_; }
-
- private:
-  Scene scene_;
-};
-
-std::set<Symbol> compared_symbols(const Scene& scene, bool with_elements) {
-  std::set<Symbol> result{scene.coefficient.symbol, scene.angular_frequency.symbol,
-                          scene.amplitude.symbol};
+std::set<Symbol> compared_symbols(const Problem& problem, bool with_elements) {
+  std::set<Symbol> result{problem->coefficient.symbol, problem->angular_frequency.symbol,
+                          problem->amplitude.symbol};
   if (!with_elements) return result;
-  for (const auto& [symbol, value] : scene.elements) result.insert(symbol);
-  if (scene.mass) result.insert(scene.mass->symbol);
-  if (const auto* isotropic = std::get_if<Isotropic>(&scene.tangential))
+  for (const auto& [symbol, value] : problem->elements) result.insert(symbol);
+  if (problem->mass) result.insert(problem->mass->symbol);
+  if (const auto* isotropic = std::get_if<Isotropic>(&problem->tangential))
     if (!isotropic->quantity.value) result.insert(isotropic->quantity.symbol);
   return result;
+}
+
+/// With numbers for what is compared, as far as it has that. v* does not depend on the indentation.
+Problem with_numbers(const Problem& problem, const Values& values) {
+  Values own{{problem->indentation.symbol, 1}};
+  const auto add = [&](const Symbol& symbol) {
+    if (const auto found = values.find(symbol); found != values.end()) own.insert(*found);
+  };
+  for (const auto& [symbol, value] : problem->elements) add(symbol);
+  for (const Quantity& quantity : quantities(problem)) add(quantity.symbol);
+  return problem.with(own);
 }
 
 /// Small numbers for the symbols; Poisson's ratio among them needs to be below 1/2.
@@ -137,22 +125,23 @@ double within(const Receptance& receptance, std::uint64_t point) {
 }
 
 /// A measured drive is its table, whatever the file's name.
-void refuse_two_tables(const Scene& a, const Scene& b) {
-  if (a.receptance && b.receptance && a.receptance->rows != b.receptance->rows)
+void refuse_two_tables(const Problem& a, const Problem& b) {
+  const Receptance *first = a->receptance(), *second = b->receptance();
+  if (first != nullptr && second != nullptr && first->rows != second->rows)
     throw ModelError(
         "the two drives are measured, by different tables: compare their numbers by vcrit sweep");
 }
 
 /// Values at a point of that number.
 std::map<Symbol, double> values_at(std::uint64_t point, const std::set<Symbol>& symbols,
-                                   Comparison::Scope scope, const Scene& a, const Scene& b) {
+                                   Comparison::Scope scope, const Problem& a, const Problem& b) {
   auto values = small_numbers(symbols, point);
   // Elements with values of their own show their difference somewhere over these decades.
   if (scope == Comparison::Scope::values)
-    values[a.angular_frequency.symbol] *= std::pow(10, point % 16);
-  for (const Scene* scene : {&a, &b})
-    if (scene->receptance)
-      values[scene->angular_frequency.symbol] = within(*scene->receptance, point);
+    values[a->angular_frequency.symbol] *= std::pow(10, point % 16);
+  for (const Problem* problem : {&a, &b})
+    if (const Receptance* measured = (*problem)->receptance())
+      values[(*problem)->angular_frequency.symbol] = within(*measured, point);
   return values;
 }
 
@@ -160,27 +149,26 @@ constexpr std::uint64_t tried_points = 64;
 
 /// By the names that one of the scenes gives the symbols.
 std::vector<std::pair<Symbol, double>> called_by_scenes(const std::map<Symbol, double>& values,
-                                                        const Scene& a, const Scene& b) {
+                                                        const Problem& a, const Problem& b) {
   std::vector<std::pair<Symbol, double>> all;
   for (const auto& [symbol, value] : values)
-    all.emplace_back(as_called(a.names.contains(symbol.name) ? a : b, symbol), value);
+    all.emplace_back(as_called(a->names.contains(symbol.name) ? a : b, symbol), value);
   return all;
 }
 
 /// A ratio has the name that its scene gives it, and is the same by any.
-Scene with_ratio_of(const Scene& a, Scene b) {
-  const auto* ratio = std::get_if<Isotropic>(&a.tangential);
-  auto* other = std::get_if<Isotropic>(&b.tangential);
+Problem with_ratio_of(const Problem& a, const Problem& b) {
+  const auto* ratio = std::get_if<Isotropic>(&a->tangential);
+  const auto* other = std::get_if<Isotropic>(&b->tangential);
   if (ratio == nullptr || other == nullptr || ratio->by != other->by) return b;
   if (ratio->quantity.value || other->quantity.value) return b;
   const Symbol& symbol = ratio->quantity.symbol;
-  const bool is_element = std::any_of(b.elements.begin(), b.elements.end(),
+  const bool is_element = std::any_of(b->elements.begin(), b->elements.end(),
                                       [&](const auto& each) { return each.first == symbol; });
-  if (!is_element) other->quantity.symbol = symbol;
-  return b;
+  return is_element ? b : with_isotropic(b, *ratio);
 }
 
-Comparison different(Comparison::Scope scope, const Scene& a, const Scene& b) {
+Comparison different(Comparison::Scope scope, const Problem& a, const Problem& b) {
   Comparison result;
   result.scope = scope;
   std::set<Symbol> symbols = compared_symbols(a, scope == Comparison::Scope::symbols);
@@ -188,8 +176,8 @@ Comparison different(Comparison::Scope scope, const Scene& a, const Scene& b) {
   double largest = shown_by_doubles;
   for (std::uint64_t point = 0; point < tried_points && largest < clear_difference; ++point) {
     const auto values = values_at(point, symbols, scope, a, b);
-    const double first = Filled(a, values).critical_velocity();
-    const double second = Filled(b, values).critical_velocity();
+    const double first = critical_velocity(with_numbers(a, values));
+    const double second = critical_velocity(with_numbers(b, values));
     const double difference = std::abs(first - second) / std::max(first, second);
     if (!(difference > largest)) continue;
     largest = difference;
@@ -198,27 +186,26 @@ Comparison different(Comparison::Scope scope, const Scene& a, const Scene& b) {
   // What doubles do not show, a few thousand bits do.
   for (std::uint64_t point = 0; point < tried_points && !result.counterexample; ++point) {
     const auto values = values_at(point, symbols, scope, a, b);
-    const Filled first(a, values), second(b, values);
-    if (const double difference = certified_difference(first.scene(), second.scene());
-        difference > 0)
-      result.counterexample = {called_by_scenes(values, a, b), first.critical_velocity(),
-                               second.critical_velocity(), difference};
+    const Problem first = with_numbers(a, values), second = with_numbers(b, values);
+    if (const double difference = certified_difference(first, second); difference > 0)
+      result.counterexample = {called_by_scenes(values, a, b), critical_velocity(first),
+                               critical_velocity(second), difference};
   }
   return result;
 }
 
 }  // namespace
 
-Comparison compare(const Scene& a, const Scene& other) {
+Comparison compare(const Problem& a, const Problem& other) {
   const AlgebraLock lock;
-  const Scene b = with_ratio_of(a, other);
+  const Problem b = with_ratio_of(a, other);
   using Scope = Comparison::Scope;
   refuse_two_tables(a, b);
-  for (const Scene* scene : {&a, &b})
-    rules::require(rules::Question::formula_of_all_values, *scene);
+  for (const Problem* problem : {&a, &b})
+    rules::require(rules::Question::formula_of_all_values, *problem);
   const Model first(a), second(b);
   if (agree(first, {}, second, {})) {
-    const bool proved = small(first) && small(second) &&
+    const bool proved = small(a, first) && small(b, second) &&
                         canonical_text(rational_form(first, terms_to_prove_by)) ==
                             canonical_text(rational_form(second, terms_to_prove_by));
     return equal(Scope::symbols, proved, first, second);
@@ -226,8 +213,9 @@ Comparison compare(const Scene& a, const Scene& other) {
   const auto values = decimals(a), others = decimals(b);
   if (!values || !others) return different(Scope::symbols, a, b);
   if (!agree(first, *values, second, *others)) return different(Scope::values, a, b);
-  const bool proved = !a.receptance && canonical_text(rational_form(first, *values)) ==
-                                           canonical_text(rational_form(second, *others));
+  const bool proved =
+      a->receptance() == nullptr && canonical_text(rational_form(first, *values)) ==
+                                        canonical_text(rational_form(second, *others));
   return equal(Scope::values, proved, first, second);
 }
 

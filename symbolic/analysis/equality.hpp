@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "scene/scene.hpp"
+#include "problem/problem.hpp"
 
 namespace vcrit::symbolic {
 
@@ -35,7 +35,7 @@ struct Comparison {
 /// Compares as functions of the symbols; if these differ and both scenes give values to all their
 /// elements, mass and ratio, as functions of omega with these. Throws ModelError where v* is no
 /// formula of either scene: where surfaces part.
-Comparison compare(const Scene& a, const Scene& other);
+Comparison compare(const Problem& a, const Problem& other);
 
 /// What `vcrit derive A --equal B` prints.
 std::string text_of(const Comparison& comparison);

@@ -11,7 +11,7 @@ using GiNaC::ex;
 
 std::vector<Line> half_space_lines(const Derivation& derivation) {
   const AlgebraLock lock;
-  const auto& isotropic = std::get<Isotropic>(derivation.scene.tangential);
+  const auto& isotropic = std::get<Isotropic>(derivation.problem->tangential);
   const auto& given = isotropic.quantity.value;
   const ex nu = given ? ex(exact_decimal(*given)) : poisson_ratio(isotropic.quantity.symbol);
   const ex E = quantity("E"), b = quantity("b");

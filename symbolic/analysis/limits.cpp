@@ -35,29 +35,29 @@ std::set<Symbol> coefficients(const Network& network) {
   return found;
 }
 
-std::set<Symbol> contact_coefficients(const Scene& scene) {
-  std::set<Symbol> found = coefficients(scene.normal);
-  if (const auto* tangential = std::get_if<Network>(&scene.tangential))
-    found.merge(coefficients(*tangential));
+std::set<Symbol> contact_coefficients(const Problem& problem) {
+  std::set<Symbol> found = coefficients(problem->normal.network());
+  if (const auto* tangential = std::get_if<ReducedNetwork>(&problem->tangential))
+    found.merge(coefficients(tangential->network()));
   return found;
 }
 
 /// Whether the symbol sets how fast something relaxes: a damper, or a Maxwell branch's time.
-std::map<Symbol, bool> dissipates(const Scene& scene) {
+std::map<Symbol, bool> dissipates(const Problem& problem) {
   std::map<Symbol, bool> result;
   const auto add = [&result](const Element& element) {
     for_each_number(element, [&](const Symbol& symbol, NumberRole role) {
       result[symbol] = role == NumberRole::damping || role == NumberRole::time;
     });
   };
-  for_each_element(scene, add);
+  for_each_element(problem, add);
   return result;
 }
 
 /// The groups of elements among `parameters`, in the order of writing.
-std::vector<ElementGroup> element_groups(const Scene& scene,
+std::vector<ElementGroup> element_groups(const Problem& problem,
                                          const std::vector<Symbol>& parameters) {
-  const std::map<Symbol, bool> elements = dissipates(scene);
+  const std::map<Symbol, bool> elements = dissipates(problem);
   std::vector<ElementGroup> groups;
   for (const Symbol& parameter : parameters) {
     const auto found = elements.find(parameter);
@@ -75,10 +75,10 @@ std::vector<ElementGroup> element_groups(const Scene& scene,
 }
 
 /// A drive that is one spring is named by it, unless that spring has other uses.
-ex drive_label(const Scene& scene) {
-  const auto* element = std::get_if<Element>(&scene.drive->form);
+ex drive_label(const Problem& problem) {
+  const auto* element = std::get_if<Element>(&problem->drive_network()->network().form);
   const bool lone_spring = element != nullptr && is_elastic(*element) &&
-                           !contact_coefficients(scene).contains(element->coefficient);
+                           !contact_coefficients(problem).contains(element->coefficient);
   return lone_spring ? symbol(element->coefficient) : quantity("K_d");
 }
 
@@ -86,9 +86,9 @@ class Collector {
  public:
   explicit Collector(const Derivation& derivation)
       : own_(derivation),
-        scene_(derivation.scene),
+        problem_(derivation.problem),
         model_(*derivation.model),
-        elements_(element_groups(scene_, own_.parameters)) {}
+        elements_(element_groups(problem_, own_.parameters)) {}
 
   std::vector<Limit> collect() {
     single_limits();
@@ -132,10 +132,10 @@ class Collector {
   Rates rates(const Change& change) const {
     if (change.ratio) return {};
     Rates result = change.rates;
-    if (change.massless) result[scene_.mass->symbol] = -1;
+    if (change.massless) result[problem_->mass->symbol] = -1;
     if (!change.rigid) return result;
-    const std::set<Symbol> contact = contact_coefficients(scene_);
-    for (const Symbol& symbol : coefficients(*scene_.drive)) {
+    const std::set<Symbol> contact = contact_coefficients(problem_);
+    for (const Symbol& symbol : coefficients(problem_->drive_network()->network())) {
       if (contact.contains(symbol)) return {};
       result[symbol] += 4;
     }
@@ -145,13 +145,13 @@ class Collector {
     add(change, [&](const Dialect& dialect) { return arrow(dialect, what, infinite); });
   }
 
-  bool has_drive() const { return scene_.drive && depends_on_drive(); }
+  bool has_drive() const { return problem_->drive_network() != nullptr && depends_on_drive(); }
   // v* of an isotropic contact under the very same network as a drive is a constant.
   bool depends_on_drive() const { return own_.parameters.size() > 3; }
 
   void single_limits() {
-    if (has_drive()) add({{}, true, false, {}}, {drive_label(scene_)}, true);
-    if (scene_.mass) add({{}, false, true, {}}, {symbol({"m"})}, false);
+    if (has_drive()) add({{}, true, false, {}}, {drive_label(problem_)}, true);
+    if (problem_->mass) add({{}, false, true, {}}, {symbol({"m"})}, false);
     for (const ElementGroup& group : elements_)
       for (const bool infinite : {false, true}) {
         if (infinite && is_drive(group)) continue;
@@ -161,7 +161,7 @@ class Collector {
       }
   }
   bool is_drive(const ElementGroup& group) const {
-    return scene_.drive && group.label.is_equal(drive_label(scene_));
+    return problem_->drive_network() != nullptr && group.label.is_equal(drive_label(problem_));
   }
 
   void all_dampers_to_zero() {
@@ -176,16 +176,17 @@ class Collector {
     if (labels.size() > 1) add(change, labels, false);
     if (!has_drive()) return;
     change.rigid = true;
-    const std::vector<ex> drive{drive_label(scene_)};
+    const std::vector<ex> drive{drive_label(problem_)};
     add(change, [&](const Dialect& dialect) {
       return arrow(dialect, labels, false) + then(dialect) + arrow(dialect, drive, true);
     });
   }
 
   void same_shape() {
-    const auto* tangential = std::get_if<Network>(&scene_.tangential);
+    const auto* tangential = std::get_if<ReducedNetwork>(&problem_->tangential);
     if (tangential == nullptr) return;
-    const std::optional<ex> ratio = ratio_of_same_shape(scene_.normal, *tangential);
+    const std::optional<ex> ratio =
+        ratio_of_same_shape(problem_->normal.network(), tangential->network());
     if (!ratio) return;
     const ex k_t = quantity("K_t"), k_n = *ratio * quantity("K_n");
     const Name isotropic = [&](const Dialect& dialect) {
@@ -195,7 +196,7 @@ class Collector {
     };
     add({{}, false, false, ratio}, isotropic);
     if (!has_drive()) return;
-    const std::vector<ex> drive{drive_label(scene_)};
+    const std::vector<ex> drive{drive_label(problem_)};
     add({{}, true, false, ratio}, [&](const Dialect& dialect) {
       return isotropic(dialect) + then(dialect) + arrow(dialect, drive, true);
     });
@@ -205,7 +206,7 @@ class Collector {
   }
 
   const Derivation& own_;
-  const Scene& scene_;
+  Problem problem_;
   const Model& model_;
   std::vector<ElementGroup> elements_;
   std::vector<Limit> limits_;

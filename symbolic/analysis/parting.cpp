@@ -28,10 +28,10 @@ ex following(const Model& model) {
 }
 
 // Whether the formula is v* of the scene, as far as its values are there to tell.
-bool holds(const Scene& scene) {
-  if (!rules::answer(rules::Question::closed_form, scene)) return false;
+bool holds(const Problem& problem) {
+  if (!rules::answer(rules::Question::closed_form, problem)) return false;
   try {
-    return bool{rules::answer(rules::Question::formula, scene)};
+    return bool{rules::answer(rules::Question::formula, problem)};
   } catch (const InputError&) {
     return true;  // while they touch there, as the line says
   } catch (const ModelError&) {
@@ -43,9 +43,9 @@ bool holds(const Scene& scene) {
 
 std::vector<Line> parting_lines(const Derivation& derivation) {
   const AlgebraLock lock;
-  const Scene& scene = derivation.scene;
-  if (!holds(scene)) return {};
-  const bool always{rules::answer(rules::Question::formula_of_all_values, scene)};
+  const Problem& problem = derivation.problem;
+  if (!holds(problem)) return {};
+  const bool always{rules::answer(rules::Question::formula_of_all_values, problem)};
   const ex ratio = following(*derivation.model);
   for (const char* name : {"s", "K_n", "K_t", "K_d"})
     ensure(!ratio.has(quantity(name)), "the contact point follows without memory");

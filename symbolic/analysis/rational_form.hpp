@@ -10,7 +10,7 @@
 #include "derivation/model.hpp"
 #include "formula/line.hpp"
 #include "polynomial/polynomial.hpp"
-#include "scene/scene.hpp"
+#include "problem/problem.hpp"
 
 namespace vcrit::symbolic {
 

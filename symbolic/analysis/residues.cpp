@@ -16,7 +16,7 @@ Residue amplitude_at(const Model& model, const GiNaC::ex& amplitude, const Point
   NumberAlgebra<Residue> algebra{point, s, {{own_name("R_d"), point(own_name(receptance))}}};
   for (const Part& part : model.networks())
     if (amplitude.has(quantity(part.name)))
-      algebra.known[own_name(part.name)] = evaluate(part.reduction, algebra);
+      algebra.known[own_name(part.name)] = evaluate(part.network.reduction(), algebra);
   return evaluate_rational(amplitude, algebra);
 }
 
@@ -108,7 +108,7 @@ double chance_of_agreement(const Model& a, const Model& b) {
   double degree = 0;
   for (const Model* model : {&a, &b})
     for (const Part& part : model->networks())
-      degree += 2 * (2 * 3 * static_cast<double>(part.reduction.steps.size()) + 10);
+      degree += 2 * (2 * 3 * static_cast<double>(part.network.reduction().steps.size()) + 10);
   return 2 * degree / static_cast<double>(Residue::prime);
 }
 

@@ -26,7 +26,7 @@ struct MassBalance {
 MassBalance per_mass(const ex& factor, const Model& model) {
   const ex m = symbol({"m"}), unit = factor.coeff(m, 1).coeff(laplace(), 2);
   ex stiffness = 0;
-  for (const auto& [name, network, reduction] : model.networks())
+  for (const auto& [name, network] : model.networks())
     stiffness += factored(factor.coeff(quantity(name), 1) / unit) * quantity(name);
   return {stiffness, stiffness + m * GiNaC::pow(laplace(), 2)};
 }
@@ -56,8 +56,8 @@ ex root_of(const ex& stiffness) {
 /// What the elements in the stiffness have.
 std::set<NumberRole> roles(const MassBalance& balance, const Model& model) {
   std::set<NumberRole> found;
-  for (const auto& [name, network, reduction] : model.networks())
-    for (const Step& step : reduction.steps)
+  for (const auto& [name, network] : model.networks())
+    for (const Step& step : network.reduction().steps)
       if (step.kind == Step::Kind::element && balance.stiffness.has(quantity(name)))
         for_each_number(step.element, [&](const Symbol&, NumberRole role) { found.insert(role); });
   return found;
@@ -86,7 +86,7 @@ Resonance resonance(const ex& factor, Resonance::Kind kind, const Model& model) 
 
 std::vector<Resonance> resonances(const Derivation& derivation) {
   const AlgebraLock lock;
-  if (!derivation.scene.mass || derivation.scene.receptance) return {};
+  if (!derivation.problem->mass || derivation.problem->receptance() != nullptr) return {};
   const Model& model = *derivation.model;
   Factors amplitude;
   amplitude.multiply_rational(model.amplitude({}));

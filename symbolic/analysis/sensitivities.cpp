@@ -22,14 +22,14 @@ using GiNaC::ex;
 // What is longer anyway is not worth the time to make it one fraction.
 constexpr std::size_t longest_joined_text = 120;
 
-bool is_poisson(const Scene& scene, const Symbol& parameter) {
-  const auto* isotropic = std::get_if<Isotropic>(&scene.tangential);
+bool is_poisson(const Problem& problem, const Symbol& parameter) {
+  const auto* isotropic = std::get_if<Isotropic>(&problem->tangential);
   return isotropic != nullptr && isotropic->by == Isotropic::By::poisson &&
          isotropic->quantity.symbol == parameter;
 }
 
-ex variable(const Scene& scene, const Symbol& parameter) {
-  return is_poisson(scene, parameter) ? poisson_ratio(parameter) : symbol(parameter);
+ex variable(const Problem& problem, const Symbol& parameter) {
+  return is_poisson(problem, parameter) ? poisson_ratio(parameter) : symbol(parameter);
 }
 
 /// The shorter of the expression and the same as one fraction.
@@ -208,7 +208,7 @@ std::size_t length_of_definitions(const Derivation& derivation) {
 
 Sensitivities sensitivities(const Derivation& derivation) {
   const AlgebraLock lock;
-  const Scene& scene = derivation.scene;
+  const Problem& problem = derivation.problem;
   std::optional<Backwards> backwards;
   std::optional<Chain> chain;
   if (has_long_lines(derivation))
@@ -217,12 +217,13 @@ Sensitivities sensitivities(const Derivation& derivation) {
     chain.emplace(*derivation.model);
   const ex& velocity = derivation.critical_velocity;
   // The complex R_d stands in moduli that no real fraction has.
-  const bool is_nested = !derivation.definitions.empty() || scene.receptance;
+  const bool is_nested = !derivation.definitions.empty() || problem->receptance() != nullptr;
   Sensitivities result;
   for (const Symbol& parameter : derivation.parameters) {
     // How a measured receptance changes with omega is in its table, not in symbols.
-    if (scene.receptance && parameter == scene.angular_frequency.symbol) continue;
-    const ex p = variable(scene, parameter);
+    if (problem->receptance() != nullptr && parameter == problem->angular_frequency.symbol)
+      continue;
+    const ex p = variable(problem, parameter);
     std::optional<ex> fraction;
     if (!is_nested) fraction = logarithmic_derivative(velocity, p);
     result.each.push_back(fraction    ? Sensitivity{parameter, *fraction, {}, {}, {}}

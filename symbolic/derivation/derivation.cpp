@@ -21,8 +21,8 @@ using GiNaC::ex;
 std::atomic<std::size_t> made = 0;
 
 /// Its last owner may be in any thread.
-std::shared_ptr<const Model> model_of(const Scene& scene) {
-  return {new Model(scene), [](const Model* model) {
+std::shared_ptr<const Model> model_of(const Problem& problem) {
+  return {new Model(problem), [](const Model* model) {
             const AlgebraLock lock;
             delete model;
           }};
@@ -59,10 +59,10 @@ void write_networks(const Model& model, std::vector<Line>& lines) {
                                                  {"K_d", "Drive" + with}};
   const ex amplitude = model.amplitude({});
   std::vector<Line> inner;
-  for (const auto& [name, network, reduction] : model.networks()) {
+  for (const auto& [name, network] : model.networks()) {
     if (!amplitude.has(quantity(name))) continue;
     const std::size_t before = inner.size();
-    const ex k = nested(reduction, {}, inner).value;
+    const ex k = nested(network.reduction(), {}, inner).value;
     for (std::size_t i = before; i < inner.size(); ++i)
       lines.push_back({"Inside: " + words.at(name), inner[i].left, inner[i].right});
     lines.push_back({words.at(name), quantity(name), k});
@@ -70,13 +70,13 @@ void write_networks(const Model& model, std::vector<Line>& lines) {
 }
 
 /// The symbols of the formula, mass and friction first, elements in the order of writing.
-std::vector<Symbol> parameters(const Scene& scene, const Formula& formula) {
+std::vector<Symbol> parameters(const Problem& problem, const Formula& formula) {
   std::vector<Symbol> candidates{{"mu0"}, {"omega"}, {"du_z"}};
-  if (scene.mass) candidates.push_back(scene.mass->symbol);
-  const auto* isotropic = std::get_if<Isotropic>(&scene.tangential);
+  if (problem->mass) candidates.push_back(problem->mass->symbol);
+  const auto* isotropic = std::get_if<Isotropic>(&problem->tangential);
   if (isotropic != nullptr && !isotropic->quantity.value)
     candidates.push_back(isotropic->quantity.symbol);
-  for (const auto& [symbol, value] : scene.elements) candidates.push_back(symbol);
+  for (const auto& [symbol, value] : problem->elements) candidates.push_back(symbol);
 
   std::set<std::string> there;
   const auto collect = [&there](const ex& expression) {
@@ -96,24 +96,22 @@ void write_result(const Formula& formula, Derivation& derivation) {
   derivation.critical_velocity = formula.velocity;
   derivation.definitions = formula.definitions;
   derivation.equation = formula.equation.empty() ? "(24)" : formula.equation;
-  derivation.parameters = parameters(derivation.scene, formula);
+  derivation.parameters = parameters(derivation.problem, formula);
 }
 
 }  // namespace
 
-Derivation derive(const Scene& scene) {
+Derivation derive(const Problem& problem) {
   const AlgebraLock lock;
-  const NamesOfScene names(scene);
+  const NamesOfScene names(problem);
   ++made;
-  Derivation result;
-  result.scene = scene;
-  result.model = model_of(scene);
+  Derivation result{problem, model_of(problem), {}, {}, {}, {}, {}};
   const Model& model = *result.model;
   const std::optional<Formula> formula = model.formula({});
   ensure(formula.has_value(), "a scene without a limit has a formula");
   result.lines = model.balance().lines;
   write_condition(model, result.lines);
-  if (scene.names.contains(frequency_symbol.name))
+  if (problem->names.contains(frequency_symbol.name))
     result.lines.push_back(
         {"Angular frequency", omega(), 2 * positive_quantity("pi") * symbol(frequency_symbol)});
   write_networks(model, result.lines);

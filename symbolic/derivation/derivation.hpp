@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "formula/line.hpp"
-#include "scene/scene.hpp"
+#include "problem/problem.hpp"
 
 namespace vcrit::symbolic {
 
@@ -19,7 +19,7 @@ class Model;
 
 /// Handed on to all who ask something of the formula: nothing is derived twice.
 struct Derivation {
-  Scene scene;                         ///< whose formula it is
+  Problem problem;                     ///< whose formula it is
   std::shared_ptr<const Model> model;  ///< the scene prepared: what limits and the like start from
   std::vector<Line> lines;             ///< from the equations of motion to the result
   Expression critical_velocity;    ///< v*, real, in the scene's symbols (and in definitions, and in
@@ -32,7 +32,7 @@ struct Derivation {
 
 /// A formula of up to about two dozen terms in each polynomial is multiplied out; a larger one
 /// stays nested, in terms of K_n, K_t, K_d and further inner quantities.
-Derivation derive(const Scene& scene);
+Derivation derive(const Problem& problem);
 
 /// The same with its formula nested, however small it is.
 Derivation nested_form(Derivation derivation);

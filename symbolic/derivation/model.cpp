@@ -94,12 +94,12 @@ std::vector<Line> used_in(const ex& formula, std::vector<Line> definitions) {
   return used;
 }
 
-Model::Model(const Scene& scene)
-    : surrounding_{has_drive(scene), scene.mass.has_value()},
+Model::Model(const Problem& problem)
+    : surrounding_{!problem->rigid(), problem->mass.has_value()},
       balance_(solve_balance(surrounding_)) {
-  networks_.push_back({"K_n", scene.normal});
+  networks_.push_back({"K_n", problem->normal});
   loaded_ = is_loaded({});
-  if (const auto* isotropic = std::get_if<Isotropic>(&scene.tangential)) {
+  if (const auto* isotropic = std::get_if<Isotropic>(&problem->tangential)) {
     isotropic_ = true;
     const Quantity& ratio = isotropic->quantity;
     const std::string words =
@@ -109,21 +109,28 @@ Model::Model(const Scene& scene)
             : "Isotropic contact";
     identities_.push_back({words, quantity("K_t"), isotropic_ratio(*isotropic) * quantity("K_n")});
   } else {
-    networks_.push_back({"K_t", std::get<Network>(scene.tangential)});
+    networks_.push_back({"K_t", std::get<ReducedNetwork>(problem->tangential)});
   }
-  if (scene.receptance)
-    identities_.push_back(
-        {fmt::format("The drive is measured: R_d({}), its receptance, is interpolated in a table",
-                     printed_name("omega")),
-         quantity("K_d"), 1 / quantity("R_d")});
-  if (!scene.drive) return;
-  const char* words = "The drive is the same network";
-  if (*scene.drive == scene.normal)
-    identities_.push_back({words, quantity("K_d"), quantity("K_n")});
-  else if (!isotropic_ && *scene.drive == std::get<Network>(scene.tangential))
-    identities_.push_back({words, quantity("K_d"), quantity("K_t")});
-  else
-    networks_.push_back({"K_d", *scene.drive});
+  std::visit(Overloaded{[](const Rigid&) {}, [&](const ReducedNetwork& drive) { put_drive(drive); },
+                   [&](const Receptance&) {
+                     identities_.push_back(
+                         {fmt::format("The drive is measured: R_d({}), its receptance, is "
+                                      "interpolated in a table",
+                                      printed_name("omega")),
+                          quantity("K_d"), 1 / quantity("R_d")});
+                   }},
+             problem->drive);
+}
+
+/// The same network as another is no third one.
+void Model::put_drive(const ReducedNetwork& drive) {
+  for (const Part& part : networks_)
+    if (drive.network() == part.network.network()) {
+      identities_.push_back(
+          {"The drive is the same network", quantity("K_d"), quantity(part.name)});
+      return;
+    }
+  networks_.push_back({"K_d", drive});
 }
 
 ex Model::amplitude(const Change& change) const {
@@ -158,7 +165,8 @@ bool Model::is_small(const ex& amplitude, const Change& change) const {
 const std::vector<Leading<TermCount>>& Model::counts(const Rates& rates) const {
   if (counted_.second.empty() || counted_.first != rates) {
     counted_ = {rates, {}};
-    for (const Part& part : networks_) counted_.second.push_back(term_count(part.reduction, rates));
+    for (const Part& part : networks_)
+      counted_.second.push_back(term_count(part.network.reduction(), rates));
   }
   return counted_.second;
 }
@@ -183,7 +191,7 @@ bool Model::unloads_contact(const Change& change) const {
 bool Model::is_loaded(Rates rates) const {
   for (auto& [symbol, rate] : rates) rate *= much_faster;
   rates[{"omega"}] = -1;
-  return term_count(networks_.front().reduction, rates).power == 0;
+  return term_count(networks_.front().network.reduction(), rates).power == 0;
 }
 
 Leading<Factors> Model::leading_amplitude(const std::map<std::string, int>& powers,
@@ -241,8 +249,8 @@ std::map<std::string, Fraction> Model::fractions(const Change& change) const {
   std::map<std::string, Fraction> fractions;
   for (std::size_t i = 0; i < networks_.size(); ++i)
     if (is_readable_count(counts(change.rates)[i].value))
-      fractions[networks_[i].name] =
-          scaled_fraction(fraction(networks_[i].reduction, change.rates).value, change.scale);
+      fractions[networks_[i].name] = scaled_fraction(
+          fraction(networks_[i].network.reduction(), change.rates).value, change.scale);
   return fractions;
 }
 
@@ -265,9 +273,9 @@ Formula Model::nested_in(const Factors& amplitude, const Change& change) const {
 
 std::vector<Line> Model::definitions(const ex& formula, const Change& change) const {
   std::vector<Line> lines;
-  for (const auto& [name, network, reduction] : networks_) {
+  for (const auto& [name, network] : networks_) {
     if (!has_quantity(formula, name)) continue;
-    const ex k = nested(reduction, change.rates, lines).value;
+    const ex k = nested(network.reduction(), change.rates, lines).value;
     lines.push_back({"", quantity(name), k});
   }
   for (Line& line : lines) line.right = line.right.subs(change.scale);

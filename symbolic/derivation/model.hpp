@@ -14,7 +14,7 @@
 #include "derivation/factors.hpp"
 #include "derivation/stiffness_forms.hpp"
 #include "network/reduction.hpp"
-#include "scene/scene.hpp"
+#include "problem/problem.hpp"
 
 namespace vcrit::symbolic {
 
@@ -43,13 +43,12 @@ struct Asymptotic {
 /// One of the networks, "K_n", "K_t" or "K_d".
 struct Part {
   std::string name;
-  Network network;
-  Reduction reduction = reduce(network);
+  ReducedNetwork network;
 };
 
 class Model {
  public:
-  explicit Model(const Scene& scene);
+  explicit Model(const Problem& problem);
 
   const Balance& balance() const { return balance_; }
   /// The amplitude B after isotropy and equal networks have been put in.
@@ -71,6 +70,7 @@ class Model {
   std::optional<GiNaC::exmap> multiplied_out(const GiNaC::ex& expression) const;
 
  private:
+  void put_drive(const ReducedNetwork& drive);
   bool is_small(const GiNaC::ex& amplitude, const Change& change) const;
   std::map<std::string, int> powers(const Change& change) const;
   bool unloads_contact(const Change& change) const;

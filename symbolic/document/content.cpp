@@ -208,9 +208,9 @@ std::vector<Equation> equations_of(const ShortestForm& form) {
   return result;
 }
 
-std::string title_of(const Scene& scene) {
-  return scene.title.empty() ? "Critical velocity of controllability of sliding friction"
-                             : scene.title;
+std::string title_of(const Problem& problem) {
+  return problem->source->title.empty() ? "Critical velocity of controllability of sliding friction"
+                                        : problem->source->title;
 }
 
 }  // namespace vcrit::symbolic

@@ -12,7 +12,7 @@
 #include "derivation/derivation.hpp"
 #include "document/print.hpp"
 #include "formula/line.hpp"
-#include "scene/scene.hpp"
+#include "problem/problem.hpp"
 #include "shortest/shortest.hpp"
 
 namespace vcrit::symbolic {
@@ -64,6 +64,6 @@ std::vector<Section> sections(const Findings& findings);
 Line asymptote_line(const Asymptote& asymptote);
 
 /// The scene's title, or what is derived.
-std::string title_of(const Scene& scene);
+std::string title_of(const Problem& problem);
 
 }  // namespace vcrit::symbolic

@@ -23,6 +23,7 @@ std::vector<Line> extrema_of(const RationalForm& form) {
 }
 
 std::vector<Line> rational_lines(const Derivation& derivation, double budget) {
+  rules::require(rules::Question::rational_form, derivation.problem);
   const RationalForm form = rational_form(*derivation.model, budget);
   const std::size_t terms = form.square.over.terms() + form.square.under.terms();
   if (terms > most_terms)
@@ -57,7 +58,7 @@ std::vector<Line> dimensionless_lines(const Derivation& derivation) {
 
 std::vector<Line> extrema_lines(const Derivation& derivation, double budget) {
   const Model& model = *derivation.model;
-  if (!rules::answer(rules::Question::all_frequencies, derivation.scene) ||
+  if (!rules::answer(rules::Question::all_frequencies, derivation.problem) ||
       terms_before_squaring(model) > budget)
     return {};
   return extrema_of(rational_form(model, budget));

@@ -129,7 +129,7 @@ std::vector<WrittenEquation> written(const std::vector<symbolic::Line>& lines) {
 }  // namespace
 
 struct DerivedDocument {
-  const Scene& scene;
+  Problem problem;
   const symbolic::Findings& findings;
 };
 
@@ -146,7 +146,7 @@ void fields(Fields& f, const DerivedDocument& document) {
     lines.back().right = {false, it.shortest->velocity};
   }
   const bool rational = it.form == symbolic::ResultForm::rational;
-  f("title", document.scene.title);
+  f("title", document.problem->source->title);
   f("form", form)("fingerprint", it.fingerprint);
   f("lines", lines)("parameters", names_of(d.parameters))("equation", d.equation);
   if (it.shortest)
@@ -158,7 +158,7 @@ void fields(Fields& f, const DerivedDocument& document) {
   f("limits", it.limits)("asymptotes", it.asymptotes)("resonances", it.resonances);
   f("sensitivities", it.sensitivities.each);
   f.some("sensitivity_definitions", it.sensitivities.shared);
-  f.some("warnings", document.scene.warnings);
+  f.some("warnings", document.problem->source->warnings);
   f.some("indenter", it.half_space);
   if (it.parting) f("separation", DerivedSeparation{*it.parting, it.beyond_simulation});
   f.some("extrema", it.extrema).some(rational ? "rational" : "dimensionless", it.form_lines);
@@ -168,8 +168,8 @@ void fields(Fields& f, const DerivedDocument& document) {
 
 namespace vcrit::symbolic {
 
-std::string json_document(const Scene& scene, const Findings& findings) {
-  return record::json_of(record::DerivedDocument{scene, findings}).dump(2) + "\n";
+std::string json_document(const Problem& problem, const Findings& findings) {
+  return record::json_of(record::DerivedDocument{problem, findings}).dump(2) + "\n";
 }
 
 }  // namespace vcrit::symbolic

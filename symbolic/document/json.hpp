@@ -7,6 +7,6 @@
 
 namespace vcrit::symbolic {
 
-std::string json_document(const Scene& scene, const Findings& findings);
+std::string json_document(const Problem& problem, const Findings& findings);
 
 }  // namespace vcrit::symbolic

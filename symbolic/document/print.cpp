@@ -41,20 +41,21 @@ void refuse_large(const Derivation& derivation, std::size_t formulas, const char
 
 /// Of a measured drive there is no formula but its receptance.
 std::optional<ShortestForm> proved_shortest_form(const Derivation& derivation) {
-  const Scene& scene = derivation.scene;
-  if (scene.receptance) return std::nullopt;
-  Contact contact{scene.normal};
-  contact.tangential = std::get_if<Network>(&scene.tangential);
-  contact.isotropic = std::get_if<Isotropic>(&scene.tangential);
-  if (scene.drive) contact.drive = &*scene.drive;
-  if (scene.mass) contact.mass = scene.mass->symbol;
+  const Problem& problem = derivation.problem;
+  if (problem->receptance() != nullptr) return std::nullopt;
+  Contact contact{problem->normal.network()};
+  if (const auto* own = std::get_if<ReducedNetwork>(&problem->tangential))
+    contact.tangential = &own->network();
+  contact.isotropic = std::get_if<Isotropic>(&problem->tangential);
+  if (const auto* drive = problem->drive_network()) contact.drive = &drive->network();
+  if (problem->mass) contact.mass = problem->mass->symbol;
   std::optional<ShortestForm> form = shortest_form(contact);
   if (form) prove(*form, *derivation.model);
   return form;
 }
 
-Findings find(const Scene& scene, const DocumentOptions& options) {
-  const Derivation derivation = derive(scene);
+Findings find(const Problem& problem, const DocumentOptions& options) {
+  const Derivation derivation = derive(problem);
   Findings findings{options.form == ResultForm::nested ? nested_form(derivation) : derivation,
                     fingerprint(*derivation.model),
                     options.form,
@@ -65,7 +66,7 @@ Findings find(const Scene& scene, const DocumentOptions& options) {
                     {},
                     {},
                     {},
-                    rules::answer(rules::Question::motion_in_time, scene).reason,
+                    rules::answer(rules::Question::motion_in_time, problem).reason,
                     {},
                     {}};
   if (options.form == ResultForm::shortest) findings.shortest = proved_shortest_form(derivation);
@@ -73,8 +74,8 @@ Findings find(const Scene& scene, const DocumentOptions& options) {
   if (options.limits) refuse_large(findings.derivation, 2 * symbols, "limits");
   if (options.sensitivities)
     refuse_large(findings.derivation, lengths_of_sensitivities, "sensitivities");
-  if (scene.indenter) findings.half_space = half_space_lines(derivation);
-  if (scene.separation) findings.parting = parting_lines(derivation);
+  if (problem->indenter) findings.half_space = half_space_lines(derivation);
+  if (problem->separation) findings.parting = parting_lines(derivation);
   if (options.limits) {
     findings.limits = limits(derivation);
     findings.asymptotes = asymptotes(derivation);
@@ -88,13 +89,13 @@ Findings find(const Scene& scene, const DocumentOptions& options) {
 
 }  // namespace
 
-std::string print(const Scene& scene, const DocumentOptions& options) {
+std::string print(const Problem& problem, const DocumentOptions& options) {
   const AlgebraLock lock;
-  const NamesOfScene names(scene);
-  const Findings findings = find(scene, options);
+  const NamesOfScene names(problem);
+  const Findings findings = find(problem, options);
   if (options.format != Format::json)
-    return markup_document(options.format, title_of(scene), sections(findings));
-  return json_document(scene, findings);
+    return markup_document(options.format, title_of(problem), sections(findings));
+  return json_document(problem, findings);
 }
 
 }  // namespace vcrit::symbolic

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "scene/scene.hpp"
+#include "problem/problem.hpp"
 
 namespace vcrit::symbolic {
 
@@ -24,6 +24,6 @@ struct DocumentOptions {
 
 /// What `vcrit derive` prints; the same bytes in every run. Throws ModelError where the rational
 /// form is beyond the budget.
-std::string print(const Scene& scene, const DocumentOptions& options);
+std::string print(const Problem& problem, const DocumentOptions& options);
 
 }  // namespace vcrit::symbolic

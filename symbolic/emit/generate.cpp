@@ -33,7 +33,8 @@ std::string opening_comment(const std::string& name, const Language& language,
                             const Evaluator& evaluator) {
   const Derivation& derivation = evaluator.derivation;
   const std::string lines =
-      banner(derivation, command_line(derivation.scene, name, evaluator.options), evaluator.fixed) +
+      banner(derivation, command_line(derivation.problem, name, evaluator.options),
+             evaluator.fixed) +
       comment(fmt::format("{} operations.", evaluator.operations)) + comment(accuracy) +
       comment(language.zeros == Zeros::out_of_range ? unlimited : limited);
   const std::string sign(language.comment);
@@ -43,10 +44,10 @@ std::string opening_comment(const std::string& name, const Language& language,
 CodeFile only_file(const Derivation& derivation, const std::string& name, const Language& language,
                    const GenerateOptions& options) {
   const AlgebraLock lock;
-  const NamesOfScene names(derivation.scene);
+  const NamesOfScene names(derivation.problem);
   check_library_name(name, language);
   const Evaluator evaluator(derivation, options, language.zeros, language.spelled);
-  check_member_names(derivation.scene, derivation.parameters, language);
+  check_member_names(derivation.problem, derivation.parameters, language);
   return {name + std::string(language.extension),
           opening_comment(name, language, evaluator) + language.text(evaluator, name), true};
 }

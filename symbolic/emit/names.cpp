@@ -228,12 +228,14 @@ void check_library_name(const std::string& name) {
     refuse_name(argument("name"), name, "is taken in C++ or in the generated code");
 }
 
-void check_member_names(const Scene& scene, const std::vector<Symbol>& symbols) {
+void check_member_names(const Problem& problem, const std::vector<Symbol>& symbols) {
   for (const Symbol& symbol : symbols) {
-    const std::string name = as_called(scene, symbol).name;
-    if (const auto why = unsafe_as_identifier(name)) refuse_name({scene.file}, name, *why);
+    const std::string name = as_called(problem, symbol).name;
+    if (const auto why = unsafe_as_identifier(name))
+      refuse_name({problem->source->file}, name, *why);
     if (name == "Parameters")
-      refuse_name({scene.file}, name, "is the name of the struct that it would be a member of");
+      refuse_name({problem->source->file}, name,
+                  "is the name of the struct that it would be a member of");
   }
 }
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "scene/scene.hpp"
+#include "problem/problem.hpp"
 
 namespace vcrit::symbolic {
 
@@ -13,6 +13,6 @@ namespace vcrit::symbolic {
 void check_library_name(const std::string& name);
 
 /// Throws InputError if a member of Parameters cannot have the name of one of these symbols.
-void check_member_names(const Scene& scene, const std::vector<Symbol>& symbols);
+void check_member_names(const Problem& problem, const std::vector<Symbol>& symbols);
 
 }  // namespace vcrit::symbolic

@@ -17,14 +17,16 @@ namespace {
 /// What the names of --fix stand for.
 class Fixable {
  public:
-  explicit Fixable(const Scene& scene) : scene_(scene) {
-    for (const auto& [name, length] : scene.arrays) known_[as_called(scene, {name}).name];
-    for (const auto& [symbol, value] : scene.elements) {
+  explicit Fixable(const Problem& problem) : problem_(problem) {
+    for (const auto& [name, length] : problem->source->arrays)
+      known_[as_called(problem, {name}).name];
+    for (const auto& [symbol, value] : problem->elements) {
       add({symbol, value});
-      if (symbol.entry > 0) known_[as_called(scene, symbol).name].push_back({symbol, value});
+      if (symbol.entry > 0) known_[as_called(problem, symbol).name].push_back({symbol, value});
     }
-    if (const auto* isotropic = std::get_if<Isotropic>(&scene.tangential)) add(isotropic->quantity);
-    if (scene.mass) add(*scene.mass);
+    if (const auto* isotropic = std::get_if<Isotropic>(&problem->tangential))
+      add(isotropic->quantity);
+    if (problem->mass) add(*problem->mass);
   }
 
   FixedValues all() const {
@@ -40,14 +42,14 @@ class Fixable {
     const auto found = known_.find(name);
     if (found == known_.end()) {
       // What has the value 0 is in no network, and so in no code.
-      if (!scene_.settable.contains(name) || is_always(name)) refuse(name);
+      if (!problem_->source->settable.contains(name) || is_always(name)) refuse(name);
       return fixed;
     }
     for (const Quantity& quantity : found->second) {
       if (!quantity.value)
         throw InputError(
             argument("fix"), fmt::format("\"{}\", which has no number in the scene", name),
-            fmt::format("a number for it, as by --set {}=VALUE", name_in(scene_, quantity)));
+            fmt::format("a number for it, as by --set {}=VALUE", name_in(problem_, quantity)));
       fixed[quantity.symbol] = *quantity.value;
     }
     return fixed;
@@ -56,19 +58,19 @@ class Fixable {
  private:
   /// By all names that it has.
   void add(const Quantity& quantity) {
-    known_[name_in(scene_, quantity)] = {quantity};
-    for (const auto& [name, symbol] : scene_.named)
+    known_[name_in(problem_, quantity)] = {quantity};
+    for (const auto& [name, symbol] : problem_->source->named)
       if (symbol == quantity.symbol) known_[name] = {quantity};
   }
 
   /// Friction and oscillation.
   bool is_always(const std::string& name) const {
-    const auto named = scene_.named.find(name);
-    if (named == scene_.named.end()) return false;
+    const auto named = problem_->source->named.find(name);
+    if (named == problem_->source->named.end()) return false;
     const Symbol& symbol = named->second;
-    return symbol == frequency_symbol || symbol == scene_.coefficient.symbol ||
-           symbol == scene_.angular_frequency.symbol || symbol == scene_.amplitude.symbol ||
-           symbol == scene_.indentation.symbol;
+    return symbol == frequency_symbol || symbol == problem_->coefficient.symbol ||
+           symbol == problem_->angular_frequency.symbol || symbol == problem_->amplitude.symbol ||
+           symbol == problem_->indentation.symbol;
   }
 
   [[noreturn]] void refuse(const std::string& name) const {
@@ -83,23 +85,23 @@ class Fixable {
                      meant ? fmt::format("\"{}\"", *meant) : one_of);
   }
 
-  const Scene& scene_;
+  Problem problem_;
   std::map<std::string, std::vector<Quantity>> known_;
 };
 
 }  // namespace
 
-FixedValues fixed_values(const Scene& scene, const std::vector<std::string>& names) {
-  const Fixable fixable(scene);
+FixedValues fixed_values(const Problem& problem, const std::vector<std::string>& names) {
+  const Fixable fixable(problem);
   FixedValues fixed;
   for (const std::string& name : names)
     fixed.merge(name == "all" ? fixable.all() : fixable.named(name));
   return fixed;
 }
 
-std::string command_line(const Scene& scene, const std::string& name,
+std::string command_line(const Problem& problem, const std::string& name,
                          const GenerateOptions& options) {
-  const std::string file = std::filesystem::path(scene.file).filename().string();
+  const std::string file = std::filesystem::path(problem->source->file).filename().string();
   std::string text = fmt::format("vcrit generate {} --out DIR --name {}", file, name);
   if (options.language != "c++") text += " --language " + options.language;
   if (!options.fixed.empty()) text += fmt::format(" --fix {}", fmt::join(options.fixed, ","));
@@ -107,10 +109,10 @@ std::string command_line(const Scene& scene, const std::string& name,
   return text;
 }
 
-std::string fixed_text(const Scene& scene, const FixedValues& fixed) {
+std::string fixed_text(const Problem& problem, const FixedValues& fixed) {
   std::vector<std::string> texts;
   for (const auto& [symbol, value] : fixed)
-    texts.push_back(fmt::format("{} = {}", to_text(as_called(scene, symbol)), to_text(value)));
+    texts.push_back(fmt::format("{} = {}", to_text(as_called(problem, symbol)), to_text(value)));
   return texts.empty() ? "" : fmt::format("Fixed: {}.", fmt::join(texts, ", "));
 }
 

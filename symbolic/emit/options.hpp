@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "scene/scene.hpp"
+#include "problem/problem.hpp"
 
 namespace vcrit::symbolic {
 
@@ -20,13 +20,13 @@ using FixedValues = std::map<Symbol, double>;
 
 /// An array's name stands for all its entries. Throws InputError for names that the scene does not
 /// have, that have no number in it, or that every call needs as a parameter.
-FixedValues fixed_values(const Scene& scene, const std::vector<std::string>& names);
+FixedValues fixed_values(const Problem& problem, const std::vector<std::string>& names);
 
 /// "vcrit generate SCENE --out DIR --name NAME", with the options.
-std::string command_line(const Scene& scene, const std::string& name,
+std::string command_line(const Problem& problem, const std::string& name,
                          const GenerateOptions& options);
 
 /// "Fixed: k0 = 8e6, c1 = 30.", or nothing.
-std::string fixed_text(const Scene& scene, const FixedValues& fixed);
+std::string fixed_text(const Problem& problem, const FixedValues& fixed);
 
 }  // namespace vcrit::symbolic

@@ -13,30 +13,30 @@ namespace vcrit::symbolic {
 
 namespace {
 
-std::map<Symbol, std::string> element_comments(const Scene& scene) {
+std::map<Symbol, std::string> element_comments(const Problem& problem) {
   std::map<Symbol, std::string> comments;
   const auto add = [&comments](const Element& element) {
     for_each_number(element, [&](const Symbol& symbol, NumberRole role) {
       comments[symbol] = number_row(role).words;
     });
   };
-  for_each_element(scene, add);
+  for_each_element(problem, add);
   return comments;
 }
 
 }  // namespace
 
-ParameterList::ParameterList(const Scene& scene, const std::vector<Symbol>& symbols,
+ParameterList::ParameterList(const Problem& problem, const std::vector<Symbol>& symbols,
                              const FixedValues& fixed, Spelled spelled)
-    : names_(scene.names), spelled_(spelled) {
+    : names_(problem->names), spelled_(spelled) {
   const std::set<Symbol> always{{"mu0"}, {"omega"}, {"du_z"}};
-  add({"mu0"}, "friction coefficient", scene);
-  add({"omega"}, "angular frequency", scene);
-  add({"du_z"}, "amplitude", scene);
-  std::map<Symbol, std::string> comments = element_comments(scene);
+  add({"mu0"}, "friction coefficient", problem);
+  add({"omega"}, "angular frequency", problem);
+  add({"du_z"}, "amplitude", problem);
+  std::map<Symbol, std::string> comments = element_comments(problem);
   comments[{"m"}] = "mass";
   comments[{"u_z0"}] = "mean indentation";
-  if (const auto* isotropic = std::get_if<Isotropic>(&scene.tangential)) {
+  if (const auto* isotropic = std::get_if<Isotropic>(&problem->tangential)) {
     const bool poisson = isotropic->by == Isotropic::By::poisson;
     comments[isotropic->quantity.symbol] = poisson ? "Poisson's ratio" : "K_t/K_n";
   }
@@ -44,18 +44,19 @@ ParameterList::ParameterList(const Scene& scene, const std::vector<Symbol>& symb
     if (const auto number = fixed.find(symbol); number != fixed.end())
       fixed_.insert(*number);
     else if (!always.contains(symbol))
-      add(symbol, comments.at(symbol), scene);
+      add(symbol, comments.at(symbol), problem);
   }
 }
 
-void ParameterList::add(const Symbol& symbol, const std::string& comment, const Scene& scene) {
+void ParameterList::add(const Symbol& symbol, const std::string& comment, const Problem& problem) {
   known_.insert(symbol);
-  const std::string name = in_language(as_called(scene, symbol).name);
+  const std::string name = in_language(as_called(problem, symbol).name);
   if (symbol.entry == 0) return members_.push_back({name, comment, 0, symbol.name});
   const bool is_there = std::any_of(members_.begin(), members_.end(), [&](const Member& member) {
     return member.symbol == symbol.name;
   });
-  if (!is_there) members_.push_back({name, comment, scene.arrays.at(symbol.name), symbol.name});
+  if (!is_there)
+    members_.push_back({name, comment, problem->source->arrays.at(symbol.name), symbol.name});
 }
 
 std::string ParameterList::named(std::string text) const {

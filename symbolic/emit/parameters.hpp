@@ -9,8 +9,8 @@
 
 #include "derivation/derivation.hpp"
 #include "emit/options.hpp"
+#include "problem/problem.hpp"
 #include "program/ratio.hpp"
-#include "scene/scene.hpp"
 
 namespace vcrit::symbolic {
 
@@ -27,11 +27,11 @@ using Spelled = std::string (*)(const std::string& name);
 class ParameterList {
  public:
   /// mu0, omega and du_z are always there, as the calls need them.
-  ParameterList(const Scene& scene, const Derivation& derivation, const FixedValues& fixed = {},
+  ParameterList(const Problem& problem, const Derivation& derivation, const FixedValues& fixed = {},
                 Spelled spelled = nullptr)
-      : ParameterList(scene, derivation.parameters, fixed, spelled) {}
-  ParameterList(const Scene& scene, const std::vector<Symbol>& symbols, const FixedValues& fixed,
-                Spelled spelled = nullptr);
+      : ParameterList(problem, derivation.parameters, fixed, spelled) {}
+  ParameterList(const Problem& problem, const std::vector<Symbol>& symbols,
+                const FixedValues& fixed, Spelled spelled = nullptr);
 
   const std::vector<Member>& members() const { return members_; }
   /// The text with the names of those three for THE_MU0, THE_OMEGA and THE_DU_Z.
@@ -50,7 +50,7 @@ class ParameterList {
   }
 
  private:
-  void add(const Symbol& symbol, const std::string& comment, const Scene& scene);
+  void add(const Symbol& symbol, const std::string& comment, const Problem& problem);
   std::string name_of(const std::string& symbol) const;
   std::string in_language(const std::string& name) const;
 

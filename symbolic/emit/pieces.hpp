@@ -7,8 +7,8 @@
 #include "derivation/derivation.hpp"
 #include "emit/options.hpp"
 #include "emit/parameters.hpp"
+#include "problem/problem.hpp"
 #include "program/velocity.hpp"
-#include "scene/scene.hpp"
 
 namespace vcrit::symbolic {
 

@@ -32,10 +32,11 @@ std::string base_name(const std::string& name) {
   return is_own(name) ? name.substr(0, name.size() - 1) : name;
 }
 
-NamesOfScene::NamesOfScene(const Scene& scene) : names_(scene.names), before_(printing) {
+NamesOfScene::NamesOfScene(const Problem& problem) : names_(problem->names), before_(printing) {
   std::vector<std::string> names;
-  for (const auto& [symbol, value] : scene.elements) names.push_back(as_called(scene, symbol).name);
-  for (const Quantity* quantity : quantities(scene)) names.push_back(name_in(scene, *quantity));
+  for (const auto& [symbol, value] : problem->elements)
+    names.push_back(as_called(problem, symbol).name);
+  for (const Quantity& quantity : quantities(problem)) names.push_back(name_in(problem, quantity));
   if (const auto f = names_.find(frequency_symbol.name); f != names_.end())
     names.push_back(f->second);
   std::sort(names.begin(), names.end(), natural_less);

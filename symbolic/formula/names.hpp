@@ -7,7 +7,7 @@
 #include <map>
 #include <string>
 
-#include "scene/scene.hpp"
+#include "problem/problem.hpp"
 
 namespace vcrit::symbolic {
 
@@ -25,7 +25,7 @@ std::string printed_name(const std::string& name);
 /// What the scene calls otherwise than the program (mass = "M") is printed so.
 class NamesOfScene {
  public:
-  explicit NamesOfScene(const Scene& scene);
+  explicit NamesOfScene(const Problem& problem);
   ~NamesOfScene();
   NamesOfScene(const NamesOfScene&) = delete;
   NamesOfScene& operator=(const NamesOfScene&) = delete;

@@ -10,6 +10,7 @@
 #include "formula/rational.hpp"
 #include "formula/symbols.hpp"
 #include "network/graph.hpp"
+#include "problem/variants.hpp"
 
 namespace vcrit::symbolic {
 
@@ -33,7 +34,7 @@ class SceneAt {
     algebra_.point = [this](const std::string& name) { return at(name); };
     algebra_.s = DualResidue(imaginary_unit) * at("omega");
     for (const Part& part : model.networks())
-      algebra_.known[own_name(part.name)] = evaluate(part.reduction, algebra_);
+      algebra_.known[own_name(part.name)] = evaluate(part.network.reduction(), algebra_);
     for (const Line& identity : model.identities())
       algebra_.known[GiNaC::ex_to<GiNaC::symbol>(identity.left).get_name()] =
           evaluate_rational(identity.right, algebra_);
@@ -191,20 +192,21 @@ GaussianResidue stiffness_of_springs(const Network& network, const SceneAt& scen
 }  // namespace
 
 Proof::Proof(const Derivation& derivation, const SymbolValue& value)
-    : scene_(derivation.scene), model_(derivation.model) {
+    : problem_(derivation.problem), model_(derivation.model) {
   Program program;
   const auto fix = [&](const Symbol& symbol) {
     const Node& node = program[value(program, symbol)];
     if (node.operation == Node::Operation::constant) fixed_[to_text(symbol)] = node.constant;
   };
-  for (const auto& [symbol, number] : scene_.elements) fix(symbol);
-  for (const Quantity* quantity : quantities(scene_)) fix(quantity->symbol);
-  auto* isotropic = std::get_if<Isotropic>(&scene_.tangential);
+  for (const auto& [symbol, number] : problem_->elements) fix(symbol);
+  for (const Quantity& quantity : quantities(problem_)) fix(quantity.symbol);
+  const auto* isotropic = std::get_if<Isotropic>(&problem_->tangential);
   if (isotropic == nullptr || !isotropic->quantity.value) return;
-  ratio_ = std::exchange(isotropic->quantity.value, std::nullopt);
+  ratio_ = isotropic->quantity.value;
   ratio_name_ = to_text(isotropic->quantity.symbol);
   fixed_[ratio_name_] = exact_binary(*ratio_);
-  model_ = std::make_shared<const Model>(scene_);
+  model_ = std::make_shared<const Model>(
+      with_isotropic(problem_, {isotropic->by, {isotropic->quantity.symbol, {}}}));
 }
 
 // A ratio that is a number is a decimal there.
@@ -277,7 +279,7 @@ void Proof::holds(const QuantityProgram& quantities) const {
     compare(quantities.contact_point, scene.contact, "the contact point's motion");
     if (!quantities.largest_amplitude) return;
     // u_z0 K_n(0)/|K_n|
-    const auto springs = springs_alone(scene_.normal);
+    const auto springs = springs_alone(problem_->normal.network());
     ensure(springs.has_value(), "what has a largest amplitude carries a load");
     const GaussianResidue largest = at[*quantities.largest_amplitude];
     const GaussianResidue load = scene.at("u_z0").value * stiffness_of_springs(*springs, scene);

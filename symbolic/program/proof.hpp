@@ -29,8 +29,8 @@ class Proof {
   void holds(const QuantityProgram& quantities) const;
 
  private:
-  Scene scene_;                         ///< the ratio of an isotropic contact is a symbol
-  std::shared_ptr<const Model> model_;  ///< of that
+  Problem problem_;
+  std::shared_ptr<const Model> model_;  ///< the ratio of an isotropic contact is a symbol
   std::map<std::string, GiNaC::numeric> fixed_;
   std::optional<double> ratio_;
   std::string ratio_name_;

@@ -41,20 +41,21 @@ struct PointResponse {
 /// The contact point's oscillation over du_z is Eq. (24) without moduli: its algebra in eq24.hpp.
 class QuantityWriter {
  public:
-  QuantityWriter(const Scene& scene, const SymbolValue& value)
-      : scene_(scene),
+  QuantityWriter(const Problem& problem, const SymbolValue& value)
+      : problem_(problem),
         value_(value),
         omega_(symbol({"omega"})),
         stiffness_(program_, omega_, element_exponent,
                    [this](const Symbol& s) { return symbol(s); }) {}
 
   QuantityProgram write() {
-    result_.normal = network(scene_.normal);
+    result_.normal = network(problem_->normal.network());
     write_tangential();
-    if (scene_.drive) result_.drive = network(*scene_.drive);
+    const ReducedNetwork* drive = problem_->drive_network();
+    if (drive != nullptr) result_.drive = network(drive->network());
     friction_ = program_.multiply(symbol({"mu0"}), symbol({"du_z"}));
-    if (scene_.drive) dynamic_ = dynamic_stiffness();
-    if (scene_.mass) result_.body = body();
+    if (drive != nullptr) dynamic_ = dynamic_stiffness();
+    if (problem_->mass) result_.body = body();
     result_.contact_point = contact_point();
     result_.largest_amplitude = largest_amplitude();
     result_.program = std::move(program_);
@@ -64,7 +65,7 @@ class QuantityWriter {
   PointResponse outer() { return {program_.constant(1), real(program_, program_.constant(1))}; }
   NodeId ratio(const Isotropic&) const { return *ratio_; }
   const Complex& normal() const { return result_.normal.k; }
-  const Complex& tangential() const { return result_.tangential.k; }
+  const Complex& tangential(const ReducedNetwork&) const { return result_.tangential.k; }
   const Complex& scaled(NodeId, const Complex&) const { return result_.tangential.k; }
   /// By a number above 0.
   void divide(PointResponse& z, NodeId ratio) {
@@ -75,8 +76,11 @@ class QuantityWriter {
         z.amplitude, program_.divide(modulus(program_, above), modulus(program_, below)));
     z.direction = times(program_, z.direction, times(program_, above, conjugate(program_, below)));
   }
-  void times_drive(PointResponse& z, const Complex& tangential) {
+  void times_drive(PointResponse& z, const Complex& tangential, const ReducedNetwork&) {
     times_quotient(z, complex_sum(program_, tangential, *dynamic_), *dynamic_);
+  }
+  static void times_drive(PointResponse&, const Complex&, const Receptance&) {
+    throw Bug("a measured drive has no program");
   }
 
  private:
@@ -103,9 +107,9 @@ class QuantityWriter {
   }
 
   void write_tangential() {
-    const auto* isotropic = std::get_if<Isotropic>(&scene_.tangential);
+    const auto* isotropic = std::get_if<Isotropic>(&problem_->tangential);
     if (isotropic == nullptr) {
-      result_.tangential = network(std::get<Network>(scene_.tangential));
+      result_.tangential = network(std::get<ReducedNetwork>(problem_->tangential).network());
       return;
     }
     ratio_ = number_of(*isotropic);
@@ -128,8 +132,8 @@ class QuantityWriter {
   /// K_d - m omega^2
   Complex dynamic_stiffness() {
     const Complex k = result_.drive->k;
-    if (!scene_.mass) return k;
-    const NodeId m = symbol(scene_.mass->symbol);
+    if (!problem_->mass) return k;
+    const NodeId m = symbol(problem_->mass->symbol);
     if (result_.drive->exact_re) return {program_.less_inertia(k.re, m, omega_), k.im};
     const NodeId inertia = program_.multiply(program_.multiply(m, omega_), omega_);
     return {program_.subtract(k.re, inertia), k.im};
@@ -143,7 +147,7 @@ class QuantityWriter {
   }
 
   OscillationResult contact_point() {
-    const PointResponse z = eq24(scene_, *this);
+    const PointResponse z = eq24(problem_, *this);
     return {program_.multiply(friction_, z.amplitude), against(z.direction)};
   }
 
@@ -153,14 +157,14 @@ class QuantityWriter {
   /// (3) and (4): u_z0 K_n(0)/|K_n(i omega)|, at most u_z0; K_n(0) <= |K_n| as no part of a
   /// network of springs and dampers grows softer with the frequency.
   std::optional<NodeId> largest_amplitude() {
-    const std::optional<Network> at_rest = springs_alone(scene_.normal);
+    const std::optional<Network> at_rest = springs_alone(problem_->normal.network());
     if (!at_rest) return std::nullopt;
     const Complex k = network(*at_rest).k;
     const NodeId share = program_.divide(k.re, modulus(program_, result_.normal.k));
     return program_.multiply(symbol({"u_z0"}), share);
   }
 
-  const Scene& scene_;
+  Problem problem_;
   const SymbolValue& value_;
   Program program_;
   NodeId omega_;
@@ -173,9 +177,9 @@ class QuantityWriter {
 
 }  // namespace
 
-QuantityProgram quantity_program(const Scene& scene, const SymbolValue& value) {
-  rules::require(rules::Question::evaluator, scene);
-  return QuantityWriter(scene, value).write();
+QuantityProgram quantity_program(const Problem& problem, const SymbolValue& value) {
+  rules::require(rules::Question::evaluator, problem);
+  return QuantityWriter(problem, value).write();
 }
 
 }  // namespace vcrit::symbolic

@@ -38,6 +38,6 @@ struct QuantityProgram {
 
 /// Elements are taken to lie within 2^-64 to 2^64, where nothing overflows. Throws ModelError like
 /// velocity_program.
-QuantityProgram quantity_program(const Scene& scene, const SymbolValue& value);
+QuantityProgram quantity_program(const Problem& problem, const SymbolValue& value);
 
 }  // namespace vcrit::symbolic

@@ -1,8 +1,8 @@
 // K_t/K_n of an isotropic contact in a Program.
 #pragma once
 
+#include "problem/problem.hpp"
 #include "program/stiffness.hpp"
-#include "scene/scene.hpp"
 
 namespace vcrit::symbolic {
 

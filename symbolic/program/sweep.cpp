@@ -14,8 +14,8 @@ constexpr int usual_omega = 17, octaves = 8;
 
 class SweepWriter {
  public:
-  SweepWriter(const Scene& scene, const SymbolValue& value, bool normalised)
-      : scene_(scene),
+  SweepWriter(const Problem& problem, const SymbolValue& value, bool normalised)
+      : problem_(problem),
         value_(value),
         normalised_(normalised),
         omega_(symbol({"omega"})),
@@ -29,12 +29,12 @@ class SweepWriter {
   }
 
   SweepProgram write() {
-    const Stiffness n = network(scene_.normal);
-    const auto* isotropic = std::get_if<Isotropic>(&scene_.tangential);
+    const Stiffness n = network(problem_->normal.network());
+    const auto* isotropic = std::get_if<Isotropic>(&problem_->tangential);
     if (isotropic != nullptr)
       with_ratio(n, contact_ratio(program_, stiffness_, *isotropic, value_));
     else
-      with_network(n, network(std::get<Network>(scene_.tangential)));
+      with_network(n, network(std::get<ReducedNetwork>(problem_->tangential).network()));
     return finished();
   }
 
@@ -93,7 +93,7 @@ class SweepWriter {
   }
 
   void with_ratio(const Stiffness& n, const Ratio& ratio) {
-    if (!scene_.drive) {  // nothing but mu0 omega du_z depends on omega
+    if (problem_->drive_network() == nullptr) {  // nothing but mu0 omega du_z depends on omega
       result_.fits = false;
       return;
     }
@@ -102,7 +102,7 @@ class SweepWriter {
     t.q = times(ratio.q, n.q);
     t.t_range = n.t_range + ratio.t_range;
     t.q_range = n.q_range + ratio.q_range;
-    const Stiffness d = network(*scene_.drive);
+    const Stiffness d = network(problem_->drive_network()->network());
     const Factor body = loaded(d);
     multiply(Side::above, sum(t, d, body));
     multiply(Side::below, passive(polynomial({ratio.t}), ratio.t_range));
@@ -114,8 +114,8 @@ class SweepWriter {
     multiply(Side::above, passive(n.t, n.t_range));
     multiply(Side::below, passive(n.q, n.q_range));
     multiply(Side::below, passive(t.t, t.t_range));
-    if (!scene_.drive) return multiply(Side::above, passive(t.q, t.q_range));
-    const Stiffness d = network(*scene_.drive);
+    if (problem_->drive_network() == nullptr) return multiply(Side::above, passive(t.q, t.q_range));
+    const Stiffness d = network(problem_->drive_network()->network());
     const Factor body = loaded(d);
     multiply(Side::above, sum(t, d, body));
     multiply(Side::below, body);
@@ -123,8 +123,8 @@ class SweepWriter {
 
   /// D
   Factor loaded(const Stiffness& d) {
-    if (!scene_.mass) return passive(d.t, d.t_range);
-    const NodeId m = symbol(scene_.mass->symbol);
+    if (!problem_->mass) return passive(d.t, d.t_range);
+    const NodeId m = symbol(problem_->mass->symbol);
     const ExponentRange inertia = stiffness_.guarded(program_.size(m));
     Factor result;
     result.is_passive = false;
@@ -158,8 +158,8 @@ class SweepWriter {
     check(first);
     check(second);
     Factor result;
-    result.is_passive = !scene_.mass;
-    result.range = {std::max(first.low, second.low) - (scene_.mass ? cancellation : 1),
+    result.is_passive = !problem_->mass;
+    result.range = {std::max(first.low, second.low) - (problem_->mass ? cancellation : 1),
                     std::max(first.high, second.high) + 1};
     if (!body.polynomial.coefficients.empty()) {
       const Complex whole = sum_of_products(program_, {{t.t, d.q}, {t.q, body.polynomial}}).value;
@@ -223,7 +223,7 @@ class SweepWriter {
     return std::move(result_);
   }
 
-  const Scene& scene_;
+  Problem problem_;
   const SymbolValue& value_;
   bool normalised_;
   Program program_;
@@ -252,11 +252,11 @@ int operations_at_each_omega(const VelocityProgram& velocity) {
 
 }  // namespace
 
-std::optional<SweepProgram> sweep_program(const Scene& scene, const SymbolValue& value,
+std::optional<SweepProgram> sweep_program(const Problem& problem, const SymbolValue& value,
                                           const VelocityProgram& single) {
   const int others = operations_at_each_omega(single);
   for (const bool normalised : {false, true}) {
-    SweepProgram program = SweepWriter(scene, value, normalised).write();
+    SweepProgram program = SweepWriter(problem, value, normalised).write();
     if (program.fits && operations_at_each_omega(program) + checks < others) return program;
   }
   return std::nullopt;

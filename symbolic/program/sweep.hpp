@@ -28,7 +28,7 @@ struct SweepProgram : VelocityProgram {
 };
 
 /// Nothing where that is not less work than `single`, the program of one v* of the scene.
-std::optional<SweepProgram> sweep_program(const Scene& scene, const SymbolValue& value,
+std::optional<SweepProgram> sweep_program(const Problem& problem, const SymbolValue& value,
                                           const VelocityProgram& single);
 
 }  // namespace vcrit::symbolic

@@ -37,8 +37,9 @@ class VelocityWriter {
  public:
   enum class Form { plain, normalised };
 
-  VelocityWriter(const Scene& scene, const SymbolValue& value, int exponent, Form form, Zeros zeros)
-      : scene_(scene),
+  VelocityWriter(const Problem& problem, const SymbolValue& value, int exponent, Form form,
+                 Zeros zeros)
+      : problem_(problem),
         value_(value),
         form_(form),
         zeros_(zeros),
@@ -49,7 +50,7 @@ class VelocityWriter {
   }
 
   VelocityProgram write() {
-    finish(eq24(scene_, *this));
+    finish(eq24(problem_, *this));
     result_.program = std::move(program_);
     return std::move(result_);
   }
@@ -65,8 +66,8 @@ class VelocityWriter {
     return ratio;
   }
 
-  Stiffness normal() { return contact(scene_.normal); }
-  Tangential tangential() { return {contact(std::get<Network>(scene_.tangential)), {}}; }
+  Stiffness normal() { return contact(problem_->normal.network()); }
+  Tangential tangential(const ReducedNetwork& own) { return {contact(own.network()), {}}; }
 
   /// T and Q each times a number.
   Tangential scaled(const Ratio& ratio, const Stiffness& normal) {
@@ -94,22 +95,25 @@ class VelocityWriter {
   }
 
   /// |K_t + D|/|D| = |N|/(|Q_t| |D|), D and N as in velocity.hpp.
-  void times_drive(Velocity& v, const Tangential& tangential) {
+  void times_drive(Velocity& v, const Tangential& tangential, const ReducedNetwork& drive) {
     const Stiffness& t = tangential.k;
-    const Stiffness d = network(*scene_.drive);
+    const Stiffness d = network(drive.network());
     Difference body{d.t, d.t_range, 0};
-    if (scene_.mass) body = difference(d);
+    if (problem_->mass) body = difference(d);
     const ComplexSum whole = sum_of_products(program_, {{t.t, d.q}, {t.q, body.value}});
     // K_t = 0 is a pole, which no range has to hold.
     ExponentRange range =
         sum_range(t.t_range + d.q_range, t.q_range + body.range, Zeros::out_of_range);
-    range.low -= scene_.mass ? cancellation : 1;
+    range.low -= problem_->mass ? cancellation : 1;
     check(t.t_range + d.q_range);
     check(t.q_range + body.range);
     v.above.back() = {whole.value, range};  // in the place of Q_t
     if (tangential.more_of_q) v.below.push_back(*tangential.more_of_q);
     v.below.push_back({body.value, body.range});
     v.drive_errors = with_drive_errors(t, d, body, whole);
+  }
+  static void times_drive(Velocity&, const Tangential&, const Receptance&) {
+    throw Bug("a measured drive has no program");
   }
 
  private:
@@ -141,7 +145,7 @@ class VelocityWriter {
   };
 
   Difference difference(const Stiffness& d) {
-    const NodeId m = symbol(scene_.mass->symbol);
+    const NodeId m = symbol(problem_->mass->symbol);
     const NodeId inertia_size = program_.multiply(
         program_.multiply(program_.size(m), program_.size(omega_)), program_.size(omega_));
     const ExponentRange inertia = stiffness_.guarded(inertia_size);
@@ -177,7 +181,7 @@ class VelocityWriter {
   NodeId with_drive_errors(const Stiffness& t, const Stiffness& d, const Difference& body,
                            const ComplexSum& whole) {
     const int local = static_cast<int>(std::ceil(1.4143 * whole.roundings));
-    if (!scene_.mass) {
+    if (!problem_->mass) {
       // K_t + K_d, both in the first quadrant.
       const NodeId sum =
           program_.add(one_and_a_half(program_.add(roundings(program_, t), roundings(program_, d))),
@@ -257,7 +261,7 @@ class VelocityWriter {
     result_.guards.push_back({size, result_.exponent});
   }
 
-  const Scene& scene_;
+  Problem problem_;
   const SymbolValue& value_;
   Form form_;
   Zeros zeros_;
@@ -271,16 +275,16 @@ class VelocityWriter {
 
 // The widest range for which all numbers stay among the doubles, and scaling only where there is
 // none otherwise: it costs a tenth of the time.
-VelocityProgram velocity_program(const Scene& scene, const SymbolValue& value, Zeros zeros) {
-  rules::require(rules::Question::evaluator, scene);
+VelocityProgram velocity_program(const Problem& problem, const SymbolValue& value, Zeros zeros) {
+  rules::require(rules::Question::evaluator, problem);
   for (const int exponent : {200, 150, 100, 64, 40}) {
     VelocityProgram program =
-        VelocityWriter(scene, value, exponent, VelocityWriter::Form::plain, zeros).write();
+        VelocityWriter(problem, value, exponent, VelocityWriter::Form::plain, zeros).write();
     if (program.fits) return program;
   }
   for (const int exponent : {100, 64, 48, 40, 32}) {
     VelocityProgram program =
-        VelocityWriter(scene, value, exponent, VelocityWriter::Form::normalised, zeros).write();
+        VelocityWriter(problem, value, exponent, VelocityWriter::Form::normalised, zeros).write();
     if (program.fits || exponent == 32) return program;
   }
   throw Bug("the last range is returned");

@@ -9,8 +9,8 @@
 #include <optional>
 #include <vector>
 
+#include "problem/problem.hpp"
 #include "program/ratio.hpp"
-#include "scene/scene.hpp"
 
 namespace vcrit::symbolic {
 
@@ -26,7 +26,7 @@ struct VelocityProgram {
 };
 
 /// Throws ModelError for a scene of which no code is generated (rules/rulebook.hpp).
-VelocityProgram velocity_program(const Scene& scene, const SymbolValue& value,
+VelocityProgram velocity_program(const Problem& problem, const SymbolValue& value,
                                  Zeros zeros = Zeros::out_of_range);
 
 }  // namespace vcrit::symbolic

@@ -25,7 +25,7 @@ class DerivedAt {
     algebra.point = [this](const std::string& name) { return Number(point_(name)); };
     algebra.s = Number({}, Residue(1)) * algebra.point("omega");
     for (const Part& part : model.networks())
-      algebra.known[own_name(part.name)] = evaluate(part.reduction, algebra);
+      algebra.known[own_name(part.name)] = evaluate(part.network.reduction(), algebra);
     for (const Line& identity : model.identities())
       algebra.known[GiNaC::ex_to<GiNaC::symbol>(identity.left).get_name()] =
           evaluate_rational(identity.right, algebra);

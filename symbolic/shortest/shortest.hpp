@@ -11,7 +11,7 @@
 
 #include "formula/form.hpp"
 #include "network/network.hpp"
-#include "scene/scene.hpp"
+#include "scene/quantity.hpp"
 
 namespace vcrit::symbolic {
 

@@ -7,7 +7,7 @@
 
 #include "answers/critical_onset.hpp"
 #include "critical/certified.hpp"
-#include "scene/changing.hpp"
+#include "problem/variation.hpp"
 #include "support/scene_text.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_critical_onsets)
@@ -55,7 +55,7 @@ BOOST_AUTO_TEST_CASE(without_columns_all_lanes_are_the_scene) {
 BOOST_AUTO_TEST_CASE(each_lane_is_that_of_its_scene) {
   const Table table{{4e-7, unknown, 3e-7, 2e-6, 4e-7}, {40, 40, 400, 0, 4}};
   const auto found = onsets(slow(), {"u_z0", "c1"}, table, 5);
-  ChangingScene changing(slow(), {"u_z0", "c1"});
+  const Variation changing(slow(), {"u_z0", "c1"});
   for (std::size_t lane = 0; lane < 5; ++lane) {
     if (lane == 1) {
       BOOST_TEST(std::isnan(found[lane]));

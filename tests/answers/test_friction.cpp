@@ -1,5 +1,6 @@
 // Friction of any scene: that of its contact, or of all cells below its indenter.
 #include "answers/friction.hpp"
+#include "scene/scene.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>

@@ -10,7 +10,7 @@
 
 #include "critical/certified.hpp"
 #include "critical/kernels.hpp"
-#include "scene/changing.hpp"
+#include "problem/variation.hpp"
 #include "support/random_scene.hpp"
 #include "support/reference_scene.hpp"
 #include "support/refusal.hpp"
@@ -52,7 +52,7 @@ double lane_of(const std::vector<double>& column, std::size_t lane) {
 void check(const Scene& scene, const std::vector<std::string>& names, const Table& table,
            std::size_t lanes) {
   const std::vector<double> out = batch(scene, names, table, lanes);
-  ChangingScene changing(scene, names);
+  const Variation changing(scene, names);
   for (std::size_t lane = 0; lane < lanes; ++lane) {
     std::vector<double> values;
     for (const auto& column : table) values.push_back(lane_of(column, lane));

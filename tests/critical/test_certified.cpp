@@ -11,6 +11,7 @@
 #include "critical/batch.hpp"
 #include "critical/certified.hpp"
 #include "critical/critical_velocity.hpp"
+#include "problem/variants.hpp"
 #include "support/nodal.hpp"
 #include "support/random_scene.hpp"
 #include "support/reference_scene.hpp"

@@ -5,6 +5,7 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <numbers>
+#include "problem/problem.hpp"
 #include "support/scene_text.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_conditioning)
@@ -20,7 +21,7 @@ double condition(test::Toml drive, test::Toml mass, double kd) {
                                       .network = drive,
                                       .mass = mass,
                                       .elements = {{"kn", 3}, {"kt", 5}, {"kd", kd}}});
-  return condition_number(scene, values_of(scene));
+  return condition_number(scene, resolve(scene).values());
 }
 
 bool is(double value, double expected) { return std::abs(value / expected - 1) <= 1e-14; }

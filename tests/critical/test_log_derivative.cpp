@@ -6,6 +6,7 @@
 
 #include "critical/certified.hpp"
 #include "critical/critical_velocity.hpp"
+#include "problem/problem.hpp"
 #include "support/nodal.hpp"
 #include "support/random_scene.hpp"
 #include "support/scene_text.hpp"
@@ -64,7 +65,7 @@ BOOST_AUTO_TEST_CASE(drives_with_masses_against_nodes) {
     scene.mass.reset();
     scene.drive = random.drive_with_masses(1 + i % 3, scene);
     for (const Symbol& symbol : symbols_of(*scene.drive)) {
-      const double x = values_of(scene).at(symbol), low = x * (1 - 0x1p-50),
+      const double x = resolve(scene).values().at(symbol), low = x * (1 - 0x1p-50),
                    high = x * (1 + 0x1p-50);
       const auto at = [&](double value) {
         for (auto& [name, number] : scene.elements)

@@ -8,6 +8,8 @@
 #include "critical/admissibility.hpp"
 #include "critical/certified.hpp"
 #include "critical/critical_velocity.hpp"
+#include "problem/problem.hpp"
+#include "problem/variants.hpp"
 #include "stiffness/dynamic_stiffness.hpp"
 #include "support/nodal.hpp"
 #include "support/random_scene.hpp"
@@ -69,7 +71,7 @@ BOOST_AUTO_TEST_CASE(random_masses_round_like_nodal_analysis_at_250_digits) {
       BOOST_TEST(velocity.relative_error_bound == std::numeric_limits<double>::epsilon() / 2);
       // K(i omega) in doubles: nine roundings a step at most, each grown by what `sensitivity`
       // says.
-      const Values values = values_of(s);
+      const Values values = resolve(s).values();
       const double omega = values.at(s.angular_frequency.symbol);
       const Reduction reduction = reduce(*s.drive);
       const auto found = dynamic_stiffness(reduction, values, omega);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "critical/batch.hpp"
+#include "scene/scene.hpp"
 #include "support/heap.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_no_heap_batch)

@@ -8,6 +8,7 @@
 #include "document/print.hpp"
 #include "emit/generate.hpp"
 #include "formula/text.hpp"
+#include "scene/scene.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_algebra_threads)
 
@@ -51,7 +52,7 @@ BOOST_AUTO_TEST_CASE(as_many_threads_as_one_likes) {
 BOOST_AUTO_TEST_CASE(results_are_copied_and_dropped_anywhere) {
   const symbolic::Derivation derivation = symbolic::derive(read_scene(VCRIT_SCENES "/zener.toml"));
   const std::string expected = symbolic::to_text(derivation.critical_velocity);
-  std::vector<symbolic::Derivation> kept(threads);
+  std::vector<symbolic::Derivation> kept(threads, derivation);
   {
     std::vector<std::jthread> running;
     for (symbolic::Derivation& mine : kept)

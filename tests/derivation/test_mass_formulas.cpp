@@ -9,6 +9,7 @@
 #include "formula/symbols.hpp"
 #include "formula/text.hpp"
 #include "formula/value.hpp"
+#include "problem/problem.hpp"
 #include "support/nodal.hpp"
 #include "support/random_scene.hpp"
 
@@ -48,7 +49,8 @@ BOOST_AUTO_TEST_CASE(random_drives_have_the_values_of_nodal_analysis) {
     const Derivation derivation = derive(scene);
     nested += derivation.definitions.empty() ? 0 : 1;
     std::map<Symbol, GiNaC::numeric> values;
-    for (const auto& [symbol, value] : values_of(scene)) values[symbol] = exact_binary(value);
+    for (const auto& [symbol, value] : resolve(scene).values())
+      values[symbol] = exact_binary(value);
     const GiNaC::numeric derived =
         value_at(derivation.critical_velocity, derivation.definitions, values);
     const GiNaC::numeric nodal = number(test::critical_velocity_by_nodes(scene));

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "formula/symbols.hpp"
+#include "problem/problem.hpp"
 #include "scene/scene.hpp"
 
 namespace vcrit::test {
@@ -16,7 +17,7 @@ using ExactValues = std::map<Symbol, GiNaC::numeric>;
 /// The fractions that the scene's doubles are.
 inline ExactValues exact_values(const Scene& scene) {
   ExactValues values;
-  for (const auto& [symbol, value] : values_of(scene))
+  for (const auto& [symbol, value] : resolve(scene).values())
     values[symbol] = symbolic::exact_binary(value);
   return values;
 }

@@ -63,17 +63,17 @@ class Random {
   std::mt19937 random_;
 };
 
-double ratio_of(const Scene& scene, double velocity) {
-  return simulation::steady_state(simulation::system_of(scene), velocity).friction_ratio;
+double ratio_of(const Problem& problem, double velocity) {
+  return simulation::steady_state(simulation::system_of(problem), velocity).friction_ratio;
 }
 
 /// The scene with a value of what is sought, and its speed.
 double ratio_with(const Question& asked, double value) {
-  if (asked.sought == Sought::velocity) return ratio_of(asked.scene, value);
-  const Scene scene = asked.sought == Sought::amplitude
-                          ? design::with_amplitude(asked.scene, value)
-                          : design::with_angular_frequency(asked.scene, two_turns / 2 * value);
-  return ratio_of(scene, asked.velocity);
+  if (asked.sought == Sought::velocity) return ratio_of(asked.problem, value);
+  return ratio_of(asked.sought == Sought::amplitude
+                      ? design::with_amplitude(asked.problem, value)
+                      : design::with_angular_frequency(asked.problem, two_turns / 2 * value),
+                  asked.velocity);
 }
 
 /// `reached`: a value that has the ratio that is asked for.
@@ -95,13 +95,7 @@ void check(const Question& asked, double reached, Random& random) {
 }
 
 Question question(const Scene& scene, Sought sought, double ratio, double velocity) {
-  Question asked;
-  asked.scene = scene;
-  asked.sought = sought;
-  asked.friction_ratio = ratio;
-  asked.velocity = velocity;
-  asked.samples = samples;
-  return asked;
+  return {scene, sought, ratio, velocity, {}, {}, samples};
 }
 
 /// All that may be sought of a scene, at a part of its v*; false where friction is nearly full

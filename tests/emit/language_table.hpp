@@ -12,6 +12,7 @@
 #include "derivation/derivation.hpp"
 #include "emit/asked.hpp"
 #include "emit/parameters.hpp"
+#include "scene/scene.hpp"
 
 namespace vcrit::test {
 

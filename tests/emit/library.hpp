@@ -98,8 +98,7 @@ class Libraries {
     std::string input;
     for (const Call& call : calls) {
       input += std::to_string(call.library);
-      for (const double x : members_of(call))
-        input += fmt::format(" {}", to_text(x));
+      for (const double x : members_of(call)) input += fmt::format(" {}", to_text(x));
       input += "\n";
     }
     const std::string file = (folder_.path() / "input.txt").string();

@@ -5,6 +5,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "emit/languages/cpp/dialect.hpp"
+#include "support/scene_text.hpp"
 
 namespace vcrit::symbolic {
 
@@ -27,7 +28,7 @@ BOOST_AUTO_TEST_CASE(generated_code_holds_the_digits_of_the_double) {
   BOOST_TEST(literal(value) == shortest);
   Node node;
   node.constant = GiNaC::numeric(17, 14);
-  const ParameterList none({}, std::vector<Symbol>{}, {});
+  const ParameterList none(test::scene_of(test::SceneText{}), std::vector<Symbol>{}, {});
   BOOST_TEST(CppDialect(none).constant(node).text == shortest);
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "fuzz.hpp"
+#include "scene/scene.hpp"
 #include "sweep/axis.hpp"
 
 using namespace vcrit;

@@ -6,6 +6,7 @@
 #include "critical/admissibility.hpp"
 #include "critical/certified.hpp"
 #include "fuzz.hpp"
+#include "problem/problem.hpp"
 #include "scene/scene.hpp"
 
 using namespace vcrit;
@@ -13,7 +14,7 @@ using namespace vcrit;
 namespace {
 
 void check_velocity(const Scene& scene) {
-  values_of(scene);
+  resolve(scene).values();
   const CertifiedVelocity critical = certified_critical_velocity(scene);
   fuzz::check(critical.value >= 0, "v* is no NaN and not negative");
   fuzz::check(std::isfinite(critical.value) || !critical.reason.empty(), "infinity has a reason");

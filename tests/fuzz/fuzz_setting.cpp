@@ -1,11 +1,13 @@
 // `--set NAME=VALUE` on a scene with a drive, a body and arrays. What is accepted is the scene that
-// ChangingScene makes with the same number, and v* is a number, infinity or an error.
+// Variation makes with the same number, and v* is a number, infinity or an error.
 #include <array>
 #include <cmath>
 
 #include "critical/certified.hpp"
 #include "fuzz.hpp"
-#include "scene/changing.hpp"
+#include "problem/variants.hpp"
+#include "problem/variation.hpp"
+#include "scene/scene.hpp"
 #include "scene/settings.hpp"
 
 using namespace vcrit;
@@ -42,11 +44,11 @@ void check_setting(const std::string& setting) {
   const double velocity = certified_critical_velocity(scene).value;
   fuzz::check(velocity >= 0, "v* is no NaN and not negative");
   if (name == "poisson" || name == "nu") return;
-  ChangingScene changing(parse_scene(text, "scene.toml", {{"poisson", "0.25"}}), {name});
+  const Variation varied(parse_scene(text, "scene.toml", {{"poisson", "0.25"}}), {name});
   // With a unit what is read is a decimal number, and what is changed the double of it.
   const double read = certified_critical_velocity(as_doubles(scene)).value;
   const double changed =
-      certified_critical_velocity(as_doubles(changing.at(std::array{number}))).value;
+      certified_critical_velocity(as_doubles(varied.at(std::array{number}))).value;
   fuzz::check(read == changed, "a setting read is a setting changed");
 }
 

@@ -28,9 +28,10 @@ class APlantedTree(unittest.TestCase):
     GOOD = {
         "src/base/errors.hpp": "#pragma once\n",
         "src/scene/scene.hpp": '#include "base/errors.hpp"\n',
-        "src/critical/critical.hpp": '#include "scene/scene.hpp"\n',
-        "src/simulation/system/system.hpp": '#include "scene/scene.hpp"\n',
-        "symbolic/derivation/derivation.hpp": '#include <ginac/ginac.h>\n#include "scene/scene.hpp"\n',
+        "src/problem/problem.hpp": '#include "scene/scene.hpp"\n',
+        "src/critical/critical.hpp": '#include "problem/problem.hpp"\n',
+        "src/simulation/system/system.hpp": '#include "problem/problem.hpp"\n',
+        "symbolic/derivation/derivation.hpp": '#include <ginac/ginac.h>\n#include "problem/problem.hpp"\n',
         "symbolic/emit/generate.hpp": '#include "derivation/derivation.hpp"\n',
         "validation/agreement.hpp": '#include "simulation/system/system.hpp"\n#include "critical/critical.hpp"\n',
         "validation/report/report.hpp": '#include "agreement.hpp"\n',
@@ -85,6 +86,10 @@ class APlantedTree(unittest.TestCase):
             found = self.problems(files=files)
             self.assertEqual(len(found), 1, found)
             self.assertIn("must not know", found[0])
+
+    def test_a_scene_is_resolved_before_it_is_used(self):
+        for name in ["src/critical/wrong.cpp", "symbolic/emit/wrong.cpp", "validation/wrong.cpp", "app/wrong.cpp"]:
+            self.assert_found(name, '#include "scene/scene.hpp"\n', "resolved before it is used")
 
     def test_the_simulation_may_ask_the_rulebook(self):
         files = {"src/rules/rulebook.hpp": "#pragma once\n"}

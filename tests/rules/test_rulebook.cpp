@@ -10,6 +10,7 @@
 
 #include "base/errors.hpp"
 #include "indenter/half_space.hpp"
+#include "scene/scene.hpp"
 #include "simulation/system/system.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_rulebook)

@@ -4,7 +4,7 @@
 #include <fstream>
 #include <numbers>
 
-#include "scene/changing.hpp"
+#include "problem/variation.hpp"
 #include "scene/scene.hpp"
 #include "support/program.hpp"
 #include "support/refusal.hpp"
@@ -71,7 +71,7 @@ BOOST_AUTO_TEST_CASE(shapes_have_their_sizes) {
 // The half-space is given by its moduli, in Pa and Pa s.
 BOOST_AUTO_TEST_CASE(networks_are_moduli) {
   const Scene scene = with_indenter("shape = \"parabola\"\nradius = \"10 mm\"\n");
-  const Values values = values_of(scene);
+  const Values values = resolve(scene).values();
   BOOST_TEST(values.at({"k"}) == 5e9);
   BOOST_TEST(values.at({"c"}) == 3);
   BOOST_TEST(values.at({"radius"}) == 0.01);
@@ -88,11 +88,11 @@ BOOST_AUTO_TEST_CASE(sizes_can_be_set_and_swept) {
   const std::string shape = "shape = \"parabola\"\nradius = \"10 mm\"\n";
   BOOST_TEST(with_indenter(shape, {{"radius", "2 cm"}}).indenter->sizes.front().value.value() ==
              0.02);
-  ChangingScene changing(with_indenter(shape), {"radius"});
+  const Variation varied(with_indenter(shape), {"radius"});
   const double radius = 0.5;
-  BOOST_TEST(changing.at({&radius, 1}).indenter->sizes.front().value.value() == 0.5);
+  BOOST_TEST(varied.at({&radius, 1})->indenter->sizes.front().value.value() == 0.5);
   const Scene open = with_indenter("shape = \"cone\"\n");
-  BOOST_CHECK_THROW(values_of(open), InputError);
+  BOOST_CHECK_THROW(resolve(open).values(), InputError);
 }
 
 BOOST_AUTO_TEST_CASE(a_table_is_read) {

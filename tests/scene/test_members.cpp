@@ -10,6 +10,7 @@
 #include "answers/friction.hpp"
 #include "indenter/gap.hpp"
 #include "indenter/half_space.hpp"
+#include "problem/problem.hpp"
 #include "stiffness/dynamic_stiffness.hpp"
 #include "stiffness/relaxation.hpp"
 #include "support/refusal.hpp"
@@ -42,11 +43,11 @@ Scene with_indenter() {
 /// By whatever evaluates or simulates a scene.
 template <class Change>
 void check_refused(Scene scene, const std::string& found, const Change& change) {
-  values_of(scene);  // right as it was read
+  resolve(scene).values();  // right as it was read
   change(scene);
   const std::string words = "s.toml: found " + found;
   BOOST_TEST_CONTEXT(found) {
-    BOOST_TEST(refused([&] { values_of(scene); }, words));
+    BOOST_TEST(refused([&] { resolve(scene).values(); }, words));
     BOOST_TEST(refused([&] { critical_onset(scene); }, words));
     try {
       BOOST_TEST(refused([&] { SteadyFriction(scene).at(0.01); }, words));
@@ -104,7 +105,7 @@ BOOST_AUTO_TEST_CASE(indenters_have_their_sizes) {
                 [](Scene& s) { s.indenter->sizes.clear(); });
   check_refused(with_indenter(), "indenter power with 1 sizes",
                 [](Scene& s) { s.indenter->shape = Indenter::Shape::power; });
-  check_refused(with_indenter(), "no value for radius of the indenter",
+  check_refused(with_indenter(), "no value for radius",
                 [](Scene& s) { set_radius(s, std::nullopt); });
   for (const double radius : {0.0, -1.0})
     check_refused(with_indenter(), radius == 0 ? "radius = 0" : "radius = -1",

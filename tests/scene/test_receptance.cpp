@@ -85,7 +85,6 @@ BOOST_FIXTURE_TEST_CASE(a_scene_names_its_table_relative_to_itself, Table) {
   const Scene scene = parse_scene(contact + "receptance = \"r.csv\"\n[body]\nmass = 1\n", file);
   BOOST_TEST(scene.receptance.value().rows.size() == 2);
   BOOST_TEST(!scene.drive.has_value());
-  BOOST_TEST(has_drive(scene));
   BOOST_TEST(scene.mass.has_value());
   const auto message = [&](const std::string& drive) {
     return test::refusal([&] { parse_scene(contact + drive, file); });

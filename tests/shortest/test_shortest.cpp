@@ -67,9 +67,12 @@ Scene filled(Scene scene, unsigned seed) {
   const auto number = [&] { return 0.3 + 2.0 * static_cast<double>(random() % 1000) / 1000; };
   for (auto& [symbol, value] : scene.elements)
     if (!value) value = number();
-  for (Quantity* quantity : quantities(scene))
-    if (!quantity->value) quantity->value = number();
   auto* isotropic = std::get_if<Isotropic>(&scene.tangential);
+  for (Quantity* quantity :
+       {isotropic != nullptr ? &isotropic->quantity : nullptr, &scene.coefficient,
+        &scene.angular_frequency, &scene.amplitude, &scene.indentation,
+        scene.mass ? &*scene.mass : nullptr})
+    if (quantity != nullptr && !quantity->value) quantity->value = number();
   if (isotropic != nullptr && isotropic->by == Isotropic::By::poisson)
     isotropic->quantity.value = 0.1 + number() / 10;
   return scene;
@@ -78,8 +81,8 @@ Scene filled(Scene scene, unsigned seed) {
 double value_at(const ShortestForm& form, const Scene& filled) {
   std::map<std::string, double> names;
   for (const auto& [symbol, value] : filled.elements) names[to_text(symbol)] = *value;
-  for (const Quantity* quantity : quantities(filled))
-    if (quantity->value) names[to_text(quantity->symbol)] = *quantity->value;
+  for (const Quantity& quantity : quantities(filled))
+    if (quantity.value) names[to_text(quantity.symbol)] = *quantity.value;
   for (const ShortestForm::Definition& each : form.definitions)
     names[each.name.text] = test::value_of(each.meaning, names);
   return test::value_of(form.velocity, names);

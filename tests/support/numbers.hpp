@@ -11,8 +11,16 @@ inline Values numbers_of(const Scene& scene) {
   Values numbers;
   for (const auto& [symbol, value] : scene.elements)
     if (value) numbers[symbol] = *value;
-  for (const Quantity* quantity : quantities(scene))
-    if (quantity->value) numbers[quantity->symbol] = *quantity->value;
+  const auto add = [&numbers](const Quantity& quantity) {
+    if (quantity.value) numbers[quantity.symbol] = *quantity.value;
+  };
+  if (const auto* isotropic = std::get_if<Isotropic>(&scene.tangential)) add(isotropic->quantity);
+  for (const Quantity& quantity :
+       {scene.coefficient, scene.angular_frequency, scene.amplitude, scene.indentation})
+    add(quantity);
+  if (scene.mass) add(*scene.mass);
+  if (scene.indenter)
+    for (const Quantity& size : scene.indenter->sizes) add(size);
   return numbers;
 }
 

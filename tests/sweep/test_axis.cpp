@@ -5,6 +5,7 @@
 #include <cmath>
 #include <fstream>
 
+#include "scene/scene.hpp"
 #include "support/program.hpp"
 #include "support/refusal.hpp"
 

@@ -4,6 +4,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include "scene/scene.hpp"
 #include "support/heap.hpp"
 #include "sweep/sweep.hpp"
 
@@ -16,9 +17,9 @@ using namespace vcrit;
 long requests(const std::string& scene, const std::vector<std::string>& axes,
               const std::vector<std::string>& quantities) {
   Sweep sweep{read_scene(VCRIT_SCENES "/" + scene), {}, {}, {}, {}};
-  for (const std::string& axis : axes) sweep.axes.push_back(parse_axis(axis, sweep.scene));
+  for (const std::string& axis : axes) sweep.axes.push_back(parse_axis(axis, sweep.problem));
   for (const std::string& quantity : quantities)
-    sweep.quantities.push_back(parse_swept_quantity(quantity, sweep.scene));
+    sweep.quantities.push_back(parse_swept_quantity(quantity, sweep.problem));
   const Sweeping sweeping(sweep);
   BOOST_TEST_REQUIRE(sweeping.grid().blocks() == 1U);
   BlockAnswer answer = sweeping.answer(0);

@@ -8,7 +8,8 @@
 
 #include "critical/admissibility.hpp"
 #include "critical/certified.hpp"
-#include "scene/changing.hpp"
+#include "problem/variants.hpp"
+#include "problem/variation.hpp"
 #include "simulation/steady/exact.hpp"
 #include "support/refusal.hpp"
 #include "support/scene_text.hpp"
@@ -23,9 +24,9 @@ using test::has;
 Sweep sweep_over(const std::string& scene, const std::vector<std::string>& axes,
                  const std::vector<std::string>& quantities, const Settings& settings = {}) {
   Sweep sweep{read_scene(VCRIT_SCENES "/" + scene, settings), {}, {}, {}, {}};
-  for (const std::string& axis : axes) sweep.axes.push_back(parse_axis(axis, sweep.scene));
+  for (const std::string& axis : axes) sweep.axes.push_back(parse_axis(axis, sweep.problem));
   for (const std::string& quantity : quantities)
-    sweep.quantities.push_back(parse_swept_quantity(quantity, sweep.scene));
+    sweep.quantities.push_back(parse_swept_quantity(quantity, sweep.problem));
   return sweep;
 }
 
@@ -91,11 +92,11 @@ BOOST_AUTO_TEST_CASE(the_order_of_axes_is_that_of_the_rows) {
 BOOST_AUTO_TEST_CASE(large_sweeps_are_in_doubles) {
   const SweptTable table =
       swept(sweep_over("zener.toml", {"frequency=log:1 kHz:10 kHz:12000"}, {"critical_velocity"}));
-  ChangingScene changing(read_scene(VCRIT_SCENES "/zener.toml"), {"frequency"});
+  const Variation changing(read_scene(VCRIT_SCENES "/zener.toml"), {"frequency"});
   double worst = 0;
   for (std::size_t row = 0; row < 12000; row += 37) {
     const double* point = &table.values[2 * row];
-    const Scene there = as_doubles(changing.at({point, 1}));
+    const Problem there = as_doubles(changing.at({point, 1}));
     const double expected = certified_critical_velocity(there).value;
     worst = std::max(worst, std::abs(point[1] / expected - 1));
   }
@@ -117,9 +118,9 @@ BOOST_AUTO_TEST_CASE(sensitivities_are_difference_quotients) {
       Sweep sweep{scene, {{"u_z0", {*scene.indentation.value}}}, {}, {}, {}};
       if (!scene.settable.contains(name)) continue;
       sweep.quantities.push_back(parse_swept_quantity("sensitivity:" + name, scene));
-      ChangingScene changing(scene, {name});
-      const ChangingScene::Target target = changing.targets().front();
-      const double p = *target.value->operator->() / target.factor, h = 1e-5;
+      const Variation changing(scene, {name});
+      const auto& [symbol, factor, is_poisson, is_left_out] = changing.targets().front();
+      const double p = resolve(scene).values().at(symbol) / factor, h = 1e-5;
       const double up = p * (1 + h), down = p * (1 - h);
       const double above = certified_critical_velocity(changing.at({&up, 1})).value;
       const double below = certified_critical_velocity(changing.at({&down, 1})).value;
@@ -150,7 +151,7 @@ BOOST_AUTO_TEST_CASE(one_speed_for_all_rows) {
   sweep.velocity_ratio = 0.5;
   const SweptTable table = swept(sweep);
   // An elastic contact under a rigid drive: 1 - (du_z/u_z0) G(0.5), G of the closed form.
-  const double indentation = *sweep.scene.indentation.value;
+  const double indentation = *sweep.problem->indentation.value;
   for (std::size_t i = 0; i < 4; ++i)
     BOOST_TEST(std::abs(table.values[2 * i + 1] -
                         (1 - table.values[2 * i] / indentation * 0.2014522033336686888)) < 1e-14);
@@ -182,7 +183,7 @@ BOOST_AUTO_TEST_CASE(rows_that_are_not_admissible_have_no_velocity) {
       const Sweep sweep =
           sweep_over(file, {amplitudes, other}, {"critical_velocity", "admissible"});
       const SweptTable table = swept(sweep);
-      ChangingScene changing(sweep.scene, {sweep.axes[0].name, sweep.axes[1].name});
+      const Variation changing(sweep.problem, {sweep.axes[0].name, sweep.axes[1].name});
       std::size_t outside = 0;
       for (std::size_t row = 0; row < table.rows; ++row) {
         const double* const cells = table.values.data() + 4 * row;

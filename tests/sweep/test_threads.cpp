@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "critical/certified.hpp"
+#include "scene/scene.hpp"
 #include "simulation/steady/exact.hpp"
 #include "sweep/sweep.hpp"
 
@@ -24,9 +25,9 @@ void in_threads(const Work& work) {
 
 Sweep sweep_of(const std::vector<std::string>& axes, const std::vector<std::string>& quantities) {
   Sweep sweep{read_scene(VCRIT_SCENES "/kelvin.toml"), {}, {}, {}, {}};
-  for (const std::string& axis : axes) sweep.axes.push_back(parse_axis(axis, sweep.scene));
+  for (const std::string& axis : axes) sweep.axes.push_back(parse_axis(axis, sweep.problem));
   for (const std::string& quantity : quantities)
-    sweep.quantities.push_back(parse_swept_quantity(quantity, sweep.scene));
+    sweep.quantities.push_back(parse_swept_quantity(quantity, sweep.problem));
   return sweep;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "report/report_json.hpp"
+#include "scene/scene.hpp"
 
 namespace vcrit::validation::example {
 
@@ -96,9 +97,8 @@ inline Cycle cycle(double velocity) {
   return result;
 }
 
-inline SceneReport scene_report(const std::string& text, const std::string& file = "scene.toml") {
-  SceneReport report;
-  report.scene = parse_scene(text, file);
+inline SceneReport scene_report(const Scene& scene) {
+  SceneReport report(scene);
   report.critical_velocity = 0.0045779;
   report.relative_error_bound = 1e-16;
   report.condition = 6;
@@ -112,6 +112,10 @@ inline SceneReport scene_report(const std::string& text, const std::string& file
     report.curve.push_back(curve_point(i / 20.0, report.critical_velocity));
   report.cycle = cycle(report.critical_velocity);
   return report;
+}
+
+inline SceneReport scene_report(const std::string& text, const std::string& file = "scene.toml") {
+  return scene_report(parse_scene(text, file));
 }
 
 inline report::Origin origin() {

@@ -7,6 +7,7 @@
 
 #include "report/document.hpp"
 #include "report/records.hpp"
+#include "scene/scene.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_accuracy)
 

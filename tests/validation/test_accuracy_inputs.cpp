@@ -1,6 +1,7 @@
 // Parameter sets around a scene: the same always, where they are said to be, and close to
 // resonance.
 #include "accuracy/inputs.hpp"
+#include "scene/scene.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "accuracy/simulator_errors.hpp"
+#include "scene/scene.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_accuracy_simulators)
 

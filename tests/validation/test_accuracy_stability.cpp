@@ -9,10 +9,11 @@
 #include "accuracy/cells.hpp"
 #include "accuracy/resonance.hpp"
 #include "accuracy/simulated_cell.hpp"
-#include "accuracy/varied_scene.hpp"
 #include "critical/admissibility.hpp"
 #include "critical/certified.hpp"
 #include "critical/conditioning.hpp"
+#include "problem/problem.hpp"
+#include "scene/scene.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_accuracy_stability)
 
@@ -84,7 +85,7 @@ cd = 10
 BOOST_AUTO_TEST_CASE(resonances_of_the_elastic_drive_by_hand) {
   const Scene scene = scene_named("elastic_drive.toml");
   const Resonances resonances(scene);
-  const Values values = values_of(scene);
+  const Values values = resolve(scene).values();
   const auto relative = [&](Balance balance, double expected) {
     return std::abs(resonances.find(balance, values).value() / expected - 1);
   };
@@ -104,7 +105,7 @@ BOOST_AUTO_TEST_CASE(a_cell_at_a_resonance_loses_what_its_conditioning_says) {
   const Cells cells = cells_of(scene, scaled, small);
   BOOST_REQUIRE(map.layers.size() == 4U);
   double worst_beside = 0, worst_elsewhere = 0;
-  cells.for_each(scene, [&](const Scene& each, std::size_t i) {
+  cells.for_each(scene, [&](const Problem& each, std::size_t i) {
     const double condition = condition_number(each, cells.values[i]);
     for (const Layer& layer : map.layers)
       if (layer.key != "simulator" && !std::isnan(layer.lost[i]))
@@ -148,7 +149,7 @@ BOOST_AUTO_TEST_CASE(wrong_answers_of_the_simulator_are_seen) {
 BOOST_AUTO_TEST_CASE(the_contact_stays_closed_in_every_cell) {
   const Scene scene = scene_named("kelvin.toml");
   const Cells cells = cells_of(scene, relaxation_symbols(scene), small);
-  cells.for_each(scene, [&](const Scene& each, std::size_t) {
+  cells.for_each(scene, [&](const Problem& each, std::size_t) {
     BOOST_TEST(inadmissible_reasons(each).empty());
   });
 }

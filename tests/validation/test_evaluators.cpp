@@ -6,6 +6,8 @@
 
 #include "base/files.hpp"
 #include "compiler.hpp"
+#include "problem/problem.hpp"
+#include "scene/scene.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_evaluators)
 
@@ -35,12 +37,12 @@ constexpr double expected = 3.0 / 2048;
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(the_derived_formula_has_its_exact_value) {
-  BOOST_TEST(derived_velocity(symbolic::derive(exact), values_of(exact)) == expected);
+  BOOST_TEST(derived_velocity(symbolic::derive(exact), resolve(exact).values()) == expected);
 }
 
 BOOST_AUTO_TEST_CASE(the_working_precision_is_put_back) {
   const long before = GiNaC::Digits;
-  derived_velocity(symbolic::derive(exact), values_of(exact));
+  derived_velocity(symbolic::derive(exact), resolve(exact).values());
   BOOST_TEST(static_cast<long>(GiNaC::Digits) == before);
 }
 
@@ -50,7 +52,7 @@ BOOST_AUTO_TEST_CASE(the_generated_evaluator_answers_each_call) {
   const auto compiler = find_compiler();
   BOOST_REQUIRE(compiler.has_value());
   const GeneratedVelocities found =
-      generated_velocities(Driver(symbolic::derive(exact), *compiler), values_of(exact));
+      generated_velocities(Driver(symbolic::derive(exact), *compiler), resolve(exact).values());
   const double tolerance = 8 * 0x1p-53 * expected;
   BOOST_TEST(std::abs(found.accurate - expected) <= tolerance);
   BOOST_TEST(std::abs(found.batch - expected) <= tolerance);
@@ -81,7 +83,7 @@ BOOST_AUTO_TEST_CASE(numbers_reach_the_generated_library_unrounded) {
   const auto compiler = find_compiler();
   BOOST_REQUIRE(compiler.has_value());
   const Driver driver(symbolic::derive(exact), *compiler);
-  Values values = values_of(exact);
+  Values values = resolve(exact).values();
   values[{"mu0"}] = 0.1;
   values[{"omega"}] = values[{"du_z"}] = 1;
   values[{"kn"}] = values[{"kt"}] = 1e22 / 3;

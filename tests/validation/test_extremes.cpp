@@ -7,6 +7,8 @@
 #include "extremes/handover.hpp"
 #include "extremes/judging.hpp"
 #include "extremes/summary.hpp"
+#include "problem/problem.hpp"
+#include "scene/scene.hpp"
 #include "simulation/steady/exact.hpp"
 #include "validation/extreme_family.hpp"
 
@@ -109,12 +111,12 @@ BOOST_AUTO_TEST_CASE(closed_formula_at_extremes) {
   struct Point {
     double omega, scale;
   };
-  const Scene scene = scene_of(example::family("elastic"));
+  const Problem scene = problem_of(example::family("elastic"));
   accuracy::Cells cells;
   std::vector<double> expected;
   for (const Point& p : {Point{0x1p-20, 0x1p-100}, Point{0x1p50, 0x1p-100}, Point{0x1p-20, 0x1p100},
                          Point{0x1p50, 0x1p100}, Point{0x1p50, 1}}) {
-    Values values = values_of(scene);
+    Values values = resolve(scene).values();
     values[{"omega"}] = p.omega;
     values[{"kn"}] *= p.scale;
     values[{"kt"}] *= p.scale;
@@ -132,13 +134,13 @@ BOOST_AUTO_TEST_CASE(closed_formula_at_extremes) {
 
 // (30) where it cancels: omega = 2 (1 +- 2^-k) makes |D| = 2^(1-k) +- 2^-2k, exactly.
 BOOST_AUTO_TEST_CASE(resonance_by_hand) {
-  const Scene scene = scene_of(example::family("elastic"));
+  const Problem scene = problem_of(example::family("elastic"));
   accuracy::Cells cells;
   std::vector<double> expected;
   for (const int k : {4, 10, 20, 25})
     for (const double sign : {-1.0, 1.0}) {
       const double d = std::ldexp(sign, -k);
-      Values values = values_of(scene);
+      Values values = resolve(scene).values();
       values[{"omega"}] = 2 * (1 + d);
       cells.values.push_back(values);
       const double excess = d * (2 + d);  // m omega^2 - kd, exact: 2k + 1 bits
@@ -202,7 +204,7 @@ BOOST_AUTO_TEST_CASE(a_limit_that_is_reached_too_soon_or_never_fails) {
 
 BOOST_AUTO_TEST_CASE(a_simulator_that_always_slides_fails) {
   extremes::Subjects subjects = example::honest();
-  subjects.ask = [](const Scene&, double right) {
+  subjects.ask = [](const Problem&, double right) {
     return accuracy::SimulatedCell{right, "misses the stick below v*"};
   };
   const FamilyResult result = example::elastic(subjects);
@@ -214,7 +216,7 @@ BOOST_AUTO_TEST_CASE(a_simulator_that_always_slides_fails) {
 
 BOOST_AUTO_TEST_CASE(a_simulator_without_answers_is_a_loss) {
   extremes::Subjects subjects = example::honest();
-  subjects.ask = [](const Scene&, double) {
+  subjects.ask = [](const Problem&, double) {
     return accuracy::SimulatedCell{none, "no answer: tired"};
   };
   const FamilyResult result = example::elastic(subjects);
@@ -245,8 +247,7 @@ BOOST_AUTO_TEST_CASE(it_is_the_same_in_every_run) {
 // pi/400 on. So all of friction is left below v*; off that frequency it is not.
 BOOST_AUTO_TEST_CASE(harmonics_slide_below_v) {
   const auto friction_lost = [](double omega) {
-    Scene scene = scene_of(example::family("elastic"));
-    scene.angular_frequency.value = omega;
+    const Problem scene = problem_of(example::family("elastic")).with({{{"omega"}, omega}});
     const double below = certified_critical_velocity(scene).value * (1 - 1e-6);
     return 1 - simulation::steady_state(simulation::system_of(scene), below).friction_ratio;
   };

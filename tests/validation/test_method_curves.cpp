@@ -5,6 +5,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "critical/certified.hpp"
+#include "scene/scene.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_method_curves)
 

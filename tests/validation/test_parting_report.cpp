@@ -16,6 +16,7 @@
 #include "report/report_json.hpp"
 #include "report/scene_page.hpp"
 #include "report/verdict.hpp"
+#include "scene/scene.hpp"
 #include "simulation/steady/exact.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_parting_report)
@@ -110,7 +111,7 @@ BOOST_AUTO_TEST_CASE(the_map_of_states) {
 
 // What has no steady state is no motion: nothing is drawn, and null is written.
 BOOST_AUTO_TEST_CASE(a_row_without_an_answer_stays_empty) {
-  SceneReport report;
+  SceneReport report(jumping_with_memory());
   report.parting.emplace();
   StateMap& map = report.parting->map;
   map.rows = {0.5, 1};

@@ -13,6 +13,7 @@
 #include "critical/critical_velocity.hpp"
 #include "derivation/derivation.hpp"
 #include "formula/symbols.hpp"
+#include "problem/problem.hpp"
 #include "report/index_page.hpp"
 #include "report/scene_page.hpp"
 #include "rules/rulebook.hpp"
@@ -55,12 +56,13 @@ void check_red(const SceneReport& report, const std::vector<std::string>& keys) 
 }
 
 /// Eq. 24 with K_t - (K_d - m omega^2) where the paper has a sum.
-double with_a_flipped_sign(const Scene& scene) {
-  const Values values = values_of(scene);
+double with_a_flipped_sign(const Problem& problem) {
+  const Values& values = problem.values();
   const double omega = values.at({"omega", 0}), inertia = values.at({"m", 0}) * omega * omega;
-  const double ratio = tangential_ratio(std::get<Isotropic>(scene.tangential));
-  const auto contact = ratio * dynamic_stiffness(scene.normal, values, omega);
-  const auto drive = dynamic_stiffness(*scene.drive, values, omega) - inertia;
+  const double ratio = tangential_ratio(std::get<Isotropic>(problem->tangential));
+  const auto contact = ratio * dynamic_stiffness(problem->normal.reduction(), values, omega);
+  const auto drive =
+      dynamic_stiffness(problem->drive_network()->reduction(), values, omega) - inertia;
   return values.at({"mu0", 0}) * omega * values.at({"du_z", 0}) / ratio *
          std::abs(contact - drive) / std::abs(drive);
 }
@@ -69,12 +71,14 @@ double with_a_flipped_sign(const Scene& scene) {
 Witnesses balance_off_by(int thousandths) {
   const double fault = 1 + 1e-3 * thousandths;
   Witnesses witnesses = own_witnesses();
-  witnesses.certified = [fault](const Scene& scene) {
-    CertifiedVelocity result = certified_critical_velocity(scene);
+  witnesses.certified = [fault](const Problem& problem) {
+    CertifiedVelocity result = certified_critical_velocity(problem);
     result.value *= fault;
     return result;
   };
-  witnesses.formula = [fault](const Scene& scene) { return fault * critical_velocity(scene); };
+  witnesses.formula = [fault](const Problem& problem) {
+    return fault * critical_velocity(problem);
+  };
   witnesses.balance = [fault](const simulation::System& system) {
     simulation::Onset onset = simulation::sliding_threshold(system);
     onset.contact_velocity *= fault;
@@ -113,8 +117,8 @@ BOOST_AUTO_TEST_CASE(a_flipped_sign_in_the_derivation_is_red) {
 // A thousandth is far above what any plotting width shows.
 BOOST_AUTO_TEST_CASE(a_reduced_stiffness_in_the_simulator_is_red) {
   Witnesses witnesses = own_witnesses();
-  witnesses.system = [](const Scene& scene) {
-    simulation::System system = simulation::system_of(scene);
+  witnesses.system = [](const Problem& problem) {
+    simulation::System system = simulation::system_of(problem);
     system.contact = scaled(system.contact, 0.999);
     return system;
   };
@@ -143,7 +147,7 @@ BOOST_AUTO_TEST_CASE(without_a_march_the_same_fault_is_red) {
       BOOST_TEST((outcome(*std::ranges::find(right.comparisons, "periodic", &Comparison::key)) ==
                   Comparison::Outcome::passed));
       const SceneReport wrong = heard(balance_off_by(2), scene, formula_off_by(2, scene));
-      const bool generated{rules::answer(rules::Question::evaluator, scene.scene)};
+      const bool generated{rules::answer(rules::Question::evaluator, scene.problem)};
       check_red(wrong, generated ? std::vector<std::string>{"generated", "generated_batch",
                                                             "generated_fast", "generated_certified",
                                                             "periodic"}
@@ -170,10 +174,9 @@ BOOST_AUTO_TEST_CASE(a_fault_in_the_half_space_is_red) {
   const Derivation scene =
       symbolic::derive(read_scene(VCRIT_TEST_DATA "/../matrix/kinds/indenter_elastic.toml"));
   Witnesses witnesses = own_witnesses();
-  witnesses.half_space = [](const Scene& right) {
-    Scene wrong = right;
-    wrong.coefficient.value = 0.998 * *right.coefficient.value;
-    return indenter::HalfSpace(wrong);
+  witnesses.half_space = [](const Problem& right) {
+    const Symbol& friction = right->coefficient.symbol;
+    return indenter::HalfSpace(right.with({{friction, 0.998 * right.values().at(friction)}}));
   };
   const SceneReport report = heard(witnesses, scene);
   for (const char* key : {"balance", "simulation", "evaluators", "marched"})
@@ -185,7 +188,7 @@ BOOST_AUTO_TEST_CASE(a_fault_in_the_half_space_is_red) {
 BOOST_AUTO_TEST_CASE(a_speed_of_zero_or_infinity_that_is_none_is_red) {
   for (const double wrong : {0.0, std::numeric_limits<double>::infinity()}) {
     Witnesses witnesses = own_witnesses();
-    witnesses.certified = [wrong](const Scene&) { return CertifiedVelocity{wrong, 0, {}}; };
+    witnesses.certified = [wrong](const Problem&) { return CertifiedVelocity{wrong, 0, {}}; };
     const SceneReport report = heard(witnesses);
     BOOST_TEST((outcome(*std::ranges::find(report.comparisons, "periodic", &Comparison::key)) ==
                 Comparison::Outcome::failed));
@@ -209,8 +212,8 @@ BOOST_AUTO_TEST_CASE(a_border_that_is_not_that_of_the_formula_is_red) {
 // the digits that it says it may lose.
 BOOST_AUTO_TEST_CASE(a_simulated_velocity_off_by_a_hundred_millionth_is_red) {
   Witnesses witnesses = own_witnesses();
-  witnesses.system = [](const Scene& scene) {
-    simulation::System system = simulation::system_of(scene);
+  witnesses.system = [](const Problem& problem) {
+    simulation::System system = simulation::system_of(problem);
     system.friction *= 1 + 1e-8;
     return system;
   };
@@ -238,8 +241,8 @@ BOOST_AUTO_TEST_CASE(near_resonance_right_is_green_and_a_fault_is_red) {
     return comparison;
   };
   BOOST_TEST(passed(heard(witnesses, near)));
-  witnesses.system = [](const Scene& scene) {
-    simulation::System system = simulation::system_of(scene);
+  witnesses.system = [](const Problem& problem) {
+    simulation::System system = simulation::system_of(problem);
     system.drive = scaled(*system.drive, 1 + 1e-9);
     return system;
   };

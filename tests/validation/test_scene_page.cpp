@@ -86,10 +86,11 @@ BOOST_AUTO_TEST_CASE(no_script_can_end_early) {
 }
 
 BOOST_AUTO_TEST_CASE(text_from_a_scene_stays_text) {
-  SceneReport report = example::scene_report(example::rigid_scene, "odd <file>.toml");
-  report.scene.title = hostile;
-  report.scene.text += "# " + hostile;
-  report.scene.warnings = {hostile};
+  vcrit::Scene scene = vcrit::parse_scene(example::rigid_scene, "odd <file>.toml");
+  scene.title = hostile;
+  scene.text += "# " + hostile;
+  scene.warnings = {hostile};
+  SceneReport report = example::scene_report(scene);
   report.reasons = {hostile};
   report.comparisons[0].name = report.comparisons[0].reason = report.comparisons[0].detail =
       hostile;

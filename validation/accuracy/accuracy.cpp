@@ -18,8 +18,8 @@ constexpr std::uint64_t draw_seed = 20261121;
 constexpr std::size_t drawn_sets = 4096;
 
 /// Null where it cannot be compiled.
-const Driver* compiled(const Scene& scene, Driver& driver, Accuracy& result) {
-  if (scene.receptance) {
+const Driver* compiled(const Problem& problem, Driver& driver, Accuracy& result) {
+  if (problem->receptance() != nullptr) {
     result.left_out.emplace_back(
         "No compiled evaluators: the formula needs the table of the measured drive.");
     return nullptr;
@@ -43,13 +43,13 @@ std::string compiler_version() {
   return describe_compiler(*find_compiler(), folder.path());
 }
 
-void add_simulators(const Scene& scene, Accuracy& result) {
-  if (const auto reasons = inadmissible_reasons(scene); !reasons.empty()) {
+void add_simulators(const Problem& problem, Accuracy& result) {
+  if (const auto reasons = inadmissible_reasons(problem); !reasons.empty()) {
     result.left_out.push_back(fmt::format("No simulations: {}.", reasons.front()));
     return;
   }
   try {
-    result.simulators = simulator_errors(scene, {0.1, 0.5, 0.99});
+    result.simulators = simulator_errors(problem, {0.1, 0.5, 0.99});
   } catch (const ModelError& error) {
     result.left_out.push_back(fmt::format("No simulations: {}.", error.what()));
   }
@@ -58,19 +58,19 @@ void add_simulators(const Scene& scene, Accuracy& result) {
 }  // namespace
 
 Accuracy measure(Driver& own, const Progress& progress) {
-  const Scene& scene = own.derivation().scene;
+  const Problem& problem = own.derivation().problem;
   Accuracy result;
-  result.command = fmt::format("vcrit validate {} --out DIR", scene.file);
+  result.command = fmt::format("vcrit validate {} --out DIR", problem->source->file);
   progress("compiling all evaluators");
-  const Driver* const driver = compiled(scene, own, result);
+  const Driver* const driver = compiled(problem, own, result);
   progress("evaluators: error against run time");
   result.evaluators =
-      evaluator_errors(scene, driver, draw_inputs(scene, own.symbols(), drawn_sets, draw_seed));
+      evaluator_errors(problem, driver, draw_inputs(problem, own.symbols(), drawn_sets, draw_seed));
   if (driver != nullptr) result.evaluators.compiler = compiler_version();
   progress("simulators: error against run time");
-  add_simulators(scene, result);
+  add_simulators(problem, result);
   progress("stability maps");
-  result.maps = stability_maps(scene, driver, result.left_out);
+  result.maps = stability_maps(problem, driver, result.left_out);
   return result;
 }
 

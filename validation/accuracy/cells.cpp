@@ -6,9 +6,7 @@
 #include <optional>
 
 #include "accuracy/resonance.hpp"
-#include "accuracy/varied_scene.hpp"
 #include "critical/certified.hpp"
-#include "network/masses.hpp"
 #include "stiffness/at_rest.hpp"
 #include "stiffness/dynamic_stiffness.hpp"
 
@@ -49,59 +47,54 @@ std::vector<double> row_of(const std::vector<double>& middles, const Resonances&
 
 }  // namespace
 
-double certified_or_nan(const Scene& scene) {
+double certified_or_nan(const Problem& problem) {
   try {
-    return certified_critical_velocity(scene).value;
+    return certified_critical_velocity(problem).value;
   } catch (const ModelError&) {
     return std::numeric_limits<double>::quiet_NaN();
   }
 }
 
-double closed_amplitude(const Scene& scene, const Reduction& normal, const Values& values) {
-  const double amplitude = values.at(scene.amplitude.symbol);
-  const auto stiffness_at_rest = static_cast<double>(at_rest(scene.normal, values).stiffness());
+double closed_amplitude(const Problem& problem, const Values& values) {
+  const Reduction& normal = problem->normal.reduction();
+  const double amplitude = values.at(problem->amplitude.symbol);
+  const auto stiffness_at_rest = static_cast<double>(at_rest(normal, values).stiffness());
   if (stiffness_at_rest == 0) return amplitude;
-  const double omega = values.at(scene.angular_frequency.symbol);
+  const double omega = values.at(problem->angular_frequency.symbol);
   const double stiffening = stiffness_at_rest / std::abs(dynamic_stiffness(normal, values, omega));
   return std::min(amplitude,
-                  largest_oscillation * stiffening * values.at(scene.indentation.symbol));
+                  largest_oscillation * stiffening * values.at(problem->indentation.symbol));
 }
 
-void Cells::for_each(const Scene& scene,
-                     const std::function<void(const Scene&, std::size_t)>& visit) const {
-  VariedScene varied(scene);
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    for (const auto& [symbol, value] : values[i])
-      if (varied.has(symbol)) varied.set(symbol, value);
-    visit(varied.scene(), i);
-  }
+void Cells::for_each(const Problem& problem,
+                     const std::function<void(const Problem&, std::size_t)>& visit) const {
+  for (std::size_t i = 0; i < values.size(); ++i) visit(problem.with(values[i]), i);
 }
 
-std::vector<double> correctly_rounded(const Scene& scene, const Cells& cells) {
+std::vector<double> correctly_rounded(const Problem& problem, const Cells& cells) {
   std::vector<double> right;
-  cells.for_each(scene,
-                 [&](const Scene& each, std::size_t) { right.push_back(certified_or_nan(each)); });
+  cells.for_each(
+      problem, [&](const Problem& each, std::size_t) { right.push_back(certified_or_nan(each)); });
   return right;
 }
 
-Cells cells_of(const Scene& scene, const std::vector<Symbol>& scaled, const MapGrid& grid) {
-  const Values base = values_of(scene);
-  const Reduction normal = reduce(scene.normal);
-  const Resonances resonances(scene);
+Cells cells_of(const Problem& problem, const std::vector<Symbol>& scaled, const MapGrid& grid) {
+  const Values& base = problem.values();
+  const Resonances resonances(problem);
   Cells cells;
-  cells.omega = logarithmic(base.at(scene.angular_frequency.symbol), grid.decades, grid.omegas);
+  cells.omega = logarithmic(base.at(problem->angular_frequency.symbol), grid.decades, grid.omegas);
   cells.factor = logarithmic(1, grid.factor_decades.value_or(grid.decades), grid.factors);
   for (const double factor : cells.factor) {
     Values values = base;
     for (const Symbol& symbol : scaled) values[symbol] = factor * base.at(symbol);
     for (const double omega : row_of(cells.omega, resonances, values)) {
-      values[scene.angular_frequency.symbol] = omega;
-      values[scene.amplitude.symbol] = base.at(scene.amplitude.symbol);
-      values[scene.amplitude.symbol] = closed_amplitude(scene, normal, values);
+      values[problem->angular_frequency.symbol] = omega;
+      values[problem->amplitude.symbol] = base.at(problem->amplitude.symbol);
+      values[problem->amplitude.symbol] = closed_amplitude(problem, values);
       cells.values.push_back(values);
     }
   }
-  cells.right = correctly_rounded(scene, cells);
+  cells.right = correctly_rounded(problem, cells);
   return cells;
 }
 

@@ -8,7 +8,7 @@
 
 #include "accuracy/stability.hpp"
 #include "network/reduction.hpp"
-#include "scene/scene.hpp"
+#include "problem/problem.hpp"
 
 namespace vcrit::validation::accuracy {
 
@@ -21,23 +21,23 @@ struct Cells {
   double omega_of(std::size_t i) const { return omega[i % omega.size()]; }
   double factor_of(std::size_t i) const { return factor[i / omega.size()]; }
   /// Calls `visit` with the scene of each cell, in order.
-  void for_each(const Scene& scene,
-                const std::function<void(const Scene& each, std::size_t i)>& visit) const;
+  void for_each(const Problem& problem,
+                const std::function<void(const Problem& each, std::size_t i)>& visit) const;
 };
 
 /// v* correctly rounded, m/s; NaN where it is 0/0.
-double certified_or_nan(const Scene& scene);
+double certified_or_nan(const Problem& problem);
 
 /// v* correctly rounded of each cell, from its values.
-std::vector<double> correctly_rounded(const Scene& scene, const Cells& cells);
+std::vector<double> correctly_rounded(const Problem& problem, const Cells& cells);
 
 /// The amplitude du_z (m), at most that of `values`, at which the normal force keeps a tenth of its
-/// mean; `normal` is the scene's normal network. A contact without static load stays as it is.
-double closed_amplitude(const Scene& scene, const Reduction& normal, const Values& values);
+/// mean. A contact without static load stays as it is.
+double closed_amplitude(const Problem& problem, const Values& values);
 
 /// By how much, relatively, omega lies beside the resonance or antiresonance of its cell.
 constexpr double beside_balance = 1e-8;
 
-Cells cells_of(const Scene& scene, const std::vector<Symbol>& scaled, const MapGrid& grid);
+Cells cells_of(const Problem& problem, const std::vector<Symbol>& scaled, const MapGrid& grid);
 
 }  // namespace vcrit::validation::accuracy

@@ -9,7 +9,6 @@
 
 #include "accuracy/cells.hpp"
 #include "accuracy/front.hpp"
-#include "accuracy/varied_scene.hpp"
 #include "critical/conditioning.hpp"
 #include "critical/critical_velocity.hpp"
 
@@ -21,21 +20,21 @@ constexpr std::size_t most_worst = 10;
 constexpr double wrong = 1e-10;
 
 template <class Visit>
-void for_each_set(const Scene& scene, const Inputs& inputs, const Visit& visit) {
-  VariedScene varied(scene);
+void for_each_set(const Problem& problem, const Inputs& inputs, const Visit& visit) {
   for (const std::vector<double>& set : inputs.sets) {
-    for (std::size_t j = 0; j < set.size(); ++j) varied.set(inputs.symbols[j], set[j]);
-    visit(varied.scene());
+    Values values;
+    for (std::size_t j = 0; j < set.size(); ++j) values[inputs.symbols[j]] = set[j];
+    visit(problem.with(values));
   }
 }
 
 /// The library's function, which reads a scene's numbers each time.
-Answers library_answers(const Scene& scene, const Inputs& inputs) {
+Answers library_answers(const Problem& problem, const Inputs& inputs) {
   using Clock = std::chrono::steady_clock;
   Answers answers{{"library", "Eq. 24 in doubles, from the scene"}, 0, {}};
   const Clock::time_point begin = Clock::now();
-  for_each_set(scene, inputs,
-               [&](const Scene& each) { answers.values.push_back(critical_velocity(each)); });
+  for_each_set(problem, inputs,
+               [&](const Problem& each) { answers.values.push_back(critical_velocity(each)); });
   answers.nanoseconds = std::chrono::duration<double, std::nano>(Clock::now() - begin).count() /
                         static_cast<double>(inputs.sets.size());
   return answers;
@@ -85,11 +84,11 @@ std::vector<WorstInput> worst_inputs(const Answers& answers, const Inputs& input
 
 }  // namespace
 
-Reference reference_of(const Scene& scene, const Inputs& inputs) {
+Reference reference_of(const Problem& problem, const Inputs& inputs) {
   Reference reference;
-  for_each_set(scene, inputs, [&](const Scene& each) {
+  for_each_set(problem, inputs, [&](const Problem& each) {
     reference.right.push_back(certified_or_nan(each));
-    reference.condition.push_back(condition_number(each, values_of(each)));
+    reference.condition.push_back(condition_number(each, each.values()));
   });
   return reference;
 }
@@ -139,21 +138,22 @@ void mark_front(std::vector<EvaluatorError>& ways) {
   for (std::size_t i = 0; i < ranked.size(); ++i) ranked[i]->on_front = front[i];
 }
 
-EvaluatorErrors evaluator_errors(const Scene& scene, const Driver* driver, const Inputs& inputs) {
+EvaluatorErrors evaluator_errors(const Problem& problem, const Driver* driver,
+                                 const Inputs& inputs) {
   EvaluatorErrors result;
   result.seed = inputs.seed;
   result.sets = inputs.sets.size();
   result.near_resonance = inputs.near_resonance;
   result.near_antiresonance = inputs.near_antiresonance;
-  for (const Symbol& symbol : inputs.symbols) result.symbols.push_back(as_called(scene, symbol));
-  const Reference reference = reference_of(scene, inputs);
+  for (const Symbol& symbol : inputs.symbols) result.symbols.push_back(as_called(problem, symbol));
+  const Reference reference = reference_of(problem, inputs);
   if (driver != nullptr) {
     std::vector<std::string> keys;
     for (const Way& way : driver->ways()) keys.push_back(way.key);
     for (const Answers& answers : driver->run(inputs.sets, keys))
       result.ways.push_back(assess(answers, inputs, reference));
   }
-  result.ways.push_back(assess(library_answers(scene, inputs), inputs, reference));
+  result.ways.push_back(assess(library_answers(problem, inputs), inputs, reference));
   if (driver != nullptr)
     for (const Missing& missing : driver->missing()) {
       EvaluatorError& way = result.ways.emplace_back();

@@ -13,7 +13,7 @@ namespace vcrit::validation::accuracy {
 struct Reference {
   std::vector<double> right, condition;
 };
-Reference reference_of(const Scene& scene, const Inputs& inputs);
+Reference reference_of(const Problem& problem, const Inputs& inputs);
 
 /// |found - right| in units in the last place of `right`: 0 for equal values, infinite or NaN where
 /// only one is finite.
@@ -28,6 +28,7 @@ EvaluatorError assess(const Answers& answers, const Inputs& inputs, const Refere
 void mark_front(std::vector<EvaluatorError>& ways);
 
 /// All ways of the driver (none without one) and the library's critical_velocity().
-EvaluatorErrors evaluator_errors(const Scene& scene, const Driver* driver, const Inputs& inputs);
+EvaluatorErrors evaluator_errors(const Problem& problem, const Driver* driver,
+                                 const Inputs& inputs);
 
 }  // namespace vcrit::validation::accuracy

@@ -42,22 +42,21 @@ bool move(double& omega, Balance balance, const Resonances& resonances, const Va
 
 }  // namespace
 
-Inputs draw_inputs(const Scene& scene, const std::vector<Symbol>& symbols, std::size_t size,
+Inputs draw_inputs(const Problem& problem, const std::vector<Symbol>& symbols, std::size_t size,
                    std::uint64_t seed) {
   Inputs inputs{seed, symbols, {}};
   Random random(seed);
-  const Resonances resonances(scene);
-  const Values base = values_of(scene);
-  const std::size_t omega = index_of(symbols, scene.angular_frequency.symbol);
+  const Resonances resonances(problem);
+  const Values& base = problem.values();
+  const std::size_t omega = index_of(symbols, problem->angular_frequency.symbol);
   ensure(omega < symbols.size(), "v* depends on omega");
   for (std::size_t i = 0; i < size; ++i) {
     Values values = base;
     for (const Symbol& symbol : symbols) values[symbol] = random.in_decade_around(base.at(symbol));
     const double offset = random.offset();
-    double& own = values[scene.angular_frequency.symbol];
-    if (scene.receptance)
-      own = std::clamp(own, scene.receptance->rows.front().omega,
-                       scene.receptance->rows.back().omega);
+    double& own = values[problem->angular_frequency.symbol];
+    if (const Receptance* measured = problem->receptance())
+      own = std::clamp(own, measured->rows.front().omega, measured->rows.back().omega);
     if (i % 4 == 0)
       inputs.near_resonance += move(own, Balance::resonance, resonances, values, offset);
     if (i % 4 == 1)

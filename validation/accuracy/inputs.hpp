@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "scene/scene.hpp"
+#include "problem/problem.hpp"
 
 namespace vcrit::validation::accuracy {
 
@@ -19,7 +19,7 @@ struct Inputs {
 /// In every fourth set omega is within a relative 1e-2 to 1e-12 (log-uniform) of a resonance, in
 /// every fourth of an antiresonance, where the scene has them. In a measured drive's table omega
 /// stays inside.
-Inputs draw_inputs(const Scene& scene, const std::vector<Symbol>& symbols, std::size_t size,
+Inputs draw_inputs(const Problem& problem, const std::vector<Symbol>& symbols, std::size_t size,
                    std::uint64_t seed);
 
 }  // namespace vcrit::validation::accuracy

@@ -6,23 +6,23 @@
 
 namespace vcrit::validation::accuracy {
 
-Resonances::Resonances(const Scene& scene) : scene_(scene) {
-  if (!scene.mass || !scene.drive) return;
-  drive_ = reduce(*scene.drive);
-  tangential_ = reduce(*tangential_network(scene).network);
+Resonances::Resonances(const Problem& problem) : problem_(problem) {
+  if (!problem->mass || problem->drive_network() == nullptr) return;
+  drive_ = *problem->drive_network();
+  tangential_ = tangential_network(problem);
 }
 
 double Resonances::excess(Balance balance, const Values& values, double omega) const {
-  double stiffness = dynamic_stiffness(*drive_, values, omega).real();
+  double stiffness = dynamic_stiffness(drive_->reduction(), values, omega).real();
   if (balance == Balance::antiresonance)
-    stiffness +=
-        tangential_network(scene_).factor * dynamic_stiffness(*tangential_, values, omega).real();
-  return stiffness - values.at(scene_.mass->symbol) * omega * omega;
+    stiffness += tangential_->factor *
+                 dynamic_stiffness(tangential_->network.reduction(), values, omega).real();
+  return stiffness - values.at(problem_->mass->symbol) * omega * omega;
 }
 
 std::optional<double> Resonances::find(Balance balance, const Values& values) const {
   if (!exist()) return std::nullopt;
-  const double omega = values.at(scene_.angular_frequency.symbol);
+  const double omega = values.at(problem_->angular_frequency.symbol);
   double low = 1e-9 * omega, high = 1e9 * omega;
   if (!(excess(balance, values, low) > 0) || !(excess(balance, values, high) < 0))
     return std::nullopt;

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "network/reduction.hpp"
-#include "scene/scene.hpp"
+#include "problem/problem.hpp"
 
 namespace vcrit::validation::accuracy {
 
@@ -13,8 +13,7 @@ enum class Balance { resonance, antiresonance };
 
 class Resonances {
  public:
-  /// `scene` must stay.
-  explicit Resonances(const Scene& scene);
+  explicit Resonances(const Problem& problem);
 
   /// Whether there is a body on a drive that is a network; elsewhere find() finds nothing.
   bool exist() const { return drive_.has_value(); }
@@ -31,8 +30,9 @@ class Resonances {
  private:
   double excess(Balance balance, const Values& values, double omega) const;
 
-  const Scene& scene_;
-  std::optional<Reduction> drive_, tangential_;
+  Problem problem_;
+  std::optional<ReducedNetwork> drive_;
+  std::optional<ScaledNetwork> tangential_;
 };
 
 }  // namespace vcrit::validation::accuracy

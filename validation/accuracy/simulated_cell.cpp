@@ -20,14 +20,14 @@ bool slides(const simulation::System& system, double velocity) {
 
 }  // namespace
 
-SimulatedCell simulated_cell(const Scene& scene, double right) {
+SimulatedCell simulated_cell(const Problem& problem, double right) {
   SimulatedCell cell{std::numeric_limits<double>::quiet_NaN(), {}};
   if (!std::isnormal(right)) return cell;
   // Extreme numbers may break anything; that is what is looked for.
   try {
-    const simulation::System system = simulation::system_of(scene);
+    const simulation::System system = simulation::system_of(problem);
     cell.threshold = simulation::sliding_threshold(system).contact_velocity;
-    const double creep = creep_velocity(scene);
+    const double creep = creep_velocity(problem);
     if (slides(system, right * (1 - beside) + creep)) cell.wrong = "misses the stick below v*";
     if (!slides(system, right * (1 + beside) + creep))
       cell.wrong += cell.wrong.empty() ? "sticks above v*" : " and sticks above it";
@@ -37,11 +37,11 @@ SimulatedCell simulated_cell(const Scene& scene, double right) {
   return cell;
 }
 
-SimulatedCell not_asked(const Scene& scene) {
+SimulatedCell not_asked(const Problem& problem) {
   SimulatedCell cell{std::numeric_limits<double>::quiet_NaN(),
                      "not asked: the stuck body swings over 10,000 times in a period"};
   try {
-    const simulation::System system = simulation::system_of(scene);
+    const simulation::System system = simulation::system_of(problem);
     cell.threshold = simulation::sliding_threshold(system).contact_velocity;
   } catch (const std::exception& error) {
     cell.wrong = std::string("no answer: ") + error.what();

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "scene/scene.hpp"
+#include "problem/problem.hpp"
 
 namespace vcrit::validation::accuracy {
 
@@ -15,9 +15,9 @@ struct SimulatedCell {
 };
 
 /// `right`: v* in m/s; where it is no speed nothing is asked.
-SimulatedCell simulated_cell(const Scene& scene, double right);
+SimulatedCell simulated_cell(const Problem& problem, double right);
 
 /// Only the threshold, where the motion below it takes too long.
-SimulatedCell not_asked(const Scene& scene);
+SimulatedCell not_asked(const Problem& problem);
 
 }  // namespace vcrit::validation::accuracy

@@ -79,9 +79,9 @@ bool elastic(const Relaxation& form) {
 }
 
 /// The elastic contact's closed form, where the scene is one.
-std::optional<double> closed_form(const Scene& scene, const System& system, double ratio) {
+std::optional<double> closed_form(const Problem& problem, const System& system, double ratio) {
   if (system.opening || system.drive || !elastic(system.contact) ||
-      !elastic(relaxation_form(scene.normal, values_of(scene))))
+      !elastic(relaxation_form(problem->normal.network(), problem.values())))
     return std::nullopt;
   return elastic_friction(std::abs(system.normal_force_amplitude) / system.mean_normal_force,
                           ratio);
@@ -160,16 +160,17 @@ void mark_front(std::vector<Solve>& solves) {
   for (std::size_t i = 0; i < ranked.size(); ++i) ranked[i]->on_front = front[i];
 }
 
-std::vector<SpeedSolves> simulator_errors(const Scene& scene, const std::vector<double>& ratios) {
-  const System system = simulation::system_of(scene);
-  const double threshold = certified_critical_velocity(scene).value + creep_velocity(scene);
+std::vector<SpeedSolves> simulator_errors(const Problem& problem,
+                                          const std::vector<double>& ratios) {
+  const System system = simulation::system_of(problem);
+  const double threshold = certified_critical_velocity(problem).value + creep_velocity(problem);
   if (!(threshold > 0) || !std::isfinite(threshold))
     throw ModelError("v* is infinite or 0: there is no speed to simulate at");
   const std::vector<Setting> settings = all_settings(system);
   std::vector<SpeedSolves> result;
   for (const double ratio : ratios) {
     std::vector<Solved> all = solve_all(settings, system, ratio * threshold);
-    const auto reference = friction_reference(all, closed_form(scene, system, ratio));
+    const auto reference = friction_reference(all, closed_form(problem, system, ratio));
     SpeedSolves speed;
     speed.ratio = ratio;
     if (reference) {

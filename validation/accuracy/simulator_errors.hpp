@@ -3,7 +3,7 @@
 
 #include "accuracy/data.hpp"
 #include "accuracy/simulator_settings.hpp"
-#include "scene/scene.hpp"
+#include "problem/problem.hpp"
 
 namespace vcrit::validation::accuracy {
 
@@ -23,6 +23,7 @@ void mark_front(std::vector<Solve>& solves);
 
 /// At speeds of `ratios` times the lowest speed of pure sliding. Throws ModelError where the scene
 /// cannot be simulated.
-std::vector<SpeedSolves> simulator_errors(const Scene& scene, const std::vector<double>& ratios);
+std::vector<SpeedSolves> simulator_errors(const Problem& problem,
+                                          const std::vector<double>& ratios);
 
 }  // namespace vcrit::validation::accuracy

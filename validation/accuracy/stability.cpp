@@ -38,10 +38,10 @@ void add_relaxation(std::vector<Symbol>& symbols, const Network& network) {
   });
 }
 
-std::vector<const Network*> contact_networks(const Scene& scene) {
-  if (const auto* tangential = std::get_if<Network>(&scene.tangential))
-    return {tangential, &scene.normal};
-  return {&scene.normal};
+std::vector<const Network*> contact_networks(const Problem& problem) {
+  if (const auto* tangential = std::get_if<ReducedNetwork>(&problem->tangential))
+    return {&tangential->network(), &problem->normal.network()};
+  return {&problem->normal.network()};
 }
 
 /// Fills in one layer from what was found in the cells.
@@ -75,13 +75,13 @@ void add_driver_layers(StabilityMap& map, const Cells& cells, const Driver& driv
 constexpr double most_swings = 1e4;
 
 /// The layer of the simulator, and a mark for each answer that is wrong or missing.
-Layer simulated(const Scene& scene, const Cells& cells) {
-  const Resonances resonances(scene);
+Layer simulated(const Problem& problem, const Cells& cells) {
+  const Resonances resonances(problem);
   std::vector<double> thresholds;
   std::vector<Mark> marks;
-  cells.for_each(scene, [&](const Scene& each, std::size_t i) {
+  cells.for_each(problem, [&](const Problem& each, std::size_t i) {
     const auto swing = resonances.find(Balance::antiresonance, cells.values[i]);
-    const double omega = cells.values[i].at(scene.angular_frequency.symbol);
+    const double omega = cells.values[i].at(problem->angular_frequency.symbol);
     const bool too_long = swing && *swing > most_swings * omega;
     const SimulatedCell cell = too_long ? not_asked(each) : simulated_cell(each, cells.right[i]);
     thresholds.push_back(cell.threshold);
@@ -92,8 +92,8 @@ Layer simulated(const Scene& scene, const Cells& cells) {
   return layer;
 }
 
-std::vector<Line> balance_lines(const Scene& scene, const Cells& cells) {
-  const Resonances resonances(scene);
+std::vector<Line> balance_lines(const Problem& problem, const Cells& cells) {
+  const Resonances resonances(problem);
   if (!resonances.exist()) return {};
   std::vector<Line> lines{{"resonance", {}}, {"antiresonance", {}}};
   for (std::size_t row = 0; row < cells.factor.size(); ++row) {
@@ -124,12 +124,12 @@ std::string names(const std::vector<Symbol>& symbols) {
   return text;
 }
 
-bool can_be_simulated(const Scene& scene) {
-  return bool{rules::answer(rules::Question::report_stability, scene)};
+bool can_be_simulated(const Problem& problem) {
+  return bool{rules::answer(rules::Question::report_stability, problem)};
 }
 
-bool is_too_large(const Scene& scene) {
-  return can_be_simulated(scene) && is_large(simulation::system_of(scene));
+bool is_too_large(const Problem& problem) {
+  return can_be_simulated(problem) && is_large(simulation::system_of(problem));
 }
 
 }  // namespace
@@ -140,11 +140,11 @@ double digits_lost(double found, double right) {
   return relative == 0 ? 0 : std::clamp(std::log10(relative / 0x1p-53), 0.0, 16.0);
 }
 
-std::vector<Symbol> stiffness_symbols(const Scene& scene) {
+std::vector<Symbol> stiffness_symbols(const Problem& problem) {
   std::vector<Symbol> contact, drive;
-  for (const Network* network : contact_networks(scene)) add_springs(contact, *network);
-  if (scene.drive) {
-    add_springs(drive, *scene.drive);
+  for (const Network* network : contact_networks(problem)) add_springs(contact, *network);
+  if (const ReducedNetwork* network = problem->drive_network()) {
+    add_springs(drive, network->network());
     std::erase_if(contact, [&](const Symbol& symbol) {
       return std::find(drive.begin(), drive.end(), symbol) != drive.end();
     });
@@ -155,37 +155,37 @@ std::vector<Symbol> stiffness_symbols(const Scene& scene) {
   return contact;
 }
 
-std::vector<Symbol> relaxation_symbols(const Scene& scene) {
+std::vector<Symbol> relaxation_symbols(const Problem& problem) {
   std::vector<Symbol> symbols;
-  for (const Network* network : contact_networks(scene)) add_relaxation(symbols, *network);
-  if (scene.drive) add_relaxation(symbols, *scene.drive);
+  for (const Network* network : contact_networks(problem)) add_relaxation(symbols, *network);
+  if (const auto* drive = problem->drive_network()) add_relaxation(symbols, drive->network());
   return symbols;
 }
 
-StabilityMap stability_map(const Scene& scene, const Driver* driver, const std::string& key,
+StabilityMap stability_map(const Problem& problem, const Driver* driver, const std::string& key,
                            const std::vector<Symbol>& scaled, const MapGrid& grid) {
   StabilityMap map;
   map.key = key;
-  for (const Symbol& symbol : scaled) map.scaled.push_back(as_called(scene, symbol));
+  for (const Symbol& symbol : scaled) map.scaled.push_back(as_called(problem, symbol));
   map.name = names(map.scaled);
-  const Cells cells = cells_of(scene, scaled, grid);
+  const Cells cells = cells_of(problem, scaled, grid);
   map.omega = cells.omega;
   map.factor = cells.factor;
   std::vector<double> found;
-  cells.for_each(scene,
-                 [&](const Scene& each, std::size_t) { found.push_back(critical_velocity(each)); });
+  cells.for_each(
+      problem, [&](const Problem& each, std::size_t) { found.push_back(critical_velocity(each)); });
   map.layers.push_back(layer_of(cells, "formula", "Eq. 24 in doubles", found));
   if (driver != nullptr) add_driver_layers(map, cells, *driver);
-  if (can_be_simulated(scene) && !is_too_large(scene))
-    map.layers.push_back(simulated(scene, cells));
-  map.lines = balance_lines(scene, cells);
+  if (can_be_simulated(problem) && !is_too_large(problem))
+    map.layers.push_back(simulated(problem, cells));
+  map.lines = balance_lines(problem, cells);
   return map;
 }
 
-std::vector<StabilityMap> stability_maps(const Scene& scene, const Driver* driver,
+std::vector<StabilityMap> stability_maps(const Problem& problem, const Driver* driver,
                                          std::vector<std::string>& left_out) {
   std::vector<StabilityMap> maps;
-  if (scene.receptance) {
+  if (problem->receptance() != nullptr) {
     left_out.emplace_back(
         "No stability maps: nothing is known of the measured drive outside its table.");
     return maps;
@@ -194,12 +194,12 @@ std::vector<StabilityMap> stability_maps(const Scene& scene, const Driver* drive
     if (scaled.empty())
       left_out.emplace_back(why_not);
     else
-      maps.push_back(stability_map(scene, driver, key, scaled, {}));
+      maps.push_back(stability_map(problem, driver, key, scaled, {}));
   };
-  add("stiffness", stiffness_symbols(scene),
+  add("stiffness", stiffness_symbols(problem),
       "No map over stiffness ratios: there are no two springs to compare.");
-  add("relaxation", relaxation_symbols(scene), "No map over relaxation times: nothing relaxes.");
-  if (is_too_large(scene))
+  add("relaxation", relaxation_symbols(problem), "No map over relaxation times: nothing relaxes.");
+  if (is_too_large(problem))
     left_out.emplace_back(
         "The simulator is not asked over the maps, nor are methods with dense matrices: with so "
         "many "

@@ -4,7 +4,7 @@
 
 #include "accuracy/data.hpp"
 #include "driver.hpp"
-#include "scene/scene.hpp"
+#include "problem/problem.hpp"
 
 namespace vcrit::validation::accuracy {
 
@@ -21,19 +21,19 @@ double digits_lost(double found, double right);
 /// What a map may vary. Under a drive network all springs of the contact that the drive does not
 /// share, under a rigid one the first spring of the tangential network if there are others. Empty
 /// where there is no ratio to vary.
-std::vector<Symbol> stiffness_symbols(const Scene& scene);
+std::vector<Symbol> stiffness_symbols(const Problem& problem);
 /// All dampers and relaxation times; empty where nothing relaxes.
-std::vector<Symbol> relaxation_symbols(const Scene& scene);
+std::vector<Symbol> relaxation_symbols(const Problem& problem);
 
 /// The amplitude du_z is reduced in cells where the contact would open: v* is linear in it. Layers:
 /// "formula" (Eq. 24 in doubles), "pasted", or where that is not there "complex", and "fast" (with
 /// a driver, where it has them), and "simulator" (where the scene can be simulated), whose marks
 /// are wrong answers to a speed of 1 +- 1e-6 of the lowest of pure sliding.
-StabilityMap stability_map(const Scene& scene, const Driver* driver, const std::string& key,
+StabilityMap stability_map(const Problem& problem, const Driver* driver, const std::string& key,
                            const std::vector<Symbol>& scaled, const MapGrid& grid);
 
 /// The maps that the scene has. What it does not have is said in `left_out`.
-std::vector<StabilityMap> stability_maps(const Scene& scene, const Driver* driver,
+std::vector<StabilityMap> stability_maps(const Problem& problem, const Driver* driver,
                                          std::vector<std::string>& left_out);
 
 }  // namespace vcrit::validation::accuracy

@@ -26,9 +26,9 @@ constexpr long derived_digits = 200;
 // Of each region, about so many cells for the derived formula.
 constexpr std::size_t derived_cells = 32;
 
-Claimed by_library(const Scene& scene, const Cells& cells) {
+Claimed by_library(const Problem& problem, const Cells& cells) {
   Claimed claimed{"library", {}, {}};
-  cells.for_each(scene, [&](const Scene& each, std::size_t) {
+  cells.for_each(problem, [&](const Problem& each, std::size_t) {
     claimed.values.push_back(critical_velocity(each));
   });
   return claimed;
@@ -56,19 +56,19 @@ std::vector<Claimed> by_driver(const Driver& driver, const Cells& cells) {
   return all;
 }
 
-std::string inputs_of(const Scene& scene, const Values& values) {
-  std::string text = fmt::format("omega = {:a}", values.at(scene.angular_frequency.symbol));
+std::string inputs_of(const Problem& problem, const Values& values) {
+  std::string text = fmt::format("omega = {:a}", values.at(problem->angular_frequency.symbol));
   for (const auto& [symbol, value] : values)
-    if (symbol != scene.angular_frequency.symbol && symbol != scene.indentation.symbol)
+    if (symbol != problem->angular_frequency.symbol && symbol != problem->indentation.symbol)
       text += fmt::format(", {} = {:a}", to_text(symbol), value);
   return text;
 }
 
-Known known_of(const Scene& scene, const Cells& cells) {
+Known known_of(const Problem& problem, const Cells& cells) {
   Known known{cells.right, {}, {}};
   for (const Values& values : cells.values) {
-    known.condition.push_back(condition_number(scene, values));
-    known.inputs.push_back(inputs_of(scene, values));
+    known.condition.push_back(condition_number(problem, values));
+    known.inputs.push_back(inputs_of(problem, values));
   }
   return known;
 }
@@ -103,9 +103,9 @@ std::vector<std::size_t> asked_cells(const CellsOf& made, std::size_t every) {
 
 Region examined(const Family& family, const symbolic::Derivation& derivation,
                 const Subjects& subjects, const CellsOf& made, const Fineness& fineness) {
-  const Scene& scene = derivation.scene;
+  const Problem& problem = derivation.problem;
   const std::string where = fmt::format("{}, {}", family.title, made.region);
-  const Known known = known_of(scene, made.cells);
+  const Known known = known_of(problem, made.cells);
   Region region{made.region, made.cells.omega, made.cells.factor, known.condition, {}, {}, {}};
   if (!made.distances.empty()) region.x = made.distances;
   std::vector<double> best = made.cells.right;
@@ -126,8 +126,8 @@ Region examined(const Family& family, const symbolic::Derivation& derivation,
     region.comparisons.insert(region.comparisons.end(), limits.begin(), limits.end());
     return region;
   }
-  region.simulated =
-      simulate(scene, made.cells, known, asked_cells(made, fineness.simulated_every), subjects.ask);
+  region.simulated = simulate(problem, made.cells, known,
+                              asked_cells(made, fineness.simulated_every), subjects.ask);
   region.comparisons.push_back(stick_found(*region.simulated, where));
   return region;
 }
@@ -139,7 +139,7 @@ Subjects subjects_of(const symbolic::Derivation& derivation,
   std::shared_ptr<const Driver> driver;
   if (compiler) driver = std::make_shared<Driver>(derivation, *compiler);
   const Evaluate evaluate = [derivation, driver](const Cells& cells) {
-    std::vector<Claimed> all{by_library(derivation.scene, cells)};
+    std::vector<Claimed> all{by_library(derivation.problem, cells)};
     if (driver == nullptr) return all;
     const std::vector<Claimed> generated = by_driver(*driver, cells);
     all.insert(all.end(), generated.begin(), generated.end());
@@ -152,7 +152,7 @@ FamilyResult examine(const Family& family, const symbolic::Derivation& derivatio
                      const Subjects& subjects, const Fineness& fineness, const Progress& progress) {
   FamilyResult result{family.key, family.title, {}};
   progress("v* correctly rounded");
-  for (const CellsOf& made : all_cells(family, derivation.scene, fineness)) {
+  for (const CellsOf& made : all_cells(family, derivation.problem, fineness)) {
     progress(made.region);
     result.regions.push_back(examined(family, derivation, subjects, made, fineness));
   }

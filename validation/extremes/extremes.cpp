@@ -11,7 +11,7 @@ namespace {
 
 std::string work_on(const Family& family, const std::optional<std::filesystem::path>& compiler,
                     const Progress& step) {
-  const symbolic::Derivation derivation = symbolic::derive(scene_of(family));
+  const symbolic::Derivation derivation = symbolic::derive(problem_of(family));
   step("compiling its evaluators");
   return handed_over(examine(family, derivation, subjects_of(derivation, compiler), {}, step));
 }

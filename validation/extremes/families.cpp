@@ -152,6 +152,6 @@ const std::vector<Family>& families() {
   return all;
 }
 
-Scene scene_of(const Family& family) { return parse_scene(family.text, family.key); }
+Problem problem_of(const Family& family) { return parse_problem(family.text, family.key); }
 
 }  // namespace vcrit::validation::extremes

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "scene/scene.hpp"
+#include "problem/problem.hpp"
 
 namespace vcrit::validation::extremes {
 
@@ -27,6 +27,6 @@ struct Family {
 const std::vector<Family>& families();
 
 /// The scene of a family.
-Scene scene_of(const Family& family);
+Problem problem_of(const Family& family);
 
 }  // namespace vcrit::validation::extremes

@@ -23,17 +23,16 @@ std::string name_of(const Approach& approach) {
   return to_text(approach.what) + (approach.to == Approach::To::zero ? " -> 0" : " -> infinity");
 }
 
-std::complex<double> contact_of(const Scene& scene, const Values& values, double omega) {
-  const auto [network, factor] = tangential_network(scene);
-  return factor * dynamic_stiffness(*network, values, omega);
+std::complex<double> contact_of(const Problem& problem, const Values& values, double omega) {
+  const auto [network, factor] = tangential_network(problem);
+  return factor * dynamic_stiffness(network.reduction(), values, omega);
 }
 
 /// The remaining scene's values at the cell, where it has them.
-Scene remaining(const Approach& approach, const Scene& scene, const Values& values) {
-  Scene rest = parse_scene(approach.text, "the limit");
-  rest.angular_frequency.value = values.at(scene.angular_frequency.symbol);
-  rest.amplitude.value = values.at(scene.amplitude.symbol);
-  return rest;
+Problem remaining(const Approach& approach, const Problem& problem, const Values& values) {
+  const Problem rest = parse_problem(approach.text, "the limit");
+  return rest.with({{rest->angular_frequency.symbol, values.at(problem->angular_frequency.symbol)},
+                    {rest->amplitude.symbol, values.at(problem->amplitude.symbol)}});
 }
 
 const symbolic::Limit& limit_of(const std::vector<symbolic::Limit>& limits,
@@ -50,18 +49,21 @@ const symbolic::Limit& limit_of(const std::vector<symbolic::Limit>& limits,
 // damper c beside a spring, or behind one (whose branch is weaker than its damper), changes K_t by
 // at most i omega c; beside the only spring, |N| by the root of 1 + (omega c/N)^2. A damper that
 // grows behind a spring k leaves k^2/(omega c) at most of its give.
-double distance_allowed(const Scene& scene, const Approach& approach, const Values& values) {
-  const double omega = values.at(scene.angular_frequency.symbol), value = values.at(approach.what);
-  const double inertia = scene.mass ? values.at(scene.mass->symbol) * omega * omega : 0;
-  const std::complex<double> drive = dynamic_stiffness(*scene.drive, values, omega);
-  const double factor = tangential_network(scene).factor;
-  if (scene.mass && approach.what == scene.mass->symbol) {
-    const std::complex<double> contact = contact_of(scene, values, omega);
+double distance_allowed(const Problem& problem, const Approach& approach, const Values& values) {
+  const double omega = values.at(problem->angular_frequency.symbol),
+               value = values.at(approach.what);
+  const double inertia = problem->mass ? values.at(problem->mass->symbol) * omega * omega : 0;
+  const std::complex<double> drive =
+      dynamic_stiffness(problem->drive_network()->reduction(), values, omega);
+  const double factor = tangential_network(problem).factor;
+  if (problem->mass && approach.what == problem->mass->symbol) {
+    const std::complex<double> contact = contact_of(problem, values, omega);
     return limit_roundings + 2 * inertia * (1 / std::abs(contact + drive) + 1 / std::abs(drive));
   }
   if (approach.what.name == "kd")
-    return limit_roundings + std::abs(contact_of(scene, values, omega)) / std::abs(drive - inertia);
-  const std::complex<double> contact = contact_of(scene, values, omega);
+    return limit_roundings +
+           std::abs(contact_of(problem, values, omega)) / std::abs(drive - inertia);
+  const std::complex<double> contact = contact_of(problem, values, omega);
   const double left = std::abs(contact.real() + drive - inertia);
   const double loss = factor * omega * value;
   if (approach.what.name == "c") return limit_roundings + loss / left * (loss / left) / 2;
@@ -73,7 +75,7 @@ double distance_allowed(const Scene& scene, const Approach& approach, const Valu
 std::vector<Comparison> compare_limits(const Family& family, const symbolic::Derivation& derivation,
                                        const CellsOf& made, const std::vector<double>& found,
                                        const std::string& what) {
-  const Scene& scene = derivation.scene;
+  const Problem& problem = derivation.problem;
   const std::vector<symbolic::Limit> limits = symbolic::limits(derivation);
   std::vector<Comparison> result;
   for (std::size_t k = 0; k < family.approaches.size(); ++k) {
@@ -89,9 +91,9 @@ std::vector<Comparison> compare_limits(const Family& family, const symbolic::Der
       if (made.approach[i] != k) continue;
       const Values& values = made.cells.values[i];
       const double there = value_in_digits(limit.result, limit.definitions, values, limit_digits);
-      const double rest = certified_critical_velocity(remaining(approach, scene, values)).value;
+      const double rest = certified_critical_velocity(remaining(approach, problem, values)).value;
       rests.push_back(relative(of_rest, rest, there, limit_roundings, {}));
-      points.push_back(relative(words, there, found[i], distance_allowed(scene, approach, values),
+      points.push_back(relative(words, there, found[i], distance_allowed(problem, approach, values),
                                 fmt::format("at {:g}", values.at(approach.what))));
     }
     result.push_back(worst(of_rest, rests));

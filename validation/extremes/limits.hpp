@@ -15,7 +15,7 @@ namespace vcrit::validation::extremes {
 
 /// How far v* may be from the limit of `approach` at these values, relatively. Needs a scene with a
 /// drive.
-double distance_allowed(const Scene& scene, const Approach& approach, const Values& values);
+double distance_allowed(const Problem& problem, const Approach& approach, const Values& values);
 
 /// For each approach of the family: the limit by computer algebra against v* of the remaining
 /// scene, and `found` (v* in the cells, m/s) against that limit. `what`: who found it.

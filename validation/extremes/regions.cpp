@@ -14,45 +14,45 @@ namespace {
 constexpr double omega_decades = 10.5, relaxation_decades = 12, stiffness_decades = 30;
 constexpr double limits_omega = 1;  // rad/s, of the same size as all other numbers
 
-void close_contact(const Scene& scene, Values& values) {
-  double& amplitude = values[scene.amplitude.symbol];
-  amplitude = accuracy::closed_amplitude(scene, reduce(scene.normal), values);
+void close_contact(const Problem& problem, Values& values) {
+  double& amplitude = values[problem->amplitude.symbol];
+  amplitude = accuracy::closed_amplitude(problem, values);
 }
 
-CellsOf finished(const Scene& scene, CellsOf made) {
-  for (Values& values : made.cells.values) close_contact(scene, values);
-  made.cells.right = accuracy::correctly_rounded(scene, made.cells);
+CellsOf finished(const Problem& problem, CellsOf made) {
+  for (Values& values : made.cells.values) close_contact(problem, values);
+  made.cells.right = accuracy::correctly_rounded(problem, made.cells);
   return made;
 }
 
-void add_map(std::vector<CellsOf>& all, const Scene& scene, const char* key,
+void add_map(std::vector<CellsOf>& all, const Problem& problem, const char* key,
              const std::vector<Symbol>& scaled, double decades, const Fineness& fineness) {
   if (scaled.empty()) return;
   const accuracy::MapGrid grid{fineness.omegas, fineness.factors, omega_decades, decades};
-  all.push_back({key, accuracy::cells_of(scene, scaled, grid), {}, {}});
+  all.push_back({key, accuracy::cells_of(problem, scaled, grid), {}, {}});
 }
 
-std::vector<Symbol> springs_of_drive(const Scene& scene) {
+std::vector<Symbol> springs_of_drive(const Problem& problem) {
   std::vector<Symbol> springs;
-  for_each_element(*scene.drive, [&](const Element& element) {
+  for_each_element(problem->drive_network()->network(), [&](const Element& element) {
     if (is_elastic(element)) springs.push_back(element.coefficient);
   });
   return springs;
 }
 
-CellsOf corners(const Scene& scene, const std::vector<double>& omegas) {
+CellsOf corners(const Problem& problem, const std::vector<double>& omegas) {
   CellsOf made{"corners", {}, {}, {}};
   const double end = std::pow(10, stiffness_decades);
   for (const double contact : {1 / end, end})
     for (const double drive : {1 / end, end})
       for (const double omega : omegas) {
-        Values values = values_of(scene);
-        for (const Symbol& symbol : accuracy::stiffness_symbols(scene)) values[symbol] *= contact;
-        for (const Symbol& symbol : springs_of_drive(scene)) values[symbol] *= drive;
-        values[scene.angular_frequency.symbol] = omega;
+        Values values = problem.values();
+        for (const Symbol& symbol : accuracy::stiffness_symbols(problem)) values[symbol] *= contact;
+        for (const Symbol& symbol : springs_of_drive(problem)) values[symbol] *= drive;
+        values[problem->angular_frequency.symbol] = omega;
         made.cells.values.push_back(values);
       }
-  return finished(scene, made);
+  return finished(problem, made);
 }
 
 /// 1e-1 to 1e-15 on both sides, from far below over 0 to far above.
@@ -64,10 +64,11 @@ std::vector<double> distances() {
   return all;
 }
 
-void add_balance(std::vector<CellsOf>& all, const Scene& scene, const char* key, Balance balance) {
-  const accuracy::Resonances resonances(scene);
-  Values values = values_of(scene);
-  values[scene.angular_frequency.symbol] = limits_omega;
+void add_balance(std::vector<CellsOf>& all, const Problem& problem, const char* key,
+                 Balance balance) {
+  const accuracy::Resonances resonances(problem);
+  Values values = problem.values();
+  values[problem->angular_frequency.symbol] = limits_omega;
   const auto place = resonances.find(balance, values);
   if (!place) return;
   CellsOf made{key, {}, distances(), {}};
@@ -75,11 +76,11 @@ void add_balance(std::vector<CellsOf>& all, const Scene& scene, const char* key,
   const double near = std::nearbyint(0x1p20 * *place) * 0x1p-20;
   const double exact = std::abs(near - *place) < 0x1p-48 * near ? near : *place;
   for (const double distance : made.distances) {
-    values[scene.angular_frequency.symbol] = exact * (1 + distance);
-    values[scene.amplitude.symbol] = *scene.amplitude.value;
+    values[problem->angular_frequency.symbol] = exact * (1 + distance);
+    values[problem->amplitude.symbol] = *problem->amplitude.value;
     made.cells.values.push_back(values);
   }
-  all.push_back(finished(scene, made));
+  all.push_back(finished(problem, made));
 }
 
 /// 1e-3 to 1e-300, or 1e3 to 1e300.
@@ -90,30 +91,32 @@ std::vector<double> approaching(Approach::To to) {
   return all;
 }
 
-CellsOf approaches(const Family& family, const Scene& scene) {
+CellsOf approaches(const Family& family, const Problem& problem) {
   CellsOf made{"limits", {}, {}, {}};
   for (std::size_t i = 0; i < family.approaches.size(); ++i)
     for (const double value : approaching(family.approaches[i].to)) {
-      Values values = values_of(scene);
-      values[scene.angular_frequency.symbol] = limits_omega;
+      Values values = problem.values();
+      values[problem->angular_frequency.symbol] = limits_omega;
       values[family.approaches[i].what] = value;
       made.cells.values.push_back(values);
       made.approach.push_back(i);
     }
-  return finished(scene, made);
+  return finished(problem, made);
 }
 
 }  // namespace
 
-std::vector<CellsOf> all_cells(const Family& family, const Scene& scene, const Fineness& fineness) {
+std::vector<CellsOf> all_cells(const Family& family, const Problem& problem,
+                               const Fineness& fineness) {
   std::vector<CellsOf> all;
-  add_map(all, scene, "relaxation", accuracy::relaxation_symbols(scene), relaxation_decades,
+  add_map(all, problem, "relaxation", accuracy::relaxation_symbols(problem), relaxation_decades,
           fineness);
-  add_map(all, scene, "stiffness", accuracy::stiffness_symbols(scene), stiffness_decades, fineness);
-  if (scene.drive && !all.empty()) all.push_back(corners(scene, all.front().cells.omega));
-  add_balance(all, scene, "resonance", Balance::resonance);
-  add_balance(all, scene, "antiresonance", Balance::antiresonance);
-  if (!family.approaches.empty()) all.push_back(approaches(family, scene));
+  add_map(all, problem, "stiffness", accuracy::stiffness_symbols(problem), stiffness_decades,
+          fineness);
+  if (!problem->rigid() && !all.empty()) all.push_back(corners(problem, all.front().cells.omega));
+  add_balance(all, problem, "resonance", Balance::resonance);
+  add_balance(all, problem, "antiresonance", Balance::antiresonance);
+  if (!family.approaches.empty()) all.push_back(approaches(family, problem));
   return all;
 }
 

@@ -24,6 +24,7 @@ struct CellsOf {
 
 /// What the family has of them: no relaxation without dampers, no resonance without a body.
 /// Everywhere the amplitude du_z is such that the contact stays closed.
-std::vector<CellsOf> all_cells(const Family& family, const Scene& scene, const Fineness& fineness);
+std::vector<CellsOf> all_cells(const Family& family, const Problem& problem,
+                               const Fineness& fineness);
 
 }  // namespace vcrit::validation::extremes

@@ -53,15 +53,15 @@ struct Asking {
 
 }  // namespace
 
-Simulated simulate(const Scene& scene, const accuracy::Cells& cells, const Known& known,
+Simulated simulate(const Problem& problem, const accuracy::Cells& cells, const Known& known,
                    const std::vector<std::size_t>& which, const Ask& ask) {
-  Asking asking{cells, known, accuracy::Resonances(scene), {}};
+  Asking asking{cells, known, accuracy::Resonances(problem), {}};
   asking.result.digits.assign(cells.values.size(), std::numeric_limits<double>::quiet_NaN());
   std::vector<bool> wanted(cells.values.size(), false);
   for (const std::size_t i : which) wanted.at(i) = true;
-  cells.for_each(scene, [&](const Scene& each, std::size_t i) {
+  cells.for_each(problem, [&](const Problem& each, std::size_t i) {
     if (!wanted[i]) return;
-    const std::string reason = asking.why_not(i, each.angular_frequency.value.value());
+    const std::string reason = asking.why_not(i, each->angular_frequency.value.value());
     if (reason.empty()) {
       asking.take(i, ask(each, known.right[i]));
     } else {

@@ -74,7 +74,7 @@ Comparison last_stick(double delta) {
 
 /// Isotropic, c_n/k_n = c_t/k_t; the numbers of the scene typed into (29) once more.
 Comparison driven_threshold() {
-  const Scene scene = parse_scene(
+  const Problem problem = parse_problem(
       "[contact]\nnormal = \"kelvin(kn, cn)\"\ntangential = \"kelvin(kt, ct)\"\n"
       "[drive]\nnetwork = \"kd\"\n[body]\nmass = 0.4\n[oscillation]\nangular_frequency = 1.3\n"
       "amplitude = 0.1\nindentation = 1.0\n[friction]\ncoefficient = 0.3\n[elements]\n"
@@ -83,7 +83,7 @@ Comparison driven_threshold() {
   const double reach = 1.5 - 0.4 * 1.3 * 1.3;
   const double expected =
       0.3 * 1.3 * 0.1 / std::abs(reach) * std::hypot(1.3 * 0.6, 3.0 / 2.0 * (2.0 + reach));
-  const auto found = simulation::sliding_threshold(simulation::system_of(scene));
+  const auto found = simulation::sliding_threshold(simulation::system_of(problem));
   return comparison(
       {"driven_threshold", "lowest speed of pure sliding by simulation, elastic drive and body",
        "(29), written by hand",

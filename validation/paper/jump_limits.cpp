@@ -14,8 +14,8 @@ namespace vcrit::validation::paper {
 
 namespace {
 
-Scene kelvin_scene(double delta, double amplitude) {
-  return parse_scene(
+Problem kelvin_problem(double delta, double amplitude) {
+  return parse_problem(
       fmt::format("[contact]\nnormal = \"kelvin(k, c)\"\ntangential_ratio = 1.0\n[oscillation]\n"
                   "angular_frequency = 1.0\namplitude = {}\nindentation = 1.0\n[friction]\n"
                   "coefficient = 1.0\n[elements]\nk = 1.0\nc = {:.17g}\n",
@@ -23,11 +23,11 @@ Scene kelvin_scene(double delta, double amplitude) {
       "paper");
 }
 
-bool admissible(const Scene& scene) { return inadmissible_reasons(scene).empty(); }
+bool admissible(const Problem& problem) { return inadmissible_reasons(problem).empty(); }
 
-bool simulator_takes(const Scene& scene) {
+bool simulator_takes(const Problem& problem) {
   try {
-    simulation::system_of(scene);
+    simulation::system_of(problem);
     return true;
   } catch (const ModelError&) {
     return false;
@@ -35,11 +35,11 @@ bool simulator_takes(const Scene& scene) {
 }
 
 /// The largest D that is accepted, to a rounding error.
-double bisect(double delta, const std::function<bool(const Scene&)>& accepts) {
+double bisect(double delta, const std::function<bool(const Problem&)>& accepts) {
   double low = 0, high = 1;
   for (int i = 0; i < 60; ++i) {
     const double middle = (low + high) / 2;
-    (accepts(kelvin_scene(delta, middle)) ? low : high) = middle;
+    (accepts(kelvin_problem(delta, middle)) ? low : high) = middle;
   }
   return (low + high) / 2;
 }

@@ -62,8 +62,8 @@ std::map<Symbol, GiNaC::numeric> sample() {
   return values;
 }
 
-Scene scene_of(const std::string& contact, const std::string& rest = {}) {
-  return parse_scene("[contact]\n" + contact + "\n" + rest, "paper");
+Problem problem_of(const std::string& contact, const std::string& rest = {}) {
+  return parse_problem("[contact]\n" + contact + "\n" + rest, "paper");
 }
 const char* const elastic = "normal = \"kn\"\ntangential = \"kt\"";
 const char* const surroundings = "[drive]\nnetwork = \"kd\"\n[body]\nmass = \"m\"\n";
@@ -87,9 +87,9 @@ class Prover {
     proofs_.comparisons.push_back(result);
   }
 
-  void prove_limit(const std::string& equation, const std::string& words, const Scene& scene,
+  void prove_limit(const std::string& equation, const std::string& words, const Problem& problem,
                    const std::string& name, const ex& by_hand, const GiNaC::exmap& names = {}) {
-    for (const symbolic::Limit& limit : symbolic::limits(symbolic::derive(scene)))
+    for (const symbolic::Limit& limit : symbolic::limits(symbolic::derive(problem)))
       if (limit.name == name) return prove(equation, words, limit.result.subs(names), by_hand);
     throw Bug("no limit " + name);
   }
@@ -105,12 +105,12 @@ class Prover {
 GiNaC::exmap ratio_of_springs() { return {{of("r"), of("kt") / of("kn")}}; }
 
 void prove_by_scenes(Prover& prover) {
-  const Scene kelvin =
-      scene_of("normal = \"kelvin(kn, cn)\"\ntangential_ratio = \"r\"", surroundings);
-  const Scene driven = scene_of(elastic, surroundings), rigid = scene_of(elastic);
+  const Problem kelvin =
+      problem_of("normal = \"kelvin(kn, cn)\"\ntangential_ratio = \"r\"", surroundings);
+  const Problem driven = problem_of(elastic, surroundings), rigid = problem_of(elastic);
   const auto names = ratio_of_springs();
-  const Scene two_kelvins =
-      scene_of("normal = \"kelvin(kn, cn)\"\ntangential = \"kelvin(kt, ct)\"", surroundings);
+  const Problem two_kelvins =
+      problem_of("normal = \"kelvin(kn, cn)\"\ntangential = \"kelvin(kt, ct)\"", surroundings);
   prover.prove("(27)", "Kelvin contact, elastic drive, body",
                symbolic::derive(two_kelvins).critical_velocity, equation_27());
   prover.prove("(29)", "isotropic Kelvin contact, elastic drive, body",
@@ -152,10 +152,10 @@ void prove_constant(Prover& prover) {
     std::vector<std::string> names;
     for (const auto& [name, kind] : rheology.arguments) names.push_back(name);
     if (has_masses(rheology.build(names, branches))) continue;  // only a drive can be that
-    const Scene scene = scene_of("normal = \"" + call + "\"\ntangential_ratio = \"r\"");
+    const Problem problem = problem_of("normal = \"" + call + "\"\ntangential_ratio = \"r\"");
     ++result.expected;
     prover.proofs().rheologies.push_back(call);
-    if (equal_velocities(symbolic::derive(scene).critical_velocity, constant)) ++result.found;
+    if (equal_velocities(symbolic::derive(problem).critical_velocity, constant)) ++result.found;
   }
   prover.proofs().comparisons.push_back(result);
 }

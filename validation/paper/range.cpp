@@ -30,10 +30,10 @@ Comparison rheologies() {
   for (const char* contact : contacts)
     for (const char* tangential : tangentials)
       for (const char* drive : drives) {
-        const Scene scene = driven_scene(contact, tangential, drive, true);
-        const double expected = critical_velocity(scene);
+        const Problem problem = driven_problem(contact, tangential, drive, true);
+        const double expected = critical_velocity(problem);
         const double found =
-            simulation::sliding_threshold(simulation::system_of(scene)).contact_velocity;
+            simulation::sliding_threshold(simulation::system_of(problem)).contact_velocity;
         pairs.push_back({1, found / expected, 1e-11,
                          fmt::format("worst with {}, {}, {}", contact, tangential,
                                      *drive == '\0' ? "a rigid drive" : drive)});
@@ -122,7 +122,7 @@ void compare_courses(Part& part) {
   for (const char* contact : contacts)
     for (const char* tangential : {"tangential_ratio = 0.7", "tangential = \"zener(k2, k1, c2)\""})
       for (const char* drive : {"", "k3", "kelvin(k3, c3)", "zener(k3, k4, c3)"})
-        add_course(simulation::system_of(driven_scene(contact, tangential, drive, false)),
+        add_course(simulation::system_of(driven_problem(contact, tangential, drive, false)),
                    fmt::format("worst with {} under {}", contact,
                                *drive == '\0' ? "a rigid drive" : drive),
                    falls, bends);
@@ -154,12 +154,13 @@ Comparison below_diagonal() {
 Comparison force_before_height() {
   std::vector<Pair> pairs;
   for (const char* contact : contacts) {
-    const Scene scene = driven_scene(contact, "tangential_ratio = 0.7", "", false);
-    const Values values = values_of(scene);
-    const double at_rest = simulation::system_of(scene).mean_normal_force;  // under u_z0 = 1
+    const Problem problem = driven_problem(contact, "tangential_ratio = 0.7", "", false);
+    const Values& values = problem.values();
+    const double at_rest = simulation::system_of(problem).mean_normal_force;  // under u_z0 = 1
     for (int i = -24; i <= 24; ++i) {
       const double omega = std::pow(10, i / 8.0);
-      const double over = std::abs(dynamic_stiffness(scene.normal, values, omega)) / at_rest;
+      const double over =
+          std::abs(dynamic_stiffness(problem->normal.reduction(), values, omega)) / at_rest;
       pairs.push_back({0, std::min(0.0, over - 1), 2e-14, fmt::format("worst with {}", contact)});
     }
   }

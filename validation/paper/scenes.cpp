@@ -4,8 +4,8 @@
 
 namespace vcrit::validation::paper {
 
-Scene driven_scene(const std::string& contact, const std::string& tangential,
-                   const std::string& drive, bool body) {
+Problem driven_problem(const std::string& contact, const std::string& tangential,
+                       const std::string& drive, bool body) {
   std::string text = fmt::format("[contact]\nnormal = \"{}\"\n{}\n", contact, tangential);
   if (!drive.empty()) text += fmt::format("[drive]\nnetwork = \"{}\"\n", drive);
   if (!drive.empty() && body) text += "[body]\nmass = 0.4\n";
@@ -19,7 +19,7 @@ Scene driven_scene(const std::string& contact, const std::string& tangential,
   const std::string used = contact + tangential + drive;
   for (const auto& [name, value] : values)
     if (used.find(name) != used.npos) text += fmt::format("{} = {}\n", name, value);
-  return parse_scene(text, "paper");
+  return parse_problem(text, "paper");
 }
 
 }  // namespace vcrit::validation::paper

@@ -4,7 +4,7 @@
 #include <array>
 #include <string>
 
-#include "scene/scene.hpp"
+#include "problem/problem.hpp"
 
 namespace vcrit::validation::paper {
 
@@ -24,7 +24,7 @@ inline constexpr std::array drives{"", "k3", "kelvin(k3, c3)", "zener(k3, k4, c3
                                    "maxwell(k4, c4)"};
 
 /// With a body below a drive that gives, where `body` says so.
-Scene driven_scene(const std::string& contact, const std::string& tangential,
-                   const std::string& drive, bool body);
+Problem driven_problem(const std::string& contact, const std::string& tangential,
+                       const std::string& drive, bool body);
 
 }  // namespace vcrit::validation::paper

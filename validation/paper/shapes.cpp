@@ -8,7 +8,7 @@
 #include "critical/critical_velocity.hpp"
 #include "indenter/friction.hpp"
 #include "paper/comparing.hpp"
-#include "scene/scene.hpp"
+#include "problem/problem.hpp"
 
 namespace vcrit::validation::paper {
 
@@ -24,8 +24,8 @@ constexpr std::array forms{Form{"a flat punch", "shape = \"flat\"\nradius = 1"},
                            Form{"a cone", "shape = \"cone\"\nangle = \"20 deg\""},
                            Form{"a parabola", "shape = \"parabola\"\nradius = 5"}};
 
-Scene indented(const std::string& sizes, double nu) {
-  return parse_scene(
+Problem indented(const std::string& sizes, double nu) {
+  return parse_problem(
       fmt::format("[contact]\nnormal = \"zener(E0, E1, c1)\"\npoisson = {}\n[indenter]\n{}\n"
                   "[oscillation]\nangular_frequency = {}\namplitude = {}\nindentation = 1\n"
                   "[friction]\ncoefficient = {}\n[elements]\nE0 = 2\nE1 = 1\nc1 = 0.8\n",

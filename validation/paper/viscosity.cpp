@@ -170,7 +170,7 @@ Comparison any_rheology() {
   std::vector<Pair> pairs;
   for (const char* contact : contacts) {
     simulation::System system =
-        simulation::system_of(driven_scene(contact, "tangential_ratio = 0.7", "", false));
+        simulation::system_of(driven_problem(contact, "tangential_ratio = 0.7", "", false));
     const double amplitude = std::abs(system.normal_force_amplitude);
     const double scale = reference_amplitude * system.mean_normal_force / amplitude;
     system.normal_force_amplitude *= scale;

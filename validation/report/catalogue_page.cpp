@@ -7,10 +7,10 @@
 #include "formulas.hpp"
 #include "network/catalogue.hpp"
 #include "network/masses.hpp"
+#include "problem/problem.hpp"
 #include "report/document.hpp"
 #include "report/network_drawing.hpp"
 #include "report/records.hpp"
-#include "scene/scene.hpp"
 
 namespace vcrit::validation::report {
 
@@ -26,8 +26,8 @@ std::string signature(const Rheology& rheology) {
 }
 
 /// Without values; `rest` says what there is besides the normal contact.
-Scene scene_of(const std::string& normal, const std::string& rest) {
-  return parse_scene("[contact]\nnormal = \"" + normal + "\"\n" + rest, "catalogue");
+Problem problem_of(const std::string& normal, const std::string& rest) {
+  return parse_problem("[contact]\nnormal = \"" + normal + "\"\n" + rest, "catalogue");
 }
 
 Network network_of(const Rheology& rheology) {
@@ -85,7 +85,7 @@ record::Json spectrum_record(const Network& network) {
 
 /// Arrays are not multiplied out: even three branches would give hundreds of terms.
 record::Json velocity_record(symbolic::Derivation derivation) {
-  if (!derivation.scene.arrays.empty()) derivation = nested_form(std::move(derivation));
+  if (!derivation.problem->source->arrays.empty()) derivation = nested_form(std::move(derivation));
   return {{"equation", derivation.equation},
           {"formula", formula_record(derivation.critical_velocity)},
           {"definitions", record::page_of(equations_of(derivation.definitions))}};
@@ -98,19 +98,19 @@ void add_limits(const symbolic::Derivation& derivation, record::Json& record) {
 }
 
 void add_contact(const Entry& entry, record::Json& record) {
-  const symbolic::Derivation isotropic = symbolic::derive(scene_of(
+  const symbolic::Derivation isotropic = symbolic::derive(problem_of(
       entry.call, "tangential_ratio = \"r\"\n[drive]\nnetwork = \"kd\"\n[body]\nmass = \"m\"\n"));
   record["extremes"] = extremes_record(entry.network);
   record["spectrum"] = spectrum_record(entry.network);
   record["under_an_elastic_drive"] = velocity_record(isotropic);
   record["under_a_rigid_drive"] =
-      velocity_record(symbolic::derive(scene_of(entry.call, "tangential = \"kt\"\n")));
+      velocity_record(symbolic::derive(problem_of(entry.call, "tangential = \"kt\"\n")));
   add_limits(isotropic, record);
 }
 
 void add_drive(const Entry& entry, record::Json& record) {
   const symbolic::Derivation derivation = symbolic::derive(
-      scene_of("kn", "tangential = \"kt\"\n[drive]\nnetwork = \"kd | " + entry.call + "\"\n"));
+      problem_of("kn", "tangential = \"kt\"\n[drive]\nnetwork = \"kd | " + entry.call + "\"\n"));
   record["beside_a_drive"] = velocity_record(derivation);
   add_limits(derivation, record);
 }

@@ -5,6 +5,7 @@
 
 #include "explorer.hpp"
 #include "figures/figure_json.hpp"
+#include "problem/variants.hpp"
 #include "report/assets.hpp"
 #include "report/html.hpp"
 #include "report/scene_figures.hpp"
@@ -75,10 +76,9 @@ ordered_json grid_json(const FrictionGrid& grid) {
 /// All numbers of the scene by name; an array's entries are in their order.
 ordered_json values_json(const SceneReport& report) {
   ordered_json values = ordered_json::object();
-  Scene scene = report.scene;
-  scene.names = names_in_page(scene);
-  for (const auto& [symbol, value] : values_of(scene)) {
-    const std::string name = as_called(scene, symbol).name;
+  const Problem problem = called_otherwise(report.problem, names_in_page(report.problem));
+  for (const auto& [symbol, value] : problem.values()) {
+    const std::string name = as_called(problem, symbol).name;
     if (symbol.entry == 0)
       values[name] = value;
     else
@@ -93,7 +93,7 @@ ordered_json data(const SceneReport& report) {
                       {"values", values_json(report)},
                       {"unit", explorer.unit},
                       {"carries_load", explorer.carries_load},
-                      {"may_open", report.scene.separation},
+                      {"may_open", report.problem->separation},
                       {"response", response_chart(report)}};
   for (const Slider& slider : explorer.sliders) object["sliders"].push_back(slider_json(slider));
   ordered_json omegas = ordered_json::array();

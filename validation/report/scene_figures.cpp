@@ -44,7 +44,7 @@ FigureSeries by_method(const MethodCurve& method, int colour, Value value) {
 }
 
 double omega_of(const SceneReport& report) {
-  return values_of(report.scene).at(report.scene.angular_frequency.symbol);
+  return report.problem.values().at(report.problem->angular_frequency.symbol);
 }
 
 template <class Value>
@@ -198,7 +198,7 @@ Figure stiffness_figure(const SceneReport& report) {
   figure.height = 240;
   figure.title = "Dynamic stiffness over angular frequency";
   figure.caption = "Absolute values of the dynamic stiffness of each network.";
-  figure.y = {report.scene.indenter ? "dynamic modulus |E|, Pa" : "dynamic stiffness |K|, N/m",
+  figure.y = {report.problem->indenter ? "dynamic modulus |E|, Pa" : "dynamic stiffness |K|, N/m",
               true,
               {},
               {}};

@@ -33,7 +33,7 @@ void members(Line& line, Visit visit) {
 }  // namespace
 
 SceneLine scene_line(const SceneReport& report) {
-  return {report.scene.file,
+  return {report.problem->source->file,
           title_of(report),
           state_class(report),
           state_words(report),
@@ -42,7 +42,7 @@ SceneLine scene_line(const SceneReport& report) {
           report.comparisons.size() - count(report, Comparison::Outcome::not_run),
           names(report, Comparison::Outcome::failed),
           names(report, Comparison::Outcome::not_run),
-          report.scene.warnings};
+          report.problem->source->warnings};
 }
 
 nlohmann::ordered_json to_json(const SceneLine& line) {

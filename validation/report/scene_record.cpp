@@ -235,11 +235,12 @@ void pictures(Fields& f, const SceneReport& scene) {
 
 void fields(Fields& f, const report::SceneContents& contents) {
   const SceneReport& scene = contents.report;
-  f("file", scene.scene.file)("title", scene.scene.title)("passed", passed(scene));
-  f("failed", failing(scene))("warnings", scene.scene.warnings);
+  f("file", scene.problem->source->file)("title", scene.problem->source->title)("passed",
+                                                                                passed(scene));
+  f("failed", failing(scene))("warnings", scene.problem->source->warnings);
   f("comparisons", scene.comparisons);
   if (scene.failure.empty()) results(f, contents);
-  f("text", scene.scene.text).page("failure", scene.failure);
+  f("text", scene.problem->source->text).page("failure", scene.failure);
   if (!f.for_page()) return;
   const bool outside = !scene.reasons.empty();
   f("heading", report::title_of(scene))("state", report::state_class(scene))("outside", outside);
@@ -247,7 +248,7 @@ void fields(Fields& f, const report::SceneContents& contents) {
   f("tightest", report::tightest_words(scene.comparisons))("reasons", scene.reasons);
   f("formula_applies", scene.formula_applies && !outside);
   f("simulated", !scene.curve.empty() || scene.indented.has_value());
-  f("along", report::draw_sliding(scene.scene))("normal", report::draw_normal(scene.scene));
+  f("along", report::draw_sliding(scene.problem))("normal", report::draw_normal(scene.problem));
   f("speed_axis", report::speed_axis(scene))("explorer", report::explorer_record(scene));
   f("many_limits", scene.limits.size() > report::shown_limits);
   std::vector<validation::MethodCurve> silent;

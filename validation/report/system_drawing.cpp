@@ -109,52 +109,52 @@ Drawing times(double factor, const Drawing& network) {
 }
 
 /// Its elements by the names that the scene gives them.
-Scene by_written_names(Scene scene) {
-  const auto name = [names = scene](const Symbol& symbol) { return as_called(names, symbol); };
-  rename(scene.normal, name);
-  if (auto* own = std::get_if<Network>(&scene.tangential)) rename(*own, name);
-  if (scene.drive) rename(*scene.drive, name);
-  return scene;
+Drawing draw_written(const Problem& problem, const ReducedNetwork& given) {
+  Network network = given.network();
+  rename(network, [&](const Symbol& symbol) { return as_called(problem, symbol); });
+  return draw(network);
 }
 
-Drawing tangential(const Scene& scene) {
-  const auto* isotropic = std::get_if<Isotropic>(&scene.tangential);
-  if (isotropic == nullptr) return draw(std::get<Network>(scene.tangential));
+Drawing tangential(const Problem& problem) {
+  const auto* isotropic = std::get_if<Isotropic>(&problem->tangential);
+  if (isotropic == nullptr)
+    return draw_written(problem, std::get<ReducedNetwork>(problem->tangential));
   const double ratio = tangential_ratio(*isotropic);
-  return ratio == 1 ? draw(scene.normal) : times(ratio, draw(scene.normal));
+  const Drawing normal = draw_written(problem, problem->normal);
+  return ratio == 1 ? normal : times(ratio, normal);
 }
 
 }  // namespace
 
-Picture draw_sliding(const Scene& given) {
-  const Scene scene = by_written_names(given);
+Picture draw_sliding(const Problem& problem) {
   Row row;
   std::string description = "Substrate, contact point, tangential contact network";
-  row.add(contact_point(as_called(scene, scene.coefficient.symbol)));
-  row.add(tangential(scene));
-  if (scene.mass) {
-    row.add(body(as_called(scene, scene.mass->symbol)));
+  row.add(contact_point(as_called(problem, problem->coefficient.symbol)));
+  row.add(tangential(problem));
+  if (problem->mass) {
+    row.add(body(as_called(problem, problem->mass->symbol)));
     description += ", body";
-  } else if (has_drive(scene)) {
+  } else if (!problem->rigid()) {
     row.add(joint());
   }
-  if (scene.drive) {
-    row.add(draw(*scene.drive));
-    description += ", drive network";
-  }
-  if (scene.receptance) {
-    row.add(measured_drive());
-    description += ", measured drive";
-  }
+  std::visit(Overloaded{[](const Rigid&) {},
+                   [&](const ReducedNetwork& drive) {
+                     row.add(draw_written(problem, drive));
+                     description += ", drive network";
+                   },
+                   [&](const Receptance&) {
+                     row.add(measured_drive());
+                     description += ", measured drive";
+                   }},
+             problem->drive);
   row.add(arrow(drive_speed()));
   return row.picture(description + ", moved at constant velocity");
 }
 
-Picture draw_normal(const Scene& given) {
-  const Scene scene = by_written_names(given);
+Picture draw_normal(const Problem& problem) {
   Row row;
   row.add(wall());
-  row.add(draw(scene.normal));
+  row.add(draw_written(problem, problem->normal));
   row.add(oscillation());
   return row.picture("Substrate, normal contact network, imposed oscillation");
 }

@@ -22,13 +22,13 @@ namespace {
 using nlohmann::ordered_json;
 
 /// Missing values are the reader's fault, and are told before the first long computation.
-std::vector<Scene> read_all(const std::vector<std::string>& files) {
-  std::vector<Scene> scenes;
+std::vector<Problem> read_all(const std::vector<std::string>& files) {
+  std::vector<Problem> problems;
   for (const std::string& file : files) {
-    scenes.push_back(read_scene(file));
-    values_of(scenes.back());
+    problems.push_back(read_problem(file));
+    problems.back().values();
   }
-  return scenes;
+  return problems;
 }
 
 /// What a worker hands over of its scene.
@@ -36,7 +36,7 @@ std::string handed_over(const SceneContents& contents, const Machine& machine,
                         const Request& request) {
   const SceneReport& report = contents.report;
   const bool in_suite = request.files.size() > 1;
-  const Origin origin{machine, command({report.scene.file})};
+  const Origin origin{machine, command({report.problem->source->file})};
   ordered_json all{{"line", to_json(scene_line(report))},
                    {"page", scene_page(contents, origin, in_suite)},
                    {"data", scene_json(contents)},
@@ -48,9 +48,8 @@ std::string handed_over(const SceneContents& contents, const Machine& machine,
 }
 
 // A scene whose comparisons came to no end: its line is red, and the others are finished.
-SceneReport failed_report(const Scene& scene, const std::string& why) {
-  SceneReport report;
-  report.scene = scene;
+SceneReport failed_report(const Problem& problem, const std::string& why) {
+  SceneReport report(problem);
   report.failure = why;
   Comparison all;
   all.key = "scene";
@@ -89,13 +88,13 @@ std::vector<FigureFile> figure_files(const std::vector<ordered_json>& scenes,
   return files;
 }
 
-std::vector<ordered_json> work_on(const std::vector<Scene>& scenes, const Request& request,
+std::vector<ordered_json> work_on(const std::vector<Problem>& problems, const Request& request,
                                   const Machine& machine, const Watch& watch) {
   const auto work = [&](std::size_t i, const Progress& step) {
-    return handed_over(compare(scenes[i], step), machine, request);
+    return handed_over(compare(problems[i], step), machine, request);
   };
   const auto in_place = [&](std::size_t i, const std::string& why) {
-    return handed_over({failed_report(scenes[i], why), {}}, machine, request);
+    return handed_over({failed_report(problems[i], why), {}}, machine, request);
   };
   std::vector<ordered_json> all;
   for (const std::string& answer :
@@ -106,17 +105,17 @@ std::vector<ordered_json> work_on(const std::vector<Scene>& scenes, const Reques
 
 }  // namespace
 
-SceneContents compare(const Scene& scene, const Progress& step) {
-  Driver driver(symbolic::derive(scene));
+SceneContents compare(const Problem& problem, const Progress& step) {
+  Driver driver(symbolic::derive(problem));
   SceneReport report = agree(driver, driver.derivation(), step);
   return {std::move(report), accuracy::measure(driver, step)};
 }
 
 Validation validate(const Request& request, const Watch& watch) {
-  const std::vector<Scene> scenes = read_all(request.files);
+  const std::vector<Problem> problems = read_all(request.files);
   if (!request.figures.empty()) require_gnuplot();
   const Origin origin{this_machine(), command(request.files)};
-  const std::vector<ordered_json> all = work_on(scenes, request, origin.machine, watch);
+  const std::vector<ordered_json> all = work_on(problems, request, origin.machine, watch);
   Validation validation;
   std::vector<ordered_json> data;
   for (const ordered_json& scene : all) {

@@ -19,7 +19,7 @@ struct Request {
 };
 
 /// Everything compared with everything of one scene.
-SceneContents compare(const Scene& scene, const Progress& step);
+SceneContents compare(const Problem& problem, const Progress& step);
 
 /// The same for each scene file and writes DIR/report.json with
 /// all data and DIR/index.html: the page of the scene, or of several an index with a line

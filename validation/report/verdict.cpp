@@ -9,7 +9,8 @@
 namespace vcrit::validation::report {
 
 std::string title_of(const SceneReport& report) {
-  return report.scene.title.empty() ? report.scene.file : report.scene.title;
+  return report.problem->source->title.empty() ? report.problem->source->file
+                                               : report.problem->source->title;
 }
 
 const char* state_class(const SceneReport& report) {

@@ -72,25 +72,25 @@ int nearly_free_harmonic(const System& system) {
   return std::abs(stiffness(s) - inertia) <= near_harmonic * inertia ? static_cast<int>(n) : 0;
 }
 
-System system_of(const Scene& scene) {
-  rules::require(rules::Question::motion, scene);
-  const Values values = values_of(scene);
-  const double amplitude = values.at(scene.amplitude.symbol);
-  const double indentation = values.at(scene.indentation.symbol);
-  const Relaxation normal = relaxation_form(scene.normal, values);
-  const ScaledNetwork tangential = tangential_network(scene);
+System system_of(const Problem& problem) {
+  rules::require(rules::Question::motion, problem);
+  const Values& values = problem.values();
+  const double amplitude = values.at(problem->amplitude.symbol);
+  const double indentation = values.at(problem->indentation.symbol);
+  const Relaxation normal = relaxation_form(problem->normal.network(), values);
+  const ScaledNetwork tangential = tangential_network(problem);
 
   System system;
-  system.contact = scaled(relaxation_form(*tangential.network, values), tangential.factor);
-  system.omega = values.at(scene.angular_frequency.symbol);
-  system.friction = values.at(scene.coefficient.symbol);
+  system.contact = scaled(relaxation_form(tangential.network.network(), values), tangential.factor);
+  system.omega = values.at(problem->angular_frequency.symbol);
+  system.friction = values.at(problem->coefficient.symbol);
   system.mean_normal_force = normal.equilibrium * indentation;
   system.normal_force_amplitude = amplitude * dynamic_stiffness(normal, system.omega);
-  if (scene.drive) {
-    system.drive = relaxation_form(*scene.drive, values);
-    if (scene.mass) system.mass = values.at(scene.mass->symbol);
+  if (const ReducedNetwork* drive = problem->drive_network()) {
+    system.drive = relaxation_form(drive->network(), values);
+    if (problem->mass) system.mass = values.at(problem->mass->symbol);
   }
-  let_open(system, scene.separation, normal, amplitude, indentation);
+  let_open(system, problem->separation, normal, amplitude, indentation);
   return system;
 }
 

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "normal/normal_motion.hpp"
-#include "scene/scene.hpp"
+#include "problem/problem.hpp"
 #include "simulation/system/effort.hpp"
 #include "stiffness/relaxation.hpp"
 
@@ -45,6 +45,6 @@ int nearly_free_harmonic(const System& system);
 
 /// Throws InputError for missing values, ModelError unless the normal network carries the mean load
 /// and the normal force stays positive or the surfaces may part.
-System system_of(const Scene& scene);
+System system_of(const Problem& problem);
 
 }  // namespace vcrit::simulation

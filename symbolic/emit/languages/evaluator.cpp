@@ -16,16 +16,16 @@ Evaluator::Evaluator(const Derivation& derivation_, const GenerateOptions& optio
                      Spelled spelled)
     : derivation(derivation_),
       options(options_),
-      fixed(fixed_values(derivation.scene, options.fixed)),
-      parameters(derivation.scene, derivation, fixed, spelled),
-      velocity(velocity_program(derivation.scene, parameters.values(), zeros)),
+      fixed(fixed_values(derivation.problem, options.fixed)),
+      parameters(derivation.problem, derivation, fixed, spelled),
+      velocity(velocity_program(derivation.problem, parameters.values(), zeros)),
       gradient(gradient_program(velocity)) {
   const Proof proof(derivation, parameters.values());
   proof.holds(derivation);
   proof.holds(velocity);
   proof.holds(gradient);
   if (options.language == "c++")
-    sweep = sweep_program(derivation.scene, parameters.values(), velocity);
+    sweep = sweep_program(derivation.problem, parameters.values(), velocity);
   if (sweep) proof.holds(*sweep);
   const Program& program = gradient.program;
   // The product with the factor and its conversion stand outside of these.

@@ -44,7 +44,7 @@ bool is_among(std::string_view words, std::string_view name);
 void check_library_name(const std::string& name, const Language& language);
 
 /// Throws InputError if a parameter cannot have the name of one of these symbols.
-void check_member_names(const Scene& scene, const std::vector<Symbol>& symbols,
+void check_member_names(const Problem& problem, const std::vector<Symbol>& symbols,
                         const Language& language);
 
 }  // namespace vcrit::symbolic

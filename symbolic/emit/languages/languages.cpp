@@ -70,12 +70,12 @@ void check_library_name(const std::string& name, const Language& language) {
   if (is_among(language.taken, name)) refuse_in_language(argument("name"), name, "taken", language);
 }
 
-void check_member_names(const Scene& scene, const std::vector<Symbol>& symbols,
+void check_member_names(const Problem& problem, const std::vector<Symbol>& symbols,
                         const Language& language) {
-  check_member_names(scene, symbols);
+  check_member_names(problem, symbols);
   for (const Symbol& symbol : symbols)
-    if (const std::string name = as_called(scene, symbol).name; is_among(language.reserved, name))
-      refuse_in_language({scene.file}, name, "a reserved word", language);
+    if (const std::string name = as_called(problem, symbol).name; is_among(language.reserved, name))
+      refuse_in_language({problem->source->file}, name, "a reserved word", language);
 }
 
 }  // namespace vcrit::symbolic

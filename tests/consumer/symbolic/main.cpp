@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <map>
 #include <vcrit/symbolic.hpp>
+#include <vcrit/scene/scene.hpp>
 #include <vcrit/vcrit.hpp>
 
 int main(int, char** argv) {
@@ -9,7 +10,7 @@ int main(int, char** argv) {
   const vcrit::Scene scene = vcrit::read_scene(argv[1]);
   const symbolic::Derivation derivation = symbolic::derive(scene);
   std::map<vcrit::Symbol, GiNaC::numeric> values;
-  for (const auto& [symbol, value] : vcrit::values_of(scene))
+  for (const auto& [symbol, value] : vcrit::resolve(scene).values())
     values[symbol] = symbolic::exact_decimal(value);
   const GiNaC::numeric v =
       symbolic::value_at(derivation.critical_velocity, derivation.definitions, values);

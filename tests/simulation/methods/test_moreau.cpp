@@ -5,6 +5,7 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
+#include "scene/scene.hpp"
 #include "simulation/reference_systems.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_moreau)

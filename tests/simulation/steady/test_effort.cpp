@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "modes/contact_modes.hpp"
+#include "scene/scene.hpp"
 #include "simulation/reference_systems.hpp"
 #include "simulation/steady/exact.hpp"
 #include "simulation/steady/onset.hpp"

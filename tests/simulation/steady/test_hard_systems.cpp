@@ -5,6 +5,7 @@
 #include <string>
 
 #include "base/errors.hpp"
+#include "scene/scene.hpp"
 #include "simulation/steady/exact.hpp"
 #include "simulation/steady/onset.hpp"
 

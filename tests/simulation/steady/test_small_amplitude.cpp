@@ -3,6 +3,7 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
+#include "scene/scene.hpp"
 #include "simulation/random_systems.hpp"
 #include "simulation/steady/exact.hpp"
 #include "simulation/steady/onset.hpp"

@@ -7,6 +7,7 @@
 
 #include "answers/critical_onset.hpp"
 #include "base/errors.hpp"
+#include "scene/scene.hpp"
 #include "simulation/steady/energy.hpp"
 #include "simulation/steady/exact.hpp"
 #include "simulation/steady/onset.hpp"

@@ -19,43 +19,43 @@ namespace vcrit::symbolic {
 
 namespace {
 
-bool has_all_values(const Scene& scene) {
-  for (const auto& [symbol, value] : scene.elements)
+bool has_all_values(const Problem& problem) {
+  for (const auto& [symbol, value] : problem->elements)
     if (!value) return false;
-  const auto* isotropic = std::get_if<Isotropic>(&scene.tangential);
+  const auto* isotropic = std::get_if<Isotropic>(&problem->tangential);
   if (isotropic != nullptr && !isotropic->quantity.value) return false;
-  return scene.coefficient.value && scene.angular_frequency.value && scene.amplitude.value &&
-         (!scene.mass || scene.mass->value);
+  return problem->coefficient.value && problem->angular_frequency.value &&
+         problem->amplitude.value && (!problem->mass || problem->mass->value);
 }
 
 /// The scene's values, and values of the size of real devices for symbols without one.
-std::map<Symbol, double> example_values(const Scene& scene) {
+std::map<Symbol, double> example_values(const Problem& problem) {
   std::map<Symbol, double> values;
   const auto put = [&values](const Quantity& quantity, double otherwise) {
     values[quantity.symbol] = quantity.value.value_or(otherwise);
   };
-  put(scene.coefficient, 0.25);
-  put(scene.angular_frequency, 125000.0);
-  put(scene.amplitude, 1e-7);
-  if (scene.mass) put(*scene.mass, 0.00025);
-  const auto* isotropic = std::get_if<Isotropic>(&scene.tangential);
+  put(problem->coefficient, 0.25);
+  put(problem->angular_frequency, 125000.0);
+  put(problem->amplitude, 1e-7);
+  if (problem->mass) put(*problem->mass, 0.00025);
+  const auto* isotropic = std::get_if<Isotropic>(&problem->tangential);
   if (isotropic != nullptr) put(isotropic->quantity, 0.25);
   int count = 0;
   const auto add = [&](const Symbol& symbol, double otherwise) {
     values.try_emplace(symbol, otherwise * (1 + count++ / 8.0));
   };
-  for (const auto& [symbol, value] : scene.elements)
+  for (const auto& [symbol, value] : problem->elements)
     if (value) values[symbol] = *value;
   const auto element = [&](const Element& e) {
     for_each_number(
         e, [&](const Symbol& symbol, NumberRole role) { add(symbol, number_row(role).example); });
   };
-  for_each_element(scene, element);
+  for_each_element(problem, element);
   return values;
 }
 
-std::string example(const Scene& scene, const ParameterList& parameters) {
-  const std::map<Symbol, double> values = example_values(scene);
+std::string example(const Problem& problem, const ParameterList& parameters) {
+  const std::map<Symbol, double> values = example_values(problem);
   std::string out = "  Parameters p{};\n";
   for (const Member& member : parameters.members())
     for (int entry = member.length == 0 ? 0 : 1; entry <= member.length; ++entry) {
@@ -69,24 +69,24 @@ std::string example(const Scene& scene, const ParameterList& parameters) {
 }
 
 /// The symbols of the mass and of all stiffnesses and dampers.
-std::vector<Symbol> scaled_symbols(const Scene& scene) {
+std::vector<Symbol> scaled_symbols(const Problem& problem) {
   std::vector<Symbol> symbols;
-  if (scene.mass) symbols.push_back(scene.mass->symbol);
+  if (problem->mass) symbols.push_back(problem->mass->symbol);
   const auto element = [&](const Element& e) { symbols.push_back(e.coefficient); };
-  for_each_element(scene, element);
+  for_each_element(problem, element);
   return symbols;
 }
 
-bool scales_fixed_values(const Scene& scene, const FixedValues& fixed) {
-  const std::vector<Symbol> symbols = scaled_symbols(scene);
+bool scales_fixed_values(const Problem& problem, const FixedValues& fixed) {
+  const std::vector<Symbol> symbols = scaled_symbols(problem);
   return std::any_of(symbols.begin(), symbols.end(),
                      [&](const Symbol& symbol) { return fixed.contains(symbol); });
 }
 
 /// Those of them that are parameters, as "p.k0", each once.
-std::vector<std::string> element_members(const Scene& scene, const ParameterList& parameters) {
+std::vector<std::string> element_members(const Problem& problem, const ParameterList& parameters) {
   std::vector<std::string> members;
-  for (const Symbol& symbol : scaled_symbols(scene)) {
+  for (const Symbol& symbol : scaled_symbols(problem)) {
     if (!parameters.contains(symbol)) continue;
     const std::string member = parameters.reference(symbol);
     if (std::find(members.begin(), members.end(), member) == members.end())
@@ -96,14 +96,15 @@ std::vector<std::string> element_members(const Scene& scene, const ParameterList
 }
 
 /// Multiplies them by 2. Nothing where one of them is a number of the code.
-std::string doubled(const Scene& scene, const ParameterList& parameters, const FixedValues& fixed) {
-  if (scales_fixed_values(scene, fixed)) return "";
+std::string doubled(const Problem& problem, const ParameterList& parameters,
+                    const FixedValues& fixed) {
+  if (scales_fixed_values(problem, fixed)) return "";
   std::string out = fmt::format(
       "  // A power of two changes no rounding, and a common factor of all stiffnesses, dampers{}\n"
       "  // does not change v*.\n"
       "  Parameters doubled = p;\n",
-      scene.mass ? " and the mass" : "");
-  for (const std::string& member : element_members(scene, parameters))
+      problem->mass ? " and the mass" : "");
+  for (const std::string& member : element_members(problem, parameters))
     out += "  doubled" + member.substr(1) + " *= 2.0;\n";
   return out +
          "  expect(critical_velocity(doubled) == v.value, \"a common factor of all elements "
@@ -113,10 +114,11 @@ std::string doubled(const Scene& scene, const ParameterList& parameters, const F
 }
 
 /// Each times its partial derivative; nothing where one of them is a number of the code.
-std::string euler(const Scene& scene, const ParameterList& parameters, const FixedValues& fixed) {
-  if (scales_fixed_values(scene, fixed)) return "0.0";
+std::string euler(const Problem& problem, const ParameterList& parameters,
+                  const FixedValues& fixed) {
+  if (scales_fixed_values(problem, fixed)) return "0.0";
   std::vector<std::string> terms{"0.0"};
-  for (const std::string& member : element_members(scene, parameters))
+  for (const std::string& member : element_members(problem, parameters))
     terms.push_back(member + " * d" + member.substr(1));
   return fmt::format("{}", fmt::join(terms, ", "));
 }
@@ -133,9 +135,9 @@ std::string fast_sweep(const Evaluator& evaluator) {
 }
 
 // v* correctly rounded errs by at most 2^-53, the function by its own bound.
-std::string known_value(const Scene& scene) {
-  if (!has_all_values(scene)) return "";
-  const CertifiedVelocity v = certified_critical_velocity(scene);
+std::string known_value(const Problem& problem) {
+  if (!has_all_values(problem)) return "";
+  const CertifiedVelocity v = certified_critical_velocity(problem);
   if (!v.reason.empty()) return "";
   return fmt::format(
       "  const double known = {};\n"
@@ -223,18 +225,19 @@ int main() {{
 }  // namespace
 
 std::string cpp_test(const Evaluator& evaluator, const std::string& name) {
-  const Scene& scene = evaluator.derivation.scene;
+  const Problem& problem = evaluator.derivation.problem;
   const FixedValues& fixed = evaluator.fixed;
   const ParameterList& parameters = evaluator.parameters;
-  return fmt::format(
-      fmt::runtime(frame), fmt::arg("name", name),
-      fmt::arg("mu0", name_in(scene, scene.coefficient)),
-      fmt::arg("omega", name_in(scene, scene.angular_frequency)),
-      fmt::arg("du_z", name_in(scene, scene.amplitude)),
-      fmt::arg("include", fmt::format("#include \"{}_batch.hpp\"\n", name)),
-      fmt::arg("example", example(scene, parameters)), fmt::arg("known", known_value(scene)),
-      fmt::arg("doubled", doubled(scene, parameters, fixed)),
-      fmt::arg("euler", euler(scene, parameters, fixed)), fmt::arg("sweep", fast_sweep(evaluator)));
+  return fmt::format(fmt::runtime(frame), fmt::arg("name", name),
+                     fmt::arg("mu0", name_in(problem, problem->coefficient)),
+                     fmt::arg("omega", name_in(problem, problem->angular_frequency)),
+                     fmt::arg("du_z", name_in(problem, problem->amplitude)),
+                     fmt::arg("include", fmt::format("#include \"{}_batch.hpp\"\n", name)),
+                     fmt::arg("example", example(problem, parameters)),
+                     fmt::arg("known", known_value(problem)),
+                     fmt::arg("doubled", doubled(problem, parameters, fixed)),
+                     fmt::arg("euler", euler(problem, parameters, fixed)),
+                     fmt::arg("sweep", fast_sweep(evaluator)));
 }
 
 std::string emit_cmake(const std::string& name) {

@@ -56,10 +56,10 @@ class GroupWriter {
  public:
   GroupWriter(const Derivation& derivation, Program& program, const SymbolValue& value)
       : derivation_(derivation), program_(program), value_(value) {
-    const Scene& scene = derivation.scene;
+    const Problem& problem = derivation.problem;
     symbols_["omega"] = {"omega"};
-    if (scene.mass) symbols_["m"] = scene.mass->symbol;
-    for (const auto& [symbol, number] : scene.elements) symbols_[to_text(symbol)] = symbol;
+    if (problem->mass) symbols_["m"] = problem->mass->symbol;
+    for (const auto& [symbol, number] : problem->elements) symbols_[to_text(symbol)] = symbol;
   }
 
   std::vector<Group> write() {
@@ -92,7 +92,7 @@ class GroupWriter {
   /// "beta_M" of "beta_m" where the scene calls m so.
   std::string named_after(const std::string& group) const {
     const std::size_t symbol = group.find('_') + 1;
-    return group.substr(0, symbol) + as_called(derivation_.scene, {group.substr(symbol)}).name;
+    return group.substr(0, symbol) + as_called(derivation_.problem, {group.substr(symbol)}).name;
   }
 
   /// What entries are without a group.
@@ -100,7 +100,7 @@ class GroupWriter {
     const std::string array = group.substr(group.find('_') + 1);
     const bool stiffness = group.starts_with("kappa_");
     std::vector<NodeId> values;
-    for (int entry = 1; entry <= derivation_.scene.arrays.at(array); ++entry) {
+    for (int entry = 1; entry <= derivation_.problem->source->arrays.at(array); ++entry) {
       const bool is_there = symbols_.contains(to_text(Symbol{array, entry}));
       values.push_back(program_.constant(stiffness && is_there ? 1 : 0));
     }

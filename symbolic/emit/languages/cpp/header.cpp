@@ -203,14 +203,14 @@ constexpr int short_program = 62;
 
 std::string cpp_header(const Evaluator& evaluator, const std::string& name) {
   const Sections& sections = cpp_sections();
-  const Scene& scene = evaluator.derivation.scene;
-  const NamesOfScene names(scene);
-  check_member_names(scene, evaluator.derivation.parameters);
+  const Problem& problem = evaluator.derivation.problem;
+  const NamesOfScene names(problem);
+  check_member_names(problem, evaluator.derivation.parameters);
   const auto& [derivation, options, fixed, parameters, velocity, gradient, sweep, operations] =
       evaluator;
   const bool is_long = operations > short_program;
 
-  std::string out = banner(derivation, command_line(scene, name, options), fixed);
+  std::string out = banner(derivation, command_line(problem, name, options), fixed);
   out += comment(fmt::format(
       "Accuracy: one ulp wherever the bound is below 2^-52. {} operations; vectorised by "
       "-O3 -march=native -fno-math-errno.",

@@ -1,5 +1,5 @@
-// A changing scene is the scene that reading again with --set gives.
-#include "scene/changing.hpp"
+// A variation is the problem that reading its scene again with --set gives.
+#include "problem/variation.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include "base/numbers.hpp"
 #include "support/refusal.hpp"
 
-BOOST_AUTO_TEST_SUITE(test_changing)
+BOOST_AUTO_TEST_SUITE(test_variation)
 
 namespace {
 
@@ -15,16 +15,16 @@ using namespace vcrit;
 
 void check(const std::string& file, const std::vector<std::string>& names,
            const std::vector<std::vector<double>>& rows, const Settings& base = {}) {
-  ChangingScene changing(read_scene(VCRIT_SCENES "/" + file, base), names);
+  const Variation varied(read_problem(VCRIT_SCENES "/" + file, base), names);
   for (const auto& row : rows) {
-    const Scene& scene = changing.at(row);
+    const Problem problem = varied.at(row);
     Settings settings = base;
     for (std::size_t i = 0; i < names.size(); ++i) settings.emplace_back(names[i], to_text(row[i]));
-    const Scene again = read_scene(VCRIT_SCENES "/" + file, settings);
-    BOOST_TEST((scene.elements == again.elements));
-    BOOST_TEST((values_of(scene) == values_of(again)));
-    BOOST_TEST((scene.normal == again.normal));
-    BOOST_TEST(scene.tangential.index() == again.tangential.index());
+    const Problem again = read_problem(VCRIT_SCENES "/" + file, settings);
+    BOOST_TEST((problem->elements == again->elements));
+    BOOST_TEST((problem.values() == again.values()));
+    BOOST_TEST((problem->normal.network() == again->normal.network()));
+    BOOST_TEST(problem->tangential.index() == again->tangential.index());
   }
 }
 
@@ -36,18 +36,26 @@ BOOST_AUTO_TEST_CASE(it_is_the_scene_read_again) {
         {{"k1", "5 N/um"}});
 }
 
+// Where nothing is read again, a new value makes no new network.
+BOOST_AUTO_TEST_CASE(values_share_the_networks) {
+  const Problem problem = read_problem(VCRIT_SCENES "/zener.toml");
+  const Variation varied(problem, {"k1"});
+  BOOST_TEST(&varied.at(std::vector{7e6})->normal.network() == &problem->normal.network());
+  BOOST_TEST(&varied.at(std::vector{0.0})->normal.network() != &problem->normal.network());
+}
+
 BOOST_AUTO_TEST_CASE(a_name_takes_the_place_of_its_setting) {
-  ChangingScene changing(
-      read_scene(VCRIT_SCENES "/zener.toml", {{"frequency", "3 kHz"}, {"k1", "1e6"}}),
+  const Variation varied(
+      read_problem(VCRIT_SCENES "/zener.toml", {{"frequency", "3 kHz"}, {"k1", "1e6"}}),
       {"angular_frequency"});
   // 0 for k1 is read again: both times the setting of the frequency is gone.
-  BOOST_TEST(*changing.at(std::vector{7.0}).angular_frequency.value == 7);
-  BOOST_TEST(values_of(changing.at(std::vector{8.0})).at({"k1"}) == 1e6);
+  BOOST_TEST(*varied.at(std::vector{7.0})->angular_frequency.value == 7);
+  BOOST_TEST(varied.at(std::vector{8.0}).values().at({"k1"}) == 1e6);
 }
 
 std::string refused(const std::vector<std::string>& names, const std::vector<double>& values) {
   return test::refusal(
-      [&] { ChangingScene(read_scene(VCRIT_SCENES "/zener.toml"), names).at(values); });
+      [&] { Variation(read_problem(VCRIT_SCENES "/zener.toml"), names).at(values); });
 }
 
 BOOST_AUTO_TEST_CASE(what_reading_refuses_is_refused) {

@@ -1,0 +1,266 @@
+#include "problem/problem.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "base/constants.hpp"
+#include "problem/variants.hpp"
+#include "scene/members.hpp"
+#include "scene/quantities.hpp"
+#include "scene/scene.hpp"
+
+namespace vcrit {
+
+namespace {
+
+template <class Result, class AnyParts>
+std::vector<Result*> quantities_of(AnyParts& parts) {
+  std::vector<Result*> all;
+  auto* isotropic = std::get_if<Isotropic>(&parts.tangential);
+  if (isotropic != nullptr && !isotropic->quantity.symbol.name.empty())
+    all.push_back(&isotropic->quantity);
+  all.insert(all.end(),
+             {&parts.coefficient, &parts.angular_frequency, &parts.amplitude, &parts.indentation});
+  if (parts.mass) all.push_back(&*parts.mass);
+  if (parts.indenter)
+    for (Result& size : parts.indenter->sizes) all.push_back(&size);
+  return all;
+}
+
+Symbol called(const std::map<std::string, std::string>& names, const Symbol& symbol) {
+  const auto name = names.find(symbol.name);
+  return name == names.end() ? symbol : Symbol{name->second, symbol.entry};
+}
+
+/// A frequency that has a name is asked for by that.
+std::string missing_name(const Resolved& parts, const Symbol& symbol) {
+  const auto frequency = parts.names.find(frequency_symbol.name);
+  if (frequency != parts.names.end() && symbol == parts.angular_frequency.symbol)
+    return frequency->second;
+  return to_text(called(parts.names, symbol));
+}
+
+const Range& range_of(const Resolved& parts, const Quantity& quantity) {
+  if (&quantity == &parts.angular_frequency || (parts.mass && &quantity == &*parts.mass))
+    return positive;
+  const auto* isotropic = std::get_if<Isotropic>(&parts.tangential);
+  if (isotropic != nullptr && &quantity == &isotropic->quantity)
+    return isotropic->by == Isotropic::By::poisson ? poisson_range : positive;
+  return nonnegative;
+}
+
+std::variant<Rigid, ReducedNetwork, Receptance> drive_of(const Scene& scene) {
+  if (scene.receptance) return *scene.receptance;
+  if (scene.drive) return ReducedNetwork(*scene.drive);
+  return Rigid{};
+}
+
+std::variant<Isotropic, ReducedNetwork> tangential_of(const Scene& scene) {
+  if (const auto* own = std::get_if<Network>(&scene.tangential)) return ReducedNetwork(*own);
+  return std::get<Isotropic>(scene.tangential);
+}
+
+Resolved parts_of(const Scene& scene) {
+  return {ReducedNetwork(scene.normal),
+          tangential_of(scene),
+          drive_of(scene),
+          scene.mass,
+          scene.fitted_range,
+          scene.separation,
+          scene.indenter,
+          scene.coefficient,
+          scene.angular_frequency,
+          scene.amplitude,
+          scene.indentation,
+          scene.elements,
+          std::make_shared<const std::map<Symbol, TypedNumber>>(scene.typed),
+          scene.names,
+          std::make_shared<const Source>(Source{scene.file, scene.title, scene.text, scene.settings,
+                                                scene.arrays, scene.settable, scene.named,
+                                                scene.warnings})};
+}
+
+}  // namespace
+
+/// The parts, and their values checked.
+struct Problem::Checked {
+  explicit Checked(Resolved resolved) : parts(std::move(resolved)) {
+    // Reading leaves elements of value 0 out of the networks.
+    for (const auto& [symbol, value] : parts.elements) add(symbol, value, positive);
+    for (const Quantity* quantity : quantities_of<const Quantity>(parts))
+      add(quantity->symbol, quantity->value, range_of(parts, *quantity));
+  }
+
+  void add(const Symbol& symbol, const std::optional<double>& value, const Range& range) {
+    if (value)
+      values[symbol] =
+          checked(*value, range, to_text(called(parts.names, symbol)), {parts.source->file});
+    else
+      missing.push_back(missing_name(parts, symbol));
+  }
+
+  const Resolved parts;
+  Values values;
+  std::vector<std::string> missing;
+};
+
+Problem::Problem(Resolved resolved)
+    : checked_(std::make_shared<const Checked>(std::move(resolved))) {}
+
+Problem::Problem(const Scene& scene) : Problem(parts_of(scene)) {
+  Values elements;
+  for (const auto& [symbol, value] : scene.elements)
+    if (value) elements[symbol] = *value;
+  if (elements.size() == scene.elements.size()) check_members(scene, elements);
+}
+
+const Resolved& Problem::resolved() const { return checked_->parts; }
+
+const Values& Problem::known_values() const& { return checked_->values; }
+
+const Values& Problem::values() const& {
+  if (!checked_->missing.empty())
+    throw InputError({checked_->parts.source->file},
+                     fmt::format("no value for {}", fmt::join(checked_->missing, ", ")),
+                     "a number for each, in the scene or by --set NAME=VALUE");
+  return checked_->values;
+}
+
+Problem Problem::with(const Values& values) const {
+  Resolved changed = checked_->parts;
+  std::size_t places = 0;
+  const auto put = [&](const Symbol& symbol, std::optional<double>& value) {
+    const auto found = values.find(symbol);
+    if (found == values.end()) return;
+    value = found->second;
+    ++places;
+  };
+  for (auto& [symbol, value] : changed.elements) put(symbol, value);
+  for (Quantity* quantity : quantities_of<Quantity>(changed))
+    put(quantity->symbol, quantity->value);
+  if (const auto frequency = values.find(frequency_symbol); frequency != values.end()) {
+    changed.angular_frequency.value = two_pi * frequency->second;
+    auto typed = std::make_shared<std::map<Symbol, TypedNumber>>(*changed.typed);
+    (*typed)[frequency_symbol] = {frequency->second, {}};
+    changed.typed = std::move(typed);
+    ++places;
+  }
+  ensure(places >= values.size(), "values of symbols that the problem has");
+  return Problem(std::move(changed));
+}
+
+Problem resolve(const Scene& scene) { return scene; }
+
+Problem read_problem(const std::string& file, const Settings& settings) {
+  return read_scene(file, settings);
+}
+
+Problem parse_problem(const std::string& text, const std::string& file, const Settings& settings) {
+  return parse_scene(text, file, settings);
+}
+
+std::vector<Quantity> quantities(const Problem& problem) {
+  std::vector<Quantity> all;
+  for (const Quantity* quantity : quantities_of<const Quantity>(*problem)) all.push_back(*quantity);
+  return all;
+}
+
+void for_each_element(const Problem& problem, const std::function<void(const Element&)>& visit) {
+  for_each_element(problem->normal.network(), visit);
+  if (const auto* tangential = std::get_if<ReducedNetwork>(&problem->tangential))
+    for_each_element(tangential->network(), visit);
+  if (const auto* drive = problem->drive_network()) for_each_element(drive->network(), visit);
+}
+
+std::optional<std::string> beyond_fitted_range(const Problem& problem, double from, double to) {
+  return beyond_fitted_range(problem->fitted_range, problem->source->file, from, to);
+}
+
+Symbol as_called(const Problem& problem, const Symbol& symbol) {
+  return called(problem->names, symbol);
+}
+
+std::string name_in(const Problem& problem, const Quantity& quantity) {
+  return to_text(as_called(problem, quantity.symbol));
+}
+
+ScaledNetwork tangential_network(const Problem& problem) {
+  if (const auto* isotropic = std::get_if<Isotropic>(&problem->tangential))
+    return {problem->normal, tangential_ratio(*isotropic)};
+  return {std::get<ReducedNetwork>(problem->tangential), 1};
+}
+
+/// Makes problems of another structure.
+class Variant {
+ public:
+  explicit Variant(const Problem& problem) : parts(*problem) {}
+  Problem made() { return Problem(std::move(parts)); }
+
+  Resolved parts;
+};
+
+Problem as_doubles(const Problem& problem) {
+  Variant variant(problem);
+  variant.parts.typed = std::make_shared<const std::map<Symbol, TypedNumber>>();
+  return variant.made();
+}
+
+Problem called_otherwise(const Problem& problem, std::map<std::string, std::string> names) {
+  Variant variant(problem);
+  variant.parts.names = std::move(names);
+  return variant.made();
+}
+
+Problem warning_of(const Problem& problem, std::vector<std::string> warnings) {
+  Variant variant(problem);
+  Source source = *problem->source;
+  source.warnings = std::move(warnings);
+  variant.parts.source = std::make_shared<const Source>(std::move(source));
+  return variant.made();
+}
+
+Problem staying_closed(const Problem& problem) {
+  Variant variant(problem);
+  variant.parts.separation = false;
+  return variant.made();
+}
+
+Problem with_rigid_drive(const Problem& problem) {
+  Variant variant(problem);
+  variant.parts.drive = Rigid{};
+  variant.parts.mass.reset();
+  return variant.made();
+}
+
+Problem over_spring(const Problem& problem, ReducedNetwork normal, const Symbol& stiffness) {
+  Variant variant(problem);
+  variant.parts.normal = std::move(normal);
+  variant.parts.tangential = ReducedNetwork(spring(stiffness));
+  variant.parts.elements.emplace_back(stiffness, 1.0);
+  variant.parts.drive = Rigid{};
+  variant.parts.mass.reset();
+  variant.parts.indenter.reset();
+  variant.parts.separation = false;
+  return variant.made();
+}
+
+Problem with_indenter(const Problem& problem, const Indenter& indenter) {
+  Variant variant(problem);
+  variant.parts.indenter = indenter;
+  return variant.made();
+}
+
+Problem with_normal_spring(const Problem& problem, const Symbol& symbol, double stiffness) {
+  Variant variant(problem);
+  variant.parts.normal = ReducedNetwork(spring(symbol));
+  variant.parts.elements = {{symbol, stiffness}};
+  return variant.made();
+}
+
+Problem with_isotropic(const Problem& problem, const Isotropic& isotropic) {
+  Variant variant(problem);
+  variant.parts.tangential = isotropic;
+  return variant.made();
+}
+
+}  // namespace vcrit

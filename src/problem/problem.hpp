@@ -1,0 +1,148 @@
+// A scene resolved: what all rooms after it work on. It is valid when it is made and never changes;
+// other numbers make another problem (with(), variation.hpp), another structure too (variants.hpp).
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "base/errors.hpp"
+#include "base/units.hpp"
+#include "problem/reduced_network.hpp"
+#include "scene/quantity.hpp"
+#include "scene/receptance.hpp"
+
+namespace vcrit {
+
+struct Scene;
+
+/// A drive that does not give: without [drive] in a scene.
+struct Rigid {};
+
+/// What a scene says besides its physics, for those who write it down and read it again.
+struct Source {
+  std::string file;  ///< as the user named it
+  std::string title;
+  std::string text;                           ///< the file's content
+  Settings settings;                          ///< that replaced values of it
+  std::map<std::string, int> arrays;          ///< length of each array among the elements
+  std::map<std::string, Dimension> settable;  ///< what --set may name, and what it measures
+  std::map<std::string, Symbol> named;        ///< what each of these is; may be frequency_symbol
+  std::vector<std::string> warnings;
+};
+
+/// The parts of a problem; a `Problem` is a pointer to them.
+struct Resolved {
+  ReducedNetwork normal;  ///< K_n; E of the half-space below an indenter
+  /// K_t; equal networks have become Isotropic, ratio 1
+  std::variant<Isotropic, ReducedNetwork> tangential;
+  /// K_d, a network that may hold masses, or 1/K_d as a table. Who acts on it visits all three.
+  std::variant<Rigid, ReducedNetwork, Receptance> drive;
+  std::optional<Quantity> mass;             ///< m (kg) of the body; only under a drive that gives
+  std::optional<FittedRange> fitted_range;  ///< of the contact's networks
+  bool separation = false;                  ///< the surfaces may part: F_n = max(0, reaction)
+  std::optional<Indenter> indenter;  ///< only under a rigid drive, of an isotropic half-space
+  Quantity coefficient, angular_frequency, amplitude, indentation;  ///< mu0, omega, du_z, u_z0
+  std::vector<std::pair<Symbol, std::optional<double>>>
+      elements;  ///< of the networks, in order of writing
+  /// As numbers were typed, by symbol; "frequency" where that was, in place of omega, with or
+  /// without a unit. Read by those who carry them and 2 pi f exactly, where the value beside it is
+  /// still the scene's own.
+  std::shared_ptr<const std::map<Symbol, TypedNumber>> typed;
+  /// The names that a scene gives its symbols, by the names that they have here: "M" of "m" where
+  /// mass = "M". All that is not among them is written as it is called here.
+  std::map<std::string, std::string> names;
+  std::shared_ptr<const Source> source;
+
+  bool rigid() const { return std::holds_alternative<Rigid>(drive); }
+  bool has_masses() const { return drive_network() != nullptr && drive_network()->has_masses(); }
+  /// The drive where it is a network, and where it is measured; else null.
+  const ReducedNetwork* drive_network() const { return std::get_if<ReducedNetwork>(&drive); }
+  const Receptance* receptance() const { return std::get_if<Receptance>(&drive); }
+};
+
+/// Cheap to copy, and safe to hold: parts that are the same are shared, and nobody changes them.
+/// May be asked from several threads at once.
+class Problem {
+ public:
+  /// Throws InputError for a value that no scene may have, as one whose members were changed after
+  /// reading can, and for parts that do not fit together (scene/members.hpp). An element of value 0
+  /// is such a one: reading leaves it out of the networks, so give it as a setting. Values may be
+  /// missing.
+  Problem(const Scene& scene);  // NOLINT(google-explicit-constructor): a scene is a problem
+
+  const Resolved* operator->() const { return &resolved(); }
+  const Resolved& operator*() const { return resolved(); }
+
+  /// All values (elements and quantities) by symbol, SI. Throws InputError naming every missing one
+  /// at once.
+  const Values& values() const&;
+  Values values() && { return std::as_const(*this).values(); }
+  double value(const Quantity& quantity) const { return values().at(quantity.symbol); }
+  /// Those that are there.
+  const Values& known_values() const&;
+  Values known_values() && { return std::as_const(*this).known_values(); }
+
+  /// Another problem, with these values (SI) in place of its own; that of frequency_symbol is f,
+  /// and omega 2 pi f. Throws InputError for one that no scene may have, Bug for a symbol that the
+  /// problem does not have.
+  Problem with(const Values& values) const;
+
+ private:
+  friend class Variant;
+  struct Checked;
+  explicit Problem(Resolved resolved);
+  const Resolved& resolved() const;
+
+  std::shared_ptr<const Checked> checked_;
+};
+
+/// Throws InputError as making a Problem does.
+Problem resolve(const Scene& scene);
+/// Of a file, or of text that `file` names in messages. Throw InputError as reading does.
+Problem read_problem(const std::string& file, const Settings& settings = {});
+Problem parse_problem(const std::string& text, const std::string& file,
+                      const Settings& settings = {});
+
+/// The quantities that have names of their own; those of isotropic contact, body and indenter among
+/// them.
+std::vector<Quantity> quantities(const Problem& problem);
+
+/// Calls `visit` for every element of its networks: normal, tangential, drive, in the order of
+/// writing.
+void for_each_element(const Problem& problem, const std::function<void(const Element&)>& visit);
+
+/// What to warn of where a problem is evaluated at angular frequencies `from` to `to` (rad/s):
+/// nothing where all of them are in its fitted range, or it has none. Reading a scene asks this for
+/// the scene's own frequency; who varies that asks again.
+std::optional<std::string> beyond_fitted_range(const Problem& problem, double from, double to);
+
+/// The symbol by the name that the scene gives it. Everything that people and other programs read
+/// has that; within the program symbols are known by their own names, of which none is another's.
+Symbol as_called(const Problem& problem, const Symbol& symbol);
+
+/// "m", or what the scene calls it.
+std::string name_in(const Problem& problem, const Quantity& quantity);
+
+/// K_t as a network times a number; of an isotropic contact that is the normal one. Throws Bug
+/// where the ratio has no value.
+struct ScaledNetwork {
+  ReducedNetwork network;
+  double factor;
+};
+ScaledNetwork tangential_network(const Problem& problem);
+
+/// For std::visit: a function for each alternative.
+template <class... Functions>
+struct Overloaded : Functions... {
+  using Functions::operator()...;
+};
+template <class... Functions>
+Overloaded(Functions...) -> Overloaded<Functions...>;
+
+}  // namespace vcrit
