@@ -30,7 +30,7 @@ System system_named(const std::string& name) {
 
 /// The system's scene with the numbers of a case.
 Scene scene_with(const System& system, const std::vector<double>& x) {
-  Scene scene = system.scene;
+  Scene scene = parse_scene(system.problem->source->text, system.name);
   Values values;
   for (std::size_t i = 0; i < x.size(); ++i)
     values[{system.slots[i].name, system.slots[i].entry}] = x[i];
@@ -186,7 +186,7 @@ BOOST_AUTO_TEST_CASE(no_bound_is_violated) {
 
 BOOST_AUTO_TEST_CASE(a_bound_that_is_too_small_is_seen_and_shown) {
   const System system = system_named("kelvin");
-  const std::string liar = symbolic::emit_header(symbolic::derive(system.scene), "honest") + R"(
+  const std::string liar = symbolic::emit_header(symbolic::derive(system.problem), "honest") + R"(
 namespace evaluator {
 using honest::Parameters;
 inline honest::Certified critical_velocity_certified(const Parameters& p) noexcept {

@@ -17,9 +17,9 @@ constexpr Plan tiny{16, 0};
 
 std::filesystem::path compiler() { return validation::find_compiler().value(); }
 
-Problem problem_named(const std::string& name) {
-  for (Problem& problem : all_problems())
-    if (problem.name == name) return std::move(problem);
+Subject subject_named(const std::string& name) {
+  for (Subject& subject : all_subjects())
+    if (subject.name == name) return std::move(subject);
   throw std::logic_error("no problem " + name);
 }
 
@@ -31,7 +31,7 @@ Problem problem_named(const std::string& name) {
 // sqrt(2)^4 = 4 times the sum, for all factors have positive coefficients but the one with the
 // mass, whose damping is of the size of its stiffness.
 BOOST_AUTO_TEST_CASE(loops_by_hand_are_right) {
-  const Problem problem = problem_named("Zener");
+  const Subject subject = subject_named("Zener");
   const std::vector<Evaluator> loops = loops_by_hand(problem, compiler());
   for (const Mode mode : both_modes) {
     const std::vector<Result> results = measure(problem, mode, loops, tiny);
@@ -42,7 +42,7 @@ BOOST_AUTO_TEST_CASE(loops_by_hand_are_right) {
 
 // The fractions of a ladder are scaled lest they overflow.
 BOOST_AUTO_TEST_CASE(loops_by_hand_are_right_for_large_networks) {
-  const Problem problem = problem_named("ladder-10");
+  const Subject subject = subject_named("ladder-10");
   const std::vector<Evaluator> loops = loops_by_hand(problem, compiler());
   for (const Mode mode : both_modes)
     for (const Result& each : measure(problem, mode, loops, tiny))
@@ -58,14 +58,14 @@ BOOST_AUTO_TEST_CASE(the_error_counts_units_of_the_last_place) {
 }
 
 BOOST_AUTO_TEST_CASE(a_wrong_value_is_seen) {
-  const Problem problem = problem_named("Kelvin");
+  const Subject subject = subject_named("Kelvin");
   Evaluator wrong;
   wrong.method = "SymPy cse";
   wrong.run = [](const Samples& samples, double* out, double*) {
     for (std::size_t i = 0; i < samples.size(); ++i) out[i] = 1;
   };
   Comparison all;
-  all.problems = {problem.name};
+  all.subjects = {subject.name};
   all.results = measure(problem, Mode::sweep, {wrong}, tiny);
   BOOST_TEST(all.results.at(0).wrong());
   BOOST_TEST(table(all, Mode::sweep, Style::markdown).find("| SymPy cse | wrong |") !=
@@ -73,9 +73,9 @@ BOOST_AUTO_TEST_CASE(a_wrong_value_is_seen) {
 }
 
 BOOST_AUTO_TEST_CASE(every_method_has_its_row) {
-  const Problem problem = problem_named("Kelvin");
+  const Subject subject = subject_named("Kelvin");
   Comparison all;
-  all.problems = {problem.name};
+  all.subjects = {subject.name};
   const std::vector<Evaluator> methods = evaluators(problem, compiler(), all.missing);
   for (const Mode mode : both_modes)
     for (const Result& each : measure(problem, mode, methods, tiny)) all.results.push_back(each);

@@ -17,12 +17,12 @@ inline const extremes::Family& family(const std::string& key) {
 /// Compiled once.
 inline const extremes::Subjects& honest() {
   static const extremes::Subjects subjects =
-      extremes::subjects_of(symbolic::derive(scene_of(family("elastic"))), find_compiler());
+      extremes::subjects_of(symbolic::derive(problem_of(family("elastic"))), find_compiler());
   return subjects;
 }
 
 inline extremes::FamilyResult elastic(const extremes::Subjects& subjects) {
-  return examine(family("elastic"), symbolic::derive(scene_of(family("elastic"))), subjects,
+  return examine(family("elastic"), symbolic::derive(problem_of(family("elastic"))), subjects,
                  {4, 5, 2}, [](const std::string&) {});
 }
 

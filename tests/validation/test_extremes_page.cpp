@@ -98,7 +98,7 @@ BOOST_AUTO_TEST_CASE(a_fault_is_the_verdict_and_the_files_are_written_all_the_sa
 }
 
 BOOST_AUTO_TEST_CASE(without_a_compiler_generated_code_is_not_run) {
-  const auto scene = symbolic::derive(scene_of(example::family("elastic")));
+  const auto scene = symbolic::derive(problem_of(example::family("elastic")));
   const auto result = example::elastic(extremes::subjects_of(scene, std::nullopt));
   const auto folder = std::filesystem::temp_directory_path() /
                       ("vcrit_test_extremes_bare_" + std::to_string(::getpid()));
