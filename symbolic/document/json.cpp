@@ -142,7 +142,7 @@ PrintedResult printed_result(const symbolic::Findings& findings) {
     for (const auto& each : findings.shortest->definitions)
       result.definitions.push_back({"", {false, each.name}, {false, each.meaning}});
     // Limits and sensitivities are in complex stiffnesses, which are defined for these.
-    if (findings.limits.empty() && findings.sensitivities.empty()) return result;
+    if (findings.limits.empty() && findings.sensitivities.each.empty()) return result;
   }
   const auto complex = written(derivation.definitions);
   result.definitions.insert(result.definitions.end(), complex.begin(), complex.end());
