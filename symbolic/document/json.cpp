@@ -126,6 +126,29 @@ std::vector<WrittenEquation> written(const std::vector<symbolic::Line>& lines) {
   return result;
 }
 
+/// The derivation's lines, the last with the result as it is shown, and what defines its names.
+struct PrintedResult {
+  std::string form;
+  std::vector<WrittenEquation> lines, definitions;
+};
+
+PrintedResult printed_result(const symbolic::Findings& findings) {
+  const symbolic::Derivation& derivation = findings.derivation;
+  const bool nested = !derivation.definitions.empty();
+  PrintedResult result{nested ? "nested" : "multiplied out", written(derivation.lines), {}};
+  if (findings.shortest) {
+    result.form = "shortest";
+    result.lines.back().right = {false, findings.shortest->velocity};
+    for (const auto& each : findings.shortest->definitions)
+      result.definitions.push_back({"", {false, each.name}, {false, each.meaning}});
+    // Limits and sensitivities are in complex stiffnesses, which are defined for these.
+    if (findings.limits.empty() && findings.sensitivities.each.empty()) return result;
+  }
+  const auto complex = written(derivation.definitions);
+  result.definitions.insert(result.definitions.end(), complex.begin(), complex.end());
+  return result;
+}
+
 }  // namespace
 
 struct DerivedDocument {
@@ -136,24 +159,16 @@ struct DerivedDocument {
 void fields(Fields& f, const DerivedDocument& document) {
   const symbolic::Findings& it = document.findings;
   const symbolic::Derivation& d = it.derivation;
-  std::vector<WrittenEquation> lines = written(d.lines), definitions = written(d.definitions);
-  std::string form = d.definitions.empty() ? "multiplied out" : "nested";
-  if (it.shortest) {
-    form = "shortest";
-    definitions.clear();
-    for (const auto& each : it.shortest->definitions)
-      definitions.push_back({"", {false, each.name}, {false, each.meaning}});
-    lines.back().right = {false, it.shortest->velocity};
-  }
+  const PrintedResult result = printed_result(it);
   const bool rational = it.form == symbolic::ResultForm::rational;
   f("title", document.problem->source->title);
-  f("form", form)("fingerprint", it.fingerprint);
-  f("lines", lines)("parameters", names_of(d.parameters))("equation", d.equation);
+  f("form", result.form)("fingerprint", it.fingerprint);
+  f("lines", result.lines)("parameters", names_of(d.parameters))("equation", d.equation);
   if (it.shortest)
     f("critical_velocity", WrittenFormula{it.shortest->velocity});
   else
     f("critical_velocity", DerivedFormula{d.critical_velocity});
-  f("definitions", definitions);
+  f("definitions", result.definitions);
   if (it.shortest) f("operations", it.shortest->operations);
   f("limits", it.limits)("asymptotes", it.asymptotes)("resonances", it.resonances);
   f("sensitivities", it.sensitivities.each);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "base/interruption.hpp"
 #include "shortest/graphs.hpp"
 #include "shortest/search.hpp"
 #include "shortest/trees.hpp"
@@ -246,6 +247,7 @@ std::vector<ComplexQuotient> Presentations::sums(const Choices& parts,
   for (const int group : groups) most = std::max(most, group);
   std::vector<std::size_t> choice(static_cast<std::size_t>(most) + 1, 0);
   for (std::size_t combination = 0; combination < thrift_.combinations; ++combination) {
+    hear_interruption();
     std::vector<ComplexQuotient> chosen;
     for (std::size_t i = 0; i < parts.size(); ++i) {
       const std::size_t at = groups[i] < 0 ? 0 : choice[static_cast<std::size_t>(groups[i])];

@@ -5,6 +5,7 @@
 #include <tuple>
 #include <unordered_set>
 
+#include "base/interruption.hpp"
 #include "shortest/moves.hpp"
 #include "shortest/steps.hpp"
 
@@ -33,6 +34,7 @@ class Search {
     std::size_t expanded = 0;
     const std::size_t end = all_.work() + effort.work;
     while (!open_.empty() && expanded++ < effort.expanded) {
+      hear_interruption();
       const auto [cost, order, ex] = open_.top();
       open_.pop();
       if (cost > least_ + uphill) return;

@@ -97,7 +97,7 @@ class Notebook(unittest.TestCase):
         self.assertEqual(self.shown(step)["text/latex"], f"$\\displaystyle {step.latex}$")
 
     def test_shows_what_the_names_in_a_nested_formula_mean(self):
-        derivation = derive(PRONY)
+        derivation = vcrit.derive(vcrit.Scene(PRONY), form="nested")
         lines = self.shown(derivation)["text/latex"].splitlines()
         self.assertEqual(lines[0], r"$$\begin{gathered}")
         self.assertEqual(lines[-1], r"\end{gathered}$$")
