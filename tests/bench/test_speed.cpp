@@ -32,9 +32,9 @@ Subject subject_named(const std::string& name) {
 // mass, whose damping is of the size of its stiffness.
 BOOST_AUTO_TEST_CASE(loops_by_hand_are_right) {
   const Subject subject = subject_named("Zener");
-  const std::vector<Evaluator> loops = loops_by_hand(problem, compiler());
+  const std::vector<Evaluator> loops = loops_by_hand(subject, compiler());
   for (const Mode mode : both_modes) {
-    const std::vector<Result> results = measure(problem, mode, loops, tiny);
+    const std::vector<Result> results = measure(subject, mode, loops, tiny);
     BOOST_TEST(results.size() == (mode == Mode::sweep ? 6u : 4u));
     for (const Result& each : results) BOOST_TEST(each.error < 4 * 500, each.method);
   }
@@ -43,9 +43,9 @@ BOOST_AUTO_TEST_CASE(loops_by_hand_are_right) {
 // The fractions of a ladder are scaled lest they overflow.
 BOOST_AUTO_TEST_CASE(loops_by_hand_are_right_for_large_networks) {
   const Subject subject = subject_named("ladder-10");
-  const std::vector<Evaluator> loops = loops_by_hand(problem, compiler());
+  const std::vector<Evaluator> loops = loops_by_hand(subject, compiler());
   for (const Mode mode : both_modes)
-    for (const Result& each : measure(problem, mode, loops, tiny))
+    for (const Result& each : measure(subject, mode, loops, tiny))
       BOOST_TEST(!each.wrong(), each.method);
 }
 
@@ -66,7 +66,7 @@ BOOST_AUTO_TEST_CASE(a_wrong_value_is_seen) {
   };
   Comparison all;
   all.subjects = {subject.name};
-  all.results = measure(problem, Mode::sweep, {wrong}, tiny);
+  all.results = measure(subject, Mode::sweep, {wrong}, tiny);
   BOOST_TEST(all.results.at(0).wrong());
   BOOST_TEST(table(all, Mode::sweep, Style::markdown).find("| SymPy cse | wrong |") !=
              std::string::npos);
@@ -76,9 +76,9 @@ BOOST_AUTO_TEST_CASE(every_method_has_its_row) {
   const Subject subject = subject_named("Kelvin");
   Comparison all;
   all.subjects = {subject.name};
-  const std::vector<Evaluator> methods = evaluators(problem, compiler(), all.missing);
+  const std::vector<Evaluator> methods = evaluators(subject, compiler(), all.missing);
   for (const Mode mode : both_modes)
-    for (const Result& each : measure(problem, mode, methods, tiny)) all.results.push_back(each);
+    for (const Result& each : measure(subject, mode, methods, tiny)) all.results.push_back(each);
   const std::string text = table(all, Mode::sweep, Style::markdown);
   for (const std::string& method : all_methods())
     BOOST_TEST(text.find("| " + method + " |") != std::string::npos, method);
