@@ -13,7 +13,6 @@ Needs mpmath; run it as  tests/data/scenes_expected.py > tests/data/scenes_expec
 """
 
 import csv
-import math
 import re
 import sys
 import tomllib
@@ -221,11 +220,10 @@ def measured(file, omega):
 
 
 def angular_frequency(oscillation):
-    """Of a bare frequency the double, as of all bare numbers."""
+    """2 pi times the frequency, of a bare one times its double."""
     if "angular_frequency" in oscillation:
         return quantity(oscillation["angular_frequency"])
-    frequency = oscillation["frequency"]
-    return 2 * pi * quantity(frequency) if isinstance(frequency, str) else mpf(2 * math.pi * frequency)
+    return 2 * pi * quantity(oscillation["frequency"])
 
 
 def evaluate(scene, folder=SCENES):

@@ -36,9 +36,11 @@ BOOST_AUTO_TEST_CASE(a_body_that_rings_ends) {
 }
 
 // Each search for a change of motion that is given up takes a million steps, of more than a dozen
-// modes each, and there are several. Not counted, they would end with a word on oscillations.
+// modes each, and there are several. Not counted, they would end with a word on oscillations. The
+// drive is off its harmonic by more than rounding, so that the motion is not known beforehand.
 BOOST_AUTO_TEST_CASE(searches_that_are_given_up_count) {
   System system = system_of(read_scene(VCRIT_TEST_DATA "/ringing/harmonic-1095.toml"));
+  system.drive->equilibrium *= 1 + 1e-13;
   Effort two_searches(30'000'000);
   system.effort = &two_searches;
   BOOST_CHECK_EXCEPTION(steady_state(system, 5.69e-08), ModelError, [](const ModelError& error) {
