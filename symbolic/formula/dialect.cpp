@@ -38,8 +38,10 @@ std::vector<std::string> Dialect::factors(const std::vector<Piece>& pieces,
 
 Piece Dialect::piece(const Form& form) const {
   switch (form.kind) {
-    case Form::Kind::number:
-      return {number(form.text)};
+    case Form::Kind::number: {
+      const bool whole = form.text.find('/') == std::string::npos;
+      return {number(form.text), whole ? Piece::Tightness::atom : Piece::Tightness::product};
+    }
     case Form::Kind::name:
       return {name(printed_name(form.text))};
     case Form::Kind::sum: {

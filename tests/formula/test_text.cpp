@@ -5,6 +5,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "emit/languages/cpp/dialect.hpp"
+#include "formula/dialect.hpp"
 #include "support/scene_text.hpp"
 
 namespace vcrit::symbolic {
@@ -30,6 +31,15 @@ BOOST_AUTO_TEST_CASE(generated_code_holds_the_digits_of_the_double) {
   node.constant = GiNaC::numeric(17, 14);
   const ParameterList none(test::scene_of(test::SceneText{}), std::vector<Symbol>{}, {});
   BOOST_TEST(CppDialect(none).constant(node).text == shortest);
+}
+
+// 17/14^2 and x/17/14 would read as other numbers.
+BOOST_AUTO_TEST_CASE(a_fraction_holds_together) {
+  const Form g{Form::Kind::number, "17/14", {}, {}, {}, 1}, x{Form::Kind::name, "x", {}, {}, {}, 1};
+  const auto text = [](const Form& form) { return text_dialect().print({false, form}); };
+  BOOST_TEST(text({Form::Kind::power, "", {g}, {}, {}, 2}) == "(17/14)^2");
+  BOOST_TEST(text({Form::Kind::product, "", {x}, {g}, {}, 1}) == "x/(17/14)");
+  BOOST_TEST(text({Form::Kind::product, "", {g, x}, {}, {}, 1}) == "17/14*x");
 }
 
 BOOST_AUTO_TEST_SUITE_END()
