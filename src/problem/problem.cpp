@@ -61,23 +61,12 @@ std::variant<Isotropic, ReducedNetwork> tangential_of(const Scene& scene) {
 }
 
 Resolved parts_of(const Scene& scene) {
-  return {ReducedNetwork(scene.normal),
+  return {scene,
+          ReducedNetwork(scene.normal),
           tangential_of(scene),
           drive_of(scene),
-          scene.mass,
-          scene.fitted_range,
-          scene.separation,
-          scene.indenter,
-          scene.coefficient,
-          scene.angular_frequency,
-          scene.amplitude,
-          scene.indentation,
-          scene.elements,
           std::make_shared<const std::map<Symbol, TypedNumber>>(scene.typed),
-          scene.names,
-          std::make_shared<const Source>(Source{scene.file, scene.title, scene.text, scene.settings,
-                                                scene.arrays, scene.settable, scene.named,
-                                                scene.warnings})};
+          std::make_shared<const Source>(scene)};
 }
 
 }  // namespace

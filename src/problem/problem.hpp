@@ -24,39 +24,14 @@ struct Scene;
 /// A drive that does not give: without [drive] in a scene.
 struct Rigid {};
 
-/// What a scene says besides its physics, for those who write it down and read it again.
-struct Source {
-  std::string file;  ///< as the user named it
-  std::string title;
-  std::string text;                           ///< the file's content
-  Settings settings;                          ///< that replaced values of it
-  std::map<std::string, int> arrays;          ///< length of each array among the elements
-  std::map<std::string, Dimension> settable;  ///< what --set may name, and what it measures
-  std::map<std::string, Symbol> named;        ///< what each of these is; may be frequency_symbol
-  std::vector<std::string> warnings;
-};
-
 /// The parts of a problem; a `Problem` is a pointer to them.
-struct Resolved {
+struct Resolved : Givens {
   ReducedNetwork normal;  ///< K_n; E of the half-space below an indenter
   /// K_t; equal networks have become Isotropic, ratio 1
   std::variant<Isotropic, ReducedNetwork> tangential;
   /// K_d, a network that may hold masses, or 1/K_d as a table. Who acts on it visits all three.
   std::variant<Rigid, ReducedNetwork, Receptance> drive;
-  std::optional<Quantity> mass;             ///< m (kg) of the body; only under a drive that gives
-  std::optional<FittedRange> fitted_range;  ///< of the contact's networks
-  bool separation = false;                  ///< the surfaces may part: F_n = max(0, reaction)
-  std::optional<Indenter> indenter;  ///< only under a rigid drive, of an isotropic half-space
-  Quantity coefficient, angular_frequency, amplitude, indentation;  ///< mu0, omega, du_z, u_z0
-  std::vector<std::pair<Symbol, std::optional<double>>>
-      elements;  ///< of the networks, in order of writing
-  /// As numbers were typed, by symbol; "frequency" where that was, in place of omega, with or
-  /// without a unit. Read by those who carry them and 2 pi f exactly, where the value beside it is
-  /// still the scene's own.
-  std::shared_ptr<const std::map<Symbol, TypedNumber>> typed;
-  /// The names that a scene gives its symbols, by the names that they have here: "M" of "m" where
-  /// mass = "M". All that is not among them is written as it is called here.
-  std::map<std::string, std::string> names;
+  std::shared_ptr<const std::map<Symbol, TypedNumber>> typed;  ///< as of a scene
   std::shared_ptr<const Source> source;
 
   bool rigid() const { return std::holds_alternative<Rigid>(drive); }

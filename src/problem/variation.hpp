@@ -16,8 +16,8 @@ class Variation {
   /// names of one quantity.
   Variation(Problem problem, std::vector<std::string> names);
 
-  /// The problem with one value (SI) for each name. Throws InputError as reading with these settings
-  /// does. May be called from several threads at once.
+  /// The problem with one value (SI) for each name. Throws InputError as reading with these
+  /// settings does. May be called from several threads at once.
   Problem at(std::span<const double> values) const;
 
   /// What a name stands for: a number of the problem times a factor.

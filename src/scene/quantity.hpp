@@ -1,12 +1,14 @@
 // Numbers of a scene and what it says by them alone: isotropic contact, an indenter, the range of a
-// fit.
+// fit. What a scene and the problem that it becomes have in common stands here once.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "base/units.hpp"
 #include "network/network.hpp"
 #include "scene/profile.hpp"
 
@@ -51,6 +53,32 @@ using Settings = std::vector<std::pair<std::string, std::string>>;
 
 /// What is set or varied where omega is by its cycles a second.
 inline const Symbol frequency_symbol{"frequency"};
+
+/// What a scene says besides its physics, for those who write it down and read it again.
+struct Source {
+  std::string file;  ///< as the user named it
+  std::string title;
+  std::string text;                           ///< the file's content
+  Settings settings;                          ///< that replaced values of it
+  std::map<std::string, int> arrays;          ///< length of each array among the elements
+  std::map<std::string, Dimension> settable;  ///< what --set may name, and what it measures
+  std::map<std::string, Symbol> named;        ///< what each of these is; may be frequency_symbol
+  std::vector<std::string> warnings;
+};
+
+/// Its physics but for the networks.
+struct Givens {
+  std::optional<Quantity> mass;             ///< m (kg) of the body; only under a drive that gives
+  std::optional<FittedRange> fitted_range;  ///< of the contact's networks
+  bool separation = false;                  ///< the surfaces may part: F_n = max(0, reaction)
+  std::optional<Indenter> indenter;  ///< only under a rigid drive, of an isotropic half-space
+  Quantity coefficient, angular_frequency, amplitude, indentation;  ///< mu0, omega, du_z, u_z0
+  std::vector<std::pair<Symbol, std::optional<double>>>
+      elements;  ///< of the networks, in order of writing
+  /// The names that a scene gives its symbols, by the names that they have here: "M" of "m" where
+  /// mass = "M". All that is not among them is written as it is called here.
+  std::map<std::string, std::string> names;
+};
 
 /// K_t/K_n of an isotropic contact. Throws Bug if it has no value.
 double tangential_ratio(const Isotropic& isotropic);

@@ -6,9 +6,7 @@
 #include <map>
 #include <optional>
 #include <string>
-#include <utility>
 #include <variant>
-#include <vector>
 
 #include "base/errors.hpp"
 #include "base/units.hpp"
@@ -18,34 +16,16 @@
 
 namespace vcrit {
 
-struct Scene {
-  std::string file;  ///< as the user named it
-  std::string title;
-  std::string text;   ///< the file's content
-  Settings settings;  ///< that replaced values of it
-  Network normal;     ///< K_n; E of the half-space below an indenter
+struct Scene : Source, Givens {
+  Network normal;  ///< K_n; E of the half-space below an indenter
   std::variant<Isotropic, Network>
       tangential;                ///< K_t; equal networks have become Isotropic, ratio 1
   std::optional<Network> drive;  ///< K_d, may hold masses; rigid without this and a receptance
-  std::optional<Receptance> receptance;     ///< R_d = 1/K_d, measured; never beside a drive network
-  std::optional<Quantity> mass;             ///< m (kg) of the body; only under a drive that gives
-  std::optional<FittedRange> fitted_range;  ///< of the contact's networks
-  bool separation = false;                  ///< the surfaces may part: F_n = max(0, reaction)
-  std::optional<Indenter> indenter;  ///< only under a rigid drive, of an isotropic half-space
-  Quantity coefficient, angular_frequency, amplitude, indentation;  ///< mu0, omega, du_z, u_z0
-  std::vector<std::pair<Symbol, std::optional<double>>>
-      elements;  ///< of the networks, in order of writing
+  std::optional<Receptance> receptance;  ///< R_d = 1/K_d, measured; never beside a drive network
   /// As numbers were typed, by symbol; "frequency" where that was, in place of omega, with or
   /// without a unit. Read by those who carry them and 2 pi f exactly, where the value beside it is
   /// still the scene's own.
   std::map<Symbol, TypedNumber> typed;
-  std::map<std::string, int> arrays;          ///< length of each array among the elements
-  std::map<std::string, Dimension> settable;  ///< what --set may name, and what it measures
-  std::map<std::string, Symbol> named;        ///< what each of these is; may be frequency_symbol
-  /// The names that a scene gives its symbols, by the names that they have here: "M" of "m" where
-  /// mass = "M". All that is not among them is written as it is called here.
-  std::map<std::string, std::string> names;
-  std::vector<std::string> warnings;
 };
 
 /// Throws InputError.
