@@ -39,21 +39,6 @@ void refuse_large(const Derivation& derivation, std::size_t formulas, const char
         1e-6 * static_cast<double>(most_characters)));
 }
 
-/// Of a measured drive there is no formula but its receptance.
-std::optional<ShortestForm> proved_shortest_form(const Derivation& derivation) {
-  const Problem& problem = derivation.problem;
-  if (problem->receptance() != nullptr) return std::nullopt;
-  Contact contact{problem->normal.network()};
-  if (const auto* own = std::get_if<ReducedNetwork>(&problem->tangential))
-    contact.tangential = &own->network();
-  contact.isotropic = std::get_if<Isotropic>(&problem->tangential);
-  if (const auto* drive = problem->drive_network()) contact.drive = &drive->network();
-  if (problem->mass) contact.mass = problem->mass->symbol;
-  std::optional<ShortestForm> form = shortest_form(contact);
-  if (form) prove(*form, *derivation.model);
-  return form;
-}
-
 Findings find(const Problem& problem, const DocumentOptions& options) {
   const Derivation derivation = derive(problem);
   Findings findings{options.form == ResultForm::nested ? nested_form(derivation) : derivation,
@@ -69,7 +54,8 @@ Findings find(const Problem& problem, const DocumentOptions& options) {
                     rules::answer(rules::Question::motion_in_time, problem).reason,
                     {},
                     {}};
-  if (options.form == ResultForm::shortest) findings.shortest = proved_shortest_form(derivation);
+  if (options.form == ResultForm::shortest) findings.shortest = shortest_form(problem);
+  if (findings.shortest) prove(*findings.shortest, *derivation.model);
   const std::size_t symbols = findings.derivation.parameters.size();
   if (options.limits) refuse_large(findings.derivation, 2 * symbols, "limits");
   if (options.sensitivities)

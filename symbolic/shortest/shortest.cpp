@@ -33,19 +33,20 @@ constexpr SearchEffort effort{60, 5'000'000};
 /// What is tried one after the other until the beginning takes no more work than that.
 constexpr std::array<Thrift, 3> thrifts{{{48, 3}, {6, 1}, {1, 1}}};
 
-/// The symbols of a contact as expressions, with what each measures.
+/// The symbols of a problem as expressions, with what each measures.
 class Alphabet {
  public:
-  explicit Alphabet(const Contact& contact) : contact_(contact) {
+  explicit Alphabet(Problem problem) : problem_(std::move(problem)) {
     parts_.prefactor = all_.symbol("", 2, true);
     parts_.omega = symbol({"omega"}, {0, -1});
-    for (const Network* network : {&contact.normal, contact.tangential, contact.drive})
+    parts_.normal = &problem_->normal.network();
+    if (const auto* own = std::get_if<ReducedNetwork>(&problem_->tangential))
+      parts_.tangential = &own->network();
+    if (const auto* drive = problem_->drive_network()) parts_.drive = &drive->network();
+    for (const Network* network : {parts_.normal, parts_.tangential, parts_.drive})
       if (network != nullptr) add(*network);
-    parts_.normal = &contact.normal;
-    parts_.tangential = contact.tangential;
-    parts_.drive = contact.drive;
-    if (contact.mass) parts_.mass = symbol(*contact.mass, {1, 2});
-    if (contact.isotropic != nullptr) parts_.ratio = ratio(*contact.isotropic);
+    if (problem_->mass) parts_.mass = symbol(problem_->mass->symbol, {1, 2});
+    if (isotropic() != nullptr) parts_.ratio = ratio(*isotropic());
   }
 
   /// Throws TooLarge.
@@ -58,11 +59,13 @@ class Alphabet {
     const Ex best = shortest_of(all_, starts, effort);
     if (operations(all_, best) > operations_on_page) return std::nullopt;
     ShortestForm form = Lines(all_, measures_, best).form();
-    if (contact_.isotropic != nullptr) form.ratio = ratio_words(form);
+    if (isotropic() != nullptr) form.ratio = ratio_words(form);
     return form;
   }
 
  private:
+  const Isotropic* isotropic() const { return std::get_if<Isotropic>(&problem_->tangential); }
+
   Ex symbol(const Symbol& symbol, const Measure& measure) {
     const auto [known, is_new] = symbols_.try_emplace(symbol);
     if (is_new) {
@@ -110,8 +113,8 @@ class Alphabet {
 
   /// "g = K_n/K_t (Mindlin) for nu = 0.3", or by its number where that has no line.
   std::string ratio_words(const ShortestForm& form) const {
-    const Quantity& given = contact_.isotropic->quantity;
-    const bool poisson = contact_.isotropic->by == Isotropic::By::poisson;
+    const Quantity& given = isotropic()->quantity;
+    const bool poisson = isotropic()->by == Isotropic::By::poisson;
     std::string name = given.value ? ratio_ : "";
     for (const ShortestForm::Definition& definition : form.definitions)
       if (all_.name(parts_.ratio.node) == "g" && definition.name.text.starts_with("g"))
@@ -125,7 +128,7 @@ class Alphabet {
     return fmt::format("{} for {} = {}", words, from, to_text(*given.value));
   }
 
-  const Contact& contact_;
+  Problem problem_;
   Expressions all_;
   Parts parts_;
   std::map<Symbol, Ex> symbols_;
@@ -144,21 +147,20 @@ int multiplications(const std::vector<Form>& forms) {
   return std::max(static_cast<int>(forms.size()) - 1, 0);
 }
 
-bool too_many_elements(const Contact& contact) {
+bool too_many_elements(const Problem& problem) {
   std::size_t elements = 0;
-  for (const Network* network : {&contact.normal, contact.tangential, contact.drive})
-    if (network != nullptr) elements += size(*network);
+  for_each_element(problem, [&elements](const Element&) { ++elements; });
   return elements > elements_on_page;
 }
 
 }  // namespace
 
-std::optional<ShortestForm> shortest_form(const Contact& contact) {
+std::optional<ShortestForm> shortest_form(const Problem& problem) {
   const AlgebraLock lock;
-  if (too_many_elements(contact)) return std::nullopt;
+  if (too_many_elements(problem) || problem->receptance() != nullptr) return std::nullopt;
   for (const Thrift& thrift : thrifts) {
     try {
-      return Alphabet(contact).shortest(thrift);
+      return Alphabet(problem).shortest(thrift);
     } catch (const TooLarge&) {
       continue;
     }

@@ -10,20 +10,9 @@
 #include <vector>
 
 #include "formula/form.hpp"
-#include "network/network.hpp"
-#include "scene/quantity.hpp"
+#include "problem/problem.hpp"
 
 namespace vcrit::symbolic {
-
-/// What v* depends on. Without a tangential network the contact is isotropic; without a drive it is
-/// rigid, and there is no mass.
-struct Contact {
-  const Network& normal;
-  const Network* tangential = nullptr;
-  const Isotropic* isotropic = nullptr;
-  const Network* drive = nullptr;
-  std::optional<Symbol> mass = {};
-};
 
 struct ShortestForm {
   struct Definition {
@@ -36,8 +25,8 @@ struct ShortestForm {
 };
 
 /// The same in every run. Nothing where it would not fit a page: who asks for v* is better served
-/// by a formula in complex stiffnesses.
-std::optional<ShortestForm> shortest_form(const Contact& contact);
+/// by a formula in complex stiffnesses. Nor of a measured drive, which has no other one.
+std::optional<ShortestForm> shortest_form(const Problem& problem);
 
 /// Each + - * / ^ sqrt abs.
 int operations_in(const Form& form);

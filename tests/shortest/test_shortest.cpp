@@ -29,12 +29,7 @@ namespace {
 
 std::optional<ShortestForm> form_for(const Scene& scene) {
   const NamesOfScene names(scene);
-  Contact contact{scene.normal};
-  contact.tangential = std::get_if<Network>(&scene.tangential);
-  contact.isotropic = std::get_if<Isotropic>(&scene.tangential);
-  if (scene.drive) contact.drive = &*scene.drive;
-  if (scene.mass) contact.mass = scene.mass->symbol;
-  return shortest_form(contact);
+  return shortest_form(scene);
 }
 
 std::string text_of(const ShortestForm& form) {
@@ -68,10 +63,9 @@ Scene filled(Scene scene, unsigned seed) {
   for (auto& [symbol, value] : scene.elements)
     if (!value) value = number();
   auto* isotropic = std::get_if<Isotropic>(&scene.tangential);
-  for (Quantity* quantity :
-       {isotropic != nullptr ? &isotropic->quantity : nullptr, &scene.coefficient,
-        &scene.angular_frequency, &scene.amplitude, &scene.indentation,
-        scene.mass ? &*scene.mass : nullptr})
+  for (Quantity* quantity : {isotropic != nullptr ? &isotropic->quantity : nullptr,
+                             &scene.coefficient, &scene.angular_frequency, &scene.amplitude,
+                             &scene.indentation, scene.mass ? &*scene.mass : nullptr})
     if (quantity != nullptr && !quantity->value) quantity->value = number();
   if (isotropic != nullptr && isotropic->by == Isotropic::By::poisson)
     isotropic->quantity.value = 0.1 + number() / 10;
