@@ -149,7 +149,7 @@ class Solving {
   double least_at_ = 0;
   int evaluations_ = 0, unanswered_ = 0;
   mutable std::string first_reason_;
-  mutable simulation::Effort effort_{question_.effort};
+  mutable simulation::SharedEffort effort_{question_.effort};
 };
 
 }  // namespace

@@ -72,11 +72,13 @@ LastStick highest(const HalfSpace& half_space, const At& at) {
 
 }  // namespace
 
-Friction friction(const HalfSpace& half_space, double velocity, double tolerance) {
+Friction friction(const HalfSpace& given, double velocity, double tolerance) {
   simulation::require_forward(velocity);
   if (!(tolerance > 0))
     throw InputError({"tolerance"}, fmt::format("{}", tolerance), "a relative error above 0");
-  if (half_space.uniform()) return of_one_cell(half_space, velocity);
+  if (given.uniform()) return of_one_cell(given, velocity);
+  simulation::SharedEffort effort(simulation::effort_of_cells, given.effort());
+  const HalfSpace half_space = given.within(effort);
   const Integrals sum = integrals(half_space, velocity, changes(half_space, velocity), tolerance);
   const double outside =
       left_out(half_space) + depth_error(half_space) + 16 * epsilon * sum.normal_force;
@@ -88,6 +90,7 @@ Friction friction(const HalfSpace& half_space, double velocity, double tolerance
   result.regime = sum.motions.regime();
   result.cells = sum.cells;
   result.disagreement = sum.disagreement;
+  effort.require_enough();
   return result;
 }
 
@@ -127,14 +130,20 @@ std::vector<Cell> cells(const HalfSpace& half_space, double velocity, int count,
   return result;
 }
 
-simulation::Onset sliding_threshold(const HalfSpace& half_space, const OnsetOfCell& onset) {
+simulation::Onset sliding_threshold(const HalfSpace& given, const OnsetOfCell& onset) {
+  simulation::SharedEffort effort(simulation::effort_of_cells, given.effort());
+  const HalfSpace half_space = given.within(effort);
   const auto at = [&](double x) { return onset(half_space.cell(x)); };
-  if (half_space.elastic() || half_space.uniform()) return at(0);
-  return highest(half_space, at).onset;
+  const bool centre = half_space.elastic() || half_space.uniform();
+  const simulation::Onset result = centre ? at(0) : highest(half_space, at).onset;
+  effort.require_enough();
+  return result;
 }
 
 // The highest onset may be that of a cell without an answer: with so many of them nothing is said.
-LastStick last_stick(const HalfSpace& half_space, const OnsetOfCell& onset) {
+LastStick last_stick(const HalfSpace& given, const OnsetOfCell& onset) {
+  simulation::SharedEffort effort(simulation::effort_of_cells, given.effort());
+  const HalfSpace half_space = given.within(effort);
   std::mutex lock;
   std::string why;
   const auto at = [&](double x) {
@@ -147,6 +156,7 @@ LastStick last_stick(const HalfSpace& half_space, const OnsetOfCell& onset) {
     }
   };
   const LastStick found = highest(half_space, at);
+  effort.require_enough();
   if (found.answered >= least_answered * found.asked) return found;
   throw ModelError(
       fmt::format("the last stick below the indenter is not known: of {} cells {} "

@@ -27,7 +27,8 @@ struct Friction {
 
 /// velocity: of the indenter, m/s, > 0; tolerance: on ratio and relative normal force, > 0, below
 /// some 1e-14 of no use. Cells are shared among the threads; the result is the same for any number
-/// of them. Throws ModelError where no steady state of a cell is found.
+/// of them. Throws ModelError where no steady state of a cell is found, or all together take too
+/// much work (effort_of_cells).
 Friction friction(const HalfSpace& half_space, double velocity, double tolerance = 1e-9);
 
 /// As that of one contact: of the whole, without events.

@@ -41,6 +41,12 @@ HalfSpace::HalfSpace(const Problem& problem) : gap_(indenter_of(problem)) {
   swing_ = amplitude_ * std::abs(response_) / normal_.equilibrium;
 }
 
+HalfSpace HalfSpace::within(simulation::SharedEffort& effort) const {
+  HalfSpace result = *this;
+  result.effort_ = &effort;
+  return result;
+}
+
 bool HalfSpace::never_parts(double depth) const {
   return depth > 0 && depth >= swing_ * (1 - simulation::hardly_parting(true));
 }
@@ -57,6 +63,7 @@ simulation::System HalfSpace::cell_under(double depth) const {
   system.contact = tangential_;
   system.omega = omega_;
   system.friction = friction_;
+  system.effort = effort_;
   if (never_parts(depth)) {
     system.mean_normal_force = normal_.equilibrium * depth;
     system.normal_force_amplitude =

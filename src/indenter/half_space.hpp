@@ -19,6 +19,10 @@ class HalfSpace {
   /// The mean indentation at x, u_z0 - g(x), m.
   double depth(double x) const { return indentation_ - gap_.at(x); }
 
+  /// The same, whose cells share an effort that outlives it.
+  HalfSpace within(simulation::SharedEffort& effort) const;
+  simulation::SharedEffort* effort() const { return effort_; }
+
   /// The contact at x, where the surfaces touch; forces per length, N/m. Throws InputError where
   /// they never do.
   simulation::System cell(double x) const { return cell_under(depth(x)); }
@@ -63,6 +67,7 @@ class HalfSpace {
   double indentation_ = 0, amplitude_ = 0;
   std::complex<double> response_;  ///< E*(i omega)
   double swing_ = 0;               ///< du_z |E*(i omega)|/E*(0), m
+  simulation::SharedEffort* effort_ = nullptr;
 };
 
 }  // namespace vcrit::indenter

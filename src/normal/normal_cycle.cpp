@@ -226,7 +226,7 @@ class NormalCycleSearch {
 }  // namespace
 
 NormalCycle normal_cycle(const ContactModes& network, const Indentation& indentation,
-                         Effort* whole) {
+                         SharedEffort* whole) {
   ensure(!network.branch_rates.empty() && network.branch_rates[0] == 0,
          "a spring of the normal network carries the static load");
   ensure(indentation.amplitude > 0, "the indentation oscillates");

@@ -31,7 +31,7 @@ struct NormalCycle {
 /// what it would pull as the error. Throws ModelError where no closed cycle is found, and beyond
 /// effort_of_normal_force, or that of `whole`, if there is one.
 NormalCycle normal_cycle(const ContactModes& network, const Indentation& indentation,
-                         Effort* whole = nullptr);
+                         SharedEffort* whole = nullptr);
 
 /// A few seconds: enough for some hundred branches.
 inline constexpr std::size_t effort_of_normal_force = 200'000'000;

@@ -5,6 +5,7 @@
 #include <boost/math/quadrature/trapezoidal.hpp>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include "indenter/friction.hpp"
@@ -296,6 +297,29 @@ BOOST_AUTO_TEST_CASE(curve) {
     BOOST_REQUIRE(points[i].friction.has_value());
     BOOST_TEST(points[i].reason.empty());
     BOOST_TEST(points[i].friction->ratio == friction(h, speeds[i]).ratio);
+  }
+}
+
+// A bound on the work of all cells together, the same for any number of threads.
+BOOST_AUTO_TEST_CASE(cells_share_their_effort) {
+  const HalfSpace h = viscoelastic(2, prony, prony_elements);
+  const double speed = 0.5 * sliding_threshold(h).contact_velocity;
+  const std::vector<std::function<void(const HalfSpace&)>> questions{
+      [&](const HalfSpace& each) { friction(each, speed); },
+      [](const HalfSpace& each) { sliding_threshold(each); },
+      [](const HalfSpace& each) { last_stick(each); }};
+  for (const auto& ask : questions) {
+    constexpr std::size_t plenty = 4'000'000'000;
+    simulation::SharedEffort whole(plenty);
+    ask(h.within(whole));
+    const std::size_t needed = plenty - whole.left();
+    BOOST_TEST(needed > 0U);
+    for (const std::size_t threads : {1, 2}) {
+      const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+      simulation::SharedEffort enough(needed), too_little(needed - 1);
+      BOOST_CHECK_NO_THROW(ask(h.within(enough)));
+      BOOST_CHECK_THROW(ask(h.within(too_little)), ModelError);
+    }
   }
 }
 

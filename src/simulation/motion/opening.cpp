@@ -21,7 +21,7 @@ double until(double phase, double t) {
 
 }  // namespace
 
-Opening::Opening(const NormalMotion& motion, double omega, Effort* whole)
+Opening::Opening(const NormalMotion& motion, double omega, SharedEffort* whole)
     : jumps(motion.network.damper > 0) {
   const ContactModes network = modes_of(motion, omega);
   const NormalCycle cycle = normal_cycle(network, {motion.mean, motion.amplitude}, whole);

@@ -10,7 +10,7 @@ namespace vcrit::simulation {
 /// Times and forces as in model.hpp.
 struct Opening {
   /// whole: see normal_cycle.hpp.
-  Opening(const NormalMotion& motion, double omega, Effort* whole = nullptr);
+  Opening(const NormalMotion& motion, double omega, SharedEffort* whole = nullptr);
 
   struct Touch {
     double begin = 0;  ///< [0, 2 pi)

@@ -118,7 +118,7 @@ Onset sliding_threshold(const System& system) {
 
 Onset stick_onset(const System& given) {
   System system = given;
-  Effort effort(effort_of_answer, given.effort);
+  SharedEffort effort(effort_of_answer, given.effort);
   system.effort = &effort;
   const Model model(system);
   if (const int n = nearly_free_harmonic(system); !model.opening && n > 1)

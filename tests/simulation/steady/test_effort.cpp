@@ -1,8 +1,11 @@
 // The bound on work: counted, so that it strikes at the same place everywhere.
 #include "simulation/system/effort.hpp"
 
+#include <atomic>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <thread>
+#include <vector>
 
 #include "modes/contact_modes.hpp"
 #include "scene/scene.hpp"
@@ -18,7 +21,8 @@ using namespace vcrit;
 using namespace vcrit::simulation;
 
 BOOST_AUTO_TEST_CASE(one_effort_is_spent_by_all) {
-  Effort whole(10), first(8, &whole), second(8, &whole);
+  SharedEffort whole(10);
+  Effort first(8, &whole), second(8, &whole);
   BOOST_CHECK_NO_THROW(first.spend(6));
   BOOST_CHECK_THROW(first.spend(3), ModelError);
   BOOST_CHECK_NO_THROW(second.spend(4));
@@ -27,10 +31,36 @@ BOOST_AUTO_TEST_CASE(one_effort_is_spent_by_all) {
   BOOST_CHECK_THROW(second.spend(1), ModelError);
 }
 
+// One unit more is too much, in whatever order threads take them; what none of them was told in
+// time is told in the end.
+BOOST_AUTO_TEST_CASE(threads_spend_no_more_than_there_is) {
+  constexpr std::size_t each = 300'000, threads = 4;
+  for (const std::size_t missing : {0, 1}) {
+    SharedEffort whole(threads * each - missing);
+    std::atomic<int> refused = 0;
+    std::vector<std::thread> all;
+    for (std::size_t i = 0; i < threads; ++i)
+      all.emplace_back([&] {
+        Effort effort(2 * each, &whole);
+        try {
+          for (std::size_t done = 0; done < each; done += 3) effort.spend(3);
+        } catch (const ModelError&) {
+          ++refused;
+        }
+      });
+    for (std::thread& thread : all) thread.join();
+    BOOST_TEST(refused.load() <= static_cast<int>(missing));
+    if (missing == 0)
+      BOOST_CHECK_NO_THROW(whole.require_enough());
+    else
+      BOOST_CHECK_THROW(whole.require_enough(), ModelError);
+  }
+}
+
 // A light body on 20 branches rings a hundred thousand times in a period.
 BOOST_AUTO_TEST_CASE(a_body_that_rings_ends) {
   System system = system_of(read_scene(VCRIT_TEST_DATA "/ringing/light-1010.toml"));
-  Effort tenth(effort_of_state / 10);
+  SharedEffort tenth(effort_of_state / 10);
   system.effort = &tenth;
   BOOST_CHECK_THROW(steady_state(system, 2.035514276526095e-08), ModelError);
 }
@@ -41,7 +71,7 @@ BOOST_AUTO_TEST_CASE(a_body_that_rings_ends) {
 BOOST_AUTO_TEST_CASE(searches_that_are_given_up_count) {
   System system = system_of(read_scene(VCRIT_TEST_DATA "/ringing/harmonic-1095.toml"));
   system.drive->equilibrium *= 1 + 1e-13;
-  Effort two_searches(30'000'000);
+  SharedEffort two_searches(30'000'000);
   system.effort = &two_searches;
   BOOST_CHECK_EXCEPTION(steady_state(system, 5.69e-08), ModelError, [](const ModelError& error) {
     return std::string(error.what()).find("work for all steady states") != std::string::npos;
@@ -50,7 +80,7 @@ BOOST_AUTO_TEST_CASE(searches_that_are_given_up_count) {
 
 BOOST_AUTO_TEST_CASE(searches_share_the_effort_of_their_system) {
   System system = reference::reference_rows().front().system;
-  Effort little(100);
+  SharedEffort little(100);
   system.effort = &little;
   BOOST_CHECK_THROW(steady_state(system, 0.1 * sliding_threshold(system).drive_velocity),
                     ModelError);
@@ -91,7 +121,7 @@ BOOST_AUTO_TEST_CASE(full_matrices_count) {
   constexpr std::size_t n = 300;
   System system = of_many_branches(n);
   const double velocity = 0.5 * sliding_threshold(system).drive_velocity;
-  Effort less_than_that(Effort::of_products(3 * (2 * n * n * n + n * n * n / 3)));
+  SharedEffort less_than_that(Effort::of_products(3 * (2 * n * n * n + n * n * n / 3)));
   system.effort = &less_than_that;
   BOOST_TEST(refusal(system, velocity).find("for all steady states") != std::string::npos);
   system.effort = nullptr;
@@ -112,7 +142,7 @@ BOOST_AUTO_TEST_CASE(the_normal_force_counts) {
   constexpr std::size_t n = 150;
   System system = of_many_branches(2);
   system.opening = {many_branches(n), 1, 1};
-  Effort less_than_a_period(Effort::of_products(2 * n * n * n));
+  SharedEffort less_than_a_period(Effort::of_products(2 * n * n * n));
   system.effort = &less_than_a_period;
   BOOST_CHECK_EXCEPTION(sliding_threshold(system), ModelError, [](const ModelError& error) {
     return std::string(error.what()).find("for all steady states") != std::string::npos;

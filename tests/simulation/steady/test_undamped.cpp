@@ -198,7 +198,7 @@ BOOST_AUTO_TEST_CASE(nearly_at_a_harmonic_it_answers_or_says_why) {
         BOOST_TEST(state.friction_ratio_error <=
                    1e-12 + most_missing(system, harmonic.n, border, critical, share));
       }
-      Effort none(0);
+      SharedEffort none(0);
       system.effort = &none;
       const auto names_it = [&](const ModelError& error) {
         const std::string what = error.what();
