@@ -44,7 +44,9 @@ class NormalCycleSearch {
       from = settled(now->start, plain);
       now = mapped(from);
     }
-    throw ModelError("no steady normal force found: the contact still creeps after many periods");
+    throw ModelError(
+        "no steady normal force found: the contact still creeps after many periods, or recovers so "
+        "slowly that its short touches are lost in rounding");
   }
 
   // Surfaces that part by less than this share of the mean force are taken for closed where
