@@ -35,10 +35,10 @@ namespace vcrit::validation {
 namespace {
 
 void derive_all(SceneReport& report, const symbolic::Derivation& derivation) {
-  report.formula = formula_of(derivation.critical_velocity);
+  report.formula = shown_velocity(derivation);
   report.equation = derivation.equation;
-  report.definitions = equations_of(derivation.definitions);
   report.derivation = equations_of(derivation.lines);
+  report.derivation.back().right = report.formula.formula;
   report.limits = limits_of(derivation);
 }
 

@@ -16,6 +16,9 @@ namespace vcrit::validation {
 
 Formula formula_of(const GiNaC::ex& expression);
 
+/// The shortest real formula, proved to be the derived one, where it fits a page.
+ShownVelocity shown_velocity(const symbolic::Derivation& derivation);
+
 std::vector<Equation> equations_of(const std::vector<symbolic::Line>& lines);
 
 /// The limits and special cases that the scene has.

@@ -50,6 +50,14 @@ struct Equation {
   Formula left, right;
 };
 
+/// v* as its readers are shown it.
+struct ShownVelocity {
+  Formula formula;
+  std::vector<Equation> definitions;  ///< of names in it
+  std::string ratio;                  ///< where K_n/K_t comes from; else empty
+  bool is_real = false;               ///< the shortest form; else in complex stiffnesses
+};
+
 struct LimitLine {
   std::string name, equation;  ///< see symbolic::Limit
   std::string mathml_name;
@@ -243,9 +251,8 @@ struct SceneReport {
   double condition = 0;         ///< condition number of Eq. 24 on its inputs
   double creep_velocity = 0;    ///< m/s, 0 unless a network on the path creeps
   std::vector<ValueLine> values;
-  Formula formula;
-  std::string equation;               ///< number of the formula in the paper
-  std::vector<Equation> definitions;  ///< of names in `formula`
+  ShownVelocity formula;
+  std::string equation;  ///< number of the formula in the paper
   std::vector<Equation> derivation;
   std::vector<LimitLine> limits;
   std::string compiler;  ///< that compiled the generated evaluator, with version; else empty

@@ -15,16 +15,25 @@ std::string to_latex(const GiNaC::ex& expression) {
   return latex_dialect().print(form_of(expression));
 }
 
+namespace {
+
+std::string math(const std::string& content) {
+  return "<math xmlns=\"http://www.w3.org/1998/Math/MathML\" display=\"block\"><mrow>" + content +
+         "</mrow></math>";
+}
+
+}  // namespace
+
 std::string to_mathml(const GiNaC::ex& expression) {
   const AlgebraLock lock;
-  return "<math xmlns=\"http://www.w3.org/1998/Math/MathML\" display=\"block\"><mrow>" +
-         mathml_dialect().print(form_of(expression)) + "</mrow></math>";
+  return math(mathml_dialect().print(form_of(expression)));
 }
+
+std::string to_mathml(const Form& form) { return math(mathml_dialect().print({false, form})); }
 
 std::string to_mathml(const Line& line) {
   const AlgebraLock lock;
-  return "<math xmlns=\"http://www.w3.org/1998/Math/MathML\" display=\"block\"><mrow>" +
-         mathml_dialect().equation(form_of(line.left), form_of(line.right)) + "</mrow></math>";
+  return math(mathml_dialect().equation(form_of(line.left), form_of(line.right)));
 }
 
 }  // namespace vcrit::symbolic

@@ -10,12 +10,15 @@
 
 namespace vcrit::symbolic {
 
+struct Form;
+
 // Hidden, it would leave numbers to the overload below: a double turns into an expression unasked.
 using vcrit::to_text;
 std::string to_text(const GiNaC::ex& expression);
 std::string to_latex(const GiNaC::ex& expression);
 /// Presentation MathML, <math>...</math>.
 std::string to_mathml(const GiNaC::ex& expression);
+std::string to_mathml(const Form& form);
 /// The equation left = right.
 std::string to_mathml(const Line& line);
 

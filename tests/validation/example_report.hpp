@@ -102,7 +102,7 @@ inline SceneReport scene_report(const Scene& scene) {
   report.critical_velocity = 0.0045779;
   report.relative_error_bound = 1e-16;
   report.condition = 6;
-  report.formula = formula("F");
+  report.formula.formula = formula("F");
   report.derivation = {{"The balance of the contact point:", formula("L"), formula("R")}};
   report.limits = {
       {"c -> 0", "(30)", "<math><mi>c</mi><mo>→</mo><mn>0</mn></math>", formula("Z"), {}}};

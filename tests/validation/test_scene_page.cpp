@@ -94,7 +94,7 @@ BOOST_AUTO_TEST_CASE(text_from_a_scene_stays_text) {
   report.reasons = {hostile};
   report.comparisons[0].name = report.comparisons[0].reason = report.comparisons[0].detail =
       hostile;
-  report.limits[0].name = report.derivation[0].words = report.formula.latex = hostile;
+  report.limits[0].name = report.derivation[0].words = report.formula.formula.latex = hostile;
   const std::string html = page_of(report);
   BOOST_TEST(!has(html, "<img"));
   BOOST_TEST(!has(html, "<file>"));

@@ -21,20 +21,17 @@ std::string badge(Comparison::Outcome outcome) {
   return style;
 }
 
-/// The derivation's words with the signs that a page has.
+}  // namespace
+
 std::string typeset(std::string words) {
-  constexpr std::pair<const char*, const char*> signs[] = {{"i*omega", "iω"},
-                                                           {"|omega B|", "|ωB|"},
-                                                           {"K_t/K_n", "Kₜ/Kₙ"},
-                                                           {" - nu", " − ν"},
-                                                           {"v0 -", "v₀ −"}};
+  constexpr std::pair<const char*, const char*> signs[] = {
+      {"i*omega", "iω"}, {"|omega B|", "|ωB|"}, {"K_t/K_n", "Kₜ/Kₙ"}, {"K_n/K_t", "Kₙ/Kₜ"},
+      {"nu = ", "ν = "}, {" - nu", " − ν"},     {"v0 -", "v₀ −"}};
   for (const auto& [from, to] : signs)
     for (auto at = words.find(from); at != words.npos; at = words.find(from))
       words.replace(at, std::string(from).size(), to);
   return words;
 }
-
-}  // namespace
 
 void fields(Fields& f, const Comparison& it) {
   const bool numbers = !it.not_run && !it.broken;

@@ -208,9 +208,10 @@ namespace {
 void results(Fields& f, const report::SceneContents& contents) {
   const SceneReport& report = contents.report;
   f("admissible", report.reasons.empty())("reasons", report.reasons);
-  f("critical_velocity", VelocityOfScene{report})("values", report.values)("formula",
-                                                                           report.formula);
-  f("equation", report.equation)("definitions", report.definitions);
+  f("critical_velocity", VelocityOfScene{report})("values", report.values);
+  f("formula", report.formula.formula)("equation", report.equation);
+  f("definitions", report.formula.definitions).page("real_formula", report.formula.is_real);
+  f.page("ratio", typeset(report.formula.ratio));
   f("derivation", report.derivation)("limits", report.limits).some("compiler", report.compiler);
   f.some("friction_curve", report.curve).some("methods", report.methods);
   f.when(!report.response.points.empty(), "frequency_response", report.response);
