@@ -147,11 +147,20 @@ std::string multiplied(const std::string& digits, std::uint64_t factor) {
 /// Nothing for 0, for more digits than are typed, and beyond the range of doubles.
 std::optional<TypedNumber> times(const Decimal& typed, const Decimal& factor) {
   if (typed.digits.empty() || typed.digits.size() > most_typed_digits) return std::nullopt;
-  const Decimal result{typed.minus, multiplied(typed.digits, std::stoull(factor.digits)),
+  const Decimal result{typed.minus != factor.minus,
+                       multiplied(typed.digits, std::stoull(factor.digits)),
                        typed.exponent + factor.exponent};
   const std::optional<double> value = to_double(result.text());
   if (!value) return std::nullopt;
   return TypedNumber{*value, result.text()};
+}
+
+/// To udunits "5" of "0.3 5", and "-50" of "0.3-50", is a unit; of "20 1/s" it is one to people,
+/// too.
+bool is_second_number(std::string_view unit) {
+  if (unit.find_first_of("0123456789.+-") != 0) return false;
+  const std::size_t next = unit.find_first_not_of(" \t", 1);
+  return !(unit.front() == '1' && next != unit.npos && unit[next] == '/');
 }
 
 TypedNumber convert(double value, const Decimal& number, std::string_view unit, Dimension dimension,
@@ -162,6 +171,7 @@ TypedNumber convert(double value, const Decimal& number, std::string_view unit, 
   };
   if (unit.size() > longest_unit)
     refuse(fmt::format("a unit of {} characters, more than {}", unit.size(), longest_unit));
+  if (is_second_number(unit)) refuse(fmt::format("\"{}\" is a second number, no unit", unit));
   const std::scoped_lock lock(units_mutex());
   const Unit from = parse_unit(std::string(unit));
   // To udunits the byte 0xFF is the end of a unit.

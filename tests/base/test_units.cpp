@@ -80,6 +80,17 @@ BOOST_AUTO_TEST_CASE(a_reciprocal_unit_is_refused) {
   BOOST_TEST(has(message("1 ln(re 1 N/m)", Dimension::stiffness), "a unit of another dimension"));
 }
 
+// Numbers are units to udunits: "10 000 N/m" would be nothing, and "0.3-50" fifteen below it.
+BOOST_AUTO_TEST_CASE(a_second_number_is_refused) {
+  for (const char* text : {"0.3 5", "0.3-50", "0.3 -50", "0.3 .5", "0.3 1e-3", "3 10^-1", "1 1"})
+    BOOST_TEST(has(message(text, Dimension::none), "a second number"));
+  for (const char* text : {"10 000 N/m", "1 -50 N/m", "8+3 N/m", "1 1 N/m"})
+    BOOST_TEST(has(message(text, Dimension::stiffness), "a second number"));
+  BOOST_TEST(near(parse_quantity("20 1/s", Dimension::frequency, place), 20));
+  BOOST_TEST(near(parse_quantity("20 1 /s", Dimension::frequency, place), 20));
+  BOOST_TEST(near(-parse_quantity("0.3 (-5)", Dimension::none, place), 1.5));
+}
+
 BOOST_AUTO_TEST_CASE(a_number_beyond_the_doubles_is_refused) {
   BOOST_TEST(has(message("1e401", Dimension::none), "beyond the range of doubles"));
   BOOST_TEST(has(message("1e-401 N/m", Dimension::stiffness), "beyond the range of doubles"));
