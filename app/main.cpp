@@ -5,9 +5,9 @@
 #include <string_view>
 
 #include "commands.hpp"
-#include "machine.hpp"
 #include "program.hpp"
 #include "report/catalogue_page.hpp"
+#include "run/machine.hpp"
 #include "shell.hpp"
 
 namespace {

@@ -13,8 +13,8 @@
 #include "options.hpp"
 #include "program.hpp"
 #include "report/validate_extremes.hpp"
+#include "run/workers.hpp"
 #include "streams.hpp"
-#include "workers.hpp"
 
 namespace vcrit::app {
 

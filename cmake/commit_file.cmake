@@ -7,6 +7,6 @@ add_custom_target(vcrit_commit BYPRODUCTS ${vcrit_commit_file}
 
 function(vcrit_knows_commit target file)
   add_dependencies(${target} vcrit_commit)
-  set_property(SOURCE ${file} APPEND PROPERTY COMPILE_DEFINITIONS VCRIT_COMMIT_FILE="${vcrit_commit_file}")
-  set_property(SOURCE ${file} APPEND PROPERTY OBJECT_DEPENDS ${vcrit_commit_file})
+  set_property(SOURCE ${file} TARGET_DIRECTORY ${target} APPEND PROPERTY COMPILE_DEFINITIONS VCRIT_COMMIT_FILE="${vcrit_commit_file}")
+  set_property(SOURCE ${file} TARGET_DIRECTORY ${target} APPEND PROPERTY OBJECT_DEPENDS ${vcrit_commit_file})
 endfunction()

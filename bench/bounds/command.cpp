@@ -11,8 +11,8 @@
 #include "base/errors.hpp"
 #include "base/files.hpp"
 #include "bounds/tables.hpp"
-#include "compiler.hpp"
 #include "harness/commands.hpp"
+#include "run/compiler.hpp"
 
 namespace vcrit::bench {
 

@@ -10,10 +10,10 @@
 
 #include "base/errors.hpp"
 #include "base/files.hpp"
-#include "compiler.hpp"
 #include "derivation/derivation.hpp"
 #include "emit/generate.hpp"
 #include "emit/parameters.hpp"
+#include "run/compiler.hpp"
 
 namespace vcrit::bounds {
 

@@ -9,7 +9,7 @@
 #include <mutex>
 #include <thread>
 
-#include "compiler.hpp"
+#include "run/compiler.hpp"
 
 namespace vcrit::bounds {
 

@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "base/files.hpp"
-#include "compiler.hpp"
+#include "run/compiler.hpp"
 
 namespace vcrit::bench {
 

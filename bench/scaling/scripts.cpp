@@ -3,9 +3,9 @@
 #include <cstdlib>
 #include <stdexcept>
 
-#include "compiler.hpp"
 #include "harness/network_json.hpp"
 #include "harness/script.hpp"
+#include "run/compiler.hpp"
 
 namespace vcrit::scaling {
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "reduced_difference.hpp"
+#include "compare/reduced_difference.hpp"
 
 namespace vcrit::simulators {
 

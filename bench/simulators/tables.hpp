@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "machine.hpp"
+#include "run/machine.hpp"
 #include "simulators/summary.hpp"
 
 namespace vcrit::simulators {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/numbers.hpp"
-#include "compiler.hpp"
+#include "run/compiler.hpp"
 
 namespace vcrit::speed {
 

@@ -2,7 +2,7 @@
 
 #include <fmt/core.h>
 
-#include "machine.hpp"
+#include "run/machine.hpp"
 
 namespace vcrit::speed {
 

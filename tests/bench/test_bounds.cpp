@@ -8,8 +8,8 @@
 
 #include "bounds/tables.hpp"
 #include "bounds/trial.hpp"
-#include "compiler.hpp"
 #include "emit/generate.hpp"
+#include "run/compiler.hpp"
 #include "support/nodal.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_bounds)

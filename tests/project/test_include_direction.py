@@ -33,10 +33,10 @@ class APlantedTree(unittest.TestCase):
         "src/simulation/system/system.hpp": '#include "problem/problem.hpp"\n',
         "symbolic/derivation/derivation.hpp": '#include <ginac/ginac.h>\n#include "problem/problem.hpp"\n',
         "symbolic/emit/generate.hpp": '#include "derivation/derivation.hpp"\n',
-        "validation/agreement.hpp": '#include "simulation/system/system.hpp"\n#include "critical/critical.hpp"\n',
-        "validation/report/report.hpp": '#include "agreement.hpp"\n',
+        "validation/compare/agreement.hpp": '#include "simulation/system/system.hpp"\n#include "critical/critical.hpp"\n',
+        "validation/report/report.hpp": '#include "compare/agreement.hpp"\n',
         "app/main.cpp": '#include "report/report.hpp"\n',
-        "bench/speed/speed.hpp": '#include <ginac/ginac.h>\n#include "agreement.hpp"\n',
+        "bench/speed/speed.hpp": '#include <ginac/ginac.h>\n#include "compare/agreement.hpp"\n',
     }
 
     def problems(self, **changes):
@@ -88,7 +88,7 @@ class APlantedTree(unittest.TestCase):
             self.assertIn("must not know", found[0])
 
     def test_a_scene_is_resolved_before_it_is_used(self):
-        for name in ["src/critical/wrong.cpp", "symbolic/emit/wrong.cpp", "validation/wrong.cpp", "app/wrong.cpp"]:
+        for name in ["src/critical/wrong.cpp", "symbolic/emit/wrong.cpp", "validation/compare/wrong.cpp", "app/wrong.cpp"]:
             self.assert_found(name, '#include "scene/scene.hpp"\n', "resolved before it is used")
 
     def test_the_simulation_may_ask_the_rulebook(self):
@@ -119,7 +119,7 @@ class APlantedTree(unittest.TestCase):
             found = self.problems(files=files | {name: '#include "critical/certified.hpp"\n'})
             self.assertEqual(len(found), 1, found)
             self.assertIn("asked of src/answers", found[0])
-        for name in ["src/answers/right.cpp", "validation/right.cpp", "symbolic/analysis/right.cpp"]:
+        for name in ["src/answers/right.cpp", "validation/compare/right.cpp", "symbolic/analysis/right.cpp"]:
             self.assertEqual(self.problems(files=files | {name: '#include "critical/certified.hpp"\n'}), [])
 
     def test_the_formula_may_not_know_simulation(self):

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <string>
 
-#include "compiler.hpp"
 #include "extremes/examine.hpp"
+#include "run/compiler.hpp"
 
 namespace vcrit::validation::example {
 

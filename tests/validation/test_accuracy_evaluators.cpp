@@ -7,7 +7,7 @@
 #include "accuracy/evaluator_errors.hpp"
 #include "accuracy/front.hpp"
 #include "derivation/derivation.hpp"
-#include "driver_source.hpp"
+#include "run/driver_source.hpp"
 #include "scene/scene.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_accuracy_evaluators)

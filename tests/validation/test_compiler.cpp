@@ -1,5 +1,5 @@
 // Programs without a shell, with a time limit, in folders that go away.
-#include "compiler.hpp"
+#include "run/compiler.hpp"
 
 #include <sys/stat.h>
 

@@ -1,12 +1,12 @@
 // The derived formula and the generated evaluator give the known value of a scene whose answer is
 // exact in binary: v* = mu0 omega du_z kn/kt = 1/4 x 4096 x 2^-20 x 3/2 = 3/2^11 (31).
-#include "evaluators.hpp"
+#include "compare/evaluators.hpp"
 
 #include <boost/test/unit_test.hpp>
 
 #include "base/files.hpp"
-#include "compiler.hpp"
 #include "problem/problem.hpp"
+#include "run/compiler.hpp"
 #include "scene/scene.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_evaluators)

@@ -8,9 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include "base/files.hpp"
-#include "compiler.hpp"
 #include "figures/figure_json.hpp"
 #include "figures/gnuplot.hpp"
+#include "run/compiler.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_figures)
 

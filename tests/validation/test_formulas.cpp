@@ -1,5 +1,5 @@
 // Formulas as the pages show them: the same as `vcrit derive` prints.
-#include "formulas.hpp"
+#include "compare/formulas.hpp"
 
 #include <boost/test/unit_test.hpp>
 

@@ -1,5 +1,5 @@
 // The friction curve's rules, and the closed form of the elastic contact.
-#include "friction.hpp"
+#include "compare/friction.hpp"
 
 #include <algorithm>
 #include <boost/test/unit_test.hpp>

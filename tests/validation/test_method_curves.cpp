@@ -1,5 +1,5 @@
 // Friction by the methods beside the exact one: near where they promise, silent where they cannot.
-#include "method_curves.hpp"
+#include "compare/method_curves.hpp"
 
 #include <algorithm>
 #include <boost/test/unit_test.hpp>

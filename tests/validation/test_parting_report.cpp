@@ -6,8 +6,8 @@
 #include <numbers>
 #include <set>
 
-#include "agreement.hpp"
 #include "answers/critical_onset.hpp"
+#include "compare/agreement.hpp"
 #include "critical/critical_velocity.hpp"
 #include "report/document.hpp"
 #include "report/indenter_figures.hpp"

@@ -7,9 +7,8 @@
 #include <limits>
 #include <string>
 
-#include "agreement.hpp"
 #include "base/files.hpp"
-#include "compiler.hpp"
+#include "compare/agreement.hpp"
 #include "critical/critical_velocity.hpp"
 #include "derivation/derivation.hpp"
 #include "formula/symbols.hpp"
@@ -17,6 +16,7 @@
 #include "report/index_page.hpp"
 #include "report/scene_page.hpp"
 #include "rules/rulebook.hpp"
+#include "run/compiler.hpp"
 #include "stiffness/dynamic_stiffness.hpp"
 #include "validation/example_report.hpp"
 

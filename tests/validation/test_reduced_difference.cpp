@@ -1,5 +1,5 @@
 // The reduced model and the full motion against 50-digit values of both.
-#include "reduced_difference.hpp"
+#include "compare/reduced_difference.hpp"
 #include "scene/scene.hpp"
 
 #include <boost/test/unit_test.hpp>

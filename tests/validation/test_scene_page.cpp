@@ -5,12 +5,12 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 
+#include "compare/velocity_comparisons.hpp"
 #include "report/assets.hpp"
 #include "report/document.hpp"
 #include "report/html.hpp"
 #include "report/verdict.hpp"
 #include "validation/example_report.hpp"
-#include "velocity_comparisons.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_scene_page)
 

@@ -1,5 +1,5 @@
 // What passes, what fails, and what counts as neither.
-#include "scene_report.hpp"
+#include "compare/scene_report.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>

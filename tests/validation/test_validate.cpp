@@ -7,8 +7,8 @@
 
 #include "base/errors.hpp"
 #include "base/files.hpp"
-#include "compiler.hpp"
 #include "derivation/derivation.hpp"
+#include "run/compiler.hpp"
 #include "validation/example_report.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_validate)

@@ -1,5 +1,5 @@
 // Jobs side by side: answers in order, errors as they were, a crash that names its job.
-#include "workers.hpp"
+#include "run/workers.hpp"
 
 #include <signal.h>
 #include <unistd.h>
@@ -12,7 +12,7 @@
 
 #include "base/errors.hpp"
 #include "base/files.hpp"
-#include "compiler.hpp"
+#include "run/compiler.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_workers)
 

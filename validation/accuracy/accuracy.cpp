@@ -8,7 +8,7 @@
 #include "accuracy/simulator_errors.hpp"
 #include "accuracy/stability.hpp"
 #include "critical/admissibility.hpp"
-#include "driver.hpp"
+#include "run/driver.hpp"
 
 namespace vcrit::validation::accuracy {
 

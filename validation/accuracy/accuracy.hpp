@@ -2,8 +2,8 @@
 #pragma once
 
 #include "accuracy/data.hpp"
-#include "driver.hpp"
-#include "progress.hpp"
+#include "run/driver.hpp"
+#include "run/progress.hpp"
 
 namespace vcrit::validation::accuracy {
 

@@ -5,7 +5,7 @@
 
 #include "accuracy/data.hpp"
 #include "accuracy/inputs.hpp"
-#include "driver.hpp"
+#include "run/driver.hpp"
 
 namespace vcrit::validation::accuracy {
 

@@ -8,9 +8,9 @@
 
 #include "accuracy/front.hpp"
 #include "base/errors.hpp"
+#include "compare/friction.hpp"
 #include "critical/admissibility.hpp"
 #include "critical/certified.hpp"
-#include "friction.hpp"
 
 namespace vcrit::validation::accuracy {
 

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
+#include "compare/system_size.hpp"
 #include "simulation/methods/methods.hpp"
 #include "simulation/steady/exact.hpp"
-#include "system_size.hpp"
 
 namespace vcrit::validation::accuracy {
 

@@ -9,10 +9,10 @@
 #include "accuracy/cells.hpp"
 #include "accuracy/resonance.hpp"
 #include "accuracy/simulated_cell.hpp"
+#include "compare/system_size.hpp"
 #include "critical/critical_velocity.hpp"
 #include "network/law.hpp"
 #include "rules/rulebook.hpp"
-#include "system_size.hpp"
 
 namespace vcrit::validation::accuracy {
 

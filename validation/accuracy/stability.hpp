@@ -3,8 +3,8 @@
 #pragma once
 
 #include "accuracy/data.hpp"
-#include "driver.hpp"
 #include "problem/problem.hpp"
+#include "run/driver.hpp"
 
 namespace vcrit::validation::accuracy {
 

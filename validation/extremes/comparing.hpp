@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "scene_report.hpp"
+#include "compare/scene_report.hpp"
 
 namespace vcrit::validation::extremes {
 

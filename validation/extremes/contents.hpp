@@ -8,7 +8,7 @@
 
 #include "accuracy/data.hpp"
 #include "base/constants.hpp"
-#include "scene_report.hpp"
+#include "compare/scene_report.hpp"
 
 namespace vcrit::validation::extremes {
 

@@ -6,13 +6,13 @@
 #include <cmath>
 #include <memory>
 
+#include "compare/evaluators.hpp"
 #include "critical/conditioning.hpp"
 #include "critical/critical_velocity.hpp"
 #include "derivation/derivation.hpp"
-#include "driver.hpp"
-#include "evaluators.hpp"
 #include "extremes/comparing.hpp"
 #include "extremes/limits.hpp"
+#include "run/driver.hpp"
 
 namespace vcrit::validation::extremes {
 

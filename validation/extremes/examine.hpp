@@ -5,7 +5,7 @@
 #include <functional>
 #include <optional>
 
-#include "agreement.hpp"
+#include "compare/agreement.hpp"
 #include "extremes/contents.hpp"
 #include "extremes/families.hpp"
 #include "extremes/regions.hpp"

@@ -2,8 +2,8 @@
 
 #include <thread>
 
-#include "compiler.hpp"
 #include "extremes/handover.hpp"
+#include "run/compiler.hpp"
 
 namespace vcrit::validation::extremes {
 

@@ -3,7 +3,7 @@
 
 #include "extremes/contents.hpp"
 #include "extremes/examine.hpp"
-#include "workers.hpp"
+#include "run/workers.hpp"
 
 namespace vcrit::validation::extremes {
 

@@ -6,8 +6,8 @@
 #include <complex>
 
 #include "analysis/limits.hpp"
+#include "compare/evaluators.hpp"
 #include "critical/certified.hpp"
-#include "evaluators.hpp"
 #include "extremes/comparing.hpp"
 #include "stiffness/dynamic_stiffness.hpp"
 

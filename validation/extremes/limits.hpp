@@ -3,9 +3,9 @@
 
 #include <vector>
 
+#include "compare/scene_report.hpp"
 #include "extremes/families.hpp"
 #include "extremes/regions.hpp"
-#include "scene_report.hpp"
 
 namespace vcrit::symbolic {
 struct Derivation;

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "compare/scene_report.hpp"
 #include "figures/figure.hpp"
-#include "scene_report.hpp"
 
 namespace vcrit::validation::paper {
 

@@ -4,9 +4,9 @@
 
 #include <cmath>
 
+#include "compare/reduced_difference.hpp"
 #include "paper/comparing.hpp"
 #include "paper/references.hpp"
-#include "reduced_difference.hpp"
 
 namespace vcrit::validation::paper {
 

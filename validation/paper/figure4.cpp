@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "friction.hpp"
+#include "compare/friction.hpp"
 #include "paper/comparing.hpp"
 #include "paper/motions.hpp"
 #include "paper/references.hpp"

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "base/constants.hpp"
-#include "friction.hpp"
+#include "compare/friction.hpp"
 #include "paper/comparing.hpp"
 #include "paper/motions.hpp"
 #include "paper/references.hpp"

@@ -2,7 +2,7 @@
 // contents.hpp.
 #pragma once
 
-#include "reduced_difference.hpp"
+#include "compare/reduced_difference.hpp"
 #include "simulation/system/steady_state.hpp"
 
 namespace vcrit::validation::paper {

@@ -2,7 +2,7 @@
 // friction by normal oscillations for an arbitrary linear rheology, Physical Mesomechanics 2018.
 #pragma once
 
-#include "agreement.hpp"
+#include "compare/agreement.hpp"
 #include "paper/contents.hpp"
 
 namespace vcrit::validation::paper {

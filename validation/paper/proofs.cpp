@@ -3,10 +3,10 @@
 #include <fmt/core.h>
 
 #include "analysis/limits.hpp"
+#include "compare/formulas.hpp"
 #include "derivation/derivation.hpp"
 #include "formula/symbols.hpp"
 #include "formula/value.hpp"
-#include "formulas.hpp"
 #include "network/catalogue.hpp"
 #include "network/masses.hpp"
 #include "paper/comparing.hpp"

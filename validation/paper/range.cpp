@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "base/constants.hpp"
+#include "compare/friction.hpp"
 #include "critical/critical_velocity.hpp"
-#include "friction.hpp"
 #include "paper/comparing.hpp"
 #include "paper/motions.hpp"
 #include "paper/references.hpp"

@@ -14,7 +14,7 @@
 #include <limits>
 
 #include "base/constants.hpp"
-#include "friction.hpp"
+#include "compare/friction.hpp"
 #include "paper/comparing.hpp"
 #include "paper/motions.hpp"
 #include "paper/references.hpp"

@@ -3,8 +3,8 @@
 #include <fmt/core.h>
 
 #include "analysis/rheology.hpp"
+#include "compare/formulas.hpp"
 #include "derivation/derivation.hpp"
-#include "formulas.hpp"
 #include "network/catalogue.hpp"
 #include "network/masses.hpp"
 #include "problem/problem.hpp"

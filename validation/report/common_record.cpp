@@ -1,11 +1,11 @@
 // What all reports share: comparisons, formulas, figures, the machine (records.hpp).
 #include <algorithm>
 
+#include "compare/velocity_comparisons.hpp"
 #include "figures/figure_json.hpp"
 #include "report/html.hpp"
 #include "report/records.hpp"
 #include "report/verdict.hpp"
-#include "velocity_comparisons.hpp"
 
 namespace vcrit::record {
 

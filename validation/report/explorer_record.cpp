@@ -3,7 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "explorer.hpp"
+#include "compare/explorer.hpp"
 #include "figures/figure_json.hpp"
 #include "problem/variants.hpp"
 #include "report/assets.hpp"

@@ -6,7 +6,7 @@
 
 #include "base/errors.hpp"
 #include "base/files.hpp"
-#include "compiler.hpp"
+#include "run/compiler.hpp"
 
 namespace vcrit::validation::report {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/files.hpp"
-#include "workers.hpp"
+#include "run/workers.hpp"
 
 namespace vcrit::validation::report {
 

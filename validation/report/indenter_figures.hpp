@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "compare/scene_report.hpp"
 #include "figures/figure.hpp"
-#include "scene_report.hpp"
 
 namespace vcrit::validation::report {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "machine.hpp"
+#include "run/machine.hpp"
 
 namespace vcrit::validation::report {
 

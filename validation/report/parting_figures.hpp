@@ -1,8 +1,8 @@
 // The pictures of surfaces that may part.
 #pragma once
 
+#include "compare/scene_report.hpp"
 #include "figures/figure.hpp"
-#include "scene_report.hpp"
 
 namespace vcrit::validation::report {
 

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "accuracy/data.hpp"
-#include "scene_report.hpp"
+#include "compare/scene_report.hpp"
 
 namespace vcrit::validation::report {
 

@@ -4,7 +4,8 @@
 #include <thread>
 
 #include "accuracy/accuracy.hpp"
-#include "agreement.hpp"
+#include "compare/agreement.hpp"
+#include "compare/velocity_comparisons.hpp"
 #include "figures/gnuplot.hpp"
 #include "paper/paper.hpp"
 #include "report/figure_files.hpp"
@@ -13,7 +14,6 @@
 #include "report/report_json.hpp"
 #include "report/scene_figures.hpp"
 #include "report/scene_page.hpp"
-#include "velocity_comparisons.hpp"
 
 namespace vcrit::validation::report {
 

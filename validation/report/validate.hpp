@@ -8,7 +8,7 @@
 #include "report/paper_record.hpp"
 #include "report/scene_contents.hpp"
 #include "report/validation.hpp"
-#include "workers.hpp"
+#include "run/workers.hpp"
 
 namespace vcrit::validation::report {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/files.hpp"
-#include "scene_report.hpp"
+#include "compare/scene_report.hpp"
 
 namespace vcrit::validation::report {
 

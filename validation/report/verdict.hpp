@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "scene_report.hpp"
+#include "compare/scene_report.hpp"
 
 namespace vcrit::validation::report {
 

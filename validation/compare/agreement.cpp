@@ -1,0 +1,230 @@
+#include "compare/agreement.hpp"
+
+#include <fmt/core.h>
+
+#include <cmath>
+
+#include "answers/critical_onset.hpp"
+#include "base/constants.hpp"
+#include "base/free_swings.hpp"
+#include "compare/border.hpp"
+#include "compare/explorer.hpp"
+#include "compare/formulas.hpp"
+#include "compare/frequency_response.hpp"
+#include "compare/friction.hpp"
+#include "compare/indented.hpp"
+#include "compare/method_curves.hpp"
+#include "compare/parting.hpp"
+#include "compare/periodic_motion.hpp"
+#include "compare/reduced_difference.hpp"
+#include "compare/values.hpp"
+#include "compare/velocity_comparisons.hpp"
+#include "critical/admissibility.hpp"
+#include "critical/certified.hpp"
+#include "critical/conditioning.hpp"
+#include "critical/critical_velocity.hpp"
+#include "derivation/derivation.hpp"
+#include "formula/names.hpp"
+#include "problem/variants.hpp"
+#include "rules/rulebook.hpp"
+#include "simulation/steady/near_resonance.hpp"
+#include "simulation/steady/onset.hpp"
+
+namespace vcrit::validation {
+
+namespace {
+
+void derive_all(SceneReport& report, const symbolic::Derivation& derivation) {
+  report.formula = shown_velocity(derivation);
+  report.equation = derivation.equation;
+  report.derivation = equations_of(derivation.lines);
+  report.derivation.back().right = report.formula.formula;
+  report.limits = limits_of(derivation);
+}
+
+/// Elastic networks, a rigid drive: the case with a closed form.
+bool has_closed_form(const SceneReport& report, const simulation::System& system) {
+  const auto elastic = [](const Relaxation& form) {
+    return form.damper == 0 && form.branches.empty() && form.equilibrium > 0;
+  };
+  const Values& values = report.problem.values();
+  return !system.opening && !system.drive && elastic(system.contact) &&
+         elastic(relaxation_form(report.problem->normal.network(), values));
+}
+
+// The same theory as Eq. 24, from the relaxation forms of the networks.
+Comparison balanced(const SceneReport& report, const simulation::Onset& threshold) {
+  Comparison comparison = velocity_comparison(
+      report, "balance", "harmonic balance, as Eq. 24, of the networks in relaxation form");
+  comparison.found = threshold.contact_velocity;
+  comparison.tolerance = motion_tolerance(report.condition);
+  comparison.reason =
+      comparison.tolerance > motion_promise
+          ? fmt::format("doubles: 32 roundings of 2⁻⁵³, times the condition number {:.3g} here",
+                        report.condition)
+          : "doubles: leaves six digits to lose near resonance";
+  if (const std::vector<int>& free = report.free_harmonics; !free.empty())
+    comparison.detail = fmt::format(
+        "the drive swings freely at {} ω: friction is full from Eq. 24 times cos(π/{}) on",
+        free.front(), 2 * free.front());
+  return comparison;
+}
+
+bool by_formula(const SceneReport& report) {
+  return !report.parting || report.parting->closed_form;
+}
+
+Border border_of(const SceneReport& report, const CriticalOnset& onset) {
+  if (by_formula(report))
+    return {report.velocity_of_doubles, report.velocity_of_doubles + report.creep_velocity,
+            report.condition, formula_reference};
+  return simulated_border(onset);
+}
+
+/// evaluated: v* by formula and evaluators.
+void compare_border(SceneReport& report, const CriticalOnset& onset,
+                    const simulation::System& system, const std::vector<Comparison>& evaluated,
+                    const Witnesses& witnesses) {
+  const Border border = border_of(report, onset);
+  const auto add = [&](const std::optional<Comparison>& comparison) {
+    if (comparison) report.comparisons.push_back(*comparison);
+  };
+  if (!is_speed(border.contact_velocity)) {
+    add(compare_stick_without_end(border, system));
+    add(compare_march_without_end(border, system));
+    return;
+  }
+  try {
+    const simulation::Onset last_stick = simulation::stick_onset(system);
+    add(compare_last_stick(border, last_stick));
+    add(compare_creep(border, last_stick));
+    if (by_formula(report)) add(compare_evaluators(evaluated, last_stick, border.condition));
+  } catch (const ModelError& error) {
+    add(not_run(compare_last_stick(border, {}), error.what()));
+  }
+  add(witnesses.march(border, system));
+}
+
+void trace_curve(SceneReport& report, const simulation::System& system, double threshold) {
+  const double amplitude_ratio = std::abs(system.normal_force_amplitude) / system.mean_normal_force;
+  const bool closed_form = has_closed_form(report, system);
+  for (const double ratio : curve_ratios()) {
+    report.curve.push_back(friction_at(system, threshold, ratio));
+    if (closed_form) report.curve.back().closed_form = elastic_friction(amplitude_ratio, ratio);
+  }
+  report.comparisons.push_back(compare_starts(report.curve));
+  if (closed_form) report.comparisons.push_back(compare_closed_form(report.curve));
+}
+
+// Why no march in time tells anything of v*; empty where one does.
+std::string why_no_march(const SceneReport& report) {
+  if (const auto moves = rules::answer(rules::Question::report_simulation, report.problem); !moves)
+    return moves.reason;
+  if (!report.formula_applies) return {};
+  if (!is_speed(report.critical_velocity)) return "v* is infinite or 0: no speed to look for";
+  if (!report.problem->rigid() && !leaves_digits(formula_tolerance(report.condition)))
+    return lost_digits;
+  return {};
+}
+
+// v* as the program answers it. Nothing where it refuses: then the scene is outside the model here,
+// too, for that reason.
+std::optional<CriticalOnset> answered_onset(SceneReport& report) {
+  if (!report.reasons.empty()) return std::nullopt;
+  try {
+    return critical_onset(report.problem);
+  } catch (const ModelError& error) {
+    report.reasons.emplace_back(error.what());
+    return std::nullopt;
+  }
+}
+
+void simulate(SceneReport& report, const symbolic::Derivation& derivation,
+              const CriticalOnset& onset, const Witnesses& witnesses, const Progress& progress) {
+  progress("simulating");
+  const std::vector<Comparison> evaluated = report.comparisons;
+  Comparison pending = velocity_comparison(report, "simulation", "stick-slip simulation");
+  if (const std::string why = why_no_march(report); !why.empty()) {
+    report.comparisons.push_back(not_run(pending, why));
+    report.comparisons.push_back(compare_periodic_motion(report));
+    return;
+  }
+  bool out_of_reach = false;
+  try {
+    if (report.problem->indenter) return examine_indenter(report, onset, witnesses);
+    const simulation::System system = witnesses.system(report.problem);
+    out_of_reach = simulation::lost_in_resonance(simulation::Model(system));
+    if (report.problem->separation) {
+      progress("letting the surfaces part");
+      examine_parting(report, derivation, system, onset);
+    }
+    if (by_formula(report))
+      report.comparisons.push_back(balanced(report, witnesses.balance(system)));
+    progress("looking for the last stick");
+    compare_border(report, onset, system, evaluated, witnesses);
+    const double finite = by_formula(report) ? report.critical_velocity + report.creep_velocity
+                                             : onset.drive_velocity;
+    const double drive_velocity =
+        std::isfinite(finite) ? finite : unit_of_speed(report.problem) + report.creep_velocity;
+    pending = velocity_comparison(report, "curve", "friction curve");
+    progress("tracing the friction curve");
+    trace_curve(report, system, drive_velocity);
+    report.cycle = steady_cycle(system, drive_velocity, 0.5);
+    progress("simulating by other methods");
+    report.methods = method_curves(system, drive_velocity);
+    report.reduced_model = reduced_model(report.problem);
+  } catch (const ModelError& error) {
+    report.comparisons.push_back((out_of_reach ? not_run : broken)(pending, error.what()));
+  }
+}
+
+}  // namespace
+
+Witnesses own_witnesses() {
+  return {[](const Problem& problem) { return certified_critical_velocity(problem); },
+          [](const Problem& problem) { return critical_velocity(problem); },
+          [](const Problem& problem) { return simulation::system_of(problem); },
+          [](const Problem& problem) { return indenter::HalfSpace(problem); },
+          [](const simulation::System& system) { return simulation::sliding_threshold(system); },
+          compare_march};
+}
+
+SceneReport agree(Driver& driver, const symbolic::Derivation& formula, const Progress& progress,
+                  const Witnesses& witnesses) {
+  const Problem& typed = driver.derivation().problem;
+  const Problem problem = as_doubles(typed);
+  const symbolic::NamesOfScene names(problem);
+  const Values& values = problem.values();
+  SceneReport report(problem);
+  report.reasons = inadmissible_reasons(problem);
+  const std::optional<CriticalOnset> onset = answered_onset(report);
+  report.formula_applies =
+      report.reasons.empty() && rules::answer(rules::Question::formula, problem);
+  const CertifiedVelocity certified = witnesses.certified(typed);
+  report.velocity_of_doubles = witnesses.certified(problem).value;
+  report.critical_velocity = certified.value;
+  report.relative_error_bound = certified.relative_error_bound;
+  report.infinite_reason = certified.reason;
+  report.condition = condition_number(problem, values);
+  if (report.formula_applies) report.free_harmonics = free_harmonics(problem);
+  report.sliding_from = report.critical_velocity * sliding_share(report.free_harmonics);
+  report.creep_velocity = creep_velocity(problem);
+
+  report.values = value_lines(problem);
+
+  progress("deriving the formula");
+  derive_all(report, formula);
+  report.comparisons.push_back(
+      in_doubles(report, "formula", "Eq. 24 in doubles", witnesses.formula(problem)));
+  report.comparisons.push_back(derived_comparison(report, formula, values));
+  report.response = frequency_response(driver.derivation());
+  progress("compiling all evaluators");
+  compare_generated(report, driver, values);
+
+  if (onset) simulate(report, driver.derivation(), *onset, witnesses, progress);
+  progress("preparing the explorer");
+  report.explorer = explorer(driver.derivation(), report.values);
+  return report;
+}
+
+}  // namespace vcrit::validation

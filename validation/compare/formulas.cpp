@@ -1,0 +1,51 @@
+#include "compare/formulas.hpp"
+
+#include "analysis/limits.hpp"
+#include "formula/dialect.hpp"
+#include "formula/text.hpp"
+#include "shortest/proof.hpp"
+
+namespace vcrit::validation {
+
+Formula formula_of(const GiNaC::ex& expression) {
+  return {symbolic::to_mathml(expression), symbolic::to_latex(expression),
+          symbolic::to_text(expression)};
+}
+
+namespace {
+
+Formula formula_of_form(const symbolic::Form& form) {
+  return {symbolic::to_mathml(form), symbolic::latex_dialect().print({false, form}),
+          symbolic::text_dialect().print({false, form})};
+}
+
+}  // namespace
+
+ShownVelocity shown_velocity(const symbolic::Derivation& derivation) {
+  const auto shortest = symbolic::shortest_form(derivation.problem);
+  if (!shortest)
+    return {
+        formula_of(derivation.critical_velocity), equations_of(derivation.definitions), {}, false};
+  symbolic::prove(*shortest, *derivation.model);
+  ShownVelocity shown{formula_of_form(shortest->velocity), {}, shortest->ratio, true};
+  for (const auto& [name, meaning] : shortest->definitions)
+    shown.definitions.push_back({{}, formula_of_form(name), formula_of_form(meaning)});
+  return shown;
+}
+
+std::vector<Equation> equations_of(const std::vector<symbolic::Line>& lines) {
+  std::vector<Equation> equations;
+  for (const symbolic::Line& line : lines)
+    equations.push_back({line.words, formula_of(line.left), formula_of(line.right)});
+  return equations;
+}
+
+std::vector<LimitLine> limits_of(const symbolic::Derivation& derivation) {
+  std::vector<LimitLine> lines;
+  for (const symbolic::Limit& limit : symbolic::limits(derivation))
+    lines.push_back({limit.name, limit.equation, limit.mathml_name, formula_of(limit.result),
+                     equations_of(limit.definitions)});
+  return lines;
+}
+
+}  // namespace vcrit::validation

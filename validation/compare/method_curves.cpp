@@ -1,0 +1,65 @@
+#include "compare/method_curves.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "compare/system_size.hpp"
+#include "simulation/methods/methods.hpp"
+#include "simulation/steady/exact.hpp"
+
+namespace vcrit::validation {
+
+namespace {
+
+using simulation::Method;
+
+constexpr double method_ratios[] = {0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 0.97, 1.05};
+
+std::string setting(Method method, const simulation::MethodOptions& options) {
+  switch (method) {
+    case Method::moreau:
+      return fmt::format("{} steps a period", options.steps_per_period);
+    case Method::tanh:
+      return fmt::format("regularised over {} of the speed", options.regularisation);
+    case Method::reduced:
+      return "(47)-(52)";
+    default:
+      return fmt::format("tolerance {}", options.tolerance);
+  }
+}
+
+MethodPoint method_point(Method method, const simulation::System& system, double threshold,
+                         double ratio) {
+  MethodPoint result;
+  result.ratio = ratio;
+  const double exact = simulation::steady_state(system, ratio * threshold).friction_ratio;
+  try {
+    const auto state =
+        simulation::steady_state(method, system, ratio * threshold, affordable(system));
+    result.friction_ratio = state.friction_ratio;
+    result.difference = std::abs(state.friction_ratio - exact);
+  } catch (const ModelError& error) {
+    result.reason = error.what();
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<MethodCurve> method_curves(const simulation::System& system, double threshold) {
+  std::vector<MethodCurve> curves;
+  for (const Method method : simulation::all_methods()) {
+    if (is_large(system) && (method == Method::msbdf || method == Method::tanh)) continue;
+    MethodCurve curve{to_text(method), setting(method, affordable(system)), {}};
+    for (const double ratio : method_ratios)
+      curve.points.push_back(method_point(method, system, threshold, ratio));
+    if (std::any_of(curve.points.begin(), curve.points.end(),
+                    [](const MethodPoint& one) { return one.reason.empty(); }))
+      curves.push_back(std::move(curve));
+  }
+  return curves;
+}
+
+}  // namespace vcrit::validation

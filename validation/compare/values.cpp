@@ -1,0 +1,58 @@
+#include "compare/values.hpp"
+
+#include "compare/formulas.hpp"
+#include "formula/symbols.hpp"
+#include "network/law.hpp"
+
+namespace vcrit::validation {
+
+namespace {
+
+struct ValueKind {
+  const char* unit;
+  std::string meaning;
+};
+
+/// What a number is beside what every number of its role is.
+const char* place_of(const Element& element) {
+  if (is_mass(element)) return " in the drive";
+  return element.kind == ElementKind::maxwell ? " of a Maxwell branch" : "";
+}
+
+std::map<Symbol, ValueKind> kinds_of_elements(const Problem& problem) {
+  std::map<Symbol, ValueKind> kinds;
+  for_each_element(problem, [&](const Element& element) {
+    for_each_number(element, [&](const Symbol& symbol, NumberRole role) {
+      const Dimension dimension =
+          problem->indenter ? number_row(role).in_half_space : number_row(role).dimension;
+      kinds[symbol] = {si_unit(dimension), std::string(number_row(role).words) + place_of(element)};
+    });
+  });
+  return kinds;
+}
+
+}  // namespace
+
+std::vector<ValueLine> value_lines(const Problem& problem) {
+  const Values& values = problem.values();
+  std::vector<ValueLine> lines;
+  const auto add = [&](const Symbol& symbol, const ValueKind& kind) {
+    const Formula name = formula_of(symbolic::symbol(symbol));
+    lines.push_back({symbol, name, values.at(symbol), kind.unit, kind.meaning});
+  };
+  add(problem->angular_frequency.symbol, {"rad/s", "angular frequency"});
+  add(problem->amplitude.symbol, {"m", "amplitude of the normal oscillation"});
+  add(problem->indentation.symbol, {"m", "mean indentation"});
+  add(problem->coefficient.symbol, {"", "coefficient of friction"});
+  if (problem->mass) add(problem->mass->symbol, {"kg", "mass of the body"});
+  if (problem->indenter)
+    for (const Quantity& size : problem->indenter->sizes)
+      add(size.symbol,
+          {si_unit(problem->source->settable.at(size.symbol.name)), "size of the indenter"});
+  const auto kinds = kinds_of_elements(problem);
+  for (const auto& [symbol, value] : problem->elements)
+    if (const auto kind = kinds.find(symbol); kind != kinds.end()) add(symbol, kind->second);
+  return lines;
+}
+
+}  // namespace vcrit::validation

@@ -1,0 +1,205 @@
+#include "run/driver_source.hpp"
+
+#include <fmt/core.h>
+
+#include "derivation/derivation.hpp"
+#include "emit/parameters.hpp"
+#include "run/pasted.hpp"
+
+namespace vcrit::validation {
+
+namespace {
+
+// No more: each scene pays for what they hold. <complex> is the dearest.
+const char* const includes = R"(#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstdio>
+#include <cstring>
+#include <ctime>
+#include <span>
+#include <vector>
+)";
+
+const char* const numbers_of_all = R"(
+static std::vector<Parameters> sets;
+static std::vector<double> omegas, out;
+)";
+
+// One pass over thousands of sets takes longer than the clock's grain; the first one warms up.
+const char* const measuring = R"(
+static double now() {
+  std::timespec time{};
+  clock_gettime(CLOCK_MONOTONIC, &time);
+  return 1e9 * static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec);
+}
+static double time_of(void (*run)()) {
+  double times[9];
+  for (double& time : times) {
+    const double begin = now();
+    run();
+    time = now() - begin;
+  }
+  std::nth_element(times, times + 4, times + 9);
+  return times[4] / static_cast<double>(sets.size());
+}
+static void answer(std::FILE* file, void (*values)(), void (*timed)()) {
+  std::fill(out.begin(), out.end(), NAN);
+  values();
+  const std::vector<double> found = out;
+  std::fprintf(file, "%a\n", time_of(timed));
+  for (const double value : found) std::fprintf(file, "%a\n", value);
+}
+)";
+
+const char* const main_begins = R"(
+int main(int count, char** words) {
+  std::FILE* const in = std::fopen(words[1], "r");
+  std::FILE* const file = std::fopen(words[2], "w");
+  if (in == nullptr || file == nullptr) return 1;
+  for (Parameters p{}; read(in, p);) sets.push_back(p);
+  for (const Parameters& p : sets) omegas.push_back(p.omega);
+  out.resize(sets.size());
+)";
+
+const char* const main_ends = R"(
+  for (int i = 3; i < count; ++i)
+    for (const Way& way : ways)
+      if (std::strcmp(way.key, words[i]) == 0) answer(file, way.values, way.timed);
+  return std::fclose(file);
+}
+)";
+
+std::string loop(const std::string& call) {
+  return fmt::format("for (std::size_t i = 0; i < sets.size(); ++i) {}", call);
+}
+
+Call each(const char* key, const char* name, const std::string& function, bool unhurried = false) {
+  return {{key, name}, loop(fmt::format("out[i] = {};", function)), {}, unhurried};
+}
+
+Call sweep(const char* key, const char* name, const std::string& grade) {
+  return {
+      {key, name},
+      loop(fmt::format("{}critical_velocity(sets[i], {{&omegas[i], 1}}, {{&out[i], 1}});", grade)),
+      fmt::format("{}critical_velocity(sets[0], omegas, out);", grade)};
+}
+
+Call batch(const char* key, const char* name, const std::string& grade) {
+  return {{key, name}, fmt::format("{}critical_velocity({{}}, columns, out);", grade), {}};
+}
+
+/// Statements with the member of each number of a set.
+std::string statement_for_each(const std::vector<Symbol>& symbols,
+                               const symbolic::ParameterList& parameters, const char* statement) {
+  std::string text;
+  for (std::size_t i = 0; i < symbols.size(); ++i)
+    text += fmt::format(fmt::runtime(statement),
+                        fmt::arg("member", parameters.reference(symbols[i])), fmt::arg("i", i));
+  return text;
+}
+
+std::string own_struct(const symbolic::ParameterList& parameters) {
+  std::string members;
+  for (const symbolic::Member& member : parameters.members())
+    members += member.length == 0 ? fmt::format("  double {};\n", member.name)
+                                  : fmt::format("  double {}[{}];\n", member.name, member.length);
+  return fmt::format("struct Parameters {{\n{}}};\n", members);
+}
+
+std::string fill_columns(const std::vector<Symbol>& symbols,
+                         const symbolic::ParameterList& parameters) {
+  const std::string numbers = std::to_string(symbols.size());
+  return "  std::vector<double> numbers[" + numbers + "];\n  for (const Parameters& p : sets) {\n" +
+         statement_for_each(symbols, parameters, "    numbers[{i}].push_back({member});\n") +
+         "  }\n  {\n    scene::Columns& p = columns;\n" +
+         statement_for_each(symbols, parameters, "    {member} = numbers[{i}].data();\n") + "  }\n";
+}
+
+/// A function for each way, and one for what is timed in its place. Where time is of no interest
+/// the compiler need not take any to save it.
+std::string functions(const std::vector<Call>& calls) {
+  std::string text, ways;
+  for (const Call& call : calls) {
+    const std::string& key = call.way.key;
+    text += fmt::format("{}static void {}_values() {{ {} }}\n",
+                        call.unhurried || !call.timed.empty() ? "[[gnu::cold]] " : "", key,
+                        call.values);
+    if (!call.timed.empty())
+      text += fmt::format("static void {}_timed() {{ {} }}\n", key, call.timed);
+    ways += fmt::format("    {{\"{0}\", {0}_values, {0}_{1}}},\n", key,
+                        call.timed.empty() ? "values" : "timed");
+  }
+  return text +
+         "struct Way {\n  const char* key;\n  void (*values)();\n  void (*timed)();\n};\n"
+         "static const Way ways[] = {\n" +
+         ways + "};\n";
+}
+
+/// The relative error bounds that both grades of the library claim.
+const std::vector<Call>& bound_calls() {
+  static const std::vector<Call> calls{
+      each("certified_bound", "bound of the accurate grade",
+           "scene::critical_velocity_certified(sets[i]).relative_error_bound", true),
+      each("fast_bound", "bound of the fast grade",
+           "scene::fast::critical_velocity_certified(sets[i]).relative_error_bound", true)};
+  return calls;
+}
+
+std::vector<Call> calls_of(const symbolic::Derivation& formula, bool has_generated) {
+  std::vector<Call> calls{complex_call()};
+  if (formula.definitions.empty()) calls.push_back(pasted_call());
+  if (!has_generated) return calls;
+  for (const std::vector<Call>& more : {generated_calls(), bound_calls()})
+    calls.insert(calls.end(), more.begin(), more.end());
+  return calls;
+}
+
+}  // namespace
+
+const std::vector<Call>& generated_calls() {
+  static const std::vector<Call> calls{
+      each("accurate", "generated, accurate", "scene::critical_velocity(sets[i])"),
+      batch("accurate_batch", "generated, accurate, batch", "scene::"),
+      sweep("accurate_sweep", "generated, accurate, sweep", "scene::"),
+      each("certified", "generated, certified",
+           "scene::critical_velocity_certified(sets[i]).value"),
+      each("fast", "generated, fast", "scene::fast::critical_velocity(sets[i])"),
+      batch("fast_batch", "generated, fast, batch", "scene::fast::"),
+      sweep("fast_sweep", "generated, fast, sweep", "scene::fast::")};
+  return calls;
+}
+
+const Call& complex_call() {
+  static const Call call =
+      each("complex", "Eq. 24 in std::complex, as written", "in_complex_numbers(sets[i])");
+  return call;
+}
+
+const Call& pasted_call() {
+  static const Call call =
+      each("pasted", "the derived formula, pasted", "derived_formula(sets[i])");
+  return call;
+}
+
+std::string driver_source(const symbolic::Derivation& formula, bool has_generated) {
+  const symbolic::ParameterList parameters(formula.problem, formula);
+  const std::vector<Symbol>& symbols = formula.parameters;
+  std::string text = includes;
+  text += has_generated ? "#include \"scene_batch.hpp\"\nusing scene::Parameters;\n"
+                          "static scene::Columns columns;\n"
+                        : own_struct(parameters);
+  text += pasted_preamble() +
+          pasted_function("in_complex_numbers", symbolic::nested_form(formula), parameters);
+  if (formula.definitions.empty()) text += pasted_function("derived_formula", formula, parameters);
+  text += "static bool read(std::FILE* in, Parameters& p) {\n  return true" +
+          statement_for_each(symbols, parameters,
+                             " &&\n         std::fscanf(in, \"%la\", &{member}) == 1") +
+          ";\n}\n";
+  text += numbers_of_all + functions(calls_of(formula, has_generated)) + measuring;
+  text += main_begins;
+  if (has_generated) text += fill_columns(symbols, parameters);
+  return text + main_ends;
+}
+
+}  // namespace vcrit::validation

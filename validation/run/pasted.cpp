@@ -1,0 +1,89 @@
+#include "run/pasted.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <map>
+
+#include "formula/dialect.hpp"
+#include "formula/names.hpp"
+#include "formula/symbols.hpp"
+
+namespace vcrit::validation {
+
+namespace {
+
+using symbolic::Piece;
+
+/// C++ with std::complex; parameters are members of `p`.
+class Pasted : public symbolic::Dialect {
+ public:
+  explicit Pasted(std::map<std::string, std::string> references)
+      : references_(std::move(references)) {}
+
+ private:
+  std::string number(const std::string& digits) const override {
+    const std::size_t bar = digits.find('/');
+    if (bar == digits.npos) return digits + ".0";
+    return fmt::format("({}.0/{}.0)", digits.substr(0, bar), digits.substr(bar + 1));
+  }
+  std::string name(const std::string& text) const override {
+    const auto found = references_.find(text);
+    return found == references_.end() ? text : found->second;
+  }
+  std::string negative(const std::string& term) const override { return "-" + term; }
+  std::string added(const std::string& left, bool minus, const std::string& right) const override {
+    return left + (minus ? " - " : " + ") + right;
+  }
+  std::string product(const std::vector<std::string>& factors) const override {
+    return factors.empty() ? "1.0" : fmt::format("{}", fmt::join(factors, "*"));
+  }
+  Piece fraction(const std::vector<Piece>& over, const std::vector<Piece>& under) const override {
+    return {fmt::format("{}/({})", product(factors(over, false)), product(factors(under, true))),
+            Piece::Tightness::product};
+  }
+  std::string power(const std::string& base, int exponent) const override {
+    return fmt::format("power({}, {})", base, exponent);
+  }
+  std::string root(const std::string& argument) const override {
+    return fmt::format("std::sqrt({})", argument);
+  }
+  std::string call(const std::string& function, const std::string& argument) const override {
+    return fmt::format("std::{}({})", function, argument);
+  }
+  std::string wrapped(const std::string& text) const override { return "(" + text + ")"; }
+  std::string related(const std::string& left, bool, const std::string& right) const override {
+    return left + " = " + right;
+  }
+
+  std::map<std::string, std::string> references_;
+};
+
+}  // namespace
+
+std::string pasted_function(const std::string& name, const symbolic::Derivation& derivation,
+                            const symbolic::ParameterList& parameters) {
+  std::map<std::string, std::string> references{
+      {symbolic::printed_name(symbolic::own_name("i")), "Complex(0.0, 1.0)"}};
+  for (const Symbol& symbol : derivation.parameters)
+    references[symbolic::printed_name(to_text(symbol))] = parameters.reference(symbol);
+  const Pasted dialect(references);
+  const auto print = [&](const GiNaC::ex& expression) {
+    return dialect.print(symbolic::form_of(expression));
+  };
+  std::string text = fmt::format("static double {}(const Parameters& p) {{\n", name);
+  if (!derivation.definitions.empty())
+    text += fmt::format("  const Complex {}(0.0, {});\n", print(symbolic::laplace()),
+                        parameters.reference({"omega"}));
+  for (const symbolic::Line& line : derivation.definitions)
+    text += fmt::format("  const Complex {} = {};\n", print(line.left), print(line.right));
+  return text + fmt::format("  return {};\n}}\n", print(derivation.critical_velocity));
+}
+
+std::string pasted_preamble() {
+  return "using Complex = std::complex<double>;\n"
+         "template <class T> static T power(T x, int n) {\n"
+         "  T result = x;\n  while (--n > 0) result *= x;\n  return result;\n}\n";
+}
+
+}  // namespace vcrit::validation
