@@ -8,6 +8,7 @@ namespace vcrit::app {
 
 namespace {
 
+// A table that is seen at one glance.
 constexpr int shown_cells = 8;
 
 // Each steady value is promised to 1e-9, and both may be off.

@@ -99,6 +99,7 @@ class Summit {
 
   /// f is nowhere higher than this by more than `flat`.
   Real at = 0, height = -infinity;
+  // Sums of nine cosines are good to some 1e-18 here, and bounds need a hundredth of close_enough.
   static constexpr Real flat = 1e-14L;
 
  private:
@@ -133,6 +134,7 @@ class Summit {
     take(right);
   }
 
+  // Of a turn: the mean there, flat at its summit, changes by the square of it.
   static constexpr Real no_step = 1e-15L;
 
   const Swings& f_;

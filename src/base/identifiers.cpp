@@ -10,6 +10,7 @@ namespace vcrit {
 
 namespace {
 
+// Words enough for a name, short enough for messages, tables and generated code.
 constexpr std::size_t longest_name = 64;
 
 // Keywords of C++20 and of the other languages code may be generated for, and macros that common

@@ -8,6 +8,7 @@
 
 namespace vcrit::kernels {
 
+/// A column of doubles is 1 kB, and the dozen that a kernel takes stay in the nearest cache.
 inline constexpr std::size_t lanes = 128;
 
 /// Storage and loss stiffness of `lanes` scenes (N/m).
@@ -53,6 +54,7 @@ struct Kernels {
 /// Parameters from 1e-20 to 1e20 in SI: no product of the kernels leaves the normal doubles then.
 inline constexpr double least_usual = 1e-20, most_usual = 1e20;
 
+/// Six bits. Lanes that lose more are computed again in more digits.
 inline constexpr double worst_cancellation = 64;
 
 /// All that the processor can run, the best one last.

@@ -58,6 +58,7 @@ void Gap::set_power(double factor, double exponent) {
 
 // With the slopes changing by d_i at r_i, g(x) = |x| sum_{r_i < |x|} d_i arccos(r_i/|x|).
 void Gap::set_table(const Profile& profile) {
+  // Of a quotient of two differences of rows that lie on one line.
   constexpr double slope_rounding = 8 * epsilon;
   double before = 0;
   for (std::size_t i = 0; i + 1 < profile.rows.size(); ++i) {

@@ -10,6 +10,7 @@ namespace vcrit::simulation {
 
 namespace {
 
+// Of a term: an exponential or a cosine, its argument, a product and the sum.
 constexpr double term_rounding = 4 * epsilon;
 
 // A decay or pair whose rate times the interval is below this enters by its Taylor series.

@@ -12,6 +12,7 @@ namespace vcrit {
 
 namespace {
 
+// See docs/limits.md.
 constexpr int most_branches = 100000;
 
 class Parser {

@@ -181,6 +181,7 @@ class Sweeping::Rows {
 
   // The border itself is a question of more digits, as are shares beyond the range of doubles.
   bool is_admissible(std::size_t row, double share) {
+    // Far above the rounding errors of the share.
     constexpr double close = 1e-9;
     const double amplitude = sweeping_.amplitude_.of(grid_, block_.first + row);
     const double part = amplitude / sweeping_.indentation_.of(grid_, block_.first + row);

@@ -158,6 +158,7 @@ std::optional<Spectrum> spectrum(const Network& network) {
 
 Response response(const Network& network) {
   const AlgebraLock lock;
+  // Terms that one line of a page has.
   constexpr std::size_t readable = 12;
   const Fraction whole = stiffness_in_lowest_terms(network);
   if (whole.numerator.nops() <= readable) {

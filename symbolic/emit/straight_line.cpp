@@ -10,6 +10,7 @@ namespace vcrit::symbolic {
 
 namespace {
 
+// Characters of an expression that is read without a name.
 constexpr std::size_t longest_inline = 40;
 
 /// What is for graphs with gaps alone.

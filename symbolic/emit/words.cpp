@@ -29,6 +29,7 @@ std::string harmless(std::string_view text) {
 }  // namespace
 
 std::string comment(const std::string& text) {
+  // Of a line of generated code, with its comment sign.
   constexpr std::size_t width = 116;
   std::string rest = harmless(text), out;
   std::string indent;

@@ -25,6 +25,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::seconds compile_limit{120};
+// What a report can show of it is far less.
 constexpr std::size_t most_output = 1 << 20;
 
 constexpr const char* output_name = "output.txt";

@@ -12,6 +12,7 @@ namespace vcrit::simulation::methods {
 
 namespace {
 
+// Of a mean over the thousands of steps in a period.
 constexpr double ratio_rounding = 1e-14;
 
 Regime regime(const Period& period) {

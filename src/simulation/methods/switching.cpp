@@ -15,6 +15,7 @@ namespace {
 // Longer steps would see too little of a cosine.
 constexpr double longest_switching_step = two_pi / 8;
 
+// More in one period are chatter about an event that rounding moves to and fro.
 constexpr int most_changes = 200;
 
 const gsl_odeiv2_step_type* stepper(Method method) {

@@ -10,6 +10,7 @@ namespace vcrit::simulation::methods {
 
 namespace {
 
+// Longer steps would see too little of a cosine, and of a short stick nothing.
 constexpr double longest_tanh_step = two_pi / 16;
 
 // Slower than this many w_reg, where tanh is 0.995, is called stick.

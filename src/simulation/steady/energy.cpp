@@ -99,6 +99,7 @@ class Quadrature {
 
  private:
   using Gauss = boost::math::quadrature::gauss<double, 30>;
+  // Of the first panel, within which nothing decays; the next ones double.
   static constexpr double shortest = 1e-14;
 
   template <class Rate>

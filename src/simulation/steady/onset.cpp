@@ -52,6 +52,7 @@ struct SpeedBracket {
 // From speeds between which a cycle that is nearly closed loses its stick: away from them, ever
 // faster, until one that is closed sticks below and another one slips above.
 SpeedBracket sure_bracket(const Model& model, SpeedBracket near) {
+  // From some roundings of the speed to where no rounding reaches.
   constexpr double first = 1e-15, farthest = 1e-2;
   for (const double side : {-1.0, 1.0}) {
     double& end = side < 0 ? near.low : near.high;
@@ -66,6 +67,7 @@ SpeedBracket sure_bracket(const Model& model, SpeedBracket near) {
 
 // Closes in on the last stick as far as cycles tell.
 SpeedBracket closed_in(const Model& model, SpeedBracket bracket) {
+  // Some roundings of the speed.
   constexpr double finest = 1e-15;
   const auto narrow = [&] {
     for (const double share : {0.5, 0.25, 0.75}) {
