@@ -27,7 +27,8 @@ FAULTS = [
     ("src/stiffness/graph_relaxation.cpp", "form_.damper -= mode.squared_coupling / nu;", "-=", "+=",
      "stiffness/test_graph_relaxation"),
     ("src/stiffness/secular.cpp", "((value > 0) == rising ? high : low) = d;", ">", "<", "stiffness/test_secular"),
-    ("src/rules/kinds.hpp", "return oscillating_force() > mean_force();", ">", "<", "critical/test_admissibility"),
+    ("src/rules/kinds.cpp", "return !separating && !problem_->indenter && mean_force() > 0 &&", ">", "<",
+     "critical/test_admissibility"),
     ("src/critical/log_derivative.cpp", "return Dual{2} * (Dual{1} - value) / (Dual{2} - value)", "Dual{1}", "Dual{2}",
      "sweep/test_sweep"),
     ("src/simulation/system/system.cpp", "system.mean_normal_force = normal.equilibrium * indentation", "*", "/",
@@ -81,6 +82,7 @@ FAULTS = [
     ("validation/compare/border.cpp", "if (below.sticks && !above.sticks) return comparison;", "!above.sticks", "true",
      "validation/test_planted_faults"),
     ("src/critical/conditioning.cpp", "infinity : condition;", ": condition", ": 300 * condition", "critical/test_conditioning"),
+    ("src/rules/kinds.hpp", "return oscillating_force() > mean_force();", ">", "<", "rules/test_rulebook"),
 ]
 
 
