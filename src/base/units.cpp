@@ -193,6 +193,15 @@ TypedNumber convert(double value, const Decimal& number, std::string_view unit, 
   return {cv_convert_double(converter.get(), value), {}};
 }
 
+/// No-break and thin spaces, as texts copied from pages have them before a unit, like any other.
+std::string with_plain_spaces(std::string_view text) {
+  std::string plain(text);
+  for (const std::string_view space : {"\u00a0", "\u2009", "\u202f"})
+    for (auto at = plain.find(space); at != plain.npos; at = plain.find(space, at))
+      plain.replace(at, space.size(), " ");
+  return plain;
+}
+
 }  // namespace
 
 const char* si_unit(Dimension dimension) { return text_of(dimension).unit; }
@@ -208,7 +217,8 @@ double parse_quantity(std::string_view text, Dimension dimension, const Place& p
 }
 
 TypedNumber parse_typed(std::string_view text, Dimension dimension, const Place& place) {
-  const std::string_view whole = trimmed(text, " \t");
+  const std::string plain = with_plain_spaces(text);
+  const std::string_view whole = trimmed(plain, " \t");
   // No inf or nan; and of "2eV" it is the 2 that is the number.
   const auto end = std::min(whole.find_first_not_of("0123456789.+-eE"), whole.size());
   const LeadingNumber number = leading_number(whole.substr(0, end));

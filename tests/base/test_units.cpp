@@ -66,6 +66,9 @@ BOOST_AUTO_TEST_CASE(units_convert_to_si) {
   BOOST_TEST(near(parse_quantity("20 mm/s", Dimension::velocity, place), 0.02));
   BOOST_TEST(near(parse_quantity("3 ms", Dimension::time, place), 3e-3));
   BOOST_TEST(near(parse_quantity("2e3N/m", Dimension::stiffness, place), 2e3));
+  for (const char* space : {"\u00a0", "\u2009", "\u202f"})
+    BOOST_TEST(
+        near(parse_quantity(std::string("8") + space + "N/um", Dimension::stiffness, place), 8e6));
 }
 
 BOOST_AUTO_TEST_CASE(bare_numbers_are_si) {
