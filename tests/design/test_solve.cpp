@@ -9,6 +9,7 @@
 #include "simulation/steady/exact.hpp"
 #include "simulation/system/system.hpp"
 #include "support/refusal.hpp"
+#include "support/scene_text.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_solve)
 

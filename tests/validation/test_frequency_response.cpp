@@ -1,6 +1,7 @@
 // Stiffness and v* over frequency: resonances where the undamped drive has them, asymptotes that
 // the curve meets, and values by hand.
 #include "compare/frequency_response.hpp"
+#include "derivation/derivation.hpp"
 #include "scene/scene.hpp"
 
 #include <boost/test/unit_test.hpp>
