@@ -155,10 +155,10 @@ std::optional<TypedNumber> times(const Decimal& typed, const Decimal& factor) {
   return TypedNumber{*value, result.text()};
 }
 
-/// To udunits "5" of "0.3 5", and "-50" of "0.3-50", is a unit; of "20 1/s" it is one to people,
-/// too.
+/// To udunits "5" of "0.3 5", and "-50" of "0.3-50", is a unit. To people "1" is, of plain numbers,
+/// and "1/s".
 bool is_second_number(std::string_view unit) {
-  if (unit.find_first_of("0123456789.+-") != 0) return false;
+  if (unit == "1" || unit.find_first_of("0123456789.+-") != 0) return false;
   const std::size_t next = unit.find_first_not_of(" \t", 1);
   return !(unit.front() == '1' && next != unit.npos && unit[next] == '/');
 }
