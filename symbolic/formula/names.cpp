@@ -62,18 +62,25 @@ std::string NamesOfScene::with_entry(const std::string& name) const {
 }
 
 // The imaginary unit has a second name of its own; a derivative (x'') is called after its function.
-std::string printed_name(const std::string& name) {
-  const std::string base = printing == nullptr ? base_name(name) : printing->written(name);
+std::string NamesOfScene::printed(const std::string& name) const {
+  const std::string base = written(name);
   if (!is_own(name)) return base;
   const std::size_t entry =
       std::min(base.find_first_of("['"), base.size());  // of an array's groups
   std::string printed = base.substr(0, entry);
-  const auto taken = [](const std::string& candidate) {
-    return printing != nullptr && printing->by_setting_.contains(setting_of(candidate));
+  const auto taken = [this](const std::string& candidate) {
+    return by_setting_.contains(setting_of(candidate));
   };
   if (taken(printed)) printed = printed == "i" ? "j" : printed + "_own";
   while (taken(printed)) printed += "_own";
   return printed + base.substr(entry);
+}
+
+std::string printed_name(const std::string& name) {
+  if (printing == nullptr) return base_name(name);
+  const auto [known, is_new] = printing->printed_.try_emplace(name);
+  if (is_new) known->second = printing->printed(name);
+  return known->second;
 }
 
 bool is_set_apart(const std::string& name) {

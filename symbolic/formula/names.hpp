@@ -6,6 +6,7 @@
 
 #include <map>
 #include <string>
+#include <unordered_map>
 
 #include "problem/problem.hpp"
 
@@ -34,11 +35,13 @@ class NamesOfScene {
   friend std::string printed_name(const std::string& name);
   friend bool is_set_apart(const std::string& name);
   friend bool is_taken(const std::string& name);
+  std::string printed(const std::string& name) const;
   std::string written(const std::string& name) const;
   std::string with_entry(const std::string& name) const;
 
   std::map<std::string, std::string> by_setting_;  ///< the first name of each setting in LaTeX
   std::map<std::string, std::string> names_;       ///< that the scene gives its symbols
+  mutable std::unordered_map<std::string, std::string> printed_;  ///< as far as asked for
   const NamesOfScene* before_;
 };
 
