@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-
 #include "base/identifiers.hpp"
 #include "problem/variation.hpp"
 #include "scene/settings.hpp"
@@ -24,7 +22,7 @@ const std::string sensitivity_prefix = "sensitivity:";
 struct QuantityRow {
   Kind kind;
   std::string name;
-  const char *unit, *description, *description_parting;  ///< {}: the parameter
+  const char *unit, *description;  ///< {}: the parameter
   bool needs_motion;
   Words words = {}, words_parting = {};
   int first_flag = 0;
@@ -41,25 +39,25 @@ const std::vector<QuantityRow>& quantity_rows() {
               to_text(Regime::sliding_apart),
               to_text(Regime::stick_slip_apart),
               to_text(Regime::stick_slip_backslip_apart)};
-  static const char *const ratio =
-                               "macroscopic over microscopic coefficient of friction, simulated",
-                           *const error = "estimated absolute error of the friction ratio",
-                           *const regime = "regime of the steady motion, simulated",
-                           *const applies = "whether Eq. 24 applies: no jumping, closed contact",
-                           *const change = "relative change of v* per relative change of {}";
   static const std::vector<QuantityRow> all{
-      {Kind::critical_velocity, "critical_velocity", "m/s", "critical velocity v* (Eq. 24)",
-       "critical velocity v* (Eq. 24, or simulated where surfaces part)", false},
-      {Kind::friction_ratio, "friction_ratio", "1", ratio, ratio, true},
-      {Kind::friction_ratio_error, "friction_ratio_error", "1", error, error, true},
-      {Kind::regime, "regime", "1", regime, regime, true, touching, parting, 1},
-      {Kind::admissible, "admissible", "1", applies, applies, false, answers, answers},
-      {Kind::sensitivity, sensitivity_prefix + "NAME", "1", change, change, false}};
+      {Kind::critical_velocity, "critical_velocity", "m/s", "critical velocity v* (Eq. 24)", false},
+      {Kind::friction_ratio, "friction_ratio", "1",
+       "macroscopic over microscopic coefficient of friction, simulated", true},
+      {Kind::friction_ratio_error, "friction_ratio_error", "1",
+       "estimated absolute error of the friction ratio", true},
+      {Kind::regime, "regime", "1", "regime of the steady motion, simulated", true, touching,
+       parting, 1},
+      {Kind::admissible, "admissible", "1", "whether Eq. 24 applies: no jumping, closed contact",
+       false, answers, answers},
+      {Kind::sensitivity, sensitivity_prefix + "NAME", "1",
+       "relative change of v* per relative change of {}", false}};
   return all;
 }
 
 const QuantityRow& row_of_quantity(const SweptQuantity& quantity) {
-  return *std::ranges::find(quantity_rows(), quantity.kind, &QuantityRow::kind);
+  for (const QuantityRow& row : quantity_rows())
+    if (row.kind == quantity.kind) return row;
+  throw Bug("a quantity without a row");
 }
 
 }  // namespace
@@ -99,9 +97,9 @@ std::string column_name(const SweptQuantity& quantity) {
 std::string unit(const SweptQuantity& quantity) { return row_of_quantity(quantity).unit; }
 
 std::string description(const SweptQuantity& quantity) {
-  const QuantityRow& row = row_of_quantity(quantity);
-  return fmt::format(fmt::runtime(quantity.parting ? row.description_parting : row.description),
-                     quantity.name);
+  if (quantity.kind == Kind::critical_velocity && quantity.parting)
+    return "critical velocity v* (Eq. 24, or simulated where surfaces part)";
+  return fmt::format(fmt::runtime(row_of_quantity(quantity).description), quantity.name);
 }
 
 const std::vector<std::string>& words(const SweptQuantity& quantity) {

@@ -54,8 +54,7 @@ Findings find(const Problem& problem, const DocumentOptions& options) {
                     rules::answer(rules::Question::motion_in_time, problem).reason,
                     {},
                     {}};
-  if (options.form == ResultForm::shortest) findings.shortest = shortest_form(problem);
-  if (findings.shortest) prove(*findings.shortest, *derivation.model);
+  if (options.form == ResultForm::shortest) findings.shortest = proved_shortest_form(derivation);
   const std::size_t symbols = findings.derivation.parameters.size();
   if (options.limits) refuse_large(findings.derivation, 2 * symbols, "limits");
   if (options.sensitivities)

@@ -128,4 +128,10 @@ void prove(const ShortestForm& form, const Model& model) {
   ensure(compared == points_to_compare, "a formula is finite at nearly all points");
 }
 
+std::optional<ShortestForm> proved_shortest_form(const Derivation& derivation) {
+  std::optional<ShortestForm> form = shortest_form(derivation.problem);
+  if (form) prove(*form, *derivation.model);
+  return form;
+}
+
 }  // namespace vcrit::symbolic

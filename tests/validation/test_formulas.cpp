@@ -8,6 +8,7 @@
 #include "problem/problem.hpp"
 #include "report/scene_page.hpp"
 #include "scene/scene.hpp"
+#include "support/refusal.hpp"
 #include "support/scene_text.hpp"
 #include "validation/example_report.hpp"
 
@@ -18,7 +19,7 @@ namespace {
 using namespace vcrit;
 using namespace vcrit::validation;
 
-bool has(const std::string& text, const std::string& part) { return text.find(part) != text.npos; }
+using test::has;
 
 }  // namespace
 

@@ -22,11 +22,10 @@ Formula formula_of_form(const symbolic::Form& form) {
 }  // namespace
 
 ShownVelocity shown_velocity(const symbolic::Derivation& derivation) {
-  const auto shortest = symbolic::shortest_form(derivation.problem);
+  const auto shortest = symbolic::proved_shortest_form(derivation);
   if (!shortest)
     return {
         formula_of(derivation.critical_velocity), equations_of(derivation.definitions), {}, false};
-  symbolic::prove(*shortest, *derivation.model);
   ShownVelocity shown{formula_of_form(shortest->velocity), {}, shortest->ratio, true};
   for (const auto& [name, meaning] : shortest->definitions)
     shown.definitions.push_back({{}, formula_of_form(name), formula_of_form(meaning)});
