@@ -5,12 +5,14 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "answers/critical_onset.hpp"
 #include "commands.hpp"
 #include "critical/conditioning.hpp"
 #include "indenter/friction.hpp"
 #include "options.hpp"
+#include "record/fields.hpp"
 #include "rules/rulebook.hpp"
 #include "simulation/steady/onset.hpp"
 
@@ -26,6 +28,7 @@ struct Comparison {
   std::string missing = {};     // why there is no stick onset
   double uncertainty = 0;       // to either side of it: what rounding leaves open
   int cells = 0, answered = 0;  // below an indenter: asked for it, and those with a steady state
+  std::vector<std::string> warnings = {};
 
   double difference(double value) const {
     return formula == value ? 0 : std::abs(value - formula) / formula;
@@ -35,6 +38,21 @@ struct Comparison {
   bool agrees() const {
     return difference(simulated) <= tolerance() &&
            (!stick_onset || difference(*stick_onset) <= stick_tolerance());
+  }
+
+  friend void fields(record::Fields& f, const Comparison& it) {
+    std::optional<double> stick_difference;
+    if (it.stick_onset) stick_difference = it.difference(*it.stick_onset);
+    f("formula", it.formula)("simulated", it.simulated);
+    f("relative_difference", it.difference(it.simulated))("stick_onset", it.stick_onset);
+    f("stick_onset_difference", stick_difference);
+    f("tolerance", it.tolerance())("agree", it.agrees());
+    if (it.answered < it.cells)
+      f.group("stick_onset_cells", [&](record::Fields& cells) {
+        cells("asked", it.cells)("with_steady_state", it.answered);
+      });
+    f.when(it.uncertainty > 0, "stick_onset_tolerance", it.stick_tolerance());
+    f.when(!it.stick_onset, "stick_onset_missing", it.missing).some("warnings", it.warnings);
   }
 };
 
@@ -67,9 +85,7 @@ Comparison below_indenter(const Problem& problem) {
   return result;
 }
 
-Comparison compared(const Problem& problem) {
-  rules::require(rules::Question::comparison, problem);
-  if (problem->indenter) return below_indenter(problem);
+Comparison of_one_contact(const Problem& problem) {
   const simulation::System system = simulation::system_of(problem);
   const auto [formula, bound, reason] = certified_onset(problem);
   if (std::isinf(formula)) throw ModelError(reason + ": nothing to compare");
@@ -85,25 +101,11 @@ Comparison compared(const Problem& problem) {
   return result;
 }
 
-void print_critical_json(const Comparison& c, const std::vector<std::string>& warnings) {
-  const auto optional = [](const std::optional<double>& value) {
-    return value ? json_number(*value) : nlohmann::ordered_json();
-  };
-  nlohmann::ordered_json object{{"formula", json_number(c.formula)},
-                                {"simulated", json_number(c.simulated)},
-                                {"relative_difference", json_number(c.difference(c.simulated))},
-                                {"stick_onset", optional(c.stick_onset)},
-                                {"stick_onset_difference", nullptr},
-                                {"tolerance", c.tolerance()},
-                                {"agree", c.agrees()}};
-  if (c.answered < c.cells)
-    object["stick_onset_cells"] = {{"asked", c.cells}, {"with_steady_state", c.answered}};
-  if (c.uncertainty > 0) object["stick_onset_tolerance"] = json_number(c.stick_tolerance());
-  if (c.stick_onset)
-    object["stick_onset_difference"] = json_number(c.difference(*c.stick_onset));
-  else
-    object["stick_onset_missing"] = c.missing;
-  print(with_warnings(object, warnings));
+Comparison compared(const Problem& problem) {
+  rules::require(rules::Question::comparison, problem);
+  Comparison result = problem->indenter ? below_indenter(problem) : of_one_contact(problem);
+  result.warnings = problem->source->warnings;
+  return result;
 }
 
 void print_critical_text(const Comparison& c) {
@@ -137,11 +139,10 @@ void add_critical(CLI::App& program, int& status) {
   options->scene.add_to(*command);
   command->add_flag("--json", options->json, "print one JSON object");
   command->callback([options, &status] {
-    const Problem problem = options->scene.read();
-    const Comparison comparison = compared(problem);
+    const Comparison comparison = compared(options->scene.read());
     if (!comparison.agrees()) status = 1;
     if (options->json)
-      print_critical_json(comparison, problem->source->warnings);
+      print(record::json_of(comparison));
     else
       print_critical_text(comparison);
   });

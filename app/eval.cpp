@@ -5,22 +5,49 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "answers/critical_onset.hpp"
 #include "commands.hpp"
 #include "critical/admissibility.hpp"
 #include "options.hpp"
+#include "record/fields.hpp"
 #include "rules/kinds.hpp"
 
 namespace vcrit::app {
 
 namespace {
 
-struct Result {
+struct Evaluation {
   CriticalOnset critical;
   std::vector<std::string> reasons;  // why not admissible
+  std::optional<bool> opens;         // told where the scene has separation = true
+  std::vector<std::string> warnings;
   bool simulated() const { return critical.by == CriticalOnset::By::simulation; }
+
+  friend void fields(record::Fields& f, const Evaluation& it) {
+    const CriticalOnset& critical = it.critical;
+    const auto known = [](double value) {
+      return std::isnan(value) ? std::nullopt : std::optional(value);
+    };
+    std::vector<std::string> reasons = it.reasons;
+    if (!critical.reason.empty()) reasons.push_back(critical.reason);
+    f("critical_velocity", critical.contact_velocity);
+    f("relative_error_bound", known(critical.relative_error_bound));
+    f("admissible", it.reasons.empty())("reasons", reasons);
+    f("drive_velocity", critical.drive_velocity);
+    if (const std::vector<int>& free = critical.free_harmonics; !free.empty()) {
+      f("sliding_from", known(critical.sliding_from))("free_harmonic", free.front());
+      f.when(free.size() > 1, "free_harmonics", free);
+    }
+    if (it.opens) {
+      f("opens", *it.opens)("critical_velocity_by", it.simulated() ? "simulation" : "formula");
+      f.when(it.simulated(), "relative_error_estimate", critical.relative_error);
+    }
+    f.some("warnings", it.warnings);
+  }
 };
 
 // All digits, of a simulated v* those that its error leaves.
@@ -42,33 +69,14 @@ std::string border_words(double sliding_from) {
   return fmt::format("from {} m/s on", sliding_from);
 }
 
-// What the surfaces do is told where the scene lets them part.
-void print_eval_json(const Problem& problem, const Result& result) {
-  std::vector<std::string> reasons = result.reasons;
-  if (!result.critical.reason.empty()) reasons.push_back(result.critical.reason);
-  nlohmann::ordered_json object{
-      {"critical_velocity", json_number(result.critical.contact_velocity)},
-      {"relative_error_bound",
-       result.simulated() ? nullptr : json_number(result.critical.relative_error_bound)},
-      {"admissible", result.reasons.empty()},
-      {"reasons", reasons},
-      {"drive_velocity", json_number(result.critical.drive_velocity)}};
-  const std::vector<int>& free = result.critical.free_harmonics;
-  if (!free.empty()) {
-    object["sliding_from"] = json_number(result.critical.sliding_from);
-    object["free_harmonic"] = free.front();
-    if (free.size() > 1) object["free_harmonics"] = free;
-  }
-  if (problem->separation) {
-    object["opens"] = opens(problem);
-    object["critical_velocity_by"] = result.simulated() ? "simulation" : "formula";
-    if (result.simulated())
-      object["relative_error_estimate"] = json_number(result.critical.relative_error);
-  }
-  print(with_warnings(object, problem->source->warnings));
+Evaluation evaluated(const Problem& problem) {
+  Evaluation result{
+      critical_onset(problem), inadmissible_reasons(problem), {}, problem->source->warnings};
+  if (problem->separation) result.opens = opens(problem);
+  return result;
 }
 
-void print_eval_text(const Problem& problem, const Result& result) {
+void print_eval_text(const Problem& problem, const Evaluation& result) {
   if (!problem->source->title.empty()) fmt::print("{}\n", problem->source->title);
   const double critical = result.critical.contact_velocity;
   fmt::print("critical velocity v*  {} m/s{}\n", true_digits(result.critical),
@@ -85,7 +93,7 @@ void print_eval_text(const Problem& problem, const Result& result) {
     fmt::print("steady sliding        {}: the undamped body swings freely at {} {}\n",
                border_words(result.critical.sliding_from),
                free.size() > 1 ? "harmonics" : "harmonic", fmt::join(free, ", "));
-  if (problem->separation) fmt::print("surfaces              {}\n", surface_words(problem));
+  if (result.opens) fmt::print("surfaces              {}\n", surface_words(problem));
   fmt::print("admissible            {}\n", result.reasons.empty() ? "yes" : "no");
   for (const std::string& reason : result.reasons) fmt::print("                      {}\n", reason);
 }
@@ -103,9 +111,9 @@ void add_eval(CLI::App& program) {
   command->add_flag("--json", options->json, "print one JSON object");
   command->callback([options] {
     const Problem problem = options->scene.read();
-    const Result result{critical_onset(problem), inadmissible_reasons(problem)};
+    const Evaluation result = evaluated(problem);
     if (options->json)
-      print_eval_json(problem, result);
+      print(record::json_of(result));
     else
       print_eval_text(problem, result);
   });

@@ -16,6 +16,7 @@
 #include "fit/scene_text.hpp"
 #include "options.hpp"
 #include "problem/problem.hpp"
+#include "record/fields.hpp"
 #include "report/figure_files.hpp"
 #include "report/fit_figures.hpp"
 #include "report/fit_page.hpp"
@@ -28,6 +29,7 @@ using fit::Data;
 using fit::Fit;
 using fit::KnownStiffness;
 using fit::Uncertain;
+using validation::report::FitContents;
 
 struct FitOptions {
   std::string data, out, figures;
@@ -35,55 +37,6 @@ struct FitOptions {
   fit::Rest rest;
   bool json = false;
 };
-
-nlohmann::ordered_json branches(const Fit& fit) {
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const auto& [k, tau] : fit.branches)
-    list.push_back({{"stiffness", k.value},
-                    {"stiffness_error", json_number(k.error)},
-                    {"time", tau.value},
-                    {"time_error", json_number(tau.error)}});
-  return list;
-}
-
-nlohmann::ordered_json intervals(const std::vector<KnownStiffness>& known) {
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const KnownStiffness& at : known)
-    list.push_back({{"frequency", at.omega / two_pi},
-                    {"storage", at.storage},
-                    {"storage_low", at.storage_interval.low},
-                    {"storage_high", at.storage_interval.high},
-                    {"loss", at.loss},
-                    {"loss_low", at.loss_interval.low},
-                    {"loss_high", at.loss_interval.high}});
-  return list;
-}
-
-void print_fit_json(const Data& data, const Fit& fit, const std::vector<KnownStiffness>& known,
-                    const std::string& scene, const std::string& page) {
-  nlohmann::ordered_json object{{"scene", scene}, {"page", page}, {"rows", data.rows.size()}};
-  if (fit.equilibrium) {
-    object["equilibrium"] = fit.equilibrium->value;
-    object["equilibrium_error"] = json_number(fit.equilibrium->error);
-  }
-  if (fit.damper) {
-    object["damper"] = fit.damper->value;
-    object["damper_error"] = json_number(fit.damper->error);
-  }
-  object["branches"] = branches(fit);
-  object["order_in_doubt"] = fit.order_in_doubt;
-  object["stiffness"] = intervals(known);
-  object["rms_relative_misfit"] = fit.rms_relative;
-  object["degrees_of_freedom"] = fit.degrees_of_freedom;
-  if (fit.noise) object["noise"] = *fit.noise;
-  if (fit.chance) {
-    object["chi_squared"] = fit.sum_of_squares;
-    object["chance"] = *fit.chance;
-  }
-  object["exhausted"] = fit.exhausted;
-  object["words"] = validation::report::fit_in_words(data, fit);
-  print(object);
-}
 
 void print_line(const char* name, const Uncertain& a, const char* unit) {
   fmt::print("{:<4} {:<12.6g} +- {:<8.2g} {}", name, a.value, a.error, unit);
@@ -99,20 +52,18 @@ void print_intervals(const std::vector<KnownStiffness>& known) {
                fmt::format("{:.4g} to {:.4g}", at.loss_interval.low, at.loss_interval.high));
 }
 
-void print_fit_text(const Data& data, const Fit& fit, const std::vector<KnownStiffness>& known,
-                    const std::string& scene, const std::string& page) {
-  for (const std::string& words : validation::report::fit_in_words(data, fit))
+void print_fit_text(const FitContents& result) {
+  const Fit& fit = result.fit;
+  for (const std::string& words : validation::report::fit_in_words(result.data, fit))
     fmt::print("{}\n", words);
-  if (fit.equilibrium) {
-    print_line("k0", *fit.equilibrium, "N/m\n");
-  }
+  if (fit.equilibrium) print_line("k0", *fit.equilibrium, "N/m\n");
   if (fit.damper) print_line("c0", *fit.damper, "N s/m\n");
   for (const auto& [k, tau] : fit.branches) {
     print_line("k", k, "N/m   ");
     print_line("tau", tau, "s\n");
   }
-  print_intervals(known);
-  fmt::print("{}\n{}\n", scene, page);
+  print_intervals(result.known);
+  fmt::print("{}\n{}\n", result.scene, result.page);
 }
 
 std::vector<NewFile> figure_files(const Data& data, const Fit& fit, const std::string& directory) {
@@ -141,20 +92,22 @@ void run_fit(const FitOptions& options) {
   if (!options.figures.empty()) validation::report::require_gnuplot();
   const Data data = fit::read_data(options.data);
   const Fit fit = fit::fitted(data, options.fit);
-  const std::vector<KnownStiffness> known =
-      known_stiffness(data, fit, frequencies_of_interest(data, options.rest.frequency));
-  const std::string text = scene_text(fit, data, options.rest);
-  parse_problem(text, options.out);
-  const std::string page = std::filesystem::path(out).replace_extension(".html").string();
-  std::vector<NewFile> files{{out, text},
-                             {page, validation::report::fit_page(data, fit, known, text)}};
+  const FitContents contents{
+      data,
+      fit,
+      known_stiffness(data, fit, frequencies_of_interest(data, options.rest.frequency)),
+      options.out,
+      std::filesystem::path(out).replace_extension(".html").string(),
+      scene_text(fit, data, options.rest)};
+  parse_problem(contents.scene_text, options.out);
+  std::vector<NewFile> files{{out, contents.scene_text}, {contents.page, fit_page(contents)}};
   if (!options.figures.empty())
     for (NewFile& file : figure_files(data, fit, options.figures)) files.push_back(std::move(file));
   write_files(files);
   if (options.json)
-    print_fit_json(data, fit, known, options.out, page);
+    print(record::json_of(contents));
   else
-    print_fit_text(data, fit, known, options.out, page);
+    print_fit_text(contents);
 }
 
 }  // namespace

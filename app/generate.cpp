@@ -9,6 +9,7 @@
 #include "commands.hpp"
 #include "emit/generate.hpp"
 #include "options.hpp"
+#include "record/fields.hpp"
 
 namespace vcrit::app {
 
@@ -21,23 +22,28 @@ struct GenerateArguments {
   bool json = false;
 };
 
-using Paths = std::vector<std::string>;
+struct Written {
+  std::string language;
+  std::vector<std::filesystem::path> main, files;  // as the user named the folder: DIR/NAME.hpp
+  std::vector<std::string> warnings;
+
+  friend void fields(record::Fields& f, const Written& it) {
+    f("language", it.language)("main", it.main)("files", it.files).some("warnings", it.warnings);
+  }
+};
 
 void generate(const GenerateArguments& options) {
   const Problem problem = options.scene.read();
   const std::vector<symbolic::CodeFile> files =
       symbolic::code_files(symbolic::derive(problem), options.name, options.generated);
-  // As the user named the folder: DIR/NAME.hpp.
-  Paths written, main;
-  for (const std::filesystem::path& path : symbolic::write_code(files, options.directory)) {
-    if (files[written.size()].is_main) main.push_back(path.string());
-    written.push_back(path.string());
-  }
-  if (options.json)
-    return print(with_warnings(
-        {{"language", options.generated.language}, {"main", main}, {"files", written}},
-        problem->source->warnings));
-  for (const std::string& file : main) fmt::print("{}\n", file);
+  Written written{options.generated.language,
+                  {},
+                  symbolic::write_code(files, options.directory),
+                  problem->source->warnings};
+  for (std::size_t i = 0; i < files.size(); ++i)
+    if (files[i].is_main) written.main.push_back(written.files[i]);
+  if (options.json) return print(record::json_of(written));
+  for (const std::filesystem::path& file : written.main) fmt::print("{}\n", file.string());
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 
 #include <fmt/core.h>
 
-#include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "streams.hpp"
 
@@ -39,17 +39,6 @@ Problem SceneOptions::read(const std::function<Frequency(const Problem&)>& frequ
     if (const auto own = beyond_fitted_range(problem, *omega, *omega)) std::erase(warnings, *own);
   for (const std::string& warning : warnings) warn(warning);
   return warning_of(problem, std::move(warnings));
-}
-
-nlohmann::ordered_json with_warnings(nlohmann::ordered_json object,
-                                     const std::vector<std::string>& warnings) {
-  if (!warnings.empty()) object["warnings"] = warnings;
-  return object;
-}
-
-nlohmann::ordered_json json_number(double value) {
-  if (std::isinf(value)) return value > 0 ? "inf" : "-inf";
-  return value;
 }
 
 void print(const nlohmann::ordered_json& object) {

@@ -1,9 +1,9 @@
-// What several commands share: reading the scene, warnings, numbers in JSON.
+// What several commands share: reading the scene, choices, printing an object.
 #pragma once
 
 #include <CLI/CLI.hpp>
 #include <functional>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <utility>
 #include <vector>
@@ -45,14 +45,7 @@ void add_choice(CLI::App& command, const std::string& option, T& target, const C
       ->default_str(names.front());
 }
 
-/// A number that reads back to the same double; "inf" for an infinite one.
-nlohmann::ordered_json json_number(double value);
-
-/// With "warnings" where there are some.
-nlohmann::ordered_json with_warnings(nlohmann::ordered_json object,
-                                     const std::vector<std::string>& warnings);
-
-/// Prints one object on stdout.
+/// Prints one object on stdout: what record::json_of makes of a command's result.
 void print(const nlohmann::ordered_json& object);
 
 }  // namespace vcrit::app

@@ -6,36 +6,50 @@
 #include <csignal>
 #include <exception>
 #include <new>
-#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
 #include <string_view>
 #include <system_error>
+#include <vector>
 
 #include "base/errors.hpp"
+#include "record/fields.hpp"
 #include "streams.hpp"
 #include "usage.hpp"
+
+namespace vcrit::record {
+
+void fields(Fields& f, const Place& it) {
+  f("file", it.file).when(it.line > 0, "line", it.line);
+  f.when(it.line > 0 && it.column > 0, "column", it.column);
+}
+
+}  // namespace vcrit::record
 
 namespace vcrit::app {
 
 namespace {
 
-using nlohmann::ordered_json;
-
 enum Status { done = 0, input_wrong = 2, outside_the_model = 3, bug = 70 };
 
-/// What went wrong, in parts where they are known.
+/// What went wrong, in parts where they are known: null where they are not.
 struct Failure {
   Status status;
   std::string message;
-  const InputError* input = nullptr;
+  std::optional<InputError> input = {};
   std::string advice = {};
-};
+  std::vector<std::string> warnings = {};
 
-ordered_json place_of(const Place& place) {
-  ordered_json parts{{"file", place.file}};
-  if (place.line > 0) parts["line"] = place.line;
-  if (place.line > 0 && place.column > 0) parts["column"] = place.column;
-  return parts;
-}
+  friend void fields(record::Fields& f, const Failure& it) {
+    f("status", int{it.status})("message", it.message);
+    if (it.input)
+      f("place", it.input->place())("found", it.input->found())("expected", it.input->expected());
+    else
+      f("place", nullptr)("found", nullptr)("expected", nullptr);
+    f("advice", it.advice.empty() ? std::nullopt : std::optional(it.advice));
+    f.some("warnings", it.warnings);
+  }
+};
 
 /// The option of an argument that a library names: "--friction-ratio", "--set k_1", "--from, --to".
 std::string option_of(const std::string& argument) {
@@ -56,28 +70,14 @@ InputError of_options(const InputError& error) {
   return {place, error.found(), error.expected(), error.advice()};
 }
 
-/// One object on one line, with null for what is not known.
-std::string in_json(const Failure& failure) {
-  const auto known = [](const std::string& text) {
-    return text.empty() ? ordered_json() : ordered_json(text);
-  };
-  ordered_json object{{"status", failure.status}, {"message", failure.message},
-                      {"place", nullptr},         {"found", nullptr},
-                      {"expected", nullptr},      {"advice", known(failure.advice)}};
-  if (failure.input != nullptr) {
-    object["place"] = place_of(failure.input->place());
-    object["found"] = failure.input->found();
-    object["expected"] = failure.input->expected();
-  }
-  if (const auto warnings = kept_warnings(); !warnings.empty()) object["warnings"] = warnings;
-  return object.dump(-1, ' ', true, ordered_json::error_handler_t::replace);
-}
-
-int complain(const Failure& failure, bool json) {
-  if (json)
-    tell_line(in_json(failure));
-  else
+/// With json: one object on one line.
+int complain(Failure failure, bool json) {
+  if (!json) {
     tell_line(fmt::format("vcrit: {}", failure.message));
+    return failure.status;
+  }
+  failure.warnings = kept_warnings();
+  tell_line(record::json_of(failure).dump(-1, ' ', true, record::Json::error_handler_t::replace));
   return failure.status;
 }
 
@@ -98,7 +98,7 @@ int run_command(int argc, char** argv, const AddCommands& add, bool json) {
   } catch (const CLI::ParseError& error) {
     if (json && error.get_exit_code() != 0) {
       const InputError parts = in_parts(error);
-      return complain({input_wrong, error.what(), &parts, parts.advice()}, json);
+      return complain({input_wrong, error.what(), parts, parts.advice()}, json);
     }
     status = program.exit(error) == 0 ? done : input_wrong;
   }
@@ -119,14 +119,14 @@ int run_program(int argc, char** argv, const AddCommands& add) {
     return status;
   } catch (const InputError& error) {
     const InputError words = of_options(error);
-    return complain({input_wrong, words.what(), &words, words.advice()}, json);
+    return complain({input_wrong, words.what(), words, words.advice()}, json);
   } catch (const Refused& error) {
     return complain({input_wrong, error.what()}, json);
   } catch (const ModelError& error) {
-    return complain({outside_the_model, error.what(), nullptr, error.advice()}, json);
+    return complain({outside_the_model, error.what(), {}, error.advice()}, json);
   } catch (const std::system_error& error) {
     const InputError words = in_words(error);
-    return complain({input_wrong, words.what(), &words, words.advice()}, json);
+    return complain({input_wrong, words.what(), words, words.advice()}, json);
   } catch (const std::bad_alloc&) {
     return complain({input_wrong, "the memory that it may use does not suffice"}, json);
   } catch (const std::exception& error) {

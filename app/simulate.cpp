@@ -12,11 +12,26 @@
 #include "commands.hpp"
 #include "method_choice.hpp"
 #include "options.hpp"
+#include "record/fields.hpp"
+#include "report/records.hpp"
 #include "rules/rulebook.hpp"
 #include "simulate_indenter.hpp"
 #include "simulation/steady/energy.hpp"
 #include "simulation/steady/exact.hpp"
 #include "simulation/steady/normal_force.hpp"
+
+namespace vcrit::record {
+
+void fields(Fields& f, const simulation::EnergyBalance& it) {
+  f("drive", it.drive)("friction", it.friction)("dampers", it.dampers)("error", it.error);
+}
+
+void fields(Fields& f, const simulation::OtherStart& it) {
+  f("friction_ratio", it.friction_ratio)("friction_ratio_error", it.friction_ratio_error);
+  f("regime", it.regime);
+}
+
+}  // namespace vcrit::record
 
 namespace vcrit::app {
 
@@ -52,72 +67,45 @@ Speed speed_of(const SimulateOptions& options, const Problem& problem) {
   return {velocity, velocity / critical};
 }
 
-// Where the surfaces part.
-struct Parting {
+// Where the contact opens.
+struct Separated {
   double mean_normal_force;  // N
   simulation::OtherStart other_start;
+
+  friend void fields(record::Fields& f, const Separated& it) {
+    f("mean_normal_force", it.mean_normal_force)("other_start", it.other_start);
+    f("starts_agree", it.other_start.agrees);
+  }
 };
 
-// Parting and energy are known for the exact method alone.
+// Separation and energy are known for the exact method alone.
 struct SimulationAnswer {
+  Speed speed;
   SteadyState steady;
-  std::optional<EnergyBalance> energy;
-  std::optional<Parting> parting;
+  std::string method;
+  std::vector<std::string> warnings;
+  std::optional<EnergyBalance> energy = {};
+  std::optional<Separated> separation = {};
+  std::optional<IndenterAnswer> indenter = {};
+
+  friend void fields(record::Fields& f, const SimulationAnswer& it) {
+    const SteadyState& steady = it.steady;
+    f("velocity", it.speed.velocity)("velocity_ratio", it.speed.ratio);
+    f("friction_ratio", steady.friction_ratio)("friction_ratio_error", steady.friction_ratio_error);
+    f("regime", steady.regime)("method", it.method)("periods", steady.periods);
+    f("events", steady.events).some("energy", it.energy).some("separation", it.separation);
+    f.some("indenter", it.indenter).some("warnings", it.warnings);
+  }
 };
-
-SimulationAnswer answer_of(const SimulateOptions& options, const simulation::System& system,
-                           double velocity) {
-  SimulationAnswer answer{options.method.steady_state(system, velocity), {}, {}};
-  if (!options.method.is_exact()) return answer;
-  answer.energy = simulation::energy_balance(system, velocity);
-  if (const auto& other = answer.steady.other_start)
-    answer.parting = {simulation::mean_normal_force(system), *other};
-  return answer;
-}
-
-nlohmann::ordered_json parting_json(const SimulationAnswer& answer) {
-  const simulation::OtherStart& other = answer.parting->other_start;
-  return {{"mean_normal_force", answer.parting->mean_normal_force},
-          {"other_start",
-           {{"friction_ratio", other.friction_ratio},
-            {"friction_ratio_error", json_number(other.friction_ratio_error)},
-            {"regime", to_text(other.regime)}}},
-          {"starts_agree", other.agrees}};
-}
-
-nlohmann::ordered_json answer_json(const Speed& speed, const SimulationAnswer& answer,
-                                   const std::string& method) {
-  const SteadyState& steady = answer.steady;
-  nlohmann::ordered_json events = nlohmann::ordered_json::array();
-  for (const simulation::Event& event : steady.events)
-    events.push_back({{"phase", event.phase}, {"to", to_text(event.to)}});
-  nlohmann::ordered_json periods = nullptr;
-  if (steady.periods) periods = *steady.periods;
-  nlohmann::ordered_json object{{"velocity", speed.velocity},
-                                {"velocity_ratio", json_number(speed.ratio)},
-                                {"friction_ratio", steady.friction_ratio},
-                                {"friction_ratio_error", json_number(steady.friction_ratio_error)},
-                                {"regime", to_text(steady.regime)},
-                                {"method", method},
-                                {"periods", periods},
-                                {"events", events}};
-  if (answer.energy)
-    object["energy"] = {{"drive", answer.energy->drive},
-                        {"friction", answer.energy->friction},
-                        {"dampers", answer.energy->dampers},
-                        {"error", json_number(answer.energy->error)}};
-  if (answer.parting) object["separation"] = parting_json(answer);
-  return object;
-}
 
 void print_velocity(const Speed& speed) {
   fmt::print("velocity        {} m/s ({:.6g} v*)\n", speed.velocity, speed.ratio);
 }
 
 // omega: rad/s
-void print_simulate_text(const Speed& speed, const SimulationAnswer& answer, double omega) {
+void print_simulate_text(const SimulationAnswer& answer, double omega) {
   const SteadyState& steady = answer.steady;
-  print_velocity(speed);
+  print_velocity(answer.speed);
   fmt::print("friction ratio  {} (error about {:.1g})\n", steady.friction_ratio,
              steady.friction_ratio_error);
   fmt::print("regime          {}\n", to_text(steady.regime));
@@ -128,44 +116,57 @@ void print_simulate_text(const Speed& speed, const SimulationAnswer& answer, dou
   fmt::print("power of drive  {:.6g} W: friction {:.6g} W, dampers {:.6g} W\n",
              answer.energy->drive * frequency, answer.energy->friction * frequency,
              answer.energy->dampers * frequency);
-  if (!answer.parting) return;
+  if (!answer.separation) return;
   fmt::print("normal force    {:.6g} N on average, while the surfaces part in each period\n",
-             answer.parting->mean_normal_force);
-  if (answer.parting->other_start.agrees)
+             answer.separation->mean_normal_force);
+  const simulation::OtherStart& other = answer.separation->other_start;
+  if (other.agrees)
     fmt::print("starts          agree, in sliding and at rest\n");
   else
-    fmt::print("starts          DISAGREE: the other one ends in {}, {}\n",
-               answer.parting->other_start.friction_ratio,
-               to_text(answer.parting->other_start.regime));
+    fmt::print("starts          DISAGREE: the other one ends in {}, {}\n", other.friction_ratio,
+               to_text(other.regime));
+}
+
+SimulationAnswer answer_of(const SimulateOptions& options, const Problem& problem,
+                           const simulation::System& system) {
+  const Speed speed = speed_of(options, problem);
+  SimulationAnswer answer{speed, options.method.steady_state(system, speed.velocity),
+                          options.method.name(), problem->source->warnings};
+  if (!options.method.is_exact()) return answer;
+  answer.energy = simulation::energy_balance(system, speed.velocity);
+  if (const auto& other = answer.steady.other_start)
+    answer.separation = {simulation::mean_normal_force(system), *other};
+  return answer;
 }
 
 // Of the whole; what the cells do is told beside it.
-void simulate_below_indenter(const SimulateOptions& options, const Problem& problem) {
+SimulationAnswer answer_below_indenter(const SimulateOptions& options, const Problem& problem) {
   if (!options.method.is_exact())
     rules::require(rules::Question::other_methods, problem, options.method.name() + " ");
   const Speed speed = speed_of(options, problem);
-  const IndenterAnswer answer = simulate_indenter(problem, speed.velocity);
-  const SimulationAnswer whole{indenter::steady_state_of(answer.friction), {}, {}};
-  if (options.json) {
-    nlohmann::ordered_json object = answer_json(speed, whole, options.method.name());
-    object["indenter"] = to_json(answer);
-    return print(with_warnings(object, problem->source->warnings));
-  }
-  print_velocity(speed);
-  print_indenter(answer);
+  const IndenterAnswer cells = simulate_indenter(problem, speed.velocity);
+  SimulationAnswer answer{speed, indenter::steady_state_of(cells.friction), options.method.name(),
+                          problem->source->warnings};
+  answer.indenter = cells;
+  return answer;
+}
+
+void simulate_below_indenter(const SimulateOptions& options, const Problem& problem) {
+  const SimulationAnswer answer = answer_below_indenter(options, problem);
+  if (options.json) return print(record::json_of(answer));
+  print_velocity(answer.speed);
+  print_indenter(*answer.indenter);
 }
 
 void simulate(const SimulateOptions& options) {
   const Problem problem = options.scene.read();
   if (problem->indenter) return simulate_below_indenter(options, problem);
   const simulation::System system = simulation::system_of(problem);
-  const Speed speed = speed_of(options, problem);
-  const SimulationAnswer answer = answer_of(options, system, speed.velocity);
+  const SimulationAnswer answer = answer_of(options, problem, system);
   if (options.json)
-    print(with_warnings(answer_json(speed, answer, options.method.name()),
-                        problem->source->warnings));
+    print(record::json_of(answer));
   else
-    print_simulate_text(speed, answer, system.omega);
+    print_simulate_text(answer, system.omega);
 }
 
 }  // namespace

@@ -2,7 +2,23 @@
 
 #include <fmt/core.h>
 
-#include "options.hpp"
+namespace vcrit::record {
+
+void fields(Fields& f, const indenter::Cell& it) {
+  f("x", it.x)("mean_normal_force", it.mean_normal_force);
+  f("friction_ratio", it.state.friction_ratio)("regime", it.state.regime);
+}
+
+void fields(Fields& f, const app::IndenterAnswer& answer) {
+  const indenter::Friction& friction = answer.friction;
+  f("mean_normal_force", friction.normal_force);
+  f("mean_normal_force_error", friction.normal_force_error);
+  f("contact_radius", answer.radius)("largest_contact_radius", answer.edge);
+  f("cells_evaluated", friction.cells)("start_disagreement", friction.disagreement);
+  f("cells", answer.cells);
+}
+
+}  // namespace vcrit::record
 
 namespace vcrit::app {
 
@@ -21,22 +37,6 @@ IndenterAnswer simulate_indenter(const Problem& problem, double velocity) {
   return {indenter::friction(half_space, velocity),
           indenter::cells(half_space, velocity, half_space.uniform() ? 1 : shown_cells, 0),
           half_space.radius(), half_space.edge()};
-}
-
-nlohmann::ordered_json to_json(const IndenterAnswer& answer) {
-  nlohmann::ordered_json cells = nlohmann::ordered_json::array();
-  for (const indenter::Cell& cell : answer.cells)
-    cells.push_back({{"x", cell.x},
-                     {"mean_normal_force", cell.mean_normal_force},
-                     {"friction_ratio", cell.state.friction_ratio},
-                     {"regime", to_text(cell.state.regime)}});
-  return {{"mean_normal_force", answer.friction.normal_force},
-          {"mean_normal_force_error", json_number(answer.friction.normal_force_error)},
-          {"contact_radius", answer.radius},
-          {"largest_contact_radius", answer.edge},
-          {"cells_evaluated", answer.friction.cells},
-          {"start_disagreement", answer.friction.disagreement},
-          {"cells", cells}};
 }
 
 // As many digits as the default tolerance leaves.

@@ -1,9 +1,10 @@
 // Friction below an indenter at one speed, as `vcrit simulate` prints it.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <vector>
 
 #include "indenter/friction.hpp"
+#include "record/fields.hpp"
 
 namespace vcrit::app {
 
@@ -17,7 +18,12 @@ struct IndenterAnswer {
 /// velocity in m/s. Throws InputError, ModelError.
 IndenterAnswer simulate_indenter(const Problem& problem, double velocity);
 
-nlohmann::ordered_json to_json(const IndenterAnswer& answer);
 void print_indenter(const IndenterAnswer& answer);
 
 }  // namespace vcrit::app
+
+namespace vcrit::record {
+
+void fields(Fields& f, const app::IndenterAnswer& answer);
+
+}  // namespace vcrit::record

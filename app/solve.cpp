@@ -12,6 +12,7 @@
 #include "commands.hpp"
 #include "options.hpp"
 #include "problem/variants.hpp"
+#include "record/fields.hpp"
 #include "streams.hpp"
 
 namespace vcrit::app {
@@ -99,30 +100,28 @@ Question question_of(const SolveOptions& options) {
   return question;
 }
 
-void print_solve_json(const Question& question, const Answer& answer) {
-  nlohmann::ordered_json limits{{"amplitude", json_number(answer.largest_amplitude)},
-                                {"frequency", nullptr}};
-  if (answer.largest_frequency) limits["frequency"] = json_number(*answer.largest_frequency);
-  print(with_warnings({{"for", to_text(question.sought)},
-                       {"value", json_number(answer.value)},
-                       {"unit", unit_of(question.sought)},
-                       {"value_error", json_number(answer.value_error)},
-                       {"at_start", answer.at_start},
-                       {"wanted_friction_ratio", question.friction_ratio},
-                       {"friction_ratio", answer.state.friction_ratio},
-                       {"friction_ratio_error", json_number(answer.state.friction_ratio_error)},
-                       {"regime", to_text(answer.state.regime)},
-                       {"velocity", answer.velocity},
-                       {"critical_velocity", json_number(answer.critical_velocity)},
-                       {"limits", limits},
-                       {"searched",
-                        {{"from", answer.from},
-                         {"to", answer.to},
-                         {"samples", question.samples},
-                         {"evaluations", answer.evaluations},
-                         {"unanswered", answer.unanswered}}}},
-                      question.problem->source->warnings));
-}
+struct Solution {
+  const Question& question;
+  const Answer& answer;
+
+  friend void fields(record::Fields& f, const Solution& it) {
+    const auto& [question, answer] = it;
+    f("for", question.sought)("value", answer.value)("unit", unit_of(question.sought));
+    f("value_error", answer.value_error)("at_start", answer.at_start);
+    f("wanted_friction_ratio", question.friction_ratio);
+    f("friction_ratio", answer.state.friction_ratio);
+    f("friction_ratio_error", answer.state.friction_ratio_error)("regime", answer.state.regime);
+    f("velocity", answer.velocity)("critical_velocity", answer.critical_velocity);
+    f.group("limits", [&](record::Fields& limits) {
+      limits("amplitude", it.answer.largest_amplitude)("frequency", it.answer.largest_frequency);
+    });
+    f.group("searched", [&](record::Fields& searched) {
+      searched("from", it.answer.from)("to", it.answer.to)("samples", it.question.samples);
+      searched("evaluations", it.answer.evaluations)("unanswered", it.answer.unanswered);
+    });
+    f.some("warnings", question.problem->source->warnings);
+  }
+};
 
 void print_solve_text(const Question& question, const Answer& answer) {
   const char* const unit = unit_of(question.sought);
@@ -159,7 +158,7 @@ void run_solve(const SolveOptions& options) {
       question.problem = warning_of(question.problem, std::move(warnings));
     }
   if (options.json)
-    print_solve_json(question, answer);
+    print(record::json_of(Solution{question, answer}));
   else
     print_solve_text(question, answer);
 }

@@ -7,11 +7,14 @@
 #include <chrono>
 #include <filesystem>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "base/constants.hpp"
 #include "base/units.hpp"
 #include "problem/variants.hpp"
 #include "program.hpp"
+#include "record/fields.hpp"
 #include "streams.hpp"
 #include "sweep/sweep.hpp"
 #include "sweep_options.hpp"
@@ -102,17 +105,23 @@ class ProgressLine {
   Clock::time_point start_ = Clock::now(), shown_ = start_;
 };
 
+struct Swept {
+  std::string file;
+  maps::Streamed rows;
+  std::vector<std::string> warnings;
+
+  friend void fields(record::Fields& f, const Swept& it) {
+    f("file", it.file)("rows", it.rows.rows)("rows_found", it.rows.found);
+    f("rows_outside", it.rows.outside)("reason", it.rows.reason).some("warnings", it.warnings);
+  }
+};
+
 void report(const SweepOptions& options, const Sweep& sweep, const maps::Streamed& streamed) {
   if (streamed.outside > 0)
     warn(fmt::format("{} of {} rows are outside the model (nan); the first: {}", streamed.outside,
                      streamed.found, streamed.reason));
   if (options.json)
-    print(with_warnings({{"file", options.out},
-                         {"rows", streamed.rows},
-                         {"rows_found", streamed.found},
-                         {"rows_outside", streamed.outside},
-                         {"reason", streamed.reason}},
-                        sweep.problem->source->warnings));
+    print(record::json_of(Swept{options.out, streamed, sweep.problem->source->warnings}));
 }
 
 void run_on(maps::Ranks& ranks, const SweepOptions& options) {

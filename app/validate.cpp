@@ -12,9 +12,25 @@
 #include "commands.hpp"
 #include "options.hpp"
 #include "program.hpp"
+#include "record/fields.hpp"
 #include "report/validate_extremes.hpp"
 #include "run/workers.hpp"
 #include "streams.hpp"
+
+namespace vcrit::record {
+
+using validation::report::Validation, validation::report::Verdict;
+
+void fields(Fields& f, const Verdict& it) {
+  f("subject", it.subject)("key", it.key)("name", it.name)("outcome", it.outcome);
+}
+
+void fields(Fields& f, const Validation& it) {
+  f("passed", it.passed)("comparisons", it.verdicts)("warnings", it.warnings);
+  f("page", it.page)("files", it.files);
+}
+
+}  // namespace vcrit::record
 
 namespace vcrit::app {
 
@@ -46,25 +62,11 @@ void clear_progress() {
   if (isatty(STDERR_FILENO) != 0) tell("\r\033[K");
 }
 
-void print_validate_json(const Validation& validation) {
-  using nlohmann::ordered_json;
-  ordered_json comparisons = ordered_json::array(), files = ordered_json::array();
-  for (const auto& [subject, key, name, outcome] : validation.verdicts)
-    comparisons.push_back(
-        {{"subject", subject}, {"key", key}, {"name", name}, {"outcome", outcome}});
-  for (const std::filesystem::path& file : validation.files) files.push_back(file.string());
-  print({{"passed", validation.passed},
-         {"comparisons", comparisons},
-         {"warnings", validation.warnings},
-         {"page", validation.page.string()},
-         {"files", files}});
-}
-
 void print_validation(const Validation& validation, bool json) {
   for (const std::string& warning : validation.warnings) warn(warning);
   for (const std::string& line : validation.not_run) warn("not run: " + line);
   for (const std::string& line : validation.failed) tell_line("vcrit: FAILED: " + line);
-  if (json) return print_validate_json(validation);
+  if (json) return print(record::json_of(validation));
   fmt::print("{}\n", validation.page.string());
 }
 

@@ -12,6 +12,7 @@
 
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -54,6 +55,15 @@ class Fields {
     return when(present(value), key, value);
   }
 
+  /// An object within this one, of which no type tells: say(f) says its members.
+  template <class Say>
+  Fields& group(const char* key, const Say& say) {
+    Fields inner(reader_);
+    say(inner);
+    object_[key] = inner.take();
+    return *this;
+  }
+
   /// For templates alone.
   template <class Value>
   Fields& page(const char* key, const Value& value) {
@@ -67,6 +77,7 @@ class Fields {
   Json written(std::nullptr_t) const { return nullptr; }
   Json written(const char* text) const { return text; }
   Json written(const std::string& text) const { return text; }
+  Json written(const std::filesystem::path& path) const { return path.string(); }
   Json written(const Json& json) const { return json; }
   Json written(const Markup& markup) const {
     return Json::binary({markup.text.begin(), markup.text.end()});

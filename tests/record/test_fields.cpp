@@ -25,6 +25,11 @@ struct Example {
   double value = 0;
 };
 
+struct Written {
+  std::filesystem::path file;
+  int rows = 0;
+};
+
 }  // namespace
 
 void fields(Fields& f, const Part& part) { f("length", part.length); }
@@ -33,6 +38,11 @@ void fields(Fields& f, const Example& example) {
   f("name", example.name).some("mass", example.mass).some("parts", example.parts);
   f("colour", example.colour).when(example.measured, "value", example.value);
   f.page("sign", Markup{"<b>"});
+}
+
+void fields(Fields& f, const Written& written) {
+  f("file", written.file);
+  f.group("size", [&](Fields& size) { size("rows", written.rows).page("words", "few"); });
 }
 
 }  // namespace vcrit::record
@@ -55,6 +65,11 @@ BOOST_AUTO_TEST_CASE(a_page_has_every_key) {
     BOOST_TEST(page.contains(key), key);
   BOOST_TEST(page["mass"].is_null());
   BOOST_TEST(page["sign"].is_binary());
+}
+
+BOOST_AUTO_TEST_CASE(an_object_within_needs_no_type) {
+  BOOST_TEST(json_of(Written{"a/b.csv", 3}).dump() == R"({"file":"a/b.csv","size":{"rows":3}})");
+  BOOST_TEST(page_of(Written{})["size"].contains("words"));
 }
 
 BOOST_AUTO_TEST_CASE(what_json_has_no_number_for_is_a_word) {

@@ -2,17 +2,34 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "fit/bounds.hpp"
 #include "fit/fit.hpp"
+#include "record/fields.hpp"
 
 namespace vcrit::validation::report {
+
+/// What was found and written, for the page and for --json.
+struct FitContents {
+  fit::Data data;
+  fit::Fit fit;
+  std::vector<fit::KnownStiffness> known;
+  std::string scene, page;  ///< the files
+  std::string scene_text;   ///< what the scene's file holds
+};
 
 /// What a fit says in words, for page and terminal: its length, its misfit, what to mind.
 std::vector<std::string> fit_in_words(const fit::Data& data, const fit::Fit& fit);
 
-/// One HTML file that needs nothing else. `scene`: the text of the scene that was written.
-std::string fit_page(const fit::Data& data, const fit::Fit& fit,
-                     const std::vector<fit::KnownStiffness>& known, const std::string& scene);
+/// One HTML file that needs nothing else.
+std::string fit_page(const FitContents& contents);
 
 }  // namespace vcrit::validation::report
+
+namespace vcrit::record {
+
+/// The keys are those of docs/design.md.
+void fields(Fields& f, const validation::report::FitContents& contents);
+
+}  // namespace vcrit::record

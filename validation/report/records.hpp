@@ -8,9 +8,11 @@
 #include "report/origin.hpp"
 #include "report/paper_record.hpp"
 #include "report/scene_contents.hpp"
+#include "simulation/system/steady_state.hpp"
 
 namespace vcrit::record {
 
+void fields(Fields& f, const simulation::Event& event);
 void fields(Fields& f, const validation::Comparison& comparison);
 void fields(Fields& f, const validation::Formula& formula);
 void fields(Fields& f, const validation::Equation& equation);
