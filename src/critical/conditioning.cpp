@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <numbers>
 
+#include "base/complex.hpp"
 #include "base/constants.hpp"
+#include "critical/eq24.hpp"
 #include "network/masses.hpp"
 #include "stiffness/dynamic_stiffness.hpp"
 
@@ -13,42 +14,66 @@ namespace vcrit {
 
 namespace {
 
-/// The same for a measured drive, of which the table's numbers count.
-double measured_condition(const Receptance& measured, std::complex<double> contact, double inertia,
-                          double omega) {
-  const auto [below, above] = bracket(measured, omega);
-  const double width = above.omega - below.omega;
-  const double share = width > 0 ? (omega - below.omega) / width : 0;
-  const std::complex<double> first(below.re, below.im), second(above.re, above.im);
-  const std::complex<double> receptance = (1 - share) * first + share * second;
-  // The shares are differences of angular frequencies: their errors count like those of omega.
-  const double steepness = width > 0 ? omega / width * std::abs(second - first) : 0;
-  const double error = (1 - share) * std::abs(first) + share * std::abs(second) + steepness;
-  const std::complex<double> d = 1.0 - inertia * receptance;
-  return inertia * (error + 3 * std::abs(receptance)) * (1 / std::abs(d)) +
-         (std::abs(contact) + inertia) * (error + 3 * std::abs(receptance)) /
-             std::abs(contact * receptance + d);
-}
+/// What the factors of Eq. (24) add to the bound, one after the other.
+struct InConditions {
+  const Problem& problem;
+  const Values& values;
+  double omega;
+
+  /// By Tellegen's theorem for a network's |K|.
+  static constexpr double root = std::numbers::sqrt2;
+
+  static double outer() { return 3; }
+  static double ratio(const Isotropic& isotropic) { return tangential_ratio(isotropic); }
+  ComplexDouble normal() const { return stiffness(problem->normal); }
+  ComplexDouble tangential(const ReducedNetwork& own) const { return stiffness(own); }
+  static ComplexDouble scaled(double ratio, ComplexDouble normal) { return ratio * normal; }
+  // No more than two networks, of which it is the quotient.
+  static void divide(double& condition, double) { condition += 2 * root; }
+  static void times_quotient(double& condition, ComplexDouble, ComplexDouble) {
+    condition += 2 * root;
+  }
+
+  void times_drive(double& condition, ComplexDouble contact, const ReducedNetwork& network) const {
+    const ComplexDouble drive = stiffness(network);
+    // Springs and masses cancel inside the drive.
+    const double loss = problem->has_masses() ? sensitivity(network.reduction(), values, omega)
+                                              : root * std::abs(drive);
+    const double d = std::abs(drive - inertia()), n = std::abs(contact + drive - inertia());
+    condition += (loss + 3 * inertia()) / d;
+    condition += (root * std::abs(contact) + loss + 3 * inertia()) / n;
+  }
+
+  // Of a measured drive the table's numbers count.
+  void times_drive(double& condition, ComplexDouble contact, const Receptance& measured) const {
+    const auto [below, above] = bracket(measured, omega);
+    const double width = above.omega - below.omega;
+    const double share = width > 0 ? (omega - below.omega) / width : 0;
+    const ComplexDouble first(below.re, below.im), second(above.re, above.im);
+    const ComplexDouble receptance = (1 - share) * first + share * second;
+    // The shares are differences of angular frequencies: their errors count like those of omega.
+    const double steepness = width > 0 ? omega / width * std::abs(second - first) : 0;
+    const double error = (1 - share) * std::abs(first) + share * std::abs(second) + steepness;
+    const ComplexDouble d = 1.0 - inertia() * receptance;
+    condition += inertia() * (error + 3 * std::abs(receptance)) * (1 / std::abs(d)) +
+                 (std::abs(contact) + inertia()) * (error + 3 * std::abs(receptance)) /
+                     std::abs(contact * receptance + d);
+  }
+
+ private:
+  double inertia() const {
+    return problem->mass ? values.at(problem->mass->symbol) * omega * omega : 0;
+  }
+  ComplexDouble stiffness(const ReducedNetwork& network) const {
+    return dynamic_stiffness(network.reduction(), values, omega);
+  }
+};
 
 }  // namespace
 
 double condition_number(const Problem& problem, const Values& values) {
-  constexpr double root = std::numbers::sqrt2;
-  const double least = 3 + 2 * root;
-  if (problem->rigid()) return least;
   const double omega = values.at(problem->angular_frequency.symbol);
-  const double inertia = problem->mass ? values.at(problem->mass->symbol) * omega * omega : 0;
-  const auto [network, factor] = tangential_network(problem);
-  const auto contact = factor * dynamic_stiffness(network.reduction(), values, omega);
-  if (const Receptance* measured = problem->receptance())
-    return least + measured_condition(*measured, contact, inertia, omega);
-  const Reduction& reduction = problem->drive_network()->reduction();
-  const auto drive = dynamic_stiffness(reduction, values, omega);
-  // Springs and masses cancel inside the drive.
-  const double loss = problem->has_masses() ? sensitivity(reduction, values, omega) : root * std::abs(drive);
-  const double d = std::abs(drive - inertia), n = std::abs(contact + drive - inertia);
-  const double condition =
-      least + (loss + 3 * inertia) / d + (root * std::abs(contact) + loss + 3 * inertia) / n;
+  const double condition = eq24(problem, InConditions{problem, values, omega});
   // Where the drive does not give at all, an absorber, doubles divide infinity by infinity.
   return std::isnan(condition) ? infinity : condition;
 }

@@ -45,9 +45,33 @@ double left_out(const HalfSpace& half_space) {
          std::abs(simulation::mean_normal_force(half_space.cell(edge)));
 }
 
-// The cell of the highest onset. `at` has one of drive velocity 0 for a cell without an answer.
-template <class At>
-LastStick highest(const HalfSpace& half_space, const At& at) {
+// What all cells find together, within the work that may be spent on them.
+template <class Find>
+auto within_effort(const HalfSpace& given, const Find& find) {
+  simulation::SharedEffort effort(simulation::effort_of_cells, given.effort());
+  const auto result = find(given.within(effort));
+  effort.require_enough();
+  return result;
+}
+
+Friction of_all_cells(const HalfSpace& half_space, double velocity, double tolerance) {
+  const Integrals sum = integrals(half_space, velocity, changes(half_space, velocity), tolerance);
+  const double outside =
+      left_out(half_space) + depth_error(half_space) + 16 * epsilon * sum.normal_force;
+  Friction result;
+  result.ratio = sum.friction / sum.normal_force;
+  result.error = sum.ratio_error + (sum.cell_error + outside) / sum.normal_force;
+  result.normal_force = 2 * sum.normal_force;
+  result.normal_force_error = 2 * (sum.normal_force_error + outside);
+  result.regime = sum.motions.regime();
+  result.cells = sum.cells;
+  result.disagreement = sum.disagreement;
+  return result;
+}
+
+// The cell of the highest onset, which is one of drive velocity 0 for a cell without an answer.
+LastStick highest(const HalfSpace& half_space, const OnsetOfCell& onset) {
+  const auto at = [&](double x) { return onset(half_space.cell(x)); };
   const double step = half_space.edge() / static_cast<double>(scanned);
   std::vector<LastStick> all(scanned);
   tbb::parallel_for(std::size_t{0}, scanned, [&](std::size_t i) {
@@ -77,21 +101,9 @@ Friction friction(const HalfSpace& given, double velocity, double tolerance) {
   if (!(tolerance > 0))
     throw InputError({"tolerance"}, fmt::format("{}", tolerance), "a relative error above 0");
   if (given.uniform()) return of_one_cell(given, velocity);
-  simulation::SharedEffort effort(simulation::effort_of_cells, given.effort());
-  const HalfSpace half_space = given.within(effort);
-  const Integrals sum = integrals(half_space, velocity, changes(half_space, velocity), tolerance);
-  const double outside =
-      left_out(half_space) + depth_error(half_space) + 16 * epsilon * sum.normal_force;
-  Friction result;
-  result.ratio = sum.friction / sum.normal_force;
-  result.error = sum.ratio_error + (sum.cell_error + outside) / sum.normal_force;
-  result.normal_force = 2 * sum.normal_force;
-  result.normal_force_error = 2 * (sum.normal_force_error + outside);
-  result.regime = sum.motions.regime();
-  result.cells = sum.cells;
-  result.disagreement = sum.disagreement;
-  effort.require_enough();
-  return result;
+  return within_effort(given, [&](const HalfSpace& half_space) {
+    return of_all_cells(half_space, velocity, tolerance);
+  });
 }
 
 simulation::SteadyState steady_state_of(const Friction& friction) {
@@ -131,32 +143,27 @@ std::vector<Cell> cells(const HalfSpace& half_space, double velocity, int count,
 }
 
 simulation::Onset sliding_threshold(const HalfSpace& given, const OnsetOfCell& onset) {
-  simulation::SharedEffort effort(simulation::effort_of_cells, given.effort());
-  const HalfSpace half_space = given.within(effort);
-  const auto at = [&](double x) { return onset(half_space.cell(x)); };
-  const bool centre = half_space.elastic() || half_space.uniform();
-  const simulation::Onset result = centre ? at(0) : highest(half_space, at).onset;
-  effort.require_enough();
-  return result;
+  return within_effort(given, [&](const HalfSpace& half_space) {
+    const bool centre = half_space.elastic() || half_space.uniform();
+    return centre ? onset(half_space.cell(0)) : highest(half_space, onset).onset;
+  });
 }
 
 // The highest onset may be that of a cell without an answer: with so many of them nothing is said.
 LastStick last_stick(const HalfSpace& given, const OnsetOfCell& onset) {
-  simulation::SharedEffort effort(simulation::effort_of_cells, given.effort());
-  const HalfSpace half_space = given.within(effort);
   std::mutex lock;
   std::string why;
-  const auto at = [&](double x) {
+  const auto if_any = [&](const simulation::System& cell) {
     try {
-      return onset(half_space.cell(x));
+      return onset(cell);
     } catch (const ModelError& error) {
       const std::lock_guard hold(lock);
       if (why.empty() || error.what() < why) why = error.what();  // whichever thread was first
       return simulation::Onset{};
     }
   };
-  const LastStick found = highest(half_space, at);
-  effort.require_enough();
+  const LastStick found = within_effort(
+      given, [&](const HalfSpace& half_space) { return highest(half_space, if_any); });
   if (found.answered >= least_answered * found.asked) return found;
   throw ModelError(
       fmt::format("the last stick below the indenter is not known: of {} cells {} "

@@ -1,6 +1,10 @@
 #include "program/sweep.hpp"
 
 #include <cmath>
+#include <set>
+#include <vector>
+
+#include "critical/eq24.hpp"
 
 namespace vcrit::symbolic {
 
@@ -12,7 +16,27 @@ constexpr int guard_exponent = 40;
 // Coefficients are scaled for 20 kHz, and good for 2^8 times less or more.
 constexpr int usual_omega = 17, octaves = 8;
 
+/// Writes Eq. (24) down: an algebra of eq24.hpp.
 class SweepWriter {
+  /// A factor of v*: a polynomial, or its value at omega where it is not multiplied out.
+  struct Factor {
+    Complex polynomial, value;
+    ExponentRange range;
+    bool is_passive = true;  ///< roots real and negative
+  };
+
+  /// v*/(mu0 omega du_z) as |above|/|below|, and Q_t, which is above where no N takes its place.
+  struct Velocity {
+    std::vector<Factor> above, below;
+    std::optional<Stiffness> of_q_t = {};
+  };
+
+  /// K_t = T/Q. Of r K_n the Q_n alone stands below where there is an N: the ratio's is in it.
+  struct Tangential {
+    Stiffness k;
+    std::optional<Stiffness> normal = {};
+  };
+
  public:
   SweepWriter(const Problem& problem, const SymbolValue& value, bool normalised)
       : problem_(problem),
@@ -29,24 +53,52 @@ class SweepWriter {
   }
 
   SweepProgram write() {
-    const Stiffness n = network(problem_->normal.network());
-    const auto* isotropic = std::get_if<Isotropic>(&problem_->tangential);
-    if (isotropic != nullptr)
-      with_ratio(n, contact_ratio(program_, stiffness_, *isotropic, value_));
-    else
-      with_network(n, network(std::get<ReducedNetwork>(problem_->tangential).network()));
-    return finished();
+    normal_ = network(problem_->normal.network());  // first: the order of the code's lines
+    return finished(eq24(problem_, *this));
+  }
+
+  static Velocity outer() { return {}; }
+  Ratio ratio(const Isotropic& isotropic) {
+    return contact_ratio(program_, stiffness_, isotropic, value_);
+  }
+  const Stiffness& normal() const { return normal_; }
+  Tangential tangential(const ReducedNetwork& own) { return {network(own.network())}; }
+
+  Tangential scaled(const Ratio& ratio, const Stiffness& n) {
+    Stiffness t = n;
+    t.t = times(ratio.t, n.t);
+    t.q = times(ratio.q, n.q);
+    t.t_range = n.t_range + ratio.t_range;
+    t.q_range = n.q_range + ratio.q_range;
+    return {t, n};
+  }
+
+  /// The ratio's Q is in N. Without one nothing but mu0 omega du_z depends on omega.
+  void divide(Velocity& v, const Ratio& ratio) {
+    result_.fits = result_.fits && problem_->drive_network() != nullptr;
+    v.below.push_back(passive(polynomial({ratio.t}), ratio.t_range));
+  }
+
+  void times_quotient(Velocity& v, const Stiffness& n, const Tangential& t) {
+    v.above.push_back(passive(n.t, n.t_range));
+    v.below.push_back(passive(n.q, n.q_range));
+    v.below.push_back(passive(t.k.t, t.k.t_range));
+    v.of_q_t = t.k;
+  }
+
+  void times_drive(Velocity& v, const Tangential& t, const ReducedNetwork& drive) {
+    const Stiffness d = network(drive.network());
+    const Factor body = loaded(d);
+    v.above.push_back(sum(t.k, d, body));
+    if (t.normal) v.below.push_back(passive(t.normal->q, t.normal->q_range));
+    v.below.push_back(body);
+    v.of_q_t.reset();
+  }
+  static void times_drive(Velocity&, const Tangential&, const Receptance&) {
+    throw Bug("a measured drive has no program");
   }
 
  private:
-  /// A factor of v*: a polynomial, or its value at omega where it is not multiplied out.
-  struct Factor {
-    Complex polynomial, value;
-    ExponentRange range;
-    bool is_passive = true;  ///< roots real and negative
-  };
-  enum class Side { above, below };
-
   NodeId symbol(const Symbol& s) { return value_(program_, s); }
 
   Stiffness network(const Network& network) {
@@ -90,35 +142,6 @@ class SweepWriter {
 
   Factor passive(const Complex& z, ExponentRange range) {
     return {z, at(program_, z, omega_), range, true};
-  }
-
-  void with_ratio(const Stiffness& n, const Ratio& ratio) {
-    if (problem_->drive_network() == nullptr) {  // nothing but mu0 omega du_z depends on omega
-      result_.fits = false;
-      return;
-    }
-    Stiffness t = n;
-    t.t = times(ratio.t, n.t);
-    t.q = times(ratio.q, n.q);
-    t.t_range = n.t_range + ratio.t_range;
-    t.q_range = n.q_range + ratio.q_range;
-    const Stiffness d = network(problem_->drive_network()->network());
-    const Factor body = loaded(d);
-    multiply(Side::above, sum(t, d, body));
-    multiply(Side::below, passive(polynomial({ratio.t}), ratio.t_range));
-    multiply(Side::below, passive(n.q, n.q_range));
-    multiply(Side::below, body);
-  }
-
-  void with_network(const Stiffness& n, const Stiffness& t) {
-    multiply(Side::above, passive(n.t, n.t_range));
-    multiply(Side::below, passive(n.q, n.q_range));
-    multiply(Side::below, passive(t.t, t.t_range));
-    if (problem_->drive_network() == nullptr) return multiply(Side::above, passive(t.q, t.q_range));
-    const Stiffness d = network(problem_->drive_network()->network());
-    const Factor body = loaded(d);
-    multiply(Side::above, sum(t, d, body));
-    multiply(Side::below, body);
   }
 
   /// D
@@ -174,10 +197,6 @@ class SweepWriter {
 
   void check(ExponentRange range) { result_.fits = result_.fits && fits(range); }
 
-  void multiply(Side side, const Factor& factor) {
-    sides_[side == Side::above ? 0 : 1].push_back(factor);
-  }
-
   /// |T|^2
   NodeId squared(const Factor& factor) {
     const std::vector<NodeId>& a = factor.polynomial.coefficients;
@@ -209,11 +228,12 @@ class SweepWriter {
     return whole;
   }
 
-  SweepProgram finished() {
+  SweepProgram finished(Velocity v) {
+    if (v.of_q_t) v.above.push_back(passive(v.of_q_t->q, v.of_q_t->q_range));
     result_.rooted = true;
     if (result_.fits) {
-      result_.above = product(sides_[0]);
-      result_.below = product(sides_[1]);
+      result_.above = product(v.above);
+      result_.below = product(v.below);
     }
     const NodeId mu0 = symbol({"mu0"}), du_z = symbol({"du_z"});
     for (const NodeId id : {mu0, du_z}) stiffness_.guarded(program_.size(id));
@@ -229,7 +249,7 @@ class SweepWriter {
   Program program_;
   NodeId omega_, square_;
   StiffnessWriter stiffness_;
-  std::array<std::vector<Factor>, 2> sides_;
+  Stiffness normal_;
   SweepProgram result_;
 };
 
