@@ -45,6 +45,7 @@ struct Cases::Decades {
 };
 
 void Cases::fill(Draw draw, std::span<double> x) {
+  constexpr Decades usual{2, 7};
   switch (draw) {
     case Draw::stiff:
       return stiff(x);
@@ -54,14 +55,22 @@ void Cases::fill(Draw draw, std::span<double> x) {
       return powers(x);
     case Draw::slow:
       return ordinary({-300, -6, true}, x);
-    default:
-      ordinary({2, 7}, x);
+    case Draw::moderate:
+      return ordinary(usual, x);
+    case Draw::stiff_within:
+      ordinary(usual, x);
+      return stretch(x);
+    case Draw::zeros:
+      ordinary(usual, x);
+      return leave_out(x);
+    case Draw::extreme:
+      ordinary(usual, x);
+      return extreme(x);
+    case Draw::resonance:
+    case Draw::antiresonance:
+      ordinary(usual, x);
+      return resonate(draw == Draw::antiresonance, x);
   }
-  if (draw == Draw::stiff_within) stretch(x);
-  if (draw == Draw::zeros) leave_out(x);
-  if (draw == Draw::extreme) extreme(x);
-  if (draw == Draw::resonance || draw == Draw::antiresonance)
-    resonate(draw == Draw::antiresonance, x);
 }
 
 double Cases::decade(double from, double to) { return std::pow(10, uniform(from, to)); }

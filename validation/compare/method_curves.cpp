@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/errors.hpp"
 #include "compare/system_size.hpp"
 #include "simulation/methods/methods.hpp"
 #include "simulation/steady/exact.hpp"
@@ -25,9 +26,12 @@ std::string setting(Method method, const simulation::MethodOptions& options) {
       return fmt::format("regularised over {} of the speed", options.regularisation);
     case Method::reduced:
       return "(47)-(52)";
-    default:
+    case Method::rkf45:
+    case Method::rk8pd:
+    case Method::msbdf:
       return fmt::format("tolerance {}", options.tolerance);
   }
+  throw Bug("a method without a setting");
 }
 
 MethodPoint method_point(Method method, const simulation::System& system, double threshold,

@@ -1,5 +1,6 @@
 #include "compare/values.hpp"
 
+#include "base/errors.hpp"
 #include "compare/formulas.hpp"
 #include "formula/symbols.hpp"
 #include "network/law.hpp"
@@ -15,8 +16,17 @@ struct ValueKind {
 
 /// What a number is beside what every number of its role is.
 const char* place_of(const Element& element) {
-  if (is_mass(element)) return " in the drive";
-  return element.kind == ElementKind::maxwell ? " of a Maxwell branch" : "";
+  switch (element.kind) {
+    case ElementKind::mass:
+      return " in the drive";
+    case ElementKind::maxwell:
+      return " of a Maxwell branch";
+    case ElementKind::spring:
+    case ElementKind::damper:
+    case ElementKind::lossy:
+      return "";
+  }
+  throw Bug("an element without a place");
 }
 
 std::map<Symbol, ValueKind> kinds_of_elements(const Problem& problem) {

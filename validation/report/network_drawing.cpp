@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/constants.hpp"
+#include "base/errors.hpp"
 #include "network/law.hpp"
 #include "report/graph_layout.hpp"
 
@@ -32,30 +34,35 @@ Label names_of(const Element& element) {
   return names;
 }
 
-Drawing draw_maxwell(const Element& element) {
-  return {2 * element_width, element_above, element_below,
-          joined({{path(spring_path, "spring")},
-                  moved(element_width, 0, {path(damper_path, "damper")}),
-                  {text(element_width, -label_height, names_of(element))}})};
-}
-
 /// A box; what it pushes against, beyond the dashes, is inertial ground.
 Shapes mass_box() {
   return {line(0, 0, 22, 0), path("M62 0H84", "inertial"), path("M22 -12H62V12H22z", "solid")};
 }
 
-Shapes symbol_of(const Element& element) {
-  if (element.kind == ElementKind::mass) return mass_box();
-  return {element.kind == ElementKind::spring || element.kind == ElementKind::lossy
-              ? path(spring_path, "spring")
-              : path(damper_path, "damper")};
+/// Without its names. A Maxwell branch is two symbols in series.
+Drawing symbol_of(const Element& element) {
+  const auto drawn = [](Shapes shapes, int symbols = 1) {
+    return Drawing{symbols * element_width, element_above, element_below, std::move(shapes)};
+  };
+  const Shape spring = path(spring_path, "spring"), damper = path(damper_path, "damper");
+  switch (element.kind) {
+    case ElementKind::spring:
+    case ElementKind::lossy:
+      return drawn({spring});
+    case ElementKind::damper:
+      return drawn({damper});
+    case ElementKind::mass:
+      return drawn(mass_box());
+    case ElementKind::maxwell:
+      return drawn(joined({{spring}, moved(element_width, 0, {damper})}), 2);
+  }
+  throw Bug("an element without a symbol");
 }
 
 Drawing draw_element(const Element& element) {
-  if (element.kind == ElementKind::maxwell) return draw_maxwell(element);
-  return {
-      element_width, element_above, element_below,
-      joined({symbol_of(element), {text(element_width / 2, -label_height, names_of(element))}})};
+  Drawing drawing = symbol_of(element);
+  drawing.add({text(drawing.width / 2, -label_height, names_of(element))});
+  return drawing;
 }
 
 Drawing draw_series(const Series& series) {
@@ -131,8 +138,8 @@ Shapes edge(const Network& part, Point from, Point to) {
   const double dx = to.x - from.x, dy = to.y - from.y;
   const double length = std::hypot(dx, dy), angle = std::atan2(dy, dx);
   const auto* element = std::get_if<Element>(&part.form);
-  const bool upright = element != nullptr && element->kind != ElementKind::maxwell;
-  const Drawing drawing = upright ? Drawing{element_width, 0, 0, symbol_of(*element)} : draw(part);
+  const bool upright = element != nullptr && symbol_of(*element).width == element_width;
+  const Drawing drawing = upright ? symbol_of(*element) : draw(part);
   const double lead = (length - drawing.width) / 2;
   Shapes all = joined({{line(0, 0, lead, 0)},
                        moved(lead, 0, drawing.shapes),
