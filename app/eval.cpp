@@ -58,10 +58,10 @@ std::string true_digits(const CriticalOnset& critical) {
   return fmt::format("{:.{}g}", value, std::max(digits, 1));
 }
 
-const char* surface_words(const Problem& problem) {
+const char* contact_words(const Problem& problem) {
   const rules::Facts facts(problem);
-  if (facts.is(rules::Kind::never_meeting)) return "never meet";
-  return facts.opens() ? "part for a while in each period" : "always touch";
+  if (facts.is(rules::Kind::never_closing)) return "never closes";
+  return facts.opens() ? "opens in each period" : "stays closed";
 }
 
 std::string border_words(double sliding_from) {
@@ -93,7 +93,7 @@ void print_eval_text(const Problem& problem, const Evaluation& result) {
     fmt::print("steady sliding        {}: the undamped body swings freely at {} {}\n",
                border_words(result.critical.sliding_from),
                free.size() > 1 ? "harmonics" : "harmonic", fmt::join(free, ", "));
-  if (result.opens) fmt::print("surfaces              {}\n", surface_words(problem));
+  if (result.opens) fmt::print("contact               {}\n", contact_words(problem));
   fmt::print("admissible            {}\n", result.reasons.empty() ? "yes" : "no");
   for (const std::string& reason : result.reasons) fmt::print("                      {}\n", reason);
 }

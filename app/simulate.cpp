@@ -117,7 +117,7 @@ void print_simulate_text(const SimulationAnswer& answer, double omega) {
              answer.energy->drive * frequency, answer.energy->friction * frequency,
              answer.energy->dampers * frequency);
   if (!answer.separation) return;
-  fmt::print("normal force    {:.6g} N on average, while the surfaces part in each period\n",
+  fmt::print("normal force    {:.6g} N on average, while the contact opens in each period\n",
              answer.separation->mean_normal_force);
   const simulation::OtherStart& other = answer.separation->other_start;
   if (other.agrees)

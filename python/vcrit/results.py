@@ -37,13 +37,13 @@ class CriticalOnset(NamedTuple):
     drive_velocity: float
     """m/s, of the drive there; larger only where a network on the path creeps."""
     by: str
-    """"formula" (Eq. 24) or, where surfaces part and it does not hold, "simulation"."""
+    """"formula" (Eq. 24) or, where the contact opens and it does not hold, "simulation"."""
     reason: str
     """Why the velocity is infinite, else empty."""
 
 
 class Event(NamedTuple):
-    """Where the contact point begins to slip or to stick, or the surfaces part."""
+    """Where the contact point begins to slip or to stick, or the contact opens."""
 
     phase: float
     """omega t in [0, 2 pi)."""
@@ -72,14 +72,14 @@ class _SteadyMotion(NamedTuple):
     """Estimate of its absolute error."""
     regime: str
     """"sliding", "stick-slip", "stick-slip-backslip" or "stick"; the first three end in "-apart"
-    where surfaces separate for a part of the period."""
+    where the contact opens for a part of the period."""
     method: str
     periods: int | None
     """Length of the steady cycle in oscillation periods, where it is one."""
     events: tuple[Event, ...]
     """Of one cycle, by time."""
     starts_agree: bool | None = None
-    """Of surfaces that separate, by the exact method: whether the search from the other start led
+    """Of a contact that opens, by the exact method: whether the search from the other start led
     to the same friction. Where it did not, the error covers both."""
 
 

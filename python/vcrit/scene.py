@@ -156,7 +156,7 @@ class Scene:
     def certified_critical_velocity(self) -> CertifiedVelocity:
         """v* as `vcrit eval` prints it: of Eq. (24), correctly rounded, with a bound on its error.
 
-        Where surfaces separate and Eq. (24) does not hold, it is simulated, and its bound is NaN.
+        Where the contact opens and Eq. (24) does not hold, it is simulated, and its bound is NaN.
         Raises InputError for missing values, ModelError where v* is 0/0 or the scene is outside
         the model.
         """
@@ -164,7 +164,7 @@ class Scene:
 
     @property
     def critical_onset(self) -> CriticalOnset:
-        """v* of the motion: by Eq. (24) where it holds, else, where surfaces part, simulated.
+        """v* of the motion: by Eq. (24) where it holds, else, where the contact opens, simulated.
 
         Raises InputError for missing values, ModelError where v* is 0/0 or the scene is outside
         the model.
@@ -195,7 +195,7 @@ class Scene:
         critical_velocity(frequency=f, k0=k[:, np.newaxis]) takes the names of `settable`; arrays
         (SI) are broadcast as in NumPy, texts carry a unit, and names that are none in Python go
         in a mapping. Arrays of float64 are used where they lie; `out` takes the result. Other
-        threads run meanwhile. It is Eq. (24), and where surfaces separate and that does not hold,
+        threads run meanwhile. It is Eq. (24), and where the contact opens and that does not hold,
         one simulation a point. Infinite at resonance, NaN where v* is 0/0, the point is outside
         the model or one of its values is NaN.
 

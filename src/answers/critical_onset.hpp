@@ -25,7 +25,7 @@ struct CriticalOnset {
   double relative_error = 0;             ///< of a simulated v*, an estimate of what rounding takes
 };
 
-/// Those n of a scene whose surfaces stay together, K_d and m (n omega)^2 being equal but for
+/// Those n of a scene whose contact stays closed, K_d and m (n omega)^2 being equal but for
 /// rounding. Throws InputError for missing values.
 std::vector<int> free_harmonics(const Problem& problem);
 

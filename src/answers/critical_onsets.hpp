@@ -1,5 +1,5 @@
 // The critical velocity of any scene for columns of parameters: Eq. (24) by the batch where it
-// holds, and where surfaces separate and it does not, one simulation a lane.
+// holds, and where the contact opens and it does not, one simulation a lane.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,6 @@
-// Where Eq. 24 applies: the body does not jump (3), the contact stays closed (4), (35) and can
-// carry its mean load at all; and how fast a fluid-like path creeps under the mean friction force.
+// Where Eq. 24 applies: the amplitude is below the indentation (3), the contact stays closed (4),
+// (35) and can carry its mean load at all; and how fast a fluid-like path creeps under the mean
+// friction force.
 #pragma once
 
 #include <string>
@@ -9,12 +10,12 @@
 
 namespace vcrit {
 
-/// Why the scene is not admissible, one sentence a reason; empty when it is. Surfaces that may part
-/// need not stay closed.
+/// Why the scene is not admissible, one sentence a reason; empty when it is. A contact that may
+/// open need not stay closed.
 std::vector<std::string> inadmissible_reasons(const Problem& problem);
 
 /// Whether the normal force would pull for a part of the period (4), under an indenter the pressure
-/// at its centre: the surfaces part there if the scene lets them. Throws InputError for missing
+/// at its centre: the contact opens there if the scene lets it. Throws InputError for missing
 /// values.
 bool opens(const Problem& problem);
 

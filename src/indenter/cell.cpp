@@ -30,15 +30,16 @@ bool empty(const HalfSpace& half_space, double depth) {
 }  // namespace
 
 void Motions::add(const Motions& other) {
-  apart = apart || other.apart;
+  separated = separated || other.separated;
   stick = stick || other.stick;
   backslip = backslip || other.backslip;
 }
 
 Regime Motions::regime() const {
-  if (backslip) return apart ? Regime::stick_slip_backslip_apart : Regime::stick_slip_backslip;
-  if (stick) return apart ? Regime::stick_slip_apart : Regime::stick_slip;
-  return apart ? Regime::sliding_apart : Regime::sliding;
+  if (backslip)
+    return separated ? Regime::stick_slip_backslip_separated : Regime::stick_slip_backslip;
+  if (stick) return separated ? Regime::stick_slip_separated : Regime::stick_slip;
+  return separated ? Regime::sliding_separated : Regime::sliding;
 }
 
 Motions motions_of(Regime regime) {
@@ -50,11 +51,11 @@ Motions motions_of(Regime regime) {
       return {false, true, false};
     case Regime::stick_slip_backslip:
       return {false, true, true};
-    case Regime::sliding_apart:
+    case Regime::sliding_separated:
       return {true, false, false};
-    case Regime::stick_slip_apart:
+    case Regime::stick_slip_separated:
       return {true, true, false};
-    case Regime::stick_slip_backslip_apart:
+    case Regime::stick_slip_backslip_separated:
       return {true, true, true};
   }
   return {};

@@ -10,7 +10,7 @@ namespace vcrit::indenter {
 
 /// Which motions there are besides slip.
 struct Motions {
-  bool apart = false, stick = false, backslip = false;
+  bool separated = false, stick = false, backslip = false;
 
   void add(const Motions& other);
   simulation::Regime regime() const;

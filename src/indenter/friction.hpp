@@ -56,9 +56,10 @@ std::vector<Cell> cells(const HalfSpace& half_space, double velocity, int count,
 /// What is asked of each cell; tests ask otherwise.
 using OnsetOfCell = std::function<simulation::Onset(const simulation::System&)>;
 
-/// The lowest velocity at which all cells slide forward whenever they touch. That of the centre
-/// where the half-space is elastic; else the highest of 64 cells, refined to about 1e-12 where the
-/// threshold is a smooth function of x. Throws ModelError where no steady sliding is found.
+/// The lowest velocity at which all cells slide forward whenever they are closed. That of the
+/// centre where the half-space is elastic; else the highest of 64 cells, refined to about 1e-12
+/// where the threshold is a smooth function of x. Throws ModelError where no steady sliding is
+/// found.
 simulation::Onset sliding_threshold(const HalfSpace& half_space,
                                     const OnsetOfCell& onset = simulation::sliding_threshold);
 

@@ -48,7 +48,7 @@ HalfSpace HalfSpace::within(simulation::SharedEffort& effort) const {
 }
 
 bool HalfSpace::never_parts(double depth) const {
-  return depth > 0 && depth >= swing_ * (1 - simulation::hardly_parting(true));
+  return depth > 0 && depth >= swing_ * (1 - simulation::least_separation(true));
 }
 
 double HalfSpace::neglected(double depth) const {
@@ -56,9 +56,9 @@ double HalfSpace::neglected(double depth) const {
 }
 
 simulation::System HalfSpace::cell_under(double depth) const {
-  if (!meets(depth))
+  if (!closes(depth))
     throw InputError(argument("x"), fmt::format("a mean indentation of {} m there", depth),
-                     fmt::format("one above {} m, so that the surfaces meet", -amplitude_));
+                     fmt::format("one above {} m, so that the contact closes", -amplitude_));
   simulation::System system;
   system.contact = tangential_;
   system.omega = omega_;

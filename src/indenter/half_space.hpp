@@ -23,7 +23,7 @@ class HalfSpace {
   HalfSpace within(simulation::SharedEffort& effort) const;
   simulation::SharedEffort* effort() const { return effort_; }
 
-  /// The contact at x, where the surfaces touch; forces per length, N/m. Throws InputError where
+  /// The contact at x, where the contact is closed; forces per length, N/m. Throws InputError where
   /// they never do.
   simulation::System cell(double x) const { return cell_under(depth(x)); }
   /// The same by its mean indentation.
@@ -33,16 +33,16 @@ class HalfSpace {
   /// which would hardly part and is taken for closed; at most 1e-8.
   double neglected(double depth) const;
 
-  /// Whether the surfaces meet at x at all.
-  bool touches(double x) const { return meets(depth(x)); }
+  /// Whether the contact closes at x at all.
+  bool touches(double x) const { return closes(depth(x)); }
 
-  /// Whether they always touch at x, or part by less than 1e-8 of the indentation.
+  /// Whether it stays closed at x, or opens by less than 1e-8 of the indentation.
   bool stays_closed(double x) const { return never_parts(depth(x)); }
 
   double edge() const { return gap_.half_width(indentation_ + amplitude_); }  ///< m
   /// Half the width (m) of contact under the mean indentation.
   double radius() const { return gap_.half_width(indentation_); }
-  /// Half the width (m) of where the surfaces never part.
+  /// Half the width (m) of where the contact never opens.
   double closed_radius() const { return gap_.half_width(indentation_ - swing_); }
 
   /// Whether all cells are the same: under a flat punch.
@@ -58,7 +58,7 @@ class HalfSpace {
   bool elastic() const { return normal_.branches.empty() && normal_.damper == 0; }
 
  private:
-  bool meets(double depth) const { return depth + amplitude_ > 0; }
+  bool closes(double depth) const { return depth + amplitude_ > 0; }
   bool never_parts(double depth) const;
 
   Gap gap_;

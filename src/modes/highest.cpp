@@ -26,7 +26,7 @@ class Ascent {
       here = f_.move_to(std::min(end_, here.time + std::max(step, least_step(here.time))));
       take(here);
     }
-    throw ModelError("too many oscillations between two meetings of the surfaces");
+    throw ModelError("too many oscillations between two closings of the contact");
   }
 
  private:

@@ -12,7 +12,7 @@ namespace vcrit::simulation {
 
 namespace {
 
-// The fixed point of the period map, from a state in the middle of the longest stay apart on, by
+// The fixed point of the period map, from a state in the middle of the longest separation on, by
 // Newton's method. The energy distance between two motions never grows, so plain periods are the
 // safe way where a step misses.
 class NormalCycleSearch {
@@ -49,8 +49,8 @@ class NormalCycleSearch {
         "slowly that its short touches are lost in rounding");
   }
 
-  // Surfaces that part by less than this share of the mean force are taken for closed where
-  // rounding hides how they part: for how long goes with its root, and how far with its power of
+  // A contact that opens by less than this share of the mean force is taken for closed where
+  // rounding hides how it opens: for how long goes with its root, and how far with its power of
   // 3/2.
   static constexpr double hardly = 1e-4;
   static constexpr int most_periods = 2000;
@@ -71,25 +71,25 @@ class NormalCycleSearch {
     double size = 0;        ///< of the residual, in rounding errors
   };
 
-  // Stays from a state apart on over a duration, and on to where the last one ends by an event.
+  // Stays from a separated state on over a duration, and on to where the last one ends by an event.
   template <class Use>
   void follow(NormalState state, double end, NormalIntegrals& sums, bool to_event,
               const Use& use) const {
-    bool touching = false;
+    bool closed = false;
     NormalStay stay{};
     for (std::size_t i = 0; i < most_stays; ++i) {
       const NormalState before = state;
       const double limit = to_event ? state.time + 2 * two_pi : end;
-      const bool event = touching ? contact_.stay_touching(state, limit, stay, sums)
-                                  : contact_.stay_apart(state, limit, stay, sums);
+      const bool event = closed ? contact_.stay_closed(state, limit, stay, sums)
+                                : contact_.stay_apart(state, limit, stay, sums);
       use(stay, before, state);
       if (!event || (to_event && state.time >= end)) return;
-      touching = !touching;
+      closed = !closed;
     }
-    throw ModelError("the surfaces meet and part without end within one period");
+    throw ModelError("the contact closes and opens without end within one period");
   }
 
-  // The middle of the longest stay apart after some periods; nothing if the surfaces never part.
+  // The middle of the longest separation after some periods; nothing if the contact never opens.
   std::optional<NormalState> settled(NormalState start, int periods) const {
     start.strains = first_column(start.strains);
     const double end = start.time + two_pi * periods;
@@ -98,7 +98,7 @@ class NormalCycleSearch {
     double longest = 0;
     follow(start, end, ignored, true,
            [&](const NormalStay& stay, const NormalState& before, const NormalState&) {
-             if (stay.touching || !before.released || stay.begin < end - 1.01 * two_pi) return;
+             if (stay.closed || !before.released || stay.begin < end - 1.01 * two_pi) return;
              if (stay.duration <= longest) return;
              longest = stay.duration;
              result = before;
@@ -118,8 +118,9 @@ class NormalCycleSearch {
     return result;
   }
 
-  // One period; nothing unless it begins and ends apart. What a strain changes by in it is psi_j
-  // times the impulse less beta_j times its integral: with a slow unit a small part of the strain.
+  // One period; nothing unless it begins and ends separated. What a strain changes by in it is
+  // psi_j times the impulse less beta_j times its integral: with a slow unit a small part of the
+  // strain.
   std::optional<Period> mapped(const std::optional<NormalState>& start) const {
     if (!start || !(contact_.gap(*start) > 0)) return std::nullopt;
     const Index n = contact_.units();
@@ -134,7 +135,7 @@ class NormalCycleSearch {
            [&](const NormalStay& stay, const NormalState&, const NormalState&) {
              result.stays.push_back(stay);
            });
-    if (result.stays.back().touching) return std::nullopt;
+    if (result.stays.back().closed) return std::nullopt;
     for (Index j = 0; j < n; ++j) {
       const double rate = network_.unit_rates[j], fluidity = network_.unit_fluidity[j];
       const double kept = std::min(1.0, two_pi * rate) * std::abs(start->strains(j, 0));
@@ -169,7 +170,7 @@ class NormalCycleSearch {
     return now;
   }
 
-  // As much of Newton's step as brings half of what it promises: where the surfaces touch for a
+  // As much of Newton's step as brings half of what it promises: where the contact is closed for a
   // short time, the impulse goes with the depth to the power of 3/2, and from no touch at all a
   // whole step leads into a long one.
   std::optional<Period> stepped(const Period& now) const {
@@ -202,7 +203,7 @@ class NormalCycleSearch {
     }
     result.error /= two_pi;
     for (const NormalStay& stay : now.stays)
-      if (stay.touching)
+      if (stay.closed)
         result.touches.push_back(
             {stay.begin < 0 ? stay.begin + two_pi : stay.begin, stay.duration, stay.decays});
     return result;
@@ -235,7 +236,7 @@ NormalCycle normal_cycle(const ContactModes& network, const Indentation& indenta
   if (indentation.mean + indentation.amplitude <= 0) return {};
   Effort effort(effort_of_normal_force, whole,
                 "the steady normal force is not found within the bound on the work for it: the "
-                "normal network has too many branches, or the surfaces meet and part too often");
+                "normal network has too many branches, or the contact closes and opens too often");
   return NormalCycleSearch(network, indentation, effort).run();
 }
 

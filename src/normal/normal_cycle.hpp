@@ -1,7 +1,7 @@
 // The steady normal force of a contact that opens, F = max(0, reaction of the normal network),
-// without adhesion: while the surfaces touch, the network's deformation is the indentation and its
-// Maxwell branches relax on their own; while they are apart, it carries no force and its Kelvin
-// units creep back on their own, until the surface meets the substrate again.
+// without adhesion: while the contact is closed, the network's deformation is the indentation and
+// its Maxwell branches relax on their own; while it is open, it carries no force and its Kelvin
+// units creep back on their own, until the contact closes again.
 #pragma once
 
 #include <complex>
@@ -23,7 +23,7 @@ struct NormalCycle {
   double mean = 0;
   double error = 0;  ///< estimate of the mean's absolute error
   std::complex<double> swing;
-  List<Touch, 2> touches;  ///< by time; none where the surfaces never meet
+  List<Touch, 2> touches;  ///< by time; none where the contact never closes
 };
 
 /// The network with time in units of 1/omega; a spring carries its static load. Where it does not

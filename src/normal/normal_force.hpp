@@ -16,8 +16,8 @@ ContactModes modes_of(const NormalMotion& motion, double omega);
 /// The cycle of the normal force, in N, with omega t for time.
 NormalCycle steady_normal_force(const NormalMotion& motion, double omega);
 
-/// Whether the surfaces touch at omega t = phase in [0, 2 pi). Throws ModelError where the cycle is
-/// not found.
+/// Whether the contact is closed at omega t = phase in [0, 2 pi). Throws ModelError where the cycle
+/// is not found.
 bool touches_at(const NormalMotion& motion, double omega, double phase);
 
 }  // namespace vcrit::simulation

@@ -12,10 +12,10 @@ struct NormalMotion {
   double amplitude = 0;  ///< m, > 0
 };
 
-/// Surfaces that part by less than this share of the mean force are taken for closed. Of one
-/// contact that is rounding: they part at one instant of the period. A cell below an indenter would
-/// be apart for some 1e-4 of it, and where a strongly damped surface hardly parts no steady force
+/// A contact that opens by less than this share of the mean force is taken for closed. Of one
+/// contact that is rounding: it opens at one instant of the period. A cell below an indenter would
+/// be open for some 1e-4 of it, and where a strongly damped contact hardly opens no steady force
 /// is found.
-constexpr double hardly_parting(bool below_indenter) { return below_indenter ? 1e-8 : 1e-14; }
+constexpr double least_separation(bool below_indenter) { return below_indenter ? 1e-8 : 1e-14; }
 
 }  // namespace vcrit::simulation

@@ -81,27 +81,27 @@ NormalState NormalStays::start() const {
 
 bool NormalStays::stay_apart(NormalState& now, double end, NormalStay& stay,
                              NormalIntegrals& sums) const {
-  const auto met = touch_down(now, end - now.time);
-  stay = {false, now.time, met.value_or(end - now.time), {}};
+  const auto closing = touch_down(now, end - now.time);
+  stay = {false, now.time, closing.value_or(end - now.time), {}};
   for (Index j = 0; j < units(); ++j) {
     const auto own = integrals(units_.rates[j], stay.duration);
     for (Index k = 0; k < now.strains.columns(); ++k) relax(now, sums, j, k, own);
   }
-  now.time = met ? now.time + *met : end;
+  now.time = closing ? now.time + *closing : end;
   now.released = false;
-  return met.has_value();
+  return closing.has_value();
 }
 
-bool NormalStays::stay_touching(NormalState& now, double end, NormalStay& stay,
-                                NormalIntegrals& sums) const {
+bool NormalStays::stay_closed(NormalState& now, double end, NormalStay& stay,
+                              NormalIntegrals& sums) const {
   strike(now, sums);
   const Matrix decays = decays_at(now);
-  const auto parted = lift_off(now, decays.column(0), end - now.time);
-  stay = {true, now.time, parted.value_or(end - now.time),
+  const auto opening = lift_off(now, decays.column(0), end - now.time);
+  stay = {true, now.time, opening.value_or(end - now.time),
           Vector(decays.column(0).begin(), decays.column(0).end())};
   press(now, decays, stay.duration, sums);
-  now.time = parted ? now.time + *parted : end;
-  now.released = parted.has_value();
+  now.time = opening ? now.time + *opening : end;
+  now.released = opening.has_value();
   return now.released;
 }
 
@@ -114,7 +114,7 @@ ComplexDouble NormalStays::branch_swing(Index i) const {
   return network_.branch_stiffness[i] * indentation_.amplitude * 1i / (branches_.rates[i] + 1i);
 }
 
-// Surfaces that meet a little earlier or later: a direct damper, whose force jumps up there,
+// A contact that closes a little earlier or later: a direct damper, whose force jumps up there,
 // makes an impulse of the difference.
 void NormalStays::strike(NormalState& now, NormalIntegrals& sums) const {
   for (Index k = 1; k < now.strains.columns() && network_.damper > 0; ++k) {
@@ -124,7 +124,7 @@ void NormalStays::strike(NormalState& now, NormalIntegrals& sums) const {
   }
 }
 
-// Forces of the branches where the surfaces meet, k_i sum_j beta_j eps_j/(beta_j - a_i), less
+// Forces of the branches where the contact closes, k_i sum_j beta_j eps_j/(beta_j - a_i), less
 // their swing: the spring's is that of the mean indentation. With changed strains at the same
 // place F = -sum_j eps_j/J_g begins elsewhere, too.
 Matrix NormalStays::decays_at(const NormalState& now) const {
@@ -170,12 +170,12 @@ std::optional<double> NormalStays::lift_off(const NormalState& now, ConstView de
   const ComplexDouble swing = swing_ * std::polar(1.0, now.time);
   const double force = swing.real() + sum(decays), size = std::abs(swing) + sum_of_sizes(decays);
   // One within rounding is no force to begin with.
-  const bool jump = network_.damper > 0 && force > 8 * epsilon * size;
-  EventFunction f(branches_, 1, jump ? -force : 0, jump ? size : 0, &effort_);
+  const bool steps = network_.damper > 0 && force > 8 * epsilon * size;
+  EventFunction f(branches_, 1, steps ? -force : 0, steps ? size : 0, &effort_);
   f.add_modes(branches_.rates, decays, 1);
   using namespace std::complex_literals;
   f.add_sinusoid(-1i * swing);
-  return jump ? first_zero(f, horizon, false) : first_zero_after_leaving(f, horizon);
+  return steps ? first_zero(f, horizon, false) : first_zero_after_leaving(f, horizon);
 }
 
 // eps_j' = psi_j F - beta_j eps_j.

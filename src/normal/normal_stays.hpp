@@ -1,5 +1,5 @@
-// How a normal network moves while the surfaces touch, and while they are apart: in both of them
-// one linear motion, up to where they part or meet.
+// How a normal network moves while the contact is closed, and while it is open: in both of them
+// one linear motion, up to where it opens or closes.
 #pragma once
 
 #include <complex>
@@ -20,7 +20,7 @@ struct Indentation {
 struct NormalState {
   double time = 0;
   Matrix strains;
-  bool released = false;  ///< the surfaces part at this very instant
+  bool released = false;  ///< the contact opens at this very instant
 };
 
 /// What is integrated on the way: force and strains, by the same columns, and the sum of the sizes
@@ -34,7 +34,7 @@ struct NormalIntegrals {
 };
 
 struct NormalStay {
-  bool touching = false;
+  bool closed = false;
   double begin = 0, duration = 0;
   Vector decays = {};  ///< of a touch
 };
@@ -47,15 +47,15 @@ class NormalStays {
   NormalStays& operator=(const NormalStays&) = delete;
 
   Index units() const { return units_.singles(); }
-  /// Amplitude of e^{it} of the force while the surfaces touch.
+  /// Amplitude of e^{it} of the force while the contact is closed.
   std::complex<double> swing() const { return swing_; }
   double gap(const NormalState& now) const;
-  /// Apart at the top, the network as if pressed for good to where it is pressed at most.
+  /// Separated at the top, the network as if pressed for good to where it is pressed at most.
   NormalState start() const;
 
-  /// Until the surfaces meet, or part, at most to the end. Whether they did.
+  /// Until the contact closes, or opens, at most to the end. Whether they did.
   bool stay_apart(NormalState& now, double end, NormalStay& stay, NormalIntegrals& sums) const;
-  bool stay_touching(NormalState& now, double end, NormalStay& stay, NormalIntegrals& sums) const;
+  bool stay_closed(NormalState& now, double end, NormalStay& stay, NormalIntegrals& sums) const;
 
  private:
   double depth(double time) const;

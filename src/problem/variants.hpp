@@ -15,7 +15,7 @@ Problem called_otherwise(const Problem& problem, std::map<std::string, std::stri
 /// With these warnings.
 Problem warning_of(const Problem& problem, std::vector<std::string> warnings);
 
-/// Of surfaces that must stay together.
+/// Of a contact that must stay closed.
 Problem staying_closed(const Problem& problem);
 
 /// `normal` over one spring (N/m, 1) under a rigid drive: v* is mu0 omega du_z |K_n|/stiffness. The

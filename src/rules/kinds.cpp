@@ -35,9 +35,9 @@ bool elastic(const Problem& problem) {
 }
 
 // Eq. 24 holds on for an isotropic contact under a rigid drive: in sliding the tangential
-// deformations are mu0 K_n/K_t times the normal ones, while touching and while apart, so that the
-// contact velocity is v0 - mu0 (K_n/K_t) du_z/dt whatever the network; as long as the surfaces
-// touch where u_z rises fastest, which a surface that creeps back too slowly does not.
+// deformations are mu0 K_n/K_t times the normal ones, while closed and while open, so that the
+// contact velocity is v0 - mu0 (K_n/K_t) du_z/dt whatever the network; as long as the contact
+// is closed where u_z rises fastest, which a surface that creeps back too slowly does not.
 bool follows_without_memory(const Problem& problem) {
   return problem->indenter || (isotropic(problem) && problem->rigid());
 }
@@ -61,8 +61,8 @@ const char* name_of(Kind kind) {
       return "no_indenter";
     case Kind::separating:
       return "separating";
-    case Kind::separating_while_touching:
-      return "separating_while_touching";
+    case Kind::separating_without_memory:
+      return "separating_without_memory";
     case Kind::separating_with_memory:
       return "separating_with_memory";
     case Kind::no_static_load:
@@ -75,10 +75,10 @@ const char* name_of(Kind kind) {
       return "no_indentation";
     case Kind::tapping:
       return "tapping";
-    case Kind::never_meeting:
-      return "never_meeting";
-    case Kind::jumping:
-      return "jumping";
+    case Kind::never_closing:
+      return "never_closing";
+    case Kind::amplitude_too_large:
+      return "amplitude_too_large";
     case Kind::deep_amplitude:
       return "deep_amplitude";
     case Kind::opening:
@@ -87,8 +87,8 @@ const char* name_of(Kind kind) {
       return "opening_below_indenter";
     case Kind::opening_with_memory:
       return "opening_with_memory";
-    case Kind::apart_where_steepest:
-      return "apart_where_steepest";
+    case Kind::open_where_steepest:
+      return "open_where_steepest";
   }
   throw Bug("a kind of scene without a name");
 }
@@ -108,7 +108,7 @@ bool Facts::is(Kind kind) const {
       return !problem_->indenter;
     case Kind::separating:
       return separating;
-    case Kind::separating_while_touching:
+    case Kind::separating_without_memory:
       return separating && !elastic(problem_) && follows_without_memory(problem_);
     case Kind::separating_with_memory:
       return separating && !elastic(problem_) && !follows_without_memory(problem_);
@@ -122,9 +122,9 @@ bool Facts::is(Kind kind) const {
       return !separating && static_stiffness() > 0 && !(mean_force() > 0);
     case Kind::tapping:
       return separating && !(value(problem_->indentation) > 0) && value(problem_->amplitude) > 0;
-    case Kind::never_meeting:
+    case Kind::never_closing:
       return !(value(problem_->indentation) + value(problem_->amplitude) > 0);
-    case Kind::jumping:
+    case Kind::amplitude_too_large:
       return !separating && !(value(problem_->amplitude) < value(problem_->indentation));
     case Kind::deep_amplitude:
       return separating && !(value(problem_->amplitude) < value(problem_->indentation));
@@ -136,17 +136,17 @@ bool Facts::is(Kind kind) const {
              !(oscillating_force() < mean_force());
     case Kind::opening_with_memory:
       return is(Kind::separating_with_memory) && opens() && !is(Kind::no_friction);
-    case Kind::apart_where_steepest:
-      return is(Kind::separating_while_touching) && opens() && !is(Kind::no_friction) &&
-             apart_where_steepest();
+    case Kind::open_where_steepest:
+      return is(Kind::separating_without_memory) && opens() && !is(Kind::no_friction) &&
+             open_where_steepest();
   }
   throw Bug("a kind of scene without a rule");
 }
 
-bool Facts::apart_where_steepest() const {
+bool Facts::open_where_steepest() const {
   require(Question::normal_motion, problem_);
   if (oscillating_force() <=
-      (1 + simulation::hardly_parting(problem_->indenter.has_value())) * mean_force())
+      (1 + simulation::least_separation(problem_->indenter.has_value())) * mean_force())
     return false;
   const simulation::NormalMotion motion{
       relaxation_form(problem_->normal.network(), problem_.values()), value(problem_->indentation),

@@ -9,28 +9,29 @@
 namespace vcrit::rules {
 
 enum class Kind {
-  measured_drive,             ///< known at the frequencies of its table
-  masses_in_drive,            ///< beside the one body
-  lossy_spring,               ///< k (1 + i eta): known at one frequency at a time
-  indenter,                   ///< many contacts, each with a motion of its own
-  no_indenter,                ///< one contact
-  separating,                 ///< the surfaces may part
-  separating_while_touching,  ///< v* is Eq. 24 while they touch where the indentation rises fastest
-  separating_with_memory,     ///< v* is Eq. 24 while they never part
-  no_static_load,             ///< K_n(0) = 0
+  measured_drive,                 ///< known at the frequencies of its table
+  masses_in_drive,                ///< beside the one body
+  lossy_spring,                   ///< k (1 + i eta): known at one frequency at a time
+  indenter,                       ///< many contacts, each with a motion of its own
+  no_indenter,                    ///< one contact
+  separating,                     ///< the contact may open
+  separating_without_memory,      ///< v* is Eq. 24 while it is closed where the indentation rises
+                                  ///< fastest
+  separating_with_memory,         ///< v* is Eq. 24 while they never part
+  no_static_load,                 ///< K_n(0) = 0
   no_static_load_below_indenter,  ///< E(0) = 0
   no_friction,                    ///< mu0 = 0
   no_indentation,                 ///< u_z0 = 0 where a spring would carry a load
-  tapping,                        ///< the same of surfaces that may part, and meet for a while
-  never_meeting,                  ///< u_z0 = du_z = 0
-  jumping,                        ///< (3): du_z >= u_z0 of surfaces that must not part
-  deep_amplitude,                 ///< the same of surfaces that may
-  opening,                        ///< (4) broken by surfaces that must not part
+  tapping,                        ///< the same of a contact that may open, and close for a while
+  never_closing,                  ///< u_z0 = du_z = 0
+  amplitude_too_large,            ///< (3): du_z >= u_z0 of a contact that must not open
+  deep_amplitude,                 ///< the same of a contact that may
+  opening,                        ///< (4) broken by a contact that must not open
   opening_below_indenter,         ///< (4) at the centre, likewise
-  opening_with_memory,            ///< surfaces that part, so that v* is another one
-  apart_where_steepest,           ///< likewise, since they are apart where u_z rises fastest
+  opening_with_memory,            ///< a contact that opens, so that v* is another one
+  open_where_steepest,            ///< likewise, since it is open where u_z rises fastest
 };
-inline constexpr std::size_t kinds = static_cast<std::size_t>(Kind::apart_where_steepest) + 1;
+inline constexpr std::size_t kinds = static_cast<std::size_t>(Kind::open_where_steepest) + 1;
 
 /// "measured_drive": a name that stays the same, for programs.
 const char* name_of(Kind kind);
@@ -41,7 +42,7 @@ class Facts {
   explicit Facts(const Problem& problem) : problem_(problem) {}
 
   /// Throws InputError where that needs values that are missing, ModelError where the motion of the
-  /// surfaces would have to be known and is not.
+  /// contact would have to be known and is not.
   bool is(Kind kind) const;
 
   const Problem& problem() const { return problem_; }
@@ -55,7 +56,7 @@ class Facts {
 
  private:
   long double static_stiffness() const;
-  bool apart_where_steepest() const;
+  bool open_where_steepest() const;
 
   Problem problem_;
   mutable std::optional<long double> static_stiffness_, oscillating_;

@@ -43,19 +43,19 @@ constexpr Cell measured_code =
     refused("the generator needs a network; this drive is a measured receptance");
 constexpr Cell masses_code =
     refused("the generator knows one body; this drive holds masses of its own");
-constexpr Cell touching_code = refused(
-    "where these surfaces part (separation = true) v* is Eq. (24) only while they touch where the "
+constexpr Cell without_memory_code = refused(
+    "where this contact opens (separation = true) v* is Eq. (24) only while it is closed where the "
     "indentation grows fastest, which an evaluator cannot tell",
     "vcrit eval can, and of the closed contact there is an evaluator, without separation");
 constexpr Cell memory_code =
-    refused("no closed form of v* where these surfaces part (separation = true)",
+    refused("no closed form of v* where this contact opens (separation = true)",
             "of the closed contact there is one, without it");
 constexpr Cell measured_polynomial =
     refused("a measured receptance is no polynomial: v* has no rational form");
-constexpr Cell no_symbols =
-    refused("where surfaces part (separation = true) v* is no formula of all symbols to compare");
+constexpr Cell no_symbols = refused(
+    "where the contact opens (separation = true) v* is no formula of all symbols to compare");
 constexpr Cell no_comparison =
-    refused("no closed form of v* where these surfaces part: nothing to compare",
+    refused("no closed form of v* where this contact opens: nothing to compare",
             "vcrit eval gives the simulated one, and vcrit validate holds it against the motion");
 
 constexpr Cell no_load = refused("the normal network carries no static load: K_n(0) = 0");
@@ -63,10 +63,10 @@ constexpr Cell no_modulus = refused("the half-space carries no static load: E(0)
 constexpr Cell no_friction = refused("with {mu0} = 0 there is no friction to compare with");
 constexpr Cell no_indentation =
     refused("without an indentation {u_z0} the contact carries no load");
-constexpr Cell never_meet = refused("the surfaces never meet");
+constexpr Cell never_closes = refused("the contact never closes");
 constexpr Cell never_closed =
     refused("without an indentation {u_z0} the contact opens at every amplitude");
-constexpr Cell jumps = refused(
+constexpr Cell too_large = refused(
     "the amplitude {du_z} = {amplitude} m is not below the indentation {u_z0} = {indentation} m "
     "(3)");
 constexpr Cell opens_closed = refused(
@@ -81,8 +81,8 @@ constexpr Cell opens_at_tip = refused(
     "the contact opens all over: at the tip F_n oscillates by {share:.6g} times its mean (4)");
 
 constexpr Cell memory = left_out(
-    "the contact point follows the normal deformation with memory, also where the surfaces part");
-constexpr Cell apart = left_out("the surfaces are apart where the indentation grows fastest");
+    "the contact point follows the normal deformation with memory, also where the contact opens");
+constexpr Cell open_then = left_out("the contact is open where the indentation grows fastest");
 constexpr Cell table_alone = left_out("v* is known at the frequencies of a table alone");
 constexpr Cell one_frequency = left_out("lossy(k, eta) is known at one frequency at a time");
 constexpr Cell one_body =
@@ -100,20 +100,20 @@ struct Row {
 };
 
 // In the order of Kind:
-//   measured, masses, lossy | indenter, none | separating, while touching, with memory
-//   no load, below indenter, no friction, no indentation, tapping, never meeting
-//   (3), deep | (4), below indenter | opening with memory, apart where steepest
+//   measured, masses, lossy | indenter, none | separating, without memory, with memory
+//   no load, below indenter, no friction, no indentation, tapping, never closing
+//   (3), deep | (4), below indenter | opening with memory, open where steepest
 constexpr Cell y = yes;
 // clang-format off
 constexpr std::array<Row, questions> table{{
     {Question::admissible,
      {y, y, y, y, y, y, y, y,
-      no_load, no_load, y, no_indentation, y, never_meet,
-      jumps, y, opens_closed, opens_all_over, y, y}},
+      no_load, no_load, y, no_indentation, y, never_closes,
+      too_large, y, opens_closed, opens_all_over, y, y}},
     {Question::formula,
      {y, y, y, y, y, y, y, y,
       y, y, y, y, y, y,
-      y, y, y, y, memory, apart}},
+      y, y, y, y, memory, open_then}},
     {Question::closed_form,
      {y, y, y, y, y, y, y, memory,
       y, y, y, y, y, y,
@@ -123,7 +123,7 @@ constexpr std::array<Row, questions> table{{
       y, y, y, y, y, y,
       y, y, y, y, y, y}},
     {Question::evaluator,
-     {measured_code, masses_code, y, y, y, y, touching_code, memory_code,
+     {measured_code, masses_code, y, y, y, y, without_memory_code, memory_code,
       y, y, y, y, y, y,
       y, y, y, y, y, y}},
     {Question::rational_form,
@@ -136,12 +136,12 @@ constexpr std::array<Row, questions> table{{
       y, y, y, y, y, y}},
     {Question::motion,
      {measured_motion, masses_motion, lossy_motion, each_place, y, y, y, y,
-      no_load, y, no_friction, y, y, never_meet,
-      jumps, y, opens_moving, y, y, y}},
+      no_load, y, no_friction, y, y, never_closes,
+      too_large, y, opens_moving, y, y, y}},
     {Question::motion_below_indenter,
      {y, y, lossy_law, y, no_cells, y, y, y,
-      y, no_modulus, no_friction, y, y, never_meet,
-      jumps, y, y, opens_at_tip, y, y}},
+      y, no_modulus, no_friction, y, y, never_closes,
+      too_large, y, y, opens_at_tip, y, y}},
     {Question::normal_motion,
      {y, y, lossy_motion, y, y, y, y, y,
       no_load, no_modulus, y, y, y, y,
@@ -152,7 +152,7 @@ constexpr std::array<Row, questions> table{{
       y, y, y, y, y, y}},
     {Question::comparison,
      {measured_motion, masses_motion, lossy_motion, y, y, y, y, y,
-      no_load, no_modulus, no_friction, y, y, never_meet,
+      no_load, no_modulus, no_friction, y, y, never_closes,
       y, y, y, y, no_comparison, no_comparison}},
     {Question::other_methods,
      {y, y, y, no_methods, y, y, y, y,
@@ -177,7 +177,7 @@ constexpr std::array<Row, questions> table{{
     {Question::closed_range,
      {y, y, y, y, y, y, y, y,
       y, y, y, y, never_closed, never_closed,
-      jumps, jumps, y, y, y, y}},
+      too_large, too_large, y, y, y, y}},
     {Question::closed_amplitude,
      {y, y, y, y, y, y, y, y,
       y, y, y, y, never_closed, never_closed,

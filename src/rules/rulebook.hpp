@@ -13,14 +13,14 @@ namespace vcrit::rules {
 enum class Question {
   admissible,   ///< Eq. 24 applies: (3), (4), and a load to carry
   formula,      ///< v* is Eq. 24, with the values of the scene
-  closed_form,  ///< v* is Eq. 24 at least while the surfaces touch where u_z rises fastest
+  closed_form,  ///< v* is Eq. 24 at least while the contact is closed where u_z rises fastest
   formula_of_all_values,  ///< v* is Eq. 24 whatever the values
   evaluator,              ///< code is generated for it
   rational_form,          ///< v*^2 is a quotient of polynomials
   all_frequencies,        ///< v* is a function of the frequency, at every one of them
   motion,                 ///< one contact moves
   motion_below_indenter,  ///< the cells of a half-space move
-  normal_motion,          ///< the surfaces meet and part
+  normal_motion,          ///< the contact closes and opens
   motion_in_time,         ///< a law of motion is known, whatever the values
   comparison,             ///< v* by Eq. 24 has a motion to be compared with
   other_methods,          ///< methods besides the exact one

@@ -24,31 +24,31 @@ struct QuantityRow {
   std::string name;
   const char *unit, *description;  ///< {}: the parameter
   bool needs_motion;
-  Words words = {}, words_parting = {};
+  Words words = {}, words_separating = {};
   int first_flag = 0;
 };
 
 const std::vector<QuantityRow>& quantity_rows() {
   static const Words answers{"no", "yes"},
-      touching{to_text(Regime::sliding), to_text(Regime::stick_slip),
-               to_text(Regime::stick_slip_backslip), to_text(Regime::stick)},
-      parting{to_text(Regime::sliding),
-              to_text(Regime::stick_slip),
-              to_text(Regime::stick_slip_backslip),
-              to_text(Regime::stick),
-              to_text(Regime::sliding_apart),
-              to_text(Regime::stick_slip_apart),
-              to_text(Regime::stick_slip_backslip_apart)};
+      closed{to_text(Regime::sliding), to_text(Regime::stick_slip),
+             to_text(Regime::stick_slip_backslip), to_text(Regime::stick)},
+      separating{to_text(Regime::sliding),
+                 to_text(Regime::stick_slip),
+                 to_text(Regime::stick_slip_backslip),
+                 to_text(Regime::stick),
+                 to_text(Regime::sliding_separated),
+                 to_text(Regime::stick_slip_separated),
+                 to_text(Regime::stick_slip_backslip_separated)};
   static const std::vector<QuantityRow> all{
       {Kind::critical_velocity, "critical_velocity", "m/s", "critical velocity v* (Eq. 24)", false},
       {Kind::friction_ratio, "friction_ratio", "1",
        "macroscopic over microscopic coefficient of friction, simulated", true},
       {Kind::friction_ratio_error, "friction_ratio_error", "1",
        "estimated absolute error of the friction ratio", true},
-      {Kind::regime, "regime", "1", "regime of the steady motion, simulated", true, touching,
-       parting, 1},
-      {Kind::admissible, "admissible", "1", "whether Eq. 24 applies: no jumping, closed contact",
-       false, answers, answers},
+      {Kind::regime, "regime", "1", "regime of the steady motion, simulated", true, closed,
+       separating, 1},
+      {Kind::admissible, "admissible", "1", "whether Eq. 24 applies: closed contact", false,
+       answers, answers},
       {Kind::sensitivity, sensitivity_prefix + "NAME", "1",
        "relative change of v* per relative change of {}", false}};
   return all;
@@ -73,15 +73,15 @@ const std::vector<std::string>& swept_quantity_names() {
 
 SweptQuantity parse_swept_quantity(const std::string& text, const Problem& problem) {
   const Place place = argument("quantity");
-  const bool parting = problem->separation || problem->indenter;
+  const bool separates = problem->separation || problem->indenter;
   if (text.starts_with(sensitivity_prefix)) {
     const std::string name = text.substr(sensitivity_prefix.size());
     known_dimension(name, problem->source->settable, place, problem->source->named);
     const Symbol parameter = target_of(problem, name).symbol;
-    return {Kind::sensitivity, parameter, parting, to_text(as_called(problem, parameter))};
+    return {Kind::sensitivity, parameter, separates, to_text(as_called(problem, parameter))};
   }
   for (const QuantityRow& row : quantity_rows())
-    if (row.name == text && row.kind != Kind::sensitivity) return {row.kind, {}, parting, {}};
+    if (row.name == text && row.kind != Kind::sensitivity) return {row.kind, {}, separates, {}};
   const auto& names = swept_quantity_names();
   const auto meant = nearest(text, names);
   throw InputError(
@@ -97,14 +97,14 @@ std::string column_name(const SweptQuantity& quantity) {
 std::string unit(const SweptQuantity& quantity) { return row_of_quantity(quantity).unit; }
 
 std::string description(const SweptQuantity& quantity) {
-  if (quantity.kind == Kind::critical_velocity && quantity.parting)
-    return "critical velocity v* (Eq. 24, or simulated where surfaces part)";
+  if (quantity.kind == Kind::critical_velocity && quantity.separates)
+    return "critical velocity v* (Eq. 24, or simulated where the contact opens)";
   return fmt::format(fmt::runtime(row_of_quantity(quantity).description), quantity.name);
 }
 
 const std::vector<std::string>& words(const SweptQuantity& quantity) {
   const QuantityRow& row = row_of_quantity(quantity);
-  return quantity.parting ? row.words_parting : row.words;
+  return quantity.separates ? row.words_separating : row.words;
 }
 
 int first_flag(const SweptQuantity& quantity) { return row_of_quantity(quantity).first_flag; }

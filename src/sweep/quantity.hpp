@@ -18,9 +18,9 @@ struct SweptQuantity {
     sensitivity            ///< (p/v*) dv*/dp
   };
   Kind kind = Kind::critical_velocity;
-  Symbol parameter{};    ///< p of a sensitivity
-  bool parting = false;  ///< of a scene whose surfaces may part
-  std::string name{};    ///< what the scene calls p
+  Symbol parameter{};      ///< p of a sensitivity
+  bool separates = false;  ///< of a scene whose contact may open
+  std::string name{};      ///< what the scene calls p
   friend bool operator==(const SweptQuantity&, const SweptQuantity&) = default;
 };
 

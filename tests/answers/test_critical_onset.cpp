@@ -1,4 +1,4 @@
-// v* where the surfaces part: Eq. (24) against the simulator, which does not know it, where the
+// v* where the contact opens: Eq. (24) against the simulator, which does not know it, where the
 // closed form is said to hold; and the simulator's own where it is not.
 #include "answers/critical_onset.hpp"
 
@@ -21,8 +21,8 @@ using test::Toml;
 
 namespace {
 
-/// At omega = 1, with surfaces that may part.
-Scene parting(SceneText text) {
+/// At omega = 1, with a contact that may open.
+Scene separating(SceneText text) {
   text.angular_frequency = 1;
   text.separation = true;
   return test::scene_of(text);
@@ -43,13 +43,13 @@ BOOST_AUTO_TEST_CASE(elastic_paths_keep_the_closed_form) {
                    .tangential = "kt",
                    .amplitude = amplitude,
                    .elements = {{"k", 3}, {"kt", 2}, {"kd", 0.7}}};
-    const Scene rigid = parting(text);
+    const Scene rigid = separating(text);
     const CriticalOnset onset = critical_onset(rigid);
     BOOST_TEST((onset.by == CriticalOnset::By::formula));
     BOOST_TEST(onset.contact_velocity == certified_critical_velocity(rigid).value);
     BOOST_TEST(std::abs(simulated(rigid) / onset.contact_velocity - 1) <= rounding);
     text.network = "kd";
-    const Scene drive = parting(text);
+    const Scene drive = separating(text);
     const CriticalOnset driven = critical_onset(drive);
     BOOST_TEST((driven.by == CriticalOnset::By::formula));
     BOOST_TEST(std::abs(simulated(drive) / driven.contact_velocity - 1) <= rounding);
@@ -58,12 +58,12 @@ BOOST_AUTO_TEST_CASE(elastic_paths_keep_the_closed_form) {
 
 // A body remembers where it was when the surfaces met, whatever the springs.
 BOOST_AUTO_TEST_CASE(a_body_on_springs_has_no_closed_form) {
-  const Scene scene = parting({.normal = "k",
-                               .tangential = "kt",
-                               .network = "kd",
-                               .mass = 0.3,
-                               .amplitude = 3,
-                               .elements = {{"k", 3}, {"kt", 2}, {"kd", 0.7}}});
+  const Scene scene = separating({.normal = "k",
+                                  .tangential = "kt",
+                                  .network = "kd",
+                                  .mass = 0.3,
+                                  .amplitude = 3,
+                                  .elements = {{"k", 3}, {"kt", 2}, {"kd", 0.7}}});
   const CriticalOnset onset = critical_onset(scene);
   BOOST_TEST((onset.by == CriticalOnset::By::simulation));
   BOOST_TEST(onset.contact_velocity == simulated(scene));
@@ -81,10 +81,10 @@ BOOST_AUTO_TEST_CASE(a_light_body_on_a_damped_drive_is_none) {
         .network = drive,
         .amplitude = 3,
         .elements = {{"k", 3}, {"kt", 2}, {"kd", 0.7}, {"cd", 0.4}, {"k1", 0.9}, {"c1", 5}}};
-    const double without = simulated(parting(text));
+    const double without = simulated(separating(text));
     for (const double mass : {1e-13, 1e-16, 1e-20, 1e-40, 1e-100}) {
       text.mass = mass;
-      BOOST_TEST(std::abs(simulated(parting(text)) / without - 1) <= rounding);
+      BOOST_TEST(std::abs(simulated(separating(text)) / without - 1) <= rounding);
     }
   }
 }
@@ -97,7 +97,7 @@ BOOST_AUTO_TEST_CASE(a_body_that_keeps_still_is_none) {
       .tangential = "kt | (k1 - c1)",
       .amplitude = 3,
       .elements = {{"k", 3}, {"k2", 1}, {"c2", 0.7}, {"kt", 2}, {"k1", 0.9}, {"c1", 5}}};
-  const double rigid = simulated(parting(text));
+  const double rigid = simulated(separating(text));
   const auto near_rigid = [&](const char* drive, double mass, double stiffness) {
     SceneText driven = text;
     driven.network = drive;
@@ -105,7 +105,7 @@ BOOST_AUTO_TEST_CASE(a_body_that_keeps_still_is_none) {
     for (const auto& [name, value] : {std::pair("kd", stiffness), std::pair("cd", 0.4),
                                       std::pair("kb", 3e6), std::pair("cb", 4e9)})
       driven.elements.emplace_back(name, value);
-    BOOST_TEST(std::abs(simulated(parting(driven)) / rigid - 1) <= rounding,
+    BOOST_TEST(std::abs(simulated(separating(driven)) / rigid - 1) <= rounding,
                drive << mass << stiffness);
   };
   for (const double mass : {1.0, 1e3, 1e6})
@@ -115,7 +115,7 @@ BOOST_AUTO_TEST_CASE(a_body_that_keeps_still_is_none) {
 }
 
 // In sliding the tangential deformations are mu0 K_n/K_t times the normal ones whatever the
-// network: v* is Eq. (24) where the surfaces touch as u_z rises fastest, and less elsewhere.
+// network: v* is Eq. (24) where the contact is closed as u_z rises fastest, and less elsewhere.
 BOOST_AUTO_TEST_CASE(isotropic_contacts_under_a_rigid_drive) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> exponent(-1.5, 1.5), size(1.2, 6);
@@ -124,7 +124,7 @@ BOOST_AUTO_TEST_CASE(isotropic_contacts_under_a_rigid_drive) {
     const auto number = [&] { return std::pow(10, exponent(random)); };
     const char* const networks[] = {"k0 | c1", "zener(k0, k1, c1)", "(k0 | c1) - k1",
                                     "k0 | (k1 - c1) | c2"};
-    const Scene scene = parting(
+    const Scene scene = separating(
         {.normal = networks[i % 4],
          .tangential_ratio = 0.8,
          .amplitude = size(random),
@@ -159,7 +159,7 @@ SceneText kelvin(const char* tangential, double amplitude) {
 // With a network of its own the tangential contact remembers: the last stick of a start at rest,
 // the simulator's other witness, vanishes at the same speed, and Eq. (24) is off.
 BOOST_AUTO_TEST_CASE(other_contacts_are_simulated) {
-  const Scene scene = parting(kelvin("kt | ct", 3));
+  const Scene scene = separating(kelvin("kt | ct", 3));
   const CriticalOnset onset = critical_onset(scene);
   BOOST_TEST((onset.by == CriticalOnset::By::simulation));
   BOOST_TEST(std::isnan(onset.relative_error_bound));
@@ -170,14 +170,14 @@ BOOST_AUTO_TEST_CASE(other_contacts_are_simulated) {
 }
 
 BOOST_AUTO_TEST_CASE(a_force_that_jumps_sticks_at_any_speed) {
-  const CriticalOnset onset = critical_onset(parting(kelvin("kt", 3)));
+  const CriticalOnset onset = critical_onset(separating(kelvin("kt", 3)));
   BOOST_TEST(std::isinf(onset.contact_velocity));
   BOOST_TEST(onset.reason.find("sticks for a moment") != std::string::npos);
 }
 
-// Surfaces that may part and do not: the same numbers as without.
+// A contact that may open and do not: the same numbers as without.
 BOOST_AUTO_TEST_CASE(closed_contacts_are_as_ever) {
-  const Scene may = parting(kelvin("kt | ct", 0.2));
+  const Scene may = separating(kelvin("kt | ct", 0.2));
   BOOST_TEST(!opens(may));
   SceneText closed = kelvin("kt | ct", 0.2);
   closed.angular_frequency = 1;
@@ -296,15 +296,15 @@ BOOST_AUTO_TEST_CASE(sensitivities_are_those_of_the_simulated_velocity) {
   for (const auto& [name, expected] : known)
     BOOST_TEST(std::abs(onset_log_derivative(scene, {name}) - expected) <= 1e-9, name);
   // Of Eq. (24) where that holds.
-  BOOST_TEST(onset_log_derivative(parting(kelvin("kt", 0.2)), {"kt"}) == -1);
+  BOOST_TEST(onset_log_derivative(separating(kelvin("kt", 0.2)), {"kt"}) == -1);
 }
 
-// Surfaces that part by the share d lose a force of the order d^(3/2), and the slope changes by
+// A contact that opens by the share d lose a force of the order d^(3/2), and the slope changes by
 // sqrt(d): just beyond the border, |K_n| du_z = u_z0, it is that of Eq. (24).
 BOOST_AUTO_TEST_CASE(sensitivities_are_the_same_on_both_sides_of_the_border) {
   for (const double beyond : {1e-4, 1e-6, 1e-8, 1e-10}) {
-    const Scene opening = parting(kelvin("kt | ct", (1 + beyond) / std::hypot(1, 0.6)));
-    const Scene closed = parting(kelvin("kt | ct", (1 - beyond) / std::hypot(1, 0.6)));
+    const Scene opening = separating(kelvin("kt | ct", (1 + beyond) / std::hypot(1, 0.6)));
+    const Scene closed = separating(kelvin("kt | ct", (1 - beyond) / std::hypot(1, 0.6)));
     BOOST_TEST((critical_onset(opening).by == CriticalOnset::By::simulation));
     for (const char* name : {"du_z", "u_z0", "c", "k", "kt", "ct"})
       BOOST_TEST(std::abs(onset_log_derivative(opening, {name}) -
@@ -338,15 +338,15 @@ BOOST_AUTO_TEST_CASE(tapping_contacts_and_frictionless_ones) {
                     .amplitude = 3,
                     .indentation = 0,
                     .elements = {{"k", 3}, {"kt", 2}}};
-  BOOST_TEST(inadmissible_reasons(parting(tapping)).empty());
-  BOOST_TEST(critical_onset(parting(tapping)).contact_velocity == 2.25);
-  BOOST_TEST(std::abs(simulated(parting(tapping)) / 2.25 - 1) <= rounding);
+  BOOST_TEST(inadmissible_reasons(separating(tapping)).empty());
+  BOOST_TEST(critical_onset(separating(tapping)).contact_velocity == 2.25);
+  BOOST_TEST(std::abs(simulated(separating(tapping)) / 2.25 - 1) <= rounding);
   tapping.amplitude = 0;
-  BOOST_TEST(inadmissible_reasons(parting(tapping)) ==
-             std::vector<std::string>{"the surfaces never meet"});
+  BOOST_TEST(inadmissible_reasons(separating(tapping)) ==
+             std::vector<std::string>{"the contact never closes"});
   SceneText slippery = kelvin("kt | ct", 3);
   slippery.coefficient = 0;
-  BOOST_TEST(critical_onset(parting(slippery)).contact_velocity == 0);
+  BOOST_TEST(critical_onset(separating(slippery)).contact_velocity == 0);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

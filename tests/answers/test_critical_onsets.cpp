@@ -1,4 +1,4 @@
-// v* over columns where surfaces separate: each lane is that of its scene.
+// v* over columns where the contact opens: each lane is that of its scene.
 #include "answers/critical_onsets.hpp"
 
 #include <boost/test/unit_test.hpp>

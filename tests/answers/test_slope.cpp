@@ -48,7 +48,7 @@ BOOST_AUTO_TEST_CASE(beside_a_bend_and_at_it) {
   BOOST_TEST(std::abs(at.above - 3) <= 1e-6);
 }
 
-// As v* where surfaces begin to part: x^(3/2) to one side, nothing to the other.
+// As v* where the contact begins to open: x^(3/2) to one side, nothing to the other.
 BOOST_AUTO_TEST_CASE(next_to_a_singular_curvature) {
   for (const double place : {0.0, 1e-7, 1e-5, 1e-3}) {
     const Slope slope = slope_at_zero(

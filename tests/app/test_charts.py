@@ -16,7 +16,7 @@ from selenium.webdriver.support.ui import WebDriverWait
 from browsing import CHARTS, PATIENCE, Ruler, browser, draw_charts, load, number, places
 from program import PROGRAM, PROJECT
 
-PAGES = ["zener", "jumping", "paper/index"]
+PAGES = ["zener", "separation", "paper/index"]
 HOSTILE = "</script><img src=x onerror=window.hostile=1> & \"it's\""
 
 
@@ -44,7 +44,7 @@ class Charts(unittest.TestCase):
         cls.report = Path(cls.folder.name, "report")
         # Without a compiler it takes half the time.
         environment = os.environ | {"PATH": "/nowhere"}
-        for what, out in [(["scenes/zener.toml", "scenes/jumping.toml"], cls.report),
+        for what, out in [(["scenes/zener.toml", "scenes/separation.toml"], cls.report),
                           (["--paper"], cls.report / "paper")]:
             subprocess.run([PROGRAM, "validate", *what, "--out", out], cwd=PROJECT, env=environment, check=True,
                            capture_output=True)

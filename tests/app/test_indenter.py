@@ -45,17 +45,17 @@ class Indenters(Case):
         # The chords lie above the parabola by at most (1 um)^2/(8 R) = 2.5e-11 m, 2.5e-5 of the depth.
         self.assertAlmostEqual(motion["friction_ratio"], 0.66931, delta=1e-4)
 
-    def test_jumping_and_what_is_outside(self):
+    def test_separation_and_what_is_outside(self):
         open_scene = self.indenter(amplitude=2)
         self.assertFalse(self.answer("eval", open_scene)["admissible"])
         self.refused(3, ["simulate", open_scene, "--velocity", 0.1])
-        jumping = self.indenter(amplitude=2, separation=True)
-        self.assertTrue(self.answer("eval", jumping)["opens"])
-        motion = self.answer("simulate", jumping, "--velocity-ratio", 0.3)
+        separating = self.indenter(amplitude=2, separation=True)
+        self.assertTrue(self.answer("eval", separating)["opens"])
+        motion = self.answer("simulate", separating, "--velocity-ratio", 0.3)
         self.assertEqual(motion["regime"], "stick-slip-apart")
         self.assertEqual(motion["indenter"]["cells"][0]["regime"], "stick-slip-apart")
-        self.refused(3, ["simulate", jumping, "--velocity", 0.1, "--method", "moreau"])
-        self.refused(3, ["solve", jumping, "--for", "amplitude", "--friction-ratio", 0.5, "--velocity", 0.1])
+        self.refused(3, ["simulate", separating, "--velocity", 0.1, "--method", "moreau"])
+        self.refused(3, ["solve", separating, "--for", "amplitude", "--friction-ratio", 0.5, "--velocity", 0.1])
 
     def test_a_map(self):
         rows = self.table(self.indenter(), "--over", "amplitude=lin:0.1e-6:0.9e-6:3", "--over",

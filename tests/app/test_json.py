@@ -71,7 +71,7 @@ class Json(Case):
         self.assertEqual(told["found"], "scene files beside it")
 
     def test_a_failure_of_the_model_and_of_the_command_line(self):
-        told = self.failure("generate", example("jumping"), "--out", "out", status=3)
+        told = self.failure("generate", example("separation"), "--out", "out", status=3)
         self.assertIn("of the closed contact there is an evaluator", told["advice"])
         self.assertTrue(told["message"].endswith(told["advice"]))
         self.assertIsNone(told["place"])

@@ -1,4 +1,4 @@
-"""Surfaces that part, through the program: what it says of v*, of the motion, and of the map across
+"""A contact that opens, through the program: what it says of v*, of the motion, and of the map across
 the border of separation."""
 
 import unittest
@@ -6,7 +6,7 @@ from pathlib import Path
 
 from program import Case, example
 
-JUMPING = example("jumping")
+JUMPING = example("separation")
 
 
 class Separation(Case):
@@ -45,12 +45,12 @@ class Separation(Case):
         for start in ("sliding", "rest"):
             motion = self.answer("simulate", JUMPING, "--velocity-ratio", 0.3, "--start", start)
             self.assertEqual({event["to"] for event in motion["events"]}, {"slip", "apart", "stick"})
-            parting = motion["separation"]
-            self.assertTrue(parting["starts_agree"])
-            self.assertLessEqual(abs(parting["other_start"]["friction_ratio"] - motion["friction_ratio"]),
+            separation = motion["separation"]
+            self.assertTrue(separation["starts_agree"])
+            self.assertLessEqual(abs(separation["other_start"]["friction_ratio"] - motion["friction_ratio"]),
                                  2 * motion["friction_ratio_error"])
-            # More than K_n(0) u_z0 = 4 N: the surfaces do not pull while they are apart.
-            self.assertGreater(parting["mean_normal_force"], 4)
+            # More than K_n(0) u_z0 = 4 N: the surfaces do not pull while it is open.
+            self.assertGreater(separation["mean_normal_force"], 4)
             work = motion["energy"]
             self.assertLess(abs(work["drive"] - work["friction"] - work["dampers"]), work["error"])
 
@@ -126,9 +126,9 @@ class Separation(Case):
     def test_surfaces_that_never_meet(self):
         apart = (JUMPING, "--set", "indentation=0", "--set", "amplitude=0")
         answer = self.answer("eval", *apart)
-        self.assertEqual((answer["admissible"], answer["reasons"]), (False, ["the surfaces never meet"]))
+        self.assertEqual((answer["admissible"], answer["reasons"]), (False, ["the contact never closes"]))
         self.assertIn("surfaces              never meet\n", self.run_program("eval", *apart).stdout)
-        self.refused(3, ["simulate", *apart, "--velocity", 1e-3], "the surfaces never meet")
+        self.refused(3, ["simulate", *apart, "--velocity", 1e-3], "the contact never closes")
 
     def test_derive_says_where_the_formula_holds(self):
         self.assertTrue(self.answer("derive", JUMPING)["separation"]["closed_form"])

@@ -247,8 +247,8 @@ BOOST_AUTO_TEST_CASE(the_bound_on_work_ends_a_search) {
   BOOST_TEST(has(refusal(asked), "bound on the work for all steady states together"));
 }
 
-// Where surfaces part, speeds are sought below the simulated v*, which may lie above Eq. (24) or
-// below: bisections on an independent simulator.
+// Where the contact opens, speeds are sought below the simulated v*, which may lie above Eq. (24)
+// or below: bisections on an independent simulator.
 BOOST_AUTO_TEST_CASE(speeds_of_surfaces_that_part) {
   struct Known {
     test::SceneText scene;

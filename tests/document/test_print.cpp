@@ -189,7 +189,7 @@ BOOST_AUTO_TEST_CASE(the_result_is_the_shortest_form_where_it_fits_a_page) {
 
 BOOST_AUTO_TEST_CASE(a_document_with_all_that_can_be_asked_is_derived_once) {
   for (const Scene& scene :
-       {test::kelvin_scene(), read_scene(VCRIT_SCENES "/jumping.toml"),
+       {test::kelvin_scene(), read_scene(VCRIT_SCENES "/separation.toml"),
         read_scene(VCRIT_SCENES "/sphere.toml"), read_scene(VCRIT_SCENES "/measured_drive.toml")})
     for (const ResultForm form :
          {ResultForm::shortest, ResultForm::by_size, ResultForm::nested,

@@ -1,5 +1,5 @@
 // Scene files. What is accepted reads the same again, and v* is a number of at least 0, infinity
-// with its reason, or an error; where the surfaces may part, the simulated one as well.
+// with its reason, or an error; where the contact may open, the simulated one as well.
 #include <cmath>
 
 #include "answers/critical_onset.hpp"
@@ -23,7 +23,7 @@ void check_velocity(const Scene& scene) {
   if (!scene.separation) return;
   const CriticalOnset onset = critical_onset(scene);
   fuzz::check(onset.contact_velocity >= 0 && onset.drive_velocity >= onset.contact_velocity,
-              "v* of surfaces that part is no NaN and not negative, and the drive no slower");
+              "v* of a contact that opens is no NaN and not negative, and the drive no slower");
 }
 
 }  // namespace

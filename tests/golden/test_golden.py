@@ -59,7 +59,7 @@ SCENE = [
     "solve {scene} --for amplitude --friction-ratio 0.8 --velocity 1mm/s --json",
     "solve {scene} --for frequency --friction-ratio 0.8 --velocity 1mm/s",
 ]
-METHODS_OF = {"zener.toml": METHODS, "kelvin_rigid.toml": METHODS, "jumping.toml": ("moreau",)}
+METHODS_OF = {"zener.toml": METHODS, "kelvin_rigid.toml": METHODS, "separation.toml": ("moreau",)}
 
 ALONE = [
     "--help",

@@ -63,7 +63,7 @@ BOOST_AUTO_TEST_CASE(springs_of_a_cell) {
   BOOST_CHECK_THROW(h.cell(1.001 * h.edge()), InputError);
 }
 
-// With |K(i omega)| = sqrt(2) K(0) the surfaces part from du_z sqrt(2) > depth on.
+// With |K(i omega)| = sqrt(2) K(0) the contact opens from du_z sqrt(2) > depth on.
 BOOST_AUTO_TEST_CASE(viscous_cells) {
   const std::string elements =
       "k0 = \"5 GPa\"\nc0 = " + std::to_string(5e9 / (4 * std::acos(0.0) * 20e3));
@@ -72,7 +72,7 @@ BOOST_AUTO_TEST_CASE(viscous_cells) {
   // The damper's value has 11 digits.
   BOOST_TEST(std::abs(h.closed_radius() / std::sqrt(0.01 * (5e-7 - std::sqrt(2.0) * 3e-7)) - 1) <=
              1e-9);
-  // Where parting and staying closed are one within rounding, cells stay closed.
+  // Where opening and staying closed are one within rounding, cells stay closed.
   const double x = h.gap().half_width(5e-7 - std::sqrt(2.0) * 3e-7 * (1 - 1e-15));
   const simulation::System cell = h.cell(std::min(x, h.closed_radius()));
   BOOST_TEST(!cell.opening.has_value());

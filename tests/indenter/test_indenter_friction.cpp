@@ -187,10 +187,10 @@ BOOST_AUTO_TEST_CASE(critical_velocity_of_an_elastic_half_space) {
     const double expected = velocity(amplitude, 1);
     BOOST_TEST(std::abs(sliding_threshold(h).drive_velocity / expected - 1) <= 1e-14);
     const Friction above = friction(h, expected * (1 + 1e-9));
-    BOOST_TEST((above.regime == Regime::sliding_apart));
+    BOOST_TEST((above.regime == Regime::sliding_separated));
     BOOST_TEST(std::abs(above.ratio - 1) <= above.error);
     const Friction below = friction(h, expected * (1 - 1e-3));
-    BOOST_TEST((below.regime == Regime::stick_slip_apart));
+    BOOST_TEST((below.regime == Regime::stick_slip_separated));
     BOOST_TEST(below.ratio + below.error < 1);
   }
 }
@@ -210,9 +210,9 @@ BOOST_AUTO_TEST_CASE(critical_velocity_of_viscoelastic_half_spaces) {
       BOOST_TEST(found <= most * (1 + 1e-12));
       less += found < most * (1 - 1e-12) ? 1 : 0;
       const Friction above = friction(h, found * (1 + 1e-9));
-      BOOST_TEST((above.regime == Regime::sliding_apart));
+      BOOST_TEST((above.regime == Regime::sliding_separated));
       const Friction below = friction(h, found * (1 - 1e-3));
-      BOOST_TEST((below.regime == Regime::stick_slip_apart));
+      BOOST_TEST((below.regime == Regime::stick_slip_separated));
       BOOST_TEST(below.ratio < above.ratio);
     }
   BOOST_TEST(less == 2);  // the prony, with amplitudes of 1 and 3
@@ -338,10 +338,10 @@ BOOST_AUTO_TEST_CASE(only_cells_that_differ_are_evaluated) {
 
 // A punch that parts by 6e-9 of its indentation is taken for one that does not, and its error says
 // so; where only some cells hardly part, it is theirs alone.
-BOOST_AUTO_TEST_CASE(hardly_parting) {
+BOOST_AUTO_TEST_CASE(least_separation) {
   const std::string punch = indenter_of("flat");
-  const HalfSpace parting(reference::scene_of(punch, indentation, (1 + 6e-9) * indentation));
-  const Friction found = friction(parting, velocity(1 + 6e-9, 0.5));
+  const HalfSpace opening(reference::scene_of(punch, indentation, (1 + 6e-9) * indentation));
+  const Friction found = friction(opening, velocity(1 + 6e-9, 0.5));
   // D = 1 of the references.
   BOOST_TEST(std::abs(found.ratio - 0.7985477966663313) <= found.error);
   BOOST_TEST(found.error <= 1e-7);

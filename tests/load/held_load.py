@@ -113,7 +113,7 @@ class Trial:
         if not self.draw.separates:
             return "0/0" in told
         if self.draw.decades == 20 and BEYOND_DOUBLES in told:
-            self.found["v* of surfaces that part, beyond doubles"] += 1
+            self.found["v* of a contact that opens, beyond doubles"] += 1
             return True
         reader = scenes_expected.Reader(self.scene["elements"], self.scene.get("networks", {}))
         normal = reader.network(self.scene["contact"]["normal"])
@@ -134,7 +134,7 @@ class Trial:
         if self.draw.separates:
             require(answer["opens"] != stays_closed, "opens", answer["opens"])
             if answer["critical_velocity_by"] == "simulation":
-                self.found["v* of surfaces that part, simulated"] += 1
+                self.found["v* of a contact that opens, simulated"] += 1
                 return
         found = mpmath.mpf(answer["critical_velocity"])
         require(abs(found / velocity - 1) <= answer["relative_error_bound"] < TOLERANCE, "eval", found, "within",

@@ -76,7 +76,7 @@ class Motions:
 
 
 def simulated_onset(system, values, means, opening, all_steps=STEPS[True]):
-    """v* of each mean indentation: the largest speed against the drive that sliding has while the surfaces touch.
+    """v* of each mean indentation: the largest speed against the drive that sliding has while the contact is closed.
 
     It may be at the first step of touching, which comes late by a part of a step: the error has what one step changes.
     """

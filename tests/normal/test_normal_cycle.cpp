@@ -159,7 +159,7 @@ BOOST_AUTO_TEST_CASE(agrees_with_references) {
     BOOST_TEST(std::abs(cycle.mean - row.mean) <= cycle.error, row.name);
     // Some forty rounding errors of all forces, of which the touch from far above leaves little.
     BOOST_TEST(cycle.error <= 100 * u * std::abs(cycle.swing), row.name);
-    // Where the surfaces meet or part, sines of an angle of at least 0.3 rad meet at an angle.
+    // Where the contact closes or opens, sines of an angle of at least 0.3 rad meet at an angle.
     BOOST_TEST(std::abs(touch.begin - row.begin) <= 20 * u * period, row.name);
     BOOST_TEST(std::abs(touch.duration - row.duration) <= 20 * u * period, row.name);
   }
@@ -171,7 +171,7 @@ BOOST_AUTO_TEST_CASE(elastic_closed_form) {
 }
 
 // Dampers so weak that they are not seen, less than a rounding error of the spring: what they leave
-// in the rates where the surfaces part and meet is rounding alone, but far above what decides.
+// in the rates where the contact opens and meet is rounding alone, but far above what decides.
 BOOST_AUTO_TEST_CASE(dampers_below_rounding_are_not_there) {
   for (const double mean : {-0.9, -0.5, 0.0, 0.37, 0.5, 0.9})
     for (const double weak : {1e-16, 1e-17, 1e-18, 1e-19, 1e-23, 1e-30}) {
@@ -268,7 +268,7 @@ double mean_of_frozen(double k, const Indentation& indentation) {
   return (1 + 1 / k) * apart(high);
 }
 
-// A weak spring below stiff branches that hardly relax: the surfaces touch for a small part of a
+// A weak spring below stiff branches that hardly relax: the contact is closed for a small part of a
 // period, down to 1e-4 of it here. A period relaxes 1e-12 of what is slow.
 BOOST_AUTO_TEST_CASE(short_touches_of_what_relaxes_slowly) {
   for (const double stiffness : {1.0, 1e2, 1e4, 1e6, 1e8, 1e10})

@@ -134,7 +134,7 @@ class Friction(unittest.TestCase):
 
 class SurfacesThatPart(unittest.TestCase):
     def test_as_the_program_says(self):
-        scene = vcrit.Scene("scenes/jumping.toml")
+        scene = vcrit.Scene("scenes/separation.toml")
         onset = scene.critical_onset
         self.assertEqual(onset.by, "formula")
         self.assertEqual(onset.contact_velocity, scene.critical_velocity())
@@ -142,7 +142,7 @@ class SurfacesThatPart(unittest.TestCase):
         self.assertEqual(list(curve.regime), ["stick-slip-apart", "sliding-apart"])
         state = scene.simulate(curve.velocity[0])
         self.assertIn("apart", {event.to for event in state.events})
-        printed = json.loads(program("simulate", "scenes/jumping.toml", "--velocity-ratio", "0.3", "--json").stdout)
+        printed = json.loads(program("simulate", "scenes/separation.toml", "--velocity-ratio", "0.3", "--json").stdout)
         self.assertEqual(printed["friction_ratio"], state.friction_ratio)
 
     def test_below_an_indenter(self):
@@ -158,7 +158,7 @@ class SurfacesThatPart(unittest.TestCase):
             scene.simulate("1 mm/s", method="moreau")
 
     def test_simulated_critical_velocity(self):
-        text = (PROJECT / "scenes/jumping.toml").read_text().replace("poisson    = 0.3", 'tangential = "kelvin(k0, c1)"')
+        text = (PROJECT / "scenes/separation.toml").read_text().replace("poisson    = 0.3", 'tangential = "kelvin(k0, c1)"')
         scene = vcrit.Scene.from_text(text)
         onset = scene.critical_onset
         self.assertEqual(onset.by, "simulation")

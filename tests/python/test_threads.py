@@ -139,15 +139,15 @@ class KeyboardInterrupts(unittest.TestCase):
         # Fewer values than a block of the package: one call of C++.
         self.assert_interrupted(
             "scene.critical_velocity(frequency=values, out=out)", number="50_000",
-            scene='vcrit.Scene.from_text(open("scenes/jumping.toml").read()'
+            scene='vcrit.Scene.from_text(open("scenes/separation.toml").read()'
                   '.replace("poisson    = 0.3", "tangential = \\"kelvin(k0, c1)\\""))')
 
     def test_end_a_derivation(self):
         self.assert_heard_inside("document", "derived.document('json', sensitivities=True)")
 
     def test_end_the_search_for_a_normal_force(self):
-        self.assert_heard_inside("critical_onset", "parting.critical_onset")
-        self.assert_heard_inside("certified", "parting.certified_critical_velocity")
+        self.assert_heard_inside("critical_onset", "separating.critical_onset")
+        self.assert_heard_inside("certified", "separating.certified_critical_velocity")
 
     def test_end_the_search_for_free_harmonics(self):
         self.assert_heard_inside("critical_onset", "dense.critical_onset")
@@ -183,9 +183,9 @@ k = {[1e5 + i for i in range(n)]}
 tau = {[1e-6 * 1.01**i for i in range(n)]}
 '''
 slow = vcrit.Scene.from_text(TEXT)
-# Of surfaces that part the normal force is searched for, with more branches.
+# Of a contact that opens the normal force is searched for, with more branches.
 m = 500
-parting = vcrit.Scene.from_text(f'''
+separating = vcrit.Scene.from_text(f'''
 [contact]
 normal = "prony(k0, k, tau)"
 tangential = "kt | ct"

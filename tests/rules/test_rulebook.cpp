@@ -65,7 +65,7 @@ Scene scene_of(Kind kind) {
       return scene_of(Parts{});
     case Kind::separating:
       return scene_of({.contact = "normal = \"k\"\npoisson = 0.3" + separating});
-    case Kind::separating_while_touching:
+    case Kind::separating_without_memory:
       return scene_of({.contact = kelvin + separating});
     case Kind::separating_with_memory:
       return scene_of({.contact = "normal = \"k\"\ntangential = \"k | c\"" + separating});
@@ -79,12 +79,12 @@ Scene scene_of(Kind kind) {
       return scene_of({.indentation = 0});
     case Kind::tapping:
       return scene_of({.contact = "normal = \"k\"\npoisson = 0.3" + separating, .indentation = 0});
-    case Kind::never_meeting:
+    case Kind::never_closing:
       return scene_of({.contact = "normal = \"k\"\npoisson = 0.3" + separating,
                        .amplitude = 0,
                        .indentation = 0,
                        .rest = cone});
-    case Kind::jumping:
+    case Kind::amplitude_too_large:
       return scene_of({.amplitude = 1});
     case Kind::deep_amplitude:
       return scene_of({.contact = "normal = \"k\"\npoisson = 0.3" + separating, .amplitude = 2});
@@ -95,7 +95,7 @@ Scene scene_of(Kind kind) {
     case Kind::opening_with_memory:
       return scene_of(
           {.contact = "normal = \"k\"\ntangential = \"k | c\"" + separating, .amplitude = 2});
-    case Kind::apart_where_steepest:
+    case Kind::open_where_steepest:
       return scene_of({.contact = "normal = \"k | damper(slow)\"\npoisson = 0.3" + separating,
                        .amplitude = 0.9});
   }
@@ -109,7 +109,7 @@ Names operator+(Names a, const Names& b) {
   return a;
 }
 
-// What has no answer: for one contact, and below an indenter, where the surfaces never part or part
+// What has no answer: for one contact, and below an indenter, where the contact never opens or part
 // without a memory.
 const Names contact{"motion_below_indenter"};
 const Names half_space{"motion", "other_methods", "report_explorer", "report_stability"};
@@ -135,7 +135,7 @@ Names without_answer(Kind kind) {
       return contact;
     case Kind::separating:
       return contact + may_part;
-    case Kind::separating_while_touching:
+    case Kind::separating_without_memory:
       return contact + may_part + Names{"formula_of_all_values", "evaluator"};
     case Kind::separating_with_memory:
       return contact + may_part + Names{"formula_of_all_values", "evaluator", "closed_form"};
@@ -150,10 +150,10 @@ Names without_answer(Kind kind) {
       return contact + outside + Names{"motion", "mean_load", "closed_range"};
     case Kind::tapping:
       return contact + may_part + Names{"closed_range", "closed_amplitude"};
-    case Kind::never_meeting:
+    case Kind::never_closing:
       return half_space + outside +
              Names{"motion_below_indenter", "comparison", "closed_range", "closed_amplitude"};
-    case Kind::jumping:
+    case Kind::amplitude_too_large:
       return contact + outside + Names{"motion", "closed_range"};
     case Kind::deep_amplitude:
       return contact + may_part + Names{"closed_range"};
@@ -164,8 +164,8 @@ Names without_answer(Kind kind) {
     case Kind::opening_with_memory:
       return without_answer(Kind::separating_with_memory) +
              Names{"formula", "comparison", "closed_range"};
-    case Kind::apart_where_steepest:
-      return without_answer(Kind::separating_while_touching) + Names{"formula", "comparison"};
+    case Kind::open_where_steepest:
+      return without_answer(Kind::separating_without_memory) + Names{"formula", "comparison"};
   }
   throw Bug("a kind without its questions");
 }
@@ -246,7 +246,7 @@ BOOST_AUTO_TEST_CASE(who_is_refused_by_the_rulebook_is_refused_in_its_words) {
 }
 
 BOOST_AUTO_TEST_CASE(numbers_stand_in_the_words) {
-  BOOST_TEST(words(Question::motion, Kind::jumping) ==
+  BOOST_TEST(words(Question::motion, Kind::amplitude_too_large) ==
              "the amplitude du_z = 1 m is not below the indentation u_z0 = 1 m (3)");
   // |1 + i| = sqrt 2
   BOOST_TEST(words(Question::motion, Kind::opening) ==
@@ -266,7 +266,7 @@ BOOST_AUTO_TEST_CASE(numbers_stand_in_the_words) {
 
 // v* is then 0 with a memory as without, and needs no motion.
 BOOST_AUTO_TEST_CASE(without_friction_the_formula_holds_where_surfaces_part) {
-  for (const Kind kind : {Kind::opening_with_memory, Kind::apart_where_steepest}) {
+  for (const Kind kind : {Kind::opening_with_memory, Kind::open_where_steepest}) {
     Scene scene = scene_of(kind);
     BOOST_TEST(!answer(Question::formula, scene));
     scene.coefficient.value = 0;
@@ -275,7 +275,7 @@ BOOST_AUTO_TEST_CASE(without_friction_the_formula_holds_where_surfaces_part) {
 }
 
 BOOST_AUTO_TEST_CASE(kinds_seen_without_values_need_none) {
-  Scene scene = scene_of(Kind::separating_while_touching);
+  Scene scene = scene_of(Kind::separating_without_memory);
   scene.amplitude.value.reset();
   BOOST_TEST(!answer(Question::evaluator, scene));
   BOOST_TEST(bool{answer(Question::closed_form, scene)});

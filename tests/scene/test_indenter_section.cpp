@@ -1,4 +1,4 @@
-// What a scene says of surfaces that part and of the shape of an indenter, and one clear message
+// What a scene says of a contact that opens and of the shape of an indenter, and one clear message
 // for what is wrong.
 #include <boost/test/unit_test.hpp>
 #include <fstream>

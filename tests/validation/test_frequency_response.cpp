@@ -83,7 +83,7 @@ BOOST_AUTO_TEST_CASE(asymptotes_are_met) {
 
 // At omega = k1/c1 = 2e5: K_n = 1e7 + 2e7 i/(1 + i) = 2e7 + 1e7 i.
 // (4) of a Kelvin contact: du_z sqrt(1 + (omega c/k)^2) < u_z0, so up to omega = sqrt(24) k/c here;
-// (3) holds at no frequency or at all of them. Elastic surfaces that may part need neither.
+// (3) holds at no frequency or at all of them. Elastic a contact that may open need neither.
 BOOST_AUTO_TEST_CASE(the_formula_applies_where_the_contact_stays_closed) {
   const auto of = [](const std::string& contact, double amplitude) {
     return frequency_response(symbolic::derive(parse_scene(

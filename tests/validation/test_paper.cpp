@@ -170,11 +170,11 @@ BOOST_AUTO_TEST_CASE(the_line_is_where_the_models_differ_by_a_hundredth) {
 }
 
 // 1/sqrt(1 + delta^2) typed in, by mpmath.
-BOOST_AUTO_TEST_CASE(amplitudes_without_jumping) {
+BOOST_AUTO_TEST_CASE(amplitudes_without_separation) {
   const double expected[] = {0.7071067811865475244, 0.4472135954999579393, 0.0995037190209989137,
                              0.0099995000374968753};
   for (std::size_t i = 0; i < 4; ++i) {
-    const JumpLimit& row = the_paper().jumps.rows.at(i);
+    const AmplitudeLimit& row = the_paper().amplitudes.rows.at(i);
     for (const double found : {row.formula, row.by_admissibility, row.by_simulator})
       BOOST_TEST(std::abs(found / expected[i] - 1) < 8 * 0x1p-53);
   }

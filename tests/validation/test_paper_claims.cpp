@@ -76,7 +76,7 @@ std::vector<int> fallen(const std::string& key) {
   Paper planted = the_claims();
   for (auto* part :
        {&planted.proofs.comparisons, &planted.range.comparisons, &planted.figure4.comparisons,
-        &planted.jumps.comparisons, &planted.slow.comparisons, &planted.viscosity.comparisons,
+        &planted.amplitudes.comparisons, &planted.slow.comparisons, &planted.viscosity.comparisons,
         &planted.punch.comparisons, &planted.shapes.comparisons, &planted.misprints.comparisons,
         &planted.evidence.comparisons})
     for (Comparison& each : *part)

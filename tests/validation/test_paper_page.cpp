@@ -49,9 +49,9 @@ std::string section_of(const std::string& html, const std::string& id) {
   return html.substr(begin, html.find("</section>", begin) - begin);
 }
 
-const std::vector<std::string> sections{"equations", "range",     "figure4",   "difference",
-                                        "jumping",   "slow",      "viscosity", "flat-punch",
-                                        "shapes",    "misprints", "claims"};
+const std::vector<std::string> sections{"equations",  "range",     "figure4",   "difference",
+                                        "amplitudes", "slow",      "viscosity", "flat-punch",
+                                        "shapes",     "misprints", "claims"};
 
 }  // namespace
 
@@ -81,7 +81,7 @@ BOOST_AUTO_TEST_CASE(each_section_has_its_content) {
     for (const char* model : {"reduced", "full"})
       BOOST_TEST(has(figure4, std::string("id=\"figure4") + letter + "_" + model + "\""));
   BOOST_TEST(has(section_of(html, "difference"), "id=\"reduced_less_full\""));
-  BOOST_TEST(has(section_of(html, "jumping"), "0.447213595499958"));     // 1/sqrt(5)
+  BOOST_TEST(has(section_of(html, "amplitudes"), "0.447213595499958"));  // 1/sqrt(5)
   BOOST_TEST(has(section_of(html, "flat-punch"), "0.201452203333669"));  // docs/physics.md
   const std::string claims = section_of(html, "claims");
   BOOST_TEST(has(claims, "0.434728238016"));  // docs/physics.md, delta = 10, 0.1
@@ -110,7 +110,7 @@ BOOST_AUTO_TEST_CASE(what_is_not_legible_is_not_as_printed) {
 // Sections about the rigidly driven contact, which has no mass.
 BOOST_AUTO_TEST_CASE(no_mass_where_there_is_none) {
   const std::string html = std::regex_replace(page_of(contents()), std::regex("</?t?body>"), "");
-  for (const char* id : {"figure4", "difference", "jumping", "slow", "flat-punch"}) {
+  for (const char* id : {"figure4", "difference", "amplitudes", "slow", "flat-punch"}) {
     const std::string section = section_of(html, id);
     BOOST_TEST(!has(section, "mass"), id);
     BOOST_TEST(!has(section, "body"), id);
@@ -119,12 +119,12 @@ BOOST_AUTO_TEST_CASE(no_mass_where_there_is_none) {
 
 BOOST_AUTO_TEST_CASE(a_fault_is_red_and_open) {
   PaperContents faulty = contents();
-  faulty.paper.jumps.comparisons.front().found += 1;
+  faulty.paper.amplitudes.comparisons.front().found += 1;
   faulty.paper.claims = judge(faulty.paper);
   const std::string html = page_of(faulty);
   BOOST_TEST(has(html, "class=\"verdict failed\""));
   BOOST_TEST(has(html, "1 of 153 comparisons failed"));
-  BOOST_TEST(has(section_of(html, "jumping"), "<details class=\"agreement\" open>"));
+  BOOST_TEST(has(section_of(html, "amplitudes"), "<details class=\"agreement\" open>"));
   BOOST_TEST(!has(section_of(html, "slow"), "<details class=\"agreement\" open>"));
   BOOST_TEST(has(section_of(html, "claims"), "not shown"));
   BOOST_TEST(!passed(faulty.paper));

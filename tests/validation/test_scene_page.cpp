@@ -216,7 +216,7 @@ BOOST_AUTO_TEST_CASE(an_inadmissible_scene_says_why) {
   BOOST_TEST(velocity_words(report) == "");
 }
 
-// Surfaces that part, v* simulated: that ways to evaluate the formula agree is arithmetic alone.
+// A contact that opens, v* simulated: that ways to evaluate the formula agree is arithmetic alone.
 BOOST_AUTO_TEST_CASE(a_formula_that_does_not_apply_passes_nothing) {
   SceneReport report = example::scene_report(example::rigid_scene);
   BOOST_TEST(has(page_of(report), "badge passed"));

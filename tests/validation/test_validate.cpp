@@ -55,7 +55,7 @@ BOOST_AUTO_TEST_CASE(a_rigid_scene_passes_everything) {
 // The scene itself, and its normal contact over one spring, whose evaluator the page's reader
 // moves.
 BOOST_AUTO_TEST_CASE(a_scene_is_derived_at_most_twice) {
-  for (const char* file : {"/elastic.toml", "/jumping.toml"}) {
+  for (const char* file : {"/elastic.toml", "/separation.toml"}) {
     const std::size_t before = symbolic::derivations_made();
     const auto contents = report::compare(read_scene(scenes + file), [](const std::string&) {});
     BOOST_TEST(contents.report.comparisons.size() >= 5u);

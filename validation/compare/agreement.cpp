@@ -14,9 +14,9 @@
 #include "compare/friction.hpp"
 #include "compare/indented.hpp"
 #include "compare/method_curves.hpp"
-#include "compare/parting.hpp"
 #include "compare/periodic_motion.hpp"
 #include "compare/reduced_difference.hpp"
+#include "compare/separation.hpp"
 #include "compare/values.hpp"
 #include "compare/velocity_comparisons.hpp"
 #include "critical/admissibility.hpp"
@@ -71,7 +71,7 @@ Comparison balanced(const SceneReport& report, const simulation::Onset& threshol
 }
 
 bool by_formula(const SceneReport& report) {
-  return !report.parting || report.parting->closed_form;
+  return !report.separation || report.separation->closed_form;
 }
 
 Border border_of(const SceneReport& report, const CriticalOnset& onset) {
@@ -155,8 +155,8 @@ void simulate(SceneReport& report, const symbolic::Derivation& derivation,
     const simulation::System system = witnesses.system(report.problem);
     out_of_reach = simulation::lost_in_resonance(simulation::Model(system));
     if (report.problem->separation) {
-      progress("letting the surfaces part");
-      examine_parting(report, derivation, system, onset);
+      progress("letting the contact open");
+      examine_separation(report, derivation, system, onset);
     }
     if (by_formula(report))
       report.comparisons.push_back(balanced(report, witnesses.balance(system)));

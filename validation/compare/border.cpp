@@ -63,7 +63,7 @@ Comparison of_velocity(const Border& border, double uncertainty, const char* key
 }
 
 bool still_sticks(Regime regime) {
-  return regime != Regime::sliding && regime != Regime::sliding_apart;
+  return regime != Regime::sliding && regime != Regime::sliding_separated;
 }
 
 struct Marched {

@@ -43,7 +43,8 @@ class Response {
     if (const auto* drive = problem_->drive_network())
       point.drive = std::abs(dynamic_stiffness(drive->reduction(), values_, omega));
     point.velocity = critical_velocity(problem_, omega);
-    point.applies = problem_->separation ? holds_apart(omega) : stays_closed(point.normal);
+    point.applies =
+        problem_->separation ? holds_with_separation(omega) : stays_closed(point.normal);
     return point;
   }
 
@@ -59,8 +60,8 @@ class Response {
     return amplitude_ < indentation_ && amplitude_ * stiffness < at_rest_ * indentation_;
   }
 
-  /// Whether Eq. 24 is v* of surfaces that may part.
-  bool holds_apart(double omega) const {
+  /// Whether Eq. 24 is v* of a contact that may open.
+  bool holds_with_separation(double omega) const {
     const Problem there = problem_.with({{problem_->angular_frequency.symbol, omega}});
     try {
       return bool{rules::answer(rules::Question::formula, there)};

@@ -10,7 +10,7 @@
 #include "answers/critical_onset.hpp"
 #include "base/constants.hpp"
 #include "compare/border.hpp"
-#include "compare/parting.hpp"
+#include "compare/separation.hpp"
 #include "compare/velocity_comparisons.hpp"
 #include "critical/conditioning.hpp"
 #include "critical/critical_velocity.hpp"
@@ -220,7 +220,7 @@ std::optional<Comparison> indenter_small_amplitude(const Problem& problem) {
   constexpr double share = 1e-3;
   const Friction once = at_half(at_share(problem, share)),
                  twice = at_half(at_share(problem, 2 * share));
-  if (once.regime == simulation::Regime::stick_slip_backslip_apart) return std::nullopt;
+  if (once.regime == simulation::Regime::stick_slip_backslip_separated) return std::nullopt;
   Comparison comparison =
       by_difference("small_amplitude", "1 − friction ratio at Δu_z = 0.001 u_z0, at half of v*",
                     "half of that at 0.002 u_z0");
@@ -248,7 +248,7 @@ std::optional<Comparison> indenter_quasi_static(const Problem& problem) {
   comparison.found = at_half(slow).ratio;
   comparison.tolerance = 10 * slowness;
   comparison.reason =
-      "forces, and times of parting, change by some ω times the slowest relaxation, 10⁻⁶";
+      "forces, and times of opening, change by some ω times the slowest relaxation, 10⁻⁶";
   return comparison;
 }
 

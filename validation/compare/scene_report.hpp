@@ -135,7 +135,7 @@ struct ResponsePoint {
   double normal = 0, tangential = 0;  ///< |K_n|, |K_t|
   std::optional<double> drive;        ///< |K_d| of a drive network
   double velocity = 0;                ///< v* by Eq. 24
-  bool applies = true;  ///< that is v*: (3) and (4) hold, or it holds where surfaces part
+  bool applies = true;  ///< that is v*: (3) and (4) hold, or it holds where the contact opens
 };
 
 /// v* ~ coefficient omega^power.
@@ -208,14 +208,14 @@ struct StateMap {
       motions;  ///< of each row over all phases, row after row; none: no steady state
 };
 
-/// A scene whose surfaces may part.
-struct Parting {
+/// A scene whose contact may open.
+struct Separation {
   bool opens = false;
   bool closed_form = true;            ///< v* is Eq. 24, else simulated
   double critical_velocity = 0;       ///< of the motion, m/s; may be infinite
   double drive_velocity = 0;          ///< the same of the drive
-  double border = 0;                  ///< du_z/u_z0 beyond which the surfaces part
-  std::vector<Equation> derivation;   ///< of v* where the surfaces part; empty without closed form
+  double border = 0;                  ///< du_z/u_z0 beyond which the contact opens
+  std::vector<Equation> derivation;   ///< of v* where the contact opens; empty without closed form
   std::vector<FrictionCurve> curves;  ///< by increasing amplitude
   StateMap map;                       ///< rows: v0 over v* by Eq. 24
 };
@@ -263,7 +263,7 @@ struct SceneReport {
   FrequencyResponse response;
   std::optional<Explorer> explorer;
   std::optional<ReducedModel> reduced_model;  ///< where the paper's reduced model applies
-  std::optional<Parting> parting;             ///< of surfaces that may part
+  std::optional<Separation> separation;       ///< of a contact that may open
   std::optional<Indented> indented;           ///< below an indenter, in place of curve and cycle
 };
 

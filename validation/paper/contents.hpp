@@ -67,8 +67,8 @@ struct DifferenceMap {
   std::vector<Comparison> comparisons;
 };
 
-/// The largest D without jumping.
-struct JumpLimit {
+/// The largest D without loss of contact.
+struct AmplitudeLimit {
   double delta = 0;
   double printed = 0;           ///< in the paper
   double formula = 0;           ///< 1/sqrt(1 + delta^2), (52)
@@ -76,8 +76,8 @@ struct JumpLimit {
   double by_simulator = 0;      ///< bisection on what the simulator accepts
 };
 
-struct JumpLimits {
-  std::vector<JumpLimit> rows;
+struct AmplitudeLimits {
+  std::vector<AmplitudeLimit> rows;
   std::vector<Comparison> comparisons;
 };
 
@@ -143,7 +143,7 @@ struct Paper {
   Part range;
   Figure4 figure4;
   DifferenceMap map;
-  JumpLimits jumps;
+  AmplitudeLimits amplitudes;
   StaticLimit slow;
   Viscosity viscosity;
   FlatPunch punch;

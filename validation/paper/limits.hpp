@@ -1,11 +1,12 @@
-// The two ends of Fig. 4: the largest amplitude without jumping, and friction at vanishing speed.
+// The two ends of Fig. 4: the largest amplitude without loss of contact, and friction at vanishing
+// speed.
 #pragma once
 
 #include "paper/contents.hpp"
 
 namespace vcrit::validation::paper {
 
-JumpLimits find_jump_limits();
+AmplitudeLimits find_amplitude_limits();
 
 StaticLimit approach_rest();
 

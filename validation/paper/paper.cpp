@@ -17,7 +17,7 @@ std::vector<Comparison> all_comparisons(const Paper& paper) {
   std::vector<Comparison> all;
   for (const auto* part :
        {&paper.proofs.comparisons, &paper.range.comparisons, &paper.figure4.comparisons,
-        &paper.map.comparisons, &paper.jumps.comparisons, &paper.slow.comparisons,
+        &paper.map.comparisons, &paper.amplitudes.comparisons, &paper.slow.comparisons,
         &paper.viscosity.comparisons, &paper.punch.comparisons, &paper.shapes.comparisons,
         &paper.misprints.comparisons, &paper.evidence.comparisons})
     all.insert(all.end(), part->begin(), part->end());
@@ -44,7 +44,7 @@ Paper go_through(const Progress& progress) {
   progress("mapping the reduced model");
   paper.map = map_difference();
   progress("looking for limits");
-  paper.jumps = find_jump_limits();
+  paper.amplitudes = find_amplitude_limits();
   paper.slow = approach_rest();
   paper.viscosity = compare_viscosities();
   paper.punch = press_flat_punch();

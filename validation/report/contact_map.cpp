@@ -24,7 +24,7 @@ double class_of(Motion motion) {
       return 0;
     case Motion::slip:
       return 1;
-    case Motion::apart:
+    case Motion::separated:
       return 2;
     case Motion::backslip:
       return 3;
@@ -37,7 +37,7 @@ double class_of(Motion motion) {
 figures::Map contact_map(const StateMap& states) {
   figures::Map map;
   map.value = {"contact", false, {}, {}};
-  for (const Motion motion : {Motion::stick, Motion::slip, Motion::apart, Motion::backslip})
+  for (const Motion motion : {Motion::stick, Motion::slip, Motion::separated, Motion::backslip})
     if (std::find(states.motions.begin(), states.motions.end(), motion) != states.motions.end())
       map.value.ticks.emplace_back(class_of(motion), to_text(motion));
   for (const double phase : states.phases) map.x.push_back(phase / (two_pi));

@@ -62,12 +62,12 @@ void fields(Fields& f, const paper::DifferenceMap& it) {
   validation::report::add_comparisons(f, it.comparisons);
 }
 
-void fields(Fields& f, const paper::JumpLimit& it) {
+void fields(Fields& f, const paper::AmplitudeLimit& it) {
   f("delta", it.delta)("printed", it.printed)("formula", it.formula);
   f("by_admissibility", it.by_admissibility)("by_simulator", it.by_simulator);
 }
 
-void fields(Fields& f, const paper::JumpLimits& it) {
+void fields(Fields& f, const paper::AmplitudeLimits& it) {
   f("rows", it.rows);
   validation::report::add_comparisons(f, it.comparisons);
 }
@@ -158,7 +158,7 @@ Json decided(const Fields& f, const paper::Paper& it) {
 
 void fields(Fields& f, const paper::Paper& it) {
   f("equations", it.proofs)("range", it.range)("figure4", it.figure4)("difference", it.map);
-  f("jump_limits", it.jumps)("static_limit", it.slow)("viscosity", it.viscosity);
+  f("jump_limits", it.amplitudes)("static_limit", it.slow)("viscosity", it.viscosity);
   f("flat_punch", it.punch)("shapes", it.shapes)("misprints", it.misprints);
   f("evidence", it.evidence);
   if (f.for_page())

@@ -20,7 +20,7 @@ void fields(Fields& f, const validation::LimitLine& limit);
 void fields(Fields& f, const validation::figures::Figure& figure);
 void fields(Fields& f, const validation::Machine& machine);
 void fields(Fields& f, const validation::accuracy::Accuracy& accuracy);
-void fields(Fields& f, const validation::Parting& parting);
+void fields(Fields& f, const validation::Separation& separation);
 void fields(Fields& f, const validation::Indented& indented);
 void fields(Fields& f, const validation::report::SceneContents& contents);
 void fields(Fields& f, const validation::paper::Paper& paper);

@@ -10,7 +10,7 @@
 #include "accuracy/pictures.hpp"
 #include "base/constants.hpp"
 #include "report/indenter_figures.hpp"
-#include "report/parting_figures.hpp"
+#include "report/separation_figures.hpp"
 #include "report/stretches.hpp"
 #include "report/units.hpp"
 
@@ -126,9 +126,9 @@ std::vector<Figure> scene_figures(const SceneContents& contents) {
     all.push_back(force_figure(report));
     all.push_back(velocity_figure(report));
   }
-  if (report.parting) {
-    if (!report.parting->curves.empty()) all.push_back(amplitude_figure(*report.parting));
-    all.push_back(state_figure(*report.parting));
+  if (report.separation) {
+    if (!report.separation->curves.empty()) all.push_back(amplitude_figure(*report.separation));
+    all.push_back(state_figure(*report.separation));
   }
   if (report.indented)
     for (Figure& figure : indenter_figures(*report.indented)) all.push_back(std::move(figure));

@@ -6,9 +6,9 @@
 
 #include "report/explorer_record.hpp"
 #include "report/indenter_figures.hpp"
-#include "report/parting_figures.hpp"
 #include "report/records.hpp"
 #include "report/scene_figures.hpp"
+#include "report/separation_figures.hpp"
 #include "report/system_drawing.hpp"
 #include "report/verdict.hpp"
 
@@ -131,7 +131,7 @@ void fields(Fields& f, const validation::Indented& it) {
   if (f.for_page()) f("figures", report::indenter_figures(it));
 }
 
-void fields(Fields& f, const validation::Parting& it) {
+void fields(Fields& f, const validation::Separation& it) {
   f("opens", it.opens)("critical_velocity_by", found_by(it.closed_form));
   f("critical_velocity", it.critical_velocity)("border", it.border)("derivation", it.derivation);
   f("curves", it.curves)("state_map", state_map(it.map, "velocity_ratio"));
@@ -215,7 +215,7 @@ void results(Fields& f, const report::SceneContents& contents) {
   f("derivation", report.derivation)("limits", report.limits).some("compiler", report.compiler);
   f.some("friction_curve", report.curve).some("methods", report.methods);
   f.when(!report.response.points.empty(), "frequency_response", report.response);
-  f.some("cycle", report.cycle).some("separation", report.parting);
+  f.some("cycle", report.cycle).some("separation", report.separation);
   f.some("indenter", report.indented).some("reduced_model", report.reduced_model);
   f.some("accuracy", contents.accuracy);
 }

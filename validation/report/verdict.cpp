@@ -31,10 +31,10 @@ std::string velocity_words(const SceneReport& report) {
   if (!report.reasons.empty()) return {};
   if (report.indented && !report.indented->closed_form)
     return "v* = " + quantity(report.indented->critical_velocity, "m/s", 5) + ", simulated";
-  if (report.parting && !report.parting->closed_form)
-    return std::isinf(report.parting->critical_velocity)
+  if (report.separation && !report.separation->closed_form)
+    return std::isinf(report.separation->critical_velocity)
                ? "no v*"
-               : "v* = " + quantity(report.parting->critical_velocity, "m/s", 5) + ", simulated";
+               : "v* = " + quantity(report.separation->critical_velocity, "m/s", 5) + ", simulated";
   return "v* = " + quantity(report.critical_velocity, "m/s", 5);
 }
 

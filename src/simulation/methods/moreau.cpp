@@ -112,7 +112,7 @@ class Stepper {
     double deformation = top, force = law + on_point_.slope * top;
     Motion motion = Motion::stick;
     if (std::abs(force) > bound || bound == 0) {
-      motion = bound == 0 ? Motion::apart : (force > 0 ? Motion::slip : Motion::backslip);
+      motion = bound == 0 ? Motion::separated : (force > 0 ? Motion::slip : Motion::backslip);
       force = std::copysign(bound, force);
       deformation = (force - law) / on_point_.slope;
       if (moves) top = (push - on_body_.slope * deformation) / resistance;
@@ -199,7 +199,7 @@ class MoreauMap final : public PeriodMap {
   double target_;
   Effort effort_;
   Stepper asked_, coarser_;
-  // Where in a step the surfaces part or meet, steps of another length do not tell: the mean of
+  // Where in a step the contact opens or closes, steps of another length do not tell: the mean of
   // what a step changes the bound by.
   double resolution_ = 0;
 };

@@ -64,7 +64,7 @@ std::vector<double> normal_force_steps(const NormalMotion& motion, double omega,
     for (int i = 0; i < steps; ++i) now[static_cast<std::size_t>(i)] = normal.force_after(i);
     const double largest = *std::max_element(now.begin(), now.end());
     if (period > 0 && largest == 0)
-      throw ModelError("the surfaces never meet: there is no friction");
+      throw ModelError("the contact never closes: there is no friction");
     const auto near = [&](double a, double b) { return std::abs(a - b) <= 1e-13 * largest; };
     if (period > 0 && std::equal(now.begin(), now.end(), before.begin(), near)) return now;
     before = now;

@@ -9,7 +9,7 @@
 namespace vcrit::simulation::methods {
 
 /// F_n (N) at the end of each step of one steady period from t = 0 on. First order in the step.
-/// Throws ModelError where the surfaces never meet or the force does not repeat itself.
+/// Throws ModelError where the contact never closes or the force does not repeat itself.
 std::vector<double> normal_force_steps(const NormalMotion& motion, double omega, int steps,
                                        Effort& effort);
 

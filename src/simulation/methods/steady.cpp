@@ -20,11 +20,11 @@ Regime regime(const Period& period) {
     return std::any_of(period.events.begin(), period.events.end(),
                        [&](const Event& event) { return event.to == motion; });
   };
-  const bool apart = there(Motion::apart);
+  const bool separated = there(Motion::separated);
   if (there(Motion::backslip))
-    return apart ? Regime::stick_slip_backslip_apart : Regime::stick_slip_backslip;
-  if (there(Motion::stick)) return apart ? Regime::stick_slip_apart : Regime::stick_slip;
-  if (apart) return Regime::sliding_apart;
+    return separated ? Regime::stick_slip_backslip_separated : Regime::stick_slip_backslip;
+  if (there(Motion::stick)) return separated ? Regime::stick_slip_separated : Regime::stick_slip;
+  if (separated) return Regime::sliding_separated;
   return period.end.motion == Motion::stick ? Regime::stick : Regime::sliding;
 }
 

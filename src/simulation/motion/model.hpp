@@ -1,9 +1,9 @@
 // A system without dimensions: time 1/omega, force mu0 <F_n>, stiffness |K(i omega)| of the path
 // from drive to contact point (or of the contact, with a body); t = 0 where the harmonic part of
 // F_n is largest, so that the friction bound is b(t) = 1 + amplitude cos t, or, of a contact that
-// opens, mean + amplitude cos t + sum_i q_i with q_i' = -a_i q_i while the surfaces touch. States
-// are only those that the system has: without a mass, contact and drive are one network in series,
-// and nothing else moves.
+// opens, mean + amplitude cos t + sum_i q_i with q_i' = -a_i q_i while the contact is closed.
+// States are only those that the system has: without a mass, contact and drive are one network in
+// series, and nothing else moves.
 //
 //   state  x = (F | u, g_1..g_M | contact),   rates  y = (u', g_1'..g_M' | contact)
 //   contact: r in slip; rho and r in stick, of which y has rho alone
@@ -58,7 +58,7 @@ struct Model {
   double velocity_unit = 0;  ///< m/s
   ContactModes contact;
   std::optional<Body> body;
-  std::optional<Opening> opening;  ///< where the surfaces part
+  std::optional<Opening> opening;  ///< where the contact opens
   Phase stick, slip;
 
   /// Response to b(t) in steady forward sliding: amplitudes of e^{it} of y and of the contact
@@ -91,7 +91,7 @@ struct Model {
   Index integrated_levels() const { return body ? 2 + slow_branches : 1; }
   Index integrals() const { return integrated_levels() + slow_units; }
 
-  /// b(t) while the surfaces touch.
+  /// b(t) while the contact is closed.
   double bound(const Instant& t, Index touch = 0) const { return mean + swing(t, touch); }
   /// F of slip forward (side = 1) or backward (-1), less the load.
   double slip_force(int side, const Instant& t, Index touch = 0) const {
@@ -133,7 +133,7 @@ struct Model {
       return 0;
     return opening->decaying(touch, t.time, derivative);
   }
-  double closed_error_ = 0;  ///< what a contact taken for closed leaves out by not parting
+  double closed_error_ = 0;  ///< what a contact taken for closed leaves out by not opening
 
   void set_bound(const System& system);
   void set_stick();

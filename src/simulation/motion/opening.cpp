@@ -10,8 +10,8 @@ namespace vcrit::simulation {
 
 namespace {
 
-// The surfaces neither touch nor part for a shorter time than this: the force, or the gap, would be
-// a rounding error of its amplitude.
+// The contact neither closes nor opens for a shorter time than this: the force, or the gap, would
+// be a rounding error of its amplitude.
 constexpr double shortest = 1e-9;
 
 double until(double phase, double t) {
@@ -25,7 +25,7 @@ Opening::Opening(const NormalMotion& motion, double omega, SharedEffort* whole)
     : jumps(motion.network.damper > 0) {
   const ContactModes network = modes_of(motion, omega);
   const NormalCycle cycle = normal_cycle(network, {motion.mean, motion.amplitude}, whole);
-  if (cycle.touches.empty()) throw ModelError("the surfaces never meet: there is no friction");
+  if (cycle.touches.empty()) throw ModelError("the contact never closes: there is no friction");
   mean_force = cycle.mean;
   error = cycle.error / cycle.mean;
   amplitude = std::abs(cycle.swing) / cycle.mean;
@@ -43,11 +43,11 @@ Opening::Opening(const NormalMotion& motion, double omega, SharedEffort* whole)
             [](const Touch& a, const Touch& b) { return a.begin < b.begin; });
 }
 
-double Opening::until_parted(Index touch, double t) const {
+double Opening::until_opened(Index touch, double t) const {
   return until(touches[touch].begin + touches[touch].duration, t);
 }
 
-double Opening::until_met(Index touch, double t) const { return until(touches[touch].begin, t); }
+double Opening::until_closed(Index touch, double t) const { return until(touches[touch].begin, t); }
 
 double Opening::part(Index i, Index touch, double t) const {
   const double since = wrapped(t - touches[touch].begin);
@@ -67,13 +67,13 @@ Opening::Middle Opening::middle() const {
   double longest = 0;
   for (Index i = 0; i < touches.size(); ++i) {
     const Index before = (i == 0 ? touches.size() : i) - 1;
-    const double parted = touches[before].begin + touches[before].duration;
-    const double apart = until_met(i, parted);
-    if (apart <= longest) continue;
-    longest = apart;
-    result = {wrapped(parted + 0.5 * apart), i};
+    const double opened = touches[before].begin + touches[before].duration;
+    const double separation = until_closed(i, opened);
+    if (separation <= longest) continue;
+    longest = separation;
+    result = {wrapped(opened + 0.5 * separation), i};
   }
-  ensure(longest > 0, "the surfaces part");
+  ensure(longest > 0, "the contact opens");
   return result;
 }
 

@@ -1,5 +1,5 @@
-// When the surfaces of a contact that opens meet and part, and what of the friction bound decays
-// while they touch. It does not depend on what the contact does along the surface.
+// When a contact that opens does so and when it closes, and what of the friction bound decays
+// while it is closed. It does not depend on what the contact does along the surface.
 #pragma once
 
 #include "normal/normal_force.hpp"
@@ -18,24 +18,24 @@ struct Opening {
     Vector decaying;  ///< parts of b at its begin
   };
 
-  /// The surfaces do not part, or rounding hides it; no touches are listed then.
+  /// The contact does not open, or rounding hides it; no touches are listed then.
   bool closed = false;
   double mean_force = 0;  ///< N
   double error = 0;       ///< estimate of its relative error
   double constant = 0;    ///< part of b
   double amplitude = 0, phase = 0;
-  bool jumps = false;  ///< F_n jumps up where the surfaces meet: a direct damper
+  bool jumps = false;  ///< F_n jumps up where the contact closes: a direct damper
   Vector rates;        ///< of the decaying parts
   List<Touch, 2> touches;
 
-  /// From t to where the surfaces part in a touch, or meet for it; 0 where t is there within
+  /// From t to where the contact opens in a touch, or closes for it; 0 where t is there within
   /// rounding.
-  double until_parted(Index touch, double t) const;
-  double until_met(Index touch, double t) const;
+  double until_opened(Index touch, double t) const;
+  double until_closed(Index touch, double t) const;
   /// A decaying part of b at a time of its touch, or the sum of the derivatives of all of them.
   double part(Index i, Index touch, double t) const;
   double decaying(Index touch, double t, int derivative) const;
-  /// The middle of the longest time apart, and the touch that ends it.
+  /// The middle of the longest separation, and the touch that ends it.
   struct Middle {
     double time = 0;
     Index next = 0;

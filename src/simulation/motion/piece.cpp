@@ -87,7 +87,7 @@ std::optional<Piece::Event> Piece::next_event(double horizon) const {
     if (!zero || *zero >= end) return std::nullopt;
     return Event{*zero, to};
   };
-  if (start_.motion == Motion::apart) return std::nullopt;
+  if (start_.motion == Motion::separated) return std::nullopt;
   if (!stuck()) return before(Motion::stick, horizon);
   const auto forward = before(Motion::slip, horizon);
   const auto backward = before(Motion::backslip, forward ? forward->duration : horizon);

@@ -1,5 +1,5 @@
 // Event-driven motion of a model: exact pieces of slip, stick, backslip and, of a contact that
-// opens, of the surfaces apart, one after the other.
+// opens, of the open contact, one after the other.
 #pragma once
 
 #include <optional>
@@ -12,13 +12,14 @@ namespace vcrit::simulation {
 
 /// The state at one instant; x as in model.hpp, its contact part that of the motion. `entered`: the
 /// motion begins here, so its event function starts at zero (in stick: that of the direction from
-/// which it came, +1 or -1, or `both_sides` where the surfaces just met). Apart, x is that of slip.
+/// which it came, +1 or -1, or `both_sides` where the contact just closed). Separated, x is that of
+/// slip.
 struct State {
   Motion motion = Motion::slip;
   Instant at = 0;
   Vector x;
   int entered = 0;
-  Index touch = 0;  ///< of a contact that opens: the present or, apart, the next one
+  Index touch = 0;  ///< of a contact that opens: the present or, separated, the next one
 };
 
 inline constexpr int both_sides = 2;

@@ -63,8 +63,8 @@ State switched(const Model& model, const State& before, Motion to) {
   return after;
 }
 
-State parted(const Model& model, const State& before) {
-  State after{Motion::apart, before.at, Vector(model.slip_states()), 0,
+State after_opening(const Model& model, const State& before) {
+  State after{Motion::separated, before.at, Vector(model.slip_states()), 0,
               (before.touch + 1) % model.opening->touches.size()};
   carry_over(model, before.x, after.x);
   after.x[0] = 0;
@@ -73,7 +73,7 @@ State parted(const Model& model, const State& before) {
 
 namespace {
 
-// How fast the surface would leave the contact point where the surfaces meet, with no force.
+// How fast the surface would leave the contact point where the contact closes, with no force.
 double free_velocity(const Model& model, ConstView x) {
   double velocity = model.body ? x[1] : 0;
   for (const double unit : x.last(model.units())) velocity -= unit;
@@ -88,7 +88,7 @@ void add_jump(const Model& model, double force, View x) {
 
 }  // namespace
 
-State met(const Model& model, double velocity, const State& before) {
+State after_closing(const Model& model, double velocity, const State& before) {
   const ContactModes& contact = model.contact;
   State after{Motion::stick, before.at, before.x, 0, before.touch};
   const bool jumps = model.opening->jumps;
@@ -117,7 +117,7 @@ State met(const Model& model, double velocity, const State& before) {
   return after;
 }
 
-void carry_to_parting(const Model& model, Matrix& changes) {
+void carry_over_opening(const Model& model, Matrix& changes) {
   Matrix result(model.slip_states(), changes.columns());
   for (Index j = 0; j < changes.columns(); ++j) {
     carry_over(model, changes.column(j), result.column(j));
@@ -126,7 +126,7 @@ void carry_to_parting(const Model& model, Matrix& changes) {
   changes = result;
 }
 
-void carry_to_meeting(const Model& model, const State& after, Matrix& changes) {
+void carry_over_closing(const Model& model, const State& after, Matrix& changes) {
   if (after.motion != Motion::stick) return;
   Matrix result(model.stick_states(), changes.columns());
   for (Index j = 0; j < changes.columns(); ++j) {

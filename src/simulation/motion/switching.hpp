@@ -1,6 +1,6 @@
 // What happens to the state where one motion changes into another: from slip to stick, from stick
-// to slip of either direction, and, at times that the normal force gives, from any of them to apart
-// and back.
+// to slip of either direction, and, at times that the normal force gives, from any of them to
+// separated and back.
 #pragma once
 
 #include "simulation/motion/piece.hpp"
@@ -13,15 +13,15 @@ Vector rate_of(const Model& model, const State& state);
 /// The state after the motion has changed to `to`.
 State switched(const Model& model, const State& before, Motion to);
 
-/// The state where the surfaces have parted, and where they have met. A contact without a direct
-/// damper meets without force, whatever F_n; with one the force jumps to what holds the contact
+/// The state where the contact has opened, and where it has closed. A contact without a direct
+/// damper closes without force, whatever F_n; with one the force jumps to what holds the contact
 /// point, if the bound allows.
-State parted(const Model& model, const State& before);
-State met(const Model& model, double velocity, const State& before);
+State after_opening(const Model& model, const State& before);
+State after_closing(const Model& model, double velocity, const State& before);
 
-/// Carries changes across parting or meeting, at a time that none of them shifts.
-void carry_to_parting(const Model& model, Matrix& changes);
-void carry_to_meeting(const Model& model, const State& after, Matrix& changes);
+/// Carries changes across opening or closing, at a time that none of them shifts.
+void carry_over_opening(const Model& model, Matrix& changes);
+void carry_over_closing(const Model& model, const State& after, Matrix& changes);
 
 /// By how much each change of the state shifts the time of the event: -(change of its function)/
 /// (slope of its function).

@@ -46,7 +46,7 @@ class Tracer {
   void add_part(double end) {
     auto& [piece, length] = record_.parts.emplace_back(model_, velocity_, record_.end);
     length = end - record_.end.at.time;
-    const auto change = next_parting_or_meeting(length);
+    const auto change = next_opening_or_closing(length);
     if (change) length = *change;
     auto event = piece.next_event(length);
     const bool to_end = !event && !change, undisturbed = !event;
@@ -66,23 +66,23 @@ class Tracer {
   }
 
   // Of a contact that opens: how long until then, if that is before the end.
-  std::optional<double> next_parting_or_meeting(double end) const {
+  std::optional<double> next_opening_or_closing(double end) const {
     if (!model_.opening) return std::nullopt;
     const State& now = record_.end;
-    const double left = now.motion == Motion::apart
-                            ? model_.opening->until_met(now.touch, now.at.time)
-                            : model_.opening->until_parted(now.touch, now.at.time);
+    const double left = now.motion == Motion::separated
+                            ? model_.opening->until_closed(now.touch, now.at.time)
+                            : model_.opening->until_opened(now.touch, now.at.time);
     return left < end ? std::optional(left) : std::nullopt;
   }
 
   void part_or_meet() {
-    const bool apart = record_.end.motion == Motion::apart;
+    const bool separated = record_.end.motion == Motion::separated;
     State& now = record_.end;
-    now = apart ? met(model_, velocity_, now) : parted(model_, now);
-    left_ = Motion::apart;  // nothing before this can be undone
+    now = separated ? after_closing(model_, velocity_, now) : after_opening(model_, now);
+    left_ = Motion::separated;  // nothing before this can be undone
     Matrix& changes = record_.changes.state;
     if (changes.columns() == 0) return;
-    apart ? carry_to_meeting(model_, now, changes) : carry_to_parting(model_, changes);
+    separated ? carry_over_closing(model_, now, changes) : carry_over_opening(model_, changes);
   }
 
   // How long the motion goes on in spite of an event at its beginning.

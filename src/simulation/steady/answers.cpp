@@ -75,11 +75,11 @@ class Answer {
       return std::any_of(events.begin(), events.end(),
                          [&](const Event& event) { return event.to == motion; });
     };
-    const bool apart = there(Motion::apart);
+    const bool separated = there(Motion::separated);
     if (there(Motion::backslip))
-      return apart ? Regime::stick_slip_backslip_apart : Regime::stick_slip_backslip;
-    if (there(Motion::stick)) return apart ? Regime::stick_slip_apart : Regime::stick_slip;
-    return apart ? Regime::sliding_apart : Regime::sliding;
+      return separated ? Regime::stick_slip_backslip_separated : Regime::stick_slip_backslip;
+    if (there(Motion::stick)) return separated ? Regime::stick_slip_separated : Regime::stick_slip;
+    return separated ? Regime::sliding_separated : Regime::sliding;
   }
 
   double phase_of(int sample) const { return two_pi * sample / samples_; }
@@ -99,7 +99,7 @@ class Answer {
     const State state = part->piece.after(duration);
     return point(
         phase, contact_velocity(model_, velocity_, state), model_.load + state.x[0],
-        state.motion == Motion::apart ? 0 : model_.bound(phase + model_.phase, state.touch));
+        state.motion == Motion::separated ? 0 : model_.bound(phase + model_.phase, state.touch));
   }
 
   const Model& model_;

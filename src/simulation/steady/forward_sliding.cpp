@@ -18,10 +18,12 @@ namespace {
 constexpr double any_speed = 1e100;
 
 constexpr const char* lost_in_rounding =
-    "body and drive are so close to a resonance with the force of surfaces that part, or settle so "
+    "body and drive are so close to a resonance with the force of a contact that opens, or settle "
+    "so "
     "slowly, that the swing in slip is lost in rounding";
 constexpr const char* neither_driven_nor_damped =
-    "body and drive swing freely at a harmonic that the force of surfaces that part does not have: "
+    "body and drive swing freely at a harmonic that the force of a contact that opens does not "
+    "have: "
     "v* depends on a swing that nothing decides";
 
 // The map of a period is linear: the second one closes the cycle, the others take off rounding
@@ -69,7 +71,7 @@ double error_of(const Model& model, const LinearSolver& solver, const Vector& re
 }
 
 SlidingCycle sliding_cycle(const Model& model) {
-  State state = apart_start(model, any_speed, false);
+  State state = separated_start(model, any_speed, false);
   const Index changing = state.x.size() - 1;
   for (int i = 1;; ++i) {
     Trace period = trace(model, any_speed, state, two_pi, unit_changes(state, changing));
@@ -90,7 +92,7 @@ SlidingCycle sliding_cycle(const Model& model) {
 // it follows the oscillation.
 bool drives_the_body(const Model& model) {
   if (model.free_harmonic == 1) return true;
-  const State state = apart_start(model, any_speed, false);
+  const State state = separated_start(model, any_speed, false);
   const Trace period = trace(model, any_speed, state, two_pi);
   const Vector unit = slip_rounding(model, period.end);
   for (Index i = 0; i < model.body_states(); ++i)
@@ -111,7 +113,7 @@ double least_velocity(const Model& model, const Trace::Part& part) {
 ForwardSliding forward_sliding(const Model& model) {
   using Ends = ForwardSliding::Ends;
   if (model.opening->jumps && model.contact.damper == 0)
-    return {Ends::sticks_at_meetings, infinity};
+    return {Ends::sticks_at_closings, infinity};
   if (model.free_harmonic > 0) {
     if (!drives_the_body(model)) throw ModelError(neither_driven_nor_damped);
     return {Ends::in_resonance, infinity};

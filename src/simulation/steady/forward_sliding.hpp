@@ -10,7 +10,7 @@ namespace vcrit::simulation {
 struct ForwardSliding {
   enum class Ends {
     at_a_speed,
-    sticks_at_meetings,  ///< the normal force jumps and the tangential one cannot: at any speed
+    sticks_at_closings,  ///< the normal force jumps and the tangential one cannot: at any speed
     in_resonance,        ///< an undamped drive at a harmonic of the normal force: grows for ever
   };
   Ends ends = Ends::at_a_speed;

@@ -5,7 +5,7 @@
 
 namespace vcrit::simulation {
 
-/// <F_n> in N. Of a contact that opens: 0 where the surfaces never meet.
+/// <F_n> in N. Of a contact that opens: 0 where the contact never closes.
 double mean_normal_force(const System& system);
 
 }  // namespace vcrit::simulation

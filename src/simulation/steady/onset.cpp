@@ -87,12 +87,12 @@ std::string why_infinite(ForwardSliding::Ends ends) {
   switch (ends) {
     case ForwardSliding::Ends::at_a_speed:
       return "";
-    case ForwardSliding::Ends::sticks_at_meetings:
-      return "the contact sticks for a moment each time the surfaces meet: the normal force jumps "
+    case ForwardSliding::Ends::sticks_at_closings:
+      return "the contact sticks for a moment each time the contact closes: the normal force jumps "
              "and the tangential one cannot";
     case ForwardSliding::Ends::in_resonance:
       return "body and drive are in undamped resonance with a harmonic of the normal force, which "
-             "parting gives it: the swing in slip grows without bound";
+             "separation gives it: the swing in slip grows without bound";
   }
   throw Bug("an end of forward sliding without a word");
 }
@@ -101,10 +101,10 @@ std::string why_infinite(ForwardSliding::Ends ends) {
 
 Onset sliding_threshold(const System& system) {
   const Model model(system);
-  // Also of surfaces that hardly part, so that rounding hides it.
+  // Also of a contact that hardly opens, so that rounding hides it.
   if (!model.opening && system.opening && system.opening->network.damper > 0 &&
       model.contact.damper == 0)
-    return {infinity, infinity, why_infinite(ForwardSliding::Ends::sticks_at_meetings)};
+    return {infinity, infinity, why_infinite(ForwardSliding::Ends::sticks_at_closings)};
   if (model.opening) {
     const ForwardSliding sliding = forward_sliding(model);
     const double drive = sliding.least_velocity;

@@ -6,9 +6,9 @@
 
 namespace vcrit::simulation {
 
-State apart_start(const Model& model, double velocity, bool at_rest) {
+State separated_start(const Model& model, double velocity, bool at_rest) {
   const Opening::Middle middle = model.opening->middle();
-  State state{Motion::apart, middle.time, Vector(model.slip_states()), 0, middle.next};
+  State state{Motion::separated, middle.time, Vector(model.slip_states()), 0, middle.next};
   if (model.body && at_rest) state.x[1] = -velocity;
   if (!at_rest) model.add_steady(1, state.x);
   state.x[0] = 0;
@@ -16,7 +16,7 @@ State apart_start(const Model& model, double velocity, bool at_rest) {
 }
 
 State sliding_start(const Model& model, double velocity) {
-  if (model.opening) return apart_start(model, velocity, false);
+  if (model.opening) return separated_start(model, velocity, false);
   State state{Motion::slip, -std::arg(model.sliding_velocity), Vector(model.slip_states()), 0};
   const Index body = model.body_states(), levels = model.level_states();
   state.x[0] = model.slip_force(1, state.at);
@@ -34,7 +34,7 @@ State sliding_start(const Model& model, double velocity) {
 }
 
 State rest_start(const Model& model, double velocity) {
-  if (model.opening) return apart_start(model, velocity, true);
+  if (model.opening) return separated_start(model, velocity, true);
   const double drive = velocity + model.creep, top = model.body ? 0 : drive;
   const Index levels = model.level_states(), branches = model.branches();
   State stick{Motion::stick, 0, Vector(model.stick_states()), 0};

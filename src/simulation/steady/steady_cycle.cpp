@@ -145,7 +145,7 @@ class SteadyCycleSearch {
   };
 
   std::optional<Mapped> mapped(const State& state) {
-    const Motion section = model_.opening ? Motion::apart : Motion::slip;
+    const Motion section = model_.opening ? Motion::separated : Motion::slip;
     if (section == Motion::slip && contact_velocity(model_, velocity_, state) <= 0)
       return std::nullopt;
     ++traced_;

@@ -11,7 +11,7 @@
 namespace vcrit::simulation {
 
 struct SteadyCycle {
-  Trace period;      ///< one period from a state in slip on, or apart where the contact opens
+  Trace period;      ///< one period from a state in slip on, or separated where the contact opens
   double ratio = 0;  ///< <F>/(mu0 <F_n>)
   double error = 0;  ///< estimate of its absolute error
   int traced = 0;    ///< periods that the search took
@@ -30,9 +30,9 @@ std::optional<SteadyCycle> strictly_steady_cycle(const Model& model, double velo
 std::optional<SteadyCycle> steady_cycle_near(const Model& model, double velocity,
                                              const SteadyCycle& other);
 
-/// Of a contact that opens: in the middle of the longest time apart, nothing deformed, the body
+/// Of a contact that opens: in the middle of the longest separation, nothing deformed, the body
 /// with the drive or at rest.
-State apart_start(const Model& model, double velocity, bool at_rest);
+State separated_start(const Model& model, double velocity, bool at_rest);
 
 /// Forward sliding as near to steady sliding as the drive allows, at its fastest moment (whether
 /// the contact ever slows to 0 or not), and a body at rest on an undeformed contact.

@@ -40,7 +40,7 @@ void check_normal_force(const System& system) {
   if (!(swing <= (1 + epsilon) * mean))
     throw InputError(
         argument("normal_force_amplitude"), fmt::format("{} N about a mean of {} N", swing, mean),
-        "an amplitude up to the mean", "of surfaces that part give opening in place of both");
+        "an amplitude up to the mean", "of a contact that opens give opening in place of both");
 }
 
 void check_opening(const NormalMotion& opening) {

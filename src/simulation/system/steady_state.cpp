@@ -16,10 +16,10 @@ const char* to_text(Motion motion) {
       return "stick";
     case Motion::backslip:
       return "backslip";
-    case Motion::apart:
+    case Motion::separated:
       return "apart";
   }
-  throw Bug("a motion is slip, stick, backslip or apart");
+  throw Bug("a motion is slip, stick, backslip or separated");
 }
 
 const char* to_text(Regime regime) {
@@ -32,11 +32,11 @@ const char* to_text(Regime regime) {
       return "stick-slip-backslip";
     case Regime::stick:
       return "stick";
-    case Regime::sliding_apart:
+    case Regime::sliding_separated:
       return "sliding-apart";
-    case Regime::stick_slip_apart:
+    case Regime::stick_slip_separated:
       return "stick-slip-apart";
-    case Regime::stick_slip_backslip_apart:
+    case Regime::stick_slip_backslip_separated:
       return "stick-slip-backslip-apart";
   }
   throw Bug("a regime is one of seven");

@@ -9,15 +9,15 @@
 namespace vcrit::simulation {
 
 enum class Start { sliding, rest };
-enum class Motion { slip, stick, backslip, apart };
+enum class Motion { slip, stick, backslip, separated };
 enum class Regime {
   sliding,
   stick_slip,
   stick_slip_backslip,
   stick,
-  sliding_apart,  ///< and the surfaces part once in a while
-  stick_slip_apart,
-  stick_slip_backslip_apart
+  sliding_separated,  ///< and the contact opens once in a while
+  stick_slip_separated,
+  stick_slip_backslip_separated
 };
 
 // The overloads below hide none of the others.
@@ -34,7 +34,7 @@ struct Event {
 /// The motion at one instant of the steady cycle.
 struct CyclePoint {
   double phase = 0;             ///< rad
-  double contact_velocity = 0;  ///< m/s, of the surface also while apart
+  double contact_velocity = 0;  ///< m/s, of the surface also while open
   double force = 0;             ///< N, of the contact network on the contact point
   double friction_bound = 0;    ///< mu0 F_n, N
 };

@@ -13,7 +13,7 @@ namespace {
 void let_open(System& system, bool separates, const Relaxation& normal, double amplitude,
               double indentation) {
   const double share = std::abs(system.normal_force_amplitude) / system.mean_normal_force;
-  if (separates && share > 1 + hardly_parting(false))
+  if (separates && share > 1 + least_separation(false))
     system.opening = {normal, indentation, amplitude};
   else if (share > 1)
     system.normal_force_amplitude /= share;

@@ -44,7 +44,7 @@ int free_harmonic(const System& system);
 int nearly_free_harmonic(const System& system);
 
 /// Throws InputError for missing values, ModelError unless the normal network carries the mean load
-/// and the normal force stays positive or the surfaces may part.
+/// and the normal force stays positive or the contact may open.
 System system_of(const Problem& problem);
 
 }  // namespace vcrit::simulation

@@ -43,7 +43,7 @@ double envelope(const System& system, double exact, int steps) {
     const SteadyState state = steady_state(Method::moreau, system, 0.6, options);
     const double error = std::abs(state.friction_ratio - exact);
     BOOST_TEST(error <= state.friction_ratio_error);
-    BOOST_TEST((state.regime == Regime::stick_slip_apart));
+    BOOST_TEST((state.regime == Regime::stick_slip_separated));
     largest = std::max(largest, error);
   }
   return largest;

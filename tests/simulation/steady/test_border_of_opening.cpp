@@ -38,8 +38,8 @@ System just_parting(const Relaxation& normal, const Relaxation& contact, int k) 
   return system;
 }
 
-// Parting changes the force by no more than what closed surfaces would pull with, on either side,
-// and so v* by no more than twice that share, beside rounding.
+// Separation changes the force by no more than what closed surfaces would pull with, on either
+// side, and so v* by no more than twice that share, beside rounding.
 void check(const Relaxation& normal, const Relaxation& contact, const std::string& name) {
   for (int k = 4; k <= 15; ++k) {
     const System system = just_parting(normal, contact, k);

@@ -137,7 +137,7 @@ BOOST_AUTO_TEST_CASE(very_many_branches_are_refused_at_once) {
              std::string::npos);
 }
 
-// Surfaces that part: the search for their normal force, with a full matrix of changes, too.
+// A contact that opens: the search for their normal force, with a full matrix of changes, too.
 BOOST_AUTO_TEST_CASE(the_normal_force_counts) {
   constexpr std::size_t n = 150;
   System system = of_many_branches(2);

@@ -19,7 +19,7 @@ using namespace vcrit;
 using namespace vcrit::simulation;
 
 bool slips_forward_alone(const System& system, double velocity) {
-  return steady_state(system, velocity).regime == Regime::sliding_apart;
+  return steady_state(system, velocity).regime == Regime::sliding_separated;
 }
 
 // Whether the kind of motion changes at v*, by a billionth of it; the steady state next to it is

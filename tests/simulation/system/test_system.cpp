@@ -62,7 +62,7 @@ BOOST_AUTO_TEST_CASE(outside_the_model) {
   BOOST_CHECK_THROW(system_from(scene(kelvin, "[elements]\nk = 8.0\n")), InputError);
 }
 
-// Beyond du_z |K_n| = K_n(0) u_z0 the surfaces part; up to it, the very border included, the force
+// Beyond du_z |K_n| = K_n(0) u_z0 the contact opens; up to it, the very border included, the force
 // is one sinusoid.
 BOOST_AUTO_TEST_CASE(surfaces_that_may_part) {
   const auto with = [](const std::string& amplitude) {

@@ -1,4 +1,5 @@
-// The report on surfaces that part and on indenters: what is compared, and what its pictures show.
+// The report on a contact that opens and on indenters: what is compared, and what its pictures
+// show.
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -11,15 +12,15 @@
 #include "critical/critical_velocity.hpp"
 #include "report/document.hpp"
 #include "report/indenter_figures.hpp"
-#include "report/parting_figures.hpp"
 #include "report/records.hpp"
 #include "report/report_json.hpp"
 #include "report/scene_page.hpp"
+#include "report/separation_figures.hpp"
 #include "report/verdict.hpp"
 #include "scene/scene.hpp"
 #include "simulation/steady/exact.hpp"
 
-BOOST_AUTO_TEST_SUITE(test_parting_report)
+BOOST_AUTO_TEST_SUITE(test_separation_report)
 
 using namespace vcrit;
 using namespace vcrit::validation;
@@ -50,40 +51,40 @@ std::string text_of(const std::string& scene) {
   return parse_scene(read_scene(std::string(VCRIT_SCENES) + "/" + scene).text, scene).text;
 }
 
-Scene jumping_with_memory() {
-  std::string text = text_of("jumping.toml");
+Scene separating_with_memory() {
+  std::string text = text_of("separation.toml");
   const std::string isotropic = "poisson    = 0.3";
   text.replace(text.find(isotropic), isotropic.size(), "tangential = \"kelvin(k0, c1)\"");
-  return parse_scene(text, "jumping.toml");
+  return parse_scene(text, "separation.toml");
 }
 
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(surfaces_that_part) {
-  const Scene scene = read_scene(std::string(VCRIT_SCENES) + "/jumping.toml");
+  const Scene scene = read_scene(std::string(VCRIT_SCENES) + "/separation.toml");
   const SceneReport report = report_of(scene);
   for (const char* key : {"balance", "simulation", "marched", "starts", "energy", "static_limit",
                           "small_amplitude", "quasi_static"})
     BOOST_TEST((outcome(comparison(report, key)) == Comparison::Outcome::passed), key);
-  const Parting& parting = report.parting.value();
-  BOOST_TEST(parting.opens);
-  BOOST_TEST(parting.closed_form);
-  BOOST_TEST(parting.derivation.size() == 2u);
+  const Separation& separation = report.separation.value();
+  BOOST_TEST(separation.opens);
+  BOOST_TEST(separation.closed_form);
+  BOOST_TEST(separation.derivation.size() == 2u);
   // Each curve, at its own amplitude, ends in full friction at v*; the largest one begins near 0.
-  for (const FrictionCurve& curve : parting.curves) {
+  for (const FrictionCurve& curve : separation.curves) {
     BOOST_TEST(std::abs(curve.friction.back() - 1) <= 1e-12);
     for (std::size_t i = 1; i < curve.friction.size(); ++i)
       BOOST_TEST(curve.friction[i] - curve.friction[i - 1] >= -1e-12);
   }
-  BOOST_TEST(parting.curves.back().friction.front() < 0.05);
-  BOOST_TEST(std::count_if(parting.curves.begin(), parting.curves.end(),
+  BOOST_TEST(separation.curves.back().friction.front() < 0.05);
+  BOOST_TEST(std::count_if(separation.curves.begin(), separation.curves.end(),
                            [](const FrictionCurve& curve) { return curve.own; }) == 1);
 }
 
 // The map against a motion simulated here.
 BOOST_AUTO_TEST_CASE(the_map_of_states) {
-  const Scene scene = read_scene(std::string(VCRIT_SCENES) + "/jumping.toml");
-  const StateMap map = report_of(scene).parting.value().map;
+  const Scene scene = read_scene(std::string(VCRIT_SCENES) + "/separation.toml");
+  const StateMap map = report_of(scene).separation.value().map;
   const std::size_t row = map.rows.size() / 3, columns = map.phases.size();
   BOOST_REQUIRE(map.motions.size() == map.rows.size() * columns);
   const auto state = simulation::steady_state(simulation::system_of(scene),
@@ -97,7 +98,7 @@ BOOST_AUTO_TEST_CASE(the_map_of_states) {
     const auto& before = state.cycle[i];
     const auto& after = state.cycle[i + 1];
     if (before.friction_bound == 0 && after.friction_bound == 0) {
-      BOOST_TEST((motion == simulation::Motion::apart));
+      BOOST_TEST((motion == simulation::Motion::separated));
       ++apart;
     } else if (before.friction_bound > 0 && after.friction_bound > 0 &&
                before.contact_velocity == 0 && after.contact_velocity == 0) {
@@ -111,13 +112,14 @@ BOOST_AUTO_TEST_CASE(the_map_of_states) {
 
 // What has no steady state is no motion: nothing is drawn, and null is written.
 BOOST_AUTO_TEST_CASE(a_row_without_an_answer_stays_empty) {
-  SceneReport report(jumping_with_memory());
-  report.parting.emplace();
-  StateMap& map = report.parting->map;
+  SceneReport report(separating_with_memory());
+  report.separation.emplace();
+  StateMap& map = report.separation->map;
   map.rows = {0.5, 1};
   map.phases = {1, 2};
-  map.motions = {simulation::Motion::stick, simulation::Motion::apart, std::nullopt, std::nullopt};
-  const auto figure = report::state_figure(*report.parting);
+  map.motions = {simulation::Motion::stick, simulation::Motion::separated, std::nullopt,
+                 std::nullopt};
+  const auto figure = report::state_figure(*report.separation);
   BOOST_TEST(figure.map->values[1] == 2);
   BOOST_TEST(std::isnan(figure.map->values[2]));
   const auto states = report::scene_json({report, {}})["separation"]["state_map"]["states"];
@@ -125,19 +127,20 @@ BOOST_AUTO_TEST_CASE(a_row_without_an_answer_stays_empty) {
 }
 
 BOOST_AUTO_TEST_CASE(without_closed_form) {
-  const SceneReport report = report_of(jumping_with_memory());
+  const SceneReport report = report_of(separating_with_memory());
   BOOST_TEST((outcome(comparison(report, "simulation")) == Comparison::Outcome::passed));
-  BOOST_TEST(comparison(report, "simulation").expected == report.parting.value().critical_velocity);
+  BOOST_TEST(comparison(report, "simulation").expected ==
+             report.separation.value().critical_velocity);
   BOOST_TEST(!keys(report).contains("balance"));
   BOOST_TEST(!keys(report).contains("evaluators"));
   Comparison off = comparison(report, "simulation");
   off.found *= 1 + 1e-8;
   BOOST_TEST((outcome(off) == Comparison::Outcome::failed));
   BOOST_TEST(passed(report));
-  BOOST_TEST(!report.parting.value().closed_form);
+  BOOST_TEST(!report.separation.value().closed_form);
   BOOST_TEST(report::velocity_words(report).find("simulated") != std::string::npos);
   const std::string section =
-      report::rendered("separation", record::page_of(report.parting.value()));
+      report::rendered("separation", record::page_of(report.separation.value()));
   BOOST_TEST(section.find("Eq. 24 does not hold then") != std::string::npos);
 }
 
@@ -152,7 +155,7 @@ BOOST_AUTO_TEST_CASE(where_the_program_answers_no_velocity_the_page_has_none) {
     for (const bool isotropic : {false, true}) BOOST_TEST_CONTEXT(kind << isotropic) {
         Scene scene = read_scene(kinds + kind + ".toml");
         scene.separation = true;
-        scene.amplitude.value = 1.2e-6;  // of 0.5 and 0.8 um: the surfaces part
+        scene.amplitude.value = 1.2e-6;  // of 0.5 and 0.8 um: the contact opens
         if (isotropic) scene.tangential = Isotropic{Isotropic::By::ratio, {{"r"}, 0.8}};
         BOOST_CHECK_THROW(critical_onset(scene), ModelError);
         const SceneReport report = report_of(scene);
@@ -172,7 +175,7 @@ BOOST_AUTO_TEST_CASE(without_a_finite_velocity_motion_shows_that_there_is_none) 
   for (const char* kind : {"separation_jump", "separation_free_harmonic"})
     BOOST_TEST_CONTEXT(kind) {
       const SceneReport report = report_of(read_scene(kinds + kind + ".toml"));
-      BOOST_TEST(std::isinf(report.parting.value().critical_velocity));
+      BOOST_TEST(std::isinf(report.separation.value().critical_velocity));
       for (const char* key : {"simulation", "marched"})
         BOOST_TEST((outcome(comparison(report, key)) == Comparison::Outcome::passed), key);
       const std::string& why = comparison(report, "simulation").reference;
@@ -184,20 +187,20 @@ BOOST_AUTO_TEST_CASE(without_a_finite_velocity_motion_shows_that_there_is_none) 
 // v* that is finite, said to be none: both see that it slides.
 BOOST_AUTO_TEST_CASE(an_infinite_velocity_that_is_none_is_red) {
   const Border endless{HUGE_VAL, HUGE_VAL, 0, "no v*"};
-  const simulation::System system = simulation::system_of(jumping_with_memory());
+  const simulation::System system = simulation::system_of(separating_with_memory());
   BOOST_TEST((outcome(compare_stick_without_end(endless, system)) == Comparison::Outcome::failed));
   BOOST_TEST((outcome(compare_march_without_end(endless, system)) == Comparison::Outcome::failed));
 }
 
 // Eq. 24 has its resonance at the frequency itself, and 0 at its antiresonance; the motion of
-// surfaces that part has neither to do with, and its v* is witnessed all the same.
+// a contact that opens has neither to do with, and its v* is witnessed all the same.
 BOOST_AUTO_TEST_CASE(where_the_formula_is_zero_a_simulated_velocity_has_its_witnesses) {
   Scene scene = read_scene(kinds + "antiresonance.toml");
   scene.separation = true;
   scene.amplitude.value = 1.2e-6;
   const SceneReport report = report_of(scene);
   BOOST_TEST(report.critical_velocity == 0);
-  BOOST_TEST(report.parting.value().critical_velocity > 0);
+  BOOST_TEST(report.separation.value().critical_velocity > 0);
   for (const char* key : {"simulation", "marched", "starts"})
     BOOST_TEST((outcome(comparison(report, key)) == Comparison::Outcome::passed), key);
 }
@@ -227,13 +230,13 @@ BOOST_AUTO_TEST_CASE(below_an_indenter) {
   // The sphere is the parabola of any radius; drawn to 1e-6 each.
   for (std::size_t i = 0; i < indented.shapes[1].friction.size(); ++i)
     BOOST_TEST(std::abs(indented.shapes[1].friction[i] - indented.shapes[4].friction[i]) <= 2e-6);
-  // At the rim the surfaces part, in the middle they do not.
+  // At the rim the contact opens, in the middle they do not.
   const auto rim = indented.map.motions.end() - static_cast<long>(indented.map.phases.size());
-  BOOST_TEST((std::count(rim, indented.map.motions.end(), simulation::Motion::apart) > 0));
+  BOOST_TEST((std::count(rim, indented.map.motions.end(), simulation::Motion::separated) > 0));
   BOOST_TEST(
       (std::count(indented.map.motions.begin(),
                   indented.map.motions.begin() + static_cast<long>(indented.map.phases.size()),
-                  simulation::Motion::apart) == 0));
+                  simulation::Motion::separated) == 0));
   for (const auto& figure : report::indenter_figures(indented))
     BOOST_TEST((!figure.series.empty() || figure.map.has_value()), figure.name);
 }
@@ -245,7 +248,7 @@ BOOST_AUTO_TEST_CASE(plain_scenes_say_nothing_of_it) {
   BOOST_TEST(!json.contains("separation"));
   BOOST_TEST(!json.contains("indenter"));
   const std::string page = report::scene_page({report, {}}, {});
-  BOOST_TEST(page.find("Surfaces that part") == std::string::npos);
+  BOOST_TEST(page.find("A contact that opens") == std::string::npos);
   BOOST_TEST(page.find("Below the indenter") == std::string::npos);
 }
 

@@ -1,4 +1,5 @@
-// The non-jumping limits printed with Fig. 4, by formula and by two checks that reject a scene.
+// The largest amplitudes without loss of contact, printed with Fig. 4, by formula and by two checks
+// that reject a scene.
 #include <fmt/core.h>
 
 #include <cmath>
@@ -44,7 +45,7 @@ double bisect(double delta, const std::function<bool(const Problem&)>& accepts) 
   return (low + high) / 2;
 }
 
-void compare_jump_limit(JumpLimits& limits, const JumpLimit& row, double half_unit) {
+void compare_amplitude_limit(AmplitudeLimits& limits, const AmplitudeLimit& row, double half_unit) {
   const auto add = [&](const char* key, const std::string& name, const char* reference,
                        double found, double expected, double tolerance, const char* reason) {
     limits.comparisons.push_back(comparison(
@@ -63,13 +64,13 @@ void compare_jump_limit(JumpLimits& limits, const JumpLimit& row, double half_un
 
 }  // namespace
 
-JumpLimits find_jump_limits() {
-  JumpLimits limits;
+AmplitudeLimits find_amplitude_limits() {
+  AmplitudeLimits limits;
   for (const PrintedLimit& printed : printed_limits()) {
     const double delta = printed.delta;
     limits.rows.push_back({delta, printed.amplitude, 1 / std::hypot(1, delta),
                            bisect(delta, admissible), bisect(delta, simulator_takes)});
-    compare_jump_limit(limits, limits.rows.back(), printed.half_unit);
+    compare_amplitude_limit(limits, limits.rows.back(), printed.half_unit);
   }
   return limits;
 }

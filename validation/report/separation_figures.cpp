@@ -1,4 +1,4 @@
-#include "report/parting_figures.hpp"
+#include "report/separation_figures.hpp"
 
 #include <fmt/core.h>
 
@@ -14,17 +14,17 @@ constexpr const char* speed_title = "v₀ / v* of Eq. 24";
 
 }  // namespace
 
-Figure amplitude_figure(const Parting& parting) {
-  Figure figure = curves_figure(parting.curves);
+Figure amplitude_figure(const Separation& separation) {
+  Figure figure = curves_figure(separation.curves);
   figure.name = "friction_by_amplitude";
   figure.title = "Friction ratio over speed, by amplitude";
   figure.caption =
-      "Each amplitude over that at which the surfaces begin to part; the speed over Eq. 24 at that "
+      "Each amplitude over that at which the contact begins to open; the speed over Eq. 24 at that "
       "amplitude. Thick dots: this scene.";
   return figure;
 }
 
-Figure state_figure(const Parting& parting) {
+Figure state_figure(const Separation& separation) {
   Figure figure;
   figure.name = "contact_state";
   figure.title = "What the contact does over one period, by speed";
@@ -32,7 +32,7 @@ Figure state_figure(const Parting& parting) {
       "The indentation is largest at phase 0 and least at half a period. One row for each speed.";
   figure.x = {"phase ωt / 2π", false, std::pair{0.0, 1.0}, {}};
   figure.y = {speed_title, false, std::pair{0.0, 1.2}, {}};
-  figure.map = contact_map(parting.map);
+  figure.map = contact_map(separation.map);
   return figure;
 }
 

@@ -11,7 +11,7 @@
 #include "simulation/steady/onset.hpp"
 #include "support/table.hpp"
 
-BOOST_AUTO_TEST_SUITE(test_parting)
+BOOST_AUTO_TEST_SUITE(test_separation)
 
 namespace {
 
@@ -89,10 +89,10 @@ BOOST_AUTO_TEST_CASE(flat_punch_ten_times_open) {
 // Above v* = du_z K_n/K_t (here the amplitude) the contact slips whenever it touches.
 BOOST_AUTO_TEST_CASE(slides_above_the_critical_velocity) {
   const SteadyState above = steady_state(elastic(1, 3), 3 * (1 + 1e-9));
-  BOOST_TEST((above.regime == Regime::sliding_apart));
+  BOOST_TEST((above.regime == Regime::sliding_separated));
   BOOST_TEST(std::abs(above.friction_ratio - 1) <= above.friction_ratio_error);
   const SteadyState below = steady_state(elastic(1, 3), 3 * (1 - 1e-6));
-  BOOST_TEST((below.regime == Regime::stick_slip_apart));
+  BOOST_TEST((below.regime == Regime::stick_slip_separated));
   BOOST_TEST(below.friction_ratio < 1);
 }
 
@@ -111,7 +111,7 @@ BOOST_AUTO_TEST_CASE(critical_velocity) {
       ++infinite;
       BOOST_TEST((row.system.opening->network.damper > 0 && row.system.contact.damper == 0));
       const SteadyState fast = steady_state(row.system, 1e6 * row.velocity);
-      BOOST_TEST((fast.regime == Regime::stick_slip_apart));
+      BOOST_TEST((fast.regime == Regime::stick_slip_separated));
       continue;
     }
     // Sticks that last less than 1e-6 of a period are found.

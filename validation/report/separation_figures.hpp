@@ -1,4 +1,4 @@
-// The pictures of surfaces that may part.
+// The pictures of a contact that may open.
 #pragma once
 
 #include "compare/scene_report.hpp"
@@ -7,7 +7,7 @@
 namespace vcrit::validation::report {
 
 /// Friction over speed at some amplitudes, and what the contact does over the period at each speed.
-figures::Figure amplitude_figure(const Parting& parting);
-figures::Figure state_figure(const Parting& parting);
+figures::Figure amplitude_figure(const Separation& separation);
+figures::Figure state_figure(const Separation& separation);
 
 }  // namespace vcrit::validation::report

@@ -1,4 +1,4 @@
-#include "compare/parting.hpp"
+#include "compare/separation.hpp"
 
 #include <fmt/core.h>
 
@@ -27,7 +27,7 @@ using simulation::System;
 // Of the border of separation, on both sides of it.
 constexpr double border_shares[] = {0.5, 0.9, 1, 1.5, 3, 10};
 
-std::vector<double> parting_ratios() {
+std::vector<double> separation_ratios() {
   std::vector<double> ratios{0.005, 0.01, 0.02, 0.03};
   for (int i = 2; i <= 40; ++i) ratios.push_back(i / 40.0);
   for (const double ratio : {1.05, 1.1, 1.2}) ratios.push_back(ratio);
@@ -58,9 +58,9 @@ std::vector<double> speeds_at(const std::vector<double>& ratios, double speed) {
   return result;
 }
 
-FrictionCurve parting_curve(const Problem& problem) {
+FrictionCurve separation_curve(const Problem& problem) {
   FrictionCurve curve;
-  curve.ratios = parting_ratios();
+  curve.ratios = separation_ratios();
   curve.friction = friction_over(simulation::system_of(problem),
                                  speeds_at(curve.ratios, unit_of_speed(problem)));
   return curve;
@@ -78,7 +78,7 @@ std::vector<FrictionCurve> curves_of(const Problem& problem, double border) {
   std::sort(shares.begin(), shares.end());
   std::vector<FrictionCurve> curves;
   for (const double share : shares) {
-    curves.push_back(parting_curve(
+    curves.push_back(separation_curve(
         share == own ? problem : at_amplitude(problem, share * border * indentation)));
     curves.back().name = fmt::format("{:.3g} of the border", share);
     curves.back().own = share == own;
@@ -86,7 +86,7 @@ std::vector<FrictionCurve> curves_of(const Problem& problem, double border) {
   return curves;
 }
 
-StateMap parting_map(const System& system, double speed) {
+StateMap separation_map(const System& system, double speed) {
   StateMap map{even(0, 1.2, 48), even(0, two_pi, 180), {}};
   for (const double ratio : map.rows) {
     std::vector<std::optional<Motion>> row(map.phases.size());
@@ -113,14 +113,14 @@ double ringing(const System& system) {
   return most;
 }
 
-// So slow that the contact sticks from one meeting of the surfaces to their parting: its force is
+// So slow that the contact sticks from where it closes to where it opens: its force is
 // less than that of the glassy network for the way of one period, unless the body rings meanwhile.
-std::optional<Comparison> parting_static_limit(const System& system, double speed) {
+std::optional<Comparison> separation_static_limit(const System& system, double speed) {
   constexpr double most_ringing = 1e3;
   const double rings = ringing(system);
   if (!(rings <= most_ringing)) return std::nullopt;
   Comparison comparison = by_difference("static_limit", "friction at rest, v0 -> 0",
-                                        "0: whenever the surfaces meet, the contact begins anew");
+                                        "0: whenever the contact closes, the contact begins anew");
   const double velocity = 1e-9 * speed;
   double glassy = system.contact.equilibrium;
   for (const MaxwellBranch& branch : system.contact.branches) glassy += branch.stiffness;
@@ -137,7 +137,7 @@ std::optional<Comparison> parting_static_limit(const System& system, double spee
 
 // At 2 % of the border and at half of that: friction falls short of mu0 in proportion, as nothing
 // slips backward.
-std::optional<Comparison> parting_small_amplitude(const Problem& problem, double border) {
+std::optional<Comparison> separation_small_amplitude(const Problem& problem, double border) {
   const auto shortfall = [&](double share) -> std::optional<simulation::SteadyState> {
     const Problem there =
         at_amplitude(problem, share * border * problem->indentation.value.value());
@@ -161,7 +161,7 @@ std::optional<Comparison> parting_small_amplitude(const Problem& problem, double
 }
 
 // So slow an oscillation that every network is as at rest.
-std::optional<Comparison> parting_quasi_static(const System& system) {
+std::optional<Comparison> separation_quasi_static(const System& system) {
   const auto& form = system.opening->network;
   if (!(system.contact.equilibrium > 0) || system.drive) return std::nullopt;
   System slow = system, elastic = system;
@@ -180,7 +180,7 @@ std::optional<Comparison> parting_quasi_static(const System& system) {
   comparison.found = simulation::steady_state(slow, 0.5 * speed).friction_ratio;
   comparison.tolerance = 10 * slowness;
   comparison.reason =
-      "forces, and times of parting, change by some ω times the slowest relaxation, 10⁻⁶";
+      "forces, and times of opening, change by some ω times the slowest relaxation, 10⁻⁶";
   return comparison;
 }
 
@@ -198,16 +198,16 @@ std::optional<Comparison> energy(const System& system, double velocity) {
   return comparison;
 }
 
-void compare_parting(SceneReport& report, const System& system, double speed) {
+void compare_separation(SceneReport& report, const System& system, double speed) {
   const auto add = [&](std::optional<Comparison> comparison) {
     if (comparison) report.comparisons.push_back(std::move(*comparison));
   };
   add(energy(system, 0.5 * speed));
-  if (report.parting->border > 0 && report.problem->indentation.value.value() > 0)
-    add(parting_small_amplitude(report.problem, report.parting->border));
+  if (report.separation->border > 0 && report.problem->indentation.value.value() > 0)
+    add(separation_small_amplitude(report.problem, report.separation->border));
   if (!system.opening) return;
-  add(parting_static_limit(system, speed));
-  add(parting_quasi_static(system));
+  add(separation_static_limit(system, speed));
+  add(separation_quasi_static(system));
 }
 
 }  // namespace
@@ -253,20 +253,21 @@ std::vector<std::optional<Motion>> motions_in(const simulation::SteadyState& sta
   return motions;
 }
 
-void examine_parting(SceneReport& report, const symbolic::Derivation& derivation,
-                     const System& system, const CriticalOnset& onset) {
+void examine_separation(SceneReport& report, const symbolic::Derivation& derivation,
+                        const System& system, const CriticalOnset& onset) {
   const Problem& problem = report.problem;
-  Parting& parting = report.parting.emplace();
-  parting.opens = system.opening.has_value();
-  parting.closed_form = onset.by == CriticalOnset::By::formula;
-  parting.critical_velocity = onset.contact_velocity;
-  parting.drive_velocity = onset.drive_velocity;
-  parting.border = opening_border(problem);
-  parting.derivation = equations_of(symbolic::parting_lines(derivation));
+  Separation& separation = report.separation.emplace();
+  separation.opens = system.opening.has_value();
+  separation.closed_form = onset.by == CriticalOnset::By::formula;
+  separation.critical_velocity = onset.contact_velocity;
+  separation.drive_velocity = onset.drive_velocity;
+  separation.border = opening_border(problem);
+  separation.derivation = equations_of(symbolic::parting_lines(derivation));
   const double speed = unit_of_speed(problem);
-  if (problem->indentation.value.value() > 0) parting.curves = curves_of(problem, parting.border);
-  parting.map = parting_map(system, speed);
-  compare_parting(report, system, speed);
+  if (problem->indentation.value.value() > 0)
+    separation.curves = curves_of(problem, separation.border);
+  separation.map = separation_map(system, speed);
+  compare_separation(report, system, speed);
 }
 
 }  // namespace vcrit::validation

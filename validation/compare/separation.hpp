@@ -1,4 +1,4 @@
-// Of a scene whose surfaces may part: v* of the motion, friction against amplitude across the
+// Of a scene whose contact may open: v* of the motion, friction against amplitude across the
 // border of separation, the state of the contact over the period, and the limits that must hold.
 #pragma once
 
@@ -12,15 +12,15 @@ struct Derivation;
 
 namespace vcrit::validation {
 
-/// Adds `parting` and its comparisons. System and onset are the scene's.
-void examine_parting(SceneReport& report, const symbolic::Derivation& derivation,
-                     const simulation::System& system, const CriticalOnset& onset);
+/// Adds `separation` and its comparisons. System and onset are the scene's.
+void examine_separation(SceneReport& report, const symbolic::Derivation& derivation,
+                        const simulation::System& system, const CriticalOnset& onset);
 
 /// In what curves and maps measure speed, m/s: v* by Eq. 24, or where that is 0 or infinite v*
 /// under a rigid drive.
 double unit_of_speed(const Problem& problem);
 
-/// du_z/u_z0 beyond which the surfaces part, K_n(0)/|K_n(i omega)|.
+/// du_z/u_z0 beyond which the contact opens, K_n(0)/|K_n(i omega)|.
 double opening_border(const Problem& problem);
 
 /// The longest time (s) in which a solid forgets what was done to it, by order of magnitude; 0 of
