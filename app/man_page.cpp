@@ -25,7 +25,7 @@ std::string escaped(const std::string& text) {
 
 /// The same in lines that one can read in the source.
 std::string filled(const std::string& text) {
-  constexpr std::size_t width = 78;
+  constexpr std::size_t width = 78;  // a terminal has 80
   std::string out, line;
   for (const std::string& word : CLI::detail::split(text, ' ')) {
     if (!line.empty() && line.size() + word.size() >= width) {

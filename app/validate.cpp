@@ -38,7 +38,7 @@ namespace {
 
 using validation::report::Validation;
 
-constexpr std::size_t bar_width = 20;
+constexpr std::size_t bar_width = 20;  // of the usual 79, so that names of scenes fit beside it
 
 /// Of the terminal on stderr; a longer line would not be written over.
 std::size_t line_width() {

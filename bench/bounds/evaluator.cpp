@@ -19,6 +19,7 @@ namespace vcrit::bounds {
 
 namespace {
 
+// Of compiling an evaluator and of evaluating a chunk, which take seconds: what is longer hangs.
 constexpr std::chrono::minutes limit{10};
 
 const char* const driver = R"(#include "evaluator.hpp"

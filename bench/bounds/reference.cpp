@@ -9,8 +9,12 @@ namespace vcrit::bounds {
 
 namespace {
 
+// Wanted are the two doubles of an Exact, 2 x 53 bits, and six to
+// round by. The first try has 80 bits to lose to cancellation. From the third on a ball around 0 is
+// most likely an exact zero, which arithmetic modulo a prime tells for less than more bits.
 constexpr slong least_precision = 192, modular_precision = 768, wanted_bits = 112;
-constexpr slong most_precision = slong{1} << 20;
+constexpr slong most_precision = slong{1}
+                                 << 20;  // sums of products of some ten doubles cancel less
 
 /// K_n, K_t, K_d + (K_t and) inertia in any arithmetic; the ratio K_t/K_n of an isotropic contact
 /// is 2 (1 - nu)/(2 - nu).
@@ -135,7 +139,7 @@ Exact Reference::rounded() {
 
 double Reference::mass_near_resonance(std::span<const double> x, bool with_tangential,
                                       double part) {
-  constexpr slong precision = 128;
+  constexpr slong precision = 128;  // a double is wanted: 75 bits may cancel
   balls_.begin(x[omega_slot], precision);
   Formulas<BallArithmetic> formulas(balls_);
   acb_srcptr stiffness = formulas.stiffness(*system_.drive, system_.driving.of(x));

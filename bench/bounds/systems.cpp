@@ -9,7 +9,8 @@ namespace vcrit::bounds {
 
 namespace {
 
-constexpr int branches = 10, rungs = 10, bridge_edges = 5, grid_edges = 12;
+constexpr int branches = 10, rungs = 10, bridge_edges = 5,
+              grid_edges = 12;  // of the systems with these names
 
 class Builder {
  public:

@@ -44,7 +44,8 @@ struct System {
   std::optional<std::size_t> mass, poisson;  ///< slots; an isotropic contact has no tangential one
 };
 
-inline constexpr std::size_t coefficient_slot = 0, omega_slot = 1, amplitude_slot = 2;
+inline constexpr std::size_t coefficient_slot = 0, omega_slot = 1,
+                             amplitude_slot = 2;  // of every case
 
 /// All systems, the smallest networks first.
 std::vector<System> all_systems();

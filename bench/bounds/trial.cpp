@@ -15,6 +15,8 @@ namespace vcrit::bounds {
 
 namespace {
 
+// Cases of one process and one seed: many, so that starting the process costs little; few, so that
+// all cores have chunks and a case can be made again by itself.
 constexpr std::uint64_t chunk_size = 10'000;
 
 std::string exact_text(const Exact& exact) {

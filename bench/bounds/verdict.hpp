@@ -21,7 +21,7 @@ enum class Violation {
   infinity,    ///< it is infinite below the largest double and away from a pole
   zero,        ///< it is 0 above the smallest double and away from a zero
 };
-inline constexpr std::size_t violation_kinds = 6;
+inline constexpr std::size_t violation_kinds = 6;  // of the enumeration above
 std::string_view name_of(Violation violation);
 
 struct Verdict {

@@ -31,7 +31,7 @@ using Real = long double;
 using Reals = std::vector<Real>;
 
 constexpr Real half_turn = std::numbers::pi_v<Real>;
-constexpr Real price = 4;
+constexpr Real price = 4;  // of a unit of a mean, as above
 // Where the best measure has fewer instants than the method's, some of these come together, and the
 // square of their distance is what the bounds are apart: 64 bits go that far.
 constexpr Real close_enough = 1e-12L, worst_width = 1e-9L;

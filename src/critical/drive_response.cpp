@@ -16,7 +16,9 @@ namespace {
 class Massless : public DriveInBalls {
  public:
   explicit Massless(ReducedNetwork drive) : drive_(std::move(drive)) {}
-  DriveResponse at(Balls& balls) const override { return {evaluate(drive_.reduction(), balls), Ball(1)}; }
+  DriveResponse at(Balls& balls) const override {
+    return {evaluate(drive_.reduction(), balls), Ball(1)};
+  }
   std::size_t steps() const override { return drive_.reduction().steps.size(); }
 
  private:
@@ -68,7 +70,7 @@ class WithMasses : public DriveInBalls {
   }
 
  private:
-  static constexpr std::size_t far_end = 0, body = 1, first_inner = 2;
+  static constexpr std::size_t far_end = 0, body = 1, first_inner = 2;  // nodes
   struct Edge {
     std::size_t from, to;
     Reduction reduction;
@@ -159,17 +161,17 @@ class Measured : public DriveInBalls {
 
 std::unique_ptr<const DriveInBalls> drive_in_balls(const Problem& problem) {
   using Drive = std::unique_ptr<const DriveInBalls>;
-  return std::visit(
-      Overloaded{[](const Rigid&) -> Drive { return nullptr; },
-            [](const ReducedNetwork& drive) -> Drive {
-              if (drive.has_masses()) return std::make_unique<WithMasses>(drive.network());
-              return std::make_unique<Massless>(drive);
-            },
-            [&](const Receptance& drive) -> Drive {
-              return std::make_unique<Measured>(
-                  bracket(drive, problem.value(problem->angular_frequency)));
-            }},
-      problem->drive);
+  return std::visit(Overloaded{[](const Rigid&) -> Drive { return nullptr; },
+                               [](const ReducedNetwork& drive) -> Drive {
+                                 if (drive.has_masses())
+                                   return std::make_unique<WithMasses>(drive.network());
+                                 return std::make_unique<Massless>(drive);
+                               },
+                               [&](const Receptance& drive) -> Drive {
+                                 return std::make_unique<Measured>(
+                                     bracket(drive, problem.value(problem->angular_frequency)));
+                               }},
+                    problem->drive);
 }
 
 }  // namespace vcrit

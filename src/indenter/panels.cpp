@@ -13,7 +13,7 @@ namespace vcrit::indenter {
 
 namespace {
 
-constexpr std::size_t nodes = 21;
+constexpr std::size_t nodes = 21;  // with 10 of Gauss: the usual pair of QUADPACK
 using Kronrod = boost::math::quadrature::gauss_kronrod<double, nodes>;
 using Gauss = boost::math::quadrature::gauss<double, nodes / 2>;
 

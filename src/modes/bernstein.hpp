@@ -100,7 +100,7 @@ class Bernstein {
   Coefficients a_{}, b_{};
 };
 
-inline constexpr std::size_t degree = 5;
+inline constexpr std::size_t degree = 5;  // of the polynomials below: c_0..c_5
 
 /// Derivatives c_0..c_5 at x = 0 of sum_k c_k x^k/k!.
 using Derivatives = std::array<double, degree + 1>;

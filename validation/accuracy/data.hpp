@@ -15,7 +15,7 @@ namespace vcrit::validation::accuracy {
 /// Histogram of errors in units in the last place of the correctly rounded value: 0, 1, 2, up to 4,
 /// up to 8, ... up to 2^53, beyond; and those that are not finite.
 struct Histogram {
-  static constexpr std::size_t size = 56;
+  static constexpr std::size_t size = 56;  // 0; up to 2^0, ... 2^53; beyond
   std::array<std::size_t, size> counts{};
   std::size_t not_finite = 0;
   void add(double error);  ///< in units in the last place; NaN and infinity are not finite

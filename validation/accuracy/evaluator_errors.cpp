@@ -16,8 +16,9 @@ namespace vcrit::validation::accuracy {
 
 namespace {
 
-constexpr std::size_t most_worst = 10;
-constexpr double wrong = 1e-10;
+constexpr std::size_t most_worst = 10;  // rows of a table that is seen at one glance
+constexpr double wrong =
+    1e-10;  // more digits than anyone measures: what is nearer needs no explanation
 
 template <class Visit>
 void for_each_set(const Problem& problem, const Inputs& inputs, const Visit& visit) {

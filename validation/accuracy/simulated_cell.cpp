@@ -12,6 +12,8 @@ namespace vcrit::validation::accuracy {
 
 namespace {
 
+// Of v*. A stick so little below it lasts for 2 sqrt(2e-6) rad, 4e-4 of a period: far longer than
+// the shortest sticks that are found (simulation/steady/onset.hpp).
 constexpr double beside = 1e-6;
 
 bool slides(const simulation::System& system, double velocity) {

@@ -20,8 +20,8 @@ namespace vcrit::validation {
 
 namespace {
 
-constexpr double points_per_decade = 48;
-constexpr double most_points = 600;
+constexpr double points_per_decade = 48;  // steps of 5 %; next to resonances more
+constexpr double most_points = 600;       // 12.5 decades at that; more are sampled more thinly
 
 /// The problem, and what is asked of it again and again.
 class Response {

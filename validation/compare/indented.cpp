@@ -95,7 +95,7 @@ std::vector<FrictionCurve> shapes_of(const Problem& problem) {
 }
 
 StateMap indenter_map(const HalfSpace& half_space, double velocity) {
-  constexpr int count = 60, samples = 180;
+  constexpr int count = 60, samples = 180;  // cells; 2 degrees each
   StateMap map;
   for (int i = 0; i < samples; ++i) map.phases.push_back(two_pi * (i + 0.5) / samples);
   const auto cells = indenter::cells(half_space, velocity, count, 0);

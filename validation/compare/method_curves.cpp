@@ -16,6 +16,7 @@ namespace {
 
 using simulation::Method;
 
+// Of v*: one next to it, where sticks are short, and one above, where none is left.
 constexpr double method_ratios[] = {0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 0.97, 1.05};
 
 std::string setting(Method method, const simulation::MethodOptions& options) {

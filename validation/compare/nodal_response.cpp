@@ -32,7 +32,7 @@ struct LongArithmetic {
 // Equations of motion of points that networks connect; the ground stands still.
 class Points {
  public:
-  static constexpr int ground = -1;
+  static constexpr int ground = -1;  // no number of a node
 
   Points(const Values& values, double omega)
       : arithmetic_{values, {0, static_cast<long double>(omega)}} {}

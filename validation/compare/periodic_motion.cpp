@@ -15,7 +15,7 @@ namespace vcrit::validation {
 
 namespace {
 
-constexpr std::size_t points = 256;
+constexpr std::size_t points = 256;  // instants of a period; the work goes with their square
 
 // Answers larger than this, in units of the contact's own, are those of a free swing: a resistance
 // so large lets such a swing do what it likes for next to no force.

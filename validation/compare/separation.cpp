@@ -116,7 +116,7 @@ double ringing(const System& system) {
 // So slow that the contact sticks from where it closes to where it opens: its force is
 // less than that of the glassy network for the way of one period, unless the body rings meanwhile.
 std::optional<Comparison> separation_static_limit(const System& system, double speed) {
-  constexpr double most_ringing = 1e3;
+  constexpr double most_ringing = 1e3;  // at 1e-9 of v* the tolerance stays below some 1e-5
   const double rings = ringing(system);
   if (!(rings <= most_ringing)) return std::nullopt;
   Comparison comparison = by_difference("static_limit", "friction at rest, v0 -> 0",

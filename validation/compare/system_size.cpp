@@ -4,6 +4,8 @@ namespace vcrit::validation {
 
 namespace {
 
+// Relaxation times up to which other methods have all the work that they want, and beyond which
+// they have less than a quarter of it: it goes with the square.
 constexpr double few = 15, many = 30;
 
 double relaxation_times(const simulation::System& system) {

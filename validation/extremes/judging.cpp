@@ -12,7 +12,7 @@ namespace vcrit::validation::extremes {
 
 namespace {
 
-constexpr std::size_t most_worst = 3;
+constexpr std::size_t most_worst = 3;  // of each region, a line each in its table
 
 bool is_number(double found) { return std::isfinite(found) && found != 0; }
 

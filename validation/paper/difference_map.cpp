@@ -12,9 +12,9 @@ namespace vcrit::validation::paper {
 
 namespace {
 
-constexpr double allowed = 0.01;
-constexpr double slowest = 0.01, fastest = 0.9999;
-constexpr int columns = 41, lines = 49;  // eight columns a decade, besides the first
+constexpr double allowed = 0.01;                    // of mu0: what the line calls usable
+constexpr double slowest = 0.01, fastest = 0.9999;  // of v*, at which the difference is 0
+constexpr int columns = 41, lines = 49;             // eight columns a decade, besides the first
 
 std::vector<double> deltas() {
   std::vector<double> result;

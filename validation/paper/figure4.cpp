@@ -61,7 +61,7 @@ void add_amplitude(Figure& figure, Friction friction, double delta, int number) 
 }
 
 void add_references(Figure& figure, Friction friction, double delta) {
-  constexpr int colour = amplitude_count + 1;
+  constexpr int colour = amplitude_count + 1;  // the first that no curve has
   const std::string name = name_of(delta, reference_amplitude);
   figure.series.push_back(curve(name, Style::dotted, colour, [&](double ratio) {
     return friction(delta, reference_amplitude, ratio);

@@ -19,7 +19,7 @@ namespace vcrit::validation::paper {
 
 namespace {
 
-constexpr double tried_ratio = 0.5;
+constexpr double tried_ratio = 0.5;  // of v*, where neither stick nor slip is short
 
 /// Phase of the first event of this kind.
 double phase_of(const simulation::SteadyState& state, simulation::Motion to) {

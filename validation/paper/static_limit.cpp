@@ -21,7 +21,7 @@ namespace vcrit::validation::paper {
 
 namespace {
 
-constexpr double near_rest = 1e-9;
+constexpr double near_rest = 1e-9;  // of v*; what is left goes with its power of 2/3, 1e-6
 
 double leading(double delta, double ratio) {
   return reference_amplitude / 2 * std::pow(3 * pi * delta / std::hypot(1, delta) * ratio, 2 / 3.0);

@@ -82,7 +82,7 @@ double first_strengthening(double ratio) {
 }
 
 double maximum(const Curve& curve, double low, double high) {
-  constexpr int half_the_bits = 26;
+  constexpr int half_the_bits = 26;  // where a maximum is flat, no more of its place is known
   return -boost::math::tools::brent_find_minima([&](double x) { return -curve(x); }, low, high,
                                                 half_the_bits)
               .second;
@@ -104,7 +104,7 @@ std::string of_delta(double delta) {
 
 /// By what the friction's own errors, some 1e-14 near v_c, may move it.
 double crossing_error(double delta, double ratio) {
-  constexpr double aside = 0.01;
+  constexpr double aside = 0.01;  // a slope by differences, of which two digits do
   const Curve curve = delta == 0 ? Curve(first_strengthening) : strengthening(delta);
   const double slope = (curve(ratio + aside) - curve(ratio - aside)) / (2 * aside);
   const double error = delta > 0 && std::isfinite(delta) ? taken(delta, ratio).error : 0;

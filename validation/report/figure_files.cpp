@@ -12,7 +12,7 @@ namespace vcrit::validation::report {
 
 namespace {
 
-constexpr std::chrono::minutes drawing_limit{1};
+constexpr std::chrono::minutes drawing_limit{1};  // gnuplot takes a second
 
 std::filesystem::path program() {
   if (const auto found = find_program("gnuplot")) return *found;

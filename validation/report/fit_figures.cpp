@@ -15,7 +15,7 @@ using figures::Figure;
 using figures::FigureSeries;
 using figures::Style;
 
-constexpr int points_of_line = 300;
+constexpr int points_of_line = 300;  // smooth to the eye
 
 enum Colour { storage_colour = 0, loss_colour = 1 };
 

@@ -8,7 +8,7 @@ namespace vcrit::validation::report {
 
 namespace {
 
-constexpr int terminals = 2;
+constexpr int terminals = 2;       // nodes 0 and 1 of every graph
 constexpr double steepness = 1.2;  // rows are farther apart than columns: room for labels
 
 std::vector<std::vector<int>> neighbours(const Graph& graph) {

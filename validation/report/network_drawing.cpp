@@ -15,11 +15,12 @@ namespace vcrit::validation::report {
 
 namespace {
 
-constexpr double element_width = 84, element_above = 33, element_below = 14;
-constexpr double label_height = 18;
-constexpr double bus = 14;         // between the bars of parallel branches and the branches
-constexpr double branch_gap = 2;   // between stacked branches
-constexpr double connection = 10;  // between elements in series
+constexpr double element_width = 84, element_above = 33,
+                 element_below = 14;  // px, of the paths below
+constexpr double label_height = 18;   // above the line: clear of a mass's box
+constexpr double bus = 14;            // between the bars of parallel branches and the branches
+constexpr double branch_gap = 2;      // between stacked branches
+constexpr double connection = 10;     // between elements in series
 
 const char* const spring_path = "M0 0H18l4 -8l8 16l8 -16l8 16l8 -16l8 16l4 -8H84";
 const char* const damper_path = "M0 0H32V-10H56M32 0V10H56M46 -7V7M46 0H84";
@@ -243,7 +244,7 @@ void fields(Fields& f, const Shape& it) {
 }
 
 void fields(Fields& f, const report::Picture& it) {
-  constexpr double margin = 8;
+  constexpr double margin = 8;  // px: strokes and ends of labels reach beyond the shapes
   const report::Drawing& drawing = it.drawing;
   f("description", it.description)("width", drawing.width + 2 * margin);
   f("height", drawing.above + drawing.below + 2 * margin);

@@ -92,7 +92,7 @@ Label drive_speed() { return {italic("v"), lowered("0")}; }
 
 /// An isotropic contact: the normal network within brackets, with the ratio in front.
 Drawing times(double factor, const Drawing& network) {
-  constexpr double before = 84, after = 26;
+  constexpr double before = 84, after = 26;  // px: the factor and a bracket; a bracket
   const double top = -network.above, bottom = network.below;
   const auto bracket = [&](double x, int side) {
     return path(
@@ -138,14 +138,14 @@ Picture draw_sliding(const Problem& problem) {
     row.add(joint());
   }
   std::visit(Overloaded{[](const Rigid&) {},
-                   [&](const ReducedNetwork& drive) {
-                     row.add(draw_written(problem, drive));
-                     description += ", drive network";
-                   },
-                   [&](const Receptance&) {
-                     row.add(measured_drive());
-                     description += ", measured drive";
-                   }},
+                        [&](const ReducedNetwork& drive) {
+                          row.add(draw_written(problem, drive));
+                          description += ", drive network";
+                        },
+                        [&](const Receptance&) {
+                          row.add(measured_drive());
+                          description += ", measured drive";
+                        }},
              problem->drive);
   row.add(arrow(drive_speed()));
   return row.picture(description + ", moved at constant velocity");

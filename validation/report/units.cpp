@@ -11,7 +11,7 @@ namespace vcrit::validation::report {
 namespace {
 
 constexpr std::array prefixes{"p", "n", "µ", "m", "", "k", "M", "G"};
-constexpr int without_prefix = 4;
+constexpr int without_prefix = 4;  // the place of ""
 
 std::string raised(const std::string& digits) {
   constexpr std::array superscripts{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};

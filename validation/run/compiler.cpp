@@ -24,7 +24,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::chrono::seconds compile_limit{120};
+constexpr std::chrono::seconds compile_limit{120};  // only a compiler that hangs takes so long
 // What a report can show of it is far less.
 constexpr std::size_t most_output = 1 << 20;
 

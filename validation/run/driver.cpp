@@ -16,7 +16,7 @@ namespace vcrit::validation {
 
 namespace {
 
-constexpr std::chrono::seconds answer_limit{60};
+constexpr std::chrono::seconds answer_limit{60};  // thousands of values take less than a second
 
 /// Why there is no generated library; empty if there is one, in `folder`.
 std::string generate_into(const symbolic::Derivation& derivation,

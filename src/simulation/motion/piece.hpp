@@ -22,7 +22,7 @@ struct State {
   Index touch = 0;  ///< of a contact that opens: the present or, separated, the next one
 };
 
-inline constexpr int both_sides = 2;
+inline constexpr int both_sides = 2;  // neither of +1 and -1
 
 /// +1 in slip, -1 in backslip, 0 without slip.
 inline int direction(Motion motion) {
