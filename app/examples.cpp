@@ -49,6 +49,12 @@ const std::map<std::string, std::vector<Example>> command_examples{
     {"critical",
      {{"Formula against simulation; exit status 1 if they differ",
        "vcrit critical scenes/kelvin.toml"}}},
+    {"plot",
+     {{"Friction over speed, on the terminal", "vcrit plot scenes/zener.toml"},
+      {"v* over frequency, as a picture for a page",
+       "vcrit plot scenes/zener.toml --of frequency --out frequency.svg"},
+      {"Force and velocity over one period at 2 mm/s",
+       "vcrit plot scenes/zener.toml --of cycle --velocity \"2 mm/s\""}}},
     {"sweep",
      {{"The critical velocity over three decades of frequency",
        "vcrit sweep scenes/zener.toml --over \"frequency=log:1 kHz:1 MHz:31\" --quantity "

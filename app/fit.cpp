@@ -89,7 +89,7 @@ void run_fit(const FitOptions& options) {
   const std::filesystem::path out = options.out;
   if (out.extension() != ".toml")
     throw InputError({"--out"}, fmt::format("\"{}\"", options.out), "a file ending in .toml");
-  if (!options.figures.empty()) validation::report::require_gnuplot();
+  if (!options.figures.empty()) validation::report::require_gnuplot("--figures");
   const Data data = fit::read_data(options.data);
   const Fit fit = fit::fitted(data, options.fit);
   const FitContents contents{

@@ -1,14 +1,10 @@
 // vcrit simulate: the steady stick-slip motion at one speed.
 #include <fmt/core.h>
 
-#include <cmath>
-#include <map>
 #include <memory>
 #include <numbers>
 #include <optional>
 
-#include "answers/critical_onset.hpp"
-#include "base/units.hpp"
 #include "commands.hpp"
 #include "method_choice.hpp"
 #include "options.hpp"
@@ -19,6 +15,7 @@
 #include "simulation/steady/energy.hpp"
 #include "simulation/steady/exact.hpp"
 #include "simulation/steady/normal_force.hpp"
+#include "speed_options.hpp"
 
 namespace vcrit::record {
 
@@ -42,30 +39,10 @@ using simulation::SteadyState;
 
 struct SimulateOptions {
   SceneOptions scene;
-  std::string velocity;
-  std::optional<double> velocity_ratio;
+  SpeedOptions speed;
   MethodChoice method;
   bool json = false;
 };
-
-struct Speed {
-  double velocity, ratio;
-};
-
-Speed speed_of(const SimulateOptions& options, const Problem& problem) {
-  const CriticalOnset onset = critical_onset(problem);
-  const double critical = onset.contact_velocity;
-  if (options.velocity_ratio && std::isinf(critical))
-    throw ModelError(onset.reason + ": --velocity-ratio has no meaning, give --velocity");
-  const double velocity =
-      options.velocity_ratio
-          ? *options.velocity_ratio * critical
-          : parse_quantity(options.velocity, Dimension::velocity, {"--velocity"});
-  if (!(velocity > 0 && std::isfinite(velocity)))
-    throw InputError({options.velocity_ratio ? "--velocity-ratio" : "--velocity"},
-                     fmt::format("a speed of {} m/s", velocity), "a finite speed above 0");
-  return {velocity, velocity / critical};
-}
 
 // Where the contact opens.
 struct Separated {
@@ -129,7 +106,7 @@ void print_simulate_text(const SimulationAnswer& answer, double omega) {
 
 SimulationAnswer answer_of(const SimulateOptions& options, const Problem& problem,
                            const simulation::System& system) {
-  const Speed speed = speed_of(options, problem);
+  const Speed speed = options.speed.of(problem);
   SimulationAnswer answer{speed, options.method.steady_state(system, speed.velocity),
                           options.method.name(), problem->source->warnings};
   if (!options.method.is_exact()) return answer;
@@ -143,7 +120,7 @@ SimulationAnswer answer_of(const SimulateOptions& options, const Problem& proble
 SimulationAnswer answer_below_indenter(const SimulateOptions& options, const Problem& problem) {
   if (!options.method.is_exact())
     rules::require(rules::Question::other_methods, problem, options.method.name() + " ");
-  const Speed speed = speed_of(options, problem);
+  const Speed speed = options.speed.of(problem);
   const IndenterAnswer cells = simulate_indenter(problem, speed.velocity);
   SimulationAnswer answer{speed, indenter::steady_state_of(cells.friction), options.method.name(),
                           problem->source->warnings};
@@ -175,11 +152,7 @@ void add_simulate(CLI::App& program) {
   const auto options = std::make_shared<SimulateOptions>();
   CLI::App* command = program.add_subcommand("simulate", "Simulate stick-slip at one speed");
   options->scene.add_to(*command);
-  CLI::Option_group* speed = command->add_option_group("speed");
-  speed->add_option("--velocity", options->velocity,
-                    "mean velocity of the drive: 0.02 or \"20 mm/s\"");
-  speed->add_option("--velocity-ratio", options->velocity_ratio, "the same in units of v*");
-  speed->require_option(1);
+  options->speed.add_to(*command);
   options->method.add_to(*command);
   command->add_flag("--json", options->json, "print one JSON object");
   command->callback([options] { simulate(*options); });

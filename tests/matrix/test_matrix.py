@@ -7,6 +7,7 @@ new one has no cells and fails, as a new kind does.
 
 import csv
 import json
+import math
 import os
 import tempfile
 import unittest
@@ -19,11 +20,12 @@ import formulas
 import python_cells
 from cells import (FOLDER, KINDS, LOOKED_AT, REFERENCES, REFUSALS, U, Cells, choices, commands, onset, refusal, run,
                    scene)
+from pictures import panels, value_at
 
 FORMATS, FORMS = choices("derive", "format"), choices("derive", "form")
 LANGUAGES, METHODS = choices("generate", "language"), choices("simulate", "method")
 STARTS, UNKNOWNS = choices("simulate", "start"), choices("solve", "for")
-QUANTITIES = choices("sweep", "quantity")
+QUANTITIES, PICTURES = choices("sweep", "quantity"), choices("plot", "of")
 PYTHON = ("critical_velocity", "critical_onset", "simulate", "friction_curve", "derive")
 COLUMNS = {
     "eval": ["eval"],
@@ -32,6 +34,7 @@ COLUMNS = {
     "generate": [f"generate/{each}" for each in LANGUAGES] + ["generate/quantities", "generate/fix"],
     "simulate": [f"simulate/{each}" for each in METHODS + STARTS],
     "critical": ["critical"],
+    "plot": [f"plot/{each}" for each in PICTURES],
     "sweep": [f"sweep/{each}" for each in QUANTITIES],
     "solve": [f"solve/{each}" for each in UNKNOWNS],
     "validate": ["validate"],
@@ -262,6 +265,38 @@ class Matrix(Cells, unittest.TestCase):
             self.assertIn(kind, ("free_harmonic", "near_free_harmonic", "antiresonance"))
         else:
             self.near(answer["stick_onset"], value, error + 1e-9 * value, "stick_onset")
+
+    def test_plot(self):
+        self.over([f"plot/{each}" for each in PICTURES], self.plot)
+
+    def plot(self, kind, column):
+        picture, references = self.folder / f"{kind} {column.replace('/', ' ')}.svg", REFERENCES[kind]
+        velocity = references.text("velocity:0") if "velocity:0" in references else "1e-3"
+        of = column.split("/")[1]
+        how = {"friction": ("--to", 2 * float(velocity)), "cycle": ("--velocity", velocity)}.get(of, ())
+        if not self.answered(kind, column, run("plot", scene(kind), "--of", of, *how, "--out", picture)):
+            self.assertFalse(picture.exists())
+            return
+        lines = panels(picture.read_text())
+        if of == "friction":
+            # Drawn to a tenth of a pixel of 320, with straight lines between 160 speeds.
+            self.near(value_at(lines[0].lines[0], float(velocity)), references("friction_ratio:0"), 3e-3, of)
+        elif of == "frequency":
+            self.check_drawn_onset(kind, lines[0].lines[-1])
+        else:
+            bound, minus, force = lines[0].lines
+            # Two tenths of a pixel of 220 for some four times the largest bound.
+            allowed = 0.005 * max(above for _, above in bound[0])
+            for (_, above), (_, below), (_, between) in zip(*bound, *minus, *force):
+                self.assertTrue(below - allowed <= between <= above + allowed, (kind, below, between, above))
+
+    def check_drawn_onset(self, kind, strokes):
+        """Near an undamped resonance the line is too steep to be read."""
+        value, _ = onset(kind)
+        if "resonance" not in kind and 0 < value < mp.inf:
+            frequency = float(REFERENCES[kind]("value:omega")) / (2 * math.pi)
+            drawn = value_at(strokes, frequency)
+            self.near(drawn / float(value), 1, 0.05, kind)
 
     def test_sweep(self):
         self.over([f"sweep/{each}" for each in QUANTITIES], self.sweep)

@@ -169,7 +169,8 @@ void simulate(SceneReport& report, const symbolic::Derivation& derivation,
     pending = velocity_comparison(report, "curve", "friction curve");
     progress("tracing the friction curve");
     trace_curve(report, system, drive_velocity);
-    report.cycle = steady_cycle(system, drive_velocity, 0.5);
+    report.cycle = steady_cycle(system, 0.5 * drive_velocity);
+    report.cycle->ratio = 0.5;
     progress("simulating by other methods");
     report.methods = method_curves(system, drive_velocity);
     report.reduced_model = reduced_model(report.problem);

@@ -116,11 +116,9 @@ CurvePoint friction_at(const simulation::System& system, double threshold, doubl
   return point;
 }
 
-Cycle steady_cycle(const simulation::System& system, double threshold, double ratio) {
-  const auto steady =
-      simulation::steady_state(system, ratio * threshold, Start::sliding, cycle_samples);
-  return {ratio,        ratio * threshold, steady.friction_ratio, to_text(steady.regime),
-          steady.cycle, steady.events};
+Cycle steady_cycle(const simulation::System& system, double velocity) {
+  const auto steady = simulation::steady_state(system, velocity, Start::sliding, cycle_samples);
+  return {1, velocity, steady.friction_ratio, to_text(steady.regime), steady.cycle, steady.events};
 }
 
 double elastic_friction(double amplitude_ratio, double ratio) {

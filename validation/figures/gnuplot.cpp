@@ -111,26 +111,37 @@ Json rules_record(const Figure& figure) {
   return all;
 }
 
-}  // namespace
-
-std::string gnuplot(const Figure& figure) {
+Json record_of(const Figure& figure) {
   Json axes{axis_record("x", figure.x), axis_record("y", figure.y)}, bands = Json::array();
   if (figure.map) axes.push_back(axis_record("cb", figure.map->value));
   for (const Band& band : figure.bands)
     bands.push_back({{"from", band.from}, {"to", band.to}, {"colour", palette(1)}});
-  const Json record{{"name", figure.name},
-                    {"title", figure.title},
-                    {"axes", axes},
-                    {"map", figure.map ? map_record(figure) : Json()},
-                    {"bands", bands},
-                    {"rules", rules_record(figure)},
-                    {"series", series_record(figure)},
-                    {"nothing", !figure.map && figure.series.empty()}};
+  return {{"name", figure.name},
+          {"title", figure.title},
+          {"axes", axes},
+          {"map", figure.map ? map_record(figure) : Json()},
+          {"bands", bands},
+          {"rules", rules_record(figure)},
+          {"series", series_record(figure)},
+          {"nothing", !figure.map && figure.series.empty()}};
+}
+
+std::string script(const char* name, const Json& record) {
   static const record::Templates templates(
       {vcrit_figure_templates,
        static_cast<std::size_t>(vcrit_figure_templates_end - vcrit_figure_templates)},
       in_quotes);
-  return templates.render("gnuplot", record) + "\n";
+  return templates.render(name, record) + "\n";
+}
+
+}  // namespace
+
+std::string gnuplot(const Figure& figure) { return script("gnuplot", record_of(figure)); }
+
+std::string gnuplot_pages(const std::vector<Figure>& figures, const std::string& file) {
+  Json pages = Json::array();
+  for (const Figure& figure : figures) pages.push_back(record_of(figure));
+  return script("gnuplot_pages", {{"file", file}, {"pages", pages}});
 }
 
 }  // namespace vcrit::validation::figures

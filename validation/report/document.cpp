@@ -9,9 +9,9 @@
 
 #include "base/errors.hpp"
 #include "base/numbers.hpp"
+#include "figures/xml.hpp"
 #include "record/template.hpp"
 #include "report/assets.hpp"
-#include "report/html.hpp"
 #include "report/units.hpp"
 
 namespace vcrit::validation::report {
@@ -88,7 +88,7 @@ std::string script_hash(std::string_view text) {
 }
 
 std::string rendered(const char* name, const record::Json& record) {
-  static const record::Templates all(templates(), escape,
+  static const record::Templates all(templates(), figures::escaped,
                                      {{"exact", exact},
                                       {"magnitude", in_magnitude},
                                       {"microseconds", microseconds},

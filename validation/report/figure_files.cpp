@@ -6,6 +6,7 @@
 
 #include "base/errors.hpp"
 #include "base/files.hpp"
+#include "figures/gnuplot.hpp"
 #include "run/compiler.hpp"
 
 namespace vcrit::validation::report {
@@ -14,26 +15,35 @@ namespace {
 
 constexpr std::chrono::minutes drawing_limit{1};  // gnuplot takes a second
 
-std::filesystem::path program() {
+std::filesystem::path program(const std::string& option) {
   if (const auto found = find_program("gnuplot")) return *found;
-  throw InputError({"--figures"}, "no gnuplot on the PATH", "gnuplot, which draws the figures");
+  throw InputError({option}, "no gnuplot on the PATH", "gnuplot, which draws the figures");
 }
 
-/// The SVG, a zero, the PDF.
-std::string plotted(const FigureFile& file) {
+/// What gnuplot makes of a script: the contents of these files, in one text with a zero between.
+std::string plotted(const std::string& script, const std::vector<std::string>& files) {
   const PrivateFolder folder;
-  write_file(folder.path() / "figure.gp", file.script);
-  const ProgramResult result = run_program({program(), "figure.gp"}, folder.path(), drawing_limit);
+  write_file(folder.path() / "figure.gp", script);
+  const ProgramResult result =
+      run_program({program("--figures"), "figure.gp"}, folder.path(), drawing_limit);
   if (!result.succeeded())
-    throw std::runtime_error("gnuplot failed on " + file.name + ": " +
+    throw std::runtime_error("gnuplot failed on " + files.front() + ": " +
                              result.output.substr(0, 400));
-  return read_file(folder.path() / (file.name + ".svg")) + '\0' +
-         read_file(folder.path() / (file.name + ".pdf"));
+  std::string all;
+  for (const std::string& file : files) {
+    if (!all.empty()) all += '\0';
+    all += read_file(folder.path() / file);
+  }
+  return all;
 }
 
 }  // namespace
 
-void require_gnuplot() { program(); }
+void require_gnuplot(const std::string& option) { program(option); }
+
+std::string pdf_of(const std::vector<figures::Figure>& figures) {
+  return plotted(figures::gnuplot_pages(figures, "figure.pdf"), {"figure.pdf"});
+}
 
 std::vector<NewFile> draw_figures(const std::vector<FigureFile>& files,
                                   const std::filesystem::path& directory, const Watch& watch) {
@@ -43,7 +53,7 @@ std::vector<NewFile> draw_figures(const std::vector<FigureFile>& files,
       names, std::thread::hardware_concurrency(),
       [&](std::size_t i, const Progress& step) {
         step("drawing");
-        return plotted(files[i]);
+        return plotted(files[i].script, {files[i].name + ".svg", files[i].name + ".pdf"});
       },
       watch);
   std::vector<NewFile> result;

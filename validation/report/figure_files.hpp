@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/files.hpp"
+#include "figures/figure.hpp"
 #include "run/workers.hpp"
 
 namespace vcrit::validation::report {
@@ -17,8 +18,11 @@ struct FigureFile {
   std::string script;  ///< for gnuplot
 };
 
-/// Throws InputError unless gnuplot is on the PATH.
-void require_gnuplot();
+/// Throws InputError, which names the option that asks for it, unless gnuplot is on the PATH.
+void require_gnuplot(const std::string& option);
+
+/// A page each, in one PDF. Throws std::runtime_error where gnuplot fails.
+std::string pdf_of(const std::vector<figures::Figure>& figures);
 
 /// FOLDER/NAME.svg, .pdf and .gp (the script, for changes) of each below `directory`, drawn several
 /// at a time, to be written. Throws std::runtime_error where gnuplot fails.

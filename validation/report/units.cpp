@@ -6,20 +6,14 @@
 #include <array>
 #include <cmath>
 
+#include "figures/axis_scale.hpp"
+
 namespace vcrit::validation::report {
 
 namespace {
 
 constexpr std::array prefixes{"p", "n", "µ", "m", "", "k", "M", "G"};
 constexpr int without_prefix = 4;  // the place of ""
-
-std::string raised(const std::string& digits) {
-  constexpr std::array superscripts{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-  std::string text;
-  for (const char digit : digits)
-    text += digit == '-' ? "⁻" : superscripts[static_cast<std::size_t>(digit - '0')];
-  return text;
-}
 
 }  // namespace
 
@@ -48,7 +42,7 @@ std::string magnitude(double value) {
   const std::string text = fmt::format("{:.1e}", value);
   const auto e = text.find('e');
   const int exponent = std::stoi(text.substr(e + 1));
-  return fmt::format("{} × 10{}", text.substr(0, e), raised(std::to_string(exponent)));
+  return fmt::format("{} × {}", text.substr(0, e), figures::power_of_ten(exponent));
 }
 
 }  // namespace vcrit::validation::report

@@ -1,0 +1,103 @@
+// vcrit plot: friction over speed, v* over frequency, or one period of the motion, as a picture on
+// the terminal or in a file.
+#include <fmt/core.h>
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "base/files.hpp"
+#include "base/units.hpp"
+#include "commands.hpp"
+#include "figures/gnuplot.hpp"
+#include "figures/screen.hpp"
+#include "figures/svg.hpp"
+#include "options.hpp"
+#include "report/figure_files.hpp"
+#include "report/plots.hpp"
+#include "speed_options.hpp"
+
+namespace vcrit::app {
+
+namespace {
+
+using validation::figures::Figure;
+
+enum class Shown { friction, frequency, cycle };
+
+struct PlotOptions {
+  SceneOptions scene;
+  Shown shown = Shown::friction;
+  SpeedOptions speed;
+  std::string to, out;
+};
+
+std::optional<double> largest_speed(const PlotOptions& options) {
+  if (options.to.empty()) return std::nullopt;
+  const double velocity = parse_quantity(options.to, Dimension::velocity, {"--to"});
+  if (!(velocity > 0))
+    throw InputError({"--to"}, fmt::format("\"{}\"", options.to), "a speed above 0");
+  return velocity;
+}
+
+std::vector<Figure> figures_of(const PlotOptions& options, const Problem& problem) {
+  switch (options.shown) {
+    case Shown::friction:
+      return validation::report::friction_plot(problem, largest_speed(options));
+    case Shown::frequency:
+      return validation::report::frequency_plot(problem);
+    case Shown::cycle:
+      return validation::report::cycle_plot(problem, options.speed.of(problem).velocity);
+  }
+  throw Bug("a picture without a way to make it");
+}
+
+// Wrong names are found before anything is computed.
+std::filesystem::path file_of(const PlotOptions& options) {
+  const std::filesystem::path out = options.out;
+  if (out.extension() == ".pdf")
+    validation::report::require_gnuplot("--out");
+  else if (!out.empty() && out.extension() != ".svg")
+    throw InputError({"--out"}, fmt::format("\"{}\"", options.out),
+                     "a file ending in .svg or .pdf");
+  return out;
+}
+
+void plot(const PlotOptions& options) {
+  const std::filesystem::path out = file_of(options);
+  const Problem problem =
+      options.scene.read(options.shown == Shown::frequency ? SceneOptions::Frequency::varied
+                                                           : SceneOptions::Frequency::of_the_scene);
+  const std::vector<Figure> figures = figures_of(options, problem);
+  if (out.empty()) {
+    for (const Figure& figure : figures)
+      fmt::print("{}{}", &figure == &figures.front() ? "" : "\n",
+                 validation::figures::on_screen(figure));
+    return;
+  }
+  write_file(out, out.extension() == ".pdf" ? validation::report::pdf_of(figures)
+                                            : validation::figures::svg(figures));
+  fmt::print("{}\n", out.string());
+}
+
+}  // namespace
+
+void add_plot(CLI::App& program) {
+  const auto options = std::make_shared<PlotOptions>();
+  CLI::App* command =
+      program.add_subcommand("plot", "Draw friction over speed, v* over frequency, or one period");
+  options->scene.add_to(*command);
+  add_choice(
+      *command, "--of", options->shown,
+      {{"friction", Shown::friction}, {"frequency", Shown::frequency}, {"cycle", Shown::cycle}},
+      "friction over speed; v* over frequency; force and velocity over one period");
+  options->speed.add_to(*command, 0.5);
+  command->add_option("--to", options->to,
+                      "largest speed of the picture of friction: \"10 mm/s\"; else 1.3 times v*");
+  command->add_option(
+      "--out", options->out,
+      "FILE.svg, or FILE.pdf by gnuplot; without it the terminal shows the picture");
+  command->callback([options] { plot(*options); });
+}
+
+}  // namespace vcrit::app

@@ -1,0 +1,40 @@
+#include "speed_options.hpp"
+
+#include <fmt/core.h>
+
+#include <cmath>
+
+#include "answers/critical_onset.hpp"
+#include "base/errors.hpp"
+#include "base/units.hpp"
+
+namespace vcrit::app {
+
+void SpeedOptions::add_to(CLI::App& command, std::optional<double> usual_ratio) {
+  CLI::Option_group* speed = command.add_option_group("speed");
+  speed->add_option("--velocity", velocity_, "mean velocity of the drive: 0.02 or \"20 mm/s\"");
+  CLI::Option* ratio = speed->add_option("--velocity-ratio", ratio_, "the same in units of v*");
+  if (usual_ratio) {
+    ratio_ = usual_ratio;
+    ratio->default_str(fmt::format("{}", *usual_ratio));
+    speed->require_option(0, 1);
+  } else {
+    speed->require_option(1);
+  }
+}
+
+Speed SpeedOptions::of(const Problem& problem) const {
+  const CriticalOnset onset = critical_onset(problem);
+  const double critical = onset.contact_velocity;
+  const bool by_ratio = velocity_.empty();
+  if (by_ratio && std::isinf(critical))
+    throw ModelError(onset.reason + ": --velocity-ratio has no meaning, give --velocity");
+  const double velocity = by_ratio ? *ratio_ * critical
+                                   : parse_quantity(velocity_, Dimension::velocity, {"--velocity"});
+  if (!(velocity > 0 && std::isfinite(velocity)))
+    throw InputError({by_ratio ? "--velocity-ratio" : "--velocity"},
+                     fmt::format("a speed of {} m/s", velocity), "a finite speed above 0");
+  return {velocity, velocity / critical};
+}
+
+}  // namespace vcrit::app

@@ -1,0 +1,31 @@
+// --velocity and --velocity-ratio: the speed of the drive that a command asks about.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+
+#include "problem/problem.hpp"
+
+namespace vcrit::app {
+
+struct Speed {
+  double velocity = 0;  ///< of the drive, m/s
+  double ratio = 0;     ///< the same in units of v*
+};
+
+class SpeedOptions {
+ public:
+  /// One of the two has to be given, unless there is a usual ratio.
+  void add_to(CLI::App& command, std::optional<double> usual_ratio = {});
+
+  /// Throws InputError for a speed that is not finite and above 0, ModelError for a ratio where v*
+  /// is infinite.
+  Speed of(const Problem& problem) const;
+
+ private:
+  std::string velocity_;
+  std::optional<double> ratio_;
+};
+
+}  // namespace vcrit::app

@@ -1,0 +1,85 @@
+"""vcrit plot as a user meets it: pictures say what the other commands say, and stand alone."""
+
+import re
+import unittest
+from pathlib import Path
+
+from pictures import panels, value_at
+from program import Case, example
+
+ZENER, JUMPING, SPHERE, SONOTRODE = (example(name) for name in ("zener", "jumping", "sphere", "sonotrode"))
+# A curve is drawn to a tenth of a pixel, of 1.05/320 of a friction ratio each, with straight lines between 160 points.
+DRAWN = 2e-3
+
+
+class Plot(Case):
+    def picture(self, *arguments):
+        self.assertEqual(self.out("plot", *arguments, "--out", "picture.svg"), "picture.svg\n")
+        return panels((self.folder / "picture.svg").read_text())
+
+    def test_friction_is_that_of_simulate_and_v_star_that_of_eval(self):
+        for scene in (ZENER, JUMPING, SPHERE):
+            with self.subTest(scene=scene):
+                panel, = self.picture(scene)
+                onset = self.answer("eval", scene)["critical_velocity"]
+                self.assertIn(f"v* = {1e3 * onset:.4g} mm/s", panel.words)
+                for ratio in (0.1, 0.5, 0.9, 1.2):
+                    answer = self.answer("simulate", scene, "--velocity-ratio", ratio)
+                    drawn = value_at(panel.lines[0], answer["velocity"])
+                    self.assertAlmostEqual(drawn, answer["friction_ratio"], delta=DRAWN)
+
+    def test_the_largest_speed_may_be_given(self):
+        panel, = self.picture(ZENER, "--to", "2 mm/s")
+        self.assertAlmostEqual(panel.lines[0][-1][-1][0], 2e-3, delta=1e-6)
+        self.assertFalse([words for words in panel.words if words.startswith("v*")])
+
+    def test_v_star_over_frequency_is_that_of_eval(self):
+        for scene in (ZENER, SONOTRODE):
+            panel, = self.picture(scene, "--of", "frequency")
+            for frequency in ("1 kHz", "20 kHz", "150 kHz"):
+                with self.subTest(scene=scene, frequency=frequency):
+                    onset = self.answer("eval", scene, "--set", f"frequency={frequency}")["critical_velocity"]
+                    drawn = value_at(panel.lines[-1], 1e3 * float(frequency.split()[0]))
+                    # A tenth of a pixel of 320 for some decades is 0.5 %; the line is straight between points.
+                    self.assertAlmostEqual(drawn / onset, 1, delta=0.02)
+
+    def test_a_cycle_sticks_within_the_friction_bounds_and_has_the_mean_velocity_of_the_drive(self):
+        force, velocity = self.picture(example("kelvin_rigid"), "--of", "cycle", "--velocity", "10 mm/s")
+        bound, minus, drawn = force.lines
+        for (_, above), (_, below), (_, between) in zip(*bound, *minus, *drawn):
+            # A tenth of a pixel of 220 for the range of some four times the bound.
+            self.assertTrue(below - 0.005 * above <= between <= above * 1.005, (below, between, above))
+        speeds = [speed for _, speed in velocity.lines[0][0]]
+        # 240 points of a period; a jump between two of them is missed by half a step at most.
+        self.assertAlmostEqual(sum(speeds) / len(speeds) / 10e-3, 1, delta=0.03)
+        self.assertLess(min(speeds), 1e-4)
+
+    def test_a_terminal_of_80_letters_has_room(self):
+        for scene, of in ((ZENER, "friction"), (ZENER, "frequency"), (JUMPING, "cycle"), (SPHERE, "friction")):
+            lines = self.out("plot", scene, "--of", of).splitlines()
+            self.assertLess(max(map(len, lines)), 80)
+            self.assertFalse([line for line in lines if line != line.rstrip()])
+        self.assertIn("v* = 4.095 mm/s |", self.out("plot", ZENER))
+
+    def test_a_pdf_has_a_page_for_each_panel(self):
+        self.out("plot", ZENER, "--of", "cycle", "--out", "cycle.pdf")
+        content = (self.folder / "cycle.pdf").read_bytes()
+        self.assertTrue(content.startswith(b"%PDF"))
+        self.assertEqual(len(re.findall(rb"/Type /Page\b", content)), 2)
+
+    def test_a_title_stays_text(self):
+        text = Path(ZENER).read_text().replace('title = "Zener contact', 'title = "<b>&\\"\\u0007 ]]> {{x}} \'Zener contact')
+        panel, = self.picture(self.write(text))
+        self.assertEqual(panel.title, "<b>&\"\N{REPLACEMENT CHARACTER} ]]> {{x}} 'Zener contact under an elastic drive")
+
+    def test_what_cannot_be_drawn_is_refused_before_a_file_is_there(self):
+        self.refused(2, ["plot", ZENER, "--out", "picture.png"], 'found "picture.png"; expected a file ending in .svg or .pdf')
+        self.refused(2, ["plot", ZENER, "--to", "-1 mm/s"], "expected a speed above 0")
+        self.refused(3, ["plot", example("inadmissible"), "--out", "picture.svg"], "the contact opens")
+        self.refused(3, ["plot", SPHERE, "--of", "cycle", "--out", "picture.svg"], "below an indenter each place has a motion")
+        self.refused(2, ["plot", ZENER, "--out", "picture.pdf"], "gnuplot", env={"PATH": "/nonexistent"})
+        self.assertEqual(list(self.folder.iterdir()), [])
+
+
+if __name__ == "__main__":
+    unittest.main()
