@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <memory>
 
@@ -32,7 +33,7 @@ using fit::Uncertain;
 using validation::report::FitContents;
 
 struct FitOptions {
-  std::string data, out, figures;
+  std::string data, out, figures, punch_radius;
   fit::Options fit;
   fit::Rest rest;
   bool json = false;
@@ -84,13 +85,30 @@ std::vector<double> frequencies_of_interest(const Data& data, const std::string&
   return omegas;
 }
 
+std::optional<fit::Punch> punch_of(const FitOptions& options) {
+  if (options.punch_radius.empty()) return std::nullopt;
+  if (options.rest.poisson.empty())
+    throw InputError({"--punch-radius"}, "no --poisson beside it",
+                     "Poisson's ratio, as the stiffness is 2 a E/(1 - nu^2)");
+  const fit::Punch punch{
+      parse_quantity(options.punch_radius, Dimension::length, {"--punch-radius"}),
+      parse_quantity(options.rest.poisson, Dimension::none, {"--poisson"})};
+  if (!(punch.radius > 0 && std::isfinite(punch.radius)))
+    throw InputError({"--punch-radius"}, fmt::format("\"{}\"", options.punch_radius),
+                     "a length above 0");
+  if (!(punch.poisson > -1 && punch.poisson <= 0.5))
+    throw InputError({"--poisson"}, fmt::format("\"{}\"", options.rest.poisson),
+                     "a number above -1, at most 0.5");
+  return punch;
+}
+
 // All that may be wrong is found before the first file is written.
 void run_fit(const FitOptions& options) {
   const std::filesystem::path out = options.out;
   if (out.extension() != ".toml")
     throw InputError({"--out"}, fmt::format("\"{}\"", options.out), "a file ending in .toml");
   if (!options.figures.empty()) validation::report::require_gnuplot("--figures");
-  const Data data = fit::read_data(options.data);
+  const Data data = fit::read_data(options.data, punch_of(options));
   const Fit fit = fit::fitted(data, options.fit);
   const FitContents contents{
       data,
@@ -118,7 +136,8 @@ void add_fit(CLI::App& program) {
       "fit", "Fit a Prony series to measured storage and loss stiffness; write a scene");
   command
       ->add_option("DATA", options->data,
-                   "table (CSV) with the columns frequency or angular_frequency, storage, loss")
+                   "table (CSV) with the columns frequency or angular_frequency, storage, loss or "
+                   "tan_delta")
       ->required();
   command
       ->add_option("--out", options->out, "the scene, FILE.toml; a page FILE.html stands beside it")
@@ -129,6 +148,8 @@ void add_fit(CLI::App& program) {
       ->capture_default_str();
   command->add_option("--title", options->rest.title, "of the scene");
   command->add_option("--poisson", options->rest.poisson, "Poisson's ratio for the scene");
+  command->add_option("--punch-radius", options->punch_radius,
+                      "of a flat punch, for tables of moduli (MPa): \"0.5 mm\"");
   command->add_option("--frequency", options->rest.frequency, "of the oscillation: \"20 kHz\"");
   command->add_option("--amplitude", options->rest.amplitude, "of the oscillation: \"0.1 um\"");
   command->add_option("--indentation", options->rest.indentation, "the mean: \"0.5 um\"");

@@ -1,118 +1,19 @@
 #include "fit/data.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
-#include <cctype>
 #include <cmath>
 
 #include "base/constants.hpp"
 #include "base/csv.hpp"
 #include "base/files.hpp"
-#include "base/units.hpp"
+#include "fit/columns.hpp"
 #include "fit/rounding.hpp"
 
 namespace vcrit::fit {
 
 namespace {
-
-enum MeasuredQuantity {
-  frequency,
-  angular_frequency,
-  storage,
-  loss,
-  storage_error,
-  loss_error,
-  quantities
-};
-
-struct Known {
-  const char* name;
-  Dimension dimension;
-};
-constexpr std::array<Known, quantities> known{{{"frequency", Dimension::frequency},
-                                               {"angular_frequency", Dimension::angular_frequency},
-                                               {"storage", Dimension::stiffness},
-                                               {"loss", Dimension::stiffness},
-                                               {"storage_error", Dimension::stiffness},
-                                               {"loss_error", Dimension::stiffness}}};
-
-struct TableColumn {
-  std::size_t index = 0;
-  double factor = 1;  // to SI
-  bool has_unit = false;
-};
-using TableColumns = std::array<std::optional<TableColumn>, quantities>;
-
-std::string names() {
-  std::vector<std::string> list;
-  for (const Known& each : known) list.emplace_back(each.name);
-  return fmt::format("{}", fmt::join(list, ", "));
-}
-
-// "Storage error [N/um]" is storage_error and N/um; quotes around the whole do no harm.
-struct Heading {
-  std::string name, unit;
-};
-Heading heading(std::string cell, const Place& place) {
-  if (cell.size() >= 2 && cell.front() == '"' && cell.back() == '"')
-    cell = cell.substr(1, cell.size() - 2);
-  const auto open = cell.find_first_of("([");
-  Heading result{cell.substr(0, open), ""};
-  if (open != cell.npos) {
-    const auto close = cell.find_last_of(")]");
-    if (close == cell.npos || close < open || close + 1 != cell.size())
-      throw InputError(place, fmt::format("\"{}\"", cell),
-                       "a name and its unit: \"storage [N/um]\"");
-    result.unit = cell.substr(open + 1, close - open - 1);
-  }
-  auto& name = result.name;
-  name.erase(name.find_last_not_of(' ') + 1);
-  name.erase(0, name.find_first_not_of(' '));
-  for (char& c : name)
-    c = c == ' ' ? '_' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return result;
-}
-
-double factor(const Heading& heading, Dimension dimension, const Place& place) {
-  return heading.unit.empty() ? 1 : parse_quantity("1 " + heading.unit, dimension, place);
-}
-
-void refuse_sets(const TableColumns& columns, const Place& place) {
-  std::vector<std::string> missing;
-  if (!columns[frequency] && !columns[angular_frequency])
-    missing.emplace_back("frequency or angular_frequency");
-  for (const MeasuredQuantity needed : {storage, loss})
-    if (!columns[needed]) missing.emplace_back(known[needed].name);
-  if (!missing.empty())
-    throw InputError(place, fmt::format("no column {}", fmt::join(missing, ", ")),
-                     "the columns " + names());
-  if (columns[frequency] && columns[angular_frequency])
-    throw InputError(place, "frequency and angular_frequency", "one of the two");
-  if (columns[storage_error].has_value() != columns[loss_error].has_value())
-    throw InputError(place, "one of storage_error and loss_error", "both or none");
-}
-
-TableColumns columns_of(const CsvLines& header) {
-  TableColumns columns;
-  const std::vector<std::string> cells = header.cells();
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    const Heading found = heading(cells[i], header.place());
-    const auto match = std::find_if(known.begin(), known.end(),
-                                    [&](const Known& each) { return found.name == each.name; });
-    if (match == known.end())
-      throw InputError(header.place(), fmt::format("a column \"{}\"", cells[i]),
-                       "the columns " + names());
-    auto& column = columns[static_cast<std::size_t>(match - known.begin())];
-    if (column)
-      throw InputError(header.place(), fmt::format("two columns {}", match->name), "one of each");
-    column = TableColumn{i, factor(found, match->dimension, header.place()), !found.unit.empty()};
-  }
-  refuse_sets(columns, header.place());
-  return columns;
-}
 
 Row row_of(const std::vector<double>& numbers, const TableColumns& columns) {
   const auto value = [&](MeasuredQuantity quantity) {
@@ -120,19 +21,8 @@ Row row_of(const std::vector<double>& numbers, const TableColumns& columns) {
     return column ? column->factor * numbers[column->index] : 0;
   };
   return {columns[frequency] ? two_pi * value(frequency) : value(angular_frequency), value(storage),
-          value(loss), value(storage_error), value(loss_error)};
-}
-
-// "the header gives no unit of frequency (taken as Hz), storage (N/m)"
-std::optional<std::string> assumed_units(const TableColumns& columns) {
-  std::string list;
-  for (std::size_t i = 0; i < quantities; ++i)
-    if (columns[i] && !columns[i]->has_unit)
-      list += fmt::format("{}{} in {}", list.empty() ? "" : ", ", known[i].name,
-                          si_unit(known[i].dimension));
-  if (list.empty()) return std::nullopt;
-  return "the header gives no units, taken were: " + list +
-         "; other units stand behind a name, as in \"storage [N/um]\"";
+          columns[tan_delta] ? value(storage) * value(tan_delta) : value(loss),
+          value(storage_error), value(loss_error)};
 }
 
 void refuse_values(const Row& row, bool errors, const Place& place) {
@@ -185,6 +75,16 @@ void note_steps(Data& data, const std::vector<double>& steps, double unit, doubl
   for (std::size_t i = 0; i < steps.size(); ++i) data.rows[i].*step = unit * steps[i];
 }
 
+// storage times tan delta moves with either.
+void note_steps_of_product(Data& data, const std::vector<double>& steps, double unit) {
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    Row& row = data.rows[i];
+    row.loss_step = std::hypot(std::abs(row.storage) * unit * steps[i],
+                               row.storage_step * std::abs(row.loss / row.storage));
+    if (!std::isfinite(row.loss_step)) row.loss_step = 0;
+  }
+}
+
 std::string rows_found(std::size_t rows) {
   if (rows == 0) return "no row of numbers";
   return rows == 1 ? "one row of numbers" : fmt::format("{} rows of numbers", rows);
@@ -192,20 +92,26 @@ std::string rows_found(std::size_t rows) {
 
 }  // namespace
 
-Data parse_data(const std::string& text, const std::string& file) {
+Data parse_data(const std::string& text, const std::string& file,
+                const std::optional<Punch>& punch) {
   CsvLines lines(text, file);
-  if (!lines.next()) throw InputError({file}, "an empty table", "a header with " + names());
-  const TableColumns columns = columns_of(lines);
+  if (!lines.next()) throw InputError({file}, "an empty table", expected_columns());
+  const TableColumns columns = columns_of(lines, punch);
   const std::size_t count = lines.cells().size();
   std::vector<std::string> storages, losses;
   Data data{file, {}, columns[storage_error].has_value(), {}};
   if (const auto note = assumed_units(columns)) data.notes.push_back(*note);
+  if (columns.moduli)
+    data.notes.push_back(fmt::format(
+        "moduli, times {:.6g} m: below a flat punch of radius {:.6g} m with nu = {:.6g} the "
+        "stiffness is 2 a E/(1 - nu^2)",
+        punch->length(), punch->radius, punch->poisson));
   while (lines.next()) {
     data.rows.push_back(
         row_of(lines.numbers(count, fmt::format("{} numbers, as the header has", count)), columns));
     data.rows.back().line = lines.place().line;
     storages.push_back(lines.cells()[columns[storage]->index]);
-    losses.push_back(lines.cells()[columns[loss]->index]);
+    losses.push_back(lines.cells()[columns[columns[tan_delta] ? tan_delta : loss]->index]);
     refuse_values(data.rows.back(), data.has_errors, lines.place());
     note_below_zero(data, lines.place());
     refuse_frequency_order(data.rows, lines.place());
@@ -216,11 +122,16 @@ Data parse_data(const std::string& text, const std::string& file) {
                                  "so that nothing would tell noise from material",
                                  least_rows));
   note_steps(data, rounding_steps(storages), columns[storage]->factor, &Row::storage_step);
-  note_steps(data, rounding_steps(losses), columns[loss]->factor, &Row::loss_step);
+  if (columns[tan_delta])
+    note_steps_of_product(data, rounding_steps(losses), columns[tan_delta]->factor);
+  else
+    note_steps(data, rounding_steps(losses), columns[loss]->factor, &Row::loss_step);
   if (data.rows[1].omega < data.rows[0].omega) std::reverse(data.rows.begin(), data.rows.end());
   return data;
 }
 
-Data read_data(const std::string& file) { return parse_data(read_file(file), file); }
+Data read_data(const std::string& file, const std::optional<Punch>& punch) {
+  return parse_data(read_file(file), file, punch);
+}
 
 }  // namespace vcrit::fit

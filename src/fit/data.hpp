@@ -30,13 +30,23 @@ constexpr std::size_t least_rows = 3;
 /// be too large; but no more than this part of |K|, or so many of the errors given, is noise.
 constexpr double noise_below_zero = 0.1, errors_below_zero = 4;
 
+/// A flat circular punch on a half-space, which makes a stiffness of Young's modulus.
+struct Punch {
+  double radius = 0;   ///< m
+  double poisson = 0;  ///< of the half-space, constant
+  /// 2 a/(1 - nu^2): the normal stiffness over Young's modulus, m.
+  double length() const { return 2 * radius / (1 - poisson * poisson); }
+};
+
 /// A table in CSV with a header row: `frequency` (Hz) or `angular_frequency` (rad/s), `storage`,
-/// `loss` and, both or none, `storage_error` and `loss_error` (N/m), in any order. A unit may stand
-/// behind a name, as in "frequency (kHz)" or "storage [N/um]"; what has none is in SI, and a note
-/// says so. Frequencies rise or fall throughout.
+/// `loss` or `tan_delta` and, both or none, `storage_error` and `loss_error` (N/m), in any order. A
+/// unit may stand behind a name, as in "frequency (kHz)" or "storage [N/um]"; what has none is in
+/// SI, and a note says so. Moduli ("storage [MPa]") are taken below the punch, which they need.
+/// Frequencies rise or fall throughout.
 /// Throws InputError with file and line.
-Data read_data(const std::string& file);
+Data read_data(const std::string& file, const std::optional<Punch>& punch = {});
 /// The same from text.
-Data parse_data(const std::string& text, const std::string& file);
+Data parse_data(const std::string& text, const std::string& file,
+                const std::optional<Punch>& punch = {});
 
 }  // namespace vcrit::fit

@@ -52,6 +52,28 @@ class Fit(Case):
         for a, b in zip(found, truth):
             self.assertAlmostEqual(a / b, 1, delta=1e-9)  # the search settles to 1e-11; a hundredfold
 
+    def test_moduli_below_a_punch_give_the_series_of_their_stiffness(self):
+        length = 2 * 0.5e-3 / (1 - 0.4 ** 2)
+        text = "freq [Hz],storage_modulus [MPa],tan_delta\n"
+        for i in range(60):
+            frequency = 0.1 * 1e7 ** (i / 59)
+            k = stiffness(2 * math.pi * frequency)
+            text += f"{frequency!r},{k.real / length / 1e6!r},{k.imag / k.real!r}\n"
+        result = self.fit(text, "--punch-radius", "0.5 mm", "--poisson", "0.4")
+        found = [result["equilibrium"]] + [b[key] for key in ("stiffness", "time") for b in result["branches"]]
+        truth = [K0] + [k for k, _ in BRANCHES] + [tau for _, tau in BRANCHES]
+        self.assertEqual(len(found), len(truth))
+        for a, b in zip(found, truth):
+            self.assertAlmostEqual(a / b, 1, delta=1e-9)
+        self.assertIn("below a flat punch of radius 0.0005 m", " ".join(result["words"]))
+        self.write(text, "data.csv")
+        self.refused(2, ["fit", "data.csv", "--out", "a.toml"], "found storage_modulus in MPa, a modulus")
+        self.refused(2, ["fit", "data.csv", "--out", "a.toml", "--punch-radius", "1 mm"], "no --poisson beside it")
+        self.refused(2, ["fit", "data.csv", "--out", "a.toml", "--punch-radius", "0", "--poisson", "0.3"],
+                     "expected a length above 0")
+        self.refused(2, ["fit", "data.csv", "--out", "a.toml", "--punch-radius", "1 mm", "--poisson", "0.6"],
+                     "expected a number above -1, at most 0.5")
+
     def test_noise_is_measured_and_the_numbers_are_within_their_errors(self):
         result = self.fit(table(stiffness, 0.01))
         self.assertEqual(len(result["branches"]), 3)

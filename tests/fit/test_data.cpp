@@ -26,7 +26,9 @@ bool close(double a, double b) { return std::abs(a / b - 1) < 1e-15 * 4; }
 
 constexpr const char* header = "frequency,storage,loss\n";
 constexpr const char* columns =
-    "; expected the columns frequency, angular_frequency, storage, loss, storage_error, loss_error";
+    "; expected the columns frequency (or angular_frequency), storage, loss (or tan_delta), and if "
+    "known storage_error, loss_error, separated by commas: \"frequency [Hz],storage [N/um],loss "
+    "[N/um]\"";
 
 }  // namespace
 
@@ -84,12 +86,38 @@ BOOST_AUTO_TEST_CASE(noise_below_zero_is_noted) {
   BOOST_TEST(parse_data(errors + "1,6,-0.3,1,0.1\n2,6,1,1,1\n3,6,1,1,1\n", "d").rows.size() == 3U);
 }
 
+// A flat punch: k = 2 a E/(1 - nu^2), with a = 0.5 mm and nu = 0.4 E of 1 MPa is 1e3/0.84 N/m.
+BOOST_AUTO_TEST_CASE(moduli_are_taken_below_a_punch) {
+  const fit::Punch punch{5e-4, 0.4};
+  const Data data =
+      parse_data("f [Hz],E' [MPa],Tan Delta\n1,84,0.5\n2,168,0.25\n3,170,0.1\n", "d.csv", punch);
+  BOOST_TEST(close(data.rows[0].storage, 1e5));
+  BOOST_TEST(close(data.rows[0].loss, 5e4));
+  BOOST_TEST(close(data.rows[1].loss, 5e4));
+  // A unit of the last digit: 1 MPa; of 0.01 in tan delta (the table has it so), and that of the
+  // storage times tan delta.
+  BOOST_TEST(close(data.rows[0].storage_step, 1e3 / 0.84));
+  BOOST_TEST(close(data.rows[1].loss_step, std::hypot(2e5 * 0.01, 0.25e3 / 0.84)));
+  BOOST_TEST(data.notes.front() ==
+             "moduli, times 0.00119048 m: below a flat punch of radius 0.0005 m with nu = 0.4 the "
+             "stiffness is 2 a E/(1 - nu^2)");
+  const auto refused = [&](const std::string& text) {
+    return test::refusal([&] { parse_data(text, "d.csv", punch); });
+  };
+  BOOST_TEST(refused("f [Hz],storage [MPa],loss [N/um]\n") ==
+             "d.csv:1: found loss as a stiffness beside a modulus; expected moduli or stiffnesses "
+             "throughout");
+  BOOST_TEST(refused("f [Hz],storage [MPa],loss\n") ==
+             "d.csv:1: found no unit of loss; expected one, as the other moduli have");
+  BOOST_TEST(refused("f [Hz],storage [N/um],loss [N/um]\n") ==
+             "d.csv:1: found no modulus, but a punch (--punch-radius); expected storage and loss "
+             "with a unit of a modulus: \"storage [MPa]\"");
+}
+
 BOOST_AUTO_TEST_CASE(wrong_headers) {
-  BOOST_TEST(message("") ==
-             "d.csv: found an empty table; expected a header with frequency, angular_frequency, "
-             "storage, loss, storage_error, loss_error");
+  BOOST_TEST(message("") == std::string("d.csv: found an empty table") + columns);
   BOOST_TEST(message("frequency,storage\n1,2\n") ==
-             std::string("d.csv:1: found no column loss") + columns);
+             std::string("d.csv:1: found no column loss or tan_delta") + columns);
   BOOST_TEST(message("storage,loss\n1,2\n") ==
              std::string("d.csv:1: found no column frequency or angular_frequency") + columns);
   BOOST_TEST(message("1,2,3\n4,5,6\n") == std::string("d.csv:1: found a column \"1\"") + columns);
@@ -100,7 +128,17 @@ BOOST_AUTO_TEST_CASE(wrong_headers) {
   BOOST_TEST(message("frequency,storage,loss,loss_error\n") ==
              "d.csv:1: found one of storage_error and loss_error; expected both or none");
   BOOST_TEST(message("frequency (rad/s),storage,loss\n").starts_with("d.csv:1: found \"1 rad/s\""));
-  BOOST_TEST(message("frequency,storage [Pa],loss\n").starts_with("d.csv:1: found \"1 Pa\""));
+  BOOST_TEST(message("frequency,storage [s],loss\n").starts_with("d.csv:1: found \"1 s\""));
+  BOOST_TEST(message("frequency,storage [MPa],loss\n") ==
+             "d.csv:1: found storage in MPa, a modulus; expected a stiffness, as N/um; or "
+             "--punch-radius and --poisson of a flat punch, whose stiffness is 2 a E/(1 - nu^2)");
+  BOOST_TEST(message("frequency [Hz];storage [N/um];loss [N/um]\n1;2,5;0,1\n") ==
+             "d.csv:1: found a column \"frequency [Hz];storage [N/um];loss [N/um]\"; expected "
+             "columns separated by commas, and decimal points: 2.5, not 2,5");
+  BOOST_TEST(message("frequency,storage,loss,tan_delta\n") ==
+             "d.csv:1: found loss and tan_delta; expected one of the two");
+  BOOST_TEST(message("frequency,storage,tan_delta,storage_error,loss_error\n") ==
+             "d.csv:1: found loss_error beside tan_delta; expected the errors of storage and loss");
   BOOST_TEST(message("frequency,storage [N/m,loss\n") ==
              "d.csv:1: found \"storage [N/m\"; expected a name and its unit: \"storage [N/um]\"");
 }

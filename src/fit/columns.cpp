@@ -1,0 +1,167 @@
+#include "fit/columns.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cctype>
+#include <utility>
+
+#include "base/units.hpp"
+
+namespace vcrit::fit {
+
+namespace {
+
+struct Known {
+  std::vector<std::string> names;  // the first one is the usual one
+  Dimension dimension;
+};
+
+// As instruments name them; a shear modulus (G') is no Young's modulus and has no name here.
+const std::array<Known, measured_quantities>& known() {
+  static const std::array<Known, measured_quantities> all{
+      {{{"frequency", "freq", "f"}, Dimension::frequency},
+       {{"angular_frequency", "omega"}, Dimension::angular_frequency},
+       {{"storage", "storage_modulus", "storage_stiffness", "e'", "k'"}, Dimension::stiffness},
+       {{"loss", "loss_modulus", "loss_stiffness", "e''", "e\"", "k''", "k\""},
+        Dimension::stiffness},
+       {{"tan_delta", "tan_d", "loss_factor"}, Dimension::none},
+       {{"storage_error"}, Dimension::stiffness},
+       {{"loss_error"}, Dimension::stiffness}}};
+  return all;
+}
+
+const std::string& usual_name(std::size_t quantity) { return known()[quantity].names.front(); }
+
+// "Storage error [N/um]" is storage_error and N/um; quotes around the whole do no harm.
+struct Heading {
+  std::string name, unit;
+};
+Heading heading(std::string cell, const Place& place) {
+  if (cell.size() >= 2 && cell.front() == '"' && cell.back() == '"')
+    cell = cell.substr(1, cell.size() - 2);
+  const auto open = cell.find_first_of("([");
+  Heading result{cell.substr(0, open), ""};
+  if (open != cell.npos) {
+    const auto close = cell.find_last_of(")]");
+    if (close == cell.npos || close < open || close + 1 != cell.size())
+      throw InputError(place, fmt::format("\"{}\"", cell),
+                       "a name and its unit: \"storage [N/um]\"");
+    result.unit = cell.substr(open + 1, close - open - 1);
+  }
+  auto& name = result.name;
+  name.erase(name.find_last_not_of(' ') + 1);
+  name.erase(0, name.find_first_not_of(' '));
+  for (char& c : name)
+    c = c == ' ' ? '_' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return result;
+}
+
+std::optional<double> modulus_in(const std::string& unit, const Place& place) {
+  try {
+    return parse_quantity("1 " + unit, Dimension::modulus, place);
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
+double factor(const Heading& heading, Dimension dimension, const std::optional<Punch>& punch,
+              TableColumns& columns, const Place& place) {
+  if (heading.unit.empty()) return 1;
+  const auto modulus =
+      dimension == Dimension::stiffness ? modulus_in(heading.unit, place) : std::nullopt;
+  if (!modulus) return parse_quantity("1 " + heading.unit, dimension, place);
+  if (!punch)
+    throw InputError(place, fmt::format("{} in {}, a modulus", heading.name, heading.unit),
+                     "a stiffness, as N/um; or --punch-radius and --poisson of a flat punch, whose "
+                     "stiffness is 2 a E/(1 - nu^2)");
+  columns.moduli = true;
+  return *modulus * punch->length();
+}
+
+void refuse_sets(const TableColumns& columns, const Place& place) {
+  std::vector<std::string> missing;
+  if (!columns[frequency] && !columns[angular_frequency])
+    missing.emplace_back("frequency or angular_frequency");
+  if (!columns[storage]) missing.push_back(usual_name(storage));
+  if (!columns[loss] && !columns[tan_delta]) missing.emplace_back("loss or tan_delta");
+  if (!missing.empty())
+    throw InputError(place, fmt::format("no column {}", fmt::join(missing, ", ")),
+                     expected_columns());
+  if (columns[frequency] && columns[angular_frequency])
+    throw InputError(place, "frequency and angular_frequency", "one of the two");
+  if (columns[loss] && columns[tan_delta])
+    throw InputError(place, "loss and tan_delta", "one of the two");
+  if (columns[storage_error].has_value() != columns[loss_error].has_value())
+    throw InputError(place, "one of storage_error and loss_error", "both or none");
+  if (columns[loss_error] && columns[tan_delta])
+    throw InputError(place, "loss_error beside tan_delta", "the errors of storage and loss");
+}
+
+// A modulus beside a stiffness would be one of them in the wrong unit.
+void refuse_mixture(const TableColumns& columns, const std::vector<bool>& modulus,
+                    const Place& place) {
+  for (const MeasuredQuantity each : {storage, loss, storage_error, loss_error})
+    if (columns.moduli && columns[each] && columns[each]->has_unit && !modulus[each])
+      throw InputError(place, usual_name(each) + " as a stiffness beside a modulus",
+                       "moduli or stiffnesses throughout");
+  for (const MeasuredQuantity each : {storage, loss, storage_error, loss_error})
+    if (columns.moduli && columns[each] && !columns[each]->has_unit)
+      throw InputError(place, "no unit of " + usual_name(each), "one, as the other moduli have");
+}
+
+}  // namespace
+
+std::string expected_columns() {
+  return "the columns frequency (or angular_frequency), storage, loss (or tan_delta), and if known "
+         "storage_error, loss_error, separated by commas: \"frequency [Hz],storage [N/um],loss "
+         "[N/um]\"";
+}
+
+TableColumns columns_of(const CsvLines& header, const std::optional<Punch>& punch) {
+  TableColumns columns;
+  std::vector<bool> modulus(measured_quantities, false);
+  const std::vector<std::string> cells = header.cells();
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (cells[i].find(';') != std::string::npos)
+      throw InputError(header.place(), fmt::format("a column \"{}\"", cells[i]),
+                       "columns separated by commas, and decimal points: 2.5, not 2,5");
+    const Heading found = heading(cells[i], header.place());
+    const auto match = std::find_if(known().begin(), known().end(), [&](const Known& each) {
+      return std::find(each.names.begin(), each.names.end(), found.name) != each.names.end();
+    });
+    if (match == known().end())
+      throw InputError(header.place(), fmt::format("a column \"{}\"", cells[i]),
+                       expected_columns());
+    const auto quantity = static_cast<std::size_t>(match - known().begin());
+    auto& column = columns.of[quantity];
+    if (column)
+      throw InputError(header.place(), fmt::format("two columns {}", usual_name(quantity)),
+                       "one of each");
+    const bool had_moduli = std::exchange(columns.moduli, false);
+    const double to_si = factor(found, match->dimension, punch, columns, header.place());
+    modulus[quantity] = columns.moduli;
+    columns.moduli = columns.moduli || had_moduli;
+    column = TableColumn{i, to_si, !found.unit.empty()};
+  }
+  refuse_sets(columns, header.place());
+  refuse_mixture(columns, modulus, header.place());
+  if (punch && !columns.moduli)
+    throw InputError(header.place(), "no modulus, but a punch (--punch-radius)",
+                     "storage and loss with a unit of a modulus: \"storage [MPa]\"");
+  return columns;
+}
+
+std::optional<std::string> assumed_units(const TableColumns& columns) {
+  std::string list;
+  for (std::size_t i = 0; i < measured_quantities; ++i)
+    if (columns.of[i] && !columns.of[i]->has_unit && i != tan_delta)
+      list += fmt::format("{}{} in {}", list.empty() ? "" : ", ", usual_name(i),
+                          si_unit(known()[i].dimension));
+  if (list.empty()) return std::nullopt;
+  return "the header gives no units, taken were: " + list +
+         "; other units stand behind a name, as in \"storage [N/um]\"";
+}
+
+}  // namespace vcrit::fit
