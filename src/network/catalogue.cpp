@@ -20,6 +20,14 @@ Network prony(const Names& n, int branches) {
   return parallel(std::move(parts));
 }
 
+// From the last rung to the first.
+Network ladder(const Names& n, int rungs) {
+  Network whole = series({spring({n[0], rungs}), damper({n[1], rungs})});
+  for (int j = rungs - 1; j >= 1; --j)
+    whole = series({spring({n[0], j}), parallel({damper({n[1], j}), std::move(whole)})});
+  return whole;
+}
+
 }  // namespace
 
 bool Rheology::has_arrays() const {
@@ -27,10 +35,14 @@ bool Rheology::has_arrays() const {
                      [](const auto& argument) { return argument.second == Argument::array; });
 }
 
-std::string Rheology::signature() const {
+bool Rheology::goes_by(const std::string& other) const {
+  return name == other || std::find(also.begin(), also.end(), other) != also.end();
+}
+
+std::string Rheology::signature(const std::string& other) const {
   Names names;
   for (const auto& [argument, kind] : arguments) names.push_back(argument);
-  return fmt::format("{}({})", name, fmt::join(names, ", "));
+  return fmt::format("{}({})", other.empty() ? name : other, fmt::join(names, ", "));
 }
 
 const std::vector<Rheology>& catalogue() {
@@ -82,12 +94,21 @@ const std::vector<Rheology>& catalogue() {
        }},
       {"zener",
        "Standard linear solid",
-       "The simplest solid that is elastic both at once and in the end, and relaxes in between; "
-       "also named after Zener or Poynting and Thomson. The first choice for a polymer or an "
-       "elastomer near one frequency.",
+       "The simplest solid that is elastic both at once and in the end, and relaxes in between. "
+       "The first choice for a polymer or an elastomer near one frequency.",
        {{"k0", scalar}, {"k1", scalar}, {"c1", scalar}},
        [](const Names& n, int) {
          return parallel({k(n[0]), series({k(n[1]), c(n[2])})});
+       },
+       {"sls"}},
+      {"poynting_thomson",
+       "Standard linear solid in Kelvin form",
+       "A spring behind a Kelvin-Voigt element, named after Poynting and Thomson. It can do what "
+       "the Zener solid does, with other numbers: k0 is its stiffness at once, and its creep has "
+       "the retardation time c1/k1.",
+       {{"k0", scalar}, {"k1", scalar}, {"c1", scalar}},
+       [](const Names& n, int) {
+         return series({k(n[0]), parallel({k(n[1]), c(n[2])})});
        }},
       {"jeffreys",
        "Jeffreys liquid",
@@ -112,7 +133,18 @@ const std::vector<Rheology>& catalogue() {
        "that is fitted to measured relaxation or to a master curve over many decades. Here with "
        "three branches.",
        {{"k0", scalar}, {"k", array}, {"tau", array}},
-       prony},
+       prony,
+       {"generalized_maxwell"}},
+      {"ladder",
+       "Ladder",
+       "Springs one behind the other with a damper from behind each of them to the far end "
+       "(Schiessel and Blumen). The first spring answers at once, the others ever later: with many "
+       "rungs force and frequency follow a power law over decades. It flows under a lasting load. "
+       "Here with three rungs.",
+       {{"k", array}, {"c", array}},
+       ladder,
+       {},
+       true},
   };
   return rheologies;
 }

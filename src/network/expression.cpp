@@ -45,12 +45,16 @@ class Parser {
     const Place at = here();
     const std::string name = identifier("an element, a network or \"(\"");
     if (peek() == '(') return call(name, at);
-    if (auto network = around_.named_network(name, at, depth_)) {
-      count(size(*network), at);
-      return std::move(*network);
-    }
+    const bool is_argument = around_.arguments.contains(name);
+    if (auto network = is_argument ? std::nullopt : around_.named_network(name, at, depth_))
+      return counted(std::move(*network), at);
     count(1, at);
     return element(name, at);
+  }
+
+  Network counted(Network network, const Place& at) {
+    count(size(network), at);
+    return network;
   }
 
   Network group() {
@@ -82,16 +86,40 @@ class Parser {
                        "a smaller network");
   }
 
-  static Network element(const std::string& name, const Place& at) {
-    if (name.front() == 'k') return spring({name});
-    if (name.front() == 'c') return damper({name});
+  // What a name stands for: in a network with arguments, the caller's name for it.
+  const std::string& meant(const std::string& name) const {
+    const auto argument = around_.arguments.find(name);
+    return argument == around_.arguments.end() ? name : argument->second;
+  }
+
+  // Its kind goes by the name that is written here.
+  Network element(const std::string& name, const Place& at) const {
+    if (name.front() == 'k') return spring({meant(name)});
+    if (name.front() == 'c') return damper({meant(name)});
+    refuse_fractional(name, at);
     throw InputError(at, fmt::format("element \"{}\" of unknown kind", name),
                      fmt::format("a name that begins with k (spring) or c (damper), spring({0}) or "
                                  "damper({0}), or a network of that name",
                                  name));
   }
 
+  // A network of the scene goes before one of the catalogue, which later versions may add to.
   Network call(const std::string& name, const Place& at) {
+    const bool is_own = around_.has_arguments && around_.has_arguments(name);
+    return is_own ? own_call(name, at) : catalogue_call(name, at);
+  }
+
+  Network own_call(const std::string& name, const Place& at) {
+    const Place opening = here();
+    accept('(');
+    std::vector<std::string> names;
+    do names.push_back(element_name());
+    while (accept(','));
+    close(opening);
+    return counted(around_.called_network(name, names, at, depth_), at);
+  }
+
+  Network catalogue_call(const std::string& name, const Place& at) {
     const Rheology& rheology = named_rheology(name, at);
     const Place opening = here();
     accept('(');
@@ -101,12 +129,12 @@ class Parser {
       if (rheology.has_arrays() && names.size() == rheology.arguments.size() && !branches)
         branches = number_of_branches();
       else
-        names.push_back(identifier("the name of an element"));
+        names.push_back(element_name());
     } while (accept(','));
     close(opening);
     if (names.size() != rheology.arguments.size())
       throw InputError(at, fmt::format("{} with {} names", name, names.size()),
-                       rheology.signature());
+                       rheology.signature(name));
     if (!rheology.has_arrays()) {
       count(names.size(), at);
       return rheology.build(names, 0);
@@ -116,16 +144,32 @@ class Parser {
     return rheology.build(names, built);
   }
 
+  std::string element_name() { return meant(identifier("the name of an element")); }
+
   static const Rheology& named_rheology(const std::string& name, const Place& at) {
     std::vector<std::string> known;
     for (const Rheology& rheology : catalogue()) {
-      if (rheology.name == name) return rheology;
+      if (rheology.goes_by(name)) return rheology;
       known.push_back(rheology.name);
+      known.insert(known.end(), rheology.also.begin(), rheology.also.end());
     }
+    refuse_fractional(name, at);
     const auto meant = nearest(name, known);
     throw InputError(
         at, fmt::format("unknown rheology \"{}\"", name),
         meant ? fmt::format("\"{}\"", *meant) : fmt::format("one of {}", fmt::join(known, ", ")));
+  }
+
+  // vcrit has networks of a finite number of springs and dampers.
+  static void refuse_fractional(const std::string& name, const Place& at) {
+    const bool is_fractional = name.starts_with("springpot") || name.starts_with("spring_pot") ||
+                               name.starts_with("fractional") || name.starts_with("scott_blair");
+    if (!is_fractional) return;
+    throw InputError(
+        at, fmt::format("\"{}\", a fractional element", name), "springs and dampers",
+        "write its storage and loss stiffness, K (omega tau)^alpha times cos and sin of alpha pi/2, "
+        "over the frequencies that matter as a table; `vcrit fit DATA.csv --out SCENE.toml` then "
+        "fits a Prony series to it");
   }
 
   // All arrays of one call have one length: the one written, or that of the arrays in [elements].
@@ -143,6 +187,10 @@ class Parser {
     if (!branches)
       throw InputError(at, fmt::format("{} without a number of branches", rheology.name),
                        "arrays in [elements], or the number of branches as the last argument");
+    if (rheology.is_nested && *branches > deepest_nesting)
+      throw InputError(at, fmt::format("{} of {} branches", rheology.signature(), *branches),
+                       fmt::format("at most {}, each of which is inside the one before",
+                                   deepest_nesting));
     return *branches;
   }
 

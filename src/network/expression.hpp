@@ -1,13 +1,15 @@
 // Networks as one writes them: "k0 | (k1 - c1)" with | parallel, - series (which binds tighter),
-// parentheses, names of springs (k...) and dampers (c...), named networks, and the catalogue's
-// rheologies as calls: "kelvin(k, c)".
+// parentheses, names of springs (k...) and dampers (c...), named networks, and as calls the
+// catalogue's rheologies, "kelvin(k, c)", and networks with arguments of their own.
 #pragma once
 
 #include <cstddef>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/errors.hpp"
 #include "network/network.hpp"
@@ -27,6 +29,14 @@ struct Surroundings {
   std::function<std::optional<int>(const std::string& name)> array_length;
   /// How deep in brackets the text itself stands.
   int level = 0;
+  /// Whether there is a network of that name with arguments; where this is absent there is none.
+  std::function<bool(const std::string& name)> has_arguments = {};
+  /// That network with elements of these names for its arguments; may throw InputError.
+  std::function<Network(const std::string& name, const std::vector<std::string>& arguments,
+                        const Place&, int level)>
+      called_network = {};
+  /// What the text's own arguments stand for; other names stand for themselves.
+  std::map<std::string, std::string> arguments = {};
 };
 
 /// `place` is where the first character of `text` stands. Throws InputError with the column,

@@ -1,6 +1,7 @@
 #include "scene/networks.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <utility>
@@ -57,7 +58,12 @@ Network Networks::read(const std::string& text, const Place& place, int level) {
       [this](const std::string& name, const Place& at, int depth) {
         return named(name, at, depth + 1);
       },
-      [this](const std::string& name) -> std::optional<int> { return array_length(name); }, level};
+      [this](const std::string& name) -> std::optional<int> { return array_length(name); },
+      level,
+      [this](const std::string& name) { return has_arguments(name); },
+      [this](const std::string& name, const std::vector<std::string>& given, const Place& at,
+             int depth) { return called(name, given, at, depth + 1); },
+      arguments_};
   // The place is that of the opening quote.
   Network network = parse_expression(text, {place.file, place.line, place.column + 1}, around);
   check_size(network, place);
@@ -75,44 +81,115 @@ std::optional<int> Networks::array_length(const std::string& name) {
 
 void Networks::read_unused() {
   if (named_ == nullptr) return;
-  for (const auto& [key, value] : *named_) {
-    const std::string name(key.str());
-    if (known_.contains(name)) continue;
-    named(name, place_of(value, file_), 0);
-    warnings_.push_back(fmt::format("{}: network \"{}\" is not used by this scene",
-                                    to_text(place_of(value, file_)), name));
-  }
+  for (const bool with_arguments : {false, true})
+    for (const auto& [key, value] : *named_) {
+      const std::string name(key.str());
+      if (has_arguments(name) != with_arguments || known_.contains(name) || called_.contains(name))
+        continue;
+      read_unused(name, place_of(value, file_));
+    }
+}
+
+// The arguments of one that nobody calls are no elements of the scene.
+void Networks::read_unused(const std::string& name, const Place& place) {
+  notes_uses_ = !has_arguments(name);
+  if (notes_uses_)
+    named(name, place, 0);
+  else
+    called(name, arguments_of(name), place, 0);
+  notes_uses_ = true;
+  warnings_.push_back(
+      fmt::format("{}: network \"{}\" is not used by this scene", to_text(place), name));
 }
 
 std::optional<Network> Networks::named(const std::string& name, const Place& place, int level) {
-  const toml::node* node = named_ == nullptr ? nullptr : named_->get(name);
-  if (node == nullptr) return std::nullopt;
+  if (named_ == nullptr || !named_->contains(name)) return std::nullopt;
+  if (has_arguments(name))
+    throw InputError(
+        place, fmt::format("network \"{}\" without its arguments", name),
+        fmt::format("{}({})", name, fmt::join(arguments_of(name), ", ")));
   auto known = known_.find(name);
-  if (known == known_.end()) {
-    if (!being_read_.insert(name).second)
-      throw InputError(place, fmt::format("network \"{}\" inside itself", name),
-                       "networks that do not contain themselves");
-    if (level > deepest_nesting)
-      throw InputError(
-          place, fmt::format("network \"{}\" at level {}", name, level),
-          fmt::format("at most {} levels of brackets and named networks in one another",
-                      deepest_nesting));
-    known = known_.emplace(name, read_named(name, *node, level)).first;
-    being_read_.erase(name);
-  }
+  if (known == known_.end())
+    known = known_.emplace(name, read_definition(name, {}, place, level)).first;
   return known->second;
+}
+
+bool Networks::has_arguments(const std::string& name) const {
+  const toml::node* node = named_ == nullptr ? nullptr : named_->get(name);
+  return node != nullptr && node->is_table() && node->as_table()->contains("arguments");
+}
+
+Network Networks::called(const std::string& name, const std::vector<std::string>& given,
+                         const Place& place, int level) {
+  const std::vector<std::string> arguments = arguments_of(name);
+  if (given.size() != arguments.size())
+    throw InputError(place, fmt::format("{} with {} names", name, given.size()),
+                     fmt::format("{}({})", name, fmt::join(arguments, ", ")));
+  called_.insert(name);
+  std::map<std::string, std::string> meant;
+  for (std::size_t i = 0; i < given.size(); ++i) meant.emplace(arguments[i], given[i]);
+  return read_definition(name, std::move(meant), place, level);
+}
+
+// A network knows its own arguments alone, wherever it stands.
+Network Networks::read_definition(const std::string& name, std::map<std::string, std::string> meant,
+                                  const Place& place, int level) {
+  if (!being_read_.insert(name).second)
+    throw InputError(place, fmt::format("network \"{}\" inside itself", name),
+                     "networks that do not contain themselves");
+  if (level > deepest_nesting)
+    throw InputError(
+        place, fmt::format("network \"{}\" at level {}", name, level),
+        fmt::format("at most {} levels of brackets and named networks in one another",
+                    deepest_nesting));
+  std::swap(arguments_, meant);
+  Network network = read_named(name, *named_->get(name), level);
+  std::swap(arguments_, meant);
+  being_read_.erase(name);
+  return network;
+}
+
+std::vector<std::string> Networks::arguments_of(const std::string& name) const {
+  const toml::node& node = *named_->get(name)->as_table()->get("arguments");
+  const std::string expected = "arguments = [\"k0\", \"k1\", \"c1\"], different names of elements";
+  const toml::array* names = node.as_array();
+  if (names == nullptr || names->empty())
+    throw InputError(place_of(node, file_), fmt::format("arguments = {}", describe_node(node)),
+                     expected);
+  std::vector<std::string> arguments;
+  for (const toml::node& each : *names) {
+    const Place place = place_of(each, file_);
+    if (!each.is_string())
+      throw InputError(place, fmt::format("argument {}", describe_node(each)), expected);
+    const auto& argument = each.ref<std::string>();
+    if (const auto why = unsafe_as_identifier(argument))
+      throw InputError(place, fmt::format("argument \"{}\", a name that {}", argument, *why),
+                       "another name");
+    if (named_->contains(argument))
+      throw InputError(place, fmt::format("\"{}\" as a network and as an argument", argument),
+                       "one of the two");
+    if (std::find(arguments.begin(), arguments.end(), argument) != arguments.end())
+      throw InputError(place, fmt::format("argument \"{}\" twice", argument), expected);
+    arguments.push_back(argument);
+  }
+  return arguments;
 }
 
 Network Networks::read_named(const std::string& name, const toml::node& node, int level) {
   if (node.is_string()) return read(node.ref<std::string>(), place_of(node, file_), level);
-  if (node.is_table()) return read_graph(name, *node.as_table(), level);
-  throw InputError(place_of(node, file_),
-                   fmt::format("network \"{}\" = {}", name, describe_node(node)),
-                   "a network in quotes, or a table with terminals and edges");
+  const toml::table* table = node.as_table();
+  if (table == nullptr)
+    throw InputError(place_of(node, file_),
+                     fmt::format("network \"{}\" = {}", name, describe_node(node)),
+                     "a network in quotes, or a table with terminals and edges");
+  if (!table->contains("network")) return read_graph(name, *table, level);
+  const document::Section section(table, "networks." + name, file_, {"arguments", "network"});
+  return read(section.text("network"), section.place("network"), level);
 }
 
 Network Networks::read_graph(const std::string& name, const toml::table& table, int level) {
-  const document::Section section(&table, "networks." + name, file_, {"terminals", "edges"});
+  const document::Section section(&table, "networks." + name, file_,
+                                  {"arguments", "terminals", "edges"});
   const toml::node* terminals = section.find("terminals");
   const toml::node* edges = section.find("edges");
   const std::string expected_terminals = "terminals = [\"a\", \"b\"], two different nodes";
@@ -214,6 +291,7 @@ Dimension Networks::dimension_of(NumberRole role) const {
 }
 
 void Networks::note_uses(const Network& network, const Place& place) {
+  if (!notes_uses_) return;
   for_each_element(network, [&](const Element& element) {
     for_each_number(element,
                     [&](const Symbol& symbol, NumberRole role) { note_use(symbol, role, place); });

@@ -42,8 +42,18 @@ class Networks {
 
   std::optional<int> array_length(const std::string& name);
   std::optional<Network> named(const std::string& name, const Place& place, int level);
+  bool has_arguments(const std::string& name) const;
+  /// Its network with elements of these names in the place of its arguments.
+  Network called(const std::string& name, const std::vector<std::string>& given, const Place& place,
+                 int level);
+  /// Reads what stands under a name in [networks], which must not contain itself; `meant`: what its
+  /// arguments stand for.
+  Network read_definition(const std::string& name, std::map<std::string, std::string> meant,
+                          const Place& place, int level);
   Network read_named(const std::string& name, const toml::node& node, int level);
   Network read_graph(const std::string& name, const toml::table& table, int level);
+  std::vector<std::string> arguments_of(const std::string& name) const;
+  void read_unused(const std::string& name, const Place& place);
   void merge_ground(Graph& graph, const toml::array& edges) const;
   int read_node(const toml::node& node, const std::string& expected, NamedNodes& nodes) const;
   void read_edge(const toml::node& node, Graph& graph, NamedNodes& nodes, int level);
@@ -59,6 +69,9 @@ class Networks {
   ElementNames names_;
   std::map<std::string, Network> known_;
   std::set<std::string> being_read_;
+  std::set<std::string> called_;  // with arguments
+  std::map<std::string, std::string> arguments_;  // of the network that is being read
+  bool notes_uses_ = true;
   std::map<std::string, ElementUse> uses_;
   std::vector<std::string> warnings_;
   std::size_t elements_read_ = 0;

@@ -53,10 +53,35 @@ BOOST_AUTO_TEST_CASE(named_rheologies_are_what_they_stand_for) {
   BOOST_CHECK(parsed("kelvin(k, c)") == parsed("k | c"));
   BOOST_CHECK(parsed("maxwell(k, c)") == parsed("k - c"));
   BOOST_CHECK(parsed("zener(k0, k1, c1)") == parsed("k0 | (k1 - c1)"));
+  BOOST_CHECK(parsed("sls(k0, k1, c1)") == parsed("k0 | (k1 - c1)"));
+  BOOST_CHECK(parsed("poynting_thomson(k0, k1, c1)") == parsed("k0 - (k1 | c1)"));
   BOOST_CHECK(parsed("jeffreys(c0, k1, c1)") == parsed("c0 | (k1 - c1)"));
   BOOST_CHECK(parsed("burgers(k1, c1, k2, c2)") == parsed("k1 - c1 - (k2 | c2)"));
   BOOST_CHECK(parsed("prony(k0, k, tau, 2)") ==
               parallel({k("k0"), maxwell({"k", 1}, {"tau", 1}), maxwell({"k", 2}, {"tau", 2})}));
+  BOOST_CHECK(parsed("generalized_maxwell(k0, k, tau, 2)") == parsed("prony(k0, k, tau, 2)"));
+  const auto rung = [](int j) { return std::pair(spring({"k", j}), damper({"c", j})); };
+  BOOST_CHECK(parsed("ladder(k, c, 1)") == series({rung(1).first, rung(1).second}));
+  BOOST_CHECK(parsed("ladder(k, c, 3)") ==
+              series({rung(1).first,
+                      parallel({rung(1).second,
+                                series({rung(2).first,
+                                        parallel({rung(2).second, series({rung(3).first,
+                                                                          rung(3).second})})})})}));
+}
+
+BOOST_AUTO_TEST_CASE(a_ladder_is_as_deep_as_brackets) {
+  BOOST_CHECK(size(parsed("ladder(k, c, 200)")) == 400U);
+  BOOST_TEST(has(message("ladder(k, c, 201)"), "ladder(k, c) of 201 branches; expected at most 200"));
+  BOOST_TEST(has(message("ladder(k, c, 100000)"), "expected at most 200"));
+}
+
+BOOST_AUTO_TEST_CASE(fractional_elements_lead_to_a_prony_series) {
+  for (const char* text : {"k0 | springpot(k1, alpha)", "fractional_maxwell(k0, 0.5)", "springpot",
+                           "scott_blair(k0, a, 0.3)"}) {
+    BOOST_TEST(has(message(text), "a fractional element; expected springs and dampers"), text);
+    BOOST_TEST(has(message(text), "vcrit fit"), text);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(arrays_give_the_number_of_branches) {
@@ -81,6 +106,7 @@ BOOST_AUTO_TEST_CASE(mistakes_are_named_with_their_column) {
   BOOST_TEST(has(message("k0 | x1"), "s.toml:1:6: found element \"x1\" of unknown kind"));
   BOOST_TEST(has(message("zenner(k0, k1, c1)"), "expected \"zener\""));
   BOOST_TEST(has(message("zener(k0, k1)"), "zener(k0, k1, c1)"));
+  BOOST_TEST(has(message("sls(k0, k1)"), "found sls with 2 names; expected sls(k0, k1, c1)"));
   BOOST_TEST(has(message("prony(k0, k, tau)"), "number of branches"));
   BOOST_TEST(
       has(message("prony(k0, k, tau, 0)"), "found \"0\"; expected a number of branches from 1"));
@@ -99,7 +125,7 @@ BOOST_AUTO_TEST_CASE(deep_nesting_is_refused_not_overflowed) {
 
 BOOST_AUTO_TEST_CASE(signatures_say_the_arguments) {
   BOOST_TEST(catalogue().front().signature() == "spring(k)");
-  BOOST_TEST(catalogue().back().signature() == "prony(k0, k, tau)");
+  BOOST_TEST(catalogue().back().signature() == "ladder(k, c)");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -77,16 +77,22 @@ BOOST_AUTO_TEST_CASE(every_rheology_has_its_section_and_is_in_the_index) {
   BOOST_TEST(count(html(), "<section") == static_cast<int>(catalogue().size()));
 }
 
+BOOST_AUTO_TEST_CASE(other_names_are_said) {
+  BOOST_TEST(has(section("zener"), "Also written <code>sls(k0, k1, c1)</code>."));
+  BOOST_TEST(has(section("prony"), "Also written <code>generalized_maxwell(k0, k, tau, 3)</code>."));
+  BOOST_TEST(!has(section("kelvin"), "Also written"));
+}
+
 BOOST_AUTO_TEST_CASE(what_flows_is_marked) {
   const std::string mark = "As normal contact not admissible";
-  for (const char* name : {"damper", "maxwell", "jeffreys", "burgers"})
+  for (const char* name : {"damper", "maxwell", "jeffreys", "burgers", "ladder"})
     BOOST_TEST(has(section(name), mark), name);
-  for (const char* name : {"spring", "lossy", "kelvin", "zener", "prony"})
+  for (const char* name : {"spring", "lossy", "kelvin", "zener", "poynting_thomson", "prony"})
     BOOST_TEST(!has(section(name), mark), name);
 }
 
 BOOST_AUTO_TEST_CASE(what_relaxes_has_a_spectrum) {
-  for (const char* name : {"maxwell", "zener", "jeffreys", "burgers", "prony"})
+  for (const char* name : {"maxwell", "zener", "poynting_thomson", "jeffreys", "burgers", "prony"})
     BOOST_TEST(has(section(name), "<h3>Relaxation spectrum"), name);
   for (const char* name : {"spring", "damper", "lossy", "kelvin"})
     BOOST_TEST(!has(section(name), "<h3>Relaxation spectrum"), name);

@@ -2,6 +2,9 @@
 
 #include <fmt/core.h>
 
+#include <string>
+#include <vector>
+
 #include "analysis/rheology.hpp"
 #include "compare/formulas.hpp"
 #include "derivation/derivation.hpp"
@@ -19,8 +22,8 @@ namespace {
 using GiNaC::ex;
 
 constexpr int shown_branches = 3;  // of what takes arrays
-std::string signature(const Rheology& rheology) {
-  std::string text = rheology.signature();
+std::string signature(const Rheology& rheology, const std::string& name = "") {
+  std::string text = rheology.signature(name);
   if (rheology.has_arrays()) text.insert(text.size() - 1, fmt::format(", {}", shown_branches));
   return text;
 }
@@ -43,8 +46,11 @@ struct Entry {
         call(signature(rheology)),
         called(rheology.called),
         meaning(rheology.meaning),
-        network(network_of(rheology)) {}
+        network(network_of(rheology)) {
+    for (const std::string& other : rheology.also) also.push_back(signature(rheology, other));
+  }
   std::string name, call;
+  std::vector<std::string> also;  ///< other calls of it
   std::string called, meaning;
   Network network;
 
@@ -119,6 +125,7 @@ record::Json rheology_record(const Entry& entry) {
   const symbolic::Response response = symbolic::response(entry.network);
   record::Json record{{"name", entry.name},
                       {"call", entry.call},
+                      {"also", entry.also},
                       {"called", entry.called},
                       {"meaning", entry.meaning},
                       {"in_a_drive", entry.in_a_drive_only()},
