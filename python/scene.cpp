@@ -62,6 +62,7 @@ std::tuple<double, double, std::string, std::string> onset(const Problem& proble
 
 double factor(const Problem& problem, const std::string& name, const std::string& unit) {
   const Place place{name};
+  refuse_expression(*problem->source, name, place);
   return parse_quantity(
       "1 " + unit, known_dimension(name, problem->source->settable, place, problem->source->named),
       place);

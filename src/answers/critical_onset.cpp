@@ -45,8 +45,8 @@ constexpr double ill_conditioned = 1e8;
 struct DriveParts {
   DriveParts(const Network& drive, const Values& values) {
     for_each_element(drive, [&](const Element& element) {
-      for_each_number(element, [&](const Symbol& symbol, NumberRole role) {
-        const double number = values.at(symbol);
+      for_each_amount(element, [&](const Amount& amount, NumberRole role) {
+        const double number = *amount_value(amount, values);
         if (role == NumberRole::stiffness) stiffness += number;
         if (role == NumberRole::damping) damping += number;
         if (role == NumberRole::mass) mass += number;

@@ -81,15 +81,24 @@ struct Balls : Arithmetic {
     return changed ? multiply(own, shift->factor) : own;
   }
 
+  Ball constant(const TypedNumber& number) const { return decimal(number); }
+  Ball plus(const Ball& a, const Ball& b) const { return add(a, b); }
+  Ball times(const Ball& a, const Ball& b) const { return multiply(a, b); }
+  Ball over(const Ball& a, const Ball& b) const { return divide(a, b); }
+
   /// As it was typed, where that is still the value.
   Ball exact(const Symbol& symbol, double value) const {
     if (typed == nullptr) return Ball(value);
     const auto found = typed->find(symbol);
     if (found == typed->end() || found->second.value != value || found->second.decimal.empty())
       return Ball(value);
-    Ball decimal;
-    arb_set_str(acb_realref(decimal.get()), found->second.decimal.c_str(), precision);
-    return decimal;
+    return decimal(found->second);
+  }
+
+  Ball decimal(const TypedNumber& number) const {
+    Ball exactly;
+    arb_set_str(acb_realref(exactly.get()), number.decimal.c_str(), precision);
+    return exactly;
   }
 
   /// m omega^2

@@ -34,7 +34,9 @@ Ball ratio_ball(const Isotropic& isotropic, const Balls& balls) {
 class Evaluation {
  public:
   explicit Evaluation(const Problem& problem)
-      : problem_(problem), values_(problem_.values()), drive_(drive_in_balls(problem_)) {}
+      : problem_(problem), values_(problem_.values()), drive_(drive_in_balls(problem_)) {
+    for (const Amount& amount : problem_->expressions) operations_ += amount_operations(amount);
+  }
 
   Quotient at(slong precision, const Shift* shift = nullptr) const {
     Balls balls = arithmetic(precision);
@@ -52,13 +54,13 @@ class Evaluation {
     const auto* tangential = std::get_if<ReducedNetwork>(&problem_->tangential);
     const std::size_t contact = problem_->normal.reduction().steps.size() +
                                 (tangential != nullptr ? tangential->reduction().steps.size() : 0);
-    return precision_for(contact + (drive_ ? drive_->steps() : 0));
+    return precision_for(contact + operations_ + (drive_ ? drive_->steps() : 0));
   }
 
   // Whether K_d - m omega^2 is 0: a question of the drive alone, whatever the size of the contact.
   bool resonant() const {
     if (!drive_) return false;
-    const slong most = precision_for(drive_->steps());
+    const slong most = precision_for(operations_ + drive_->steps());
     for (slong precision = 128;; precision = std::min(2 * precision, most)) {
       Balls balls = arithmetic(precision);
       if (acb_contains_zero(inertial(drive_->at(balls), balls).get()) == 0) return false;
@@ -130,6 +132,7 @@ class Evaluation {
   Problem problem_;
   const Values& values_;  // its
   std::unique_ptr<const DriveInBalls> drive_;
+  std::size_t operations_ = 0;  // in expressions of its elements
 };
 
 /// The double that every number of the real ball rounds to, if there is one.

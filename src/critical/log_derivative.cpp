@@ -44,6 +44,10 @@ struct Duals {
     const double value = values.at(symbol);
     return {value, symbol == by ? value : 0};
   }
+  static Dual constant(const TypedNumber& number) { return {number.value}; }
+  static Dual plus(const Dual& a, const Dual& b) { return a + b; }
+  static Dual times(const Dual& a, const Dual& b) { return a * b; }
+  static Dual over(const Dual& a, const Dual& b) { return a / b; }
   Dual s() const { return Dual{{0, 1}} * of(omega_symbol); }
   Dual inertia(const Symbol& mass) const { return of(mass) * s() * s(); }
 

@@ -23,6 +23,10 @@ class Recorder {
   explicit Recorder(Symbol omega) : omega_(std::move(omega)) {}
 
   Pair of(const Symbol& symbol) { return {parameter(symbol), zero_column}; }
+  static Pair constant(const TypedNumber&) { throw Bug("columns know no expressions"); }
+  static Pair plus(Pair, Pair) { throw Bug("columns know no expressions"); }
+  static Pair times(Pair, Pair) { throw Bug("columns know no expressions"); }
+  static Pair over(Pair, Pair) { throw Bug("columns know no expressions"); }
   Pair times_s(Pair k) {
     ensure(k.loss == zero_column, "columns are of springs and dampers only");
     return {zero_column, multiply(k.storage, omega())};
@@ -116,7 +120,8 @@ struct InColumns {
 }  // namespace
 
 std::optional<Operations> operations_of(const Problem& problem) {
-  if (problem->receptance() != nullptr || problem->has_masses()) return std::nullopt;
+  if (problem->receptance() != nullptr || problem->has_masses() || !problem->expressions.empty())
+    return std::nullopt;
   Recorder recorder(problem->angular_frequency.symbol);
   recorder.written().result = eq24(problem, InColumns{problem, recorder});
   const auto* tangential = std::get_if<ReducedNetwork>(&problem->tangential);

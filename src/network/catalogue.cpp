@@ -20,6 +20,19 @@ Network prony(const Names& n, int branches) {
   return parallel(std::move(parts));
 }
 
+// The damper of a Kelvin-Voigt element with the retardation time tau_j is k_j tau_j.
+Network generalized_kelvin(const Names& n, int elements) {
+  std::vector<Network> parts;
+  for (int j = 1; j <= elements; ++j) {
+    const Symbol stiffness{n[0], j};
+    const ExpressionPointer damping =
+        make_expression(Expression::Kind::product, make_expression(stiffness, NumberRole::stiffness),
+                        make_expression({n[1], j}, NumberRole::time));
+    parts.push_back(parallel({spring(stiffness), damper({Symbol{}, damping})}));
+  }
+  return series(std::move(parts));
+}
+
 // From the last rung to the first.
 Network ladder(const Names& n, int rungs) {
   Network whole = series({spring({n[0], rungs}), damper({n[1], rungs})});
@@ -135,6 +148,13 @@ const std::vector<Rheology>& catalogue() {
        {{"k0", scalar}, {"k", array}, {"tau", array}},
        prony,
        {"generalized_maxwell"}},
+      {"generalized_kelvin",
+       "Generalised Kelvin solid",
+       "Any number of Kelvin-Voigt elements one behind the other, as measured creep is written: "
+       "J(t) is a sum of 1/k (1 - exp(-t/tau)) with the retardation times tau. A sudden indentation "
+       "it resists without bound, unless a spring stands in line. Here with three elements.",
+       {{"k", array}, {"tau", array}},
+       generalized_kelvin},
       {"ladder",
        "Ladder",
        "Springs one behind the other with a damper from behind each of them to the far end "

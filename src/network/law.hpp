@@ -21,8 +21,33 @@ inline constexpr const char* no_law_advice =
     "eval, derive and generate need that frequency alone; a Zener body or a Prony series fitted "
     "around it has a motion";
 
+template <class Algebra>
+typename Algebra::Value number_of(const Expression& e, Algebra& algebra) {
+  switch (e.kind) {
+    case Expression::Kind::symbol:
+      return algebra.of(e.symbol);
+    case Expression::Kind::number:
+      return algebra.constant(e.number);
+    case Expression::Kind::sum:
+      return algebra.plus(number_of(*e.first, algebra), number_of(*e.second, algebra));
+    case Expression::Kind::product:
+      return algebra.times(number_of(*e.first, algebra), number_of(*e.second, algebra));
+    case Expression::Kind::quotient:
+      return algebra.over(number_of(*e.first, algebra), number_of(*e.second, algebra));
+  }
+  throw Bug("an expression of no kind");
+}
+
+/// An amount in the algebra of law().
+template <class Algebra>
+typename Algebra::Value number_of(const Amount& amount, Algebra& algebra) {
+  return amount.is_symbol() ? algebra.of(amount.symbol()) : number_of(*amount.expression(), algebra);
+}
+
 /// K(s) of an element in an algebra, which gives the type Value and
 ///   Value of(const Symbol&)                 a number as a stiffness
+///   Value constant(const TypedNumber&)      likewise, above 0
+///   Value plus(a, b), times(a, b), over(a, b)   of numbers a and b: a + b, a b and a/b
 ///   Value times_s(const Value& k)           k s
 ///   Value relaxing(const Value& k, const Value& tau)   k tau s/(1 + tau s), for numbers k and tau
 ///   Value lossy(const Value& k, const Value& eta)      k (1 + i eta), likewise; where it knows i
@@ -30,7 +55,7 @@ inline constexpr const char* no_law_advice =
 /// Each algebra has its own best way to these. Throws ModelError for what it has no law of.
 template <class Algebra>
 typename std::remove_reference_t<Algebra>::Value law(const Element& e, Algebra&& algebra) {
-  auto coefficient = algebra.of(e.coefficient);
+  auto coefficient = number_of(e.coefficient, algebra);
   switch (e.kind) {
     case ElementKind::spring:
       return coefficient;
@@ -39,17 +64,14 @@ typename std::remove_reference_t<Algebra>::Value law(const Element& e, Algebra&&
     case ElementKind::mass:
       return algebra.times_s(algebra.times_s(coefficient));
     case ElementKind::maxwell:
-      return algebra.relaxing(coefficient, algebra.of(e.second));
+      return algebra.relaxing(coefficient, number_of(e.second, algebra));
     case ElementKind::lossy:
       if constexpr (requires { algebra.lossy(coefficient, coefficient); })
-        return algebra.lossy(coefficient, algebra.of(e.second));
+        return algebra.lossy(coefficient, number_of(e.second, algebra));
       throw ModelError(no_law, no_law_advice);
   }
   throw Bug("an element of no kind");
 }
-
-/// What a number of an element measures.
-enum class NumberRole { stiffness, damping, time, mass, loss_factor };
 
 /// A number of that role, for all who read, document or try one.
 struct NumberRow {
@@ -62,7 +84,7 @@ struct NumberRow {
 };
 
 inline const NumberRow& number_row(NumberRole role) {
-  static const std::array<NumberRow, 5> rows{{
+  static const std::array<NumberRow, 6> rows{{
       {"spring", "a spring", "an array of stiffnesses", Dimension::stiffness, Dimension::modulus,
        4e6},
       {"damper", "a damper", "an array of dampers", Dimension::damping, Dimension::viscosity, 20},
@@ -70,13 +92,14 @@ inline const NumberRow& number_row(NumberRole role) {
        8e-6},
       {"mass", "a mass", "a mass", Dimension::mass, Dimension::mass, 0.00025},
       {"loss factor", "a loss factor", "loss factors", Dimension::none, Dimension::none, 0.125},
+      {"factor", "a plain number", "plain numbers", Dimension::none, Dimension::none, 0.5},
   }};
   return rows.at(static_cast<std::size_t>(role));
 }
 
-/// visit(symbol, role) for each number of an element, in the order of writing.
+/// visit(amount, role) for each number of an element, in the order of writing.
 template <class Visit>
-void for_each_number(const Element& e, const Visit& visit) {
+void for_each_amount(const Element& e, const Visit& visit) {
   switch (e.kind) {
     case ElementKind::spring:
       return visit(e.coefficient, NumberRole::stiffness);
@@ -91,6 +114,28 @@ void for_each_number(const Element& e, const Visit& visit) {
       visit(e.coefficient, NumberRole::stiffness);
       return visit(e.second, NumberRole::loss_factor);
   }
+}
+
+/// visit(symbol, role) for each symbol in them.
+template <class Visit>
+void for_each_number(const Element& e, const Visit& visit) {
+  for_each_amount(e, [&](const Amount& amount, NumberRole role) {
+    if (amount.is_symbol())
+      visit(amount.symbol(), role);
+    else
+      for_each_symbol(amount, role, visit);
+  });
+}
+
+/// Whether each of its numbers is that of one symbol.
+inline bool is_plain(const Element& e) {
+  return e.coefficient.is_symbol() && e.second.is_symbol();
+}
+
+inline bool is_plain(const Network& network) {
+  bool all = true;
+  for_each_element(network, [&all](const Element& e) { all = all && is_plain(e); });
+  return all;
 }
 
 /// Whether K is a rational function of s, at all frequencies and for a motion in time.
@@ -126,16 +171,15 @@ inline bool is_mass(const Element& e) { return e.kind == ElementKind::mass; }
 /// without losses the spring.
 template <class Zero>
 std::optional<Element> without_zeros(const Element& e, const Zero& zero) {
+  const auto coefficient = without_zeros(e.coefficient, zero);
+  if (!coefficient) return std::nullopt;
   Element left = e;
-  bool vanishes = false;
-  for_each_number(e, [&](const Symbol& symbol, NumberRole role) {
-    if (!zero(symbol)) return;
-    if (role == NumberRole::loss_factor)
-      left = *at_rest(e);
-    else
-      vanishes = true;
-  });
-  return vanishes ? std::nullopt : std::optional(left);
+  left.coefficient = *coefficient;
+  if (!e.second.exists()) return left;
+  const auto second = without_zeros(e.second, zero);
+  if (!second) return e.kind == ElementKind::lossy ? at_rest(left) : std::nullopt;
+  left.second = *second;
+  return left;
 }
 
 }  // namespace vcrit

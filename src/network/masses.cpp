@@ -16,7 +16,7 @@ struct Walk {
     std::visit(Walk{from, to, off}, part.form);
   }
   void operator()(const Element& element) const {
-    if (is_mass(element) && !from_is_far && !to_is_far) off.push_back(element.coefficient);
+    if (is_mass(element) && !from_is_far && !to_is_far) off.push_back(element.coefficient.name());
   }
   void operator()(const Series& series) const {
     const std::size_t last = series.parts.size() - 1;

@@ -1,7 +1,5 @@
 #include "network/network.hpp"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <set>
 
@@ -24,10 +22,6 @@ Network combine(std::vector<Network> parts) {
 
 }  // namespace
 
-std::string to_text(const Symbol& symbol) {
-  return symbol.entry == 0 ? symbol.name : fmt::format("{}[{}]", symbol.name, symbol.entry);
-}
-
 bool operator==(const Series& a, const Series& b) { return a.parts == b.parts; }
 bool operator==(const Parallel& a, const Parallel& b) { return a.parts == b.parts; }
 bool operator==(const Graph& a, const Graph& b) {
@@ -35,13 +29,13 @@ bool operator==(const Graph& a, const Graph& b) {
 }
 bool operator==(const Network& a, const Network& b) { return a.form == b.form; }
 
-Network spring(Symbol k) { return {Element{ElementKind::spring, std::move(k), {}}}; }
-Network damper(Symbol c) { return {Element{ElementKind::damper, std::move(c), {}}}; }
-Network maxwell(Symbol k, Symbol tau) {
+Network spring(Amount k) { return {Element{ElementKind::spring, std::move(k), {}}}; }
+Network damper(Amount c) { return {Element{ElementKind::damper, std::move(c), {}}}; }
+Network maxwell(Amount k, Amount tau) {
   return {Element{ElementKind::maxwell, std::move(k), std::move(tau)}};
 }
 
-Network mass(Symbol m) { return {Element{ElementKind::mass, std::move(m), {}}}; }
+Network mass(Amount m) { return {Element{ElementKind::mass, std::move(m), {}}}; }
 
 Network series(std::vector<Network> parts) { return combine<Series>(std::move(parts)); }
 Network parallel(std::vector<Network> parts) { return combine<Parallel>(std::move(parts)); }
@@ -74,13 +68,13 @@ std::size_t size(const Network& network) {
   return elements;
 }
 
-void rename(Network& network, const std::function<Symbol(const Symbol&)>& name) {
+void rename(Network& network, const std::function<Amount(const Symbol&)>& name) {
   const auto rename_parts = [&](std::vector<Network>& parts) {
     for (Network& part : parts) rename(part, name);
   };
   if (auto* e = std::get_if<Element>(&network.form)) {
-    e->coefficient = name(e->coefficient);
-    if (!e->second.name.empty()) e->second = name(e->second);
+    e->coefficient = with_symbols(e->coefficient, name);
+    if (e->second.exists()) e->second = with_symbols(e->second, name);
   }
   if (auto* s = std::get_if<Series>(&network.form)) rename_parts(s->parts);
   if (auto* p = std::get_if<Parallel>(&network.form)) rename_parts(p->parts);
@@ -90,12 +84,12 @@ void rename(Network& network, const std::function<Symbol(const Symbol&)>& name) 
 std::vector<Symbol> symbols_of(const Network& network) {
   std::vector<Symbol> symbols;
   std::set<Symbol> seen;
-  const auto add = [&](const Symbol& symbol) {
-    if (!symbol.name.empty() && seen.insert(symbol).second) symbols.push_back(symbol);
+  const auto add = [&](const Symbol& symbol, NumberRole) {
+    if (seen.insert(symbol).second) symbols.push_back(symbol);
   };
   for_each_element(network, [&](const Element& element) {
-    add(element.coefficient);
-    add(element.second);
+    for (const Amount* amount : {&element.coefficient, &element.second})
+      if (amount->exists()) for_each_symbol(*amount, NumberRole::factor, add);
   });
   return symbols;
 }

@@ -2,28 +2,15 @@
 // series and parallel combinations, and graphs for what is neither (a bridge).
 #pragma once
 
-#include <compare>
 #include <cstddef>
 #include <functional>
-#include <map>
 #include <string>
-#include <utility>
 #include <variant>
 #include <vector>
 
+#include "network/amount.hpp"
+
 namespace vcrit {
-
-/// The name of a number: a scalar ("k0"), or entry 1..N of an array ("k[3]"; entry 0: a scalar).
-struct Symbol {
-  std::string name;
-  int entry = 0;
-  friend auto operator<=>(const Symbol&, const Symbol&) = default;
-};
-
-/// "k0" or "k[3]".
-std::string to_text(const Symbol& symbol);
-
-using Values = std::map<Symbol, double>;
 
 /// spring: K = k.  damper: K = c s.  maxwell: K = k tau s/(1 + tau s), a spring k in series with a
 /// damper k tau, given by its relaxation time.  mass: K = m s^2 between a point and inertial
@@ -34,8 +21,8 @@ enum class ElementKind { spring, damper, maxwell, mass, lossy };
 
 struct Element {
   ElementKind kind = ElementKind::spring;
-  Symbol coefficient;  ///< k (N/m) of a spring or Maxwell branch, c (N s/m), m (kg) of a mass
-  Symbol second;       ///< tau (s) of a Maxwell branch, eta of a lossy spring; others have none
+  Amount coefficient;  ///< k (N/m) of a spring or Maxwell branch, c (N s/m), m (kg) of a mass
+  Amount second;       ///< tau (s) of a Maxwell branch, eta of a lossy spring; others have none
   friend bool operator==(const Element&, const Element&) = default;
 };
 
@@ -73,10 +60,10 @@ bool operator==(const Parallel&, const Parallel&);
 bool operator==(const Graph&, const Graph&);
 bool operator==(const Network&, const Network&);
 
-Network spring(Symbol k);
-Network damper(Symbol c);
-Network maxwell(Symbol k, Symbol tau);
-Network mass(Symbol m);
+Network spring(Amount k);
+Network damper(Amount c);
+Network maxwell(Amount k, Amount tau);
+Network mass(Amount m);
 /// One part stands for itself; nested combinations of the same kind are flattened.
 Network series(std::vector<Network> parts);
 Network parallel(std::vector<Network> parts);
@@ -90,8 +77,8 @@ std::size_t size(const Network& network);
 /// Calls `visit` for every element, in the order of writing.
 void for_each_element(const Network& network, const std::function<void(const Element&)>& visit);
 
-/// Calls its elements by other names.
-void rename(Network& network, const std::function<Symbol(const Symbol&)>& name);
+/// Puts other amounts in the place of its symbols.
+void rename(Network& network, const std::function<Amount(const Symbol&)>& name);
 
 /// The symbols of all elements, each once, in the order of writing.
 std::vector<Symbol> symbols_of(const Network& network);

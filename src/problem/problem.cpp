@@ -60,13 +60,26 @@ std::variant<Isotropic, ReducedNetwork> tangential_of(const Scene& scene) {
   return std::get<Isotropic>(scene.tangential);
 }
 
+std::vector<Amount> expressions_of(const Scene& scene) {
+  std::vector<Amount> all;
+  const auto add = [&all](const Element& element) {
+    for (const Amount* amount : {&element.coefficient, &element.second})
+      if (!amount->is_symbol()) all.push_back(*amount);
+  };
+  for_each_element(scene.normal, add);
+  if (const auto* own = std::get_if<Network>(&scene.tangential)) for_each_element(*own, add);
+  if (scene.drive) for_each_element(*scene.drive, add);
+  return all;
+}
+
 Resolved parts_of(const Scene& scene) {
   return {scene,
           ReducedNetwork(scene.normal),
           tangential_of(scene),
           drive_of(scene),
           std::make_shared<const std::map<Symbol, TypedNumber>>(scene.typed),
-          std::make_shared<const Source>(scene)};
+          std::make_shared<const Source>(scene),
+          expressions_of(scene)};
 }
 
 }  // namespace
@@ -78,6 +91,9 @@ struct Problem::Checked {
     for (const auto& [symbol, value] : parts.elements) add(symbol, value, positive);
     for (const Quantity* quantity : quantities_of<const Quantity>(parts))
       add(quantity->symbol, quantity->value, range_of(parts, *quantity));
+    for (const Amount& amount : parts.expressions)
+      if (const auto value = amount_value(amount, values))
+        checked(*value, positive, text_of(amount), {parts.source->file});
   }
 
   void add(const Symbol& symbol, const std::optional<double>& value, const Range& range) {
@@ -86,6 +102,13 @@ struct Problem::Checked {
           checked(*value, range, to_text(called(parts.names, symbol)), {parts.source->file});
     else
       missing.push_back(missing_name(parts, symbol));
+  }
+
+  std::string text_of(const Amount& amount) const {
+    const std::string text = to_text(
+        amount, [this](const Symbol& symbol) { return to_text(called(parts.names, symbol)); });
+    const std::string name = to_text(amount.name());
+    return name.empty() ? text : fmt::format("{} = {}", name, text);
   }
 
   const Resolved parts;

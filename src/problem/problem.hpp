@@ -33,6 +33,7 @@ struct Resolved : Givens {
   std::variant<Rigid, ReducedNetwork, Receptance> drive;
   std::shared_ptr<const std::map<Symbol, TypedNumber>> typed;  ///< as of a scene
   std::shared_ptr<const Source> source;
+  std::vector<Amount> expressions = {};  ///< numbers of elements that are made of others
 
   bool rigid() const { return std::holds_alternative<Rigid>(drive); }
   bool has_masses() const { return drive_network() != nullptr && drive_network()->has_masses(); }

@@ -29,6 +29,7 @@ Variation::Variation(Problem problem, std::vector<std::string> names)
   const Source& source = *problem_->source;
   std::map<Symbol, std::string> seen;
   for (const std::string& name : names_) {
+    refuse_expression(source, name, OverridingValues::place(name));
     known_dimension(name, source.settable, OverridingValues::place(name), source.named);
     targets_.push_back(target(name));
     const auto [other, is_new] = seen.emplace(targets_.back().symbol, name);

@@ -61,6 +61,7 @@ class Quantities {
   void refuse_both(const std::string& name, const std::string& other) const;
 
   OverridingValues& settings() { return settings_; }
+  const OverridingValues& settings() const { return settings_; }
 
  private:
   struct Named {

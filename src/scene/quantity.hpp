@@ -63,6 +63,7 @@ struct Source {
   std::map<std::string, int> arrays;          ///< length of each array among the elements
   std::map<std::string, Dimension> settable;  ///< what --set may name, and what it measures
   std::map<std::string, Symbol> named;        ///< what each of these is; may be frequency_symbol
+  std::map<std::string, std::string> expressions;  ///< of elements, as they are written
   std::vector<std::string> warnings;
 };
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -16,6 +17,7 @@
 #include "network/law.hpp"
 #include "network/masses.hpp"
 #include "scene/document.hpp"
+#include "scene/element_expressions.hpp"
 #include "scene/fitted_range.hpp"
 #include "scene/indenter.hpp"
 #include "scene/networks.hpp"
@@ -234,7 +236,11 @@ class Reader {
     const toml::table* elements = document::table(document_, "elements", file_);
     std::set<std::string> taken;
     for (const auto& [name, dimension] : settings().known()) taken.insert(name);
-    const auto uses = networks_.names().resolve(networks_.uses());
+    auto uses = networks_.names().resolve(networks_.uses());
+    expressions_.emplace(elements, file_, networks_.names(), uses, document_.contains("indenter"));
+    uses.insert(expressions_->parameters().begin(), expressions_->parameters().end());
+    for (const auto& [element, text] : expressions_->all())
+      scene_.expressions[to_text(element)] = text;
     for (const auto& [name, use] : uses) {
       refuse_clash(name, use, taken);
       if (const std::string own_name = own({name}).name; own_name != name)
@@ -243,10 +249,12 @@ class Reader {
     }
     read_other_keys(uses);
     rename_elements();
+    check_expressions();
     if (elements == nullptr) return;
     for (const auto& [key, value] : *elements)
       if (!uses.contains(std::string(key.str())) &&
-          !networks_.names().is_used(std::string(key.str())))
+          !networks_.names().is_used(std::string(key.str())) &&
+          !expressions_->is_used(std::string(key.str())))
         scene_.warnings.push_back(fmt::format("{}: element \"{}\" is in no network of this scene",
                                               to_text(document::place_of(value, file_)),
                                               std::string(key.str())));
@@ -267,6 +275,10 @@ class Reader {
   // quantities, unless other elements are called so as well.
   void read_other_keys(const ElementNames::Uses& uses) {
     for (const auto& [key, element] : networks_.names().sole()) {
+      if (expressions_->has(element)) {
+        refuse_to_set(key, element);
+        continue;
+      }
       quantities_.refuse_both(to_text(element), key);
       const auto set = settings().take(key, uses.at(element.name).dimension, own(element));
       if (set) put(own(element), *set, OverridingValues::place(key));
@@ -286,14 +298,37 @@ class Reader {
   }
 
   void rename_elements() {
-    const auto name = [this](const Symbol& symbol) { return own(networks_.names().of(symbol)); };
+    const auto name = [this](const Symbol& symbol) {
+      const Symbol element = networks_.names().of(symbol);
+      if (!expressions_->has(element)) return Amount(own(element));
+      return with_symbols(expressions_->of(element),
+                          [this](const Symbol& part) { return Amount(own(part)); });
+    };
     rename(scene_.normal, name);
     if (auto* tangential = std::get_if<Network>(&scene_.tangential)) rename(*tangential, name);
     if (scene_.drive) rename(*scene_.drive, name);
   }
 
+  // Whose number is that of an expression.
+  void refuse_to_set(const std::string& key, const Symbol& element) const {
+    if (quantities_.settings().has(key))
+      refuse_expression(scene_, to_text(element), OverridingValues::place(key));
+  }
+
+  void check_expressions() const {
+    for (const auto& [element, text] : expressions_->all()) {
+      const bool divides = divides_by_zero(
+          expressions_->of(element), [this](const Symbol& part) { return is_zero(own(part)); });
+      if (divides)
+        throw InputError(expressions_->place(element),
+                         fmt::format("{} = \"{}\", a division by 0", to_text(element), text),
+                         "divisors above 0");
+    }
+  }
+
   void read_element(const std::string& name, const ElementUse& use, const toml::node* node) {
     if (use.length > 0) return read_array(name, use, node);
+    if (expressions_->has({name})) return refuse_to_set(name, {name});
     const Symbol symbol = own({name});
     const auto set = settings().take(name, use.dimension, symbol);
     if (set) put(symbol, *set, OverridingValues::place(name));
@@ -313,6 +348,10 @@ class Reader {
       if (networks_.names().is_used(to_text(Symbol{name, entry}))) continue;
       const Symbol symbol = own({name, entry});
       const std::string label = to_text(Symbol{name, entry});
+      if (expressions_->has({name, entry})) {
+        refuse_to_set(label, {name, entry});
+        continue;
+      }
       const auto set = settings().take(label, use.dimension, symbol);
       if (set) put(symbol, *set, OverridingValues::place(label));
       if (node == nullptr) continue;
@@ -378,6 +417,7 @@ class Reader {
   std::string file_;
   Networks networks_;
   Quantities quantities_;
+  std::optional<ElementExpressions> expressions_;  // once networks and --set have been read
   Values values_;
   Scene scene_;
 };

@@ -32,6 +32,13 @@ Dimension known_dimension(const std::string& name, const std::map<std::string, D
       meant ? fmt::format("\"{}\"", *meant) : fmt::format("one of {}", fmt::join(names, ", ")));
 }
 
+void refuse_expression(const Source& source, const std::string& name, const Place& place) {
+  const auto found = source.expressions.find(name);
+  if (found == source.expressions.end()) return;
+  throw InputError(place, fmt::format("{}, which is \"{}\" in this scene", name, found->second),
+                   "a number that it is made of, or a value in its place in [elements]");
+}
+
 std::pair<std::string, std::string> parse_setting(const std::string& text) {
   const auto equals = text.find('=');
   if (equals == text.npos || equals == 0)

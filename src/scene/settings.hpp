@@ -16,6 +16,9 @@ namespace vcrit {
 Dimension known_dimension(const std::string& name, const std::map<std::string, Dimension>& known,
                           const Place& place, const std::map<std::string, Symbol>& named = {});
 
+/// Throws InputError at `place` where the scene has an expression in the place of this number.
+void refuse_expression(const Source& source, const std::string& name, const Place& place);
+
 /// "NAME=VALUE" of --set. Throws InputError if it has another form.
 std::pair<std::string, std::string> parse_setting(const std::string& text);
 

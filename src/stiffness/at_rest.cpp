@@ -14,6 +14,14 @@ struct LeadingTerms {
   const Values& values;
 
   AtRest of(const Symbol& symbol) const { return {0, value_of(values, symbol)}; }
+  static AtRest constant(const TypedNumber& number) { return {0, number.value}; }
+  static AtRest plus(const AtRest& a, const AtRest& b) {
+    return {0, a.coefficient + b.coefficient};
+  }
+  static AtRest times(const AtRest& a, const AtRest& b) {
+    return {0, a.coefficient * b.coefficient};
+  }
+  static AtRest over(const AtRest& a, const AtRest& b) { return {0, a.coefficient / b.coefficient}; }
   static AtRest times_s(const AtRest& k) { return {k.order + 1, k.coefficient}; }
   static AtRest relaxing(const AtRest& k, const AtRest& tau) {
     return {1, k.coefficient * tau.coefficient};

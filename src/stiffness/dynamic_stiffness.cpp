@@ -23,6 +23,10 @@ struct Pairs {
   Complex of(const Symbol& symbol) const {
     return {static_cast<Real>(value_of(values, symbol)), 0};
   }
+  static Complex constant(const TypedNumber& number) { return static_cast<Real>(number.value); }
+  static Complex plus(Complex a, Complex b) { return a.real() + b.real(); }
+  static Complex times(Complex a, Complex b) { return a.real() * b.real(); }
+  static Complex over(Complex a, Complex b) { return a.real() / b.real(); }
   // Without a 0 below 0.
   Complex times_s(Complex k) const { return {0 - k.imag() * omega, k.real() * omega}; }
   Complex relaxing(Complex k, Complex tau) const {
@@ -76,6 +80,19 @@ struct Uncertainties {
 
   static Value rounded(ComplexDouble k) { return {k, std::abs(k)}; }
   Value of(const Symbol& symbol) const { return rounded(pairs.of(symbol)); }
+  static Value constant(const TypedNumber& number) { return rounded(number.value); }
+  static Value plus(const Value& a, const Value& b) {
+    const ComplexDouble k = a.k + b.k;
+    return {k, a.error + b.error + std::abs(k)};
+  }
+  static Value times(const Value& a, const Value& b) {
+    const double k = a.k.real() * b.k.real();
+    return {k, a.error * b.k.real() + b.error * a.k.real() + k};
+  }
+  static Value over(const Value& a, const Value& b) {
+    const double k = a.k.real() / b.k.real();
+    return {k, a.error / b.k.real() + b.error / b.k.real() * k + k};
+  }
   Value times_s(const Value& k) const { return rounded(pairs.times_s(k.k)); }
   Value relaxing(const Value& k, const Value& tau) const {
     return rounded(pairs.relaxing(k.k, tau.k));

@@ -29,6 +29,16 @@ struct ElementForms {
   using Value = Relaxation;
   const Values& values;
   Relaxation of(const Symbol& symbol) const { return {positive_value(values, symbol), 0, {}}; }
+  static Relaxation constant(const TypedNumber& number) { return {number.value, 0, {}}; }
+  static Relaxation plus(const Relaxation& a, const Relaxation& b) {
+    return {a.equilibrium + b.equilibrium, 0, {}};
+  }
+  static Relaxation times(const Relaxation& a, const Relaxation& b) {
+    return {a.equilibrium * b.equilibrium, 0, {}};
+  }
+  static Relaxation over(const Relaxation& a, const Relaxation& b) {
+    return {a.equilibrium / b.equilibrium, 0, {}};
+  }
   static Relaxation times_s(const Relaxation& k) {
     if (k.damper != 0)
       throw InputError(argument("network"), "a mass", "springs and dampers, which alone relax");

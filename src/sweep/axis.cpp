@@ -36,6 +36,7 @@ std::vector<std::string> split(const std::string& text, char separator) {
 }
 
 Dimension dimension_of(const std::string& name, const Problem& problem, const Place& place) {
+  refuse_expression(*problem->source, name, place);
   std::map<std::string, Dimension> known = problem->source->settable;
   known.emplace("velocity", Dimension::velocity);
   known.emplace("velocity_ratio", Dimension::none);

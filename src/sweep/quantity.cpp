@@ -76,6 +76,7 @@ SweptQuantity parse_swept_quantity(const std::string& text, const Problem& probl
   const bool separates = problem->separation || problem->indenter;
   if (text.starts_with(sensitivity_prefix)) {
     const std::string name = text.substr(sensitivity_prefix.size());
+    refuse_expression(*problem->source, name, place);
     known_dimension(name, problem->source->settable, place, problem->source->named);
     const Symbol parameter = target_of(problem, name).symbol;
     return {Kind::sensitivity, parameter, separates, to_text(as_called(problem, parameter))};

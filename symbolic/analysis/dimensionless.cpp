@@ -106,6 +106,7 @@ class Groups {
         case NumberRole::mass:
           return add_mass(number, beside);
         case NumberRole::loss_factor:
+        case NumberRole::factor:
           return;
       }
     });

@@ -29,16 +29,18 @@ struct ElementGroup {
   bool dissipates;
 };
 
-std::set<Symbol> coefficients(const Network& network) {
+std::set<Symbol> symbols_in(const Network& network) {
   std::set<Symbol> found;
-  for_each_element(network, [&](const Element& e) { found.insert(e.coefficient); });
+  for_each_element(network, [&](const Element& e) {
+    for_each_number(e, [&](const Symbol& symbol, NumberRole) { found.insert(symbol); });
+  });
   return found;
 }
 
-std::set<Symbol> contact_coefficients(const Problem& problem) {
-  std::set<Symbol> found = coefficients(problem->normal.network());
+std::set<Symbol> contact_symbols(const Problem& problem) {
+  std::set<Symbol> found = symbols_in(problem->normal.network());
   if (const auto* tangential = std::get_if<ReducedNetwork>(&problem->tangential))
-    found.merge(coefficients(tangential->network()));
+    found.merge(symbols_in(tangential->network()));
   return found;
 }
 
@@ -77,9 +79,9 @@ std::vector<ElementGroup> element_groups(const Problem& problem,
 /// A drive that is one spring is named by it, unless that spring has other uses.
 ex drive_label(const Problem& problem) {
   const auto* element = std::get_if<Element>(&problem->drive_network()->network().form);
-  const bool lone_spring = element != nullptr && is_elastic(*element) &&
-                           !contact_coefficients(problem).contains(element->coefficient);
-  return lone_spring ? symbol(element->coefficient) : quantity("K_d");
+  const bool lone_spring = element != nullptr && is_elastic(*element) && is_plain(*element) &&
+                           !contact_symbols(problem).contains(element->coefficient.symbol());
+  return lone_spring ? symbol(element->coefficient.symbol()) : quantity("K_d");
 }
 
 class Collector {
@@ -134,8 +136,8 @@ class Collector {
     Rates result = change.rates;
     if (change.massless) result[problem_->mass->symbol] = -1;
     if (!change.rigid) return result;
-    const std::set<Symbol> contact = contact_coefficients(problem_);
-    for (const Symbol& symbol : coefficients(problem_->drive_network()->network())) {
+    const std::set<Symbol> contact = contact_symbols(problem_);
+    for (const Symbol& symbol : symbols_in(problem_->drive_network()->network())) {
       if (contact.contains(symbol)) return {};
       result[symbol] += 4;
     }

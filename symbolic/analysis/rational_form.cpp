@@ -57,6 +57,10 @@ struct QuotientAlgebra {
   Value invert(const Value& a) const { return inverse(a); }
 
   Value of(const Symbol& symbol) const { return name(to_text(symbol)); }
+  Value constant(const TypedNumber& given) const { return number(exact_decimal(given.decimal)); }
+  Value plus(const Value& a, const Value& b) const { return add(a, b); }
+  Value times(const Value& a, const Value& b) const { return multiply(a, b); }
+  Value over(const Value& a, const Value& b) const { return multiply(a, inverse(b)); }
   Value times_s(const Value& k) const { return multiply(k, name(own_name("s"))); }
   Value relaxing(const Value& k, const Value& tau) const {
     const Value turn = times_s(tau);

@@ -12,6 +12,7 @@
 
 #include "derivation/model.hpp"
 #include "formula/names.hpp"
+#include "formula/symbols.hpp"
 
 namespace vcrit::symbolic {
 
@@ -93,6 +94,10 @@ struct NumberAlgebra {
   std::map<std::string, Number> known = {};  ///< besides s and the symbols
 
   Value of(const Symbol& symbol) const { return point(to_text(symbol)); }
+  Value constant(const TypedNumber& given) const { return number(exact_decimal(given.decimal)); }
+  Value plus(Value a, Value b) const { return a + b; }
+  Value times(Value a, Value b) const { return a * b; }
+  Value over(Value a, Value b) const { return a * inverse(b); }
   Value times_s(Value k) const { return k * s; }
   Value relaxing(Value k, Value tau) const {
     const Value turn = tau * s;

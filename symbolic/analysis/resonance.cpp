@@ -59,7 +59,7 @@ std::set<NumberRole> roles(const MassBalance& balance, const Model& model) {
   for (const auto& [name, network] : model.networks())
     for (const Step& step : network.reduction().steps)
       if (step.kind == Step::Kind::element && balance.stiffness.has(quantity(name)))
-        for_each_number(step.element, [&](const Symbol&, NumberRole role) { found.insert(role); });
+        for_each_amount(step.element, [&](const Amount&, NumberRole role) { found.insert(role); });
   return found;
 }
 

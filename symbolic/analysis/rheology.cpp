@@ -48,7 +48,8 @@ class SpectrumMaker {
   /// Whether the part has a closed form.
   bool add(const Network& part) {
     const auto* element = std::get_if<Element>(&part.form);
-    if (element != nullptr && element->kind == ElementKind::maxwell) return add_given(*element);
+    if (element != nullptr && element->kind == ElementKind::maxwell && is_plain(*element))
+      return add_given(*element);
     if (!is_rational(part)) return false;
     const Fraction k = stiffness_in_lowest_terms(part);
     const Extremes ends = extremes(part);
@@ -63,7 +64,8 @@ class SpectrumMaker {
 
  private:
   bool add_given(const Element& branch) {
-    const ex time = symbol(branch.second), strength = symbol(branch.coefficient);
+    const ex time = symbol(branch.second.symbol()),
+             strength = symbol(branch.coefficient.symbol());
     spectrum_.lines.push_back({{"", time, time}, {"", strength, strength}});
     return true;
   }

@@ -46,7 +46,7 @@ class Pairing {
   }
 
   bool match_forms(const Element& a, const Element& b) {
-    if (a.kind != b.kind) return false;
+    if (a.kind != b.kind || !is_plain(a) || !is_plain(b)) return false;
     std::vector<Symbol> others;
     for_each_number(b, [&](const Symbol& symbol, NumberRole) { others.push_back(symbol); });
     auto other = others.begin();

@@ -34,6 +34,17 @@ struct LeadingAlgebra {
   GrowthRates rates;
 
   Value of(const Symbol& symbol) const { return {rates.of(symbol), base.of(symbol)}; }
+  Value constant(const TypedNumber& number) const { return {0, base.constant(number)}; }
+  Value plus(const Value& a, const Value& b) const {
+    if (a.power != b.power) return a.power > b.power ? a : b;
+    return {a.power, base.plus(a.value, b.value)};
+  }
+  Value times(const Value& a, const Value& b) const {
+    return {a.power + b.power, base.multiply(a.value, b.value)};
+  }
+  Value over(const Value& a, const Value& b) const {
+    return {a.power - b.power, base.over(a.value, b.value)};
+  }
   Value times_s(const Value& k) const {
     return {k.power + rates.frequency(), base.times_s(k.value)};
   }
@@ -68,22 +79,33 @@ struct Fractions {
   using Value = Fraction;
   void next_step() const {}
   static Value of(const Symbol& name) { return {symbol(name), 1}; }
+  static Value constant(const TypedNumber& number) {
+    const GiNaC::numeric exact = exact_decimal(number.decimal);
+    return {exact.numer(), exact.denom()};
+  }
+  static Value plus(const Value& a, const Value& b) { return parallel(a, b); }
   static Value multiply(const Value& a, const Value& b) {
-    return {a.numerator * b.numerator, a.denominator * b.denominator};
+    return {(a.numerator * b.numerator).expand(), (a.denominator * b.denominator).expand()};
+  }
+  static Value over(const Value& a, const Value& b) {
+    return multiply(a, {b.denominator, b.numerator});
   }
   static Value times_s(const Value& k) {
     return {(k.numerator * laplace()).expand(), k.denominator};
   }
   static Value relaxing(const Value& k, const Value& tau) {
     const ex turn = tau.numerator * laplace();
-    return {k.numerator * turn, 1 + turn};
+    return {(k.numerator * turn).expand(),
+            (k.denominator * (tau.denominator + turn)).expand()};
   }
   // With s/omega for i: what follows knows polynomials in s with real coefficients.
   static Value loss(const Value& k, const Value& eta) {
-    return {k.numerator * eta.numerator * laplace(), omega()};
+    return {(k.numerator * eta.numerator * laplace()).expand(),
+            (k.denominator * eta.denominator * omega()).expand()};
   }
   static Value lossy(const Value& k, const Value& eta) {
-    return {(k.numerator * (omega() + eta.numerator * laplace())).expand(), omega()};
+    return {(k.numerator * (eta.denominator * omega() + eta.numerator * laplace())).expand(),
+            (k.denominator * eta.denominator * omega()).expand()};
   }
   static Value parallel(const Value& a, const Value& b) {
     return {(a.numerator * b.denominator + b.numerator * a.denominator).expand(),
@@ -106,11 +128,22 @@ struct Counts {
   using Value = TermCount;
   void next_step() const {}
   static Value of(const Symbol&) { return {1, 1}; }
-  static Value multiply(const Value&, const Value&) { return {1, 1}; }
+  static Value constant(const TypedNumber&) { return {1, 1}; }
+  static Value plus(const Value& a, const Value& b) { return parallel(a, b); }
+  static Value multiply(const Value& a, const Value& b) {
+    return {a.numerator * b.numerator, a.denominator * b.denominator};
+  }
+  static Value over(const Value& a, const Value& b) {
+    return multiply(a, {b.denominator, b.numerator});
+  }
   static Value times_s(const Value& k) { return k; }
-  static Value relaxing(const Value&, const Value&) { return {1, 2}; }
-  static Value loss(const Value&, const Value&) { return {1, 1}; }
-  static Value lossy(const Value&, const Value&) { return {2, 1}; }
+  static Value relaxing(const Value& k, const Value& tau) {
+    return {k.numerator * tau.numerator, k.denominator * (tau.denominator + tau.numerator)};
+  }
+  static Value loss(const Value& k, const Value& eta) { return multiply(k, eta); }
+  static Value lossy(const Value& k, const Value& eta) {
+    return {k.numerator * (eta.denominator + eta.numerator), k.denominator * eta.denominator};
+  }
   static Value parallel(const Value& a, const Value& b) {
     return {a.numerator * b.denominator + b.numerator * a.denominator,
             a.denominator * b.denominator};
@@ -146,7 +179,10 @@ class Nested {
 
   void next_step() { step_ = combining_[next_++]; }
   static Value of(const Symbol& name) { return {symbol(name), 1}; }
+  static Value constant(const TypedNumber& number) { return {exact_decimal(number.decimal), 1}; }
+  static Value plus(const Value& a, const Value& b) { return {a.k + b.k, 1}; }
   static Value multiply(const Value& a, const Value& b) { return {a.k * b.k, 1}; }
+  static Value over(const Value& a, const Value& b) { return {a.k / b.k, 1}; }
   static Value times_s(const Value& k) { return {k.k * laplace(), 1}; }
   static Value relaxing(const Value& k, const Value& tau) {
     const ex turn = tau.k * laplace();

@@ -48,7 +48,11 @@ GiNaC::ex laplace() {
 GiNaC::numeric exact_decimal(double value) {
   const AlgebraLock lock;
   ensure(std::isfinite(value), "only finite numbers have a fraction");
-  const std::string text = to_text(value);
+  return exact_decimal(to_text(value));
+}
+
+GiNaC::numeric exact_decimal(const std::string& text) {
+  const AlgebraLock lock;
   const std::size_t e = text.find('e');
   std::string digits = text.substr(0, e);
   long exponent = e == std::string::npos ? 0 : std::stol(text.substr(e + 1));

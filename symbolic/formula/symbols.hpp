@@ -28,6 +28,8 @@ GiNaC::ex laplace();
 
 /// The decimal that reads back to `value`, as an exact fraction: 0.3 is 3/10.
 GiNaC::numeric exact_decimal(double value);
+/// The same of a decimal as it is written, "0.3" or "3e-1".
+GiNaC::numeric exact_decimal(const std::string& text);
 
 /// The fraction that the double itself is.
 GiNaC::numeric exact_binary(double value);

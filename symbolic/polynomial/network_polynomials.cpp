@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <sstream>
+#include <vector>
 
 #include "base/errors.hpp"
 #include "formula/names.hpp"
+#include "formula/symbols.hpp"
 #include "network/law.hpp"
 
 namespace vcrit::symbolic {
@@ -137,13 +140,27 @@ class Expansion {
   Quotient of(const Symbol& symbol) const {
     return {Polynomial::variable(ring_, to_text(symbol)), Polynomial(ring_, 1)};
   }
+  Quotient constant(const TypedNumber& number) const {
+    const GiNaC::numeric exact = exact_decimal(number.decimal);
+    return {integer(exact.numer()), integer(exact.denom())};
+  }
+  static Quotient plus(const Quotient& a, const Quotient& b) { return a + b; }
+  static Quotient times(const Quotient& a, const Quotient& b) { return a * b; }
+  static Quotient over(const Quotient& a, const Quotient& b) { return a * inverse(b); }
   Quotient times_s(const Quotient& k) const { return {k.over * s_, k.under}; }
   Quotient relaxing(const Quotient& k, const Quotient& tau) const {
     const Polynomial turn = tau.over * s_;
-    return {k.over * turn, k.under + turn};
+    return {k.over * turn, k.under * (tau.under + turn)};
   }
 
  private:
+  Polynomial integer(const GiNaC::numeric& value) const {
+    std::ostringstream digits;
+    digits << value;
+    Polynomial result(ring_, 0);
+    result.add_term(digits.str(), std::vector<unsigned long>(ring_.size()));
+    return result;
+  }
   Quotient operator()(const Element& element) const { return law(element, *this); }
   Quotient operator()(const Series& series) const {
     const auto join = [](const Quotient& a, const Quotient& b) -> Quotient {
@@ -189,11 +206,18 @@ class Expansion {
 struct ElementTerms {
   using Value = TermNumbers;
   static Value of(const Symbol&) { return {1, 1}; }
+  static Value constant(const TypedNumber&) { return {1, 1}; }
+  static Value plus(const Value& a, const Value& b) { return terms_in_parallel(a, b); }
+  static Value times(const Value& a, const Value& b) { return {a.over * b.over, a.under * b.under}; }
+  static Value over(const Value& a, const Value& b) { return {a.over * b.under, a.under * b.over}; }
   static Value times_s(const Value& k) { return k; }
-  static Value relaxing(const Value&, const Value&) { return {1, 2}; }
+  static Value relaxing(const Value& k, const Value& tau) {
+    return {k.over * tau.over, k.under * (tau.under + tau.over)};
+  }
 };
 
 bool repeats_a_symbol(const Network& network) {
+  if (!is_plain(network)) return true;  // as expressions may
   std::set<Symbol> seen;
   bool repeats = false;
   for_each_element(network, [&](const Element& element) {

@@ -1,5 +1,7 @@
 #include "program/star_mesh.hpp"
 
+#include <algorithm>
+
 #include "network/reduction.hpp"
 
 namespace vcrit::symbolic {
@@ -15,16 +17,18 @@ class Mesh {
     NodeId roundings, size;
   };
 
-  Mesh(Program& program, const std::function<std::pair<Complex, Complex>(const Element&)>& element)
+  Mesh(Program& program, const std::function<MeshElement(const Element&)>& element)
       : program_(program), element_(element) {}
 
   Value element(const Element& e) {
-    const auto [t, q] = element_(e);
-    if (is_one(program_, q)) return edge(t, program_.constant(1));
-    // i y/(1 + i x) = y (x + i)/(1 + x^2): x 1, y 2, 1 + x^2 4, quotient 7, times x 9.
+    const auto [t, q, before] = element_(e);
+    if (is_one(program_, q)) return edge(t, program_.constant(std::max(before, 1)));
+    // i y/(1 + i x) = y (x + i)/(1 + x^2): x 1, y 2, 1 + x^2 4, quotient 7, times x 9; each that x
+    // and y have before that once in y, twice in x^2 and once in x.
     const NodeId x = q.im;
     const NodeId g = program_.divide(t.im, program_.multiply_add(x, x, program_.constant(1)));
-    return edge({program_.multiply(g, x), g}, program_.constant(9));
+    const int earlier = 4 * std::max(before - 3, 0);
+    return edge({program_.multiply(g, x), g}, program_.constant(9 + earlier));
   }
 
   Value parallel(const Value& a, const Value& b) {
@@ -66,14 +70,14 @@ class Mesh {
   }
 
   Program& program_;
-  const std::function<std::pair<Complex, Complex>(const Element&)>& element_;
+  const std::function<MeshElement(const Element&)>& element_;
 };
 
 }  // namespace
 
 MeshedStiffness by_star_mesh(
     Program& program, const Network& network,
-    const std::function<std::pair<Complex, Complex>(const Element&)>& element) {
+    const std::function<MeshElement(const Element&)>& element) {
   Mesh mesh(program, element);
   const Mesh::Value whole = evaluate(reduce(network), mesh);
   return {whole.k, whole.roundings};

@@ -13,9 +13,13 @@ struct MeshedStiffness {
   NodeId roundings;  ///< a bound
 };
 
-/// `element` gives an element's stiffness as T/Q with Q = 1 or, Maxwell branch, 1 + i x.
-MeshedStiffness by_star_mesh(
-    Program& program, const Network& network,
-    const std::function<std::pair<Complex, Complex>(const Element&)>& element);
+/// An element's stiffness as T/Q with Q = 1 or, Maxwell branch, 1 + i x, and its error in roundings.
+struct MeshElement {
+  Complex t, q;
+  int roundings = 0;
+};
+
+MeshedStiffness by_star_mesh(Program& program, const Network& network,
+                             const std::function<MeshElement(const Element&)>& element);
 
 }  // namespace vcrit::symbolic

@@ -2,7 +2,10 @@
 
 #include <cmath>
 
+#include <algorithm>
+
 #include "base/errors.hpp"
+#include "formula/symbols.hpp"
 #include "network/law.hpp"
 #include "program/spanning_trees.hpp"
 #include "program/star_mesh.hpp"
@@ -92,18 +95,49 @@ struct Term {
   NodeId coefficient;
   int degree = 0;
   std::optional<NodeId> tau = {}, eta = {};
+  int roundings = 0;  ///< of all its numbers together
 };
 
+// Of an expression every number on the way is guarded: no product of two may leave the range, or be
+// 0, before a third one brings it back.
 struct Terms {
   using Value = Term;
+  Program& program;
   const std::function<NodeId(const Symbol&)>& value;
+  const std::function<void(NodeId)>& guard;
+
   Term of(const Symbol& symbol) const { return {value(symbol)}; }
-  static Term times_s(const Term& k) { return {k.coefficient, k.degree + 1, k.tau}; }
+  Term constant(const TypedNumber& number) const {
+    Term made{program.constant(exact_decimal(number.decimal))};
+    made.roundings = program[made.coefficient].kind == NodeKind::exact ? 0 : 1;
+    return made;
+  }
+  Term plus(const Term& a, const Term& b) const {
+    return made(a, b, program.add(a.coefficient, b.coefficient),
+                std::max(a.roundings, b.roundings));
+  }
+  Term times(const Term& a, const Term& b) const {
+    return made(a, b, program.multiply(a.coefficient, b.coefficient), a.roundings + b.roundings);
+  }
+  Term over(const Term& a, const Term& b) const {
+    return made(a, b, program.divide(a.coefficient, b.coefficient), a.roundings + b.roundings);
+  }
+
+  static Term times_s(Term k) {
+    ++k.degree;
+    return k;
+  }
   static Term relaxing(const Term& k, const Term& tau) {
-    return {k.coefficient, 1, tau.coefficient};
+    return {k.coefficient, 1, tau.coefficient, {}, k.roundings + tau.roundings};
   }
   static Term lossy(const Term& k, const Term& eta) {
-    return {k.coefficient, 0, {}, eta.coefficient};
+    return {k.coefficient, 0, {}, eta.coefficient, k.roundings + eta.roundings};
+  }
+
+ private:
+  Term made(const Term& a, const Term& b, NodeId result, int before) const {
+    for (const NodeId id : {a.coefficient, b.coefficient, result}) guard(id);
+    return {result, 0, {}, {}, before + 1};
   }
 };
 
@@ -111,7 +145,7 @@ struct Terms {
 
 Stiffness StiffnessWriter::polynomial_element(const Element& e) {
   const NodeId zero = program_.constant(0), one = program_.constant(1);
-  const auto [k, degree, tau, eta] = law(e, Terms{value_});
+  const auto [k, degree, tau, eta, roundings] = law(e, Terms{program_, value_, guard_});
   Stiffness whole;
   if (eta) whole.roundings = zero;  // no polynomial with real coefficients
   guarded(program_.size(k));
@@ -130,23 +164,26 @@ Stiffness StiffnessWriter::polynomial_element(const Element& e) {
 Stiffness StiffnessWriter::element(const Element& e) {
   if (polynomials_) return polynomial_element(e);
   const NodeId zero = program_.constant(0), one = program_.constant(1);
-  const auto [k, degree, tau, eta] = law(e, Terms{value_});
+  const auto [k, degree, tau, eta, before] = law(e, Terms{program_, value_, guard_});
   ensure(degree < 2, "the program knows one body");
-  if (tau) return relaxing_element(k, *tau);
+  if (tau) return relaxing_element(k, *tau, before);
   const Complex unity{one, zero};
   if (degree == 0) {
     const ExponentRange range = guarded(program_.size(k));
-    if (!eta) return {{k, zero}, unity, range, {}, range, 0, {}, true, range, 1};
+    if (!eta) return {{k, zero}, unity, range, {}, range, before, {}, before == 0, range, 1};
     // |K| lies between k and k (1 + eta), and eta may be 0.
     const ExponentRange growth{0, guarded(program_.add(one, program_.size(*eta))).high};
     const ExponentRange whole = range + growth;
-    return {{k, program_.multiply(k, *eta)}, unity, whole, {}, whole, 1, {}, true, whole, 1};
+    return {{k, program_.multiply(k, *eta)}, unity,       whole, {}, whole,
+            1 + before,                      {},          before == 0, whole, 1};
   }
   const ExponentRange range = guarded(program_.multiply(program_.size(omega_), program_.size(k)));
-  return {{zero, program_.multiply(omega_, k)}, unity, range, {}, range, 1, {}, true, range, 1};
+  return {{zero, program_.multiply(omega_, k)}, unity, range, {}, range, 1 + before, {}, true,
+          range, 1};
 }
 
-Stiffness StiffnessWriter::relaxing_element(NodeId k, NodeId tau) {
+// d ln K/d ln x = 1/(1 + i x): roundings of tau move K by no more.
+Stiffness StiffnessWriter::relaxing_element(NodeId k, NodeId tau, int before) {
   const NodeId zero = program_.constant(0), one = program_.constant(1);
   const ExponentRange stiffness = guarded(program_.size(k));
   const ExponentRange x = guarded(program_.multiply(program_.size(omega_), program_.size(tau)));
@@ -159,7 +196,7 @@ Stiffness StiffnessWriter::relaxing_element(NodeId k, NodeId tau) {
           stiffness + x,
           quotient,
           range,
-          3,
+          3 + before,
           {},
           false,
           range,
@@ -256,7 +293,7 @@ Stiffness StiffnessWriter::graph(const Graph& graph) {
 Stiffness StiffnessWriter::meshed(const Graph& graph, const std::vector<Stiffness>& parts) {
   const MeshedStiffness mesh = by_star_mesh(program_, Network{graph}, [this](const Element& e) {
     const Stiffness k = element(e);
-    return std::pair(k.t, k.q);
+    return MeshElement{k.t, k.q, k.path};
   });
   Stiffness whole = parts.front();
   for (std::size_t i = 1; i < parts.size(); ++i) join_elements(whole, whole, parts[i]);

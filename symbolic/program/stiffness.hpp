@@ -61,6 +61,8 @@ class StiffnessWriter {
         exponent_(exponent),
         value_(std::move(value)),
         zeros_(zeros) {}
+  StiffnessWriter(const StiffnessWriter&) = delete;
+  StiffnessWriter& operator=(const StiffnessWriter&) = delete;
 
   Stiffness write(const Network& network);
   /// With polynomials in i omega for T and Q, whose coefficients do not depend on omega. They are
@@ -81,7 +83,8 @@ class StiffnessWriter {
   Stiffness fold(std::span<const Network> parts, Combine combine);
   Stiffness element(const Element& element);
   Stiffness polynomial_element(const Element& element);
-  Stiffness relaxing_element(NodeId k, NodeId tau);
+  /// `before`: roundings of both.
+  Stiffness relaxing_element(NodeId k, NodeId tau, int before);
   static void join_elements(Stiffness& whole, const Stiffness& a, const Stiffness& b);
   Stiffness parallel(Stiffness a, Stiffness b);
   Stiffness series(Stiffness a, Stiffness b);
@@ -96,6 +99,7 @@ class StiffnessWriter {
   std::function<NodeId(const Symbol&)> value_;
   Zeros zeros_;
   std::vector<Guard> guards_;
+  std::function<void(NodeId)> guard_ = [this](NodeId id) { guarded(program_.size(id)); };
   bool polynomials_ = false;
 };
 

@@ -4,6 +4,8 @@
 #include <string>
 
 #include "base/interruption.hpp"
+#include "formula/symbols.hpp"
+#include "network/law.hpp"
 #include "shortest/graphs.hpp"
 #include "shortest/search.hpp"
 #include "shortest/trees.hpp"
@@ -31,6 +33,24 @@ std::vector<ComplexQuotient> inverses(const std::vector<ComplexQuotient>& all) {
   for (const ComplexQuotient& each : all) result.push_back(reciprocal(each));
   return result;
 }
+
+/// Amounts as expressions, in the algebra of law(). Throws TooLarge for a number of many digits.
+struct Numbers {
+  using Value = Ex;
+  Expressions& all;
+  const std::function<Ex(const Symbol&)>& symbol;
+
+  Ex of(const Symbol& name) const { return symbol(name); }
+  static Ex constant(const TypedNumber& number) {
+    const GiNaC::numeric exact = exact_decimal(number.decimal);
+    constexpr long most = 1'000'000'000;
+    if (exact.numer() > most || exact.denom() > most) throw TooLarge{};
+    return Expressions::number(exact.numer().to_long(), exact.denom().to_long());
+  }
+  Ex plus(const Ex& a, const Ex& b) const { return all.add(a, b); }
+  Ex times(const Ex& a, const Ex& b) const { return all.multiply(a, b); }
+  Ex over(const Ex& a, const Ex& b) const { return all.divide(a, b); }
+};
 
 Network joined_network(const Network& network) {
   const auto* graph = std::get_if<Graph>(&network.form);
@@ -69,12 +89,17 @@ Ex Presentations::inertia(const Ex& mass) {
   return named("M", all_.multiply(mass, all_.power(omega_, 2)));
 }
 
+Ex Presentations::number(const Amount& amount) {
+  Numbers numbers{all_, symbol_};
+  return number_of(amount, numbers);
+}
+
 ComplexQuotient Presentations::damper(const Ex& c, const char* letter) {
   return {from_imaginary(named(letter, all_.multiply(omega_, c)))};
 }
 
 std::vector<ComplexQuotient> Presentations::of(const Element& e) {
-  const Ex k = symbol_(e.coefficient);
+  const Ex k = number(e.coefficient);
   switch (e.kind) {
     case ElementKind::spring:
       return {{from_real(k)}};
@@ -83,11 +108,11 @@ std::vector<ComplexQuotient> Presentations::of(const Element& e) {
     case ElementKind::mass:
       return {{from_real(Expressions::negative(inertia(k)))}};
     case ElementKind::lossy:
-      return {{{k, all_.multiply(k, symbol_(e.second))}}};
+      return {{{k, all_.multiply(k, number(e.second))}}};
     case ElementKind::maxwell:
       break;
   }
-  return maxwell(k, named("T", all_.multiply(omega_, symbol_(e.second))));
+  return maxwell(k, named("T", all_.multiply(omega_, number(e.second))));
 }
 
 /// k i T/(1 + i T): K'' = A = k/(T + 1/T), K' = A T.
@@ -111,11 +136,11 @@ Gathered Presentations::gathered(const std::vector<Network>& parts, bool inverse
   for (const Network& part : parts) {
     const auto* e = std::get_if<Element>(&part.form);
     if (e != nullptr && e->kind == ElementKind::spring)
-      add(result.spring, symbol_(e->coefficient));
+      add(result.spring, number(e->coefficient));
     else if (e != nullptr && e->kind == ElementKind::damper)
-      add(result.damper, symbol_(e->coefficient));
+      add(result.damper, number(e->coefficient));
     else if (e != nullptr && e->kind == ElementKind::mass && !inverse)
-      add(result.mass, symbol_(e->coefficient));
+      add(result.mass, number(e->coefficient));
     else
       result.others.push_back(part);
   }

@@ -63,6 +63,7 @@ class Presentations {
   Terms one_behind_another(const std::vector<Network>& parts);
   Gathered gathered(const std::vector<Network>& parts, bool inverse);
   Ex named(const char* letter, const Ex& meaning);
+  Ex number(const Amount& amount);
   std::vector<ComplexQuotient> best(std::vector<ComplexQuotient> all);
   void offer(std::vector<ComplexQuotient>& all, const ComplexQuotient& quotient);
 

@@ -80,7 +80,8 @@ class Alphabet {
                                                         {NumberRole::damping, {1, 1}},
                                                         {NumberRole::time, {0, 1}},
                                                         {NumberRole::mass, {1, 2}},
-                                                        {NumberRole::loss_factor, {0, 0}}};
+                                                        {NumberRole::loss_factor, {0, 0}},
+                                                        {NumberRole::factor, {0, 0}}};
     for_each_element(network, [&](const Element& element) {
       for_each_number(
           element, [&](const Symbol& each, NumberRole role) { symbol(each, measures.at(role)); });

@@ -19,7 +19,7 @@ using Rational = boost::rational<long long>;
 struct Exact {
   using Value = Rational;
   std::map<std::string, long long> values;
-  Rational element(const Element& e) const { return values.at(e.coefficient.name); }
+  Rational element(const Element& e) const { return values.at(e.coefficient.symbol().name); }
   static Rational parallel(Rational a, Rational b) { return a + b; }
   static Rational series(Rational a, Rational b) { return a * b / (a + b); }
   static Rational mesh(Rational a, Rational b, Rational total) { return a * b / total; }

@@ -1,6 +1,7 @@
 #include "compare/nodal_response.hpp"
 
 #include <Eigen/LU>
+#include <cstdlib>
 #include <utility>
 #include <vector>
 
@@ -22,6 +23,12 @@ struct LongArithmetic {
   LongComplex s;
 
   Value of(const Symbol& symbol) const { return static_cast<long double>(values.at(symbol)); }
+  static Value constant(const TypedNumber& number) {
+    return std::strtold(number.decimal.c_str(), nullptr);
+  }
+  static Value plus(const Value& a, const Value& b) { return a + b; }
+  static Value times(const Value& a, const Value& b) { return a * b; }
+  static Value over(const Value& a, const Value& b) { return a / b; }
   Value times_s(const Value& k) const { return k * s; }
   Value relaxing(const Value& k, const Value& tau) const {
     return k * (tau * s) / (1.0L + tau * s);

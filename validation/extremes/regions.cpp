@@ -35,7 +35,7 @@ void add_map(std::vector<CellsOf>& all, const Problem& problem, const char* key,
 std::vector<Symbol> springs_of_drive(const Problem& problem) {
   std::vector<Symbol> springs;
   for_each_element(problem->drive_network()->network(), [&](const Element& element) {
-    if (is_elastic(element)) springs.push_back(element.coefficient);
+    if (is_elastic(element)) springs.push_back(element.coefficient.symbol());
   });
   return springs;
 }

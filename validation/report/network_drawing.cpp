@@ -28,9 +28,15 @@ const char* const damper_path = "M0 0H32V-10H56M32 0V10H56M46 -7V7M46 0H84";
 /// "k_1, tau_1"
 Label names_of(const Element& element) {
   Label names;
-  for_each_number(element, [&](const Symbol& symbol, NumberRole) {
+  const auto add = [&names](const Symbol& symbol, NumberRole) {
     if (!names.empty()) names.push_back({"", ", ", ""});
     names = joined({names, label(symbol)});
+  };
+  for_each_amount(element, [&](const Amount& amount, NumberRole role) {
+    if (amount.name().name.empty())
+      for_each_symbol(amount, role, add);
+    else
+      add(amount.name(), role);
   });
   return names;
 }

@@ -19,6 +19,10 @@ namespace vcrit::symbolic {
 
 namespace {
 
+bool has_force(NumberRole role) {
+  return role == NumberRole::stiffness || role == NumberRole::damping || role == NumberRole::mass;
+}
+
 bool has_all_values(const Problem& problem) {
   for (const auto& [symbol, value] : problem->elements)
     if (!value) return false;
@@ -68,11 +72,16 @@ std::string example(const Problem& problem, const ParameterList& parameters) {
   return out;
 }
 
-/// The symbols of the mass and of all stiffnesses and dampers.
+/// The symbols of the mass and of all stiffnesses, dampers and masses: an expression of the first
+/// power of a force is of the first degree in them.
 std::vector<Symbol> scaled_symbols(const Problem& problem) {
   std::vector<Symbol> symbols;
   if (problem->mass) symbols.push_back(problem->mass->symbol);
-  const auto element = [&](const Element& e) { symbols.push_back(e.coefficient); };
+  const auto element = [&](const Element& e) {
+    for_each_number(e, [&](const Symbol& symbol, NumberRole role) {
+      if (has_force(role)) symbols.push_back(symbol);
+    });
+  };
   for_each_element(problem, element);
   return symbols;
 }

@@ -1,0 +1,161 @@
+#include "network/amount.hpp"
+
+#include <fmt/core.h>
+
+namespace vcrit {
+
+namespace {
+
+bool same_expression(const ExpressionPointer& a, const ExpressionPointer& b) {
+  if (a == b) return true;
+  if (a == nullptr || b == nullptr || a->kind != b->kind) return false;
+  if (a->kind == Expression::Kind::symbol) return a->symbol == b->symbol;
+  if (a->kind == Expression::Kind::number) return a->number.decimal == b->number.decimal;
+  return same_expression(a->first, b->first) && same_expression(a->second, b->second);
+}
+
+bool has_two_parts(const Expression& e) { return e.kind != Expression::Kind::symbol && e.kind != Expression::Kind::number; }
+
+void visit_symbols(const Expression& e,
+                   const std::function<void(const Symbol&, NumberRole)>& visit) {
+  if (e.kind == Expression::Kind::symbol) return visit(e.symbol, e.role);
+  if (!has_two_parts(e)) return;
+  visit_symbols(*e.first, visit);
+  visit_symbols(*e.second, visit);
+}
+
+ExpressionPointer expression_of(const Amount& amount, NumberRole role) {
+  return amount.is_symbol() ? make_expression(amount.symbol(), role) : amount.expression();
+}
+
+ExpressionPointer replaced_in(const ExpressionPointer& e,
+                           const std::function<Amount(const Symbol&)>& other) {
+  if (e->kind == Expression::Kind::symbol) return expression_of(other(e->symbol), e->role);
+  if (!has_two_parts(*e)) return e;
+  return make_expression(e->kind, replaced_in(e->first, other), replaced_in(e->second, other));
+}
+
+// Null where it is 0.
+ExpressionPointer zeros_dropped(const ExpressionPointer& e,
+                                const std::function<bool(const Symbol&)>& zero) {
+  if (e->kind == Expression::Kind::symbol) return zero(e->symbol) ? nullptr : e;
+  if (!has_two_parts(*e)) return e;
+  const ExpressionPointer first = zeros_dropped(e->first, zero),
+                          second = zeros_dropped(e->second, zero);
+  if (first != nullptr && second != nullptr) return make_expression(e->kind, first, second);
+  if (e->kind == Expression::Kind::sum) return first != nullptr ? first : second;
+  ensure(e->kind == Expression::Kind::product || second != nullptr, "nothing is divided by 0");
+  return nullptr;
+}
+
+bool divides(const Expression& e, const std::function<bool(const Symbol&)>& zero) {
+  if (!has_two_parts(e)) return false;
+  if (divides(*e.first, zero) || divides(*e.second, zero)) return true;
+  return e.kind == Expression::Kind::quotient && zeros_dropped(e.second, zero) == nullptr;
+}
+
+std::size_t count_operations(const Expression& e) {
+  if (e.kind == Expression::Kind::symbol) return 0;
+  return 1 + (has_two_parts(e) ? count_operations(*e.first) + count_operations(*e.second) : 0);
+}
+
+std::optional<double> expression_value(const Expression& e, const Values& values) {
+  if (e.kind == Expression::Kind::number) return e.number.value;
+  if (e.kind == Expression::Kind::symbol) return amount_value(e.symbol, values);
+  const auto first = expression_value(*e.first, values), second = expression_value(*e.second, values);
+  if (!first || !second) return std::nullopt;
+  if (e.kind == Expression::Kind::sum) return *first + *second;
+  return e.kind == Expression::Kind::product ? *first * *second : *first / *second;
+}
+
+std::string expression_text(const Expression& e, const std::function<std::string(const Symbol&)>& name) {
+  const auto factor = [&](const Expression& part, bool below) {
+    const bool brackets =
+        part.kind == Expression::Kind::sum || (below && part.kind != Expression::Kind::symbol && part.kind != Expression::Kind::number);
+    return brackets ? "(" + expression_text(part, name) + ")" : expression_text(part, name);
+  };
+  switch (e.kind) {
+    case Expression::Kind::symbol:
+      return name(e.symbol);
+    case Expression::Kind::number:
+      return e.number.decimal;
+    case Expression::Kind::sum:
+      return expression_text(*e.first, name) + " + " + expression_text(*e.second, name);
+    case Expression::Kind::product:
+      return factor(*e.first, false) + "*" + factor(*e.second, e.second->kind == Expression::Kind::quotient);
+    case Expression::Kind::quotient:
+      break;
+  }
+  return factor(*e.first, false) + "/" + factor(*e.second, true);
+}
+
+}  // namespace
+
+std::string to_text(const Symbol& symbol) {
+  return symbol.entry == 0 ? symbol.name : fmt::format("{}[{}]", symbol.name, symbol.entry);
+}
+
+ExpressionPointer make_expression(Symbol symbol, NumberRole role) {
+  Expression made;
+  made.kind = Expression::Kind::symbol;
+  made.symbol = std::move(symbol);
+  made.role = role;
+  return std::make_shared<const Expression>(std::move(made));
+}
+
+ExpressionPointer make_expression(TypedNumber number) {
+  Expression made;
+  made.number = std::move(number);
+  return std::make_shared<const Expression>(std::move(made));
+}
+
+ExpressionPointer make_expression(Expression::Kind kind, ExpressionPointer first, ExpressionPointer second) {
+  Expression made;
+  made.kind = kind;
+  made.first = std::move(first);
+  made.second = std::move(second);
+  return std::make_shared<const Expression>(std::move(made));
+}
+
+bool operator==(const Amount& a, const Amount& b) {
+  return a.symbol_ == b.symbol_ && same_expression(a.expression_, b.expression_);
+}
+
+void for_each_symbol(const Amount& amount, NumberRole role,
+                     const std::function<void(const Symbol&, NumberRole)>& visit) {
+  if (amount.is_symbol()) return visit(amount.symbol(), role);
+  visit_symbols(*amount.expression(), visit);
+}
+
+Amount with_symbols(const Amount& amount, const std::function<Amount(const Symbol&)>& other) {
+  if (amount.is_symbol()) return other(amount.symbol());
+  return {amount.name(), replaced_in(amount.expression(), other)};
+}
+
+std::optional<Amount> without_zeros(const Amount& amount,
+                                    const std::function<bool(const Symbol&)>& zero) {
+  if (amount.is_symbol()) return zero(amount.symbol()) ? std::nullopt : std::optional(amount);
+  ExpressionPointer left = zeros_dropped(amount.expression(), zero);
+  if (left == nullptr) return std::nullopt;
+  return Amount(amount.name(), std::move(left));
+}
+
+bool divides_by_zero(const Amount& amount, const std::function<bool(const Symbol&)>& zero) {
+  return !amount.is_symbol() && divides(*amount.expression(), zero);
+}
+
+std::size_t amount_operations(const Amount& amount) {
+  return amount.is_symbol() ? 0 : count_operations(*amount.expression());
+}
+
+std::optional<double> amount_value(const Amount& amount, const Values& values) {
+  if (!amount.is_symbol()) return expression_value(*amount.expression(), values);
+  const auto value = values.find(amount.symbol());
+  return value == values.end() ? std::nullopt : std::optional(value->second);
+}
+
+std::string to_text(const Amount& amount, const std::function<std::string(const Symbol&)>& name) {
+  return amount.is_symbol() ? name(amount.symbol()) : expression_text(*amount.expression(), name);
+}
+
+}  // namespace vcrit

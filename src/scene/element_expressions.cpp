@@ -1,0 +1,206 @@
+#include "scene/element_expressions.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "network/law.hpp"
+#include "scene/arithmetic.hpp"
+#include "scene/document.hpp"
+#include "scene/expression_roles.hpp"
+#include "scene/quantities.hpp"
+
+namespace vcrit {
+
+namespace {
+
+bool holds_expression(const toml::node& value) {
+  const auto* array = value.as_array();
+  if (array == nullptr) return expression_in(value).has_value();
+  return std::any_of(array->begin(), array->end(),
+                     [](const toml::node& entry) { return expression_in(entry).has_value(); });
+}
+
+constexpr std::array parameter_roles{NumberRole::stiffness, NumberRole::damping, NumberRole::time,
+                                     NumberRole::mass, NumberRole::factor};
+
+Dimension measured_by(NumberRole role, bool of_half_space) {
+  return of_half_space ? number_row(role).in_half_space : number_row(role).dimension;
+}
+
+// Behind a number.
+bool has_unit(const std::string& text) {
+  const std::size_t end = text.find_first_not_of("0123456789.+-eE \t");
+  return end != text.npos;
+}
+
+/// What the unit of a parameter says that it is; nothing for a number without one. Throws InputError
+/// for a unit of something else.
+std::optional<NumberRole> role_by_unit(const std::string& name, const toml::node& value,
+                                       const Place& place, bool of_half_space) {
+  if (!value.is_string() || !has_unit(value.ref<std::string>())) return std::nullopt;
+  std::vector<std::string> expected;
+  for (const NumberRole role : parameter_roles) {
+    const Dimension dimension = measured_by(role, of_half_space);
+    try {
+      parse_typed(value.ref<std::string>(), dimension, place);
+      return role;
+    } catch (const InputError&) {
+      expected.push_back(describe(dimension));
+    }
+  }
+  throw InputError(place, fmt::format("{} = {}", name, document::describe_node(value)),
+                   fmt::format("one of {}", fmt::join(expected, ", ")));
+}
+
+}  // namespace
+
+ElementExpressions::ElementExpressions(const toml::table* elements, std::string file,
+                                       ElementNames& names, const Uses& uses, bool of_half_space)
+    : elements_(elements), file_(std::move(file)), names_(names), of_half_space_(of_half_space) {
+  if (elements == nullptr || std::none_of(elements->begin(), elements->end(), [](const auto& each) {
+        return holds_expression(each.second);
+      }))
+    return;
+  for (const auto& [name, use] : uses) {
+    if (use.length == 0) read({name}, use);
+    for (int entry = 1; entry <= use.length; ++entry) read({name, entry}, use);
+  }
+  find_roles(uses);
+}
+
+const toml::node* ElementExpressions::node_of(const Symbol& element) const {
+  const toml::node* value = elements_->get(element.name);
+  if (value == nullptr || !value->is_array()) return element.entry == 0 ? value : nullptr;
+  const auto place = static_cast<std::size_t>(element.entry);
+  const bool is_there = place >= 1 && place <= value->as_array()->size();
+  return is_there ? value->as_array()->get(place - 1) : nullptr;
+}
+
+std::optional<ElementExpressions::Text> ElementExpressions::text_of(const Symbol& element) const {
+  const toml::node* node = node_of(element);
+  const auto text = node == nullptr ? std::nullopt : expression_in(*node);
+  if (!text) return std::nullopt;
+  return Text{*text, document::place_of(*node, file_)};
+}
+
+void ElementExpressions::read(const Symbol& element, const ElementUse& use) {
+  const auto written = text_of(element);
+  if (!written) return;
+  texts_[element] = written->text;
+  expressions_[element] = {Amount(element, resolved(element)), *written, use.role};
+}
+
+ExpressionPointer ElementExpressions::resolved(const Symbol& element) {
+  if (const auto known = resolved_.find(element); known != resolved_.end()) return known->second;
+  const Text written = *text_of(element);
+  const bool circle = std::find(way_.begin(), way_.end(), element) != way_.end();
+  way_.push_back(element);
+  if (circle) refuse_circle(element);
+  // The place is that of the opening quote.
+  const Place& place = written.place;
+  const ExpressionPointer parsed =
+      parse_arithmetic(written.text, {place.file, place.line, place.column + 1});
+  const ExpressionPointer whole = put_in(parsed, written);
+  if (amount_operations(Amount(element, whole)) > most_operations)
+    throw InputError(place,
+                     fmt::format("{} = \"{}\", of too many operations with those that it is made of",
+                                 to_text(element), written.text),
+                     fmt::format("at most {}", most_operations));
+  way_.pop_back();
+  return resolved_[element] = whole;
+}
+
+void ElementExpressions::refuse_circle(const Symbol& element) const {
+  std::vector<std::string> ways;
+  for (auto each = std::find(way_.begin(), way_.end(), element); each != way_.end(); ++each)
+    ways.push_back(fmt::format("{} (line {})", to_text(*each), text_of(*each)->place.line));
+  throw InputError(text_of(element)->place,
+                   fmt::format("expressions in a circle: {}", fmt::join(ways, " -> ")),
+                   "a value for one of them");
+}
+
+ExpressionPointer ElementExpressions::put_in(const ExpressionPointer& expression,
+                                             const Text& written) {
+  switch (expression->kind) {
+    case Expression::Kind::number:
+      return expression;
+    case Expression::Kind::symbol:
+      return put_in(expression->symbol, written);
+    case Expression::Kind::sum:
+    case Expression::Kind::product:
+    case Expression::Kind::quotient:
+      break;
+  }
+  return make_expression(expression->kind, put_in(expression->first, written),
+                         put_in(expression->second, written));
+}
+
+ExpressionPointer ElementExpressions::put_in(const Symbol& name, const Text& written) {
+  keys_.insert(name.name);
+  const Symbol element = names_.of(name);
+  if (text_of(element)) {
+    keys_.insert(element.name);
+    return resolved(element);
+  }
+  leaves_.try_emplace(element, written.place);
+  return make_expression(element, NumberRole::factor);
+}
+
+// An array by its entries, others by their name.
+int ElementExpressions::length_of(const Symbol& leaf, const Uses& uses) const {
+  const auto use = uses.find(leaf.name);
+  const toml::node* node = elements_->get(leaf.name);
+  int length = use == uses.end() ? 0 : use->second.length;
+  if (use == uses.end() && node != nullptr && node->is_array())
+    length = static_cast<int>(node->as_array()->size());
+  if ((length == 0) != (leaf.entry == 0) || leaf.entry > length)
+    throw InputError(leaves_.at(leaf), fmt::format("\"{}\" in an expression", to_text(leaf)),
+                     length == 0
+                         ? fmt::format("\"{}\", which is no array", leaf.name)
+                         : fmt::format("an entry of that array, {0}[1] to {0}[{1}]", leaf.name,
+                                       length));
+  return length;
+}
+
+void ElementExpressions::find_roles(const Uses& uses) {
+  std::map<std::string, NumberRole> roles;
+  for (const auto& [leaf, place] : leaves_) {
+    length_of(leaf, uses);
+    if (const auto use = uses.find(leaf.name); use != uses.end())
+      roles.emplace(leaf.name, use->second.role);
+    else if (const toml::node* node = node_of(leaf))
+      if (const auto role = role_by_unit(to_text(leaf), *node, document::place_of(*node, file_),
+                                         of_half_space_))
+        roles.emplace(leaf.name, *role);
+  }
+  std::vector<Measured> all;
+  for (const auto& [element, written] : expressions_)
+    all.push_back({to_text(element), written.written.text, written.written.place,
+                   written.amount.expression(), written.role});
+  roles = roles_of_names(all, std::move(roles), of_half_space_);
+  for (auto& [element, written] : expressions_)
+    written.amount = Amount(element, with_roles(written.amount.expression(), roles));
+  for (const auto& [leaf, place] : leaves_) {
+    if (uses.contains(leaf.name) || !roles.contains(leaf.name)) continue;
+    const NumberRole role = roles.at(leaf.name);
+    parameters_.try_emplace(leaf.name, ElementUse{role, measured_by(role, of_half_space_),
+                                                  length_of(leaf, uses), place});
+  }
+}
+
+ExpressionPointer ElementExpressions::with_roles(
+    const ExpressionPointer& expression, const std::map<std::string, NumberRole>& roles) const {
+  if (expression->kind == Expression::Kind::number) return expression;
+  if (expression->kind == Expression::Kind::symbol)
+    return make_expression(expression->symbol, roles.at(expression->symbol.name));
+  return make_expression(expression->kind, with_roles(expression->first, roles),
+                         with_roles(expression->second, roles));
+}
+
+}  // namespace vcrit

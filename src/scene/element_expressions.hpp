@@ -1,0 +1,81 @@
+// Expressions in the place of values in [elements], put into one another until only numbers with
+// names of their own are left: the elements that have no expression, and parameters that no network
+// names. What each parameter measures follows from its unit, else from the expressions.
+#pragma once
+
+#include <toml++/toml.h>
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "base/errors.hpp"
+#include "base/units.hpp"
+#include "network/amount.hpp"
+#include "scene/element_names.hpp"
+
+namespace vcrit {
+
+class ElementExpressions {
+ public:
+  using Uses = ElementNames::Uses;
+
+  /// `elements`: the table, null where there is none; `uses`: what the networks use, by the names of
+  /// the elements. Throws InputError for an expression that contains itself, and for one that does
+  /// not measure what its element is.
+  ElementExpressions(const toml::table* elements, std::string file, ElementNames& names,
+                     const Uses& uses, bool of_half_space);
+
+  bool has(const Symbol& element) const { return expressions_.contains(element); }
+  /// Of one that has an expression: that, of symbols without any.
+  const Amount& of(const Symbol& element) const { return expressions_.at(element).amount; }
+  const Place& place(const Symbol& element) const {
+    return expressions_.at(element).written.place;
+  }
+  /// As they are written.
+  const std::map<Symbol, std::string>& all() const { return texts_; }
+  /// Those that the networks do not use themselves.
+  const Uses& parameters() const { return parameters_; }
+  /// Whether an expression of the networks' elements leads to this key.
+  bool is_used(const std::string& key) const { return keys_.contains(key); }
+
+ private:
+  /// As it stands in the file; the place is that of the opening quote.
+  struct Text {
+    std::string text;
+    Place place;
+  };
+  struct Written {
+    Amount amount;
+    Text written;
+    NumberRole role = NumberRole::stiffness;
+  };
+
+  void read(const Symbol& element, const ElementUse& use);
+  ExpressionPointer resolved(const Symbol& element);
+  ExpressionPointer put_in(const ExpressionPointer& expression, const Text& written);
+  ExpressionPointer put_in(const Symbol& name, const Text& written);
+  void find_roles(const Uses& uses);
+  ExpressionPointer with_roles(const ExpressionPointer& expression,
+                               const std::map<std::string, NumberRole>& roles) const;
+  [[noreturn]] void refuse_circle(const Symbol& element) const;
+  int length_of(const Symbol& leaf, const Uses& uses) const;
+  const toml::node* node_of(const Symbol& element) const;
+  std::optional<Text> text_of(const Symbol& element) const;
+
+  const toml::table* elements_;
+  std::string file_;
+  ElementNames& names_;
+  bool of_half_space_;
+  std::map<Symbol, Written> expressions_;
+  std::map<Symbol, ExpressionPointer> resolved_;
+  std::vector<Symbol> way_;         // those that are being resolved
+  std::map<Symbol, Place> leaves_;  // with an expression that names each
+  std::map<Symbol, std::string> texts_;
+  Uses parameters_;
+  std::set<std::string> keys_;
+};
+
+}  // namespace vcrit
