@@ -2,10 +2,12 @@
 // all named rheologies.
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <memory>
 #include <string>
 
 #include "analysis/equality.hpp"
+#include "base/errors.hpp"
 #include "commands.hpp"
 #include "document/print.hpp"
 #include "options.hpp"
@@ -20,6 +22,7 @@ using symbolic::ResultForm;
 const Choices<Format> formats{{"text", Format::text},
                               {"latex", Format::latex},
                               {"markdown", Format::markdown},
+                              {"html", Format::html},
                               {"json", Format::json}};
 
 const Choices<ResultForm> forms{{"shortest", ResultForm::shortest},
@@ -34,6 +37,17 @@ int print_comparison(const Problem& problem, const Problem& other, Format format
   fmt::print(
       "{}", format == Format::json ? symbolic::json_of(comparison) : symbolic::text_of(comparison));
   return comparison.equal ? 0 : 1;
+}
+
+/// HTML is always a page of its own; what other formats write is a part of nothing.
+void check_standalone(const symbolic::DocumentOptions& options) {
+  if (!options.standalone || options.format == Format::latex || options.format == Format::html)
+    return;
+  const auto named = std::find_if(formats.begin(), formats.end(), [&](const auto& each) {
+    return each.second == options.format;
+  });
+  throw InputError(argument("standalone"), fmt::format("--format {}", named->first),
+                   "--format latex, for an article, or html, which is a page with or without it");
 }
 
 /// Takes the place of a scene: no other option goes with it.
@@ -58,6 +72,8 @@ void add_derive(CLI::App& program, int& status, std::string (*catalogue)()) {
   CLI::App* command = program.add_subcommand("derive", "Derive the formula of v* for a scene");
   options->scene.add_to(*command);
   add_choice<Format>(*command, "--format", options->document.format, formats, "of the output");
+  command->add_flag("--standalone", options->document.standalone,
+                    "with --format latex: an article that pdflatex compiles, not a part of one");
   command->add_flag_callback(
       "--json", [options] { options->document.format = Format::json; },
       "the same as --format json");
@@ -90,6 +106,7 @@ void add_derive(CLI::App& program, int& status, std::string (*catalogue)()) {
                                 options->document.format);
       return;
     }
+    check_standalone(options->document);
     fmt::print("{}", symbolic::print(options->scene.read(), options->document));
   });
 }

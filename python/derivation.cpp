@@ -18,6 +18,7 @@ const std::map<std::string, Format>& formats() {
   static const std::map<std::string, Format> names{{"text", Format::text},
                                                    {"latex", Format::latex},
                                                    {"markdown", Format::markdown},
+                                                   {"html", Format::html},
                                                    {"json", Format::json}};
   return names;
 }

@@ -4,8 +4,8 @@
 #include "derivation/model.hpp"
 #include "formula/algebra_lock.hpp"
 #include "formula/names.hpp"
+#include "formula/prose.hpp"
 #include "formula/symbols.hpp"
-#include "formula/text.hpp"
 #include "rules/rulebook.hpp"
 
 namespace vcrit::symbolic {
@@ -26,9 +26,10 @@ GiNaC::exmap coefficient_names(const std::vector<Line>& definitions) {
 Asymptote asymptote(const Model& model, bool high) {
   const Asymptotic amplitude = model.asymptotic(high ? 1 : -1);
   const GiNaC::exmap names = coefficient_names(amplitude.definitions);
+  const Prose title{tends(omega(), high)};
   Asymptote result{high,
-                   to_text(omega()) + (high ? " -> infinity" : " -> 0"),
-                   to_latex(omega()) + (high ? " \\to \\infty" : " \\to 0"),
+                   title.text(),
+                   title,
                    amplitude.power + 1,
                    amplitude.amplitude.subs(names),
                    {}};

@@ -8,6 +8,7 @@
 
 #include "derivation/derivation.hpp"
 #include "formula/line.hpp"
+#include "formula/prose.hpp"
 
 namespace vcrit::symbolic {
 
@@ -15,7 +16,7 @@ namespace vcrit::symbolic {
 struct Asymptote {
   bool high = false;  ///< infinity, and not 0
   std::string name;   ///< "omega -> 0" or "omega -> infinity"
-  std::string latex_name;
+  Prose title;       ///< the same
   int power = 0;
   Expression coefficient;         ///< positive, in the scene's symbols (and in definitions)
   std::vector<Line> definitions;  ///< where it is too large to be multiplied out: L_1, ..., L_n,

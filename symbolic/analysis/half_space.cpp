@@ -21,13 +21,18 @@ std::vector<Line> half_space_lines(const Derivation& derivation) {
   const ex ratio = (tangential / normal).normal();
   ensure((ratio - isotropic_ratio(isotropic)).normal().is_zero(),
          "below an indenter K_t/K_n is that of an isotropic contact");
-  return {{"Each width b of the contact is a contact of its own, with E* b, E* = E/(1 - nu^2)",
+  const ex own_nu = given ? quantity("nu") : nu;
+  const ex plane = quantity("E_r"), shearing = quantity("G_r"), G = quantity("G");
+  return {{{"Each width ", b, " of the contact is a contact of its own, with ", plane * b, ", ",
+            stated(plane, E / (1 - own_nu * own_nu))},
            quantity("K_n"), normal},
-          {"and along the surface with G* b, G* = 4 G/(2 - nu), G = E/(2(1 + nu))", quantity("K_t"),
+          {{"and along the surface with ", shearing * b, ", ", stated(shearing, 4 * G / (2 - own_nu)),
+            ", ", stated(G, E / (2 * (1 + own_nu)))},
+           quantity("K_t"),
            tangential},
-          {"Their ratio is the same everywhere, whatever E is made of and the shape is",
+          {{"Their ratio is the same everywhere, whatever ", E, " is made of and the shape is"},
            quantity("K_t") / quantity("K_n"), ratio},
-          {"so that all have one v*", quantity("v*"), derivation.critical_velocity}};
+          {{"so that all have one ", quantity("v*")}, quantity("v*"), derivation.critical_velocity}};
 }
 
 }  // namespace vcrit::symbolic

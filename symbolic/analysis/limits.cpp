@@ -1,10 +1,5 @@
 #include "analysis/limits.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include <functional>
-
 #include <algorithm>
 #include <map>
 #include <set>
@@ -12,7 +7,7 @@
 #include "analysis/shape.hpp"
 #include "derivation/model.hpp"
 #include "formula/algebra_lock.hpp"
-#include "formula/dialect.hpp"
+#include "formula/prose.hpp"
 #include "formula/symbols.hpp"
 #include "network/law.hpp"
 
@@ -100,34 +95,23 @@ class Collector {
   }
 
  private:
-  /// What a limit is called, in each dialect.
-  using Name = std::function<std::string(const Dialect&)>;
-
-  static std::string in(const Dialect& dialect, const char* text, const char* latex,
-                        const char* mathml) {
-    return &dialect == &latex_dialect() ? latex : &dialect == &mathml_dialect() ? mathml : text;
-  }
-  static std::string comma(const Dialect& dialect) { return in(dialect, ", ", ", ", "<mo>,</mo>"); }
-  static std::string then(const Dialect& dialect) {
-    return in(dialect, ", ", ",\\ ", "<mo>,</mo><mspace width=\"0.4em\"/>");
-  }
-
   /// "cn, ct -> 0"
-  static std::string arrow(const Dialect& dialect, const std::vector<ex>& what, bool infinite) {
-    std::vector<std::string> names;
-    for (const ex& each : what) names.push_back(dialect.print(form_of(each)));
-    return fmt::format("{}{}{}", fmt::join(names, comma(dialect)),
-                       in(dialect, " -> ", " \\to ", "<mo>→</mo>"),
-                       infinite ? in(dialect, "infinity", "\\infty", "<mi>∞</mi>")
-                                : in(dialect, "0", "0", "<mn>0</mn>"));
+  static Prose arrow(const std::vector<ex>& what, bool infinite) {
+    Prose name;
+    for (const ex& each : what)
+      name += &each == &what.back() ? Prose{tends(each, infinite)} : Prose{each, ", "};
+    return name;
+  }
+  static Prose both(Prose first, const Prose& then) {
+    first += ", ";
+    return first += then;
   }
 
-  void add(const Change& change, const Name& name) {
+  void add(const Change& change, const Prose& title) {
     const std::optional<Formula> formula = model_.formula(change);
     if (!formula) return;
-    limits_.push_back({name(text_dialect()), name(latex_dialect()),
-                       "<math>" + name(mathml_dialect()) + "</math>", formula->equation,
-                       formula->velocity, formula->definitions, rates(change)});
+    limits_.push_back({title.text(), title, formula->equation, formula->velocity,
+                       formula->definitions, rates(change)});
   }
   // The drive grows fast enough to outrun its own dampers on their way to zero. Where it shares
   // elements with the contact, values alone cannot make it rigid.
@@ -144,7 +128,7 @@ class Collector {
     return result;
   }
   void add(const Change& change, const std::vector<ex>& what, bool infinite) {
-    add(change, [&](const Dialect& dialect) { return arrow(dialect, what, infinite); });
+    add(change, arrow(what, infinite));
   }
 
   bool has_drive() const { return problem_->drive_network() != nullptr && depends_on_drive(); }
@@ -178,10 +162,7 @@ class Collector {
     if (labels.size() > 1) add(change, labels, false);
     if (!has_drive()) return;
     change.rigid = true;
-    const std::vector<ex> drive{drive_label(problem_)};
-    add(change, [&](const Dialect& dialect) {
-      return arrow(dialect, labels, false) + then(dialect) + arrow(dialect, drive, true);
-    });
+    add(change, both(arrow(labels, false), arrow({drive_label(problem_)}, true)));
   }
 
   void same_shape() {
@@ -190,21 +171,11 @@ class Collector {
     const std::optional<ex> ratio =
         ratio_of_same_shape(problem_->normal.network(), tangential->network());
     if (!ratio) return;
-    const ex k_t = quantity("K_t"), k_n = *ratio * quantity("K_n");
-    const Name isotropic = [&](const Dialect& dialect) {
-      return in(dialect, "isotropic contact, ", "\\text{isotropic contact, } ",
-                "<mtext>isotropic contact, </mtext>") +
-             equation(dialect, k_t, k_n);
-    };
+    const Prose isotropic{"isotropic contact, ",
+                          stated(quantity("K_t"), *ratio * quantity("K_n"))};
     add({{}, false, false, ratio}, isotropic);
     if (!has_drive()) return;
-    const std::vector<ex> drive{drive_label(problem_)};
-    add({{}, true, false, ratio}, [&](const Dialect& dialect) {
-      return isotropic(dialect) + then(dialect) + arrow(dialect, drive, true);
-    });
-  }
-  static std::string equation(const Dialect& dialect, const ex& left, const ex& right) {
-    return dialect.equation(form_of(left), form_of(right));
+    add({{}, true, false, ratio}, both(isotropic, arrow({drive_label(problem_)}, true)));
   }
 
   const Derivation& own_;

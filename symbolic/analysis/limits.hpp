@@ -9,13 +9,14 @@
 #include "derivation/derivation.hpp"
 #include "derivation/stiffness_forms.hpp"
 #include "formula/line.hpp"
+#include "formula/prose.hpp"
 
 namespace vcrit::symbolic {
 
 /// A limit or special case of v* that applies to the scene.
 struct Limit {
   std::string name;  ///< "kd -> infinity", say
-  std::string latex_name, mathml_name;
+  Prose title;       ///< the same
   std::string equation;  ///< number in the paper, "(31)", where it is one, else empty
   Expression result;
   std::vector<Line> definitions;  ///< as in Derivation

@@ -13,13 +13,6 @@ namespace {
 
 using GiNaC::ex;
 
-constexpr const char* always_touching =
-    "While they touch z is the indentation; where it grows fastest they touch, and the contact is "
-    "slowest, as without parting";
-constexpr const char* while_touching =
-    "While they touch z is the indentation; where it grows fastest, as long as they touch there, "
-    "the contact is slowest, as without parting";
-
 // What the contact point does for each unit of mu0 times the normal deformation.
 ex following(const Model& model) {
   const ex ratio = model.per_friction();
@@ -56,10 +49,15 @@ std::vector<Line> parting_lines(const Derivation& derivation) {
   const ex velocity = omega() * swing.modulus();
   ensure((velocity - derivation.critical_velocity).normal().is_zero(),
          "v* of surfaces that part is that of a closed contact");
-  return {{"In sliding contact force and friction balance at all times, also apart, where both are "
-           "0; so the contact point follows the normal deformation z without memory",
-           quantity("y"), ratio * mu0 * z},
-          {always ? always_touching : while_touching, quantity("v*"), velocity}};
+  const Prose touching{"While they touch ", z, " is the indentation; where it grows fastest",
+                       always ? " they touch, and" : ", as long as they touch there,",
+                       " the contact is slowest, as without parting"};
+  return {{{"In sliding contact force and friction balance at all times, also apart, where both are "
+            "0; so the contact point follows the normal deformation ",
+            z, " without memory"},
+           quantity("y"),
+           ratio * mu0 * z},
+          {touching, quantity("v*"), velocity}};
 }
 
 }  // namespace vcrit::symbolic

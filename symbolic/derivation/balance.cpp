@@ -1,13 +1,10 @@
 #include "derivation/balance.hpp"
 
 #include <map>
-#include <tuple>
 #include <utility>
 
-#include <fmt/core.h>
-
 #include "derivation/factors.hpp"
-#include "formula/names.hpp"
+#include "formula/prose.hpp"
 #include "formula/symbols.hpp"
 
 namespace vcrit::symbolic {
@@ -66,7 +63,7 @@ class BalanceWriter {
 
  private:
   static const GiNaC::symbol& time() { return GiNaC::ex_to<GiNaC::symbol>(names().t); }
-  void write(const std::string& words, const ex& left, const ex& right) {
+  void write(const Prose& words, const ex& left, const ex& right) {
     lines_.push_back({words, at_i_omega(left), at_i_omega(right)});
   }
 
@@ -74,23 +71,24 @@ class BalanceWriter {
     const ex x = there_.drive ? n_.x : ex(0);
     const Equations motion = equations(there_, x, n_.acceleration, n_.y, n_.f_n);
     if (there_.drive)
-      write(fmt::format("Equation of motion of the body, oscillating parts ({}: body, {}: contact "
-                        "point; a network acts as K(d/dt))",
-                        printed_name(own_name("x")), printed_name(own_name("y"))),
+      write({"Equation of motion of the body, oscillating parts (", n_.x, ": body, ", n_.y,
+             ": contact point; each network acts by its stiffness, with ", n_.s,
+             " for a derivative by time)"},
             motion.body, 0);
     write(there_.drive
-              ? "At the contact point contact force and friction balance"
-              : fmt::format("The far end of the contact moves uniformly; at the contact point "
-                            "({}: its oscillation) contact force and friction balance (a "
-                            "network acts as K(d/dt))",
-                            printed_name(own_name("y"))),
+              ? Prose("At the contact point contact force and friction balance")
+              : Prose{"The far end of the contact moves uniformly; at the contact point (", n_.y,
+                      ": its oscillation) contact force and friction balance (each network acts "
+                      "by its stiffness, with ", n_.s, " for a derivative by time)"},
           motion.contact + n_.mu0 * n_.f_n, n_.mu0 * n_.f_n);
   }
 
   void write_ansatz() {
-    if (there_.drive) write("Harmonic motion of the body", n_.x, n_.A * n_.wave);
-    write("Harmonic motion of the contact point", n_.y, n_.B * n_.wave);
-    write("Oscillation of the normal force (9)", n_.f_n, n_.du_z * n_.K_n * n_.wave);
+    const char* both = "Harmonic motion of body and contact point, and the normal force (9)";
+    const char* alone = "Harmonic motion of the contact point, and the normal force (9)";
+    if (there_.drive) write(both, n_.x, n_.A * n_.wave);
+    write(there_.drive ? "" : alone, n_.y, n_.B * n_.wave);
+    write("", n_.f_n, n_.du_z * n_.K_n * n_.wave);
   }
 
   void write_amplitudes(const Equations& amplitude) {
@@ -109,9 +107,9 @@ class BalanceWriter {
     }
     const ex solution = GiNaC::lsolve(equations, unknowns);
     const ex A = there_.drive ? factored(n_.A.subs(solution)) : ex(0);
-    if (there_.drive) write("Solved for the amplitude of the body", n_.A, A);
+    if (there_.drive) write("Solved for the amplitudes of body and contact point", n_.A, A);
     const ex B = factored(n_.B.subs(solution));
-    write("Solved for the amplitude of the contact point", n_.B, B);
+    write(there_.drive ? "" : "Solved for the amplitude of the contact point", n_.B, B);
     return {A, B};
   }
 
@@ -144,10 +142,8 @@ class BalanceWriter {
 }  // namespace
 
 const Balance& solve_balance(const Surrounding& surrounding) {
-  // Its words name x and y as the scene being printed lets them.
-  static std::map<std::tuple<bool, bool, std::string, std::string>, Balance> solved;
-  const std::tuple key{surrounding.drive, surrounding.mass, printed_name(own_name("x")),
-                       printed_name(own_name("y"))};
+  static std::map<std::pair<bool, bool>, Balance> solved;
+  const std::pair key{surrounding.drive, surrounding.mass};
   const auto found = solved.find(key);
   return found != solved.end()
              ? found->second

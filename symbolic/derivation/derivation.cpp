@@ -1,7 +1,5 @@
 #include "derivation/derivation.hpp"
 
-#include <fmt/core.h>
-
 #include <atomic>
 #include <set>
 
@@ -10,6 +8,7 @@
 #include "derivation/model.hpp"
 #include "formula/algebra_lock.hpp"
 #include "formula/names.hpp"
+#include "formula/prose.hpp"
 #include "formula/symbols.hpp"
 
 namespace vcrit::symbolic {
@@ -35,28 +34,47 @@ ex velocity(const ex& amplitude) {
   return omega() * factors.modulus();
 }
 
+/// Each absolute value as a polynomial in a letter.
+ex by_letter(const ex& formula, const ex& letter) {
+  if (GiNaC::is_a<GiNaC::function>(formula))
+    return GiNaC::abs(formula.op(0).expand().collect(letter));
+  GiNaC::exmap collected;
+  for (auto part = formula.preorder_begin(); part != formula.preorder_end(); ++part)
+    if (GiNaC::is_a<GiNaC::function>(*part)) collected[*part] = by_letter(*part, letter);
+  return formula.subs(collected, GiNaC::subs_options::no_pattern);
+}
+
 /// v* = omega |B|, with and without what the scene's contact and drive have in common.
 void write_condition(const Model& model, std::vector<Line>& lines) {
   const ex v = quantity("v*");
-  lines.push_back(
-      {fmt::format("Sliding without a stop ends where the contact velocity {} - |{} {}| sin(...) "
-                   "first touches zero",
-                   printed_name(own_name("v0")), printed_name("omega"),
-                   printed_name(own_name("B"))),
-       v, omega() * GiNaC::abs(quantity("B"))});
+  const ex B = quantity("B"), phase = quantity("phi");
+  const ex least = quantity("v0") - omega() * GiNaC::abs(B) *
+                                        GiNaC::sin(omega() * quantity("t") + phase);
+  lines.push_back({{"The contact point slides at ", least, ", with ", phase, " the phase of ", B,
+                    "; without a stop, until that first touches zero"},
+                   v,
+                   omega() * GiNaC::abs(B)});
   lines.push_back({"For any linear structure", v, velocity(model.balance().general_amplitude)});
   lines.push_back({"For any networks (24)", v, velocity(model.balance().contact_amplitude)});
   if (model.identities().empty()) return;
   for (const Line& identity : model.identities()) lines.push_back(identity);
-  lines.push_back({"With this", v, velocity(model.amplitude({}))});
+  const std::optional<ex> ratio = model.isotropic_ratio();
+  if (!ratio || ratio->is_equal(1) || !model.has_drive())
+    return lines.push_back({"With this", v, velocity(model.amplitude({}))});
+  // |K_n + g (K_d - m omega^2)| rather than |14 K_n + 17 K_d - 17 m omega^2|/14.
+  const ex g = positive_quantity("g");
+  Change change;
+  change.ratio = 1 / g;
+  lines.push_back({{"With this, and ", stated(g, quantity("K_n") / quantity("K_t"))},
+                   g,
+                   (1 / *ratio).normal()});
+  lines.push_back({"", v, by_letter(velocity(model.amplitude(change)), g)});
 }
 
 void write_networks(const Model& model, std::vector<Line>& lines) {
-  const std::string with = fmt::format(", with {} = {}*{}", printed_name(own_name("s")),
-                                       printed_name(own_name("i")), printed_name("omega"));
-  const std::map<std::string, std::string> words{{"K_n", "Normal contact" + with},
-                                                 {"K_t", "Tangential contact" + with},
-                                                 {"K_d", "Drive" + with}};
+  const Statement with = stated(laplace(), GiNaC::I * omega());
+  const std::map<std::string, std::string> words{
+      {"K_n", "Normal contact"}, {"K_t", "Tangential contact"}, {"K_d", "Drive"}};
   const ex amplitude = model.amplitude({});
   std::vector<Line> inner;
   for (const auto& [name, network] : model.networks()) {
@@ -64,8 +82,10 @@ void write_networks(const Model& model, std::vector<Line>& lines) {
     const std::size_t before = inner.size();
     const ex k = nested(network.reduction(), {}, inner).value;
     for (std::size_t i = before; i < inner.size(); ++i)
-      lines.push_back({"Inside: " + words.at(name), inner[i].left, inner[i].right});
-    lines.push_back({words.at(name), quantity(name), k});
+      lines.push_back({{"Inside: " + words.at(name) + ", with ", with},
+                       inner[i].left,
+                       inner[i].right});
+    lines.push_back({{words.at(name) + ", with ", with}, quantity(name), k});
   }
 }
 

@@ -1,14 +1,12 @@
 #include "derivation/model.hpp"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <limits>
 
 #include "base/errors.hpp"
 #include "base/interruption.hpp"
 #include "derivation/factors.hpp"
-#include "formula/names.hpp"
+#include "formula/prose.hpp"
 #include "formula/symbols.hpp"
 
 namespace vcrit::symbolic {
@@ -100,24 +98,26 @@ Model::Model(const Problem& problem)
   networks_.push_back({"K_n", problem->normal});
   loaded_ = is_loaded({});
   if (const auto* isotropic = std::get_if<Isotropic>(&problem->tangential)) {
-    isotropic_ = true;
+    ratio_ = symbolic::isotropic_ratio(*isotropic);
     const Quantity& ratio = isotropic->quantity;
-    const std::string words =
-        isotropic->by == Isotropic::By::poisson
-            ? fmt::format("Isotropic contact, K_t/K_n = 2(1 - {0})/(2 - {0}) (Mindlin)",
-                          printed_name(ratio.value ? own_name("nu") : to_text(ratio.symbol)))
-            : "Isotropic contact";
-    identities_.push_back({words, quantity("K_t"), isotropic_ratio(*isotropic) * quantity("K_n")});
+    Prose words("Isotropic contact");
+    if (isotropic->by == Isotropic::By::poisson) {
+      const ex nu = ratio.value ? quantity("nu") : poisson_ratio(ratio.symbol);
+      words += {", ", stated(quantity("K_t") / quantity("K_n"), 2 * (1 - nu) / (2 - nu)),
+                " (Mindlin)"};
+      if (ratio.value) words += {" with ", stated_number(nu, *ratio.value)};
+    }
+    identities_.push_back({words, quantity("K_t"), *ratio_ * quantity("K_n")});
   } else {
     networks_.push_back({"K_t", std::get<ReducedNetwork>(problem->tangential)});
   }
   std::visit(Overloaded{[](const Rigid&) {}, [&](const ReducedNetwork& drive) { put_drive(drive); },
                    [&](const Receptance&) {
                      identities_.push_back(
-                         {fmt::format("The drive is measured: R_d({}), its receptance, is "
-                                      "interpolated in a table",
-                                      printed_name("omega")),
-                          quantity("K_d"), 1 / quantity("R_d")});
+                         {{"The drive is measured: ", quantity("R_d"),
+                           ", its receptance, is interpolated in a table over ", omega()},
+                          quantity("K_d"),
+                          1 / quantity("R_d")});
                    }},
              problem->drive);
 }
@@ -297,7 +297,7 @@ std::string Model::equation(const std::map<std::string, Fraction>& networks,
     return found != powers.end() && found->second > 0;
   };
   if (grows("K_t")) return "";
-  const bool isotropic = isotropic_ || change.ratio;
+  const bool isotropic = ratio_ || change.ratio;
   // A network too large to be multiplied out is none of the special cases.
   const auto holds_for = [&](const char* name, bool (*holds)(const Fraction&)) {
     const auto found = networks.find(name);

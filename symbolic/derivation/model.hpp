@@ -64,6 +64,9 @@ class Model {
   Asymptotic asymptotic(int direction) const;
   /// "K_t = r K_n", "K_d = K_n" and "K_d = 1/R_d", as far as they hold in the scene.
   const std::vector<Line>& identities() const { return identities_; }
+  /// K_t/K_n of an isotropic contact.
+  const std::optional<GiNaC::ex>& isotropic_ratio() const { return ratio_; }
+  bool has_drive() const { return surrounding_.drive; }
   /// K_n, K_t and K_d, in this order, as far as they have a network of their own.
   const std::vector<Part>& networks() const { return networks_; }
   /// K_n, K_t and K_d of `expression` as ratios of polynomials in s, if it then stays readable.
@@ -94,7 +97,8 @@ class Model {
   Balance balance_;
   std::vector<Part> networks_;
   std::vector<Line> identities_;
-  bool isotropic_ = false, loaded_ = false;
+  std::optional<GiNaC::ex> ratio_;
+  bool loaded_ = false;
   mutable std::pair<Rates, std::vector<Leading<TermCount>>> counted_;
   /// By powers, and whether the drive is rigid, where nothing else changes: hundreds of limits of a
   /// large network share one.

@@ -163,7 +163,9 @@ class Nested {
  public:
   struct Value {
     ex k;
-    int size = 1;  ///< elements in it since the last name
+    int size = 1;       ///< elements in it since the last name
+    ex compliance = 0;  ///< of what is one behind the other, as a sum; else 0
+    bool lone = true;   ///< an element without a fraction, or a name
   };
 
   Nested(const Reduction& reduction, std::vector<Line>& definitions)
@@ -186,19 +188,26 @@ class Nested {
   static Value times_s(const Value& k) { return {k.k * laplace(), 1}; }
   static Value relaxing(const Value& k, const Value& tau) {
     const ex turn = tau.k * laplace();
-    return {k.k * turn / (1 + turn), 1};
+    return {k.k * turn / (1 + turn), 1, 0, false};
   }
   static Value loss(const Value& k, const Value& eta) { return {GiNaC::I * k.k * eta.k, 1}; }
   static Value lossy(const Value& k, const Value& eta) { return {k.k * (1 + GiNaC::I * eta.k), 1}; }
-  Value parallel(const Value& a, const Value& b) { return named({a.k + b.k, a.size + b.size}, 24); }
+  Value parallel(const Value& a, const Value& b) { return named({a.k + b.k, a.size + b.size, 0, false}, 24); }
+  /// Two elements as a b/(a + b), more by their compliances.
   Value series(const Value& a, const Value& b) {
-    return named({1 / (1 / a.k + 1 / b.k), a.size + b.size}, 6);
+    const ex compliance = softness(a) + softness(b);
+    const bool two = a.lone && b.lone;
+    return named({two ? a.k * b.k / (a.k + b.k) : 1 / compliance, a.size + b.size, compliance, false}, 6);
   }
   Value mesh(const Value& a, const Value& b, const Value& total) {
-    return named({a.k * b.k / total.k, a.size + b.size + total.size}, 6);
+    return named({a.k * b.k / total.k, a.size + b.size + total.size, 0, false}, 6);
   }
 
  private:
+  static ex softness(const Value& value) {
+    return value.compliance.is_zero() ? 1 / value.k : value.compliance;
+  }
+
   Value named(const Value& value, int readable) {
     if (uses_[step_] < 2 && (value.size <= readable || uses_[step_] == 0)) return value;
     const ex name = quantity("K_" + std::to_string(definitions_.size() + 1));

@@ -38,9 +38,19 @@ bool same(const std::vector<Line>& a, const std::vector<Line>& b) {
   });
 }
 
+/// A line without words goes on under those before it.
+std::vector<DocumentBlock> blocks_of(const std::vector<Line>& lines) {
+  std::vector<DocumentBlock> blocks;
+  for (const Line& line : lines) {
+    if (blocks.empty() || !line.words.empty()) blocks.push_back({line.words, {}});
+    blocks.back().lines.push_back(line);
+  }
+  return blocks;
+}
+
 /// Its definitions and v* in place of the result's line.
 void show_shortest(const ShortestForm& form, DocumentBlock& result) {
-  if (!form.ratio.empty()) result.words += ", " + form.ratio;
+  if (!form.ratio.empty()) (result.words += ", ") += form.ratio;
   result.lines.clear();
   result.equations = equations_of(form);
 }
@@ -49,7 +59,7 @@ void show_shortest(const ShortestForm& form, DocumentBlock& result) {
 Section derivation_section(const Findings& findings) {
   const Derivation& derivation = findings.derivation;
   Section section;
-  for (const Line& line : derivation.lines) section.blocks.push_back({"", "", line.words, {line}});
+  section.blocks = blocks_of(derivation.lines);
   DocumentBlock& result = section.blocks.back();
   result.words += " " + derivation.equation;
   if (findings.shortest) {
@@ -68,16 +78,21 @@ Section derivation_section(const Findings& findings) {
 Section form_section(const Findings& findings) {
   const bool rational = findings.form == ResultForm::rational;
   Section section{rational ? "Rational form" : "Dimensionless form", "", {}, ""};
-  for (const Line& line : findings.form_lines)
-    section.blocks.push_back({"", "", line.words, {line}});
+  section.blocks = blocks_of(findings.form_lines);
   return section;
+}
+
+/// A title with the number of an equation.
+Prose headed(Prose title, const std::string& equation) {
+  if (!equation.empty()) title += " " + equation;
+  return title;
 }
 
 /// What the inner quantities are in the limit, where they differ, then v*.
 Section limits_section(const Findings& findings) {
   Section section{"Limits and special cases", "", {}, ""};
   for (const Limit& limit : findings.limits) {
-    DocumentBlock block{limit.name, limit.latex_name, limit.equation, {}};
+    DocumentBlock block{headed(limit.title, limit.equation), {}};
     if (!same(limit.definitions, findings.derivation.definitions)) block.lines = limit.definitions;
     block.lines.push_back(velocity_line(limit.result));
     section.blocks.push_back(block);
@@ -88,11 +103,12 @@ Section limits_section(const Findings& findings) {
 Section asymptotes_section(const std::vector<Asymptote>& asymptotes) {
   Section section{"Low and high frequency", "", {}, ""};
   for (const Asymptote& asymptote : asymptotes) {
-    DocumentBlock block{asymptote.name, asymptote.latex_name, "", asymptote.definitions, true};
+    DocumentBlock block{asymptote.title, asymptote.definitions, true};
     block.lines.push_back(asymptote_line(asymptote));
     section.blocks.push_back(block);
     if (!asymptote.definitions.empty())
-      section.note = "L_j is what K_j tends to, without its power of s.";
+      section.note = {quantity("L_j"), " is what ", quantity("K_j"),
+                      " tends to, without its power of ", laplace(), "."};
   }
   return section;
 }
@@ -103,22 +119,23 @@ std::vector<Line> resonance_lines(const Resonance& resonance) {
   return lines;
 }
 
-std::string resonance_words(const Resonance& resonance) {
+Prose resonance_words(const Resonance& resonance) {
   const bool infinite = resonance.kind == Resonance::Kind::resonance;
-  if (!resonance.damped) return infinite ? "Resonance, v* infinite" : "Antiresonance, v* = 0";
-  const std::string value = infinite ? "Resonance, damped: v* stays finite, as this "
-                                     : "Antiresonance, damped: v* stays above 0, as this ";
-  return value +
-         (resonance.absorbing ? "holds only where masses keep all dampers still" : "never holds");
+  const ex v = quantity("v*");
+  if (!resonance.damped)
+    return infinite ? Prose{"Resonance, ", v, " infinite"} : Prose{"Antiresonance, ", stated(v, 0)};
+  return {infinite ? "Resonance, damped: " : "Antiresonance, damped: ", v,
+          infinite ? " stays finite, as this " : " stays above 0, as this ",
+          resonance.absorbing ? "holds only where masses keep all dampers still" : "never holds"};
 }
 
 std::vector<DocumentBlock> resonance_blocks(const Resonance& resonance) {
   std::vector<DocumentBlock> blocks{
-      {"", "", resonance_words(resonance), resonance_lines(resonance)}};
+      {resonance_words(resonance), resonance_lines(resonance)}};
   if (!resonance.parts) return blocks;
   const Resonance::Parts& parts = *resonance.parts;
-  blocks.push_back({"", "", "Its real part asks for", {{"", parts.real, 0}}});
-  blocks.push_back({"", "", "Its imaginary part", {{"", parts.imaginary, 0}}});
+  blocks.push_back({"Its real part asks for", {{"", parts.real, 0}}});
+  blocks.push_back({"Its imaginary part", {{"", parts.imaginary, 0}}});
   return blocks;
 }
 
@@ -130,49 +147,51 @@ Section resonances_section(const std::vector<Resonance>& resonances) {
 }
 
 Section extrema_section(const std::vector<Line>& lines) {
-  Section section{"Largest and least v*", "", {}, ""};
-  for (const Line& line : lines) section.blocks.push_back({"", "", line.words, {line}});
-  return section;
+  return {{"Largest and least ", quantity("v*")}, "", blocks_of(lines), ""};
 }
 
 Section sensitivities_section(const Findings& findings) {
-  const std::string note = "S_p = (p/v*) dv*/dp for each parameter p, so that dv*/dp = v* S_p/p.";
+  const ex S = quantity("S_p"), p = quantity("p"), v = quantity("v*");
+  const Prose note{"Where a parameter ", p, " grows by one percent, ", v, " grows by ", S,
+                   " percent; the derivative of ", v, " by ", p, " is ", v * S / p, "."};
   Section section{"Sensitivities", note, {}, ""};
   Reader reader;
   reader.tell(findings.derivation.definitions);
+  const ex B = quantity("B"), K = quantity("K_j");
+  Prose with_changes = note;
+  with_changes += {" ", quantity("dK_j"), " is the derivative of ", K, " by ", p, ", times ", p,
+                   ", with the ", p, " of the ", S, " that follows."};
   if (const auto& shared = findings.sensitivities.shared; !shared.empty()) {
-    section.note = note + " G_j stands for (dB/dK_j)/B.";
-    section.blocks.push_back({"", "", "", shared});
+    section.note += {" ", quantity("G_j"), " is the derivative of ", B, " by ", K, ", over ", B,
+                     "."};
+    section.blocks.push_back({"", shared});
   }
   for (const Sensitivity& sensitivity : findings.sensitivities.each) {
     if (!sensitivity.changes.empty())
-      section.note = note + " dK_j stands for p dK_j/dp, with the p of the S_p that follows.";
+      section.note = with_changes;
     std::vector<Line> lines = reader.tell(sensitivity.stiffnesses);
     lines.insert(lines.end(), sensitivity.changes.begin(), sensitivity.changes.end());
     const ex name = quantity("S_" + to_text(sensitivity.parameter));
     lines.push_back({"", name, sensitivity.relative});
-    section.blocks.push_back({"", "", "", lines});
+    section.blocks.push_back({"", lines});
   }
   return section;
 }
 
 Section half_space_section(const Findings& findings) {
-  Section section{"Below the indenter", "", {}, ""};
-  for (const Line& line : findings.half_space)
-    section.blocks.push_back({"", "", line.words, {line}});
-  return section;
+  return {"Below the indenter", "", blocks_of(findings.half_space), ""};
 }
 
 Section parting_section(const Findings& findings) {
   Section section{"Surfaces that part", "", {}, ""};
   if (!findings.parting) return section;
-  for (const Line& line : *findings.parting) section.blocks.push_back({"", "", line.words, {line}});
+  section.blocks = blocks_of(*findings.parting);
   if (!section.blocks.empty()) return section;
   const std::string why =
       "the contact point follows the normal deformation with memory, or the surfaces are apart "
       "where it grows fastest.";
-  section.note =
-      "v* above holds while the contact stays closed. Where it opens v* is another one, ";
+  section.note = {quantity("v*"), " above holds while the contact stays closed. Where it opens ",
+                  quantity("v*"), " is another one, "};
   section.note += findings.beyond_simulation.empty()
                       ? "which vcrit eval simulates: " + why
                       : "for which there is no answer (" + findings.beyond_simulation + "): " + why;

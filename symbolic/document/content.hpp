@@ -12,6 +12,7 @@
 #include "derivation/derivation.hpp"
 #include "document/print.hpp"
 #include "formula/line.hpp"
+#include "formula/prose.hpp"
 #include "problem/problem.hpp"
 #include "shortest/shortest.hpp"
 
@@ -42,19 +43,19 @@ struct Equation {
 /// The definitions of a shortest form, then v*.
 std::vector<Equation> equations_of(const ShortestForm& form);
 
-/// Some lines under a heading: a formula, words or both.
+/// Some lines under their words.
 struct DocumentBlock {
-  std::string formula, latex_formula, words;
+  Prose words;
   std::vector<Line> lines;
   bool asymptotic = false;               ///< the last line is left ~ right
   std::vector<Equation> equations = {};  ///< behind the lines
 };
 
 struct Section {
-  std::string title;  ///< empty: the derivation itself
-  std::string note;   ///< in front of the blocks
+  Prose title;  ///< empty: the derivation itself
+  Prose note;   ///< in front of the blocks
   std::vector<DocumentBlock> blocks;
-  std::string remark;  ///< behind them
+  Prose remark;  ///< behind them
 };
 
 /// The sections that have something to say.

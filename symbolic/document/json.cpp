@@ -39,7 +39,7 @@ std::optional<DerivedEquation> zero(const GiNaC::ex* expression) {
 }  // namespace
 
 void fields(Fields& f, const symbolic::Line& it) {
-  f("words", it.words);
+  f("words", it.words.text());
   fields(f, DerivedEquation{it.left, it.right});
 }
 
@@ -122,7 +122,7 @@ namespace {
 std::vector<WrittenEquation> written(const std::vector<symbolic::Line>& lines) {
   std::vector<WrittenEquation> result;
   for (const symbolic::Line& line : lines)
-    result.push_back({line.words, symbolic::form_of(line.left), symbolic::form_of(line.right)});
+    result.push_back({line.words.text(), symbolic::form_of(line.left), symbolic::form_of(line.right)});
   return result;
 }
 

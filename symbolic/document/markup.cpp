@@ -1,11 +1,14 @@
 #include "document/markup.hpp"
 
-#include <map>
+#include <optional>
 #include <utility>
 
 #include "base/plain_text.hpp"
+#include "document/displays.hpp"
 #include "formula/dialect.hpp"
+#include "formula/width.hpp"
 #include "record/fields.hpp"
+#include "record/html_text.hpp"
 #include "record/template.hpp"
 
 extern "C" const char vcrit_document_templates[], vcrit_document_templates_end[];
@@ -15,56 +18,6 @@ namespace vcrit::symbolic {
 namespace {
 
 using record::Fields, record::Json;
-
-/// Equations in one dialect. Those of a large network's limits are largely the same, hundreds of
-/// times.
-class PrintedEquations {
- public:
-  explicit PrintedEquations(const Dialect& dialect) : dialect_(dialect) {}
-
-  std::string operator()(const Equation& equation) const {
-    return dialect_.equation({false, equation.left}, {false, equation.right});
-  }
-
-  std::string operator()(const Line& line, bool asymptotic) {
-    if (asymptotic) return dialect_.asymptote(form_of(line.left), form_of(line.right));
-    const auto [known, is_new] = known_.try_emplace({line.left, line.right});
-    if (is_new) known->second = dialect_.equation(form_of(line.left), form_of(line.right));
-    return known->second;
-  }
-
- private:
-  struct Less {
-    using Sides = std::pair<GiNaC::ex, GiNaC::ex>;
-    bool operator()(const Sides& a, const Sides& b) const {
-      const int order = a.first.compare(b.first);
-      return order != 0 ? order < 0 : a.second.compare(b.second) < 0;
-    }
-  };
-  const Dialect& dialect_;
-  std::map<Less::Sides, std::string, Less> known_;
-};
-
-Json block_record(const DocumentBlock& block, PrintedEquations& equation) {
-  std::vector<record::Markup> lines;
-  for (const Line& line : block.lines)
-    lines.push_back({equation(line, block.asymptotic && &line == &block.lines.back())});
-  for (const Equation& each : block.equations) lines.push_back({equation(each)});
-  const bool formula = !block.formula.empty(), words = !block.words.empty();
-  Fields f(record::Reader::page);
-  f("formula", block.formula)("latex_formula", record::Markup{block.latex_formula});
-  f("words", block.words)("headed", formula || words)("both", formula && words)("lines", lines);
-  return f.take();
-}
-
-Json section_record(const Section& section, PrintedEquations& equation) {
-  Json blocks = Json::array();
-  for (const DocumentBlock& block : section.blocks) blocks.push_back(block_record(block, equation));
-  return {{"heading", section.title},
-          {"note", section.note},
-          {"blocks", std::move(blocks)},
-          {"remark", section.remark}};
-}
 
 std::string as_it_is(std::string_view text) { return std::string(text); }
 
@@ -90,31 +43,81 @@ std::string markdown(std::string_view text) {
   return out;
 }
 
-/// How a markup takes the title, which is the user's, and our own words.
-struct Markup {
+/// How a markup takes the title, which is the user's, our own words, and formulas in them.
+struct DocumentMarkup {
   const char* name;
   const Dialect& (*dialect)();
+  const Dialect& (*within_words)();
+  const char *open, *close;
   std::string (*title)(std::string_view);
   std::string (*words)(std::string_view);
+  std::optional<double> width;  ///< of a page, in pt
+
+  record::Markup of(const Prose& prose) const {
+    return {prose.written(within_words(), open, close, words)};
+  }
 };
 
-Markup markup_of(Format format) {
-  if (format == Format::latex) return {"latex", latex_dialect, latex, latex};
-  if (format == Format::markdown) return {"markdown", latex_dialect, markdown, as_it_is};
-  return {"text", text_dialect, as_it_is, as_it_is};
+DocumentMarkup markup_of(Format format) {
+  if (format == Format::latex)
+    return {"latex", latex_dialect, latex_within_words, "$", "$", latex, latex, safe_text_width};
+  if (format == Format::markdown)
+    return {"markdown", latex_dialect, latex_within_words, "$", "$", markdown, as_it_is,
+            safe_text_width};
+  if (format == Format::html)
+    return {"html", mathml_dialect, mathml_dialect, "<math><mrow>", "</mrow></math>",
+            record::html_text, record::html_text, safe_text_width};
+  return {"text", text_dialect, text_dialect, "", "", as_it_is, as_it_is, std::nullopt};
+}
+
+/// Its rows, and the whole of a lone one.
+Json display_record(const Display& display) {
+  const auto markup = [](const std::string& text) {
+    return Fields(record::Reader::page).written(record::Markup{text});
+  };
+  Json rows = Json::array();
+  for (const PrintedEquation& equation : display)
+    for (const std::string& row : equation.rows) {
+      const bool first = &row == &equation.rows.front(), last = &row == &equation.rows.back();
+      rows.push_back({{"left", markup(first ? equation.left : "")},
+                      {"sign", markup(first ? equation.sign : "")},
+                      {"right", markup(row)},
+                      {"range", markup(last ? equation.range : "")}});
+    }
+  const bool lone = rows.size() == 1;
+  return {{"lone", lone}, {"rows", std::move(rows)}};
+}
+
+Json block_record(const DocumentBlock& block, const DocumentMarkup& markup, Displays& displays) {
+  Json shown = Json::array();
+  for (const Display& display : displays.of(block)) shown.push_back(display_record(display));
+  Fields f(record::Reader::page);
+  f("words", markup.of(block.words))("displays", shown);
+  return f.take();
+}
+
+Json section_record(const Section& section, const DocumentMarkup& markup, Displays& displays) {
+  Json blocks = Json::array();
+  for (const DocumentBlock& block : section.blocks)
+    blocks.push_back(block_record(block, markup, displays));
+  Fields f(record::Reader::page);
+  f("heading", markup.of(section.title))("note", markup.of(section.note));
+  f("blocks", blocks)("remark", markup.of(section.remark));
+  return f.take();
 }
 
 }  // namespace
 
 std::string markup_document(Format format, const std::string& title,
-                            const std::vector<Section>& sections) {
-  const Markup markup = markup_of(format);
-  PrintedEquations equation(markup.dialect());
+                            const std::vector<Section>& sections, bool standalone) {
+  const DocumentMarkup markup = markup_of(format);
+  Displays displays(markup.dialect(), markup.width);
   const record::Markup heading{markup.title(one_line(title))};
   Json record{{"title", Fields(record::Reader::page).written(heading)},
+              {"standalone", standalone},
               {"sections", Json::array()}};
   for (const Section& section : sections)
-    record["sections"].push_back(section_record(section, equation));
+    record["sections"].push_back(section_record(section, markup, displays));
   const record::Templates templates(
       {vcrit_document_templates,
        static_cast<std::size_t>(vcrit_document_templates_end - vcrit_document_templates)},

@@ -79,7 +79,8 @@ std::string print(const Problem& problem, const DocumentOptions& options) {
   const NamesOfScene names(problem);
   const Findings findings = find(problem, options);
   if (options.format != Format::json)
-    return markup_document(options.format, title_of(problem), sections(findings));
+    return markup_document(options.format, title_of(problem), sections(findings),
+                           options.standalone);
   return json_document(problem, findings);
 }
 

@@ -7,7 +7,7 @@
 
 namespace vcrit::symbolic {
 
-enum class Format { text, latex, markdown, json };
+enum class Format { text, latex, markdown, html, json };
 
 /// How the result is written: as the shortest real formula in named steps (where that fits a page,
 /// else by its size); by its size, multiplied out or nested; nested; or besides that as a rational
@@ -19,6 +19,7 @@ struct DocumentOptions {
   bool limits = false;  ///< with asymptotes and resonances
   bool sensitivities = false;
   ResultForm form = ResultForm::shortest;
+  bool standalone = false;  ///< LaTeX: an article that compiles as it is, no part of one
   double budget = 5000;  ///< terms of the polynomials in v* up to which they are multiplied out
 };
 

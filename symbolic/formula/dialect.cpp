@@ -1,5 +1,9 @@
 #include "formula/dialect.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "base/interruption.hpp"
 #include "formula/names.hpp"
 
@@ -11,12 +15,41 @@ std::string Dialect::print(const Signed& expression) const {
   return expression.minus ? negative(text) : text;
 }
 
+std::string Dialect::written(const Statement& statement) const {
+  const std::string left = print(statement.left);
+  switch (statement.relation) {
+    case Statement::Relation::none:
+      return left;
+    case Statement::Relation::tends:
+      return tending(left, print(statement.right));
+    default:
+      return related(left, statement.relation == Statement::Relation::asymptotic,
+                     print(statement.right));
+  }
+}
+
+std::string Dialect::series(const std::string& term, const std::string& index, int first,
+                            int last) const {
+  return fmt::format("sum({}, {} = {}..{})", term, index, first, last);
+}
+
 std::string Dialect::equation(const Signed& left, const Signed& right) const {
   return related(print(left), false, print(right));
 }
 
-std::string Dialect::asymptote(const Signed& left, const Signed& right) const {
-  return related(print(left), true, print(right));
+std::string Dialect::terms(const std::vector<Signed>& terms, bool go_on) const {
+  std::string text = go_on ? nothing() : print(terms.front());
+  for (const Signed& term : terms)
+    if (go_on || &term != &terms.front()) text = added(text, term.minus, piece(term.form).text);
+  return text;
+}
+
+std::string Dialect::sign(Statement::Relation relation) const {
+  return related("", relation == Statement::Relation::asymptotic, "");
+}
+
+std::string Dialect::range(const std::string& index, int first, int last) const {
+  return fmt::format("{} = {}..{}", index, first, last);
 }
 
 std::vector<Piece> Dialect::pieces(const std::vector<Form>& forms) const {
@@ -36,6 +69,18 @@ std::vector<std::string> Dialect::factors(const std::vector<Piece>& pieces,
   return result;
 }
 
+Piece Dialect::quotient(const Form& form) const {
+  const auto is_root = [](const Form& factor) { return factor.kind == Form::Kind::root; };
+  if (!roots_stand_behind() || form.over.empty() || !is_root(form.over.back()))
+    return fraction(pieces(form.over), pieces(form.under));
+  std::vector<Form> over = form.over;
+  const auto roots = std::find_if(over.begin(), over.end(), is_root);
+  std::vector<Piece> parts{
+      fraction(pieces({over.begin(), roots}), pieces(form.under))};
+  for (Piece& root : pieces({roots, over.end()})) parts.push_back(std::move(root));
+  return {product(factors(parts, false)), Piece::Tightness::product};
+}
+
 Piece Dialect::piece(const Form& form) const {
   switch (form.kind) {
     case Form::Kind::number: {
@@ -43,6 +88,7 @@ Piece Dialect::piece(const Form& form) const {
       return {number(form.text), whole ? Piece::Tightness::atom : Piece::Tightness::product};
     }
     case Form::Kind::name:
+      if (form.text == own_name("infinity")) return {infinity()};
       return {name(printed_name(form.text))};
     case Form::Kind::sum: {
       std::string text;
@@ -55,7 +101,7 @@ Piece Dialect::piece(const Form& form) const {
     case Form::Kind::product:
       if (form.under.empty())
         return {product(factors(pieces(form.over), false)), Piece::Tightness::product};
-      return fraction(pieces(form.over), pieces(form.under));
+      return quotient(form);
     case Form::Kind::power: {
       const Piece base = piece(form.over[0]);
       const bool atom = base.tightness == Piece::Tightness::atom;
@@ -63,6 +109,10 @@ Piece Dialect::piece(const Form& form) const {
     }
     case Form::Kind::root:
       return {root(piece(form.over[0]).text)};
+    case Form::Kind::series:
+      return {series(factors({piece(form.terms[0].form)}, false)[0], form.text, form.exponent,
+                     form.last),
+              series_tightness()};
     case Form::Kind::call:
       break;
   }

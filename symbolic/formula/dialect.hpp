@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "formula/form.hpp"
+#include "formula/prose.hpp"
 
 namespace vcrit::symbolic {
 
@@ -19,9 +20,14 @@ class Dialect {
  public:
   virtual ~Dialect() = default;
   std::string print(const Signed& expression) const;
+  std::string written(const Statement& statement) const;
   std::string equation(const Signed& left, const Signed& right) const;
-  /// left ~ right.
-  std::string asymptote(const Signed& left, const Signed& right) const;
+  /// Some terms of a sum, the first with its sign where they go on with a line before.
+  std::string terms(const std::vector<Signed>& terms, bool go_on) const;
+  /// "=" or "~".
+  std::string sign(Statement::Relation relation) const;
+  /// "j = 1..10"
+  virtual std::string range(const std::string& index, int first, int last) const;
 
  protected:
   /// A natural number or a fraction a/b.
@@ -41,17 +47,33 @@ class Dialect {
   /// left = right, or left ~ right.
   virtual std::string related(const std::string& left, bool asymptotic,
                               const std::string& right) const = 0;
+  /// left -> right, and what it may go to.
+  virtual std::string tending(const std::string& left, const std::string& right) const {
+    return left + " -> " + right;
+  }
+  /// What a line that begins with a sign begins with.
+  virtual std::string nothing() const { return ""; }
+  virtual std::string infinity() const { return "infinity"; }
+  /// The sum of `term` over `index` from `first` to `last`.
+  virtual std::string series(const std::string& term, const std::string& index, int first,
+                             int last) const;
+  virtual Piece::Tightness series_tightness() const { return Piece::Tightness::atom; }
+  /// Whether a root above a bar is written behind the fraction, where it is set large.
+  virtual bool roots_stand_behind() const { return false; }
 
   /// The factors' texts, sums in parentheses; a lone one as it is if `lone_is_bare`.
   std::vector<std::string> factors(const std::vector<Piece>& pieces, bool lone_is_bare) const;
 
  private:
   Piece piece(const Form& form) const;
+  Piece quotient(const Form& form) const;
   std::vector<Piece> pieces(const std::vector<Form>& forms) const;
 };
 
 const Dialect& text_dialect();
 const Dialect& latex_dialect();
+/// With a/b for fractions: for formulas between words.
+const Dialect& latex_within_words();
 const Dialect& mathml_dialect();
 
 }  // namespace vcrit::symbolic

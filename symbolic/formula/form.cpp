@@ -82,6 +82,7 @@ int rank(const Form& form, bool prefactor) {
       return rank(form.over[0], prefactor);
     case Form::Kind::sum:
     case Form::Kind::product:
+    case Form::Kind::series:
       return 6;
     case Form::Kind::call: {
       const bool of_name = form.terms[0].form.kind == Form::Kind::name;

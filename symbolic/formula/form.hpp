@@ -22,13 +22,15 @@ struct Form {
     product,  ///< `over` divided by `under`
     power,    ///< over[0] to the natural number `exponent`
     root,     ///< square root of over[0]
-    call      ///< the function `text` of terms[0]
+    call,     ///< the function `text` of terms[0]
+    series    ///< sum of terms[0] over the index `text` from `exponent` to `last`
   };
   Kind kind = Kind::number;
   std::string text;
   std::vector<Form> over, under;
   std::vector<Signed> terms;
   int exponent = 1;
+  int last = 0;
 };
 
 struct Signed {

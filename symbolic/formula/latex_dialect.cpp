@@ -27,6 +27,7 @@ std::string letter_by_letter(const std::string& text) {
 }
 
 class LatexDialect : public Dialect {
+ protected:
   std::string number(const std::string& digits) const override {
     const std::size_t bar = digits.find('/');
     if (bar == std::string::npos) return digits;
@@ -35,7 +36,7 @@ class LatexDialect : public Dialect {
   std::string name(const std::string& text) const override {
     if (is_set_apart(text)) return letter_by_letter(text);
     if (text.starts_with("S_")) return "S_{" + name(text.substr(2)) + "}";
-    const Notation n = notation(text);
+    const Notation n = notation(text, has_bare_entry(text));
     std::string result = is_greek(n.base)    ? "\\" + n.base
                          : n.base.size() > 1 ? "\\mathrm{" + n.base + "}"
                                              : n.base;
@@ -73,7 +74,7 @@ class LatexDialect : public Dialect {
   std::string call(const std::string& function, const std::string& argument) const override {
     if (function == "abs") return "\\left|" + argument + "\\right|";
     if (function == "exp" && printed_name(own_name("e")) == "e") return "e^{" + argument + "}";
-    return "\\operatorname{" + function + "}" + wrapped(argument);
+    return (function == "sin" ? "\\sin" : "\\operatorname{" + function + "}") + wrapped(argument);
   }
   std::string wrapped(const std::string& text) const override {
     return "\\left(" + text + "\\right)";
@@ -82,9 +83,39 @@ class LatexDialect : public Dialect {
                       const std::string& right) const override {
     return left + (asymptotic ? " \\sim " : " = ") + right;
   }
+  std::string tending(const std::string& left, const std::string& right) const override {
+    return left + " \\to " + right;
+  }
+  std::string nothing() const override { return "{}"; }
+  std::string infinity() const override { return "\\infty"; }
+  std::string range(const std::string& index, int first, int last) const override {
+    return fmt::format("{} = {}, \\ldots, {}", index, first, last);
+  }
+  std::string series(const std::string& term, const std::string& index, int first,
+                     int last) const override {
+    return fmt::format("\\sum_{{{}={}}}^{{{}}} {}", index, first, last, term);
+  }
+  Piece::Tightness series_tightness() const override { return Piece::Tightness::sum; }
+  bool roots_stand_behind() const override { return true; }
+};
+
+/// Within a line of words, where a bar would be small and spread the lines.
+class LatexWithinWords : public LatexDialect {
+  Piece fraction(const std::vector<Piece>& over, const std::vector<Piece>& under) const override {
+    const bool lone = under.size() == 1 && under[0].tightness == Piece::Tightness::atom;
+    const std::string below = product(factors(under, true));
+    return {product(factors(over, false)) + "/" + (lone ? below : wrapped(below)),
+            Piece::Tightness::product};
+  }
+  std::string number(const std::string& digits) const override { return digits; }
 };
 
 }  // namespace
+
+const Dialect& latex_within_words() {
+  static const LatexWithinWords dialect;
+  return dialect;
+}
 
 const Dialect& latex_dialect() {
   static const LatexDialect dialect;

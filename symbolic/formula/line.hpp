@@ -3,15 +3,14 @@
 
 #include <ginac/ginac.h>
 
-#include <string>
-
 #include "formula/algebra_lock.hpp"
+#include "formula/prose.hpp"
 
 namespace vcrit::symbolic {
 
 /// left = right, with the words that lead to it.
 struct Line {
-  std::string words;
+  Prose words;
   Expression left, right;
 };
 

@@ -41,7 +41,7 @@ class MathMlDialect : public Dialect {
     if (is_set_apart(text)) return "<mi>" + text + "</mi>";
     if (text.starts_with("S_"))
       return "<msub><mi>S</mi><mrow>" + name(text.substr(2)) + "</mrow></msub>";
-    const Notation n = notation(text);
+    const Notation n = notation(text, has_bare_entry(text));
     std::string result = "<mi>" + letter(n.base) + "</mi>";
     const auto dots = std::count(n.above.begin(), n.above.end(), '\'');
     if (dots > 0)
@@ -90,6 +90,23 @@ class MathMlDialect : public Dialect {
                       const std::string& right) const override {
     return left + (asymptotic ? "<mo>∼</mo>" : "<mo>=</mo>") + right;
   }
+  std::string tending(const std::string& left, const std::string& right) const override {
+    return left + "<mo>→</mo>" + right;
+  }
+  std::string infinity() const override { return "<mi>∞</mi>"; }
+  std::string range(const std::string& index, int first, int last) const override {
+    return fmt::format("<mi>{}</mi><mo>=</mo><mn>{}</mn><mo>,</mo><mo>…</mo><mo>,</mo><mn>{}</mn>",
+                       index, first, last);
+  }
+  std::string series(const std::string& term, const std::string& index, int first,
+                     int last) const override {
+    return fmt::format(
+        "<munderover><mo>∑</mo><mrow><mi>{}</mi><mo>=</mo><mn>{}</mn></mrow><mn>{}</mn>"
+        "</munderover>{}",
+        index, first, last, term);
+  }
+  Piece::Tightness series_tightness() const override { return Piece::Tightness::sum; }
+  bool roots_stand_behind() const override { return true; }
 };
 
 }  // namespace

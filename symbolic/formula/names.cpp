@@ -34,8 +34,11 @@ std::string base_name(const std::string& name) {
 
 NamesOfScene::NamesOfScene(const Problem& problem) : names_(problem->names), before_(printing) {
   std::vector<std::string> names;
-  for (const auto& [symbol, value] : problem->elements)
-    names.push_back(as_called(problem, symbol).name);
+  for (const auto& [symbol, value] : problem->elements) {
+    const Symbol called = as_called(problem, symbol);
+    names.push_back(called.name);
+    if (called.entry > 0) entries_.insert(setting_of(to_text(called)));
+  }
   for (const Quantity& quantity : quantities(problem)) names.push_back(name_in(problem, quantity));
   if (const auto f = names_.find(frequency_symbol.name); f != names_.end())
     names.push_back(f->second);
@@ -61,6 +64,11 @@ std::string NamesOfScene::with_entry(const std::string& name) const {
   return found == names_.end() ? name : found->second + name.substr(entry);
 }
 
+bool NamesOfScene::taken(const std::string& name) const {
+  const std::string setting = setting_of(name);
+  return by_setting_.contains(setting) || entries_.contains(setting);
+}
+
 // The imaginary unit has a second name of its own; a derivative (x'') is called after its function.
 std::string NamesOfScene::printed(const std::string& name) const {
   const std::string base = written(name);
@@ -68,9 +76,6 @@ std::string NamesOfScene::printed(const std::string& name) const {
   const std::size_t entry =
       std::min(base.find_first_of("['"), base.size());  // of an array's groups
   std::string printed = base.substr(0, entry);
-  const auto taken = [this](const std::string& candidate) {
-    return by_setting_.contains(setting_of(candidate));
-  };
   if (taken(printed)) printed = printed == "i" ? "j" : printed + "_own";
   while (taken(printed)) printed += "_own";
   return printed + base.substr(entry);
@@ -90,8 +95,12 @@ bool is_set_apart(const std::string& name) {
   return first != printing->by_setting_.end() && first->second != scalar;
 }
 
+bool has_bare_entry(const std::string& name) {
+  return printing == nullptr || !printing->by_setting_.contains(setting_of(name));
+}
+
 bool is_taken(const std::string& name) {
-  return printing != nullptr && printing->by_setting_.contains(setting_of(name));
+  return printing != nullptr && printing->taken(name);
 }
 
 }  // namespace vcrit::symbolic

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <unordered_map>
 
@@ -35,11 +36,14 @@ class NamesOfScene {
   friend std::string printed_name(const std::string& name);
   friend bool is_set_apart(const std::string& name);
   friend bool is_taken(const std::string& name);
+  friend bool has_bare_entry(const std::string& name);
+  bool taken(const std::string& name) const;
   std::string printed(const std::string& name) const;
   std::string written(const std::string& name) const;
   std::string with_entry(const std::string& name) const;
 
   std::map<std::string, std::string> by_setting_;  ///< the first name of each setting in LaTeX
+  std::set<std::string> entries_;                  ///< settings of entries of arrays
   std::map<std::string, std::string> names_;       ///< that the scene gives its symbols
   mutable std::unordered_map<std::string, std::string> printed_;  ///< as far as asked for
   const NamesOfScene* before_;
@@ -47,6 +51,9 @@ class NamesOfScene {
 
 /// Whether an earlier name of the scene is set alike, so that this one is set letter by letter.
 bool is_set_apart(const std::string& name);
+
+/// Whether an entry of an array, k[1], may be set as k with index 1: no element is called k1.
+bool has_bare_entry(const std::string& name);
 
 /// Whether the scene that is printed has a name that would read the same.
 bool is_taken(const std::string& name);

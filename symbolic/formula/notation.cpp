@@ -23,12 +23,19 @@ std::size_t greek_prefix(const std::string& word) {
   return ends ? best : 0;
 }
 
+/// What reads as a function is no letter with an index.
+constexpr auto functions = std::to_array<std::string_view>(
+    {"abs", "arg", "cos", "det", "dim", "exp", "gcd", "inf", "lim", "ln", "log", "max", "min", "mod",
+     "sin", "sup", "tan"});
+
 /// Elements are one letter with an index (kn, c1, kspring); other long names stand as words.
 std::size_t base_length(const std::string& word) {
   if (const std::size_t letter = greek_prefix(word); letter > 0) return letter;
   std::size_t letters = 0;
   while (letters < word.size() && std::isalpha(static_cast<unsigned char>(word[letters])) != 0)
     ++letters;
+  if (std::find(functions.begin(), functions.end(), word.substr(0, letters)) != functions.end())
+    return letters;
   const bool element = word.starts_with('k') || word.starts_with('c');
   return element || letters <= 3 ? 1 : letters;
 }
@@ -51,7 +58,7 @@ bool is_greek(const std::string& word) {
   return std::find(greek.begin(), greek.end(), word) != greek.end();
 }
 
-Notation notation(const std::string& name) {
+Notation notation(const std::string& name, bool bare_entry) {
   if (name == "du_z") return {"Delta", "u", {"z"}, {}};
   if (name.starts_with("dK_")) return {"d", "K", {name.substr(3)}, {}};
   std::string rest = name;
@@ -62,7 +69,8 @@ Notation notation(const std::string& name) {
   }
   std::string entry;
   if (const std::size_t open = rest.find('['); open != std::string::npos) {
-    entry = "(" + rest.substr(open + 1, rest.size() - open - 2) + ")";
+    entry = rest.substr(open + 1, rest.size() - open - 2);
+    if (!bare_entry) entry = "(" + entry + ")";
     rest.erase(open);
   }
   const std::size_t length = base_length(rest);

@@ -14,7 +14,8 @@ struct Notation {
   std::string above;               ///< "*" of v*, dots of derivatives
 };
 
-Notation notation(const std::string& name);
+/// An entry of an array is an index as others, or in parentheses where that is another name.
+Notation notation(const std::string& name, bool bare_entry = true);
 
 bool is_greek(const std::string& word);
 

@@ -4,6 +4,7 @@
 
 #include "formula/dialect.hpp"
 #include "formula/names.hpp"
+#include "formula/series.hpp"
 
 namespace vcrit::symbolic::shortest {
 
@@ -38,6 +39,7 @@ int factor_rank(const Form& form) {
     case Form::Kind::product:
       return !form.over.empty() && factor_rank(form.over[0]) <= 4 ? 9 : 10;
     case Form::Kind::sum:
+    case Form::Kind::series:
       return 10;
     case Form::Kind::call:
       return 11;
@@ -150,7 +152,7 @@ bool Lines::divide_long_line() {
 }
 
 std::size_t Lines::length(Index step) const {
-  return text_dialect().print({false, written(step)}).size();
+  return text_dialect().print({false, with_series(written(step))}).size();
 }
 
 /// A sum within the line.

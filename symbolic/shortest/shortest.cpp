@@ -1,16 +1,13 @@
 #include "shortest/shortest.hpp"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <array>
 #include <map>
 #include <sstream>
 
-#include "base/numbers.hpp"
 #include "derivation/model.hpp"
 #include "formula/algebra_lock.hpp"
-#include "formula/names.hpp"
+#include "formula/symbols.hpp"
 #include "network/law.hpp"
 #include "shortest/critical.hpp"
 #include "shortest/lines.hpp"
@@ -113,20 +110,22 @@ class Alphabet {
   }
 
   /// "g = K_n/K_t (Mindlin) for nu = 0.3", or by its number where that has no line.
-  std::string ratio_words(const ShortestForm& form) const {
-    const Quantity& given = isotropic()->quantity;
+  Prose ratio_words(const ShortestForm& form) const {
+    const Quantity& given_ratio = isotropic()->quantity;
     const bool poisson = isotropic()->by == Isotropic::By::poisson;
-    std::string name = given.value ? ratio_ : "";
+    std::optional<Form> name;
+    if (given_ratio.value && !ratio_.empty())
+      name = Form{Form::Kind::number, ratio_, {}, {}, {}, 1};
     for (const ShortestForm::Definition& definition : form.definitions)
       if (all_.name(parts_.ratio.node) == "g" && definition.name.text.starts_with("g"))
-        name = printed_name(definition.name.text);
-    if (name.empty()) return "";
-    const std::string normal = printed_name(own_name("K_n")), other = printed_name(own_name("K_t"));
-    const std::string words =
-        fmt::format("{} = {}/{}{}", name, normal, other, poisson ? " (Mindlin)" : "");
-    if (!given.value) return words;
-    const std::string from = poisson ? printed_name(own_name("nu")) : other + "/" + normal;
-    return fmt::format("{} for {} = {}", words, from, to_text(*given.value));
+        name = definition.name;
+    if (!name) return {};
+    const GiNaC::ex normal = quantity("K_n"), other = quantity("K_t");
+    Prose words{Statement{{false, *name}, Statement::Relation::equal, form_of(normal / other)},
+                poisson ? " (Mindlin)" : ""};
+    if (given_ratio.value)
+      words += {" for ", stated_number(poisson ? quantity("nu") : other / normal, *given_ratio.value)};
+    return words;
   }
 
   Problem problem_;
@@ -189,6 +188,7 @@ int operations_in(const Form& form) {
     case Form::Kind::root:
       return 1 + operations_in_all(form.over);
     case Form::Kind::call:
+    case Form::Kind::series:
       break;
   }
   return 1 + operations_in(form.terms.front().form);

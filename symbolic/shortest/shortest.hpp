@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "formula/form.hpp"
+#include "formula/prose.hpp"
 #include "problem/problem.hpp"
 
 namespace vcrit::symbolic {
@@ -20,7 +21,7 @@ struct ShortestForm {
   };
   std::vector<Definition> definitions;  ///< each of earlier ones
   Form velocity;
-  std::string ratio;   ///< where K_n/K_t of an isotropic contact comes from; else empty
+  Prose ratio;         ///< where K_n/K_t of an isotropic contact comes from; else empty
   int operations = 0;  ///< each + - * / ^ sqrt abs in all of it
 };
 

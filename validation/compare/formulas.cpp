@@ -3,6 +3,7 @@
 #include "analysis/limits.hpp"
 #include "formula/dialect.hpp"
 #include "formula/text.hpp"
+#include "record/html_text.hpp"
 #include "shortest/proof.hpp"
 
 namespace vcrit::validation {
@@ -19,6 +20,10 @@ Formula formula_of_form(const symbolic::Form& form) {
           symbolic::text_dialect().print({false, form})};
 }
 
+std::string markup_of(const symbolic::Prose& words) {
+  return words.written(symbolic::mathml_dialect(), "<math>", "</math>", record::html_text);
+}
+
 }  // namespace
 
 ShownVelocity shown_velocity(const symbolic::Derivation& derivation) {
@@ -26,7 +31,8 @@ ShownVelocity shown_velocity(const symbolic::Derivation& derivation) {
   if (!shortest)
     return {
         formula_of(derivation.critical_velocity), equations_of(derivation.definitions), {}, false};
-  ShownVelocity shown{formula_of_form(shortest->velocity), {}, shortest->ratio, true};
+  ShownVelocity shown{formula_of_form(shortest->velocity), {}, shortest->ratio.text(), true,
+                      markup_of(shortest->ratio)};
   for (const auto& [name, meaning] : shortest->definitions)
     shown.definitions.push_back({{}, formula_of_form(name), formula_of_form(meaning)});
   return shown;
@@ -35,14 +41,15 @@ ShownVelocity shown_velocity(const symbolic::Derivation& derivation) {
 std::vector<Equation> equations_of(const std::vector<symbolic::Line>& lines) {
   std::vector<Equation> equations;
   for (const symbolic::Line& line : lines)
-    equations.push_back({line.words, formula_of(line.left), formula_of(line.right)});
+    equations.push_back({line.words.text(), formula_of(line.left), formula_of(line.right),
+                         markup_of(line.words)});
   return equations;
 }
 
 std::vector<LimitLine> limits_of(const symbolic::Derivation& derivation) {
   std::vector<LimitLine> lines;
   for (const symbolic::Limit& limit : symbolic::limits(derivation))
-    lines.push_back({limit.name, limit.equation, limit.mathml_name, formula_of(limit.result),
+    lines.push_back({limit.name, limit.equation, markup_of(limit.title), formula_of(limit.result),
                      equations_of(limit.definitions)});
   return lines;
 }

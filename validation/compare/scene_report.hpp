@@ -48,6 +48,7 @@ struct Formula {
 struct Equation {
   std::string words;
   Formula left, right;
+  std::string markup = {};  ///< the words with MathML
 };
 
 /// v* as its readers are shown it.
@@ -56,6 +57,7 @@ struct ShownVelocity {
   std::vector<Equation> definitions;  ///< of names in it
   std::string ratio;                  ///< where K_n/K_t comes from; else empty
   bool is_real = false;               ///< the shortest form; else in complex stiffnesses
+  std::string ratio_markup = {};      ///< with MathML
 };
 
 struct LimitLine {

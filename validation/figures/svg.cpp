@@ -9,7 +9,7 @@
 
 #include "base/errors.hpp"
 #include "figures/drawn.hpp"
-#include "figures/xml.hpp"
+#include "record/html_text.hpp"
 #include "record/fields.hpp"
 #include "record/template.hpp"
 
@@ -282,7 +282,7 @@ std::string svg(const std::vector<Figure>& figures) {
   static const record::Templates templates(
       {vcrit_figure_templates,
        static_cast<std::size_t>(vcrit_figure_templates_end - vcrit_figure_templates)},
-      escaped);
+      record::html_text);
   return templates.render("svg", record) + "\n";
 }
 

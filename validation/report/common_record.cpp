@@ -23,16 +23,6 @@ std::string badge(Comparison::Outcome outcome) {
 
 }  // namespace
 
-std::string typeset(std::string words) {
-  constexpr std::pair<const char*, const char*> signs[] = {
-      {"i*omega", "iω"}, {"|omega B|", "|ωB|"}, {"K_t/K_n", "Kₜ/Kₙ"}, {"K_n/K_t", "Kₙ/Kₜ"},
-      {"nu = ", "ν = "}, {" - nu", " − ν"},     {"v0 -", "v₀ −"}};
-  for (const auto& [from, to] : signs)
-    for (auto at = words.find(from); at != words.npos; at = words.find(from))
-      words.replace(at, std::string(from).size(), to);
-  return words;
-}
-
 void fields(Fields& f, const Comparison& it) {
   const bool numbers = !it.not_run && !it.broken;
   const bool relative = it.measure == Comparison::Measure::relative;
@@ -53,7 +43,7 @@ void fields(Fields& f, const validation::Formula& it) {
 
 void fields(Fields& f, const validation::Equation& it) {
   f("left", it.left)("right", it.right).some("words", it.words);
-  if (f.for_page()) f("typeset_words", typeset(it.words));
+  f.page("typeset_words", Markup{it.markup});
 }
 
 void fields(Fields& f, const validation::LimitLine& it) {

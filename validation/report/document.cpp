@@ -9,7 +9,7 @@
 
 #include "base/errors.hpp"
 #include "base/numbers.hpp"
-#include "figures/xml.hpp"
+#include "record/html_text.hpp"
 #include "record/template.hpp"
 #include "report/assets.hpp"
 #include "report/units.hpp"
@@ -88,7 +88,7 @@ std::string script_hash(std::string_view text) {
 }
 
 std::string rendered(const char* name, const record::Json& record) {
-  static const record::Templates all(templates(), figures::escaped,
+  static const record::Templates all(templates(), record::html_text,
                                      {{"exact", exact},
                                       {"magnitude", in_magnitude},
                                       {"microseconds", microseconds},

@@ -1,4 +1,4 @@
-// Text made safe for scripts in the page and for a shell; as markup: figures/xml.hpp.
+// Text made safe for scripts in the page and for a shell; as markup: record/html_text.hpp.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

@@ -30,9 +30,6 @@ void fields(Fields& f, const validation::extremes::Simulated& simulated);
 void fields(Fields& f, const validation::extremes::FamilyResult& family);
 void fields(Fields& f, const validation::extremes::Extremes& extremes);
 
-/// The derivation's words with the signs that a page has.
-std::string typeset(std::string words);
-
 }  // namespace vcrit::record
 
 namespace vcrit::validation::report {

@@ -1,8 +1,8 @@
-#include "figures/xml.hpp"
+#include "record/html_text.hpp"
 
 #include <nlohmann/json.hpp>
 
-namespace vcrit::validation::figures {
+namespace vcrit::record {
 
 namespace {
 
@@ -17,7 +17,7 @@ std::string valid_utf8(std::string_view text) {
 
 }  // namespace
 
-std::string escaped(std::string_view text) {
+std::string html_text(std::string_view text) {
   std::string result;
   for (const char c : valid_utf8(text)) {
     switch (c) {
@@ -52,4 +52,4 @@ std::string escaped(std::string_view text) {
   return result;
 }
 
-}  // namespace vcrit::validation::figures
+}  // namespace vcrit::record

@@ -1,0 +1,56 @@
+// The equations of a block as displays: folded where they are a series, broken where they are too
+// wide, printed in one dialect.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "document/content.hpp"
+#include "document/fitted.hpp"
+#include "formula/dialect.hpp"
+
+namespace vcrit::symbolic {
+
+/// left = right, right in rows.
+struct PrintedEquation {
+  std::string left, sign;
+  std::vector<std::string> rows;
+  std::string range;  ///< "j = 1..10", or empty
+};
+
+/// Equations that stand below each other, their signs aligned.
+using Display = std::vector<PrintedEquation>;
+
+class Displays {
+ public:
+  /// `width` of a page in pt; nothing: lines are as long as they come.
+  Displays(const Dialect& dialect, std::optional<double> width);
+
+  std::vector<Display> of(const DocumentBlock& block);
+
+ private:
+  struct Less {
+    using Sides = std::pair<GiNaC::ex, GiNaC::ex>;
+    bool operator()(const Sides& a, const Sides& b) const;
+  };
+  /// An equation with what it is known by, if that may come again.
+  struct Asked {
+    Statement statement;
+    FittedEquation::Range range;
+    std::optional<Less::Sides> sides;
+  };
+
+  std::vector<Asked> asked(const DocumentBlock& block);
+  Display printed(const Asked& equation, double column);
+  PrintedEquation print(const FittedEquation& equation) const;
+
+  const Dialect& dialect_;
+  std::optional<Fitting> fitting_;
+  /// Those of a large network's limits are largely the same, hundreds of times.
+  std::map<Less::Sides, PrintedEquation, Less> known_;
+};
+
+}  // namespace vcrit::symbolic

@@ -1,0 +1,48 @@
+// Equations that fit a page: a long sum is broken before a plus or minus, and what cannot be broken
+// (below a root, in a fraction) gets a name and a line of its own.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "formula/prose.hpp"
+
+namespace vcrit::symbolic {
+
+/// left = right, the right-hand side in rows. A row after the first begins with the sign of its
+/// first term.
+struct FittedEquation {
+  Signed left;
+  Statement::Relation relation = Statement::Relation::equal;
+  std::vector<std::vector<Signed>> rows;
+  struct Range {
+    std::string index;
+    int first = 0, last = 0;
+  };
+  Range range = {};  ///< "j = 1..10" behind it; no index: none
+};
+
+/// One document's: parts that have a name keep it.
+class Fitting {
+ public:
+  /// `width`: of a page, in pt.
+  explicit Fitting(double width) : width_(width) {}
+
+  /// The definitions that are new, then the equation. `column`: what its block leaves on the left
+  /// for the widest side, in pt.
+  std::vector<FittedEquation> fitted(const Statement& equation, double column = 0);
+
+ private:
+  std::vector<std::vector<Signed>> rows(Signed right, double left);
+  Form narrowed(Form form, double width);
+  bool name_a_part(Form& form);
+  Form name_of(const Form& part);
+
+  double width_;
+  std::map<std::string, Form> names_;
+  std::vector<FittedEquation> fresh_;
+  int last_ = 0;
+};
+
+}  // namespace vcrit::symbolic
