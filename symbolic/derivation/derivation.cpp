@@ -1,6 +1,11 @@
 #include "derivation/derivation.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <atomic>
+#include <cctype>
+#include <map>
 #include <set>
 
 #include "base/errors.hpp"
@@ -71,22 +76,25 @@ void write_condition(const Model& model, std::vector<Line>& lines) {
   lines.push_back({"", v, by_letter(velocity(model.amplitude(change)), g)});
 }
 
+/// "Normal contact, drive, with s = i omega" before the first of the lines. Names of parts come
+/// before the network that they are of.
 void write_networks(const Model& model, std::vector<Line>& lines) {
-  const Statement with = stated(laplace(), GiNaC::I * omega());
   const std::map<std::string, std::string> words{
-      {"K_n", "Normal contact"}, {"K_t", "Tangential contact"}, {"K_d", "Drive"}};
+      {"K_n", "normal contact"}, {"K_t", "tangential contact"}, {"K_d", "drive"}};
   const ex amplitude = model.amplitude({});
   std::vector<Line> inner;
+  std::vector<std::string> written;
   for (const auto& [name, network] : model.networks()) {
     if (!amplitude.has(quantity(name))) continue;
-    const std::size_t before = inner.size();
+    written.push_back(words.at(name));
     const ex k = nested(network.reduction(), {}, inner).value;
-    for (std::size_t i = before; i < inner.size(); ++i)
-      lines.push_back({{"Inside: " + words.at(name) + ", with ", with},
-                       inner[i].left,
-                       inner[i].right});
-    lines.push_back({{words.at(name) + ", with ", with}, quantity(name), k});
+    inner.push_back({"", quantity(name), k});
   }
+  if (inner.empty()) return;
+  written.front().front() = static_cast<char>(std::toupper(written.front().front()));
+  inner.front().words = {fmt::format("{}, with ", fmt::join(written, ", ")),
+                         stated(laplace(), GiNaC::I * omega())};
+  lines.insert(lines.end(), inner.begin(), inner.end());
 }
 
 /// The symbols of the formula, mass and friction first, elements in the order of writing.

@@ -232,6 +232,12 @@ std::optional<Formula> Model::formula(const Change& change) const {
                  equation(fractions, powers, change)};
 }
 
+std::optional<Factors> Model::multiplied_out_amplitude() const {
+  const Factors amplitude = leading_amplitude({}, {}).value;
+  if (!is_small(amplitude.value(), {})) return std::nullopt;
+  return multiplied_out(amplitude, fractions({}));
+}
+
 Formula Model::nested_formula() const { return nested_in(leading_amplitude({}, {}).value, {}); }
 
 Asymptotic Model::asymptotic(int direction) const {

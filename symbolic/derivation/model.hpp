@@ -58,6 +58,8 @@ class Model {
   /// Nothing where the limit cuts a network in two, makes the normal network rigid or unable to
   /// carry the mean load, or leaves no motion.
   std::optional<Formula> formula(const Change& change) const;
+  /// The amplitude B as polynomials in s, if it is then short enough to be read.
+  std::optional<Factors> multiplied_out_amplitude() const;
   /// The formula in terms of K_n, K_t and K_d, however small it is.
   Formula nested_formula() const;
   /// What the amplitude tends to as omega goes to infinity (`direction` 1) or to zero (-1).

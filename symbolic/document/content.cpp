@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "document/steps.hpp"
+#include "formula/series.hpp"
 #include "formula/symbols.hpp"
 
 namespace vcrit::symbolic {
@@ -60,6 +62,8 @@ Section derivation_section(const Findings& findings) {
   const Derivation& derivation = findings.derivation;
   Section section;
   section.blocks = blocks_of(derivation.lines);
+  const std::vector<DocumentBlock> steps = root_steps(derivation);
+  section.blocks.insert(section.blocks.end() - 1, steps.begin(), steps.end());
   DocumentBlock& result = section.blocks.back();
   result.words += " " + derivation.equation;
   if (findings.shortest) {
@@ -150,6 +154,49 @@ Section extrema_section(const std::vector<Line>& lines) {
   return {{"Largest and least ", quantity("v*")}, "", blocks_of(lines), ""};
 }
 
+// Lines; more are hard to read without a gap.
+constexpr std::size_t longest_block = 12;
+
+Line sensitivity_line(const Sensitivity& sensitivity) {
+  return {"", quantity("S_" + to_text(sensitivity.parameter)), sensitivity.relative};
+}
+
+/// Its lines side by side, to be compared with those of other entries of an array.
+std::optional<SeriesMember> member_of_array(const Sensitivity& sensitivity) {
+  Form all{Form::Kind::sum, "", {}, {}, {}, 1};
+  std::vector<Line> lines = sensitivity.changes;
+  lines.insert(lines.begin(), sensitivity_line(sensitivity));
+  for (const Line& line : lines)
+    for (const ex& side : {ex(line.left), ex(line.right)}) {
+      const Signed form = form_of(side);
+      all.terms.push_back({form.minus, with_series(form.form)});
+    }
+  return series_member(all);
+}
+
+/// One block for all entries of an array, where these differ by their number alone.
+std::optional<DocumentBlock> array_block(const std::vector<Sensitivity>& all,
+                                         const Symbol& parameter) {
+  if (parameter.entry == 0) return std::nullopt;
+  std::optional<SeriesMember> first;
+  int entries = 0;
+  for (const Sensitivity& each : all) {
+    if (each.parameter.name != parameter.name) continue;
+    const std::optional<SeriesMember> member = member_of_array(each);
+    if (!member || member->number != ++entries) return std::nullopt;
+    if (!first) first = member;
+    if (member->pattern != first->pattern) return std::nullopt;
+  }
+  if (entries < shortest_series) return std::nullopt;
+  DocumentBlock block{"", {}};
+  std::vector<Signed>& sides = first->general.terms;
+  for (std::size_t i = 0; i + 1 < sides.size(); i += 2)
+    block.equations.push_back({sides[i].form, sides[i + 1], {}});
+  std::rotate(block.equations.begin(), block.equations.begin() + 1, block.equations.end());
+  block.equations.back().range = {series_index(), 1, entries};
+  return block;
+}
+
 Section sensitivities_section(const Findings& findings) {
   const ex S = quantity("S_p"), p = quantity("p"), v = quantity("v*");
   const Prose note{"Where a parameter ", p, " grows by one percent, ", v, " grows by ", S,
@@ -166,14 +213,21 @@ Section sensitivities_section(const Findings& findings) {
                      "."};
     section.blocks.push_back({"", shared});
   }
-  for (const Sensitivity& sensitivity : findings.sensitivities.each) {
-    if (!sensitivity.changes.empty())
-      section.note = with_changes;
-    std::vector<Line> lines = reader.tell(sensitivity.stiffnesses);
-    lines.insert(lines.end(), sensitivity.changes.begin(), sensitivity.changes.end());
-    const ex name = quantity("S_" + to_text(sensitivity.parameter));
-    lines.push_back({"", name, sensitivity.relative});
-    section.blocks.push_back({"", lines});
+  const std::vector<Sensitivity>& all = findings.sensitivities.each;
+  for (auto next = all.begin(); next != all.end(); ++next) {
+    if (!next->changes.empty()) section.note = with_changes;
+    if (const auto array = array_block(all, next->parameter)) {
+      if (next->parameter.entry == 1) section.blocks.push_back(*array);
+      continue;
+    }
+    std::vector<Line> lines = reader.tell(next->stiffnesses);
+    lines.insert(lines.end(), next->changes.begin(), next->changes.end());
+    lines.push_back(sensitivity_line(*next));
+    const bool alone = section.blocks.empty() || section.blocks.back().lines.size() >= longest_block ||
+                       !section.blocks.back().equations.empty();
+    if (alone) section.blocks.push_back({"", {}});
+    std::vector<Line>& block = section.blocks.back().lines;
+    block.insert(block.end(), lines.begin(), lines.end());
   }
   return section;
 }
@@ -222,8 +276,8 @@ Line asymptote_line(const Asymptote& asymptote) {
 std::vector<Equation> equations_of(const ShortestForm& form) {
   std::vector<Equation> result;
   for (const ShortestForm::Definition& each : form.definitions)
-    result.push_back({each.name, each.meaning});
-  result.push_back({form_of(quantity("v*")).form, form.velocity});
+    result.push_back({each.name, {false, each.meaning}, {}});
+  result.push_back({form_of(quantity("v*")).form, {false, form.velocity}, {}});
   return result;
 }
 

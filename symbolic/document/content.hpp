@@ -10,6 +10,7 @@
 #include "analysis/resonance.hpp"
 #include "analysis/sensitivities.hpp"
 #include "derivation/derivation.hpp"
+#include "document/fitted.hpp"
 #include "document/print.hpp"
 #include "formula/line.hpp"
 #include "formula/prose.hpp"
@@ -37,7 +38,9 @@ struct Findings {
 
 /// An equation as it is to be written.
 struct Equation {
-  Form left, right;
+  Form left;
+  Signed right;
+  FittedEquation::Range range = {};  ///< of an index in it
 };
 
 /// The definitions of a shortest form, then v*.
@@ -51,11 +54,19 @@ struct DocumentBlock {
   std::vector<Equation> equations = {};  ///< behind the lines
 };
 
+/// A row of a table of symbols.
+struct SymbolRow {
+  Prose symbol, meaning;
+  std::string unit;
+};
+
 struct Section {
   Prose title;  ///< empty: the derivation itself
   Prose note;   ///< in front of the blocks
   std::vector<DocumentBlock> blocks;
   Prose remark;  ///< behind them
+  std::vector<Prose> items = {};        ///< a list
+  std::vector<SymbolRow> symbols = {};  ///< a table
 };
 
 /// The sections that have something to say.

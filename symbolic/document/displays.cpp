@@ -3,14 +3,13 @@
 #include <algorithm>
 
 #include "formula/series.hpp"
-#include "formula/width.hpp"
 
 namespace vcrit::symbolic {
 
 namespace {
 
-// A left-hand side that is wider, in pt, is not aligned with others.
-constexpr double widest_column = 60;
+// A left-hand side that takes more of a page is not aligned with others.
+constexpr double widest_column = 0.17;
 
 /// Definitions that differ by a number, as one.
 struct Definitions {
@@ -19,7 +18,8 @@ struct Definitions {
 };
 
 std::optional<SeriesMember> member_of(const Equation& equation) {
-  return series_member({Form::Kind::product, "", {equation.left, equation.right}, {}, {}, 1});
+  Form both{Form::Kind::product, "", {equation.left, equation.right.form}, {}, {}, 1};
+  return equation.right.minus ? std::nullopt : series_member(both);
 }
 
 /// Consecutive definitions of one pattern and consecutive numbers.
@@ -38,7 +38,9 @@ std::vector<Definitions> runs_of(const std::vector<Equation>& equations) {
 }
 
 Statement statement_of(const Equation& equation) {
-  return {{false, equation.left}, Statement::Relation::equal, {false, with_series(equation.right)}};
+  return {{false, equation.left},
+          Statement::Relation::equal,
+          {equation.right.minus, with_series(equation.right.form)}};
 }
 
 }  // namespace
@@ -48,9 +50,8 @@ bool Displays::Less::operator()(const Sides& a, const Sides& b) const {
   return order != 0 ? order < 0 : a.second.compare(b.second) < 0;
 }
 
-Displays::Displays(const Dialect& dialect, std::optional<double> width) : dialect_(dialect) {
-  if (width) fitting_.emplace(*width);
-}
+Displays::Displays(const Dialect& dialect, const Measure& measure)
+    : dialect_(dialect), measure_(measure), fitting_(measure) {}
 
 std::vector<Displays::Asked> Displays::asked(const DocumentBlock& block) {
   std::vector<Asked> result;
@@ -73,12 +74,13 @@ std::vector<Displays::Asked> Displays::asked(const DocumentBlock& block) {
   for (const Definitions& run : runs_of(block.equations)) {
     const int count = static_cast<int>(run.members.size());
     if (count < shortest_series) {
-      for (const Equation& each : run.members) result.push_back({statement_of(each), {}, {}});
+      for (const Equation& each : run.members)
+        result.push_back({statement_of(each), each.range, {}});
       continue;
     }
     const SeriesMember& first = *run.first;
     const std::vector<Form>& sides = first.general.over;
-    result.push_back({statement_of({sides[0], sides[1]}),
+    result.push_back({statement_of({sides[0], {false, sides[1]}, {}}),
                       {series_index(), first.number, first.number + count - 1},
                       {}});
   }
@@ -98,12 +100,7 @@ Display Displays::printed(const Asked& equation, double column) {
   if (equation.sides)
     if (const auto known = known_.find(*equation.sides); known != known_.end())
       return {known->second};
-  std::vector<FittedEquation> fitted;
-  if (fitting_)
-    fitted = fitting_->fitted(equation.statement, column);
-  else
-    fitted.push_back({equation.statement.left, equation.statement.relation,
-                      {{equation.statement.right}}, {}});
+  std::vector<FittedEquation> fitted = fitting_.fitted(equation.statement, column);
   fitted.back().range = equation.range;
   Display result;
   for (const FittedEquation& each : fitted) result.push_back(print(each));
@@ -113,16 +110,15 @@ Display Displays::printed(const Asked& equation, double column) {
 
 std::vector<Display> Displays::of(const DocumentBlock& block) {
   const std::vector<Asked> equations = asked(block);
-  const auto width = [this](const Asked& each) {
-    return fitting_ ? width_of(each.statement.left) : 0;
-  };
+  const auto width = [this](const Asked& each) { return measure_.of(each.statement.left.form); };
+  const double widest = widest_column * measure_.width;
   double column = 0;
   for (const Asked& each : equations)
-    if (width(each) <= widest_column) column = std::max(column, width(each));
+    if (width(each) <= widest) column = std::max(column, width(each));
   std::vector<Display> displays;
   bool aligned = false;
   for (const Asked& each : equations) {
-    const bool narrow = width(each) <= widest_column;
+    const bool narrow = width(each) <= widest;
     if (!aligned || !narrow) displays.emplace_back();
     for (PrintedEquation& row : printed(each, narrow ? column : 0))
       displays.back().push_back(std::move(row));

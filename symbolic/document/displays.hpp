@@ -26,8 +26,7 @@ using Display = std::vector<PrintedEquation>;
 
 class Displays {
  public:
-  /// `width` of a page in pt; nothing: lines are as long as they come.
-  Displays(const Dialect& dialect, std::optional<double> width);
+  Displays(const Dialect& dialect, const Measure& measure);
 
   std::vector<Display> of(const DocumentBlock& block);
 
@@ -48,7 +47,8 @@ class Displays {
   PrintedEquation print(const FittedEquation& equation) const;
 
   const Dialect& dialect_;
-  std::optional<Fitting> fitting_;
+  const Measure& measure_;
+  Fitting fitting_;
   /// Those of a large network's limits are largely the same, hundreds of times.
   std::map<Less::Sides, PrintedEquation, Less> known_;
 };

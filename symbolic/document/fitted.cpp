@@ -11,15 +11,6 @@ namespace vcrit::symbolic {
 
 namespace {
 
-// Rows after the first are indented, in pt.
-constexpr double indent = 22;
-
-// Narrower parts get no name, in pt.
-constexpr double least_part = 50;
-
-// U with an index of two digits, in pt.
-constexpr double width_of_name = 18;
-
 // Of a page: what stands left of an equals sign leaves as much.
 constexpr double least_right = 0.5;
 
@@ -36,6 +27,16 @@ void outermost_sums(Form& form, std::vector<Form*>& found) {
   for (Signed& term : form.terms) visit(term.form);
 }
 
+bool has_bar(const Form& form) {
+  const auto any = [](const std::vector<Form>& forms) {
+    return std::any_of(forms.begin(), forms.end(), has_bar);
+  };
+  return (form.kind == Form::Kind::product && !form.under.empty()) || any(form.over) ||
+         any(form.under) || std::any_of(form.terms.begin(), form.terms.end(), [](const Signed& term) {
+           return has_bar(term.form);
+         });
+}
+
 std::string part_key(const Form& form) { return text_dialect().print({false, form}); }
 
 /// A product with half of its factors as one, for products of nothing but names.
@@ -47,13 +48,26 @@ bool halve_factors(std::vector<Form>& factors, Form& half) {
   return true;
 }
 
+double characters(const Form& form) {
+  return static_cast<double>(text_dialect().print({false, form}).size());
+}
+
 }  // namespace
+
+const Measure measure_of_page{
+    safe_text_width, symbolic::width_of, width_of_sign, width_of_relation, 22, 50, 18};
+// Lines are indented by four.
+const Measure measure_of_terminal{96, characters, 3, 3, 4, 16, 4};
+
+double Fitting::width_of(const Signed& expression) const {
+  return measure_.of(expression.form) + (expression.minus ? measure_.sign : 0);
+}
 
 Form Fitting::name_of(const Form& part) {
   const std::string key = part_key(part);
   if (const auto known = names_.find(key); known != names_.end()) return known->second;
   // Parts of the part are named first, so that names are in the order of reading.
-  auto meaning = rows({false, part}, width_of_name + width_of_relation);
+  auto meaning = rows({false, part}, measure_.name + measure_.relation);
   std::string name;
   do name = "U_" + std::to_string(++last_);
   while (is_taken(name));
@@ -66,8 +80,8 @@ bool Fitting::name_a_part(Form& form) {
   std::vector<Form*> sums;
   outermost_sums(form, sums);
   const auto widest = std::max_element(
-      sums.begin(), sums.end(), [](Form* a, Form* b) { return width_of(*a) < width_of(*b); });
-  if (widest != sums.end() && width_of(**widest) > least_part) {
+      sums.begin(), sums.end(), [this](Form* a, Form* b) { return measure_.of(*a) < measure_.of(*b); });
+  if (widest != sums.end() && measure_.of(**widest) > measure_.least_part) {
     **widest = name_of(**widest);
     return true;
   }
@@ -80,23 +94,36 @@ bool Fitting::name_a_part(Form& form) {
   return false;
 }
 
+/// Gives a name to what would be set in the smallest letters: sums with fractions below two bars.
+void Fitting::name_small_parts(Form& form, int bars) {
+  if (form.kind == Form::Kind::sum && bars > 1 && has_bar(form)) {
+    form = name_of(form);
+    return;
+  }
+  const int within = bars + (form.kind == Form::Kind::product && !form.under.empty() ? 1 : 0);
+  for (Form& part : form.over) name_small_parts(part, within);
+  for (Form& part : form.under) name_small_parts(part, within);
+  for (Signed& term : form.terms) name_small_parts(term.form, within);
+}
+
 Form Fitting::narrowed(Form form, double width) {
-  while (width_of(form) > width && name_a_part(form)) {
+  while (measure_.of(form) > width && name_a_part(form)) {
   }
   return form;
 }
 
 std::vector<std::vector<Signed>> Fitting::rows(Signed right, double left) {
-  if (width_of(right) <= width_ - left) return {{std::move(right)}};
+  name_small_parts(right.form, 0);
+  if (width_of(right) <= measure_.width - left) return {{std::move(right)}};
   if (right.form.kind != Form::Kind::sum)
-    return {{{right.minus, narrowed(std::move(right.form), width_ - left - width_of_sign)}}};
+    return {{{right.minus, narrowed(std::move(right.form), measure_.width - left - measure_.sign)}}};
   std::vector<std::vector<Signed>> result;
   double used = 0;
   for (Signed& term : right.form.terms) {
-    term.form = narrowed(std::move(term.form), width_ - left - indent - width_of_sign);
-    const double more = width_of(term.form) + width_of_sign;
-    if (result.empty() || used + more > width_) {
-      used = result.empty() ? left : left + indent;
+    term.form = narrowed(std::move(term.form), measure_.width - left - measure_.indent - measure_.sign);
+    const double more = measure_.of(term.form) + measure_.sign;
+    if (result.empty() || used + more > measure_.width) {
+      used = result.empty() ? left : left + measure_.indent;
       result.emplace_back();
     }
     used += more;
@@ -108,10 +135,10 @@ std::vector<std::vector<Signed>> Fitting::rows(Signed right, double left) {
 std::vector<FittedEquation> Fitting::fitted(const Statement& equation, double column) {
   Signed left = equation.left, right = equation.right;
   // What is 0 is broken behind the equals sign.
-  if (right.form.kind == Form::Kind::number && width_of(equation) > width_) std::swap(left, right);
-  if (width_of(left) > least_right * width_)
-    left.form = narrowed(std::move(left.form), least_right * width_);
-  const double beside = std::max(width_of(left), column) + width_of_relation;
+  if (right.form.kind == Form::Kind::number && width_of(left) + measure_.relation + width_of(right) > measure_.width) std::swap(left, right);
+  if (width_of(left) > least_right * measure_.width)
+    left.form = narrowed(std::move(left.form), least_right * measure_.width);
+  const double beside = std::max(width_of(left), column) + measure_.relation;
   FittedEquation whole{left, equation.relation, rows(std::move(right), beside), {}};
   std::vector<FittedEquation> result = std::exchange(fresh_, {});
   result.push_back(std::move(whole));

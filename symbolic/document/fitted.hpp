@@ -23,11 +23,21 @@ struct FittedEquation {
   Range range = {};  ///< "j = 1..10" behind it; no index: none
 };
 
+/// What fits: points of a page, or characters of a terminal.
+struct Measure {
+  double width;                  ///< of a page
+  double (*of)(const Form&);     ///< of a formula
+  double sign, relation;         ///< of a plus and of an equals sign, with their spaces
+  double indent;                 ///< of rows after the first
+  double least_part, name;       ///< narrower parts get no name; what a name takes
+};
+
+extern const Measure measure_of_page, measure_of_terminal;
+
 /// One document's: parts that have a name keep it.
 class Fitting {
  public:
-  /// `width`: of a page, in pt.
-  explicit Fitting(double width) : width_(width) {}
+  explicit Fitting(const Measure& measure) : measure_(measure) {}
 
   /// The definitions that are new, then the equation. `column`: what its block leaves on the left
   /// for the widest side, in pt.
@@ -36,10 +46,13 @@ class Fitting {
  private:
   std::vector<std::vector<Signed>> rows(Signed right, double left);
   Form narrowed(Form form, double width);
+  void name_small_parts(Form& form, int bars);
   bool name_a_part(Form& form);
   Form name_of(const Form& part);
 
-  double width_;
+  double width_of(const Signed& expression) const;
+
+  const Measure& measure_;
   std::map<std::string, Form> names_;
   std::vector<FittedEquation> fresh_;
   int last_ = 0;

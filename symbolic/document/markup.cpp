@@ -1,12 +1,12 @@
 #include "document/markup.hpp"
 
-#include <optional>
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "base/plain_text.hpp"
 #include "document/displays.hpp"
 #include "formula/dialect.hpp"
-#include "formula/width.hpp"
 #include "record/fields.hpp"
 #include "record/html_text.hpp"
 #include "record/template.hpp"
@@ -43,6 +43,24 @@ std::string markdown(std::string_view text) {
   return out;
 }
 
+constexpr std::size_t terminal_columns = 100;
+
+/// Lines of so many characters at most, as far as spaces allow that.
+std::string wrapped(const std::string& text, std::size_t columns) {
+  std::string result, line;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t space = std::min(text.find(' ', begin), text.size());
+    const std::string word = text.substr(begin, space - begin);
+    if (!line.empty() && line.size() + 1 + word.size() >= columns) {
+      result += line + "\n";
+      line.clear();
+    }
+    line += (line.empty() ? "" : " ") + word;
+    begin = space + 1;
+  }
+  return result + line;
+}
+
 /// How a markup takes the title, which is the user's, our own words, and formulas in them.
 struct DocumentMarkup {
   const char* name;
@@ -51,27 +69,29 @@ struct DocumentMarkup {
   const char *open, *close;
   std::string (*title)(std::string_view);
   std::string (*words)(std::string_view);
-  std::optional<double> width;  ///< of a page, in pt
+  const Measure& measure;
+  bool wraps;  ///< words, at the measure's width
 
   record::Markup of(const Prose& prose) const {
-    return {prose.written(within_words(), open, close, words)};
+    const std::string text = prose.written(within_words(), open, close, words);
+    return {wraps ? wrapped(text, terminal_columns) : text};
   }
 };
 
 DocumentMarkup markup_of(Format format) {
   if (format == Format::latex)
-    return {"latex", latex_dialect, latex_within_words, "$", "$", latex, latex, safe_text_width};
+    return {"latex", latex_dialect, latex_within_words, "$", "$", latex, latex, measure_of_page, false};
   if (format == Format::markdown)
     return {"markdown", latex_dialect, latex_within_words, "$", "$", markdown, as_it_is,
-            safe_text_width};
+            measure_of_page, false};
   if (format == Format::html)
     return {"html", mathml_dialect, mathml_dialect, "<math><mrow>", "</mrow></math>",
-            record::html_text, record::html_text, safe_text_width};
-  return {"text", text_dialect, text_dialect, "", "", as_it_is, as_it_is, std::nullopt};
+            record::html_text, record::html_text, measure_of_page, false};
+  return {"text", text_dialect, text_dialect, "", "", as_it_is, as_it_is, measure_of_terminal, true};
 }
 
-/// Its rows, and the whole of a lone one.
-Json display_record(const Display& display) {
+/// A row of an equation each.
+Json rows_of(const Display& display) {
   const auto markup = [](const std::string& text) {
     return Fields(record::Reader::page).written(record::Markup{text});
   };
@@ -84,16 +104,45 @@ Json display_record(const Display& display) {
                       {"right", markup(row)},
                       {"range", markup(last ? equation.range : "")}});
     }
-  const bool lone = rows.size() == 1;
-  return {{"lone", lone}, {"rows", std::move(rows)}};
+  return rows;
+}
+
+/// What is set at once: no more than that, which is all that KaTeX takes in one piece.
+void add_display(Json& shown, Json rows) {
+  constexpr std::size_t most_rows = 60;
+  for (std::size_t from = 0; from < rows.size(); from += most_rows) {
+    const auto begin = rows.begin() + static_cast<std::ptrdiff_t>(from);
+    const auto end = rows.begin() + static_cast<std::ptrdiff_t>(std::min(from + most_rows, rows.size()));
+    Json part = Json::array();
+    std::copy(begin, end, std::back_inserter(part));
+    const bool lone = part.size() == 1;
+    shown.push_back({{"lone", lone}, {"rows", std::move(part)}});
+  }
 }
 
 Json block_record(const DocumentBlock& block, const DocumentMarkup& markup, Displays& displays) {
   Json shown = Json::array();
-  for (const Display& display : displays.of(block)) shown.push_back(display_record(display));
+  for (const Display& display : displays.of(block)) add_display(shown, rows_of(display));
   Fields f(record::Reader::page);
   f("words", markup.of(block.words))("displays", shown);
   return f.take();
+}
+
+Json symbol_record(const SymbolRow& row, const DocumentMarkup& markup) {
+  Fields f(record::Reader::page);
+  f("symbol", markup.of(row.symbol))("meaning", markup.of(row.meaning))("unit", row.unit);
+  return f.take();
+}
+
+/// In parts, each of which fits a page.
+Json tables_record(const std::vector<SymbolRow>& rows, const DocumentMarkup& markup) {
+  constexpr std::size_t rows_of_page = 30;
+  Json tables = Json::array();
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (i % rows_of_page == 0) tables.push_back({{"rows", Json::array()}});
+    tables.back()["rows"].push_back(symbol_record(rows[i], markup));
+  }
+  return tables;
 }
 
 Json section_record(const Section& section, const DocumentMarkup& markup, Displays& displays) {
@@ -103,6 +152,10 @@ Json section_record(const Section& section, const DocumentMarkup& markup, Displa
   Fields f(record::Reader::page);
   f("heading", markup.of(section.title))("note", markup.of(section.note));
   f("blocks", blocks)("remark", markup.of(section.remark));
+  std::vector<record::Markup> items;
+  for (const Prose& item : section.items) items.push_back(markup.of(item));
+  f("items", items)("symbols", !section.symbols.empty());
+  f("tables", tables_record(section.symbols, markup));
   return f.take();
 }
 
@@ -111,7 +164,7 @@ Json section_record(const Section& section, const DocumentMarkup& markup, Displa
 std::string markup_document(Format format, const std::string& title,
                             const std::vector<Section>& sections, bool standalone) {
   const DocumentMarkup markup = markup_of(format);
-  Displays displays(markup.dialect(), markup.width);
+  Displays displays(markup.dialect(), markup.measure);
   const record::Markup heading{markup.title(one_line(title))};
   Json record{{"title", Fields(record::Reader::page).written(heading)},
               {"standalone", standalone},

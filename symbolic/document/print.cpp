@@ -6,6 +6,7 @@
 #include "analysis/parting.hpp"
 #include "analysis/residues.hpp"
 #include "base/errors.hpp"
+#include "document/appendix.hpp"
 #include "document/content.hpp"
 #include "document/form_lines.hpp"
 #include "document/json.hpp"
@@ -78,10 +79,10 @@ std::string print(const Problem& problem, const DocumentOptions& options) {
   const AlgebraLock lock;
   const NamesOfScene names(problem);
   const Findings findings = find(problem, options);
-  if (options.format != Format::json)
-    return markup_document(options.format, title_of(problem), sections(findings),
-                           options.standalone);
-  return json_document(problem, findings);
+  if (options.format == Format::json) return json_document(problem, findings);
+  const bool terminal = options.format == Format::text;
+  return markup_document(options.format, title_of(problem),
+                         terminal ? sections(findings) : appendix(findings), options.standalone);
 }
 
 }  // namespace vcrit::symbolic

@@ -74,7 +74,7 @@ class LatexDialect : public Dialect {
   std::string call(const std::string& function, const std::string& argument) const override {
     if (function == "abs") return "\\left|" + argument + "\\right|";
     if (function == "exp" && printed_name(own_name("e")) == "e") return "e^{" + argument + "}";
-    return (function == "sin" ? "\\sin" : "\\operatorname{" + function + "}") + wrapped(argument);
+    return (function == "sin" || function == "cos" ? "\\" + function : "\\operatorname{" + function + "}") + wrapped(argument);
   }
   std::string wrapped(const std::string& text) const override {
     return "\\left(" + text + "\\right)";

@@ -16,7 +16,7 @@ namespace {
 struct Numbered {
   std::string letter;
   int number;
-  bool entry;
+  bool entry, own;
 };
 
 bool is_digits(const std::string& text) {
@@ -25,18 +25,19 @@ bool is_digits(const std::string& text) {
 }
 
 std::optional<Numbered> numbered(const std::string& name) {
-  if (const auto open = name.find('['); open != std::string::npos && name.back() == ']') {
-    const std::string digits = name.substr(open + 1, name.size() - open - 2);
-    if (is_digits(digits)) return Numbered{name.substr(0, open), std::stoi(digits), true};
+  const std::string base = base_name(name);
+  if (const auto open = base.find('['); open != std::string::npos && base.back() == ']') {
+    const std::string digits = base.substr(open + 1, base.size() - open - 2);
+    if (is_digits(digits))
+      return Numbered{base.substr(0, open), std::stoi(digits), true, is_own(name)};
   }
   if (!is_own(name)) return std::nullopt;
-  const std::string base = base_name(name);
   const auto end = base.find_last_not_of("0123456789");
   if (end == std::string::npos || !is_digits(base.substr(end + 1))) return std::nullopt;
   std::string letter = base.substr(0, end + 1);
   if (letter.ends_with('_')) letter.pop_back();
   if (letter.size() != 1) return std::nullopt;
-  return Numbered{letter, std::stoi(base.substr(end + 1)), false};
+  return Numbered{letter, std::stoi(base.substr(end + 1)), false, true};
 }
 
 template <class Visit>
@@ -54,9 +55,10 @@ std::string shifted(const std::string& index, int by) {
 
 std::string general_name(const Numbered& name, const std::string& index, int from) {
   const int by = name.number - from;
-  if (name.entry) return name.letter + "[" + shifted(index, by) + "]";
-  return own_name(by == 0 ? name.letter + "_" + index
-                          : name.letter + "[" + shifted(index, by) + "]");
+  const bool bracket = name.entry || by != 0;
+  const std::string base =
+      bracket ? name.letter + "[" + shifted(index, by) + "]" : name.letter + "_" + index;
+  return name.own ? own_name(base) : base;
 }
 
 struct Term {

@@ -70,7 +70,7 @@ BOOST_AUTO_TEST_CASE(while_the_surfaces_touch) {
   Scene unknown = apart;
   unknown.elements.front().second.reset();
   BOOST_REQUIRE(parting_lines(derive(unknown)).size() == 2u);
-  BOOST_TEST(parting_lines(derive(unknown))[1].words.find("as long as they touch there") !=
+  BOOST_TEST(parting_lines(derive(unknown))[1].words.text().find("as long as they touch there") !=
              std::string::npos);
   // Nor is one formula of both equal to the other's v*.
   BOOST_CHECK_THROW(compare(apart, touching), ModelError);

@@ -154,7 +154,7 @@ BOOST_AUTO_TEST_CASE(words_are_those_of_the_scene_that_is_printed) {
   const auto first_words = [](const char* normal) {
     const Scene scene = test::scene_of(std::string("normal = \"") + normal + "\"\npoisson = 0.3");
     const NamesOfScene names(scene);
-    return derive(scene).lines.front().words;
+    return derive(scene).lines.front().words.text();
   };
   BOOST_TEST(first_words("spring(y)").find("(y_own: its") != std::string::npos);
   BOOST_TEST(first_words("spring(a)").find("(y: its") != std::string::npos);

@@ -28,7 +28,7 @@ GiNaC::numeric number(const test::Real& value) {
 
 GiNaC::ex line(const Derivation& derivation, const std::string& words) {
   for (const Line& each : derivation.lines)
-    if (each.words.find(words) != std::string::npos) return each.right;
+    if (each.words.text().find(words) != std::string::npos) return each.right;
   throw std::runtime_error("no line " + words);
 }
 

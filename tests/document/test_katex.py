@@ -28,7 +28,7 @@ REFUSED = [("measured_drive", "rational"), ("prony", "rational")]  # no polynomi
 HARD = {"normal": "k_1 | spring(alpha_beta12) - damper(nabla)", "tangential": "spring(frac) | spring(s) - damper(i_)",
         "network": "spring(K_n) | damper(c_9_x) - spring(mathrm)", "mass": "m"}
 
-DISPLAYED = re.compile(r"\\\[(.*?)\\\]", re.DOTALL)
+DISPLAYED = re.compile(r"\\\[(.*?)\\\]|(\\begin\{align\*\}.*?\\end\{align\*\})", re.DOTALL)
 IN_LINE = re.compile(r"(?<![\\$])\$(?!\$)(.+?)(?<!\\)\$(?!\$)")
 IN_BLOCKS = re.compile(r"\$\$(.*?)\$\$", re.DOTALL)
 
@@ -48,7 +48,7 @@ def formulas(text, form):
     """(mathematics, whether it is displayed)"""
     if form == "json":
         return [(each, True) for each in latex_of_json(json.loads(text))]
-    displayed = (IN_BLOCKS if form == "markdown" else DISPLAYED).findall(text)
+    displayed = IN_BLOCKS.findall(text) if form == "markdown" else map("".join, DISPLAYED.findall(text))
     rest = (IN_BLOCKS if form == "markdown" else DISPLAYED).sub("", text)
     return [(each, True) for each in displayed] + [(each, False) for each in IN_LINE.findall(rest)]
 

@@ -70,8 +70,8 @@ BOOST_AUTO_TEST_CASE(notation_in_latex) {
   BOOST_TEST(to_latex(GiNaC::pow(quantity("v*"), 2)) == "{v^{*}}^{2}");
   BOOST_TEST(to_latex(GiNaC::pow(k + c, 2)) == "\\left(c_{1} + k_{0}\\right)^{2}");
   BOOST_TEST(latex({"k0"}) == "k_{0}");
-  BOOST_TEST(latex({"k", 3}) == "k_{(3)}");
-  BOOST_TEST(latex({"tau", 12}) == "\\tau_{(12)}");
+  BOOST_TEST(latex({"k", 3}) == "k_{3}");
+  BOOST_TEST(latex({"tau", 12}) == "\\tau_{12}");
   BOOST_TEST(latex({"mu0"}) == "\\mu_{0}");
   BOOST_TEST(latex({"omega"}) == "\\omega");
   BOOST_TEST(latex({"omega_d"}) == "\\omega_{d}");
@@ -82,8 +82,10 @@ BOOST_AUTO_TEST_CASE(notation_in_latex) {
   BOOST_TEST(latex({"c_eta"}) == "c_{\\eta}");
   BOOST_TEST(latex({"kspring"}) == "k_{\\mathrm{spring}}");
   BOOST_TEST(latex({"ratio"}) == "\\mathrm{ratio}");
+  BOOST_TEST(latex({"exp"}) == "\\mathrm{exp}");
+  BOOST_TEST(latex({"pi"}) == "\\pi");
   BOOST_TEST(latex({"dK_n"}) == "\\mathrm{d}K_{n}");
-  BOOST_TEST(latex({"S_k", 3}) == "S_{k_{(3)}}");
+  BOOST_TEST(latex({"S_k", 3}) == "S_{k_{3}}");
 }
 
 BOOST_AUTO_TEST_CASE(dialects) {
@@ -102,7 +104,7 @@ BOOST_AUTO_TEST_CASE(mathml_is_well_formed) {
   BOOST_TEST(!is_balanced("<a><b></a></b>"));
   const Scene scene = test::kelvin_scene();
   const Derivation derivation = derive(scene);
-  for (const Line& line : derivation.lines) BOOST_TEST(is_balanced(to_mathml(line)), line.words);
+  for (const Line& line : derivation.lines) BOOST_TEST(is_balanced(to_mathml(line)), line.words.text());
   for (const Limit& limit : limits(derive(scene))) BOOST_TEST(is_balanced(to_mathml(limit.result)));
 }
 
@@ -159,7 +161,7 @@ BOOST_AUTO_TEST_CASE(all_markups_show_what_was_asked_for) {
   BOOST_TEST(has(Format::latex, "v^{*} \\sim \\frac{"));
   BOOST_TEST(has(Format::latex, "\\subsection*{Sensitivities}"));
   BOOST_TEST(has(Format::markdown, "## Low and high frequency"));
-  BOOST_TEST(has(Format::markdown, "S_{k_{n}} ="));
+  BOOST_TEST(has(Format::markdown, "S_{k_{n}} & ="));
   BOOST_TEST(print(scene, {Format::text, true}).find("S_kn") == std::string::npos);
 }
 
@@ -168,7 +170,7 @@ BOOST_AUTO_TEST_CASE(large_formulas_stay_nested_and_say_so) {
       test::scene_of("normal = \"prony(k0, k, tau, 10)\"\npoisson = 0.3", "kd", "m");
   const std::string text = print(prony, {Format::text, true, false, ResultForm::by_size});
   BOOST_TEST(text.find("left nested") != std::string::npos);
-  BOOST_TEST(text.find("k[10]*tau[10]*s/(1 + tau[10]*s)") != std::string::npos);
+  BOOST_TEST(text.find("k0 + sum(k[j]*tau[j]*s/(1 + tau[j]*s), j = 1..10)") != std::string::npos);
   BOOST_TEST(text.size() < 6000u);
 }
 

@@ -5,6 +5,7 @@
 #include <map>
 #include <string>
 
+#include "formula/names.hpp"
 #include "shortest/expressions.hpp"
 #include "shortest/shortest.hpp"
 
@@ -38,6 +39,27 @@ inline double value_of(const symbolic::shortest::Expressions& all, symbolic::sho
   return known[node] = value;
 }
 
+/// A form with a number for an index: k[j], k[j+2] and the program's T_j as k[3], k[5] and T3.
+inline Form at_number(Form form, const std::string& index, int number) {
+  if (form.kind == Form::Kind::name) {
+    const bool own = symbolic::is_own(form.text);
+    std::string base = symbolic::base_name(form.text);
+    if (const auto at = base.find("[" + index); at != std::string::npos) {
+      const std::string shift = base.substr(at + 1 + index.size());
+      const int by = shift == "]" ? 0 : std::stoi(shift);
+      const std::string digits = std::to_string(number + by);
+      base = base.substr(0, at) + (own ? digits : "[" + digits + "]");
+    } else if (own && base.ends_with("_" + index)) {
+      base = base.substr(0, base.size() - index.size() - 1) + std::to_string(number);
+    }
+    form.text = own ? symbolic::own_name(base) : base;
+  }
+  for (Form& part : form.over) part = at_number(part, index, number);
+  for (Form& part : form.under) part = at_number(part, index, number);
+  for (Signed& term : form.terms) term.form = at_number(term.form, index, number);
+  return form;
+}
+
 /// Of a form with a number for each name.
 inline double value_of(const Form& form, const std::map<std::string, double>& names) {
   switch (form.kind) {
@@ -64,6 +86,12 @@ inline double value_of(const Form& form, const std::map<std::string, double>& na
       return std::pow(value_of(form.over[0], names), form.exponent);
     case Form::Kind::root:
       return std::sqrt(value_of(form.over[0], names));
+    case Form::Kind::series: {
+      double sum = 0;
+      for (int number = form.exponent; number <= form.last; ++number)
+        sum += value_of(at_number(form.terms[0].form, form.text, number), names);
+      return sum;
+    }
     case Form::Kind::call:
       break;
   }

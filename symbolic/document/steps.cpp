@@ -1,0 +1,92 @@
+#include "document/steps.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "derivation/factors.hpp"
+#include "derivation/model.hpp"
+#include "formula/symbols.hpp"
+#include "formula/text.hpp"
+
+namespace vcrit::symbolic {
+
+namespace {
+
+using GiNaC::ex;
+
+/// even + i omega odd, in this order.
+Signed apart(const EvenOdd& split) {
+  Form sum{Form::Kind::sum, "", {}, {}, {}, 1};
+  const Signed even = form_of(split.even);
+  if (even.form.kind == Form::Kind::sum)
+    sum.terms = even.form.terms;
+  else if (!split.even.is_zero())
+    sum.terms.push_back(even);
+  sum.terms.push_back(form_of(GiNaC::I * omega() * split.odd));
+  if (sum.terms.size() == 1) return sum.terms.front();
+  return {false, std::move(sum)};
+}
+
+using Powers = std::vector<std::pair<ex, int>>;
+
+/// Above the bar, then below it, each by how it reads: GiNaC's order is another one in each run.
+Powers in_order(Powers parts) {
+  const auto key = [](const std::pair<ex, int>& part) {
+    return std::pair(-part.second, to_text(part.first));
+  };
+  std::sort(parts.begin(), parts.end(),
+            [&key](const auto& a, const auto& b) { return key(a) < key(b); });
+  return parts;
+}
+
+/// B as a product, with a name for each polynomial that is complex at s = i omega.
+struct NamedAmplitude {
+  Factors product;
+  std::vector<Equation> polynomials;  ///< P_1 = even + i omega odd
+};
+
+NamedAmplitude named_amplitude(const Factors& amplitude) {
+  NamedAmplitude result;
+  result.product.multiply_rational(amplitude.coefficient());
+  for (const auto& [factor, exponent] : in_order(amplitude.parts())) {
+    ex part = factor;
+    const EvenOdd split = even_odd(factor);
+    if (!GiNaC::is_a<GiNaC::symbol>(factor) && !split.odd.is_zero()) {
+      part = quantity("P_" + std::to_string(result.polynomials.size() + 1));
+      result.polynomials.push_back({form_of(part).form, apart(split), {}});
+    }
+    for (int i = 0; i < std::abs(exponent); ++i)
+      result.product.multiply(part, exponent > 0 ? 1 : -1);
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<DocumentBlock> root_steps(const Derivation& derivation) {
+  const ex v = quantity("v*"), a = quantity("a"), b = quantity("b");
+  const ex complex = a + GiNaC::I * b;
+  const Line absolute{"", GiNaC::abs(complex), GiNaC::sqrt(a * a + b * b)};
+  const Statement at = stated(laplace(), GiNaC::I * omega());
+  const std::optional<Factors> amplitude = derivation.model->multiplied_out_amplitude();
+  if (!amplitude)
+    return {{{"The absolute value of a product is the product of absolute values; each factor is ",
+              complex, " with real ", a, " and ", b, " at ", at},
+             {absolute}}};
+  NamedAmplitude named = named_amplitude(*amplitude);
+  if (named.polynomials.empty()) return {};
+  const ex product = named.product.value().subs(laplace() == GiNaC::I * omega());
+  named.polynomials.push_back({form_of(quantity("B")).form, form_of(product), {}});
+  return {{{"Multiplied out, with even and odd powers of ", at, " apart"},
+           {},
+           false,
+           named.polynomials},
+          {{"The absolute value of a product is the product of absolute values, and ",
+            stated(absolute.left, absolute.right), " for real ", a, " and ", b},
+           {{"", v, omega() * named.product.modulus()}}}};
+}
+
+}  // namespace vcrit::symbolic
