@@ -1,5 +1,5 @@
-// vcrit derive: Eq. 24 derived for a scene, as text, LaTeX, Markdown or JSON; and the page about
-// all named rheologies.
+// vcrit derive: Eq. 24 derived for a scene, as text, LaTeX, Markdown, JSON or for other
+// systems; and the page about all named rheologies.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -19,11 +19,22 @@ namespace {
 using symbolic::Format;
 using symbolic::ResultForm;
 
-const Choices<Format> formats{{"text", Format::text},
-                              {"latex", Format::latex},
-                              {"markdown", Format::markdown},
-                              {"html", Format::html},
-                              {"json", Format::json}};
+/// A format, and the system where it is one.
+struct FormatChoice {
+  Format format = Format::text;
+  std::string system = {};
+};
+
+Choices<FormatChoice> formats() {
+  Choices<FormatChoice> all{{"text", {Format::text}},
+                            {"latex", {Format::latex}},
+                            {"markdown", {Format::markdown}},
+                            {"html", {Format::html}},
+                            {"json", {Format::json}}};
+  for (const std::string& name : symbolic::system_names())
+    all.push_back({name, {Format::system, name}});
+  return all;
+}
 
 const Choices<ResultForm> forms{{"shortest", ResultForm::shortest},
                                 {"by-size", ResultForm::by_size},
@@ -32,10 +43,12 @@ const Choices<ResultForm> forms{{"shortest", ResultForm::shortest},
                                 {"dimensionless", ResultForm::dimensionless}};
 
 /// The exit status: 0 for equal, 1 for different.
-int print_comparison(const Problem& problem, const Problem& other, Format format) {
+int print_comparison(const Problem& problem, const Problem& other, const FormatChoice& chosen) {
+  if (chosen.format == Format::system)
+    throw InputError(argument("equal"), "the format " + chosen.system, "text or json");
   const symbolic::Comparison comparison = symbolic::compare(problem, other);
-  fmt::print(
-      "{}", format == Format::json ? symbolic::json_of(comparison) : symbolic::text_of(comparison));
+  fmt::print("{}", chosen.format == Format::json ? symbolic::json_of(comparison)
+                                                 : symbolic::text_of(comparison));
   return comparison.equal ? 0 : 1;
 }
 
@@ -65,18 +78,19 @@ void add_derive(CLI::App& program, int& status, std::string (*catalogue)()) {
   struct Options {
     SceneOptions scene;
     symbolic::DocumentOptions document;
+    FormatChoice format;
     std::string equal;
     bool catalogue = false;
   };
   const auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand("derive", "Derive the formula of v* for a scene");
   options->scene.add_to(*command);
-  add_choice<Format>(*command, "--format", options->document.format, formats, "of the output");
+  add_choice<FormatChoice>(*command, "--format", options->format, formats(),
+                           "of the output; from sympy on the result alone, for that system");
   command->add_flag("--standalone", options->document.standalone,
                     "with --format latex: an article that pdflatex compiles, not a part of one");
   command->add_flag_callback(
-      "--json", [options] { options->document.format = Format::json; },
-      "the same as --format json");
+      "--json", [options] { options->format = {Format::json}; }, "the same as --format json");
   command->add_flag(
       "--limits", options->document.limits,
       "derive the limits that apply to the scene, low and high frequency, and resonances");
@@ -102,10 +116,12 @@ void add_derive(CLI::App& program, int& status, std::string (*catalogue)()) {
     if (options->catalogue) return fmt::print("{}", catalogue());
     if (options->scene.file.empty()) throw CLI::RequiredError("SCENE");
     if (!options->equal.empty()) {
-      status = print_comparison(options->scene.read(), read_problem(options->equal),
-                                options->document.format);
+      status =
+          print_comparison(options->scene.read(), read_problem(options->equal), options->format);
       return;
     }
+    options->document.format = options->format.format;
+    options->document.system = options->format.system;
     check_standalone(options->document);
     fmt::print("{}", symbolic::print(options->scene.read(), options->document));
   });

@@ -15,11 +15,15 @@ using symbolic::Format;
 using symbolic::ResultForm;
 
 const std::map<std::string, Format>& formats() {
-  static const std::map<std::string, Format> names{{"text", Format::text},
-                                                   {"latex", Format::latex},
-                                                   {"markdown", Format::markdown},
-                                                   {"html", Format::html},
-                                                   {"json", Format::json}};
+  static const std::map<std::string, Format> names = [] {
+    std::map<std::string, Format> all{{"text", Format::text},
+                                      {"latex", Format::latex},
+                                      {"markdown", Format::markdown},
+                                      {"html", Format::html},
+                                      {"json", Format::json}};
+    for (const std::string& system : symbolic::system_names()) all[system] = Format::system;
+    return all;
+  }();
   return names;
 }
 
@@ -55,6 +59,7 @@ std::string document(const Problem& problem, const std::string& format, const st
                      bool limits, bool sensitivities) {
   symbolic::DocumentOptions options;
   options.format = named(formats(), "format", format);
+  options.system = format;
   options.form = named(forms(), "form", form);
   options.limits = limits;
   options.sensitivities = sensitivities;

@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <utility>
+
 #include "analysis/half_space.hpp"
 #include "analysis/parting.hpp"
 #include "analysis/residues.hpp"
@@ -11,6 +13,7 @@
 #include "document/form_lines.hpp"
 #include "document/json.hpp"
 #include "document/markup.hpp"
+#include "document/systems/system.hpp"
 #include "formula/algebra_lock.hpp"
 #include "formula/names.hpp"
 #include "rules/rulebook.hpp"
@@ -73,12 +76,23 @@ Findings find(const Problem& problem, const DocumentOptions& options) {
   return findings;
 }
 
+/// The result alone is taken: the system has its own ways to limits and derivatives.
+void check_system(const DocumentOptions& options) {
+  for (const auto& [name, asked] :
+       {std::pair("limits", options.limits), {"sensitivities", options.sensitivities}})
+    if (asked)
+      throw InputError(argument(name), "the format " + options.system,
+                       "text, latex, markdown or json: other formats have v* alone");
+}
+
 }  // namespace
 
 std::string print(const Problem& problem, const DocumentOptions& options) {
+  if (options.format == Format::system) check_system(options);
   const AlgebraLock lock;
   const NamesOfScene names(problem);
   const Findings findings = find(problem, options);
+  if (options.format == Format::system) return system_document(options.system, problem, findings);
   if (options.format == Format::json) return json_document(problem, findings);
   const bool terminal = options.format == Format::text;
   return markup_document(options.format, title_of(problem),

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "problem/problem.hpp"
 
 namespace vcrit::symbolic {
 
-enum class Format { text, latex, markdown, html, json };
+/// system: the result alone, as another system reads it.
+enum class Format { text, latex, markdown, html, json, system };
 
 /// How the result is written: as the shortest real formula in named steps (where that fits a page,
 /// else by its size); by its size, multiplied out or nested; nested; or besides that as a rational
@@ -21,10 +23,14 @@ struct DocumentOptions {
   ResultForm form = ResultForm::shortest;
   bool standalone = false;  ///< LaTeX: an article that compiles as it is, no part of one
   double budget = 5000;  ///< terms of the polynomials in v* up to which they are multiplied out
+  std::string system = {};  ///< of Format::system, by its name
 };
 
+/// Systems that take the formula: "sympy", ..., in the order of --format.
+const std::vector<std::string>& system_names();
+
 /// What `vcrit derive` prints; the same bytes in every run. Throws ModelError where the rational
-/// form is beyond the budget.
+/// form is beyond the budget, and InputError for a system with limits or sensitivities.
 std::string print(const Problem& problem, const DocumentOptions& options);
 
 }  // namespace vcrit::symbolic

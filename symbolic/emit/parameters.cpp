@@ -7,56 +7,32 @@
 
 #include "emit/pieces.hpp"
 #include "formula/symbols.hpp"
-#include "network/law.hpp"
 
 namespace vcrit::symbolic {
-
-namespace {
-
-std::map<Symbol, std::string> element_comments(const Problem& problem) {
-  std::map<Symbol, std::string> comments;
-  const auto add = [&comments](const Element& element) {
-    for_each_number(element, [&](const Symbol& symbol, NumberRole role) {
-      comments[symbol] = number_row(role).words;
-    });
-  };
-  for_each_element(problem, add);
-  return comments;
-}
-
-}  // namespace
 
 ParameterList::ParameterList(const Problem& problem, const std::vector<Symbol>& symbols,
                              const FixedValues& fixed, Spelled spelled)
     : names_(problem->names), spelled_(spelled) {
   const std::set<Symbol> always{{"mu0"}, {"omega"}, {"du_z"}};
-  add({"mu0"}, "friction coefficient", problem);
-  add({"omega"}, "angular frequency", problem);
-  add({"du_z"}, "amplitude", problem);
-  std::map<Symbol, std::string> comments = element_comments(problem);
-  comments[{"m"}] = "mass";
-  comments[{"u_z0"}] = "mean indentation";
-  if (const auto* isotropic = std::get_if<Isotropic>(&problem->tangential)) {
-    const bool poisson = isotropic->by == Isotropic::By::poisson;
-    comments[isotropic->quantity.symbol] = poisson ? "Poisson's ratio" : "K_t/K_n";
-  }
+  const std::map<Symbol, Meaning> meanings = meanings_of(problem);
+  for (const char* name : {"mu0", "omega", "du_z"}) add({name}, meanings.at({name}), problem);
   for (const Symbol& symbol : symbols) {
     if (const auto number = fixed.find(symbol); number != fixed.end())
       fixed_.insert(*number);
     else if (!always.contains(symbol))
-      add(symbol, comments.at(symbol), problem);
+      add(symbol, meanings.at(symbol), problem);
   }
 }
 
-void ParameterList::add(const Symbol& symbol, const std::string& comment, const Problem& problem) {
+void ParameterList::add(const Symbol& symbol, const Meaning& meaning, const Problem& problem) {
   known_.insert(symbol);
   const std::string name = in_language(as_called(problem, symbol).name);
-  if (symbol.entry == 0) return members_.push_back({name, comment, 0, symbol.name});
+  if (symbol.entry == 0) return members_.push_back({name, meaning.words, 0, symbol.name});
   const bool is_there = std::any_of(members_.begin(), members_.end(), [&](const Member& member) {
     return member.symbol == symbol.name;
   });
   if (!is_there)
-    members_.push_back({name, comment, problem->source->arrays.at(symbol.name), symbol.name});
+    members_.push_back({name, meaning.words, problem->source->arrays.at(symbol.name), symbol.name});
 }
 
 std::string ParameterList::named(std::string text) const {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "derivation/derivation.hpp"
+#include "derivation/meanings.hpp"
 #include "emit/options.hpp"
 #include "problem/problem.hpp"
 #include "program/ratio.hpp"
@@ -50,7 +51,7 @@ class ParameterList {
   }
 
  private:
-  void add(const Symbol& symbol, const std::string& comment, const Problem& problem);
+  void add(const Symbol& symbol, const Meaning& meaning, const Problem& problem);
   std::string name_of(const std::string& symbol) const;
   std::string in_language(const std::string& name) const;
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "base/interruption.hpp"
-#include "formula/names.hpp"
 
 namespace vcrit::symbolic {
 
@@ -89,7 +88,7 @@ Piece Dialect::piece(const Form& form) const {
     }
     case Form::Kind::name:
       if (form.text == own_name("infinity")) return {infinity()};
-      return {name(printed_name(form.text))};
+      return {name(form.text)};
     case Form::Kind::sum: {
       std::string text;
       for (std::size_t i = 0; i < form.terms.size(); ++i) {

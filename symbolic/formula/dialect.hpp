@@ -32,7 +32,8 @@ class Dialect {
  protected:
   /// A natural number or a fraction a/b.
   virtual std::string number(const std::string& digits) const = 0;
-  virtual std::string name(const std::string& text) const = 0;
+  /// Of a symbol by its name within the program (Form::text), which no other one has.
+  virtual std::string name(const std::string& symbol) const = 0;
   virtual std::string negative(const std::string& term) const = 0;
   /// `right` behind `left`, after a plus or minus.
   virtual std::string added(const std::string& left, bool minus,

@@ -37,10 +37,11 @@ class MathMlDialect : public Dialect {
     if (bar == std::string::npos) return "<mn>" + digits + "</mn>";
     return "<mfrac>" + number(digits.substr(0, bar)) + number(digits.substr(bar + 1)) + "</mfrac>";
   }
-  std::string name(const std::string& text) const override {
+  std::string name(const std::string& symbol) const override { return set(printed_name(symbol)); }
+  static std::string set(const std::string& text) {
     if (is_set_apart(text)) return "<mi>" + text + "</mi>";
     if (text.starts_with("S_"))
-      return "<msub><mi>S</mi><mrow>" + name(text.substr(2)) + "</mrow></msub>";
+      return "<msub><mi>S</mi><mrow>" + set(text.substr(2)) + "</mrow></msub>";
     const Notation n = notation(text, has_bare_entry(text));
     std::string result = "<mi>" + letter(n.base) + "</mi>";
     const auto dots = std::count(n.above.begin(), n.above.end(), '\'');

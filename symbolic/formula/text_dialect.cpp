@@ -3,6 +3,7 @@
 #include <fmt/ranges.h>
 
 #include "formula/dialect.hpp"
+#include "formula/names.hpp"
 
 namespace vcrit::symbolic {
 
@@ -10,7 +11,7 @@ namespace {
 
 class TextDialect : public Dialect {
   std::string number(const std::string& digits) const override { return digits; }
-  std::string name(const std::string& text) const override { return text; }
+  std::string name(const std::string& symbol) const override { return printed_name(symbol); }
   std::string negative(const std::string& term) const override { return "-" + term; }
   std::string added(const std::string& left, bool minus, const std::string& right) const override {
     return left + (minus ? " - " : " + ") + right;
