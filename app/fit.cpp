@@ -144,16 +144,20 @@ void add_fit(CLI::App& program) {
       ->required();
   command->add_flag("--damper", options->fit.damper,
                     "try a damper from the start, not only where branches fail");
-  command->add_option("--max-branches", options->fit.most_branches, "no more branches than that")
+  command
+      ->add_option("--max-branches", options->fit.most_branches,
+                   "maximum number of Maxwell branches")
       ->capture_default_str();
-  command->add_option("--title", options->rest.title, "of the scene");
+  command->add_option("--title", options->rest.title, "title of the scene");
   command->add_option("--poisson", options->rest.poisson, "Poisson's ratio for the scene");
   command->add_option("--punch-radius", options->punch_radius,
-                      "of a flat punch, for tables of moduli (MPa): \"0.5 mm\"");
-  command->add_option("--frequency", options->rest.frequency, "of the oscillation: \"20 kHz\"");
-  command->add_option("--amplitude", options->rest.amplitude, "of the oscillation: \"0.1 um\"");
-  command->add_option("--indentation", options->rest.indentation, "the mean: \"0.5 um\"");
-  command->add_option("--coefficient", options->rest.coefficient, "of friction");
+                      "radius of a flat punch, for tables of moduli (MPa): \"0.5 mm\"");
+  command->add_option("--frequency", options->rest.frequency,
+                      "frequency of the oscillation: \"20 kHz\"");
+  command->add_option("--amplitude", options->rest.amplitude,
+                      "amplitude of the oscillation: \"0.1 um\"");
+  command->add_option("--indentation", options->rest.indentation, "mean indentation: \"0.5 um\"");
+  command->add_option("--coefficient", options->rest.coefficient, "coefficient of friction");
   command->add_option("--figures", options->figures, "folder for the figures as SVG and PDF")
       ->type_name("DIR");
   command->add_flag("--json", options->json, "print one JSON object");

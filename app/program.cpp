@@ -128,7 +128,7 @@ int run_program(int argc, char** argv, const AddCommands& add) {
     const InputError words = in_words(error);
     return complain({input_wrong, words.what(), words, words.advice()}, json);
   } catch (const std::bad_alloc&) {
-    return complain({input_wrong, "the memory that it may use does not suffice"}, json);
+    return complain({input_wrong, "out of memory (limit set by ulimit or the machine)"}, json);
   } catch (const std::exception& error) {
     return complain({bug, error.what()}, json);
   }

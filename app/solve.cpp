@@ -141,7 +141,8 @@ void print_solve_text(const Question& question, const Answer& answer) {
   if (answer.largest_frequency)
     fmt::print(", or a frequency of {:.6g} Hz", *answer.largest_frequency);
   fmt::print(
-      "\nsearched        {:.6g} to {:.6g} {}, {} steps: a lower dip within one of them is missed\n",
+      "\nsearched        {:.6g} to {:.6g} {}, {} samples; a dip narrower than one step can be "
+      "missed\n",
       answer.from, answer.to, unit, question.samples);
 }
 
@@ -177,8 +178,8 @@ void add_solve(CLI::App& program) {
       ->required();
   command->add_option("--velocity", options->velocity,
                       "mean velocity of the drive: 0.02 or \"20 mm/s\"; not with --for velocity");
-  command->add_option("--from", options->from, "begin of the range to search");
-  command->add_option("--to", options->to, "its end");
+  command->add_option("--from", options->from, "lower end of the search range");
+  command->add_option("--to", options->to, "upper end of the search range");
   command->add_option("--samples", options->samples, "how many values of the range are tried")
       ->capture_default_str();
   command->add_flag("--json", options->json, "print one JSON object");

@@ -26,14 +26,17 @@ void add_sweep(CLI::App& program, std::function<void(const SweepOptions&)> run) 
       ->required();
   CLI::Option* velocity = command->add_option("--velocity", options->velocity,
                                               "one velocity of the drive for all rows");
-  command->add_option("--velocity-ratio", options->velocity_ratio, "the same in units of v*")
+  command
+      ->add_option("--velocity-ratio", options->velocity_ratio, "drive speed as a multiple of v*")
       ->excludes(velocity);
   command
       ->add_option("--out", options->out,
                    "FILE.csv, or FILE.h5 or .nc (HDF5 by the conventions of netCDF-4)")
       ->required();
-  command->add_flag("--resume", options->stream.resume, "go on with the unfinished FILE.part");
-  command->add_option("--threads", options->stream.threads, "instead of one for each core")
+  command->add_flag("--resume", options->stream.resume, "continue the unfinished FILE.part");
+  command
+      ->add_option("--threads", options->stream.threads,
+                   "number of threads (default: one per core)")
       ->check(CLI::Range(1, 4096));
   command->add_flag("--json", options->json, "print one JSON object");
   command->callback([options, run = std::move(run)] { run(*options); });

@@ -65,7 +65,7 @@ class _SteadyMotion(NamedTuple):
     velocity: float
     """Mean velocity of the drive, m/s."""
     velocity_ratio: float
-    """The same in units of v*."""
+    """Drive speed as a multiple of v*."""
     friction_ratio: float
     """mu_macro/mu0."""
     friction_ratio_error: float
@@ -108,7 +108,7 @@ class FrictionCurve(NamedTuple):
     velocity: npt.NDArray[np.float64]
     """Mean velocity of the drive, m/s."""
     velocity_ratio: npt.NDArray[np.float64]
-    """The same in units of v*."""
+    """Drive speed as a multiple of v*."""
     friction_ratio: npt.NDArray[np.float64]
     """mu_macro/mu0; NaN where no steady state is found."""
     friction_ratio_error: npt.NDArray[np.float64]
