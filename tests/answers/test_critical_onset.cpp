@@ -56,7 +56,7 @@ BOOST_AUTO_TEST_CASE(elastic_paths_keep_the_closed_form) {
   }
 }
 
-// A body remembers where it was when the surfaces met, whatever the springs.
+// A body remembers where it was when the contact closed, whatever the springs.
 BOOST_AUTO_TEST_CASE(a_body_on_springs_has_no_closed_form) {
   const Scene scene = separating({.normal = "k",
                                   .tangential = "kt",
@@ -330,7 +330,7 @@ BOOST_AUTO_TEST_CASE(sensitivities_to_the_largest_poisson_ratio) {
   BOOST_TEST(std::abs(by_poisson / by_ratio + 2.0 / 3) <= 1e-9);
 }
 
-// Surfaces that only tap: v* is Eq. (24) of springs, mu0 omega du_z kn/kt, and without friction 0
+// A contact that only taps: v* is Eq. (24) of springs, mu0 omega du_z kn/kt, and without friction 0
 // whatever the networks.
 BOOST_AUTO_TEST_CASE(tapping_contacts_and_frictionless_ones) {
   SceneText tapping{.normal = "k",

@@ -94,10 +94,12 @@ BOOST_AUTO_TEST_CASE(the_first_wrong_lane_is_named) {
 }
 
 BOOST_AUTO_TEST_CASE(closed_contacts_have_the_formula_and_unknown_values_none) {
-  const Scene scene = parse_scene(
-      "[contact]\nnormal = \"k\"\ntangential = \"kt\"\n[oscillation]\nangular_frequency = 1\n"
-      "amplitude = 1\nindentation = 2\n[friction]\ncoefficient = 0.5\n[elements]\nk = 3\nkt = 2\n",
-      "s.toml");
+  const Scene scene = test::scene_of({.normal = "k",
+                                      .tangential = "kt",
+                                      .angular_frequency = 1,
+                                      .amplitude = 1,
+                                      .indentation = 2,
+                                      .elements = {{"k", 3}, {"kt", 2}}});
   // Eq. (31) by hand: mu0 omega du_z k/kt. v* does not depend on u_z0, but NaN is no number of it.
   const auto found = onsets(scene, {"k", "u_z0"}, {{4, unknown, 8}, {2, 2, unknown}}, 3);
   BOOST_TEST(std::abs(found[0] - 1) < 2 * 1280 * 0x1p-53);

@@ -1,6 +1,7 @@
 // Friction of any scene: that of its contact, or of all cells below its indenter.
 #include "answers/friction.hpp"
 #include "scene/scene.hpp"
+#include "support/scene_text.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -17,14 +18,16 @@ constexpr double amplitude_ratio = 0.5;
 
 // omega = mu0 = 1, elastic: v* = du_z k_n/k_t of a flat punch as of one contact.
 Scene elastic(const std::string& indenter) {
-  return parse_scene(
-      "[contact]\nnormal = \"spring(E)\"\npoisson = 0\n" + indenter +
-          "[oscillation]\nangular_frequency = 1.0\namplitude = 0.5\nindentation = 1.0\n"
-          "[friction]\ncoefficient = 1.0\n[elements]\nE = 1.0\n",
-      "s.toml");
+  return test::scene_of({.normal = "spring(E)",
+                         .poisson = 0,
+                         .indenter = indenter,
+                         .angular_frequency = 1,
+                         .amplitude = 0.5,
+                         .coefficient = 1,
+                         .elements = {{"E", 1}}});
 }
 
-const std::string punch = "[indenter]\nshape = \"flat\"\nradius = 1.0\n";
+const std::string punch = "shape = \"flat\"\nradius = 1.0\n";
 
 }  // namespace
 

@@ -13,6 +13,7 @@
 #include "maps/stream.hpp"
 #include "scene/scene.hpp"
 #include "support/program.hpp"
+#include "support/scene_text.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_maps)
 
@@ -225,11 +226,11 @@ BOOST_AUTO_TEST_CASE(another_receptance_is_another_sweep) {
 BOOST_AUTO_TEST_CASE(an_element_named_progress_is_swept_as_a_table) {
   const test::PrivateFolder folder;
   Sweep sweep = sweep_over({}, {"critical_velocity"});
-  sweep.problem = parse_scene(
-      "[contact]\nnormal = \"spring(progress) | c1\"\ntangential = \"k2\"\n"
-      "[oscillation]\nangular_frequency = 3.0\namplitude = 1e-3\nindentation = 5e-3\n"
-      "[friction]\ncoefficient = 0.3\n[elements]\nprogress = 7.0\nc1 = 2.0\nk2 = 5.0\n",
-      "s.toml");
+  sweep.problem = test::scene_of({.normal = "spring(progress) | c1",
+                                  .tangential = "k2",
+                                  .amplitude = 1e-3,
+                                  .indentation = 5e-3,
+                                  .elements = {{"progress", 7}, {"c1", 2}, {"k2", 5}}});
   sweep.axes.push_back(parse_axis("progress=lin:7:9:20", sweep.problem));
   BOOST_TEST(has(message([&] { streamed(sweep, folder.path() / "map.nc"); }), "over progress"));
   BOOST_TEST(fs::is_empty(folder.path()));
@@ -240,12 +241,12 @@ BOOST_AUTO_TEST_CASE(an_element_named_progress_is_swept_as_a_table) {
 BOOST_AUTO_TEST_CASE(two_axes_of_one_name_in_the_file_are_swept_as_a_table) {
   const test::PrivateFolder folder;
   Sweep sweep = sweep_over({}, {"critical_velocity"});
-  sweep.problem = parse_scene(
-      "[contact]\nnormal = \"prony(k_1, k, tau) | c1\"\ntangential = \"k2\"\n"
-      "[oscillation]\nangular_frequency = 3.0\namplitude = 1e-3\nindentation = 5e-3\n"
-      "[friction]\ncoefficient = 0.3\n"
-      "[elements]\nk_1 = 7.0\nk = [1.0]\ntau = [1.0]\nc1 = 2.0\nk2 = 5.0\n",
-      "s.toml");
+  sweep.problem = test::scene_of(
+      {.normal = "prony(k_1, k, tau) | c1",
+       .tangential = "k2",
+       .amplitude = 1e-3,
+       .indentation = 5e-3,
+       .elements = {{"k_1", 7}, {"k", {1.0}}, {"tau", {1.0}}, {"c1", 2}, {"k2", 5}}});
   for (const char* axis : {"k[1]=lin:1:2:3", "k_1=lin:7:9:4"})
     sweep.axes.push_back(parse_axis(axis, sweep.problem));
   BOOST_TEST(has(message([&] { streamed(sweep, folder.path() / "map.nc"); }), "over k_1"));

@@ -14,6 +14,7 @@
 #include "critical/conditioning.hpp"
 #include "problem/problem.hpp"
 #include "scene/scene.hpp"
+#include "support/scene_text.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_accuracy_stability)
 
@@ -58,25 +59,8 @@ BOOST_AUTO_TEST_CASE(what_varies) {
 }
 
 BOOST_AUTO_TEST_CASE(a_drive_without_springs_has_no_stiffness_ratio) {
-  const Scene scene = parse_scene(R"(
-[contact]
-normal = "kn"
-tangential_ratio = 0.8
-[drive]
-network = "cd"
-[body]
-mass = "1 g"
-[oscillation]
-frequency = "20 kHz"
-amplitude = "0.1 um"
-indentation = "0.3 um"
-[friction]
-coefficient = 0.3
-[elements]
-kn = 1e7
-cd = 10
-)",
-                                  "scene.toml");
+  const Scene scene =
+      test::scene_of({.network = "cd", .mass = "1 g", .elements = {{"kn", 1e7}, {"cd", 10}}});
   BOOST_TEST(stiffness_symbols(scene).empty());
 }
 

@@ -8,6 +8,7 @@
 #include "problem/problem.hpp"
 #include "run/compiler.hpp"
 #include "scene/scene.hpp"
+#include "support/scene_text.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_evaluators)
 
@@ -16,21 +17,12 @@ using namespace vcrit::validation;
 
 namespace {
 
-const Scene exact = parse_scene(R"(
-[contact]
-normal = "kn"
-tangential = "kt"
-[oscillation]
-angular_frequency = 4096
-amplitude = 9.5367431640625e-7
-indentation = 1e-5
-[friction]
-coefficient = 0.25
-[elements]
-kn = 3e6
-kt = 2e6
-)",
-                                "exact.toml");
+const Scene exact = test::scene_of({.tangential = "kt",
+                                    .angular_frequency = 4096,
+                                    .amplitude = 9.5367431640625e-7,
+                                    .indentation = 1e-5,
+                                    .coefficient = 0.25,
+                                    .elements = {{"kn", 3e6}, {"kt", 2e6}}});
 
 constexpr double expected = 3.0 / 2048;
 

@@ -10,6 +10,7 @@
 #include "problem/problem.hpp"
 #include "scene/scene.hpp"
 #include "simulation/steady/exact.hpp"
+#include "support/scene_text.hpp"
 #include "validation/extreme_family.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_extremes)
@@ -260,26 +261,11 @@ BOOST_AUTO_TEST_CASE(harmonics_slide_below_v) {
 // 1/(8 b), least 1/sqrt(2) = 0.7071067... at b = 1/sqrt(8). Friction is full above, within the
 // simulator's roundings, and by hand less than full below.
 BOOST_AUTO_TEST_CASE(the_second_harmonic_slides_down_to_v_over_root_two) {
-  const Scene scene = parse_scene(R"(
-[contact]
-normal = "kn"
-tangential = "kt"
-[drive]
-network = "kd"
-[body]
-mass = 1
-[oscillation]
-angular_frequency = 1
-amplitude = 0.1
-indentation = 1
-[friction]
-coefficient = 0.3
-[elements]
-kn = 1
-kt = 1
-kd = 4
-)",
-                                  "harmonic.toml");
+  const Scene scene = test::scene_of({.tangential = "kt",
+                                      .network = "kd",
+                                      .mass = 1,
+                                      .angular_frequency = 1,
+                                      .elements = {{"kn", 1}, {"kt", 1}, {"kd", 4}}});
   const double v = certified_critical_velocity(scene).value;
   const auto lost = [&](double ratio) {
     return 1 - simulation::steady_state(simulation::system_of(scene), ratio * v).friction_ratio;

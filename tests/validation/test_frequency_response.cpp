@@ -7,6 +7,8 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
+#include "support/scene_text.hpp"
+
 BOOST_AUTO_TEST_SUITE(test_frequency_response)
 
 using namespace vcrit;
@@ -16,49 +18,33 @@ namespace {
 
 // k_d = 2e6 N/m, k_t = 8e6 N/m, m = 5 g: K_d = m omega^2 at 2e4 rad/s, K_t + K_d there at
 // sqrt(1e7/5e-3) rad/s.
-const std::string elastic = R"(
-[contact]
-normal = "kn"
-tangential = "kt"
-[drive]
-network = "kd"
-[body]
-mass = "5 g"
-[oscillation]
-angular_frequency = 1e5
-amplitude = 1e-7
-indentation = 5e-7
-[friction]
-coefficient = 0.3
-[elements]
-kn = 1e7
-kt = 8e6
-kd = 2e6
-)";
+Scene elastic() {
+  return test::scene_of({.tangential = "kt",
+                         .network = "kd",
+                         .mass = "5 g",
+                         .angular_frequency = 1e5,
+                         .amplitude = 1e-7,
+                         .indentation = 5e-7,
+                         .coefficient = 0.3,
+                         .elements = {{"kn", 1e7}, {"kt", 8e6}, {"kd", 2e6}}});
+}
 
-const std::string rigid = R"toml(
-[contact]
-normal = "k0 | (k1 - c1)"
-tangential = "kt"
-[oscillation]
-angular_frequency = 1e5
-amplitude = 1e-7
-indentation = 5e-7
-[friction]
-coefficient = 0.3
-[elements]
-k0 = 1e7
-k1 = 2e7
-c1 = 100
-kt = 8e6
-)toml";
+Scene rigid() {
+  return test::scene_of({.normal = "k0 | (k1 - c1)",
+                         .tangential = "kt",
+                         .angular_frequency = 1e5,
+                         .amplitude = 1e-7,
+                         .indentation = 5e-7,
+                         .coefficient = 0.3,
+                         .elements = {{"k0", 1e7}, {"k1", 2e7}, {"c1", 100}, {"kt", 8e6}}});
+}
 
 }  // namespace
 
 // The search ends where neighbouring logarithms of the factor no longer differ: 40 bits of half the
 // digits, 2^-20, of log(omega) at worst.
 BOOST_AUTO_TEST_CASE(resonance_and_antiresonance_are_where_the_masses_swing) {
-  const auto response = frequency_response(symbolic::derive(parse_scene(elastic, "elastic.toml")));
+  const auto response = frequency_response(symbolic::derive(elastic()));
   BOOST_REQUIRE(response.marks.size() == 2u);
   BOOST_TEST(response.marks[0].resonance);
   BOOST_TEST(std::abs(response.marks[0].omega / 2e4 - 1) < 1e-5);
@@ -69,7 +55,7 @@ BOOST_AUTO_TEST_CASE(resonance_and_antiresonance_are_where_the_masses_swing) {
 // 0.3 omega 1e-7 (1e7/8e6) |1e7 - m omega^2|/|2e6 - m omega^2|: at low frequency 5 times, at high
 // once 0.375e-7 omega.
 BOOST_AUTO_TEST_CASE(asymptotes_are_met) {
-  const auto response = frequency_response(symbolic::derive(parse_scene(elastic, "elastic.toml")));
+  const auto response = frequency_response(symbolic::derive(elastic()));
   BOOST_REQUIRE(response.asymptotes.size() == 2u);
   for (const AsymptoteLine& line : response.asymptotes) {
     BOOST_TEST(line.power == 1);
@@ -85,24 +71,23 @@ BOOST_AUTO_TEST_CASE(asymptotes_are_met) {
 // (4) of a Kelvin contact: du_z sqrt(1 + (omega c/k)^2) < u_z0, so up to omega = sqrt(24) k/c here;
 // (3) holds at no frequency or at all of them. Elastic a contact that may open need neither.
 BOOST_AUTO_TEST_CASE(the_formula_applies_where_the_contact_stays_closed) {
-  const auto of = [](const std::string& contact, double amplitude) {
-    return frequency_response(symbolic::derive(parse_scene(
-        "[contact]\nnormal = \"" + contact + "\ntangential_ratio = 0.8\n[oscillation]\n" +
-            "angular_frequency = 2\namplitude = " + std::to_string(amplitude) +
-            "\nindentation = 0.5\n[friction]\ncoefficient = 0.3\n[elements]\nk = 3\n" +
-            (contact.starts_with("kelvin") ? "c = 2\n" : ""),
-        "scene.toml")));
+  const auto of = [](test::SceneText text, double amplitude) {
+    text.tangential_ratio = 0.8;
+    text.amplitude = amplitude;
+    text.indentation = 0.5;
+    return frequency_response(symbolic::derive(test::scene_of(text)));
   };
+  const test::SceneText kelvin{.normal = "kelvin(k, c)", .elements = {{"k", 3}, {"c", 2}}};
+  const test::SceneText spring{.normal = "k", .separation = true, .elements = {{"k", 3}}};
   const double border = std::sqrt(24.0) * 3 / 2;
-  for (const ResponsePoint& point : of("kelvin(k, c)\"", 0.1).points)
+  for (const ResponsePoint& point : of(kelvin, 0.1).points)
     BOOST_TEST(point.applies == (point.omega < border), point.omega);
-  for (const ResponsePoint& point : of("kelvin(k, c)\"", 0.6).points) BOOST_TEST(!point.applies);
-  for (const ResponsePoint& point : of("k\"\nseparation = true", 0.6).points)
-    BOOST_TEST(point.applies);
+  for (const ResponsePoint& point : of(kelvin, 0.6).points) BOOST_TEST(!point.applies);
+  for (const ResponsePoint& point : of(spring, 0.6).points) BOOST_TEST(point.applies);
 }
 
 BOOST_AUTO_TEST_CASE(a_rigid_scene_has_no_drive_and_no_resonance) {
-  const auto response = frequency_response(symbolic::derive(parse_scene(rigid, "rigid.toml")));
+  const auto response = frequency_response(symbolic::derive(rigid()));
   BOOST_TEST(response.marks.empty());
   double nearest = 1;
   for (const ResponsePoint& point : response.points) {

@@ -18,6 +18,7 @@
 #include "rules/rulebook.hpp"
 #include "run/compiler.hpp"
 #include "stiffness/dynamic_stiffness.hpp"
+#include "support/scene_text.hpp"
 #include "validation/example_report.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_planted_faults)
@@ -226,12 +227,15 @@ BOOST_AUTO_TEST_CASE(a_simulated_velocity_off_by_a_hundred_millionth_is_red) {
 // A millionth from resonance a thousandth of v* is a billionth of the drive's stiffness. Tolerances
 // grow with the condition number, 4 million there, and leave three digits more than that.
 BOOST_AUTO_TEST_CASE(near_resonance_right_is_green_and_a_fault_is_red) {
-  const Derivation near = symbolic::derive(parse_scene(
-      "[contact]\nnormal = \"kn\"\ntangential = \"kt\"\n[drive]\nnetwork = \"kd | cd\"\n[body]\n"
-      "mass = 1e-3\n[oscillation]\nangular_frequency = 1e5\namplitude = 1e-7\n"
-      "indentation = 5e-7\n[friction]\ncoefficient = 0.3\n[elements]\nkn = 1e7\nkt = 8e6\n"
-      "kd = 10000010\ncd = 1e-5\n",
-      "near.toml"));
+  const Derivation near = symbolic::derive(
+      test::scene_of({.tangential = "kt",
+                      .network = "kd | cd",
+                      .mass = 1e-3,
+                      .angular_frequency = 1e5,
+                      .amplitude = 1e-7,
+                      .indentation = 5e-7,
+                      .coefficient = 0.3,
+                      .elements = {{"kn", 1e7}, {"kt", 8e6}, {"kd", 10000010}, {"cd", 1e-5}}}));
   Witnesses witnesses = own_witnesses();
   // A body that rings for millions of periods: other methods would march for long to say nothing.
   witnesses.march = [](const Border&, const simulation::System&) {

@@ -60,7 +60,7 @@ Scene separating_with_memory() {
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(surfaces_that_part) {
+BOOST_AUTO_TEST_CASE(a_contact_that_opens) {
   const Scene scene = read_scene(std::string(VCRIT_SCENES) + "/separation.toml");
   const SceneReport report = report_of(scene);
   for (const char* key : {"balance", "simulation", "marched", "starts", "energy", "static_limit",

@@ -9,6 +9,7 @@
 #include "base/files.hpp"
 #include "derivation/derivation.hpp"
 #include "run/compiler.hpp"
+#include "support/scene_text.hpp"
 #include "validation/example_report.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_validate)
@@ -132,10 +133,14 @@ BOOST_AUTO_TEST_CASE(a_free_swing_is_told) {
   const PrivateFolder folder;
   const fs::path scene = folder.path() / "scene.toml";
   write_file(scene,
-             "[contact]\nnormal = \"kn\"\ntangential = \"kt\"\n[drive]\nnetwork = \"kd\"\n[body]\n"
-             "mass = 0.0001220703125\n[oscillation]\nangular_frequency = 65536\namplitude = 1e-6\n"
-             "indentation = 2e-6\n[friction]\ncoefficient = 0.3\n[elements]\nkn = 1000000\n"
-             "kt = 700000\nkd = 4718592\n");
+             test::to_toml({.tangential = "kt",
+                            .network = "kd",
+                            .mass = 0.0001220703125,
+                            .angular_frequency = 65536,
+                            .amplitude = 1e-6,
+                            .indentation = 2e-6,
+                            .coefficient = 0.3,
+                            .elements = {{"kn", 1000000}, {"kt", 700000}, {"kd", 4718592}}}));
   const auto validation = run({scene.string()}, folder.path() / "out");
   BOOST_TEST(!validation.passed);
   const json one = json::parse(read_file(folder.path() / "out/report.json"))["scenes"][0];
@@ -146,15 +151,18 @@ BOOST_AUTO_TEST_CASE(a_free_swing_is_told) {
   BOOST_TEST(read_file(validation.page).find("swing freely at 3 ω") != std::string::npos);
 }
 
-// An isotropic Zener contact that is apart where the indentation rises fastest: v* is simulated.
+// An isotropic Zener contact that is open where the indentation rises fastest: v* is simulated.
 BOOST_AUTO_TEST_CASE(a_formula_that_is_not_v_is_not_drawn_as_v) {
   const PrivateFolder folder;
   const fs::path scene = folder.path() / "scene.toml";
-  write_file(
-      scene,
-      "[contact]\nnormal = \"zener(k0, k1, c1)\"\ntangential_ratio = 0.8\nseparation = true\n"
-      "[oscillation]\nangular_frequency = 100000\namplitude = 1e-6\nindentation = 3e-7\n"
-      "[friction]\ncoefficient = 0.3\n[elements]\nk0 = 200000\nk1 = 2000000\nc1 = 40\n");
+  write_file(scene, test::to_toml({.normal = "zener(k0, k1, c1)",
+                                   .tangential_ratio = 0.8,
+                                   .separation = true,
+                                   .angular_frequency = 100000,
+                                   .amplitude = 1e-6,
+                                   .indentation = 3e-7,
+                                   .coefficient = 0.3,
+                                   .elements = {{"k0", 200000}, {"k1", 2000000}, {"c1", 40}}}));
   BOOST_TEST(run({scene.string()}, folder.path() / "out").passed);
   const json one = json::parse(read_file(folder.path() / "out/report.json"))["scenes"][0];
   double own = 1e9;
