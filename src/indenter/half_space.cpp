@@ -16,7 +16,7 @@ const Indenter& indenter_of(const Problem& problem) {
   return *problem->indenter;
 }
 
-// Cells that hardly part have an amplitude of the normal force just below its mean.
+// Cells that hardly open have an amplitude of the normal force just below its mean.
 constexpr double nearly_all = 1 - 1e-15;
 
 // Of the half-space: no problem with an indenter is without it.
@@ -47,12 +47,12 @@ HalfSpace HalfSpace::within(simulation::SharedEffort& effort) const {
   return result;
 }
 
-bool HalfSpace::never_parts(double depth) const {
+bool HalfSpace::never_opens(double depth) const {
   return depth > 0 && depth >= swing_ * (1 - simulation::least_separation(true));
 }
 
 double HalfSpace::neglected(double depth) const {
-  return never_parts(depth) ? std::max(0.0, swing_ / depth - 1) : 0;
+  return never_opens(depth) ? std::max(0.0, swing_ / depth - 1) : 0;
 }
 
 simulation::System HalfSpace::cell_under(double depth) const {
@@ -64,7 +64,7 @@ simulation::System HalfSpace::cell_under(double depth) const {
   system.omega = omega_;
   system.friction = friction_;
   system.effort = effort_;
-  if (never_parts(depth)) {
+  if (never_opens(depth)) {
     system.mean_normal_force = normal_.equilibrium * depth;
     system.normal_force_amplitude =
         amplitude_ * response_ * std::min(1.0, nearly_all * depth / swing_);

@@ -24,20 +24,20 @@ class HalfSpace {
   simulation::SharedEffort* effort() const { return effort_; }
 
   /// The contact at x, where the contact is closed; forces per length, N/m. Throws InputError where
-  /// they never do.
+  /// it never is.
   simulation::System cell(double x) const { return cell_under(depth(x)); }
   /// The same by its mean indentation.
   simulation::System cell_under(double depth) const;
 
   /// The part of the normal force's amplitude that is left out of a cell under this indentation,
-  /// which would hardly part and is taken for closed; at most 1e-8.
+  /// which would hardly open and is taken for closed; at most 1e-8.
   double neglected(double depth) const;
 
   /// Whether the contact closes at x at all.
   bool touches(double x) const { return closes(depth(x)); }
 
   /// Whether it stays closed at x, or opens by less than 1e-8 of the indentation.
-  bool stays_closed(double x) const { return never_parts(depth(x)); }
+  bool stays_closed(double x) const { return never_opens(depth(x)); }
 
   double edge() const { return gap_.half_width(indentation_ + amplitude_); }  ///< m
   /// Half the width (m) of contact under the mean indentation.
@@ -59,7 +59,7 @@ class HalfSpace {
 
  private:
   bool closes(double depth) const { return depth + amplitude_ > 0; }
-  bool never_parts(double depth) const;
+  bool never_opens(double depth) const;
 
   Gap gap_;
   Relaxation normal_, tangential_;  ///< E* and ratio E*

@@ -49,7 +49,7 @@ class Separation(Case):
             self.assertTrue(separation["starts_agree"])
             self.assertLessEqual(abs(separation["other_start"]["friction_ratio"] - motion["friction_ratio"]),
                                  2 * motion["friction_ratio_error"])
-            # More than K_n(0) u_z0 = 4 N: the surfaces do not pull while it is open.
+            # More than K_n(0) u_z0 = 4 N: nothing pulls while it is open.
             self.assertGreater(separation["mean_normal_force"], 4)
             work = motion["energy"]
             self.assertLess(abs(work["drive"] - work["friction"] - work["dampers"]), work["error"])
@@ -107,7 +107,7 @@ class Separation(Case):
         self.assertAlmostEqual(motion["friction_ratio"], 0.5, delta=1e-9)
         self.assertEqual(motion["regime"], "stick-slip-apart")
 
-    def test_surfaces_that_only_tap(self):
+    def test_a_contact_that_only_taps(self):
         tapping = (JUMPING, "--set", "indentation=0")
         answer = self.answer("eval", *tapping)
         self.assertTrue(answer["admissible"] and answer["opens"])
@@ -123,11 +123,11 @@ class Separation(Case):
                                           "--quantity", "critical_velocity", "--out", table).returncode, 0)
         self.assertIn(f"0,yes,{answer['critical_velocity']}", table.read_text())
 
-    def test_surfaces_that_never_meet(self):
+    def test_a_contact_that_never_closes(self):
         apart = (JUMPING, "--set", "indentation=0", "--set", "amplitude=0")
         answer = self.answer("eval", *apart)
         self.assertEqual((answer["admissible"], answer["reasons"]), (False, ["the contact never closes"]))
-        self.assertIn("surfaces              never meet\n", self.run_program("eval", *apart).stdout)
+        self.assertIn("contact               never closes\n", self.run_program("eval", *apart).stdout)
         self.refused(3, ["simulate", *apart, "--velocity", 1e-3], "the contact never closes")
 
     def test_derive_says_where_the_formula_holds(self):

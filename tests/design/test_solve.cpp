@@ -249,7 +249,7 @@ BOOST_AUTO_TEST_CASE(the_bound_on_work_ends_a_search) {
 
 // Where the contact opens, speeds are sought below the simulated v*, which may lie above Eq. (24)
 // or below: bisections on an independent simulator.
-BOOST_AUTO_TEST_CASE(speeds_of_surfaces_that_part) {
+BOOST_AUTO_TEST_CASE(speeds_of_a_contact_that_opens) {
   struct Known {
     test::SceneText scene;
     double velocity, critical_velocity;

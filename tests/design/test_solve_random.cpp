@@ -153,7 +153,7 @@ BOOST_AUTO_TEST_CASE(what_is_answered_is_what_was_asked_for) {
   BOOST_TEST(asked >= 30);
 }
 
-// Surfaces that only tap have a largest speed as others, but no amplitude that keeps them closed.
+// A contact that only taps has a largest speed as others, but no amplitude that keeps it closed.
 // Springs, rigid drive, u_z0 = 0: the contact sticks from its meeting at -pi/2 until vbar (t +
 // pi/2) = cos t and then slips, by hand with a ratio of [vbar (t + pi/2)^2/2 + 1 - sin t]/2.
 BOOST_AUTO_TEST_CASE(a_tapping_contact) {

@@ -161,12 +161,12 @@ BOOST_AUTO_TEST_CASE(normal_force_of_a_parabola) {
   }
 }
 
-// A cone that is mostly apart, on a half-space of mostly damper (omega c0/k0 = 50.3): cells that
+// A cone that is mostly open, on a half-space of mostly damper (omega c0/k0 = 50.3): cells that
 // touch for a moment carry a part in 1e12 and are left out. Each cell touches until u + r u' = 0,
 // creeps back as exp(-t/r), and meets the surface again where that is as deep as it; integrated
 // over the depths from -D to 1, at 34 digits, in units of 2 E*(0) u_z0 a. Twenty roundings of these
 // units.
-BOOST_AUTO_TEST_CASE(normal_force_of_cells_that_hardly_touch) {
+BOOST_AUTO_TEST_CASE(normal_force_of_cells_that_hardly_close) {
   for (const auto& [amplitude, expected] :
        {std::pair(3.0, 7.564043843228346301), std::pair(30.0, 454.00454047409717651)}) {
     const HalfSpace h(reference::scene_of(indenter_of("cone"), indentation, amplitude * indentation,
@@ -336,8 +336,8 @@ BOOST_AUTO_TEST_CASE(only_cells_that_differ_are_evaluated) {
   }
 }
 
-// A punch that parts by 6e-9 of its indentation is taken for one that does not, and its error says
-// so; where only some cells hardly part, it is theirs alone.
+// A punch that opens by 6e-9 of its indentation is taken for one that does not, and its error says
+// so; where only some cells hardly open, it is theirs alone.
 BOOST_AUTO_TEST_CASE(least_separation) {
   const std::string punch = indenter_of("flat");
   const HalfSpace opening(reference::scene_of(punch, indentation, (1 + 6e-9) * indentation));

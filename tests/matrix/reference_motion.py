@@ -1,7 +1,7 @@
 """Stick-slip by implicit time steps of the nodal equations, for make_references.py: nothing of the program is used.
 
 All steps are of first order, of constant length, and know no events: in each, the massless contact point either keeps
-its place or takes the force that Coulomb's law allows, and the surfaces either touch or bear no force. A value is
+its place or takes the force that Coulomb's law allows, and the contact is either closed or bears no force. A value is
 extrapolated from three step lengths, and its error is what the extrapolation still changes. Lanes (columns) are
 motions side by side that differ in speed or indentation.
 """

@@ -75,7 +75,7 @@ class Witness {
     }
   }
 
-  // State and force, a time after the surfaces met.
+  // State and force, a time after the contact closed.
   Eigen::VectorXd pressed(const NormalCycle::Touch& touch, double after) const {
     Eigen::VectorXd state(n_);
     const double time = touch.begin + after;
@@ -181,7 +181,7 @@ BOOST_AUTO_TEST_CASE(dampers_below_rounding_are_not_there) {
     }
 }
 
-BOOST_AUTO_TEST_CASE(surfaces_that_never_part_or_never_meet) {
+BOOST_AUTO_TEST_CASE(contacts_that_never_open_or_never_close) {
   const Relaxation zener{1, 0, {{2, 0.7}}};
   const double dynamic = std::abs(dynamic_stiffness(zener, 1));
   const NormalCycle always = cycle_of(zener, {1, 0.99 / dynamic});
@@ -253,7 +253,7 @@ double short_touch(double angle) {
 }
 
 // Mean force where what relaxes takes ever so long: its branches, of stiffness k together, do not
-// move, and their force has no mean. So it stands where the surface is in the mean, which apart is
+// move, and their force has no mean. So it stands where the surface is in the mean, which open is
 // at x0: <max(d - x0, 0)> = x0/k above a spring of 1, with force 1 + k.
 double mean_of_frozen(double k, const Indentation& indentation) {
   double low = 0, high = std::numbers::pi;

@@ -118,7 +118,7 @@ BOOST_AUTO_TEST_CASE(threads_share_a_reduction) {
 // All that holds a problem may be made of a scene that is gone: the sanitizers look.
 BOOST_AUTO_TEST_CASE(what_it_is_made_of_may_go) {
   const rules::Facts facts(driven());
-  BOOST_TEST(facts.is(rules::Kind::no_indenter));
+  BOOST_TEST(facts.is(rules::SceneKind::no_indenter));
   BOOST_TEST(facts.value(facts.problem()->amplitude) == 0.1);
   const ScaledNetwork tangential = tangential_network(driven());
   BOOST_TEST(tangential.network.reduction().steps.size() == 1U);

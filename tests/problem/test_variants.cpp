@@ -51,7 +51,7 @@ BOOST_AUTO_TEST_CASE(the_ratio_of_an_isotropic_contact) {
              boost::test_tools::tolerance(4 * 0x1p-53));  // nu = 0.3
 }
 
-BOOST_AUTO_TEST_CASE(indenters_and_surfaces) {
+BOOST_AUTO_TEST_CASE(indenters_and_separation) {
   const Problem problem = read_problem(VCRIT_SCENES "/sphere.toml");
   using Shape = Indenter::Shape;
   const Problem flat = with_indenter(problem, {Shape::flat, {{{"radius"}, 1.0}}, {}});

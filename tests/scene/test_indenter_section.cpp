@@ -38,7 +38,7 @@ std::string indenter_message(const std::string& indenter) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(surfaces_part_only_where_the_scene_says_so) {
+BOOST_AUTO_TEST_CASE(contacts_open_only_where_the_scene_says_so) {
   const auto separation = [](const std::string& line) {
     return parse_scene(scene_of("poisson = 0.3\n" + line, "k = 1.0\nc = 1.0\n"), "s.toml")
         .separation;

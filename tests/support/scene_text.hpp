@@ -81,8 +81,8 @@ inline Scene scene_of(const SceneText& text, const Settings& settings = {}) {
   return parse_scene(to_toml(text), "s.toml", settings);
 }
 
-/// The surface creeps back so slowly that it is apart where the indentation grows fastest: v* is
-/// simulated.
+/// The surface creeps back so slowly that the contact is open where the indentation grows fastest:
+/// v* is simulated.
 inline SceneText slow_zener() {
   return {.normal = "zener(k0, k1, c1)",
           .tangential_ratio = 0.8,

@@ -214,7 +214,7 @@ Friction at_half(const Problem& problem) {
   return indenter::friction(HalfSpace(problem), 0.5 * critical_velocity(problem), compared_error);
 }
 
-// Cells that stay closed fall short of mu0 in proportion to the amplitude; the rim that parts is as
+// Cells that stay closed fall short of mu0 in proportion to the amplitude; the rim that opens is as
 // wide as the amplitude and carries as little force.
 std::optional<Comparison> indenter_small_amplitude(const Problem& problem) {
   constexpr double share = 1e-3;
@@ -229,7 +229,7 @@ std::optional<Comparison> indenter_small_amplitude(const Problem& problem) {
   comparison.found = 1 - once.ratio;
   comparison.tolerance = 3 * share;
   comparison.reason =
-      "the rim that parts, at both amplitudes: its share of the width, 10⁻³ and twice that";
+      "the rim that opens, at both amplitudes: its share of the width, 10⁻³ and twice that";
   return comparison;
 }
 

@@ -15,7 +15,7 @@ struct ForwardSliding {
   };
   Ends ends = Ends::at_a_speed;
   /// The least velocity of the drive, without dimension, at which the contact slips forward
-  /// whenever it touches; infinite where none is enough.
+  /// whenever it is closed; infinite where none is enough.
   double least_velocity = 0;
   double error = 0;  ///< of it, estimated
 };

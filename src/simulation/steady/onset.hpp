@@ -18,9 +18,9 @@ struct Onset {
   double uncertainty = 0;
 };
 
-/// The lowest speed at which steady pure sliding exists, from the minimum of the contact velocity.
-/// Of a contact that opens: at which it slips forward whenever it touches; infinite where there is
-/// none (see forward_sliding.hpp). Throws ModelError where that is lost in rounding.
+/// The lowest speed at which steady continuous sliding exists, from the minimum of the contact velocity.
+/// Of a contact that opens: at which it slips forward whenever it is closed; infinite where there
+/// is none (see forward_sliding.hpp). Throws ModelError where that is lost in rounding.
 Onset sliding_threshold(const System& system);
 
 /// The highest speed at which the steady motion still sticks, from starts at rest. Takes some 60

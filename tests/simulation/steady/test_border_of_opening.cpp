@@ -1,4 +1,4 @@
-// Where the surfaces just part: v* goes on from that of Eq. (24) without a hole, however little
+// Where the contact just opens: v* goes on from that of Eq. (24) without a hole, however little
 // they part. With a rigid drive Eq. (24) is mu0 omega du_z |K_n|/|K_t|, here from sums of complex
 // numbers.
 #include <boost/test/unit_test.hpp>
@@ -25,7 +25,7 @@ std::complex<double> stiffness(const Relaxation& form) {
   return sum;
 }
 
-// The surfaces would pull on each other by the share 10^-k of the mean force.
+// The contact would pull by the share 10^-k of the mean force.
 System just_parting(const Relaxation& normal, const Relaxation& contact, int k) {
   System system;
   system.contact = contact;
@@ -38,7 +38,7 @@ System just_parting(const Relaxation& normal, const Relaxation& contact, int k) 
   return system;
 }
 
-// Separation changes the force by no more than what closed surfaces would pull with, on either
+// Separation changes the force by no more than what a closed contact would pull with, on either
 // side, and so v* by no more than twice that share, beside rounding.
 void check(const Relaxation& normal, const Relaxation& contact, const std::string& name) {
   for (int k = 4; k <= 15; ++k) {
@@ -56,7 +56,7 @@ void check(const Relaxation& normal, const Relaxation& contact, const std::strin
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(v_star_has_no_hole_where_surfaces_hardly_part) {
+BOOST_AUTO_TEST_CASE(v_star_has_no_hole_where_the_contact_hardly_opens) {
   constexpr unsigned seed = 32;
   BOOST_TEST_MESSAGE("seed " << seed);
   reference::RandomSystems random(seed, 3);
@@ -67,7 +67,8 @@ BOOST_AUTO_TEST_CASE(v_star_has_no_hole_where_surfaces_hardly_part) {
   for (int i = 0; i < 40; ++i) check(random.network(true), contact, "network " + std::to_string(i));
 }
 
-// The normal force jumps where surfaces on a damper meet, and a contact without one cannot follow.
+// The normal force jumps where a normal network with a damper closes, and a tangential one without
+// cannot follow.
 BOOST_AUTO_TEST_CASE(without_a_damper_beside_it_a_jump_leaves_no_v_star) {
   for (int k = 4; k <= 15; ++k)
     BOOST_TEST(std::isinf(

@@ -86,7 +86,7 @@ BOOST_AUTO_TEST_CASE(flat_punch_ten_times_open) {
                1e-8);
 }
 
-// Above v* = du_z K_n/K_t (here the amplitude) the contact slips whenever it touches.
+// Above v* = du_z K_n/K_t (here the amplitude) the contact slips whenever it is closed.
 BOOST_AUTO_TEST_CASE(slides_above_the_critical_velocity) {
   const SteadyState above = steady_state(elastic(1, 3), 3 * (1 + 1e-9));
   BOOST_TEST((above.regime == Regime::sliding_separated));
@@ -121,7 +121,7 @@ BOOST_AUTO_TEST_CASE(critical_velocity) {
   BOOST_TEST(infinite == 2);
 }
 
-// Surfaces that hardly touch: 1 - cos t of a part in 1e9 to 1e12 has few digits left, and so has
+// A contact that hardly closes: 1 - cos t of a part in 1e9 to 1e12 has few digits left, and so has
 // their mean force, which the ratio is of. The contact sticks from the first touch on, F = v (t +
 // T), until that reaches F_n = a cos t - 1; here at 50 digits, for these doubles.
 BOOST_AUTO_TEST_CASE(a_mean_force_of_few_digits_is_no_better_as_a_ratio) {
@@ -142,7 +142,7 @@ BOOST_AUTO_TEST_CASE(outside_the_model) {
   BOOST_CHECK_THROW(steady_state(elastic(-2, 1), 0.5), ModelError);  // never meet
 }
 
-BOOST_AUTO_TEST_CASE(surfaces_that_never_part_are_closed) {
+BOOST_AUTO_TEST_CASE(contacts_that_never_open_are_closed) {
   const System open = elastic(2, 1);
   System closed = open;
   closed.opening.reset();
@@ -154,7 +154,7 @@ BOOST_AUTO_TEST_CASE(surfaces_that_never_part_are_closed) {
              found.friction_ratio_error + expected.friction_ratio_error);
 }
 
-// Where the surfaces hardly part, friction goes over into that of those that never do.
+// Where the contact hardly opens, friction goes over into that of those that never do.
 BOOST_AUTO_TEST_CASE(goes_over_into_contact) {
   System never = elastic(1, 0);
   never.opening.reset();

@@ -64,7 +64,7 @@ BOOST_AUTO_TEST_CASE(outside_the_model) {
 
 // Beyond du_z |K_n| = K_n(0) u_z0 the contact opens; up to it, the very border included, the force
 // is one sinusoid.
-BOOST_AUTO_TEST_CASE(surfaces_that_may_part) {
+BOOST_AUTO_TEST_CASE(a_contact_that_may_open) {
   const auto with = [](const std::string& amplitude) {
     return system_from(scene("normal = \"k\"\npoisson = 0.3\nseparation = true",
                              "[elements]\nk = 8.0\n", amplitude));
