@@ -22,7 +22,7 @@ namespace {
 
 // The formula against both witnesses: where steady sliding ceases to exist (`simulated`), and where
 // the last stick of a start at rest vanishes.
-struct Comparison {
+struct CriticalComparison {
   double formula, condition, simulated;
   std::optional<double> stick_onset = {};
   std::string missing = {};     // why there is no stick onset
@@ -40,7 +40,7 @@ struct Comparison {
            (!stick_onset || difference(*stick_onset) <= stick_tolerance());
   }
 
-  friend void fields(record::Fields& f, const Comparison& it) {
+  friend void fields(record::Fields& f, const CriticalComparison& it) {
     std::optional<double> stick_difference;
     if (it.stick_onset) stick_difference = it.difference(*it.stick_onset);
     f("formula", it.formula)("simulated", it.simulated);
@@ -69,10 +69,11 @@ double condition_of(const Problem& problem, double formula) {
 }
 
 // Sliding of all cells, and the last stick of any.
-Comparison below_indenter(const Problem& problem) {
+CriticalComparison below_indenter(const Problem& problem) {
   const indenter::HalfSpace half_space(problem);
-  Comparison result{certified_onset(problem).value, condition_number(problem, problem.values()),
-                    indenter::sliding_threshold(half_space).contact_velocity};
+  CriticalComparison result{certified_onset(problem).value,
+                            condition_number(problem, problem.values()),
+                            indenter::sliding_threshold(half_space).contact_velocity};
   try {
     const indenter::LastStick last = indenter::last_stick(half_space);
     result.stick_onset = last.onset.contact_velocity;
@@ -85,12 +86,13 @@ Comparison below_indenter(const Problem& problem) {
   return result;
 }
 
-Comparison of_one_contact(const Problem& problem) {
+CriticalComparison of_one_contact(const Problem& problem) {
   const simulation::System system = simulation::system_of(problem);
   const auto [formula, bound, reason] = certified_onset(problem);
   if (std::isinf(formula)) throw ModelError(reason + ": nothing to compare");
   const double condition = condition_of(problem, formula);
-  Comparison result{formula, condition, simulation::sliding_threshold(system).contact_velocity};
+  CriticalComparison result{formula, condition,
+                            simulation::sliding_threshold(system).contact_velocity};
   try {
     const simulation::Onset last = simulation::stick_onset(system);
     result.stick_onset = last.contact_velocity;
@@ -101,14 +103,14 @@ Comparison of_one_contact(const Problem& problem) {
   return result;
 }
 
-Comparison compared(const Problem& problem) {
+CriticalComparison compared(const Problem& problem) {
   rules::require(rules::Question::comparison, problem);
-  Comparison result = problem->indenter ? below_indenter(problem) : of_one_contact(problem);
+  CriticalComparison result = problem->indenter ? below_indenter(problem) : of_one_contact(problem);
   result.warnings = problem->source->warnings;
   return result;
 }
 
-void print_critical_text(const Comparison& c) {
+void print_critical_text(const CriticalComparison& c) {
   const auto line = [&](const char* name, double value, double tolerance, const char* what) {
     const double difference = c.difference(value);
     fmt::print("{:<12} {:<22} m/s  {}; differs by {:.2g}{}\n", name, value, what, difference,
@@ -139,7 +141,7 @@ void add_critical(CLI::App& program, int& status) {
   options->scene.add_to(*command);
   command->add_flag("--json", options->json, "print one JSON object");
   command->callback([options, &status] {
-    const Comparison comparison = compared(options->scene.read());
+    const CriticalComparison comparison = compared(options->scene.read());
     if (!comparison.agrees()) status = 1;
     if (options->json)
       print(record::json_of(comparison));

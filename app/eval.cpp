@@ -60,7 +60,7 @@ std::string true_digits(const CriticalOnset& critical) {
 
 const char* contact_words(const Problem& problem) {
   const rules::Facts facts(problem);
-  if (facts.is(rules::Kind::never_closing)) return "never closes";
+  if (facts.is(rules::SceneKind::never_closing)) return "never closes";
   return facts.opens() ? "opens in each period" : "stays closed";
 }
 

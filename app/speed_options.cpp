@@ -13,7 +13,7 @@ namespace vcrit::app {
 void SpeedOptions::add_to(CLI::App& command, std::optional<double> usual_ratio) {
   CLI::Option_group* speed = command.add_option_group("speed");
   speed->add_option("--velocity", velocity_, "mean velocity of the drive: 0.02 or \"20 mm/s\"");
-  CLI::Option* ratio = speed->add_option("--velocity-ratio", ratio_, "the same in units of v*");
+  CLI::Option* ratio = speed->add_option("--velocity-ratio", ratio_, "drive speed as a multiple of v*");
   if (usual_ratio) {
     ratio_ = usual_ratio;
     ratio->default_str(fmt::format("{}", *usual_ratio));

@@ -19,9 +19,9 @@
 
 namespace vcrit::record {
 
-using validation::report::Validation, validation::report::Verdict;
+using validation::report::Validation, validation::report::ComparisonVerdict;
 
-void fields(Fields& f, const Verdict& it) {
+void fields(Fields& f, const ComparisonVerdict& it) {
   f("subject", it.subject)("key", it.key)("name", it.name)("outcome", it.outcome);
 }
 

@@ -18,18 +18,18 @@ constexpr double accumulation = 1e3;
 // Methods of fixed step and idealised ones ask for nothing; this is wrong by any measure.
 constexpr double wrong_by_any_measure = 0.05;
 
-Verdict judged(const Peer& peer, const Peer::Setting& setting, const Case& row,
-               const Answer& answer, double error) {
+RunVerdict judged(const Peer& peer, const Peer::Setting& setting, const Case& row,
+                  const Answer& answer, double error) {
   const bool sliding = answer.events == 0 && row.events > 0 && !peer.idealised;
-  if (sliding && row.grazing) return Verdict::missed_grazing;
+  if (sliding && row.grazing) return RunVerdict::missed_grazing;
   const double allowed =
       setting.tolerance ? accumulation * *setting.tolerance : wrong_by_any_measure;
-  if (!sliding && error <= std::min(allowed, wrong_by_any_measure)) return Verdict::right;
-  return peer.cycles ? Verdict::drift : Verdict::wrong;
+  if (!sliding && error <= std::min(allowed, wrong_by_any_measure)) return RunVerdict::right;
+  return peer.cycles ? RunVerdict::drift : RunVerdict::wrong;
 }
 
-Verdict refused(const std::string& words) {
-  return words.find("chatter") != words.npos ? Verdict::chattering : Verdict::not_finished;
+RunVerdict refused(const std::string& words) {
+  return words.find("chatter") != words.npos ? RunVerdict::chattering : RunVerdict::not_finished;
 }
 
 // In a process of its own. The time limit is that of the first solve.
@@ -69,7 +69,7 @@ void measure_peer(const Case& row, const Peer& peer, const Budget& budget,
   bool out_of_time = false;
   for (const Peer::Setting& setting : peer.settings) {
     if (out_of_time) {
-      points.push_back({&row, &peer, &setting, Verdict::not_finished, false, 0, 0, 0,
+      points.push_back({&row, &peer, &setting, RunVerdict::not_finished, false, 0, 0, 0,
                         "not tried: a less accurate setting was out of time"});
       continue;
     }
@@ -80,19 +80,19 @@ void measure_peer(const Case& row, const Peer& peer, const Budget& budget,
 
 }  // namespace
 
-const char* to_text(Verdict verdict) {
+const char* to_text(RunVerdict verdict) {
   switch (verdict) {
-    case Verdict::right:
+    case RunVerdict::right:
       return "right";
-    case Verdict::missed_grazing:
+    case RunVerdict::missed_grazing:
       return "missed grazing";
-    case Verdict::drift:
+    case RunVerdict::drift:
       return "drift";
-    case Verdict::wrong:
+    case RunVerdict::wrong:
       return "wrong value";
-    case Verdict::chattering:
+    case RunVerdict::chattering:
       return "chattering";
-    case Verdict::not_finished:
+    case RunVerdict::not_finished:
       return "not finished";
   }
   throw Bug("a verdict is one of six");

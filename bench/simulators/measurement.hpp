@@ -12,7 +12,7 @@ namespace vcrit::simulators {
 
 using vcrit::to_text;  // beside that of a verdict
 
-enum class Verdict {
+enum class RunVerdict {
   right,
   missed_grazing,  ///< answers pure sliding where there is stick
   drift,           ///< periods seemed to repeat while the motion still relaxed
@@ -21,14 +21,14 @@ enum class Verdict {
   not_finished,    ///< in its time, or gave up
 };
 
-const char* to_text(Verdict verdict);  ///< "right", "missed grazing", ...
+const char* to_text(RunVerdict verdict);  ///< "right", "missed grazing", ...
 
 /// One solve.
 struct Point {
   const Case* row = nullptr;
   const Peer* peer = nullptr;
   const Peer::Setting* setting = nullptr;
-  Verdict verdict = Verdict::right;
+  RunVerdict verdict = RunVerdict::right;
   bool answered = false;
   double seconds = 0;  ///< processor time
   double friction_ratio = 0;

@@ -35,7 +35,7 @@ Line line_of(const std::vector<const Point*>& points) {
   std::vector<double> times;
   for (const Point* point : points) {
     ++line.rows;
-    if (point->verdict != Verdict::right) ++line.failures[point->verdict];
+    if (point->verdict != RunVerdict::right) ++line.failures[point->verdict];
     if (!point->answered) continue;
     ++line.answered;
     times.push_back(point->seconds);

@@ -16,7 +16,7 @@ struct Line {
   std::size_t rows = 0, answered = 0;
   double seconds = 0;  ///< median over the rows answered
   double error = 0;    ///< largest over them
-  std::map<Verdict, std::size_t> failures = {};
+  std::map<RunVerdict, std::size_t> failures = {};
   bool front = false;  ///< no other setting without failures is both faster and more accurate
 };
 

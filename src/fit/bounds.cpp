@@ -165,9 +165,10 @@ class AnySeries {
 
 // Half of the last digit written, in the coarser of the two rows about this frequency. Rounding
 // moves all rows of a plateau alike, so that no scatter shows it.
-double half_a_digit(const Data& data, double omega, double Row::*step) {
-  const auto above = std::lower_bound(data.rows.begin(), data.rows.end() - 1, omega,
-                                      [](const Row& row, double at) { return row.omega < at; });
+double half_a_digit(const Data& data, double omega, double StiffnessRow::*step) {
+  const auto above =
+      std::lower_bound(data.rows.begin(), data.rows.end() - 1, omega,
+                       [](const StiffnessRow& row, double at) { return row.omega < at; });
   const auto below = above == data.rows.begin() ? above : above - 1;
   return std::max((*above).*step, (*below).*step) / 2;
 }
@@ -192,9 +193,9 @@ std::vector<KnownStiffness> known_stiffness(const Data& data, const Fit& fit,
                              : std::max(finest_reach, reach * fit.error_unit) * std::abs(k);
     known.push_back({omega, k.real(), k.imag(),
                      widened(any.interval(omega, true, guess), k.real(),
-                             half_a_digit(data, omega, &Row::storage_step)),
+                             half_a_digit(data, omega, &StiffnessRow::storage_step)),
                      widened(any.interval(omega, false, guess), k.imag(),
-                             half_a_digit(data, omega, &Row::loss_step))});
+                             half_a_digit(data, omega, &StiffnessRow::loss_step))});
   }
   return known;
 }

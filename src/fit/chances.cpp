@@ -19,7 +19,7 @@ constexpr double upper_end = 0.975;
 double chance_of_mean(const Data& data, double sign) {
   const auto rows = static_cast<double>(data.rows.size());
   double sum = 0, squares = 0;
-  for (const Row& row : data.rows) {
+  for (const StiffnessRow& row : data.rows) {
     const double unit = data.has_errors ? row.loss_error : std::hypot(row.storage, row.loss);
     const double part = sign * row.loss / unit;
     sum += part;

@@ -15,7 +15,7 @@ namespace vcrit::fit {
 
 namespace {
 
-Row row_of(const std::vector<double>& numbers, const TableColumns& columns) {
+StiffnessRow row_of(const std::vector<double>& numbers, const TableColumns& columns) {
   const auto value = [&](MeasuredQuantity quantity) {
     const auto& column = columns[quantity];
     return column ? column->factor * numbers[column->index] : 0;
@@ -25,7 +25,7 @@ Row row_of(const std::vector<double>& numbers, const TableColumns& columns) {
           value(storage_error), value(loss_error)};
 }
 
-void refuse_values(const Row& row, bool errors, const Place& place) {
+void refuse_values(const StiffnessRow& row, bool errors, const Place& place) {
   for (const double value : {row.omega, row.storage, row.loss, row.storage_error, row.loss_error})
     if (!std::isfinite(value))
       throw InputError(place, "a number that is infinite in SI units", "the range of doubles");
@@ -50,7 +50,7 @@ void refuse_values(const Row& row, bool errors, const Place& place) {
 }
 
 // Rising or falling, whichever the first two rows do.
-void refuse_frequency_order(const std::vector<Row>& rows, const Place& place) {
+void refuse_frequency_order(const std::vector<StiffnessRow>& rows, const Place& place) {
   if (rows.size() < 2) return;
   const double before = rows[rows.size() - 2].omega, now = rows.back().omega;
   const bool rises = rows[1].omega > rows[0].omega;
@@ -60,7 +60,7 @@ void refuse_frequency_order(const std::vector<Row>& rows, const Place& place) {
 }
 
 void note_below_zero(Data& data, const Place& place) {
-  const Row& row = data.rows.back();
+  const StiffnessRow& row = data.rows.back();
   const auto note = [&](const char* name, double value) {
     if (value < 0)
       data.notes.push_back(fmt::format(
@@ -71,14 +71,15 @@ void note_below_zero(Data& data, const Place& place) {
   note("loss", row.loss);
 }
 
-void note_steps(Data& data, const std::vector<double>& steps, double unit, double Row::*step) {
+void note_steps(Data& data, const std::vector<double>& steps, double unit,
+                double StiffnessRow::*step) {
   for (std::size_t i = 0; i < steps.size(); ++i) data.rows[i].*step = unit * steps[i];
 }
 
 // storage times tan delta moves with either.
 void note_steps_of_product(Data& data, const std::vector<double>& steps, double unit) {
   for (std::size_t i = 0; i < steps.size(); ++i) {
-    Row& row = data.rows[i];
+    StiffnessRow& row = data.rows[i];
     row.loss_step = std::hypot(std::abs(row.storage) * unit * steps[i],
                                row.storage_step * std::abs(row.loss / row.storage));
     if (!std::isfinite(row.loss_step)) row.loss_step = 0;
@@ -121,11 +122,11 @@ Data parse_data(const std::string& text, const std::string& file,
                      fmt::format("at least {} rows, one frequency each: any two are met exactly, "
                                  "so that nothing would tell noise from material",
                                  least_rows));
-  note_steps(data, rounding_steps(storages), columns[storage]->factor, &Row::storage_step);
+  note_steps(data, rounding_steps(storages), columns[storage]->factor, &StiffnessRow::storage_step);
   if (columns[tan_delta])
     note_steps_of_product(data, rounding_steps(losses), columns[tan_delta]->factor);
   else
-    note_steps(data, rounding_steps(losses), columns[loss]->factor, &Row::loss_step);
+    note_steps(data, rounding_steps(losses), columns[loss]->factor, &StiffnessRow::loss_step);
   if (data.rows[1].omega < data.rows[0].omega) std::reverse(data.rows.begin(), data.rows.end());
   return data;
 }

@@ -7,7 +7,7 @@
 
 namespace vcrit::fit {
 
-struct Row {
+struct StiffnessRow {
   double omega = 0;              ///< rad/s, > 0
   double storage = 0, loss = 0;  ///< Re K and Im K, N/m, not both 0; see noise_below_zero
   double storage_error = 0, loss_error = 0;  ///< one standard deviation each, N/m, > 0 where known
@@ -16,8 +16,8 @@ struct Row {
 };
 
 struct Data {
-  std::string file;       ///< as the user named it
-  std::vector<Row> rows;  ///< at least three, omega increasing
+  std::string file;                ///< as the user named it
+  std::vector<StiffnessRow> rows;  ///< at least three, omega increasing
   bool has_errors = false;
   std::vector<std::string> notes = {};  ///< what the user should know of how the table was read
 };

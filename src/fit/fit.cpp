@@ -76,7 +76,7 @@ class Fitting {
     if (!start) return std::nullopt;
     double softest = infinity;
     double thinnest = softest;
-    for (const Row& row : given_.rows) {
+    for (const StiffnessRow& row : given_.rows) {
       softest = std::min(softest, std::hypot(row.storage, row.loss));
       thinnest = std::min(thinnest, std::hypot(row.storage, row.loss) / row.omega);
     }
@@ -140,7 +140,7 @@ class Fitting {
 
   Relaxation at_least_terms() const {
     Relaxation start = linear_fit(data_, terms_, {});
-    const Row& softest = given_.rows.front();
+    const StiffnessRow& softest = given_.rows.front();
     start.equilibrium =
         std::max(start.equilibrium, first_part * std::hypot(softest.storage, softest.loss));
     start.damper = std::max(start.damper, first_part * start.equilibrium / data_.highest());
@@ -200,7 +200,7 @@ class Fitting {
 
   double rms_relative() const {
     double sum = 0;
-    for (const Row& row : given_.rows) {
+    for (const StiffnessRow& row : given_.rows) {
       const std::complex<double> k(row.storage, row.loss);
       sum += std::norm((dynamic_stiffness(chosen_.series, row.omega) - k) / k);
     }
@@ -257,7 +257,7 @@ class Fitting {
 bool has_losses_of_wrong_sign(const Data& data) {
   if (chance_of_mean(data, -1) < significance) return true;
   double sum = 0;
-  for (const Row& row : data.rows) {
+  for (const StiffnessRow& row : data.rows) {
     if (row.loss >= 0) return false;
     sum += row.loss / std::hypot(row.storage, row.loss);
   }
@@ -278,7 +278,7 @@ void refuse_what_cannot_be_fitted(const Data& data) {
 constexpr double finest_phase = 1e-3;
 
 // The noise of all data but this row, which would hide behind its own misfit.
-double noise_beside(const Row& row, const Fit& fit) {
+double noise_beside(const StiffnessRow& row, const Fit& fit) {
   const std::complex<double> k = dynamic_stiffness(fit.series, row.omega);
   const double own = std::norm((std::complex<double>(row.storage, row.loss) - k) / std::abs(k));
   const int degrees = fit.degrees_of_freedom;
@@ -290,7 +290,7 @@ double noise_beside(const Row& row, const Fit& fit) {
 // What is negative by more than the noise that the fit has found.
 void refuse_below_noise(const Data& data, const Fit& fit) {
   if (data.has_errors) return;
-  for (const Row& row : data.rows) {
+  for (const StiffnessRow& row : data.rows) {
     const double noise = noise_beside(row, fit);
     const auto refuse = [&](const char* name, double value) {
       if (value < -errors_below_zero * noise * std::hypot(row.storage, row.loss))

@@ -13,7 +13,7 @@ struct Sizes {
   double storage, loss;
 };
 
-Sizes sizes(const Row& row, bool errors_known, const std::optional<Relaxation>& expected) {
+Sizes sizes(const StiffnessRow& row, bool errors_known, const std::optional<Relaxation>& expected) {
   if (errors_known) return {row.storage_error, row.loss_error};
   const double size = expected ? std::abs(dynamic_stiffness(*expected, row.omega))
                                : std::hypot(row.storage, row.loss);
@@ -28,7 +28,7 @@ Weighed::Weighed(const Data& data, const std::optional<Relaxation>& expected)
   weight_.resize(2 * rows);
   target_.resize(2 * rows);
   for (Index i = 0; i < rows; ++i) {
-    const Row& row = data.rows[static_cast<std::size_t>(i)];
+    const StiffnessRow& row = data.rows[static_cast<std::size_t>(i)];
     const auto [storage, loss] = sizes(row, errors_known_, expected);
     weight_[2 * i] = 1 / storage;
     weight_[2 * i + 1] = 1 / loss;

@@ -28,7 +28,7 @@ class CsvMap : public MapFile {
   void append(const std::string& text);
 
   const Sweeping& sweeping_;
-  Part part_;
+  PartFile part_;
   std::filesystem::path path_, sweep_file_;
   std::ofstream out_;
   std::size_t next_ = 0;                      // the first block that is not in the file

@@ -35,7 +35,7 @@ class NetcdfMap : public MapFile {
   const Sweeping& sweeping_;
   const Ranks& ranks_;
   std::filesystem::path path_;
-  std::optional<Part> part_;  // of the first rank
+  std::optional<PartFile> part_;  // of the first rank
   std::optional<SharedFile> opened_;
   std::vector<std::uint64_t>
       offsets_;  // of each quantity's numbers, then of the blocks that are done

@@ -43,14 +43,14 @@ void refuse_part(const fs::path& part, const std::string& found, const std::stri
   throw InputError({part.string()}, found, "a place that can be written", next_step);
 }
 
-Part::Part(const fs::path& file, bool resume)
+PartFile::PartFile(const fs::path& file, bool resume)
     : file_(file), path_(part_of(file)), lock_(without_link(path_)) {
   if (is_there() && !resume)
     throw InputError({path_.string()}, "an unfinished sweep",
                      "--resume to go on with it, or that you remove it");
 }
 
-Part::Lock::Lock(const fs::path& part) : file_(with_ending(part, ".lock")) {
+PartFile::Lock::Lock(const fs::path& part) : file_(with_ending(part, ".lock")) {
   std::error_code ignored;
   if (part.has_parent_path()) fs::create_directories(part.parent_path(), ignored);
   while (true) {
@@ -70,24 +70,24 @@ Part::Lock::Lock(const fs::path& part) : file_(with_ending(part, ".lock")) {
   }
 }
 
-Part::Lock::~Lock() {
+PartFile::Lock::~Lock() {
   if (descriptor_ < 0) return;
   ::unlink(file_.c_str());
   ::close(descriptor_);
 }
 
-bool Part::is_there() const {
+bool PartFile::is_there() const {
   std::error_code ignored;
   return fs::exists(path_, ignored);
 }
 
-void Part::put_into_place() {
+void PartFile::put_into_place() {
   std::error_code error;
   fs::rename(path_, file_, error);
   if (error) refuse_part(path_, error.message());
 }
 
-void Part::remove() {
+void PartFile::remove() {
   std::error_code ignored;
   fs::remove(path_, ignored);
 }

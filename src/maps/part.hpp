@@ -14,12 +14,12 @@ std::filesystem::path part_of(const std::filesystem::path& file);
 [[noreturn]] void refuse_part(const std::filesystem::path& part, const std::string& found,
                               const std::string& next_step = {});
 
-class Part {
+class PartFile {
  public:
   /// Of several runs that begin, or go on, at one moment exactly one gets the part. Throws
   /// InputError where another one holds it, where a link stands in its place, and where there is an
   /// unfinished sweep but no `resume`.
-  Part(const std::filesystem::path& file, bool resume);
+  PartFile(const std::filesystem::path& file, bool resume);
 
   /// Whether there is an unfinished sweep.
   bool is_there() const;

@@ -47,97 +47,97 @@ constexpr double steepest_phase = 1.5 * pi;
 
 }  // namespace
 
-const char* name_of(Kind kind) {
+const char* name_of(SceneKind kind) {
   switch (kind) {
-    case Kind::measured_drive:
+    case SceneKind::measured_drive:
       return "measured_drive";
-    case Kind::masses_in_drive:
+    case SceneKind::masses_in_drive:
       return "masses_in_drive";
-    case Kind::lossy_spring:
+    case SceneKind::lossy_spring:
       return "lossy_spring";
-    case Kind::indenter:
+    case SceneKind::indenter:
       return "indenter";
-    case Kind::no_indenter:
+    case SceneKind::no_indenter:
       return "no_indenter";
-    case Kind::separating:
+    case SceneKind::separating:
       return "separating";
-    case Kind::separating_without_memory:
+    case SceneKind::separating_without_memory:
       return "separating_without_memory";
-    case Kind::separating_with_memory:
+    case SceneKind::separating_with_memory:
       return "separating_with_memory";
-    case Kind::no_static_load:
+    case SceneKind::no_static_load:
       return "no_static_load";
-    case Kind::no_static_load_below_indenter:
+    case SceneKind::no_static_load_below_indenter:
       return "no_static_load_below_indenter";
-    case Kind::no_friction:
+    case SceneKind::no_friction:
       return "no_friction";
-    case Kind::no_indentation:
+    case SceneKind::no_indentation:
       return "no_indentation";
-    case Kind::tapping:
+    case SceneKind::tapping:
       return "tapping";
-    case Kind::never_closing:
+    case SceneKind::never_closing:
       return "never_closing";
-    case Kind::amplitude_too_large:
+    case SceneKind::amplitude_too_large:
       return "amplitude_too_large";
-    case Kind::deep_amplitude:
+    case SceneKind::deep_amplitude:
       return "deep_amplitude";
-    case Kind::opening:
+    case SceneKind::opening:
       return "opening";
-    case Kind::opening_below_indenter:
+    case SceneKind::opening_below_indenter:
       return "opening_below_indenter";
-    case Kind::opening_with_memory:
+    case SceneKind::opening_with_memory:
       return "opening_with_memory";
-    case Kind::open_where_steepest:
+    case SceneKind::open_where_steepest:
       return "open_where_steepest";
   }
   throw Bug("a kind of scene without a name");
 }
 
-bool Facts::is(Kind kind) const {
+bool Facts::is(SceneKind kind) const {
   const bool separating = problem_->separation;
   switch (kind) {
-    case Kind::measured_drive:
+    case SceneKind::measured_drive:
       return problem_->receptance() != nullptr;
-    case Kind::masses_in_drive:
+    case SceneKind::masses_in_drive:
       return problem_->has_masses();
-    case Kind::lossy_spring:
+    case SceneKind::lossy_spring:
       return has_lossy_spring(problem_);
-    case Kind::indenter:
+    case SceneKind::indenter:
       return problem_->indenter.has_value();
-    case Kind::no_indenter:
+    case SceneKind::no_indenter:
       return !problem_->indenter;
-    case Kind::separating:
+    case SceneKind::separating:
       return separating;
-    case Kind::separating_without_memory:
+    case SceneKind::separating_without_memory:
       return separating && !elastic(problem_) && follows_without_memory(problem_);
-    case Kind::separating_with_memory:
+    case SceneKind::separating_with_memory:
       return separating && !elastic(problem_) && !follows_without_memory(problem_);
-    case Kind::no_static_load:
+    case SceneKind::no_static_load:
       return !problem_->indenter && static_stiffness() == 0;
-    case Kind::no_static_load_below_indenter:
+    case SceneKind::no_static_load_below_indenter:
       return problem_->indenter && static_stiffness() == 0;
-    case Kind::no_friction:
+    case SceneKind::no_friction:
       return !(value(problem_->coefficient) > 0);
-    case Kind::no_indentation:
+    case SceneKind::no_indentation:
       return !separating && static_stiffness() > 0 && !(mean_force() > 0);
-    case Kind::tapping:
+    case SceneKind::tapping:
       return separating && !(value(problem_->indentation) > 0) && value(problem_->amplitude) > 0;
-    case Kind::never_closing:
+    case SceneKind::never_closing:
       return !(value(problem_->indentation) + value(problem_->amplitude) > 0);
-    case Kind::amplitude_too_large:
+    case SceneKind::amplitude_too_large:
       return !separating && !(value(problem_->amplitude) < value(problem_->indentation));
-    case Kind::deep_amplitude:
+    case SceneKind::deep_amplitude:
       return separating && !(value(problem_->amplitude) < value(problem_->indentation));
-    case Kind::opening:
+    case SceneKind::opening:
       return !separating && !problem_->indenter && mean_force() > 0 &&
              !(oscillating_force() < mean_force());
-    case Kind::opening_below_indenter:
+    case SceneKind::opening_below_indenter:
       return !separating && problem_->indenter && mean_force() > 0 &&
              !(oscillating_force() < mean_force());
-    case Kind::opening_with_memory:
-      return is(Kind::separating_with_memory) && opens() && !is(Kind::no_friction);
-    case Kind::open_where_steepest:
-      return is(Kind::separating_without_memory) && opens() && !is(Kind::no_friction) &&
+    case SceneKind::opening_with_memory:
+      return is(SceneKind::separating_with_memory) && opens() && !is(SceneKind::no_friction);
+    case SceneKind::open_where_steepest:
+      return is(SceneKind::separating_without_memory) && opens() && !is(SceneKind::no_friction) &&
              open_where_steepest();
   }
   throw Bug("a kind of scene without a rule");

@@ -8,7 +8,7 @@
 
 namespace vcrit::rules {
 
-enum class Kind {
+enum class SceneKind {
   measured_drive,                 ///< known at the frequencies of its table
   masses_in_drive,                ///< beside the one body
   lossy_spring,                   ///< k (1 + i eta): known at one frequency at a time
@@ -31,10 +31,10 @@ enum class Kind {
   opening_with_memory,            ///< a contact that opens, so that v* is another one
   open_where_steepest,            ///< likewise, since it is open where u_z rises fastest
 };
-inline constexpr std::size_t kinds = static_cast<std::size_t>(Kind::open_where_steepest) + 1;
+inline constexpr std::size_t kinds = static_cast<std::size_t>(SceneKind::open_where_steepest) + 1;
 
 /// "measured_drive": a name that stays the same, for programs.
-const char* name_of(Kind kind);
+const char* name_of(SceneKind kind);
 
 /// What a scene is, each thing found when it is first asked for.
 class Facts {
@@ -43,7 +43,7 @@ class Facts {
 
   /// Throws InputError where that needs values that are missing, ModelError where the motion of the
   /// contact would have to be known and is not.
-  bool is(Kind kind) const;
+  bool is(SceneKind kind) const;
 
   const Problem& problem() const { return problem_; }
   /// Of the contact as if closed, N: mean and amplitude of the normal force.

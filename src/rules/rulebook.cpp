@@ -15,16 +15,16 @@ namespace {
 // {du_z}, {u_z0}, {mu0} are names; {amplitude} and {indentation} are in m, {oscillating} and {mean}
 // in N, {share} is one over the other.
 struct Cell {
-  Verdict verdict = Verdict::unset;
+  Ruling verdict = Ruling::unset;
   const char* reason = "";
   const char* advice = "";
 };
 
 constexpr Cell refused(const char* reason, const char* advice = "") {
-  return {Verdict::refused, reason, advice};
+  return {Ruling::refused, reason, advice};
 }
-constexpr Cell left_out(const char* reason) { return {Verdict::left_out, reason}; }
-constexpr Cell yes{Verdict::yes};
+constexpr Cell left_out(const char* reason) { return {Ruling::left_out, reason}; }
+constexpr Cell yes{Ruling::yes};
 
 constexpr Cell measured_motion = refused(
     "the simulator needs a network; this drive is a measured receptance, which says nothing of "
@@ -190,13 +190,13 @@ constexpr bool complete() {
   for (std::size_t row = 0; row < questions; ++row) {
     if (table[row].question != static_cast<Question>(row)) return false;
     for (const Cell& each : table[row].cells)
-      if (each.verdict == Verdict::unset) return false;
+      if (each.verdict == Ruling::unset) return false;
   }
   return true;
 }
 static_assert(complete());
 
-const Cell& entry(Question question, Kind kind) {
+const Cell& entry(Question question, SceneKind kind) {
   return table[static_cast<std::size_t>(question)].cells[static_cast<std::size_t>(kind)];
 }
 
@@ -218,8 +218,8 @@ std::string filled(const std::string& pattern, const Facts& facts) {
 template <class Use>
 void for_each_refusal(Question question, const Facts& facts, const Use& use) {
   for (std::size_t i = 0; i < kinds; ++i) {
-    const auto kind = static_cast<Kind>(i);
-    if (entry(question, kind).verdict == Verdict::yes || !facts.is(kind)) continue;
+    const auto kind = static_cast<SceneKind>(i);
+    if (entry(question, kind).verdict == Ruling::yes || !facts.is(kind)) continue;
     Answer found = cell(question, kind);
     found.reason = filled(found.reason, facts);
     if (!use(found)) return;
@@ -228,7 +228,7 @@ void for_each_refusal(Question question, const Facts& facts, const Use& use) {
 
 }  // namespace
 
-Answer cell(Question question, Kind kind) {
+Answer cell(Question question, SceneKind kind) {
   const Cell& found = entry(question, kind);
   return {found.verdict, found.reason, found.advice, name_of(kind)};
 }

@@ -34,23 +34,23 @@ enum class Question {
 inline constexpr std::size_t questions = static_cast<std::size_t>(Question::closed_amplitude) + 1;
 
 /// Refused: the command cannot go on. Left out: it goes on without, or by another way.
-enum class Verdict { unset, yes, refused, left_out };
+enum class Ruling { unset, yes, refused, left_out };
 
 struct Answer {
-  Verdict verdict = Verdict::yes;
+  Ruling verdict = Ruling::yes;
   std::string reason = {}, advice = {};
   const char* key = "";  ///< the kind that decided; see name_of()
 
-  explicit operator bool() const { return verdict == Verdict::yes; }
+  explicit operator bool() const { return verdict == Ruling::yes; }
   /// What a program ends with that goes no further.
-  int status() const { return verdict == Verdict::refused ? 3 : 0; }
+  int status() const { return verdict == Ruling::refused ? 3 : 0; }
 };
 
 /// Throws InputError for missing values where the answer depends on them.
 Answer answer(Question question, const Problem& problem);
 /// The same for one kind, whether or not the scene is of it: words that say numbers of the scene
 /// stay patterns. For tables and tests.
-Answer cell(Question question, Kind kind);
+Answer cell(Question question, SceneKind kind);
 
 /// All that stands against it.
 std::vector<std::string> reasons(Question question, const Problem& problem);

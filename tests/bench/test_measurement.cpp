@@ -45,7 +45,7 @@ std::vector<Point> measured(const std::vector<Case>& cases, const std::vector<Pe
   return measure(cases, peers, {0.05, 0}, [](const std::string&) {});
 }
 
-Verdict verdict(const Case& row, Peer peer, const Peer::Setting& setting) {
+RunVerdict verdict(const Case& row, Peer peer, const Peer::Setting& setting) {
   peer.settings = {setting};
   return measured({row}, {peer}).at(0).verdict;
 }
@@ -54,18 +54,18 @@ Verdict verdict(const Case& row, Peer peer, const Peer::Setting& setting) {
 
 BOOST_AUTO_TEST_CASE(answers_near_enough_are_right) {
   const Peer peer{.name = "GSL x"};
-  BOOST_TEST((verdict(a_case(), peer, answers(0.6 + 9e-6, 2, 1e-8)) == Verdict::right));
-  BOOST_TEST((verdict(a_case(), peer, answers(0.6 + 2e-5, 2, 1e-8)) == Verdict::wrong));
-  BOOST_TEST((verdict(a_case(), peer, answers(0.6 + 0.04, 2, {})) == Verdict::right));
-  BOOST_TEST((verdict(a_case(), peer, answers(0.6 + 0.06, 2, {})) == Verdict::wrong));
-  BOOST_TEST((verdict(a_case(), peer, answers(0.6 + 0.06, 2, 1)) == Verdict::wrong));
-  BOOST_TEST((verdict(a_case(), peer, answers(std::nan(""), 2, 1e-8)) == Verdict::wrong));
+  BOOST_TEST((verdict(a_case(), peer, answers(0.6 + 9e-6, 2, 1e-8)) == RunVerdict::right));
+  BOOST_TEST((verdict(a_case(), peer, answers(0.6 + 2e-5, 2, 1e-8)) == RunVerdict::wrong));
+  BOOST_TEST((verdict(a_case(), peer, answers(0.6 + 0.04, 2, {})) == RunVerdict::right));
+  BOOST_TEST((verdict(a_case(), peer, answers(0.6 + 0.06, 2, {})) == RunVerdict::wrong));
+  BOOST_TEST((verdict(a_case(), peer, answers(0.6 + 0.06, 2, 1)) == RunVerdict::wrong));
+  BOOST_TEST((verdict(a_case(), peer, answers(std::nan(""), 2, 1e-8)) == RunVerdict::wrong));
 }
 
 BOOST_AUTO_TEST_CASE(marching_that_stopped_early_has_drifted) {
   const Peer peer{.name = "GSL x", .cycles = true};
-  BOOST_TEST((verdict(a_case(), peer, answers(0.6 + 1e-3, 2, 1e-8)) == Verdict::drift));
-  BOOST_TEST((verdict(a_case(), peer, answers(1, 0, 1e-8)) == Verdict::drift));
+  BOOST_TEST((verdict(a_case(), peer, answers(0.6 + 1e-3, 2, 1e-8)) == RunVerdict::drift));
+  BOOST_TEST((verdict(a_case(), peer, answers(1, 0, 1e-8)) == RunVerdict::drift));
 }
 
 BOOST_AUTO_TEST_CASE(stick_that_was_not_seen_is_missed_however_small_the_error) {
@@ -73,16 +73,16 @@ BOOST_AUTO_TEST_CASE(stick_that_was_not_seen_is_missed_however_small_the_error) 
   row.grazing = true;
   row.friction_ratio = 1 - 1e-5;
   const Peer peer{.name = "GSL x"};
-  BOOST_TEST((verdict(row, peer, answers(1, 0, 1e-4)) == Verdict::missed_grazing));
-  BOOST_TEST((verdict(row, peer, answers(1, 2, 1e-4)) == Verdict::right));
+  BOOST_TEST((verdict(row, peer, answers(1, 0, 1e-4)) == RunVerdict::missed_grazing));
+  BOOST_TEST((verdict(row, peer, answers(1, 2, 1e-4)) == RunVerdict::right));
   const Peer smooth{.name = "tanh", .idealised = true};
-  BOOST_TEST((verdict(row, smooth, answers(1, 0, 1e-4)) == Verdict::right));
+  BOOST_TEST((verdict(row, smooth, answers(1, 0, 1e-4)) == RunVerdict::right));
 }
 
 BOOST_AUTO_TEST_CASE(what_a_method_says_is_kept) {
   const Peer peer{.name = "GSL x"};
-  BOOST_TEST((verdict(a_case(), peer, says("it is chattering")) == Verdict::chattering));
-  BOOST_TEST((verdict(a_case(), peer, says("step size underflow")) == Verdict::not_finished));
+  BOOST_TEST((verdict(a_case(), peer, says("it is chattering")) == RunVerdict::chattering));
+  BOOST_TEST((verdict(a_case(), peer, says("step size underflow")) == RunVerdict::not_finished));
   Peer talking = peer;
   talking.settings = {says("step size underflow")};
   BOOST_TEST(measured({a_case()}, {talking}).at(0).words == "step size underflow");
@@ -95,7 +95,7 @@ BOOST_AUTO_TEST_CASE(after_one_without_end_the_more_accurate_are_not_tried) {
   const auto points = measured(cases, {peer});
   BOOST_TEST(points.at(0).answered);
   BOOST_TEST(points.at(1).words == "out of time");
-  BOOST_TEST((points.at(2).verdict == Verdict::not_finished));
+  BOOST_TEST((points.at(2).verdict == RunVerdict::not_finished));
   BOOST_TEST(!points.at(2).answered);
 }
 
@@ -120,7 +120,7 @@ struct Fixture {
     for (const Case& row : cases) add(row, 0, 0, 1, 1e-15);
   }
   void add(const Case& row, std::size_t peer, std::size_t setting, double seconds, double error,
-           Verdict verdict = Verdict::right) {
+           RunVerdict verdict = RunVerdict::right) {
     points.push_back(
         {&row, &peers[peer], &peers[peer].settings[setting], verdict, true, seconds, 0.6, error});
   }
@@ -159,7 +159,7 @@ BOOST_AUTO_TEST_CASE(a_setting_with_wrong_answers_is_out_of_the_ranking) {
   Fixture f;
   for (const Case& row : f.cases) f.add(row, 1, 0, 0.5, 1e-6);
   f.add(f.cases[0], 2, 0, 0.2, 1e-8);
-  f.add(f.cases[1], 2, 0, 0.2, 1e-7, Verdict::wrong);
+  f.add(f.cases[1], 2, 0, 0.2, 1e-7, RunVerdict::wrong);
   const auto lines = work_precision(f.points, [](const Case&) { return true; });
   BOOST_REQUIRE(lines.size() == 3u);
   BOOST_TEST(lines[0].front);  // slower than the peer, but more accurate
@@ -167,7 +167,7 @@ BOOST_AUTO_TEST_CASE(a_setting_with_wrong_answers_is_out_of_the_ranking) {
   BOOST_TEST(lines[1].answered == 2u);
   BOOST_TEST(!lines[2].front);
   BOOST_TEST(lines[2].error == 1e-7);
-  BOOST_TEST(lines[2].failures.at(Verdict::wrong) == 1u);
+  BOOST_TEST(lines[2].failures.at(RunVerdict::wrong) == 1u);
 }
 
 BOOST_AUTO_TEST_CASE(a_slower_and_less_accurate_setting_is_behind_the_front) {

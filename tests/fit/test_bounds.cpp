@@ -182,7 +182,7 @@ BOOST_AUTO_TEST_CASE(losses_beyond_two_deviations_are_kept) {
       const double storage = k.real() + error * deviates.normal();
       data.rows.push_back({omega, storage, k.imag() + error * deviates.normal(), error, error});
     }
-    const auto below = [](const fit::Row& row) { return row.loss < 0; };
+    const auto below = [](const fit::StiffnessRow& row) { return row.loss < 0; };
     if (!fit::shows_loss(data) || std::any_of(data.rows.begin(), data.rows.end(), below)) continue;
     ++seen;
     const Fit fit = fit::fitted(data);

@@ -189,7 +189,7 @@ BOOST_AUTO_TEST_CASE(the_last_digit_is_read_from_the_text) {
   same(fit::rounding_steps({"0", "0.5", "1.25"}), {0.01, 0.01, 0.01});
   const fit::Data data =
       fit::parse_data("frequency,storage [N/um],loss\n3,1.25,7\n2,1.5,12\n1,1.75,8\n", "d.csv");
-  for (const fit::Row& row : data.rows) {
+  for (const fit::StiffnessRow& row : data.rows) {
     BOOST_TEST(std::abs(row.storage_step / 1e4 - 1) < 1e-14);
     BOOST_TEST(row.loss_step == 1);
   }

@@ -266,7 +266,7 @@ BOOST_AUTO_TEST_CASE(noise_below_zero_is_fitted_and_more_is_refused) {
   BOOST_CHECK_THROW(fit::fitted(data), InputError);
   // The other sign of i: all losses negative.
   Data conjugate = measured(Truth{1e6, {{5e4, 1e-2}}}, 10, 1000, 6, 0.001, 1);
-  for (fit::Row& row : conjugate.rows) row.loss = -row.loss;
+  for (fit::StiffnessRow& row : conjugate.rows) row.loss = -row.loss;
   BOOST_CHECK_THROW(fit::fitted(conjugate), InputError);
 }
 

@@ -51,51 +51,51 @@ Scene measured() {
 }
 
 // One scene of each kind, in which nothing else is unusual.
-Scene scene_of(Kind kind) {
+Scene scene_of(SceneKind kind) {
   switch (kind) {
-    case Kind::measured_drive:
+    case SceneKind::measured_drive:
       return measured();
-    case Kind::masses_in_drive:
+    case SceneKind::masses_in_drive:
       return scene_of({.rest = "[drive]\nnetwork = \"kd - (mass(m1) | k)\"\n"});
-    case Kind::lossy_spring:
+    case SceneKind::lossy_spring:
       return scene_of({.contact = "normal = \"lossy(k, l)\"\npoisson = 0.3"});
-    case Kind::indenter:
+    case SceneKind::indenter:
       return scene_of({.rest = cone});
-    case Kind::no_indenter:
+    case SceneKind::no_indenter:
       return scene_of(Parts{});
-    case Kind::separating:
+    case SceneKind::separating:
       return scene_of({.contact = "normal = \"k\"\npoisson = 0.3" + separating});
-    case Kind::separating_without_memory:
+    case SceneKind::separating_without_memory:
       return scene_of({.contact = kelvin + separating});
-    case Kind::separating_with_memory:
+    case SceneKind::separating_with_memory:
       return scene_of({.contact = "normal = \"k\"\ntangential = \"k | c\"" + separating});
-    case Kind::no_static_load:
+    case SceneKind::no_static_load:
       return scene_of({.contact = "normal = \"k - c\"\npoisson = 0.3"});
-    case Kind::no_static_load_below_indenter:
+    case SceneKind::no_static_load_below_indenter:
       return scene_of({.contact = "normal = \"k - c\"\npoisson = 0.3", .rest = cone});
-    case Kind::no_friction:
+    case SceneKind::no_friction:
       return scene_of({.coefficient = 0});
-    case Kind::no_indentation:
+    case SceneKind::no_indentation:
       return scene_of({.indentation = 0});
-    case Kind::tapping:
+    case SceneKind::tapping:
       return scene_of({.contact = "normal = \"k\"\npoisson = 0.3" + separating, .indentation = 0});
-    case Kind::never_closing:
+    case SceneKind::never_closing:
       return scene_of({.contact = "normal = \"k\"\npoisson = 0.3" + separating,
                        .amplitude = 0,
                        .indentation = 0,
                        .rest = cone});
-    case Kind::amplitude_too_large:
+    case SceneKind::amplitude_too_large:
       return scene_of({.amplitude = 1});
-    case Kind::deep_amplitude:
+    case SceneKind::deep_amplitude:
       return scene_of({.contact = "normal = \"k\"\npoisson = 0.3" + separating, .amplitude = 2});
-    case Kind::opening:
+    case SceneKind::opening:
       return scene_of({.contact = kelvin, .amplitude = 0.8});
-    case Kind::opening_below_indenter:
+    case SceneKind::opening_below_indenter:
       return scene_of({.contact = kelvin, .amplitude = 0.8, .rest = cone});
-    case Kind::opening_with_memory:
+    case SceneKind::opening_with_memory:
       return scene_of(
           {.contact = "normal = \"k\"\ntangential = \"k | c\"" + separating, .amplitude = 2});
-    case Kind::open_where_steepest:
+    case SceneKind::open_where_steepest:
       return scene_of({.contact = "normal = \"k | damper(slow)\"\npoisson = 0.3" + separating,
                        .amplitude = 0.9});
   }
@@ -116,63 +116,63 @@ const Names half_space{"motion", "other_methods", "report_explorer", "report_sta
 const Names may_part{"report_explorer", "report_stability"};
 const Names outside{"admissible", "report_explorer", "report_stability"};
 
-Names without_answer(Kind kind) {
+Names without_answer(SceneKind kind) {
   switch (kind) {
-    case Kind::measured_drive:
+    case SceneKind::measured_drive:
       return contact +
              Names{"evaluator",      "rational_form", "all_frequencies",   "motion",
                    "motion_in_time", "comparison",    "report_simulation", "report_stability"};
-    case Kind::masses_in_drive:
+    case SceneKind::masses_in_drive:
       return contact + Names{"evaluator",         "motion",          "motion_in_time", "comparison",
                              "report_simulation", "report_stability"};
-    case Kind::lossy_spring:
+    case SceneKind::lossy_spring:
       return contact + Names{"rational_form",     "all_frequencies", "motion",
                              "normal_motion",     "motion_in_time",  "comparison",
                              "report_simulation", "report_explorer", "report_stability"};
-    case Kind::indenter:
+    case SceneKind::indenter:
       return half_space;
-    case Kind::no_indenter:
+    case SceneKind::no_indenter:
       return contact;
-    case Kind::separating:
+    case SceneKind::separating:
       return contact + may_part;
-    case Kind::separating_without_memory:
+    case SceneKind::separating_without_memory:
       return contact + may_part + Names{"formula_of_all_values", "evaluator"};
-    case Kind::separating_with_memory:
+    case SceneKind::separating_with_memory:
       return contact + may_part + Names{"formula_of_all_values", "evaluator", "closed_form"};
-    case Kind::no_static_load:
+    case SceneKind::no_static_load:
       return contact + outside + Names{"motion", "normal_motion", "comparison", "mean_load"};
-    case Kind::no_static_load_below_indenter:
+    case SceneKind::no_static_load_below_indenter:
       return half_space + outside +
              Names{"motion_below_indenter", "normal_motion", "comparison", "mean_load"};
-    case Kind::no_friction:
+    case SceneKind::no_friction:
       return contact + Names{"motion", "comparison"};
-    case Kind::no_indentation:
+    case SceneKind::no_indentation:
       return contact + outside + Names{"motion", "mean_load", "closed_range"};
-    case Kind::tapping:
+    case SceneKind::tapping:
       return contact + may_part + Names{"closed_range", "closed_amplitude"};
-    case Kind::never_closing:
+    case SceneKind::never_closing:
       return half_space + outside +
              Names{"motion_below_indenter", "comparison", "closed_range", "closed_amplitude"};
-    case Kind::amplitude_too_large:
+    case SceneKind::amplitude_too_large:
       return contact + outside + Names{"motion", "closed_range"};
-    case Kind::deep_amplitude:
+    case SceneKind::deep_amplitude:
       return contact + may_part + Names{"closed_range"};
-    case Kind::opening:
+    case SceneKind::opening:
       return contact + outside + Names{"motion"};
-    case Kind::opening_below_indenter:
+    case SceneKind::opening_below_indenter:
       return half_space + outside + Names{"motion_below_indenter"};
-    case Kind::opening_with_memory:
-      return without_answer(Kind::separating_with_memory) +
+    case SceneKind::opening_with_memory:
+      return without_answer(SceneKind::separating_with_memory) +
              Names{"formula", "comparison", "closed_range"};
-    case Kind::open_where_steepest:
-      return without_answer(Kind::separating_without_memory) + Names{"formula", "comparison"};
+    case SceneKind::open_where_steepest:
+      return without_answer(SceneKind::separating_without_memory) + Names{"formula", "comparison"};
   }
   throw Bug("a kind without its questions");
 }
 
 template <class Use>
 void for_each_kind(const Use& use) {
-  for (std::size_t i = 0; i < kinds; ++i) use(static_cast<Kind>(i));
+  for (std::size_t i = 0; i < kinds; ++i) use(static_cast<SceneKind>(i));
 }
 
 std::string refusal(const std::function<void()>& work) {
@@ -184,7 +184,7 @@ std::string refusal(const std::function<void()>& work) {
   return {};
 }
 
-std::string words(Question question, Kind kind) {
+std::string words(Question question, SceneKind kind) {
   const Scene scene = scene_of(kind);
   return answer(question, scene).reason;
 }
@@ -192,14 +192,14 @@ std::string words(Question question, Kind kind) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(a_scene_of_each_kind_is_of_it) {
-  for_each_kind([](Kind kind) {
+  for_each_kind([](SceneKind kind) {
     const Scene scene = scene_of(kind);
     BOOST_TEST(Facts(scene).is(kind), name_of(kind));
   });
 }
 
 BOOST_AUTO_TEST_CASE(each_cell_says_what_it_says_by_hand) {
-  for_each_kind([](Kind kind) {
+  for_each_kind([](SceneKind kind) {
     const Scene scene = scene_of(kind);
     Names found;
     for (std::size_t q = 0; q < questions; ++q) {
@@ -208,7 +208,7 @@ BOOST_AUTO_TEST_CASE(each_cell_says_what_it_says_by_hand) {
       if (!given) found.insert(name_of(question));
       BOOST_TEST(given.reason.empty() == bool{given});
       BOOST_TEST(given.reason.find('{') == std::string::npos, given.reason);
-      BOOST_TEST((given.status() == 3) == (given.verdict == Verdict::refused));
+      BOOST_TEST((given.status() == 3) == (given.verdict == Ruling::refused));
       BOOST_TEST(bool{given} == reasons(question, scene).empty());
     }
     BOOST_TEST(found == without_answer(kind), name_of(kind));
@@ -218,7 +218,7 @@ BOOST_AUTO_TEST_CASE(each_cell_says_what_it_says_by_hand) {
 // So that no cell is a dead letter: each decides for the scene of its kind, unless an earlier kind
 // of that scene has decided already.
 BOOST_AUTO_TEST_CASE(each_refusal_is_reached) {
-  for_each_kind([](Kind kind) {
+  for_each_kind([](SceneKind kind) {
     const Scene scene = scene_of(kind);
     for (std::size_t q = 0; q < questions; ++q) {
       const auto question = static_cast<Question>(q);
@@ -233,7 +233,7 @@ BOOST_AUTO_TEST_CASE(each_refusal_is_reached) {
 }
 
 BOOST_AUTO_TEST_CASE(who_is_refused_by_the_rulebook_is_refused_in_its_words) {
-  for_each_kind([](Kind kind) {
+  for_each_kind([](SceneKind kind) {
     const Scene scene = scene_of(kind);
     const auto expected = [&](Question question) {
       const Answer given = answer(question, scene);
@@ -246,27 +246,27 @@ BOOST_AUTO_TEST_CASE(who_is_refused_by_the_rulebook_is_refused_in_its_words) {
 }
 
 BOOST_AUTO_TEST_CASE(numbers_stand_in_the_words) {
-  BOOST_TEST(words(Question::motion, Kind::amplitude_too_large) ==
+  BOOST_TEST(words(Question::motion, SceneKind::amplitude_too_large) ==
              "the amplitude du_z = 1 m is not below the indentation u_z0 = 1 m (3)");
   // |1 + i| = sqrt 2
-  BOOST_TEST(words(Question::motion, Kind::opening) ==
+  BOOST_TEST(words(Question::motion, SceneKind::opening) ==
              "the contact opens: F_n oscillates by 1.13137 N about a mean of 1 N (4)");
-  BOOST_TEST(words(Question::admissible, Kind::opening) ==
+  BOOST_TEST(words(Question::admissible, SceneKind::opening) ==
              "the contact opens: the normal force oscillates by du_z |K_n| = 1.13137 N about a "
              "mean of K_n(0) u_z0 = 1 N (4)");
-  BOOST_TEST(words(Question::motion_below_indenter, Kind::opening_below_indenter) ==
+  BOOST_TEST(words(Question::motion_below_indenter, SceneKind::opening_below_indenter) ==
              "the contact opens all over: at the tip F_n oscillates by 1.13137 times its mean (4)");
-  BOOST_TEST(words(Question::motion, Kind::no_friction) ==
+  BOOST_TEST(words(Question::motion, SceneKind::no_friction) ==
              "with mu0 = 0 there is no friction to compare with");
-  BOOST_TEST(words(Question::mean_load, Kind::no_indentation) ==
+  BOOST_TEST(words(Question::mean_load, SceneKind::no_indentation) ==
              "without an indentation u_z0 the contact carries no load");
-  BOOST_TEST(words(Question::closed_amplitude, Kind::tapping) ==
+  BOOST_TEST(words(Question::closed_amplitude, SceneKind::tapping) ==
              "without an indentation u_z0 the contact opens at every amplitude");
 }
 
 // v* is then 0 with a memory as without, and needs no motion.
-BOOST_AUTO_TEST_CASE(without_friction_the_formula_holds_where_surfaces_part) {
-  for (const Kind kind : {Kind::opening_with_memory, Kind::open_where_steepest}) {
+BOOST_AUTO_TEST_CASE(without_friction_the_formula_holds_where_the_contact_opens) {
+  for (const SceneKind kind : {SceneKind::opening_with_memory, SceneKind::open_where_steepest}) {
     Scene scene = scene_of(kind);
     BOOST_TEST(!answer(Question::formula, scene));
     scene.coefficient.value = 0;
@@ -275,7 +275,7 @@ BOOST_AUTO_TEST_CASE(without_friction_the_formula_holds_where_surfaces_part) {
 }
 
 BOOST_AUTO_TEST_CASE(kinds_seen_without_values_need_none) {
-  Scene scene = scene_of(Kind::separating_without_memory);
+  Scene scene = scene_of(SceneKind::separating_without_memory);
   scene.amplitude.value.reset();
   BOOST_TEST(!answer(Question::evaluator, scene));
   BOOST_TEST(bool{answer(Question::closed_form, scene)});

@@ -36,7 +36,7 @@ struct Figure4 {
 };
 
 /// Comparisons without more to show.
-struct Part {
+struct PaperPart {
   std::vector<Comparison> comparisons;
 };
 
@@ -140,14 +140,14 @@ const char* to_text(Claim::Verdict verdict);
 
 struct Paper {
   Proofs proofs;
-  Part range;
+  PaperPart range;
   Figure4 figure4;
   DifferenceMap map;
   AmplitudeLimits amplitudes;
   StaticLimit slow;
   Viscosity viscosity;
   FlatPunch punch;
-  Part shapes;
+  PaperPart shapes;
   Misprints misprints;
   Evidence evidence;
   std::vector<Claim> claims;

@@ -117,7 +117,7 @@ void add_course(const System& system, const std::string& where, std::vector<Pair
 }
 
 /// Of all contacts and drives without a body that carry a load at rest.
-void compare_courses(Part& part) {
+void compare_courses(PaperPart& part) {
   std::vector<Pair> falls, bends;
   for (const char* contact : contacts)
     for (const char* tangential : {"tangential_ratio = 0.7", "tangential = \"zener(k2, k1, c2)\""})
@@ -171,8 +171,8 @@ Comparison force_before_height() {
 
 }  // namespace
 
-Part explore_range() {
-  Part part;
+PaperPart explore_range() {
+  PaperPart part;
   part.comparisons.push_back(rheologies());
   for (int n = 2; n <= 5; ++n) part.comparisons.push_back(free_swing(n));
   part.comparisons.push_back(above());

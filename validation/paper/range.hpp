@@ -7,6 +7,6 @@
 
 namespace vcrit::validation::paper {
 
-Part explore_range();
+PaperPart explore_range();
 
 }  // namespace vcrit::validation::paper

@@ -79,8 +79,8 @@ Comparison coupling() {
 
 }  // namespace
 
-Part press_shapes() {
-  Part part;
+PaperPart press_shapes() {
+  PaperPart part;
   for (const Form& form : forms) part.comparisons.push_back(velocity_of(form));
   part.comparisons.push_back(rim_of_parabola());
   part.comparisons.push_back(coupling());

@@ -5,6 +5,6 @@
 
 namespace vcrit::validation::paper {
 
-Part press_shapes();
+PaperPart press_shapes();
 
 }  // namespace vcrit::validation::paper

@@ -19,10 +19,10 @@ constexpr int points_of_line = 300;  // smooth to the eye
 
 enum Colour { storage_colour = 0, loss_colour = 1 };
 
-FigureSeries measured_series(const fit::Data& data, const char* name, double fit::Row::*part,
-                             int colour) {
+FigureSeries measured_series(const fit::Data& data, const char* name,
+                             double fit::StiffnessRow::*part, int colour) {
   FigureSeries series{name, Style::circles, {}, colour};
-  for (const fit::Row& row : data.rows)
+  for (const fit::StiffnessRow& row : data.rows)
     if (row.*part > 0) series.points.push_back({row.omega / two_pi, row.*part, ""});
   return series;
 }
@@ -48,13 +48,13 @@ Figure stiffness(const fit::Data& data, const fit::Fit& fit) {
   figure.y = {"stiffness, N/m", true, {}, {}};
   figure.series = {fitted_series(data, fit.series, "storage", true),
                    fitted_series(data, fit.series, "loss", false),
-                   measured_series(data, "storage", &fit::Row::storage, storage_colour),
-                   measured_series(data, "loss", &fit::Row::loss, loss_colour)};
+                   measured_series(data, "storage", &fit::StiffnessRow::storage, storage_colour),
+                   measured_series(data, "loss", &fit::StiffnessRow::loss, loss_colour)};
   return figure;
 }
 
 // What the fit weighed it by: the given error, else one per cent of |K|.
-double unit_of(const fit::Row& row, bool errors, bool storage) {
+double unit_of(const fit::StiffnessRow& row, bool errors, bool storage) {
   if (errors) return storage ? row.storage_error : row.loss_error;
   return std::hypot(row.storage, row.loss) / 100;
 }
@@ -64,7 +64,7 @@ FigureSeries left(const fit::Data& data, const fit::Fit& fit, bool storage) {
                       storage ? Style::circles : Style::crosses,
                       {},
                       storage ? storage_colour : loss_colour};
-  for (const fit::Row& row : data.rows) {
+  for (const fit::StiffnessRow& row : data.rows) {
     const std::complex<double> difference =
         std::complex<double>(row.storage, row.loss) - dynamic_stiffness(fit.series, row.omega);
     const double part = storage ? difference.real() : difference.imag();

@@ -8,12 +8,12 @@
 
 namespace vcrit::validation::report {
 
-struct Point {
+struct LayoutPoint {
   double x = 0, y = 0;
 };
 
 struct GraphLayout {
-  std::vector<Point> nodes;  ///< terminal 0 at (0, 0), terminal 1 at (width, 0)
+  std::vector<LayoutPoint> nodes;  ///< terminal 0 at (0, 0), terminal 1 at (width, 0)
   double width = 0;
   double reach = 0;  ///< largest |y|
 };

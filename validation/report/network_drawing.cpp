@@ -120,7 +120,7 @@ Drawing draw_parallel(const Parallel& parallel) {
   return all;
 }
 
-Shape dot(const Point& at) {
+Shape dot(const LayoutPoint& at) {
   Shape shape;
   shape.form = Shape::Form::node;
   shape.x = at.x;
@@ -130,7 +130,7 @@ Shape dot(const Point& at) {
 
 /// The label of a single element beside its edge, upright whatever the edge's direction, on the
 /// side away from the line between the terminals.
-Shape edge_label(const Element& element, const Point& middle, double angle) {
+Shape edge_label(const Element& element, const LayoutPoint& middle, double angle) {
   const double side = middle.y > 1 ? -1 : 1, away = side > 0 ? 20 : 22;
   const double x = middle.x + side * away * std::sin(angle);
   const double y = middle.y - side * away * std::cos(angle) + 5;
@@ -140,7 +140,7 @@ Shape edge_label(const Element& element, const Point& middle, double angle) {
 }
 
 /// A part drawn along the straight line from one node to another, never upside down.
-Shapes edge(const Network& part, Point from, Point to) {
+Shapes edge(const Network& part, LayoutPoint from, LayoutPoint to) {
   if (from.x > to.x) std::swap(from, to);
   const double dx = to.x - from.x, dy = to.y - from.y;
   const double length = std::hypot(dx, dy), angle = std::atan2(dy, dx);
@@ -153,7 +153,7 @@ Shapes edge(const Network& part, Point from, Point to) {
                        {line(lead + drawing.width, 0, length, 0)}});
   transform(all, fmt::format("translate({:.1f} {:.1f}) rotate({:.2f})", from.x, from.y,
                              angle * 180 / pi));
-  const Point middle{(from.x + to.x) / 2, (from.y + to.y) / 2};
+  const LayoutPoint middle{(from.x + to.x) / 2, (from.y + to.y) / 2};
   if (upright) all.push_back(edge_label(*element, middle, angle));
   return all;
 }
@@ -173,7 +173,7 @@ Drawing draw_graph(const Graph& graph) {
     const auto to = static_cast<std::size_t>(graph.wires[i].to);
     all.add(edge(graph.parts[i], layout.nodes[from], layout.nodes[to]));
   }
-  for (const Point& node : layout.nodes) all.shapes.push_back(dot(node));
+  for (const LayoutPoint& node : layout.nodes) all.shapes.push_back(dot(node));
   return all;
 }
 

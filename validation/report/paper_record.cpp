@@ -48,7 +48,7 @@ void fields(Fields& f, const paper::Proofs& it) {
   validation::report::add_comparisons(f, it.comparisons);
 }
 
-void fields(Fields& f, const paper::Part& it) {
+void fields(Fields& f, const paper::PaperPart& it) {
   validation::report::add_comparisons(f, it.comparisons);
 }
 

@@ -2,7 +2,7 @@
 
 namespace vcrit::validation::report {
 
-void Validation::add(const Verdict& verdict) {
+void Validation::add(const ComparisonVerdict& verdict) {
   verdicts.push_back(verdict);
   const std::string line = verdict.subject + ": " + verdict.name;
   if (verdict.outcome == to_text(Comparison::Outcome::failed)) failed.push_back(line);
