@@ -30,24 +30,24 @@ using Values = std::map<Symbol, double>;
 /// What a number measures. factor: a plain number, as in "r*k0".
 enum class NumberRole { stiffness, damping, time, mass, loss_factor, factor };
 
-struct Expression;
-using ExpressionPointer = std::shared_ptr<const Expression>;
+struct AmountTree;
+using AmountTreePointer = std::shared_ptr<const AmountTree>;
 
 /// A number made of others by + * and / alone, so that it is positive where they are. Never changed
 /// once it is made.
-struct Expression {
+struct AmountTree {
   enum class Kind { symbol, number, sum, product, quotient };
   Kind kind = Kind::number;
   Symbol symbol = {};                        ///< of a symbol
   NumberRole role = NumberRole::factor;      ///< of a symbol
   TypedNumber number = {1, "1"};             ///< of a number, above 0, with its decimal
-  ExpressionPointer first = {}, second = {};  ///< the terms, the factors, what is above and below
+  AmountTreePointer first = {}, second = {};  ///< the terms, the factors, what is above and below
 };
 
-ExpressionPointer make_expression(Symbol symbol, NumberRole role);
-ExpressionPointer make_expression(TypedNumber number);
-ExpressionPointer make_expression(Expression::Kind kind, ExpressionPointer first,
-                           ExpressionPointer second);
+AmountTreePointer make_expression(Symbol symbol, NumberRole role);
+AmountTreePointer make_expression(TypedNumber number);
+AmountTreePointer make_expression(AmountTree::Kind kind, AmountTreePointer first,
+                           AmountTreePointer second);
 
 /// A number of an element: that of a symbol, or an expression of symbols. Cheap to copy.
 class Amount {
@@ -61,7 +61,7 @@ class Amount {
   operator const Symbol&() const { return symbol(); }
   // NOLINTEND(google-explicit-constructor)
   /// `name`: what the scene calls the expression; it may have no name.
-  Amount(Symbol name, ExpressionPointer expression)
+  Amount(Symbol name, AmountTreePointer expression)
       : symbol_(std::move(name)), expression_(std::move(expression)) {}
 
   bool exists() const { return expression_ != nullptr || !symbol_.name.empty(); }
@@ -72,14 +72,14 @@ class Amount {
     return symbol_;
   }
   const Symbol& name() const { return symbol_; }
-  const ExpressionPointer& expression() const { return expression_; }  ///< null for a symbol
+  const AmountTreePointer& expression() const { return expression_; }  ///< null for a symbol
 
   /// The same name and, wherever it stands, the same expression of the same symbols.
   friend bool operator==(const Amount& a, const Amount& b);
 
  private:
   Symbol symbol_;
-  ExpressionPointer expression_;
+  AmountTreePointer expression_;
 };
 
 /// Calls `visit` for every symbol, in the order of writing; `role`: of the amount itself.

@@ -25,8 +25,8 @@ Network generalized_kelvin(const Names& n, int elements) {
   std::vector<Network> parts;
   for (int j = 1; j <= elements; ++j) {
     const Symbol stiffness{n[0], j};
-    const ExpressionPointer damping =
-        make_expression(Expression::Kind::product, make_expression(stiffness, NumberRole::stiffness),
+    const AmountTreePointer damping =
+        make_expression(AmountTree::Kind::product, make_expression(stiffness, NumberRole::stiffness),
                         make_expression({n[1], j}, NumberRole::time));
     parts.push_back(parallel({spring(stiffness), damper({Symbol{}, damping})}));
   }

@@ -22,17 +22,17 @@ inline constexpr const char* no_law_advice =
     "around it has a motion";
 
 template <class Algebra>
-typename Algebra::Value number_of(const Expression& e, Algebra& algebra) {
+typename Algebra::Value number_of(const AmountTree& e, Algebra& algebra) {
   switch (e.kind) {
-    case Expression::Kind::symbol:
+    case AmountTree::Kind::symbol:
       return algebra.of(e.symbol);
-    case Expression::Kind::number:
+    case AmountTree::Kind::number:
       return algebra.constant(e.number);
-    case Expression::Kind::sum:
+    case AmountTree::Kind::sum:
       return algebra.plus(number_of(*e.first, algebra), number_of(*e.second, algebra));
-    case Expression::Kind::product:
+    case AmountTree::Kind::product:
       return algebra.times(number_of(*e.first, algebra), number_of(*e.second, algebra));
-    case Expression::Kind::quotient:
+    case AmountTree::Kind::quotient:
       return algebra.over(number_of(*e.first, algebra), number_of(*e.second, algebra));
   }
   throw Bug("an expression of no kind");

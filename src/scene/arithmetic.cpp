@@ -27,49 +27,49 @@ constexpr int most_entries = 1'000'000;
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 
-class Arithmetic {
+class ArithmeticParser {
  public:
-  Arithmetic(const std::string& text, Place place) : text_(text), place_(std::move(place)) {}
+  ArithmeticParser(const std::string& text, Place place) : text_(text), place_(std::move(place)) {}
 
-  ExpressionPointer whole() {
-    ExpressionPointer all = sum();
+  AmountTreePointer whole() {
+    AmountTreePointer all = sum();
     if (!at_end()) refuse(found(), "\"+\", \"*\", \"/\", \"^\" or the end");
     return all;
   }
 
  private:
-  ExpressionPointer sum() {
-    ExpressionPointer all = product();
-    while (accept('+')) all = made(Expression::Kind::sum, all, product());
+  AmountTreePointer sum() {
+    AmountTreePointer all = product();
+    while (accept('+')) all = made(AmountTree::Kind::sum, all, product());
     if (peek() == '-')
       refuse("a difference", "sums, products and quotients, which are positive as their parts are");
     return all;
   }
 
-  ExpressionPointer product() {
-    ExpressionPointer all = power();
+  AmountTreePointer product() {
+    AmountTreePointer all = power();
     for (;;) {
       if (accept('*'))
-        all = made(Expression::Kind::product, all, power());
+        all = made(AmountTree::Kind::product, all, power());
       else if (accept('/'))
-        all = made(Expression::Kind::quotient, all, power());
+        all = made(AmountTree::Kind::quotient, all, power());
       else
         return all;
     }
   }
 
-  ExpressionPointer power() {
-    const ExpressionPointer base = operand();
+  AmountTreePointer power() {
+    const AmountTreePointer base = operand();
     if (!accept('^')) return base;
     const bool below = accept('-');
     const int exponent = whole_number(largest_power, "a whole power from 1 to 9");
-    ExpressionPointer all = base;
-    for (int i = 1; i < exponent; ++i) all = made(Expression::Kind::product, all, base);
+    AmountTreePointer all = base;
+    for (int i = 1; i < exponent; ++i) all = made(AmountTree::Kind::product, all, base);
     if (!below) return all;
-    return made(Expression::Kind::quotient, make_expression(TypedNumber{1, "1"}), all);
+    return made(AmountTree::Kind::quotient, make_expression(TypedNumber{1, "1"}), all);
   }
 
-  ExpressionPointer operand() {
+  AmountTreePointer operand() {
     const char next = peek();
     if (is_digit(next)) return number();
     if (is_letter(next)) return name();
@@ -77,19 +77,19 @@ class Arithmetic {
     return group();
   }
 
-  ExpressionPointer group() {
+  AmountTreePointer group() {
     const Place opening = here();
     if (++depth_ > deepest_nesting)
       refuse("too many brackets in one another", fmt::format("at most {}", deepest_nesting));
     accept('(');
-    ExpressionPointer inside = sum();
+    AmountTreePointer inside = sum();
     if (!accept(')'))
       throw InputError(opening, fmt::format("\"(\" without \")\" in \"{}\"", text_), "\")\"");
     --depth_;
     return inside;
   }
 
-  ExpressionPointer number() {
+  AmountTreePointer number() {
     const Place at = here();
     double value = 0;
     const char* const begin = text_.data() + position_;
@@ -102,7 +102,7 @@ class Arithmetic {
     return make_expression(TypedNumber{value, digits});
   }
 
-  ExpressionPointer name() {
+  AmountTreePointer name() {
     const Place at = here();
     const auto word = [](char c) { return is_letter(c) || is_digit(c) || c == '_'; };
     const std::string_view rest = std::string_view(text_).substr(position_);
@@ -127,7 +127,7 @@ class Arithmetic {
     return value;
   }
 
-  ExpressionPointer made(Expression::Kind kind, ExpressionPointer first, ExpressionPointer second) {
+  AmountTreePointer made(AmountTree::Kind kind, AmountTreePointer first, AmountTreePointer second) {
     count();
     return make_expression(kind, std::move(first), std::move(second));
   }
@@ -174,7 +174,7 @@ bool goes_on_as_expression(const std::string& text) {
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   const std::size_t next = text.find_first_not_of(" \t", static_cast<std::size_t>(end - text.data()));
-  return error == std::errc{} && next != text.npos &&
+  return error != std::errc::invalid_argument && next != text.npos &&
          std::string_view("+*/^").find(text[next]) != std::string_view::npos;
 }
 
@@ -190,8 +190,8 @@ std::optional<std::string> expression_in(const toml::node& value) {
   return std::nullopt;
 }
 
-ExpressionPointer parse_arithmetic(const std::string& text, const Place& place) {
-  return Arithmetic(text, place).whole();
+AmountTreePointer parse_arithmetic(const std::string& text, const Place& place) {
+  return ArithmeticParser(text, place).whole();
 }
 
 }  // namespace vcrit

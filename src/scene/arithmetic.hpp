@@ -21,6 +21,6 @@ std::optional<std::string> expression_in(const toml::node& value);
 
 /// `place` is where its first character stands. Names are as they are written, of no role yet.
 /// Throws InputError with the column.
-ExpressionPointer parse_arithmetic(const std::string& text, const Place& place);
+AmountTreePointer parse_arithmetic(const std::string& text, const Place& place);
 
 }  // namespace vcrit

@@ -26,6 +26,9 @@ bool holds_expression(const toml::node& value) {
                      [](const toml::node& entry) { return expression_in(entry).has_value(); });
 }
 
+// Of one scene; with those that they are made of.
+constexpr std::size_t most_operations_of_all = 1'000'000;
+
 constexpr std::array parameter_roles{NumberRole::stiffness, NumberRole::damping, NumberRole::time,
                                      NumberRole::mass, NumberRole::factor};
 
@@ -93,10 +96,17 @@ void ElementExpressions::read(const Symbol& element, const ElementUse& use) {
   const auto written = text_of(element);
   if (!written) return;
   texts_[element] = written->text;
-  expressions_[element] = {Amount(element, resolved(element)), *written, use.role};
+  const Amount amount(element, resolved(element));
+  const std::size_t operations = amount_operations(amount);
+  operations_ += operations;
+  if (operations_ > most_operations_of_all)
+    throw InputError(written->place,
+                     fmt::format("expressions of more than {} operations", most_operations_of_all),
+                     "fewer or shorter ones");
+  expressions_[element] = {amount, *written, use.role, operations};
 }
 
-ExpressionPointer ElementExpressions::resolved(const Symbol& element) {
+AmountTreePointer ElementExpressions::resolved(const Symbol& element) {
   if (const auto known = resolved_.find(element); known != resolved_.end()) return known->second;
   const Text written = *text_of(element);
   const bool circle = std::find(way_.begin(), way_.end(), element) != way_.end();
@@ -104,9 +114,9 @@ ExpressionPointer ElementExpressions::resolved(const Symbol& element) {
   if (circle) refuse_circle(element);
   // The place is that of the opening quote.
   const Place& place = written.place;
-  const ExpressionPointer parsed =
+  const AmountTreePointer parsed =
       parse_arithmetic(written.text, {place.file, place.line, place.column + 1});
-  const ExpressionPointer whole = put_in(parsed, written);
+  const AmountTreePointer whole = put_in(parsed, written);
   if (amount_operations(Amount(element, whole)) > most_operations)
     throw InputError(place,
                      fmt::format("{} = \"{}\", of too many operations with those that it is made of",
@@ -125,23 +135,23 @@ void ElementExpressions::refuse_circle(const Symbol& element) const {
                    "a value for one of them");
 }
 
-ExpressionPointer ElementExpressions::put_in(const ExpressionPointer& expression,
+AmountTreePointer ElementExpressions::put_in(const AmountTreePointer& expression,
                                              const Text& written) {
   switch (expression->kind) {
-    case Expression::Kind::number:
+    case AmountTree::Kind::number:
       return expression;
-    case Expression::Kind::symbol:
+    case AmountTree::Kind::symbol:
       return put_in(expression->symbol, written);
-    case Expression::Kind::sum:
-    case Expression::Kind::product:
-    case Expression::Kind::quotient:
+    case AmountTree::Kind::sum:
+    case AmountTree::Kind::product:
+    case AmountTree::Kind::quotient:
       break;
   }
   return make_expression(expression->kind, put_in(expression->first, written),
                          put_in(expression->second, written));
 }
 
-ExpressionPointer ElementExpressions::put_in(const Symbol& name, const Text& written) {
+AmountTreePointer ElementExpressions::put_in(const Symbol& name, const Text& written) {
   keys_.insert(name.name);
   const Symbol element = names_.of(name);
   if (text_of(element)) {
@@ -194,10 +204,10 @@ void ElementExpressions::find_roles(const Uses& uses) {
   }
 }
 
-ExpressionPointer ElementExpressions::with_roles(
-    const ExpressionPointer& expression, const std::map<std::string, NumberRole>& roles) const {
-  if (expression->kind == Expression::Kind::number) return expression;
-  if (expression->kind == Expression::Kind::symbol)
+AmountTreePointer ElementExpressions::with_roles(
+    const AmountTreePointer& expression, const std::map<std::string, NumberRole>& roles) const {
+  if (expression->kind == AmountTree::Kind::number) return expression;
+  if (expression->kind == AmountTree::Kind::symbol)
     return make_expression(expression->symbol, roles.at(expression->symbol.name));
   return make_expression(expression->kind, with_roles(expression->first, roles),
                          with_roles(expression->second, roles));

@@ -5,6 +5,7 @@
 
 #include <toml++/toml.h>
 
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <set>
@@ -31,6 +32,9 @@ class ElementExpressions {
   bool has(const Symbol& element) const { return expressions_.contains(element); }
   /// Of one that has an expression: that, of symbols without any.
   const Amount& of(const Symbol& element) const { return expressions_.at(element).amount; }
+  std::size_t operations(const Symbol& element) const {
+    return expressions_.at(element).operations;
+  }
   const Place& place(const Symbol& element) const {
     return expressions_.at(element).written.place;
   }
@@ -51,14 +55,15 @@ class ElementExpressions {
     Amount amount;
     Text written;
     NumberRole role = NumberRole::stiffness;
+    std::size_t operations = 0;
   };
 
   void read(const Symbol& element, const ElementUse& use);
-  ExpressionPointer resolved(const Symbol& element);
-  ExpressionPointer put_in(const ExpressionPointer& expression, const Text& written);
-  ExpressionPointer put_in(const Symbol& name, const Text& written);
+  AmountTreePointer resolved(const Symbol& element);
+  AmountTreePointer put_in(const AmountTreePointer& expression, const Text& written);
+  AmountTreePointer put_in(const Symbol& name, const Text& written);
   void find_roles(const Uses& uses);
-  ExpressionPointer with_roles(const ExpressionPointer& expression,
+  AmountTreePointer with_roles(const AmountTreePointer& expression,
                                const std::map<std::string, NumberRole>& roles) const;
   [[noreturn]] void refuse_circle(const Symbol& element) const;
   int length_of(const Symbol& leaf, const Uses& uses) const;
@@ -70,7 +75,8 @@ class ElementExpressions {
   ElementNames& names_;
   bool of_half_space_;
   std::map<Symbol, Written> expressions_;
-  std::map<Symbol, ExpressionPointer> resolved_;
+  std::map<Symbol, AmountTreePointer> resolved_;
+  std::size_t operations_ = 0;      // of all expressions
   std::vector<Symbol> way_;         // those that are being resolved
   std::map<Symbol, Place> leaves_;  // with an expression that names each
   std::map<Symbol, std::string> texts_;

@@ -59,40 +59,55 @@ class Roles {
   Roles(const std::vector<Measured>& expressions, std::map<std::string, NumberRole> known,
         bool of_half_space)
       : known_(std::move(known)), of_half_space_(of_half_space) {
-    while (true) {
-      equations_.clear();
-      for (const Measured& each : expressions)
-        equations_.push_back({powers(*each.expression, each), powers_of(each.role), &each, false});
-      if (!find_some()) break;
-    }
-    for (const Equation& equation : equations_)
-      for (const auto& [name, power] : equation.quotient().unknown)
-        known_.emplace(name, NumberRole::factor);
-    equations_.clear();
-    for (const Measured& each : expressions) {
-      equations_.push_back({powers(*each.expression, each), powers_of(each.role), &each, false});
-      refuse_masses(each);
-    }
+    find_all(expressions);
+    // As in networks, what is left goes by its first letter.
+    take_unknown(expressions, "k", NumberRole::stiffness);
+    take_unknown(expressions, "c", NumberRole::damping);
+    find_all(expressions);
+    take_unknown(expressions, "", NumberRole::factor);
+    write_equations(expressions);
+    for (const Measured& each : expressions) refuse_masses(each);
     for (const Equation& equation : equations_) check(equation);
   }
 
   std::map<std::string, NumberRole> result() && { return std::move(known_); }
 
  private:
+  void write_equations(const std::vector<Measured>& expressions) {
+    equations_.clear();
+    for (const Measured& each : expressions) {
+      Powers first = powers(*each.expression, each);
+      equations_.push_back({std::move(first), powers_of(each.role), &each, false});
+    }
+  }
+
+  void find_all(const std::vector<Measured>& expressions) {
+    do write_equations(expressions);
+    while (find_some());
+  }
+
+  void take_unknown(const std::vector<Measured>& expressions, const char* beginning,
+                    NumberRole role) {
+    for (const Measured& each : expressions)
+      for_each_symbol(Amount({}, each.expression), role, [&](const Symbol& symbol, NumberRole) {
+        if (symbol.name.starts_with(beginning)) known_.emplace(symbol.name, role);
+      });
+  }
+
   // Sums on the way become equations.
-  Powers powers(const Expression& e, const Measured& of) {
+  Powers powers(const AmountTree& e, const Measured& of) {
     switch (e.kind) {
-      case Expression::Kind::number:
+      case AmountTree::Kind::number:
         return {};
-      case Expression::Kind::symbol: {
+      case AmountTree::Kind::symbol: {
         const auto role = known_.find(e.symbol.name);
         return role == known_.end() ? Powers{0, 0, {{e.symbol.name, 1}}} : powers_of(role->second);
       }
-      case Expression::Kind::product:
+      case AmountTree::Kind::product:
         return product_of(powers(*e.first, of), powers(*e.second, of), 1);
-      case Expression::Kind::quotient:
+      case AmountTree::Kind::quotient:
         return product_of(powers(*e.first, of), powers(*e.second, of), -1);
-      case Expression::Kind::sum:
+      case AmountTree::Kind::sum:
         break;
     }
     Powers first = powers(*e.first, of);
@@ -137,8 +152,8 @@ class Roles {
                        "terms of one unit");
     throw InputError(of.place, fmt::format("{}, {}", what, described(equation.first)),
                      described(equation.second),
-                     "a number without a unit is taken for a plain one where expressions leave that "
-                     "open");
+                     "numbers without a unit whose expressions leave it open are stiffnesses (k...), "
+                     "dampers (c...) or plain numbers: give them a unit");
   }
 
   std::string described(const Powers& powers) const {

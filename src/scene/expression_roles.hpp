@@ -15,12 +15,12 @@ namespace vcrit {
 struct Measured {
   std::string name, text;
   Place place;
-  ExpressionPointer expression;
+  AmountTreePointer expression;
   NumberRole role = NumberRole::stiffness;
 };
 
 /// The roles of all names in the expressions; `known` are those of some of them. What the
-/// expressions leave open is a plain number. Throws InputError for an expression that does not
+/// expressions leave open is a stiffness or a damper by its first letter, k or c, else a plain number. Throws InputError for an expression that does not
 /// measure what it has to, and for a sum of what does not measure the same.
 std::map<std::string, NumberRole> roles_of_names(const std::vector<Measured>& expressions,
                                                  std::map<std::string, NumberRole> known,

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <set>
 #include <utility>
@@ -30,6 +32,9 @@ namespace {
 
 using document::describe_node;
 using document::Section;
+
+// Of the networks of a scene, which are carried out wherever an element is used.
+constexpr std::size_t most_operations_together = 4'000'000;
 
 class Reader {
  public:
@@ -298,11 +303,22 @@ class Reader {
   }
 
   void rename_elements() {
-    const auto name = [this](const Symbol& symbol) {
+    std::map<Symbol, Amount> made;
+    std::size_t operations = 0;
+    const auto name = [&](const Symbol& symbol) {
       const Symbol element = networks_.names().of(symbol);
       if (!expressions_->has(element)) return Amount(own(element));
-      return with_symbols(expressions_->of(element),
-                          [this](const Symbol& part) { return Amount(own(part)); });
+      operations += expressions_->operations(element);
+      if (operations > most_operations_together)
+        throw InputError(expressions_->place(element),
+                         fmt::format("expressions of more than {} operations, each use counted",
+                                     most_operations_together),
+                         "fewer elements that are made of others");
+      const auto [known, is_new] = made.try_emplace(element);
+      if (is_new)
+        known->second = with_symbols(expressions_->of(element),
+                                     [this](const Symbol& part) { return Amount(own(part)); });
+      return known->second;
     };
     rename(scene_.normal, name);
     if (auto* tangential = std::get_if<Network>(&scene_.tangential)) rename(*tangential, name);

@@ -103,6 +103,16 @@ const Sensitivity& of(const Sensitivities& all, const std::string& name) {
   throw std::runtime_error("no sensitivity to " + name);
 }
 
+/// The relative sensitivities at these values, by name.
+std::map<std::string, GiNaC::numeric> all_of(const Scene& scene, const test::ExactValues& values) {
+  const Derivation full = derive(scene);
+  const Sensitivities every = sensitivities(full);
+  std::map<std::string, GiNaC::numeric> found;
+  for (const Sensitivity& each : every.each)
+    found[to_text(each.parameter)] = relative(full, every, each, values);
+  return found;
+}
+
 }  // namespace
 
 // By hand: ln v* = ln(mu0 omega du_z kn/kt) + ln|kt + D| - ln|D| with D = kd - m omega^2.
@@ -259,6 +269,36 @@ BOOST_AUTO_TEST_CASE(measured_drives) {
     BOOST_TEST((GiNaC::abs(found - expected) <= GiNaC::numeric(tolerance)),
                to_text(sensitivity.parameter));
   }
+}
+
+// ln k1 = ln k0 - ln 2 and ln c1 = ln k1 + ln tau: the chain rule is a sum.
+BOOST_AUTO_TEST_CASE(what_is_made_of_others_changes_with_them) {
+  GiNaC::Digits = 300;
+  const std::string contact = "normal = \"k0 | (k1 - c1)\"\ntangential = \"kt | (k2 - c1)\"";
+  const Scene made = scene_of(contact, "kd", "m",
+                              "[elements]\nk1 = \"k0/2\"\nc1 = \"k1*tau\"\nk2 = \"k0 + 3*kt\"\n");
+  const Scene plain = scene_of(contact, "kd", "m");
+  test::ExactValues values = test::some_values(made);
+  check(made, values);
+  const auto chained = all_of(made, values);
+  const GiNaC::numeric k0 = values.at({"k0"}), kt = values.at({"kt"});
+  values[{"k1"}] = k0 / 2;
+  values[{"c1"}] = k0 / 2 * values.at({"tau"});
+  values[{"k2"}] = k0 + 3 * kt;
+  auto alone = all_of(plain, values);
+  const GiNaC::numeric share = k0 / (k0 + 3 * kt);
+  const std::map<std::string, GiNaC::numeric> expected{
+      {"k0", alone["k0"] + alone["k1"] + alone["c1"] + alone["k2"] * share},
+      {"kt", alone["kt"] + alone["k2"] * (1 - share)},
+      {"tau", alone["c1"]},
+      {"kd", alone["kd"]},
+      {"m", alone["m"]}};
+  BOOST_TEST(chained.size() == expected.size() + 3);  // mu0, omega, du_z
+  for (const auto& [name, value] : expected)
+    BOOST_TEST((GiNaC::abs(chained.at(name) - value) <= GiNaC::numeric(tolerance)), name);
+  // The formulas are one.
+  BOOST_TEST((value_at(derive(made).critical_velocity, derive(made).definitions, values) ==
+              value_at(derive(plain).critical_velocity, derive(plain).definitions, values)));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -24,4 +24,13 @@ inline const std::string bridge_network =
     "edges = [[\"k1\", \"a\", \"1\"], [\"c1\", \"a\", \"2\"], [\"k2\", \"1\", \"2\"], "
     "[\"c2\", \"1\", \"b\"], [\"k3\", \"2\", \"b\"]]\n";
 
+/// Elements for k0, k1, c1, the entries of k, and kd, in terms of k0, k5, kc, r and t0.
+inline const std::string made_of_others =
+    "[elements]\nk1 = \"0.7*k0*r^2\"\nc1 = \"(k1 + kd/3)*tau\"\ntau = \"t0/(1 + r)\"\n"
+    "k = [\"3*k0\", \"k1 + k5\"]\nkd = \"0.3*kc\"\n";
+inline Scene scene_of_others() {
+  return scene_of("normal = \"k0 | (k1 - c1)\"\ntangential = \"k5 | generalized_kelvin(k, t, 2)\"",
+                  "kd | cd", "m", made_of_others);
+}
+
 }  // namespace vcrit::test

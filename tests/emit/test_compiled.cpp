@@ -41,6 +41,10 @@ std::vector<Scene> scenes() {
       scene_of("normal = \"bridge\"\npoisson = 0.3", "", "", bridge),
       scene_of("normal = \"k1 | c1\"\ntangential_ratio = 0.5", "k1 | c1", "m"),
       scene_of("normal = \"kn | cn\"\ntangential = \"kt\"", "cd", "m"),
+      test::scene_of_others(),
+      scene_of("normal = \"prony(k0, k, t, 2)\"\npoisson = 0.3", "kd", "m", test::made_of_others),
+      scene_of("normal = \"bridge\"\npoisson = 0.3", "kd", "m",
+               test::bridge_network + test::made_of_others),
   };
 }
 

@@ -27,7 +27,8 @@ std::vector<Scene> scenes() {
       scene_of("normal = \"k0 | (k1 - c1)\"\ntangential = \"kt | (ka - ca)\""),
       scene_of("normal = \"burgers(k1, c1, k2, c2)\"\ntangential_ratio = \"r\"", "k3 - c3", "m"),
       scene_of("normal = \"prony(k0, k, tau, 8)\"\npoisson = 0.45", "kd | cd", "m"),
-      scene_of("normal = \"bridge\"\ntangential = \"kt | ct\"", "kd", "m", test::bridge_network)};
+      scene_of("normal = \"bridge\"\ntangential = \"kt | ct\"", "kd", "m", test::bridge_network),
+      test::scene_of_others()};
 }
 
 Scene with_values(Scene scene, std::mt19937& random) {

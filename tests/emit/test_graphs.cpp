@@ -67,8 +67,8 @@ BOOST_AUTO_TEST_CASE(no_roundings_exceed_the_bound_of_a_graph) {
   const MeshedStiffness mesh = by_star_mesh(program, Network{grid()}, [&](const Element& element) {
     const NodeId coefficient = program.parameter(element.coefficient);
     const bool is_spring = element.kind == ElementKind::spring;
-    return std::pair(is_spring ? Complex{coefficient, zero} : Complex{zero, coefficient},
-                     Complex{one, zero});
+    return MeshElement{is_spring ? Complex{coefficient, zero} : Complex{zero, coefficient},
+                       Complex{one, zero}};
   });
   std::mt19937_64 engine(11);
   double tightest = 0;

@@ -35,6 +35,7 @@ std::vector<Scene> scenes() {
       scene_of("normal = \"c1 | (k1 - (c2 | (k2 - (c3 | (k3 - (c4 | (k4 - (k5 | c5))))))))\"\n"
                "tangential = \"kt | (ct - ce)\"",
                "kd", "m"),
+      test::scene_of_others(),
   };
 }
 

@@ -87,6 +87,11 @@ KINDS = {
     "odd_names": lambda v: (zener(v["s"], v["K_n"], v["omega1"]), kelvin(v["i"], v["B"]), kelvin(v["exp"], v["H"])),
     "fitted": lambda v: (prony(v), mindlin("0.3"), None),
     "fitted_beyond": lambda v: (prony(v), mindlin("0.3"), kelvin(v["kd"], v["cd"])),
+    "made_of_others": lambda v: (
+        zener(v["k0"], v["k0"] * 7 / 10, v["k0"] * 7 / 10 * v["t1"]),
+        parallel(spring(v["k0"] + v["kd"] / 4),
+                 series(*(kelvin(k, k * tau) for k, tau in zip(v["k"], v["tau"])))),
+        kelvin(v["kd"], v["r"] ** 2 * v["k0"] * 7 / 10 * v["t1"])),
     "symbols": lambda v: (zener(v["k0"], v["k1"], v["c1"]), mindlin("0.3"), spring(v["kd"])),
 }
 for same, other in [("antiresonance", "free_harmonic"), ("near_free_harmonic", "free_harmonic"),
@@ -109,7 +114,8 @@ def read(name):
     """The scene's numbers by their symbols, and what its file says beside them."""
     with (FOLDER / f"{name}.toml").open("rb") as file:
         text = tomllib.load(file)
-    values = {key: exact(value) for key, value in text.get("elements", {}).items()}
+    # Expressions are those of KINDS.
+    values = {key: exact(value) for key, value in text.get("elements", {}).items() if not isinstance(value, str)}
     if "oscillation" in text:
         oscillation = text["oscillation"]
         values |= {"mu0": exact(text["friction"]["coefficient"]), "omega": exact(oscillation["angular_frequency"]),

@@ -22,6 +22,10 @@ struct Numbers {
   using Value = std::complex<double>;
   const std::map<Symbol, double>& values;
   Value of(const Symbol& symbol) const { return values.at(symbol); }
+  static Value constant(const TypedNumber& number) { return number.value; }
+  static Value plus(const Value& a, const Value& b) { return a + b; }
+  static Value times(const Value& a, const Value& b) { return a * b; }
+  static Value over(const Value& a, const Value& b) { return a / b; }
   Value times_s(const Value& k) const { return k * Value(0, omega); }
   Value relaxing(const Value& k, const Value& tau) const {
     const Value turn = times_s(tau);

@@ -163,7 +163,8 @@ BOOST_AUTO_TEST_CASE(other_scenes_have_a_formula_that_is_proved) {
         scene_of("normal = \"k0" + open, "k1 - (mass(m1) | kd | cd)", "m"),
         scene_of("normal = \"k0 - (k1 | c1) - (k2 | c2) - (k3 | c3)" + open, "kd", "m"),
         scene_of("normal = \"k0 | (k1 - (c1 | (k2 - (c2 | (k3 - c3)))))" + open, "kd | cd", "m"),
-        scene_of("normal = \"bridge\"\npoisson = 0.3", "bridge", "m", test::bridge_network)}) {
+        scene_of("normal = \"bridge\"\npoisson = 0.3", "bridge", "m", test::bridge_network),
+        test::scene_of_others()}) {
     const std::optional<ShortestForm> form = form_for(scene);
     BOOST_TEST_REQUIRE(form.has_value());
     check(scene, *form);

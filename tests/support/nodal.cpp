@@ -25,7 +25,17 @@ class Admittances {
     Complex stiffness;
   };
 
-  Real value(const Symbol& symbol) const { return Real(values_.at(symbol)); }
+  Real value(const Amount& amount) const {
+    return amount.is_symbol() ? Real(values_.at(amount.symbol())) : value(*amount.expression());
+  }
+
+  Real value(const AmountTree& e) const {
+    if (e.kind == AmountTree::Kind::symbol) return Real(values_.at(e.symbol));
+    if (e.kind == AmountTree::Kind::number) return Real(e.number.decimal);
+    const Real a = value(*e.first), b = value(*e.second);
+    if (e.kind == AmountTree::Kind::sum) return a + b;
+    return e.kind == AmountTree::Kind::product ? Real(a * b) : Real(a / b);
+  }
 
   void place(const Network& network, std::size_t a, std::size_t b) {
     if (const auto* e = std::get_if<Element>(&network.form)) place(*e, a, b);
