@@ -1,6 +1,7 @@
 #include "shortest/lines.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "formula/dialect.hpp"
 #include "formula/names.hpp"
@@ -15,6 +16,8 @@ constexpr std::size_t longest_line = 90, least_part = 16;
 
 // Operations of a letter that has a line although it is used once.
 constexpr int least_named_once = 4;
+
+constexpr std::array leading_names{"mu0", "omega", "du_z"};
 
 Form digits_form(std::int64_t value) {
   return {Form::Kind::number, std::to_string(value), {}, {}, {}, 1};
@@ -179,7 +182,13 @@ Form Lines::of(Index i) const {
   return name == names_.end() ? written(i) : name_form(own_name(name->second));
 }
 
+// What leads v* is three names, v* itself where both stiffnesses are equal and the drive is rigid.
 Form Lines::symbol(ExNode node) const {
+  if (all_.leads(node)) {
+    std::vector<Form> factors;
+    for (const char* name : leading_names) factors.push_back(name_form(name));
+    return {Form::Kind::product, "", std::move(factors), {}, {}, 1};
+  }
   if (!all_.meaning(node).is_zero()) return meaning(node);
   const std::string& name = all_.name(node);
   const bool digits = name.find_first_not_of("0123456789/") == std::string::npos;
@@ -227,7 +236,7 @@ Form Lines::product(const FormulaStep& step) const {
   for (const StepPart& part : step.parts) {
     const FormulaStep& inner = steps_.steps()[part.step];
     if (inner.kind == FormulaStep::Kind::symbol && all_.leads(inner.node)) {
-      for (const char* name : {"mu0", "omega", "du_z"}) put(name_form(name), part.sign < 0);
+      for (const char* name : leading_names) put(name_form(name), part.sign < 0);
       continue;
     }
     Form factor = of(part.step);

@@ -142,6 +142,7 @@ BOOST_AUTO_TEST_CASE(no_formula_is_longer_than_an_experts) {
 
 BOOST_AUTO_TEST_CASE(formulas_read_as_people_write_them) {
   BOOST_TEST(text_for(scene_of("normal = \"k0\"\npoisson = 0.3")) == "v* = 17/14*mu0*omega*du_z");
+  BOOST_TEST(text_for(scene_of("normal = \"k0\"\npoisson = 0")) == "v* = mu0*omega*du_z");
   BOOST_TEST(text_for(scene_of("normal = \"k0\"\npoisson = \"nu\"")) ==
              "v* = mu0*omega*du_z*(2 - nu)/(2*(1 - nu))");
   BOOST_TEST(text_for(scene_of("normal = \"prony(k0, k, tau, 2)\"\npoisson = \"nu\"", "kd")) ==
