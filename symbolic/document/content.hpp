@@ -1,40 +1,19 @@
 // What the derivation of a scene says, apart from its markup.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "analysis/asymptotes.hpp"
-#include "analysis/limits.hpp"
-#include "analysis/resonance.hpp"
-#include "analysis/sensitivities.hpp"
-#include "derivation/derivation.hpp"
+#include "document/findings.hpp"
 #include "document/fitted.hpp"
-#include "document/print.hpp"
+#include "formula/form.hpp"
 #include "formula/line.hpp"
 #include "formula/prose.hpp"
 #include "problem/problem.hpp"
 #include "shortest/shortest.hpp"
 
 namespace vcrit::symbolic {
-
-/// Everything asked for; what was not asked for is empty.
-struct Findings {
-  Derivation derivation;
-  std::string fingerprint;
-  ResultForm form = ResultForm::shortest;
-  std::vector<Line> form_lines;  ///< of the form that was asked for
-  std::vector<Limit> limits;
-  std::vector<Asymptote> asymptotes;
-  std::vector<Resonance> resonances;
-  std::vector<Line> extrema;
-  Sensitivities sensitivities;
-  std::optional<std::vector<Line>> parting;  ///< of surfaces that may part
-  std::string beyond_simulation;             ///< why it has no motion in time
-  std::vector<Line> half_space;              ///< below an indenter
-  std::optional<ShortestForm> shortest;      ///< where it was asked for and fits a page
-};
 
 /// An equation as it is to be written.
 struct Equation {

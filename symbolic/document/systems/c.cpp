@@ -37,9 +37,9 @@ std::string number_in_c(const std::string& digits) {
 bool has_meaning_in_c(const std::string& name) { return is_taken_in_c(name); }
 
 const Syntax c_syntax{.number = number_in_c,
-                      .root = "sqrt",
-                      .absolute = "fabs",
-                      .absolute_complex = "cabs",
+                      .root = {"sqrt("},
+                      .absolute = {"fabs("},
+                      .absolute_complex = {"cabs("},
                       .imaginary = "I",
                       .power_of_complex = false};
 

@@ -26,9 +26,9 @@ bool has_meaning_in_maple(const std::string& name) {
 
 const Syntax maple_syntax{.number = exact_number,
                           .power = "^",
-                          .root = "sqrt",
-                          .absolute = "abs",
-                          .absolute_complex = "abs",
+                          .root = {"sqrt("},
+                          .absolute = {"abs("},
+                          .absolute_complex = {"abs("},
                           .imaginary = "I"};
 
 }  // namespace

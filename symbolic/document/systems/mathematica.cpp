@@ -47,11 +47,10 @@ bool has_meaning_in_mathematica(const std::string& name) {
 
 const Syntax mathematica_syntax{.number = exact_number,
                                 .power = "^",
-                                .root = "Sqrt",
-                                .absolute = "Abs",
-                                .absolute_complex = "Abs",
-                                .imaginary = "I",
-                                .brackets = true};
+                                .root = {"Sqrt[", "]"},
+                                .absolute = {"Abs[", "]"},
+                                .absolute_complex = {"Abs[", "]"},
+                                .imaginary = "I"};
 
 }  // namespace
 

@@ -7,7 +7,7 @@ namespace vcrit::symbolic {
 namespace {
 
 // Of the symbols of Maxima 5.46 those that have a value, are assigned to with care, or are read in
-// another way than names.
+// another way than names; and what the file itself defines.
 const char* const maxima_words = R"(
 abconvtest absboxchar activecontexts algdelta algebraic algepsilon algexact aliases all
 alt_format_prompt announce_rules_firing appendfile arrays assume_pos assume_pos_pred assumescalar
@@ -35,28 +35,29 @@ intfaclim invert_by_adjoint_size_limit invert_method isolate_wrt_times keepfloat
 known_index_properties labels leftjust let_rule_packages letrat letvarsimp lhospitallim liflag
 limitdomain limsubst linechar linel linenum linsolve_params linsolvewarn lispdisp listarith
 listconstvars listdummyvars lmxchar load_pathname loadprint logabs logarc logconcoeffp logcontract
-logexpand lognegint logsimp m1pbranch macroexpansion macros manual_demo maperror mapprint
-matrix_element_add matrix_element_mult matrix_element_transpose maxapplydepth maxapplyheight
-maxfpprintprec maxima_frontend maxima_frontend_version maxima_objdir maxima_tempdir maxima_userdir
-maxmin_effort maxnegex maxposex maxpsifracdenom maxpsifracnum maxpsinegint maxpsiposint maxtaydiff
-maxtayorder mdebug_print_length mgnuplot_command minf mode_check_errorp mode_check_warnp
-mode_checkp multiplicities mx0simp myoptions nalgfac negdistrib negsumdispflag next
-niceindicespref nointegrate nolabels norepeat noundisp numer numer_pbranch off on opproperties
-opsubst optimprefix optimwarn optionset outchar packagefile parsewindow partswitch pfeformat piece
-plot_options pointbound pois1 poislim poisz polarform pollard_pm1_limit pollard_pm1_limit_step
-pollard_pm1_tests pollard_rho_limit pollard_rho_limit_step pollard_rho_tests polyfactor powerdisp
-prederror prefer_d prefer_gamma_incomplete prefer_whittaker primep_number_of_tests programmode
-prompt props psexpand pstream radcan radexpand radsubstflag ratalgdenom ratdenomdivide ratepsilon
-ratexpand ratfac ratmx ratprint ratsimp ratsimpexpons ratvars ratvarswitch ratweights ratwtlvl
-realonly rectform refcheck report_synerr_info report_synerr_line resultant rmxchar rootsconmode
-rootscontract rootsepsilon rot rules save_primes savedef savefactors scalarmatrixp setcheck
-setcheckbreak setval share_testsuite_files show_openplot showtime signbfloat simp simpproduct
-simpsum solvedecomposes solveexplicit solvefactors solvenullwarn solveradcan solvetrigwarn sparse
-sqrtdispflag stardisp step strdisp stringdisp structures sublis_apply_lambda subnumsimp sumexpand
-sumsplitfact taylor_logexpand taylor_order_coefficients taylor_simplifier
-taylor_truncate_polynomials taylordepth testsuite_files then thru timer timer_devalue tlimswitch
-tr_array_as_ref tr_bind_mode_hook tr_bound_function_applyp tr_exponent tr_file_tty_messagesp
-tr_float_can_branch_complex tr_function_call_default tr_numer tr_optimize_max_loop tr_state_vars
+logexpand lognegint logsimp m1pbranch macroexpansion macros magnitude manual_demo maperror
+mapprint matrix_element_add matrix_element_mult matrix_element_transpose maxapplydepth
+maxapplyheight maxfpprintprec maxima_frontend maxima_frontend_version maxima_objdir maxima_tempdir
+maxima_userdir maxmin_effort maxnegex maxposex maxpsifracdenom maxpsifracnum maxpsinegint
+maxpsiposint maxtaydiff maxtayorder mdebug_print_length mgnuplot_command minf mode_check_errorp
+mode_check_warnp mode_checkp multiplicities mx0simp myoptions nalgfac negdistrib negsumdispflag
+next niceindicespref nointegrate nolabels norepeat noundisp numer numer_pbranch off on
+opproperties opsubst optimprefix optimwarn optionset outchar packagefile parsewindow partswitch
+pfeformat piece plot_options pointbound pois1 poislim poisz polarform pollard_pm1_limit
+pollard_pm1_limit_step pollard_pm1_tests pollard_rho_limit pollard_rho_limit_step
+pollard_rho_tests polyfactor powerdisp prederror prefer_d prefer_gamma_incomplete prefer_whittaker
+primep_number_of_tests programmode prompt props psexpand pstream radcan radexpand radsubstflag
+ratalgdenom ratdenomdivide ratepsilon ratexpand ratfac ratmx ratprint ratsimp ratsimpexpons
+ratvars ratvarswitch ratweights ratwtlvl realonly rectform refcheck report_synerr_info
+report_synerr_line resultant rmxchar rootsconmode rootscontract rootsepsilon rot rules save_primes
+savedef savefactors scalarmatrixp setcheck setcheckbreak setval share_testsuite_files
+show_openplot showtime signbfloat simp simpproduct simpsum solvedecomposes solveexplicit
+solvefactors solvenullwarn solveradcan solvetrigwarn sparse sqrtdispflag stardisp step strdisp
+stringdisp structures sublis_apply_lambda subnumsimp sumexpand sumsplitfact taylor_logexpand
+taylor_order_coefficients taylor_simplifier taylor_truncate_polynomials taylordepth
+testsuite_files then thru timer timer_devalue tlimswitch tr_array_as_ref tr_bind_mode_hook
+tr_bound_function_applyp tr_exponent tr_file_tty_messagesp tr_float_can_branch_complex
+tr_function_call_default tr_numer tr_optimize_max_loop tr_state_vars
 tr_true_name_of_file_being_translated tr_warn_bad_function_calls tr_warn_fexpr tr_warn_meval
 tr_warn_mode tr_warn_undeclared tr_warn_undefined_variable trace trace2f1 trace_break_arg
 trace_max_indent trace_safety translate translate_fast_arrays transrun trigexpand trigexpandplus
@@ -65,11 +66,13 @@ values vect_cross verbose xmaxima_plot_command zeroa zerob zerobern zn_primroot_
 zn_primroot_pretest zn_primroot_verbose
 )";
 
+// The absolute value of what is complex is a noun: abs would be differentiated as if it were real,
+// and cabs looks for real and imaginary parts at once, which takes minutes.
 const Syntax maxima_syntax{.number = exact_number,
                            .power = "^",
-                           .root = "sqrt",
-                           .absolute = "abs",
-                           .absolute_complex = "cabs",
+                           .root = {"sqrt("},
+                           .absolute = {"abs("},
+                           .absolute_complex = {"'magnitude("},
                            .imaginary = "%i"};
 
 }  // namespace

@@ -131,11 +131,13 @@ std::string sympy_number(const std::string& digits) {
   return "Rational(" + digits.substr(0, bar) + ", " + digits.substr(bar + 1) + ")";
 }
 
+// Abs of what is complex is left alone until there are numbers: looking for a simpler one takes
+// minutes where networks are within networks.
 const Syntax sympy_syntax{.number = sympy_number,
                           .power = "**",
-                          .root = "sqrt",
-                          .absolute = "Abs",
-                          .absolute_complex = "Abs",
+                          .root = {"sqrt("},
+                          .absolute = {"Abs("},
+                          .absolute_complex = {"Abs(", ", evaluate=False)"},
                           .imaginary = "I"};
 
 }  // namespace

@@ -10,15 +10,18 @@
 
 namespace vcrit::symbolic {
 
+/// A function around its argument: "sqrt(", ")".
+struct Around {
+  const char *before = "", *after = ")";
+};
+
 /// How it writes expressions; sums, products and quotients are + - * / everywhere.
 struct Syntax {
   std::string (*number)(const std::string& digits) = nullptr;  ///< of "17" and "17/14"
   const char* power = nullptr;                                 ///< an operator; null: pow(x, n)
-  const char* root = nullptr;
-  const char* absolute = nullptr;          ///< a function, of what is real
-  const char* absolute_complex = nullptr;  ///< of what may not be
+  Around root, absolute;
+  Around absolute_complex;  ///< of what may not be real
   const char* imaginary = nullptr;
-  bool brackets = false;         ///< around arguments, in place of parentheses
   bool power_of_complex = true;  ///< else such powers are written as products
 };
 

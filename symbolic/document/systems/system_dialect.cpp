@@ -60,8 +60,8 @@ std::string SystemDialect::call(const std::string& function, const std::string& 
   return applied(function == "abs" ? syntax_.absolute : syntax_.absolute_complex, argument);
 }
 
-std::string SystemDialect::applied(const char* function, const std::string& argument) const {
-  return function + (syntax_.brackets ? "[" + argument + "]" : wrapped(argument));
+std::string SystemDialect::applied(const Around& function, const std::string& argument) {
+  return function.before + argument + function.after;
 }
 
 }  // namespace vcrit::symbolic

@@ -28,7 +28,7 @@ class SystemDialect : public Dialect {
     return left + " = " + right;
   }
 
-  std::string applied(const char* function, const std::string& argument) const;
+  static std::string applied(const Around& function, const std::string& argument);
 
   const Syntax& syntax_;
   const SystemNames& names_;

@@ -1,0 +1,72 @@
+#include "document/findings.hpp"
+
+#include <fmt/core.h>
+
+#include "analysis/half_space.hpp"
+#include "analysis/parting.hpp"
+#include "analysis/residues.hpp"
+#include "base/errors.hpp"
+#include "document/form_lines.hpp"
+#include "rules/rulebook.hpp"
+#include "shortest/proof.hpp"
+
+namespace vcrit::symbolic {
+
+namespace {
+
+// Terms in v* up to which the equation for its extrema is short enough to be shown unasked.
+constexpr double readable_extrema = 8;
+
+// What is asked of every element of a nested formula is about as long as the formula, each time: as
+// many characters of text are printed in a few seconds.
+constexpr std::size_t most_characters = 10'000'000;
+
+// All of them together, in definitions of v*, as measured: five as text, twenty in JSON, which has
+// LaTeX and the derivatives besides.
+constexpr std::size_t lengths_of_sensitivities = 24;
+
+void refuse_large(const Derivation& derivation, std::size_t formulas, const char* what) {
+  const std::size_t length = length_of_definitions(derivation);
+  if (formulas * length > most_characters)
+    throw ModelError(fmt::format(
+        "v* of {} symbols has {} as long as itself: some {:.2g} MB of text, more than {:.2g}",
+        derivation.parameters.size(), what, 1e-6 * static_cast<double>(formulas * length),
+        1e-6 * static_cast<double>(most_characters)));
+}
+
+}  // namespace
+
+Findings findings_of(const Problem& problem, const DocumentOptions& options) {
+  const Derivation derivation = derive(problem);
+  Findings findings{options.form == ResultForm::nested ? nested_form(derivation) : derivation,
+                    fingerprint(*derivation.model),
+                    options.form,
+                    form_lines(derivation, options),
+                    {},
+                    {},
+                    {},
+                    {},
+                    {},
+                    {},
+                    rules::answer(rules::Question::motion_in_time, problem).reason,
+                    {},
+                    {}};
+  if (options.form == ResultForm::shortest) findings.shortest = proved_shortest_form(derivation);
+  const std::size_t symbols = findings.derivation.parameters.size();
+  if (options.limits) refuse_large(findings.derivation, 2 * symbols, "limits");
+  if (options.sensitivities)
+    refuse_large(findings.derivation, lengths_of_sensitivities, "sensitivities");
+  if (problem->indenter) findings.half_space = half_space_lines(derivation);
+  if (problem->separation) findings.parting = parting_lines(derivation);
+  if (options.limits) {
+    findings.limits = limits(derivation);
+    findings.asymptotes = asymptotes(derivation);
+    findings.resonances = resonances(derivation);
+    if (options.form != ResultForm::rational)
+      findings.extrema = extrema_lines(derivation, readable_extrema);
+  }
+  if (options.sensitivities) findings.sensitivities = sensitivities(derivation);
+  return findings;
+}
+
+}  // namespace vcrit::symbolic

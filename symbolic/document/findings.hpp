@@ -1,0 +1,40 @@
+// What is found out about a scene's formula for a document.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/asymptotes.hpp"
+#include "analysis/limits.hpp"
+#include "analysis/resonance.hpp"
+#include "analysis/sensitivities.hpp"
+#include "derivation/derivation.hpp"
+#include "document/print.hpp"
+#include "formula/line.hpp"
+#include "problem/problem.hpp"
+#include "shortest/shortest.hpp"
+
+namespace vcrit::symbolic {
+
+/// Everything asked for; what was not asked for is empty.
+struct Findings {
+  Derivation derivation;
+  std::string fingerprint;
+  ResultForm form = ResultForm::shortest;
+  std::vector<Line> form_lines;  ///< of the form that was asked for
+  std::vector<Limit> limits;
+  std::vector<Asymptote> asymptotes;
+  std::vector<Resonance> resonances;
+  std::vector<Line> extrema;
+  Sensitivities sensitivities;
+  std::optional<std::vector<Line>> parting;  ///< of surfaces that may part
+  std::string beyond_simulation;             ///< why it has no motion in time
+  std::vector<Line> half_space;              ///< below an indenter
+  std::optional<ShortestForm> shortest;      ///< where it was asked for and fits a page
+};
+
+/// Throws ModelError where the form or what is asked besides is too large, or the scene has none.
+Findings findings_of(const Problem& problem, const DocumentOptions& options);
+
+}  // namespace vcrit::symbolic
