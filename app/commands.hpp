@@ -5,10 +5,16 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
+#include "problem/problem.hpp"
+
 namespace vcrit::app {
 
-/// `catalogue` makes the page of --catalogue; without it there is no such option.
-void add_derive(CLI::App& program, int& status, std::string (*catalogue)());
+/// Pages that know the report; without them there are no such options.
+struct DerivePages {
+  std::string (*catalogue)();               ///< of --catalogue
+  std::string (*material)(const Problem&);  ///< of --material
+};
+void add_derive(CLI::App& program, int& status, const DerivePages* pages);
 void add_eval(CLI::App& program);
 void add_generate(CLI::App& program);
 void add_simulate(CLI::App& program);

@@ -1,10 +1,11 @@
-// vcrit derive: Eq. 24 derived for a scene, as text, LaTeX, Markdown, JSON or for other
-// systems; and the page about all named rheologies.
+// vcrit derive: Eq. 24 derived for a scene, as text, LaTeX, Markdown, HTML, JSON or for other
+// systems; and the pages about its networks and about all named rheologies.
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "analysis/equality.hpp"
 #include "base/errors.hpp"
@@ -36,11 +37,10 @@ Choices<FormatChoice> formats() {
   return all;
 }
 
-const Choices<ResultForm> forms{{"shortest", ResultForm::shortest},
-                                {"by-size", ResultForm::by_size},
-                                {"nested", ResultForm::nested},
-                                {"rational", ResultForm::rational},
-                                {"dimensionless", ResultForm::dimensionless}};
+const Choices<ResultForm> forms{
+    {"shortest", ResultForm::shortest},           {"nested", ResultForm::nested},
+    {"storage-loss", ResultForm::storage_loss},   {"rational", ResultForm::rational},
+    {"dimensionless", ResultForm::dimensionless}, {"expanded", ResultForm::expanded}};
 
 /// The exit status: 0 for equal, 1 for different.
 int print_comparison(const Problem& problem, const Problem& other, const FormatChoice& chosen) {
@@ -53,34 +53,46 @@ int print_comparison(const Problem& problem, const Problem& other, const FormatC
 }
 
 /// HTML is always a page of its own; what other formats write is a part of nothing.
-void check_standalone(const symbolic::DocumentOptions& options) {
-  if (!options.standalone || options.format == Format::latex || options.format == Format::html)
-    return;
-  const auto named = std::find_if(formats.begin(), formats.end(), [&](const auto& each) {
-    return each.second == options.format;
-  });
-  throw InputError(argument("standalone"), fmt::format("--format {}", named->first),
+void check_standalone(bool standalone, const FormatChoice& chosen) {
+  if (!standalone || chosen.format == Format::latex || chosen.format == Format::html) return;
+  std::string name = chosen.system;
+  for (const auto& [each, choice] : formats())
+    if (name.empty() && choice.format == chosen.format) name = each;
+  throw InputError(argument("standalone"), "--format " + name,
                    "--format latex, for an article, or html, which is a page with or without it");
 }
 
-/// Takes the place of a scene: no other option goes with it.
-void add_catalogue(CLI::App& command, bool& wanted) {
-  command.get_option("SCENE")->required(false);
-  CLI::Option* catalogue = command.add_flag(
-      "--catalogue", wanted, "instead of a scene, a page (HTML) about all named rheologies");
+/// A flag that takes the place of the derivation: no other option goes with it but `these`.
+void add_page(CLI::App& command, const char* name, bool& wanted, const char* words,
+              const std::vector<CLI::Option*>& these) {
+  CLI::Option* page = command.add_flag(name, wanted, words);
   for (CLI::Option* option : command.get_options())
-    if (option != catalogue && option != command.get_help_ptr()) catalogue->excludes(option);
+    if (option != page && std::find(these.begin(), these.end(), option) == these.end())
+      page->excludes(option);
+}
+
+void add_pages(CLI::App& command, bool& catalogue, bool& material) {
+  CLI::Option* scene = command.get_option("SCENE");
+  CLI::Option* help = command.get_help_ptr();
+  scene->required(false);
+  add_page(
+      command, "--material", material,
+      "instead, a page (HTML) about the networks of the scene: storage and loss, spectra, creep "
+      "and relaxation",
+      {scene, help});
+  add_page(command, "--catalogue", catalogue,
+           "instead of a scene, a page (HTML) about all named rheologies", {help});
 }
 
 }  // namespace
 
-void add_derive(CLI::App& program, int& status, std::string (*catalogue)()) {
+void add_derive(CLI::App& program, int& status, const DerivePages* pages) {
   struct Options {
     SceneOptions scene;
     symbolic::DocumentOptions document;
     FormatChoice format;
     std::string equal;
-    bool catalogue = false;
+    bool catalogue = false, material = false;
   };
   const auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand("derive", "Derive the formula of v* for a scene");
@@ -97,10 +109,11 @@ void add_derive(CLI::App& program, int& status, std::string (*catalogue)()) {
   command->add_flag("--sensitivities", options->document.sensitivities,
                     "derive dv*/dp for every parameter p");
   add_choice<ResultForm>(*command, "--form", options->document.form, forms,
-                         "of the result; shortest: real, in named steps; rational: in omega^2");
+                         "of the result; shortest: real, in named steps; nested: in complex "
+                         "stiffnesses; storage-loss: in K' and K''; rational: in omega^2");
   command
       ->add_option("--budget", options->document.budget,
-                   "terms up to which the rational form is multiplied out")
+                   "terms up to which v* is expanded or written as a rational function")
       ->check([](const std::string& text) {
         double terms = 0;
         const bool fits = CLI::detail::lexical_cast(text, terms) && terms > 0;
@@ -111,10 +124,11 @@ void add_derive(CLI::App& program, int& status, std::string (*catalogue)()) {
       ->add_option("--equal", options->equal,
                    "instead, prove or refute that this scene has the same v*")
       ->type_name("SCENE");
-  if (catalogue) add_catalogue(*command, options->catalogue);
-  command->callback([options, &status, catalogue] {
-    if (options->catalogue) return fmt::print("{}", catalogue());
+  if (pages != nullptr) add_pages(*command, options->catalogue, options->material);
+  command->callback([options, &status, pages] {
+    if (options->catalogue) return fmt::print("{}", pages->catalogue());
     if (options->scene.file.empty()) throw CLI::RequiredError("SCENE");
+    if (options->material) return fmt::print("{}", pages->material(options->scene.read()));
     if (!options->equal.empty()) {
       status =
           print_comparison(options->scene.read(), read_problem(options->equal), options->format);
@@ -122,7 +136,7 @@ void add_derive(CLI::App& program, int& status, std::string (*catalogue)()) {
     }
     options->document.format = options->format.format;
     options->document.system = options->format.system;
-    check_standalone(options->document);
+    check_standalone(options->document.standalone, options->format);
     fmt::print("{}", symbolic::print(options->scene.read(), options->document));
   });
 }

@@ -12,6 +12,7 @@
 #include "answers/critical_onset.hpp"
 #include "commands.hpp"
 #include "critical/admissibility.hpp"
+#include "facts/facts.hpp"
 #include "options.hpp"
 #include "record/fields.hpp"
 #include "rules/kinds.hpp"
@@ -24,6 +25,7 @@ struct Evaluation {
   CriticalOnset critical;
   std::vector<std::string> reasons;  // why not admissible
   std::optional<bool> opens;         // told where the scene has separation = true
+  std::vector<std::string> facts;    // what the formula says
   std::vector<std::string> warnings;
   bool simulated() const { return critical.by == CriticalOnset::By::simulation; }
 
@@ -46,7 +48,7 @@ struct Evaluation {
       f("opens", *it.opens)("critical_velocity_by", it.simulated() ? "simulation" : "formula");
       f.when(it.simulated(), "relative_error_estimate", critical.relative_error);
     }
-    f.some("warnings", it.warnings);
+    f("facts", it.facts).some("warnings", it.warnings);
   }
 };
 
@@ -70,8 +72,11 @@ std::string border_words(double sliding_from) {
 }
 
 Evaluation evaluated(const Problem& problem) {
-  Evaluation result{
-      critical_onset(problem), inadmissible_reasons(problem), {}, problem->source->warnings};
+  Evaluation result{critical_onset(problem),
+                    inadmissible_reasons(problem),
+                    {},
+                    symbolic::facts_in_text(problem),
+                    problem->source->warnings};
   if (problem->separation) result.opens = opens(problem);
   return result;
 }
@@ -96,6 +101,11 @@ void print_eval_text(const Problem& problem, const Evaluation& result) {
   if (result.opens) fmt::print("contact               {}\n", contact_words(problem));
   fmt::print("admissible            {}\n", result.reasons.empty() ? "yes" : "no");
   for (const std::string& reason : result.reasons) fmt::print("                      {}\n", reason);
+  const char* heading = "the formula says";
+  for (const std::string& fact : result.facts) {
+    fmt::print("{:<22}{}\n", heading, fact);
+    heading = "";
+  }
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "commands.hpp"
 #include "program.hpp"
 #include "report/catalogue_page.hpp"
+#include "report/material_page.hpp"
 #include "run/machine.hpp"
 #include "shell.hpp"
 
@@ -22,7 +23,9 @@ std::string version_text() {
 
 void add_commands(CLI::App& program, int& status, char** argv) {
   program.set_version_flag("--version", version_text, "print the versions of vcrit and its parts");
-  vcrit::app::add_derive(program, status, vcrit::validation::report::catalogue_page);
+  static constexpr vcrit::app::DerivePages pages{vcrit::validation::report::catalogue_page,
+                                                 vcrit::validation::report::material_page};
+  vcrit::app::add_derive(program, status, &pages);
   vcrit::app::add_eval(program);
   vcrit::app::add_generate(program);
   vcrit::app::add_simulate(program);

@@ -29,11 +29,9 @@ const std::map<std::string, Format>& formats() {
 
 const std::map<std::string, ResultForm>& forms() {
   static const std::map<std::string, ResultForm> names{
-      {"shortest", ResultForm::shortest},
-      {"by-size", ResultForm::by_size},
-      {"nested", ResultForm::nested},
-      {"rational", ResultForm::rational},
-      {"dimensionless", ResultForm::dimensionless}};
+      {"shortest", ResultForm::shortest},           {"nested", ResultForm::nested},
+      {"storage-loss", ResultForm::storage_loss},   {"rational", ResultForm::rational},
+      {"dimensionless", ResultForm::dimensionless}, {"expanded", ResultForm::expanded}};
   return names;
 }
 

@@ -111,8 +111,8 @@ class Derivation:
 def derive(scene: Scene, *, form: str = "shortest") -> Derivation:
     """Derives the formula of v* for `scene`, whose elements need no values.
 
-    form: "shortest", "by-size", "nested", "rational" or "dimensionless", as `vcrit derive --form`.
-    Raises ModelError where the rational form is too large.
+    form: "shortest", "nested", "storage-loss", "rational", "dimensionless" or "expanded", as `vcrit derive --form`.
+    Raises ModelError where the rational or the expanded form is too large.
     """
     return Derivation(scene, form)
 

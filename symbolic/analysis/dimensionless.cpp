@@ -34,8 +34,7 @@ std::vector<const Network*> networks_of(const Problem& problem) {
   return result;
 }
 
-/// The groups of a scene, and what its symbols are in them with reference and omega put to 1.
-class Groups {
+class Groups : public DimensionlessGroups {
  public:
   explicit Groups(const Problem& problem) {
     for (const Network* network : networks_of(problem)) choose_reference(*network);
@@ -47,9 +46,6 @@ class Groups {
                           : reference_);
     if (problem->receptance() != nullptr) add_receptance();
   }
-
-  GiNaC::exmap scale;
-  std::vector<Line> lines;
 
  private:
   void choose_reference(const Network& network) {
@@ -131,11 +127,16 @@ class Groups {
 
 }  // namespace
 
+DimensionlessGroups dimensionless_groups(const Problem& problem) {
+  const AlgebraLock lock;
+  return Groups(problem);
+}
+
 // v* over mu0 omega du_z does not change with the units of stiffness and time: 1 for the reference
 // and for omega leaves what it is.
 DimensionlessForm dimensionless(const Derivation& derivation) {
   const AlgebraLock lock;
-  const Groups groups(derivation.problem);
+  const DimensionlessGroups groups = dimensionless_groups(derivation.problem);
   Change change;
   change.scale = groups.scale;
   const std::optional<Formula> formula = derivation.model->formula(change);

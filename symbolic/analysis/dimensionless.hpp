@@ -12,6 +12,14 @@
 
 namespace vcrit::symbolic {
 
+/// The groups of a scene, and what its symbols are in them with reference and omega put to 1.
+struct DimensionlessGroups {
+  GiNaC::exmap scale;
+  std::vector<Line> lines;  ///< each group in the scene's symbols
+};
+
+DimensionlessGroups dimensionless_groups(const Problem& problem);
+
 struct DimensionlessForm {
   std::vector<Line> groups;       ///< each group in the scene's symbols; only those that v* holds
   std::vector<Line> definitions;  ///< K_1, ..., K_n over the reference, with s = i

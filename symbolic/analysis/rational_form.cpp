@@ -115,33 +115,6 @@ Polynomial squared_modulus(const Polynomial& f) {
   return even * even + odd * odd;
 }
 
-ex expression(const Polynomial& polynomial) {
-  std::vector<ex> variables;
-  for (const std::string& name : polynomial.ring().names()) variables.push_back(symbol({name}));
-  GiNaC::exvector terms;
-  for (std::size_t i = 0; i < polynomial.terms(); ++i) {
-    ex term = GiNaC::numeric(polynomial.coefficient(i).c_str());
-    const auto exponents = polynomial.exponents(i);
-    for (std::size_t v = 0; v < variables.size(); ++v)
-      if (exponents[v] > 0) term *= GiNaC::pow(variables[v], static_cast<int>(exponents[v]));
-    terms.push_back(term);
-  }
-  return GiNaC::add(terms);
-}
-
-/// The polynomial's coefficients of the powers of omega.
-std::map<unsigned long, Polynomial> by_omega(const Polynomial& polynomial) {
-  const std::size_t omega = polynomial.ring().index("omega");
-  std::map<unsigned long, Polynomial> result;
-  for (std::size_t i = 0; i < polynomial.terms(); ++i) {
-    std::vector<unsigned long> exponents = polynomial.exponents(i);
-    const unsigned long power = std::exchange(exponents[omega], 0);
-    result.try_emplace(power, polynomial.ring(), 0)
-        .first->second.add_term(polynomial.coefficient(i), exponents);
-  }
-  return result;
-}
-
 /// From B/(mu0 du_z).
 // Of terms, multiplied in a second.
 constexpr double most_products = 5e7;
@@ -176,20 +149,25 @@ double terms_before_squaring(const Model& model) {
   return std::max(count.over, count.under);
 }
 
-RationalForm rational_form(const Model& model, double budget) {
+Amplitude multiplied_out(const Model& model, double budget, const GiNaC::exmap& in_others) {
   const double terms = terms_before_squaring(model);
   if (terms > budget)
     throw ModelError(fmt::format(
         "multiplied out, v* has polynomials of {:.6g} terms, more than the budget of {:.6g}", terms,
         budget));
-  const ex amplitude = model.per_friction();
-  ensure(!amplitude.has(quantity("R_d")), "who wants a rational form has asked the rulebook");
-  const auto ring = std::make_shared<const Ring>(variables(model, amplitude));
+  const ex amplitude = model.per_friction().subs(in_others).normal();
+  ensure(!amplitude.has(quantity("R_d")), "who wants polynomials has asked the rulebook");
+  auto ring = std::make_shared<const Ring>(variables(model, amplitude));
   QuotientAlgebra algebra{*ring, {}};
   for (const Part& part : model.networks())
     if (amplitude.has(quantity(part.name)))
       algebra.known.emplace(own_name(part.name), stiffness(part.network.network(), *ring));
-  return squared_form(ring, evaluate_rational(amplitude, algebra));
+  return {ring, evaluate_rational(amplitude, algebra)};
+}
+
+RationalForm rational_form(const Model& model, double budget, const GiNaC::exmap& in_others) {
+  const Amplitude amplitude = multiplied_out(model, budget, in_others);
+  return squared_form(amplitude.ring, amplitude.per_friction);
 }
 
 RationalForm rational_form(const Model& model,
@@ -219,10 +197,8 @@ std::string canonical_text(const RationalForm& form) {
   return text;
 }
 
-bool has_readable_extrema(const RationalForm& form) {
-  // The products of a derivative, and a greatest common divisor that costs some hundred times that.
-  constexpr std::size_t most = 20'000;
-  return form.square.over.terms() * form.square.under.terms() <= most;
+std::size_t products_of_extrema(const RationalForm& form) {
+  return form.square.over.terms() * form.square.under.terms();
 }
 
 Polynomial stationary(const RationalForm& form) {
@@ -232,40 +208,6 @@ Polynomial stationary(const RationalForm& form) {
   // Factors that D has twice cancel against D^2.
   const Polynomial left = cancelled({slope, under * under}).over;
   return left.without_power("omega", left.lowest_degree("omega")).primitive("omega");
-}
-
-std::vector<Line> lines_by_omega(const Polynomial& polynomial, const std::string& name,
-                                 const std::string& coefficient, const std::string& words) {
-  std::vector<Line> lines{{words, quantity(name), 0}};
-  for (const auto& [power, value] : by_omega(polynomial)) {
-    const ex k = quantity(coefficient + "_" + std::to_string(power));
-    const bool named = value.terms() > 1;
-    if (named) lines.push_back({"", k, expression(value)});
-    lines.front().right +=
-        (named ? k : expression(value)) * GiNaC::pow(omega(), static_cast<int>(power));
-  }
-  return lines;
-}
-
-std::vector<Line> lines_of(const RationalForm& form) {
-  const auto& [over, under] = form.square;
-  const unsigned long above = over.lowest_degree("omega"), below = under.lowest_degree("omega");
-  std::vector<Line> lines;
-  const auto write = [&lines](const char* name, const char* coefficient, const char* words,
-                              const Polynomial& polynomial) -> ex {
-    if (polynomial.terms() == 1) return expression(polynomial);
-    const auto more = lines_by_omega(polynomial, name, coefficient, words);
-    lines.insert(lines.end(), more.begin(), more.end());
-    return quantity(name);
-  };
-  const ex n = write("N", "n", "Numerator", over.without_power("omega", above));
-  const ex d = write("D", "d", "Denominator", under.without_power("omega", below));
-  const int power = static_cast<int>(above) - static_cast<int>(below);
-  const ex square =
-      GiNaC::pow(symbol({"mu0"}) * symbol({"du_z"}), 2) * GiNaC::pow(omega(), power) * n / d;
-  lines.insert(lines.begin(), {fmt::format("As a rational function of {}^2", printed_name("omega")),
-                               GiNaC::pow(quantity("v*"), 2), square});
-  return lines;
 }
 
 }  // namespace vcrit::symbolic

@@ -5,10 +5,8 @@
 #include <map>
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "derivation/model.hpp"
-#include "formula/line.hpp"
 #include "polynomial/polynomial.hpp"
 #include "problem/problem.hpp"
 
@@ -24,8 +22,17 @@ struct RationalForm {
 /// How many terms the polynomials of v* have at most before they are squared.
 double terms_before_squaring(const Model& model);
 
-/// Throws ModelError, naming both numbers, if terms_before_squaring is more than `budget`.
-RationalForm rational_form(const Model& model, double budget);
+/// B/(mu0 du_z), a rational function of s and of the scene's symbols.
+struct Amplitude {
+  std::shared_ptr<const Ring> ring;
+  Quotient per_friction;  ///< without common factors
+};
+
+/// Throws ModelError, naming both numbers, if terms_before_squaring is more than `budget`. Symbols
+/// that `in_others` has are written in others.
+Amplitude multiplied_out(const Model& model, double budget, const GiNaC::exmap& in_others = {});
+/// Likewise.
+RationalForm rational_form(const Model& model, double budget, const GiNaC::exmap& in_others = {});
 
 /// The same with values for all symbols but omega; of any size.
 RationalForm rational_form(const Model& model, const std::map<std::string, GiNaC::numeric>& values);
@@ -33,22 +40,16 @@ RationalForm rational_form(const Model& model, const std::map<std::string, GiNaC
 /// The same text for the same function.
 std::string canonical_text(const RationalForm& form);
 
-/// Whether the equation for extrema takes less than a second.
-bool has_readable_extrema(const RationalForm& form);
+/// What the equation for extrema costs: the products of its derivative. Its greatest common divisor
+/// costs some hundred times that.
+std::size_t products_of_extrema(const RationalForm& form);
+/// What takes less than a second.
+inline constexpr std::size_t most_products_of_extrema = 20'000;
 
 /// The polynomial in omega^2, and in the symbols, that is 0 at the frequencies of largest and least
 /// v* besides 0: the numerator of d(v*^2)/d(omega), without factors that omega does not occur in.
 /// The form's ring is the polynomial's.
 Polynomial stationary(const RationalForm& form);
 Polynomial stationary(RationalForm&& form) = delete;
-
-/// A polynomial as a line by powers of omega, name = coefficient_0 + coefficient_2 omega^2 + ...,
-/// with its words, and a line for each coefficient of several terms.
-std::vector<Line> lines_by_omega(const Polynomial& polynomial, const std::string& name,
-                                 const std::string& coefficient, const std::string& words);
-
-/// The form as lines of mathematics: v*^2 = mu0^2 du_z^2 omega^2 N/D, N and D by powers of omega,
-/// and their coefficients.
-std::vector<Line> lines_of(const RationalForm& form);
 
 }  // namespace vcrit::symbolic

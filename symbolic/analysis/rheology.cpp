@@ -17,14 +17,6 @@ namespace {
 
 using GiNaC::ex;
 
-/// K(s) without common factors; all coefficients are positive.
-Fraction stiffness_in_lowest_terms(const Network& network) {
-  const Fraction k = fraction(reduce(network), {}).value;
-  const ex parts = (k.numerator / k.denominator).normal().numer_denom();
-  const int sign = leads_with_minus(parts.op(1)) ? -1 : 1;
-  return {(sign * parts.op(0)).expand(), (sign * parts.op(1)).expand()};
-}
-
 /// s^power of a polynomial; 0 beyond its degree.
 ex coefficient(const ex& polynomial, int power) { return polynomial.coeff(laplace(), power); }
 
@@ -41,7 +33,9 @@ std::vector<Network> parts_of(const Network& network) {
 }
 
 /// tau_j, h_j: j counts from 1.
-ex numbered(const char* letter, std::size_t j) { return symbol({letter + std::to_string(j)}); }
+ex numbered(const char* letter, std::size_t j) {
+  return positive_quantity(letter + std::to_string(j));
+}
 
 class SpectrumMaker {
  public:
@@ -129,6 +123,14 @@ Response as_one_fraction(const Fraction& k) {
 }
 
 }  // namespace
+
+Fraction stiffness_in_lowest_terms(const Network& network) {
+  const AlgebraLock lock;
+  const Fraction k = fraction(reduce(network), {}).value;
+  const ex parts = (k.numerator / k.denominator).normal().numer_denom();
+  const int sign = leads_with_minus(parts.op(1)) ? -1 : 1;
+  return {(sign * parts.op(0)).expand(), (sign * parts.op(1)).expand()};
+}
 
 ex Spectrum::sum() const {
   const AlgebraLock lock;

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "derivation/stiffness_forms.hpp"
 #include "formula/line.hpp"
 #include "network/network.hpp"
 
@@ -45,6 +46,10 @@ struct Response {
 /// Each as one fraction if K(s) has at most a dozen terms above the bar, else as a sum over the
 /// parts of a parallel combination.
 Response response(const Network& network);
+
+/// K(s) without common factors; all coefficients are positive. Multiplied out: for networks of
+/// which a formula is readable.
+Fraction stiffness_in_lowest_terms(const Network& network);
 
 /// What a lasting load and a sudden one meet, in a network without masses.
 struct Extremes {

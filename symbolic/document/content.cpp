@@ -70,12 +70,8 @@ Section derivation_section(const Findings& findings) {
     show_shortest(*findings.shortest, result);
     return section;
   }
-  const bool nested = !derivation.definitions.empty();
-  if (findings.form == ResultForm::by_size && nested)
-    section.remark =
-        "The formula is left nested: multiplied out, its polynomials would be too long to read.";
-  if (findings.form == ResultForm::shortest && nested)
-    section.remark = "The formula is left in complex stiffnesses: a real one would not fit a page.";
+  if (!findings.why_complex.empty())
+    section.remark = "The formula is left in complex stiffnesses: " + findings.why_complex + ".";
   return section;
 }
 
@@ -83,6 +79,24 @@ Section form_section(const Findings& findings) {
   const bool rational = findings.form == ResultForm::rational;
   Section section{rational ? "Rational form" : "Dimensionless form", "", {}, ""};
   section.blocks = blocks_of(findings.form_lines);
+  if (findings.in_groups)
+    section.blocks.push_back({"In these", {}, false, equations_of(*findings.in_groups)});
+  return section;
+}
+
+/// Facts without a line of mathematics are sentences.
+Section facts_section(const Findings& findings) {
+  Section section{"What it says", "", {}, ""};
+  for (const Fact& fact : findings.facts) {
+    if (fact.lines.empty()) {
+      section.note += (section.note.empty() ? "" : " ") + fact.words + ".";
+      continue;
+    }
+    section.blocks.push_back({fact.words, {}});
+    for (const ShortestForm::Definition& line : fact.lines)
+      section.blocks.back().equations.push_back({line.name, {false, line.meaning}, {}});
+  }
+  if (section.blocks.empty() && !section.note.empty()) section.blocks.emplace_back();
   return section;
 }
 
@@ -258,6 +272,7 @@ Section parting_section(const Findings& findings) {
 std::vector<Section> sections(const Findings& findings) {
   std::vector<Section> all{derivation_section(findings),
                            form_section(findings),
+                           facts_section(findings),
                            half_space_section(findings),
                            parting_section(findings),
                            limits_section(findings),

@@ -22,7 +22,7 @@ struct Equation {
   FittedEquation::Range range = {};  ///< of an index in it
 };
 
-/// The definitions of a shortest form, then v*.
+/// The definitions of a form, then v*.
 std::vector<Equation> equations_of(const ShortestForm& form);
 
 /// Some lines under their words.

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include "analysis/expanded.hpp"
 #include "analysis/half_space.hpp"
 #include "analysis/parting.hpp"
 #include "analysis/residues.hpp"
@@ -34,14 +35,23 @@ void refuse_large(const Derivation& derivation, std::size_t formulas, const char
         1e-6 * static_cast<double>(most_characters)));
 }
 
+Derivation shown_derivation(const Derivation& derivation, const DocumentOptions& options) {
+  if (options.form == ResultForm::nested) return nested_form(derivation);
+  if (options.form != ResultForm::expanded) return derivation;
+  const Derivation expanded = expanded_form(derivation, options.budget);
+  if (derivation.problem->receptance() == nullptr)
+    prove(expanded.critical_velocity, *derivation.model);
+  return expanded;
+}
+
 }  // namespace
 
 Findings findings_of(const Problem& problem, const DocumentOptions& options) {
   const Derivation derivation = derive(problem);
-  Findings findings{options.form == ResultForm::nested ? nested_form(derivation) : derivation,
+  Findings findings{shown_derivation(derivation, options),
                     fingerprint(*derivation.model),
                     options.form,
-                    form_lines(derivation, options),
+                    {},
                     {},
                     {},
                     {},
@@ -50,8 +60,11 @@ Findings findings_of(const Problem& problem, const DocumentOptions& options) {
                     {},
                     rules::answer(rules::Question::motion_in_time, problem).reason,
                     {},
-                    {}};
-  if (options.form == ResultForm::shortest) findings.shortest = proved_shortest_form(derivation);
+                    {},
+                    {},
+                    {},
+                    facts(derivation)};
+  write_form(findings, derivation, options);
   const std::size_t symbols = findings.derivation.parameters.size();
   if (options.limits) refuse_large(findings.derivation, 2 * symbols, "limits");
   if (options.sensitivities)

@@ -11,6 +11,7 @@
 #include "analysis/sensitivities.hpp"
 #include "derivation/derivation.hpp"
 #include "document/print.hpp"
+#include "facts/facts.hpp"
 #include "formula/line.hpp"
 #include "problem/problem.hpp"
 #include "shortest/shortest.hpp"
@@ -31,7 +32,10 @@ struct Findings {
   std::optional<std::vector<Line>> parting;  ///< of surfaces that may part
   std::string beyond_simulation;             ///< why it has no motion in time
   std::vector<Line> half_space;              ///< below an indenter
-  std::optional<ShortestForm> shortest;      ///< where it was asked for and fits a page
+  std::optional<ShortestForm> shortest;      ///< in named steps: shortest, or in storage and loss
+  std::string why_complex;                   ///< why there is no shortest form
+  std::optional<ShortestForm> in_groups;     ///< dimensionless; form_lines has the groups
+  std::vector<Fact> facts;                   ///< what the formula says
 };
 
 /// Throws ModelError where the form or what is asked besides is too large, or the scene has none.

@@ -1,9 +1,10 @@
-// The lines of a result's form that was asked for beside the derivation.
+// The result in the form that was asked for.
 #pragma once
 
 #include <vector>
 
 #include "derivation/derivation.hpp"
+#include "document/content.hpp"
 #include "document/print.hpp"
 #include "formula/line.hpp"
 
@@ -13,7 +14,8 @@ namespace vcrit::symbolic {
 /// or if the polynomial in v* has more than `budget` terms before squaring.
 std::vector<Line> extrema_lines(const Derivation& derivation, double budget);
 
-/// None for a form that is the derivation's own.
-std::vector<Line> form_lines(const Derivation& derivation, const DocumentOptions& options);
+/// Everything of the findings that the form decides; each formula in named steps is proved to be
+/// that of the derivation.
+void write_form(Findings& findings, const Derivation& derivation, const DocumentOptions& options);
 
 }  // namespace vcrit::symbolic

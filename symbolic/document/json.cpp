@@ -76,6 +76,16 @@ void fields(Fields& f, const symbolic::Sensitivity& it) {
   f("derivative", DerivedFormula{it.derivative})("definitions", definitions);
 }
 
+void fields(Fields& f, const symbolic::ShortestForm::Definition& it) {
+  const symbolic::Signed left{false, it.name}, right{false, it.meaning};
+  f("text", symbolic::text_dialect().equation(left, right));
+  f("latex", symbolic::latex_dialect().equation(left, right));
+}
+
+void fields(Fields& f, const symbolic::Fact& it) {
+  f("key", it.key)("words", it.words)("lines", it.lines);
+}
+
 struct DerivedSeparation {
   const std::vector<symbolic::Line>& lines;
   const std::string& beyond_simulation;
@@ -137,7 +147,7 @@ PrintedResult printed_result(const symbolic::Findings& findings) {
   const bool nested = !derivation.definitions.empty();
   PrintedResult result{nested ? "nested" : "multiplied out", written(derivation.lines), {}};
   if (findings.shortest) {
-    result.form = "shortest";
+    result.form = findings.form == symbolic::ResultForm::storage_loss ? "storage-loss" : "shortest";
     result.lines.back().right = {false, findings.shortest->velocity};
     for (const auto& each : findings.shortest->definitions)
       result.definitions.push_back({"", {false, each.name}, {false, each.meaning}});
@@ -146,6 +156,15 @@ PrintedResult printed_result(const symbolic::Findings& findings) {
   }
   const auto complex = written(derivation.definitions);
   result.definitions.insert(result.definitions.end(), complex.begin(), complex.end());
+  return result;
+}
+
+/// The lines of the form that was asked for, beside the result.
+std::vector<WrittenEquation> form_equations(const symbolic::Findings& findings) {
+  std::vector<WrittenEquation> result = written(findings.form_lines);
+  if (!findings.in_groups) return result;
+  for (const symbolic::Equation& each : symbolic::equations_of(*findings.in_groups))
+    result.push_back({"", {false, each.left}, {false, each.right}});
   return result;
 }
 
@@ -168,7 +187,7 @@ void fields(Fields& f, const DerivedDocument& document) {
     f("critical_velocity", WrittenFormula{it.shortest->velocity});
   else
     f("critical_velocity", DerivedFormula{d.critical_velocity});
-  f("definitions", result.definitions);
+  f("definitions", result.definitions)("facts", it.facts);
   if (it.shortest) f("operations", it.shortest->operations);
   f("limits", it.limits)("asymptotes", it.asymptotes)("resonances", it.resonances);
   f("sensitivities", it.sensitivities.each);
@@ -176,7 +195,7 @@ void fields(Fields& f, const DerivedDocument& document) {
   f.some("warnings", document.problem->source->warnings);
   f.some("indenter", it.half_space);
   if (it.parting) f("separation", DerivedSeparation{*it.parting, it.beyond_simulation});
-  f.some("extrema", it.extrema).some(rational ? "rational" : "dimensionless", it.form_lines);
+  f.some("extrema", it.extrema).some(rational ? "rational" : "dimensionless", form_equations(it));
 }
 
 }  // namespace vcrit::record

@@ -12,9 +12,10 @@ namespace vcrit::symbolic {
 enum class Format { text, latex, markdown, html, json, system };
 
 /// How the result is written: as the shortest real formula in named steps (where that fits a page,
-/// else by its size); by its size, multiplied out or nested; nested; or besides that as a rational
-/// function of omega^2, or in dimensionless groups.
-enum class ResultForm { shortest, by_size, nested, rational, dimensionless };
+/// else in complex stiffnesses); in complex stiffnesses, however small; in storage and loss of each
+/// network; besides the shortest as a rational function of omega^2, or in dimensionless groups; or
+/// multiplied out.
+enum class ResultForm { shortest, nested, storage_loss, rational, dimensionless, expanded };
 
 struct DocumentOptions {
   Format format = Format::text;
@@ -22,7 +23,7 @@ struct DocumentOptions {
   bool sensitivities = false;
   ResultForm form = ResultForm::shortest;
   bool standalone = false;  ///< LaTeX: an article that compiles as it is, no part of one
-  double budget = 5000;  ///< terms of the polynomials in v* up to which they are multiplied out
+  double budget = 5000;  ///< terms of polynomials up to which v* is expanded, or rational
   std::string system = {};  ///< of Format::system, by its name
 };
 
@@ -30,7 +31,8 @@ struct DocumentOptions {
 const std::vector<std::string>& system_names();
 
 /// What `vcrit derive` prints; the same bytes in every run. Throws ModelError where the rational
-/// form is beyond the budget, and InputError for a system with limits or sensitivities.
+/// or the expanded form is beyond the budget and where storage and loss cannot be written out, and
+/// InputError for a system with limits or sensitivities.
 std::string print(const Problem& problem, const DocumentOptions& options);
 
 }  // namespace vcrit::symbolic

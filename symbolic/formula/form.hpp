@@ -40,6 +40,9 @@ struct Signed {
 
 Signed form_of(const GiNaC::ex& expression);
 
+/// Each + - * / ^ sqrt abs.
+int operations_in(const Form& form);
+
 /// Whether the first term of the expression's form is negative.
 bool leads_with_minus(const GiNaC::ex& expression);
 

@@ -49,6 +49,7 @@ class LatexDialect : public Dialect {
       result += fmt::format("_{{{}}}", fmt::join(parts, ","));
     }
     if (n.above == "*") result += "^{*}";
+    result += n.primes;
     if (n.before == "d") return "\\mathrm{d}" + result;
     return n.before.empty() ? result : "\\" + n.before + " " + result;
   }
@@ -67,7 +68,7 @@ class LatexDialect : public Dialect {
   std::string power(const std::string& base, int exponent) const override {
     // TeX takes no second exponent of one base, as of v^{*}.
     const bool raised = base.find('^') != std::string::npos && !base.starts_with("\\left");
-    return fmt::format("{}^{{{}}}", raised ? "{" + base + "}" : base, exponent);
+    return fmt::format("{}^{{{}}}", raised ? "\\left(" + base + "\\right)" : base, exponent);
   }
   std::string root(const std::string& argument) const override {
     return "\\sqrt{" + argument + "}";

@@ -51,6 +51,9 @@ class MathMlDialect : public Dialect {
     for (const std::string& part : n.index) parts.push_back(mathml_index_part(part));
     const std::string index = fmt::format("{}", fmt::join(parts, "<mo>,</mo>"));
     const bool star = n.above == "*";
+    if (!n.primes.empty())
+      return fmt::format("<msubsup>{}<mrow>{}</mrow><mo>{}</mo></msubsup>", result, index,
+                         n.primes.size() == 1 ? "′" : "″");
     if (!index.empty() && !star)
       result = fmt::format("<msub>{}<mrow>{}</mrow></msub>", result, index);
     if (star) result = fmt::format("<msup>{}<mo>*</mo></msup>", result);

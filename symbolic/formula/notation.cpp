@@ -4,6 +4,7 @@
 #include <array>
 #include <cctype>
 #include <string_view>
+#include <utility>
 
 namespace vcrit::symbolic {
 
@@ -59,14 +60,17 @@ bool is_greek(const std::string& word) {
 }
 
 Notation notation(const std::string& name, bool bare_entry) {
-  if (name == "du_z") return {"Delta", "u", {"z"}, {}};
-  if (name.starts_with("dK_")) return {"d", "K", {name.substr(3)}, {}};
+  if (name == "du_z") return {"Delta", "u", {"z"}, {}, {}};
+  if (name == "du_max") return {"Delta", "u", {"max"}, {}, {}};
+  if (name.starts_with("dK_")) return {"d", "K", {name.substr(3)}, {}, {}};
   std::string rest = name;
   Notation result;
   while (!rest.empty() && (rest.back() == '*' || rest.back() == '\'')) {
     result.above += rest.back();
     rest.pop_back();
   }
+  if (rest.starts_with("K_") && result.above.starts_with('\''))
+    std::swap(result.above, result.primes);
   std::string entry;
   if (const std::size_t open = rest.find('['); open != std::string::npos) {
     entry = rest.substr(open + 1, rest.size() - open - 2);

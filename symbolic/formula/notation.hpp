@@ -12,6 +12,7 @@ struct Notation {
   std::string base;
   std::vector<std::string> index;  ///< parts of the lower index
   std::string above;               ///< "*" of v*, dots of derivatives
+  std::string primes;              ///< of storage K_n' and loss K_n''
 };
 
 /// An entry of an array is an index as others, or in parentheses where that is another name.

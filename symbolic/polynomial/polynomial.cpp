@@ -1,5 +1,7 @@
 #include "polynomial/polynomial.hpp"
 
+#include <flint/fmpz_mpoly_factor.h>
+
 #include <algorithm>
 
 #include "base/errors.hpp"
@@ -159,6 +161,28 @@ Polynomial operator*(const Polynomial& a, const Polynomial& b) {
 
 bool operator==(const Polynomial& a, const Polynomial& b) {
   return fmpz_mpoly_equal(a.value_, b.value_, a.ring().context()) != 0;
+}
+
+FactoredPolynomial factored(const Polynomial& polynomial) {
+  hear_interruption();
+  const fmpz_mpoly_ctx_struct* context = polynomial.ring().context();
+  fmpz_mpoly_factor_t found;
+  fmpz_mpoly_factor_init(found, context);
+  const bool done = fmpz_mpoly_factor(found, polynomial.raw(), context) != 0;
+  FactoredPolynomial result;
+  if (done) {
+    char* digits = fmpz_get_str(nullptr, 10, found->constant);
+    result.constant = digits;
+    flint_free(digits);
+    for (slong i = 0; i < found->num; ++i) {
+      Polynomial factor(polynomial.ring(), 0);
+      fmpz_mpoly_set(factor.raw(), found->poly + i, context);
+      result.factors.emplace_back(std::move(factor), fmpz_get_ui(found->exp + i));
+    }
+  }
+  fmpz_mpoly_factor_clear(found, context);
+  ensure(done, "polynomials of this size have factors");
+  return result;
 }
 
 Quotient cancelled(const Quotient& quotient) {

@@ -23,6 +23,7 @@ class Ring {
   const std::vector<std::string>& names() const { return names_; }
   std::size_t size() const { return names_.size(); }
   std::size_t index(const std::string& name) const;
+  bool holds(const std::string& name) const { return index_.contains(name); }
   const fmpz_mpoly_ctx_struct* context() const { return context_; }
 
  private:
@@ -77,6 +78,14 @@ class Polynomial {
   const Ring* ring_;
   fmpz_mpoly_t value_;
 };
+
+/// constant * product of factor^exponent: none divides another, and none is a product.
+struct FactoredPolynomial {
+  std::string constant;
+  std::vector<std::pair<Polynomial, unsigned long>> factors;
+};
+/// Of a polynomial other than 0; takes seconds for thousands of terms.
+FactoredPolynomial factored(const Polynomial& polynomial);
 
 /// over/under
 struct Quotient {

@@ -107,10 +107,16 @@ Ex Expressions::symbol(std::string name, int operations, bool leads) {
   return {{}, node};
 }
 
+Ex Expressions::signed_symbol(std::string name) {
+  const Ex ex = symbol(std::move(name));
+  nodes_[ex.node].positive = false;
+  return ex;
+}
+
 Ex Expressions::named(std::string letter, const Ex& meaning, int operations, bool positive) {
   const bool is_name = meaning.factor.is_one() && nodes_[meaning.node].kind == Kind::symbol &&
                        this->operations(meaning.node) == 0;
-  if (is_name) return meaning;
+  if (is_name || meaning.is_number()) return meaning;
   for (const Name& name : names_)
     if (!name.meaning.is_zero() && name.meaning == meaning) return {{}, name.symbol};
   const Ex ex = symbol(std::move(letter), operations);

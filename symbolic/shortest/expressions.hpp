@@ -56,8 +56,10 @@ class Expressions {
   /// A new symbol at each call, positive. `operations` is what writing it takes: 0 for a name. One
   /// that `leads` stays in front of the formula.
   Ex symbol(std::string name, int operations = 0, bool leads = false);
+  /// One that may be negative.
+  Ex signed_symbol(std::string name);
   /// A symbol for what people give a letter of its own (T = omega tau): nothing looks into it. One
-  /// symbol for one meaning, and none for a symbol.
+  /// symbol for one meaning, and none for a symbol or a number.
   Ex named(std::string letter, const Ex& meaning, int operations, bool positive);
   bool is_positive(const Ex& ex) const { return !ex.factor.negative() && nodes_[ex.node].positive; }
   static Ex number(std::int64_t over, std::int64_t under = 1) { return {reduced(over, under), 0}; }

@@ -39,8 +39,9 @@ class Measuring {
   }
 
   Measure of_symbol(ExNode node) const {
-    const auto found = symbols_.find(node);
-    if (found != symbols_.end()) return found->second;
+    const auto found = symbols_.symbols.find(node);
+    if (found != symbols_.symbols.end()) return found->second;
+    if (symbols_.dimensionless) return {};
     // A letter is a number (g, T) or a stiffness.
     const std::string& letter = all_.name(node);
     return letter == "T" || letter == "g" ? Measure{} : Measure{1, 0};
@@ -86,6 +87,15 @@ std::string letter_of(const FormulaStep& step, const Measure& measure) {
   }
 }
 
+/// `letter` where all are numbers.
+std::string greek_letter(const std::string& letter, const FormulaStep& step) {
+  static const std::map<std::string, std::string> greek{
+      {"T", "theta"}, {"Z", "zeta"}, {"W", "xi"}, {"V", "chi"}, {"M", "beta"}};
+  if (letter == "R") return step.kind == FormulaStep::Kind::sum ? "sigma" : "rho";
+  const auto found = greek.find(letter);
+  return found == greek.end() ? letter : found->second;
+}
+
 }  // namespace
 
 std::vector<std::string> letters(const Expressions& all, const Measures& measures,
@@ -100,14 +110,16 @@ std::vector<std::string> letters(const Expressions& all, const Measures& measure
     result.push_back(symbol                               ? all.name(step.node)
                      : is_turn(all, steps, step, measure) ? "T"
                                                           : letter_of(step, measure));
+    if (measures.dimensionless) result.back() = greek_letter(result.back(), step);
     ++count[result.back()];
   }
   std::set<std::string> given;
   for (std::string& name : result) {
     const std::string letter = name;
-    if (count[letter] > 1) name = letter + std::to_string(++next[letter]);
+    const auto numbered = [&] { return letter + std::to_string(++next[letter]) + measures.mark; };
+    name = count[letter] > 1 ? numbered() : letter + measures.mark;
     // An element of the scene may have that name.
-    while (is_taken(name) || given.contains(name)) name = letter + std::to_string(++next[letter]);
+    while (is_taken(name) || given.contains(name)) name = numbered();
     given.insert(name);
   }
   return result;

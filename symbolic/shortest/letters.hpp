@@ -16,11 +16,16 @@ struct Measure {
 };
 
 /// What symbols measure, by node.
-using Measures = std::map<ExNode, Measure>;
+struct Measures {
+  std::map<ExNode, Measure> symbols = {};
+  bool dimensionless = false;  ///< nothing measures anything: letters are greek
+  std::string mark = {};       ///< behind each letter, of a formula beside another one
+};
 
 /// A name for each of `named`, steps of `steps` in the order of their definitions: the letter of a
 /// symbol that has one; S a sum and G a product of stiffness, Q its square, J a compliance, R a
-/// number; with an index where there are several.
+/// number; with an index where there are several. In dimensionless groups sigma a sum, rho another
+/// number, theta, zeta, ... for T, Z, ...
 std::vector<std::string> letters(const Expressions& all, const Measures& measures,
                                  const Steps& steps, const std::vector<std::uint32_t>& named);
 

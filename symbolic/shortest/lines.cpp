@@ -58,6 +58,24 @@ bool before(const Form& a, const Form& b) {
   return natural_less(text_dialect().print({false, a}), text_dialect().print({false, b}));
 }
 
+/// sqrt(x) of a factor sqrt(1/x), which stands on the other side of a bar.
+std::optional<Form> root_below(const Form& factor) {
+  if (factor.kind != Form::Kind::root) return std::nullopt;
+  Form inside = factor.over[0];
+  if (inside.kind != Form::Kind::product || !inside.over.empty()) return std::nullopt;
+  if (inside.under.size() == 1)
+    return Form{Form::Kind::root, "", std::move(inside.under), {}, {}, 1};
+  std::swap(inside.over, inside.under);
+  return Form{Form::Kind::root, "", {inside}, {}, {}, 1};
+}
+
+ExLines meanings_and(const Ex& velocity, const std::vector<NamedLine>& definitions) {
+  ExLines lines;
+  for (const NamedLine& each : definitions) lines.push_back(each.meaning);
+  lines.push_back(velocity);
+  return lines;
+}
+
 /// In a sum omega has no place of its own.
 bool before_in_sum(const Signed& a, const Signed& b) {
   if (a.minus != b.minus) return b.minus;
@@ -66,8 +84,12 @@ bool before_in_sum(const Signed& a, const Signed& b) {
 
 }  // namespace
 
-Lines::Lines(const Expressions& all, const Measures& measures, const Ex& velocity)
-    : all_(all), measures_(measures), steps_(all, velocity) {}
+Lines::Lines(const Expressions& all, const Measures& measures, const Ex& velocity,
+             const std::vector<NamedLine>& definitions)
+    : all_(all),
+      measures_(measures),
+      definitions_(definitions),
+      steps_(all, meanings_and(velocity, definitions)) {}
 
 ShortestForm Lines::form() {
   do give_names();
@@ -92,12 +114,28 @@ bool Lines::has_line(Index i) const {
     const bool factor = std::find(factors.begin(), factors.end(), StepPart{i, 1}) != factors.end();
     return all_.operations(step.node) >= least_named_once && !factor;
   }
-  return step.uses > 1 || std::find(divided_.begin(), divided_.end(), i) != divided_.end();
+  return step.uses > 1 || is_defined(i) ||
+         std::find(divided_.begin(), divided_.end(), i) != divided_.end();
+}
+
+bool Lines::is_defined(Index i) const {
+  const std::vector<Index>& wholes = steps_.wholes();
+  return std::find(wholes.begin(), wholes.end() - 1, i) != wholes.end() - 1;
+}
+
+std::vector<Lines::Index> Lines::needs(Index i) const {
+  const FormulaStep& step = steps_.steps()[i];
+  std::vector<Index> result;
+  for (const StepPart& part : step.parts) result.push_back(part.step);
+  for (std::size_t at = 0; at < definitions_.size(); ++at)
+    if (step.kind == FormulaStep::Kind::symbol && step.node == definitions_[at].symbol.node)
+      result.push_back(steps_.wholes()[at]);
+  return result;
 }
 
 void Lines::collect(Index i) {
   if (std::find(lines_.begin(), lines_.end(), i) != lines_.end()) return;
-  for (const StepPart& part : steps_.steps()[i].parts) collect(part.step);
+  for (const Index each : needs(i)) collect(each);
   if (i != steps_.whole() && has_line(i)) lines_.push_back(i);
 }
 
@@ -105,8 +143,13 @@ void Lines::give_names() {
   lines_.clear(), names_.clear();
   collect(steps_.whole());
   put_in_order();
-  const std::vector<std::string> names = letters(all_, measures_, steps_, lines_);
-  for (std::size_t i = 0; i < lines_.size(); ++i) names_[lines_[i]] = names[i];
+  std::vector<Index> nameless;
+  for (std::size_t at = 0; at < definitions_.size(); ++at)
+    names_[steps_.wholes()[at]] = base_name(all_.name(definitions_[at].symbol.node));
+  for (const Index line : lines_)
+    if (!names_.contains(line)) nameless.push_back(line);
+  const std::vector<std::string> names = letters(all_, measures_, steps_, nameless);
+  for (std::size_t i = 0; i < nameless.size(); ++i) names_[nameless[i]] = names[i];
 }
 
 /// Letters first, in the order in which they were given; the others as they were made, each behind
@@ -130,10 +173,10 @@ void Lines::put_in_order() {
 
 bool Lines::needs_only(Index step, const std::set<Index>& placed,
                        const std::set<Index>& open) const {
-  const std::vector<StepPart>& parts = steps_.steps()[step].parts;
-  return std::all_of(parts.begin(), parts.end(), [&](const StepPart& part) {
-    if (placed.contains(part.step)) return true;
-    return !open.contains(part.step) && needs_only(part.step, placed, open);
+  const std::vector<Index> needed = needs(step);
+  return std::all_of(needed.begin(), needed.end(), [&](const Index each) {
+    if (placed.contains(each)) return true;
+    return !open.contains(each) && needs_only(each, placed, open);
   });
 }
 
@@ -240,6 +283,10 @@ Form Lines::product(const FormulaStep& step) const {
       continue;
     }
     Form factor = of(part.step);
+    if (std::optional<Form> below = root_below(factor)) {
+      put(std::move(*below), part.sign > 0);
+      continue;
+    }
     if (factor.kind != Form::Kind::product) {
       put(std::move(factor), part.sign < 0);
       continue;

@@ -11,16 +11,25 @@
 
 namespace vcrit::symbolic::shortest {
 
+/// A line that is there in any case: what the symbol stands for, in the formula and in later ones.
+struct NamedLine {
+  Ex symbol, meaning;
+};
+
 /// What is used more than once has a line of its own; so have parts of a line that would be too
-/// long.
+/// long, and `definitions`.
 class Lines {
  public:
-  Lines(const Expressions& all, const Measures& measures, const Ex& velocity);
+  Lines(const Expressions& all, const Measures& measures, const Ex& velocity,
+        const std::vector<NamedLine>& definitions = {});
   ShortestForm form();
 
  private:
   using Index = std::uint32_t;
   bool has_line(Index step) const;
+  bool is_defined(Index step) const;
+  /// The parts that have to stand in front of a step: of a defined symbol its meaning.
+  std::vector<Index> needs(Index step) const;
   void collect(Index step);
   void give_names();
   void put_in_order();
@@ -37,6 +46,7 @@ class Lines {
 
   const Expressions& all_;
   const Measures& measures_;
+  std::vector<NamedLine> definitions_;
   Steps steps_;
   std::vector<Index> lines_;  ///< in their order
   std::vector<Index> divided_;

@@ -199,7 +199,11 @@ std::vector<ComplexQuotient> Presentations::swinging(const Network& drive,
   }
   Ex z = parts.spring.value_or(Expressions::number(0));
   if (mass) parts.mass = parts.mass ? all_.add(*parts.mass, *mass) : *mass;
-  if (parts.mass) z = all_.subtract(z, all_.multiply(*parts.mass, all_.power(omega_, 2)));
+  if (parts.mass && parts.spring && omega_.is_number())
+    // kappa_d (1 - beta)
+    z = all_.multiply(z, all_.subtract(Expressions::number(1), all_.divide(*parts.mass, z)));
+  else if (parts.mass)
+    z = all_.subtract(z, all_.multiply(*parts.mass, all_.power(omega_, 2)));
   if (parts.spring)
     z = named("Z", z);
   else if (parts.mass)

@@ -2,6 +2,7 @@
 
 #include "analysis/residues.hpp"
 #include "base/errors.hpp"
+#include "formula/form.hpp"
 #include "formula/rational.hpp"
 #include "formula/symbols.hpp"
 
@@ -43,6 +44,12 @@ class DerivedAt {
 class FormAt {
  public:
   explicit FormAt(const Point& point) : point_(point) {}
+
+  void define(const Line& group) {
+    const NumberAlgebra<Residue> algebra{point_, {}};
+    known_[GiNaC::ex_to<GiNaC::symbol>(group.left).get_name()] =
+        evaluate_rational(group.right, algebra);
+  }
 
   void define(const ShortestForm::Definition& definition) {
     known_[definition.name.text] = value(definition.meaning);
@@ -106,20 +113,33 @@ class FormAt {
   std::map<std::string, Residue> known_;
 };
 
-bool same_squares(const ShortestForm& form, const Model& model, const Point& point) {
-  FormAt at(point);
-  for (const ShortestForm::Definition& definition : form.definitions) at.define(definition);
-  return GaussianResidue(at.square(form.velocity)) == DerivedAt(point).square(model);
-}
+/// A rational function of names that are defined, at a point.
+struct DefinedAlgebra {
+  using Value = Residue;
+  const Point& point;
+  const std::vector<Line>& definitions;
 
-}  // namespace
+  Value number(const GiNaC::numeric& value) const { return Residue(value); }
+  Value name(const std::string& name) const {
+    for (const Line& line : definitions)
+      if (GiNaC::is_a<GiNaC::symbol>(line.left) &&
+          GiNaC::ex_to<GiNaC::symbol>(line.left).get_name() == name)
+        return evaluate_rational(line.right, *this);
+    return point(name);
+  }
+  Value add(Value a, Value b) const { return a + b; }
+  Value multiply(Value a, Value b) const { return a * b; }
+  Value invert(Value a) const { return inverse(a); }
+};
 
-void prove(const ShortestForm& form, const Model& model) {
+using SquareAt = std::function<GaussianResidue(const Point&)>;
+
+void compare_at_points(const SquareAt& printed, const SquareAt& derived) {
   int compared = 0;
   for (std::uint64_t number = 0; number < most_points && compared < points_to_compare; ++number) {
+    const Point point = named_point(number);
     try {
-      ensure(same_squares(form, model, named_point(number)),
-             "the shortest form is the derived formula");
+      ensure(printed(point) == derived(point), "what is printed is the derived formula");
       ++compared;
     } catch (const NoInverse&) {
       continue;
@@ -128,10 +148,51 @@ void prove(const ShortestForm& form, const Model& model) {
   ensure(compared == points_to_compare, "a formula is finite at nearly all points");
 }
 
+SquareAt derived_square(const Model& model) {
+  return [&model](const Point& point) { return DerivedAt(point).square(model); };
+}
+
+SquareAt printed_square(const ShortestForm& form, const std::vector<Line>& groups) {
+  return [&form, &groups](const Point& point) {
+    FormAt at(point);
+    for (const Line& group : groups) at.define(group);
+    for (const ShortestForm::Definition& definition : form.definitions) at.define(definition);
+    return at.square(form.velocity);
+  };
+}
+
+}  // namespace
+
+void prove(const ShortestForm& form, const Model& model, const std::vector<Line>& groups) {
+  compare_at_points(printed_square(form, groups), derived_square(model));
+}
+
+void prove(const GiNaC::ex& velocity, const Model& model) {
+  const Form form = form_of(velocity).form;
+  compare_at_points([&form](const Point& point) { return FormAt(point).square(form); },
+                    derived_square(model));
+}
+
+void prove_square(const GiNaC::ex& square, const std::vector<Line>& definitions,
+                  const Model& model) {
+  compare_at_points(
+      [&](const Point& point) {
+        return evaluate_rational(square, DefinedAlgebra{point, definitions});
+      },
+      derived_square(model));
+}
+
+void prove_at_points(const ShortestForm& form, const SquareAt& square) {
+  compare_at_points(printed_square(form, {}), square);
+}
+
+FoundForm proved(FoundForm found, const Derivation& derivation, const std::vector<Line>& groups) {
+  if (found.form) prove(*found.form, *derivation.model, groups);
+  return found;
+}
+
 std::optional<ShortestForm> proved_shortest_form(const Derivation& derivation) {
-  std::optional<ShortestForm> form = shortest_form(derivation.problem);
-  if (form) prove(*form, *derivation.model);
-  return form;
+  return proved(find_shortest_form(derivation.problem), derivation).form;
 }
 
 }  // namespace vcrit::symbolic

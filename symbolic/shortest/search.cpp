@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <queue>
+#include <set>
 #include <tuple>
-#include <unordered_set>
 
 #include "base/interruption.hpp"
 #include "shortest/moves.hpp"
@@ -19,8 +19,8 @@ constexpr int operation = 64;
 // A way to something shorter may lead over what is this much longer.
 constexpr int uphill = 2 * operation;
 
-int length(const Expressions& all, const Ex& whole) {
-  const Steps steps(all, whole);
+int length(const Expressions& all, const ExLines& lines) {
+  const Steps steps(all, lines);
   return operation * steps.operations() + std::min(steps.shared(), operation - 1);
 }
 
@@ -28,59 +28,76 @@ class Search {
  public:
   explicit Search(Expressions& all) : all_(all) {}
 
-  void begin(const Ex& start) { meet(start); }
+  void begin(const ExLines& start) { meet(start); }
 
   void run(const SearchEffort& effort) {
     std::size_t expanded = 0;
     const std::size_t end = all_.work() + effort.work;
     while (!open_.empty() && expanded++ < effort.expanded) {
       hear_interruption();
-      const auto [cost, order, ex] = open_.top();
+      const auto [cost, order, lines] = open_.top();
       open_.pop();
       if (cost > least_ + uphill) return;
-      for_each_move(all_, ex, [&](const Ex& moved) {
-        meet(moved);
-        return all_.work() < end;
-      });
-      if (all_.work() >= end) return;
+      for (std::size_t i = lines.size(); i-- > 0;) {
+        for_each_move(all_, lines[i], [&](const Ex& moved) {
+          ExLines other = lines;
+          other[i] = moved;
+          meet(other);
+          return all_.work() < end;
+        });
+        if (all_.work() >= end) return;
+      }
     }
   }
 
-  const Ex& best() const { return best_; }
+  const ExLines& best() const { return best_; }
 
  private:
   struct Entry {
     int cost;
     std::size_t order;
-    Ex ex;
+    ExLines lines;
     friend bool operator<(const Entry& a, const Entry& b) {
       return std::tie(a.cost, a.order) > std::tie(b.cost, b.order);
     }
   };
 
-  void meet(const Ex& ex) {
-    if (!seen_.insert(ex.node).second) return;
-    const int cost = length(all_, ex);
-    if (seen_.size() == 1 || cost < least_) least_ = cost, best_ = ex;
-    if (cost <= least_ + uphill) open_.push({cost, seen_.size(), ex});
+  void meet(const ExLines& lines) {
+    std::vector<ExNode> nodes;
+    for (const Ex& each : lines) nodes.push_back(each.node);
+    if (!seen_.insert(std::move(nodes)).second) return;
+    const int cost = length(all_, lines);
+    if (seen_.size() == 1 || cost < least_) least_ = cost, best_ = lines;
+    if (cost <= least_ + uphill) open_.push({cost, seen_.size(), lines});
   }
 
   Expressions& all_;
   std::priority_queue<Entry> open_;
-  std::unordered_set<ExNode> seen_;
+  std::set<std::vector<ExNode>> seen_;
   int least_ = 0;
-  Ex best_;
+  ExLines best_;
 };
 
 }  // namespace
 
 int operations(const Expressions& all, const Ex& whole) { return Steps(all, whole).operations(); }
 
-Ex shortest_of(Expressions& all, const std::vector<Ex>& starts, const SearchEffort& effort) {
+int operations(const Expressions& all, const ExLines& lines) {
+  return Steps(all, lines).operations();
+}
+
+ExLines shortest_of(Expressions& all, const std::vector<ExLines>& starts,
+                    const SearchEffort& effort) {
   Search search(all);
-  for (const Ex& start : starts) search.begin(start);
+  for (const ExLines& start : starts) search.begin(start);
   search.run(effort);
   return search.best();
+}
+
+Ex shortest_of(Expressions& all, const std::vector<Ex>& starts, const SearchEffort& effort) {
+  std::vector<ExLines> formulas;
+  for (const Ex& start : starts) formulas.push_back({start});
+  return shortest_of(all, formulas, effort).front();
 }
 
 }  // namespace vcrit::symbolic::shortest

@@ -17,8 +17,17 @@ struct SearchEffort {
 
 int operations(const Expressions& all, const Ex& whole);
 
-/// The shortest of the expressions, which are equal, and of all that moves lead to within the
-/// effort. Of several the one found first.
+/// Expressions that are written one below the other, what they share once: definitions, then what
+/// they are for.
+using ExLines = std::vector<Ex>;
+
+int operations(const Expressions& all, const ExLines& lines);
+
+/// The shortest of the formulas, which are equal, and of all that moves within their expressions
+/// lead to within the effort. Of several the one found first.
+ExLines shortest_of(Expressions& all, const std::vector<ExLines>& starts,
+                    const SearchEffort& effort);
+/// The same of formulas without definitions.
 Ex shortest_of(Expressions& all, const std::vector<Ex>& starts, const SearchEffort& effort);
 
 }  // namespace vcrit::symbolic::shortest

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/dimensionless.hpp"
 #include "formula/form.hpp"
 #include "formula/prose.hpp"
 #include "problem/problem.hpp"
@@ -25,11 +26,18 @@ struct ShortestForm {
   int operations = 0;  ///< each + - * / ^ sqrt abs in all of it
 };
 
-/// The same in every run. Nothing where it would not fit a page: who asks for v* is better served
-/// by a formula in complex stiffnesses. Nor of a measured drive, which has no other one.
+/// A form, or why there is none.
+struct FoundForm {
+  std::optional<ShortestForm> form;
+  std::string why_none;  ///< part of a sentence, with the numbers that decided
+};
+
+/// The same in every run. None where it would not fit a page: who asks for v* is better served by a
+/// formula in complex stiffnesses. Nor of a measured drive, which has no other one.
+FoundForm find_shortest_form(const Problem& problem);
 std::optional<ShortestForm> shortest_form(const Problem& problem);
 
-/// Each + - * / ^ sqrt abs.
-int operations_in(const Form& form);
+/// The same in the groups of the problem.
+FoundForm find_dimensionless_form(const Problem& problem, const DimensionlessGroups& groups);
 
 }  // namespace vcrit::symbolic

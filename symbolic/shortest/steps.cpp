@@ -68,9 +68,9 @@ int step_operations(const FormulaStep& step, const Expressions& all) {
   }
 }
 
-Steps::Steps(const Expressions& all, const Ex& whole) : all_(all) {
+Steps::Steps(const Expressions& all, const std::vector<Ex>& wholes) : all_(all) {
   steps_.reserve(64);
-  whole_ = of(whole.factor, whole.node);
+  for (const Ex& each : wholes) wholes_.push_back(of(each.factor, each.node));
   share(FormulaStep::Kind::sum);
   share(FormulaStep::Kind::product);
   count();
@@ -227,7 +227,7 @@ void Steps::share(FormulaStep::Kind kind) {
   for (bool more = true; more;) {
     std::vector<std::uint32_t> sets;
     for (std::uint32_t i = 0; i < steps_.size(); ++i)
-      if (steps_[i].kind == kind && i != whole_ && steps_[i].parts.size() >= 2) sets.push_back(i);
+      if (steps_[i].kind == kind && i != whole() && steps_[i].parts.size() >= 2) sets.push_back(i);
     more = sets.size() >= 2 && share_best(sets);
   }
 }
@@ -253,8 +253,9 @@ std::uint32_t Steps::halve(std::uint32_t sum) {
 }
 
 void Steps::count() {
-  std::vector<std::uint32_t> open{whole_};
-  steps_[whole_].uses = 1;
+  std::vector<std::uint32_t> open;
+  for (const std::uint32_t each : wholes_)
+    if (steps_[each].uses++ == 0) open.push_back(each);
   while (!open.empty()) {
     const FormulaStep& step = steps_[open.back()];
     open.pop_back();

@@ -30,13 +30,16 @@ struct FormulaStep {
 
 class Steps {
  public:
-  Steps(const Expressions& all, const Ex& whole);
+  Steps(const Expressions& all, const Ex& whole) : Steps(all, std::vector{whole}) {}
+  /// Several expressions, of which a part that they share is one step: definitions, then the whole.
+  Steps(const Expressions& all, const std::vector<Ex>& wholes);
 
   int operations() const { return operations_; }
   /// Steps that are used more than once.
   int shared() const { return shared_; }
   const std::vector<FormulaStep>& steps() const { return steps_; }
-  std::uint32_t whole() const { return whole_; }
+  std::uint32_t whole() const { return wholes_.back(); }
+  const std::vector<std::uint32_t>& wholes() const { return wholes_; }
   /// Makes the first half of a sum's terms a step of its own: as many operations.
   std::uint32_t halve(std::uint32_t sum);
 
@@ -54,7 +57,7 @@ class Steps {
   const Expressions& all_;
   std::vector<FormulaStep> steps_;
   std::vector<std::pair<ExNode, std::uint32_t>> known_;
-  std::uint32_t whole_ = 0;
+  std::vector<std::uint32_t> wholes_;
   int operations_ = 0, shared_ = 0;
 };
 

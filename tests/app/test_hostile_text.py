@@ -222,6 +222,11 @@ class Pages(Case):
         self.out("fit", data, "--title", HOSTILE.replace("\x85\x9b", ""), "--out", self.folder / "f.toml")
         self.nothing_happened(self.folder / "f.html")
 
+    def test_the_page_about_networks(self):
+        page = self.folder / "material.html"
+        page.write_text(self.out("derive", self.file(HOSTILE, "m.toml"), "--material"))
+        self.nothing_happened(page)
+
     def test_pages_without_a_scene(self):
         catalogue = self.folder / "catalogue.html"
         catalogue.write_text(self.out("derive", "--catalogue"))

@@ -74,7 +74,7 @@ class OtherNames(program.Case):
         expected = self.value()
         for names in OTHERS:
             with self.named(names):
-                for form in ("shortest", "by-size", "nested"):
+                for form in ("shortest", "expanded", "nested"):
                     text = self.run_on("derive", "--form", form)
                     s, i, omega = re.search(r"with (\w+) = (\w+)\*(\w+)", text).groups()
                     self.assertEqual(omega, names.get("omega", "omega"))

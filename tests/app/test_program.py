@@ -145,6 +145,12 @@ class Commands(Case):
         self.assertIn("Standard linear solid", pages[0].stdout)
         self.assertEqual({page.stdout for page in pages}, {pages[0].stdout})
 
+    def test_the_page_about_networks_is_the_same_in_every_run(self):
+        pages = [run("derive", example("burgers"), "--material") for _ in range(3)]
+        self.assertEqual([page.returncode for page in pages], [0] * 3)
+        self.assertIn("Tangential contact", pages[0].stdout)
+        self.assertEqual({page.stdout for page in pages}, {pages[0].stdout})
+
     def test_a_massless_rigid_scene_has_neither_mass_nor_drive(self):
         self.out("generate", example("kelvin_rigid"), "--out", "lib")
         header = (self.folder / "lib/critical.hpp").read_text()
@@ -244,6 +250,8 @@ class Mistakes(Case):
                           ["simulate", KELVIN, "--velocity", "1", "--velocity-ratio", "1"],
                           ["derive", KELVIN, "--format", "pdf"], ["derive"],
                           ["derive", KELVIN, "--catalogue"], ["derive", "--catalogue", "--limits"],
+                          ["derive", "--material"], ["derive", KELVIN, "--material", "--form", "nested"],
+                          ["derive", "--material", "missing.toml"], ["derive", KELVIN, "--form", "by-size"],
                           ["simulate", KELVIN, "--velocity", "-1"],
                           ["simulate", KELVIN, "--velocity", "3 kg"], ["eval", KELVIN, "--set", "kn"]]:
             with self.subTest(arguments=arguments):

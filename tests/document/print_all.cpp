@@ -16,9 +16,11 @@ void print_derivation(const vcrit::Scene& scene) {
   using symbolic::Format;
   for (const Format format : {Format::text, Format::latex, Format::markdown, Format::html, Format::json})
     std::cout << symbolic::print(scene, {format, true, true});
-  for (const auto form : {symbolic::ResultForm::by_size, symbolic::ResultForm::nested,
-                          symbolic::ResultForm::dimensionless})
+  for (const auto form : {symbolic::ResultForm::nested, symbolic::ResultForm::dimensionless})
     std::cout << symbolic::print(scene, {Format::text, false, false, form});
+  if (!scene.receptance)
+    std::cout << symbolic::print(scene,
+                                 {Format::text, false, false, symbolic::ResultForm::storage_loss});
   if (!scene.receptance && symbolic::terms_before_squaring(symbolic::Model(scene)) < 300)
     std::cout << symbolic::print(scene,
                                  {Format::json, false, false, symbolic::ResultForm::rational});

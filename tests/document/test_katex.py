@@ -21,9 +21,10 @@ HERE = Path(__file__).resolve().parent
 ALL = ["--limits", "--sensitivities"]
 ASKED = [
     *([*ALL, "--format", form] for form in ("latex", "markdown", "json")),
-    *([*ALL, "--form", form, "--format", "latex"] for form in ("by-size", "nested", "rational", "dimensionless")),
+    *([*ALL, "--form", form, "--format", "latex"] for form in ("nested", "storage-loss", "rational", "dimensionless", "expanded")),
 ]
-REFUSED = [("measured_drive", "rational"), ("prony", "rational")]  # no polynomials; too many terms
+REFUSED = [("measured_drive", "rational"), ("prony", "rational"),  # no polynomials; too many terms
+           ("measured_drive", "storage-loss"), ("prony", "expanded")]
 # Names with digits, underscores, Greek letters, the program's own symbols and LaTeX's own words.
 HARD = {"normal": "k_1 | spring(alpha_beta12) - damper(nabla)", "tangential": "spring(frac) | spring(s) - damper(i_)",
         "network": "spring(K_n) | damper(c_9_x) - spring(mathrm)", "mass": "m"}

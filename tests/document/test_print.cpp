@@ -67,7 +67,7 @@ BOOST_AUTO_TEST_CASE(names_are_ordered_as_people_count) {
 
 BOOST_AUTO_TEST_CASE(notation_in_latex) {
   const auto latex = [](const Symbol& s) { return to_latex(symbol(s)); };
-  BOOST_TEST(to_latex(GiNaC::pow(quantity("v*"), 2)) == "{v^{*}}^{2}");
+  BOOST_TEST(to_latex(GiNaC::pow(quantity("v*"), 2)) == "\\left(v^{*}\\right)^{2}");
   BOOST_TEST(to_latex(GiNaC::pow(k + c, 2)) == "\\left(c_{1} + k_{0}\\right)^{2}");
   BOOST_TEST(latex({"k0"}) == "k_{0}");
   BOOST_TEST(latex({"k", 3}) == "k_{3}");
@@ -123,7 +123,7 @@ BOOST_AUTO_TEST_CASE(json_has_the_promised_parts) {
   BOOST_TEST(json.at("parameters").size() == 9u);
   BOOST_TEST(json.at("critical_velocity").at("text") ==
              json.at("lines").back().at("text").get<std::string>().substr(5));
-  BOOST_TEST(json.at("extrema").front().at("text").get<std::string>().starts_with("E = "));
+  BOOST_TEST(json.at("extrema").front().at("text").get<std::string>().ends_with(" = 0"));
   BOOST_TEST(json.at("fingerprint").get<std::string>().size() == 32u);
   BOOST_TEST(json.at("limits").size() == 11u);
   for (const auto& limit : json.at("limits"))
@@ -165,11 +165,10 @@ BOOST_AUTO_TEST_CASE(all_markups_show_what_was_asked_for) {
   BOOST_TEST(print(scene, {Format::text, true}).find("S_kn") == std::string::npos);
 }
 
-BOOST_AUTO_TEST_CASE(large_formulas_stay_nested_and_say_so) {
+BOOST_AUTO_TEST_CASE(large_formulas_are_nested_in_short) {
   const Scene prony =
       test::scene_of("normal = \"prony(k0, k, tau, 10)\"\npoisson = 0.3", "kd", "m");
-  const std::string text = print(prony, {Format::text, true, false, ResultForm::by_size});
-  BOOST_TEST(text.find("left nested") != std::string::npos);
+  const std::string text = print(prony, {Format::text, true, false, ResultForm::nested});
   BOOST_TEST(text.find("k0 + sum(k[j]*tau[j]*s/(1 + tau[j]*s), j = 1..10)") != std::string::npos);
   BOOST_TEST(text.size() < 6000u);
 }
@@ -186,7 +185,11 @@ BOOST_AUTO_TEST_CASE(the_result_is_the_shortest_form_where_it_fits_a_page) {
              "v* = " + json["critical_velocity"]["text"].get<std::string>());
   const Scene prony =
       test::scene_of("normal = \"prony(k0, k, tau, 100)\"\npoisson = 0.3", "kd", "m");
-  BOOST_TEST(print(prony, {}).find("left in complex stiffnesses") != std::string::npos);
+  // K of 100 Maxwell branches has (1 + 100/2) 2^100 terms, on one denominator with Z 2^100 more.
+  const std::string large = print(prony, {});
+  BOOST_TEST(
+      large.find("left in complex stiffnesses: of 102 elements, more than 48, no formula fits "
+                 "a page; multiplied out, its polynomials have up to") != std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(a_document_with_all_that_can_be_asked_is_derived_once) {
@@ -194,8 +197,7 @@ BOOST_AUTO_TEST_CASE(a_document_with_all_that_can_be_asked_is_derived_once) {
        {test::kelvin_scene(), read_scene(VCRIT_SCENES "/separation.toml"),
         read_scene(VCRIT_SCENES "/sphere.toml"), read_scene(VCRIT_SCENES "/measured_drive.toml")})
     for (const ResultForm form :
-         {ResultForm::shortest, ResultForm::by_size, ResultForm::nested,
-          ResultForm::dimensionless}) {
+         {ResultForm::shortest, ResultForm::nested, ResultForm::dimensionless}) {
       const std::size_t before = derivations_made();
       print(scene, {Format::json, true, true, form});
       BOOST_TEST(derivations_made() - before == 1u);

@@ -42,7 +42,8 @@ SCENE = [
     "derive {scene} --limits --sensitivities --format latex",
     "derive {scene} --limits --sensitivities --format markdown",
     "derive {scene} --limits --sensitivities --format json",
-    *(f"derive {{scene}} --form {form}" for form in ("by-size", "nested", "rational", "dimensionless")),
+    *(f"derive {{scene}} --form {form}" for form in ("nested", "storage-loss", "rational", "dimensionless", "expanded")),
+    "derive {scene} --material",
     "derive {scene} --equal scenes/zener.toml",
     "generate {scene} --out {out} --quantities --name other --json",
     "generate {scene} --out {out} --fix mu0",
@@ -145,7 +146,7 @@ def transcript(command, scene=""):
         done = subprocess.run([VCRIT, *words], cwd=PROJECT, env=ENVIRONMENT, capture_output=True, timeout=600)
         clean = lambda data: data.replace(out.encode(), b"OUT")
         stdout = clean(done.stdout)
-        if "--catalogue" in command:
+        if "--catalogue" in command or "--material" in command:
             stdout = words_of(stdout.decode()).encode()
         line = " ".join(words).replace(out, "OUT")
         text = f"$ vcrit {line}\n".replace(" \n", "\n") + shown(stdout)

@@ -26,6 +26,9 @@ def plain(name):
     return re.sub(r"\\mathrm|[\[\](){}_,\\]", "", name)
 
 
+PRIME = "_prime"  # of storage and loss, K_n' and K_n'', which Python takes for strings
+
+
 class Names(dict):
     """Values by names as text, and by what LaTeX makes of them."""
 
@@ -38,7 +41,7 @@ class Names(dict):
 
     def __setitem__(self, name, value):
         super().__setitem__(name, value)
-        self.evaluated[name.replace("[", "_at_").rstrip("]")] = Number(value)
+        self.evaluated[name.replace("[", "_at_").rstrip("]").replace("'", PRIME)] = Number(value)
         self.set_alike[plain("Deltauz" if name == "du_z" else name)] = value
 
     def default(self, name, value):
@@ -71,6 +74,7 @@ GIVEN = {"__builtins__": {}, "N_": Number, **{f"{name}_of_": function for name, 
 
 
 def text_value(text, names):
+    text = text.replace("'", PRIME)
     text = INDEX.sub(r"\1_at_\2", text)
     text = NUMBER.sub(lambda found: f'N_("{found[0]}")', text).replace("^", "**")
     text = re.sub(r"\b(abs|sqrt|Re)\(", r"\1_of_(", text)
@@ -200,8 +204,8 @@ def part_onsets(pairs, form, values, words):
         names.default(own.replace("\\", ""), 1j * values["omega"])
         names.default(unit, mp.mpc(1j))
     read = (lambda right: text_value(right, names)) if form == "text" else (lambda right: Latex(right, names).whole())
-    star = {"text": ("v*", "v*^2")}.get(form, ("v^{*}", "{v^{*}}^{2}"))
-    pending, found = [pair for pair in pairs if not re.match(r"\{?[Ee](_|$)", pair[0])], []
+    star = {"text": ("v*", "v*^2")}.get(form, ("v^{*}", r"\left(v^{*}\right)^{2}"))
+    pending, found = [pair for pair in pairs if pair[1] != "0"], []
     while True:
         later = []
         for left, right in pending:

@@ -36,6 +36,7 @@ ROOMS = [
     "symbolic/derivation",
     "symbolic/analysis",
     "symbolic/shortest",
+    "symbolic/facts",
     "symbolic/document",
     "symbolic/program",
     "symbolic/emit",

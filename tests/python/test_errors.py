@@ -153,7 +153,7 @@ class Exceptions(unittest.TestCase):
             scene.simulate(0.1, method="other")
         with self.assertRaisesRegex(vcrit.InputError, '^start: found "top"; expected sliding or rest'):
             scene.simulate(0.1, start="top")
-        with self.assertRaisesRegex(vcrit.InputError, '^form: found "short"; expected one of by-size, dim'):
+        with self.assertRaisesRegex(vcrit.InputError, '^form: found "short"; expected one of dimensionless, exp'):
             vcrit.derive(scene, form="short")
         with self.assertRaisesRegex(vcrit.InputError, '^format: found "odt"; expected one of json, latex'):
             vcrit.derive(scene).document("odt")

@@ -67,7 +67,7 @@ class OtherThreads(unittest.TestCase):
 
     def test_run_during_a_derivation(self):
         self.assertTrue(lets_others_run(
-            lambda: _vcrit.document(KELVIN._handle, "text", "by-size", False, False)))
+            lambda: _vcrit.document(KELVIN._handle, "text", "nested", False, False)))
 
     def test_wait_while_a_scene_is_read(self):
         # This shows that what is asserted above can fail.

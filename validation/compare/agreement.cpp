@@ -36,6 +36,7 @@ namespace {
 
 void derive_all(SceneReport& report, const symbolic::Derivation& derivation) {
   report.formula = shown_velocity(derivation);
+  report.facts = shown_facts(derivation);
   report.equation = derivation.equation;
   report.derivation = equations_of(derivation.lines);
   report.derivation.back().right = report.formula.formula;

@@ -1,6 +1,7 @@
 #include "compare/formulas.hpp"
 
 #include "analysis/limits.hpp"
+#include "facts/facts.hpp"
 #include "formula/dialect.hpp"
 #include "formula/text.hpp"
 #include "record/html_text.hpp"
@@ -13,12 +14,12 @@ Formula formula_of(const GiNaC::ex& expression) {
           symbolic::to_text(expression)};
 }
 
-namespace {
-
-Formula formula_of_form(const symbolic::Form& form) {
+Formula formula_of(const symbolic::Form& form) {
   return {symbolic::to_mathml(form), symbolic::latex_dialect().print({false, form}),
           symbolic::text_dialect().print({false, form})};
 }
+
+namespace {
 
 std::string markup_of(const symbolic::Prose& words) {
   return words.written(symbolic::mathml_dialect(), "<math>", "</math>", record::html_text);
@@ -26,15 +27,25 @@ std::string markup_of(const symbolic::Prose& words) {
 
 }  // namespace
 
+std::vector<ShownFact> shown_facts(const symbolic::Derivation& derivation) {
+  std::vector<ShownFact> shown;
+  for (const symbolic::Fact& fact : symbolic::facts(derivation)) {
+    shown.push_back({fact.key, fact.words, {}});
+    for (const auto& [name, meaning] : fact.lines)
+      shown.back().lines.push_back({{}, formula_of(name), formula_of(meaning)});
+  }
+  return shown;
+}
+
 ShownVelocity shown_velocity(const symbolic::Derivation& derivation) {
   const auto shortest = symbolic::proved_shortest_form(derivation);
   if (!shortest)
     return {
         formula_of(derivation.critical_velocity), equations_of(derivation.definitions), {}, false};
-  ShownVelocity shown{formula_of_form(shortest->velocity), {}, shortest->ratio.text(), true,
+  ShownVelocity shown{formula_of(shortest->velocity), {}, shortest->ratio.text(), true,
                       markup_of(shortest->ratio)};
   for (const auto& [name, meaning] : shortest->definitions)
-    shown.definitions.push_back({{}, formula_of_form(name), formula_of_form(meaning)});
+    shown.definitions.push_back({{}, formula_of(name), formula_of(meaning)});
   return shown;
 }
 

@@ -10,11 +10,16 @@
 
 namespace vcrit::symbolic {
 struct Derivation;
-}
+struct Form;
+}  // namespace vcrit::symbolic
 
 namespace vcrit::validation {
 
 Formula formula_of(const GiNaC::ex& expression);
+Formula formula_of(const symbolic::Form& form);
+
+/// What the formula of v* says in words.
+std::vector<ShownFact> shown_facts(const symbolic::Derivation& derivation);
 
 /// The shortest real formula, proved to be the derived one, where it fits a page.
 ShownVelocity shown_velocity(const symbolic::Derivation& derivation);

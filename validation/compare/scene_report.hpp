@@ -60,6 +60,12 @@ struct ShownVelocity {
   std::string ratio_markup = {};      ///< with MathML
 };
 
+/// What the formula says; see symbolic::Fact.
+struct ShownFact {
+  std::string key, words;
+  std::vector<Equation> lines;
+};
+
 struct LimitLine {
   std::string name, equation;  ///< see symbolic::Limit
   std::string mathml_name;
@@ -254,6 +260,7 @@ struct SceneReport {
   double creep_velocity = 0;    ///< m/s, 0 unless a network on the path creeps
   std::vector<ValueLine> values;
   ShownVelocity formula;
+  std::vector<ShownFact> facts;
   std::string equation;  ///< number of the formula in the paper
   std::vector<Equation> derivation;
   std::vector<LimitLine> limits;

@@ -89,12 +89,10 @@ record::Json spectrum_record(const Network& network) {
           {"lines", record::page_of(equations_of(lines))}};
 }
 
-/// Arrays are not multiplied out: even three branches would give hundreds of terms.
-record::Json velocity_record(symbolic::Derivation derivation) {
-  if (!derivation.problem->source->arrays.empty()) derivation = nested_form(std::move(derivation));
-  return {{"equation", derivation.equation},
-          {"formula", formula_record(derivation.critical_velocity)},
-          {"definitions", record::page_of(equations_of(derivation.definitions))}};
+record::Json velocity_record(const symbolic::Derivation& derivation) {
+  record::Json record = record::page_of(shown_velocity(derivation));
+  record["equation"] = derivation.equation;
+  return record;
 }
 
 void add_limits(const symbolic::Derivation& derivation, record::Json& record) {

@@ -46,6 +46,15 @@ void fields(Fields& f, const validation::Equation& it) {
   f.page("typeset_words", Markup{it.markup});
 }
 
+void fields(Fields& f, const validation::ShownVelocity& it) {
+  f("formula", it.formula)("definitions", it.definitions)("real", it.is_real);
+  f.page("ratio", typeset(it.ratio));
+}
+
+void fields(Fields& f, const validation::ShownFact& it) {
+  f("key", it.key)("words", it.words)("lines", it.lines).page("shown_words", typeset(it.words));
+}
+
 void fields(Fields& f, const validation::LimitLine& it) {
   f("name", it.name)("equation", it.equation)("result", it.result)("definitions", it.definitions);
   f.page("sign", Markup{it.mathml_name});

@@ -16,6 +16,8 @@ void fields(Fields& f, const simulation::Event& event);
 void fields(Fields& f, const validation::Comparison& comparison);
 void fields(Fields& f, const validation::Formula& formula);
 void fields(Fields& f, const validation::Equation& equation);
+void fields(Fields& f, const validation::ShownVelocity& velocity);
+void fields(Fields& f, const validation::ShownFact& fact);
 void fields(Fields& f, const validation::LimitLine& limit);
 void fields(Fields& f, const validation::figures::Figure& figure);
 void fields(Fields& f, const validation::Machine& machine);

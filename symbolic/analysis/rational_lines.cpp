@@ -1,0 +1,328 @@
+#include "analysis/rational_lines.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <utility>
+
+#include "formula/form.hpp"
+#include "formula/names.hpp"
+#include "formula/symbols.hpp"
+
+namespace vcrit::symbolic {
+
+namespace {
+
+using GiNaC::ex;
+
+// Terms of a polynomial whose factors are found in some tenth of a second.
+constexpr std::size_t most_factored = 400;
+
+// Terms of a factor that stands as it is.
+constexpr std::size_t short_factor = 3;
+
+using Polynomials = std::map<unsigned long, Polynomial>;
+
+/// The polynomial's coefficients of the powers of a variable.
+Polynomials by_powers(const Polynomial& polynomial, const std::string& variable) {
+  const std::size_t at = polynomial.ring().index(variable);
+  Polynomials result;
+  for (std::size_t i = 0; i < polynomial.terms(); ++i) {
+    std::vector<unsigned long> exponents = polynomial.exponents(i);
+    const unsigned long power = std::exchange(exponents[at], 0);
+    result.try_emplace(power, polynomial.ring(), 0)
+        .first->second.add_term(polynomial.coefficient(i), exponents);
+  }
+  return result;
+}
+
+FactoredPolynomial factors_of(const Polynomial& polynomial) {
+  if (polynomial.terms() <= most_factored) return factored(polynomial);
+  return {"1", {{polynomial, 1}}};
+}
+
+ex factored_expression(const Polynomial& polynomial) {
+  const FactoredPolynomial product = factors_of(polynomial);
+  ex result = GiNaC::numeric(product.constant.c_str());
+  for (const auto& [factor, exponent] : product.factors)
+    result *= GiNaC::pow(expression(factor), static_cast<int>(exponent));
+  return result;
+}
+
+int operations_in_lines(const std::vector<Line>& lines) {
+  int sum = 0;
+  for (const Line& line : lines)
+    sum += operations_in(form_of(line.left).form) + operations_in(form_of(line.right).form);
+  return sum;
+}
+
+/// The ways to write polynomials in which m occurs as m omega^2 alone.
+enum class Way { plain, stiffness, ratio };
+
+/// Polynomials of one ring in the variables of a way.
+class InOtherVariables {
+ public:
+  InOtherVariables(const Ring& ring, Way way, const Swinging* swinging)
+      : from_(ring), way_(way), swinging_(swinging), ring_(names(ring, way)) {}
+
+  /// Z or beta as it is written.
+  std::string name() const { return way_ == Way::stiffness ? "Z" : "beta"; }
+  const Ring& ring() const { return ring_; }
+
+  /// Nothing where m occurs in another way.
+  std::optional<Polynomial> operator()(const Polynomial& polynomial) const {
+    if (way_ == Way::plain) return polynomial;
+    const std::size_t mass = from_.index(swinging_->mass), omega = from_.index("omega");
+    Polynomial result(ring_, 0);
+    for (std::size_t i = 0; i < polynomial.terms(); ++i) {
+      std::vector<unsigned long> exponents = polynomial.exponents(i);
+      const unsigned long power = std::exchange(exponents[mass], 0);
+      if (exponents[omega] < 2 * power) return std::nullopt;
+      exponents[omega] -= 2 * power;
+      exponents.push_back(0);
+      Polynomial term(ring_, 0);
+      term.add_term(polynomial.coefficient(i), exponents);
+      for (unsigned long j = 0; j < power; ++j) term *= mass_times_square();
+      result += term;
+    }
+    return result;
+  }
+
+ private:
+  static std::vector<std::string> names(const Ring& ring, Way way) {
+    std::vector<std::string> all = ring.names();
+    if (way != Way::plain) all.push_back(own_name(way == Way::stiffness ? "Z" : "beta"));
+    return all;
+  }
+
+  /// m omega^2 = k_d - Z = beta k_d
+  Polynomial mass_times_square() const {
+    const Polynomial spring = Polynomial::variable(ring_, swinging_->spring);
+    const Polynomial other = Polynomial::variable(ring_, own_name(name()));
+    if (way_ == Way::ratio) return other * spring;
+    Polynomial result = spring;
+    result -= other;
+    return result;
+  }
+
+  const Ring& from_;
+  Way way_;
+  const Swinging* swinging_;
+  Ring ring_;
+};
+
+/// The line of Z or beta, of positive or signed value as the formula has it.
+Line meaning_of(Way way, const Swinging& swinging) {
+  const ex spring = symbol({swinging.spring}),
+           inertia = symbol({swinging.mass}) * GiNaC::pow(omega(), 2);
+  if (way == Way::stiffness) return {"", quantity("Z"), spring - inertia};
+  return {"", quantity("beta"), inertia / spring};
+}
+
+/// Writes polynomials as products whose long factors have names.
+class Writer {
+ public:
+  explicit Writer(std::string by) : by_(std::move(by)) {}
+
+  /// `words` in front of the first line of a name.
+  ex write(const Polynomial& polynomial, const std::string& name, const std::string& coefficient,
+           const std::string& words) {
+    const FactoredPolynomial product = factors_of(polynomial);
+    const auto is_long = [](const auto& factor) { return factor.first.terms() > short_factor; };
+    const auto named = std::count_if(product.factors.begin(), product.factors.end(), is_long);
+    ex result = GiNaC::numeric(product.constant.c_str());
+    int number = 0;
+    for (const auto& [factor, exponent] : product.factors) {
+      const std::string index = named > 1 ? std::to_string(++number) : "";
+      const ex value = !is_long(std::pair(factor, exponent))
+                           ? expression(factor)
+                           : named_line(factor, name + index, coefficient + index, words);
+      result *= GiNaC::pow(value, static_cast<int>(exponent));
+    }
+    return result;
+  }
+
+  /// The variable by whose powers the polynomial is written.
+  std::string variable(const Polynomial& polynomial) const {
+    return polynomial.degree("omega") > 0 || by_.empty() ? "omega" : own_name(by_);
+  }
+
+  ex sum(const Polynomial& polynomial, const std::string& coefficient) {
+    const std::string name = variable(polynomial);
+    const ex unknown = name == "omega" ? omega() : quantity(by_);
+    ex result = 0;
+    std::vector<Line> coefficients;
+    for (const auto& [power, value] : by_powers(polynomial, name)) {
+      const ex k = quantity(coefficient + "_" + std::to_string(power));
+      const bool named = value.terms() > 1;
+      if (named) coefficients.push_back({"", k, factored_expression(value)});
+      result += (named ? k : expression(value)) * GiNaC::pow(unknown, static_cast<int>(power));
+    }
+    lines.insert(lines.end(), coefficients.begin(), coefficients.end());
+    return result;
+  }
+
+  std::vector<Line> lines;
+
+ private:
+  ex named_line(const Polynomial& factor, const std::string& name, const std::string& coefficient,
+                const std::string& words) {
+    const std::size_t at = lines.size();
+    const ex value = sum(factor, coefficient);
+    lines.insert(lines.begin() + static_cast<std::ptrdiff_t>(at), {words, quantity(name), value});
+    return quantity(name);
+  }
+
+  std::string by_;
+};
+
+/// The shortest of the ways in which `write` gives lines.
+std::vector<Line> shortest_way(
+    const Ring& ring, const std::optional<Swinging>& swinging,
+    const std::function<std::vector<Line>(const InOtherVariables&, const std::string& by)>& write) {
+  std::vector<Line> best;
+  int least = 0;
+  for (const Way way : {Way::plain, Way::stiffness, Way::ratio}) {
+    if (way != Way::plain && !swinging) break;
+    const InOtherVariables other(ring, way, swinging ? &*swinging : nullptr);
+    std::vector<Line> lines = write(other, way == Way::plain ? "" : other.name());
+    if (lines.empty()) continue;
+    if (way != Way::plain) lines.insert(lines.begin() + 1, meaning_of(way, *swinging));
+    const int length = operations_in_lines(lines);
+    if (!best.empty() && length >= least) continue;
+    least = length, best = std::move(lines);
+  }
+  return best;
+}
+
+std::vector<Line> square_lines(const RationalForm& form, const InOtherVariables& in,
+                               const std::string& by) {
+  const auto& [over, under] = form.square;
+  const unsigned long above = over.lowest_degree("omega"), below = under.lowest_degree("omega");
+  const auto first = in(over.without_power("omega", above)),
+             second = in(under.without_power("omega", below));
+  if (!first || !second) return {};
+  Writer writer(by);
+  const ex n = writer.write(*first, "N", "n", "Numerator");
+  const ex d = writer.write(*second, "D", "d", "Denominator");
+  const int power = static_cast<int>(above) - static_cast<int>(below);
+  const ex square =
+      GiNaC::pow(symbol({"mu0"}) * symbol({"du_z"}), 2) * GiNaC::pow(omega(), power) * n / d;
+  std::vector<Line> lines{{fmt::format("As a rational function of {}^2", printed_name("omega")),
+                           GiNaC::pow(quantity("v*"), 2), square}};
+  lines.insert(lines.end(), writer.lines.begin(), writer.lines.end());
+  return lines;
+}
+
+/// With the sign that the coefficient of the lowest power is printed without a minus.
+Polynomial begins_with_plus(const Polynomial& polynomial, const Writer& writer) {
+  const Polynomials coefficients = by_powers(polynomial, writer.variable(polynomial));
+  const bool minus = leads_with_minus(factored_expression(coefficients.begin()->second));
+  return minus ? Polynomial(polynomial.ring(), -1) * polynomial : polynomial;
+}
+
+/// Whether all coefficients are of one sign: no root where all symbols are positive.
+bool has_one_sign(const Polynomial& polynomial) {
+  std::size_t negative = 0;
+  for (std::size_t i = 0; i < polynomial.terms(); ++i)
+    negative += polynomial.coefficient(i).starts_with('-') ? 1 : 0;
+  return negative == 0 || negative == polynomial.terms();
+}
+
+/// Roots are those of the factors that hold the frequency.
+std::vector<Line> root_lines(const Polynomial& slope, const InOtherVariables& in,
+                             const std::string& by) {
+  const std::optional<Polynomial> whole = in(slope);
+  if (!whole) return {};
+  Writer writer(by);
+  const FactoredPolynomial product = factors_of(*whole);
+  std::vector<const Polynomial*> factors;
+  for (const auto& [factor, exponent] : product.factors) {
+    const bool holds =
+        factor.degree("omega") > 0 || (!by.empty() && factor.degree(own_name(by)) > 0);
+    if (holds && factor.terms() > 1) factors.push_back(&factor);
+  }
+  ex left = 1;
+  const bool alone = factors.size() == 1;
+  for (std::size_t i = 0; i < factors.size(); ++i) {
+    const std::string letter = alone ? "a" : "a" + std::to_string(i + 1);
+    left *= factors[i]->terms() <= short_factor
+                ? expression(*factors[i])
+                : writer.sum(begins_with_plus(*factors[i], writer), letter);
+  }
+  std::vector<Line> lines{{"v* is largest or least, at frequencies besides 0, where", left, 0}};
+  lines.insert(lines.end(), writer.lines.begin(), writer.lines.end());
+  return lines;
+}
+
+}  // namespace
+
+std::optional<Swinging> swinging(const Problem& problem) {
+  if (!problem->mass || problem->drive_network() == nullptr) return std::nullopt;
+  const Network& drive = problem->drive_network()->network();
+  const auto* parallel = std::get_if<Parallel>(&drive.form);
+  std::vector<std::string> springs;
+  for (const Network& part : parallel != nullptr ? parallel->parts : std::vector{drive}) {
+    const auto* element = std::get_if<Element>(&part.form);
+    if (element != nullptr && element->kind == ElementKind::spring)
+      springs.push_back(to_text(element->coefficient));
+  }
+  if (springs.size() != 1) return std::nullopt;
+  return Swinging{to_text(problem->mass->symbol), springs.front()};
+}
+
+std::optional<Line> ratio_line(const Problem& problem) {
+  const auto* isotropic = std::get_if<Isotropic>(&problem->tangential);
+  if (isotropic == nullptr || isotropic->quantity.value || isotropic->by != Isotropic::By::poisson)
+    return std::nullopt;
+  const ex nu = poisson_ratio(isotropic->quantity.symbol);
+  return Line{"", positive_quantity("g"), (2 - nu) / (2 * (1 - nu))};
+}
+
+GiNaC::exmap in_ratio(const Problem& problem) {
+  if (!ratio_line(problem)) return {};
+  const ex g = positive_quantity("g");
+  const auto& given = std::get<Isotropic>(problem->tangential).quantity;
+  return {{poisson_ratio(given.symbol), (2 * g - 2) / (2 * g - 1)}};
+}
+
+ex expression(const Polynomial& polynomial) {
+  std::vector<ex> variables;
+  for (const std::string& name : polynomial.ring().names())
+    variables.push_back(name == own_name("g") ? positive_quantity("g")
+                        : is_own(name)        ? quantity(base_name(name))
+                                              : symbol({name}));
+  GiNaC::exvector terms;
+  for (std::size_t i = 0; i < polynomial.terms(); ++i) {
+    ex term = GiNaC::numeric(polynomial.coefficient(i).c_str());
+    const auto exponents = polynomial.exponents(i);
+    for (std::size_t v = 0; v < variables.size(); ++v)
+      if (exponents[v] > 0) term *= GiNaC::pow(variables[v], static_cast<int>(exponents[v]));
+    terms.push_back(term);
+  }
+  return GiNaC::add(terms);
+}
+
+std::vector<Line> lines_of(const RationalForm& form, const std::optional<Swinging>& swinging) {
+  const bool holds =
+      swinging && form.ring->holds(swinging->mass) && form.ring->holds(swinging->spring);
+  return shortest_way(*form.ring, holds ? swinging : std::nullopt,
+                      [&](const InOtherVariables& in, const std::string& by) {
+                        return square_lines(form, in, by);
+                      });
+}
+
+std::vector<Line> extrema_lines_of(const RationalForm& form,
+                                   const std::optional<Swinging>& swinging) {
+  const Polynomial slope = stationary(form);
+  if (slope.degree("omega") == 0 || has_one_sign(slope)) return {};
+  const bool holds =
+      swinging && form.ring->holds(swinging->mass) && form.ring->holds(swinging->spring);
+  return shortest_way(
+      *form.ring, holds ? swinging : std::nullopt,
+      [&](const InOtherVariables& in, const std::string& by) { return root_lines(slope, in, by); });
+}
+
+}  // namespace vcrit::symbolic

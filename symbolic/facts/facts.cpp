@@ -1,0 +1,222 @@
+#include "facts/facts.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "analysis/resonance.hpp"
+#include "base/errors.hpp"
+#include "derivation/model.hpp"
+#include "facts/closed_amplitude.hpp"
+#include "facts/dependence.hpp"
+#include "formula/algebra_lock.hpp"
+#include "formula/dialect.hpp"
+#include "formula/names.hpp"
+#include "formula/symbols.hpp"
+#include "network/law.hpp"
+#include "rules/rulebook.hpp"
+
+namespace vcrit::symbolic {
+
+namespace {
+
+using Definition = ShortestForm::Definition;
+
+constexpr std::size_t most_told_elements = 200;
+// Of symbols each of which is asked for by itself.
+constexpr std::size_t most_asked = 60;
+constexpr std::size_t most_listed = 12;
+
+std::string own(const char* name) { return printed_name(own_name(name)); }
+
+Definition equation_of(const GiNaC::ex& left, const GiNaC::ex& right) {
+  return {form_of(left).form, form_of(right).form};
+}
+
+bool is_isotropic(const Problem& problem) {
+  return std::holds_alternative<Isotropic>(problem->tangential);
+}
+
+class Facts {
+ public:
+  explicit Facts(const Derivation& derivation)
+      : derivation_(derivation), problem_(derivation.problem), model_(*derivation.model) {}
+
+  std::vector<Fact> all() {
+    const std::vector<Symbol> symbols = of_scene(), missing = not_entering(symbols);
+    const bool proportional = is_proportional_to_frequency(model_);
+    if (proportional && missing.size() == symbols.size())
+      everything_cancels();
+    else if (!missing.empty())
+      found_.push_back(
+          {"not_in_formula", fmt::format("{} {} not enter {}", listed(missing, problem_),
+                                         missing.size() == 1 ? "does" : "do", own("v*"))});
+    if (proportional && missing.size() < symbols.size())
+      found_.push_back({"proportional_to_frequency",
+                        fmt::format("{} is proportional to the frequency: besides its factor {} it "
+                                    "does not depend on it",
+                                    own("v*"), printed_name("omega"))});
+    tell_resonances();
+    tell_closed_amplitude();
+    return std::move(found_);
+  }
+
+ private:
+  /// Elements and the mass.
+  std::vector<Symbol> of_scene() const {
+    std::vector<Symbol> symbols;
+    if (problem_->mass) symbols.push_back(problem_->mass->symbol);
+    for (const auto& [symbol, value] : problem_->elements) symbols.push_back(symbol);
+    return symbols;
+  }
+
+  std::vector<Symbol> not_entering(const std::vector<Symbol>& symbols) const {
+    const std::vector<Symbol>& printed = derivation_.parameters;
+    const bool each = printed.size() <= most_asked;
+    std::vector<Symbol> result;
+    std::set<std::string> unprinted;
+    for (const Symbol& symbol : symbols) {
+      const bool is_printed = std::find(printed.begin(), printed.end(), symbol) != printed.end();
+      if (!is_printed) unprinted.insert(to_text(symbol));
+      if (!is_printed || (each && is_independent_of(model_, {to_text(symbol)})))
+        result.push_back(symbol);
+    }
+    ensure(unprinted.empty() || is_independent_of(model_, unprinted),
+           "v* does not depend on what its formula does not hold");
+    return result;
+  }
+
+  void everything_cancels() {
+    const bool rigid = problem_->rigid();
+    const std::string words =
+        rigid && is_isotropic(problem_)
+            ? "With a rigid drive the rheology of an isotropic contact cancels"
+            : "What contact and drive are made of cancels";
+    found_.push_back({rigid && is_isotropic(problem_) ? "rheology_cancels" : "elements_cancel",
+                      words,
+                      {equation_of(quantity("v*"), derivation_.critical_velocity)}});
+  }
+
+  void tell(const Resonance& resonance) {
+    const bool infinite = resonance.kind == Resonance::Kind::resonance;
+    const char* key = infinite ? "resonance" : "antiresonance";
+    if (resonance.frequency && resonance.definitions.empty()) {
+      const std::string words =
+          infinite ? fmt::format("{} is infinite where body and drive resonate", own("v*"))
+                   : fmt::format(
+                         "{} vanishes at the antiresonance of contact point and "
+                         "body, where the oscillation does not lower friction at any speed",
+                         own("v*"));
+      found_.push_back({key, words, {equation_of(omega(), *resonance.frequency)}});
+    }
+  }
+
+  void tell_resonances() {
+    std::set<Resonance::Kind> damped;
+    for (const Resonance& resonance : resonances(derivation_)) {
+      tell(resonance);
+      if (resonance.damped && !resonance.absorbing) damped.insert(resonance.kind);
+    }
+    if (damped.empty()) return;
+    const char* kept = damped.size() == 2                            ? "finite and above 0"
+                       : damped.contains(Resonance::Kind::resonance) ? "finite"
+                                                                     : "above 0";
+    found_.push_back(
+        {"damped", fmt::format("Dampers keep {} {} at every frequency", own("v*"), kept)});
+  }
+
+  /// What the rulebook says of amplitudes, as far as the values for it are there.
+  std::string never_closed() const {
+    if (!carries_load(problem_)) {
+      const auto kind = problem_->indenter ? rules::Kind::no_static_load_below_indenter
+                                           : rules::Kind::no_static_load;
+      return rules::cell(rules::Question::mean_load, kind).reason;
+    }
+    try {
+      return rules::answer(rules::Question::closed_amplitude, problem_).reason;
+    } catch (const InputError&) {
+      return "";
+    }
+  }
+
+  void tell_closed_amplitude() {
+    if (const std::string reason = never_closed(); !reason.empty()) {
+      found_.push_back({"never_closed", "No amplitude keeps the contact closed: " + reason});
+      return;
+    }
+    const std::string place = problem_->indenter ? " at the indenter's centre" : "";
+    const std::string amplitude = printed_name("du_z");
+    FoundForm bound = find_closed_amplitude(problem_);
+    if (!bound.form) {
+      found_.push_back({"closed_amplitude",
+                        fmt::format("The contact stays closed{} while {} |{}({} {})| < {} {}(0)",
+                                    place, amplitude, own("K_n"), own("i"), printed_name("omega"),
+                                    printed_name("u_z0"), own("K_n"))});
+      return;
+    }
+    Fact fact{"closed_amplitude",
+              fmt::format("The contact stays closed{} while {} is below", place, amplitude),
+              std::move(bound.form->definitions)};
+    fact.lines.push_back({form_of(quantity("du_max")).form, std::move(bound.form->velocity)});
+    found_.push_back(std::move(fact));
+  }
+
+  const Derivation& derivation_;
+  const Problem& problem_;
+  const Model& model_;
+  std::vector<Fact> found_;
+};
+
+bool is_too_large(const Problem& problem) {
+  std::size_t elements = 0;
+  for_each_element(problem, [&elements](const Element&) { ++elements; });
+  return elements > most_told_elements;
+}
+
+}  // namespace
+
+std::vector<Fact> facts(const Derivation& derivation) {
+  const AlgebraLock lock;
+  if (is_too_large(derivation.problem)) return {};
+  return Facts(derivation).all();
+}
+
+std::vector<std::string> facts_in_text(const Problem& problem) {
+  const AlgebraLock lock;
+  const NamesOfScene names(problem);
+  std::vector<std::string> texts;
+  if (is_too_large(problem)) return texts;
+  for (const Fact& fact : facts(derive(problem))) texts.push_back(text_of(fact));
+  return texts;
+}
+
+std::string text_of(const Fact& fact) {
+  std::string text = fact.words;
+  for (std::size_t i = 0; i < fact.lines.size(); ++i)
+    text += (i == 0 ? ": " : "; ") +
+            text_dialect().equation({false, fact.lines[i].name}, {false, fact.lines[i].meaning});
+  return text;
+}
+
+std::string listed(const std::vector<Symbol>& symbols, const Problem& problem) {
+  std::map<std::string, std::size_t> entries, here;
+  for (const auto& [symbol, value] : problem->elements) ++entries[symbol.name];
+  for (const Symbol& symbol : symbols) ++here[symbol.name];
+  std::vector<std::string> names;
+  for (const Symbol& symbol : symbols) {
+    const bool whole = symbol.entry > 0 && here[symbol.name] == entries[symbol.name];
+    const std::string name = printed_name(whole ? symbol.name : to_text(symbol));
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  }
+  const std::size_t more = names.size() > most_listed ? names.size() - most_listed : 0;
+  names.resize(names.size() - more);
+  if (more > 0) names.push_back(fmt::format("{} more", more));
+  std::string text = names.front();
+  for (std::size_t i = 1; i < names.size(); ++i)
+    text += (i + 1 == names.size() ? " and " : ", ") + names[i];
+  return text;
+}
+
+}  // namespace vcrit::symbolic

@@ -1,0 +1,114 @@
+// A scene's networks as materials: spectra and functions by hand, and the page about them.
+#include "report/material_page.hpp"
+
+#include <boost/test/unit_test.hpp>
+
+#include <cmath>
+#include <complex>
+
+#include "report/material.hpp"
+#include "scene/scene.hpp"
+
+BOOST_AUTO_TEST_SUITE(test_material_page)
+
+using namespace vcrit;
+using namespace vcrit::validation::report;
+
+namespace {
+
+Network normal_of(const std::string& network) {
+  return parse_scene("[contact]\nnormal = \"" + network + "\"\npoisson = 0.3\n", "test.toml")
+      .normal;
+}
+
+std::string page_of_scene(const std::string& text) {
+  return material_page(parse_problem(text, "test.toml"));
+}
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != text.npos; }
+
+const std::string zener = "[contact]\nnormal = \"zener(k0, k1, c1)\"\npoisson = 0.3\n";
+
+}  // namespace
+
+// R = k0 + k1 exp(-t k1/c1); J = 1/k0 - (1/k0 - 1/(k0 + k1)) exp(-t/lambda), lambda = c1 (k0 +
+// k1)/(k0 k1). Some ten roundings.
+BOOST_AUTO_TEST_CASE(zener_by_hand) {
+  const double k0 = 2, k1 = 3, c1 = 0.5;
+  const MaterialNumbers numbers =
+      material_numbers(normal_of("zener(k0, k1, c1)"), {{{"k0"}, k0}, {{"k1"}, k1}, {{"c1"}, c1}});
+  const double lambda = c1 * (k0 + k1) / (k0 * k1);
+  for (const double t : {1e-3, 0.1, 0.4, 3.0}) {
+    const auto close = boost::test_tools::tolerance(1e-14);
+    BOOST_TEST(numbers.relaxation_function(t) == k0 + k1 * std::exp(-t * k1 / c1), close);
+    BOOST_TEST(
+        numbers.creep_function(t) == 1 / k0 - (1 / k0 - 1 / (k0 + k1)) * std::exp(-t / lambda),
+        close);
+  }
+}
+
+// Burgers: J = 1/k1 + t/c1 + (1 - exp(-t k2/c2))/k2.
+BOOST_AUTO_TEST_CASE(burgers_by_hand) {
+  const MaterialNumbers numbers = material_numbers(
+      normal_of("burgers(k1, c1, k2, c2)"), {{{"k1"}, 2}, {{"c1"}, 5}, {{"k2"}, 0.5}, {{"c2"}, 3}});
+  for (const double t : {0.01, 1.0, 30.0})
+    BOOST_TEST(numbers.creep_function(t) == 1 / 2.0 + t / 5 - std::expm1(-t * 0.5 / 3) / 0.5,
+               boost::test_tools::tolerance(1e-13));
+}
+
+// Both spectra are one network: K times the compliance is 1 at every frequency.
+BOOST_AUTO_TEST_CASE(both_spectra_are_of_one_network) {
+  for (const char* text : {"k0 | (k1 - c1) | (k2 - c2)", "k0 - (k1 | c1) - (k2 | c2) - c3",
+                           "k0 | c0 | (k1 - c1)", "k0", "c0", "k0 | (k1 - (c1 | (k2 - c2)))"}) {
+    const Network network = normal_of(text);
+    Values values;
+    for (const Symbol& symbol : symbols_of(network))
+      values[symbol] = 1 + static_cast<double>(values.size()) * 0.7;
+    const MaterialNumbers numbers = material_numbers(network, values);
+    for (const double omega : {0.03, 0.7, 20.0}) {
+      const std::complex<double> s(0, omega);
+      std::complex<double> compliance =
+          numbers.retardation.glassy + numbers.retardation.fluidity / s;
+      for (const KelvinUnit& unit : numbers.retardation.units)
+        compliance += unit.compliance / (1.0 + unit.time * s);
+      BOOST_TEST(std::abs(compliance * dynamic_stiffness(numbers.relaxation, omega) - 1.0) < 1e-12,
+                 text << " at " << omega);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(without_values_the_page_is_in_symbols) {
+  const std::string page = page_of_scene(zener);
+  for (const char* part : {"Storage, loss and loss factor", "<h3>Relaxation</h3>", "<h3>Creep</h3>",
+                           "Glassy stiffness", "What the formula says", "Critical velocity"})
+    BOOST_TEST(has(page, part), part);
+  BOOST_TEST(!has(page, "<h3>In numbers</h3>"));
+}
+
+BOOST_AUTO_TEST_CASE(with_values_it_has_numbers_and_curves) {
+  const std::string page = page_of_scene(zener + "[elements]\nk0 = 2\nk1 = 3\nc1 = 0.5\n");
+  BOOST_TEST(has(page, "<h3>In numbers</h3>"));
+  for (const char* figure : {"stiffness", "loss_factor", "relaxation", "creep"})
+    BOOST_TEST(has(page, "<figure id=\"normal_" + std::string(figure) + "\">"), figure);
+  BOOST_TEST(has(page, "0.166667"));  // c1/k1
+  BOOST_TEST(!has(page, "nan"));
+}
+
+// Masses, lossy springs and long series have no closed spectra; measured drives no network.
+BOOST_AUTO_TEST_CASE(every_scene_has_a_page) {
+  BOOST_TEST(has(page_of_scene("[contact]\nnormal = \"lossy(k0, eta)\"\npoisson = 0.3\n"),
+                 "no law of motion in time"));
+  BOOST_TEST(has(page_of_scene(zener + "[drive]\nnetwork = \"kd | mass(m1)\"\n"),
+                 "The network holds masses"));
+  BOOST_TEST(has(page_of_scene("[contact]\nnormal = \"prony(k0, k, tau, 30)\"\npoisson = 0.3\n"),
+                 "The retardation spectrum has no closed form"));
+  BOOST_TEST(has(material_page(read_problem(VCRIT_SCENES "/measured_drive.toml")),
+                 "The drive is measured"));
+}
+
+BOOST_AUTO_TEST_CASE(texts_of_the_scene_are_escaped) {
+  const std::string page = page_of_scene("title = \"<script>alert(1)</script>\"\n" + zener);
+  BOOST_TEST(!has(page, "<script>alert"));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
