@@ -16,7 +16,7 @@ from pathlib import Path
 
 PROJECT = Path(__file__).resolve().parents[2]
 ALL = ["--limits", "--sensitivities"]
-FORMS = ["by-size", "nested", "rational", "dimensionless"]
+FORMS = ["nested", "storage-loss", "rational", "dimensionless", "expanded"]
 # No polynomials; too many terms.
 REFUSED = {("measured_drive", "rational"), ("prony", "rational")}
 # Overfull boxes and errors; warnings of classes and packages.

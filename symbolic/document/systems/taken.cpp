@@ -65,14 +65,22 @@ Written written_in(const std::vector<Line>& lines) {
   return result;
 }
 
+Written in_named_steps(const ShortestForm& form) {
+  Written result{{}, form.velocity};
+  for (const ShortestForm::Definition& each : form.definitions)
+    result.definitions.push_back({each.name.text, each.meaning});
+  return result;
+}
+
 Written written_form(const Findings& findings) {
-  if (!findings.form_lines.empty()) return written_in(findings.form_lines);
-  if (findings.shortest) {
-    Written result{{}, findings.shortest->velocity};
-    for (const ShortestForm::Definition& each : findings.shortest->definitions)
-      result.definitions.push_back({each.name.text, each.meaning});
+  if (findings.in_groups) {
+    Written result = in_named_steps(*findings.in_groups);
+    for (const Line& group : findings.form_lines)
+      result.definitions.push_back({form_of(group.left).form.text, plain_form(group.right)});
     return result;
   }
+  if (!findings.form_lines.empty()) return written_in(findings.form_lines);
+  if (findings.shortest) return in_named_steps(*findings.shortest);
   std::vector<Line> lines = findings.derivation.definitions;
   lines.push_back({"", laplace(), GiNaC::I * omega()});
   lines.push_back({"", quantity("v*"), findings.derivation.critical_velocity});
