@@ -14,7 +14,9 @@ bool same_expression(const AmountTreePointer& a, const AmountTreePointer& b) {
   return same_expression(a->first, b->first) && same_expression(a->second, b->second);
 }
 
-bool has_two_parts(const AmountTree& e) { return e.kind != AmountTree::Kind::symbol && e.kind != AmountTree::Kind::number; }
+bool has_two_parts(const AmountTree& e) {
+  return e.kind != AmountTree::Kind::symbol && e.kind != AmountTree::Kind::number;
+}
 
 void visit_symbols(const AmountTree& e,
                    const std::function<void(const Symbol&, NumberRole)>& visit) {
@@ -29,7 +31,7 @@ AmountTreePointer expression_of(const Amount& amount, NumberRole role) {
 }
 
 AmountTreePointer replaced_in(const AmountTreePointer& e,
-                           const std::function<Amount(const Symbol&)>& other) {
+                              const std::function<Amount(const Symbol&)>& other) {
   if (e->kind == AmountTree::Kind::symbol) return expression_of(other(e->symbol), e->role);
   if (!has_two_parts(*e)) return e;
   return make_expression(e->kind, replaced_in(e->first, other), replaced_in(e->second, other));
@@ -62,16 +64,19 @@ std::size_t count_operations(const AmountTree& e) {
 std::optional<double> expression_value(const AmountTree& e, const Values& values) {
   if (e.kind == AmountTree::Kind::number) return e.number.value;
   if (e.kind == AmountTree::Kind::symbol) return amount_value(e.symbol, values);
-  const auto first = expression_value(*e.first, values), second = expression_value(*e.second, values);
+  const auto first = expression_value(*e.first, values),
+             second = expression_value(*e.second, values);
   if (!first || !second) return std::nullopt;
   if (e.kind == AmountTree::Kind::sum) return *first + *second;
   return e.kind == AmountTree::Kind::product ? *first * *second : *first / *second;
 }
 
-std::string expression_text(const AmountTree& e, const std::function<std::string(const Symbol&)>& name) {
+std::string expression_text(const AmountTree& e,
+                            const std::function<std::string(const Symbol&)>& name) {
   const auto factor = [&](const AmountTree& part, bool below) {
     const bool brackets =
-        part.kind == AmountTree::Kind::sum || (below && part.kind != AmountTree::Kind::symbol && part.kind != AmountTree::Kind::number);
+        part.kind == AmountTree::Kind::sum ||
+        (below && part.kind != AmountTree::Kind::symbol && part.kind != AmountTree::Kind::number);
     return brackets ? "(" + expression_text(part, name) + ")" : expression_text(part, name);
   };
   switch (e.kind) {
@@ -82,7 +87,8 @@ std::string expression_text(const AmountTree& e, const std::function<std::string
     case AmountTree::Kind::sum:
       return expression_text(*e.first, name) + " + " + expression_text(*e.second, name);
     case AmountTree::Kind::product:
-      return factor(*e.first, false) + "*" + factor(*e.second, e.second->kind == AmountTree::Kind::quotient);
+      return factor(*e.first, false) + "*" +
+             factor(*e.second, e.second->kind == AmountTree::Kind::quotient);
     case AmountTree::Kind::quotient:
       break;
   }
@@ -109,7 +115,8 @@ AmountTreePointer make_expression(TypedNumber number) {
   return std::make_shared<const AmountTree>(std::move(made));
 }
 
-AmountTreePointer make_expression(AmountTree::Kind kind, AmountTreePointer first, AmountTreePointer second) {
+AmountTreePointer make_expression(AmountTree::Kind kind, AmountTreePointer first,
+                                  AmountTreePointer second) {
   AmountTree made;
   made.kind = kind;
   made.first = std::move(first);

@@ -38,16 +38,16 @@ using AmountTreePointer = std::shared_ptr<const AmountTree>;
 struct AmountTree {
   enum class Kind { symbol, number, sum, product, quotient };
   Kind kind = Kind::number;
-  Symbol symbol = {};                        ///< of a symbol
-  NumberRole role = NumberRole::factor;      ///< of a symbol
-  TypedNumber number = {1, "1"};             ///< of a number, above 0, with its decimal
+  Symbol symbol = {};                         ///< of a symbol
+  NumberRole role = NumberRole::factor;       ///< of a symbol
+  TypedNumber number = {1, "1"};              ///< of a number, above 0, with its decimal
   AmountTreePointer first = {}, second = {};  ///< the terms, the factors, what is above and below
 };
 
 AmountTreePointer make_expression(Symbol symbol, NumberRole role);
 AmountTreePointer make_expression(TypedNumber number);
 AmountTreePointer make_expression(AmountTree::Kind kind, AmountTreePointer first,
-                           AmountTreePointer second);
+                                  AmountTreePointer second);
 
 /// A number of an element: that of a symbol, or an expression of symbols. Cheap to copy.
 class Amount {
@@ -104,9 +104,8 @@ std::size_t amount_operations(const Amount& amount);
 std::optional<double> amount_value(const Amount& amount, const Values& values);
 
 /// "2*k0*(tau + t1)", by these names.
-std::string to_text(const Amount& amount,
-                    const std::function<std::string(const Symbol&)>& name = [](const Symbol& s) {
-                      return to_text(s);
-                    });
+std::string to_text(
+    const Amount& amount, const std::function<std::string(const Symbol&)>& name =
+                              [](const Symbol& s) { return to_text(s); });
 
 }  // namespace vcrit

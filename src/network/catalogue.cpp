@@ -25,9 +25,9 @@ Network generalized_kelvin(const Names& n, int elements) {
   std::vector<Network> parts;
   for (int j = 1; j <= elements; ++j) {
     const Symbol stiffness{n[0], j};
-    const AmountTreePointer damping =
-        make_expression(AmountTree::Kind::product, make_expression(stiffness, NumberRole::stiffness),
-                        make_expression({n[1], j}, NumberRole::time));
+    const AmountTreePointer damping = make_expression(
+        AmountTree::Kind::product, make_expression(stiffness, NumberRole::stiffness),
+        make_expression({n[1], j}, NumberRole::time));
     parts.push_back(parallel({spring(stiffness), damper({Symbol{}, damping})}));
   }
   return series(std::move(parts));
@@ -151,7 +151,8 @@ const std::vector<Rheology>& catalogue() {
       {"generalized_kelvin",
        "Generalised Kelvin solid",
        "Any number of Kelvin-Voigt elements one behind the other, as measured creep is written: "
-       "J(t) is a sum of 1/k (1 - exp(-t/tau)) with the retardation times tau. A sudden indentation "
+       "J(t) is a sum of 1/k (1 - exp(-t/tau)) with the retardation times tau. A sudden "
+       "indentation "
        "it resists without bound, unless a spring stands in line. Here with three elements.",
        {{"k", array}, {"tau", array}},
        generalized_kelvin},

@@ -167,7 +167,8 @@ class Parser {
     if (!is_fractional) return;
     throw InputError(
         at, fmt::format("\"{}\", a fractional element", name), "springs and dampers",
-        "write its storage and loss stiffness, K (omega tau)^alpha times cos and sin of alpha pi/2, "
+        "write its storage and loss stiffness, K (omega tau)^alpha times cos and sin of alpha "
+        "pi/2, "
         "over the frequencies that matter as a table; `vcrit fit DATA.csv --out SCENE.toml` then "
         "fits a Prony series to it");
   }
@@ -188,9 +189,9 @@ class Parser {
       throw InputError(at, fmt::format("{} without a number of branches", rheology.name),
                        "arrays in [elements], or the number of branches as the last argument");
     if (rheology.is_nested && *branches > deepest_nesting)
-      throw InputError(at, fmt::format("{} of {} branches", rheology.signature(), *branches),
-                       fmt::format("at most {}, each of which is inside the one before",
-                                   deepest_nesting));
+      throw InputError(
+          at, fmt::format("{} of {} branches", rheology.signature(), *branches),
+          fmt::format("at most {}, each of which is inside the one before", deepest_nesting));
     return *branches;
   }
 

@@ -22,26 +22,27 @@ inline constexpr const char* no_law_advice =
     "around it has a motion";
 
 template <class Algebra>
-typename Algebra::Value number_of(const AmountTree& e, Algebra& algebra) {
+typename Algebra::Value in_algebra(const AmountTree& e, Algebra& algebra) {
   switch (e.kind) {
     case AmountTree::Kind::symbol:
       return algebra.of(e.symbol);
     case AmountTree::Kind::number:
       return algebra.constant(e.number);
     case AmountTree::Kind::sum:
-      return algebra.plus(number_of(*e.first, algebra), number_of(*e.second, algebra));
+      return algebra.plus(in_algebra(*e.first, algebra), in_algebra(*e.second, algebra));
     case AmountTree::Kind::product:
-      return algebra.times(number_of(*e.first, algebra), number_of(*e.second, algebra));
+      return algebra.times(in_algebra(*e.first, algebra), in_algebra(*e.second, algebra));
     case AmountTree::Kind::quotient:
-      return algebra.over(number_of(*e.first, algebra), number_of(*e.second, algebra));
+      return algebra.over(in_algebra(*e.first, algebra), in_algebra(*e.second, algebra));
   }
   throw Bug("an expression of no kind");
 }
 
 /// An amount in the algebra of law().
 template <class Algebra>
-typename Algebra::Value number_of(const Amount& amount, Algebra& algebra) {
-  return amount.is_symbol() ? algebra.of(amount.symbol()) : number_of(*amount.expression(), algebra);
+typename Algebra::Value in_algebra(const Amount& amount, Algebra& algebra) {
+  return amount.is_symbol() ? algebra.of(amount.symbol())
+                            : in_algebra(*amount.expression(), algebra);
 }
 
 /// K(s) of an element in an algebra, which gives the type Value and
@@ -55,7 +56,7 @@ typename Algebra::Value number_of(const Amount& amount, Algebra& algebra) {
 /// Each algebra has its own best way to these. Throws ModelError for what it has no law of.
 template <class Algebra>
 typename std::remove_reference_t<Algebra>::Value law(const Element& e, Algebra&& algebra) {
-  auto coefficient = number_of(e.coefficient, algebra);
+  auto coefficient = in_algebra(e.coefficient, algebra);
   switch (e.kind) {
     case ElementKind::spring:
       return coefficient;
@@ -64,10 +65,10 @@ typename std::remove_reference_t<Algebra>::Value law(const Element& e, Algebra&&
     case ElementKind::mass:
       return algebra.times_s(algebra.times_s(coefficient));
     case ElementKind::maxwell:
-      return algebra.relaxing(coefficient, number_of(e.second, algebra));
+      return algebra.relaxing(coefficient, in_algebra(e.second, algebra));
     case ElementKind::lossy:
       if constexpr (requires { algebra.lossy(coefficient, coefficient); })
-        return algebra.lossy(coefficient, number_of(e.second, algebra));
+        return algebra.lossy(coefficient, in_algebra(e.second, algebra));
       throw ModelError(no_law, no_law_advice);
   }
   throw Bug("an element of no kind");
@@ -128,9 +129,7 @@ void for_each_number(const Element& e, const Visit& visit) {
 }
 
 /// Whether each of its numbers is that of one symbol.
-inline bool is_plain(const Element& e) {
-  return e.coefficient.is_symbol() && e.second.is_symbol();
-}
+inline bool is_plain(const Element& e) { return e.coefficient.is_symbol() && e.second.is_symbol(); }
 
 inline bool is_plain(const Network& network) {
   bool all = true;

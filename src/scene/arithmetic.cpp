@@ -3,8 +3,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cctype>
+#include <charconv>
 #include <cmath>
 #include <string_view>
 #include <utility>
@@ -133,9 +133,9 @@ class ArithmeticParser {
   }
 
   void count() {
-    if (++operations_ > most_operations)
+    if (++operations_ > most_operations_of_one)
       throw InputError(place_, "an expression of very many operations",
-                       fmt::format("at most {}", most_operations));
+                       fmt::format("at most {}", most_operations_of_one));
   }
 
   char peek() {
@@ -173,7 +173,8 @@ class ArithmeticParser {
 bool goes_on_as_expression(const std::string& text) {
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const std::size_t next = text.find_first_not_of(" \t", static_cast<std::size_t>(end - text.data()));
+  const std::size_t next =
+      text.find_first_not_of(" \t", static_cast<std::size_t>(end - text.data()));
   return error != std::errc::invalid_argument && next != text.npos &&
          std::string_view("+*/^").find(text[next]) != std::string_view::npos;
 }

@@ -28,6 +28,8 @@ bool holds_expression(const toml::node& value) {
 
 // Of one scene; with those that they are made of.
 constexpr std::size_t most_operations_of_all = 1'000'000;
+// Of its networks, which are carried out wherever an element is used.
+constexpr std::size_t most_operations_used = 4'000'000;
 
 constexpr std::array parameter_roles{NumberRole::stiffness, NumberRole::damping, NumberRole::time,
                                      NumberRole::mass, NumberRole::factor};
@@ -42,8 +44,8 @@ bool has_unit(const std::string& text) {
   return end != text.npos;
 }
 
-/// What the unit of a parameter says that it is; nothing for a number without one. Throws InputError
-/// for a unit of something else.
+/// What the unit of a parameter says that it is; nothing for a number without one. Throws
+/// InputError for a unit of something else.
 std::optional<NumberRole> role_by_unit(const std::string& name, const toml::node& value,
                                        const Place& place, bool of_half_space) {
   if (!value.is_string() || !has_unit(value.ref<std::string>())) return std::nullopt;
@@ -117,11 +119,12 @@ AmountTreePointer ElementExpressions::resolved(const Symbol& element) {
   const AmountTreePointer parsed =
       parse_arithmetic(written.text, {place.file, place.line, place.column + 1});
   const AmountTreePointer whole = put_in(parsed, written);
-  if (amount_operations(Amount(element, whole)) > most_operations)
-    throw InputError(place,
-                     fmt::format("{} = \"{}\", of too many operations with those that it is made of",
-                                 to_text(element), written.text),
-                     fmt::format("at most {}", most_operations));
+  if (amount_operations(Amount(element, whole)) > most_operations_of_one)
+    throw InputError(
+        place,
+        fmt::format("{} = \"{}\", of too many operations with those that it is made of",
+                    to_text(element), written.text),
+        fmt::format("at most {}", most_operations_of_one));
   way_.pop_back();
   return resolved_[element] = whole;
 }
@@ -170,11 +173,10 @@ int ElementExpressions::length_of(const Symbol& leaf, const Uses& uses) const {
   if (use == uses.end() && node != nullptr && node->is_array())
     length = static_cast<int>(node->as_array()->size());
   if ((length == 0) != (leaf.entry == 0) || leaf.entry > length)
-    throw InputError(leaves_.at(leaf), fmt::format("\"{}\" in an expression", to_text(leaf)),
-                     length == 0
-                         ? fmt::format("\"{}\", which is no array", leaf.name)
-                         : fmt::format("an entry of that array, {0}[1] to {0}[{1}]", leaf.name,
-                                       length));
+    throw InputError(
+        leaves_.at(leaf), fmt::format("\"{}\" in an expression", to_text(leaf)),
+        length == 0 ? fmt::format("\"{}\", which is no array", leaf.name)
+                    : fmt::format("an entry of that array, {0}[1] to {0}[{1}]", leaf.name, length));
   return length;
 }
 
@@ -185,11 +187,11 @@ void ElementExpressions::find_roles(const Uses& uses) {
     if (const auto use = uses.find(leaf.name); use != uses.end())
       roles.emplace(leaf.name, use->second.role);
     else if (const toml::node* node = node_of(leaf))
-      if (const auto role = role_by_unit(to_text(leaf), *node, document::place_of(*node, file_),
-                                         of_half_space_))
+      if (const auto role =
+              role_by_unit(to_text(leaf), *node, document::place_of(*node, file_), of_half_space_))
         roles.emplace(leaf.name, *role);
   }
-  std::vector<Measured> all;
+  std::vector<MeasuredExpression> all;
   for (const auto& [element, written] : expressions_)
     all.push_back({to_text(element), written.written.text, written.written.place,
                    written.amount.expression(), written.role});
@@ -202,6 +204,32 @@ void ElementExpressions::find_roles(const Uses& uses) {
     parameters_.try_emplace(leaf.name, ElementUse{role, measured_by(role, of_half_space_),
                                                   length_of(leaf, uses), place});
   }
+}
+
+Amount ElementExpressions::amount(const Symbol& element,
+                                  const std::function<Symbol(const Symbol&)>& own) {
+  const auto found = expressions_.find(element);
+  if (found == expressions_.end()) return own(element);
+  operations_used_ += found->second.operations;
+  if (operations_used_ > most_operations_used)
+    throw InputError(found->second.written.place,
+                     fmt::format("expressions of more than {} operations, each use counted",
+                                 most_operations_used),
+                     "fewer elements that are made of others");
+  const auto [known, is_new] = made_.try_emplace(element);
+  if (is_new)
+    known->second = with_symbols(found->second.amount,
+                                 [&own](const Symbol& part) { return Amount(own(part)); });
+  return known->second;
+}
+
+void ElementExpressions::refuse_divisions(const std::function<bool(const Symbol&)>& zero) const {
+  for (const auto& [element, expression] : expressions_)
+    if (divides_by_zero(expression.amount, zero))
+      throw InputError(
+          expression.written.place,
+          fmt::format("{} = \"{}\", a division by 0", to_text(element), expression.written.text),
+          "divisors above 0");
 }
 
 AmountTreePointer ElementExpressions::with_roles(

@@ -6,6 +6,7 @@
 #include <toml++/toml.h>
 
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -23,21 +24,18 @@ class ElementExpressions {
  public:
   using Uses = ElementNames::Uses;
 
-  /// `elements`: the table, null where there is none; `uses`: what the networks use, by the names of
-  /// the elements. Throws InputError for an expression that contains itself, and for one that does
-  /// not measure what its element is.
+  /// `elements`: the table, null where there is none; `uses`: what the networks use, by the names
+  /// of the elements. Throws InputError for an expression that contains itself, and for one that
+  /// does not measure what its element is.
   ElementExpressions(const toml::table* elements, std::string file, ElementNames& names,
                      const Uses& uses, bool of_half_space);
 
   bool has(const Symbol& element) const { return expressions_.contains(element); }
-  /// Of one that has an expression: that, of symbols without any.
-  const Amount& of(const Symbol& element) const { return expressions_.at(element).amount; }
-  std::size_t operations(const Symbol& element) const {
-    return expressions_.at(element).operations;
-  }
-  const Place& place(const Symbol& element) const {
-    return expressions_.at(element).written.place;
-  }
+  /// What the networks have for an element: the symbol that `own` makes of it, or its expression of
+  /// such symbols. Throws InputError where the expressions of all uses together grow too long.
+  Amount amount(const Symbol& element, const std::function<Symbol(const Symbol&)>& own);
+  /// Throws InputError for an expression that divides by what is 0 where `zero` holds for elements.
+  void refuse_divisions(const std::function<bool(const Symbol&)>& zero) const;
   /// As they are written.
   const std::map<Symbol, std::string>& all() const { return texts_; }
   /// Those that the networks do not use themselves.
@@ -76,9 +74,11 @@ class ElementExpressions {
   bool of_half_space_;
   std::map<Symbol, Written> expressions_;
   std::map<Symbol, AmountTreePointer> resolved_;
-  std::size_t operations_ = 0;      // of all expressions
-  std::vector<Symbol> way_;         // those that are being resolved
-  std::map<Symbol, Place> leaves_;  // with an expression that names each
+  std::map<Symbol, Amount> made_;    // for the networks
+  std::size_t operations_ = 0;       // of all expressions
+  std::size_t operations_used_ = 0;  // of all their uses
+  std::vector<Symbol> way_;          // those that are being resolved
+  std::map<Symbol, Place> leaves_;   // with an expression that names each
   std::map<Symbol, std::string> texts_;
   Uses parameters_;
   std::set<std::string> keys_;

@@ -30,12 +30,11 @@ Powers product_of(const Powers& a, const Powers& b, int exponent) {
 }
 
 const std::array<std::pair<NumberRole, Powers>, 5>& rows_of_roles() {
-  static const std::array<std::pair<NumberRole, Powers>, 5> rows{
-      {{NumberRole::stiffness, {1, -2}},
-       {NumberRole::damping, {1, -1}},
-       {NumberRole::time, {0, 1}},
-       {NumberRole::mass, {1, 0}},
-       {NumberRole::factor, {0, 0}}}};
+  static const std::array<std::pair<NumberRole, Powers>, 5> rows{{{NumberRole::stiffness, {1, -2}},
+                                                                  {NumberRole::damping, {1, -1}},
+                                                                  {NumberRole::time, {0, 1}},
+                                                                  {NumberRole::mass, {1, 0}},
+                                                                  {NumberRole::factor, {0, 0}}}};
   return rows;
 }
 
@@ -48,7 +47,7 @@ Powers powers_of(NumberRole role) {
 /// Two that have to be one.
 struct Equation {
   Powers first, second;
-  const Measured* of;
+  const MeasuredExpression* of;
   bool is_sum;
 
   Powers quotient() const { return product_of(first, second, -1); }
@@ -56,7 +55,7 @@ struct Equation {
 
 class Roles {
  public:
-  Roles(const std::vector<Measured>& expressions, std::map<std::string, NumberRole> known,
+  Roles(const std::vector<MeasuredExpression>& expressions, std::map<std::string, NumberRole> known,
         bool of_half_space)
       : known_(std::move(known)), of_half_space_(of_half_space) {
     find_all(expressions);
@@ -66,36 +65,36 @@ class Roles {
     find_all(expressions);
     take_unknown(expressions, "", NumberRole::factor);
     write_equations(expressions);
-    for (const Measured& each : expressions) refuse_masses(each);
+    for (const MeasuredExpression& each : expressions) refuse_masses(each);
     for (const Equation& equation : equations_) check(equation);
   }
 
   std::map<std::string, NumberRole> result() && { return std::move(known_); }
 
  private:
-  void write_equations(const std::vector<Measured>& expressions) {
+  void write_equations(const std::vector<MeasuredExpression>& expressions) {
     equations_.clear();
-    for (const Measured& each : expressions) {
+    for (const MeasuredExpression& each : expressions) {
       Powers first = powers(*each.expression, each);
       equations_.push_back({std::move(first), powers_of(each.role), &each, false});
     }
   }
 
-  void find_all(const std::vector<Measured>& expressions) {
+  void find_all(const std::vector<MeasuredExpression>& expressions) {
     do write_equations(expressions);
     while (find_some());
   }
 
-  void take_unknown(const std::vector<Measured>& expressions, const char* beginning,
+  void take_unknown(const std::vector<MeasuredExpression>& expressions, const char* beginning,
                     NumberRole role) {
-    for (const Measured& each : expressions)
+    for (const MeasuredExpression& each : expressions)
       for_each_symbol(Amount({}, each.expression), role, [&](const Symbol& symbol, NumberRole) {
         if (symbol.name.starts_with(beginning)) known_.emplace(symbol.name, role);
       });
   }
 
   // Sums on the way become equations.
-  Powers powers(const AmountTree& e, const Measured& of) {
+  Powers powers(const AmountTree& e, const MeasuredExpression& of) {
     switch (e.kind) {
       case AmountTree::Kind::number:
         return {};
@@ -129,31 +128,32 @@ class Roles {
     return found;
   }
 
-  void refuse_masses(const Measured& of) const {
+  void refuse_masses(const MeasuredExpression& of) const {
     if (of.role == NumberRole::mass) return;
-    for_each_symbol(Amount({}, of.expression), NumberRole::factor,
-                    [&](const Symbol& symbol, NumberRole) {
-                      if (known_.at(symbol.name) == NumberRole::mass)
-                        throw InputError(of.place,
-                                         fmt::format("{} = \"{}\", of the mass {}", of.name, of.text,
-                                                     to_text(symbol)),
-                                         "masses in expressions of masses alone");
-                    });
+    for_each_symbol(
+        Amount({}, of.expression), NumberRole::factor, [&](const Symbol& symbol, NumberRole) {
+          if (known_.at(symbol.name) == NumberRole::mass)
+            throw InputError(
+                of.place,
+                fmt::format("{} = \"{}\", of the mass {}", of.name, of.text, to_text(symbol)),
+                "masses in expressions of masses alone");
+        });
   }
 
   void check(const Equation& equation) const {
     if (equation.first == equation.second) return;
-    const Measured& of = *equation.of;
+    const MeasuredExpression& of = *equation.of;
     const std::string what = fmt::format("{} = \"{}\"", of.name, of.text);
     if (equation.is_sum)
       throw InputError(of.place,
                        fmt::format("{}, which adds {} and {}", what, described(equation.first),
                                    described(equation.second)),
                        "terms of one unit");
-    throw InputError(of.place, fmt::format("{}, {}", what, described(equation.first)),
-                     described(equation.second),
-                     "numbers without a unit whose expressions leave it open are stiffnesses (k...), "
-                     "dampers (c...) or plain numbers: give them a unit");
+    throw InputError(
+        of.place, fmt::format("{}, {}", what, described(equation.first)),
+        described(equation.second),
+        "numbers without a unit whose expressions leave it open are stiffnesses (k...), "
+        "dampers (c...) or plain numbers: give them a unit");
   }
 
   std::string described(const Powers& powers) const {
@@ -173,7 +173,7 @@ class Roles {
 
 }  // namespace
 
-std::map<std::string, NumberRole> roles_of_names(const std::vector<Measured>& expressions,
+std::map<std::string, NumberRole> roles_of_names(const std::vector<MeasuredExpression>& expressions,
                                                  std::map<std::string, NumberRole> known,
                                                  bool of_half_space) {
   return Roles(expressions, std::move(known), of_half_space).result();

@@ -12,7 +12,7 @@
 namespace vcrit {
 
 /// An expression that has to measure what `role` says.
-struct Measured {
+struct MeasuredExpression {
   std::string name, text;
   Place place;
   AmountTreePointer expression;
@@ -20,9 +20,10 @@ struct Measured {
 };
 
 /// The roles of all names in the expressions; `known` are those of some of them. What the
-/// expressions leave open is a stiffness or a damper by its first letter, k or c, else a plain number. Throws InputError for an expression that does not
-/// measure what it has to, and for a sum of what does not measure the same.
-std::map<std::string, NumberRole> roles_of_names(const std::vector<Measured>& expressions,
+/// expressions leave open is a stiffness or a damper by its first letter, k or c, else a plain
+/// number. Throws InputError for an expression that does not measure what it has to, and for a sum
+/// of what does not measure the same.
+std::map<std::string, NumberRole> roles_of_names(const std::vector<MeasuredExpression>& expressions,
                                                  std::map<std::string, NumberRole> known,
                                                  bool of_half_space);
 

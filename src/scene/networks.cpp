@@ -105,9 +105,8 @@ void Networks::read_unused(const std::string& name, const Place& place) {
 std::optional<Network> Networks::named(const std::string& name, const Place& place, int level) {
   if (named_ == nullptr || !named_->contains(name)) return std::nullopt;
   if (has_arguments(name))
-    throw InputError(
-        place, fmt::format("network \"{}\" without its arguments", name),
-        fmt::format("{}({})", name, fmt::join(arguments_of(name), ", ")));
+    throw InputError(place, fmt::format("network \"{}\" without its arguments", name),
+                     fmt::format("{}({})", name, fmt::join(arguments_of(name), ", ")));
   auto known = known_.find(name);
   if (known == known_.end())
     known = known_.emplace(name, read_definition(name, {}, place, level)).first;
@@ -138,10 +137,9 @@ Network Networks::read_definition(const std::string& name, std::map<std::string,
     throw InputError(place, fmt::format("network \"{}\" inside itself", name),
                      "networks that do not contain themselves");
   if (level > deepest_nesting)
-    throw InputError(
-        place, fmt::format("network \"{}\" at level {}", name, level),
-        fmt::format("at most {} levels of brackets and named networks in one another",
-                    deepest_nesting));
+    throw InputError(place, fmt::format("network \"{}\" at level {}", name, level),
+                     fmt::format("at most {} levels of brackets and named networks in one another",
+                                 deepest_nesting));
   std::swap(arguments_, meant);
   Network network = read_named(name, *named_->get(name), level);
   std::swap(arguments_, meant);

@@ -69,7 +69,7 @@ class Networks {
   ElementNames names_;
   std::map<std::string, Network> known_;
   std::set<std::string> being_read_;
-  std::set<std::string> called_;  // with arguments
+  std::set<std::string> called_;                  // with arguments
   std::map<std::string, std::string> arguments_;  // of the network that is being read
   bool notes_uses_ = true;
   std::map<std::string, ElementUse> uses_;

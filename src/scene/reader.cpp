@@ -4,9 +4,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cstddef>
 #include <filesystem>
-#include <map>
 #include <optional>
 #include <set>
 #include <utility>
@@ -15,14 +13,13 @@
 #include "base/files.hpp"
 #include "base/identifiers.hpp"
 #include "base/units.hpp"
-#include "network/graph.hpp"
-#include "network/law.hpp"
 #include "network/masses.hpp"
 #include "scene/document.hpp"
 #include "scene/element_expressions.hpp"
 #include "scene/fitted_range.hpp"
 #include "scene/indenter.hpp"
 #include "scene/networks.hpp"
+#include "scene/part_networks.hpp"
 #include "scene/quantities.hpp"
 #include "scene/scene.hpp"
 
@@ -32,9 +29,6 @@ namespace {
 
 using document::describe_node;
 using document::Section;
-
-// Of the networks of a scene, which are carried out wherever an element is used.
-constexpr std::size_t most_operations_together = 4'000'000;
 
 class Reader {
  public:
@@ -141,7 +135,7 @@ class Reader {
     if (!drive.exists()) return;
     if (drive.find("receptance") != nullptr) return read_measured(drive);
     scene_.drive = network(drive, "network");
-    refuse_misplaced_masses(drive.place("network"));
+    refuse_misplaced_masses(*scene_.drive, drive.place("network"));
   }
 
   void read_measured(const Section& drive) {
@@ -175,18 +169,6 @@ class Reader {
       throw InputError(indenter.place(""), "[indenter] without poisson",
                        "poisson = ... in [contact], of the half-space whose Young's modulus "
                        "normal = \"...\" is");
-  }
-
-  void refuse_misplaced_masses(const Place& place) const {
-    const std::vector<Symbol> off = masses_off_the_far_end(*scene_.drive);
-    if (!off.empty())
-      throw InputError(
-          place, fmt::format("mass \"{}\" between two moving points", to_text(off.front())),
-          "one end of each mass at the far end of the drive, as in \"k1 - (mass(m1) | k2)\", or at "
-          "node \"ground\" of a graph");
-    if (!without_masses(*scene_.drive))
-      throw InputError(place, "a drive in which only masses lead to the far end",
-                       "a path of springs and dampers, to balance the mean friction");
   }
 
   void read_body() {
@@ -254,7 +236,7 @@ class Reader {
     }
     read_other_keys(uses);
     rename_elements();
-    check_expressions();
+    expressions_->refuse_divisions([this](const Symbol& part) { return is_zero(own(part)); });
     if (elements == nullptr) return;
     for (const auto& [key, value] : *elements)
       if (!uses.contains(std::string(key.str())) &&
@@ -303,22 +285,9 @@ class Reader {
   }
 
   void rename_elements() {
-    std::map<Symbol, Amount> made;
-    std::size_t operations = 0;
-    const auto name = [&](const Symbol& symbol) {
-      const Symbol element = networks_.names().of(symbol);
-      if (!expressions_->has(element)) return Amount(own(element));
-      operations += expressions_->operations(element);
-      if (operations > most_operations_together)
-        throw InputError(expressions_->place(element),
-                         fmt::format("expressions of more than {} operations, each use counted",
-                                     most_operations_together),
-                         "fewer elements that are made of others");
-      const auto [known, is_new] = made.try_emplace(element);
-      if (is_new)
-        known->second = with_symbols(expressions_->of(element),
-                                     [this](const Symbol& part) { return Amount(own(part)); });
-      return known->second;
+    const auto name = [this](const Symbol& symbol) {
+      return expressions_->amount(networks_.names().of(symbol),
+                                  [this](const Symbol& element) { return own(element); });
     };
     rename(scene_.normal, name);
     if (auto* tangential = std::get_if<Network>(&scene_.tangential)) rename(*tangential, name);
@@ -329,17 +298,6 @@ class Reader {
   void refuse_to_set(const std::string& key, const Symbol& element) const {
     if (quantities_.settings().has(key))
       refuse_expression(scene_, to_text(element), OverridingValues::place(key));
-  }
-
-  void check_expressions() const {
-    for (const auto& [element, text] : expressions_->all()) {
-      const bool divides = divides_by_zero(
-          expressions_->of(element), [this](const Symbol& part) { return is_zero(own(part)); });
-      if (divides)
-        throw InputError(expressions_->place(element),
-                         fmt::format("{} = \"{}\", a division by 0", to_text(element), text),
-                         "divisors above 0");
-    }
   }
 
   void read_element(const std::string& name, const ElementUse& use, const toml::node* node) {
@@ -388,27 +346,16 @@ class Reader {
     return value != values_.end() && value->second == 0;
   }
 
-  Network without_zeros(const Network& network, const std::string& role) const {
-    auto left = with_elements(network, [this](const Element& element) {
-      return vcrit::without_zeros(element,
-                                  [this](const Symbol& symbol) { return is_zero(symbol); });
-    });
-    if (!left || !without_masses(*left))
-      throw InputError({file_},
-                       fmt::format("a {} network that elements of value 0 cut in two", role),
-                       "a path of springs and dampers above 0 between its terminals");
-    return std::move(*left);
-  }
-
   void leave_out_zeros() {
-    scene_.normal = without_zeros(scene_.normal, "normal");
+    const auto zero = [this](const Symbol& symbol) { return is_zero(symbol); };
+    scene_.normal = without_zeros(scene_.normal, zero, "normal", file_);
     if (auto* tangential = std::get_if<Network>(&scene_.tangential)) {
-      *tangential = without_zeros(*tangential, "tangential");
+      *tangential = without_zeros(*tangential, zero, "tangential", file_);
       // Equal networks are an isotropic contact: the rheology cancels wherever it can.
       if (*tangential == scene_.normal)
         scene_.tangential = Isotropic{Isotropic::By::ratio, {{"tangential_ratio"}, 1.0}};
     }
-    if (scene_.drive) scene_.drive = without_zeros(*scene_.drive, "drive");
+    if (scene_.drive) scene_.drive = without_zeros(*scene_.drive, zero, "drive", file_);
   }
 
   void collect_elements() {

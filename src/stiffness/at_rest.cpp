@@ -21,7 +21,9 @@ struct LeadingTerms {
   static AtRest times(const AtRest& a, const AtRest& b) {
     return {0, a.coefficient * b.coefficient};
   }
-  static AtRest over(const AtRest& a, const AtRest& b) { return {0, a.coefficient / b.coefficient}; }
+  static AtRest over(const AtRest& a, const AtRest& b) {
+    return {0, a.coefficient / b.coefficient};
+  }
   static AtRest times_s(const AtRest& k) { return {k.order + 1, k.coefficient}; }
   static AtRest relaxing(const AtRest& k, const AtRest& tau) {
     return {1, k.coefficient * tau.coefficient};

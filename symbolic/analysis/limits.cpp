@@ -24,7 +24,7 @@ struct ElementGroup {
   bool dissipates;
 };
 
-std::set<Symbol> symbols_in(const Network& network) {
+std::set<Symbol> element_symbols(const Network& network) {
   std::set<Symbol> found;
   for_each_element(network, [&](const Element& e) {
     for_each_number(e, [&](const Symbol& symbol, NumberRole) { found.insert(symbol); });
@@ -33,9 +33,9 @@ std::set<Symbol> symbols_in(const Network& network) {
 }
 
 std::set<Symbol> contact_symbols(const Problem& problem) {
-  std::set<Symbol> found = symbols_in(problem->normal.network());
+  std::set<Symbol> found = element_symbols(problem->normal.network());
   if (const auto* tangential = std::get_if<ReducedNetwork>(&problem->tangential))
-    found.merge(symbols_in(tangential->network()));
+    found.merge(element_symbols(tangential->network()));
   return found;
 }
 
@@ -121,7 +121,7 @@ class Collector {
     if (change.massless) result[problem_->mass->symbol] = -1;
     if (!change.rigid) return result;
     const std::set<Symbol> contact = contact_symbols(problem_);
-    for (const Symbol& symbol : symbols_in(problem_->drive_network()->network())) {
+    for (const Symbol& symbol : element_symbols(problem_->drive_network()->network())) {
       if (contact.contains(symbol)) return {};
       result[symbol] += 4;
     }

@@ -58,8 +58,7 @@ class SpectrumMaker {
 
  private:
   bool add_given(const Element& branch) {
-    const ex time = symbol(branch.second.symbol()),
-             strength = symbol(branch.coefficient.symbol());
+    const ex time = symbol(branch.second.symbol()), strength = symbol(branch.coefficient.symbol());
     spectrum_.lines.push_back({{"", time, time}, {"", strength, strength}});
     return true;
   }

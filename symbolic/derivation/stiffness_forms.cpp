@@ -95,8 +95,7 @@ struct Fractions {
   }
   static Value relaxing(const Value& k, const Value& tau) {
     const ex turn = tau.numerator * laplace();
-    return {(k.numerator * turn).expand(),
-            (k.denominator * (tau.denominator + turn)).expand()};
+    return {(k.numerator * turn).expand(), (k.denominator * (tau.denominator + turn)).expand()};
   }
   // With s/omega for i: what follows knows polynomials in s with real coefficients.
   static Value loss(const Value& k, const Value& eta) {

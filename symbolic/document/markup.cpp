@@ -69,7 +69,7 @@ struct DocumentMarkup {
   const char *open, *close;
   std::string (*title)(std::string_view);
   std::string (*words)(std::string_view);
-  const Measure& measure;
+  const LineWidth& measure;
   bool wraps;  ///< words, at the measure's width
 
   record::Markup of(const Prose& prose) const {

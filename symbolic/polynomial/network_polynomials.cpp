@@ -208,7 +208,9 @@ struct ElementTerms {
   static Value of(const Symbol&) { return {1, 1}; }
   static Value constant(const TypedNumber&) { return {1, 1}; }
   static Value plus(const Value& a, const Value& b) { return terms_in_parallel(a, b); }
-  static Value times(const Value& a, const Value& b) { return {a.over * b.over, a.under * b.under}; }
+  static Value times(const Value& a, const Value& b) {
+    return {a.over * b.over, a.under * b.under};
+  }
   static Value over(const Value& a, const Value& b) { return {a.over * b.under, a.under * b.over}; }
   static Value times_s(const Value& k) { return k; }
   static Value relaxing(const Value& k, const Value& tau) {

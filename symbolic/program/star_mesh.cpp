@@ -75,9 +75,8 @@ class Mesh {
 
 }  // namespace
 
-MeshedStiffness by_star_mesh(
-    Program& program, const Network& network,
-    const std::function<MeshElement(const Element&)>& element) {
+MeshedStiffness by_star_mesh(Program& program, const Network& network,
+                             const std::function<MeshElement(const Element&)>& element) {
   Mesh mesh(program, element);
   const Mesh::Value whole = evaluate(reduce(network), mesh);
   return {whole.k, whole.roundings};

@@ -13,7 +13,8 @@ struct MeshedStiffness {
   NodeId roundings;  ///< a bound
 };
 
-/// An element's stiffness as T/Q with Q = 1 or, Maxwell branch, 1 + i x, and its error in roundings.
+/// An element's stiffness as T/Q with Q = 1 or, Maxwell branch, 1 + i x, and its error in
+/// roundings.
 struct MeshElement {
   Complex t, q;
   int roundings = 0;

@@ -174,12 +174,28 @@ Stiffness StiffnessWriter::element(const Element& e) {
     // |K| lies between k and k (1 + eta), and eta may be 0.
     const ExponentRange growth{0, guarded(program_.add(one, program_.size(*eta))).high};
     const ExponentRange whole = range + growth;
-    return {{k, program_.multiply(k, *eta)}, unity,       whole, {}, whole,
-            1 + before,                      {},          before == 0, whole, 1};
+    return {{k, program_.multiply(k, *eta)},
+            unity,
+            whole,
+            {},
+            whole,
+            1 + before,
+            {},
+            before == 0,
+            whole,
+            1};
   }
   const ExponentRange range = guarded(program_.multiply(program_.size(omega_), program_.size(k)));
-  return {{zero, program_.multiply(omega_, k)}, unity, range, {}, range, 1 + before, {}, true,
-          range, 1};
+  return {{zero, program_.multiply(omega_, k)},
+          unity,
+          range,
+          {},
+          range,
+          1 + before,
+          {},
+          true,
+          range,
+          1};
 }
 
 // d ln K/d ln x = 1/(1 + i x): roundings of tau move K by no more.

@@ -91,7 +91,7 @@ Ex Presentations::inertia(const Ex& mass) {
 
 Ex Presentations::number(const Amount& amount) {
   Numbers numbers{all_, symbol_};
-  return number_of(amount, numbers);
+  return in_algebra(amount, numbers);
 }
 
 ComplexQuotient Presentations::damper(const Ex& c, const char* letter) {

@@ -10,7 +10,7 @@ ASIDE = mp.mpf(10)**-45
 NUMBER = re.compile(r"(?<![\w.])\d+(?:\.\d+)?(?:e[+-]?\d+)?")
 INDEX = re.compile(r"(\w+)\[(\d+)\]")
 GREEK = {"mu", "omega", "tau", "kappa", "theta", "beta", "rho", "gamma", "alpha", "nu", "eta"}
-TOKEN = re.compile(r"\\(?:left|right|frac|sqrt|Delta|mathrm|[a-zA-Z]+)|\d+(?:\.\d+)?|[a-zA-Z]|[{}_^+\-()|=,]")
+TOKEN = re.compile(r"\\(?:left|right|frac|sqrt|Delta|mathrm|[a-zA-Z]+)|\d+(?:\.\d+)?|[a-zA-Z]|[{}_^+\-()|=,']")
 
 
 def beside_poles(values):
@@ -162,6 +162,8 @@ class Latex:
         if self.peek() == "_":
             self.take()
             name += self.raw()
+        while self.peek() == "'":
+            name += self.take()
         name = plain(name)
         if name not in self.names.set_alike:
             raise Unknown(name)

@@ -66,13 +66,14 @@ BOOST_AUTO_TEST_CASE(named_rheologies_are_what_they_stand_for) {
               series({rung(1).first,
                       parallel({rung(1).second,
                                 series({rung(2).first,
-                                        parallel({rung(2).second, series({rung(3).first,
-                                                                          rung(3).second})})})})}));
+                                        parallel({rung(2).second,
+                                                  series({rung(3).first, rung(3).second})})})})}));
 }
 
 BOOST_AUTO_TEST_CASE(a_ladder_is_as_deep_as_brackets) {
   BOOST_CHECK(size(parsed("ladder(k, c, 200)")) == 400U);
-  BOOST_TEST(has(message("ladder(k, c, 201)"), "ladder(k, c) of 201 branches; expected at most 200"));
+  BOOST_TEST(
+      has(message("ladder(k, c, 201)"), "ladder(k, c) of 201 branches; expected at most 200"));
   BOOST_TEST(has(message("ladder(k, c, 100000)"), "expected at most 200"));
 }
 

@@ -62,7 +62,8 @@ BOOST_AUTO_TEST_CASE(unconnected_terminals_are_told) {
 BOOST_AUTO_TEST_CASE(a_missing_element_is_an_open_gap) {
   const Network k0 = spring({"k0"}), k1 = spring({"k1"}), c1 = damper({"c1"});
   const auto without_names = [](const Network& network, const std::set<std::string>& names) {
-    return without(network, [&](const Element& e) { return names.contains(e.coefficient.symbol().name); });
+    return without(network,
+                   [&](const Element& e) { return names.contains(e.coefficient.symbol().name); });
   };
   const Network zener = parallel({k0, series({k1, c1})});
   BOOST_CHECK(without_names(zener, {}) == zener);
@@ -74,7 +75,8 @@ BOOST_AUTO_TEST_CASE(a_missing_element_is_an_open_gap) {
 BOOST_AUTO_TEST_CASE(a_gap_in_a_graph_leaves_its_neighbours_without_load) {
   // a-c, c-b, c-d, d-b: without d-b the edge c-d dangles.
   const Network network{graph(4, {{0, 2}, {2, 1}, {2, 3}, {3, 1}})};
-  const auto left = without(network, [](const Element& e) { return e.coefficient.symbol().name == "k3"; });
+  const auto left =
+      without(network, [](const Element& e) { return e.coefficient.symbol().name == "k3"; });
   BOOST_REQUIRE(left);
   BOOST_TEST(symbols_of(*left).size() == 2);
 }

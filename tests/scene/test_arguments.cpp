@@ -42,21 +42,21 @@ BOOST_AUTO_TEST_CASE(a_call_is_what_it_stands_for) {
   BOOST_CHECK(written("own(E, F, eta)", own) == expected);
   BOOST_CHECK(written("kx - (own(E, F, eta) | cx)", own) ==
               written("kx - ((spring(E) | spring(F) - damper(eta)) | cx)"));
-  BOOST_CHECK(written("own(E, E, eta)", own) ==
-              written("spring(E) | spring(E) - damper(eta)"));
+  BOOST_CHECK(written("own(E, E, eta)", own) == written("spring(E) | spring(E) - damper(eta)"));
 }
 
 // Names are put in all at once, and a name that is an argument is one in that network alone.
 BOOST_AUTO_TEST_CASE(names_are_not_caught) {
-  BOOST_CHECK(written("own(b, a, k0)", own) ==
-              written("spring(b) | spring(a) - damper(k0)"));
+  BOOST_CHECK(written("own(b, a, k0)", own) == written("spring(b) | spring(a) - damper(k0)"));
   const std::string around =
-      own + "[networks.around]\narguments = [\"b\", \"a\"]\nnetwork = \"own(a, b, c1) - pad\"\n"
-            "[networks.pad]\narguments = []\n";
+      own +
+      "[networks.around]\narguments = [\"b\", \"a\"]\nnetwork = \"own(a, b, c1) - pad\"\n"
+      "[networks.pad]\narguments = []\n";
   BOOST_TEST(has(message("around(x, y)", around), "s.toml:11:13: found arguments = an array"));
   const std::string plain =
-      own + "[networks.around]\narguments = [\"b\", \"a\"]\nnetwork = \"own(a, b, c1) - (pad | "
-            "spring(a))\"\n[networks.pad]\nnetwork = \"spring(a) | c\"\n";
+      own +
+      "[networks.around]\narguments = [\"b\", \"a\"]\nnetwork = \"own(a, b, c1) - (pad | "
+      "spring(a))\"\n[networks.pad]\nnetwork = \"spring(a) | c\"\n";
   BOOST_CHECK(written("around(x, y) - pad", plain) ==
               written("(spring(y) | spring(x) - c1) - (spring(a) | c | spring(y)) - "
                       "(spring(a) | c)"));
@@ -73,14 +73,16 @@ BOOST_AUTO_TEST_CASE(graphs_and_arrays_take_arguments) {
   const std::string relaxing =
       "[networks.relaxing]\narguments = [\"k\", \"t\"]\nnetwork = \"prony(k9, k, t) | ladder(k, c, "
       "2)\"\n[elements]\nE = [1, 2]\nT = [3, 4]\n";
-  BOOST_CHECK(written("relaxing(E, T)", relaxing) == written("prony(k9, E, T, 2) | ladder(E, c, 2)"));
+  BOOST_CHECK(written("relaxing(E, T)", relaxing) ==
+              written("prony(k9, E, T, 2) | ladder(E, c, 2)"));
   BOOST_TEST(has(message("relaxing(E, T) - relaxing(k9, T)", relaxing), "\"k9\" as"));
 }
 
 // Its own network goes before one of the catalogue; a plain network does not take its place.
 BOOST_AUTO_TEST_CASE(own_networks_go_first) {
-  BOOST_CHECK(written("zener(x, y, z)", "[networks.zener]\narguments = [\"k\", \"c\", \"d\"]\n"
-                                        "network = \"k - c - spring(d)\"\n") ==
+  BOOST_CHECK(written("zener(x, y, z)",
+                      "[networks.zener]\narguments = [\"k\", \"c\", \"d\"]\n"
+                      "network = \"k - c - spring(d)\"\n") ==
               written("spring(x) - damper(y) - spring(z)"));
   BOOST_CHECK(written("zener(x, y, z) - zener", "[networks]\nzener = \"k | c\"\n") ==
               written("(spring(x) | spring(y) - damper(z)) - (k | c)"));
@@ -96,10 +98,11 @@ BOOST_AUTO_TEST_CASE(one_that_nobody_calls_is_read_for_its_errors) {
 }
 
 BOOST_AUTO_TEST_CASE(mistakes_are_named_with_their_place) {
-  BOOST_TEST(has(message("own(E, F)", own),
-                 "s.toml:2:11: found own with 2 names; expected own(a, b, c)"));
-  BOOST_TEST(has(message("k0 | own", own),
-                 "s.toml:2:16: found network \"own\" without its arguments; expected own(a, b, c)"));
+  BOOST_TEST(
+      has(message("own(E, F)", own), "s.toml:2:11: found own with 2 names; expected own(a, b, c)"));
+  BOOST_TEST(
+      has(message("k0 | own", own),
+          "s.toml:2:16: found network \"own\" without its arguments; expected own(a, b, c)"));
   BOOST_TEST(has(message("own(E, F, 3)", own), "name \"3\""));
   BOOST_TEST(has(message("own(E, F, (G))", own), "the name of an element"));
   const auto of_arguments = [](const std::string& list) {
@@ -110,7 +113,8 @@ BOOST_AUTO_TEST_CASE(mistakes_are_named_with_their_place) {
   BOOST_TEST(has(of_arguments("\"a\""), "found arguments = \"a\""));
   BOOST_TEST(has(of_arguments("[1]"), "s.toml:7:14: found argument 1"));
   BOOST_TEST(has(of_arguments("[\"a\", \"a\"]"), "s.toml:7:19: found argument \"a\" twice"));
-  BOOST_TEST(has(of_arguments("[\"class\"]"), "argument \"class\", a name that is a reserved word"));
+  BOOST_TEST(
+      has(of_arguments("[\"class\"]"), "argument \"class\", a name that is a reserved word"));
   BOOST_TEST(has(of_arguments("[\"pad\"]"), "\"pad\" as a network and as an argument"));
   BOOST_TEST(has(message("k0", "[networks.own]\narguments = [\"a\"]\nnet = \"k0\"\n"),
                  "unknown key \"net\""));
@@ -121,8 +125,9 @@ BOOST_AUTO_TEST_CASE(mistakes_are_named_with_their_place) {
 BOOST_AUTO_TEST_CASE(none_contains_itself) {
   BOOST_TEST(has(message("f(x)", "[networks.f]\narguments = [\"k\"]\nnetwork = \"k - f(k)\"\n"),
                  "s.toml:6:16: found network \"f\" inside itself"));
-  BOOST_TEST(has(message("f(x)", "[networks.f]\narguments = [\"k\"]\nnetwork = \"k - g\"\n"
-                                 "[networks]\ng = \"f(k0)\"\n"),
+  BOOST_TEST(has(message("f(x)",
+                         "[networks.f]\narguments = [\"k\"]\nnetwork = \"k - g\"\n"
+                         "[networks]\ng = \"f(k0)\"\n"),
                  "network \"f\" inside itself"));
 }
 

@@ -44,8 +44,7 @@ std::string amount(const std::string& elements) {
 double velocity(const Problem& scene) { return certified_critical_velocity(scene).value; }
 
 const std::string zener = "k0 | (k1 - c1)";
-const std::string of_two =
-    "k0 = 8e6\nk1 = \"k0/2\"\nc1 = \"tau*k1\"\ntau = \"8 us\"\nkt = 3e6\n";
+const std::string of_two = "k0 = 8e6\nk1 = \"k0/2\"\nc1 = \"tau*k1\"\ntau = \"8 us\"\nkt = 3e6\n";
 
 }  // namespace
 
@@ -78,8 +77,7 @@ BOOST_AUTO_TEST_CASE(the_numbers_are_those_of_the_scene_written_out) {
   BOOST_TEST(velocity(changed) ==
              velocity(problem(zener, "k0 = 6e6\nk1 = 3e6\nc1 = 5.7220458984375\nkt = 3e6\n")));
   const Problem typed = problem("k1", "k1 = \"0.3*k0\"\nk0 = \"1 N/um\"\nkt = 1\n");
-  BOOST_TEST(velocity(typed) ==
-             velocity(problem("k1", "k1 = \"0.3 N/um\"\nkt = 1\n")));
+  BOOST_TEST(velocity(typed) == velocity(problem("k1", "k1 = \"0.3 N/um\"\nkt = 1\n")));
 }
 
 BOOST_AUTO_TEST_CASE(parameters_are_numbers_of_the_scene) {
@@ -127,7 +125,8 @@ BOOST_AUTO_TEST_CASE(what_does_not_fit_is_refused) {
                  "s.toml:11:6: found k1 = \"kt*tau\", a damping coefficient in N.s/m; expected a "
                  "stiffness in N/m"));
   BOOST_TEST(has(message("k1", "k1 = \"kt*kt\"\n"), "something in kg^2 s^-4"));
-  BOOST_TEST(has(message("k1", "k1 = \"kt*x\"\nx = \"2 km\"\n"), "s.toml:12:5: found x = \"2 km\""));
+  BOOST_TEST(
+      has(message("k1", "k1 = \"kt*x\"\nx = \"2 km\"\n"), "s.toml:12:5: found x = \"2 km\""));
   BOOST_TEST(has(message("k1", "k1 = \"kt*x\"\nx = \"2 ms\"\n"), "expected a stiffness in N/m"));
   BOOST_TEST(has(message("k1", "k1 = \"x/y^2\"\nx = \"2 g\"\ny = \"1 ms\"\n"),
                  "of the mass x; expected masses in expressions of masses alone"));
@@ -161,8 +160,9 @@ BOOST_AUTO_TEST_CASE(mistakes_are_named_with_their_place) {
   BOOST_TEST(has(of("kt*sqrt(r)"), "found \"(\""));
   BOOST_TEST(has(of("kt[1]*2"), "\"kt[1]\" in an expression; expected \"kt\", which is no array"));
   BOOST_TEST(has(message("k1", "k1 = \"2*k\"\nk = [1, 2]\n"), "\"k\" in an expression"));
-  BOOST_TEST(has(message("k1", "k1 = \"2*k[3]\"\nk = [1, 2]\n"), "expected an entry of that array, "
-                                                                 "k[1] to k[2]"));
+  BOOST_TEST(has(message("k1", "k1 = \"2*k[3]\"\nk = [1, 2]\n"),
+                 "expected an entry of that array, "
+                 "k[1] to k[2]"));
   BOOST_TEST(has(message("k1", "k1 = \"kt*mass\"\n"), "\"mass\" as an element"));
   BOOST_TEST(has(message("k1", "k1 = \"kt*mu0\"\n"), "\"mu0\" as an element"));
   BOOST_TEST(has(of(std::string(300, '(') + "kt" + std::string(300, ')')), "too many brackets"));
@@ -183,8 +183,9 @@ BOOST_AUTO_TEST_CASE(what_doubles_is_bounded) {
   for (int i = 1; i < 900; ++i) large += "+k0";
   std::string entries = "\"k1\"";
   for (int i = 1; i < 1200; ++i) entries += ", \"2*k1\"";
-  BOOST_TEST(has(message("prony(k0, k, tau, 1200)", "k1 = \"" + large + "\"\nk = [" + entries + "]\n"),
-                 "expressions of more than 1000000 operations"));
+  BOOST_TEST(
+      has(message("prony(k0, k, tau, 1200)", "k1 = \"" + large + "\"\nk = [" + entries + "]\n"),
+          "expressions of more than 1000000 operations"));
   std::string springs = "k1";
   for (int i = 1; i < 5000; ++i) springs += "|k1";
   BOOST_TEST(has(message(springs, "k1 = \"" + large + "\"\n"),
@@ -222,21 +223,24 @@ BOOST_AUTO_TEST_CASE(settings_and_axes_name_what_it_is_made_of) {
 }
 
 BOOST_AUTO_TEST_CASE(entries_of_arrays_may_be_expressions) {
-  const std::string arrays = "k0 = 1e6\nk = [\"2*k0\", \"k[1]/4\", 5e5]\ntau = [\"1 us\", "
-                             "\"3*tau[1]\", \"1 ms\"]\nkt = 1e6\n";
-  BOOST_TEST(velocity(problem("prony(k0, k, tau)", arrays)) ==
-             velocity(problem("prony(k0, k, tau)",
-                              "k0 = 1e6\nk = [2e6, 5e5, 5e5]\ntau = [\"1 us\", \"3 us\", \"1 ms\"]\n"
-                              "kt = 1e6\n")));
+  const std::string arrays =
+      "k0 = 1e6\nk = [\"2*k0\", \"k[1]/4\", 5e5]\ntau = [\"1 us\", "
+      "\"3*tau[1]\", \"1 ms\"]\nkt = 1e6\n";
+  BOOST_TEST(
+      velocity(problem("prony(k0, k, tau)", arrays)) ==
+      velocity(problem("prony(k0, k, tau)",
+                       "k0 = 1e6\nk = [2e6, 5e5, 5e5]\ntau = [\"1 us\", \"3 us\", \"1 ms\"]\n"
+                       "kt = 1e6\n")));
 }
 
 BOOST_AUTO_TEST_CASE(odd_names_are_told_apart) {
   const Problem made = problem("spring(beta)", "beta = \"2*S*N/I\"\nS = \"1 N/m\"\n");
   BOOST_TEST(to_text(std::get<Element>(made->normal.network().form).coefficient) == "2*S*N/I");
   // Without a body a mass may be called m, and an expression has no symbol of its own.
-  const Problem of_m = parse_problem("[contact]\nnormal = \"k0\"\npoisson = 0.3\n[drive]\nnetwork = "
-                                     "\"k1 | k2 - mass(m)\"\n[elements]\nm = \"2*pi\"\npi = \"1 g\"\n",
-                                     "s.toml");
+  const Problem of_m = parse_problem(
+      "[contact]\nnormal = \"k0\"\npoisson = 0.3\n[drive]\nnetwork = "
+      "\"k1 | k2 - mass(m)\"\n[elements]\nm = \"2*pi\"\npi = \"1 g\"\n",
+      "s.toml");
   BOOST_CHECK(of_m->source->settable.at("pi") == Dimension::mass);
 }
 

@@ -79,7 +79,8 @@ BOOST_AUTO_TEST_CASE(every_rheology_has_its_section_and_is_in_the_index) {
 
 BOOST_AUTO_TEST_CASE(other_names_are_said) {
   BOOST_TEST(has(section("zener"), "Also written <code>sls(k0, k1, c1)</code>."));
-  BOOST_TEST(has(section("prony"), "Also written <code>generalized_maxwell(k0, k, tau, 3)</code>."));
+  BOOST_TEST(
+      has(section("prony"), "Also written <code>generalized_maxwell(k0, k, tau, 3)</code>."));
   BOOST_TEST(!has(section("kelvin"), "Also written"));
 }
 
