@@ -89,13 +89,17 @@ std::optional<Stiffness> StiffnessWriter::write_polynomials(const Network& netwo
 
 namespace {
 
-/// An element's law: coefficient s^degree, coefficient tau s/(1 + tau s), or coefficient (1 + i
-/// eta).
+using ElementNumber = StiffnessWriter::ElementNumber;
+
+/// An element's law: k s^degree, k tau s/(1 + tau s), or k (1 + i eta).
 struct Term {
-  NodeId coefficient;
+  ElementNumber k;
   int degree = 0;
-  std::optional<NodeId> tau = {}, eta = {};
-  int roundings = 0;  ///< of all its numbers together
+  std::optional<ElementNumber> tau = {}, eta = {};
+
+  int roundings() const {
+    return k.roundings + (tau ? tau->roundings : 0) + (eta ? eta->roundings : 0);
+  }
 };
 
 // Of an expression every number on the way is guarded: no product of two may leave the range, or be
@@ -106,38 +110,42 @@ struct Terms {
   const std::function<NodeId(const Symbol&)>& value;
   const std::function<void(NodeId)>& guard;
 
-  Term of(const Symbol& symbol) const { return {value(symbol)}; }
+  Term of(const Symbol& symbol) const {
+    const NodeId id = value(symbol);
+    return {{id, program.size(id)}};
+  }
   Term constant(const TypedNumber& number) const {
-    Term made{program.constant(exact_decimal(number.decimal))};
-    made.roundings = program[made.coefficient].kind == NodeKind::exact ? 0 : 1;
-    return made;
+    const NodeId exact = program.constant(exact_decimal(number.decimal));
+    const int roundings = program[exact].kind == NodeKind::exact ? 0 : 1;
+    return {{exact, program.constant(exact_binary(number.value)), roundings}};
   }
   Term plus(const Term& a, const Term& b) const {
-    return made(a, b, program.add(a.coefficient, b.coefficient),
-                std::max(a.roundings, b.roundings));
+    return guarded({program.add(a.k.value, b.k.value), program.add(a.k.size, b.k.size),
+                    std::max(a.k.roundings, b.k.roundings) + 1},
+                   a, b);
   }
   Term times(const Term& a, const Term& b) const {
-    return made(a, b, program.multiply(a.coefficient, b.coefficient), a.roundings + b.roundings);
+    return guarded({program.multiply(a.k.value, b.k.value), program.multiply(a.k.size, b.k.size),
+                    a.k.roundings + b.k.roundings + 1},
+                   a, b);
   }
   Term over(const Term& a, const Term& b) const {
-    return made(a, b, program.divide(a.coefficient, b.coefficient), a.roundings + b.roundings);
+    return guarded({program.divide(a.k.value, b.k.value), program.divide(a.k.size, b.k.size),
+                    a.k.roundings + b.k.roundings + 1},
+                   a, b);
   }
 
   static Term times_s(Term k) {
     ++k.degree;
     return k;
   }
-  static Term relaxing(const Term& k, const Term& tau) {
-    return {k.coefficient, 1, tau.coefficient, {}, k.roundings + tau.roundings};
-  }
-  static Term lossy(const Term& k, const Term& eta) {
-    return {k.coefficient, 0, {}, eta.coefficient, k.roundings + eta.roundings};
-  }
+  static Term relaxing(const Term& k, const Term& tau) { return {k.k, 1, tau.k, {}}; }
+  static Term lossy(const Term& k, const Term& eta) { return {k.k, 0, {}, eta.k}; }
 
  private:
-  Term made(const Term& a, const Term& b, NodeId result, int before) const {
-    for (const NodeId id : {a.coefficient, b.coefficient, result}) guard(id);
-    return {result, 0, {}, {}, before + 1};
+  Term guarded(const ElementNumber& result, const Term& a, const Term& b) const {
+    for (const NodeId id : {a.k.size, b.k.size, result.size}) guard(id);
+    return {result};
   }
 };
 
@@ -145,17 +153,18 @@ struct Terms {
 
 Stiffness StiffnessWriter::polynomial_element(const Element& e) {
   const NodeId zero = program_.constant(0), one = program_.constant(1);
-  const auto [k, degree, tau, eta, roundings] = law(e, Terms{program_, value_, guard_});
+  const Term term = law(e, Terms{program_, value_, guard_});
+  const auto [k, size, before] = term.k;
   Stiffness whole;
-  if (eta) whole.roundings = zero;  // no polynomial with real coefficients
-  guarded(program_.size(k));
+  if (term.eta) whole.roundings = zero;  // no polynomial with real coefficients
+  guarded(size);
   whole.q = polynomial({one});
-  whole.t = polynomial(degree == 0 ? std::vector{k} : std::vector{zero, k});
+  whole.t = polynomial(term.degree == 0 ? std::vector{k} : std::vector{zero, k});
   whole.range = whole.t_range = whole.elements = ordinary_stiffness;
-  if (!tau) return whole;
-  guarded(program_.size(*tau));
-  whole.t = polynomial({zero, program_.multiply(k, *tau)});
-  whole.q = polynomial({one, *tau});
+  if (!term.tau) return whole;
+  guarded(term.tau->size);
+  whole.t = polynomial({zero, program_.multiply(k, term.tau->value)});
+  whole.q = polynomial({one, term.tau->value});
   whole.q_range = ordinary_quotient;
   whole.t_range = ordinary_stiffness + ordinary_quotient;
   return whole;
@@ -164,55 +173,48 @@ Stiffness StiffnessWriter::polynomial_element(const Element& e) {
 Stiffness StiffnessWriter::element(const Element& e) {
   if (polynomials_) return polynomial_element(e);
   const NodeId zero = program_.constant(0), one = program_.constant(1);
-  const auto [k, degree, tau, eta, before] = law(e, Terms{program_, value_, guard_});
-  ensure(degree < 2, "the program knows one body");
-  if (tau) return relaxing_element(k, *tau, before);
-  const Complex unity{one, zero};
-  if (degree == 0) {
-    const ExponentRange range = guarded(program_.size(k));
-    if (!eta) return {{k, zero}, unity, range, {}, range, before, {}, before == 0, range, 1};
+  const Term term = law(e, Terms{program_, value_, guard_});
+  ensure(term.degree < 2, "the program knows one body");
+  const auto [k, size, before] = term.k;
+  if (term.tau) return relaxing_element(term.k, *term.tau);
+  Stiffness whole;
+  whole.t = {k, zero};
+  whole.q = {one, zero};
+  whole.path = term.roundings();
+  whole.exact_re = whole.path == 0;
+  if (term.degree == 1) {
+    whole.t = {zero, program_.multiply(omega_, k)};
+    whole.t_range = guarded(program_.multiply(program_.size(omega_), size));
+    whole.exact_re = true;
+    ++whole.path;
+  } else if (term.eta) {
     // |K| lies between k and k (1 + eta), and eta may be 0.
-    const ExponentRange growth{0, guarded(program_.add(one, program_.size(*eta))).high};
-    const ExponentRange whole = range + growth;
-    return {{k, program_.multiply(k, *eta)},
-            unity,
-            whole,
-            {},
-            whole,
-            1 + before,
-            {},
-            before == 0,
-            whole,
-            1};
+    whole.t = {k, program_.multiply(k, term.eta->value)};
+    const ExponentRange range = guarded(size);
+    whole.t_range = range + ExponentRange{0, guarded(program_.add(one, term.eta->size)).high};
+    ++whole.path;
+  } else {
+    whole.t_range = guarded(size);
   }
-  const ExponentRange range = guarded(program_.multiply(program_.size(omega_), program_.size(k)));
-  return {{zero, program_.multiply(omega_, k)},
-          unity,
-          range,
-          {},
-          range,
-          1 + before,
-          {},
-          true,
-          range,
-          1};
+  whole.range = whole.elements = whole.t_range;
+  return whole;
 }
 
 // d ln K/d ln x = 1/(1 + i x): roundings of tau move K by no more.
-Stiffness StiffnessWriter::relaxing_element(NodeId k, NodeId tau, int before) {
+Stiffness StiffnessWriter::relaxing_element(const ElementNumber& k, const ElementNumber& tau) {
   const NodeId zero = program_.constant(0), one = program_.constant(1);
-  const ExponentRange stiffness = guarded(program_.size(k));
-  const ExponentRange x = guarded(program_.multiply(program_.size(omega_), program_.size(tau)));
-  const NodeId product = program_.multiply(omega_, tau);
+  const ExponentRange stiffness = guarded(k.size);
+  const ExponentRange x = guarded(program_.multiply(program_.size(omega_), tau.size));
+  const NodeId product = program_.multiply(omega_, tau.value);
   // |K| = k x/|1 + i x|; x is rounded once, k x and 1 + i x once more.
   const ExponentRange quotient{0, std::max(x.high, 0.0) + 0.5};
   const ExponentRange range{stiffness.low + std::min(x.low, 0.0) - 0.5, stiffness.high};
-  return {{zero, program_.multiply(product, k)},
+  return {{zero, program_.multiply(product, k.value)},
           {one, product},
           stiffness + x,
           quotient,
           range,
-          3 + before,
+          3 + k.roundings + tau.roundings,
           {},
           false,
           range,

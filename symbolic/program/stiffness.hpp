@@ -52,6 +52,12 @@ NodeId roundings(Program& program, const Stiffness& k);
 
 class StiffnessWriter {
  public:
+  /// Of an element: its value, its absolute value as a bound, and its error in roundings.
+  struct ElementNumber {
+    NodeId value, size;
+    int roundings = 0;
+  };
+
   /// Elements lie within 2^-exponent to 2^exponent or are 0, as the guards will check. `value`
   /// gives an element's number: a parameter or a constant.
   StiffnessWriter(Program& program, NodeId omega, int exponent,
@@ -83,8 +89,7 @@ class StiffnessWriter {
   Stiffness fold(std::span<const Network> parts, Combine combine);
   Stiffness element(const Element& element);
   Stiffness polynomial_element(const Element& element);
-  /// `before`: roundings of both.
-  Stiffness relaxing_element(NodeId k, NodeId tau, int before);
+  Stiffness relaxing_element(const ElementNumber& k, const ElementNumber& tau);
   static void join_elements(Stiffness& whole, const Stiffness& a, const Stiffness& b);
   Stiffness parallel(Stiffness a, Stiffness b);
   Stiffness series(Stiffness a, Stiffness b);
@@ -99,7 +104,7 @@ class StiffnessWriter {
   std::function<NodeId(const Symbol&)> value_;
   Zeros zeros_;
   std::vector<Guard> guards_;
-  std::function<void(NodeId)> guard_ = [this](NodeId id) { guarded(program_.size(id)); };
+  std::function<void(NodeId)> guard_ = [this](NodeId size) { guarded(size); };
   bool polynomials_ = false;
 };
 
