@@ -17,7 +17,7 @@ enum class SceneKind {
   separating,                     ///< the contact may open
   separating_without_memory,      ///< v* is Eq. 24 while it is closed where the indentation rises
                                   ///< fastest
-  separating_with_memory,         ///< v* is Eq. 24 while they never part
+  separating_with_memory,         ///< v* is Eq. 24 while it never opens
   no_static_load,                 ///< K_n(0) = 0
   no_static_load_below_indenter,  ///< E(0) = 0
   no_friction,                    ///< mu0 = 0

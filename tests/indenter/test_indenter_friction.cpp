@@ -262,7 +262,7 @@ BOOST_AUTO_TEST_CASE(table_of_a_parabola) {
   const Friction finer = friction(HalfSpace(scene), velocity(0.5, 0.4), 1e-12);
   BOOST_TEST(std::abs(lines.ratio - finer.ratio) <= lines.error + finer.error);
   BOOST_TEST(std::abs(lines.ratio - smooth.ratio) <= 1.2 * std::pow(50, -1.5));
-  // Cut at half the radius of contact, its rim holds cells that never part.
+  // Cut at half the radius of contact, its rim holds cells that never open.
   table.profile->rows.resize(26);
   scene.indenter = table;
   const Friction cut = friction(HalfSpace(scene), velocity(0.5, 0.4));

@@ -79,8 +79,8 @@ BOOST_AUTO_TEST_CASE(nodes_of_a_bridge_have_room_for_their_edges) {
   BOOST_TEST(layout.nodes[0].x == 0);
   BOOST_TEST(layout.nodes[1].x == layout.width);
   for (const Wire& wire : bridge().wires) {
-    const Point from = layout.nodes[static_cast<std::size_t>(wire.from)];
-    const Point to = layout.nodes[static_cast<std::size_t>(wire.to)];
+    const LayoutPoint from = layout.nodes[static_cast<std::size_t>(wire.from)];
+    const LayoutPoint to = layout.nodes[static_cast<std::size_t>(wire.to)];
     BOOST_TEST(std::hypot(from.x - to.x, from.y - to.y) >= spacing);
   }
 }

@@ -139,7 +139,7 @@ BOOST_AUTO_TEST_CASE(a_mean_force_of_few_digits_is_no_better_as_a_ratio) {
 }
 
 BOOST_AUTO_TEST_CASE(outside_the_model) {
-  BOOST_CHECK_THROW(steady_state(elastic(-2, 1), 0.5), ModelError);  // never meet
+  BOOST_CHECK_THROW(steady_state(elastic(-2, 1), 0.5), ModelError);  // never closes
 }
 
 BOOST_AUTO_TEST_CASE(contacts_that_never_open_are_closed) {
