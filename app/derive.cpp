@@ -2,13 +2,11 @@
 // systems; and the pages about its networks and about all named rheologies.
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "analysis/equality.hpp"
-#include "base/errors.hpp"
 #include "commands.hpp"
 #include "document/print.hpp"
 #include "options.hpp"
@@ -50,16 +48,6 @@ int print_comparison(const Problem& problem, const Problem& other, const FormatC
   fmt::print("{}", chosen.format == Format::json ? symbolic::json_of(comparison)
                                                  : symbolic::text_of(comparison));
   return comparison.equal ? 0 : 1;
-}
-
-/// HTML is always a page of its own; what other formats write is a part of nothing.
-void check_standalone(bool standalone, const FormatChoice& chosen) {
-  if (!standalone || chosen.format == Format::latex || chosen.format == Format::html) return;
-  std::string name = chosen.system;
-  for (const auto& [each, choice] : formats())
-    if (name.empty() && choice.format == chosen.format) name = each;
-  throw InputError(argument("standalone"), "--format " + name,
-                   "--format latex, for an article, or html, which is a page with or without it");
 }
 
 /// A flag that takes the place of the derivation: no other option goes with it but `these`.
@@ -136,7 +124,6 @@ void add_derive(CLI::App& program, int& status, const DerivePages* pages) {
     }
     options->document.format = options->format.format;
     options->document.system = options->format.system;
-    check_standalone(options->document.standalone, options->format);
     fmt::print("{}", symbolic::print(options->scene.read(), options->document));
   });
 }

@@ -54,13 +54,14 @@ std::unique_lock<std::timed_mutex> alone() {
 }
 
 std::string document(const Problem& problem, const std::string& format, const std::string& form,
-                     bool limits, bool sensitivities) {
+                     bool limits, bool sensitivities, bool standalone) {
   symbolic::DocumentOptions options;
   options.format = named(formats(), "format", format);
   options.system = format;
   options.form = named(forms(), "form", form);
   options.limits = limits;
   options.sensitivities = sensitivities;
+  options.standalone = standalone;
   const OthersRun others_run;
   const auto lock = alone();
   return symbolic::print(problem, options);
@@ -71,7 +72,7 @@ std::string document(const Problem& problem, const std::string& format, const st
 void add_derivation(pybind11::module_& module) {
   using pybind11::arg;
   module.def("document", &document, arg("scene"), arg("format"), arg("form"), arg("limits"),
-             arg("sensitivities"));
+             arg("sensitivities"), arg("standalone"));
 }
 
 }  // namespace vcrit::python

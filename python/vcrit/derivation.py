@@ -94,12 +94,13 @@ class Derivation:
             for each in found)
 
     def document(self, format: str = "text", *, limits: bool = False,
-                 sensitivities: bool = False) -> str:
-        """What `vcrit derive SCENE --format FORMAT [--limits] [--sensitivities]` prints.
+                 sensitivities: bool = False, standalone: bool = False) -> str:
+        """What `vcrit derive SCENE --format FORMAT [--limits] [--sensitivities] [--standalone]` prints.
 
-        format: "text", "latex", "markdown" or "json".
+        format: "text", "latex", "markdown", "html" or "json".
         """
-        return _vcrit.document(self._scene._handle, format, self._form, limits, sensitivities)
+        return _vcrit.document(self._scene._handle, format, self._form, limits, sensitivities,
+                               standalone)
 
     def _repr_latex_(self) -> str:
         return _displayed([each.latex for each in self.definitions] + [self.latex])

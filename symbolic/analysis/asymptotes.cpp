@@ -27,11 +27,7 @@ Asymptote asymptote(const Model& model, bool high) {
   const Asymptotic amplitude = model.asymptotic(high ? 1 : -1);
   const GiNaC::exmap names = coefficient_names(amplitude.definitions);
   const Prose title{tends(omega(), high)};
-  Asymptote result{high,
-                   title.text(),
-                   title,
-                   amplitude.power + 1,
-                   amplitude.amplitude.subs(names),
+  Asymptote result{high, title.text(), title, amplitude.power + 1, amplitude.amplitude.subs(names),
                    {}};
   if (is_negative(result.coefficient)) result.coefficient = -result.coefficient;
   for (const Line& line : amplitude.definitions)

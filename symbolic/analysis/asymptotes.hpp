@@ -16,7 +16,7 @@ namespace vcrit::symbolic {
 struct Asymptote {
   bool high = false;  ///< infinity, and not 0
   std::string name;   ///< "omega -> 0" or "omega -> infinity"
-  Prose title;       ///< the same
+  Prose title;        ///< the same
   int power = 0;
   Expression coefficient;         ///< positive, in the scene's symbols (and in definitions)
   std::vector<Line> definitions;  ///< where it is too large to be multiplied out: L_1, ..., L_n,

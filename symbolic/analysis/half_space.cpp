@@ -23,16 +23,19 @@ std::vector<Line> half_space_lines(const Derivation& derivation) {
          "below an indenter K_t/K_n is that of an isotropic contact");
   const ex own_nu = given ? quantity("nu") : nu;
   const ex plane = quantity("E_r"), shearing = quantity("G_r"), G = quantity("G");
-  return {{{"Each width ", b, " of the contact is a contact of its own, with ", plane * b, ", ",
-            stated(plane, E / (1 - own_nu * own_nu))},
-           quantity("K_n"), normal},
-          {{"and along the surface with ", shearing * b, ", ", stated(shearing, 4 * G / (2 - own_nu)),
-            ", ", stated(G, E / (2 * (1 + own_nu)))},
-           quantity("K_t"),
-           tangential},
-          {{"Their ratio is the same everywhere, whatever ", E, " is made of and the shape is"},
-           quantity("K_t") / quantity("K_n"), ratio},
-          {{"so that all have one ", quantity("v*")}, quantity("v*"), derivation.critical_velocity}};
+  return {
+      {{"Each width ", b, " of the contact is a contact of its own, with ", plane * b, ", ",
+        stated(plane, E / (1 - own_nu * own_nu))},
+       quantity("K_n"),
+       normal},
+      {{"and along the surface with ", shearing * b, ", ", stated(shearing, 4 * G / (2 - own_nu)),
+        ", ", stated(G, E / (2 * (1 + own_nu)))},
+       quantity("K_t"),
+       tangential},
+      {{"Their ratio is the same everywhere, whatever ", E, " is made of and the shape is"},
+       quantity("K_t") / quantity("K_n"),
+       ratio},
+      {{"so that all have one ", quantity("v*")}, quantity("v*"), derivation.critical_velocity}};
 }
 
 }  // namespace vcrit::symbolic

@@ -171,8 +171,7 @@ class Collector {
     const std::optional<ex> ratio =
         ratio_of_same_shape(problem_->normal.network(), tangential->network());
     if (!ratio) return;
-    const Prose isotropic{"isotropic contact, ",
-                          stated(quantity("K_t"), *ratio * quantity("K_n"))};
+    const Prose isotropic{"isotropic contact, ", stated(quantity("K_t"), *ratio * quantity("K_n"))};
     add({{}, false, false, ratio}, isotropic);
     if (!has_drive()) return;
     add({{}, true, false, ratio}, both(isotropic, arrow({drive_label(problem_)}, true)));

@@ -15,8 +15,8 @@ namespace vcrit::symbolic {
 
 /// A limit or special case of v* that applies to the scene.
 struct Limit {
-  std::string name;  ///< "kd -> infinity", say
-  Prose title;       ///< the same
+  std::string name;      ///< "kd -> infinity", say
+  Prose title;           ///< the same
   std::string equation;  ///< number in the paper, "(31)", where it is one, else empty
   Expression result;
   std::vector<Line> definitions;  ///< as in Derivation

@@ -52,12 +52,13 @@ std::vector<Line> parting_lines(const Derivation& derivation) {
   const Prose touching{"While they touch ", z, " is the indentation; where it grows fastest",
                        always ? " they touch, and" : ", as long as they touch there,",
                        " the contact is slowest, as without parting"};
-  return {{{"In sliding contact force and friction balance at all times, also apart, where both are "
-            "0; so the contact point follows the normal deformation ",
-            z, " without memory"},
-           quantity("y"),
-           ratio * mu0 * z},
-          {touching, quantity("v*"), velocity}};
+  return {
+      {{"In sliding contact force and friction balance at all times, also apart, where both are "
+        "0; so the contact point follows the normal deformation ",
+        z, " without memory"},
+       quantity("y"),
+       ratio * mu0 * z},
+      {touching, quantity("v*"), velocity}};
 }
 
 }  // namespace vcrit::symbolic

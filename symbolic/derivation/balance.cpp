@@ -79,7 +79,8 @@ class BalanceWriter {
               ? Prose("At the contact point contact force and friction balance")
               : Prose{"The far end of the contact moves uniformly; at the contact point (", n_.y,
                       ": its oscillation) contact force and friction balance (each network acts "
-                      "by its stiffness, with ", n_.s, " for a derivative by time)"},
+                      "by its stiffness, with ",
+                      n_.s, " for a derivative by time)"},
           motion.contact + n_.mu0 * n_.f_n, n_.mu0 * n_.f_n);
   }
 

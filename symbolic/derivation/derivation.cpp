@@ -53,8 +53,8 @@ ex by_letter(const ex& formula, const ex& letter) {
 void write_condition(const Model& model, std::vector<Line>& lines) {
   const ex v = quantity("v*");
   const ex B = quantity("B"), phase = quantity("phi");
-  const ex least = quantity("v0") - omega() * GiNaC::abs(B) *
-                                        GiNaC::sin(omega() * quantity("t") + phase);
+  const ex least =
+      quantity("v0") - omega() * GiNaC::abs(B) * GiNaC::sin(omega() * quantity("t") + phase);
   lines.push_back({{"The contact point slides at ", least, ", with ", phase, " the phase of ", B,
                     "; without a stop, until that first touches zero"},
                    v,

@@ -103,8 +103,8 @@ Model::Model(const Problem& problem)
     Prose words("Isotropic contact");
     if (isotropic->by == Isotropic::By::poisson) {
       const ex nu = ratio.value ? quantity("nu") : poisson_ratio(ratio.symbol);
-      words += {", ", stated(quantity("K_t") / quantity("K_n"), 2 * (1 - nu) / (2 - nu)),
-                " (Mindlin)"};
+      words +=
+          {", ", stated(quantity("K_t") / quantity("K_n"), 2 * (1 - nu) / (2 - nu)), " (Mindlin)"};
       if (ratio.value) words += {" with ", stated_number(nu, *ratio.value)};
     }
     identities_.push_back({words, quantity("K_t"), *ratio_ * quantity("K_n")});
@@ -112,13 +112,13 @@ Model::Model(const Problem& problem)
     networks_.push_back({"K_t", std::get<ReducedNetwork>(problem->tangential)});
   }
   std::visit(Overloaded{[](const Rigid&) {}, [&](const ReducedNetwork& drive) { put_drive(drive); },
-                   [&](const Receptance&) {
-                     identities_.push_back(
-                         {{"The drive is measured: ", quantity("R_d"),
-                           ", its receptance, is interpolated in a table over ", omega()},
-                          quantity("K_d"),
-                          1 / quantity("R_d")});
-                   }},
+                        [&](const Receptance&) {
+                          identities_.push_back(
+                              {{"The drive is measured: ", quantity("R_d"),
+                                ", its receptance, is interpolated in a table over ", omega()},
+                               quantity("K_d"),
+                               1 / quantity("R_d")});
+                        }},
              problem->drive);
 }
 

@@ -191,12 +191,15 @@ class Nested {
   }
   static Value loss(const Value& k, const Value& eta) { return {GiNaC::I * k.k * eta.k, 1}; }
   static Value lossy(const Value& k, const Value& eta) { return {k.k * (1 + GiNaC::I * eta.k), 1}; }
-  Value parallel(const Value& a, const Value& b) { return named({a.k + b.k, a.size + b.size, 0, false}, 24); }
+  Value parallel(const Value& a, const Value& b) {
+    return named({a.k + b.k, a.size + b.size, 0, false}, 24);
+  }
   /// Two elements as a b/(a + b), more by their compliances.
   Value series(const Value& a, const Value& b) {
     const ex compliance = softness(a) + softness(b);
     const bool two = a.lone && b.lone;
-    return named({two ? a.k * b.k / (a.k + b.k) : 1 / compliance, a.size + b.size, compliance, false}, 6);
+    return named(
+        {two ? a.k * b.k / (a.k + b.k) : 1 / compliance, a.size + b.size, compliance, false}, 6);
   }
   Value mesh(const Value& a, const Value& b, const Value& total) {
     return named({a.k * b.k / total.k, a.size + b.size + total.size, 0, false}, 6);

@@ -146,8 +146,8 @@ Section assumptions(const Findings& findings) {
   const Problem& problem = findings.derivation.problem;
   Section section{"Assumptions", "", {}, ""};
   const ex v = quantity("v*"), wave = symbol({"du_z"}) * GiNaC::cos(omega() * quantity("t"));
-  const Statement u{{false,
-                     {Form::Kind::sum, "", {}, {}, {form_of(symbol({"u_z0"})), form_of(wave)}, 1}}};
+  const Statement u{
+      {false, {Form::Kind::sum, "", {}, {}, {form_of(symbol({"u_z0"})), form_of(wave)}, 1}}};
   section.items = {
       {"The height of the body is prescribed: the indentation is ", u,
        ", whatever the normal force."},
@@ -159,8 +159,9 @@ Section assumptions(const Findings& findings) {
           ? Prose{"The normal force stays above 0: the contact never opens."}
           : Prose{"Surfaces may part: without contact there is no normal and no friction force."});
   section.items.push_back(
-      {v, " is the mean velocity of the contact point. A drive or contact that creeps under the "
-          "mean friction makes the drive faster than that."});
+      {v,
+       " is the mean velocity of the contact point. A drive or contact that creeps under the "
+       "mean friction makes the drive faster than that."});
   return section;
 }
 

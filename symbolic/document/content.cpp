@@ -125,8 +125,9 @@ Section asymptotes_section(const std::vector<Asymptote>& asymptotes) {
     block.lines.push_back(asymptote_line(asymptote));
     section.blocks.push_back(block);
     if (!asymptote.definitions.empty())
-      section.note = {quantity("L_j"), " is what ", quantity("K_j"),
-                      " tends to, without its power of ", laplace(), "."};
+      section.note = {quantity("L_j"), " is what ",
+                      quantity("K_j"), " tends to, without its power of ",
+                      laplace(),       "."};
   }
   return section;
 }
@@ -148,8 +149,7 @@ Prose resonance_words(const Resonance& resonance) {
 }
 
 std::vector<DocumentBlock> resonance_blocks(const Resonance& resonance) {
-  std::vector<DocumentBlock> blocks{
-      {resonance_words(resonance), resonance_lines(resonance)}};
+  std::vector<DocumentBlock> blocks{{resonance_words(resonance), resonance_lines(resonance)}};
   if (!resonance.parts) return blocks;
   const Resonance::Parts& parts = *resonance.parts;
   blocks.push_back({"Its real part asks for", {{"", parts.real, 0}}});
@@ -213,18 +213,40 @@ std::optional<DocumentBlock> array_block(const std::vector<Sensitivity>& all,
 
 Section sensitivities_section(const Findings& findings) {
   const ex S = quantity("S_p"), p = quantity("p"), v = quantity("v*");
-  const Prose note{"Where a parameter ", p, " grows by one percent, ", v, " grows by ", S,
-                   " percent; the derivative of ", v, " by ", p, " is ", v * S / p, "."};
+  const Prose note{"Where a parameter ",
+                   p,
+                   " grows by one percent, ",
+                   v,
+                   " grows by ",
+                   S,
+                   " percent; the derivative of ",
+                   v,
+                   " by ",
+                   p,
+                   " is ",
+                   v * S / p,
+                   "."};
   Section section{"Sensitivities", note, {}, ""};
   Reader reader;
   reader.tell(findings.derivation.definitions);
   const ex B = quantity("B"), K = quantity("K_j");
   Prose with_changes = note;
-  with_changes += {" ", quantity("dK_j"), " is the derivative of ", K, " by ", p, ", times ", p,
-                   ", with the ", p, " of the ", S, " that follows."};
+  with_changes += {" ",
+                   quantity("dK_j"),
+                   " is the derivative of ",
+                   K,
+                   " by ",
+                   p,
+                   ", times ",
+                   p,
+                   ", with the ",
+                   p,
+                   " of the ",
+                   S,
+                   " that follows."};
   if (const auto& shared = findings.sensitivities.shared; !shared.empty()) {
-    section.note += {" ", quantity("G_j"), " is the derivative of ", B, " by ", K, ", over ", B,
-                     "."};
+    section.note +=
+        {" ", quantity("G_j"), " is the derivative of ", B, " by ", K, ", over ", B, "."};
     section.blocks.push_back({"", shared});
   }
   const std::vector<Sensitivity>& all = findings.sensitivities.each;
@@ -237,7 +259,8 @@ Section sensitivities_section(const Findings& findings) {
     std::vector<Line> lines = reader.tell(next->stiffnesses);
     lines.insert(lines.end(), next->changes.begin(), next->changes.end());
     lines.push_back(sensitivity_line(*next));
-    const bool alone = section.blocks.empty() || section.blocks.back().lines.size() >= longest_block ||
+    const bool alone = section.blocks.empty() ||
+                       section.blocks.back().lines.size() >= longest_block ||
                        !section.blocks.back().equations.empty();
     if (alone) section.blocks.push_back({"", {}});
     std::vector<Line>& block = section.blocks.back().lines;

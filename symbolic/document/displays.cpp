@@ -27,10 +27,10 @@ std::vector<Definitions> runs_of(const std::vector<Equation>& equations) {
   std::vector<Definitions> runs;
   for (const Equation& each : equations) {
     auto member = member_of(each);
-    const bool goes_on = !runs.empty() && member && runs.back().first &&
-                         runs.back().first->pattern == member->pattern &&
-                         runs.back().first->number + static_cast<int>(runs.back().members.size()) ==
-                             member->number;
+    const bool goes_on =
+        !runs.empty() && member && runs.back().first &&
+        runs.back().first->pattern == member->pattern &&
+        runs.back().first->number + static_cast<int>(runs.back().members.size()) == member->number;
     if (!goes_on) runs.push_back({{}, std::move(member)});
     runs.back().members.push_back(each);
   }
@@ -65,8 +65,7 @@ std::vector<Displays::Asked> Displays::asked(const DocumentBlock& block) {
     Signed left = form_of(line.left), right = form_of(line.right);
     left.form = with_series(std::move(left.form));
     right.form = with_series(std::move(right.form));
-    const auto relation =
-        asymptotic ? Statement::Relation::asymptotic : Statement::Relation::equal;
+    const auto relation = asymptotic ? Statement::Relation::asymptotic : Statement::Relation::equal;
     result.push_back({{std::move(left), relation, std::move(right)},
                       {},
                       asymptotic ? std::nullopt : std::optional(std::move(sides))});

@@ -32,9 +32,9 @@ bool has_bar(const Form& form) {
     return std::any_of(forms.begin(), forms.end(), has_bar);
   };
   return (form.kind == Form::Kind::product && !form.under.empty()) || any(form.over) ||
-         any(form.under) || std::any_of(form.terms.begin(), form.terms.end(), [](const Signed& term) {
-           return has_bar(term.form);
-         });
+         any(form.under) ||
+         std::any_of(form.terms.begin(), form.terms.end(),
+                     [](const Signed& term) { return has_bar(term.form); });
 }
 
 std::string part_key(const Form& form) { return text_dialect().print({false, form}); }
@@ -79,8 +79,9 @@ Form Fitting::name_of(const Form& part) {
 bool Fitting::name_a_part(Form& form) {
   std::vector<Form*> sums;
   outermost_sums(form, sums);
-  const auto widest = std::max_element(
-      sums.begin(), sums.end(), [this](Form* a, Form* b) { return measure_.of(*a) < measure_.of(*b); });
+  const auto widest = std::max_element(sums.begin(), sums.end(), [this](Form* a, Form* b) {
+    return measure_.of(*a) < measure_.of(*b);
+  });
   if (widest != sums.end() && measure_.of(**widest) > measure_.least_part) {
     **widest = name_of(**widest);
     return true;
@@ -116,11 +117,13 @@ std::vector<std::vector<Signed>> Fitting::rows(Signed right, double left) {
   name_small_parts(right.form, 0);
   if (width_of(right) <= measure_.width - left) return {{std::move(right)}};
   if (right.form.kind != Form::Kind::sum)
-    return {{{right.minus, narrowed(std::move(right.form), measure_.width - left - measure_.sign)}}};
+    return {
+        {{right.minus, narrowed(std::move(right.form), measure_.width - left - measure_.sign)}}};
   std::vector<std::vector<Signed>> result;
   double used = 0;
   for (Signed& term : right.form.terms) {
-    term.form = narrowed(std::move(term.form), measure_.width - left - measure_.indent - measure_.sign);
+    term.form =
+        narrowed(std::move(term.form), measure_.width - left - measure_.indent - measure_.sign);
     const double more = measure_.of(term.form) + measure_.sign;
     if (result.empty() || used + more > measure_.width) {
       used = result.empty() ? left : left + measure_.indent;
@@ -135,7 +138,9 @@ std::vector<std::vector<Signed>> Fitting::rows(Signed right, double left) {
 std::vector<FittedEquation> Fitting::fitted(const Statement& equation, double column) {
   Signed left = equation.left, right = equation.right;
   // What is 0 is broken behind the equals sign.
-  if (right.form.kind == Form::Kind::number && width_of(left) + measure_.relation + width_of(right) > measure_.width) std::swap(left, right);
+  if (right.form.kind == Form::Kind::number &&
+      width_of(left) + measure_.relation + width_of(right) > measure_.width)
+    std::swap(left, right);
   if (width_of(left) > least_right * measure_.width)
     left.form = narrowed(std::move(left.form), least_right * measure_.width);
   const double beside = std::max(width_of(left), column) + measure_.relation;

@@ -25,11 +25,11 @@ struct FittedEquation {
 
 /// What fits: points of a page, or characters of a terminal.
 struct LineWidth {
-  double width;                  ///< of a page
-  double (*of)(const Form&);     ///< of a formula
-  double sign, relation;         ///< of a plus and of an equals sign, with their spaces
-  double indent;                 ///< of rows after the first
-  double least_part, name;       ///< narrower parts get no name; what a name takes
+  double width;               ///< of a page
+  double (*of)(const Form&);  ///< of a formula
+  double sign, relation;      ///< of a plus and of an equals sign, with their spaces
+  double indent;              ///< of rows after the first
+  double least_part, name;    ///< narrower parts get no name; what a name takes
 };
 
 extern const LineWidth measure_of_page, measure_of_terminal;

@@ -132,7 +132,8 @@ namespace {
 std::vector<WrittenEquation> written(const std::vector<symbolic::Line>& lines) {
   std::vector<WrittenEquation> result;
   for (const symbolic::Line& line : lines)
-    result.push_back({line.words.text(), symbolic::form_of(line.left), symbolic::form_of(line.right)});
+    result.push_back(
+        {line.words.text(), symbolic::form_of(line.left), symbolic::form_of(line.right)});
   return result;
 }
 

@@ -1,7 +1,9 @@
 #include "document/markup.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
+#include <map>
 #include <utility>
 
 #include "base/plain_text.hpp"
@@ -22,15 +24,40 @@ using record::Fields, record::Json;
 std::string as_it_is(std::string_view text) { return std::string(text); }
 
 std::string latex(std::string_view text) {
+  static const std::map<char, std::string> written{
+      {'\\', "\\textbackslash{}"}, {'^', "\\^{}"},           {'~', "\\~{}"},
+      {'<', "\\textless{}"},       {'>', "\\textgreater{}"}, {'|', "\\textbar{}"}};
   std::string out;
   for (const char c : text) {
+    const auto known = written.find(c);
     if (std::string_view("_%&#${}").find(c) != std::string_view::npos) out += '\\';
-    if (c == '\\')
-      out += "\\textbackslash{}";
-    else
-      out += c == '^' || c == '~' ? "\\" + std::string(1, c) + "{}" : std::string(1, c);
+    out += known == written.end() ? std::string(1, c) : known->second;
   }
   return out;
+}
+
+/// Whether the fonts of an article without more packages have a character: ASCII, signs such as
+/// those of degree and micro, and western letters but for those of Icelandic.
+bool is_in_fonts(std::string_view bytes) {
+  if (bytes.size() == 1) return byte_at(bytes, 0) < 0x80;
+  if (bytes.size() != 2) return false;
+  const unsigned code = (byte_at(bytes, 0) & 0x1FU) << 6U | (byte_at(bytes, 1) & 0x3FU);
+  const bool icelandic = code == 0xD0 || code == 0xDE || code == 0xF0 || code == 0xFE;
+  return code >= 0xB0 && code <= 0xFF && code != 0xBB && !icelandic;
+}
+
+/// For a file that has to compile whatever a scene is called: what has no letter is a question
+/// mark.
+std::string latex_alone(std::string_view text) {
+  std::string known;
+  for (std::size_t i = 0; i < text.size();) {
+    std::size_t size = 1;
+    while ((byte_at(text, i + size) & 0xC0U) == 0x80) ++size;
+    const std::string_view bytes = text.substr(i, size);
+    known += is_in_fonts(bytes) ? std::string(bytes) : "?";
+    i += size;
+  }
+  return latex(known);
 }
 
 // What would begin a tag, a link, code or a formula.
@@ -69,7 +96,7 @@ struct DocumentMarkup {
   const char *open, *close;
   std::string (*title)(std::string_view);
   std::string (*words)(std::string_view);
-  const LineWidth& measure;
+  std::reference_wrapper<const LineWidth> measure;
   bool wraps;  ///< words, at the measure's width
 
   record::Markup of(const Prose& prose) const {
@@ -78,16 +105,27 @@ struct DocumentMarkup {
   }
 };
 
-DocumentMarkup markup_of(Format format) {
-  if (format == Format::latex)
-    return {"latex", latex_dialect, latex_within_words, "$", "$", latex, latex, measure_of_page, false};
-  if (format == Format::markdown)
-    return {"markdown", latex_dialect, latex_within_words, "$", "$", markdown, as_it_is,
-            measure_of_page, false};
-  if (format == Format::html)
-    return {"html", mathml_dialect, mathml_dialect, "<math><mrow>", "</mrow></math>",
-            record::html_text, record::html_text, measure_of_page, false};
-  return {"text", text_dialect, text_dialect, "", "", as_it_is, as_it_is, measure_of_terminal, true};
+DocumentMarkup markup_of(Format format, bool standalone) {
+  DocumentMarkup markup{"text",   text_dialect, text_dialect,        "",  "",
+                        as_it_is, as_it_is,     measure_of_terminal, true};
+  if (format == Format::text) return markup;
+  markup = {"latex", latex_dialect, latex_within_words, "$",  "$",
+            latex,   latex,         measure_of_page,    false};
+  if (standalone) markup.title = latex_alone;
+  if (format == Format::markdown) {
+    markup.name = "markdown";
+    markup.title = markdown;
+    markup.words = as_it_is;
+  }
+  if (format == Format::html) {
+    markup.name = "html";
+    markup.dialect = mathml_dialect;
+    markup.within_words = mathml_within_words;
+    markup.open = "<math><mrow>";
+    markup.close = "</mrow></math>";
+    markup.title = markup.words = record::html_text;
+  }
+  return markup;
 }
 
 /// A row of an equation each.
@@ -112,7 +150,8 @@ void add_display(Json& shown, Json rows) {
   constexpr std::size_t most_rows = 60;
   for (std::size_t from = 0; from < rows.size(); from += most_rows) {
     const auto begin = rows.begin() + static_cast<std::ptrdiff_t>(from);
-    const auto end = rows.begin() + static_cast<std::ptrdiff_t>(std::min(from + most_rows, rows.size()));
+    const auto end =
+        rows.begin() + static_cast<std::ptrdiff_t>(std::min(from + most_rows, rows.size()));
     Json part = Json::array();
     std::copy(begin, end, std::back_inserter(part));
     const bool lone = part.size() == 1;
@@ -163,7 +202,7 @@ Json section_record(const Section& section, const DocumentMarkup& markup, Displa
 
 std::string markup_document(Format format, const std::string& title,
                             const std::vector<Section>& sections, bool standalone) {
-  const DocumentMarkup markup = markup_of(format);
+  const DocumentMarkup markup = markup_of(format, standalone);
   Displays displays(markup.dialect(), markup.measure);
   const record::Markup heading{markup.title(one_line(title))};
   Json record{{"title", Fields(record::Reader::page).written(heading)},

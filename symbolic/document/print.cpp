@@ -24,10 +24,19 @@ void check_system(const DocumentOptions& options) {
                        "text, latex, markdown or json: other formats have v* alone");
 }
 
+/// HTML is always a page of its own; text, Markdown and JSON have nothing to stand alone with.
+void check_standalone(const DocumentOptions& options) {
+  const bool stands = options.format == Format::latex || options.format == Format::html;
+  if (options.standalone && !stands)
+    throw InputError(argument("standalone"), "a format that is no page",
+                     "the format latex, for an article, or html, a page with or without it");
+}
+
 }  // namespace
 
 std::string print(const Problem& problem, const DocumentOptions& options) {
   if (options.format == Format::system) check_system(options);
+  check_standalone(options);
   const AlgebraLock lock;
   const NamesOfScene names(problem);
   const Findings findings = findings_of(problem, options);

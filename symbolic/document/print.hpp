@@ -32,7 +32,7 @@ const std::vector<std::string>& system_names();
 
 /// What `vcrit derive` prints; the same bytes in every run. Throws ModelError where the rational
 /// or the expanded form is beyond the budget and where storage and loss cannot be written out, and
-/// InputError for a system with limits or sensitivities.
+/// InputError for a system with limits or sensitivities, and for what cannot be standalone.
 std::string print(const Problem& problem, const DocumentOptions& options);
 
 }  // namespace vcrit::symbolic

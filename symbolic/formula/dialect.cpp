@@ -57,6 +57,14 @@ std::vector<Piece> Dialect::pieces(const std::vector<Form>& forms) const {
   return result;
 }
 
+Piece Dialect::slashed(const std::vector<Piece>& over, const std::vector<Piece>& under,
+                       const std::string& slash) const {
+  const bool lone = under.size() == 1 && under[0].tightness == Piece::Tightness::atom;
+  const std::string below = product(factors(under, true));
+  return {product(factors(over, false)) + slash + (lone ? below : wrapped(below)),
+          Piece::Tightness::product};
+}
+
 std::vector<std::string> Dialect::factors(const std::vector<Piece>& pieces,
                                           bool lone_is_bare) const {
   std::vector<std::string> result;
@@ -74,8 +82,7 @@ Piece Dialect::quotient(const Form& form) const {
     return fraction(pieces(form.over), pieces(form.under));
   std::vector<Form> over = form.over;
   const auto roots = std::find_if(over.begin(), over.end(), is_root);
-  std::vector<Piece> parts{
-      fraction(pieces({over.begin(), roots}), pieces(form.under))};
+  std::vector<Piece> parts{fraction(pieces({over.begin(), roots}), pieces(form.under))};
   for (Piece& root : pieces({roots, over.end()})) parts.push_back(std::move(root));
   return {product(factors(parts, false)), Piece::Tightness::product};
 }

@@ -62,6 +62,9 @@ class Dialect {
   /// Whether a root above a bar is written behind the fraction, where it is set large.
   virtual bool roots_stand_behind() const { return false; }
 
+  /// over/under on one line.
+  Piece slashed(const std::vector<Piece>& over, const std::vector<Piece>& under,
+                const std::string& slash) const;
   /// The factors' texts, sums in parentheses; a lone one as it is if `lone_is_bare`.
   std::vector<std::string> factors(const std::vector<Piece>& pieces, bool lone_is_bare) const;
 
@@ -73,8 +76,9 @@ class Dialect {
 
 const Dialect& text_dialect();
 const Dialect& latex_dialect();
-/// With a/b for fractions: for formulas between words.
-const Dialect& latex_within_words();
 const Dialect& mathml_dialect();
+/// With a/b for fractions: for formulas between words, where a bar would be small.
+const Dialect& latex_within_words();
+const Dialect& mathml_within_words();
 
 }  // namespace vcrit::symbolic

@@ -76,7 +76,9 @@ class LatexDialect : public Dialect {
   std::string call(const std::string& function, const std::string& argument) const override {
     if (function == "abs") return "\\left|" + argument + "\\right|";
     if (function == "exp" && printed_name(own_name("e")) == "e") return "e^{" + argument + "}";
-    return (function == "sin" || function == "cos" ? "\\" + function : "\\operatorname{" + function + "}") + wrapped(argument);
+    return (function == "sin" || function == "cos" ? "\\" + function
+                                                   : "\\operatorname{" + function + "}") +
+           wrapped(argument);
   }
   std::string wrapped(const std::string& text) const override {
     return "\\left(" + text + "\\right)";
@@ -104,10 +106,7 @@ class LatexDialect : public Dialect {
 /// Within a line of words, where a bar would be small and spread the lines.
 class LatexWithinWords : public LatexDialect {
   Piece fraction(const std::vector<Piece>& over, const std::vector<Piece>& under) const override {
-    const bool lone = under.size() == 1 && under[0].tightness == Piece::Tightness::atom;
-    const std::string below = product(factors(under, true));
-    return {product(factors(over, false)) + "/" + (lone ? below : wrapped(below)),
-            Piece::Tightness::product};
+    return slashed(over, under, "/");
   }
   std::string number(const std::string& digits) const override { return digits; }
 };

@@ -32,6 +32,7 @@ std::string mathml_index_part(const std::string& part) {
 }
 
 class MathMlDialect : public Dialect {
+ protected:
   std::string number(const std::string& digits) const override {
     const std::size_t bar = digits.find('/');
     if (bar == std::string::npos) return "<mn>" + digits + "</mn>";
@@ -113,7 +114,18 @@ class MathMlDialect : public Dialect {
   bool roots_stand_behind() const override { return true; }
 };
 
+class MathMlWithinWords : public MathMlDialect {
+  Piece fraction(const std::vector<Piece>& over, const std::vector<Piece>& under) const override {
+    return slashed(over, under, "<mo>/</mo>");
+  }
+};
+
 }  // namespace
+
+const Dialect& mathml_within_words() {
+  static const MathMlWithinWords dialect;
+  return dialect;
+}
 
 const Dialect& mathml_dialect() {
   static const MathMlDialect dialect;

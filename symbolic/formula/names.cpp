@@ -99,8 +99,6 @@ bool has_bare_entry(const std::string& name) {
   return printing == nullptr || !printing->by_setting_.contains(setting_of(name));
 }
 
-bool is_taken(const std::string& name) {
-  return printing != nullptr && printing->taken(name);
-}
+bool is_taken(const std::string& name) { return printing != nullptr && printing->taken(name); }
 
 }  // namespace vcrit::symbolic

@@ -25,9 +25,9 @@ std::size_t greek_prefix(const std::string& word) {
 }
 
 /// What reads as a function is no letter with an index.
-constexpr auto functions = std::to_array<std::string_view>(
-    {"abs", "arg", "cos", "det", "dim", "exp", "gcd", "inf", "lim", "ln", "log", "max", "min", "mod",
-     "sin", "sup", "tan"});
+constexpr auto functions =
+    std::to_array<std::string_view>({"abs", "arg", "cos", "det", "dim", "exp", "gcd", "inf", "lim",
+                                     "ln", "log", "max", "min", "mod", "sin", "sup", "tan"});
 
 /// Elements are one letter with an index (kn, c1, kspring); other long names stand as words.
 std::size_t base_length(const std::string& word) {

@@ -30,10 +30,10 @@ Statement tends(const GiNaC::ex& left, bool infinite);
 class Prose {
  public:
   struct Part {
-    Part(const char* text) : words(text) {}                      // NOLINT(*-explicit-*)
-    Part(std::string text) : words(std::move(text)) {}           // NOLINT(*-explicit-*)
-    Part(const GiNaC::ex& formula);                              // NOLINT(*-explicit-*)
-    Part(Statement formula) : statement{std::move(formula)} {}   // NOLINT(*-explicit-*)
+    Part(const char* text) : words(text) {}                     // NOLINT(*-explicit-*)
+    Part(std::string text) : words(std::move(text)) {}          // NOLINT(*-explicit-*)
+    Part(const GiNaC::ex& formula);                             // NOLINT(*-explicit-*)
+    Part(Statement formula) : statement{std::move(formula)} {}  // NOLINT(*-explicit-*)
     std::string words;
     std::vector<Statement> statement;  ///< one, or none where there are words
   };

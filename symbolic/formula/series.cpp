@@ -69,9 +69,8 @@ struct Term {
 
 /// Runs of consecutive numbers among terms of one pattern, each long enough to be a series.
 std::vector<std::vector<Term>> runs(std::vector<Term> terms) {
-  std::sort(terms.begin(), terms.end(), [](const Term& a, const Term& b) {
-    return a.member.number < b.member.number;
-  });
+  std::sort(terms.begin(), terms.end(),
+            [](const Term& a, const Term& b) { return a.member.number < b.member.number; });
   std::vector<std::vector<Term>> result;
   for (Term& term : terms) {
     if (result.empty() || result.back().back().member.number + 1 != term.member.number)

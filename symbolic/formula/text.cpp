@@ -2,6 +2,7 @@
 
 #include "formula/algebra_lock.hpp"
 #include "formula/dialect.hpp"
+#include "record/html_text.hpp"
 
 namespace vcrit::symbolic {
 
@@ -30,6 +31,10 @@ std::string to_mathml(const GiNaC::ex& expression) {
 }
 
 std::string to_mathml(const Form& form) { return math(mathml_dialect().print({false, form})); }
+
+std::string to_mathml(const Prose& words) {
+  return words.written(mathml_within_words(), "<math><mrow>", "</mrow></math>", record::html_text);
+}
 
 std::string to_mathml(const Line& line) {
   const AlgebraLock lock;

@@ -19,6 +19,8 @@ std::string to_latex(const GiNaC::ex& expression);
 /// Presentation MathML, <math>...</math>.
 std::string to_mathml(const GiNaC::ex& expression);
 std::string to_mathml(const Form& form);
+/// Words for a page, with their formulas as MathML between them.
+std::string to_mathml(const Prose& words);
 /// The equation left = right.
 std::string to_mathml(const Line& line);
 

@@ -20,10 +20,7 @@ class TextDialect : public Dialect {
     return factors.empty() ? "1" : fmt::format("{}", fmt::join(factors, "*"));
   }
   Piece fraction(const std::vector<Piece>& over, const std::vector<Piece>& under) const override {
-    const bool lone = under.size() == 1 && under[0].tightness == Piece::Tightness::atom;
-    const std::string below = product(factors(under, true));
-    return {product(factors(over, false)) + "/" + (lone ? below : wrapped(below)),
-            Piece::Tightness::product};
+    return slashed(over, under, "/");
   }
   std::string power(const std::string& base, int exponent) const override {
     return fmt::format("{}^{}", base, exponent);

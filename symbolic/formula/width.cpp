@@ -25,17 +25,15 @@ Style within_bar(Style style) {
          : style == Style::text  ? Style::script
                                  : Style::scriptscript;
 }
-Style raised(Style style) {
-  return style <= Style::text ? Style::script : Style::scriptscript;
-}
+Style raised(Style style) { return style <= Style::text ? Style::script : Style::scriptscript; }
 
 // cmmi10, a to z and A to Z, with italic correction.
 constexpr std::array<double, 26> small_letters{5.3, 4.3, 4.4, 5.3, 4.7, 6.0, 5.2, 5.8, 3.5,
                                                4.8, 5.6, 3.1, 8.8, 6.1, 4.9, 5.1, 4.9, 4.9,
                                                4.7, 3.7, 5.8, 5.3, 7.5, 5.8, 5.3, 5.2};
-constexpr std::array<double, 26> capitals{7.6,  8.1, 7.9, 8.4, 8.0, 7.9, 7.9, 9.2, 5.2,
-                                          6.6,  9.3, 6.9, 10.9, 9.2, 7.9, 7.9, 8.0, 7.7,
-                                          6.8,  7.3, 8.0, 8.1, 10.9, 9.1, 8.2, 7.6};
+constexpr std::array<double, 26> capitals{7.6, 8.1, 7.9, 8.4,  8.0,  7.9, 7.9, 9.2, 5.2,
+                                          6.6, 9.3, 6.9, 10.9, 9.2,  7.9, 7.9, 8.0, 7.7,
+                                          6.8, 7.3, 8.0, 8.1,  10.9, 9.1, 8.2, 7.6};
 constexpr double digit = 5.0, roman_letter = 5.6, greek_letter = 6.6, wide_letter = 8.4;
 
 double letter_width(char c, bool roman) {
@@ -115,7 +113,8 @@ class FormWidth {
     }
     const double inside = of(form.terms[0], style);
     if (form.text == "abs") return inside + 10;
-    return inside + 24 + (form.text == "exp" ? 0 : roman_letter * static_cast<double>(form.text.size()));
+    return inside + 24 +
+           (form.text == "exp" ? 0 : roman_letter * static_cast<double>(form.text.size()));
   }
 
   double of(const Signed& expression, Style style) const {

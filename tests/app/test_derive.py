@@ -48,6 +48,42 @@ class Derive(Case):
         self.assertEqual(fingerprints[0], fingerprints[1])
         self.assertNotEqual(fingerprints[0], fingerprints[2])
 
+    def test_an_article_and_a_page_are_whole(self):
+        file = self.contact("a.toml", "k0 | (k1 - c1)")
+        part = self.derive(file, "--format", "latex")
+        article = self.derive(file, "--format", "latex", "--standalone")
+        self.assertTrue(article.startswith("\\documentclass[a4paper]{article}\n"))
+        self.assertTrue(article.endswith("\n\\end{document}\n"))
+        self.assertIn(part.strip(), article)
+        page = self.derive(file, "--format", "html")
+        self.assertTrue(page.startswith("<!DOCTYPE html>"))
+        self.assertEqual(page, self.derive(file, "--format", "html", "--standalone"))
+        # Nothing of it comes from elsewhere, and nothing runs.
+        self.assertIsNone(re.search(r"<script|<link|\bsrc=|\bhref=|url\(", page))
+        for words in (["text"], ["markdown"], ["json"]):
+            self.refused(2, ["derive", file, "--standalone", "--format", *words], "standalone", "latex")
+
+    def test_documents_say_what_symbols_mean(self):
+        file = self.contact("a.toml", "prony(k0, k, tau, 6)", {"mass": "m"})
+        for kind in ("latex", "markdown", "html"):
+            document = self.derive(file, "--format", kind)
+            for part in ("Assumptions", "relaxation time of the normal contact", "N/m", "mass of the body",
+                         "10.24411/1683-805X-2018-12009"):
+                self.assertIn(part, document, kind)
+
+    def test_a_long_series_is_one_line(self):
+        file = self.contact("a.toml", "prony(k0, k, tau, 8)")
+        text = self.derive(file, "--sensitivities")
+        for part in ("K_n = k0 + sum(k[j]*tau[j]*s/(1 + tau[j]*s), j = 1..8)", "T_j = omega*tau[j]  (j = 1..8)",
+                     "    S_tau[j] = "):
+            self.assertIn(part, text)
+        self.assertNotIn("k[5]", text)
+
+    def test_lines_of_a_terminal_fit(self):
+        for scene in sorted((PROJECT / "scenes").glob("*.toml")):
+            for line in self.derive(scene, "--limits", "--sensitivities").splitlines():
+                self.assertLessEqual(len(line), 100, f"{scene.name}: {line}")
+
     def test_forms_stand_beside_the_derivation(self):
         file = self.contact("a.toml", "k0 | (k1 - c1)")
         for form in ("rational", "dimensionless"):

@@ -74,7 +74,19 @@ class Documents(Case):
         self.assertTrue(title.startswith(begin) and title.endswith(end))
         # Every command in it is one of those that print a character.
         commands = set(re.findall(r"\\(?:[a-zA-Z]+|.)", title[len(begin):-len(end)]))
-        self.assertLessEqual(commands, {"\\textbackslash", *(f"\\{c}" for c in "_%&#${}^~")})
+        self.assertLessEqual(commands, {"\\textbackslash", "\\textless", "\\textgreater", "\\textbar",
+                                        *(f"\\{c}" for c in "_%&#${}^~")})
+
+    def test_an_article_that_compiles(self):
+        article = self.out("derive", self.file(HOSTILE + " ひ ą € é"), "--format", "latex", "--standalone")
+        title = next(line for line in article.splitlines() if line.startswith("\\section*{"))
+        # Beyond ASCII, what the standard fonts have.
+        self.assertEqual({c for c in title if ord(c) > 0x7F}, {"é"})
+
+    def test_a_page(self):
+        pages = [self.out("derive", self.file(title), "--format", "html") for title in (PLAIN, HOSTILE)]
+        self.assertEqual(*(Tags(page).tags for page in pages))
+        self.assertEqual(steering(pages[1]), [])
 
     def test_markdown(self):
         title = self.documents("markdown")

@@ -14,7 +14,8 @@ namespace {
 void print_derivation(const vcrit::Scene& scene) {
   using namespace vcrit;
   using symbolic::Format;
-  for (const Format format : {Format::text, Format::latex, Format::markdown, Format::html, Format::json})
+  for (const Format format :
+       {Format::text, Format::latex, Format::markdown, Format::html, Format::json})
     std::cout << symbolic::print(scene, {format, true, true});
   for (const auto form : {symbolic::ResultForm::nested, symbolic::ResultForm::dimensionless})
     std::cout << symbolic::print(scene, {Format::text, false, false, form});

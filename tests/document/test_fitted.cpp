@@ -58,8 +58,7 @@ std::vector<FittedEquation> fit(Fitting& fitting, const ex& right) {
 }
 
 const std::vector<ex> wide{
-    long_sum(1, 40),
-    GiNaC::sqrt(long_sum(1, 20) / long_sum(21, 45)),
+    long_sum(1, 40), GiNaC::sqrt(long_sum(1, 20) / long_sum(21, 45)),
     omega() / GiNaC::sqrt(1 + GiNaC::pow(long_sum(1, 25), 2)) * GiNaC::abs(long_sum(3, 30)),
     1 / (1 / (long_sum(1, 20) + 1 / long_sum(30, 50)) + 1 / element(1)),
     GiNaC::pow(long_sum(1, 9) * (1 + element(3) * long_sum(2, 40)), 2)};
@@ -91,8 +90,7 @@ BOOST_AUTO_TEST_CASE(lines_of_a_terminal_are_narrow_as_well) {
     const double plain = test::value_of(form_of(right).form, values_of_elements());
     BOOST_TEST(value_of(equations) == plain, boost::test_tools::tolerance(1e-12));
     for (const FittedEquation& each : equations)
-      for (const auto& row : each.rows)
-        BOOST_TEST(text_dialect().terms(row, true).size() < 100u);
+      for (const auto& row : each.rows) BOOST_TEST(text_dialect().terms(row, true).size() < 100u);
   }
 }
 

@@ -6,6 +6,7 @@ KaTeX is Debian's package libjs-katex, nodejs runs it: without them the test fai
 """
 
 import concurrent.futures
+import csv
 import json
 import os
 import re
@@ -81,6 +82,19 @@ class Katex(Case):
             # Ten lines lead to v*, whatever the scene.
             self.assertGreater(len(found), 10, where)
             items += [(where, *each) for each in found]
+        self.assertEqual(faults_of(items), [])
+
+    def test_it_takes_all_cells_of_the_table_of_hand_forms(self):
+        with (PROJECT / "tests/data/hand_forms.csv").open(newline="") as file:
+            cells = list(csv.DictReader(file))
+        self.assertEqual(len(cells), 216)
+        files = [self.write(cell["scene"], f"{n}.toml") for n, cell in enumerate(cells)]
+        with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+            results = list(pool.map(lambda file: run("derive", file, *ALL, "--format", "latex"), files))
+        items = []
+        for file, result in zip(files, results):
+            self.assertEqual(result.returncode, 0, f"{file.read_text()}: {result.stderr}")
+            items += [(file.read_text(), *each) for each in formulas(result.stdout, "latex")]
         self.assertEqual(faults_of(items), [])
 
     def test_it_refuses_what_is_no_latex(self):

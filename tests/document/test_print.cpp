@@ -104,7 +104,8 @@ BOOST_AUTO_TEST_CASE(mathml_is_well_formed) {
   BOOST_TEST(!is_balanced("<a><b></a></b>"));
   const Scene scene = test::kelvin_scene();
   const Derivation derivation = derive(scene);
-  for (const Line& line : derivation.lines) BOOST_TEST(is_balanced(to_mathml(line)), line.words.text());
+  for (const Line& line : derivation.lines)
+    BOOST_TEST(is_balanced(to_mathml(line)), line.words.text());
   for (const Limit& limit : limits(derive(scene))) BOOST_TEST(is_balanced(to_mathml(limit.result)));
 }
 

@@ -78,8 +78,10 @@ BOOST_AUTO_TEST_CASE(a_folded_formula_has_the_same_value) {
 
 BOOST_AUTO_TEST_CASE(dialects_write_sums) {
   const Form sum = with_series(form_of(branches(1, 4)).form);
-  BOOST_TEST(latex_dialect().print({false, sum}).find(
-                 "\\sum_{j=1}^{4} \\frac{k_{j}}{1 + \\tau_{j} \\omega}") != std::string::npos);
+  BOOST_TEST(latex_dialect()
+                 .print({false, sum})
+                 .find("\\sum_{j=1}^{4} \\frac{k_{j}}{1 + \\tau_{j} \\omega}") !=
+             std::string::npos);
   BOOST_TEST(mathml_dialect().print({false, sum}).find("<munderover><mo>∑</mo>") !=
              std::string::npos);
 }

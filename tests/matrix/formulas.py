@@ -4,6 +4,8 @@ import re
 
 import mpmath as mp
 
+import documents
+
 mp.mp.dps = 80
 # How far from a pole formulas are evaluated, where K_d is infinite and they would be infinite over infinite.
 ASIDE = mp.mpf(10)**-45
@@ -89,6 +91,7 @@ class Latex:
 
     def __init__(self, text, names):
         self.tokens, self.at, self.names = TOKEN.findall(text), 0, names
+        self.index = None  # of the sum that is being evaluated, and its number
 
     def peek(self):
         return self.tokens[self.at] if self.at < len(self.tokens) else None
@@ -147,11 +150,24 @@ class Latex:
         if token == "\\frac":
             over = self.group()
             return over / self.group()
+        if token == "\\sum":
+            return self.series()
         if token == "\\sqrt":
             return FUNCTIONS["sqrt"](self.group())
         if token[0].isdigit():
             return Number(token)
         return self.symbol(token)
+
+    def series(self):
+        self.take("_")
+        index, first = self.raw().split("=")
+        self.take("^")
+        last, begin, total = self.raw(), self.at, Number(0)
+        for number in range(int(first), int(last) + 1):
+            self.at, self.index = begin, (index, number)
+            total = total + self.product()
+        self.index = None
+        return total
 
     def symbol(self, token):
         name = token.lstrip("\\")
@@ -161,13 +177,19 @@ class Latex:
             name = "Delta" + self.take()
         if self.peek() == "_":
             self.take()
-            name += self.raw()
+            name += self.at_number(self.raw())
         while self.peek() == "'":
             name += self.take()
         name = plain(name)
         if name not in self.names.set_alike:
             raise Unknown(name)
         return Number(self.names.set_alike[name])
+
+    def at_number(self, letters):
+        if self.index is None:
+            return letters
+        return re.sub(rf"(?<![^,]){self.index[0]}([+-]\d+)?$", lambda found: str(self.index[1] + int(found[1] or 0)),
+                      letters)
 
     def raw(self):
         """The letters of a group, with all that only sets them."""
@@ -177,14 +199,7 @@ class Latex:
             token = self.take()
             depth += {"{": 1, "}": -1}.get(token, 0)
             letters += "" if token == "\\mathrm" else token.lstrip("\\")
-        return letters
-
-
-def equations(document, form):
-    """(left, right) of each formula of a printed derivation."""
-    pattern = {"text": r"^    (\S+) = (.+)$", "latex": r"^\\\[ (.+?) = (.+) \\\]$",
-               "markdown": r"^\$\$(.+?) = (.+)\$\$$"}[form]
-    return re.findall(pattern, document, re.M)
+        return letters[:-1]
 
 
 def onsets(document, form, values):
@@ -193,10 +208,13 @@ def onsets(document, form, values):
     The dimensionless form has stiffnesses of its own, over the one that its groups refer to, by the same names.
     """
     heading = {"text": r"^Dimensionless form:$", "latex": r"^\\subsection\*\{Dimensionless form\}$",
-               "markdown": r"^##+ Dimensionless form$"}[form]
-    words = re.findall(r"with ([\w\\]+) = (\w+)\*omega", document)
+               "markdown": r"^##+ Dimensionless form$", "html": r"^<h2>Dimensionless form</h2>$"}[form]
+    if form == "html":
+        document, form = documents.as_latex(document), "latex"
+    laplace = r"with (\S+) = (\S+)\*omega" if form == "text" else r"\$([^ $]+) = ([^ $]+) ?\\omega\$"
+    words = re.findall(laplace, document)
     parts = re.split(heading, document, flags=re.M)
-    return [value for part in parts for value in part_onsets(equations(part, form), form, values, words)]
+    return [value for part in parts for value in part_onsets(documents.equations(part, form), form, values, words)]
 
 
 def part_onsets(pairs, form, values, words):

@@ -22,10 +22,12 @@ class Derivation(unittest.TestCase):
             with self.subTest(scene=file):
                 derivation = derive(file)
                 self.assertEqual(derivation.text, program("derive", file).stdout)
-                for format in ["latex", "markdown", "json"]:
+                for format in ["latex", "markdown", "html", "json"]:
                     self.assertEqual(derivation.document(format), program("derive", file, "--format", format).stdout)
 
     def test_has_the_programs_options(self):
+        self.assertEqual(derive(KELVIN).document("latex", standalone=True),
+                         program("derive", KELVIN, "--format", "latex", "--standalone").stdout)
         self.assertEqual(derive(KELVIN).document(limits=True), program("derive", KELVIN, "--limits").stdout)
         self.assertEqual(derive(KELVIN).document(sensitivities=True),
                          program("derive", KELVIN, "--sensitivities").stdout)

@@ -4,7 +4,6 @@
 #include "facts/facts.hpp"
 #include "formula/dialect.hpp"
 #include "formula/text.hpp"
-#include "record/html_text.hpp"
 #include "shortest/proof.hpp"
 
 namespace vcrit::validation {
@@ -17,12 +16,6 @@ Formula formula_of(const GiNaC::ex& expression) {
 Formula formula_of(const symbolic::Form& form) {
   return {symbolic::to_mathml(form), symbolic::latex_dialect().print({false, form}),
           symbolic::text_dialect().print({false, form})};
-}
-
-namespace {
-
-std::string markup_of(const symbolic::Prose& words) {
-  return words.written(symbolic::mathml_dialect(), "<math>", "</math>", record::html_text);
 }
 
 }  // namespace
@@ -42,8 +35,11 @@ ShownVelocity shown_velocity(const symbolic::Derivation& derivation) {
   if (!shortest)
     return {
         formula_of(derivation.critical_velocity), equations_of(derivation.definitions), {}, false};
-  ShownVelocity shown{formula_of(shortest->velocity), {}, shortest->ratio.text(), true,
-                      markup_of(shortest->ratio)};
+  ShownVelocity shown{formula_of(shortest->velocity),
+                      {},
+                      shortest->ratio.text(),
+                      true,
+                      symbolic::to_mathml(shortest->ratio)};
   for (const auto& [name, meaning] : shortest->definitions)
     shown.definitions.push_back({{}, formula_of(name), formula_of(meaning)});
   return shown;
@@ -53,15 +49,15 @@ std::vector<Equation> equations_of(const std::vector<symbolic::Line>& lines) {
   std::vector<Equation> equations;
   for (const symbolic::Line& line : lines)
     equations.push_back({line.words.text(), formula_of(line.left), formula_of(line.right),
-                         markup_of(line.words)});
+                         symbolic::to_mathml(line.words)});
   return equations;
 }
 
 std::vector<LimitLine> limits_of(const symbolic::Derivation& derivation) {
   std::vector<LimitLine> lines;
   for (const symbolic::Limit& limit : symbolic::limits(derivation))
-    lines.push_back({limit.name, limit.equation, markup_of(limit.title), formula_of(limit.result),
-                     equations_of(limit.definitions)});
+    lines.push_back({limit.name, limit.equation, symbolic::to_mathml(limit.title),
+                     formula_of(limit.result), equations_of(limit.definitions)});
   return lines;
 }
 
