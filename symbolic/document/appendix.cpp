@@ -17,7 +17,7 @@ namespace {
 
 using GiNaC::ex;
 
-std::string unit_of(Dimension dimension) {
+std::string unit_text(Dimension dimension) {
   std::string unit = si_unit(dimension);
   std::replace(unit.begin(), unit.end(), '.', ' ');
   return unit;
@@ -40,7 +40,7 @@ class Nomenclature {
 
  private:
   void row(const ex& symbol, const Prose& meaning, Dimension dimension) {
-    rows_.push_back({{symbol}, meaning, unit_of(dimension)});
+    rows_.push_back({{symbol}, meaning, unit_text(dimension)});
   }
 
   void result_and_oscillation() {
@@ -105,7 +105,7 @@ class Nomenclature {
           known = elements_.insert(
               known,
               {symbol.name,
-               {is.words, unit_of(problem_->indenter ? is.in_half_space : is.dimension), {}, 0}});
+               {is.words, unit_text(problem_->indenter ? is.in_half_space : is.dimension), {}, 0}});
         Found& found = known->second;
         found.entries = std::max(found.entries, symbol.entry);
         if (std::find(found.places.begin(), found.places.end(), where) == found.places.end())

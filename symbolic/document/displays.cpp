@@ -50,7 +50,7 @@ bool Displays::Less::operator()(const Sides& a, const Sides& b) const {
   return order != 0 ? order < 0 : a.second.compare(b.second) < 0;
 }
 
-Displays::Displays(const Dialect& dialect, const LineWidth& measure)
+Displays::Displays(const Dialect& dialect, const PageMeasure& measure)
     : dialect_(dialect), measure_(measure), fitting_(measure) {}
 
 std::vector<Displays::Asked> Displays::asked(const DocumentBlock& block) {

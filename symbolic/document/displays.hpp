@@ -26,7 +26,7 @@ using Display = std::vector<PrintedEquation>;
 
 class Displays {
  public:
-  Displays(const Dialect& dialect, const LineWidth& measure);
+  Displays(const Dialect& dialect, const PageMeasure& measure);
 
   std::vector<Display> of(const DocumentBlock& block);
 
@@ -47,7 +47,7 @@ class Displays {
   PrintedEquation print(const FittedEquation& equation) const;
 
   const Dialect& dialect_;
-  const LineWidth& measure_;
+  const PageMeasure& measure_;
   Fitting fitting_;
   /// Those of a large network's limits are largely the same, hundreds of times.
   std::map<Less::Sides, PrintedEquation, Less> known_;

@@ -54,10 +54,10 @@ double characters(const Form& form) {
 
 }  // namespace
 
-const LineWidth measure_of_page{
+const PageMeasure measure_of_page{
     safe_text_width, symbolic::width_of, width_of_sign, width_of_relation, 22, 50, 18};
 // Lines are indented by four.
-const LineWidth measure_of_terminal{96, characters, 3, 3, 4, 16, 4};
+const PageMeasure measure_of_terminal{96, characters, 3, 3, 4, 16, 4};
 
 double Fitting::width_of(const Signed& expression) const {
   return measure_.of(expression.form) + (expression.minus ? measure_.sign : 0);

@@ -24,7 +24,7 @@ struct FittedEquation {
 };
 
 /// What fits: points of a page, or characters of a terminal.
-struct LineWidth {
+struct PageMeasure {
   double width;               ///< of a page
   double (*of)(const Form&);  ///< of a formula
   double sign, relation;      ///< of a plus and of an equals sign, with their spaces
@@ -32,12 +32,12 @@ struct LineWidth {
   double least_part, name;    ///< narrower parts get no name; what a name takes
 };
 
-extern const LineWidth measure_of_page, measure_of_terminal;
+extern const PageMeasure measure_of_page, measure_of_terminal;
 
 /// One document's: parts that have a name keep it.
 class Fitting {
  public:
-  explicit Fitting(const LineWidth& measure) : measure_(measure) {}
+  explicit Fitting(const PageMeasure& measure) : measure_(measure) {}
 
   /// The definitions that are new, then the equation. `column`: what its block leaves on the left
   /// for the widest side, in pt.
@@ -52,7 +52,7 @@ class Fitting {
 
   double width_of(const Signed& expression) const;
 
-  const LineWidth& measure_;
+  const PageMeasure& measure_;
   std::map<std::string, Form> names_;
   std::vector<FittedEquation> fresh_;
   int last_ = 0;

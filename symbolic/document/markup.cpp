@@ -96,7 +96,7 @@ struct DocumentMarkup {
   const char *open, *close;
   std::string (*title)(std::string_view);
   std::string (*words)(std::string_view);
-  std::reference_wrapper<const LineWidth> measure;
+  std::reference_wrapper<const PageMeasure> measure;
   bool wraps;  ///< words, at the measure's width
 
   record::Markup of(const Prose& prose) const {

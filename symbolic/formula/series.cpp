@@ -24,7 +24,7 @@ bool is_digits(const std::string& text) {
          std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isdigit(c); });
 }
 
-std::optional<Numbered> numbered(const std::string& name) {
+std::optional<Numbered> numbered_name(const std::string& name) {
   const std::string base = base_name(name);
   if (const auto open = base.find('['); open != std::string::npos && base.back() == ']') {
     const std::string digits = base.substr(open + 1, base.size() - open - 2);
@@ -128,13 +128,13 @@ std::optional<SeriesMember> series_member(const Form& form) {
   std::optional<Numbered> first;
   Form general = form;
   each_name(general, [&first](const Form& name) {
-    const auto found = numbered(name.text);
+    const auto found = numbered_name(name.text);
     if (found && (!first || (found->entry && !first->entry))) first = found;
   });
   if (!first) return std::nullopt;
   const std::string index = series_index();
   each_name(general, [&](Form& name) {
-    if (const auto found = numbered(name.text))
+    if (const auto found = numbered_name(name.text))
       name.text = general_name(*found, index, first->number);
   });
   return SeriesMember{text_dialect().print({false, general}), first->number, general};

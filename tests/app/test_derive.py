@@ -64,10 +64,10 @@ class Derive(Case):
             self.refused(2, ["derive", file, "--standalone", "--format", *words], "standalone", "latex")
 
     def test_documents_say_what_symbols_mean(self):
-        file = self.contact("a.toml", "prony(k0, k, tau, 6)", {"mass": "m"})
+        file = self.contact("a.toml", "prony(k0, k, tau, 6)")
         for kind in ("latex", "markdown", "html"):
             document = self.derive(file, "--format", kind)
-            for part in ("Assumptions", "relaxation time of the normal contact", "N/m", "mass of the body",
+            for part in ("Assumptions", "relaxation time of the normal contact", "N/m", "spring of the drive",
                          "10.24411/1683-805X-2018-12009"):
                 self.assertIn(part, document, kind)
 

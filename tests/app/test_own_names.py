@@ -8,7 +8,7 @@ import re
 import subprocess
 import unittest
 
-from program import Case, scene
+from program import Case, scene, unbroken
 
 # What derivations call their own: stiffnesses, amplitudes, variables, the imaginary unit.
 OWN = ["s", "i", "j", "x", "y", "z", "t", "b", "K_n", "K_t", "K_d", "R_d", "C_t", "f_n", "rho_d", "kappa_k1", "theta",
@@ -63,7 +63,7 @@ class OwnNames(Case):
                     text, values = named(shape, name)
                     self.write(text)
                     self.assertEqual(self.value(), expected)
-                    nested = self.out("derive", "s.toml", "--form", "nested")
+                    nested = unbroken(self.out("derive", "s.toml", "--form", "nested"))
                     self.assertNotRegex(nested, r"[\x00-\x08\x0b-\x1f]")
                     back = self.read_back(nested, values, shape[2])
                     # Some 40 operations in doubles, none of which cancels in these shapes.
@@ -81,7 +81,7 @@ class OwnNames(Case):
                 self.scene(elements, normal=network.replace("NAME", name), tangential="kt | ct", network="kd", mass=1e-3,
                            **OSCILLATION)
                 with self.subTest(name=name):
-                    text = self.out("derive", "s.toml", "--form", "dimensionless")
+                    text = unbroken(self.out("derive", "s.toml", "--form", "dimensionless"))
                     known = {"mu0": 0.3, "omega": 6e4, "du_z": 1e-7, "m": 1e-3}
                     for key, value in elements.items():
                         known |= {f"{key}_{i}": x for i, x in enumerate(value, 1)} if isinstance(value, list) \

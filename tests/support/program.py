@@ -64,6 +64,11 @@ def run(*arguments, folder=PROJECT, **options):
                           **{"capture_output": True, "text": True} | options)
 
 
+def unbroken(text):
+    """A printed derivation with every equation on one line."""
+    return text.replace("\n        ", " ")
+
+
 def settings(values):
     """{"kn": 3} as --set kn=3"""
     return [word for name, value in values.items() for word in ("--set", f"{name}={value}")]

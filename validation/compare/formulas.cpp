@@ -18,8 +18,6 @@ Formula formula_of(const symbolic::Form& form) {
           symbolic::text_dialect().print({false, form})};
 }
 
-}  // namespace
-
 std::vector<ShownFact> shown_facts(const symbolic::Derivation& derivation) {
   std::vector<ShownFact> shown;
   for (const symbolic::Fact& fact : symbolic::facts(derivation)) {
