@@ -14,7 +14,7 @@ namespace {
 
 using GiNaC::ex;
 
-ex of_number(const char* letter, std::size_t i) {
+ex retardation_symbol(const char* letter, std::size_t i) {
   return positive_quantity(letter + std::to_string(i));
 }
 
@@ -52,7 +52,8 @@ class RetardationMaker {
              a2 = coefficient_of(k.numerator, low + 2);
     const ex root = GiNaC::sqrt(a1 * a1 - 4 * a0 * a2);
     const std::size_t first = result_.lines.size() + 1;
-    const ex one = of_number("lambda_", first), two = of_number("lambda_", first + 1);
+    const ex one = retardation_symbol("lambda_", first),
+             two = retardation_symbol("lambda_", first + 1);
     // From N = a0 s^low (1 + lambda_1 s)(1 + lambda_2 s).
     put((a1 + root) / (2 * a0), compliance(k, low, one, a0 * (one - two) / one));
     put((a1 - root) / (2 * a0), compliance(k, low, two, a0 * (two - one) / two));
@@ -66,8 +67,8 @@ class RetardationMaker {
 
   void put(const ex& time, const ex& compliance) {
     const std::size_t i = result_.lines.size() + 1;
-    result_.lines.push_back(
-        {{"", of_number("lambda_", i), time}, {"", of_number("j_", i), compliance}});
+    result_.lines.push_back({{"", retardation_symbol("lambda_", i), time},
+                             {"", retardation_symbol("j_", i), compliance}});
   }
 
   RetardationSpectrum result_;

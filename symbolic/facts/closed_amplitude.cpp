@@ -79,6 +79,14 @@ class ClosedAmplitude {
   Presentations presentations_;
 };
 
+/// With what carries a load at rest in place of elements that have no law in s.
+Reduction as_at_rest(Reduction reduction) {
+  for (Step& step : reduction.steps)
+    if (step.kind == Step::Kind::element && !is_rational(step.element))
+      step.element = vcrit::at_rest(step.element).value();
+  return reduction;
+}
+
 /// u_z0^2 K(0)^2/|K(i omega)|^2 at a point.
 GaussianResidue square_of_bound(const Problem& problem, const GiNaC::ex& at_rest,
                                 const Point& point) {
@@ -99,7 +107,7 @@ bool carries_load(const Problem& problem) {
 
 FoundForm find_closed_amplitude(const Problem& problem) {
   const AlgebraLock lock;
-  const Reduction& normal = problem->normal.reduction();
+  const Reduction normal = as_at_rest(problem->normal.reduction());
   if (!carries_load(problem)) return {{}, "the contact carries no load at rest"};
   const TermCount terms = term_count(normal, at_rest_rates).value;
   if (std::max(terms.numerator, terms.denominator) > readable_terms ||

@@ -70,11 +70,22 @@ int step_operations(const FormulaStep& step, const Expressions& all) {
 
 Steps::Steps(const Expressions& all, const std::vector<Ex>& wholes) : all_(all) {
   steps_.reserve(64);
-  for (const Ex& each : wholes) wholes_.push_back(of(each.factor, each.node));
+  for (std::size_t i = 0; i + 1 < wholes.size(); ++i) wholes_.push_back(definition(wholes[i]));
+  wholes_.push_back(of(wholes.back().factor, wholes.back().node));
   share(FormulaStep::Kind::sum);
   share(FormulaStep::Kind::product);
   count();
   all.spend(20 * steps_.size());
+}
+
+/// What is negative is a sum of one term.
+std::uint32_t Steps::definition(const Ex& meaning) {
+  const std::uint32_t size = of(meaning.factor, meaning.node);
+  if (!meaning.factor.negative()) return size;
+  FormulaStep step;
+  step.kind = FormulaStep::Kind::sum;
+  step.parts = {{size, -1}};
+  return put(std::move(step));
 }
 
 std::uint32_t Steps::put(FormulaStep step) {

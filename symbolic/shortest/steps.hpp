@@ -31,7 +31,8 @@ struct FormulaStep {
 class Steps {
  public:
   Steps(const Expressions& all, const Ex& whole) : Steps(all, std::vector{whole}) {}
-  /// Several expressions, of which a part that they share is one step: definitions, then the whole.
+  /// Several expressions, of which a part that they share is one step: definitions, with their
+  /// signs, then the whole, which is taken to be positive.
   Steps(const Expressions& all, const std::vector<Ex>& wholes);
 
   int operations() const { return operations_; }
@@ -44,6 +45,7 @@ class Steps {
   std::uint32_t halve(std::uint32_t sum);
 
  private:
+  std::uint32_t definition(const Ex& meaning);
   std::uint32_t of(ExNode node);
   std::uint32_t of(const SmallFraction& factor, ExNode node);
   std::uint32_t number(std::int64_t value);

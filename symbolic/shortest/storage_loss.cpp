@@ -147,14 +147,14 @@ class WrittenOut {
 };
 
 /// K(i omega) at a point.
-GaussianResidue stiffness_at(const Network& network, const Point& point) {
+GaussianResidue stiffness_at(const ReducedNetwork& network, const Point& point) {
   NumberAlgebra<GaussianResidue> algebra;
   algebra.point = [&point](const std::string& name) { return GaussianResidue(point(name)); };
   algebra.s = GaussianResidue({}, Residue(1)) * algebra.point("omega");
-  return evaluate(reduce(network), algebra);
+  return evaluate(network.reduction(), algebra);
 }
 
-void prove_parts(const StorageAndLoss& found, const Network& network) {
+void prove_parts(const StorageAndLoss& found, const ReducedNetwork& network) {
   prove_at_points({found.steps, found.storage, "", 0}, [&](const Point& point) {
     const Residue storage = stiffness_at(network, point).re;
     return GaussianResidue(storage * storage);
@@ -167,13 +167,14 @@ void prove_parts(const StorageAndLoss& found, const Network& network) {
 
 }  // namespace
 
-std::optional<StorageAndLoss> storage_and_loss_of(const Problem& problem, const Network& network,
+std::optional<StorageAndLoss> storage_and_loss_of(const Problem& problem,
+                                                  const ReducedNetwork& network,
                                                   const std::string& name) {
   const AlgebraLock lock;
   for (const Thrift& thrift : thrifts) {
     try {
       Alphabet alphabet(problem);
-      StorageAndLoss found = WrittenOut(alphabet, thrift).of(name, network);
+      StorageAndLoss found = WrittenOut(alphabet, thrift).of(name, network.network());
       prove_parts(found, network);
       return found;
     } catch (const TooLarge&) {

@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "network/network.hpp"
 #include "problem/problem.hpp"
 #include "shortest/shortest.hpp"
 
@@ -26,7 +25,8 @@ struct StorageAndLoss {
 };
 
 /// Proved to be the network's; none where writing it takes too much work. `name`: "K_n".
-std::optional<StorageAndLoss> storage_and_loss_of(const Problem& problem, const Network& network,
+std::optional<StorageAndLoss> storage_and_loss_of(const Problem& problem,
+                                                  const ReducedNetwork& network,
                                                   const std::string& name);
 
 }  // namespace vcrit::symbolic

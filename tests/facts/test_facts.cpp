@@ -106,6 +106,9 @@ BOOST_AUTO_TEST_CASE(closed_amplitude_of_zener) {
   BOOST_TEST(test::value_of(form.velocity, names) ==
                  1.3 * k0 * std::sqrt((1 + T * T) / (k0 * k0 + T * T * (k0 + k1) * (k0 + k1))),
              boost::test_tools::tolerance(1e-14));
+  // K(0) = k, |K| = k sqrt(1 + eta^2)
+  BOOST_TEST(texts_of(scene_of("normal = \"lossy(k, eta)\"\ntangential = \"kt\"")).back() ==
+             "The contact stays closed while du_z is below: du_max = u_z0/sqrt(1 + eta^2)");
   const Scene kelvin = scene_of("normal = \"kn | cn\"\ntangential = \"kt\"");
   const NamesOfScene of_kelvin(kelvin);
   BOOST_TEST(texts_of(kelvin).back() ==

@@ -184,6 +184,17 @@ BOOST_AUTO_TEST_CASE(storage_and_loss_read_as_people_write_them) {
   BOOST_TEST(text_of(find_storage_loss_form(scene).form.value()) ==
              "K_n'' = omega*cn; v* = mu0*omega*du_z*sqrt((kn + 17/14*kd)^2 + K_n''^2)/kd");
   BOOST_TEST(!find_storage_loss_form(read_scene(VCRIT_SCENES "/measured_drive.toml")).form);
+  // A mass has a negative storage, which a line says.
+  const Scene absorber =
+      scene_of("normal = \"kn\"\npoisson = 0.3", "k1 - (mass(m1) | kd | cd)", "m");
+  check(absorber, find_storage_loss_form(absorber).form.value());
+  const Scene bridge =
+      scene_of("normal = \"bridge\"\ntangential_ratio = 0.8", "kd | cd", "m", test::bridge_network);
+  check(bridge, find_storage_loss_form(bridge).form.value());
+  const Problem with_mass = scene_of("normal = \"kn\"\npoisson = 0.3", "k1 - (mass(m1) | kd)");
+  const StorageAndLoss drive =
+      storage_and_loss_of(with_mass, *with_mass->drive_network(), "K_d").value();
+  BOOST_TEST(drive.loss_factor.has_value());
 }
 
 // sigma = 1 + g kappa_d (1 - beta): by hand, 1 for the reference k0.

@@ -21,6 +21,16 @@ std::string badge(Comparison::Outcome outcome) {
   return style;
 }
 
+/// Plain mathematics in a fact's sentence, as people write it.
+std::string typeset(std::string words) {
+  constexpr std::pair<const char*, const char*> signs[] = {
+      {"K_t/K_n", "Kₜ/Kₙ"}, {"K_n/K_t", "Kₙ/Kₜ"}, {"nu = ", "ν = "}, {"du_z", "Δu_z"}};
+  for (const auto& [from, to] : signs)
+    for (auto at = words.find(from); at != words.npos; at = words.find(from))
+      words.replace(at, std::string(from).size(), to);
+  return words;
+}
+
 }  // namespace
 
 void fields(Fields& f, const Comparison& it) {
@@ -48,7 +58,7 @@ void fields(Fields& f, const validation::Equation& it) {
 
 void fields(Fields& f, const validation::ShownVelocity& it) {
   f("formula", it.formula)("definitions", it.definitions)("real", it.is_real);
-  f.page("ratio", typeset(it.ratio));
+  f.page("ratio", Markup{it.ratio_markup});
 }
 
 void fields(Fields& f, const validation::ShownFact& it) {

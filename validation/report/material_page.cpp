@@ -34,15 +34,15 @@ constexpr double most_terms_of_part = 100;
 /// One of the scene's networks.
 struct Material {
   std::string id, heading, name;  ///< "normal", "Normal contact", "K_n"
-  const Network* network;
+  const ReducedNetwork* network;
 };
 
 std::vector<Material> materials_of(const Problem& problem) {
-  std::vector<Material> found{{"normal", "Normal contact", "K_n", &problem->normal.network()}};
+  std::vector<Material> found{{"normal", "Normal contact", "K_n", &problem->normal}};
   if (const auto* own = std::get_if<ReducedNetwork>(&problem->tangential))
-    found.push_back({"tangential", "Tangential contact", "K_t", &own->network()});
+    found.push_back({"tangential", "Tangential contact", "K_t", own});
   if (const ReducedNetwork* drive = problem->drive_network())
-    found.push_back({"drive", "Drive", "K_d", &drive->network()});
+    found.push_back({"drive", "Drive", "K_d", drive});
   return found;
 }
 
@@ -191,9 +191,9 @@ record::Json storage_record(const Problem& problem, const Material& material) {
 }
 
 record::Json material_record(const Problem& problem, const Material& material) {
-  const Network& network = *material.network;
+  const Network& network = material.network->network();
   std::vector<Line> inside;
-  const ex k = symbolic::nested(reduce(network), {}, inside).value;
+  const ex k = symbolic::nested(material.network->reduction(), {}, inside).value;
   record::Json result{{"id", material.id},
                       {"heading", material.heading},
                       {"drawing", record::page_of(Picture{draw(network), material.heading})},
