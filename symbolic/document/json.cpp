@@ -165,7 +165,7 @@ std::vector<WrittenEquation> form_equations(const symbolic::Findings& findings) 
   std::vector<WrittenEquation> result = written(findings.form_lines);
   if (!findings.in_groups) return result;
   for (const symbolic::Equation& each : symbolic::equations_of(*findings.in_groups))
-    result.push_back({"", {false, each.left}, {false, each.right}});
+    result.push_back({"", {false, each.left}, each.right});
   return result;
 }
 

@@ -130,8 +130,8 @@ class Facts {
   /// What the rulebook says of amplitudes, as far as the values for it are there.
   std::string never_closed() const {
     if (!carries_load(problem_)) {
-      const auto kind = problem_->indenter ? rules::Kind::no_static_load_below_indenter
-                                           : rules::Kind::no_static_load;
+      const auto kind = problem_->indenter ? rules::SceneKind::no_static_load_below_indenter
+                                           : rules::SceneKind::no_static_load;
       return rules::cell(rules::Question::mean_load, kind).reason;
     }
     try {

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/interruption.hpp"
+#include "formula/names.hpp"
 
 namespace vcrit::symbolic {
 

@@ -11,13 +11,13 @@ using namespace vcrit;
 
 namespace {
 
-std::string line_of(const fit::Row& row, bool errors) {
+std::string line_of(const fit::StiffnessRow& row, bool errors) {
   std::string line = to_text(row.omega) + "," + to_text(row.storage) + "," + to_text(row.loss);
   if (errors) line += "," + to_text(row.storage_error) + "," + to_text(row.loss_error);
   return line + "\n";
 }
 
-void check_row(const fit::Row& row, bool errors) {
+void check_row(const fit::StiffnessRow& row, bool errors) {
   fuzz::check(std::isfinite(row.omega) && row.omega > 0, "omega is finite and above 0");
   fuzz::check(std::isfinite(row.storage) && std::isfinite(row.loss), "both parts are finite");
   fuzz::check(row.storage != 0 || row.loss != 0, "one of them is not 0");
@@ -42,7 +42,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
       text += line_of(table.rows[i], table.has_errors);
     }
     std::string again;
-    for (const fit::Row& row : fit::parse_data(text, "again.csv").rows)
+    for (const fit::StiffnessRow& row : fit::parse_data(text, "again.csv").rows)
       again += line_of(row, table.has_errors);
     fuzz::check(text.ends_with(again), "a table reads back");
   });
