@@ -36,7 +36,7 @@ class LatexDialect : public Dialect {
   std::string name(const std::string& symbol) const override { return set(printed_name(symbol)); }
   static std::string set(const std::string& text) {
     if (is_set_apart(text)) return letter_by_letter(text);
-    if (text.starts_with("S_")) return "S_{" + set(text.substr(2)) + "}";
+    if (is_sensitivity(text)) return "S_{" + set(text.substr(2)) + "}";
     const Notation n = notation(text, has_bare_entry(text));
     std::string result = is_greek(n.base)    ? "\\" + n.base
                          : n.base.size() > 1 ? "\\mathrm{" + n.base + "}"

@@ -41,7 +41,7 @@ class MathMlDialect : public Dialect {
   std::string name(const std::string& symbol) const override { return set(printed_name(symbol)); }
   static std::string set(const std::string& text) {
     if (is_set_apart(text)) return "<mi>" + text + "</mi>";
-    if (text.starts_with("S_"))
+    if (is_sensitivity(text))
       return "<msub><mi>S</mi><mrow>" + set(text.substr(2)) + "</mrow></msub>";
     const Notation n = notation(text, has_bare_entry(text));
     std::string result = "<mi>" + letter(n.base) + "</mi>";

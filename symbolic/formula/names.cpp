@@ -1,6 +1,7 @@
 #include "formula/names.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <vector>
 
@@ -13,11 +14,14 @@ namespace {
 
 constexpr char own_mark = '\x1f';
 
+// Of symbols of the program that are named after one of the scene.
+constexpr std::array group_prefixes{"S_", "kappa_", "theta_", "beta_"};
+
 thread_local const NamesOfScene* printing = nullptr;
 
 /// What a reader sees of a name: its parts without the underscores between them.
 std::string setting_of(const std::string& name) {
-  if (name.starts_with("S_")) return "S " + setting_of(name.substr(2));
+  if (is_sensitivity(name)) return "S " + setting_of(name.substr(2));
   const Notation n = notation(name);
   std::string setting = n.before + " " + n.base + n.above;
   for (const std::string& part : n.index) setting += "," + part;
@@ -43,7 +47,11 @@ NamesOfScene::NamesOfScene(const Problem& problem) : names_(problem->names), bef
   if (const auto f = names_.find(frequency_symbol.name); f != names_.end())
     names.push_back(f->second);
   std::sort(names.begin(), names.end(), natural_less);
-  for (const std::string& name : names) by_setting_.try_emplace(setting_of(name), name);
+  for (const std::string& name : names) {
+    by_setting_.try_emplace(setting_of(name), name);
+    for (const char* prefix : group_prefixes)
+      groups_by_setting_.try_emplace(setting_of(prefix + name), prefix + name);
+  }
   printing = this;
 }
 
@@ -52,7 +60,7 @@ NamesOfScene::~NamesOfScene() { printing = before_; }
 // "k[3]" by what "k" is called; kappa_k[3] of the program by what k is called that it is named
 // after.
 std::string NamesOfScene::written(const std::string& name) const {
-  for (const char* prefix : {"S_", "kappa_", "theta_", "beta_"})
+  for (const char* prefix : group_prefixes)
     if (is_own(name) && name.starts_with(prefix))
       return prefix + with_entry(base_name(name).substr(std::strlen(prefix)));
   return is_own(name) ? base_name(name) : with_entry(name);
@@ -91,8 +99,11 @@ std::string printed_name(const std::string& name) {
 bool is_set_apart(const std::string& name) {
   if (printing == nullptr || is_own(name)) return false;
   const std::string scalar = name.substr(0, name.find('['));
-  const auto first = printing->by_setting_.find(setting_of(scalar));
-  return first != printing->by_setting_.end() && first->second != scalar;
+  const std::string setting = setting_of(scalar);
+  const auto first = printing->by_setting_.find(setting);
+  if (first != printing->by_setting_.end()) return first->second != scalar;
+  const auto group = printing->groups_by_setting_.find(setting);
+  return group != printing->groups_by_setting_.end() && group->second != scalar;
 }
 
 bool has_bare_entry(const std::string& name) {

@@ -59,10 +59,12 @@ bool is_greek(const std::string& word) {
   return std::find(greek.begin(), greek.end(), word) != greek.end();
 }
 
+bool is_sensitivity(const std::string& name) { return name.starts_with("S_") && name.size() > 2; }
+
 Notation notation(const std::string& name, bool bare_entry) {
   if (name == "du_z") return {"Delta", "u", {"z"}, {}, {}};
   if (name == "du_max") return {"Delta", "u", {"max"}, {}, {}};
-  if (name.starts_with("dK_")) return {"d", "K", {name.substr(3)}, {}, {}};
+  if (name.starts_with("dK_") && name.size() > 3) return {"d", "K", {name.substr(3)}, {}, {}};
   std::string rest = name;
   Notation result;
   while (!rest.empty() && (rest.back() == '*' || rest.back() == '\'')) {

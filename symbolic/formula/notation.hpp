@@ -20,4 +20,7 @@ Notation notation(const std::string& name, bool bare_entry = true);
 
 bool is_greek(const std::string& word);
 
+/// Whether a name is set as S with the name of a parameter as its index: S_k0.
+bool is_sensitivity(const std::string& name);
+
 }  // namespace vcrit::symbolic

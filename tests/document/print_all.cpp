@@ -1,6 +1,7 @@
 // Prints everything that is derived and generated for some scenes, for the test that every run
 // gives the same bytes.
 #include <iostream>
+#include <string>
 
 #include "analysis/rational_form.hpp"
 #include "derivation/derivation.hpp"
@@ -22,6 +23,8 @@ void print_derivation(const vcrit::Scene& scene) {
   if (!scene.receptance)
     std::cout << symbolic::print(scene,
                                  {Format::text, false, false, symbolic::ResultForm::storage_loss});
+  for (const std::string& system : symbolic::system_names())
+    std::cout << symbolic::print(scene, {.format = Format::system, .system = system});
   if (!scene.receptance && symbolic::terms_before_squaring(symbolic::Model(scene)) < 300)
     std::cout << symbolic::print(scene,
                                  {Format::json, false, false, symbolic::ResultForm::rational});

@@ -8,11 +8,23 @@ namespace {
 
 // Python's, then those of SymPy 1.11 to 1.14, as far as a scene can have them.
 const char* const sympy_words = R"(
-False None True abs aiter all anext any as ascii bin breakpoint bytearray bytes callable chr
-classmethod compile complex copyright credits delattr dict dir divmod enumerate eval exec exit
-filter format frozenset getattr globals hasattr hash help hex id input isinstance issubclass iter
-len license list locals map max memoryview min next object oct open ord pow print property quit
-range repr reversed round set setattr slice sorted staticmethod str sum super tuple type vars zip
+ArithmeticError AssertionError AttributeError BaseException BaseExceptionGroup BlockingIOError
+BrokenPipeError BufferError BytesWarning ChildProcessError ConnectionAbortedError ConnectionError
+ConnectionRefusedError ConnectionResetError DeprecationWarning EOFError Ellipsis EncodingWarning
+EnvironmentError Exception ExceptionGroup False FileExistsError FileNotFoundError
+FloatingPointError FutureWarning GeneratorExit IOError ImportError ImportWarning IndentationError
+IndexError InterruptedError IsADirectoryError KeyError KeyboardInterrupt LookupError MemoryError
+ModuleNotFoundError NameError None NotADirectoryError NotImplemented NotImplementedError OSError
+OverflowError PendingDeprecationWarning PermissionError ProcessLookupError RecursionError
+ReferenceError ResourceWarning RuntimeError RuntimeWarning StopAsyncIteration StopIteration
+SyntaxError SyntaxWarning SystemError SystemExit TabError TimeoutError True TypeError
+UnboundLocalError UnicodeDecodeError UnicodeEncodeError UnicodeError UnicodeTranslateError
+UnicodeWarning UserWarning ValueError Warning ZeroDivisionError abs aiter all anext any as ascii
+bin breakpoint bytearray bytes callable chr classmethod compile complex copyright credits delattr
+dict dir divmod enumerate eval exec exit filter format frozenset getattr globals hasattr hash help
+hex id input isinstance issubclass iter len license list locals map max memoryview min next object
+oct open ord pow print property quit range repr reversed round set setattr slice sorted
+staticmethod str sum super tuple type vars zip
 
 Abs AccumBounds Add Adjoint AlgebraicField AlgebraicNumber And AppliedPredicate Array
 AssumptionsContext Atom AtomicExpr BasePolynomialError Basic BlockDiagMatrix BlockMatrix CC
