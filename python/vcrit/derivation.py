@@ -97,7 +97,8 @@ class Derivation:
                  sensitivities: bool = False, standalone: bool = False) -> str:
         """What `vcrit derive SCENE --format FORMAT [--limits] [--sensitivities] [--standalone]` prints.
 
-        format: "text", "latex", "markdown", "html" or "json".
+        format: "text", "latex", "markdown", "html" or "json", or that of a system, which has v* alone: "sympy",
+        "mathematica", "maple", "maxima", "mathml" or "c".
         """
         return _vcrit.document(self._scene._handle, format, self._form, limits, sensitivities,
                                standalone)
