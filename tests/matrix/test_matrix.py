@@ -23,10 +23,9 @@ from cells import (FOLDER, KINDS, LOOKED_AT, REFERENCES, REFUSALS, U, Cells, cho
                    scene)
 from pictures import panels, value_at
 
-# What people and programs read; the other formats have v* alone, of which tests/document tries every form.
-DOCUMENTS = ("text", "latex", "markdown", "json")
+# Formats of the derivation; those of systems have v* alone, tests/document tries every form of it.
+DOCUMENTS, FORMS = ("text", "latex", "markdown", "json"), choices("derive", "form")
 SYSTEMS = [each for each in choices("derive", "format") if each not in DOCUMENTS]
-FORMS = choices("derive", "form")
 LANGUAGES, METHODS = choices("generate", "language"), choices("simulate", "method")
 STARTS, UNKNOWNS = choices("simulate", "start"), choices("solve", "for")
 QUANTITIES, PICTURES = choices("sweep", "quantity"), choices("plot", "of")
@@ -34,8 +33,7 @@ PYTHON = ("critical_velocity", "critical_onset", "simulate", "friction_curve", "
 COLUMNS = {
     "eval": ["eval"],
     "derive": [f"derive/{form}/{each}" for form in FORMS for each in DOCUMENTS]
-              + [f"derive/shortest/{each}" for each in SYSTEMS]
-              + ["derive/limits", "derive/sensitivities", "derive/equal"],
+              + [f"derive/shortest/{each}" for each in SYSTEMS] + ["derive/limits", "derive/sensitivities", "derive/equal"],
     "generate": [f"generate/{each}" for each in LANGUAGES] + ["generate/quantities", "generate/fix"],
     "simulate": [f"simulate/{each}" for each in METHODS + STARTS],
     "critical": ["critical"],
@@ -48,8 +46,7 @@ COLUMNS = {
 # What a report compares of each kind, by the tables of docs/report.md: one that is no longer made is missed here.
 with (FOLDER / "comparisons.csv").open() as file:
     COMPARISONS = {row["kind"]: row["comparisons"].split() for row in csv.DictReader(file)}
-# Reads measurements, no scene.
-OTHER_COMMANDS = {"fit"}
+OTHER_COMMANDS = {"fit"}  # reads measurements, no scene
 
 
 def receptance(omega):
@@ -79,8 +76,7 @@ class Matrix(Cells, unittest.TestCase):
         if not answer:
             return
         references = REFERENCES[kind]
-        value, error = onset(kind)
-        simulated = answer.get("critical_velocity_by") == "simulation"
+        (value, error), simulated = onset(kind), answer.get("critical_velocity_by") == "simulation"
         self.assertEqual(simulated, answer["relative_error_bound"] is None)
         if simulated or not answer.get("opens"):
             self.near(answer["critical_velocity"], value, error, "v*")
@@ -111,8 +107,7 @@ class Matrix(Cells, unittest.TestCase):
 
     def derive(self, kind, column):
         _, form, form_of_text = column.split("/")
-        ran = run("derive", scene(kind), "--form", form, "--format", form_of_text)
-        if self.answered(kind, column, ran):
+        if self.answered(kind, column, ran := run("derive", scene(kind), "--form", form, "--format", form_of_text)):
             self.check_printed(kind, form, form_of_text, ran.stdout)
 
     def check_printed(self, kind, form, form_of_text, printed):

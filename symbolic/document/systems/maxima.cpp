@@ -41,17 +41,17 @@ matrix_element_transpose maxapplydepth maxapplyheight maxfpprintprec maxima_fron
 maxima_frontend_version maxima_objdir maxima_tempdir maxima_userdir maxmin_effort maxnegex
 maxposex maxpsifracdenom maxpsifracnum maxpsinegint maxpsiposint maxtaydiff maxtayorder
 mdebug_print_length mgnuplot_command minf mode_check_errorp mode_check_warnp mode_checkp
-modedeclare modulus multiplicities mx0simp myoptions nalgfac negdistrib negsumdispflag next
-niceindicespref nointegrate nolabels norepeat noundisp numer numer_pbranch obase off on
-opproperties opsubst optimprefix optimwarn optionset outchar packagefile parsewindow partswitch
-pfeformat piece plot_options pointbound pois1 poislim poisz polarform pollard_pm1_limit
+mode_declare modedeclare modulus multiplicities mx0simp myoptions nalgfac negdistrib
+negsumdispflag next niceindicespref nointegrate nolabels norepeat noundisp numer numer_pbranch
+obase off on opproperties opsubst optimprefix optimwarn optionset outchar packagefile parsewindow
+partswitch pfeformat piece plot_options pointbound pois1 poislim poisz polarform pollard_pm1_limit
 pollard_pm1_limit_step pollard_pm1_tests pollard_rho_limit pollard_rho_limit_step
 pollard_rho_tests polyfactor powerdisp prederror prefer_d prefer_gamma_incomplete prefer_whittaker
-primep_number_of_tests prod programmode prompt props psexpand pstream psubstitute radcan radexpand
-radsubstflag ratalgdenom ratcoeff ratdenomdivide ratepsilon ratexpand ratfac ratmx ratnum ratprint
-ratsimp ratsimpexpons ratvars ratvarswitch ratweights ratwtlvl realonly rectform refcheck
-report_synerr_info report_synerr_line resultant rmxchar rootsconmode rootscontract rootsepsilon
-rot rules save_primes savedef savefactors scalarmatrixp setcheck setcheckbreak setval
+primep_number_of_tests prod programmode prompt props psexpand pstream psubst psubstitute radcan
+radexpand radsubstflag ratalgdenom ratcoeff ratdenomdivide ratepsilon ratexpand ratfac ratmx
+ratnum ratprint ratsimp ratsimpexpons ratvars ratvarswitch ratweights ratwtlvl realonly rectform
+refcheck report_synerr_info report_synerr_line resultant rmxchar rootsconmode rootscontract
+rootsepsilon rot rules save_primes savedef savefactors scalarmatrixp setcheck setcheckbreak setval
 share_testsuite_files show_openplot showtime signbfloat simp simpproduct simpsum solvedecomposes
 solveexplicit solvefactors solvenullwarn solveradcan solvetrigwarn sparse sqrt sqrtdispflag
 stardisp step strdisp stringdisp structures sublis_apply_lambda subnumsimp substitute sumexpand

@@ -34,9 +34,10 @@ constexpr std::size_t most_characters_of_system = 10'000'000;
 Form typed(Form form, const Syntax& syntax, const std::vector<std::string>& complex) {
   for (Form& each : form.over) each = typed(std::move(each), syntax, complex);
   for (Form& each : form.under) each = typed(std::move(each), syntax, complex);
-  if (form.kind == Form::Kind::call && is_complex(form.terms[0].form, complex)) form.text = "cabs";
+  if (form.kind == Form::Kind::call && may_be_complex(form.terms[0].form, complex))
+    form.text = "cabs";
   for (Signed& each : form.terms) each.form = typed(std::move(each.form), syntax, complex);
-  if (form.kind != Form::Kind::power || syntax.power_of_complex || !is_complex(form, complex))
+  if (form.kind != Form::Kind::power || syntax.power_of_complex || !may_be_complex(form, complex))
     return form;
   const auto factors = static_cast<std::size_t>(form.exponent);
   return {Form::Kind::product, "", std::vector<Form>(factors, form.over[0]), {}, {}, 1};

@@ -146,7 +146,7 @@ std::vector<TakenDefinition> definitions_of(const std::vector<Named>& ordered,
   for (const Named& each : ordered) put_in_lines(each, lines);
   std::vector<TakenDefinition> result;
   for (Named& each : lines) {
-    const bool is = is_complex(each.meaning, complex);
+    const bool is = may_be_complex(each.meaning, complex);
     if (is) complex.push_back(each.symbol);
     result.push_back({std::move(each.symbol), std::move(each.meaning), is});
   }
@@ -195,10 +195,10 @@ std::vector<std::string> notes_of(const Problem& problem, const Findings& findin
 
 }  // namespace
 
-bool is_complex(const Form& form, const std::vector<std::string>& complex) {
+bool may_be_complex(const Form& form, const std::vector<std::string>& complex) {
   const auto any = [&](const std::vector<Form>& forms) {
     return std::any_of(forms.begin(), forms.end(),
-                       [&](const Form& each) { return is_complex(each, complex); });
+                       [&](const Form& each) { return may_be_complex(each, complex); });
   };
   if (form.kind == Form::Kind::call) return false;  // the absolute value is the only one
   if (form.kind == Form::Kind::name)
@@ -206,7 +206,7 @@ bool is_complex(const Form& form, const std::vector<std::string>& complex) {
            std::find(complex.begin(), complex.end(), form.text) != complex.end();
   return any(form.over) || any(form.under) ||
          std::any_of(form.terms.begin(), form.terms.end(),
-                     [&](const Signed& term) { return is_complex(term.form, complex); });
+                     [&](const Signed& term) { return may_be_complex(term.form, complex); });
 }
 
 TakenFormula taken_formula(const Problem& problem, const Findings& findings) {

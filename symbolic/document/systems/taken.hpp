@@ -42,6 +42,6 @@ struct TakenFormula {
 TakenFormula taken_formula(const Problem& problem, const Findings& findings);
 
 /// Whether a value may be complex, where those of `complex` and the imaginary unit are.
-bool is_complex(const Form& form, const std::vector<std::string>& complex);
+bool may_be_complex(const Form& form, const std::vector<std::string>& complex);
 
 }  // namespace vcrit::symbolic
