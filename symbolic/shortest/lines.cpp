@@ -141,7 +141,7 @@ void Lines::collect(Index i) {
 
 void Lines::give_names() {
   lines_.clear(), names_.clear();
-  collect(steps_.whole());
+  for (const Index each : steps_.wholes()) collect(each);
   put_in_order();
   std::vector<Index> nameless;
   for (std::size_t at = 0; at < definitions_.size(); ++at)

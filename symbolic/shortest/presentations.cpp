@@ -162,7 +162,10 @@ Presentations::Terms Presentations::side_by_side(const std::vector<Network>& par
 Presentations::Terms Presentations::one_behind_another(const std::vector<Network>& parts) {
   const Gathered all = gathered(parts, true);
   if (all.others.empty() && all.spring && all.damper) {
-    const Ex turn = named("T", all_.product({{omega_, 1}, {*all.damper, 1}, {*all.spring, -1}}));
+    Ex time = all_.product({{omega_, 1}, {*all.damper, 1}, {*all.spring, -1}});
+    // In groups several dampers are theta_1 theta_2/(theta_1 + theta_2) times the same stiffness.
+    if (omega_.is_number()) time = shortest_of(all_, std::vector{time}, {20, 100'000});
+    const Ex turn = named("T", time);
     const ComplexQuotient compliance = reciprocal(ComplexQuotient{{*all.spring}});
     const ComplexQuotient simple = sum({compliance, reciprocal(damper(*all.damper, "W"))}, false);
     std::vector<ComplexQuotient> choices = inverses(maxwell(*all.spring, turn));

@@ -182,7 +182,7 @@ BOOST_AUTO_TEST_CASE(storage_and_loss_read_as_people_write_them) {
   const Scene scene = scene_of("normal = \"kn | cn\"\npoisson = 0.3", "kd");
   const NamesOfScene names(scene);
   BOOST_TEST(text_of(find_storage_loss_form(scene).form.value()) ==
-             "K_n'' = omega*cn; v* = mu0*omega*du_z*sqrt((kn + 17/14*kd)^2 + K_n''^2)/kd");
+             "K_n'' = omega*cn; v* = mu0*omega*du_z/kd*sqrt(K_n''^2 + (kn + 17/14*kd)^2)");
   BOOST_TEST(!find_storage_loss_form(read_scene(VCRIT_SCENES "/measured_drive.toml")).form);
   // A mass has a negative storage, which a line says.
   const Scene absorber =
