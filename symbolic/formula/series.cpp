@@ -61,18 +61,19 @@ std::string general_name(const Numbered& name, const std::string& index, int fro
   return name.own ? own_name(base) : base;
 }
 
-struct Term {
+struct SeriesTerm {
   bool minus;
   SeriesMember member;
   std::size_t place;
 };
 
 /// Runs of consecutive numbers among terms of one pattern, each long enough to be a series.
-std::vector<std::vector<Term>> runs(std::vector<Term> terms) {
-  std::sort(terms.begin(), terms.end(),
-            [](const Term& a, const Term& b) { return a.member.number < b.member.number; });
-  std::vector<std::vector<Term>> result;
-  for (Term& term : terms) {
+std::vector<std::vector<SeriesTerm>> runs(std::vector<SeriesTerm> terms) {
+  std::sort(terms.begin(), terms.end(), [](const SeriesTerm& a, const SeriesTerm& b) {
+    return a.member.number < b.member.number;
+  });
+  std::vector<std::vector<SeriesTerm>> result;
+  for (SeriesTerm& term : terms) {
     if (result.empty() || result.back().back().member.number + 1 != term.member.number)
       result.emplace_back();
     result.back().push_back(std::move(term));
@@ -83,7 +84,7 @@ std::vector<std::vector<Term>> runs(std::vector<Term> terms) {
 
 void fold_terms(std::vector<Signed>& terms) {
   if (terms.size() < shortest_series) return;
-  std::map<std::pair<bool, std::string>, std::vector<Term>> by_pattern;
+  std::map<std::pair<bool, std::string>, std::vector<SeriesTerm>> by_pattern;
   for (std::size_t i = 0; i < terms.size(); ++i)
     if (auto member = series_member(terms[i].form)) {
       const std::pair key{terms[i].minus, member->pattern};
@@ -91,9 +92,9 @@ void fold_terms(std::vector<Signed>& terms) {
     }
   std::map<std::size_t, std::optional<Signed>> changed;  // by place; nothing where it is left out
   for (auto& [key, members] : by_pattern)
-    for (const std::vector<Term>& run : runs(std::move(members))) {
+    for (const std::vector<SeriesTerm>& run : runs(std::move(members))) {
       std::size_t first = run.front().place;
-      for (const Term& term : run) {
+      for (const SeriesTerm& term : run) {
         first = std::min(first, term.place);
         changed[term.place] = std::nullopt;
       }
