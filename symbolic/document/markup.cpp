@@ -9,6 +9,7 @@
 #include "base/plain_text.hpp"
 #include "document/displays.hpp"
 #include "formula/dialect.hpp"
+#include "formula/width.hpp"
 #include "record/fields.hpp"
 #include "record/html_text.hpp"
 #include "record/template.hpp"
@@ -173,12 +174,23 @@ Json symbol_record(const SymbolRow& row, const DocumentMarkup& markup) {
   return f.take();
 }
 
+/// What an article leaves for the meaning of a symbol, in pt.
+int width_of_meanings(const std::vector<SymbolRow>& rows) {
+  constexpr double unit_and_gaps = 70;
+  double widest = 0;
+  for (const SymbolRow& row : rows)
+    for (const Prose::Part& part : row.symbol.parts())
+      for (const Statement& each : part.statement) widest = std::max(widest, width_of(each));
+  return std::max(static_cast<int>(safe_text_width - widest - unit_and_gaps), 60);
+}
+
 /// In parts, each of which fits a page.
 Json tables_record(const std::vector<SymbolRow>& rows, const DocumentMarkup& markup) {
   constexpr std::size_t rows_of_page = 30;
   Json tables = Json::array();
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (i % rows_of_page == 0) tables.push_back({{"rows", Json::array()}});
+    if (i % rows_of_page == 0)
+      tables.push_back({{"rows", Json::array()}, {"width", width_of_meanings(rows)}});
     tables.back()["rows"].push_back(symbol_record(rows[i], markup));
   }
   return tables;

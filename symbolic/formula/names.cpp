@@ -52,6 +52,11 @@ NamesOfScene::NamesOfScene(const Problem& problem) : names_(problem->names), bef
     for (const char* prefix : group_prefixes)
       groups_by_setting_.try_emplace(setting_of(prefix + name), prefix + name);
   }
+  for (const auto& [symbol, value] : problem->elements) {
+    const Symbol called = as_called(problem, symbol);
+    if (called.entry > 0 && by_setting_.contains(setting_of(to_text(called))))
+      ambiguous_.insert(called.name);
+  }
   printing = this;
 }
 
@@ -107,7 +112,7 @@ bool is_set_apart(const std::string& name) {
 }
 
 bool has_bare_entry(const std::string& name) {
-  return printing == nullptr || !printing->by_setting_.contains(setting_of(name));
+  return printing == nullptr || !printing->ambiguous_.contains(name.substr(0, name.find('[')));
 }
 
 bool is_taken(const std::string& name) { return printing != nullptr && printing->taken(name); }

@@ -45,6 +45,7 @@ class NamesOfScene {
   std::map<std::string, std::string> by_setting_;  ///< the first name of each setting in LaTeX
   std::set<std::string> entries_;                  ///< settings of entries of arrays
   std::map<std::string, std::string> groups_by_setting_;  ///< likewise of what is named after them
+  std::set<std::string> ambiguous_;  ///< arrays with an entry that is set as an element is
   std::map<std::string, std::string> names_;              ///< that the scene gives its symbols
   mutable std::unordered_map<std::string, std::string> printed_;  ///< as far as asked for
   const NamesOfScene* before_;
@@ -53,7 +54,8 @@ class NamesOfScene {
 /// Whether an earlier name of the scene is set alike, so that this one is set letter by letter.
 bool is_set_apart(const std::string& name);
 
-/// Whether an entry of an array, k[1], may be set as k with index 1: no element is called k1.
+/// Whether an entry of an array, k[1], may be set as k with index 1: of none is there an element
+/// that is set so, as k1 is.
 bool has_bare_entry(const std::string& name);
 
 /// Whether the scene that is printed has a name that would read the same.

@@ -205,6 +205,15 @@ BOOST_AUTO_TEST_CASE(a_document_with_all_that_can_be_asked_is_derived_once) {
     }
 }
 
+BOOST_AUTO_TEST_CASE(entries_of_an_array_are_told_from_elements) {
+  const auto latex = [](const char* normal) {
+    return print(test::scene_of(std::string("normal = \"") + normal + "\"\npoisson = 0.3", "kd"),
+                 {Format::latex});
+  };
+  BOOST_TEST(latex("prony(k0, k, tau, 4)").find("\\frac{k_{j} \\tau_{j} s}") != std::string::npos);
+  BOOST_TEST(latex("prony(k1, k, tau, 4)").find("\\frac{k_{(j)} \\tau_{j} s}") != std::string::npos);
+}
+
 // GiNaC orders terms by addresses and hashes, which differ from run to run: five processes
 // here, and each run of the suite against golden bytes.
 BOOST_AUTO_TEST_CASE(all_runs_give_the_same_bytes) {
