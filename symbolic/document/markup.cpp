@@ -186,11 +186,12 @@ int width_of_meanings(const std::vector<SymbolRow>& rows) {
 
 /// In parts, each of which fits a page.
 Json tables_record(const std::vector<SymbolRow>& rows, const DocumentMarkup& markup) {
-  constexpr std::size_t rows_of_page = 30;
+  // Meanings in a narrow column take some lines each.
+  const int width = width_of_meanings(rows);
+  const std::size_t rows_of_page = width < 150 ? 12 : 30;
   Json tables = Json::array();
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (i % rows_of_page == 0)
-      tables.push_back({{"rows", Json::array()}, {"width", width_of_meanings(rows)}});
+    if (i % rows_of_page == 0) tables.push_back({{"rows", Json::array()}, {"width", width}});
     tables.back()["rows"].push_back(symbol_record(rows[i], markup));
   }
   return tables;
