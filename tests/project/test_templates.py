@@ -24,7 +24,7 @@ def code_of(root, folder):
 def keys(text):
     """What a template asks its record for, word by word: {{#drive.mass | .3g}} for drive and mass."""
     tag = r"<<[#^/]?\s*(.*?)\s*>>" if text.startswith("{{=") else r"{{[#^/]?\s*(.*?)\s*}}"
-    tags = re.findall(tag, re.sub(r"{{=.*?=}}|{{[>!].*?}}", "", text))
+    tags = re.findall(tag, re.sub(r"{{=.*?=}}|{{[>!].*?}}|<<[>!].*?>>", "", text))
     paths = {path.split("|")[0].strip() for path in tags}
     paths |= {argument for path in tags for argument in re.findall(r"@(?!any|count|last|number|place)(\w+)", path)}
     return {key for path in paths for key in path.split(".") if key and not key.startswith("@")}
@@ -33,7 +33,7 @@ def keys(text):
 def names_problems(root, folder):
     texts = templates(root, folder)
     code = code_of(root, folder)
-    asked = {name for text in texts.values() for name in re.findall(r"{{> (\w+)}}", text)}
+    asked = {name for text in texts.values() for name in re.findall(r"(?:{{|<<)> (\w+)(?:}}|>>)", text)}
     problems = [f"{name}: no such template" for name in sorted(asked - set(texts))]
     return problems + [f"{name}: used by none" for name in texts if name not in asked and f'"{name}"' not in code]
 
