@@ -1,5 +1,6 @@
-// Prints 200 scenes with random values as JSON lines: v* as `vcrit eval` has it, and its formula for
-// every system, in one of the forms. For test_systems.py, which has other systems evaluate them.
+// Prints 200 scenes with random values as JSON lines: v* as `vcrit eval` has it, and its formula
+// for every system, in one of the forms. For test_systems.py, which has other systems evaluate
+// them.
 #include <cmath>
 #include <iostream>
 #include <nlohmann/json.hpp>
