@@ -16,7 +16,7 @@ class Commands(Case):
     def test_eval_has_its_keys(self):
         self.assertEqual(
             set(self.answer("eval", KELVIN)),
-            {"critical_velocity", "relative_error_bound", "admissible", "reasons", "drive_velocity"})
+            {"critical_velocity", "relative_error_bound", "admissible", "reasons", "drive_velocity", "facts"})
 
     def test_simulate_has_its_keys(self):
         result = self.answer("simulate", KELVIN, "--velocity-ratio", "0.5")
