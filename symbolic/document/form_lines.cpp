@@ -24,7 +24,7 @@ namespace {
 constexpr std::size_t most_terms = 30'000;
 
 /// Z has one line.
-bool is_among(const std::vector<Line>& lines, const Line& line) {
+bool has_that_line(const std::vector<Line>& lines, const Line& line) {
   return std::any_of(lines.begin(), lines.end(), [&](const Line& known) {
     return known.left.is_equal(line.left) && known.right.is_equal(line.right);
   });
@@ -50,7 +50,7 @@ std::vector<Line> rational_lines(const Derivation& derivation, double budget) {
     return lines;
   }
   for (Line& line : extrema_lines_of(form, swings))
-    if (!is_among(lines, line)) lines.push_back(std::move(line));
+    if (!has_that_line(lines, line)) lines.push_back(std::move(line));
   return lines;
 }
 
