@@ -57,7 +57,7 @@ class Solve(Case):
         self.assertEqual((result.returncode, result.stderr), (0, ""))
         for part in ["frequency       10504.2", "Hz, the smallest", "(wanted: 0.8), stick-slip", "0.595559 v*",
                      "below an amplitude of 2.9742e-07 m, or a frequency of 225079 Hz",
-                     "searched        5000 to 50000 Hz, 100 steps"]:
+                     "searched        5000 to 50000 Hz, 100 samples"]:
             self.assertIn(part, result.stdout)
 
     def test_what_cannot_be_reached_is_status_3_and_says_why(self):
