@@ -6,6 +6,7 @@
 #include <cmath>
 #include <fstream>
 #include <sstream>
+#include <vector>
 
 #include "base/numbers.hpp"
 #include "maps/netcdf_file.hpp"
@@ -241,12 +242,13 @@ BOOST_AUTO_TEST_CASE(an_element_named_progress_is_swept_as_a_table) {
 BOOST_AUTO_TEST_CASE(two_axes_of_one_name_in_the_file_are_swept_as_a_table) {
   const test::PrivateFolder folder;
   Sweep sweep = sweep_over({}, {"critical_velocity"});
-  sweep.problem = test::scene_of(
-      {.normal = "prony(k_1, k, tau) | c1",
-       .tangential = "k2",
-       .amplitude = 1e-3,
-       .indentation = 5e-3,
-       .elements = {{"k_1", 7}, {"k", {1.0}}, {"tau", {1.0}}, {"c1", 2}, {"k2", 5}}});
+  const std::vector<double> one{1};
+  sweep.problem =
+      test::scene_of({.normal = "prony(k_1, k, tau) | c1",
+                      .tangential = "k2",
+                      .amplitude = 1e-3,
+                      .indentation = 5e-3,
+                      .elements = {{"k_1", 7}, {"k", one}, {"tau", one}, {"c1", 2}, {"k2", 5}}});
   for (const char* axis : {"k[1]=lin:1:2:3", "k_1=lin:7:9:4"})
     sweep.axes.push_back(parse_axis(axis, sweep.problem));
   BOOST_TEST(has(message([&] { streamed(sweep, folder.path() / "map.nc"); }), "over k_1"));
