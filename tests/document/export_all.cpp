@@ -61,8 +61,8 @@ Values random_values(const Problem& problem) {
 
 symbolic::Findings findings(const Problem& problem, int i) {
   using symbolic::ResultForm;
-  constexpr std::array forms{ResultForm::shortest, ResultForm::by_size, ResultForm::nested,
-                             ResultForm::rational, ResultForm::dimensionless};
+  constexpr std::array forms{ResultForm::shortest, ResultForm::nested,        ResultForm::storage_loss,
+                             ResultForm::rational, ResultForm::dimensionless, ResultForm::expanded};
   symbolic::DocumentOptions options;
   options.form = forms.at(static_cast<std::size_t>(i) % forms.size());
   options.budget = 100;

@@ -6,9 +6,9 @@
 #include <regex>
 
 #include "compare/velocity_comparisons.hpp"
+#include "record/html_text.hpp"
 #include "report/assets.hpp"
 #include "report/document.hpp"
-#include "record/html_text.hpp"
 #include "report/html.hpp"
 #include "report/verdict.hpp"
 #include "validation/example_report.hpp"
@@ -105,9 +105,9 @@ BOOST_AUTO_TEST_CASE(text_from_a_scene_stays_text) {
 }
 
 BOOST_AUTO_TEST_CASE(escaping_survives_what_is_no_text) {
-  BOOST_TEST(record::html_text("a\xFFz") == "a\xEF\xBF\xBDz");
-  BOOST_TEST(record::html_text(std::string("a\0z", 3)) == "a\xEF\xBF\xBDz");
-  BOOST_TEST(record::html_text("two\r\nlines\tand µ") == "two\nlines\tand µ");
+  BOOST_TEST(vcrit::record::html_text("a\xFFz") == "a\xEF\xBF\xBDz");
+  BOOST_TEST(vcrit::record::html_text(std::string("a\0z", 3)) == "a\xEF\xBF\xBDz");
+  BOOST_TEST(vcrit::record::html_text("two\r\nlines\tand µ") == "two\nlines\tand µ");
 }
 
 BOOST_AUTO_TEST_CASE(json_in_the_page_cannot_end_its_element) {
