@@ -13,8 +13,10 @@
 #include "figures/screen.hpp"
 #include "figures/svg.hpp"
 #include "options.hpp"
+#include "record/fields.hpp"
 #include "report/figure_files.hpp"
 #include "report/plots.hpp"
+#include "report/records.hpp"
 #include "speed_options.hpp"
 
 namespace vcrit::app {
@@ -30,6 +32,16 @@ struct PlotOptions {
   Shown shown = Shown::friction;
   SpeedOptions speed;
   std::string to, out;
+  bool json = false;
+};
+
+struct Plotted {
+  std::string file;  // empty: none
+  const std::vector<Figure>& figures;
+
+  friend void fields(record::Fields& f, const Plotted& it) {
+    f("file", it.file.empty() ? std::nullopt : std::optional(it.file))("figures", it.figures);
+  }
 };
 
 std::optional<double> largest_speed(const PlotOptions& options) {
@@ -69,14 +81,16 @@ void plot(const PlotOptions& options) {
       options.scene.read(options.shown == Shown::frequency ? SceneOptions::Frequency::varied
                                                            : SceneOptions::Frequency::of_the_scene);
   const std::vector<Figure> figures = figures_of(options, problem);
+  if (!out.empty())
+    write_file(out, out.extension() == ".pdf" ? validation::report::pdf_of(figures)
+                                              : validation::figures::svg(figures));
+  if (options.json) return print(record::json_of(Plotted{out.string(), figures}));
   if (out.empty()) {
     for (const Figure& figure : figures)
       fmt::print("{}{}", &figure == &figures.front() ? "" : "\n",
                  validation::figures::on_screen(figure));
     return;
   }
-  write_file(out, out.extension() == ".pdf" ? validation::report::pdf_of(figures)
-                                            : validation::figures::svg(figures));
   fmt::print("{}\n", out.string());
 }
 
@@ -97,6 +111,7 @@ void add_plot(CLI::App& program) {
   command->add_option(
       "--out", options->out,
       "FILE.svg, or FILE.pdf by gnuplot; without it the terminal shows the picture");
+  command->add_flag("--json", options->json, "print one JSON object");
   command->callback([options] { plot(*options); });
 }
 

@@ -179,7 +179,7 @@ Section reference() {
 std::vector<Section> appendix(const Findings& findings) {
   const AlgebraLock lock;
   std::vector<Section> all{assumptions(findings), nomenclature(findings)};
-  for (Section& section : sections(findings)) all.push_back(std::move(section));
+  for (Section& section : sections(findings, FactsPlace::behind_the_result)) all.push_back(std::move(section));
   if (all.size() > 2 && all[2].title.empty()) all[2].title = "Derivation";
   all.push_back(reference());
   return all;

@@ -292,10 +292,11 @@ Section parting_section(const Findings& findings) {
 
 }  // namespace
 
-std::vector<Section> sections(const Findings& findings) {
+std::vector<Section> sections(const Findings& findings, FactsPlace place) {
+  const Section facts = facts_section(findings);
   std::vector<Section> all{derivation_section(findings),
                            form_section(findings),
-                           facts_section(findings),
+                           facts,
                            half_space_section(findings),
                            parting_section(findings),
                            limits_section(findings),
@@ -303,6 +304,10 @@ std::vector<Section> sections(const Findings& findings) {
                            resonances_section(findings.resonances),
                            extrema_section(findings.extrema),
                            sensitivities_section(findings)};
+  if (place == FactsPlace::first && !facts.blocks.empty()) {
+    all.front().title = "Derivation";
+    std::rotate(all.begin(), all.begin() + 2, all.begin() + 3);
+  }
   std::erase_if(all, [](const Section& section) { return section.blocks.empty(); });
   return all;
 }

@@ -48,8 +48,12 @@ struct Section {
   std::vector<SymbolRow> symbols = {};  ///< a table
 };
 
+/// Where what the formula says stands: on a terminal first, so that the result is the last thing
+/// seen; in a paper behind the result.
+enum class FactsPlace { first, behind_the_result };
+
 /// The sections that have something to say.
-std::vector<Section> sections(const Findings& findings);
+std::vector<Section> sections(const Findings& findings, FactsPlace place);
 
 /// v* ~ coefficient omega^power.
 Line asymptote_line(const Asymptote& asymptote);

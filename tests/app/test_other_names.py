@@ -75,7 +75,7 @@ class OtherNames(program.Case):
         for names in OTHERS:
             with self.named(names):
                 for form in ("shortest", "expanded", "nested"):
-                    text = program.unbroken(self.run_on("derive", "--form", form).partition("\nWhat it says:")[0])
+                    text = program.unbroken(self.run_on("derive", "--form", form).rpartition("\nDerivation:")[2])
                     s, i, omega = re.search(r"with (\w+) = (\w+)\*(\w+)", text).groups()
                     self.assertEqual(omega, names.get("omega", "omega"))
                     known = {names.get(key, key): value for key, value in VALUES.items()}

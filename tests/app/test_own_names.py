@@ -81,7 +81,7 @@ class OwnNames(Case):
                 self.scene(elements, normal=network.replace("NAME", name), tangential="kt | ct", network="kd", mass=1e-3,
                            **OSCILLATION)
                 with self.subTest(name=name):
-                    text = unbroken(self.out("derive", "s.toml", "--form", "dimensionless").partition("\nWhat it says:")[0])
+                    text = unbroken(self.out("derive", "s.toml", "--form", "dimensionless").rpartition("\nDerivation:")[2])
                     known = {"mu0": 0.3, "omega": 6e4, "du_z": 1e-7, "m": 1e-3}
                     for key, value in elements.items():
                         known |= {f"{key}_{i}": x for i, x in enumerate(value, 1)} if isinstance(value, list) \

@@ -108,10 +108,10 @@ class Man(unittest.TestCase):
         commands = self.page.split("\nCOMMANDS\n")[1].split("\nEXIT STATUS\n")[0]
         self.assertEqual(re.findall(r"^   (\w+)$", commands, re.MULTILINE), COMMANDS)
 
-    def test_says_each_exit_status_of_the_readme(self):
-        readme = (PROJECT / "README.md").read_text().split("### Exit status")[1].split("\n#")[0]
+    def test_says_each_exit_status_of_the_documents(self):
+        listed = (PROJECT / "docs/commands.md").read_text().split("## Exit status")[1].split("\n#")[0]
         told = self.page.split("\nEXIT STATUS\n")[1].split("\nENVIRONMENT\n")[0]
-        self.assertEqual(re.findall(r"^   *(\d+) ", told, re.MULTILINE), re.findall(r"^\| (\d+) \|", readme, re.MULTILINE))
+        self.assertEqual(re.findall(r"^   *(\d+) ", told, re.MULTILINE), re.findall(r"^\| (\d+) \|", listed, re.MULTILINE))
 
     def test_has_the_sections_that_readers_look_for(self):
         headings = re.findall(r"^[A-Z ]+$", self.page, re.MULTILINE)

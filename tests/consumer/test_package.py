@@ -168,7 +168,7 @@ class Package(unittest.TestCase):
     # Errors and the man page name docs/*.md; README.md shows scenes.
     def test_texts_and_scenes_come_along(self):
         share = self.prefix / "share/doc/vcrit"
-        for folder, pattern in [("docs", "*.md"), ("scenes", "*"), ("examples", "*.c*"), (".", "README.md")]:
+        for folder, pattern in [("docs", "*.md"), ("docs", "*.svg"), ("docs/tutorial", "*"), ("scenes", "*"), ("examples", "*.c*"), (".", "README.md")]:
             expected = {file.name: file.read_bytes() for file in Path(PROJECT, folder).glob(pattern)}
             self.assertGreater(len(expected), 0)
             self.assertEqual({file.name: file.read_bytes() for file in (share / folder).glob(pattern)}, expected)
@@ -183,19 +183,19 @@ class Package(unittest.TestCase):
         numeric, _, link = re.search(r"```cmake\n(.*?)```", page, re.DOTALL)[1].splitlines()
         (source / "CMakeLists.txt").write_text("cmake_minimum_required(VERSION 3.20)\nproject(sample CXX)\n"
                                                f"{numeric}\nadd_executable(mine mine.cpp)\n{link}\n")
-        (source / "mine.cpp").write_text(self.program_of_the_readme())
+        (source / "mine.cpp").write_text(self.program_of_the_page())
         build = self.built("page", source)
         self.assertAlmostEqual(float(done(build / "mine", SCENE)) / VELOCITY, 1, delta=ROUNDING)
 
     @staticmethod
-    def program_of_the_readme():
-        blocks = re.findall(r"```cpp\n(.*?)```", Path(PROJECT, "README.md").read_text(), re.DOTALL)
+    def program_of_the_page():
+        blocks = re.findall(r"```cpp\n(.*?)```", Path(PROJECT, "docs/library.md").read_text(), re.DOTALL)
         (block,) = [block for block in blocks if "<vcrit/vcrit.hpp>" in block]
         return block + '#include <cstdio>\nint main(int, char** a) { std::printf("%.17g", velocity(a[1])); }\n'
 
-    def test_program_of_the_readme(self):
-        source = self.folder / "readme.cpp"
-        source.write_text(self.program_of_the_readme())
+    def test_program_of_the_page(self):
+        source = self.folder / "page.cpp"
+        source.write_text(self.program_of_the_page())
         for program in self.compiled(source, "vcrit"):
             self.assertAlmostEqual(float(done(program, SCENE)) / VELOCITY, 1, delta=ROUNDING)
 

@@ -1,11 +1,11 @@
-"""What the README shows is what the program prints, to the byte.
+"""What the README and the pages of docs show is what the program prints, to the byte.
 
 In its console blocks, lines after "$ " are commands, run in the project's folder, and the lines up to
-the next one are what each prints on standard output. Its C++ program is compiled against the evaluator
-that the line before it generates, and prints the text block that follows.
+the next one are what each prints on standard output. The C++ program of docs/evaluators.md is compiled against the
+evaluator that the line before it generates, and prints the text block that follows. The picture is that of `vcrit plot`.
 
     test_readme.py PROJECT PROGRAM            compares
-    test_readme.py PROJECT PROGRAM --update   writes what is printed now into the README
+    test_readme.py PROJECT PROGRAM --update   writes what is printed now into them
 """
 
 import os
@@ -17,7 +17,8 @@ import unittest
 from pathlib import Path
 
 PROJECT, PROGRAM = Path(sys.argv.pop(1)), Path(sys.argv.pop(1))
-PAGE = PROJECT / "README.md"
+README, EVALUATORS, PICTURE = PROJECT / "README.md", PROJECT / "docs/evaluators.md", PROJECT / "docs/friction.svg"
+PAGES = [README, *sorted((PROJECT / "docs").glob("*.md"))]
 BLOCK = re.compile(r"(?<=^```console\n)(.*?)(?=^```$)", re.MULTILINE | re.DOTALL)
 PROGRAM_BLOCK = re.compile(
     r"    vcrit (generate .* --out) DIR (--name \w+)\n[^`]*```cpp\n([^`]*)```[^`]*```text\n([^`]*)```")
@@ -54,34 +55,50 @@ def printed_by_program(generate, name, source):
         return printed(f"cd {folder} && {compiler} -std=c++20 -Wall -Wextra -Werror main.cpp && ./a.out")
 
 
+def drawn():
+    with tempfile.TemporaryDirectory() as folder:
+        printed(f"vcrit plot scenes/zener.toml --out {folder}/friction.svg")
+        return (Path(folder) / "friction.svg").read_text()
+
+
 def update():
-    page = BLOCK.sub(lambda block: session(block[0]), PAGE.read_text())
-    program = PROGRAM_BLOCK.search(page)
+    for page in PAGES:
+        page.write_text(BLOCK.sub(lambda block: session(block[0]), page.read_text()))
+    text = EVALUATORS.read_text()
+    program = PROGRAM_BLOCK.search(text)
     output = printed_by_program(*program.groups()[:3])
-    PAGE.write_text(page[: program.start(4)] + output + page[program.end(4):])
+    EVALUATORS.write_text(text[: program.start(4)] + output + text[program.end(4):])
+    PICTURE.write_text(drawn())
 
 
 class Readme(unittest.TestCase):
     maxDiff = None
-    blocks = BLOCK.findall(PAGE.read_text())
+    blocks = {page: BLOCK.findall(page.read_text()) for page in PAGES}
 
     def test_shows_what_is_really_printed(self):
-        for block in self.blocks:
-            with self.subTest(commands=commands(block)):
-                self.assertEqual(block, session(block))
+        for page, blocks in self.blocks.items():
+            for block in blocks:
+                with self.subTest(page=page, commands=commands(block)):
+                    self.assertEqual(block, session(block))
 
     def test_shows_a_scene_its_value_and_its_formula(self):
-        shown = [command for block in self.blocks for command in commands(block)]
+        shown = [command for block in self.blocks[README] for command in commands(block)]
         for needed in ["cat scenes/", "vcrit eval scenes/", "vcrit derive scenes/"]:
             self.assertTrue(any(command.startswith(needed) for command in shown), needed)
 
     def test_shows_a_program_that_prints_what_it_says(self):
-        generate, name, source, output = PROGRAM_BLOCK.search(PAGE.read_text()).groups()
+        generate, name, source, output = PROGRAM_BLOCK.search(EVALUATORS.read_text()).groups()
         self.assertEqual(output, printed_by_program(generate, name, source))
 
     def test_every_line_belongs_to_a_command(self):
-        for block in self.blocks:
+        for block in sum(self.blocks.values(), []):
             self.assertTrue(block.startswith("$ "), block)
+
+    def test_shows_the_picture_of_the_program_on_a_page_that_one_reads_at_once(self):
+        text = README.read_text()
+        self.assertIn("](docs/friction.svg)", text)
+        self.assertEqual(PICTURE.read_text(), drawn())
+        self.assertLessEqual(text.count("\n"), 150)
 
 
 if __name__ == "__main__":
