@@ -122,9 +122,9 @@ Line meaning_of(Way way, const Swinging& swinging) {
 }
 
 /// Writes polynomials as products whose long factors have names.
-class Writer {
+class FactorWriter {
  public:
-  explicit Writer(std::string by) : by_(std::move(by)) {}
+  explicit FactorWriter(std::string by) : by_(std::move(by)) {}
 
   /// `words` in front of the first line of a name.
   ex write(const Polynomial& polynomial, const std::string& name, const std::string& coefficient,
@@ -204,7 +204,7 @@ std::vector<Line> square_lines(const RationalForm& form, const InOtherVariables&
   const auto first = in(over.without_power("omega", above)),
              second = in(under.without_power("omega", below));
   if (!first || !second) return {};
-  Writer writer(by);
+  FactorWriter writer(by);
   const ex n = writer.write(*first, "N", "n", "Numerator");
   const ex d = writer.write(*second, "D", "d", "Denominator");
   const int power = static_cast<int>(above) - static_cast<int>(below);
@@ -217,7 +217,7 @@ std::vector<Line> square_lines(const RationalForm& form, const InOtherVariables&
 }
 
 /// With the sign that the coefficient of the lowest power is printed without a minus.
-Polynomial begins_with_plus(const Polynomial& polynomial, const Writer& writer) {
+Polynomial begins_with_plus(const Polynomial& polynomial, const FactorWriter& writer) {
   const Polynomials coefficients = by_powers(polynomial, writer.variable(polynomial));
   const bool minus = leads_with_minus(factored_expression(coefficients.begin()->second));
   return minus ? Polynomial(polynomial.ring(), -1) * polynomial : polynomial;
@@ -236,7 +236,7 @@ std::vector<Line> root_lines(const Polynomial& slope, const InOtherVariables& in
                              const std::string& by) {
   const std::optional<Polynomial> whole = in(slope);
   if (!whole) return {};
-  Writer writer(by);
+  FactorWriter writer(by);
   const FactoredPolynomial product = factors_of(*whole);
   std::vector<const Polynomial*> factors;
   for (const auto& [factor, exponent] : product.factors) {

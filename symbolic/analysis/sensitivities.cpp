@@ -37,7 +37,7 @@ ex shorter_of(const ex& expression) {
   const std::size_t length = to_text(expression).size();
   if (length > longest_joined_text) return expression;
   const ex fraction = expression.normal().numer_denom();
-  const ex whole = factored_polynomial(fraction.op(0)) / GiNaC::sqrfree(fraction.op(1));
+  const ex whole = factored_polynomial(fraction.op(0)) / factored_polynomial(fraction.op(1));
   return to_text(whole).size() < length ? whole : expression;
 }
 

@@ -135,7 +135,7 @@ class Nomenclature {
 };
 
 Section nomenclature(const Findings& findings) {
-  Section section{"Symbols", "", {}, ""};
+  Section section{"Symbols", "", {}};
   section.symbols = Nomenclature(findings).rows();
   return section;
 }
@@ -144,7 +144,7 @@ bool holds_closed(const Problem& problem) { return !problem->separation; }
 
 Section assumptions(const Findings& findings) {
   const Problem& problem = findings.derivation.problem;
-  Section section{"Assumptions", "", {}, ""};
+  Section section{"Assumptions", "", {}};
   const ex v = quantity("v*"), wave = symbol({"du_z"}) * GiNaC::cos(omega() * quantity("t"));
   const Statement u{
       {false, {Form::Kind::sum, "", {}, {}, {form_of(symbol({"u_z0"})), form_of(wave)}, 1}}};
@@ -166,7 +166,7 @@ Section assumptions(const Findings& findings) {
 }
 
 Section reference() {
-  Section section{"Reference", "", {}, ""};
+  Section section{"Reference", "", {}};
   section.note =
       "Equation numbers are those of: Zughaibi, Schulze, Li, Critical velocity of controllability "
       "of sliding friction by normal oscillations for an arbitrary linear rheology, Physical "
@@ -179,7 +179,8 @@ Section reference() {
 std::vector<Section> appendix(const Findings& findings) {
   const AlgebraLock lock;
   std::vector<Section> all{assumptions(findings), nomenclature(findings)};
-  for (Section& section : sections(findings, FactsPlace::behind_the_result)) all.push_back(std::move(section));
+  for (Section& section : sections(findings, FactsPlace::behind_the_result))
+    all.push_back(std::move(section));
   if (all.size() > 2 && all[2].title.empty()) all[2].title = "Derivation";
   all.push_back(reference());
   return all;

@@ -71,13 +71,13 @@ Section derivation_section(const Findings& findings) {
     return section;
   }
   if (!findings.why_complex.empty())
-    section.remark = "The formula is left in complex stiffnesses: " + findings.why_complex + ".";
+    section.note = "The formula is left in complex stiffnesses: " + findings.why_complex + ".";
   return section;
 }
 
 Section form_section(const Findings& findings) {
   const bool rational = findings.form == ResultForm::rational;
-  Section section{rational ? "Rational form" : "Dimensionless form", "", {}, ""};
+  Section section{rational ? "Rational form" : "Dimensionless form", "", {}};
   section.blocks = blocks_of(findings.form_lines);
   if (findings.in_groups)
     section.blocks.push_back({"In these", {}, false, equations_of(*findings.in_groups)});
@@ -86,7 +86,7 @@ Section form_section(const Findings& findings) {
 
 /// Facts without a line of mathematics are sentences.
 Section facts_section(const Findings& findings) {
-  Section section{"What it says", "", {}, ""};
+  Section section{"What it says", "", {}};
   for (const Fact& fact : findings.facts) {
     if (fact.lines.empty()) {
       section.note += (section.note.empty() ? "" : " ") + fact.words + ".";
@@ -108,7 +108,7 @@ Prose headed(Prose title, const std::string& equation) {
 
 /// What the inner quantities are in the limit, where they differ, then v*.
 Section limits_section(const Findings& findings) {
-  Section section{"Limits and special cases", "", {}, ""};
+  Section section{"Limits and special cases", "", {}};
   for (const Limit& limit : findings.limits) {
     DocumentBlock block{headed(limit.title, limit.equation), {}};
     if (!same(limit.definitions, findings.derivation.definitions)) block.lines = limit.definitions;
@@ -119,7 +119,7 @@ Section limits_section(const Findings& findings) {
 }
 
 Section asymptotes_section(const std::vector<Asymptote>& asymptotes) {
-  Section section{"Low and high frequency", "", {}, ""};
+  Section section{"Low and high frequency", "", {}};
   for (const Asymptote& asymptote : asymptotes) {
     DocumentBlock block{asymptote.title, asymptote.definitions, true};
     block.lines.push_back(asymptote_line(asymptote));
@@ -158,14 +158,14 @@ std::vector<DocumentBlock> resonance_blocks(const Resonance& resonance) {
 }
 
 Section resonances_section(const std::vector<Resonance>& resonances) {
-  Section section{"Resonance and antiresonance", "", {}, ""};
+  Section section{"Resonance and antiresonance", "", {}};
   for (const Resonance& resonance : resonances)
     for (const DocumentBlock& block : resonance_blocks(resonance)) section.blocks.push_back(block);
   return section;
 }
 
 Section extrema_section(const std::vector<Line>& lines) {
-  return {{"Largest and least ", quantity("v*")}, "", blocks_of(lines), ""};
+  return {{"Largest and least ", quantity("v*")}, "", blocks_of(lines)};
 }
 
 // Lines; more are hard to read without a gap.
@@ -226,7 +226,7 @@ Section sensitivities_section(const Findings& findings) {
                    " is ",
                    v * S / p,
                    "."};
-  Section section{"Sensitivities", note, {}, ""};
+  Section section{"Sensitivities", note, {}};
   Reader reader;
   reader.tell(findings.derivation.definitions);
   const ex B = quantity("B"), K = quantity("K_j");
@@ -270,11 +270,11 @@ Section sensitivities_section(const Findings& findings) {
 }
 
 Section half_space_section(const Findings& findings) {
-  return {"Below the indenter", "", blocks_of(findings.half_space), ""};
+  return {"Below the indenter", "", blocks_of(findings.half_space)};
 }
 
 Section parting_section(const Findings& findings) {
-  Section section{"Surfaces that part", "", {}, ""};
+  Section section{"Surfaces that part", "", {}};
   if (!findings.parting) return section;
   section.blocks = blocks_of(*findings.parting);
   if (!section.blocks.empty()) return section;

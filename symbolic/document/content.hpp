@@ -43,7 +43,6 @@ struct Section {
   Prose title;  ///< empty: the derivation itself
   Prose note;   ///< in front of the blocks
   std::vector<DocumentBlock> blocks;
-  Prose remark;                         ///< behind them
   std::vector<Prose> items = {};        ///< a list
   std::vector<SymbolRow> symbols = {};  ///< a table
 };

@@ -203,7 +203,7 @@ Json section_record(const Section& section, const DocumentMarkup& markup, Displa
     blocks.push_back(block_record(block, markup, displays));
   Fields f(record::Reader::page);
   f("heading", markup.of(section.title))("note", markup.of(section.note));
-  f("blocks", blocks)("remark", markup.of(section.remark));
+  f("blocks", blocks);
   std::vector<record::Markup> items;
   for (const Prose& item : section.items) items.push_back(markup.of(item));
   f("items", items)("symbols", !section.symbols.empty());

@@ -44,7 +44,8 @@ std::string print(const Problem& problem, const DocumentOptions& options) {
   if (options.format == Format::json) return json_document(problem, findings);
   const bool terminal = options.format == Format::text;
   return markup_document(options.format, title_of(problem),
-                         terminal ? sections(findings, FactsPlace::first) : appendix(findings), options.standalone);
+                         terminal ? sections(findings, FactsPlace::first) : appendix(findings),
+                         options.standalone);
 }
 
 }  // namespace vcrit::symbolic

@@ -68,4 +68,8 @@ def derive(test, kind, column):
     for form, document in (("text", found.document("text")), ("latex", found.document("latex"))):
         for value in formulas.onsets(document, form, values):
             test.near_in_digits(value, REFERENCES[kind]("formula"), form)
-    test.assertIn(found.latex.split("=", 1)[1].strip(), found.document("latex"))
+    alone = formulas.onsets(f"\\[ {found.latex} \\]", "latex", values)
+    for value in alone:
+        test.near_in_digits(value, REFERENCES[kind]("formula"), found.latex)
+    if not alone:  # it has names of its own, and stands on a line of its own
+        test.assertIn(found.latex.split("=", 1)[1].strip(), found.document("latex"))

@@ -7,7 +7,6 @@ new one has no cells and fails, as a new kind does.
 
 import csv
 import json
-import math
 import os
 import tempfile
 import unittest
@@ -17,11 +16,11 @@ import mpmath as mp
 
 import evaluators
 import formulas
+import plot_cells
 import python_cells
 import systems
 from cells import (FOLDER, KINDS, LOOKED_AT, REFERENCES, REFUSALS, U, Cells, choices, commands, onset, refusal, run,
                    scene)
-from pictures import panels, value_at
 
 # Formats of the derivation; those of systems have v* alone, tests/document tries every form of it.
 DOCUMENTS, FORMS = ("text", "latex", "markdown", "json"), choices("derive", "form")
@@ -112,7 +111,7 @@ class Matrix(Cells, unittest.TestCase):
 
     def check_printed(self, kind, form, form_of_text, printed):
         values = formulas.beside_poles(REFERENCES[kind].parameters())
-        if form_of_text in SYSTEMS:
+        if form_of_text in systems.SYSTEMS:
             found = [systems.read(form_of_text, printed).value(values)]
         elif form_of_text != "json":
             found = formulas.onsets(printed, form_of_text, values)
@@ -269,36 +268,7 @@ class Matrix(Cells, unittest.TestCase):
             self.near(answer["stick_onset"], value, error + 1e-9 * value, "stick_onset")
 
     def test_plot(self):
-        self.over([f"plot/{each}" for each in PICTURES], self.plot)
-
-    def plot(self, kind, column):
-        picture, references = self.folder / f"{kind} {column.replace('/', ' ')}.svg", REFERENCES[kind]
-        velocity = references.text("velocity:0") if "velocity:0" in references else "1e-3"
-        of = column.split("/")[1]
-        how = {"friction": ("--to", 2 * float(velocity)), "cycle": ("--velocity", velocity)}.get(of, ())
-        if not self.answered(kind, column, run("plot", scene(kind), "--of", of, *how, "--out", picture)):
-            self.assertFalse(picture.exists())
-            return
-        lines = panels(picture.read_text())
-        if of == "friction":
-            # Drawn to a tenth of a pixel of 320, with straight lines between 160 speeds.
-            self.near(value_at(lines[0].lines[0], float(velocity)), references("friction_ratio:0"), 3e-3, of)
-        elif of == "frequency":
-            self.check_drawn_onset(kind, lines[0].lines[-1])
-        else:
-            bound, minus, force = lines[0].lines
-            # Two tenths of a pixel of 220 for some four times the largest bound.
-            allowed = 0.005 * max(above for _, above in bound[0])
-            for (_, above), (_, below), (_, between) in zip(*bound, *minus, *force):
-                self.assertTrue(below - allowed <= between <= above + allowed, (kind, below, between, above))
-
-    def check_drawn_onset(self, kind, strokes):
-        """Near an undamped resonance the line is too steep to be read."""
-        value, _ = onset(kind)
-        if "resonance" not in kind and 0 < value < mp.inf:
-            frequency = float(REFERENCES[kind]("value:omega")) / (2 * math.pi)
-            drawn = value_at(strokes, frequency)
-            self.near(drawn / float(value), 1, 0.05, kind)
+        self.over([f"plot/{each}" for each in PICTURES], lambda kind, column: plot_cells.plot(self, kind, column))
 
     def test_sweep(self):
         self.over([f"sweep/{each}" for each in QUANTITIES], self.sweep)

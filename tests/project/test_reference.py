@@ -49,7 +49,8 @@ class Reference(unittest.TestCase):
     def test_start_page_leads_to_what_it_names(self):
         page = (self.folder / "index.html").read_text()
         linked = set(map(html.unescape, re.findall(r'<a class="el" href="[^"]+"[^>]*>([^<]+)</a>', page)))
-        named = set(NAMED.findall((PROJECT / "docs/library.md").read_text()))
+        words = re.sub(r"```.*?```", "", (PROJECT / "docs/library.md").read_text(), flags=re.DOTALL)
+        named = set(NAMED.findall(words))
         self.assertGreater(len(named), 30)
         self.assertEqual(named - linked, set())
 

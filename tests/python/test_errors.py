@@ -155,7 +155,7 @@ class Exceptions(unittest.TestCase):
             scene.simulate(0.1, start="top")
         with self.assertRaisesRegex(vcrit.InputError, '^form: found "short"; expected one of dimensionless, exp'):
             vcrit.derive(scene, form="short")
-        with self.assertRaisesRegex(vcrit.InputError, '^format: found "odt"; expected one of html, json, latex'):
+        with self.assertRaisesRegex(vcrit.InputError, '^format: found "odt"; expected one of c, html, json, latex'):
             vcrit.derive(scene).document("odt")
 
     def test_ask_for_one_kind_of_speed(self):

@@ -21,6 +21,14 @@ using namespace vcrit::validation;
 
 using test::has;
 
+/// A printed derivation with every equation on one line.
+std::string unbroken(std::string text) {
+  const std::string broken = "\n        ";
+  for (std::size_t at = 0; (at = text.find(broken, at)) != text.npos;)
+    text.replace(at, broken.size(), " ");
+  return text;
+}
+
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(velocity_is_shown_as_it_is_printed) {
@@ -35,12 +43,12 @@ BOOST_AUTO_TEST_CASE(velocity_is_shown_as_it_is_printed) {
         Shown{read_problem(VCRIT_SCENES "/measured_drive.toml"), false},
         Shown{test::scene_of(long_series), false}}) {
     BOOST_TEST_CONTEXT(problem->source->title) {
-      const std::string printed = symbolic::print(problem, {});
+      const std::string printed = unbroken(symbolic::print(problem, {}));
       const ShownVelocity shown = shown_velocity(symbolic::derive(problem));
       BOOST_TEST(shown.is_real == is_real);
-      BOOST_TEST(has(printed, "v* = " + shown.formula.text + "\n"));
+      BOOST_TEST(has(printed, "v* = " + shown.formula.text));
       for (const Equation& each : shown.definitions)
-        BOOST_TEST(has(printed, each.left.text + " = " + each.right.text + "\n"));
+        BOOST_TEST(has(printed, each.left.text + " = " + each.right.text));
       BOOST_TEST(has(printed, shown.ratio));
     }
   }
@@ -52,11 +60,12 @@ BOOST_AUTO_TEST_CASE(a_real_formula_is_explained_as_one) {
   report.formula = {example::formula("F"),
                     {{"", example::formula("R"), example::formula("T")}},
                     "g = K_n/K_t",
-                    true};
+                    true,
+                    "<math>g</math>"};
   const auto shown = [&] { return report::scene_page({report, {}}, example::origin()); };
-  BOOST_TEST(has(shown(), "with g = Kₙ/Kₜ and"));
+  BOOST_TEST(has(shown(), "with <math>g</math> and"));
   report.formula.is_real = false;
-  BOOST_TEST(!has(shown(), "with g = "));
+  BOOST_TEST(!has(shown(), "with <math>g</math>"));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

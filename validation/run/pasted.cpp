@@ -27,7 +27,8 @@ class Pasted : public symbolic::Dialect {
     if (bar == digits.npos) return digits + ".0";
     return fmt::format("({}.0/{}.0)", digits.substr(0, bar), digits.substr(bar + 1));
   }
-  std::string name(const std::string& text) const override {
+  std::string name(const std::string& symbol) const override {
+    const std::string text = symbolic::printed_name(symbol);
     const auto found = references_.find(text);
     return found == references_.end() ? text : found->second;
   }

@@ -53,9 +53,12 @@ SystemNames::SystemNames(const System& system, const TakenFormula& formula) {
 }
 
 std::string with_index(const std::string& name) {
-  const std::size_t open = name.find('[');
-  if (open == std::string::npos) return name;
-  return name.substr(0, open) + "_" + name.substr(open + 1, name.size() - open - 2);
+  std::string spelled = name;
+  if (const std::size_t primes = name.find('\''); primes != std::string::npos)
+    spelled = name.substr(0, primes) + (name.ends_with("''") ? "_loss" : "_storage");
+  const std::size_t open = spelled.find('[');
+  if (open == std::string::npos) return spelled;
+  return spelled.substr(0, open) + "_" + spelled.substr(open + 1, spelled.size() - open - 2);
 }
 
 std::string with_underscore(const std::string& name, int attempt) {

@@ -44,7 +44,7 @@ struct System {
 /// In the order of --format.
 const std::vector<const System*>& systems();
 
-/// "k_1" for "k[1]".
+/// "k_1" for "k[1]"; "K_n_loss" for K_n'', and "K_n_storage".
 std::string with_index(const std::string& name);
 /// "k_1_", "k_1_2", ...
 std::string with_underscore(const std::string& name, int attempt);
