@@ -81,6 +81,13 @@ Evaluation evaluated(const Problem& problem) {
   return result;
 }
 
+// A formula of several steps has no place among numbers.
+std::string brief(const std::string& fact) {
+  constexpr std::size_t room = 78;  // beside the headings, on a wide terminal
+  return fact.size() <= room ? fact
+                             : fact.substr(0, fact.find(": ")) + ": vcrit derive has the formula";
+}
+
 void print_eval_text(const Problem& problem, const Evaluation& result) {
   if (!problem->source->title.empty()) fmt::print("{}\n", problem->source->title);
   const double critical = result.critical.contact_velocity;
@@ -103,7 +110,7 @@ void print_eval_text(const Problem& problem, const Evaluation& result) {
   for (const std::string& reason : result.reasons) fmt::print("                      {}\n", reason);
   const char* heading = "the formula says";
   for (const std::string& fact : result.facts) {
-    fmt::print("{:<22}{}\n", heading, fact);
+    fmt::print("{:<22}{}\n", heading, brief(fact));
     heading = "";
   }
 }

@@ -30,6 +30,11 @@ struct Markup {
   std::string text;
 };
 
+/// None where there is no text, so that a template's section asks for it.
+inline std::optional<Markup> present_markup(const std::string& text) {
+  return text.empty() ? std::nullopt : std::optional(Markup{text});
+}
+
 enum class Reader { file, page };
 
 class Fields {

@@ -32,12 +32,33 @@ ex variable(const Problem& problem, const Symbol& parameter) {
   return is_poisson(problem, parameter) ? poisson_ratio(parameter) : symbol(parameter);
 }
 
+/// A product of powers of polynomials. GiNaC's has factors that depend on its order of symbols, so
+/// those of one exponent are multiplied out.
+ex with_powers(const ex& polynomial) {
+  const ex found = GiNaC::sqrfree(polynomial);
+  std::map<int, ex> bases;
+  const auto add = [&](const ex& factor) {
+    const bool is_power = GiNaC::is_a<GiNaC::power>(factor);
+    const int exponent = is_power ? GiNaC::ex_to<GiNaC::numeric>(factor.op(1)).to_int() : 1;
+    ex& base = bases.try_emplace(exponent, 1).first->second;
+    base = (base * (is_power ? factor.op(0) : factor)).expand();
+  };
+  if (GiNaC::is_a<GiNaC::mul>(found))
+    for (const ex& factor : found) add(factor);
+  else
+    add(found);
+  ex whole = 1;
+  for (const auto& [exponent, base] : bases)
+    whole *= GiNaC::pow(factored_polynomial(base), exponent);
+  return whole;
+}
+
 /// The shorter of the expression and the same as one fraction.
 ex shorter_of(const ex& expression) {
   const std::size_t length = to_text(expression).size();
   if (length > longest_joined_text) return expression;
   const ex fraction = expression.normal().numer_denom();
-  const ex whole = factored_polynomial(fraction.op(0)) / factored_polynomial(fraction.op(1));
+  const ex whole = factored_polynomial(fraction.op(0)) / with_powers(fraction.op(1));
   return to_text(whole).size() < length ? whole : expression;
 }
 

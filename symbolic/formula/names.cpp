@@ -112,7 +112,11 @@ bool is_set_apart(const std::string& name) {
 }
 
 bool has_bare_entry(const std::string& name) {
-  return printing == nullptr || !printing->ambiguous_.contains(name.substr(0, name.find('[')));
+  if (printing == nullptr) return true;
+  std::string array = name.substr(0, name.find('['));
+  for (const char* prefix : group_prefixes)  // kappa_k[1] is set as k[1] is
+    if (array.starts_with(prefix)) array.erase(0, std::strlen(prefix));
+  return !printing->ambiguous_.contains(array);
 }
 
 bool is_taken(const std::string& name) { return printing != nullptr && printing->taken(name); }

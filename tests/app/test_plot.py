@@ -7,7 +7,7 @@ from pathlib import Path
 from pictures import panels, value_at
 from program import Case, example
 
-ZENER, JUMPING, SPHERE, SONOTRODE = (example(name) for name in ("zener", "jumping", "sphere", "sonotrode"))
+ZENER, SEPARATION, SPHERE, SONOTRODE = (example(name) for name in ("zener", "separation", "sphere", "sonotrode"))
 # A curve is drawn to a tenth of a pixel, of 1.05/320 of a friction ratio each, with straight lines between 160 points.
 DRAWN = 2e-3
 
@@ -18,7 +18,7 @@ class Plot(Case):
         return panels((self.folder / "picture.svg").read_text())
 
     def test_friction_is_that_of_simulate_and_v_star_that_of_eval(self):
-        for scene in (ZENER, JUMPING, SPHERE):
+        for scene in (ZENER, SEPARATION, SPHERE):
             with self.subTest(scene=scene):
                 panel, = self.picture(scene)
                 onset = self.answer("eval", scene)["critical_velocity"]
@@ -55,7 +55,7 @@ class Plot(Case):
         self.assertLess(min(speeds), 1e-4)
 
     def test_a_terminal_of_80_letters_has_room(self):
-        for scene, of in ((ZENER, "friction"), (ZENER, "frequency"), (JUMPING, "cycle"), (SPHERE, "friction")):
+        for scene, of in ((ZENER, "friction"), (ZENER, "frequency"), (SEPARATION, "cycle"), (SPHERE, "friction")):
             lines = self.out("plot", scene, "--of", of).splitlines()
             self.assertLess(max(map(len, lines)), 80)
             self.assertFalse([line for line in lines if line != line.rstrip()])

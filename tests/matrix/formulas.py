@@ -1,10 +1,12 @@
 """Printed formulas read back: text and LaTeX as numbers, at a scene's values, in many digits."""
 
+import json
 import re
 
 import mpmath as mp
 
 import documents
+import systems
 
 mp.mp.dps = 80
 # How far from a pole formulas are evaluated, where K_d is infinite and they would be infinite over infinite.
@@ -200,6 +202,20 @@ class Latex:
             depth += {"{": 1, "}": -1}.get(token, 0)
             letters += "" if token == "\\mathrm" else token.lstrip("\\")
         return letters[:-1]
+
+
+def all_onsets(printed, form, form_of_text, values):
+    """v* by everything that `derive` prints in one form and format."""
+    if form_of_text in systems.SYSTEMS:
+        return [systems.read(form_of_text, printed).value(values)]
+    if form_of_text != "json":
+        return onsets(printed, form_of_text, values)
+    document, found = json.loads(printed), []
+    for lines in (document["lines"], document.get(form, [])):
+        texts = {"text": "\n".join(f"{line['words']}\n    {line['text']}" for line in lines),
+                 "latex": "\n".join(f"{line['words']}\n\\[ {line['latex']} \\]" for line in lines)}
+        found += [value for each, text in texts.items() for value in onsets(text, each, values)]
+    return found + [abs(line_value(document["critical_velocity"], values, definitions=document["definitions"]))]
 
 
 def onsets(document, form, values):

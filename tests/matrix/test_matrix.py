@@ -18,12 +18,11 @@ import evaluators
 import formulas
 import plot_cells
 import python_cells
-import systems
 from cells import (FOLDER, KINDS, LOOKED_AT, REFERENCES, REFUSALS, U, Cells, choices, commands, onset, refusal, run,
                    scene)
 
 # Formats of the derivation; those of systems have v* alone, tests/document tries every form of it.
-DOCUMENTS, FORMS = ("text", "latex", "markdown", "json"), choices("derive", "form")
+DOCUMENTS, FORMS = ("text", "latex", "markdown", "html", "json"), choices("derive", "form")
 SYSTEMS = [each for each in choices("derive", "format") if each not in DOCUMENTS]
 LANGUAGES, METHODS = choices("generate", "language"), choices("simulate", "method")
 STARTS, UNKNOWNS = choices("simulate", "start"), choices("solve", "for")
@@ -42,7 +41,7 @@ COLUMNS = {
     "validate": ["validate"],
     "python": [f"python/{each}" for each in PYTHON],
 }
-# What a report compares of each kind, by the tables of docs/report.md: one that is no longer made is missed here.
+# What a report compares of each kind, by docs/report.md: one that is no longer made is missed here.
 with (FOLDER / "comparisons.csv").open() as file:
     COMPARISONS = {row["kind"]: row["comparisons"].split() for row in csv.DictReader(file)}
 OTHER_COMMANDS = {"fit"}  # reads measurements, no scene
@@ -111,19 +110,7 @@ class Matrix(Cells, unittest.TestCase):
 
     def check_printed(self, kind, form, form_of_text, printed):
         values = formulas.beside_poles(REFERENCES[kind].parameters())
-        if form_of_text in systems.SYSTEMS:
-            found = [systems.read(form_of_text, printed).value(values)]
-        elif form_of_text != "json":
-            found = formulas.onsets(printed, form_of_text, values)
-        else:
-            document = json.loads(printed)
-            found = []
-            for lines in (document["lines"], document.get(form, [])):
-                texts = {"text": "\n".join(f"{line['words']}\n    {line['text']}" for line in lines),
-                         "latex": "\n".join(f"{line['words']}\n\\[ {line['latex']} \\]" for line in lines)}
-                found += [value for each, text in texts.items() for value in formulas.onsets(text, each, values)]
-            definitions = document["definitions"]
-            found.append(abs(formulas.line_value(document["critical_velocity"], values, definitions=definitions)))
+        found = formulas.all_onsets(printed, form, form_of_text, values)
         self.assertTrue(found, printed[:3000])
         for value in found:
             self.near_in_digits(value, REFERENCES[kind]("formula"), printed[:3000])

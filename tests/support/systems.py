@@ -271,7 +271,7 @@ class MathML:
     """From the presentation itself: what stands where decides."""
 
     SPACE = "{http://www.w3.org/1998/Math/MathML}"
-    CHILDREN = {"mfrac": 2, "msup": 2, "msub": 2, "mover": 2, "msqrt": 1, "mtd": 1}
+    CHILDREN = {"mfrac": 2, "msup": 2, "msub": 2, "mover": 2, "msubsup": 3, "msqrt": 1, "mtd": 1}
     LEAVES = {"mi", "mn", "mo", "mtext"}
 
     def read(self, text):

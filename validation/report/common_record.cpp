@@ -58,7 +58,7 @@ void fields(Fields& f, const validation::Equation& it) {
 
 void fields(Fields& f, const validation::ShownVelocity& it) {
   f("formula", it.formula)("definitions", it.definitions)("real", it.is_real);
-  f.page("ratio", Markup{it.ratio_markup});
+  f.page("ratio", present_markup(it.ratio_markup));
 }
 
 void fields(Fields& f, const validation::ShownFact& it) {

@@ -211,7 +211,7 @@ void results(Fields& f, const report::SceneContents& contents) {
   f("critical_velocity", VelocityOfScene{report})("values", report.values);
   f("formula", report.formula.formula)("equation", report.equation);
   f("definitions", report.formula.definitions).page("real_formula", report.formula.is_real);
-  f.page("ratio", record::Markup{report.formula.ratio_markup});
+  f.page("ratio", present_markup(report.formula.ratio_markup));
   f("facts", report.facts);
   f("derivation", report.derivation)("limits", report.limits).some("compiler", report.compiler);
   f.some("friction_curve", report.curve).some("methods", report.methods);
