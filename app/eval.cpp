@@ -63,7 +63,8 @@ std::string true_digits(const CriticalOnset& critical) {
 const char* contact_words(const Problem& problem) {
   const rules::Facts facts(problem);
   if (facts.is(rules::SceneKind::never_closing)) return "never closes";
-  return facts.opens() ? "opens in each period" : "stays closed";
+  if (facts.opens()) return "opens in each period";
+  return problem->indenter ? "stays closed at the centre" : "stays closed";
 }
 
 std::string border_words(double sliding_from) {
@@ -84,8 +85,7 @@ Evaluation evaluated(const Problem& problem) {
 // A formula of several steps has no place among numbers.
 std::string brief(const std::string& fact) {
   constexpr std::size_t room = 78;  // beside the headings, on a wide terminal
-  return fact.size() <= room ? fact
-                             : fact.substr(0, fact.find(": ")) + ": vcrit derive has the formula";
+  return fact.size() <= room ? fact : fact.substr(0, fact.find(": ")) + " (vcrit derive shows it)";
 }
 
 void print_eval_text(const Problem& problem, const Evaluation& result) {

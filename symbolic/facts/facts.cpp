@@ -157,7 +157,8 @@ class Facts {
       return;
     }
     Fact fact{"closed_amplitude",
-              fmt::format("The contact stays closed{} while {} is below", place, amplitude),
+              fmt::format("The contact stays closed{} while {} is below {}", place, amplitude,
+                          own("du_max")),
               std::move(bound.form->definitions)};
     fact.lines.push_back({form_of(quantity("du_max")).form, std::move(bound.form->velocity)});
     found_.push_back(std::move(fact));

@@ -108,11 +108,11 @@ BOOST_AUTO_TEST_CASE(closed_amplitude_of_zener) {
              boost::test_tools::tolerance(1e-14));
   // K(0) = k, |K| = k sqrt(1 + eta^2)
   BOOST_TEST(texts_of(scene_of("normal = \"lossy(k, eta)\"\ntangential = \"kt\"")).back() ==
-             "The contact stays closed while du_z is below: du_max = u_z0/sqrt(1 + eta^2)");
+             "The contact stays closed while du_z is below du_max: du_max = u_z0/sqrt(1 + eta^2)");
   const Scene kelvin = scene_of("normal = \"kn | cn\"\ntangential = \"kt\"");
   const NamesOfScene of_kelvin(kelvin);
   BOOST_TEST(texts_of(kelvin).back() ==
-             "The contact stays closed while du_z is below: du_max = "
+             "The contact stays closed while du_z is below du_max: du_max = "
              "u_z0/sqrt(1 + (omega*cn/kn)^2)");
 }
 
