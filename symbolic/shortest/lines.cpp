@@ -6,6 +6,7 @@
 #include "formula/dialect.hpp"
 #include "formula/names.hpp"
 #include "formula/series.hpp"
+#include "shortest/search.hpp"
 
 namespace vcrit::symbolic::shortest {
 

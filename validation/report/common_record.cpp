@@ -23,8 +23,11 @@ std::string badge(Comparison::Outcome outcome) {
 
 /// Plain mathematics in a fact's sentence, as people write it.
 std::string typeset(std::string words) {
-  constexpr std::pair<const char*, const char*> signs[] = {
-      {"K_t/K_n", "Kₜ/Kₙ"}, {"K_n/K_t", "Kₙ/Kₜ"}, {"nu = ", "ν = "}, {"du_z", "Δu_z"}};
+  constexpr std::pair<const char*, const char*> signs[] = {{"K_t/K_n", "Kₜ/Kₙ"},
+                                                           {"K_n/K_t", "Kₙ/Kₜ"},
+                                                           {"nu = ", "ν = "},
+                                                           {"du_z", "Δu_z"},
+                                                           {"du_max", "Δu_max"}};
   for (const auto& [from, to] : signs)
     for (auto at = words.find(from); at != words.npos; at = words.find(from))
       words.replace(at, std::string(from).size(), to);
