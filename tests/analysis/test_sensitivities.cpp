@@ -296,9 +296,12 @@ BOOST_AUTO_TEST_CASE(what_is_made_of_others_changes_with_them) {
   BOOST_TEST(chained.size() == expected.size() + 3);  // mu0, omega, du_z
   for (const auto& [name, value] : expected)
     BOOST_TEST((GiNaC::abs(chained.at(name) - value) <= GiNaC::numeric(tolerance)), name);
-  // The formulas are one.
-  BOOST_TEST((value_at(derive(made).critical_velocity, derive(made).definitions, values) ==
-              value_at(derive(plain).critical_velocity, derive(plain).definitions, values)));
+  // The formulas are one, but for roundings in an order that is not the same in every run.
+  const auto velocity = [&](const Scene& scene) {
+    const Derivation derivation = derive(scene);
+    return value_at(derivation.critical_velocity, derivation.definitions, values);
+  };
+  BOOST_TEST((GiNaC::abs(velocity(made) / velocity(plain) - 1) <= GiNaC::numeric(tolerance)));
 }
 
 BOOST_AUTO_TEST_SUITE_END()
