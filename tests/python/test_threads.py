@@ -22,11 +22,14 @@ class Watched:
     sees it under way only if the call itself lets go of the interpreter."""
 
     def __init__(self, call):
-        self.call, self.under_way, self.done = call, False, False
+        self.call, self.under_way, self.done, self.error = call, False, False, None
 
     def run(self):
         self.under_way = True
-        self.call()
+        try:
+            self.call()
+        except Exception as error:  # told by who waits
+            self.error = error
         self.done = True
 
     def seen_under_way(self):
@@ -37,6 +40,8 @@ class Watched:
             seen = seen or (self.under_way and not self.done)
             time.sleep(0)
         worker.join()
+        if self.error:
+            raise self.error
         return seen
 
 
@@ -67,7 +72,7 @@ class OtherThreads(unittest.TestCase):
 
     def test_run_during_a_derivation(self):
         self.assertTrue(lets_others_run(
-            lambda: _vcrit.document(KELVIN._handle, "text", "nested", False, False)))
+            lambda: _vcrit.document(KELVIN._handle, "text", "nested", False, False, False)))
 
     def test_wait_while_a_scene_is_read(self):
         # This shows that what is asserted above can fail.
