@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "analysis/parting.hpp"
+#include "answers/ringing.hpp"
 #include "base/constants.hpp"
 #include "compare/formulas.hpp"
 #include "compare/velocity_comparisons.hpp"
@@ -98,19 +99,6 @@ StateMap separation_map(const System& system, double speed) {
     map.motions.insert(map.motions.end(), row.begin(), row.end());
   }
   return map;
-}
-
-// How many times its way at rest a body swings that sticks and is pushed at a harmonic. 1 without.
-double ringing(const System& system) {
-  constexpr int last_harmonic = 100;
-  double most = 1;
-  for (int n = 1; system.drive && system.mass && n <= last_harmonic; ++n) {
-    const double s = n * system.omega;
-    const auto stiffness =
-        dynamic_stiffness(system.contact, s) + dynamic_stiffness(*system.drive, s);
-    most = std::max(most, std::abs(stiffness) / std::abs(stiffness - *system.mass * s * s));
-  }
-  return most;
 }
 
 // So slow that the contact sticks from where it closes to where it opens: its force is

@@ -20,12 +20,13 @@ namespace {
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 /// More digits would only make the page longer.
-double rounded(double digits) { return std::round(100 * digits) / 100; }
+double to_hundredths(double digits) { return std::round(100 * digits) / 100; }
 
 void take_worst(std::vector<double>& worst, const std::vector<double>& digits) {
   worst.resize(digits.size(), none);
   for (std::size_t i = 0; i < digits.size(); ++i)
-    if (!(worst[i] >= digits[i])) worst[i] = std::isnan(digits[i]) ? worst[i] : rounded(digits[i]);
+    if (!(worst[i] >= digits[i]))
+      worst[i] = std::isnan(digits[i]) ? worst[i] : to_hundredths(digits[i]);
 }
 
 /// What each family says of one cell, put together.

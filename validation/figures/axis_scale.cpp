@@ -3,9 +3,10 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
+
+#include "base/rounded.hpp"
 
 namespace vcrit::validation::figures {
 
@@ -78,14 +79,6 @@ std::pair<double, double> extent(const std::vector<double>& shown, bool logarith
 }
 
 }  // namespace
-
-std::string power_of_ten(int exponent) {
-  constexpr std::array digits{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-  std::string text = "10";
-  for (const char digit : std::to_string(exponent))
-    text += digit == '-' ? "⁻" : digits[static_cast<std::size_t>(digit - '0')];
-  return text;
-}
 
 AxisScale::AxisScale(const FigureAxis& axis, const std::vector<double>& shown, int count)
     : logarithmic_(axis.logarithmic) {

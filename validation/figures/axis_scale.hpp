@@ -9,9 +9,6 @@
 
 namespace vcrit::validation::figures {
 
-/// "10⁻⁵"
-std::string power_of_ten(int exponent);
-
 struct Tick {
   double at = 0;
   std::string words;  ///< may be empty

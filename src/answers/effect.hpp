@@ -1,0 +1,80 @@
+// What vibration does to the friction of a scene: up to which speed, by how much, and how far the
+// contact stays closed. A record; effect_words.hpp says it.
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "answers/critical_onset.hpp"
+#include "problem/problem.hpp"
+
+namespace vcrit::record {
+class Fields;
+}
+
+namespace vcrit {
+
+struct LowestFriction {
+  double ratio = 0;     ///< mu/mu0
+  double velocity = 0;  ///< of the drive, m/s; 0 where it is the limit at rest
+
+  friend void fields(record::Fields& f, const LowestFriction& it);
+};
+
+struct Effect {
+  enum class Kind {
+    lowers,      ///< below a finite speed
+    never,       ///< v* = 0
+    all_speeds,  ///< v* is infinite
+    outside,     ///< the model has no answer
+  };
+  Kind kind = Kind::lowers;
+
+  double frequency = 0, amplitude = 0, indentation = 0;  ///< Hz, m, m
+  double friction_coefficient = 0;                       ///< mu0
+  /// N: K_n(0) u_z0; of a contact that opens, and below an indenter, of the motion. Nothing where
+  /// that is not known.
+  std::optional<double> mean_normal_force = {};
+  /// m; below an indenter that of the centre. Nothing where the contact opens at every amplitude.
+  std::optional<double> largest_closed_amplitude = {};
+  bool below_indenter = false;
+  bool opens = false;  ///< in every period, as the scene allows
+
+  // Not of a scene that is outside.
+  static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  double critical_velocity = unknown;  ///< v*, m/s, of the contact point
+  double drive_velocity = unknown;     ///< m/s; above v* by the creep of the path
+  /// m/s, of the drive: friction is full from here on. Less than drive_velocity of an undamped body
+  /// that swings freely at a harmonic, NaN where that is not known.
+  double reduced_below = unknown;
+  bool simulated = false;                 ///< v* is; else it is Eq. (24)
+  double relative_error_bound = unknown;  ///< of Eq. (24): rounding
+  double relative_error = unknown;        ///< of a simulated v*, an estimate
+  std::string why_infinite = {};
+
+  std::optional<LowestFriction> lowest = {};
+  std::string why_no_lowest = {};  ///< where friction is not computed
+
+  std::vector<std::string> reasons = {};  ///< why the scene is outside, as the rulebook says
+
+  bool creeps() const { return drive_velocity > critical_velocity; }
+  /// Whether the scene is outside since its contact would open.
+  bool would_open() const {
+    return kind == Kind::outside && largest_closed_amplitude &&
+           !(amplitude < *largest_closed_amplitude);
+  }
+
+  friend void fields(record::Fields& f, const Effect& it);
+};
+
+/// "lowers", "never", "all_speeds", "outside": names that stay the same, for programs.
+const char* to_text(Effect::Kind kind);
+
+/// Throws InputError for missing values, ModelError where v* is 0/0 of a scene that is not outside.
+Effect effect_of(const Problem& problem);
+/// The same of v* that is known already.
+Effect effect_of(const Problem& problem, const CriticalOnset& onset);
+
+}  // namespace vcrit
