@@ -1,9 +1,7 @@
 // Problem         The critical velocity of an elastic contact as a formula, to be set by LaTeX, and
-// its limits.
-//                 scenes/elastic_drive.toml: springs kn, kt, a drive kd and a mass m.
-// Exact solution  Eq. (30): v* = mu0 omega du_z kn/kt |kt + kd - m omega^2|/|kd - m omega^2|; with
-// a rigid
-//                 drive, Eq. (31): mu0 omega du_z kn/kt.
+//                 its limits. scenes/elastic_drive.toml: springs kn, kt, a drive kd and a mass m.
+// Exact solution  Eq. (30): v* = mu0 omega du_z kn/kt |kt + kd - m omega^2|/|kd - m omega^2|;
+//                 with a rigid drive, Eq. (31): mu0 omega du_z kn/kt.
 // Method          The harmonic balance of body and contact point, solved by computer algebra.
 //
 //     derive scenes/elastic_drive.toml

@@ -1,7 +1,10 @@
 /* Problem         The same as use_header.cpp in C99, as for a controller: v* over four frequencies.
- * Exact solution  Eq. (30). At kn = 12, kt = 10, kd = 2 (N/um), m = 2.5 g, mu0 = 0.25, du_z = 0.1
- * um: v* = 2.5e-8 omega 1.2 |12 - x|/|2 - x| m/s with x = 2.5e-9 omega^2. Method          slider.h,
- * which generate.cpp has written.
+ *
+ * Exact solution  Eq. (30). At kn = 12, kt = 10, kd = 2 (N/um), m = 2.5 g, mu0 = 0.25 and
+ *                 du_z = 0.1 um: v* = 2.5e-8 omega 1.2 |12 - x|/|2 - x| m/s with
+ *                 x = 2.5e-9 omega^2.
+ *
+ * Method          slider.h, which generate.cpp has written.
  *
  *     embed
  */

@@ -1,12 +1,10 @@
 // Problem         Friction of an elastic contact that is pulled rigidly, over the speed in units of
-// v*.
-//                 scenes/elastic.toml: D = du_z/u_z0 = 1/3.
+//                 v*. scenes/elastic.toml: D = du_z/u_z0 = 1/3.
 // Exact solution  mu_macro/mu0 = 1 - D G(v0/v*), where G(x) = [sin t2 - sin t1 - (t2 - t1) cos t1
 //                 - x (t2 - t1)^2/2]/(2 pi), t1 = pi + asin x, and t2 the first later root of
 //                 x (t2 - t1) = cos t2 - cos t1. From v0 = v* on it is 1.
 // Method          The steady stick-slip motion, event by event in closed form. The simulation does
-// not know
-//                 v*: it is asked for the lowest speed of pure sliding.
+//                 not know v*: it is asked for the lowest speed of continuous sliding.
 //
 //     friction_curve scenes/elastic.toml
 #include <cstdio>

@@ -1,9 +1,8 @@
 // Problem         An evaluator of v* for one scene, to be compiled into another program: slider.hpp
-// for C++
-//                 (use_header.cpp includes it) and slider.h for C (embed.c).
+//                 for C++ (use_header.cpp includes it) and slider.h for C (embed.c).
 // Exact solution  What these two print.
 // Method          Eq. (24) as a straight-line program without subtraction, written out with its
-// error bound.
+//                 error bound.
 //
 //     generate scenes/elastic_drive.toml DIR
 #include <cstdio>

@@ -1,9 +1,7 @@
 // Problem         v* over frequency in a loop of one's own, of a Zener contact without a drive
-// network:
-//                 K_n = k0 + i w k1 c1/(k1 + i w c1), K_t = kt.
-// Exact solution  Eq. (24) with a rigid drive, v* = mu0 w du_z |K_n|/kt; k0 and k1 and c1 chosen
-// such that
-//                 the relaxation time is 10 us.
+//                 network: K_n = k0 + i w k1 c1/(k1 + i w c1), K_t = kt.
+// Exact solution  Eq. (24) with a rigid drive, v* = mu0 w du_z |K_n|/kt; k0, k1 and c1 are chosen
+//                 for a relaxation time of 10 us.
 // Method          The scene is parsed once from text; each value is Eq. (24) in doubles.
 //
 //     loop

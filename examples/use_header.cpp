@@ -1,9 +1,9 @@
 // Problem         v* of the slider in scenes/elastic_drive.toml, with other numbers at each call,
-// in a program
-//                 that knows nothing of vcrit but the header which generate.cpp has written.
-// Exact solution  Eq. (30). At kn = 12, kt = 10, kd = 2, m omega^2 = 4 (N/um), mu0 omega du_z = 1
-// mm/s:
-//                 1.2 |10 + 2 - 4|/|2 - 4| = 4.8 mm/s. Its relative derivative by kn is 1.
+//                 in a program that knows nothing of vcrit but the header that generate.cpp has
+//                 written.
+// Exact solution  Eq. (30). At kn = 12, kt = 10, kd = 2, m omega^2 = 4 (N/um), and
+//                 mu0 omega du_z = 1 mm/s: 1.2 |10 + 2 - 4|/|2 - 4| = 4.8 mm/s. Its relative
+//                 derivative by kn is 1.
 // Method          The generated accurate grade with its bound, and the generated gradient.
 //
 //     use_header

@@ -126,6 +126,14 @@ class Folder(unittest.TestCase):
         for file in (PROJECT / "examples").glob("*.c*"):
             self.assertRegex(file.read_text(), r"(?s)^(//|/\*) Problem .*? Exact solution .*? Method ", file)
 
+    # A formatter that breaks long lines of comments leaves words at the left edge.
+    def test_every_opening_keeps_its_columns(self):
+        for file in (PROJECT / "examples").glob("*.c*"):
+            opening = re.match(r"(?s)(.*?)\n(?: \*/|(?=#include))", file.read_text())[1]
+            for line in opening.splitlines():
+                self.assertRegex(line, r"^(//|/\*| \*)( (Problem {9}|Exact solution {2}|Method {10})\S| {17}\S|$| {5}\S)",
+                                 f"{file.name}: {line}")
+
 
 if __name__ == "__main__":
     unittest.main()
