@@ -15,8 +15,10 @@
 #include "figures/gnuplot.hpp"
 #include "fit/bounds.hpp"
 #include "fit/scene_text.hpp"
+#include "fit/words.hpp"
 #include "options.hpp"
 #include "problem/problem.hpp"
+#include "program.hpp"
 #include "record/fields.hpp"
 #include "report/figure_files.hpp"
 #include "report/fit_figures.hpp"
@@ -55,8 +57,7 @@ void print_intervals(const std::vector<KnownStiffness>& known) {
 
 void print_fit_text(const FitContents& result) {
   const Fit& fit = result.fit;
-  for (const std::string& words : validation::report::fit_in_words(result.data, fit))
-    fmt::print("{}\n", words);
+  for (const std::string& words : result.words) fmt::print("{}\n", words);
   if (fit.equilibrium) print_line("k0", *fit.equilibrium, "N/m\n");
   if (fit.damper) print_line("c0", *fit.damper, "N s/m\n");
   for (const auto& [k, tau] : fit.branches) {
@@ -102,18 +103,25 @@ std::optional<fit::Punch> punch_of(const FitOptions& options) {
   return punch;
 }
 
+std::vector<std::string> words_of(const Data& data, const Fit& fit) {
+  std::vector<std::string> all = in_words(data, fit);
+  for (std::string& words : all) words = with_options(words);
+  return all;
+}
+
 // All that may be wrong is found before the first file is written.
 void run_fit(const FitOptions& options) {
   const std::filesystem::path out = options.out;
   if (out.extension() != ".toml")
     throw InputError({"--out"}, fmt::format("\"{}\"", options.out), "a file ending in .toml");
-  if (!options.figures.empty()) validation::report::require_gnuplot("--figures");
+  if (!options.figures.empty()) validation::report::require_gnuplot("figures");
   const Data data = fit::read_data(options.data, punch_of(options));
   const Fit fit = fit::fitted(data, options.fit);
   const FitContents contents{
       data,
       fit,
       known_stiffness(data, fit, frequencies_of_interest(data, options.rest.frequency)),
+      words_of(data, fit),
       options.out,
       std::filesystem::path(out).replace_extension(".html").string(),
       scene_text(fit, data, options.rest)};

@@ -68,7 +68,7 @@ std::vector<Figure> figures_of(const PlotOptions& options, const Problem& proble
 std::filesystem::path file_of(const PlotOptions& options) {
   const std::filesystem::path out = options.out;
   if (out.extension() == ".pdf")
-    validation::report::require_gnuplot("--out");
+    validation::report::require_gnuplot("out");
   else if (!out.empty() && out.extension() != ".svg")
     throw InputError({"--out"}, fmt::format("\"{}\"", options.out),
                      "a file ending in .svg or .pdf");

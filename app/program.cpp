@@ -12,6 +12,7 @@
 #include <system_error>
 #include <vector>
 
+#include "base/arguments.hpp"
 #include "base/errors.hpp"
 #include "record/fields.hpp"
 #include "streams.hpp"
@@ -63,11 +64,12 @@ std::string option_of(const std::string& argument) {
   return option;
 }
 
-/// What a library says of an argument, of the option.
+/// What a library says of arguments, said of options.
 InputError of_options(const InputError& error) {
-  Place place = error.place();
-  if (!place.argument.empty()) place = {option_of(place.argument)};
-  return {place, error.found(), error.expected(), error.advice()};
+  const InputError words = spelled(error, option_of);
+  Place place = words.place();
+  if (!place.argument.empty()) place = {place.argument};
+  return {place, words.found(), words.expected(), words.advice()};
 }
 
 /// With json: one object on one line.
@@ -108,6 +110,8 @@ int run_command(int argc, char** argv, const AddCommands& add, bool json) {
 
 }  // namespace
 
+std::string with_options(const std::string& text) { return spelled(text, option_of); }
+
 int run_program(int argc, char** argv, const AddCommands& add) {
   open_missing_streams();
   std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is told as a full disk is
@@ -123,7 +127,8 @@ int run_program(int argc, char** argv, const AddCommands& add) {
   } catch (const Refused& error) {
     return complain({input_wrong, error.what()}, json);
   } catch (const ModelError& error) {
-    return complain({outside_the_model, error.what(), {}, error.advice()}, json);
+    const ModelError words = spelled(error, option_of);
+    return complain({outside_the_model, words.what(), {}, words.advice()}, json);
   } catch (const std::system_error& error) {
     const InputError words = in_words(error);
     return complain({input_wrong, words.what(), words, words.advice()}, json);

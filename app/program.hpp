@@ -14,6 +14,9 @@ class Refused : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// `text` of a library with the options of the arguments that it names (base/arguments.hpp).
+std::string with_options(const std::string& text);
+
 /// Adds the commands; they set the exit status where it is not 0.
 using AddCommands = std::function<void(CLI::App& program, int& status)>;
 

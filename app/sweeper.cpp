@@ -144,7 +144,7 @@ void run_sweep(const SweepOptions& options) {
   } catch (const maps::Ranks::Silent&) {
     return;
   } catch (const std::exception& error) {
-    tell_line(fmt::format("vcrit: {}", error.what()));
+    tell_line(fmt::format("vcrit: {}", with_options(error.what())));
     ranks.abort(dynamic_cast<const ModelError*>(&error) != nullptr ? 3 : 2);
   }
 }

@@ -93,7 +93,7 @@ Validation in_jobs(const ValidateOptions& options) {
   try {
     return validated(options);
   } catch (const validation::JobRefused& error) {
-    throw Refused(error.what());
+    throw Refused(with_options(error.what()));
   }
 }
 

@@ -1,9 +1,8 @@
 // The exceptions of the package, and which error of C++ becomes which.
-#include "base/errors.hpp"
-
 #include <exception>
 #include <utility>
 
+#include "base/arguments.hpp"
 #include "bindings.hpp"
 #include "interrupt.hpp"
 
@@ -58,13 +57,27 @@ void raise(PyObject* type, const std::exception& error, const std::string& advic
   PyErr_SetObject(type, raised.ptr());
 }
 
+// "velocity", "k1" of "set k1", "from_" of "from", which Python keeps for itself.
+std::string python_name(const std::string& argument) {
+  const std::size_t space = argument.find(' ');
+  const std::string key = argument.substr(0, space);
+  const std::string rest = space == argument.npos ? "" : argument.substr(space + 1);
+  if (key == "set") return rest.find('=') == rest.npos ? rest : "with_values(" + rest + ")";
+  if (key == "for") return "sought";
+  if (argument == "from") return "from_";
+  if (argument == "from, to") return "from_, to";
+  return argument;
+}
+
 void translate(std::exception_ptr thrown) {
   try {
     if (thrown) std::rethrow_exception(std::move(thrown));
   } catch (const InputError& error) {
-    raise(input_error, error, error.advice(), &error);
+    const InputError words = spelled(error, python_name);
+    raise(input_error, words, words.advice(), &words);
   } catch (const ModelError& error) {
-    raise(model_error, error, error.advice());
+    const ModelError words = spelled(error, python_name);
+    raise(model_error, words, words.advice());
   } catch (const Interrupted&) {
     // What the signal's handler raised, KeyboardInterrupt unless the user has another, is set.
   }

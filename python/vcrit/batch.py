@@ -77,7 +77,7 @@ def _refuse_wrong(formula: _vcrit.CriticalVelocities, columns: list[Array],
     if not arrays:
         wrong = formula.first_refused(columns, 1)
         if wrong is not None:
-            raise _vcrit.InputError(wrong[1])
+            raise _vcrit.InputError(wrong[1].removeprefix("set "))
         return
     columns = list(columns)
     whole = [columns[i] for i in arrays]

@@ -42,7 +42,7 @@ std::string uncertain(const Failure& f) {
   return fmt::format(
       "a friction ratio of {} is reached at {:.16g} {}, but whether that is the {} {} is not "
       "known: "
-      "{}; give a range (--from, --to) without the others",
+      "{}; give a range (`from`, `to`) without the others",
       f.question.friction_ratio, *f.reached_at, unit_of(f.question.sought),
       speed ? "largest" : "smallest", to_text(f.question.sought), searched(f));
 }

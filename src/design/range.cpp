@@ -77,7 +77,7 @@ SearchRange frequencies(const Question& question, const NormalContact& contact) 
   const auto omega = question.problem->angular_frequency.value;
   if (!omega && !(question.from && question.to))
     throw InputError(argument("for frequency"), "a scene without a frequency",
-                     "--from and --to, the range to search");
+                     "`from` and `to`, the range to search");
   const auto most = contact.largest_angular_frequency(*question.problem->amplitude.value);
   SearchRange range{question.from ? *question.from : *omega / two_pi / 100,
                     question.to ? *question.to : *omega / two_pi * 100,
@@ -148,7 +148,7 @@ SearchRange velocities(const Question& question) {
       question.from.value_or(0), std::min(question.to.value_or(limit), limit), {}, 0, 0};
   if (std::isinf(range.to))
     throw ModelError(
-        "v* is infinite here, so that the search has no upper end: give one with --to");
+        "v* is infinite here, so that the search has no upper end: give one with `to`");
   if (!(range.to > 0))
     throw ModelError(
         "v* is 0 here: at an antiresonance the oscillation reduces friction at no speed");

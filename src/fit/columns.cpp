@@ -74,7 +74,7 @@ double factor(const Heading& heading, Dimension dimension, const std::optional<P
   if (!modulus) return parse_quantity("1 " + heading.unit, dimension, place);
   if (!punch)
     throw InputError(place, fmt::format("{} in {}, a modulus", heading.name, heading.unit),
-                     "a stiffness, as N/um; or --punch-radius and --poisson of a flat punch, whose "
+                     "a stiffness, as N/um; or `punch_radius` and `poisson` of a flat punch, whose "
                      "stiffness is 2 a E/(1 - nu^2)");
   columns.moduli = true;
   return *modulus * punch->length();
@@ -148,8 +148,9 @@ TableColumns columns_of(const CsvLines& header, const std::optional<Punch>& punc
   refuse_sets(columns, header.place());
   refuse_mixture(columns, modulus, header.place());
   if (punch && !columns.moduli)
-    throw InputError(header.place(), "no modulus, but a punch (--punch-radius)",
-                     "storage and loss with a unit of a modulus: \"storage [MPa]\"");
+    throw InputError(header.place(), "no modulus, but a flat punch",
+                     "storage and loss with a unit of a modulus, \"storage [MPa]\", or no "
+                     "`punch_radius`");
   return columns;
 }
 

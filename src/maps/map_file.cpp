@@ -37,16 +37,16 @@ std::uint64_t fingerprint(const std::vector<double>& values) {
 std::string signature(const Sweep& sweep) {
   std::string text = fmt::format("vcrit {} (commit {})\n", VCRIT_VERSION, commit);
   for (const auto& [name, value] : sweep.problem->source->settings)
-    text += fmt::format("--set {}={}\n", name, value);
+    text += fmt::format("set {}={}\n", name, value);
   for (const Axis& axis : sweep.axes)
-    text += fmt::format("--over {}: {} values from {} to {}, fingerprint {:016x}\n", axis.name,
+    text += fmt::format("over {}: {} values from {} to {}, fingerprint {:016x}\n", axis.name,
                         axis.values.size(), to_text(axis.values.front()),
                         to_text(axis.values.back()), fingerprint(axis.values));
   for (const SweptQuantity& quantity : sweep.quantities)
-    text += fmt::format("--quantity {}\n", column_name(quantity));
-  if (sweep.velocity) text += fmt::format("--velocity {}\n", to_text(*sweep.velocity));
+    text += fmt::format("quantity {}\n", column_name(quantity));
+  if (sweep.velocity) text += fmt::format("velocity {}\n", to_text(*sweep.velocity));
   if (sweep.velocity_ratio)
-    text += fmt::format("--velocity-ratio {}\n", to_text(*sweep.velocity_ratio));
+    text += fmt::format("velocity_ratio {}\n", to_text(*sweep.velocity_ratio));
   if (const Receptance* measured = sweep.problem->receptance()) {
     std::vector<double> numbers;
     for (const Receptance::Row& row : measured->rows)

@@ -47,7 +47,7 @@ PartFile::PartFile(const fs::path& file, bool resume)
     : file_(file), path_(part_of(file)), lock_(without_link(path_)) {
   if (is_there() && !resume)
     throw InputError({path_.string()}, "an unfinished sweep",
-                     "--resume to go on with it, or that you remove it");
+                     "`resume` to go on with it, or that you remove it");
 }
 
 PartFile::Lock::Lock(const fs::path& part) : file_(with_ending(part, ".lock")) {

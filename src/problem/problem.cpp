@@ -134,7 +134,7 @@ const Values& Problem::values() const& {
   if (!checked_->missing.empty())
     throw InputError({checked_->parts.source->file},
                      fmt::format("no value for {}", fmt::join(checked_->missing, ", ")),
-                     "a number for each, in the scene or by --set NAME=VALUE");
+                     "a number for each, in the scene or by `set NAME=VALUE`");
   return checked_->values;
 }
 

@@ -86,7 +86,7 @@ void refuse_speeds(const Sweep& sweep, const Grid& grid) {
       (grid.speed() ? 1 : 0) + (sweep.velocity ? 1 : 0) + (sweep.velocity_ratio ? 1 : 0);
   if (speeds > 1 || (any_of(sweep, needs_motion) && speeds == 0))
     throw InputError({"sweep"}, speeds == 0 ? "a friction ratio at no speed" : "several speeds",
-                     "velocity or velocity_ratio, as an axis (--over) or as one value");
+                     "velocity or velocity_ratio, as an axis (`over`) or as one value");
   std::vector<double> values;
   if (grid.speed()) values = grid.axes()[*grid.speed()].values;
   for (const auto& speed : {sweep.velocity, sweep.velocity_ratio})

@@ -49,7 +49,7 @@ class Fixable {
       if (!quantity.value)
         throw InputError(
             argument("fix"), fmt::format("\"{}\", which has no number in the scene", name),
-            fmt::format("a number for it, as by --set {}=VALUE", name_in(problem_, quantity)));
+            fmt::format("a number for it, as by `set {}=VALUE`", name_in(problem_, quantity)));
       fixed[quantity.symbol] = *quantity.value;
     }
     return fixed;

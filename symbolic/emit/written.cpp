@@ -29,7 +29,7 @@ void write_generated(const std::vector<NewFile>& files) {
   for (const NewFile& file : files)
     if (is_of_another_hand(file.place))
       throw InputError({file.place.string()}, "a file that vcrit did not generate",
-                       "another folder for --out, or another --name");
+                       "another folder for `out`, or another `name`");
   write_files(files);
 }
 

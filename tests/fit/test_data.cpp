@@ -109,9 +109,10 @@ BOOST_AUTO_TEST_CASE(moduli_are_taken_below_a_punch) {
              "throughout");
   BOOST_TEST(refused("f [Hz],storage [MPa],loss\n") ==
              "d.csv:1: found no unit of loss; expected one, as the other moduli have");
-  BOOST_TEST(refused("f [Hz],storage [N/um],loss [N/um]\n") ==
-             "d.csv:1: found no modulus, but a punch (--punch-radius); expected storage and loss "
-             "with a unit of a modulus: \"storage [MPa]\"");
+  BOOST_TEST(
+      refused("f [Hz],storage [N/um],loss [N/um]\n") ==
+      "d.csv:1: found no modulus, but a flat punch; expected storage and loss with a unit of "
+      "a modulus, \"storage [MPa]\", or no `punch_radius`");
 }
 
 BOOST_AUTO_TEST_CASE(wrong_headers) {
@@ -131,7 +132,7 @@ BOOST_AUTO_TEST_CASE(wrong_headers) {
   BOOST_TEST(message("frequency,storage [s],loss\n").starts_with("d.csv:1: found \"1 s\""));
   BOOST_TEST(message("frequency,storage [MPa],loss\n") ==
              "d.csv:1: found storage in MPa, a modulus; expected a stiffness, as N/um; or "
-             "--punch-radius and --poisson of a flat punch, whose stiffness is 2 a E/(1 - nu^2)");
+             "`punch_radius` and `poisson` of a flat punch, whose stiffness is 2 a E/(1 - nu^2)");
   BOOST_TEST(message("frequency [Hz];storage [N/um];loss [N/um]\n1;2,5;0,1\n") ==
              "d.csv:1: found a column \"frequency [Hz];storage [N/um];loss [N/um]\"; expected "
              "columns separated by commas, and decimal points: 2.5, not 2,5");

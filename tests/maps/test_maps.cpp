@@ -206,7 +206,7 @@ BOOST_AUTO_TEST_CASE(another_sweep_is_refused) {
     const fs::path file = folder.path() / name;
     BOOST_CHECK_THROW(streamed(sweep, file, false, 1), std::runtime_error);
     BOOST_TEST(has(message([&] { streamed(other, file, true); }), "of another sweep"));
-    BOOST_TEST(has(message([&] { streamed(sweep, file); }), "--resume to go on"));
+    BOOST_TEST(has(message([&] { streamed(sweep, file); }), "`resume` to go on"));
     streamed(sweep, file, true);
   }
 }

@@ -74,6 +74,26 @@ def tags(root):
     ]
 
 
+# Options of commands belong to app/, keywords of Python to python/: libraries name arguments by keys
+# (src/base/arguments.hpp). A whole command, "vcrit generate ...", is a text to be typed.
+LIBRARIES = ["src", "symbolic", "validation"]
+OPTION = re.compile(r"(^|[^-\w])--[a-z]{2}")
+WHOLE_COMMANDS = {"symbolic/emit/options.cpp", "validation/report/report_json.cpp"}
+COMMANDS_OF_OTHERS = {'"--version"'}  # of compilers
+
+
+def options(root):
+    return [
+        f"{file.relative_to(root)}: {found[0][:60]}"
+        for folder in LIBRARIES
+        for file in sorted((root / folder).rglob("*.[ch]pp"))
+        if str(file.relative_to(root)) not in WHOLE_COMMANDS
+        for found in STRING.finditer(file.read_text())
+        if found[0] not in COMMANDS_OF_OTHERS
+        and OPTION.search(found["plain"] or "") and "vcrit " not in found["plain"]
+    ]
+
+
 class Sources(unittest.TestCase):
     def test_are_finished(self):
         self.assertEqual(unfinished(PROJECT), [])
@@ -86,6 +106,9 @@ class Sources(unittest.TestCase):
 
     def test_have_no_tags(self):
         self.assertEqual(tags(PROJECT), [])
+
+    def test_of_libraries_name_no_options(self):
+        self.assertEqual(options(PROJECT), [])
 
     def test_are_found_at_all(self):
         self.assertGreater(sum(1 for _ in files(PROJECT)), 50)
@@ -102,6 +125,9 @@ class APlantedTree(unittest.TestCase):
             (root / "src/page.cpp").write_text('// A <b>bold</b> page.\nauto a = "<p class=\\"x\\">";\n'
                                                'auto b = R"(<li>)"; std::vector<double> c; auto d = "a <b, c> d";\n')
             self.assertEqual(tags(root), ['src/page.cpp: "<p class=\\"x\\">"', 'src/page.cpp: R"(<li>)"'])
+            (root / "src/option.cpp").write_text('// As for --set.\nauto a = "give --to"; auto b = "run vcrit eval --json"; --c;\n'
+                                                 'auto d = "`to`, a -- b, --"; auto e = "--velocity-ratio";\n')
+            self.assertEqual(options(root), ['src/option.cpp: "give --to"', 'src/option.cpp: "--velocity-ratio"'])
             self.assertEqual(unfinished(root), ["src/open.hpp:1: int f();  // TO" + "DO: more"])
 
 

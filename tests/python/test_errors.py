@@ -15,6 +15,12 @@ from support import PROJECT, RESONANT, program
 ZENER = "scenes/zener.toml"
 
 
+def in_python_terms(text):
+    """What the program says, with arguments of Python in place of its options."""
+    text = re.sub(r"--set (\w+)(?=: found)", r"\1", text).replace("--set NAME=VALUE", "with_values(NAME=VALUE)")
+    return re.sub(r"--([a-z]+)(-ratio)?", lambda option: option[1] + (option[2] or "").replace("-", "_"), text)
+
+
 class TheProgram(unittest.TestCase):
     """Each error beside the program's."""
 
@@ -23,10 +29,7 @@ class TheProgram(unittest.TestCase):
         self.assertEqual(result.returncode, {vcrit.InputError: 2, vcrit.ModelError: 3}[error], result.stderr)
         with self.assertRaises(error) as caught:
             call()
-        # Of the program's options Python has the names as its arguments have them.
-        named = re.sub(r"--(velocity|form|start|set(?= \w+:))(-ratio)?",
-                       lambda option: option[1] + (option[2] or "").replace("-", "_"), result.stderr)
-        self.assertEqual(f"vcrit: {caught.exception}\n", named)
+        self.assertEqual(f"vcrit: {caught.exception}\n", in_python_terms(result.stderr))
 
     def assert_same_text(self, error, text, use, *command):
         with tempfile.TemporaryDirectory() as folder:

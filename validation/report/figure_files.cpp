@@ -15,9 +15,10 @@ namespace {
 
 constexpr std::chrono::minutes drawing_limit{1};  // gnuplot takes a second
 
-std::filesystem::path program(const std::string& option) {
+std::filesystem::path program(const std::string& asked_by) {
   if (const auto found = find_program("gnuplot")) return *found;
-  throw InputError({option}, "no gnuplot on the PATH", "gnuplot, which draws the figures");
+  throw InputError(argument(asked_by), "no gnuplot on the PATH",
+                   "gnuplot, which draws the figures");
 }
 
 /// What gnuplot makes of a script: the contents of these files, in one text with a zero between.
@@ -25,7 +26,7 @@ std::string plotted(const std::string& script, const std::vector<std::string>& f
   const PrivateFolder folder;
   write_file(folder.path() / "figure.gp", script);
   const ProgramResult result =
-      run_program({program("--figures"), "figure.gp"}, folder.path(), drawing_limit);
+      run_program({program("figures"), "figure.gp"}, folder.path(), drawing_limit);
   if (!result.succeeded())
     throw std::runtime_error("gnuplot failed on " + files.front() + ": " +
                              result.output.substr(0, 400));
@@ -39,7 +40,7 @@ std::string plotted(const std::string& script, const std::vector<std::string>& f
 
 }  // namespace
 
-void require_gnuplot(const std::string& option) { program(option); }
+void require_gnuplot(const std::string& asked_by) { program(asked_by); }
 
 std::string pdf_of(const std::vector<figures::Figure>& figures) {
   return plotted(figures::gnuplot_pages(figures, "figure.pdf"), {"figure.pdf"});

@@ -18,8 +18,8 @@ struct FigureFile {
   std::string script;  ///< for gnuplot
 };
 
-/// Throws InputError, which names the option that asks for it, unless gnuplot is on the PATH.
-void require_gnuplot(const std::string& option);
+/// Throws InputError, which names the argument that asks for it, unless gnuplot is on the PATH.
+void require_gnuplot(const std::string& asked_by);
 
 /// A page each, in one PDF. Throws std::runtime_error where gnuplot fails.
 std::string pdf_of(const std::vector<figures::Figure>& figures);

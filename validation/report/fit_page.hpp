@@ -15,12 +15,10 @@ struct FitContents {
   fit::Data data;
   fit::Fit fit;
   std::vector<fit::KnownStiffness> known;
-  std::string scene, page;  ///< the files
-  std::string scene_text;   ///< what the scene's file holds
+  std::vector<std::string> words;  ///< fit::in_words(), with arguments as its readers know them
+  std::string scene, page;         ///< the files
+  std::string scene_text;          ///< what the scene's file holds
 };
-
-/// What a fit says in words, for page and terminal: its length, its misfit, what to mind.
-std::vector<std::string> fit_in_words(const fit::Data& data, const fit::Fit& fit);
 
 /// One HTML file that needs nothing else.
 std::string fit_page(const FitContents& contents);

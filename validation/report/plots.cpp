@@ -44,10 +44,10 @@ std::vector<double> speeds_up_to(double to, double onset) {
 double end_of_speeds(const CriticalOnset& onset, std::optional<double> to) {
   if (to) return *to;
   if (std::isinf(onset.drive_velocity))
-    throw ModelError(onset.reason + ": no speed ends the picture", "give the largest one, --to");
+    throw ModelError(onset.reason + ": no speed ends the picture", "give the largest one, `to`");
   if (onset.drive_velocity == 0)
     throw ModelError("v* is 0: friction is the same at every speed, there is nothing to draw",
-                     "give the largest speed, --to");
+                     "give the largest speed, `to`");
   return shown_beyond * onset.drive_velocity;
 }
 

@@ -113,7 +113,7 @@ SceneContents compare(const Problem& problem, const Progress& step) {
 
 Validation validate(const Request& request, const Watch& watch) {
   const std::vector<Problem> problems = read_all(request.files);
-  if (!request.figures.empty()) require_gnuplot("--figures");
+  if (!request.figures.empty()) require_gnuplot("figures");
   const Origin origin{this_machine(), command(request.files)};
   const std::vector<ordered_json> all = work_on(problems, request, origin.machine, watch);
   Validation validation;
@@ -135,7 +135,7 @@ Validation validate(const Request& request, const Watch& watch) {
 }
 
 Validation validate_paper(const Request& request, const Watch& watch) {
-  if (!request.figures.empty()) require_gnuplot("--figures");
+  if (!request.figures.empty()) require_gnuplot("figures");
   const auto progress = [&](const std::string& step) { watch({0, 1, {{"the paper", step}}}); };
   return report_paper({{this_machine(), paper_command}, paper::go_through(progress)}, request,
                       watch);

@@ -24,7 +24,7 @@ clogl conjl cpowl cprojl creall csinl csinhl csqrtl ctanl ctanhl clog10 clog10f 
 std::string whole_double(const std::string& digits) {
   if (digits.size() >= too_many_digits)
     throw ModelError(fmt::format("v* has a number of {} digits, which no double is", digits.size()),
-                     "--format sympy and others have exact numbers");
+                     "`format sympy` and others have exact numbers");
   return digits + ".0";
 }
 

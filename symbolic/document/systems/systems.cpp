@@ -158,7 +158,7 @@ std::string system_document(const std::string& name, const Problem& problem,
     throw ModelError(fmt::format("for {} v* takes {:.2g} MB of text, more than {:.2g}", name,
                                  1e-6 * static_cast<double>(text.size()),
                                  1e-6 * static_cast<double>(most_characters_of_system)),
-                     "--form nested is shorter, and --format text what people read");
+                     "`form nested` is shorter, and `format text` what people read");
   return text + "\n";
 }
 

@@ -1,0 +1,69 @@
+#include "fit/words.hpp"
+
+#include <fmt/core.h>
+
+#include "fit/chances.hpp"
+
+namespace vcrit::fit {
+
+namespace {
+
+// A chance below this says that the misfit is more than noise of the errors given.
+constexpr double beyond_the_errors_given = significance;
+
+std::string length_in_words(const Fit& fit) {
+  const std::size_t n = fit.branches.size();
+  std::string text = fmt::format("{} branch{}", n, n == 1 ? "" : "es");
+  if (fit.equilibrium)
+    text += n == 0 ? ", an equilibrium spring alone" : " and an equilibrium spring";
+  if (fit.damper) text += " and a damper";
+  return text;
+}
+
+std::string noise_in_words(const Fit& fit) {
+  if (fit.noise)
+    return fmt::format("the noise of the data is estimated to {:.2g} % of |K|", 100 * *fit.noise);
+  return fmt::format("chi-squared is {:.4g} with {} degrees of freedom ({:.3g} each)",
+                     fit.sum_of_squares, fit.degrees_of_freedom,
+                     fit.sum_of_squares / fit.degrees_of_freedom);
+}
+
+}  // namespace
+
+std::vector<std::string> in_words(const Data& data, const Fit& fit) {
+  std::vector<std::string> words{length_in_words(fit),
+                                 fmt::format("the root mean square misfit is {:.3g} %; {}",
+                                             100 * fit.rms_relative, noise_in_words(fit))};
+  if (fit.exhausted)
+    words.push_back(
+        fmt::format("the last of {} branches still helped: more may be needed (`max_branches`)",
+                    fit.branches.size()));
+  if (fit.order_in_doubt)
+    words.emplace_back(
+        "the noise leaves the number of branches in doubt: the errors of the branches hold for "
+        "this "
+        "number only, the intervals of the stiffness for any");
+  if (fit.time_at_an_end)
+    words.emplace_back(
+        "the relaxation time is only a bound: the data show no more than the tail of the loss");
+  if (fit.rms_relative > far_off)
+    words.emplace_back("no series of springs and dampers comes near these data");
+  if (fit.chance && *fit.chance < beyond_the_errors_given)
+    words.emplace_back(
+        "the misfit is larger than the errors given explain: they are too small, or no series "
+        "fits");
+  if (!fit.equilibrium)
+    words.emplace_back(
+        "the data need no equilibrium spring; without one this contact carries no static load and "
+        "is not admissible as a normal contact");
+  for (const auto& [k, tau] : fit.branches)
+    if (k.error > k.value / 2)
+      words.push_back(fmt::format("the branch at {:.3g} s is poorly known ({:.2g} ± {:.1g} N/m)",
+                                  tau.value, k.value, k.error));
+  if (data.rows.size() < 2 * fit.branches.size())
+    words.emplace_back("there are more numbers in the series than frequencies in the data");
+  words.insert(words.end(), data.notes.begin(), data.notes.end());
+  return words;
+}
+
+}  // namespace vcrit::fit
