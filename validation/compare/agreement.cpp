@@ -17,6 +17,7 @@
 #include "compare/periodic_motion.hpp"
 #include "compare/reduced_difference.hpp"
 #include "compare/separation.hpp"
+#include "compare/steady_cycle.hpp"
 #include "compare/values.hpp"
 #include "compare/velocity_comparisons.hpp"
 #include "critical/admissibility.hpp"

@@ -12,9 +12,7 @@ struct Derivation;
 
 namespace vcrit::validation {
 
-/// From well below to well above the scene's own frequency and all its rates of relaxation and
-/// resonances; over the table of a measured drive. Empty where the scene is known at one frequency
-/// alone. Every value must be given.
+/// frequency_points() with the asymptotes of v*.
 FrequencyResponse frequency_response(const symbolic::Derivation& derivation);
 
 }  // namespace vcrit::validation

@@ -17,7 +17,6 @@ namespace vcrit::validation {
 namespace {
 
 using simulation::Start;
-constexpr int cycle_samples = 240;  // 1.5 degrees each
 
 // The simulator's promise for steady values, twice: the two starts may err in opposite directions.
 // Where it says that its errors are larger, near resonance, these twice.
@@ -114,11 +113,6 @@ CurvePoint friction_at(const simulation::System& system, double threshold, doubl
   point.error = std::max(sliding.friction_ratio_error, rest.friction_ratio_error);
   point.regime = to_text(sliding.regime);
   return point;
-}
-
-Cycle steady_cycle(const simulation::System& system, double velocity) {
-  const auto steady = simulation::steady_state(system, velocity, Start::sliding, cycle_samples);
-  return {1, velocity, steady.friction_ratio, to_text(steady.regime), steady.cycle, steady.events};
 }
 
 double elastic_friction(double amplitude_ratio, double ratio) {

@@ -16,10 +16,6 @@ std::vector<double> curve_ratios();
 /// Friction at `ratio` x `threshold`, threshold in m/s. Throws ModelError (no steady state).
 CurvePoint friction_at(const simulation::System& system, double threshold, double ratio);
 
-/// At a velocity of the drive, m/s; its `ratio` is the caller's to set. Throws ModelError (no steady
-/// state).
-Cycle steady_cycle(const simulation::System& system, double velocity);
-
 /// mu_macro/mu0 of an elastic contact under a rigid drive without mass at `ratio` = v0/v* > 0,
 /// with D = du_z/u_z0: 1 - D G(ratio), where stick begins at tau1 = pi + asin(ratio), ends at the
 /// first root after it of ratio (tau2 - tau1) = cos tau2 - cos tau1, and G is what stick takes

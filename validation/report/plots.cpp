@@ -9,12 +9,10 @@
 #include "answers/friction.hpp"
 #include "base/constants.hpp"
 #include "base/errors.hpp"
-#include "compare/frequency_response.hpp"
-#include "compare/friction.hpp"
-#include "derivation/derivation.hpp"
-#include "report/scene_figures.hpp"
+#include "compare/frequency_points.hpp"
+#include "compare/steady_cycle.hpp"
+#include "report/cycle_figures.hpp"
 #include "report/units.hpp"
-#include "report/verdict.hpp"
 #include "rules/rulebook.hpp"
 #include "simulation/system/system.hpp"
 
@@ -49,6 +47,10 @@ double end_of_speeds(const CriticalOnset& onset, std::optional<double> to) {
     throw ModelError("v* is 0: friction is the same at every speed, there is nothing to draw",
                      "give the largest speed, `to`");
   return shown_beyond * onset.drive_velocity;
+}
+
+const std::string& title_or_file(const Problem& problem) {
+  return problem->source->title.empty() ? problem->source->file : problem->source->title;
 }
 
 std::string onset_words(const CriticalOnset& onset) {
@@ -120,7 +122,7 @@ std::vector<Figure> friction_plot(const Problem& problem, std::optional<double> 
     series.points.push_back({velocities[i] * scale.factor, ratios[i], ""});
   Figure figure;
   figure.name = "friction";
-  figure.title = title_of(SceneReport(problem));
+  figure.title = title_or_file(problem);
   figure.caption = "Mean friction with vibration, over that without, over the sliding speed.";
   figure.x = {"sliding speed, " + scale.unit, false, std::pair{0.0, end * scale.factor}, {}};
   figure.y = {"friction / friction without vibration", false, std::pair{0.0, 1.05}, {}};
@@ -136,7 +138,7 @@ std::vector<Figure> friction_plot(const Problem& problem, std::optional<double> 
 }
 
 std::vector<Figure> frequency_plot(const Problem& problem) {
-  const FrequencyResponse response = frequency_response(symbolic::derive(problem));
+  const FrequencyResponse response = frequency_points(problem);
   if (response.points.empty()) {
     rules::require(rules::Question::all_frequencies, problem);
     throw Bug("a scene of all frequencies without a response");
@@ -151,7 +153,7 @@ std::vector<Figure> frequency_plot(const Problem& problem) {
   }
   Figure figure;
   figure.name = "critical_velocity";
-  figure.title = title_of(SceneReport(problem));
+  figure.title = title_or_file(problem);
   figure.caption = "Critical velocity over the frequency, all else as in the scene.";
   figure.x = {"frequency, " + frequency.unit,
               true,
@@ -174,7 +176,7 @@ std::vector<Figure> cycle_plot(const Problem& problem, double velocity) {
   report.cycle = steady_cycle(simulation::system_of(problem), velocity);
   std::vector<Figure> all{force_figure(report), velocity_figure(report)};
   all.front().title =
-      fmt::format("{}, at {}", title_of(SceneReport(problem)), quantity(velocity, "m/s", 4));
+      fmt::format("{}, at {}", title_or_file(problem), quantity(velocity, "m/s", 4));
   all.back().title.clear();
   all.back().caption =
       fmt::format("At a sliding speed of {}: friction ratio {:.4g}, {}.",

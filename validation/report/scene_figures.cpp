@@ -8,10 +8,9 @@
 #include <limits>
 
 #include "accuracy/pictures.hpp"
-#include "base/constants.hpp"
+#include "report/cycle_figures.hpp"
 #include "report/indenter_figures.hpp"
 #include "report/separation_figures.hpp"
-#include "report/stretches.hpp"
 #include "report/units.hpp"
 
 namespace vcrit::validation::report {
@@ -21,7 +20,6 @@ namespace {
 using figures::Figure;
 using figures::FigureSeries;
 using figures::Style;
-using simulation::CyclePoint;
 
 template <class Value>
 FigureSeries over_speed(const SceneReport& report, const char* name, Style style, int colour,
@@ -41,10 +39,6 @@ FigureSeries by_method(const MethodCurve& method, int colour, Value value) {
                                fmt::format("{} at {}: {:.12f}, {:.1e} off", method.method,
                                            point.ratio, point.friction_ratio, point.difference)});
   return series;
-}
-
-double omega_of(const SceneReport& report) {
-  return report.problem.values().at(report.problem->angular_frequency.symbol);
 }
 
 template <class Value>
@@ -76,39 +70,6 @@ FigureSeries asymptote(const SceneReport& report, const AsymptoteLine& line) {
   for (const double omega : line.low ? std::array{from, middle} : std::array{middle, to})
     series.points.push_back({omega, line.coefficient * std::pow(omega, line.power), ""});
   return series;
-}
-
-/// Over one period in time.
-template <class Value>
-FigureSeries over_time(const SceneReport& report, const char* name, Style style, int colour,
-                       const Scale& scale, Value value) {
-  const double omega = omega_of(report), per_second = scale_for(two_pi / omega, "s").factor;
-  FigureSeries series{name, style, {}, colour};
-  for (const CyclePoint& point : report.cycle->points)
-    series.points.push_back({point.phase / omega * per_second, value(point) * scale.factor, ""});
-  return series;
-}
-
-template <class Value>
-Scale scale_of(const SceneReport& report, const char* unit, Value value) {
-  double largest = 0;
-  for (const CyclePoint& point : report.cycle->points)
-    largest = std::max(largest, std::abs(value(point)));
-  return scale_for(largest, unit);
-}
-
-/// Time and the shades of stick and backward slip.
-Figure cycle_figure(const SceneReport& report, const char* name, int height) {
-  const double omega = omega_of(report);
-  const Scale time = scale_for(two_pi / omega, "s");
-  Figure figure;
-  figure.name = name;
-  figure.height = height;
-  figure.x = {"time, " + time.unit, false, std::pair{0.0, two_pi / omega * time.factor}, {}};
-  for (const Stretch& stretch : stretches(report.cycle->points, time.factor / omega))
-    figure.bands.push_back(
-        {stretch.from, stretch.to, stretch.backward ? "backward slip" : "stick"});
-  return figure;
 }
 
 }  // namespace
@@ -231,41 +192,6 @@ Figure velocity_response_figure(const SceneReport& report) {
   }));
   for (const ResonanceMark& mark : report.response.marks)
     figure.rules.push_back({mark.omega, mark.resonance ? "resonance" : "antiresonance", false});
-  return figure;
-}
-
-Figure force_figure(const SceneReport& report) {
-  const auto force = [](const CyclePoint& point) { return point.force; };
-  const auto bound = [](const CyclePoint& point) { return point.friction_bound; };
-  const Scale scale = scale_of(report, "N", [&](const CyclePoint& point) {
-    return std::max(std::abs(force(point)), point.friction_bound);
-  });
-  Figure figure = cycle_figure(report, "cycle_force", 220);
-  figure.title = "Tangential force over one period";
-  figure.caption =
-      "Force of the network on the contact point, between the friction bounds. Shaded: no forward "
-      "slip.";
-  figure.y.title = "tangential force, " + scale.unit;
-  const char* const name = "friction bound ±μ₀ Fₙ";
-  figure.series = {over_time(report, name, Style::dashed, 2, scale, bound),
-                   over_time(report, name, Style::dashed, 2, scale,
-                             [&](const CyclePoint& point) { return -bound(point); }),
-                   over_time(report, "force", Style::line, 0, scale, force)};
-  return figure;
-}
-
-Figure velocity_figure(const SceneReport& report) {
-  const auto velocity = [](const CyclePoint& point) { return point.contact_velocity; };
-  const Scale scale = scale_of(report, "m/s", velocity);
-  Figure figure = cycle_figure(report, "cycle_velocity", 180);
-  figure.title = "Contact velocity over one period";
-  const Cycle& cycle = *report.cycle;
-  figure.caption =
-      fmt::format("{} of the lowest speed of pure sliding, v₀ = {}: friction ratio {:.9f}, {}.",
-                  cycle.ratio == 0.5 ? "Half" : fmt::format("{:.3g}", cycle.ratio),
-                  quantity(cycle.velocity, "m/s"), cycle.friction_ratio, cycle.regime);
-  figure.y.title = "contact velocity, " + scale.unit;
-  figure.series = {over_time(report, "", Style::line, 0, scale, velocity)};
   return figure;
 }
 

@@ -18,13 +18,6 @@ figures::Figure friction_figure(const SceneReport& report);
 /// How far each other method of report.methods is from the exact one, over the same speed.
 figures::Figure residual_figure(const SceneReport& report);
 
-/// Tangential force and friction bound over one period of report.cycle, stick and backward slip
-/// shaded.
-figures::Figure force_figure(const SceneReport& report);
-
-/// Velocity of the contact point over the same period.
-figures::Figure velocity_figure(const SceneReport& report);
-
 /// |K_n|, |K_t| and, of a drive network, |K_d| over angular frequency.
 figures::Figure stiffness_figure(const SceneReport& report);
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "report/cycle_figures.hpp"
 #include "report/explorer_record.hpp"
 #include "report/indenter_figures.hpp"
 #include "report/records.hpp"

@@ -1,0 +1,184 @@
+#include "compare/frequency_points.hpp"
+
+#include <algorithm>
+#include <boost/math/tools/minima.hpp>
+#include <cmath>
+#include <numbers>
+
+#include "critical/critical_velocity.hpp"
+#include "network/masses.hpp"
+#include "rules/rulebook.hpp"
+#include "stiffness/at_rest.hpp"
+#include "stiffness/dynamic_stiffness.hpp"
+#include "stiffness/relaxation.hpp"
+
+namespace vcrit::validation {
+
+namespace {
+
+constexpr double points_per_decade = 48;  // steps of 5 %; next to resonances more
+constexpr double most_points = 600;       // 12.5 decades at that; more are sampled more thinly
+
+/// The problem, and what is asked of it again and again.
+class Response {
+ public:
+  explicit Response(const Problem& problem)
+      : problem_(problem),
+        values_(problem_.values()),
+        tangential_(tangential_network(problem)),
+        amplitude_(values_.at(problem->amplitude.symbol)),
+        indentation_(values_.at(problem->indentation.symbol)),
+        at_rest_(at_rest(problem->normal.reduction(), values_).stiffness()) {}
+
+  ResponsePoint at(double omega) const {
+    ResponsePoint point;
+    point.omega = omega;
+    point.normal = std::abs(dynamic_stiffness(problem_->normal.reduction(), values_, omega));
+    point.tangential = tangential_.factor *
+                       std::abs(dynamic_stiffness(tangential_.network.reduction(), values_, omega));
+    if (const auto* drive = problem_->drive_network())
+      point.drive = std::abs(dynamic_stiffness(drive->reduction(), values_, omega));
+    point.velocity = critical_velocity(problem_, omega);
+    point.applies =
+        problem_->separation ? holds_with_separation(omega) : stays_closed(point.normal);
+    return point;
+  }
+
+  /// What the drive makes of v*: above 1 near resonance, below near antiresonance.
+  double drive_factor(const ResponsePoint& point) const {
+    return point.velocity * point.tangential / (point.omega * point.normal);
+  }
+  double drive_factor(double omega) const { return drive_factor(at(omega)); }
+
+ private:
+  /// (3) and (4)
+  bool stays_closed(double stiffness) const {
+    return amplitude_ < indentation_ && amplitude_ * stiffness < at_rest_ * indentation_;
+  }
+
+  /// Whether Eq. 24 is v* of a contact that may open.
+  bool holds_with_separation(double omega) const {
+    const Problem there = problem_.with({{problem_->angular_frequency.symbol, omega}});
+    try {
+      return bool{rules::answer(rules::Question::formula, there)};
+    } catch (const ModelError&) {
+      return false;
+    }
+  }
+
+  Problem problem_;
+  const Values& values_;  // its
+  ScaledNetwork tangential_;
+  long double amplitude_, indentation_, at_rest_;
+};
+
+struct FrequencyRange {
+  double from, to;
+  void include(double omega) {
+    if (!(omega > 0 && std::isfinite(omega))) return;
+    from = std::min(from, omega);
+    to = std::max(to, omega);
+  }
+};
+
+void include_relaxation(FrequencyRange& range, const Network& network, const Values& values) {
+  if (has_masses(network)) return;
+  for (const auto& branch : relaxation_form(network, values).branches)
+    range.include(1 / branch.time);
+}
+
+/// The mass against each stiffness that it may swing on.
+void include_resonances(FrequencyRange& range, const Problem& problem, const Values& values) {
+  if (!problem->mass || problem->drive_network() == nullptr) return;
+  const double mass = values.at(problem->mass->symbol),
+               omega = values.at(problem->angular_frequency.symbol);
+  const double drive =
+      std::abs(dynamic_stiffness(problem->drive_network()->reduction(), values, omega));
+  const auto [contact, factor] = tangential_network(problem);
+  range.include(std::sqrt(drive / mass));
+  range.include(std::sqrt(
+      (drive + factor * std::abs(dynamic_stiffness(contact.reduction(), values, omega))) / mass));
+}
+
+FrequencyRange range_of(const Problem& problem, const Values& values) {
+  if (const Receptance* measured = problem->receptance())
+    return {measured->rows.front().omega, measured->rows.back().omega};
+  const double omega = values.at(problem->angular_frequency.symbol);
+  FrequencyRange range{omega, omega};
+  include_relaxation(range, problem->normal.network(), values);
+  include_relaxation(range, tangential_network(problem).network.network(), values);
+  if (problem->drive_network() != nullptr)
+    include_relaxation(range, problem->drive_network()->network(), values);
+  include_resonances(range, problem, values);
+  return {range.from / 100, range.to * 100};
+}
+
+std::vector<double> even_steps(const FrequencyRange& range) {
+  const double decades = std::log10(range.to / range.from);
+  const auto count =
+      static_cast<int>(std::clamp(std::ceil(points_per_decade * decades), 2.0, most_points));
+  std::vector<double> omegas{range.from};
+  for (int i = 1; i < count; ++i)
+    omegas.push_back(range.from * std::pow(range.to / range.from, double(i) / count));
+  omegas.push_back(range.to);
+  return omegas;
+}
+
+/// Peaks (sign 1) or dips (sign -1) of the drive's factor between neighbours on the grid.
+void find_extremes(const Response& response, const std::vector<double>& factors, double sign,
+                   FrequencyResponse& result) {
+  const auto& points = result.points;
+  for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+    const double least_bump = 1e-6 * factors[i];
+    if (sign * (factors[i] - factors[i - 1]) <= least_bump) continue;
+    if (sign * (factors[i] - factors[i + 1]) <= least_bump) continue;
+    // exp(log(omega)) is not omega to the last bit, and a measured drive ends with its table.
+    const auto omega = [&](double log_omega) {
+      return std::clamp(std::exp(log_omega), points[i - 1].omega, points[i + 1].omega);
+    };
+    const auto height = [&](double log_omega) {
+      return -sign * std::log(response.drive_factor(omega(log_omega)));
+    };
+    const double at = boost::math::tools::brent_find_minima(height, std::log(points[i - 1].omega),
+                                                            std::log(points[i + 1].omega), 40)
+                          .first;
+    result.marks.push_back({omega(at), sign > 0});
+  }
+}
+
+/// Peaks are sharper than the grid: more points around them, ever closer.
+void add_points_around_marks(const Response& response, FrequencyResponse& result) {
+  const double from = result.points.front().omega, to = result.points.back().omega;
+  for (const ResonanceMark& mark : result.marks)
+    for (double apart = 0.03; apart > 1e-6; apart /= 1.7)
+      for (const double side : {-1.0, 1.0})
+        if (const double omega = mark.omega * (1 + side * apart); omega > from && omega < to)
+          result.points.push_back(response.at(omega));
+  std::sort(result.points.begin(), result.points.end(),
+            [](const ResponsePoint& a, const ResponsePoint& b) { return a.omega < b.omega; });
+}
+
+}  // namespace
+
+FrequencyResponse frequency_points(const Problem& problem) {
+  if (problem->receptance() == nullptr && !rules::answer(rules::Question::all_frequencies, problem))
+    return {};
+  const Values& values = problem.values();
+  const Response response(problem);
+  FrequencyResponse result;
+  result.omega = values.at(problem->angular_frequency.symbol);
+  std::vector<double> factors;
+  for (const double omega : even_steps(range_of(problem, values))) {
+    result.points.push_back(response.at(omega));
+    factors.push_back(response.drive_factor(result.points.back()));
+  }
+  if (problem->mass || problem->receptance() != nullptr ||
+      (problem->drive_network() != nullptr && problem->drive_network()->has_masses())) {
+    find_extremes(response, factors, 1, result);
+    find_extremes(response, factors, -1, result);
+    add_points_around_marks(response, result);
+  }
+  return result;
+}
+
+}  // namespace vcrit::validation

@@ -1,0 +1,95 @@
+#include "report/cycle_figures.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/constants.hpp"
+#include "report/stretches.hpp"
+#include "report/units.hpp"
+
+namespace vcrit::validation::report {
+
+namespace {
+
+using figures::Figure;
+using figures::FigureSeries;
+using figures::Style;
+using simulation::CyclePoint;
+
+double omega_of_cycle(const SceneReport& report) {
+  return report.problem.values().at(report.problem->angular_frequency.symbol);
+}
+
+/// Over one period in time.
+template <class Value>
+FigureSeries over_time(const SceneReport& report, const char* name, Style style, int colour,
+                       const Scale& scale, Value value) {
+  const double omega = omega_of_cycle(report), per_second = scale_for(two_pi / omega, "s").factor;
+  FigureSeries series{name, style, {}, colour};
+  for (const CyclePoint& point : report.cycle->points)
+    series.points.push_back({point.phase / omega * per_second, value(point) * scale.factor, ""});
+  return series;
+}
+
+template <class Value>
+Scale scale_of(const SceneReport& report, const char* unit, Value value) {
+  double largest = 0;
+  for (const CyclePoint& point : report.cycle->points)
+    largest = std::max(largest, std::abs(value(point)));
+  return scale_for(largest, unit);
+}
+
+/// Time and the shades of stick and backward slip.
+Figure cycle_figure(const SceneReport& report, const char* name, int height) {
+  const double omega = omega_of_cycle(report);
+  const Scale time = scale_for(two_pi / omega, "s");
+  Figure figure;
+  figure.name = name;
+  figure.height = height;
+  figure.x = {"time, " + time.unit, false, std::pair{0.0, two_pi / omega * time.factor}, {}};
+  for (const Stretch& stretch : stretches(report.cycle->points, time.factor / omega))
+    figure.bands.push_back(
+        {stretch.from, stretch.to, stretch.backward ? "backward slip" : "stick"});
+  return figure;
+}
+
+}  // namespace
+
+Figure force_figure(const SceneReport& report) {
+  const auto force = [](const CyclePoint& point) { return point.force; };
+  const auto bound = [](const CyclePoint& point) { return point.friction_bound; };
+  const Scale scale = scale_of(report, "N", [&](const CyclePoint& point) {
+    return std::max(std::abs(force(point)), point.friction_bound);
+  });
+  Figure figure = cycle_figure(report, "cycle_force", 220);
+  figure.title = "Tangential force over one period";
+  figure.caption =
+      "Force of the network on the contact point, between the friction bounds. Shaded: no forward "
+      "slip.";
+  figure.y.title = "tangential force, " + scale.unit;
+  const char* const name = "friction bound ±μ₀ Fₙ";
+  figure.series = {over_time(report, name, Style::dashed, 2, scale, bound),
+                   over_time(report, name, Style::dashed, 2, scale,
+                             [&](const CyclePoint& point) { return -bound(point); }),
+                   over_time(report, "force", Style::line, 0, scale, force)};
+  return figure;
+}
+
+Figure velocity_figure(const SceneReport& report) {
+  const auto velocity = [](const CyclePoint& point) { return point.contact_velocity; };
+  const Scale scale = scale_of(report, "m/s", velocity);
+  Figure figure = cycle_figure(report, "cycle_velocity", 180);
+  figure.title = "Contact velocity over one period";
+  const Cycle& cycle = *report.cycle;
+  figure.caption =
+      fmt::format("{} of the lowest speed of pure sliding, v₀ = {}: friction ratio {:.9f}, {}.",
+                  cycle.ratio == 0.5 ? "Half" : fmt::format("{:.3g}", cycle.ratio),
+                  quantity(cycle.velocity, "m/s"), cycle.friction_ratio, cycle.regime);
+  figure.y.title = "contact velocity, " + scale.unit;
+  figure.series = {over_time(report, "", Style::line, 0, scale, velocity)};
+  return figure;
+}
+
+}  // namespace vcrit::validation::report
