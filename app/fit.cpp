@@ -4,7 +4,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <memory>
 
@@ -86,23 +85,6 @@ std::vector<double> frequencies_of_interest(const Data& data, const std::string&
   return omegas;
 }
 
-std::optional<fit::Punch> punch_of(const FitOptions& options) {
-  if (options.punch_radius.empty()) return std::nullopt;
-  if (options.rest.poisson.empty())
-    throw InputError({"--punch-radius"}, "no --poisson beside it",
-                     "Poisson's ratio, as the stiffness is 2 a E/(1 - nu^2)");
-  const fit::Punch punch{
-      parse_quantity(options.punch_radius, Dimension::length, {"--punch-radius"}),
-      parse_quantity(options.rest.poisson, Dimension::none, {"--poisson"})};
-  if (!(punch.radius > 0 && std::isfinite(punch.radius)))
-    throw InputError({"--punch-radius"}, fmt::format("\"{}\"", options.punch_radius),
-                     "a length above 0");
-  if (!(punch.poisson > -1 && punch.poisson <= 0.5))
-    throw InputError({"--poisson"}, fmt::format("\"{}\"", options.rest.poisson),
-                     "a number above -1, at most 0.5");
-  return punch;
-}
-
 std::vector<std::string> words_of(const Data& data, const Fit& fit) {
   std::vector<std::string> all = in_words(data, fit);
   for (std::string& words : all) words = with_options(words);
@@ -115,7 +97,8 @@ void run_fit(const FitOptions& options) {
   if (out.extension() != ".toml")
     throw InputError({"--out"}, fmt::format("\"{}\"", options.out), "a file ending in .toml");
   if (!options.figures.empty()) validation::report::require_gnuplot("figures");
-  const Data data = fit::read_data(options.data, punch_of(options));
+  const Data data =
+      fit::read_data(options.data, fit::punch_of(options.punch_radius, options.rest.poisson));
   const Fit fit = fit::fitted(data, options.fit);
   const FitContents contents{
       data,

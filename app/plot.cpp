@@ -46,10 +46,7 @@ struct Plotted {
 
 std::optional<double> largest_speed(const PlotOptions& options) {
   if (options.to.empty()) return std::nullopt;
-  const double velocity = parse_quantity(options.to, Dimension::velocity, {"--to"});
-  if (!(velocity > 0))
-    throw InputError({"--to"}, fmt::format("\"{}\"", options.to), "a speed above 0");
-  return velocity;
+  return parse_quantity(options.to, Dimension::velocity, {"--to"});
 }
 
 std::vector<Figure> figures_of(const PlotOptions& options, const Problem& problem) {

@@ -3,7 +3,6 @@
 
 #include <fmt/core.h>
 
-#include <array>
 #include <memory>
 #include <optional>
 
@@ -31,30 +30,16 @@ struct SolveOptions {
   bool json = false;
 };
 
-constexpr std::array all_sought{Sought::amplitude, Sought::frequency, Sought::velocity};
-
 std::vector<std::string> names_of_sought() {
   std::vector<std::string> names;
-  for (const Sought sought : all_sought) names.emplace_back(to_text(sought));
+  for (const Sought sought : design::all_sought) names.emplace_back(to_text(sought));
   return names;
 }
 
 Sought sought_by(const std::string& name) {
-  for (const Sought sought : all_sought)
+  for (const Sought sought : design::all_sought)
     if (name == to_text(sought)) return sought;
   throw Bug("a name that is not offered");
-}
-
-Dimension dimension_of(Sought sought) {
-  switch (sought) {
-    case Sought::amplitude:
-      return Dimension::length;
-    case Sought::frequency:
-      return Dimension::frequency;
-    case Sought::velocity:
-      return Dimension::velocity;
-  }
-  throw Bug("something sought without a dimension");
 }
 
 bool is_sought(const Symbol& symbol, Sought sought, const Problem& problem) {
@@ -72,9 +57,7 @@ void refuse_setting_of_sought(const SolveOptions& options, const Question& quest
 
 std::optional<double> end_of_range(const std::string& text, Sought sought, const char* option) {
   if (text.empty()) return std::nullopt;
-  const double value = parse_quantity(text, dimension_of(sought), {option});
-  if (!(value > 0)) throw InputError({option}, fmt::format("\"{}\"", text), "a number above 0");
-  return value;
+  return parse_quantity(text, dimension_of(sought), {option});
 }
 
 Question question_of(const SolveOptions& options) {

@@ -85,6 +85,11 @@ void translate(std::exception_ptr thrown) {
 
 }  // namespace
 
+std::vector<std::string> with_python_names(std::vector<std::string> texts) {
+  for (std::string& text : texts) text = spelled(text, python_name);
+  return texts;
+}
+
 void add_errors(py::module_& module) {
   PyObject* base = new_exception(module, "Error", "What vcrit refuses, and why.",
                                  py::reinterpret_borrow<py::object>(PyExc_Exception));

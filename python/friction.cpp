@@ -40,12 +40,12 @@ void refuse_speed(double velocity, const std::string& name) {
                    "a finite speed above 0");
 }
 
-double parse_velocity(const std::string& text) {
-  return parse_quantity(text, Dimension::velocity, argument("velocity"));
+double parse_velocity(const std::string& text, const std::string& name) {
+  return parse_quantity(text, Dimension::velocity, argument(name));
 }
 
-double parse_ratio(const std::string& text) {
-  return parse_quantity(text, Dimension::none, argument("velocity_ratio"));
+double parse_ratio(const std::string& text, const std::string& name) {
+  return parse_quantity(text, Dimension::none, argument(name));
 }
 
 SteadyState steady_state(const Problem& problem, double velocity, const std::string& method,
@@ -132,8 +132,8 @@ py::tuple friction_curve(const Problem& problem, const Array& velocities, Array 
 
 void add_friction(py::module_& module) {
   using py::arg;
-  module.def("parse_velocity", &parse_velocity, arg("text"));
-  module.def("parse_ratio", &parse_ratio, arg("text"));
+  module.def("parse_velocity", &parse_velocity, arg("text"), arg("argument"));
+  module.def("parse_ratio", &parse_ratio, arg("text"), arg("argument"));
   module.def("first_refused_speed", &first_refused_speed, arg("velocities").noconvert());
   module.def("refuse_speed", &refuse_speed, arg("velocity"), arg("argument"));
   module.def("simulate", &simulate, arg("scene"), arg("velocity"), arg("method"), arg("start"));

@@ -8,5 +8,9 @@ PYBIND11_MODULE(_vcrit, module) {
   vcrit::python::add_scene(module);
   vcrit::python::add_batch(module);
   vcrit::python::add_friction(module);
+  vcrit::python::add_solve(module);
+  vcrit::python::add_sweep(module);
+  vcrit::python::add_fit(module);
+  vcrit::python::add_pictures(module);
   vcrit::python::add_derivation(module);
 }

@@ -60,12 +60,11 @@ std::tuple<double, double, std::string, std::string> onset(const Problem& proble
           found.by == CriticalOnset::By::formula ? "formula" : "simulation", found.reason};
 }
 
-double factor(const Problem& problem, const std::string& name, const std::string& unit) {
+double parse_value(const Problem& problem, const std::string& name, const std::string& text) {
   const Place place{name};
   refuse_expression(*problem->source, name, place);
   return parse_quantity(
-      "1 " + unit, known_dimension(name, problem->source->settable, place, problem->source->named),
-      place);
+      text, known_dimension(name, problem->source->settable, place, problem->source->named), place);
 }
 
 // Of files beside the scene's own.
@@ -88,7 +87,7 @@ void add_scene(py::module_& module) {
   module.def("read_file", &read, arg("file"));
   module.def("parameters", &parameters, arg("scene"));
   module.def("settable", &settable, arg("scene"));
-  module.def("factor", &factor, arg("scene"), arg("name"), arg("unit"));
+  module.def("parse_value", &parse_value, arg("scene"), arg("name"), arg("text"));
   module.def("certified", &certified, arg("scene"));
   module.def("reasons", &inadmissible_reasons, arg("scene"));
   module.def("critical_onset", &onset, arg("scene"));

@@ -7,13 +7,18 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _vcrit
-from .inputs import Numbers, is_labelled, joined, labelled, ma, numbers, refused
+from .inputs import Numbers, Parse, is_labelled, joined, labelled, ma, numbers, refused
 
 Array: TypeAlias = npt.NDArray[np.float64]
 
 # Values a block: few enough that Ctrl-C is heard at once and what must be copied (other types,
 # strides) stays in the cache, many enough that a block's own cost does not count.
 BLOCK = 1 << 16
+
+
+def parser(scene: _vcrit.Scene, name: str) -> Parse:
+    """Of texts that are values of the parameter `name`."""
+    return lambda text: _vcrit.parse_value(scene, name, text)
 
 
 def evaluated(scene: _vcrit.Scene, given: Mapping[str, Any], out: Array | None) -> Any:
@@ -27,15 +32,12 @@ def evaluated(scene: _vcrit.Scene, given: Mapping[str, Any], out: Array | None) 
         raise refused("out", f"an array beside {with_labels[0]}, which has labels",
                       f"no out, or {with_labels[0]} without labels: numpy.asarray()")
     return labelled(lambda plain: _of_plain(scene, formula, plain, None), given, 1,
-                    lambda name: lambda unit: _vcrit.factor(scene, name, unit))
+                    lambda name: parser(scene, name))
 
 
 def _of_plain(scene: _vcrit.Scene, formula: _vcrit.CriticalVelocities, given: Mapping[str, Any],
               out: Array | None) -> Any:
-    def factor_of(name: str) -> Any:
-        return lambda unit: _vcrit.factor(scene, name, unit)
-
-    columns = [numbers(values, name, factor_of(name)) for name, values in given.items()]
+    columns = [numbers(values, name, parser(scene, name)) for name, values in given.items()]
     masked = any(column.mask is not None for column in columns)
     if out is not None and masked and not isinstance(out, ma.MaskedArray):
         raise refused("out", "an array without a mask", "a masked array, as values are masked")

@@ -4,7 +4,7 @@ import os
 import re
 import sys
 from collections.abc import Callable, Mapping
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
@@ -14,6 +14,10 @@ from . import _vcrit
 
 # numpy.ma has no types.
 ma: Any = np.ma
+
+
+Parse: TypeAlias = Callable[[str], float]
+"""What a text with a unit is in SI; raises InputError."""
 
 
 class Numbers(NamedTuple):
@@ -49,16 +53,16 @@ def name_of_file(name: str | bytes) -> bytes:
         return characters(name, "file").encode()
 
 
-def numbers(given: Any, place: str, factor: Callable[[str], float]) -> Numbers:
-    """`given` without unit, in SI. factor: what a unit, as text, is in SI."""
+def numbers(given: Any, place: str, parse: Parse) -> Numbers:
+    """`given` without unit, in SI."""
     unit = _unit(given)
     if unit is not None:
-        plain = numbers(_magnitude(given), place, factor)
-        return Numbers(plain.values * factor(unit), plain.mask)
+        plain = numbers(_magnitude(given), place, parse)
+        return Numbers(plain.values * parse(f"1 {unit}"), plain.mask)
     if not isinstance(given, ma.MaskedArray):
-        return Numbers(_array(given, place), None)
+        return Numbers(_array(given, place, parse), None)
     mask = ma.getmaskarray(given)
-    values = _array(ma.getdata(given), place)
+    values = _array(ma.getdata(given), place, parse)
     return Numbers(np.where(mask, np.nan, values) if mask.any() else values, mask)
 
 
@@ -70,6 +74,13 @@ def number_with_unit(given: Any, place: str) -> str:
     except (TypeError, ValueError, OverflowError):
         raise refused(place, _described(given), "one number (SI), or a text with a unit") from None
     return repr(plain) if unit is None else f"{plain!r} {unit}"
+
+
+def text_with_unit(given: Any, place: str) -> str:
+    """The same; a text is taken as it is, and nothing is the empty one."""
+    if given is None:
+        return ""
+    return characters(given, place) if is_text(given) else number_with_unit(given, place)
 
 
 def is_text(given: Any) -> bool:
@@ -93,14 +104,14 @@ def is_labelled(given: Any) -> bool:
 
 
 def labelled(function: Callable[[Mapping[str, Any]], Any], given: Mapping[str, Any],
-             results: int, factors: Callable[[str], Callable[[str], float]]) -> Any:
+             results: int, parsers: Callable[[str], Parse]) -> Any:
     """`function` of plain arrays, its result (or its several results) with the labels of `given`.
 
     DataArrays of xarray are broadcast by the names of their dimensions; Series of pandas must
     have one index.
     """
     if any(_of_xarray(value) for value in given.values()):
-        return _by_dimensions(function, given, results, factors)
+        return _by_dimensions(function, given, results, parsers)
     series = {name: value for name, value in given.items() if _of_pandas(value)}
     first = _one_index(series)
     found = function({name: _of_series(name, value) if name in series else value
@@ -137,7 +148,7 @@ def _of_series(name: str, series: Any) -> npt.NDArray[Any]:
 
 
 def _by_dimensions(function: Callable[[Mapping[str, Any]], Any], given: Mapping[str, Any],
-                   results: int, factors: Callable[[str], Callable[[str], float]]) -> Any:
+                   results: int, parsers: Callable[[str], Parse]) -> Any:
     arrays = {}
     for name, value in given.items():
         if not _of_xarray(value):
@@ -148,7 +159,7 @@ def _by_dimensions(function: Callable[[Mapping[str, Any]], Any], given: Mapping[
         if hasattr(value, "data_vars"):
             raise refused(name, "a Dataset", "one of its DataArrays")
         unit = _unit(value)
-        arrays[name] = value if unit is None else value * factors(name)(unit)
+        arrays[name] = value if unit is None else value * parsers(name)(f"1 {unit}")
     xarray: Any = sys.modules[type(next(iter(arrays.values()))).__module__.partition(".")[0]]
     return xarray.apply_ufunc(
         lambda *plain: function({**given, **dict(zip(arrays, plain))}), *arrays.values(),
@@ -163,13 +174,16 @@ def _of_pandas(given: Any) -> bool:
     return hasattr(given, "to_numpy") and hasattr(given, "index")
 
 
-def _array(given: Any, place: str) -> npt.NDArray[Any]:
+def _array(given: Any, place: str, parse: Parse) -> npt.NDArray[Any]:
     try:
         array = np.asarray(given)
     except (TypeError, ValueError):
         raise refused(place, _described(given), "a number or an array of numbers") from None
     if array.dtype.kind in "biuf":
         return array
+    if array.dtype.kind == "U":
+        parsed = [parse(characters(str(text), place)) for text in array.flat]
+        return np.array(parsed, dtype=np.float64).reshape(array.shape)
     if array.ndim == 0 and array.dtype.kind == "O":  # Decimal, Fraction
         return np.array(float(number_with_unit(given, place)))
     what = "objects" if array.dtype.kind == "O" else str(array.dtype)

@@ -9,6 +9,16 @@ import numpy.typing as npt
 from . import _vcrit
 
 
+def speed(velocity: float) -> str:
+    """With a unit that it reads well in: "4.095 mm/s"."""
+    return _vcrit.quantity(velocity, "m/s", 4)
+
+
+def known(values: Any) -> npt.NDArray[np.float64]:
+    """Those that are numbers and not masked, in one row."""
+    return np.asarray(np.ma.masked_invalid(values).compressed(), dtype=np.float64)
+
+
 class Parameter(NamedTuple):
     """A number of a scene."""
 
@@ -40,6 +50,9 @@ class CriticalOnset(NamedTuple):
     """"formula" (Eq. 24) or, where the contact opens and it does not hold, "simulation"."""
     reason: str
     """Why the velocity is infinite, else empty."""
+
+    def __repr__(self) -> str:
+        return f"<vcrit.CriticalOnset: v* = {speed(self.contact_velocity)}, by {self.by}>"
 
 
 class Event(NamedTuple):
@@ -93,6 +106,10 @@ class SteadyState(_SteadyMotion):
         self._scene = scene
         return self
 
+    def __repr__(self) -> str:
+        return (f"<vcrit.SteadyState at {speed(self.velocity)} ({self.velocity_ratio:.4g} v*): "
+                f"friction ratio {self.friction_ratio:.4g}, {self.regime}>")
+
     @cached_property
     def energy(self) -> Energy | None:
         """Found when first asked for. Known for the exact method alone, and for no indenter."""
@@ -117,3 +134,12 @@ class FrictionCurve(NamedTuple):
     """As in SteadyState; empty where no steady state is found."""
     reason: npt.NDArray[np.str_]
     """Why none is found, else empty."""
+
+    def __repr__(self) -> str:
+        velocities, ratios = known(self.velocity), known(self.friction_ratio)
+        text = f"<vcrit.FrictionCurve of {np.size(self.velocity)} speeds"
+        if velocities.size > 0:
+            text += f" from {speed(velocities.min())} to {speed(velocities.max())}"
+        if ratios.size > 0:
+            text += f": friction ratio {ratios.min():.4g} to {ratios.max():.4g}"
+        return text + ">"

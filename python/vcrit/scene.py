@@ -2,14 +2,14 @@
 
 import os
 import warnings
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from types import MappingProxyType
-from typing import Any, NamedTuple, TypeAlias, overload
+from typing import Any, TypeAlias, overload
 
 import numpy as np
 import numpy.typing as npt
 
-from . import _vcrit
+from . import _vcrit, pictures
 from .batch import evaluated
 from .inputs import (
     characters,
@@ -21,6 +21,7 @@ from .inputs import (
     number_with_unit,
     numbers,
     refused,
+    text_with_unit,
 )
 from .results import (
     CertifiedVelocity,
@@ -29,7 +30,11 @@ from .results import (
     FrictionCurve,
     Parameter,
     SteadyState,
+    speed,
 )
+from .solving import Solution, solution
+from .speeds import Speeds
+from .sweeping import Sweep, sweep
 
 Value: TypeAlias = float | str
 Array: TypeAlias = npt.NDArray[np.float64]
@@ -169,11 +174,7 @@ class Scene:
         Raises InputError for missing values, ModelError where v* is 0/0 or the scene is outside
         the model.
         """
-        return CriticalOnset(*self._onset)
-
-    @property
-    def _onset(self) -> tuple[float, float, str, str]:
-        return _vcrit.critical_onset(self._handle)
+        return CriticalOnset(*_vcrit.critical_onset(self._handle))
 
     @property
     def drive_velocity(self) -> float:
@@ -224,16 +225,16 @@ class Scene:
         v*. A speed without an answer, NaN among them, is NaN and has a reason. Masks, units and
         labels of the speeds are kept. Other threads run meanwhile. Raises InputError, ModelError.
         """
-        speeds = self._given_speeds(velocities, velocity_ratios)
+        speeds = Speeds.of(velocities, velocity_ratios)
         if not is_labelled(speeds.given):
             return self._curve(speeds)
         return FrictionCurve(*labelled(
             lambda plain: tuple(self._curve(speeds._replace(given=plain[speeds.name]))),
-            {speeds.name: speeds.given}, len(FrictionCurve._fields), lambda name: speeds.factor))
+            {speeds.name: speeds.given}, len(FrictionCurve._fields), lambda name: speeds.parse))
 
-    def _curve(self, speeds: "_Speeds") -> FrictionCurve:
-        given = numbers(speeds.given, speeds.name, speeds.factor)
-        velocity, ratio = self._in_both_units(given.values, speeds.are_ratios)
+    def _curve(self, speeds: Speeds) -> FrictionCurve:
+        given = numbers(speeds.given, speeds.name, speeds.parse)
+        velocity, ratio = speeds.in_both_units(self._handle, given.values)
         known = ~np.isnan(velocity)
         friction, error = np.full(velocity.shape, np.nan), np.full(velocity.shape, np.nan)
         regime = np.full(velocity.shape, "", dtype=object)
@@ -255,75 +256,68 @@ class Scene:
         same in units of v*. method: "exact", or one beside it. start: "sliding" or "rest".
         Raises InputError, ModelError.
         """
-        speeds = self._given_speeds(velocity, velocity_ratio)
-        speed, ratio = map(float, self._in_both_units(np.array(speeds.one()), speeds.are_ratios))
-        if np.isnan(speed):
-            _vcrit.refuse_speed(speed, speeds.argument)
+        speed, ratio = Speeds.of(velocity, velocity_ratio).one(self._handle)
         friction, error, regime, periods, events, agree = _vcrit.simulate(
             self._handle, speed, method, start)
         state = SteadyState(speed, ratio, friction, error, regime, method, periods,
                             tuple(Event(*event) for event in events), agree)
         return state._in(self) if method == "exact" else state
 
-    @staticmethod
-    def _given_speeds(velocities: Any, ratios: Any) -> "_Speeds":
-        if (velocities is None) == (ratios is None):
-            raise TypeError("either velocities or their ratios to v* must be given")
-        speeds = _Speeds(velocities if ratios is None else ratios, ratios is not None)
-        return speeds._replace(given=speeds.without_texts())
+    def solve(self, sought: str, friction_ratio: float, *, velocity: Value | None = None,
+              from_: Value | None = None, to: Value | None = None,
+              samples: int = _vcrit.usual_samples) -> Solution:
+        """What reaches mu_macro/mu0 = `friction_ratio`, as `vcrit solve`.
 
-    def _in_both_units(self, speeds: npt.NDArray[Any], are_ratios: bool) -> tuple[Array, Array]:
-        """Velocities and their ratios to v*, as contiguous arrays."""
-        speeds = np.array(speeds, dtype=np.float64, order="C")
-        critical, _, _, reason = self._onset
-        if are_ratios:
-            if np.isinf(critical):
-                raise _vcrit.ModelError(
-                    f"{reason}: velocity_ratio has no meaning, give velocity")
-            speeds *= critical
-        self._refuse_wrong(speeds, "velocity_ratio" if are_ratios else "velocity")
-        with np.errstate(divide="ignore"):  # v* = 0 at antiresonance
-            return speeds, np.divide(speeds, critical, out=np.empty_like(speeds))
+        sought: "amplitude" or "frequency", of which the smallest is found at this `velocity` of the
+        drive, or "velocity", of which the largest is. from_, to: the range to search, of which so
+        many samples are tried. Numbers in SI or texts with a unit. Raises InputError, and ModelError
+        where nothing in the range reaches the ratio: it says why, and what would.
+        """
+        return solution(self._handle, sought, friction_ratio, velocity, from_, to, samples)
 
-    @staticmethod
-    def _refuse_wrong(speeds: Array, name: str) -> None:
-        first = _vcrit.first_refused_speed(speeds)
-        if first is None:
-            return
-        place = "" if speeds.ndim == 0 else "at index " + ", ".join(
-            str(int(each)) for each in np.unravel_index(first, speeds.shape)) + ": "
-        _vcrit.refuse_speed(float(speeds.flat[first]), place + name)
+    def sweep(self, over: Mapping[str, npt.ArrayLike], quantity: str | Sequence[str], *,
+              velocity: Value | None = None, velocity_ratio: Value | None = None) -> Sweep:
+        """Quantities over a grid, as `vcrit sweep`, in memory and on all cores.
 
+        over: names of `settable`, "velocity" or "velocity_ratio", each with its values (SI, or texts
+        with a unit) or a text: "log:1 kHz:1 MHz:31", "lin:0.1:1:10", "list:FILE". quantity: one or
+        several of "critical_velocity", "friction_ratio", "friction_ratio_error", "regime",
+        "admissible", "sensitivity:NAME". velocity, velocity_ratio: one speed for all points.
+        Warns of points outside the model, which are NaN. Raises InputError.
+        """
+        return sweep(self._handle, over, quantity, velocity, velocity_ratio)
 
-class _Speeds(NamedTuple):
-    """What a caller gives as speeds."""
+    def svg(self, of: str = "friction", *, to: Value | None = None, velocity: Value | None = None,
+            velocity_ratio: Value | None = None) -> str:
+        """A picture as SVG, as `vcrit plot` draws it.
 
-    given: Any
-    are_ratios: bool
+        of: "friction" over the speed, up to `to`; "frequency", v* over it; or "cycle", force and
+        velocity over one period at a speed, half of v* unless it is given.
+        Raises InputError, ModelError.
+        """
+        return _vcrit.svg(self._handle, of, *self._shown(of, to, velocity, velocity_ratio))
 
-    @property
-    def name(self) -> str:
-        return "velocity_ratios" if self.are_ratios else "velocities"
+    def plot(self, of: str = "friction", *, to: Value | None = None, velocity: Value | None = None,
+             velocity_ratio: Value | None = None, ax: Any = None) -> Any:
+        """The same by matplotlib: its axes, two of a cycle, or into those given as `ax`.
 
-    @property
-    def argument(self) -> str:
-        return "velocity_ratio" if self.are_ratios else "velocity"
+        Raises InputError, ModelError, and ImportError where there is no matplotlib.
+        """
+        return pictures.drawn(self._handle, of, *self._shown(of, to, velocity, velocity_ratio), ax)
 
-    def parse(self, text: str) -> float:
-        parse = _vcrit.parse_ratio if self.are_ratios else _vcrit.parse_velocity
-        return parse(characters(text, self.name))
+    def _shown(self, of: str, to: Any, velocity: Any, ratio: Any) -> tuple[float | None, float]:
+        end = None if to is None else _vcrit.parse_velocity(text_with_unit(to, "to"), "to")
+        if of != "cycle":
+            return end, 0.0
+        if velocity is None and ratio is None:
+            ratio = 0.5
+        return end, Speeds.of(velocity, ratio).one(self._handle)[0]
 
-    def one(self) -> float:
-        number, _, unit = number_with_unit(self.given, self.name).partition(" ")
-        return self.parse(f"{number} {unit}") if unit else float(number)
-
-    def factor(self, unit: str) -> float:
-        return self.parse(f"1 {unit}")
-
-    def without_texts(self) -> Any:
-        """Texts, alone or in a list, as numbers."""
-        if is_text(self.given):
-            return self.parse(self.given)
-        if isinstance(self.given, (list, tuple)) and any(map(is_text, self.given)):
-            return [self.parse(each) if is_text(each) else each for each in self.given]
-        return self.given
+    def _repr_html_(self) -> str:
+        """For notebooks: what vibration does here, and the curve of friction."""
+        title = self.title or self._file
+        try:
+            words = "v* = " + speed(self.critical_velocity())
+            return pictures.notebook(title, words, self.svg())
+        except _vcrit.Error as error:
+            return pictures.notebook(title, str(error), "")

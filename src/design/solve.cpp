@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <cmath>
+#include <utility>
 
 #include "answers/critical_onset.hpp"
 #include "base/constants.hpp"
@@ -51,6 +52,10 @@ class Solving {
         !(question.velocity > 0 && std::isfinite(question.velocity)))
       throw InputError(argument("velocity"), fmt::format("a speed of {} m/s", question.velocity),
                        "a finite speed above 0");
+    for (const auto& [end, name] : {std::pair(question.from, "from"), {question.to, "to"}})
+      if (end && !(*end > 0))
+        throw InputError(argument(name), fmt::format("{} {}", *end, unit_of(question.sought)),
+                         "a number above 0");
     if (question.samples < 3)
       throw InputError(argument("samples"), fmt::format("{}", question.samples), "at least 3");
     problem_of(question, 1).values();  // what is sought needs no value
@@ -176,6 +181,18 @@ const char* unit_of(Sought sought) {
       return "m/s";
   }
   throw Bug("something sought without a unit");
+}
+
+Dimension dimension_of(Sought sought) {
+  switch (sought) {
+    case Sought::amplitude:
+      return Dimension::length;
+    case Sought::frequency:
+      return Dimension::frequency;
+    case Sought::velocity:
+      return Dimension::velocity;
+  }
+  throw Bug("something sought without a dimension");
 }
 
 Answer solve(const Question& question) { return Solving(question).run(); }

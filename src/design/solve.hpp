@@ -3,10 +3,12 @@
 // above v* and the creep friction is full.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 
 #include "base/numbers.hpp"
+#include "base/units.hpp"
 #include "problem/problem.hpp"
 #include "simulation/system/effort.hpp"
 #include "simulation/system/steady_state.hpp"
@@ -19,6 +21,8 @@ enum class Sought { amplitude, frequency, velocity };
 using vcrit::to_text;
 const char* to_text(Sought sought);  ///< "amplitude", "frequency", "velocity"
 const char* unit_of(Sought sought);  ///< "m", "Hz", "m/s"
+Dimension dimension_of(Sought sought);
+inline constexpr std::array all_sought{Sought::amplitude, Sought::frequency, Sought::velocity};
 
 /// What is narrower than a part in 400 of the range is missed; a simulation takes some 0.1 ms.
 inline constexpr int usual_samples = 400;

@@ -38,6 +38,9 @@ struct Punch {
   double length() const { return 2 * radius / (1 - poisson * poisson); }
 };
 
+/// None without a radius. Throws InputError, naming `punch_radius` or `poisson`.
+std::optional<Punch> punch_of(const std::string& radius, const std::string& poisson);
+
 /// A table in CSV with a header row: `frequency` (Hz) or `angular_frequency` (rad/s), `storage`,
 /// `loss` or `tan_delta` and, both or none, `storage_error` and `loss_error` (N/m), in any order. A
 /// unit may stand behind a name, as in "frequency (kHz)" or "storage [N/um]"; what has none is in

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 #include <sstream>
+#include <utility>
 
 #include "base/files.hpp"
 #include "base/numbers.hpp"
@@ -108,6 +109,14 @@ Axis parse_axis(const std::string& text, const Problem& problem) {
   if (logarithmic && !(from > 0 && to > 0))
     throw InputError(place, fmt::format("log from {} to {}", from, to), "both ends above 0");
   return {name, spaced(logarithmic, from, to, count(parts[3], place)), dimension};
+}
+
+Axis axis_of(const std::string& name, std::vector<double> values, const Problem& problem) {
+  const Place place = argument("over " + name);
+  if (values.empty() || values.size() > most_values)
+    throw InputError(place, fmt::format("{} values", values.size()),
+                     fmt::format("from 1 to {}", most_values));
+  return {name, std::move(values), dimension_of(name, problem, place)};
 }
 
 Problem completed(Problem problem, const std::vector<Axis>& axes) {

@@ -20,6 +20,9 @@ struct Axis {
 /// `problem` does not have.
 Axis parse_axis(const std::string& text, const Problem& problem);
 
+/// An axis of these values (SI). Throws InputError where there are none, and for names as above.
+Axis axis_of(const std::string& name, std::vector<double> values, const Problem& problem);
+
 /// The scene with a value of whatever the axes vary: any that leaves its networks as they are,
 /// where it has none.
 Problem completed(Problem problem, const std::vector<Axis>& axes);

@@ -68,7 +68,7 @@ class Fit(Case):
         self.assertIn("below a flat punch of radius 0.0005 m", " ".join(result["words"]))
         self.write(text, "data.csv")
         self.refused(2, ["fit", "data.csv", "--out", "a.toml"], "found storage_modulus in MPa, a modulus")
-        self.refused(2, ["fit", "data.csv", "--out", "a.toml", "--punch-radius", "1 mm"], "no --poisson beside it")
+        self.refused(2, ["fit", "data.csv", "--out", "a.toml", "--punch-radius", "1 mm"], "expected --poisson as well")
         self.refused(2, ["fit", "data.csv", "--out", "a.toml", "--punch-radius", "0", "--poisson", "0.3"],
                      "expected a length above 0")
         self.refused(2, ["fit", "data.csv", "--out", "a.toml", "--punch-radius", "1 mm", "--poisson", "0.6"],

@@ -1,0 +1,86 @@
+// What amplitude, frequency or speed reaches a friction ratio, as `vcrit solve` finds it.
+#include "design/solve.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <pybind11/stl.h>
+
+#include "base/constants.hpp"
+#include "bindings.hpp"
+#include "interrupt.hpp"
+
+namespace vcrit::python {
+
+namespace py = pybind11;
+
+namespace {
+
+using design::Sought;
+
+Sought sought_named(const std::string& name) {
+  std::vector<std::string> names;
+  for (const Sought sought : design::all_sought) {
+    if (name == to_text(sought)) return sought;
+    names.emplace_back(to_text(sought));
+  }
+  throw InputError(argument("for"), '"' + name + '"',
+                   fmt::format("one of {}", fmt::join(names, ", ")));
+}
+
+std::optional<double> end_of_range(const std::string& text, Sought sought, const char* name) {
+  if (text.empty()) return std::nullopt;
+  return parse_quantity(text, dimension_of(sought), argument(name));
+}
+
+/// The smallest frequency is one because all below it were asked.
+std::optional<std::string> warning_of_range(const design::Question& question,
+                                            const design::Answer& answer) {
+  if (question.sought != Sought::frequency) return std::nullopt;
+  return beyond_fitted_range(question.problem, two_pi * answer.from, two_pi * answer.value);
+}
+
+py::dict as_dict(const design::Question& question, const design::Answer& answer) {
+  using py::arg;
+  return py::dict(arg("sought") = to_text(question.sought), arg("value") = answer.value,
+                  arg("unit") = unit_of(question.sought), arg("value_error") = answer.value_error,
+                  arg("at_start") = answer.at_start,
+                  arg("friction_ratio") = answer.state.friction_ratio,
+                  arg("friction_ratio_error") = answer.state.friction_ratio_error,
+                  arg("regime") = to_text(answer.state.regime), arg("velocity") = answer.velocity,
+                  arg("critical_velocity") = answer.critical_velocity,
+                  arg("largest_amplitude") = answer.largest_amplitude,
+                  arg("largest_frequency") = answer.largest_frequency,
+                  arg("searched") = py::make_tuple(answer.from, answer.to),
+                  arg("evaluations") = answer.evaluations, arg("unanswered") = answer.unanswered);
+}
+
+py::tuple solved(const Problem& problem, const std::string& name, double friction_ratio,
+                 const std::string& velocity, const std::string& from, const std::string& to,
+                 int samples) {
+  const Sought sought = sought_named(name);
+  design::Question question{problem,
+                            sought,
+                            friction_ratio,
+                            0,
+                            end_of_range(from, sought, "from"),
+                            end_of_range(to, sought, "to"),
+                            samples};
+  if (!velocity.empty())
+    question.velocity = parse_quantity(velocity, Dimension::velocity, argument("velocity"));
+  const design::Answer answer = [&] {
+    const OthersRun others_run;
+    return design::solve(question);
+  }();
+  return py::make_tuple(as_dict(question, answer), warning_of_range(question, answer));
+}
+
+}  // namespace
+
+void add_solve(py::module_& module) {
+  using py::arg;
+  module.def("solve", &solved, arg("scene"), arg("sought"), arg("friction_ratio"), arg("velocity"),
+             arg("from_"), arg("to"), arg("samples"));
+  module.attr("usual_samples") = design::usual_samples;
+}
+
+}  // namespace vcrit::python

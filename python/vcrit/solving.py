@@ -1,0 +1,61 @@
+"""What amplitude, frequency or speed reaches a wanted friction ratio, as `vcrit solve` finds it."""
+
+import warnings
+from typing import Any, NamedTuple
+
+from . import _vcrit
+from .inputs import refused, text_with_unit
+from .results import speed
+
+
+class Solution(NamedTuple):
+    """The smallest amplitude or frequency, or the largest speed, that reaches a friction ratio."""
+
+    sought: str
+    """"amplitude", "frequency" or "velocity"."""
+    value: float
+    """In `unit`: reaches the wanted ratio."""
+    unit: str
+    """"m", "Hz" or "m/s"."""
+    value_error: float
+    """Estimate: by this much less (of a speed: more) may do as well."""
+    at_start: bool
+    """The range begins with it: what lies before was not searched."""
+    friction_ratio: float
+    """mu_macro/mu0 there."""
+    friction_ratio_error: float
+    """Estimate of its absolute error."""
+    regime: str
+    """As in SteadyState."""
+    velocity: float
+    """Of the drive, m/s."""
+    critical_velocity: float
+    """v* there, m/s."""
+    largest_amplitude: float
+    """m: below it the contact stays closed, at this frequency."""
+    largest_frequency: float | None
+    """Hz: below it the contact stays closed, at this amplitude; None where none opens it."""
+    searched: tuple[float, float]
+    """From and to, in `unit`."""
+    evaluations: int
+    """Steady states that were asked for."""
+    unanswered: int
+    """Of them, without an answer."""
+
+    def __repr__(self) -> str:
+        return (f"<vcrit.Solution: {self.sought} {_vcrit.quantity(self.value, self.unit, 4)} for a "
+                f"friction ratio of {self.friction_ratio:.4g} at {speed(self.velocity)}>")
+
+
+def solution(scene: _vcrit.Scene, sought: str, friction_ratio: float, velocity: Any, from_: Any,
+             to: Any, samples: int) -> Solution:
+    if (velocity is None) != (sought == "velocity"):
+        if velocity is None:
+            raise refused("velocity", "none", "the velocity of the drive")
+        raise refused("velocity", "a velocity, which is sought", "none")
+    found, warning = _vcrit.solve(
+        scene, sought, friction_ratio, text_with_unit(velocity, "velocity"),
+        text_with_unit(from_, "from_"), text_with_unit(to, "to"), samples)
+    if warning is not None:
+        warnings.warn(warning, stacklevel=3)
+    return Solution(**found)
