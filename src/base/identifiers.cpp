@@ -51,6 +51,8 @@ constexpr auto reserved = std::to_array<std::string_view>(
 bool letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 bool word(char c) { return letter(c) || std::isdigit(static_cast<unsigned char>(c)) || c == '_'; }
 
+}  // namespace
+
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
@@ -64,8 +66,6 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   }
   return row.back();
 }
-
-}  // namespace
 
 std::optional<std::string> unsafe_as_identifier(std::string_view name) {
   if (name.empty() || !letter(name.front()) || !std::all_of(name.begin(), name.end(), word))

@@ -12,10 +12,12 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <utility>
 
 #include "base/messages.hpp"
 #include "base/numbers.hpp"
 #include "base/trimmed.hpp"
+#include "base/unit_advice.hpp"
 
 namespace vcrit {
 
@@ -163,11 +165,55 @@ bool is_second_number(std::string_view unit) {
   return !(unit.front() == '1' && next != unit.npos && unit[next] == '/');
 }
 
+/// Whether a number of the one is one of the other, converted. To udunits a unit and its reciprocal
+/// are convertible: "5 ms" would be a frequency, 200 Hz.
+bool measures_the_same(const ut_unit* one, const ut_unit* other) {
+  const Unit ratio(ut_divide(one, other));
+  return ratio && ut_is_dimensionless(ratio.get()) != 0;
+}
+
+bool measures(const ut_unit* unit, Dimension dimension) {
+  return measures_the_same(unit, parse_unit(text_of(dimension).unit).get());
+}
+
+// Data sheets and tables have moduli where a contact needs a stiffness.
+const char* advice_on_dimension(const ut_unit* from, Dimension dimension) {
+  if (dimension == Dimension::stiffness && measures(from, Dimension::modulus))
+    return "a modulus needs a length: below a flat punch of radius a, k = 2 a E/(1 - nu^2); or add "
+           "an [indenter], whose elements are moduli";
+  if (dimension == Dimension::damping && measures(from, Dimension::viscosity))
+    return "a viscosity needs a length: below a flat punch of radius a, c = 2 a eta/(1 - nu^2); or "
+           "add an [indenter], whose elements are viscosities";
+  if (dimension == Dimension::modulus && measures(from, Dimension::stiffness))
+    return "below an [indenter] springs are moduli; without it they are stiffnesses";
+  if (dimension == Dimension::viscosity && measures(from, Dimension::damping))
+    return "below an [indenter] dampers are viscosities; without it they are damping coefficients";
+  return "";
+}
+
+struct Explanation {
+  std::string why, advice;
+};
+
+// What is no unit: a decimal comma, a value from peak to peak, a slip of the pen.
+Explanation of_unknown_unit(double value, std::string_view unit, Dimension dimension,
+                            std::string_view whole) {
+  const std::string_view number = trimmed(whole.substr(0, whole.size() - unit.size()), " \t");
+  if (std::string advice = advice_on_comma(number, unit); !advice.empty())
+    return {"a comma in a number", std::move(advice)};
+  const std::string rest(before_peak_to_peak(unit));
+  if (const Unit length = rest.empty() ? Unit() : parse_unit(rest))
+    if (dimension == Dimension::length && measures(length.get(), dimension))
+      return {"from peak to peak", fmt::format("an amplitude is half of peak to peak: \"{} {}\"",
+                                               to_text(value / 2), rest)};
+  return {fmt::format("unknown unit \"{}\"", unit),
+          advice_on_unknown_unit(number, unit, dimension)};
+}
+
 TypedNumber convert(double value, const Decimal& number, std::string_view unit, Dimension dimension,
                     const Place& place, std::string_view whole) {
-  const std::string found = fmt::format("\"{}\"", whole);
-  const auto refuse = [&](const std::string& why) {
-    throw InputError(place, fmt::format("{} ({})", found, why), describe(dimension));
+  const auto refuse = [&](const std::string& why, const std::string& advice = "") {
+    throw InputError(place, fmt::format("\"{}\" ({})", whole, why), describe(dimension), advice);
   };
   if (unit.size() > longest_unit)
     refuse(fmt::format("a unit of {} characters, more than {}", unit.size(), longest_unit));
@@ -175,15 +221,19 @@ TypedNumber convert(double value, const Decimal& number, std::string_view unit, 
   const std::scoped_lock lock(units_mutex());
   const Unit from = parse_unit(std::string(unit));
   // To udunits the byte 0xFF is the end of a unit.
-  if (!from || printable(unit) != unit) refuse(fmt::format("\"{}\" is no unit", unit));
+  if (!from || printable(unit) != unit) {
+    const Explanation found = of_unknown_unit(value, unit, dimension, whole);
+    refuse(found.why, found.advice);
+  }
   const Unit to = parse_unit(text_of(dimension).unit);
-  // To udunits a unit and its reciprocal are convertible: "5 ms" would be a frequency, 200 Hz.
-  const Unit ratio(ut_divide(from.get(), to.get()));
-  if (!ratio || ut_is_dimensionless(ratio.get()) == 0) refuse("a unit of another dimension");
+  if (!measures_the_same(from.get(), to.get()))
+    refuse("a unit of another dimension", advice_on_dimension(from.get(), dimension));
   if (dimension == Dimension::frequency && angular(from.get()))
-    refuse("an angular frequency, not cycles a second");
+    refuse("an angular frequency, not cycles a second",
+           fmt::format("write it as angular_frequency = \"{}\"", whole));
   if (dimension == Dimension::angular_frequency && !angular(from.get()))
-    refuse("a frequency, not an angle a second");
+    refuse("a frequency, not an angle a second",
+           fmt::format("write it as frequency = \"{}\"", whole));
   const std::unique_ptr<cv_converter, void (*)(cv_converter*)> converter(
       ut_get_converter(from.get(), to.get()), cv_free);
   if (!converter) refuse("a unit that cannot be converted");
@@ -219,6 +269,9 @@ double parse_quantity(std::string_view text, Dimension dimension, const Place& p
 TypedNumber parse_typed(std::string_view text, Dimension dimension, const Place& place) {
   const std::string plain = with_plain_spaces(text);
   const std::string_view whole = trimmed(plain, " \t");
+  if (has_typeset_minus(whole))
+    throw InputError(place, fmt::format("\"{}\" (a typeset minus sign or dash)", text),
+                     describe(dimension), "write the minus sign of the keyboard, \"-\"");
   // No inf or nan; and of "2eV" it is the 2 that is the number.
   const auto end = std::min(whole.find_first_not_of("0123456789.+-eE"), whole.size());
   const LeadingNumber number = leading_number(whole.substr(0, end));

@@ -115,12 +115,58 @@ BOOST_AUTO_TEST_CASE(a_unit_of_another_dimension_is_refused) {
 BOOST_AUTO_TEST_CASE(frequency_and_angular_frequency_are_kept_apart) {
   BOOST_TEST(has(message("1.2e5 rad/s", Dimension::frequency), "angular frequency"));
   BOOST_TEST(has(message("3000 rpm", Dimension::frequency), "angular frequency"));
-  BOOST_TEST(has(message("20 kHz", Dimension::angular_frequency), "a frequency"));
+  BOOST_TEST(has(message("20 kHz", Dimension::angular_frequency),
+                 "a frequency, not an angle a second); expected an angular frequency in rad/s; "
+                 "write it as frequency = \"20 kHz\""));
   BOOST_TEST(has(message("20 1/s", Dimension::angular_frequency), "a frequency"));
 }
 
+BOOST_AUTO_TEST_CASE(an_unknown_unit_meets_the_nearest_one) {
+  using enum Dimension;
+  BOOST_TEST(has(message("28 khz", frequency),
+                 "found \"28 khz\" (unknown unit \"khz\"); expected a frequency in Hz; did you "
+                 "mean \"28 kHz\"?"));
+  BOOST_TEST(has(message("28 mhz", frequency), "did you mean \"28 mHz\" or \"28 MHz\"?"));
+  BOOST_TEST(has(message("0.1 uM", length), "did you mean \"0.1 um\"?"));
+  BOOST_TEST(has(message("6 Ns/m", damping), "did you mean \"6 N.s/m\"?"));
+  BOOST_TEST(has(message("8 N/umm", stiffness), "did you mean \"8 N/um\""));
+  BOOST_TEST(!has(message("8 fathoms7", stiffness), "did you mean"));
+  BOOST_TEST(!has(message("8 x", length), "did you mean"));
+}
+
+BOOST_AUTO_TEST_CASE(a_decimal_comma_is_named) {
+  BOOST_TEST(has(message("0,2 um", Dimension::length), "write a decimal point: \"0.2 um\""));
+  BOOST_TEST(has(message("0,2", Dimension::length), "write a decimal point: \"0.2\""));
+  BOOST_TEST(has(message("1,500 N/m", Dimension::stiffness),
+                 "\"1.500 N/m\", and nothing between thousands, \"1500 N/m\""));
+  BOOST_TEST(has(message("1,5000 N/m", Dimension::stiffness), "point: \"1.5000 N/m\""));
+}
+
+BOOST_AUTO_TEST_CASE(peak_to_peak_is_halved) {
+  for (const char* text : {"12 um pp", "12 um p-p", "12 um peak-to-peak", "12 um peak to peak",
+                           "12 um_pp", "12 umpp", "12 um (pp"})
+    BOOST_TEST(
+        has(message(text, Dimension::length), "an amplitude is half of peak to peak: \"6 um\""));
+  BOOST_TEST(!has(message("12 N pp", Dimension::length), "half"));
+  BOOST_TEST(!has(message("12 um pp", Dimension::mass), "half"));
+}
+
+BOOST_AUTO_TEST_CASE(a_modulus_needs_a_length) {
+  using enum Dimension;
+  BOOST_TEST(has(message("0.5 MPa", stiffness), "k = 2 a E/(1 - nu^2)"));
+  BOOST_TEST(has(message("6 Pa.s", damping), "c = 2 a eta/(1 - nu^2)"));
+  BOOST_TEST(has(message("8 N/um", modulus), "springs are moduli"));
+  BOOST_TEST(has(message("6 N.s/m", viscosity), "dampers are viscosities"));
+  BOOST_TEST(!has(message("6 m", stiffness), "radius"));
+}
+
+BOOST_AUTO_TEST_CASE(a_typeset_minus_is_named) {
+  for (const char* text : {"\u22125 um", "1e\u22127 m", "\u20135 um"})
+    BOOST_TEST(has(message(text, Dimension::length), "write the minus sign of the keyboard"));
+}
+
 BOOST_AUTO_TEST_CASE(nonsense_is_refused) {
-  BOOST_TEST(has(message("8 N/fathomless", Dimension::stiffness), "is no unit"));
+  BOOST_TEST(has(message("8 N/fathomless", Dimension::stiffness), "unknown unit \"N/fathomless\""));
   BOOST_TEST(has(message("eight N/m", Dimension::stiffness), "a number and a unit"));
   BOOST_TEST(has(message("", Dimension::stiffness), "a number and a unit"));
   BOOST_TEST(has(message("1e308 N/um", Dimension::stiffness), "not finite"));

@@ -1,0 +1,130 @@
+#include "base/unit_advice.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstddef>
+#include <utility>
+
+#include "base/identifiers.hpp"
+#include "base/trimmed.hpp"
+
+namespace vcrit {
+
+namespace {
+
+using Units = std::vector<std::string>;
+
+// As scenes write them; more than these are read.
+const Units& usual_units(Dimension dimension) {
+  static const Units none{},
+      stiffness{"N/um", "N/mm", "N/m", "kN/m", "kN/mm", "MN/m", "mN/um", "mN/m"},
+      damping{"N.s/m", "N.s/mm", "N.s/um", "mN.s/m", "kN.s/m", "kg/s"},
+      modulus{"MPa", "GPa", "kPa", "Pa", "N/mm^2"}, viscosity{"Pa.s", "mPa.s", "kPa.s", "MPa.s"},
+      time{"s", "ms", "us", "ns", "min", "h"}, mass{"g", "kg", "mg"},
+      length{"um", "nm", "mm", "cm", "m"}, angle{"deg", "rad", "mrad"},
+      velocity{"mm/s", "um/s", "cm/s", "m/s", "km/h"}, frequency{"kHz", "Hz", "MHz", "mHz", "GHz"},
+      angular{"rad/s", "krad/s", "rpm", "deg/s"};
+  switch (dimension) {
+    case Dimension::none:
+      return none;
+    case Dimension::stiffness:
+      return stiffness;
+    case Dimension::damping:
+      return damping;
+    case Dimension::modulus:
+      return modulus;
+    case Dimension::viscosity:
+      return viscosity;
+    case Dimension::time:
+      return time;
+    case Dimension::mass:
+      return mass;
+    case Dimension::length:
+      return length;
+    case Dimension::angle:
+      return angle;
+    case Dimension::velocity:
+      return velocity;
+    case Dimension::frequency:
+      return frequency;
+    case Dimension::angular_frequency:
+      return angular;
+  }
+  return none;
+}
+
+// Without capitals, and without what stands between two units that are multiplied.
+std::string folded(std::string_view unit) {
+  std::string text;
+  for (const char c : unit)
+    if (c != '.' && c != '*' && c != ' ')
+      text += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+constexpr std::size_t most_units_offered = 2;
+
+Units best(std::vector<std::pair<std::size_t, std::string>> found) {
+  std::stable_sort(found.begin(), found.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  Units units;
+  for (const auto& [distance, unit] : found)
+    if (units.size() < most_units_offered) units.push_back(unit);
+  return units;
+}
+
+constexpr std::array<std::string_view, 8> peak_to_peak{
+    "peak to peak", "peak-to-peak", "pk-pk", "p-p", "p/p", "ptp", "pkpk", "pp"};
+
+bool is_digit_at(std::string_view text, std::size_t i) {
+  return i < text.size() && std::isdigit(static_cast<unsigned char>(text[i])) != 0;
+}
+
+}  // namespace
+
+Units nearest_units(std::string_view unit, Dimension dimension) {
+  std::vector<std::pair<std::size_t, std::string>> same, near;
+  for (const std::string& each : usual_units(dimension)) {
+    if (folded(each) == folded(unit)) same.emplace_back(edit_distance(each, unit), each);
+    // Of one letter everything is one letter away.
+    if (each.size() > 1 && unit.size() > 1 && edit_distance(folded(each), folded(unit)) == 1)
+      near.emplace_back(edit_distance(each, unit), each);
+  }
+  return best(same.empty() ? near : same);
+}
+
+std::string advice_on_unknown_unit(std::string_view number, std::string_view unit,
+                                   Dimension dimension) {
+  Units whole;
+  for (const std::string& each : nearest_units(unit, dimension))
+    whole.push_back(fmt::format("\"{} {}\"", number, each));
+  return whole.empty() ? "" : fmt::format("did you mean {}?", fmt::join(whole, " or "));
+}
+
+std::string_view before_peak_to_peak(std::string_view unit) {
+  for (const std::string_view end : peak_to_peak)
+    if (unit.size() > end.size() && unit.ends_with(end))
+      return trimmed(unit.substr(0, unit.size() - end.size()), " \t_,(");
+  return {};
+}
+
+std::string advice_on_comma(std::string_view number, std::string_view rest) {
+  if (!rest.starts_with(',') || !is_digit_at(rest, 1)) return "";
+  const std::string_view tail = rest.substr(1);
+  const std::string point = fmt::format("\"{}.{}\"", number, tail);
+  const bool may_be_thousands =
+      is_digit_at(tail, 1) && is_digit_at(tail, 2) && !is_digit_at(tail, 3);
+  if (!may_be_thousands) return "write a decimal point: " + point;
+  return fmt::format("write a decimal point, {}, and nothing between thousands, \"{}{}\"", point,
+                     number, tail);
+}
+
+bool has_typeset_minus(std::string_view text) {
+  return text.find("\u2212") != text.npos || text.find("\u2013") != text.npos;
+}
+
+}  // namespace vcrit
