@@ -7,11 +7,13 @@
 #include <cerrno>
 #include <cstdio>
 #include <fstream>
+#include <map>
 #include <system_error>
 #include <utility>
 #include <vector>
 
 #include "base/errors.hpp"
+#include "base/identifiers.hpp"
 
 namespace vcrit {
 
@@ -105,12 +107,42 @@ std::string read_up_to(std::ifstream& in, std::size_t largest) {
   return text;
 }
 
+// More than these in one folder are not looked through for the sake of a message.
+constexpr int most_names_compared = 10000;
+
+/// The file beside it that is called most alike and ends alike, or in any way where `file` has no
+/// ending; empty where none is.
+fs::path nearest_file(const fs::path& file) {
+  std::error_code error;
+  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+  std::map<std::string, fs::path> names;  // by their stems; folders have no order
+  int left = most_names_compared;
+  for (fs::directory_iterator each(folder, error), end; !error && each != end && left-- > 0;
+       each.increment(error)) {
+    const fs::path name = each->path().filename();
+    if (file.extension().empty() || name.extension() == file.extension())
+      names.emplace(name.stem().string(), name);
+  }
+  std::vector<std::string> stems;
+  for (const auto& [stem, name] : names) stems.push_back(stem);
+  const auto meant = nearest(file.stem().string(), stems);
+  return meant ? file.parent_path() / names.at(*meant) : fs::path();
+}
+
+[[noreturn]] void refuse_missing(const fs::path& file) {
+  const fs::path meant = nearest_file(file);
+  throw InputError({file.string()}, "no such file", "a file that can be read",
+                   meant.empty() ? "" : "did you mean " + meant.string() + "?");
+}
+
 }  // namespace
 
 std::string read_file(const fs::path& file, std::size_t largest) {
+  std::error_code error;
+  if (fs::status(file, error).type() == fs::file_type::not_found) refuse_missing(file);
+  if (fs::is_directory(file, error)) throw InputError({file.string()}, "a folder", "a file");
   std::ifstream in(file, std::ios::binary);
-  if (!in || fs::is_directory(file))
-    throw InputError({file.string()}, "no readable file", "a file");
+  if (!in) throw InputError({file.string()}, "a file that cannot be read", "one that can");
   std::string text = read_up_to(in, largest);
   if (in.bad()) throw InputError({file.string()}, "a read error", "a readable file");
   if (text.size() > largest)

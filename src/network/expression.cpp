@@ -6,6 +6,8 @@
 #include <charconv>
 
 #include "base/identifiers.hpp"
+#include "base/plain_text.hpp"
+#include "base/trimmed.hpp"
 #include "network/catalogue.hpp"
 
 namespace vcrit {
@@ -14,6 +16,9 @@ namespace {
 
 // See docs/limits.md.
 constexpr int most_branches = 100000;
+
+// Stands for one of unknown kind where the rest is read on, for its errors.
+constexpr const char* unknown_element = "k_unknown";
 
 class Parser {
  public:
@@ -97,10 +102,14 @@ class Parser {
     if (name.front() == 'k') return spring({meant(name)});
     if (name.front() == 'c') return damper({meant(name)});
     refuse_fractional(name, at);
-    throw InputError(at, fmt::format("element \"{}\" of unknown kind", name),
-                     fmt::format("a name that begins with k (spring) or c (damper), spring({0}) or "
-                                 "damper({0}), or a network of that name",
-                                 name));
+    const InputError unknown(
+        at, fmt::format("element \"{}\" of unknown kind", name),
+        fmt::format("a name that begins with k (spring) or c (damper), spring({0}) or damper({0}), "
+                    "or a network of that name",
+                    name));
+    if (!around_.complain) throw unknown;
+    around_.complain(unknown);
+    return spring({unknown_element});
   }
 
   // A network of the scene goes before one of the catalogue, which later versions may add to.
@@ -255,7 +264,28 @@ class Parser {
 
   std::string found() {
     peek();
-    return at_end() ? "the end of the network" : fmt::format("\"{}\"", text_.substr(position_, 1));
+    return at_end() ? "the end of the network" : fmt::format("\"{}\"", here_character());
+  }
+
+  // All of its bytes.
+  std::string_view here_character() const {
+    std::size_t size = 1;
+    while (position_ + size < text_.size() && (byte_at(text_, position_ + size) & 0xC0U) == 0x80U)
+      ++size;
+    return text_.substr(position_, size);
+  }
+
+  // For those who know these networks as circuits, sums or formulas.
+  const char* advice() const {
+    const std::string_view found = here_character();
+    const std::string_view before = trimmed(text_.substr(0, position_), " \t\n");
+    if (found == "\u2212" || found == "\u2013")
+      return "series is written with the \"-\" of the keyboard";
+    if (found == "|" && before.ends_with('|')) return "parallel is one \"|\"";
+    if (found == "-" && before.ends_with('-')) return "series is one \"-\"";
+    if (found == "+" || found == "/" || found == "*" || found == "&")
+      return "parallel is written \"|\", series \"-\": k0 | (k1 - c1)";
+    return "";
   }
 
   Place here() {
@@ -265,8 +295,8 @@ class Parser {
 
   [[noreturn]] void refuse(const std::string& what, const std::string& expected) {
     const Place at = here();
-    throw InputError(at, fmt::format("{} at column {} of \"{}\"", what, at.column, text_),
-                     expected);
+    throw InputError(at, fmt::format("{} at column {} of \"{}\"", what, at.column, text_), expected,
+                     advice());
   }
 
   std::string_view text_;

@@ -37,6 +37,9 @@ struct Surroundings {
       called_network = {};
   /// What the text's own arguments stand for; other names stand for themselves.
   std::map<std::string, std::string> arguments = {};
+  /// Takes the complaint of an element of unknown kind, so that the rest is read for its own; where
+  /// this is absent the complaint is thrown.
+  std::function<void(const InputError&)> complain = {};
 };
 
 /// `place` is where the first character of `text` stands. Throws InputError with the column,

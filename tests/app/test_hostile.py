@@ -237,7 +237,7 @@ class Bytes(Hostile):
             done = self.run_program("sweep", name, "--over", wrong + b"=lin:1:2:3", "--quantity", "critical_velocity",
                                     "--out", "o.csv")
             self.assert_refused(done, "--over")
-            self.assert_refused(self.run_program("eval", b"no" + wrong + b".toml"), "no readable file")
+            self.assert_refused(self.run_program("eval", b"no" + wrong + b".toml"), "no such file")
 
     def test_in_tables(self):
         table = 'receptance = "t.csv"'

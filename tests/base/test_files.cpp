@@ -9,6 +9,7 @@
 #include "base/errors.hpp"
 #include "base/files.hpp"
 #include "base/numbers.hpp"
+#include "support/refusal.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_files)
 
@@ -27,6 +28,24 @@ BOOST_FIXTURE_TEST_CASE(what_is_written_is_read, Folder) {
   write_file(path / "new" / "file.txt", "again");
   BOOST_TEST(read_file(path / "new" / "file.txt") == "again");
   BOOST_TEST(std::distance(fs::directory_iterator(path / "new"), {}) == 1);
+}
+
+BOOST_FIXTURE_TEST_CASE(a_missing_file_meets_the_nearest_one, Folder) {
+  const auto message = [this](const char* name) {
+    return test::refusal([&] { read_file(path / name); });
+  };
+  write_file(path / "zener.toml", "");
+  write_file(path / "zener.csv", "");
+  const std::string meant = "did you mean " + (path / "zener.toml").string() + "?";
+  BOOST_TEST(test::has(message("zenner.toml"), "zenner.toml: found no such file; expected a file"));
+  BOOST_TEST(test::has(message("zenner.toml"), meant));
+  BOOST_TEST(test::has(message("zener"), "did you mean"));
+  BOOST_TEST(!test::has(message("burgers.toml"), "did you mean"));
+  BOOST_TEST(!test::has(message("zener.txt"), "did you mean"));
+  fs::create_directories(path / "folder.toml");
+  BOOST_TEST(test::has(message("folder.toml"), "found a folder; expected a file"));
+  BOOST_TEST(
+      test::has(test::refusal([&] { read_file(path / "none" / "a.toml"); }), "no such file"));
 }
 
 BOOST_FIXTURE_TEST_CASE(a_place_that_cannot_be_written_is_named_and_left_clean, Folder) {

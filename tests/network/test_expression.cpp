@@ -104,6 +104,13 @@ BOOST_AUTO_TEST_CASE(mistakes_are_named_with_their_column) {
   BOOST_TEST(has(message("k0 | k1)"), "\")\" without an opening parenthesis at column 8"));
   BOOST_TEST(has(message("k0 | "), "the end of the network"));
   BOOST_TEST(has(message("k0 + k1"), "\"+\" at column 4"));
+  for (const char* text : {"k0 + k1", "k0 // k1", "k0 * k1"})
+    BOOST_TEST(has(message(text), "parallel is written \"|\", series \"-\": k0 | (k1 - c1)"), text);
+  BOOST_TEST(has(message("k0 || k1"), "parallel is one \"|\""));
+  BOOST_TEST(has(message("k0 - - k1"), "series is one \"-\""));
+  BOOST_TEST(has(message("k0 \u2212 k1"), "found \"\u2212\" at column 4 of"));
+  BOOST_TEST(has(message("k0 \u2212 k1"), "series is written with the \"-\" of the keyboard"));
+  BOOST_TEST(!has(message("k0 | k1)"), "written"));
   BOOST_TEST(has(message("k0 | x1"), "s.toml:1:6: found element \"x1\" of unknown kind"));
   BOOST_TEST(has(message("zenner(k0, k1, c1)"), "expected \"zener\""));
   BOOST_TEST(has(message("zener(k0, k1)"), "zener(k0, k1, c1)"));
