@@ -282,7 +282,7 @@ TypedNumber parse_typed(std::string_view text, Dimension dimension, const Place&
     throw InputError(place, fmt::format("\"{}\", beyond the range of doubles", text),
                      describe(dimension));
   const std::string_view unit = trimmed(whole.substr(number.length), " \t");
-  TypedNumber typed{*number.value, {}};
+  TypedNumber typed{*number.value, {}, unit.empty()};
   if (!unit.empty())
     typed = convert(*number.value, decimal_of(whole.substr(0, number.length)), unit, dimension,
                     place, whole);

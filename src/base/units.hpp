@@ -40,6 +40,7 @@ struct TypedNumber {
   double value = 0;  ///< in SI, the double nearest to it
   /// "1e-7", exactly; empty for bare numbers, and where it is no short decimal one (rpm).
   std::string decimal = {};
+  bool is_bare = false;  ///< without a unit
 };
 TypedNumber parse_typed(std::string_view text, Dimension dimension, const Place& place);
 

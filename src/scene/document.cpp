@@ -4,12 +4,15 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <set>
 #include <sstream>
 #include <utility>
 #include <vector>
 
 #include "base/identifiers.hpp"
 #include "scene/key_limits.hpp"
+#include "scene/section_keys.hpp"
+#include "scene/syntax.hpp"
 
 namespace vcrit::document {
 
@@ -24,14 +27,18 @@ const toml::table* as_table(const toml::node* node, const std::string& name,
   return node->as_table();
 }
 
-[[noreturn]] void refuse_key(const Place& place, const std::string& key, const std::string& section,
-                             const std::vector<std::string>& known) {
-  const auto meant = nearest(key, known);
-  throw InputError(
-      place,
-      fmt::format("unknown key \"{}\"{}", key, section.empty() ? "" : " in [" + section + "]"),
-      meant ? fmt::format("\"{}\"", *meant) : fmt::format("one of {}", fmt::join(known, ", ")));
+InputError unknown_key(const Place& place, const std::string& key, const std::string& section,
+                       const std::vector<std::string>& known) {
+  const std::string advice = advice_on_key(key, section);
+  const auto meant = advice.empty() ? nearest(key, known) : std::nullopt;
+  return {place,
+          fmt::format("unknown key \"{}\"{}", key, section.empty() ? "" : " in [" + section + "]"),
+          meant ? fmt::format("\"{}\"", *meant) : fmt::format("one of {}", fmt::join(known, ", ")),
+          advice};
 }
+
+// More lines than these that are no TOML are no scene.
+constexpr int most_wrong_lines = 100;
 
 }  // namespace
 
@@ -40,18 +47,26 @@ Place place_of(const toml::node& node, const std::string& file) {
   return {file, static_cast<int>(begin.line), static_cast<int>(begin.column)};
 }
 
-toml::table parse(const std::string& text, const std::string& file) {
+toml::table parse(const std::string& text, const std::string& file, Complaints& complaints) {
   if (text.size() > longest_scene)
     throw InputError({file}, fmt::format("a scene of more than {} bytes", longest_scene),
                      "a shorter one");
   check_keys(text, file);
-  try {
-    return toml::parse(text, file);
-  } catch (const toml::parse_error& error) {
-    const auto& begin = error.source().begin;
-    throw InputError({file, static_cast<int>(begin.line), static_cast<int>(begin.column)},
-                     fmt::format("no TOML ({})", error.description()), "a scene in TOML");
-  }
+  std::string left = text;
+  std::set<int> renamed;  // lines that have a name for a value
+  for (int i = 0;; ++i) try {
+      return toml::parse(left, file);
+    } catch (const toml::parse_error& error) {
+      const auto& begin = error.source().begin;
+      const int line = static_cast<int>(begin.line);
+      const InputError wrong = syntax_error(left, {file, line, static_cast<int>(begin.column)},
+                                            std::string(error.description()));
+      complaints.add(wrong);
+      const auto without = without_line(left, line, !renamed.insert(line).second);
+      if (!without || i == most_wrong_lines) throw wrong;
+      complaints.ignore_line(line);
+      left = *without;
+    }
 }
 
 std::string describe_node(const toml::node& node) {
@@ -65,15 +80,15 @@ std::string describe_node(const toml::node& node) {
 }
 
 Section::Section(const toml::node* node, std::string name, std::string file,
-                 std::initializer_list<const char*> keys)
+                 const std::vector<std::string>& keys, Complaints& complaints)
     : table_(as_table(node, name, file)), name_(std::move(name)), file_(std::move(file)) {
   if (table_ == nullptr) return;
-  const std::vector<std::string> known(keys.begin(), keys.end());
   for (const auto& [key, value] : *table_) {
-    if (std::find(known.begin(), known.end(), key.str()) != known.end()) continue;
+    if (std::find(keys.begin(), keys.end(), key.str()) != keys.end()) continue;
     const auto& begin = key.source().begin;
-    refuse_key({file_, static_cast<int>(begin.line), static_cast<int>(begin.column)},
-               std::string(key.str()), name_, known);
+    complaints.add(
+        unknown_key({file_, static_cast<int>(begin.line), static_cast<int>(begin.column)},
+                    std::string(key.str()), name_, keys));
   }
 }
 

@@ -4,10 +4,11 @@
 
 #include <toml++/toml.h>
 #include <cstddef>
-#include <initializer_list>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "base/complaints.hpp"
 #include "base/errors.hpp"
 
 namespace vcrit::document {
@@ -15,9 +16,10 @@ namespace vcrit::document {
 /// Bytes of a scene file (64 MiB): a million elements with a value each take less.
 constexpr std::size_t longest_scene = 1U << 26U;
 
-/// Throws InputError with line and column where the text is no TOML; for one that is longer than
-/// `longest_scene` or has too many dotted keys (key_limits.hpp).
-toml::table parse(const std::string& text, const std::string& file);
+/// Complains, with line and column, where the text is no TOML; where complaints are collected it
+/// goes on without the lines that are wrong. Throws InputError where it cannot go on, and for a
+/// text that is longer than `longest_scene` or has too many dotted keys (key_limits.hpp).
+toml::table parse(const std::string& text, const std::string& file, Complaints& complaints);
 
 /// What stands there, for messages: `"8 N/um"`, `12`, "an array".
 std::string describe_node(const toml::node& node);
@@ -25,10 +27,10 @@ std::string describe_node(const toml::node& node);
 /// One table of the file. A table that is not there has no keys.
 class Section {
  public:
-  /// `name` as in the file ("contact"; "" for the top level). Throws InputError for keys that are
-  /// not among `keys`, naming the nearest one.
+  /// `name` as in the file ("contact"; "" for the top level). Complains of keys that are not among
+  /// `keys`, naming the nearest one. Throws InputError where the node is no table.
   Section(const toml::node* node, std::string name, std::string file,
-          std::initializer_list<const char*> keys);
+          const std::vector<std::string>& keys, Complaints& complaints);
 
   bool exists() const { return table_ != nullptr; }
   const toml::node* find(std::string_view key) const;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "scene/members.hpp"
+#include "scene/section_keys.hpp"
 
 namespace vcrit {
 
@@ -60,7 +61,7 @@ Indenter read_indenter(const document::Section& section, const std::filesystem::
   const Form& form = form_named(name);
   std::vector<std::string> keys{"shape"};
   for (const Size& size : form.sizes) keys.emplace_back(size.key);
-  for (const char* key : indenter_keys)
+  for (const std::string& key : document::keys_of("indenter"))
     if (section.find(key) != nullptr && std::find(keys.begin(), keys.end(), key) == keys.end())
       throw InputError(section.place(key), fmt::format("{} beside shape = \"{}\"", key, name),
                        fmt::format("for {} no keys but {}", form.name, fmt::join(keys, ", ")));

@@ -2,16 +2,12 @@
 #pragma once
 
 #include <filesystem>
-#include <initializer_list>
 
 #include "scene/document.hpp"
 #include "scene/quantities.hpp"
 #include "scene/quantity.hpp"
 
 namespace vcrit {
-
-inline constexpr std::initializer_list<const char*> indenter_keys{"shape", "radius", "angle",
-                                                                  "prefactor", "exponent"};
 
 /// `folder`: where the name of a table begins. Throws InputError.
 Indenter read_indenter(const document::Section& section, const std::filesystem::path& folder,

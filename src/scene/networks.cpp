@@ -28,33 +28,50 @@ using document::place_of;
 
 constexpr const char* ground = "ground";
 
+/// Gives a variable another value until the end of the block, however that is left.
+template <class T>
+class Restored {
+ public:
+  Restored(T& variable, T value) : variable_(variable), before_(std::move(variable)) {
+    variable_ = std::move(value);
+  }
+  ~Restored() { variable_ = std::move(before_); }
+  Restored(const Restored&) = delete;
+  Restored& operator=(const Restored&) = delete;
+
+ private:
+  T& variable_;
+  T before_;
+};
+
 bool carries_mass(const Graph& graph) {
   return std::any_of(graph.parts.begin(), graph.parts.end(), has_masses);
 }
 
 }  // namespace
 
-Networks::Networks(const toml::table& document, std::string file)
+Networks::Networks(const toml::table& document, std::string file, Complaints& complaints)
     : file_(std::move(file)),
       of_half_space_(document.contains("indenter")),
       named_(document::table(document, "networks", file_)),
       elements_(document::table(document, "elements", file_)),
-      names_(elements_, file_) {
+      names_(elements_, file_),
+      complaints_(complaints) {
   if (named_ == nullptr) return;
   for (const auto& [key, value] : *named_) {
     const std::string name(key.str());
     const Place place = place_of(value, file_);
     if (const auto why = unsafe_as_identifier(name))
-      throw InputError(place, fmt::format("network \"{}\", a name that {}", name, *why),
-                       "another name");
+      complaints_.add(
+          {place, fmt::format("network \"{}\", a name that {}", name, *why), "another name"});
     if (elements_ != nullptr && elements_->contains(name))
-      throw InputError(place, fmt::format("\"{}\" as a network and as an element", name),
-                       "one of the two");
+      complaints_.add(
+          {place, fmt::format("\"{}\" as a network and as an element", name), "one of the two"});
   }
 }
 
 Network Networks::read(const std::string& text, const Place& place, int level) {
-  const Surroundings around{
+  Surroundings around{
       [this](const std::string& name, const Place& at, int depth) {
         return named(name, at, depth + 1);
       },
@@ -64,6 +81,8 @@ Network Networks::read(const std::string& text, const Place& place, int level) {
       [this](const std::string& name, const std::vector<std::string>& given, const Place& at,
              int depth) { return called(name, given, at, depth + 1); },
       arguments_};
+  if (complaints_.collects())
+    around.complain = [this](const InputError& complaint) { complaints_.add(complaint); };
   // The place is that of the opening quote.
   Network network = parse_expression(text, {place.file, place.line, place.column + 1}, around);
   check_size(network, place);
@@ -86,20 +105,19 @@ void Networks::read_unused() {
       const std::string name(key.str());
       if (has_arguments(name) != with_arguments || known_.contains(name) || called_.contains(name))
         continue;
-      read_unused(name, place_of(value, file_));
+      complaints_.attempt([&, &value = value] { read_unused(name, place_of(value, file_)); });
     }
 }
 
 // The arguments of one that nobody calls are no elements of the scene.
 void Networks::read_unused(const std::string& name, const Place& place) {
-  notes_uses_ = !has_arguments(name);
-  if (notes_uses_)
+  const bool is_plain = !has_arguments(name);
+  const Restored notes(notes_uses_, is_plain);
+  if (is_plain)
     named(name, place, 0);
   else
     called(name, arguments_of(name), place, 0);
-  notes_uses_ = true;
-  warnings_.push_back(
-      fmt::format("{}: network \"{}\" is not used by this scene", to_text(place), name));
+  warnings_.push_back({place, fmt::format("network \"{}\" is not used by this scene", name)});
 }
 
 std::optional<Network> Networks::named(const std::string& name, const Place& place, int level) {
@@ -140,11 +158,14 @@ Network Networks::read_definition(const std::string& name, std::map<std::string,
     throw InputError(place, fmt::format("network \"{}\" at level {}", name, level),
                      fmt::format("at most {} levels of brackets and named networks in one another",
                                  deepest_nesting));
-  std::swap(arguments_, meant);
-  Network network = read_named(name, *named_->get(name), level);
-  std::swap(arguments_, meant);
-  being_read_.erase(name);
-  return network;
+  // Also where it cannot be read, and the rest is.
+  const struct Leaving {
+    std::set<std::string>& networks;
+    const std::string& name;
+    ~Leaving() { networks.erase(name); }
+  } leaving{being_read_, name};
+  const Restored around(arguments_, std::move(meant));
+  return read_named(name, *named_->get(name), level);
 }
 
 std::vector<std::string> Networks::arguments_of(const std::string& name) const {
@@ -181,13 +202,14 @@ Network Networks::read_named(const std::string& name, const toml::node& node, in
                      fmt::format("network \"{}\" = {}", name, describe_node(node)),
                      "a network in quotes, or a table with terminals and edges");
   if (!table->contains("network")) return read_graph(name, *table, level);
-  const document::Section section(table, "networks." + name, file_, {"arguments", "network"});
+  const document::Section section(table, "networks." + name, file_, {"arguments", "network"},
+                                  complaints_);
   return read(section.text("network"), section.place("network"), level);
 }
 
 Network Networks::read_graph(const std::string& name, const toml::table& table, int level) {
   const document::Section section(&table, "networks." + name, file_,
-                                  {"arguments", "terminals", "edges"});
+                                  {"arguments", "terminals", "edges"}, complaints_);
   const toml::node* terminals = section.find("terminals");
   const toml::node* edges = section.find("edges");
   const std::string expected_terminals = "terminals = [\"a\", \"b\"], two different nodes";
@@ -217,11 +239,10 @@ Network Networks::read_graph(const std::string& name, const toml::table& table, 
         "a path of edges between them");
   for (const std::size_t i : loaded->left_out)
     warnings_.push_back(
-        fmt::format("{}: edge {} of network \"{}\" (\"{}\" to \"{}\") carries no load "
-                    "and is left out",
-                    to_text(section.place(*edges->as_array()->get(i))), i + 1, name,
-                    graph.nodes[static_cast<std::size_t>(graph.wires[i].from)],
-                    graph.nodes[static_cast<std::size_t>(graph.wires[i].to)]));
+        {section.place(*edges->as_array()->get(i)),
+         fmt::format("edge {} of network \"{}\" (\"{}\" to \"{}\") carries no load and is left out",
+                     i + 1, name, graph.nodes[static_cast<std::size_t>(graph.wires[i].from)],
+                     graph.nodes[static_cast<std::size_t>(graph.wires[i].to)])});
   Network network{std::move(loaded->graph)};
   check_size(network, section.place("edges"));
   return network;

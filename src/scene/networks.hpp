@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/complaints.hpp"
 #include "base/units.hpp"
 #include "network/law.hpp"
 #include "network/network.hpp"
@@ -19,7 +20,7 @@ namespace vcrit {
 
 class Networks {
  public:
-  Networks(const toml::table& document, std::string file);
+  Networks(const toml::table& document, std::string file, Complaints& complaints);
 
   /// The network written as `text` at `place` (of the opening quote), as deep in brackets as
   /// `level` says. Throws InputError, also for networks that are too deep or too large.
@@ -31,7 +32,7 @@ class Networks {
   const std::map<std::string, ElementUse>& uses() const { return uses_; }
   /// What [elements] calls them.
   ElementNames& names() { return names_; }
-  const std::vector<std::string>& warnings() const { return warnings_; }
+  const std::vector<Warning>& warnings() const { return warnings_; }
 
  private:
   /// The nodes of a graph that is being read, and the place of each among them.
@@ -73,7 +74,8 @@ class Networks {
   std::map<std::string, std::string> arguments_;  // of the network that is being read
   bool notes_uses_ = true;
   std::map<std::string, ElementUse> uses_;
-  std::vector<std::string> warnings_;
+  std::vector<Warning> warnings_;
+  Complaints& complaints_;
   std::size_t elements_read_ = 0;
 };
 

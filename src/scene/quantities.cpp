@@ -23,6 +23,9 @@ const std::set<std::string>& keys() {
   return all;
 }
 
+// What `vcrit new` writes in the place of a value.
+constexpr const char* to_be_filled_in = "?";
+
 // No name of a scene has this character.
 constexpr char other_mark = '~';
 
@@ -44,12 +47,16 @@ double checked(double value, const Range& range, const std::string& name, const 
 std::optional<TypedNumber> number(const toml::node& node, Dimension dimension,
                                   const std::string& name, const Place& place) {
   // Not node.value<double>(), which has none for an integer that no double equals.
-  if (node.is_integer()) return TypedNumber{static_cast<double>(node.ref<std::int64_t>()), {}};
-  if (node.is_floating_point()) return TypedNumber{node.ref<double>(), {}};
+  if (node.is_integer())
+    return TypedNumber{static_cast<double>(node.ref<std::int64_t>()), {}, true};
+  if (node.is_floating_point()) return TypedNumber{node.ref<double>(), {}, true};
   if (!node.is_string())
     throw InputError(place, fmt::format("{} = {}", name, document::describe_node(node)),
                      describe(dimension));
   if (bare_name(node)) return std::nullopt;
+  if (node.ref<std::string>() == to_be_filled_in)
+    throw InputError(place, fmt::format("{} = \"{}\"", name, to_be_filled_in), describe(dimension),
+                     fmt::format("{} still has its question mark: put its value there", name));
   return parse_typed(node.ref<std::string>(), dimension, place);
 }
 
@@ -84,25 +91,37 @@ std::string own_name_of(const std::string& name, bool has_body) {
 Quantity Quantities::read(const document::Section& section, const char* key,
                           const std::string& symbol, Dimension dimension, const Range& range) {
   Quantity quantity{{symbol}, std::nullopt};
+  complaints_.attempt([&] { read_value(quantity, section, key, dimension, range); });
+  return quantity;
+}
+
+void Quantities::read_value(Quantity& quantity, const document::Section& section, const char* key,
+                            Dimension dimension, const Range& range) {
+  const Symbol& symbol = quantity.symbol;
   const toml::node* node = section.find(key);
   const auto given = node == nullptr ? std::nullopt : bare_name(*node);
-  const std::string name = given.value_or(symbol);
+  const std::string name = given.value_or(symbol.name);
   if (given && *given != key) check_symbol_name(*given, "a symbol", section.place(key));
-  read_.push_back({key, symbol, name, section.place(key)});
+  read_.push_back({key, symbol.name, name, section.place(key)});
   if (key != name) refuse_both(key, name);
   for (const std::string& either : {std::string(key), name})
-    if (const auto value = settings_.take(either, dimension, {symbol})) {
+    if (const auto value = settings_.take(either, dimension, symbol)) {
       quantity.value = checked(value->value, range, either, OverridingValues::place(either));
-      typed_[{symbol}] = *value;
+      note(symbol, key, *value, {});
     }
-  if (node == nullptr || given) return quantity;
+  if (node == nullptr || given) return;
   const auto value = number(*node, dimension, key, section.place(key));
-  if (!value) return quantity;
+  if (!value) return;
   checked(value->value, range, key, section.place(key));
-  if (quantity.value) return quantity;
+  if (quantity.value) return;
   quantity.value = value->value;
-  typed_[{symbol}] = *value;
-  return quantity;
+  note(symbol, key, *value, section.place(key));
+}
+
+void Quantities::note(const Symbol& symbol, const char* key, const TypedNumber& number,
+                      const Place& place) {
+  typed_[symbol] = number;
+  if (number.is_bare) bare_.push_back({key, number.value, place});
 }
 
 void Quantities::refuse_equal_names() const {

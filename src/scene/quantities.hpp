@@ -8,7 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "base/complaints.hpp"
 #include "base/units.hpp"
+#include "scene/bare_numbers.hpp"
 #include "scene/document.hpp"
 #include "scene/quantity.hpp"
 #include "scene/settings.hpp"
@@ -46,11 +48,11 @@ std::string own_name_of(const std::string& name, bool has_body);
 class Quantities {
  public:
   /// `typed`: where they are kept as they were typed.
-  Quantities(const Settings& settings, std::map<Symbol, TypedNumber>& typed)
-      : settings_(settings), typed_(typed) {}
+  Quantities(const Settings& settings, std::map<Symbol, TypedNumber>& typed, Complaints& complaints)
+      : settings_(settings), typed_(typed), complaints_(complaints) {}
 
   /// The value under `key`, unless --set gives one for the key or for the symbol's name. That is
-  /// `symbol`, unless a bare name stands for the value.
+  /// `symbol`, unless a bare name stands for the value. Complains of what is no such value.
   Quantity read(const document::Section& section, const char* key, const std::string& symbol,
                 Dimension dimension, const Range& range);
   /// Throws InputError where two of the quantities read would have one name.
@@ -59,6 +61,9 @@ class Quantities {
   std::map<std::string, std::string> names() const;
   /// Two names of one quantity, of which --set may give one.
   void refuse_both(const std::string& name, const std::string& other) const;
+
+  /// Those without a unit.
+  const std::vector<BareNumber>& bare() const { return bare_; }
 
   OverridingValues& settings() { return settings_; }
   const OverridingValues& settings() const { return settings_; }
@@ -69,9 +74,15 @@ class Quantities {
     Place place;
   };
 
+  void read_value(Quantity& quantity, const document::Section& section, const char* key,
+                  Dimension dimension, const Range& range);
+  void note(const Symbol& symbol, const char* key, const TypedNumber& number, const Place& place);
+
   OverridingValues settings_;
   std::vector<Named> read_;
   std::map<Symbol, TypedNumber>& typed_;
+  Complaints& complaints_;
+  std::vector<BareNumber> bare_;
 };
 
 }  // namespace vcrit

@@ -7,21 +7,26 @@
 #include <filesystem>
 #include <optional>
 #include <set>
+#include <tuple>
 #include <utility>
+#include <vector>
 
+#include "base/complaints.hpp"
 #include "base/constants.hpp"
 #include "base/files.hpp"
-#include "base/identifiers.hpp"
 #include "base/units.hpp"
 #include "network/masses.hpp"
+#include "scene/bare_numbers.hpp"
 #include "scene/document.hpp"
-#include "scene/element_expressions.hpp"
+#include "scene/element_values.hpp"
+#include "scene/findings.hpp"
 #include "scene/fitted_range.hpp"
 #include "scene/indenter.hpp"
 #include "scene/networks.hpp"
 #include "scene/part_networks.hpp"
 #include "scene/quantities.hpp"
 #include "scene/scene.hpp"
+#include "scene/section_keys.hpp"
 
 namespace vcrit {
 
@@ -32,43 +37,75 @@ using document::Section;
 
 class Reader {
  public:
-  Reader(const std::string& text, const std::string& file, const Settings& settings)
-      : document_(document::parse(text, file)),
+  Reader(const std::string& text, const std::string& file, const Settings& settings,
+         Complaints& complaints)
+      : complaints_(complaints),
+        document_(document::parse(text, file, complaints)),
         file_(file),
-        networks_(document_, file),
-        quantities_(settings, scene_.typed) {
+        networks_(document_, file, complaints),
+        quantities_(settings, scene_.typed, complaints),
+        elements_(document_, file, networks_, quantities_, scene_, complaints) {
     scene_.file = file;
     scene_.text = text;
     scene_.settings = settings;
   }
 
+  /// Of no use where there are complaints.
   Scene read() {
-    const Section top(&document_, "", file_,
-                      {"title", "contact", "indenter", "drive", "body", "oscillation", "friction",
-                       "elements", "networks"});
-    if (top.find("title") != nullptr) scene_.title = top.text("title");
-    read_contact();
-    read_drive();
-    read_indenter();
+    const Section top(&document_, "", file_, document::keys_of(""), complaints_);
+    read_part([&] {
+      if (top.find("title") != nullptr) scene_.title = top.text("title");
+    });
+    read_part([&] { read_contact(); });
+    read_part([&] { read_drive(); });
+    read_part([&] { read_indenter(); });
     networks_.read_unused();
-    read_body();
-    read_oscillation();
-    read_friction();
-    quantities_.refuse_equal_names();
+    read_part([&] { read_body(); });
+    read_part([&] { read_oscillation(); });
+    read_part([&] { read_friction(); });
+    read_part([&] { quantities_.refuse_equal_names(); });
     scene_.names = quantities_.names();
-    read_elements();
+    read_part([&] { elements_.read(); });
+    if (complaints_.any())
+      warn_of_bare_numbers();
+    else
+      read_part([&] { finish(); });
+    return std::move(scene_);
+  }
+
+  const std::vector<Warning>& warnings() const { return warnings_; }
+
+ private:
+  template <class Part>
+  void read_part(const Part& part) {
+    complaints_.attempt(part);
+  }
+
+  // What takes a scene that is whole.
+  void finish() {
+    elements_.rename_elements();
+    warn_all(elements_.warnings());
     settings().refuse_untaken();
     scene_.settable = settings().known();
     scene_.named = settings().named();
     leave_out_zeros();
     collect_elements();
-    std::copy(networks_.warnings().begin(), networks_.warnings().end(),
-              std::back_inserter(scene_.warnings));
+    warn_all(networks_.warnings());
     warn_beyond_the_data();
-    return std::move(scene_);
+    warn_of_bare_numbers();
+    for (const Warning& warning : warnings_) scene_.warnings.push_back(to_text(warning));
   }
 
- private:
+  void warn_of_bare_numbers() {
+    if (std::any_of(scene_.typed.begin(), scene_.typed.end(),
+                    [](const auto& typed) { return !typed.second.is_bare; }))
+      warn_all(suspicious_bare_numbers(quantities_.bare()));
+  }
+
+  void warn_all(const std::vector<Warning>& warnings) {
+    warnings_.insert(warnings_.end(), warnings.begin(), warnings.end());
+  }
+
   Network network(const Section& section, const char* key) {
     return networks_.read(section.text(key), section.place(key));
   }
@@ -82,12 +119,15 @@ class Reader {
   }
 
   void read_contact() {
-    const Section contact = section("contact", {"normal", "poisson", "tangential_ratio",
-                                                "tangential", "separation", "fitted_range"});
+    const Section contact = section("contact");
     if (!contact.exists()) throw InputError({file_}, "no [contact]", "a section [contact]");
-    scene_.normal = contact_network(contact, "normal");
-    scene_.separation = flag(contact, "separation");
-    scene_.fitted_range = read_fitted_range(contact);
+    read_part([&] { scene_.normal = contact_network(contact, "normal"); });
+    read_part([&] { scene_.separation = flag(contact, "separation"); });
+    read_part([&] { scene_.fitted_range = read_fitted_range(contact); });
+    read_tangential(contact);
+  }
+
+  void read_tangential(const Section& contact) {
     const auto given = std::count_if(ways_.begin(), ways_.end(),
                                      [&](const char* key) { return contact.find(key) != nullptr; });
     if (given != 1)
@@ -127,11 +167,11 @@ class Reader {
     const std::optional<double>& omega = scene_.angular_frequency.value;
     if (!omega) return;
     if (const auto warning = beyond_fitted_range(scene_.fitted_range, file_, *omega, *omega))
-      scene_.warnings.push_back(*warning);
+      warnings_.push_back({{}, *warning});
   }
 
   void read_drive() {
-    const Section drive = section("drive", {"network", "receptance"});
+    const Section drive = section("drive");
     if (!drive.exists()) return;
     if (drive.find("receptance") != nullptr) return read_measured(drive);
     scene_.drive = network(drive, "network");
@@ -148,7 +188,7 @@ class Reader {
   }
 
   void read_indenter() {
-    const Section indenter = section("indenter", indenter_keys);
+    const Section indenter = section("indenter");
     if (!indenter.exists()) return;
     refuse_beside_indenter(indenter);
     scene_.indenter =
@@ -172,7 +212,7 @@ class Reader {
   }
 
   void read_body() {
-    const Section body = section("body", {"mass"});
+    const Section body = section("body");
     if (!body.exists()) return;
     if (body.find("mass") == nullptr)
       throw InputError(body.place(""), "[body] without mass",
@@ -182,14 +222,12 @@ class Reader {
     if (gives())
       scene_.mass = mass;
     else
-      scene_.warnings.push_back(
-          fmt::format("{}: under a rigid drive the mass has no effect and is left out",
-                      to_text(body.place("mass"))));
+      warnings_.push_back(
+          {body.place("mass"), "under a rigid drive the mass has no effect and is left out"});
   }
 
   void read_oscillation() {
-    const Section oscillation =
-        section("oscillation", {"frequency", "angular_frequency", "amplitude", "indentation"});
+    const Section oscillation = section("oscillation");
     if (oscillation.find("frequency") != nullptr &&
         oscillation.find("angular_frequency") != nullptr)
       throw InputError(oscillation.place("angular_frequency"), "frequency and angular_frequency",
@@ -210,144 +248,17 @@ class Reader {
   }
 
   void read_friction() {
-    const Section friction = section("friction", {"coefficient"});
+    const Section friction = section("friction");
     scene_.coefficient =
         quantities_.read(friction, "coefficient", "mu0", Dimension::none, nonnegative);
   }
 
-  Section section(const char* name, std::initializer_list<const char*> keys) const {
-    return {document_.get(name), name, file_, keys};
-  }
-
-  void read_elements() {
-    const toml::table* elements = document::table(document_, "elements", file_);
-    std::set<std::string> taken;
-    for (const auto& [name, dimension] : settings().known()) taken.insert(name);
-    auto uses = networks_.names().resolve(networks_.uses());
-    expressions_.emplace(elements, file_, networks_.names(), uses, document_.contains("indenter"));
-    uses.insert(expressions_->parameters().begin(), expressions_->parameters().end());
-    for (const auto& [element, text] : expressions_->all())
-      scene_.expressions[to_text(element)] = text;
-    for (const auto& [name, use] : uses) {
-      refuse_clash(name, use, taken);
-      if (const std::string own_name = own({name}).name; own_name != name)
-        scene_.names[own_name] = name;
-      read_element(name, use, elements == nullptr ? nullptr : elements->get(name));
-    }
-    read_other_keys(uses);
-    rename_elements();
-    expressions_->refuse_divisions([this](const Symbol& part) { return is_zero(own(part)); });
-    if (elements == nullptr) return;
-    for (const auto& [key, value] : *elements)
-      if (!uses.contains(std::string(key.str())) &&
-          !networks_.names().is_used(std::string(key.str())) &&
-          !expressions_->is_used(std::string(key.str())))
-        scene_.warnings.push_back(fmt::format("{}: element \"{}\" is in no network of this scene",
-                                              to_text(document::place_of(value, file_)),
-                                              std::string(key.str())));
-  }
-
-  // Without a body, m is free for a mass of the drive.
-  void refuse_clash(const std::string& name, const ElementUse& use,
-                    std::set<std::string> taken) const {
-    if (!has_body() && use.dimension != Dimension::mass) taken.insert("m");
-    check_symbol_name(name, "an element", use.place, std::move(taken));
-    const toml::table* networks = document::table(document_, "networks", file_);
-    if (networks != nullptr && networks->contains(name))
-      throw InputError(use.place, fmt::format("\"{}\" as a network and as an element", name),
-                       "one of the two");
-  }
-
-  // --set may name the key of an element that is called otherwise, as it may name the keys of
-  // quantities, unless other elements are called so as well.
-  void read_other_keys(const ElementNames::Uses& uses) {
-    for (const auto& [key, element] : networks_.names().sole()) {
-      if (expressions_->has(element)) {
-        refuse_to_set(key, element);
-        continue;
-      }
-      quantities_.refuse_both(to_text(element), key);
-      const auto set = settings().take(key, uses.at(element.name).dimension, own(element));
-      if (set) put(own(element), *set, OverridingValues::place(key));
-    }
-    for (const auto& [key, element] : networks_.names().shared())
-      if (settings().has(key))
-        throw InputError(OverridingValues::place(key),
-                         fmt::format("\"{}\", which this scene calls {}, as other elements", key,
-                                     to_text(element)),
-                         fmt::format("\"{}\", which sets them all", to_text(element)));
-  }
-
-  // By what an element is known in the program, which may have a quantity that is called otherwise
-  // in this scene, but so there.
-  Symbol own(const Symbol& element) const {
-    return {own_name_of(element.name, scene_.names.contains("m")), element.entry};
-  }
-
-  void rename_elements() {
-    const auto name = [this](const Symbol& symbol) {
-      return expressions_->amount(networks_.names().of(symbol),
-                                  [this](const Symbol& element) { return own(element); });
-    };
-    rename(scene_.normal, name);
-    if (auto* tangential = std::get_if<Network>(&scene_.tangential)) rename(*tangential, name);
-    if (scene_.drive) rename(*scene_.drive, name);
-  }
-
-  // Whose number is that of an expression.
-  void refuse_to_set(const std::string& key, const Symbol& element) const {
-    if (quantities_.settings().has(key))
-      refuse_expression(scene_, to_text(element), OverridingValues::place(key));
-  }
-
-  void read_element(const std::string& name, const ElementUse& use, const toml::node* node) {
-    if (use.length > 0) return read_array(name, use, node);
-    if (expressions_->has({name})) return refuse_to_set(name, {name});
-    const Symbol symbol = own({name});
-    const auto set = settings().take(name, use.dimension, symbol);
-    if (set) put(symbol, *set, OverridingValues::place(name));
-    if (node == nullptr) return;
-    const Place place = document::place_of(*node, file_);
-    const auto value = number(*node, use.dimension, name, place);
-    if (value && !set) put(symbol, *value, place);
-  }
-
-  void read_array(const std::string& name, const ElementUse& use, const toml::node* node) {
-    scene_.arrays[own({name}).name] = use.length;
-    if (node != nullptr && !node->is_array())
-      throw InputError(document::place_of(*node, file_),
-                       fmt::format("{} = {}", name, describe_node(*node)),
-                       fmt::format("an array of {} entries", use.length));
-    for (int entry = 1; entry <= use.length; ++entry) {
-      if (networks_.names().is_used(to_text(Symbol{name, entry}))) continue;
-      const Symbol symbol = own({name, entry});
-      const std::string label = to_text(Symbol{name, entry});
-      if (expressions_->has({name, entry})) {
-        refuse_to_set(label, {name, entry});
-        continue;
-      }
-      const auto set = settings().take(label, use.dimension, symbol);
-      if (set) put(symbol, *set, OverridingValues::place(label));
-      if (node == nullptr) continue;
-      const toml::node& item = *node->as_array()->get(static_cast<std::size_t>(entry - 1));
-      const Place place = document::place_of(item, file_);
-      const auto value = number(item, use.dimension, label, place);
-      if (value && !set) put(symbol, *value, place);
-    }
-  }
-
-  void put(const Symbol& symbol, const TypedNumber& number, const Place& place) {
-    values_[symbol] = checked(number.value, nonnegative, to_text(as_called(scene_, symbol)), place);
-    scene_.typed[symbol] = number;
-  }
-
-  bool is_zero(const Symbol& symbol) const {
-    const auto value = values_.find(symbol);
-    return value != values_.end() && value->second == 0;
+  Section section(const char* name) const {
+    return {document_.get(name), name, file_, document::keys_of(name), complaints_};
   }
 
   void leave_out_zeros() {
-    const auto zero = [this](const Symbol& symbol) { return is_zero(symbol); };
+    const auto zero = [this](const Symbol& symbol) { return elements_.is_zero(symbol); };
     scene_.normal = without_zeros(scene_.normal, zero, "normal", file_);
     if (auto* tangential = std::get_if<Network>(&scene_.tangential)) {
       *tangential = without_zeros(*tangential, zero, "tangential", file_);
@@ -363,9 +274,7 @@ class Reader {
     const auto add = [&](const Network& network) {
       for (const Symbol& symbol : symbols_of(network)) {
         if (!seen.insert(symbol).second) continue;
-        const auto value = values_.find(symbol);
-        scene_.elements.emplace_back(
-            symbol, value == values_.end() ? std::nullopt : std::optional(value->second));
+        scene_.elements.emplace_back(symbol, elements_.value(symbol));
       }
     };
     add(scene_.normal);
@@ -376,23 +285,46 @@ class Reader {
   OverridingValues& settings() { return quantities_.settings(); }
 
   static constexpr std::array<const char*, 3> ways_{"poisson", "tangential_ratio", "tangential"};
+  Complaints& complaints_;
   toml::table document_;
   std::string file_;
+  Scene scene_;
   Networks networks_;
   Quantities quantities_;
-  std::optional<ElementExpressions> expressions_;  // once networks and --set have been read
-  Values values_;
-  Scene scene_;
+  ElementValues elements_;
+  std::vector<Warning> warnings_;
 };
+
+/// Those of the scene's own file first, by line.
+std::vector<Warning> sorted(std::vector<Warning> warnings) {
+  std::stable_sort(warnings.begin(), warnings.end(), [](const Warning& a, const Warning& b) {
+    return std::tie(a.place.line, a.place.column) < std::tie(b.place.line, b.place.column);
+  });
+  return warnings;
+}
 
 }  // namespace
 
 Scene parse_scene(const std::string& text, const std::string& file, const Settings& settings) {
-  return Reader(text, file, settings).read();
+  Complaints first;
+  return Reader(text, file, settings, first).read();
 }
 
 Scene read_scene(const std::string& file, const Settings& settings) {
   return parse_scene(read_file(file, document::longest_scene), file, settings);
+}
+
+SceneFindings examine_scene(const std::string& text, const std::string& file) {
+  Complaints complaints(Complaints::Mode::all);
+  SceneFindings found;
+  complaints.attempt([&] {
+    Reader reader(text, file, {}, complaints);
+    Scene scene = reader.read();
+    found.warnings = sorted(reader.warnings());
+    if (!complaints.any()) found.scene = std::move(scene);
+  });
+  found.errors = complaints.sorted();
+  return found;
 }
 
 }  // namespace vcrit
