@@ -3,7 +3,10 @@
 #include <fmt/core.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <utility>
 
 #include "base/errors.hpp"
 #include "network/law.hpp"
@@ -13,7 +16,7 @@ namespace vcrit::rules {
 namespace {
 
 // {du_z}, {u_z0}, {mu0} are names; {amplitude} and {indentation} are in m, {oscillating} and {mean}
-// in N, {share} is one over the other.
+// in N, {share} is one over the other, {closed} the amplitude up to which the contact stays closed.
 struct Cell {
   Ruling verdict = Ruling::unset;
   const char* reason = "";
@@ -66,19 +69,29 @@ constexpr Cell no_indentation =
 constexpr Cell never_closes = refused("the contact never closes");
 constexpr Cell never_closed =
     refused("without an indentation {u_z0} the contact opens at every amplitude");
+// What keeps a contact closed that must not open, and what lets it.
+constexpr const char* let_it_open =
+    "take an amplitude below {closed}, or let the contact open: separation = true in [contact]";
 constexpr Cell too_large = refused(
     "the amplitude {du_z} = {amplitude} m is not below the indentation {u_z0} = {indentation} m "
-    "(3)");
+    "(Eq. 3)",
+    let_it_open);
+// The same of a contact that may open, asked where it stays closed.
+constexpr Cell too_large_anywhere = refused(too_large.reason);
 constexpr Cell opens_closed = refused(
     "the contact opens: the normal force oscillates by {du_z} |K_n| = {oscillating:.6g} N about a "
-    "mean of K_n(0) {u_z0} = {mean:.6g} N (4)");
+    "mean of K_n(0) {u_z0} = {mean:.6g} N (Eq. 4)",
+    let_it_open);
 constexpr Cell opens_moving = refused(
-    "the contact opens: F_n oscillates by {oscillating:.6g} N about a mean of {mean:.6g} N (4)");
+    "the contact opens: F_n oscillates by {oscillating:.6g} N about a mean of {mean:.6g} N (Eq. 4)",
+    let_it_open);
 constexpr Cell opens_all_over = refused(
     "the contact opens all over: at its centre, too, the pressure would oscillate beyond its mean "
-    "(4)");
+    "(Eq. 4)",
+    let_it_open);
 constexpr Cell opens_at_tip = refused(
-    "the contact opens all over: at the tip F_n oscillates by {share:.6g} times its mean (4)");
+    "the contact opens all over: at the tip F_n oscillates by {share:.6g} times its mean (Eq. 4)",
+    let_it_open);
 
 constexpr Cell memory = left_out(
     "the contact point follows the normal deformation with memory, also where the contact opens");
@@ -177,7 +190,7 @@ constexpr std::array<Row, questions> table{{
     {Question::closed_range,
      {y, y, y, y, y, y, y, y,
       y, y, y, y, never_closed, never_closed,
-      too_large, too_large, y, y, y, y}},
+      too_large_anywhere, too_large_anywhere, y, y, y, y}},
     {Question::closed_amplitude,
      {y, y, y, y, y, y, y, y,
       y, y, y, y, never_closed, never_closed,
@@ -200,6 +213,30 @@ const Cell& entry(Question question, SceneKind kind) {
   return table[static_cast<std::size_t>(question)].cells[static_cast<std::size_t>(kind)];
 }
 
+/// In four digits, rounded down, so that what is below it is below `length` (m).
+std::string rounded_down(double length) {
+  if (!(length > 0)) return "0 m";
+  constexpr std::array<std::pair<double, const char*>, 4> units{
+      {{1, "m"}, {1e-3, "mm"}, {1e-6, "um"}, {1e-9, "nm"}}};
+  constexpr double least = 0.01;  // 0.3968 um, but 3.968 nm
+  const auto unit = std::find_if(units.begin(), units.end() - 1,
+                                 [&](const auto& each) { return length >= least * each.first; });
+  const double value = length / unit->first;
+  const double step = std::pow(10, std::floor(std::log10(value)) - 3);
+  constexpr double rounding = 1e-12;  // 0.5 um is 499.99999999999994 nm
+  return fmt::format("{:.4g} {}", std::floor(value / step * (1 + rounding)) * step, unit->second);
+}
+
+/// The amplitude (m) at which (3) or (4) would be broken.
+double closed_below(const Facts& facts) {
+  const Problem& problem = facts.problem();
+  const double indentation = facts.value(problem->indentation);
+  const long double oscillating = facts.oscillating_force();
+  if (!(oscillating > 0)) return indentation;
+  const long double amplitude = facts.value(problem->amplitude);
+  return std::min(indentation, static_cast<double>(amplitude / oscillating * facts.mean_force()));
+}
+
 std::string filled(const std::string& pattern, const Facts& facts) {
   if (pattern.find('{') == std::string::npos) return pattern;
   const Problem& problem = facts.problem();
@@ -211,6 +248,7 @@ std::string filled(const std::string& pattern, const Facts& facts) {
                      fmt::arg("amplitude", facts.value(problem->amplitude)),
                      fmt::arg("indentation", facts.value(problem->indentation)),
                      fmt::arg("oscillating", oscillating), fmt::arg("mean", mean),
+                     fmt::arg("closed", rounded_down(closed_below(facts))),
                      fmt::arg("share", oscillating / mean));
 }
 
@@ -222,6 +260,7 @@ void for_each_refusal(Question question, const Facts& facts, const Use& use) {
     if (entry(question, kind).verdict == Ruling::yes || !facts.is(kind)) continue;
     Answer found = cell(question, kind);
     found.reason = filled(found.reason, facts);
+    found.advice = filled(found.advice, facts);
     if (!use(found)) return;
   }
 }

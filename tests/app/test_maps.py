@@ -314,7 +314,7 @@ class Processes(Case):
                 ([*VELOCITY, "--out", str(self.folder / "map.csv")], 2, "under mpirun"),
                 ([*VELOCITY, "--out", str(self.folder / "map.xls")], 2, "a file ending in"),
                 ([ZENER, "--over", "amplitude=lin:1 mm:2 mm:9", "--velocity", "1", "--quantity", "friction_ratio",
-                  "--out", str(self.folder / "map.h5")], 3, "(3)")]:
+                  "--out", str(self.folder / "map.h5")], 3, "(Eq. 3)")]:
             result = sweep(*arguments, mpi=2)
             self.assertEqual(result.returncode, status, result.stderr)
             self.assertEqual(result.stderr.count("vcrit: "), 1, result.stderr)

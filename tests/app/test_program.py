@@ -308,7 +308,7 @@ class Sweep(Case):
                 (2, "mass=lin:1:2:3", "friction_ratio", "at no speed"),
                 (2, "frequncy=lin:1:2:3", "friction_ratio", "frequency"),
                 (2, "frequency=lin:0:2:3", "critical_velocity", "above 0"),
-                (3, "amplitude=lin:1 mm:2 mm:3", "friction_ratio", "(3)", "--velocity", "1"),
+                (3, "amplitude=lin:1 mm:2 mm:3", "friction_ratio", "(Eq. 3)", "--velocity", "1"),
                 (2, "mass=lin:1:2:3", "critical_velocity", ".csv", "--out", "a.xls")]:
             out = [] if "--out" in rest else ["--out", "table.csv"]
             self.refused(status, ["sweep", KELVIN, "--over", axis, "--quantity", quantity, *out, *rest], words)

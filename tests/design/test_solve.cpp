@@ -221,7 +221,7 @@ BOOST_AUTO_TEST_CASE(wrong_questions_are_refused) {
   for (const Sought sought : {Sought::amplitude, Sought::frequency, Sought::velocity})
     BOOST_TEST(
         has(refusal(question("measured_drive.toml", sought, 0.9, 0.001)), "measured receptance"));
-  BOOST_TEST(has(refusal(question("inadmissible.toml", Sought::velocity, 0.9)), "(4)"));
+  BOOST_TEST(has(refusal(question("inadmissible.toml", Sought::velocity, 0.9)), "(Eq. 4)"));
 }
 
 }  // namespace

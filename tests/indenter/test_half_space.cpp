@@ -96,12 +96,12 @@ BOOST_AUTO_TEST_CASE(from_above) {
 
 BOOST_AUTO_TEST_CASE(outside_the_model) {
   const std::string spring = "k0 = \"5 GPa\"";
-  BOOST_TEST(refused(reference::scene_of(parabola, 5e-7, 5e-7, "k0", spring, false), "(3)"));
+  BOOST_TEST(refused(reference::scene_of(parabola, 5e-7, 5e-7, "k0", spring, false), "(Eq. 3)"));
   BOOST_TEST(!refused(reference::scene_of(parabola, 5e-7, 4.9e-7, "k0", spring, false), "("));
   BOOST_TEST(refused(reference::scene_of(parabola, 0, 0), "never closes"));
   BOOST_TEST(refused(
       reference::scene_of(parabola, 5e-7, 4e-7, "k0 | c0", spring + "\nc0 = \"100 kPa s\"", false),
-      "(4)"));
+      "(Eq. 4)"));
   BOOST_TEST(
       refused(reference::scene_of(parabola, 5e-7, 4e-7, "k0 - c0", spring + "\nc0 = \"100 kPa s\""),
               "no static load"));

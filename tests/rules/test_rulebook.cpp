@@ -245,17 +245,29 @@ BOOST_AUTO_TEST_CASE(who_is_refused_by_the_rulebook_is_refused_in_its_words) {
   });
 }
 
+// 0.8 m times 1/sqrt 2, rounded down; (3) with K_n = K_n(0) is (4).
+BOOST_AUTO_TEST_CASE(an_amplitude_that_keeps_the_contact_closed_is_named) {
+  const auto advice = [](Question question, SceneKind kind) {
+    const Scene scene = scene_of(kind);
+    return answer(question, scene).advice;
+  };
+  const std::string separation = ", or let the contact open: separation = true in [contact]";
+  BOOST_TEST(advice(Question::motion, SceneKind::opening) ==
+             "take an amplitude below 0.7071 m" + separation);
+  BOOST_TEST(advice(Question::closed_range, SceneKind::deep_amplitude).empty());
+}
+
 BOOST_AUTO_TEST_CASE(numbers_stand_in_the_words) {
   BOOST_TEST(words(Question::motion, SceneKind::amplitude_too_large) ==
-             "the amplitude du_z = 1 m is not below the indentation u_z0 = 1 m (3)");
+             "the amplitude du_z = 1 m is not below the indentation u_z0 = 1 m (Eq. 3)");
   // |1 + i| = sqrt 2
   BOOST_TEST(words(Question::motion, SceneKind::opening) ==
-             "the contact opens: F_n oscillates by 1.13137 N about a mean of 1 N (4)");
+             "the contact opens: F_n oscillates by 1.13137 N about a mean of 1 N (Eq. 4)");
   BOOST_TEST(words(Question::admissible, SceneKind::opening) ==
              "the contact opens: the normal force oscillates by du_z |K_n| = 1.13137 N about a "
-             "mean of K_n(0) u_z0 = 1 N (4)");
+             "mean of K_n(0) u_z0 = 1 N (Eq. 4)");
   BOOST_TEST(words(Question::motion_below_indenter, SceneKind::opening_below_indenter) ==
-             "the contact opens all over: at the tip F_n oscillates by 1.13137 times its mean (4)");
+             "the contact opens all over: at the tip F_n oscillates by 1.13137 times its mean (Eq. 4)");
   BOOST_TEST(words(Question::motion, SceneKind::no_friction) ==
              "with mu0 = 0 there is no friction to compare with");
   BOOST_TEST(words(Question::mean_load, SceneKind::no_indentation) ==

@@ -12,6 +12,7 @@
 BOOST_AUTO_TEST_SUITE(test_indenter_section)
 
 using namespace vcrit;
+using test::has;
 
 namespace {
 
@@ -76,12 +77,12 @@ BOOST_AUTO_TEST_CASE(networks_are_moduli) {
   BOOST_TEST(values.at({"c"}) == 3);
   BOOST_TEST(values.at({"radius"}) == 0.01);
   BOOST_TEST(
-      message(scene_of("poisson = 0.3",
-                       "k = \"8 N/um\"\n[indenter]\nshape = \"flat\"\nradius = 1\n")) ==
-      "s.toml:11:5: found \"8 N/um\" (a unit of another dimension); expected a modulus in Pa");
-  BOOST_TEST(message(scene_of("poisson = 0.3", "k = \"5 GPa\"\n")) ==
-             "s.toml:11:5: found \"5 GPa\" (a unit of another dimension); expected a stiffness in "
-             "N/m");
+      has(message(scene_of("poisson = 0.3",
+                           "k = \"8 N/um\"\n[indenter]\nshape = \"flat\"\nradius = 1\n")),
+          "s.toml:11:5: found \"8 N/um\" (a unit of another dimension); expected a modulus in Pa"));
+  BOOST_TEST(has(
+      message(scene_of("poisson = 0.3", "k = \"5 GPa\"\n")),
+      "s.toml:11:5: found \"5 GPa\" (a unit of another dimension); expected a stiffness in N/m"));
 }
 
 BOOST_AUTO_TEST_CASE(sizes_can_be_set_and_swept) {

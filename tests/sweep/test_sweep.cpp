@@ -162,7 +162,7 @@ BOOST_AUTO_TEST_CASE(rows_outside_the_model_are_told) {
       sweep_over("elastic.toml", {"velocity_ratio=lin:0.2:0.4:2", "amplitude=lin:0.2 um:0.9 um:2"},
                  {"critical_velocity", "friction_ratio"}));
   BOOST_TEST(table.outside == 2U);
-  BOOST_TEST(has(table.reason, "(3)"));
+  BOOST_TEST(has(table.reason, "(Eq. 3)"));
   BOOST_TEST(std::isfinite(table.values[3]));
   BOOST_TEST(std::isnan(table.values[6]));
   BOOST_TEST(std::isnan(table.values[7]));
