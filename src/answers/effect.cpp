@@ -1,11 +1,8 @@
 #include "answers/effect.hpp"
 
 #include <algorithm>
-#include <boost/math/tools/minima.hpp>
 #include <cmath>
-#include <cstdint>
 
-#include "answers/friction.hpp"
 #include "answers/ringing.hpp"
 #include "base/constants.hpp"
 #include "critical/admissibility.hpp"
@@ -69,70 +66,15 @@ void velocities_of(const CriticalOnset& onset, Effect& effect) {
 }
 
 // The contact sticks all but the instant at which its normal force is least, and carries mu0 times
-// that. Without a body friction never falls with the speed (docs/physics.md), so no speed has less.
+// that. Friction never falls with the speed (docs/physics.md), so no speed has less.
 LowestFriction limit_at_rest(const Effect& effect) {
   return {std::max(0.0, 1 - effect.amplitude / *effect.largest_closed_amplitude), 0};
 }
 
-// A body that swings may take friction below that at some speed.
-class FrictionWithBody {
- public:
-  FrictionWithBody(const Problem& problem, double full_from)
-      : friction_(problem), full_from_(full_from) {}
-
-  /// Throws ModelError where too few states are found.
-  LowestFriction lowest(const LowestFriction& at_rest) const {
-    std::vector<double> ratios(samples, infinity);
-    ratios[0] = at_rest.ratio;
-    ask(ratios);
-    const auto least = std::min_element(ratios.begin() + 1, ratios.end());
-    if (ratios[0] <= *least + negligible) return at_rest;
-    const auto place = static_cast<int>(least - ratios.begin());
-    return refined({*least, speed(place)}, speed(place - 1), speed(place + 1));
-  }
-
- private:
-  static constexpr int samples = 64, most_missing = samples / 4;
-  static constexpr double negligible = 1e-9;
-
-  double speed(int place) const { return full_from_ * place / samples; }
-
-  void ask(std::vector<double>& ratios) const {
-    std::vector<double> speeds;
-    for (int i = 1; i < samples; ++i) speeds.push_back(speed(i));
-    int missing = 0;
-    std::string why;
-    friction_.curve(speeds, [&](std::size_t i, const simulation::PassingPoint& point) {
-      if (point.state != nullptr)
-        ratios[i + 1] = point.state->friction_ratio;
-      else if (missing++ == 0)
-        why = point.reason;
-    });
-    if (missing > most_missing) throw ModelError(why);
-  }
-
-  LowestFriction refined(LowestFriction best, double low, double high) const {
-    constexpr int bits = 12;
-    std::uintmax_t steps = 24;
-    const auto ratio = [&](double v) { return friction_.at(v).friction_ratio; };
-    try {
-      const auto [v, found] = boost::math::tools::brent_find_minima(
-          ratio, std::max(low, negligible * high), high, bits, steps);
-      if (found < best.ratio) best = {found, v};
-    } catch (const ModelError&) {
-      // A speed without a steady state nearby: what was found stands.
-    }
-    return best;
-  }
-
-  SteadyFriction friction_;
-  double full_from_;
-};
-
-LowestFriction lowest_with_body(const Problem& problem, const Effect& effect) {
-  constexpr double most_ringing = 1e6;  // beyond, it is far from the limit at speeds of any use
-  if (ringing(simulation::system_of(problem)) < most_ringing)
-    return FrictionWithBody(problem, effect.reduced_below).lowest(limit_at_rest(effect));
+// A body that sticks and swings for ever at a harmonic may carry more, however low the speed.
+void require_rest(const Problem& problem) {
+  constexpr double most_ringing = 1e6;  // beyond, the limit is met at speeds of no use alone
+  if (ringing(simulation::system_of(problem)) < most_ringing) return;
   throw ModelError(
       "the body is in undamped resonance while it sticks, so friction at rest has no known limit");
 }
@@ -148,12 +90,8 @@ void lowest_below_indenter(const Problem& problem, Effect& effect) {
 }
 
 void lowest_of_contact(const Problem& problem, Effect& effect) {
-  if (effect.opens)
-    effect.lowest = LowestFriction{};
-  else if (!problem->mass)
-    effect.lowest = limit_at_rest(effect);
-  else if (!std::isnan(effect.reduced_below))
-    effect.lowest = lowest_with_body(problem, effect);
+  if (!effect.opens) require_rest(problem);
+  effect.lowest = effect.opens ? LowestFriction{} : limit_at_rest(effect);
 }
 
 // On a path that creeps it is that of the creep, which is no vibration's work.

@@ -70,9 +70,8 @@ BOOST_AUTO_TEST_CASE(springs_by_hand) {
   BOOST_TEST(said(faint) == "Vibration lowers friction below 9.425 µm/s, by at most 0.3 %.");
 }
 
-// The numbers that docs/physics.md has: friction at 0.8 v* is 0.5583, where the least normal force
-// is 0.1 of its mean: no more is claimed than what is computed.
-BOOST_AUTO_TEST_CASE(of_a_body_all_speeds_are_asked) {
+// Of the scene in docs/physics.md: a body swings, and friction is lowest at rest all the same.
+BOOST_AUTO_TEST_CASE(of_a_body_friction_is_lowest_at_rest) {
   test::SceneText body = springs();
   body.network = "kd | cd";
   body.mass = 1.4;

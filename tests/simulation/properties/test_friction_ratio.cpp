@@ -65,6 +65,19 @@ RC_BOOST_PROP(lies_between_the_static_bound_and_one, ()) {
   RC_ASSERT(state.friction_ratio >= lowest - error);
 }
 
+// The difference of two steady motions takes from the drive, per period, (v1 - v2)(<F1> - <F2>) =
+// <(F1 - F2)(w1 - w2)> + what dampers take of it: Coulomb's law is monotone, so neither is negative.
+RC_BOOST_PROP(never_falls_with_the_speed, ()) {
+  const auto draw = *any_draw();
+  const auto ratio = *ratio_below_one();
+  const double slower = ratio * *rc::gen::inRange(1, 1000) / 1000.0;
+  const System system = system_of(draw);
+  const SteadyState fast = steady_state(system, drive_velocity(system, ratio));
+  const SteadyState slow = steady_state(system, drive_velocity(system, slower));
+  RC_ASSERT(slow.friction_ratio - slow.friction_ratio_error <=
+            fast.friction_ratio + fast.friction_ratio_error);
+}
+
 // Coulomb friction is maximal monotone: one value, whatever the start.
 RC_BOOST_PROP(is_the_same_from_rest_and_from_sliding, ()) {
   const auto draw = *any_draw();
