@@ -24,6 +24,8 @@ void add_sweep(CLI::App& program, char** argv);
 void add_plot(CLI::App& program);
 void add_solve(CLI::App& program);
 void add_fit(CLI::App& program);
+void add_new(CLI::App& program);
+void add_check(CLI::App& program, int& status);
 void add_validate(CLI::App& program, int& status);
 
 }  // namespace vcrit::app

@@ -34,6 +34,8 @@ void add_commands(CLI::App& program, int& status, char** argv) {
   vcrit::app::add_sweep(program, argv);
   vcrit::app::add_solve(program);
   vcrit::app::add_fit(program);
+  vcrit::app::add_new(program);
+  vcrit::app::add_check(program, status);
   vcrit::app::add_validate(program, status);
   vcrit::app::add_shell(program);
 }

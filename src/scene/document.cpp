@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <optional>
 #include <set>
 #include <sstream>
 #include <utility>
@@ -27,14 +28,20 @@ const toml::table* as_table(const toml::node* node, const std::string& name,
   return node->as_table();
 }
 
+std::string expected_key(const std::optional<std::string>& meant,
+                         const std::vector<std::string>& known) {
+  if (meant) return fmt::format("\"{}\"", *meant);
+  if (known.size() == 1) return fmt::format("\"{}\"", known.front());
+  return fmt::format("one of {}", fmt::join(known, ", "));
+}
+
 InputError unknown_key(const Place& place, const std::string& key, const std::string& section,
                        const std::vector<std::string>& known) {
   const std::string advice = advice_on_key(key, section);
   const auto meant = advice.empty() ? nearest(key, known) : std::nullopt;
   return {place,
           fmt::format("unknown key \"{}\"{}", key, section.empty() ? "" : " in [" + section + "]"),
-          meant ? fmt::format("\"{}\"", *meant) : fmt::format("one of {}", fmt::join(known, ", ")),
-          advice};
+          expected_key(meant, known), advice};
 }
 
 // More lines than these that are no TOML are no scene.

@@ -10,6 +10,7 @@
 
 #include "base/constants.hpp"
 #include "base/identifiers.hpp"
+#include "scene/new_scene.hpp"
 
 namespace vcrit {
 
@@ -22,9 +23,6 @@ const std::set<std::string>& keys() {
       "mass",      "poisson",           "tangential_ratio", "velocity",  "velocity_ratio"};
   return all;
 }
-
-// What `vcrit new` writes in the place of a value.
-constexpr const char* to_be_filled_in = "?";
 
 // No name of a scene has this character.
 constexpr char other_mark = '~';
