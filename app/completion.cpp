@@ -1,6 +1,11 @@
 // What the program answers to a shell that asks what may follow.
 #include <fmt/core.h>
 
+#include <algorithm>
+
+#include "base/errors.hpp"
+#include "base/units.hpp"
+#include "problem/problem.hpp"
 #include "shell.hpp"
 
 namespace vcrit::app {
@@ -31,6 +36,31 @@ std::string values(const CLI::Option& option, const std::string& begun) {
   if (type == "DIR") return folders;
   const bool is_file = option.get_positional() || name == "--out" || type.starts_with("FILE");
   return is_file ? all_files : "";
+}
+
+/// The names that the first scene among the words lets be set or varied; none where it cannot be
+/// read.
+std::string names_in_scene(const std::vector<std::string>& words, const std::string& begun,
+                           bool also_speeds) {
+  std::string out;
+  const auto scene = std::find_if(words.begin(), words.end(),
+                                  [](const std::string& word) { return word.ends_with(".toml"); });
+  if (scene == words.end()) return out;
+  try {
+    const Problem problem = read_problem(*scene);
+    for (const auto& [name, dimension] : problem->source->settable)
+      out += offered(name + "=", begun, describe(dimension));
+    if (also_speeds)
+      for (const char* speed : {"velocity=", "velocity_ratio="}) out += offered(speed, begun, "");
+  } catch (const InputError&) {
+    return "";
+  }
+  return out;
+}
+
+bool takes_names(const CLI::Option& option) {
+  const std::string name = names_of(option).back();
+  return name == "--set" || name == "--over";
 }
 
 std::string options(const CLI::App& command, const std::string& begun) {
@@ -76,7 +106,9 @@ std::string completions(const CLI::App& program, std::vector<std::string> words)
   }
   if (is_option(begun)) return options(*command, begun);
   const bool takes_value = option != nullptr && option->get_type_size() != 0;
-  if (takes_value && is_option(words.back())) return values(*option, begun);
+  if (takes_value && is_option(words.back()))
+    return takes_names(*option) ? names_in_scene(words, begun, names_of(*option).back() == "--over")
+                                : values(*option, begun);
   if (command == &program) return commands(program, begun);
   // Behind an option of several values another one may follow as well.
   const bool takes_more = takes_value && is_repeated(*option) && option->get_allow_extra_args();

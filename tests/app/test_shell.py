@@ -18,7 +18,7 @@ from program import PROGRAM, PROJECT
 
 SHARE = Path(sys.argv.pop(1)).resolve()
 MAN = SHARE / "man/man1/vcrit.1"
-COMMANDS = ["derive", "eval", "generate", "simulate", "critical", "plot", "sweep", "solve", "fit", "validate"]
+COMMANDS = ["derive", "eval", "generate", "simulate", "critical", "plot", "sweep", "solve", "fit", "new", "check", "validate"]
 # "  -h,--help   Print ...", as CLI11 writes options; positionals stand under a heading of their own.
 OPTION = re.compile(r"^ {2}((?:-\w,)?--[\w-]+)(?: (\S.*?))?(?: {2,}|$)", re.MULTILINE)
 CHOICES = re.compile(r"^\{(.*)\}")
@@ -192,6 +192,14 @@ class Completion(unittest.TestCase):
         script = SHARE / "zsh/site-functions/_vcrit"
         self.assertEqual(completion_drivers.zsh(self.folder, "vcrit si", self.folder, script), ["simulate"])
         self.assertEqual(completion_drivers.zsh(self.folder, "vcrit si", self.folder), [])
+
+    def test_of_names_in_a_scene(self):
+        (self.folder / "kelvin.toml").write_text((PROJECT / "scenes/kelvin.toml").read_text())
+        self.addCleanup((self.folder / "kelvin.toml").unlink)
+        self.offered("vcrit eval kelvin.toml --set am", ["amplitude="])
+        self.offered("vcrit sweep kelvin.toml --over vel", ["velocity=", "velocity_ratio="])
+        self.offered("vcrit sweep kelvin.toml --over freq", ["frequency="])
+        self.offered("vcrit eval pad.toml --set ", [])  # no scene
 
     def test_of_what_nobody_can_know(self):
         self.offered("vcrit simulate pad.toml --velocity ", [])

@@ -38,13 +38,19 @@ COLUMNS = {
     "plot": [f"plot/{each}" for each in PICTURES],
     "sweep": [f"sweep/{each}" for each in QUANTITIES],
     "solve": [f"solve/{each}" for each in UNKNOWNS],
+    "check": ["check"],
     "validate": ["validate"],
     "python": [f"python/{each}" for each in PYTHON],
 }
 # What a report compares of each kind, by docs/report.md: one that is no longer made is missed here.
 with (FOLDER / "comparisons.csv").open() as file:
     COMPARISONS = {row["kind"]: row["comparisons"].split() for row in csv.DictReader(file)}
-OTHER_COMMANDS = {"fit"}  # reads measurements, no scene
+# The columns of commands by which `check` is tried.
+CHECKED = {"derive": "derive/shortest/text", "generate": "generate/c++", "simulate": "simulate/exact", "plot": "plot/friction",
+           "sweep": "sweep/critical_velocity", "solve": "solve/amplitude"}
+# What is refused by the numbers of a scene, which the rulebook does not know: (kind, column) and status.
+BY_NUMBERS = {}
+OTHER_COMMANDS = {"fit", "new"}  # read no scene
 
 
 def receptance(omega):
@@ -338,6 +344,24 @@ class Matrix(Cells, unittest.TestCase):
 
     def test_generate(self):
         evaluators.check(self, LANGUAGES, self.folder)
+
+    def test_check(self):
+        self.over(["check"], self.check)
+
+    def check(self, kind, column):
+        """Who answers by the rulebook, against who does, by refusals.csv."""
+        LOOKED_AT.add((kind, column))
+        ran = run("check", scene(kind), "--json")
+        (told,) = json.loads(ran.stdout)["scenes"]
+        self.assertEqual([problem for problem in told["problems"] if problem["kind"] == "error"], [])
+        self.assertEqual(ran.returncode, 3 if told["outside_the_model"] else 0)
+        for each in told["commands"]:
+            asked = CHECKED.get(each["command"], each["command"])
+            refused = refusal(kind, asked)
+            if each["answers"]:
+                self.assertIn(refused and refused[0], (None, "0", *BY_NUMBERS.get((kind, asked), ())), f"{asked} {refused}")
+            else:
+                self.assertIn(refused and refused[0], ("2", "3"), f"{asked} {each}")
 
     def test_validate(self):
         """All kinds in one call; with no compiler, since generated code has columns of its own."""
