@@ -113,14 +113,20 @@ def fit(data: "str | os.PathLike[str] | Mapping[str, npt.ArrayLike]", *, damper:
                             "indentation": indentation, "coefficient": coefficient}.items()}
     found = _vcrit.fit(text, file, text_with_unit(punch_radius, "punch_radius"), damper, max_branches,
                        rest)
-    for note in found.pop("notes"):
+    notes = found.pop("notes")
+    for note in notes if punch_radius is None else []:  # else that moduli are taken as asked for
         warnings.warn(note, stacklevel=2)
-    for name, kind in {"branches": Branches, "known": KnownStiffness}.items():
-        found[name] = kind(*map(np.array, found[name]))
+    made: dict[str, Any] = {
+        "branches": Branches(*map(_array, found["branches"])),
+        "known": KnownStiffness(*map(_array, found["known"])),
+        "words": tuple(found["words"])}
     for name in ("equilibrium", "damper"):
-        if found[name] is not None:
-            found[name] = Uncertain(*found[name])
-    return Fit(**found | {"words": tuple(found["words"])})
+        made[name] = None if found[name] is None else Uncertain(*found[name])
+    return Fit(**{**found, **made})
+
+
+def _array(values: list[float]) -> Array:
+    return np.array(values, dtype=np.float64)
 
 
 def _table(data: Any) -> tuple[str, bytes]:

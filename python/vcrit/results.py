@@ -7,6 +7,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _vcrit
+from .inputs import ma
 
 
 def speed(velocity: float) -> str:
@@ -16,7 +17,7 @@ def speed(velocity: float) -> str:
 
 def known(values: Any) -> npt.NDArray[np.float64]:
     """Those that are numbers and not masked, in one row."""
-    return np.asarray(np.ma.masked_invalid(values).compressed(), dtype=np.float64)
+    return np.asarray(ma.masked_invalid(values).compressed(), dtype=np.float64)
 
 
 class Parameter(NamedTuple):

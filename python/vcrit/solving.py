@@ -49,9 +49,9 @@ class Solution(NamedTuple):
 
 def solution(scene: _vcrit.Scene, sought: str, friction_ratio: float, velocity: Any, from_: Any,
              to: Any, samples: int) -> Solution:
-    if (velocity is None) != (sought == "velocity"):
-        if velocity is None:
-            raise refused("velocity", "none", "the velocity of the drive")
+    if velocity is None and sought in ("amplitude", "frequency"):
+        raise refused("velocity", "none", "the velocity of the drive")
+    if velocity is not None and sought == "velocity":
         raise refused("velocity", "a velocity, which is sought", "none")
     found, warning = _vcrit.solve(
         scene, sought, friction_ratio, text_with_unit(velocity, "velocity"),

@@ -6,7 +6,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _vcrit
-from .inputs import characters, text_with_unit
+from .inputs import characters, is_text, text_with_unit
 
 Array = npt.NDArray[np.float64]
 
@@ -37,7 +37,8 @@ class Speeds(NamedTuple):
 
     def one(self, scene: _vcrit.Scene) -> tuple[float, float]:
         """Velocity and ratio of a single speed, which must be known."""
-        number = self.parse(text_with_unit(self.given, self.name))
+        text = text_with_unit(self.given, self.name)
+        number = self.parse(text) if is_text(self.given) or " " in text else float(text)
         speed, ratio = map(float, self.in_both_units(scene, np.array(number)))
         if np.isnan(speed):
             _vcrit.refuse_speed(speed, self.argument)

@@ -90,5 +90,7 @@ def _values(flags: npt.NDArray[np.float64], words: list[str], first: int) -> npt
     if not words:
         return flags
     if words == ["no", "yes"]:
-        return flags == 1
-    return np.array([""] * first + words)[flags.astype(np.intp)]
+        answers: npt.NDArray[Any] = flags == 1
+        return answers
+    meanings: npt.NDArray[Any] = np.array([""] * first + words)[flags.astype(np.intp)]
+    return meanings

@@ -76,6 +76,12 @@ class Values(unittest.TestCase):
         np.testing.assert_allclose(vcrit.Scene.from_text(text).critical_velocity(m=masses),
                                    one_by_one(ZENER, m=masses), rtol=BATCH)
 
+    def test_may_be_texts_with_a_unit(self):
+        for texts in [["10 kHz", "25000"], ["0.01 MHz", 25e3], np.array([["10 kHz"], ["25e3 Hz"]])]:
+            found = ZENER.critical_velocity(frequency=texts)
+            self.assertEqual(found.shape, np.shape(texts))
+            np.testing.assert_allclose(found.ravel(), ZENER.critical_velocity(frequency=[10e3, 25e3]), rtol=BATCH)
+
     def test_of_other_values_of_the_scene(self):
         frequency = np.array([10e3, 30e3])
         np.testing.assert_array_equal(ZENER.with_values(k0=9e6).critical_velocity(frequency=frequency),
@@ -144,7 +150,7 @@ class WrongValues(unittest.TestCase):
 
     def test_of_other_kinds_are_refused(self):
         for values, found in {"complex": np.array([1e3 + 1j]), "objects": np.array([1e3, None]),
-                              "lists": [[1e3], [1e3, 2e3]], "texts": ["1 kHz", "2 kHz"],
+                              "lists": [[1e3], [1e3, 2e3]], "texts": ["1 kHz", "2 kg"],
                               "dates": np.array(["2026-01-01"], "datetime64[D]"), "none": None}.items():
             with self.subTest(values), self.assertRaisesRegex(vcrit.InputError, "^frequency: found "):
                 ZENER.critical_velocity(frequency=found)
