@@ -1,6 +1,7 @@
 // Drawings hold every element once, connect, and stay within their frame.
 #include "report/network_drawing.hpp"
 
+#include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
@@ -98,18 +99,49 @@ BOOST_AUTO_TEST_CASE(names_keep_their_indices) {
 }
 
 BOOST_AUTO_TEST_CASE(only_what_the_scene_has_is_drawn) {
-  const std::string all = svg_of(draw_sliding(parse_scene(example::driven_scene, "all.toml")));
+  const std::string all = svg_of(draw_system(parse_scene(example::driven_scene, "all.toml")));
   BOOST_TEST(all.find("drive") != std::string::npos);
   BOOST_TEST(all.find("body") != std::string::npos);
-  const std::string rigid = svg_of(draw_sliding(parse_scene(example::rigid_scene, "rigid.toml")));
+  BOOST_TEST(occurrences(all, spring_mark) == 5u);  // the bridge's three, once, and the drive's two
+  const std::string rigid = svg_of(draw_system(parse_scene(example::rigid_scene, "rigid.toml")));
   BOOST_TEST(rigid.find("drive") == std::string::npos);
   BOOST_TEST(rigid.find("body") == std::string::npos);
-  BOOST_TEST(occurrences(rigid, spring_mark) == 1u);
+  BOOST_TEST(occurrences(rigid, spring_mark) == 2u);  // along the normal and along the surface
 }
 
 BOOST_AUTO_TEST_CASE(an_isotropic_contact_shows_its_ratio) {
-  const std::string svg = svg_of(draw_sliding(parse_scene(example::driven_scene, "all.toml")));
-  BOOST_TEST(svg.find("0.8 ×") != std::string::npos);
+  const std::string svg = svg_of(draw_system(parse_scene(example::driven_scene, "all.toml")));
+  BOOST_TEST(svg.find("0.8 × the same network") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(a_system_says_its_numbers) {
+  const std::string svg = svg_of(draw_system(parse_scene(example::rigid_scene, "rigid.toml")));
+  for (const char* words : {" = 0.3", "(t) = 300 + 100 cos ωt nm", " = 11.5 MN/m", " = 9.47 MN/m"})
+    BOOST_TEST(svg.find(words) != std::string::npos, words);
+  BOOST_TEST(svg.find("may open") == std::string::npos);
+}
+
+// A network that stands has its words beside it, and they are read without tilting one's head.
+BOOST_AUTO_TEST_CASE(words_of_a_standing_network_are_upright) {
+  const Drawing one = draw(k("k1"), {true, {}});
+  BOOST_TEST(one.above > one.below);
+  const auto words = std::find_if(one.shapes.begin(), one.shapes.end(), [](const Shape& shape) {
+    return shape.form == Shape::Form::text;
+  });
+  BOOST_REQUIRE((words != one.shapes.end()));
+  BOOST_TEST(words->transform.starts_with("rotate(-90 "));
+  BOOST_TEST(words->anchor == "start");
+  BOOST_TEST(standing(one).front().transform.starts_with("rotate(90)"));
+}
+
+BOOST_AUTO_TEST_CASE(of_many_branches_some_are_drawn) {
+  std::vector<Network> parts{k("k0")};
+  for (int i = 1; i <= 100; ++i) parts.push_back(maxwell({"k", i}, {"tau", i}));
+  const std::string svg = svg_of(parallel(parts));
+  BOOST_TEST(occurrences(svg, spring_mark) == 5u);
+  BOOST_TEST(svg.find("and 96 more") != std::string::npos);
+  parts.resize(6);
+  BOOST_TEST(occurrences(svg_of(parallel(parts)), spring_mark) == 6u);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -13,6 +13,7 @@
 #include "compare/frequency_response.hpp"
 #include "compare/friction.hpp"
 #include "compare/indented.hpp"
+#include "compare/influences.hpp"
 #include "compare/method_curves.hpp"
 #include "compare/periodic_motion.hpp"
 #include "compare/reduced_difference.hpp"
@@ -214,6 +215,8 @@ SceneReport agree(Driver& driver, const symbolic::Derivation& formula, const Pro
   report.creep_velocity = creep_velocity(problem);
 
   report.values = value_lines(problem);
+  report.normal_force = normal_force(problem);
+  if (onset) report.influences = influences(problem, report.values);
 
   progress("deriving the formula");
   derive_all(report, formula);

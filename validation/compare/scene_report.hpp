@@ -82,6 +82,20 @@ struct ValueLine {
   std::string meaning;  ///< "spring", "angular frequency", ...
 };
 
+/// What v* makes of one number of the scene, of an array of all entries at once.
+struct Influence {
+  std::string name;  ///< as the scene has it
+  Formula sign;
+  std::string meaning;  ///< as of its values
+  bool array = false;
+  double share = 0;  ///< (p/v*) dv*/dp
+};
+
+/// Of the contact as if its surfaces could pull, N: where the amplitude is above the mean they open.
+struct NormalForce {
+  double mean = 0, amplitude = 0;
+};
+
 /// Steady friction at one speed, come to from sliding and from rest.
 struct CurvePoint {
   double ratio = 0;                   ///< speed over the lowest speed of pure sliding
@@ -259,8 +273,12 @@ struct SceneReport {
   double condition = 0;         ///< condition number of Eq. 24 on its inputs
   double creep_velocity = 0;    ///< m/s, 0 unless a network on the path creeps
   std::vector<ValueLine> values;
+  std::vector<Influence> influences;         ///< the largest first, without those of no influence
+  std::optional<NormalForce> normal_force;   ///< none where no load is carried
   ShownVelocity formula;
   std::vector<ShownFact> facts;
+  std::string sentence;  ///< what vibration does to this contact
+  double lowest_friction = no_friction;  ///< mu_macro/mu0 as the speed vanishes
   std::string equation;  ///< number of the formula in the paper
   std::vector<Equation> derivation;
   std::vector<LimitLine> limits;

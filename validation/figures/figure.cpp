@@ -21,16 +21,53 @@ const char* name_of(Style style) {
       return "dots";
     case Style::crosses:
       return "crosses";
+    case Style::squares:
+      return "squares";
+    case Style::triangles:
+      return "triangles";
+    case Style::diamonds:
+      return "diamonds";
     case Style::bars:
       return "bars";
   }
   throw Bug("a style without a name");
 }
 
+bool is_marks(Style style) {
+  switch (style) {
+    case Style::circles:
+    case Style::dots:
+    case Style::crosses:
+    case Style::squares:
+    case Style::triangles:
+    case Style::diamonds:
+      return true;
+    case Style::line:
+    case Style::dashed:
+    case Style::dotted:
+    case Style::bars:
+      return false;
+  }
+  throw Bug("a style that is neither points nor a line");
+}
+
+Style shape_of(std::size_t number) {
+  static constexpr std::array shapes{Style::circles, Style::squares, Style::triangles,
+                                     Style::diamonds, Style::dots};
+  return shapes.at(number % shapes.size());
+}
+
 const char* palette(int colour) {
-  static constexpr std::array colours{"#2090ad", "#d07a28", "#8a8f98", "#7a6bc4",
-                                      "#3f9a5f", "#c8527a", "#a08a1f", "#5a7fd0"};
+  static constexpr std::array colours{"#123f6d", "#b3380a", "#6b7280", "#0e8a7d",
+                                      "#9a6bd1", "#b3261e", "#1d2126", "#8a5a00"};
   return colours.at(static_cast<std::size_t>(colour) % colours.size());
+}
+
+const char* dashes_of(Style style, int colour) {
+  static constexpr std::array lines{"none", "6 3", "none", "2 3", "8 3 2 3", "4 2", "none", "1 3"};
+  if (style == Style::dashed) return "6 4";
+  if (style == Style::dotted) return "2 3";
+  return lines.at(static_cast<std::size_t>(colour) % lines.size());
 }
 
 std::vector<double> edges(const std::vector<double>& middles, bool logarithmic) {

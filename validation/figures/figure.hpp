@@ -22,10 +22,14 @@ struct Point {
   std::string words;    ///< of this point, shown under a pointer; may be empty
 };
 
-enum class Style { line, dashed, dotted, circles, dots, crosses, bars };
+enum class Style { line, dashed, dotted, circles, dots, crosses, squares, triangles, diamonds, bars };
 
 /// As written above.
 const char* name_of(Style style);
+/// Whether a series of that style is points, each on its own.
+bool is_marks(Style style);
+/// The shapes that tell so many series of points apart, also without colour. Wraps around.
+Style shape_of(std::size_t number);
 
 /// Series of one name share one entry of the legend and one colour; one without a name has none.
 struct FigureSeries {
@@ -69,9 +73,14 @@ struct Figure {
   int height = 320;  ///< of the drawing on the page, in pixels
 };
 
-/// Colours that are legible on white and on near-black, as "#rrggbb": 0 the accent, 1 to be told
-/// from it, 2 neutral, then more. Wraps around.
+/// Colours for paper, as "#rrggbb": 0 the main one, 1 the second, 2 for reference, 3 the third, 4
+/// the fourth: told apart by everybody, whatever colours they see. Then 5 for what failed, 6 ink,
+/// 7 for warnings. Wraps around. page.css has what stands for each in the dark.
 const char* palette(int colour);
+
+/// How a line is dashed, as SVG says it: one of style `line` by its colour, so that lines differ in
+/// grey, too. "none" for a solid line.
+const char* dashes_of(Style style, int colour);
 
 /// The edges of cells around increasing middles: halfway between them, by ratio on a logarithmic
 /// axis.

@@ -47,6 +47,7 @@ ordered_json json(const FigureSeries& series, const Figure& figure) {
   ordered_json result{{"name", series.name},
                       {"style", name_of(series.style)},
                       {"colour", palette(series.colour)},
+                      {"dashes", dashes_of(series.style, series.colour)},
                       {"points", std::move(points)}};
   if (series.style == Style::bars)
     result["edges"] = drawn(edges(middles, figure.x.logarithmic), figure.x);

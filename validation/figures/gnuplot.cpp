@@ -57,6 +57,12 @@ const char* way(Style style) {
       return "points pointtype 7 pointsize 0.7";
     case Style::crosses:
       return "points pointtype 1 pointsize 0.9";
+    case Style::squares:
+      return "points pointtype 4 pointsize 0.7";
+    case Style::triangles:
+      return "points pointtype 8 pointsize 0.8";
+    case Style::diamonds:
+      return "points pointtype 12 pointsize 0.9";
     case Style::bars:
       return "boxes fillstyle solid 0.6 noborder";
   }

@@ -65,8 +65,7 @@ class Screen {
   }
 
   void draw(const FigureSeries& series, char mark) {
-    const bool line = series.style != Style::circles && series.style != Style::dots &&
-                      series.style != Style::crosses;
+    const bool line = !is_marks(series.style);
     double last_column = NAN, last_row = NAN;
     for (const Point& point : series.points) {
       const double column = column_of(point.x), row = row_of(point.y);

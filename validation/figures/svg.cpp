@@ -24,7 +24,7 @@ using record::Json;
 // Pixels. Letters are 13 high and at most about 7 wide.
 constexpr double picture_width = 680, left_margin = 72, right_margin = 18,
                  inner_width = picture_width - left_margin - right_margin;
-constexpr double title_height = 34, below_axis = 50, legend_row = 20, letter_width = 7,
+constexpr double title_height = 34, untitled_height = 12, below_axis = 50, legend_row = 20, letter_width = 7,
                  line_height = 16;
 
 struct Frame {
@@ -66,30 +66,39 @@ struct Look {
   const char *dashes = "none", *shape = "";
 };
 
-Look look_of(Style style) {
+const char* shape_path(Style style) {
   switch (style) {
-    case Style::line:
-      return {};
-    case Style::dashed:
-      return {"6 4"};
-    case Style::dotted:
-      return {"2 3"};
     case Style::circles:
-      return {"none", "M-4 0a4 4 0 1 0 8 0a4 4 0 1 0-8 0"};
+      return "M-4 0a4 4 0 1 0 8 0a4 4 0 1 0-8 0";
     case Style::dots:
-      return {"none", "M-2 0a2 2 0 1 0 4 0a2 2 0 1 0-4 0"};
+      return "M-2 0a2 2 0 1 0 4 0a2 2 0 1 0-4 0";
     case Style::crosses:
-      return {"none", "M-4-4L4 4M-4 4L4-4"};
+      return "M-4-4L4 4M-4 4L4-4";
+    case Style::squares:
+      return "M-3.5-3.5h7v7h-7z";
+    case Style::triangles:
+      return "M0-4.5L4.3 3.5h-8.6z";
+    case Style::diamonds:
+      return "M0-5L4.5 0L0 5L-4.5 0z";
+    case Style::line:
+    case Style::dashed:
+    case Style::dotted:
+      return "";
     case Style::bars:
       break;
   }
   throw Bug("bars in a picture of lines and points");
 }
 
+Look look_of(const FigureSeries& series) {
+  return {is_marks(series.style) ? "none" : dashes_of(series.style, series.colour),
+          shape_path(series.style)};
+}
+
 Json drawn_series(const Frame& frame) {
   Json all = Json::array();
   for (const FigureSeries& series : frame.figure.series) {
-    const auto [dashes, shape] = look_of(series.style);
+    const auto [dashes, shape] = look_of(series);
     const bool line = *shape == 0;
     all.push_back({{"colour", palette(series.colour)},
                    {"dashes", dashes},
@@ -107,7 +116,7 @@ Json legend_of(const Figure& figure) {
   double at = 0;
   for (const FigureSeries& series : figure.series) {
     if (!named.insert(series.name).second) continue;
-    const auto [dashes, shape] = look_of(series.style);
+    const auto [dashes, shape] = look_of(series);
     all.push_back({{"x", at},
                    {"name", series.name},
                    {"colour", palette(series.colour)},
@@ -243,47 +252,61 @@ Json drawn_bands(const Frame& frame) {
 
 }  // namespace
 
-std::string svg(const std::vector<Figure>& figures) {
+namespace {
+
+/// One figure below `top`, which moves to its end.
+Json panel(const Figure& figure, bool titled, double& top) {
+  if (figure.map) throw Bug("a map in a picture of lines and points");
+  const Frame frame{figure, scales_of(figure, 7, figure.height / 50),
+                    static_cast<double>(figure.height)};
+  const Json legend = legend_of(figure);
+  top += (titled ? title_height : untitled_height) + (legend.empty() ? 0 : legend_row);
+  Json all{{"name", figure.name},
+           {"top", top},
+           {"left", left_margin},
+           {"width", inner_width},
+           {"height", frame.height},
+           {"middle", inner_width / 2},
+           {"half", frame.height / 2},
+           {"band_words_at", frame.height - 8},
+           {"tick_words_at", frame.height + 19},
+           {"x_title_at", frame.height + 40},
+           {"clipped_width", inner_width + 2},
+           {"clipped_height", frame.height + 2},
+           {"title", titled ? figure.title : ""},
+           {"title_at", legend.empty() ? -14.0 : -14.0 - legend_row},
+           {"x_title", figure.x.title},
+           {"y_title", figure.y.title},
+           {"x_ticks", ticks_of(frame, true)},
+           {"y_ticks", ticks_of(frame, false)},
+           {"bands", drawn_bands(frame)},
+           {"series", drawn_series(frame)},
+           {"rules", drawn_rules(frame)},
+           {"legend", legend}};
+  top += frame.height + below_axis;
+  return all;
+}
+
+std::string drawn(const char* name, const std::vector<Figure>& figures, bool titled) {
   Json panels = Json::array();
-  double top = 0;
-  for (const Figure& figure : figures) {
-    if (figure.map) throw Bug("a map in a picture of lines and points");
-    const Frame frame{figure, scales_of(figure, 7, figure.height / 50),
-                      static_cast<double>(figure.height)};
-    const Json legend = legend_of(figure);
-    top += title_height + (legend.empty() ? 0 : legend_row);
-    panels.push_back({{"top", top},
-                      {"left", left_margin},
-                      {"width", inner_width},
-                      {"height", frame.height},
-                      {"middle", inner_width / 2},
-                      {"half", frame.height / 2},
-                      {"tick_words_at", frame.height + 19},
-                      {"x_title_at", frame.height + 40},
-                      {"clipped_width", inner_width + 2},
-                      {"clipped_height", frame.height + 2},
-                      {"title", figure.title},
-                      {"title_at", legend.empty() ? -14.0 : -14.0 - legend_row},
-                      {"x_title", figure.x.title},
-                      {"y_title", figure.y.title},
-                      {"x_ticks", ticks_of(frame, true)},
-                      {"y_ticks", ticks_of(frame, false)},
-                      {"bands", drawn_bands(frame)},
-                      {"series", drawn_series(frame)},
-                      {"rules", drawn_rules(frame)},
-                      {"legend", legend}});
-    top += frame.height + below_axis;
-  }
+  double height = 0;
   std::string words;
-  for (const Figure& figure : figures)
+  for (const Figure& figure : figures) {
+    panels.push_back(panel(figure, titled, height));
     words += (words.empty() ? "" : " ") + figure.title + ". " + figure.caption;
-  const Json record{
-      {"width", picture_width}, {"height", top}, {"words", words}, {"panels", panels}};
+  }
   static const record::Templates templates(
       {vcrit_figure_templates,
        static_cast<std::size_t>(vcrit_figure_templates_end - vcrit_figure_templates)},
       record::html_text);
-  return templates.render("svg", record) + "\n";
+  return templates.render(
+      name, {{"width", picture_width}, {"height", height}, {"words", words}, {"panels", panels}});
 }
+
+}  // namespace
+
+std::string svg(const std::vector<Figure>& figures) { return drawn("svg", figures, true) + "\n"; }
+
+std::string still(const Figure& figure) { return drawn("still", {figure}, false); }
 
 }  // namespace vcrit::validation::figures

@@ -12,4 +12,8 @@ namespace vcrit::validation::figures {
 /// throws Bug for a map and for bars.
 std::string svg(const std::vector<Figure>& figures);
 
+/// One of them without its title, as an element of a page whose style says the colours in the dark.
+/// Throws likewise.
+std::string still(const Figure& figure);
+
 }  // namespace vcrit::validation::figures

@@ -123,6 +123,16 @@ void fields(Fields& f, const accuracy::Layer& it) {
 
 void fields(Fields& f, const accuracy::Line& it) { f("name", it.name)("points", it.points); }
 
+namespace {
+
+/// Nothing to see: less than a digit is lost wherever there is an answer, and nothing went wrong.
+bool is_flat(const accuracy::Layer& layer) {
+  return std::all_of(layer.lost.begin(), layer.lost.end(), [](double lost) { return lost < 1; }) &&
+         layer.marks.empty();
+}
+
+}  // namespace
+
 void fields(Fields& f, const accuracy::StabilityMap& it) {
   std::vector<std::string> scaled;
   for (const Symbol& symbol : it.scaled) scaled.push_back(to_text(symbol));
@@ -130,9 +140,13 @@ void fields(Fields& f, const accuracy::StabilityMap& it) {
   f("layers", it.layers).some("lines", it.lines).page("over_stiffness", it.key == "stiffness");
   if (!f.for_page()) return;
   std::vector<Figure> figures;
+  std::vector<std::string> flat;
   for (const accuracy::Layer& layer : it.layers)
-    figures.push_back(accuracy::map_picture(it, layer));
-  f("figures", figures);
+    if (is_flat(layer))
+      flat.push_back(layer.name);
+    else
+      figures.push_back(accuracy::map_picture(it, layer));
+  f("figures", figures)("flat", flat)("cells", it.omega.size() * it.factor.size());
 }
 
 namespace {

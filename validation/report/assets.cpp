@@ -7,6 +7,7 @@ VCRIT_ASSET(scales);
 VCRIT_ASSET(drawing);
 VCRIT_ASSET(charts);
 VCRIT_ASSET(explorer);
+VCRIT_ASSET(index);
 VCRIT_ASSET(page_templates);
 #undef VCRIT_ASSET
 
@@ -32,5 +33,7 @@ std::string_view style() { return between(vcrit_style, vcrit_style_end); }
 std::string_view templates() { return between(vcrit_page_templates, vcrit_page_templates_end); }
 
 std::string_view explorer_script() { return between(vcrit_explorer, vcrit_explorer_end); }
+
+std::string_view index_script() { return between(vcrit_index, vcrit_index_end); }
 
 }  // namespace vcrit::validation::report

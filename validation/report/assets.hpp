@@ -17,4 +17,7 @@ std::string_view templates();
 /// What moves the explorer; pages without one do not carry it.
 std::string_view explorer_script();
 
+/// What filters an index.
+std::string_view index_script();
+
 }  // namespace vcrit::validation::report

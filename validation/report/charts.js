@@ -28,7 +28,8 @@ const vcrit_charts = (() => {
     chart.points = pointsOf(chart.plan);
     chart.chosen = null;
     const svg = drawingOf(chart.plan);
-    if (chart.svg) chart.svg.replaceWith(svg);
+    const before = chart.svg ?? element.querySelector(".still");  // what is there without scripts
+    if (before) before.replaceWith(svg);
     else element.prepend(svg);
     chart.svg = svg;
     chart.told.hidden = true;
@@ -183,7 +184,7 @@ const vcrit_charts = (() => {
   function show(element, figure) {
     const chart = { figure, chosen: null };
     charts.set(element, chart);
-    element.style.minHeight = `${figure.height + 60}px`;
+    if (!element.querySelector(".still")) element.style.minHeight = `${figure.height + 60}px`;
     element.tabIndex = 0;
     chart.told = html(element, "div", "told");
     chart.told.hidden = true;

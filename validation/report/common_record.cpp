@@ -1,8 +1,11 @@
 // What all reports share: comparisons, formulas, figures, the machine (records.hpp).
 #include <algorithm>
+#include <cmath>
 
 #include "compare/velocity_comparisons.hpp"
 #include "figures/figure_json.hpp"
+#include "figures/svg.hpp"
+#include "report/claims.hpp"
 #include "report/html.hpp"
 #include "report/records.hpp"
 #include "report/verdict.hpp"
@@ -47,7 +50,11 @@ void fields(Fields& f, const Comparison& it) {
   f.when(numbers, "tolerance_reason", it.reason).some("detail", it.detail);
   const bool agrees =
       result == Comparison::Outcome::passed && it.reference == validation::formula_reference;
+  const validation::report::Claim claim = validation::report::claim_of(it);
   f.page("has_numbers", numbers).page("badge", badge(result)).page("ways_agree", agrees);
+  f.page("claim", claim.words).page("means", claim.means).page("shared", claim.shared);
+  const bool share = numbers && it.tolerance > 0 && std::isfinite(difference(it));
+  f.page("share", share ? 100 * difference(it) / it.tolerance : 0).page("has_share", share);
 }
 
 void fields(Fields& f, const validation::Formula& it) {
@@ -83,11 +90,23 @@ void fields(Fields& f, const figures::Map& it) {
   f("value", it.value.title)("x", it.x)("y", it.y)("values", it.values);
 }
 
+namespace {
+
+/// So that it can stand in the page without a script, too.
+bool is_line_drawing(const figures::Figure& figure) {
+  return !figure.map && std::none_of(figure.series.begin(), figure.series.end(), [](const auto& it) {
+    return it.style == figures::Style::bars;
+  });
+}
+
+}  // namespace
+
 /// On a page a figure is what charts.js draws, at a picture's digits.
 void fields(Fields& f, const figures::Figure& it) {
   f("name", it.name)("title", it.title);
   if (f.for_page()) {
     f("caption", it.caption)("drawing", Markup{validation::report::json_for_page(figure_json(it))});
+    f.when(is_line_drawing(it), "still", Markup{is_line_drawing(it) ? figures::still(it) : ""});
     return;
   }
   f("x", it.x.title)("y", it.y.title)("series", it.series).some("map", it.map);

@@ -49,9 +49,13 @@ Figure cycle_figure(const SceneReport& report, const char* name, int height) {
   figure.name = name;
   figure.height = height;
   figure.x = {"time, " + time.unit, false, std::pair{0.0, two_pi / omega * time.factor}, {}};
+  const double period = figure.x.range->second;
   for (const Stretch& stretch : stretches(report.cycle->points, time.factor / omega))
     figure.bands.push_back(
-        {stretch.from, stretch.to, stretch.backward ? "backward slip" : "stick"});
+        {stretch.from, stretch.to,
+         stretch.backward
+             ? std::string("reverse slip")
+             : fmt::format("sticks {:.0f} %", 100 * (stretch.to - stretch.from) / period)});
   return figure;
 }
 
@@ -65,9 +69,7 @@ Figure force_figure(const SceneReport& report) {
   });
   Figure figure = cycle_figure(report, "cycle_force", 220);
   figure.title = "Tangential force over one period";
-  figure.caption =
-      "Force of the network on the contact point, between the friction bounds. Shaded: no forward "
-      "slip.";
+  figure.caption = "Force on the contact point, between the bounds that friction sets.";
   figure.y.title = "tangential force, " + scale.unit;
   const char* const name = "friction bound ±μ₀ Fₙ";
   figure.series = {over_time(report, name, Style::dashed, 2, scale, bound),
@@ -81,13 +83,13 @@ Figure velocity_figure(const SceneReport& report) {
   const auto velocity = [](const CyclePoint& point) { return point.contact_velocity; };
   const Scale scale = scale_of(report, "m/s", velocity);
   Figure figure = cycle_figure(report, "cycle_velocity", 180);
-  figure.title = "Contact velocity over one period";
+  figure.title = "Speed of the contact point over one period";
   const Cycle& cycle = *report.cycle;
   figure.caption =
-      fmt::format("{} of the lowest speed of pure sliding, v₀ = {}: friction ratio {:.9f}, {}.",
-                  cycle.ratio == 0.5 ? "Half" : fmt::format("{:.3g}", cycle.ratio),
-                  quantity(cycle.velocity, "m/s"), cycle.friction_ratio, cycle.regime);
-  figure.y.title = "contact velocity, " + scale.unit;
+      fmt::format("At {}, {} of v*: friction ratio {:.4g}, {}.", quantity(cycle.velocity, "m/s", 4),
+                  cycle.ratio == 0.5 ? "half" : fmt::format("{:.3g}", cycle.ratio),
+                  cycle.friction_ratio, cycle.regime);
+  figure.y.title = "contact speed, " + scale.unit;
   figure.series = {over_time(report, "", Style::line, 0, scale, velocity)};
   return figure;
 }

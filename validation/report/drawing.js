@@ -15,6 +15,9 @@ const vcrit_drawing = (() => {
     circles: { "stroke-width": 1.6 },
     dots: { filled: true },
     crosses: { "stroke-width": 2 },
+    squares: { "stroke-width": 1.6 },
+    triangles: { "stroke-width": 1.6 },
+    diamonds: { "stroke-width": 1.6 },
     bars: { filled: true, opacity: 0.6 },
   };
   const viridis = ["#440154", "#472d7b", "#3b528b", "#2c728e", "#21918c", "#28ae80", "#5ec962", "#addc30", "#fde725"]
@@ -140,6 +143,9 @@ const vcrit_drawing = (() => {
     circles: (x, y) => disc(x, y, 3.3),
     dots: (x, y) => disc(x, y, 3.1),
     crosses: (x, y) => `M${short(x - 4)} ${y}h8M${x} ${short(y - 4)}v8`,
+    squares: (x, y) => `M${short(x - 3)} ${short(y - 3)}h6v6h-6Z`,
+    triangles: (x, y) => `M${x} ${short(y - 4.2)}l4 7h-8Z`,
+    diamonds: (x, y) => `M${x} ${short(y - 4.6)}l4.2 4.6l-4.2 4.6l-4.2 -4.6Z`,
   };
 
   function barsPath(plan, { points, edges }) {
@@ -162,8 +168,9 @@ const vcrit_drawing = (() => {
     return path;
   }
 
-  function paint({ style, colour }) {
+  function paint({ style, colour, dashes }) {
     const { filled, ...look } = looks[style];
+    if (!marks[style] && dashes && dashes !== "none") look["stroke-dasharray"] = dashes;
     return { class: style, fill: filled ? colour : "none", stroke: filled ? "none" : colour, ...look };
   }
 

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <set>
 
+#include "report/assets.hpp"
 #include "report/document.hpp"
 #include "report/records.hpp"
 #include "report/verdict.hpp"
@@ -18,6 +19,7 @@ namespace {
 record::Json index_entry(const IndexEntry& entry) {
   record::Json record = to_json(entry.line);
   record["page_file"] = entry.page;
+  record["file_name"] = std::filesystem::path(entry.line.file).filename().string();
   return record;
 }
 
@@ -41,18 +43,24 @@ std::string small(std::string text) {
 }  // namespace
 
 std::string index_page(const std::vector<IndexEntry>& entries, const Origin& origin) {
-  std::size_t made = 0, failures = 0, skipped = 0;
+  std::size_t made = 0, failures = 0, outside = 0, without = 0;
   record::Json record{{"entries", record::Json::array()}};
   for (const IndexEntry& entry : entries) {
     made += entry.line.made;
     failures += entry.line.failed.size();
-    skipped += entry.line.not_run.size();
+    outside += entry.line.state == "outside" ? 1U : 0U;
+    without += entry.line.answer_words == "no answer" ? 1U : 0U;
     record["entries"].push_back(index_entry(entry));
   }
-  record["state"] = failures > 0 ? "failed" : skipped > 0 ? "not-run" : "passed";
-  record["count_words"] = count_words(made, failures, skipped);
+  record["state"] = failures > 0 ? "failed" : "passed";
+  record["failed_total"] = failures;
+  record["made_total"] = made;
+  record["total_words"] =
+      fmt::format("{} scenes. {} answered, {} outside the model, {} checks failed.", entries.size(),
+                  entries.size() - outside - without, outside, failures);
   add_origin(origin, record);
-  return document("index", record, {"Validation of critical velocities", false, {}});
+  return document("index", record,
+                  {"Critical velocities of scenes", false, {std::string(index_script())}});
 }
 
 std::vector<std::string> page_names(const std::vector<std::string>& scene_files) {

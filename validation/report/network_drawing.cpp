@@ -21,16 +21,20 @@ constexpr double label_height = 18;   // above the line: clear of a mass's box
 constexpr double bus = 14;            // between the bars of parallel branches and the branches
 constexpr double branch_gap = 2;      // between stacked branches
 constexpr double connection = 10;     // between elements in series
+constexpr double beside = 13;         // from a standing element to its names
+const std::string no_width = "\u200b";
+constexpr std::size_t most_branches = 6, shown_branches = 5;
 
 const char* const spring_path = "M0 0H18l4 -8l8 16l8 -16l8 16l8 -16l8 16l4 -8H84";
 const char* const damper_path = "M0 0H32V-10H56M32 0V10H56M46 -7V7M46 0H84";
 
 /// "k_1, tau_1"
-Label names_of(const Element& element) {
+Label names_of(const Element& element, const NetworkLook& look) {
   Label names;
-  const auto add = [&names](const Symbol& symbol, NumberRole) {
+  const auto add = [&](const Symbol& symbol, NumberRole) {
     if (!names.empty()) names.push_back({"", ", ", ""});
     names = joined({names, label(symbol)});
+    if (look.value) names.push_back({"", look.value(symbol), ""});
   };
   for_each_amount(element, [&](const Amount& amount, NumberRole role) {
     if (amount.name().name.empty())
@@ -66,16 +70,35 @@ Drawing symbol_of(const Element& element) {
   throw Bug("an element without a symbol");
 }
 
-Drawing draw_element(const Element& element) {
+/// Words that stay upright when all is turned, to the right of (x, 0) then.
+Shape upright_text(double x, const Label& words) {
+  Shape shape = text(x, 5 - beside, words, "start");
+  shape.transform = fmt::format("rotate(-90 {:.1f} {:.1f})", x, -beside);
+  return shape;
+}
+
+/// In the middle of a line that is as long as its names, if these stand over it.
+Drawing draw_element(const Element& element, const NetworkLook& look) {
   Drawing drawing = symbol_of(element);
-  drawing.add({text(drawing.width / 2, -label_height, names_of(element))});
+  const Label names = names_of(element, look);
+  if (look.standing) {
+    drawing.above = beside + width_of(names) + 8;
+    drawing.add({upright_text(drawing.width / 2, names)});
+    return drawing;
+  }
+  const double lead = std::max(0.0, (width_of(names) + 8 - drawing.width) / 2);
+  const double end = lead + drawing.width;
+  drawing.shapes = moved(lead, 0, drawing.shapes);
+  if (lead > 0) drawing.add({line(0, 0, lead, 0), line(end, 0, end + lead, 0)});
+  drawing.width = end + lead;
+  drawing.add({text(drawing.width / 2, -label_height, names)});
   return drawing;
 }
 
-Drawing draw_series(const Series& series) {
+Drawing draw_series(const Series& series, const NetworkLook& look) {
   Drawing all;
   for (const Network& part : series.parts) {
-    const Drawing drawing = draw(part);
+    const Drawing drawing = draw(part, look);
     if (all.width > 0) {
       all.shapes.push_back(line(all.width, 0, all.width + connection, 0));
       all.width += connection;
@@ -99,9 +122,23 @@ Shapes bar(double x, double top, double bottom, double outer) {
   return {line(x, top, x, bottom), line(x, 0, outer, 0)};
 }
 
-Drawing draw_parallel(const Parallel& parallel) {
+/// In place of branches that would look like those before.
+Drawing more_branches(std::size_t count, const NetworkLook& look) {
+  const Label words{{"", fmt::format("and {} more", count), ""}};
+  Drawing drawing{element_width, element_above, element_below,
+                  {path(fmt::format("M0 0H{:.0f}", element_width), "inertial")}};
+  if (look.standing) drawing.above = beside + width_of(words) + 8;
+  drawing.add({look.standing ? upright_text(element_width / 2, words)
+                             : text(element_width / 2, -8, words)});
+  return drawing;
+}
+
+Drawing draw_parallel(const Parallel& parallel, const NetworkLook& look) {
   std::vector<Drawing> branches;
-  for (const Network& part : parallel.parts) branches.push_back(draw(part));
+  const std::size_t count = parallel.parts.size(),
+                    shown = count > most_branches ? shown_branches : count;
+  for (std::size_t i = 0; i < shown; ++i) branches.push_back(draw(parallel.parts[i], look));
+  if (shown < count) branches.push_back(more_branches(count - shown, look));
   std::vector<double> ys;
   double inner = 0, y = 0;
   for (const Drawing& branch : branches) {
@@ -130,23 +167,26 @@ Shape dot(const LayoutPoint& at) {
 
 /// The label of a single element beside its edge, upright whatever the edge's direction, on the
 /// side away from the line between the terminals.
-Shape edge_label(const Element& element, const LayoutPoint& middle, double angle) {
+Shape edge_label(const Element& element, const LayoutPoint& middle, double angle,
+                 const NetworkLook& look) {
   const double side = middle.y > 1 ? -1 : 1, away = side > 0 ? 20 : 22;
   const double x = middle.x + side * away * std::sin(angle);
-  const double y = middle.y - side * away * std::cos(angle) + 5;
-  const double tilt = side * std::sin(angle);
+  const double y = middle.y - side * away * std::cos(angle);
+  const double tilt = side * (look.standing ? std::cos(angle) : std::sin(angle));
   const char* anchor = tilt > 0.3 ? "start" : tilt < -0.3 ? "end" : "middle";
-  return text(x, y, names_of(element), anchor);
+  Shape shape = text(x, y + 5, names_of(element, look), anchor);
+  if (look.standing) shape.transform = fmt::format("rotate(-90 {:.1f} {:.1f})", x, y);
+  return shape;
 }
 
 /// A part drawn along the straight line from one node to another, never upside down.
-Shapes edge(const Network& part, LayoutPoint from, LayoutPoint to) {
+Shapes edge(const Network& part, LayoutPoint from, LayoutPoint to, const NetworkLook& look) {
   if (from.x > to.x) std::swap(from, to);
   const double dx = to.x - from.x, dy = to.y - from.y;
   const double length = std::hypot(dx, dy), angle = std::atan2(dy, dx);
   const auto* element = std::get_if<Element>(&part.form);
   const bool upright = element != nullptr && symbol_of(*element).width == element_width;
-  const Drawing drawing = upright ? symbol_of(*element) : draw(part);
+  const Drawing drawing = upright ? symbol_of(*element) : draw(part, look);
   const double lead = (length - drawing.width) / 2;
   Shapes all = joined({{line(0, 0, lead, 0)},
                        moved(lead, 0, drawing.shapes),
@@ -154,14 +194,14 @@ Shapes edge(const Network& part, LayoutPoint from, LayoutPoint to) {
   transform(all, fmt::format("translate({:.1f} {:.1f}) rotate({:.2f})", from.x, from.y,
                              angle * 180 / pi));
   const LayoutPoint middle{(from.x + to.x) / 2, (from.y + to.y) / 2};
-  if (upright) all.push_back(edge_label(*element, middle, angle));
+  if (upright) all.push_back(edge_label(*element, middle, angle, look));
   return all;
 }
 
-Drawing draw_graph(const Graph& graph) {
+Drawing draw_graph(const Graph& graph, const NetworkLook& look) {
   double longest = 0, highest = 0;
   for (const Network& part : graph.parts) {
-    const Drawing drawing = draw(part);
+    const Drawing drawing = draw(part, look);
     longest = std::max(longest, drawing.width);
     highest = std::max(highest, drawing.above + drawing.below);
   }
@@ -171,22 +211,41 @@ Drawing draw_graph(const Graph& graph) {
   for (std::size_t i = 0; i < graph.parts.size(); ++i) {
     const auto from = static_cast<std::size_t>(graph.wires[i].from);
     const auto to = static_cast<std::size_t>(graph.wires[i].to);
-    all.add(edge(graph.parts[i], layout.nodes[from], layout.nodes[to]));
+    all.add(edge(graph.parts[i], layout.nodes[from], layout.nodes[to], look));
   }
   for (const LayoutPoint& node : layout.nodes) all.shapes.push_back(dot(node));
   return all;
 }
 
 struct Drawer {
-  Drawing operator()(const Element& element) const { return draw_element(element); }
-  Drawing operator()(const Series& series) const { return draw_series(series); }
-  Drawing operator()(const Parallel& parallel) const { return draw_parallel(parallel); }
-  Drawing operator()(const Graph& graph) const { return draw_graph(graph); }
+  const NetworkLook& look;
+  Drawing operator()(const Element& element) const { return draw_element(element, look); }
+  Drawing operator()(const Series& series) const { return draw_series(series, look); }
+  Drawing operator()(const Parallel& parallel) const { return draw_parallel(parallel, look); }
+  Drawing operator()(const Graph& graph) const { return draw_graph(graph, look); }
 };
 
 }  // namespace
 
-Drawing draw(const Network& network) { return std::visit(Drawer{}, network.form); }
+Drawing draw(const Network& network, const NetworkLook& look) {
+  return std::visit(Drawer{look}, network.form);
+}
+
+Shapes standing(const Drawing& drawing) {
+  Shapes shapes = drawing.shapes;
+  transform(shapes, "rotate(90)");
+  return shapes;
+}
+
+double width_of(const Label& words) {
+  constexpr double letter = 7.6, small_letter = 6.2;  // px, of the style sheet's fonts
+  double width = 0;
+  for (const Word& word : words)
+    for (const char c : word.text == no_width ? "" : word.text)  // not bytes that continue a letter
+      if ((static_cast<unsigned char>(c) & 0xC0U) != 0x80U)
+        width += word.style == "index" ? small_letter : letter;
+  return width;
+}
 
 Label label(const Symbol& symbol) {
   const bool time = symbol.name.starts_with("tau"), loss = symbol.name.starts_with("eta");
@@ -196,7 +255,7 @@ Label label(const Symbol& symbol) {
   if (symbol.entry > 0) index += (index.empty() ? "" : ",") + std::to_string(symbol.entry);
   if (index.empty()) return {{"letter", base, ""}};
   // The last word, of no width, returns to the line, so that text may follow.
-  return {{"letter", base, ""}, {"index", index, "4"}, {"", "\u200b", "-4"}};
+  return {{"letter", base, ""}, {"index", index, "4"}, {"", no_width, "-4"}};
 }
 
 void Drawing::add(const Shapes& more) { shapes.insert(shapes.end(), more.begin(), more.end()); }

@@ -3,6 +3,7 @@
 // shapes; templates/drawing.mustache makes an SVG of it.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -40,7 +41,21 @@ struct Drawing {
   void add(const Shapes& more);
 };
 
-Drawing draw(const Network& network);
+/// How a network is drawn, besides lying with its names alone.
+struct NetworkLook {
+  bool standing = false;  ///< terminals at (0, 0) and (0, width) when standing() has turned it
+  /// What follows the name of a number, as " = 8 N/µm"; none: nothing.
+  std::function<std::string(const Symbol&)> value = {};
+};
+
+/// Of more than six parallel branches the first five, and how many more there are.
+Drawing draw(const Network& network, const NetworkLook& look = {});
+
+/// A network that was drawn standing, turned downwards from (0, 0): `above` is to its right.
+Shapes standing(const Drawing& drawing);
+
+/// How many pixels the words take, about.
+double width_of(const Label& words);
 
 /// A drawing as an image; `description` is read to those who do not see it.
 struct Picture {

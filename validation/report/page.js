@@ -20,7 +20,7 @@ for (const button of document.querySelectorAll("button.copy")) {
 }
 
 // Paper has nothing to unfold; what only a screen needs stays hidden by the style.
-const folded = () => document.querySelectorAll("details:not([open]):not(.latex):not(.data):not(.save)");
+const folded = () => document.querySelectorAll("details:not([open]):not(.latex):not(.data):not(.save):not(.derivation):not(.screen)");
 let unfolded = [];
 addEventListener("beforeprint", () => {
   unfolded = [...folded()];

@@ -8,6 +8,8 @@
 #include <limits>
 
 #include "accuracy/pictures.hpp"
+#include "base/constants.hpp"
+#include "report/answer_figures.hpp"
 #include "report/cycle_figures.hpp"
 #include "report/indenter_figures.hpp"
 #include "report/separation_figures.hpp"
@@ -31,8 +33,10 @@ FigureSeries over_speed(const SceneReport& report, const char* name, Style style
 }
 
 template <class Value>
-FigureSeries by_method(const MethodCurve& method, int colour, Value value) {
-  FigureSeries series{method.method, Style::crosses, {}, colour};
+FigureSeries by_method(const MethodCurve& method, std::size_t number, Value value) {
+  static constexpr std::array colours{0, 1, 3, 4};
+  FigureSeries series{
+      method.method, figures::shape_of(number), {}, colours.at(number % colours.size())};
   for (const MethodPoint& point : method.points)
     if (point.reason.empty())
       series.points.push_back({point.ratio, value(point),
@@ -77,10 +81,9 @@ FigureSeries asymptote(const SceneReport& report, const AsymptoteLine& line) {
 std::vector<Figure> scene_figures(const SceneContents& contents) {
   const SceneReport& report = contents.report;
   std::vector<Figure> all;
-  if (!report.response.points.empty()) {
-    all.push_back(velocity_response_figure(report));
-    all.push_back(stiffness_figure(report));
-  }
+  for (const std::optional<Figure>& figure : {answer_figure(report), opening_figure(report),
+                                              frequency_figure(report), stiffness_figure(report)})
+    if (figure) all.push_back(*figure);
   if (!report.curve.empty()) all.push_back(friction_figure(report));
   if (!report.methods.empty()) all.push_back(residual_figure(report));
   if (report.cycle) {
@@ -107,15 +110,15 @@ Figure friction_figure(const SceneReport& report) {
   figure.name = "friction";
   figure.title = "Friction ratio over speed";
   figure.caption =
-      "Macroscopic over microscopic friction, simulated; at each speed the motion was started from "
+      "Mean friction with vibration over that without. At each speed the simulation starts from "
       "sliding and from rest.";
   if (report.creep_velocity > 0)
     figure.caption += fmt::format(
-        " The path creeps by {} under the mean friction force, so the far end must run that much "
-        "faster than the contact point.",
+        " The path creeps by {} under the mean friction force: the drive must run that much faster "
+        "than the contact point.",
         quantity(report.creep_velocity, "m/s"));
   figure.x = {speed_axis(report), false, std::pair{0.0, 1.4}, {}};
-  figure.y = {"friction ratio μ macro / μ₀", false, std::pair{0.0, 1.05}, {}};
+  figure.y = {"friction ratio μ/μ₀", false, std::pair{0.0, 1.05}, {}};
   figure.series.push_back(over_speed(report, "from sliding", Style::line, 0,
                                      [](const CurvePoint& p) { return p.from_sliding; }));
   if (!report.curve.empty() && report.curve.front().closed_form)
@@ -127,11 +130,11 @@ Figure friction_figure(const SceneReport& report) {
     rest.points[i].words = fmt::format("{:.4g}: {:.9f}, {}", report.curve[i].ratio,
                                        report.curve[i].from_rest, report.curve[i].regime);
   figure.series.push_back(std::move(rest));
-  int colour = 3;
+  std::size_t number = 1;  // 0 is the exact one
   for (const MethodCurve& method : report.methods)
     figure.series.push_back(
-        by_method(method, colour++, [](const MethodPoint& point) { return point.friction_ratio; }));
-  figure.rules.push_back({1, "pure sliding", false});
+        by_method(method, number++, [](const MethodPoint& point) { return point.friction_ratio; }));
+  figure.rules.push_back({1, "v*", false});
   return figure;
 }
 
@@ -140,37 +143,17 @@ Figure residual_figure(const SceneReport& report) {
   figure.name = "friction_residual";
   figure.height = 220;
   figure.title = "Difference of the other methods from the exact one";
-  figure.caption = "Each with its usual setting, a difference of 0 drawn at 10⁻¹⁷:";
+  figure.caption = "Each with its usual setting. A difference of 0 stands at 10⁻¹⁷:";
   figure.x = {speed_axis(report), false, std::pair{0.0, 1.4}, {}};
   figure.y = {"|difference| of the friction ratio", true, std::pair{1e-17, 1.0}, {}};
-  int colour = 3;
+  std::size_t number = 1;
   for (const MethodCurve& method : report.methods) {
-    figure.series.push_back(by_method(method, colour++, [](const MethodPoint& point) {
+    figure.series.push_back(by_method(method, number++, [](const MethodPoint& point) {
       return std::max(point.difference, 1e-17);
     }));
     figure.caption += fmt::format(" {} {},", method.method, method.setting);
   }
   figure.caption.back() = '.';
-  return figure;
-}
-
-Figure stiffness_figure(const SceneReport& report) {
-  Figure figure = response_figure(report, "stiffness");
-  figure.height = 240;
-  figure.title = "Dynamic stiffness over angular frequency";
-  figure.caption = "Absolute values of the dynamic stiffness of each network.";
-  figure.y = {report.problem->indenter ? "dynamic modulus |E|, Pa" : "dynamic stiffness |K|, N/m",
-              true,
-              {},
-              {}};
-  figure.series = {over_frequency(report, "normal contact", Style::line, 0,
-                                  [](const ResponsePoint& p) { return p.normal; }),
-                   over_frequency(report, "tangential contact", Style::line, 1,
-                                  [](const ResponsePoint& p) { return p.tangential; })};
-  if (report.response.points.front().drive)
-    figure.series.push_back(
-        over_frequency(report, "drive", Style::line, 3,
-                       [](const ResponsePoint& p) { return p.drive.value_or(0); }));
   return figure;
 }
 

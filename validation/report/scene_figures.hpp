@@ -18,10 +18,7 @@ figures::Figure friction_figure(const SceneReport& report);
 /// How far each other method of report.methods is from the exact one, over the same speed.
 figures::Figure residual_figure(const SceneReport& report);
 
-/// |K_n|, |K_t| and, of a drive network, |K_d| over angular frequency.
-figures::Figure stiffness_figure(const SceneReport& report);
-
-/// v* over angular frequency, its asymptotes dashed, resonances marked.
+/// v* over angular frequency, its asymptotes dashed, resonances marked: what the explorer moves.
 figures::Figure velocity_response_figure(const SceneReport& report);
 
 /// What the speed axis shows: "v0 / v*", or with creep "v0 / (v* + creep)".

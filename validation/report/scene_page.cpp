@@ -7,12 +7,30 @@
 
 namespace vcrit::validation::report {
 
-std::string scene_page(const SceneContents& contents, const Origin& origin, bool in_suite) {
+namespace {
+
+record::Json scene_record(const SceneContents& contents, const Origin& origin,
+                          const SceneFiles& files) {
   record::Json record = record::page_of(contents);
-  record["in_suite"] = in_suite;
+  record["in_suite"] = files.in_suite;
+  record["page_file"] = files.page;
+  record["evidence_file"] = files.evidence;
   add_origin(origin, record);
-  return document("scene", record,
+  return record;
+}
+
+}  // namespace
+
+std::string scene_page(const SceneContents& contents, const Origin& origin,
+                       const SceneFiles& files) {
+  return document("scene", scene_record(contents, origin, files),
                   {title_of(contents.report), true, explorer_scripts(contents.report)});
+}
+
+std::string evidence_page(const SceneContents& contents, const Origin& origin,
+                          const SceneFiles& files) {
+  return document("evidence", scene_record(contents, origin, files),
+                  {"Evidence: " + title_of(contents.report), true, {}});
 }
 
 }  // namespace vcrit::validation::report

@@ -1,5 +1,4 @@
-// The page of one scene: everything in one file, readable without a network, on a phone and on
-// paper.
+// The pages of one scene: the answer, and the evidence for it.
 #pragma once
 
 #include <string>
@@ -9,7 +8,17 @@
 
 namespace vcrit::validation::report {
 
-/// `in_suite`: with a way back to the index of all scenes, index.html beside it.
-std::string scene_page(const SceneContents& contents, const Origin& origin, bool in_suite = false);
+/// The files of a scene's pages, in one folder.
+struct SceneFiles {
+  std::string page = "index.html", evidence = "evidence.html";
+  bool in_suite = false;  ///< there is an index of other scenes, too
+};
+
+std::string scene_page(const SceneContents& contents, const Origin& origin,
+                       const SceneFiles& files = {});
+
+/// All checks, differences of methods, error against time, and what made the page.
+std::string evidence_page(const SceneContents& contents, const Origin& origin,
+                          const SceneFiles& files = {});
 
 }  // namespace vcrit::validation::report

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "report/answer_figures.hpp"
+#include "report/answer_record.hpp"
+#include "report/claims.hpp"
 #include "report/cycle_figures.hpp"
 #include "report/explorer_record.hpp"
 #include "report/indenter_figures.hpp"
@@ -22,6 +25,14 @@ using validation::SceneReport;
 void fields(Fields& f, const validation::ValueLine& it) {
   f("name", it.name.text)("value", it.value)("unit", it.unit)("meaning", it.meaning);
   f.page("sign", Markup{it.name.mathml});
+}
+
+void fields(Fields& f, const validation::Influence& it) {
+  f("name", it.name)("logarithmic_derivative", it.share);
+}
+
+void fields(Fields& f, const validation::NormalForce& it) {
+  f("mean", it.mean)("amplitude", it.amplitude);
 }
 
 void fields(Fields& f, const validation::CurvePoint& it) {
@@ -172,6 +183,18 @@ std::vector<std::string> failing(const SceneReport& report) {
 
 }  // namespace
 
+namespace {
+
+std::vector<std::string> names_of_failed(const SceneReport& report) {
+  std::vector<std::string> names;
+  for (const validation::Comparison& comparison : report.comparisons)
+    if (outcome(comparison) == validation::Comparison::Outcome::failed)
+      names.emplace_back(report::claim_of(comparison).words);
+  return names;
+}
+
+}  // namespace
+
 /// v* of a scene and what is said of it.
 struct VelocityOfScene {
   const SceneReport& report;
@@ -210,6 +233,7 @@ void results(Fields& f, const report::SceneContents& contents) {
   const SceneReport& report = contents.report;
   f("admissible", report.reasons.empty())("reasons", report.reasons);
   f("critical_velocity", VelocityOfScene{report})("values", report.values);
+  f.some("influences", report.influences).some("normal_force", report.normal_force);
   f("formula", report.formula.formula)("equation", report.equation);
   f("definitions", report.formula.definitions).page("real_formula", report.formula.is_real);
   f.page("ratio", present_markup(report.formula.ratio_markup));
@@ -224,14 +248,16 @@ void results(Fields& f, const report::SceneContents& contents) {
 
 /// Pictures of what stands in more than one part of the record.
 void pictures(Fields& f, const SceneReport& scene) {
-  const bool simulated = !scene.curve.empty(), response = !scene.response.points.empty();
+  const bool simulated = !scene.curve.empty();
   std::vector<validation::figures::Figure> friction, cycle;
   if (simulated) friction.push_back(report::friction_figure(scene));
   if (simulated && !scene.methods.empty()) friction.push_back(report::residual_figure(scene));
   if (scene.cycle) cycle = {report::force_figure(scene), report::velocity_figure(scene)};
   f("friction_figures", friction)("cycle_figures", cycle);
-  if (response) f("velocity_figure", report::velocity_response_figure(scene));
-  if (response) f("stiffness_figure", report::stiffness_figure(scene));
+  f("answer_figure", report::answer_figure(scene));
+  f("opening_figure", scene.reasons.empty() ? std::nullopt : report::opening_figure(scene));
+  f("velocity_figure", report::frequency_figure(scene));
+  f("stiffness_figure", report::stiffness_figure(scene));
 }
 
 }  // namespace
@@ -251,7 +277,11 @@ void fields(Fields& f, const report::SceneContents& contents) {
   f("tightest", report::tightest_words(scene.comparisons))("reasons", scene.reasons);
   f("formula_applies", scene.formula_applies && !outside);
   f("simulated", !scene.curve.empty() || scene.indented.has_value());
-  f("along", report::draw_sliding(scene.problem))("normal", report::draw_normal(scene.problem));
+  f("system", report::draw_system(scene.problem))
+      .when(scene.failure.empty(), "answer",
+            scene.failure.empty() ? report::answer_record(scene) : Json());
+  f("sentence", report::sentence_of(scene))("checks", report::checks_words(scene));
+  f("failed_names", names_of_failed(scene))("failed_words", report::failed_words(scene));
   f("speed_axis", report::speed_axis(scene))("explorer", report::explorer_record(scene));
   f("many_limits", scene.limits.size() > report::shown_limits);
   std::vector<validation::MethodCurve> silent;

@@ -3,160 +3,255 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <map>
 
-#include "report/network_drawing.hpp"
+#include "network/law.hpp"
+#include "report/units.hpp"
 
 namespace vcrit::validation::report {
 
 namespace {
 
+constexpr double body_height = 44, foot_height = 16, foot_width = 44;  // px
+constexpr double body_reach = 48;  // to the left of the middle, at least
+constexpr std::size_t most_with_values = 4;  // names and values of more would need too much room
+
 Word italic(const char* letter) { return {"letter", letter, ""}; }
 Word lowered(const char* index) { return {"index", index, "4"}; }
+Word plain(const std::string& words) { return {"", words, ""}; }
+/// After a letter with an index, back on the line.
+Word raised(const std::string& words) { return {"", words, "-4"}; }
 
-/// Pieces side by side on one line.
-class Row {
+/// A picture that grows with what is put into it; x from the middle of the body, y from its bottom.
+class Canvas {
  public:
-  void add(const Drawing& piece) {
-    all_.add(moved(all_.width, 0, piece.shapes));
-    all_.width += piece.width;
-    all_.above = std::max(all_.above, piece.above);
-    all_.below = std::max(all_.below, piece.below);
+  void put(const Shapes& shapes) { all_.add(shapes); }
+  void reach(double left, double right, double top, double bottom) {
+    left_ = std::min(left_, left);
+    right_ = std::max(right_, right);
+    all_.above = std::max(all_.above, -top);
+    all_.below = std::max(all_.below, bottom);
   }
-
-  Picture picture(const std::string& description) const { return {all_, description}; }
+  void write(double x, double y, const Label& words, const char* anchor = "start") {
+    const double width = width_of(words);
+    const double left = anchor[0] == 's' ? x : anchor[0] == 'e' ? x - width : x - width / 2;
+    reach(left, left + width, y - 14, y + 6);
+    put({text(x, y, words, anchor)});
+  }
+  double left() const { return left_; }
+  double right() const { return right_; }
+  Picture picture(const std::string& description) {
+    all_.shapes = moved(-left_, 0, all_.shapes);
+    all_.width = right_ - left_;
+    return {all_, description};
+  }
 
  private:
   Drawing all_;
+  double left_ = 0, right_ = 0;
 };
 
-/// A hatched edge from (0, 0) along +x; the hatching lies below it.
-Shapes ground(double length) {
-  Shapes shapes{path(fmt::format("M0 0H{:.0f}", length), "heavy")};
-  for (double x = 6; x <= length; x += 8) shapes.push_back(line(x, 0, x - 6, 7));
+std::string value_of(const Problem& problem, const Quantity& quantity, const char* unit) {
+  return " = " + vcrit::validation::report::quantity(problem.value(quantity), unit, 4);
+}
+
+/// Elements by the names that the scene gives them, with values unless they are many.
+class DrawnNetwork {
+ public:
+  DrawnNetwork(const Problem& problem, const ReducedNetwork& given, bool standing)
+      : look_{standing, {}} {
+    Network network = given.network();
+    std::map<Symbol, std::string> words;
+    for_each_element(problem, [&](const Element& element) {
+      for_each_number(element, [&](const Symbol& symbol, NumberRole role) {
+        const NumberRow& row = number_row(role);
+        const Dimension dimension = problem->indenter ? row.in_half_space : row.dimension;
+        const char* unit = dimension == Dimension::none ? "" : si_unit(dimension);
+        const auto known = problem.values().find(symbol);
+        if (known != problem.values().end())
+          words[as_called(problem, symbol)] = " = " + quantity(known->second, unit, 4);
+      });
+    });
+    rename(network, [&](const Symbol& symbol) { return as_called(problem, symbol); });
+    if (numbers_in(network) <= most_with_values)
+      look_.value = [words](const Symbol& symbol) {
+        const auto found = words.find(symbol);
+        return found == words.end() ? std::string() : found->second;
+      };
+    drawing_ = draw(network, look_);
+  }
+  const Drawing& drawing() const { return drawing_; }
+
+ private:
+  static std::size_t numbers_in(const Network& network) {
+    std::size_t count = 0;
+    for_each_element(network, [&](const Element& element) {
+      for_each_amount(element, [&](const Amount&, NumberRole) { ++count; });
+    });
+    return count;
+  }
+
+  NetworkLook look_;
+  Drawing drawing_;
+};
+
+/// A hatched edge from x to x + length; the hatching lies below it.
+Shapes ground(double x, double y, double length) {
+  Shapes shapes{path(fmt::format("M{:.0f} {:.0f}h{:.0f}", x, y, length), "heavy")};
+  for (double at = 6; at <= length; at += 8)
+    shapes.push_back(line(x + at, y, x + at - 6, y + 7));
   return shapes;
 }
 
-/// The contact point on the substrate, with the coefficient of friction.
-Drawing contact_point(const Symbol& coefficient) {
-  const Label name =
-      coefficient == Symbol{"mu0"} ? Label{italic("μ"), lowered("0")} : label(coefficient);
-  return {52, 14, 52,
-          joined({{path("M12 -9H44V9H12z", "solid"), line(44, 0, 52, 0)},
-                  moved(0, 9, ground(56)),
-                  {text(28, 40, name)}})};
+Shapes arrow_to_both_sides(double y, double length) {
+  return {path(fmt::format("M0 {0:.0f}v{1:.0f}m-5 -8l5 9l5 -9M-5 {2:.0f}l5 -9l5 9", y, length, y + 8),
+               "arrow")};
 }
 
-Drawing wall() {
-  Shapes upright = ground(64);
-  transform(upright, "translate(8 -32) rotate(90)");
-  upright.push_back(line(8, 0, 18, 0));
-  return {18, 34, 34, upright};
+Label coefficient_words(const Problem& problem) {
+  const Symbol symbol = as_called(problem, problem->coefficient.symbol);
+  const std::string value = value_of(problem, problem->coefficient, "");
+  if (symbol == Symbol{"mu0"}) return {italic("μ"), lowered("0"), raised(value)};
+  return joined({label(symbol), {plain(value)}});
 }
 
-Drawing body(const Symbol& mass) {
-  return {64,
-          28,
-          28,
-          {line(0, 0, 6, 0), path("M6 -26H58V26H6z", "solid"), text(32, 5, label(mass)),
-           line(58, 0, 64, 0)}};
+/// "u_z(t) = 0.5 + 0.1 cos ωt µm"
+Label oscillation_words(const Problem& problem) {
+  const double mean = problem.value(problem->indentation),
+               amplitude = problem.value(problem->amplitude);
+  const Scale scale = scale_for(std::max(mean, amplitude), "m");
+  return {italic("u"), lowered("z"),
+          raised(fmt::format("(t) = {:.4g} + {:.4g} cos ωt {}", mean * scale.factor,
+                             amplitude * scale.factor, scale.unit))};
 }
 
-Drawing joint() { return {12, 10, 10, {path("M6 -10V10", "heavy"), line(0, 0, 12, 0)}}; }
-
-Drawing arrow(const Label& name) {
-  return {62,
-          26,
-          8,
-          {line(0, 0, 16, 0), path("M16 0H52M44 -5L53 0L44 5", "arrow"), text(34, -11, name)}};
+/// What presses into the half-space, from the body's bottom corners at y = -16 down to 6.
+const char* profile(Indenter::Shape shape) {
+  switch (shape) {
+    case Indenter::Shape::flat:
+      return "M60 -16H36V6H-36V-16H-60";
+    case Indenter::Shape::cone:
+      return "M60 -16L0 6L-60 -16";
+    case Indenter::Shape::parabola:
+      return "M60 -16Q0 28 -60 -16";
+    case Indenter::Shape::power:
+    case Indenter::Shape::table:
+      return "M60 -16C30 13 -30 13 -60 -16";
+  }
+  throw Bug("an indenter without a shape");
 }
 
-Drawing oscillation() {
-  const Label name{italic("u"), lowered("z"), {"", "(t)", "-4"}};
-  return {76,
-          30,
-          30,
-          {path("M6 -20V20", "heavy"), line(0, 0, 6, 0),
-           path("M16 0H66M24 -5L15 0L24 5M58 -5L67 0L58 5", "arrow"), text(42, -11, name)}};
+/// The material of the half-space below the indenter, with its network within. Returns how far down.
+double draw_half_space(Canvas& canvas, const Problem& problem, const Drawing& network) {
+  constexpr double depth = 14;  // of the network's upper end
+  const double bottom = depth + network.width;
+  canvas.put({path(profile(problem->indenter->shape), "")});
+  canvas.put({path("M-92 0H-34M34 0H92", "heavy"), line(0, 6, 0, depth)});
+  canvas.put(moved(0, depth, standing(network)));
+  canvas.reach(-92, 92, 0, bottom);
+  canvas.write(-66, -6, coefficient_words(problem), "end");
+  return bottom;
 }
 
-/// A drive of which only the receptance is known.
-Drawing measured_drive() {
-  return {92,
-          28,
-          28,
-          {line(0, 0, 10, 0), path("M10 -22H82V22H10z", "solid"), text(46, 5, label({"R_d"})),
-           line(82, 0, 92, 0)}};
+/// The contact's own network along the surface, from the foot to an arm of the body at `at`.
+double draw_tangential(Canvas& canvas, const Drawing& network, double y, double from, double at) {
+  const double start = at - network.width - 10;
+  canvas.put({line(from, y, start, y), line(at - 10, y, at, y),
+              path(fmt::format("M{0:.1f} 0V{1:.1f}", at, y + 8), "heavy")});
+  canvas.put(moved(start, y, network.shapes));
+  canvas.reach(from, at, y - network.above, y + network.below);
+  return at;
 }
 
-Label drive_speed() { return {italic("v"), lowered("0")}; }
+struct Contact {
+  double bottom = 0, right = 0;  ///< of what is below the body, and how far the body must reach
+};
 
-/// An isotropic contact: the normal network within brackets, with the ratio in front.
-Drawing times(double factor, const Drawing& network) {
-  constexpr double before = 84, after = 26;  // px: the factor and a bracket; a bracket
-  const double top = -network.above, bottom = network.below;
-  const auto bracket = [&](double x, int side) {
-    return path(
-        fmt::format("M{0:.1f} {1:.1f}H{2:.1f}V{3:.1f}H{0:.1f}", x + 6 * side, top, x, bottom),
-        "bracket");
+Contact draw_contact(Canvas& canvas, const Problem& problem, const Drawing& normal) {
+  const auto* own = std::get_if<ReducedNetwork>(&problem->tangential);
+  const Drawing tangential =
+      own == nullptr ? Drawing() : DrawnNetwork(problem, *own, false).drawing();
+  const double foot = own == nullptr ? foot_height : std::max(foot_height, tangential.below + 12);
+  const double gap = problem->separation ? 7 : 0;
+  const double sole = normal.width + foot, surface = sole + gap;
+  canvas.put(standing(normal));
+  canvas.reach(-normal.below, normal.above, 0, surface);
+  canvas.put({path(fmt::format("M{:.1f} {:.1f}h{:.1f}v{:.1f}h{:.1f}z", -foot_width / 2,
+                               normal.width, foot_width, foot, -foot_width),
+                   "solid")});
+  double right = std::max(normal.above, body_reach);
+  if (own != nullptr)
+    right = draw_tangential(canvas, tangential, normal.width + foot / 2, foot_width / 2,
+                            right + tangential.width + 20) +
+            8;
+  const double left = std::min(-normal.below, -body_reach) - 40;
+  canvas.put(ground(left, surface, std::max(right, body_reach) + 12 - left));
+  canvas.reach(left, right, surface, surface + 8);
+  canvas.write(-foot_width / 2 - 8, surface - 6, coefficient_words(problem), "end");
+  if (gap > 0) canvas.write(foot_width / 2 + 8, surface - 3, {plain("may open")});
+  return {surface, right};
+}
+
+/// Right of the body, with the arrow of its speed.
+void draw_drive(Canvas& canvas, const Problem& problem, double x, double y, std::string& words) {
+  double at = x;
+  const auto add = [&](const Drawing& drawing) {
+    canvas.put(moved(at, y, drawing.shapes));
+    canvas.reach(at, at + drawing.width, y - drawing.above, y + drawing.below);
+    at += drawing.width;
   };
-  const double end = before + network.width;
-  const Label words{{"", fmt::format("{:.4g} ×", factor), ""}};
-  return {end + after, network.above, network.below,
-          joined({{line(0, 0, before, 0)},
-                  moved(before, 0, network.shapes),
-                  {line(end, 0, end + after, 0), bracket(before - 10, 1), bracket(end + 12, -1),
-                   text(before - 48, -8, words)}})};
-}
-
-/// Its elements by the names that the scene gives them.
-Drawing draw_written(const Problem& problem, const ReducedNetwork& given) {
-  Network network = given.network();
-  rename(network, [&](const Symbol& symbol) { return as_called(problem, symbol); });
-  return draw(network);
-}
-
-Drawing tangential(const Problem& problem) {
-  const auto* isotropic = std::get_if<Isotropic>(&problem->tangential);
-  if (isotropic == nullptr)
-    return draw_written(problem, std::get<ReducedNetwork>(problem->tangential));
-  const double ratio = tangential_ratio(*isotropic);
-  const Drawing normal = draw_written(problem, problem->normal);
-  return ratio == 1 ? normal : times(ratio, normal);
+  std::visit(Overloaded{[](const Rigid&) {},
+                        [&](const ReducedNetwork& drive) {
+                          add(DrawnNetwork(problem, drive, false).drawing());
+                          words += ", drive network";
+                        },
+                        [&](const Receptance&) {
+                          add({92, 26, 26,
+                               {line(0, 0, 10, 0), path("M10 -22H82V22H10z", "solid"),
+                                text(46, 5, label({"R_d"})), line(82, 0, 92, 0)}});
+                          words += ", measured drive";
+                        }},
+             problem->drive);
+  add({58, 26, 8,
+       {line(0, 0, 12, 0), path("M12 0H50M42 -5L51 0L42 5", "arrow"),
+        text(32, -11, {italic("v"), lowered("0")})}});
 }
 
 }  // namespace
 
-Picture draw_sliding(const Problem& problem) {
-  Row row;
-  std::string description = "Substrate, contact point, tangential contact network";
-  row.add(contact_point(as_called(problem, problem->coefficient.symbol)));
-  row.add(tangential(problem));
+Picture draw_system(const Problem& problem) {
+  Canvas canvas;
+  const Drawing normal = DrawnNetwork(problem, problem->normal, true).drawing();
+  std::string words = "Substrate, contact, its network along the normal";
+  Contact contact;
+  if (problem->indenter)
+    contact = {draw_half_space(canvas, problem, normal), 60};
+  else
+    contact = draw_contact(canvas, problem, normal);
+  const double left = problem->indenter ? -60 : -body_reach,
+               right = std::max(contact.right, body_reach),
+               bottom = problem->indenter ? -16 : 0, top = bottom - body_height;
+  canvas.put({path(fmt::format("M{:.1f} {:.1f}H{:.1f}V{:.1f}H{:.1f}z", left, top, right, bottom,
+                               left),
+                   problem->indenter ? "" : "solid")});
+  canvas.reach(left, right, top, bottom);
   if (problem->mass) {
-    row.add(body(as_called(problem, problem->mass->symbol)));
-    description += ", body";
-  } else if (!problem->rigid()) {
-    row.add(joint());
+    canvas.write((left + right) / 2, (top + bottom) / 2 + 5,
+                 joined({label(as_called(problem, problem->mass->symbol)),
+                         {plain(value_of(problem, *problem->mass, "kg"))}}),
+                 "middle");
+    words += ", body";
   }
-  std::visit(Overloaded{[](const Rigid&) {},
-                        [&](const ReducedNetwork& drive) {
-                          row.add(draw_written(problem, drive));
-                          description += ", drive network";
-                        },
-                        [&](const Receptance&) {
-                          row.add(measured_drive());
-                          description += ", measured drive";
-                        }},
-             problem->drive);
-  row.add(arrow(drive_speed()));
-  return row.picture(description + ", moved at constant velocity");
-}
-
-Picture draw_normal(const Problem& problem) {
-  Row row;
-  row.add(wall());
-  row.add(draw_written(problem, problem->normal));
-  row.add(oscillation());
-  return row.picture("Substrate, normal contact network, imposed oscillation");
+  draw_drive(canvas, problem, right, (top + bottom) / 2, words);
+  canvas.put(arrow_to_both_sides(top - 34, 26));
+  canvas.reach(-5, 5, top - 36, top);
+  canvas.write(14, top - 16, oscillation_words(problem));
+  const auto* isotropic = std::get_if<Isotropic>(&problem->tangential);
+  if (isotropic != nullptr && tangential_ratio(*isotropic) != 1)
+    canvas.write(canvas.left(), contact.bottom + 28,
+                 {plain(fmt::format("along the surface {:.4g} × the same network",
+                                    tangential_ratio(*isotropic)))});
+  return canvas.picture(words + ", moved at constant velocity");
 }
 
 }  // namespace vcrit::validation::report

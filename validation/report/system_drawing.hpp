@@ -1,4 +1,4 @@
-// The whole scene drawn: what slides, what is between, what pulls, and the normal direction.
+// The whole scene drawn as it stands: a substrate, what is between, the body and what pulls it.
 #pragma once
 
 #include "problem/problem.hpp"
@@ -6,10 +6,8 @@
 
 namespace vcrit::validation::report {
 
-/// Substrate, contact point, tangential network, and whatever the scene has behind it.
-Picture draw_sliding(const Problem& problem);
-
-/// Substrate, normal network and the imposed oscillation.
-Picture draw_normal(const Problem& problem);
+/// Upright, with the numbers of its elements where there are few. What the scene lacks is left out.
+/// Every value must be given.
+Picture draw_system(const Problem& problem);
 
 }  // namespace vcrit::validation::report

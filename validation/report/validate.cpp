@@ -33,12 +33,12 @@ std::vector<Problem> read_all(const std::vector<std::string>& files) {
 
 /// What a worker hands over of its scene.
 std::string handed_over(const SceneContents& contents, const Machine& machine,
-                        const Request& request) {
+                        const Request& request, const SceneFiles& files) {
   const SceneReport& report = contents.report;
-  const bool in_suite = request.files.size() > 1;
   const Origin origin{machine, command({report.problem->source->file})};
   ordered_json all{{"line", to_json(scene_line(report))},
-                   {"page", scene_page(contents, origin, in_suite)},
+                   {"page", scene_page(contents, origin, files)},
+                   {"evidence", evidence_page(contents, origin, files)},
                    {"data", scene_json(contents)},
                    {"figures", ordered_json::object()}};
   if (!request.figures.empty() && report.failure.empty())
@@ -67,16 +67,25 @@ void summarise(const ordered_json& scene, Validation& validation) {
         {line.file, comparison.at("key"), comparison.at("name"), comparison.at("outcome")});
 }
 
+std::vector<SceneFiles> page_files(const std::vector<std::string>& names) {
+  std::vector<SceneFiles> all;
+  const bool in_suite = names.size() > 1;
+  for (const std::string& name : names)
+    all.push_back({in_suite ? name + ".html" : "index.html", name + ".evidence.html", in_suite});
+  return all;
+}
+
 /// The index comes last: whoever sees it finds the pages that it names.
-void add_suite(const std::vector<ordered_json>& scenes, const std::vector<std::string>& names,
+void add_pages(const std::vector<ordered_json>& scenes, const std::vector<SceneFiles>& pages,
                const Origin& origin, const std::filesystem::path& index,
                std::vector<NewFile>& files) {
   std::vector<IndexEntry> entries;
   for (std::size_t i = 0; i < scenes.size(); ++i) {
-    files.push_back({index.parent_path() / (names[i] + ".html"), scenes[i].at("page")});
-    entries.push_back({scene_line(scenes[i].at("line")), names[i] + ".html"});
+    files.push_back({index.parent_path() / pages[i].evidence, scenes[i].at("evidence")});
+    files.push_back({index.parent_path() / pages[i].page, scenes[i].at("page")});
+    entries.push_back({scene_line(scenes[i].at("line")), pages[i].page});
   }
-  files.push_back({index, index_page(entries, origin)});
+  if (scenes.size() > 1) files.push_back({index, index_page(entries, origin)});
 }
 
 std::vector<FigureFile> figure_files(const std::vector<ordered_json>& scenes,
@@ -89,12 +98,13 @@ std::vector<FigureFile> figure_files(const std::vector<ordered_json>& scenes,
 }
 
 std::vector<ordered_json> work_on(const std::vector<Problem>& problems, const Request& request,
-                                  const Machine& machine, const Watch& watch) {
+                                  const std::vector<SceneFiles>& pages, const Machine& machine,
+                                  const Watch& watch) {
   const auto work = [&](std::size_t i, const Progress& step) {
-    return handed_over(compare(problems[i], step), machine, request);
+    return handed_over(compare(problems[i], step), machine, request, pages[i]);
   };
   const auto in_place = [&](std::size_t i, const std::string& why) {
-    return handed_over({failed_report(problems[i], why), {}}, machine, request);
+    return handed_over({failed_report(problems[i], why), {}}, machine, request, pages[i]);
   };
   std::vector<ordered_json> all;
   for (const std::string& answer :
@@ -115,7 +125,9 @@ Validation validate(const Request& request, const Watch& watch) {
   const std::vector<Problem> problems = read_all(request.files);
   if (!request.figures.empty()) require_gnuplot("figures");
   const Origin origin{this_machine(), command(request.files)};
-  const std::vector<ordered_json> all = work_on(problems, request, origin.machine, watch);
+  const std::vector<std::string> names = page_names(request.files);
+  const std::vector<SceneFiles> pages = page_files(names);
+  const std::vector<ordered_json> all = work_on(problems, request, pages, origin.machine, watch);
   Validation validation;
   std::vector<ordered_json> data;
   for (const ordered_json& scene : all) {
@@ -123,13 +135,9 @@ Validation validate(const Request& request, const Watch& watch) {
     summarise(scene, validation);
   }
   validation.page = request.directory / "index.html";
-  const std::vector<std::string> names = page_names(request.files);
   std::vector<NewFile> files = draw_figures(figure_files(all, names), request.figures, watch);
   files.push_back({request.directory / "report.json", report_json(origin, data)});
-  if (all.size() > 1)
-    add_suite(all, names, origin, validation.page, files);
-  else
-    files.push_back({validation.page, all.front().at("page")});
+  add_pages(all, pages, origin, validation.page, files);
   validation.write(files);
   return validation;
 }

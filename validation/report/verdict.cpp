@@ -26,6 +26,29 @@ std::string state_words(const SceneReport& report) {
          (passed(report) ? std::string() : "; " + words);
 }
 
+std::string sentence_of(const SceneReport& report) {
+  if (!report.failure.empty()) return "No answer: the comparisons came to no end.";
+  return report.sentence;
+}
+
+std::string failed_words(const SceneReport& report) {
+  return fmt::format("{} of {} checks failed", count(report, Comparison::Outcome::failed),
+                     report.comparisons.size() - count(report, Comparison::Outcome::not_run));
+}
+
+std::string checks_words(const SceneReport& report) {
+  const bool failed = count(report, Comparison::Outcome::failed) > 0;
+  const auto not_run = count(report, Comparison::Outcome::not_run);
+  std::string words = failed ? failed_words(report)
+                             : fmt::format("{} checks passed", report.comparisons.size() - not_run);
+  const Comparison* closest = tightest(report);
+  if (!failed && closest != nullptr && closest->tolerance > 0)
+    words += fmt::format(": the closest used {:.2g} % of its tolerance",
+                         100 * difference(*closest) / closest->tolerance);
+  if (not_run > 0) words += fmt::format("; {} could not be run", not_run);
+  return words + ".";
+}
+
 std::string velocity_words(const SceneReport& report) {
   if (!report.failure.empty()) return "no v*";
   if (!report.reasons.empty()) return {};
@@ -55,8 +78,8 @@ std::string tightest_words(const std::vector<Comparison>& comparisons) {
   const Comparison* worst = tightest(comparisons);
   if (worst == nullptr) return {};
   if (worst->broken) return fmt::format("{}: {}", worst->name, worst->detail);
-  return fmt::format("Nearest to its tolerance: {}, {} of {} allowed.", worst->name,
-                     magnitude(difference(*worst)), magnitude(worst->tolerance));
+  return fmt::format("Largest difference relative to its tolerance: {}, {} of {} allowed.",
+                     worst->name, magnitude(difference(*worst)), magnitude(worst->tolerance));
 }
 
 }  // namespace vcrit::validation::report

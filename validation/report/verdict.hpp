@@ -15,6 +15,12 @@ std::string title_of(const SceneReport& report);
 const char* state_class(const SceneReport& report);
 /// "1 of 9 comparisons failed", "outside the model: not simulated", ...
 std::string state_words(const SceneReport& report);
+/// What vibration does to this contact, or why there is no answer.
+std::string sentence_of(const SceneReport& report);
+/// "1 of 9 checks failed"
+std::string failed_words(const SceneReport& report);
+/// "9 checks passed: the closest used 0.5 % of its tolerance."
+std::string checks_words(const SceneReport& report);
 /// "v* = 3.02 mm/s"
 std::string velocity_words(const SceneReport& report);
 

@@ -1,0 +1,15 @@
+// What decides v*: how much it answers to each number of the scene.
+#pragma once
+
+#include "compare/scene_report.hpp"
+
+namespace vcrit::validation {
+
+/// Of the numbers in `lines`, the largest first; those of no influence are left out. Empty where v*
+/// is 0, infinite, or not known.
+std::vector<Influence> influences(const Problem& problem, const std::vector<ValueLine>& lines);
+
+/// Nothing where the contact carries no load at rest.
+std::optional<NormalForce> normal_force(const Problem& problem);
+
+}  // namespace vcrit::validation

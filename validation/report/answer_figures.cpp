@@ -1,0 +1,233 @@
+#include "report/answer_figures.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "base/constants.hpp"
+#include "report/answer_record.hpp"
+#include "report/units.hpp"
+
+namespace vcrit::validation::report {
+
+namespace {
+
+using figures::Figure;
+using figures::FigureSeries;
+using figures::Point;
+using figures::Style;
+
+constexpr double drawn_beyond = 1.3;  // so that one sees that nothing is gained above v*
+
+/// (m/s, ratio) by increasing speed; empty where nothing was simulated.
+std::vector<Point> friction_points(const SceneReport& report) {
+  std::vector<Point> points;
+  if (std::isfinite(report.lowest_friction)) points.push_back({0, report.lowest_friction, ""});
+  for (const CurvePoint& point : report.curve)
+    points.push_back({point.velocity, point.from_sliding, point.regime});
+  if (!report.indented) return points;
+  for (const FrictionCurve& curve : report.indented->amplitudes)
+    for (std::size_t i = 0; curve.own && i < curve.ratios.size(); ++i)
+      points.push_back({curve.ratios[i] * report.critical_velocity, curve.friction[i], ""});
+  return points;
+}
+
+/// The middle of those that have a place on a logarithmic axis; 1 without any.
+double middle_of(std::vector<double> values) {
+  std::erase_if(values, [](double value) { return !(value > 0) || !std::isfinite(value); });
+  if (values.empty()) return 1;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// An axis of frequency, two decades to both sides, with the scene's own and resonances marked.
+Figure over_frequency(const SceneReport& report, const char* name, double factor,
+                      const std::string& unit) {
+  const double own = frequency_of(report);
+  const auto& points = report.response.points;
+  Figure figure;
+  figure.name = name;
+  figure.x = {"frequency, " + unit,
+              true,
+              std::pair{std::max(points.front().omega / two_pi, own / 100) * factor,
+                        std::min(points.back().omega / two_pi, own * 100) * factor},
+              {}};
+  figure.rules.push_back({own * factor, fmt::format("now {:.4g}", own * factor), false});
+  for (const ResonanceMark& mark : report.response.marks)
+    figure.rules.push_back({mark.omega / two_pi * factor,
+                            fmt::format("{} {:.3g}", mark.resonance ? "resonance" : "antiresonance",
+                                        mark.omega / two_pi * factor),
+                            false});
+  return figure;
+}
+
+/// Of v*: what is farther from the middle than this is a resonance or an antiresonance, without an
+/// end where nothing is lost.
+constexpr double clipped = 100;
+
+std::pair<double, double> shown_range(const std::vector<double>& values) {
+  const double middle = middle_of(values);
+  double low = middle, high = middle;
+  for (const double value : values) {
+    if (!(value > 0) || !std::isfinite(value)) continue;
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+  low = std::max(low, middle / clipped);
+  high = std::min(high, middle * clipped);
+  return {low / 1.2, std::max(high, low * 2) * 1.2};
+}
+
+}  // namespace
+
+std::optional<Figure> answer_figure(const SceneReport& report) {
+  const std::vector<Point> points = friction_points(report);
+  const OnsetSpeeds at = onset_speeds(report);
+  if (points.empty() || !std::isfinite(at.drive) || !(at.drive > 0)) return std::nullopt;
+  const double end = drawn_beyond * at.drive;
+  const Scale scale = scale_for(end, "m/s");
+  Figure figure;
+  figure.name = "friction_over_speed";
+  figure.title = "Friction over sliding speed";
+  figure.caption =
+      "Mean friction with vibration over that without, by simulation. Above v* vibration changes "
+      "nothing.";
+  figure.height = 280;
+  figure.x = {"sliding speed, " + scale.unit, false, std::pair{0.0, end * scale.factor}, {}};
+  figure.y = {"friction / friction without vibration", false, std::pair{0.0, 1.05}, {}};
+  FigureSeries series;
+  series.name = "friction";
+  for (const Point& point : points)
+    if (point.x <= 1.02 * end)
+      series.points.push_back(
+          {point.x * scale.factor, point.y,
+           fmt::format("{:.4g} at {:.4g} {}{}{}", point.y, point.x * scale.factor, scale.unit,
+                       point.words.empty() ? "" : ", ", point.words)});
+  if (series.points.back().x < figure.x.range->second && series.points.back().y > 0.999)
+    series.points.push_back({figure.x.range->second, 1, ""});
+  figure.series.push_back(series);
+  const double onset = at.drive * scale.factor;
+  figure.bands = {{0, onset, "stick-slip"}};
+  figure.rules.push_back(
+      {onset, fmt::format("{} = {:.4g} {}", at.drive > at.contact ? "v* + creep" : "v*", onset,
+                          scale.unit),
+       false});
+  if (std::isfinite(report.lowest_friction)) {
+    figure.series.push_back({"", Style::circles, {{0, report.lowest_friction, "at rest"}}, 0});
+    if (report.lowest_friction < 0.98)
+      figure.rules.push_back(
+          {report.lowest_friction, fmt::format("{:.3g} at rest", report.lowest_friction), true});
+  }
+  return figure;
+}
+
+std::optional<Figure> opening_figure(const SceneReport& report) {
+  if (!report.normal_force || report.normal_force->amplitude <= report.normal_force->mean)
+    return std::nullopt;
+  const NormalForce& force = *report.normal_force;
+  // Below an indenter both are of the pressure at its centre, in units of the mean.
+  const Scale scale = report.problem->indenter ? Scale{1 / force.mean, ""}
+                                               : scale_for(force.mean + force.amplitude, "N");
+  const Scale time = scale_for(1 / frequency_of(report), "s");
+  Figure figure;
+  figure.name = "normal_force";
+  figure.title = "Normal force if the contact stayed closed";
+  figure.caption =
+      "Over one period. Shaded: the surfaces would have to pull, so they separate and the formula "
+      "does not apply.";
+  figure.height = 280;
+  const double period = time.factor / frequency_of(report);
+  figure.x = {"time, " + time.unit, false, std::pair{0.0, period}, {}};
+  figure.y = {report.problem->indenter ? "pressure at the centre / mean"
+                                       : "normal force, " + scale.unit,
+              false,
+              {},
+              {}};
+  FigureSeries series{"normal force", Style::line, {}, 0};
+  constexpr int steps = 120;
+  for (int i = 0; i <= steps; ++i)
+    series.points.push_back(
+        {period * i / steps,
+         (force.mean + force.amplitude * std::cos(two_pi * i / steps)) * scale.factor, ""});
+  figure.series.push_back(series);
+  const double opens = std::acos(-force.mean / force.amplitude) / two_pi * period;
+  figure.bands = {{opens, period - opens, "would pull"}};
+  figure.rules = {{0, "contact opens below 0", true}};
+  return figure;
+}
+
+std::optional<Figure> frequency_figure(const SceneReport& report) {
+  if (report.response.points.empty()) return std::nullopt;
+  std::vector<double> applies;
+  for (const ResponsePoint& point : report.response.points)
+    applies.push_back(point.applies ? point.velocity : std::numeric_limits<double>::quiet_NaN());
+  const Scale frequency = scale_for(frequency_of(report), "Hz"),
+              velocity = scale_for(middle_of(applies), "m/s");
+  Figure figure = over_frequency(report, "critical_velocity", frequency.factor, frequency.unit);
+  figure.title = "Critical speed over frequency";
+  figure.caption = "All else as in the scene.";
+  figure.height = 260;
+  FigureSeries own{"v*", Style::line, {}, 0}, formula{"formula, not v*", Style::dotted, {}, 2};
+  std::vector<double> shown;
+  for (std::size_t i = 0; i < applies.size(); ++i) {
+    const ResponsePoint& point = report.response.points[i];
+    const double x = point.omega / two_pi * frequency.factor;
+    if (x < figure.x.range->first / 1.05 || x > figure.x.range->second * 1.05) continue;
+    own.points.push_back({x, applies[i] * velocity.factor, ""});
+    formula.points.push_back({x, point.velocity * velocity.factor, ""});
+    shown.push_back(point.velocity * velocity.factor);
+  }
+  const bool everywhere = std::all_of(report.response.points.begin(), report.response.points.end(),
+                                      [](const ResponsePoint& p) { return p.applies; });
+  if (!everywhere) {
+    figure.caption += " Dotted: the contact does not stay closed, and the formula is not v*.";
+    figure.series.push_back(formula);
+  }
+  figure.series.push_back(own);
+  figure.y = {"v*, " + velocity.unit, true, shown_range(shown), {}};
+  return figure;
+}
+
+std::optional<Figure> stiffness_figure(const SceneReport& report) {
+  if (report.response.points.empty()) return std::nullopt;
+  const Scale frequency = scale_for(frequency_of(report), "Hz");
+  std::vector<double> all;
+  for (const ResponsePoint& point : report.response.points) all.push_back(point.normal);
+  const char* unit = report.problem->indenter ? "Pa" : "N/m";
+  const Scale stiffness = scale_for(middle_of(all), unit);
+  Figure figure = over_frequency(report, "stiffness", frequency.factor, frequency.unit);
+  figure.title = "Dynamic stiffness over frequency";
+  figure.caption = "Absolute values of the dynamic stiffness of each network.";
+  figure.height = 240;
+  figure.y = {"dynamic stiffness, " + stiffness.unit, true, {}, {}};
+  const auto add = [&](const char* name, int colour, auto value) {
+    FigureSeries series{name, Style::line, {}, colour};
+    for (const ResponsePoint& point : report.response.points) {
+      const double x = point.omega / two_pi * frequency.factor;
+      if (x >= figure.x.range->first / 1.05 && x <= figure.x.range->second * 1.05)
+        series.points.push_back({x, value(point) * stiffness.factor, ""});
+    }
+    figure.series.push_back(std::move(series));
+  };
+  add("normal contact", 0, [](const ResponsePoint& p) { return p.normal; });
+  add("tangential contact", 1, [](const ResponsePoint& p) { return p.tangential; });
+  if (report.response.points.front().drive)
+    add("drive", 3, [](const ResponsePoint& p) { return p.drive.value_or(0); });
+  return figure;
+}
+
+std::vector<std::pair<double, double>> answer_points(const SceneReport& report) {
+  const double drive = onset_speeds(report).drive;
+  std::vector<std::pair<double, double>> points;
+  if (!std::isfinite(drive) || !(drive > 0)) return points;
+  for (const Point& point : friction_points(report))
+    if (std::isfinite(point.y) && point.x <= drawn_beyond * drive)
+      points.emplace_back(point.x / drive, point.y);
+  return points;
+}
+
+}  // namespace vcrit::validation::report

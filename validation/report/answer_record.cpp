@@ -1,0 +1,187 @@
+#include "report/answer_record.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/constants.hpp"
+#include "report/units.hpp"
+#include "report/verdict.hpp"
+
+namespace vcrit::validation::report {
+
+namespace {
+
+using record::Json;
+
+constexpr int shown_digits = 4;
+
+std::string shown(double value, const char* unit) { return quantity(value, unit, shown_digits); }
+
+Json key_number(const std::string& label, double value, const char* unit, const std::string& note) {
+  return {{"label", label},
+          {"words", shown(value, unit)},
+          {"exact", fmt::format("{}{}{}", value, *unit == 0 ? "" : " ", unit)},
+          {"note", note}};
+}
+
+std::optional<double> mean_normal(const SceneReport& report) {
+  if (report.indented) return report.indented->normal_force;
+  if (!report.normal_force || report.problem->indenter) return std::nullopt;
+  return report.normal_force->mean;
+}
+
+const ResonanceMark* nearest_resonance(const SceneReport& report) {
+  const auto& marks = report.response.marks;
+  const auto distance = [&](const ResonanceMark& mark) {
+    return mark.resonance ? std::abs(std::log(mark.omega / (two_pi * frequency_of(report))))
+                          : std::numeric_limits<double>::infinity();
+  };
+  const auto nearest =
+      std::min_element(marks.begin(), marks.end(), [&](const auto& a, const auto& b) {
+        return distance(a) < distance(b);
+      });
+  return nearest == marks.end() || !nearest->resonance ? nullptr : &*nearest;
+}
+
+Json speed_key(const SceneReport& report) {
+  const OnsetSpeeds onset = onset_speeds(report);
+  const std::string note =
+      onset.drive > onset.contact
+          ? "with creep the drive runs at " + shown(onset.drive, "m/s")
+          : std::string(onset.simulated ? "by simulation" : "no effect above it");
+  return key_number("Critical speed v*", onset.contact, "m/s", note);
+}
+
+/// Of the normal force in N where it is one; below an indenter it is a share.
+Json closed_key(const SceneReport& report, double largest) {
+  const double own = report.problem.value(report.problem->amplitude);
+  Json key = key_number("Stays closed up to", largest, "m", "now " + shown(own, "m"));
+  key["warn"] = own >= largest;
+  return key;
+}
+
+void add_power(const SceneReport& report, Json& keys) {
+  const auto mean = mean_normal(report);
+  if (!report.cycle || !mean) return;
+  const double force =
+      report.cycle->friction_ratio * report.problem.value(report.problem->coefficient) * *mean;
+  keys.push_back(key_number("Power at v*/2", force * report.cycle->velocity, "W",
+                            "lost at " + shown(report.cycle->velocity, "m/s")));
+}
+
+Json key_numbers(const SceneReport& report) {
+  Json keys = Json::array();
+  const bool outside = !report.reasons.empty();
+  if (!outside) keys.push_back(speed_key(report));
+  if (!outside && std::isfinite(report.lowest_friction))
+    keys.push_back(key_number("Lowest friction", report.lowest_friction, "",
+                              "of the sliding value, at rest"));
+  if (const auto largest = closed_up_to(report)) keys.push_back(closed_key(report, *largest));
+  if (const ResonanceMark* mark = nearest_resonance(report))
+    keys.push_back(key_number("Nearest resonance", mark->omega / two_pi, "Hz",
+                              "now " + shown(frequency_of(report), "Hz")));
+  if (!outside) add_power(report, keys);
+  return keys;
+}
+
+std::string operating_words(const SceneReport& report) {
+  const Problem& problem = report.problem;
+  std::string words = fmt::format(
+      "{}, {} amplitude, {} indentation", shown(frequency_of(report), "Hz"),
+      shown(problem.value(problem->amplitude), "m"),
+      shown(problem.value(problem->indentation), "m"));
+  if (const auto mean = mean_normal(report))
+    words += fmt::format(" ({} mean normal force, {} mean friction without vibration)",
+                         shown(*mean, "N"), shown(problem.value(problem->coefficient) * *mean, "N"));
+  return words + ".";
+}
+
+std::string per_cent(double share) {
+  const double value = std::abs(10 * share);
+  return value < 0.05 ? "less than 0.1 %" : fmt::format("{:.2g} %", value);
+}
+
+std::string listed(const std::vector<std::string>& names) {
+  constexpr std::size_t most = 6;
+  if (names.size() > most) return fmt::format("all {} other numbers", names.size());
+  std::string words;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    words += (i == 0 ? "" : i + 1 < names.size() ? ", " : " and ") + names[i];
+  return words;
+}
+
+/// "10 % in mu0 or du_z is 10 % in v*; 10 % in m, k0 and k1 together 1.6 %."
+std::string inputs_words(const SceneReport& report) {
+  std::vector<std::string> alike, others;
+  double sum = 0;
+  for (const Influence& it : report.influences) {
+    if (it.meaning == "angular frequency") continue;
+    const bool one = std::abs(it.share - 1) < 1e-6;
+    (one ? alike : others).push_back(it.name);
+    if (!one) sum += std::abs(it.share);
+  }
+  if (alike.empty() && others.empty()) return {};
+  std::string words = "The inputs decide: ";
+  for (std::size_t i = 0; i < alike.size(); ++i)
+    words += (i == 0 ? "10 % in " : " or ") + alike[i];
+  if (!alike.empty()) words += " is 10 % in v*";
+  if (!others.empty())
+    words += fmt::format("{}10 % in {}{} at most {}", alike.empty() ? "" : "; ", listed(others),
+                         others.size() > 1 ? " together" : "", per_cent(sum));
+  return words + ".";
+}
+
+/// Bars from the middle, the longest to the edge.
+Json influence_rows(const SceneReport& report) {
+  Json rows = Json::array();
+  double largest = 0;
+  for (const Influence& it : report.influences) largest = std::max(largest, std::abs(it.share));
+  const record::Fields page(record::Reader::page);
+  for (const Influence& it : report.influences) {
+    const double half = 50 * std::abs(it.share) / largest;
+    rows.push_back({{"sign", page.written(record::Markup{it.sign.mathml})},
+                    {"meaning", it.array ? "all entries" : it.meaning},
+                    {"left", it.share < 0 ? 50 - half : 50},
+                    {"length", half},
+                    {"down", it.share < 0},
+                    {"percent", (it.share < 0 ? "−" : "+") + per_cent(it.share)},
+                    {"share", it.share}});
+  }
+  return rows;
+}
+
+}  // namespace
+
+double frequency_of(const SceneReport& report) {
+  return report.problem.value(report.problem->angular_frequency) / two_pi;
+}
+
+OnsetSpeeds onset_speeds(const SceneReport& report) {
+  if (report.indented && !report.indented->closed_form)
+    return {report.indented->critical_velocity, report.indented->critical_velocity, true};
+  if (report.separation && !report.separation->closed_form)
+    return {report.separation->critical_velocity, report.separation->drive_velocity, true};
+  return {report.critical_velocity, report.critical_velocity + report.creep_velocity, false};
+}
+
+std::optional<double> closed_up_to(const SceneReport& report) {
+  if (!report.normal_force || !(report.normal_force->amplitude > 0)) return std::nullopt;
+  const Problem& problem = report.problem;
+  const double by_force = problem.value(problem->amplitude) * report.normal_force->mean /
+                          report.normal_force->amplitude;
+  return std::min(by_force, problem.value(problem->indentation));
+}
+
+record::Json answer_record(const SceneReport& report) {
+  Json rows = influence_rows(report);
+  constexpr std::size_t most = 12;
+  const std::size_t left_out = rows.size() > most ? rows.size() - most : 0;
+  rows.erase(rows.begin() + static_cast<std::ptrdiff_t>(rows.size() - left_out), rows.end());
+  return {{"operating", operating_words(report)}, {"keys", key_numbers(report)},
+          {"inputs", inputs_words(report)},       {"influences", rows},
+          {"left_out", left_out}};
+}
+
+}  // namespace vcrit::validation::report

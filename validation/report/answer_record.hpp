@@ -1,0 +1,26 @@
+// What the first screen of a scene's page says: the answer, its key numbers, and how sure it is.
+#pragma once
+
+#include "record/fields.hpp"
+#include "report/scene_contents.hpp"
+
+namespace vcrit::validation::report {
+
+/// Speeds from which on vibration lowers friction no more, m/s.
+struct OnsetSpeeds {
+  double contact = 0;      ///< v*
+  double drive = 0;        ///< larger only where the path creeps
+  bool simulated = false;  ///< as Eq. 24 is not v* there
+};
+OnsetSpeeds onset_speeds(const SceneReport& report);
+
+/// Of the vibration, Hz.
+double frequency_of(const SceneReport& report);
+
+/// Amplitude, m, up to which the contact stays closed; none where it carries no load.
+std::optional<double> closed_up_to(const SceneReport& report);
+
+/// `operating`, `keys`, `inputs`, `influences`, `left_out`, for templates.
+record::Json answer_record(const SceneReport& report);
+
+}  // namespace vcrit::validation::report
