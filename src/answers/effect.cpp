@@ -81,10 +81,13 @@ void require_rest(const Problem& problem) {
 
 // So slow that friction below an indenter is its limit at rest, to 1e-9.
 constexpr double nearly_at_rest = 1e-9;
+// Part of a second: whoever asks for v* gets it soon, if need be without the lowest friction.
+constexpr std::size_t effort_of_lowest = 40'000'000;
 
 void lowest_below_indenter(const Problem& problem, Effect& effect) {
-  const indenter::Friction found =
-      indenter::friction(indenter::HalfSpace(problem), nearly_at_rest * effect.drive_velocity);
+  SharedEffort effort(effort_of_lowest);
+  const indenter::Friction found = indenter::friction(indenter::HalfSpace(problem).within(effort),
+                                                      nearly_at_rest * effect.drive_velocity);
   effect.mean_normal_force = found.normal_force;
   effect.lowest = LowestFriction{effect.opens ? 0 : found.ratio, 0};
 }
