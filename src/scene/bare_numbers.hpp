@@ -16,7 +16,7 @@ struct BareNumber {
   Place place;
 };
 
-/// What to warn of in a scene that gives other numbers with their units. A scene of bare numbers
+/// What to warn of in a scene that gives other quantities with their units. A scene of bare numbers
 /// alone is taken at its word: it may be in units of its own, with 1 for whatever is of its size.
 std::vector<Warning> suspicious_bare_numbers(const std::vector<BareNumber>& numbers);
 

@@ -119,7 +119,14 @@ void Quantities::read_value(Quantity& quantity, const document::Section& section
 void Quantities::note(const Symbol& symbol, const char* key, const TypedNumber& number,
                       const Place& place) {
   typed_[symbol] = number;
-  if (number.is_bare) bare_.push_back({key, number.value, place});
+  if (number.is_bare)
+    bare_.push_back({key, number.value, place});
+  else
+    gives_units_ = true;
+}
+
+std::vector<Warning> Quantities::warnings() const {
+  return gives_units_ ? suspicious_bare_numbers(bare_) : std::vector<Warning>{};
 }
 
 void Quantities::refuse_equal_names() const {

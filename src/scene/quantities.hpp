@@ -62,8 +62,8 @@ class Quantities {
   /// Two names of one quantity, of which --set may give one.
   void refuse_both(const std::string& name, const std::string& other) const;
 
-  /// Those without a unit.
-  const std::vector<BareNumber>& bare() const { return bare_; }
+  /// What to warn of where a number has no unit and others of them have one.
+  std::vector<Warning> warnings() const;
 
   OverridingValues& settings() { return settings_; }
   const OverridingValues& settings() const { return settings_; }
@@ -83,6 +83,7 @@ class Quantities {
   std::map<Symbol, TypedNumber>& typed_;
   Complaints& complaints_;
   std::vector<BareNumber> bare_;
+  bool gives_units_ = false;
 };
 
 }  // namespace vcrit

@@ -16,7 +16,6 @@
 #include "base/files.hpp"
 #include "base/units.hpp"
 #include "network/masses.hpp"
-#include "scene/bare_numbers.hpp"
 #include "scene/document.hpp"
 #include "scene/element_values.hpp"
 #include "scene/findings.hpp"
@@ -67,7 +66,7 @@ class Reader {
     scene_.names = quantities_.names();
     read_part([&] { elements_.read(); });
     if (complaints_.any())
-      warn_of_bare_numbers();
+      warn_all(quantities_.warnings());
     else
       read_part([&] { finish(); });
     return std::move(scene_);
@@ -92,14 +91,8 @@ class Reader {
     collect_elements();
     warn_all(networks_.warnings());
     warn_beyond_the_data();
-    warn_of_bare_numbers();
+    warn_all(quantities_.warnings());
     for (const Warning& warning : warnings_) scene_.warnings.push_back(to_text(warning));
-  }
-
-  void warn_of_bare_numbers() {
-    if (std::any_of(scene_.typed.begin(), scene_.typed.end(),
-                    [](const auto& typed) { return !typed.second.is_bare; }))
-      warn_all(suspicious_bare_numbers(quantities_.bare()));
   }
 
   void warn_all(const std::vector<Warning>& warnings) {
@@ -167,7 +160,7 @@ class Reader {
     const std::optional<double>& omega = scene_.angular_frequency.value;
     if (!omega) return;
     if (const auto warning = beyond_fitted_range(scene_.fitted_range, file_, *omega, *omega))
-      warnings_.push_back({{}, *warning});
+      warnings_.push_back({{file_}, warning->substr(to_text(Place{file_}).size() + 2)});
   }
 
   void read_drive() {
