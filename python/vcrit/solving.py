@@ -43,8 +43,9 @@ class Solution(NamedTuple):
     """Of them, without an answer."""
 
     def __repr__(self) -> str:
+        at = "" if self.sought == "velocity" else f" at {speed(self.velocity)}"
         return (f"<vcrit.Solution: {self.sought} {_vcrit.quantity(self.value, self.unit, 4)} for a "
-                f"friction ratio of {self.friction_ratio:.4g} at {speed(self.velocity)}>")
+                f"friction ratio of {self.friction_ratio:.4g}{at}>")
 
 
 def solution(scene: _vcrit.Scene, sought: str, friction_ratio: float, velocity: Any, from_: Any,
