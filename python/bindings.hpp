@@ -16,7 +16,7 @@ std::vector<std::string> with_python_names(std::vector<std::string> texts);
 /// vcrit.Error, InputError and ModelError, with the texts that the program prints.
 void add_errors(pybind11::module_& module);
 
-/// A scene, what it names, and its one critical velocity.
+/// A scene, what it names, its one critical velocity, and what vibration does to it in words.
 void add_scene(pybind11::module_& module);
 
 /// v* over contiguous arrays. Releases the GIL.
@@ -34,7 +34,7 @@ void add_sweep(pybind11::module_& module);
 /// A Prony series from measured stiffness. Releases the GIL.
 void add_fit(pybind11::module_& module);
 
-/// Pictures of a scene, and numbers with prefixed units. Releases the GIL.
+/// Pictures of a scene. Releases the GIL.
 void add_pictures(pybind11::module_& module);
 
 /// The derivation as `vcrit derive` prints it, one at a time. Releases the GIL.

@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "answers/critical_onset.hpp"
+#include "answers/effect_words.hpp"
 #include "base/files.hpp"
 #include "base/units.hpp"
 #include "bindings.hpp"
@@ -67,6 +68,15 @@ double parse_value(const Problem& problem, const std::string& name, const std::s
       text, known_dimension(name, problem->source->settable, place, problem->source->named), place);
 }
 
+// What vibration does, and at which operating point.
+std::pair<std::string, std::string> in_words(const Problem& problem) {
+  const OthersRun others_run;
+  const Effect effect = effect_of(problem);
+  return {sentence(effect), operating_point(effect)};
+}
+
+std::string quantity(double value, const std::string& unit) { return rounded(value, unit); }
+
 // Of files beside the scene's own.
 bool reads_tables(const Problem& problem) {
   return problem->receptance() != nullptr || (problem->indenter && problem->indenter->profile);
@@ -91,6 +101,8 @@ void add_scene(py::module_& module) {
   module.def("certified", &certified, arg("scene"));
   module.def("reasons", &inadmissible_reasons, arg("scene"));
   module.def("critical_onset", &onset, arg("scene"));
+  module.def("in_words", &in_words, arg("scene"));
+  module.def("quantity", &quantity, arg("value"), arg("unit"));
 }
 
 }  // namespace vcrit::python

@@ -3,6 +3,7 @@
 import html
 import importlib
 import json
+from collections.abc import Sequence
 from typing import Any
 
 from . import _vcrit
@@ -69,6 +70,7 @@ def _rule(rule: dict[str, Any], axes: Any) -> None:
                       xytext=(3, 3), textcoords="offset points")
 
 
-def notebook(title: str, words: str, picture: str) -> str:
+def notebook(title: str, words: Sequence[str], picture: str) -> str:
     """What a notebook shows of a scene."""
-    return f"<div><p><b>{html.escape(title)}</b></p><p>{html.escape(words)}</p>{picture}</div>"
+    lines = "<br/>".join(html.escape(line) for line in words)
+    return f"<div><p><b>{html.escape(title)}</b></p><p>{lines}</p>{picture}</div>"

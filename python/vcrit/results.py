@@ -12,7 +12,7 @@ from .inputs import ma
 
 def speed(velocity: float) -> str:
     """With a unit that it reads well in: "4.095 mm/s"."""
-    return _vcrit.quantity(velocity, "m/s", 4)
+    return _vcrit.quantity(velocity, "m/s")
 
 
 def known(values: Any) -> npt.NDArray[np.float64]:

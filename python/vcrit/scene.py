@@ -30,7 +30,6 @@ from .results import (
     FrictionCurve,
     Parameter,
     SteadyState,
-    speed,
 )
 from .solving import Solution, solution
 from .speeds import Speeds
@@ -156,6 +155,14 @@ class Scene:
     def reasons(self) -> tuple[str, ...]:
         """Why the scene is not admissible, a sentence each; empty when it is."""
         return tuple(_vcrit.reasons(self._handle))
+
+    @property
+    def in_words(self) -> str:
+        """What vibration does: "Vibration lowers friction below 4.095 mm/s, by at most 25 %."
+
+        Raises InputError for missing values, ModelError where v* is 0/0.
+        """
+        return _vcrit.in_words(self._handle)[0]
 
     @property
     def certified_critical_velocity(self) -> CertifiedVelocity:
@@ -317,7 +324,10 @@ class Scene:
         """For notebooks: what vibration does here, and the curve of friction."""
         title = self.title or self._file
         try:
-            words = "v* = " + speed(self.critical_velocity())
-            return pictures.notebook(title, words, self.svg())
+            words = _vcrit.in_words(self._handle)
         except _vcrit.Error as error:
-            return pictures.notebook(title, str(error), "")
+            return pictures.notebook(title, [str(error)], "")
+        try:
+            return pictures.notebook(title, words, self.svg())
+        except _vcrit.ModelError:  # nothing to draw, as the words say
+            return pictures.notebook(title, words, "")

@@ -44,7 +44,7 @@ class Solution(NamedTuple):
 
     def __repr__(self) -> str:
         at = "" if self.sought == "velocity" else f" at {speed(self.velocity)}"
-        return (f"<vcrit.Solution: {self.sought} {_vcrit.quantity(self.value, self.unit, 4)} for a "
+        return (f"<vcrit.Solution: {self.sought} {_vcrit.quantity(self.value, self.unit)} for a "
                 f"friction ratio of {self.friction_ratio:.4g}{at}>")
 
 

@@ -16,7 +16,7 @@ bool is_key(const std::string& quoted) {
 
 }  // namespace
 
-std::string spelled(const std::string& text, const Spelling& spelling) {
+std::string spelled(const std::string& text, const ArgumentSpelling& spelling) {
   std::string result;
   std::size_t done = 0;
   while (true) {
@@ -30,14 +30,14 @@ std::string spelled(const std::string& text, const Spelling& spelling) {
   }
 }
 
-InputError spelled(const InputError& error, const Spelling& spelling) {
+InputError spelled(const InputError& error, const ArgumentSpelling& spelling) {
   Place place = error.place();
   if (!place.argument.empty()) place.argument = spelling(place.argument);
   return {place, error.found(), spelled(error.expected(), spelling),
           spelled(error.advice(), spelling)};
 }
 
-ModelError spelled(const ModelError& error, const Spelling& spelling) {
+ModelError spelled(const ModelError& error, const ArgumentSpelling& spelling) {
   std::string words = error.what();
   if (const std::string& advice = error.advice(); !advice.empty())
     words.resize(words.size() - advice.size() - std::string("; ").size());

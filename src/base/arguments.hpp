@@ -11,15 +11,15 @@
 namespace vcrit {
 
 /// Of a key and what follows it: "velocity_ratio", "set k1", "set NAME=VALUE", "from, to".
-using Spelling = std::function<std::string(const std::string& argument)>;
+using ArgumentSpelling = std::function<std::string(const std::string& argument)>;
 
 /// `text` with its keys spelled. A whole command, `vcrit fit DATA.csv`, stays as it is, and so does
 /// what no key begins like.
-std::string spelled(const std::string& text, const Spelling& spelling);
+std::string spelled(const std::string& text, const ArgumentSpelling& spelling);
 
 /// The error with its argument and the keys of what it expects and advises spelled; what was found
 /// is the user's own text.
-InputError spelled(const InputError& error, const Spelling& spelling);
-ModelError spelled(const ModelError& error, const Spelling& spelling);
+InputError spelled(const InputError& error, const ArgumentSpelling& spelling);
+ModelError spelled(const ModelError& error, const ArgumentSpelling& spelling);
 
 }  // namespace vcrit

@@ -47,6 +47,7 @@ ROOMS = [
     "validation/extremes",
     "validation/paper",
     "validation/report",
+    "validation/pictures",
     "app",
     "python",
     # Outside the product: it may know all of it, and nothing of the product knows it.
@@ -71,9 +72,9 @@ FORBIDDEN = {
     ("src/simulation/methods", "src/normal"),
     ("src/simulation/methods", "src/simulation/motion"),
     ("src/simulation/methods", "src/simulation/steady"),
-    # The module for Python is the two libraries, without program and report.
+    # The module for Python is the two libraries and pictures, without program and report.
     ("python", "app"),
-    ("python", "validation"),
+    *(("python", room) for room in ROOMS if room.startswith("validation/") and room != "validation/pictures"),
 }
 
 # v* found in one way alone, by Eq. (24), which need not be that of the scene. Who uses it says so: what asks for v*

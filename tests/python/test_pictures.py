@@ -71,7 +71,9 @@ class Notebooks(unittest.TestCase):
         shown = ElementTree.fromstring(SCENE._repr_html_())
         texts = "".join(shown.itertext())
         self.assertIn(SCENE.title, texts)
-        self.assertIn("4.09", texts)  # mm/s, tests/data/scenes_expected.csv
+        self.assertIn("Vibration lowers friction below 4.095 mm/s", texts)  # tests/data/scenes_expected.csv
+        self.assertIn("20 kHz, 0.1 µm amplitude, 0.5 µm indentation", texts)  # the scene's own
+        self.assertIn(SCENE.in_words, texts)
         self.assertIsNotNone(shown.find("{http://www.w3.org/2000/svg}svg"))
 
     def test_escape_titles(self):
