@@ -153,11 +153,13 @@ void ElementValues::read_array(const std::string& name, const ElementUse& use,
   }
 }
 
+// --set goes before what the scene says and before a stiffness that was typed in.
 void ElementValues::read_entry(const Symbol& entry, const ElementUse& use, const toml::node* node) {
   const Symbol symbol = own(entry);
   const std::string label = to_text(entry);
   const auto set = settings().take(label, use.dimension, symbol);
-  if (set) put(symbol, *set, OverridingValues::place(label));
+  const TypedNumber* given = set ? &*set : networks_.number_of(entry);
+  if (given != nullptr) put(symbol, *given, OverridingValues::place(label));
   if (node == nullptr) return;
   const Place place = document::place_of(*node, file_);
   const auto value = number(*node, use.dimension, label, place);

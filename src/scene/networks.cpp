@@ -12,6 +12,7 @@
 #include "network/law.hpp"
 #include "network/masses.hpp"
 #include "scene/document.hpp"
+#include "scene/rational_stiffness.hpp"
 
 namespace vcrit {
 
@@ -200,11 +201,34 @@ Network Networks::read_named(const std::string& name, const toml::node& node, in
   if (table == nullptr)
     throw InputError(place_of(node, file_),
                      fmt::format("network \"{}\" = {}", name, describe_node(node)),
-                     "a network in quotes, or a table with terminals and edges");
+                     "a network in quotes, or a table with terminals and edges, or a stiffness");
+  if (table->contains("stiffness")) return read_rational(name, *table);
   if (!table->contains("network")) return read_graph(name, *table, level);
   const document::Section section(table, "networks." + name, file_, {"arguments", "network"},
                                   complaints_);
   return read(section.text("network"), section.place("network"), level);
+}
+
+Network Networks::read_rational(const std::string& name, const toml::table& table) {
+  const document::Section section(&table, "networks." + name, file_, {"stiffness"});
+  Place place = section.place("stiffness");
+  ++place.column;  // of the opening quote
+  FosterForm form = read_stiffness(section.text("stiffness"), name, place);
+  for (const auto& [symbol, number] : form.values) {
+    if (elements_ != nullptr && elements_->contains(symbol.name))
+      throw InputError(place_of(*elements_->get(symbol.name), file_),
+                       fmt::format("\"{}\", an element of network \"{}\" that its stiffness gives",
+                                   symbol.name, name),
+                       "another name of the element or of the network");
+    numbers_[symbol] = number;
+  }
+  note_uses(form.network, section.place("stiffness"));
+  return std::move(form.network);
+}
+
+const TypedNumber* Networks::number_of(const Symbol& symbol) const {
+  const auto found = numbers_.find(symbol);
+  return found == numbers_.end() ? nullptr : &found->second;
 }
 
 Network Networks::read_graph(const std::string& name, const toml::table& table, int level) {

@@ -30,6 +30,8 @@ class Networks {
 
   /// By the names in the networks.
   const std::map<std::string, ElementUse>& uses() const { return uses_; }
+  /// Numbers of elements that stand for a stiffness typed in, by the names in the networks.
+  const TypedNumber* number_of(const Symbol& symbol) const;
   /// What [elements] calls them.
   ElementNames& names() { return names_; }
   const std::vector<Warning>& warnings() const { return warnings_; }
@@ -52,6 +54,7 @@ class Networks {
   Network read_definition(const std::string& name, std::map<std::string, std::string> meant,
                           const Place& place, int level);
   Network read_named(const std::string& name, const toml::node& node, int level);
+  Network read_rational(const std::string& name, const toml::table& table);
   Network read_graph(const std::string& name, const toml::table& table, int level);
   std::vector<std::string> arguments_of(const std::string& name) const;
   void read_unused(const std::string& name, const Place& place);
@@ -69,6 +72,7 @@ class Networks {
   const toml::table* elements_;  // [elements], for the length of its arrays
   ElementNames names_;
   std::map<std::string, Network> known_;
+  std::map<Symbol, TypedNumber> numbers_;
   std::set<std::string> being_read_;
   std::set<std::string> called_;                  // with arguments
   std::map<std::string, std::string> arguments_;  // of the network that is being read

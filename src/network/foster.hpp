@@ -1,0 +1,35 @@
+// The network of springs and dampers whose stiffness is a rational function K(s), its Foster form:
+// K(s) = k0 + c s + sum k_j s/(s + 1/tau_j). There is one exactly where K(s)/s has simple poles on
+// the negative real axis (and s = 0) alone, with positive residues [Brune's positive-real
+// functions of one kind of store; Foster 1924, Cauer 1926].
+#pragma once
+
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "base/units.hpp"
+#include "network/network.hpp"
+#include "network/rational.hpp"
+
+namespace vcrit {
+
+/// Elements of a Foster form, each with its number.
+struct FosterForm {
+  Network network;
+  std::vector<std::pair<Symbol, TypedNumber>> values;
+};
+
+/// Why there is none: what was found, what was expected, and what to do.
+struct NoFosterForm {
+  std::string found, expected, advice = {};
+};
+
+/// The elements are called after `name`: k0_name, c_name, k_name[j] with tau_name[j], the fastest
+/// branch last. Their numbers are those of K(s) to 60 digits; whether they exist is decided
+/// exactly. `stiffness` may have common factors.
+std::variant<FosterForm, NoFosterForm> foster_form(const RationalFunction& stiffness,
+                                                   const std::string& name);
+
+}  // namespace vcrit
