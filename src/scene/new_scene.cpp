@@ -166,7 +166,7 @@ std::string new_scene_text(const NewScene& scene) {
   if (scene.has_body && !scene.drive)
     throw InputError(argument("mass"), "a body under a rigid drive", "a drive that gives",
                      "a rigid drive moves the body uniformly, so that its mass has no effect: add "
-                     "--drive spring");
+                     "`drive spring`");
   std::string text = comment(fmt::format("{} under {}{}. Replace each {} by a value with its unit, "
                                          "then: vcrit check FILE",
                                          rheology.called,
