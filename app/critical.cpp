@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "answers/critical_onset.hpp"
+#include "base/rounded.hpp"
 #include "commands.hpp"
 #include "critical/conditioning.hpp"
 #include "indenter/friction.hpp"
@@ -110,22 +111,28 @@ CriticalComparison compared(const Problem& problem) {
   return result;
 }
 
-void print_critical_text(const CriticalComparison& c) {
-  const auto line = [&](const char* name, double value, double tolerance, const char* what) {
+void print_critical_text(const CriticalComparison& c, int digits) {
+  const auto speed = [&](double value) { return rounded(value, "m/s", digits); };
+  const auto row = [&](const char* name, double value, double tolerance, const char* what) {
     const double difference = c.difference(value);
-    fmt::print("{:<12} {:<22} m/s  {}; differs by {:.2g}{}\n", name, value, what, difference,
-               difference <= tolerance ? "" : fmt::format(", ABOVE {:.2g}", tolerance));
+    print_row(name, fmt::format("{}, {}; off by {:.2g}{}", speed(value), what, difference,
+                                difference <= tolerance
+                                    ? ""
+                                    : fmt::format(", ABOVE THE TOLERANCE {:.2g}", tolerance)));
   };
-  fmt::print("formula      {:<22} m/s  Eq. (24)\n", c.formula);
-  line("simulated", c.simulated, c.tolerance(), "steady sliding exists from here on");
+  fmt::print("Formula and simulation {} on v* = {}.\n", c.agrees() ? "agree" : "DO NOT AGREE",
+             speed(c.formula));
+  print_row("formula", speed(c.formula) + ", Eq. (24)");
+  row("simulated", c.simulated, c.tolerance(),
+      "threshold of the linear sliding response, which the formula shares");
   if (c.stick_onset)
-    line("stick onset", *c.stick_onset, c.stick_tolerance(),
-         c.answered < c.cells ? "the last stick of the cells that have a steady state"
-                              : "a start at rest ends in stick up to here");
+    row("stick onset", *c.stick_onset, c.stick_tolerance(),
+        c.answered < c.cells ? "the last stick of the cells that have a steady state"
+                             : "the stick-slip motion from rest sticks up to here (independent)");
   else
-    fmt::print("stick onset  not found: {}\n", c.missing);
+    print_row("stick onset", "not found: " + c.missing);
   if (c.answered < c.cells)
-    fmt::print("             {} of {} cells have one\n", c.answered, c.cells);
+    print_row("", fmt::format("{} of {} cells have a steady state", c.answered, c.cells));
 }
 
 }  // namespace
@@ -133,12 +140,14 @@ void print_critical_text(const CriticalComparison& c) {
 void add_critical(CLI::App& program, int& status) {
   struct Options {
     SceneOptions scene;
+    int digits = few_digits;
     bool json = false;
   };
   const auto options = std::make_shared<Options>();
   CLI::App* command =
       program.add_subcommand("critical", "Critical velocity: formula against simulation");
   options->scene.add_to(*command);
+  add_digits(*command, options->digits);
   command->add_flag("--json", options->json, "print one JSON object");
   command->callback([options, &status] {
     const CriticalComparison comparison = compared(options->scene.read());
@@ -146,7 +155,7 @@ void add_critical(CLI::App& program, int& status) {
     if (options->json)
       print(record::json_of(comparison));
     else
-      print_critical_text(comparison);
+      print_critical_text(comparison, options->digits);
   });
 }
 

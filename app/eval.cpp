@@ -1,21 +1,24 @@
 // vcrit eval: v* of a scene, correctly rounded, and whether Eq. 24 applies.
 #include <fmt/core.h>
 #include <fmt/ranges.h>
+#include <unistd.h>
 
-#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "answers/critical_onset.hpp"
+#include "answers/effect_words.hpp"
+#include "base/rounded.hpp"
 #include "commands.hpp"
 #include "critical/admissibility.hpp"
 #include "facts/facts.hpp"
 #include "options.hpp"
 #include "record/fields.hpp"
-#include "rules/kinds.hpp"
+#include "streams.hpp"
 
 namespace vcrit::app {
 
@@ -27,6 +30,7 @@ struct Evaluation {
   std::optional<bool> opens;         // told where the scene has separation = true
   std::vector<std::string> facts;    // what the formula says
   std::vector<std::string> warnings;
+  Effect effect;
   bool simulated() const { return critical.by == CriticalOnset::By::simulation; }
 
   friend void fields(record::Fields& f, const Evaluation& it) {
@@ -49,35 +53,18 @@ struct Evaluation {
       f.when(it.simulated(), "relative_error_estimate", critical.relative_error);
     }
     f("facts", it.facts).some("warnings", it.warnings);
+    f("sentence", sentence(it.effect))("effect", it.effect);
   }
 };
 
-// All digits, of a simulated v* those that its error leaves.
-std::string true_digits(const CriticalOnset& critical) {
-  const double error = critical.relative_error, value = critical.contact_velocity;
-  if (!(error > 0.5e-15)) return fmt::format("{}", value);
-  const int digits = static_cast<int>(-std::log10(2 * error));
-  return fmt::format("{:.{}g}", value, std::max(digits, 1));
-}
-
-const char* contact_words(const Problem& problem) {
-  const rules::Facts facts(problem);
-  if (facts.is(rules::SceneKind::never_closing)) return "never closes";
-  if (facts.opens()) return "opens in each period";
-  return problem->indenter ? "stays closed at the centre" : "stays closed";
-}
-
-std::string border_words(double sliding_from) {
-  if (std::isnan(sliding_from)) return "from a speed below v* on that is not known";
-  return fmt::format("from {} m/s on", sliding_from);
-}
-
 Evaluation evaluated(const Problem& problem) {
-  Evaluation result{critical_onset(problem),
+  const CriticalOnset critical = critical_onset(problem);
+  Evaluation result{critical,
                     inadmissible_reasons(problem),
                     {},
                     symbolic::facts_in_text(problem),
-                    problem->source->warnings};
+                    problem->source->warnings,
+                    effect_of(problem, critical)};
   if (problem->separation) result.opens = opens(problem);
   return result;
 }
@@ -88,31 +75,50 @@ std::string brief(const std::string& fact) {
   return fact.size() <= room ? fact : fact.substr(0, fact.find(": ")) + " (vcrit derive shows it)";
 }
 
-void print_eval_text(const Problem& problem, const Evaluation& result) {
-  if (!problem->source->title.empty()) fmt::print("{}\n", problem->source->title);
+// Where the formula does not describe the motion, what it gives is said to be that.
+std::string velocity_words(const Evaluation& result, int digits) {
   const double critical = result.critical.contact_velocity;
-  fmt::print("critical velocity v*  {} m/s{}\n", true_digits(result.critical),
-             result.simulated() ? " (simulated)" : "");
-  if (!result.critical.reason.empty())
-    fmt::print("                      {}\n", result.critical.reason);
-  if (!result.simulated())
-    fmt::print("rounding error        at most {:.2g}\n", result.critical.relative_error_bound);
-  else if (std::isfinite(critical))
-    fmt::print("rounding error        about {:.2g}\n", result.critical.relative_error);
-  if (result.critical.drive_velocity != critical)
-    fmt::print("drive velocity        {} m/s (the path creeps)\n", result.critical.drive_velocity);
-  if (const std::vector<int>& free = result.critical.free_harmonics; !free.empty())
-    fmt::print("steady sliding        {}: the undamped body swings freely at {} {}\n",
-               border_words(result.critical.sliding_from),
-               free.size() > 1 ? "harmonics" : "harmonic", fmt::join(free, ", "));
-  if (result.opens) fmt::print("contact               {}\n", contact_words(problem));
-  fmt::print("admissible            {}\n", result.reasons.empty() ? "yes" : "no");
-  for (const std::string& reason : result.reasons) fmt::print("                      {}\n", reason);
-  const char* heading = "the formula says";
-  for (const std::string& fact : result.facts) {
-    fmt::print("{:<22}{}\n", heading, brief(fact));
-    heading = "";
-  }
+  if (!result.reasons.empty())
+    return fmt::format("v* = {} by the formula, which does not describe this motion",
+                       rounded(critical, "m/s", digits));
+  const char* what = result.simulated()       ? " (simulated)"
+                     : result.effect.creeps() ? " of the contact point"
+                                              : "";
+  return fmt::format("v* = {}{}", critical_velocity_in_words(result.effect, digits), what);
+}
+
+std::string full_friction_words(const CriticalOnset& critical, int digits) {
+  if (critical.free_harmonics.empty()) return {};
+  return fmt::format("{}: the undamped body swings freely at {} {}",
+                     std::isnan(critical.sliding_from)
+                         ? "from a speed below v* on that is not known"
+                         : fmt::format("from {} on", rounded(critical.sliding_from, "m/s", digits)),
+                     critical.free_harmonics.size() > 1 ? "harmonics" : "harmonic",
+                     fmt::join(critical.free_harmonics, ", "));
+}
+
+std::string error_words(const Effect& effect, int digits) {
+  const std::string error = rounding_error(effect);
+  if (error.empty() || digits == all_digits) return error;
+  return fmt::format("{:<20}all digits: --digits {}", error, all_digits);
+}
+
+void print_eval_text(const Problem& problem, const Evaluation& result, int digits) {
+  const Effect& effect = result.effect;
+  if (!problem->source->title.empty()) fmt::print("{}\n", problem->source->title);
+  const std::string told = sentence(effect, digits);
+  const bool outside = effect.kind == Effect::Kind::outside;
+  fmt::print("{}\n\n{}\n", conditions(effect, digits),
+             outside ? alarming(told, STDOUT_FILENO) : told);
+  print_row("critical velocity", velocity_words(result, digits));
+  print_row("lowest friction", lowest_friction(effect, digits));
+  print_row("full friction", full_friction_words(result.critical, digits));
+  print_row("contact closed", closed_range(effect, digits));
+  print_row("rounding error", error_words(effect, digits));
+  const char* heading = "outside the model";
+  for (const std::string& reason : result.reasons) print_row(std::exchange(heading, ""), reason);
+  heading = "the formula says";
+  for (const std::string& fact : result.facts) print_row(std::exchange(heading, ""), brief(fact));
 }
 
 }  // namespace
@@ -120,11 +126,13 @@ void print_eval_text(const Problem& problem, const Evaluation& result) {
 void add_eval(CLI::App& program) {
   struct Options {
     SceneOptions scene;
+    int digits = few_digits;
     bool json = false;
   };
   const auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand("eval", "Critical velocity of a scene as a number");
   options->scene.add_to(*command);
+  add_digits(*command, options->digits);
   command->add_flag("--json", options->json, "print one JSON object");
   command->callback([options] {
     const Problem problem = options->scene.read();
@@ -132,7 +140,7 @@ void add_eval(CLI::App& program) {
     if (options->json)
       print(record::json_of(result));
     else
-      print_eval_text(problem, result);
+      print_eval_text(problem, result, options->digits);
   });
 }
 

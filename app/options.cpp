@@ -6,6 +6,7 @@
 
 #include "streams.hpp"
 
+#include "base/rounded.hpp"
 #include "problem/variants.hpp"
 #include "scene/settings.hpp"
 
@@ -39,6 +40,19 @@ Problem SceneOptions::read(const std::function<Frequency(const Problem&)>& frequ
     if (const auto own = beyond_fitted_range(problem, *omega, *omega)) std::erase(warnings, *own);
   for (const std::string& warning : warnings) warn(warning);
   return warning_of(problem, std::move(warnings));
+}
+
+void add_digits(CLI::App& command, int& digits) {
+  command
+      .add_option("--digits", digits,
+                  fmt::format("significant digits of the text, {} for all", all_digits))
+      ->check(CLI::Range(1, all_digits))
+      ->capture_default_str();
+}
+
+void print_row(const std::string& heading, const std::string& text) {
+  constexpr int room = 20;  // of the headings
+  if (!text.empty()) fmt::print("  {:<{}}{}\n", heading, room, text);
 }
 
 void print(const nlohmann::ordered_json& object) {

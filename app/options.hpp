@@ -45,6 +45,12 @@ void add_choice(CLI::App& command, const std::string& option, T& target, const C
       ->default_str(names.front());
 }
 
+/// --digits of the numbers in what people read.
+void add_digits(CLI::App& command, int& digits);
+
+/// A line of what people read: "  heading             text"; nothing without a text.
+void print_row(const std::string& heading, const std::string& text);
+
 /// Prints one object on stdout: what record::json_of makes of a command's result.
 void print(const nlohmann::ordered_json& object);
 

@@ -4,8 +4,10 @@
 #include <memory>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include "commands.hpp"
+#include "friction_words.hpp"
 #include "method_choice.hpp"
 #include "options.hpp"
 #include "record/fields.hpp"
@@ -41,6 +43,7 @@ struct SimulateOptions {
   SceneOptions scene;
   SpeedOptions speed;
   MethodChoice method;
+  int digits = few_digits;
   bool json = false;
 };
 
@@ -75,33 +78,61 @@ struct SimulationAnswer {
   }
 };
 
-void print_velocity(const Speed& speed) {
-  fmt::print("velocity        {} m/s ({:.6g} v*)\n", speed.velocity, speed.ratio);
+const char* event_words(simulation::Motion to) {
+  switch (to) {
+    case simulation::Motion::slip:
+      return "the contact starts to slide";
+    case simulation::Motion::stick:
+      return "the contact sticks";
+    case simulation::Motion::backslip:
+      return "the contact slips backward";
+    case simulation::Motion::separated:
+      return "the contact opens";
+  }
+  throw Bug("an event without words");
+}
+
+void print_events(const SteadyState& steady, int digits) {
+  const char* heading = "one cycle";
+  if (steady.periods.value_or(1) > 1) {
+    print_row(heading, fmt::format("repeats after {} periods of vibration", *steady.periods));
+    heading = "";
+  }
+  for (const simulation::Event& event : steady.events)
+    print_row(
+        std::exchange(heading, ""),
+        fmt::format("at {:>7}°  {}", rounded(event.phase * 180 / std::numbers::pi, "", digits),
+                    event_words(event.to)));
+  if (!steady.events.empty()) print_row("", "(0° is the deepest indentation)");
 }
 
 // omega: rad/s
-void print_simulate_text(const SimulationAnswer& answer, double omega) {
-  const SteadyState& steady = answer.steady;
-  print_velocity(answer.speed);
-  fmt::print("friction ratio  {} (error about {:.1g})\n", steady.friction_ratio,
-             steady.friction_ratio_error);
-  fmt::print("regime          {}\n", to_text(steady.regime));
-  for (const simulation::Event& event : steady.events)
-    fmt::print("  at phase {:<20.15g} to {}\n", event.phase, to_text(event.to));
-  if (!answer.energy) return;
+void print_power(const EnergyBalance& energy, double omega, int digits) {
   const double frequency = omega / (2 * std::numbers::pi);
-  fmt::print("power of drive  {:.6g} W: friction {:.6g} W, dampers {:.6g} W\n",
-             answer.energy->drive * frequency, answer.energy->friction * frequency,
-             answer.energy->dampers * frequency);
-  if (!answer.separation) return;
-  fmt::print("normal force    {:.6g} N on average, while the contact opens in each period\n",
-             answer.separation->mean_normal_force);
-  const simulation::OtherStart& other = answer.separation->other_start;
-  if (other.agrees)
-    fmt::print("starts          agree, in sliding and at rest\n");
-  else
-    fmt::print("starts          DISAGREE: the other one ends in {}, {}\n", other.friction_ratio,
-               to_text(other.regime));
+  const auto watts = [&](double joules) { return rounded(joules * frequency, "W", digits); };
+  print_row("power of drive", fmt::format("{}: friction {}, dampers {}", watts(energy.drive),
+                                          watts(energy.friction), watts(energy.dampers)));
+}
+
+void print_starts(const simulation::OtherStart& other, int digits) {
+  print_row("starts",
+            other.agrees ? "from rest and from sliding, the motion becomes the same"
+                         : fmt::format("DISAGREE: the other one ends in a friction ratio of {}, {}",
+                                       friction_ratio_words(other.friction_ratio,
+                                                            other.friction_ratio_error, digits),
+                                       regime_words(other.regime)));
+}
+
+void print_simulate_text(const SimulationAnswer& answer, const Problem& problem,
+                         const simulation::System& system, int digits) {
+  const SteadyState& steady = answer.steady;
+  print_friction(problem, answer.speed,
+                 {steady.friction_ratio, steady.friction_ratio_error,
+                  simulation::mean_normal_force(system), steady.regime},
+                 digits);
+  print_events(steady, digits);
+  if (answer.energy) print_power(*answer.energy, system.omega, digits);
+  if (answer.separation) print_starts(answer.separation->other_start, digits);
 }
 
 SimulationAnswer answer_of(const SimulateOptions& options, const Problem& problem,
@@ -131,8 +162,11 @@ SimulationAnswer answer_below_indenter(const SimulateOptions& options, const Pro
 void simulate_below_indenter(const SimulateOptions& options, const Problem& problem) {
   const SimulationAnswer answer = answer_below_indenter(options, problem);
   if (options.json) return print(record::json_of(answer));
-  print_velocity(answer.speed);
-  print_indenter(*answer.indenter);
+  const indenter::Friction& friction = answer.indenter->friction;
+  print_friction(problem, answer.speed,
+                 {friction.ratio, friction.error, friction.normal_force, friction.regime},
+                 options.digits);
+  print_indenter(*answer.indenter, options.digits);
 }
 
 void simulate(const SimulateOptions& options) {
@@ -143,7 +177,7 @@ void simulate(const SimulateOptions& options) {
   if (options.json)
     print(record::json_of(answer));
   else
-    print_simulate_text(answer, system.omega);
+    print_simulate_text(answer, problem, system, options.digits);
 }
 
 }  // namespace
@@ -154,6 +188,7 @@ void add_simulate(CLI::App& program) {
   options->scene.add_to(*command);
   options->speed.add_to(*command);
   options->method.add_to(*command);
+  add_digits(*command, options->digits);
   command->add_flag("--json", options->json, "print one JSON object");
   command->callback([options] { simulate(*options); });
 }

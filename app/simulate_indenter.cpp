@@ -2,6 +2,12 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <utility>
+
+#include "base/rounded.hpp"
+#include "options.hpp"
+
 namespace vcrit::record {
 
 void fields(Fields& f, const indenter::Cell& it) {
@@ -30,6 +36,9 @@ constexpr int shown_cells = 8;
 // Each steady value is promised to 1e-9, and both may be off.
 constexpr double starts_tolerance = 2e-9;
 
+// As many as the default tolerance leaves.
+constexpr int cell_digits = 9;
+
 }  // namespace
 
 IndenterAnswer simulate_indenter(const Problem& problem, double velocity) {
@@ -39,20 +48,21 @@ IndenterAnswer simulate_indenter(const Problem& problem, double velocity) {
           half_space.radius(), half_space.edge()};
 }
 
-// As many digits as the default tolerance leaves.
-void print_indenter(const IndenterAnswer& answer) {
+void print_indenter(const IndenterAnswer& answer, int digits) {
   const indenter::Friction& friction = answer.friction;
-  fmt::print("friction ratio  {:.10f} (error about {:.1g})\n", friction.ratio, friction.error);
-  fmt::print("regime          {}\n", to_text(friction.regime));
-  fmt::print("normal force    {:.6g} N on average\n", friction.normal_force);
-  fmt::print("contact radius  {:.6g} m, at most {:.6g} m\n", answer.radius, answer.edge);
-  if (friction.disagreement <= starts_tolerance)
-    fmt::print("starts          agree in all cells, in sliding and at rest\n");
-  else
-    fmt::print("starts          DISAGREE, by up to {:.2g} in a cell\n", friction.disagreement);
+  const auto length = [&](double x) { return rounded(x, "m", digits); };
+  print_row("contact radius",
+            fmt::format("{}, at most {}", length(answer.radius), length(answer.edge)));
+  print_row("starts",
+            friction.disagreement <= starts_tolerance
+                ? "from rest and from sliding, all cells become the same"
+                : fmt::format("DISAGREE, by up to {:.2g} in a cell", friction.disagreement));
+  const char* heading = "cells";
   for (const indenter::Cell& cell : answer.cells)
-    fmt::print("  at x = {:<12.6g} friction ratio {:.10f}  {}\n", cell.x, cell.state.friction_ratio,
-               to_text(cell.state.regime));
+    print_row(std::exchange(heading, ""),
+              fmt::format("at x = {:<9}  friction ratio {:<7}  {}", length(cell.x),
+                          rounded(cell.state.friction_ratio, "", std::min(digits, cell_digits)),
+                          to_text(cell.state.regime)));
 }
 
 }  // namespace vcrit::app

@@ -18,7 +18,8 @@ struct IndenterAnswer {
 /// velocity in m/s. Throws InputError, ModelError.
 IndenterAnswer simulate_indenter(const Problem& problem, double velocity);
 
-void print_indenter(const IndenterAnswer& answer);
+/// What the cells do, beside the friction of the whole.
+void print_indenter(const IndenterAnswer& answer, int digits);
 
 }  // namespace vcrit::app
 

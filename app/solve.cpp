@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "base/constants.hpp"
+#include "base/rounded.hpp"
 #include "base/units.hpp"
 #include "commands.hpp"
 #include "options.hpp"
@@ -26,7 +27,7 @@ struct SolveOptions {
   SceneOptions scene;
   std::string sought, velocity, from, to;
   double friction_ratio = 0;
-  int samples = design::usual_samples;
+  int samples = design::usual_samples, digits = few_digits;
   bool json = false;
 };
 
@@ -106,27 +107,54 @@ struct Solution {
   }
 };
 
-void print_solve_text(const Question& question, const Answer& answer) {
-  const char* const unit = unit_of(question.sought);
-  const char* const extreme = question.sought == Sought::velocity ? "largest" : "smallest";
-  fmt::print("{:<15} {} {}, the {} (error about {:.1g})\n", to_text(question.sought), answer.value,
-             unit, extreme, answer.value_error);
-  if (answer.at_start)
-    fmt::print("  the range begins with it: what lies before was not searched\n");
-  fmt::print("friction ratio  {:.10g} (wanted: {}), {}\n", answer.state.friction_ratio,
-             question.friction_ratio, to_text(answer.state.regime));
-  fmt::print("velocity        {:.6g} m/s ({:.6g} v*)\n", answer.velocity,
-             answer.velocity / answer.critical_velocity);
-  if (answer.largest_amplitude > 0)
-    fmt::print("contact closed  below an amplitude of {:.6g} m", answer.largest_amplitude);
-  else
-    fmt::print("contact closed  at no amplitude");
+std::string solved_words(const Question& question, const Answer& answer, int digits) {
+  const std::string value = rounded(answer.value, unit_of(question.sought), digits);
+  const std::string speed = rounded(answer.velocity, "m/s", digits);
+  const std::string ratio = rounded(question.friction_ratio, "", digits);
+  switch (question.sought) {
+    case Sought::amplitude:
+      return fmt::format("From an amplitude of {}, the friction ratio at {} is {} or less.", value,
+                         speed, ratio);
+    case Sought::frequency:
+      return fmt::format("From a frequency of {}, the friction ratio at {} is {} or less.", value,
+                         speed, ratio);
+    case Sought::velocity:
+      return fmt::format("Up to {} the friction ratio is {} or less.", value, ratio);
+  }
+  throw Bug("something sought without a sentence");
+}
+
+std::string closed_words(const Answer& answer, int digits) {
+  if (!(answer.largest_amplitude > 0)) return "at no amplitude";
+  std::string text =
+      fmt::format("below an amplitude of {}", rounded(answer.largest_amplitude, "m", digits));
   if (answer.largest_frequency)
-    fmt::print(", or a frequency of {:.6g} Hz", *answer.largest_frequency);
-  fmt::print(
-      "\nsearched        {:.6g} to {:.6g} {}, {} samples; a dip narrower than one step can be "
-      "missed\n",
-      answer.from, answer.to, unit, question.samples);
+    text += fmt::format(", or a frequency of {}", rounded(*answer.largest_frequency, "Hz", digits));
+  return text;
+}
+
+void print_solve_text(const Question& question, const Answer& answer, int digits) {
+  const auto in_unit = [&](double value, int shown) {
+    return rounded(value, unit_of(question.sought), shown);
+  };
+  fmt::print("{}\n", solved_words(question, answer, digits));
+  print_row(to_text(question.sought),
+            fmt::format("{}, the {} (error about {})", in_unit(answer.value, digits),
+                        question.sought == Sought::velocity ? "largest" : "smallest",
+                        in_unit(answer.value_error, 1)));
+  if (answer.at_start) print_row("", "the range begins with it: what lies before was not searched");
+  print_row(
+      "friction ratio",
+      fmt::format("{} (wanted: {}), {}", rounded(answer.state.friction_ratio, "", digits),
+                  rounded(question.friction_ratio, "", digits), to_text(answer.state.regime)));
+  print_row("sliding speed",
+            fmt::format("{}, {} times v*", rounded(answer.velocity, "m/s", digits),
+                        rounded(answer.velocity / answer.critical_velocity, "", digits)));
+  print_row("contact closed", closed_words(answer, digits));
+  print_row("searched", fmt::format("{} to {} in {} samples; a dip narrower than one sample can be "
+                                    "missed (use --samples)",
+                                    in_unit(answer.from, digits), in_unit(answer.to, digits),
+                                    question.samples));
 }
 
 void run_solve(const SolveOptions& options) {
@@ -144,7 +172,7 @@ void run_solve(const SolveOptions& options) {
   if (options.json)
     print(record::json_of(Solution{question, answer}));
   else
-    print_solve_text(question, answer);
+    print_solve_text(question, answer, options.digits);
 }
 
 }  // namespace
@@ -165,6 +193,7 @@ void add_solve(CLI::App& program) {
   command->add_option("--to", options->to, "upper end of the search range");
   command->add_option("--samples", options->samples, "how many values of the range are tried")
       ->capture_default_str();
+  add_digits(*command, options->digits);
   command->add_flag("--json", options->json, "print one JSON object");
   command->callback([options] { run_solve(*options); });
 }

@@ -6,6 +6,9 @@
 
 #include "answers/critical_onset.hpp"
 #include "base/errors.hpp"
+#include "base/messages.hpp"
+#include "base/numbers.hpp"
+#include "base/trimmed.hpp"
 #include "base/units.hpp"
 
 namespace vcrit::app {
@@ -13,14 +16,25 @@ namespace vcrit::app {
 void SpeedOptions::add_to(CLI::App& command, std::optional<double> usual_ratio) {
   CLI::Option_group* speed = command.add_option_group("speed");
   speed->add_option("--velocity", velocity_, "mean velocity of the drive: 0.02 or \"20 mm/s\"");
-  CLI::Option* ratio = speed->add_option("--velocity-ratio", ratio_, "drive speed as a multiple of v*");
+  CLI::Option* ratio =
+      speed->add_option("--velocity-ratio", ratio_, "drive speed as a multiple of v*: 0.5 or 50%");
+  ratio->type_name("RATIO");
   if (usual_ratio) {
-    ratio_ = usual_ratio;
+    ratio_ = fmt::format("{}", *usual_ratio);
     ratio->default_str(fmt::format("{}", *usual_ratio));
     speed->require_option(0, 1);
   } else {
     speed->require_option(1);
   }
+}
+
+double ratio_of(const std::string& text) {
+  const bool percent = text.ends_with('%');
+  const auto number = to_double(trimmed(text.substr(0, text.size() - (percent ? 1 : 0)), " "));
+  if (!number)
+    throw InputError({"--velocity-ratio"}, fmt::format("\"{}\"", printable(text)),
+                     "a multiple of v*: 0.5 or 50%");
+  return percent ? *number / 100 : *number;
 }
 
 Speed SpeedOptions::of(const Problem& problem) const {
@@ -29,7 +43,7 @@ Speed SpeedOptions::of(const Problem& problem) const {
   const bool by_ratio = velocity_.empty();
   if (by_ratio && std::isinf(critical))
     throw ModelError(onset.reason + ": --velocity-ratio has no meaning, give --velocity");
-  const double velocity = by_ratio ? *ratio_ * critical
+  const double velocity = by_ratio ? ratio_of(ratio_) * critical
                                    : parse_quantity(velocity_, Dimension::velocity, {"--velocity"});
   if (!(velocity > 0 && std::isfinite(velocity)))
     throw InputError({by_ratio ? "--velocity-ratio" : "--velocity"},

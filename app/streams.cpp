@@ -35,6 +35,14 @@ void tell(std::string_view text) {
 
 void tell_line(std::string_view text) { tell("{}\n", without_steering(text)); }
 
+std::string alarming(const std::string& text, int stream) {
+  const char* const unwanted = std::getenv("NO_COLOR");
+  const char* const terminal = std::getenv("TERM");
+  const bool coloured = ::isatty(stream) == 1 && (unwanted == nullptr || *unwanted == '\0') &&
+                        terminal != nullptr && std::string_view(terminal) != "dumb";
+  return coloured ? "\033[31m" + text + "\033[0m" : text;
+}
+
 namespace {
 
 std::optional<std::vector<std::string>>& kept() {

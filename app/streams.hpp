@@ -28,6 +28,10 @@ void tell(fmt::format_string<T...> format, T&&... arguments) {
 /// direction of writing) as \u{1b}: texts from scenes stand in messages.
 void tell_line(std::string_view text);
 
+/// Red where the stream is a terminal that shows colours and the user wants them (NO_COLOR, TERM):
+/// for what is wrong, always with words that say so.
+std::string alarming(const std::string& text, int stream);
+
 /// A warning on stderr, or kept for an error that is told as one JSON object.
 void warn(const std::string& warning);
 void keep_warnings();

@@ -117,15 +117,6 @@ std::optional<double> if_known(double value) {
   return std::isnan(value) ? std::nullopt : std::optional(value);
 }
 
-Effect without_velocities(const Problem& problem) {
-  Effect effect;
-  operating_point_of(problem, effect);
-  effect.reasons = inadmissible_reasons(problem);
-  if (!effect.reasons.empty()) effect.kind = Effect::Kind::outside;
-  effect.mean_normal_force = mean_normal_force(problem, effect);
-  return effect;
-}
-
 }  // namespace
 
 const char* to_text(Effect::Kind kind) {
@@ -140,6 +131,15 @@ const char* to_text(Effect::Kind kind) {
       return "outside";
   }
   throw Bug("an effect without a name");
+}
+
+Effect without_velocities(const Problem& problem) {
+  Effect effect;
+  operating_point_of(problem, effect);
+  effect.reasons = inadmissible_reasons(problem);
+  if (!effect.reasons.empty()) effect.kind = Effect::Kind::outside;
+  effect.mean_normal_force = mean_normal_force(problem, effect);
+  return effect;
 }
 
 Effect effect_of(const Problem& problem, const CriticalOnset& onset) {

@@ -72,6 +72,10 @@ struct Effect {
 /// "lowers", "never", "all_speeds", "outside": names that stay the same, for programs.
 const char* to_text(Effect::Kind kind);
 
+/// What is known without v*: the operating point, and whether the scene is outside. Throws
+/// InputError for missing values.
+Effect without_velocities(const Problem& problem);
+
 /// Throws InputError for missing values, ModelError where v* is 0/0 of a scene that is not outside.
 Effect effect_of(const Problem& problem);
 /// The same of v* that is known already.

@@ -89,13 +89,17 @@ std::string sentence(const Effect& effect, int digits) {
   throw Bug("an effect without a sentence");
 }
 
-std::string operating_point(const Effect& effect, int digits) {
+std::string conditions(const Effect& effect, int digits) {
   std::string text =
       fmt::format("{}, {} amplitude, {} indentation", rounded(effect.frequency, "Hz", digits),
                   rounded(effect.amplitude, "m", digits), rounded(effect.indentation, "m", digits));
   if (effect.mean_normal_force)
     text += fmt::format(" ({} mean normal force)", rounded(*effect.mean_normal_force, "N", digits));
-  text += ".";
+  return text + ".";
+}
+
+std::string operating_point(const Effect& effect, int digits) {
+  std::string text = conditions(effect, digits);
   if (effect.largest_closed_amplitude && effect.kind != Effect::Kind::outside)
     text += fmt::format(" The contact stays closed {}up to {}.",
                         effect.below_indenter ? "at its centre " : "",
@@ -114,7 +118,8 @@ std::string lowest_friction(const Effect& effect, int digits) {
 
 std::string closed_range(const Effect& effect, int digits) {
   if (!effect.largest_closed_amplitude) return {};
-  return fmt::format("up to {} (now {})", rounded(*effect.largest_closed_amplitude, "m", digits),
+  return fmt::format("{}up to {} (now {})", effect.below_indenter ? "at its centre " : "",
+                     rounded(*effect.largest_closed_amplitude, "m", digits),
                      rounded(effect.amplitude, "m", digits));
 }
 

@@ -12,8 +12,10 @@ namespace vcrit {
 /// "Vibration lowers friction below 4.095 mm/s, by at most 25 %."
 std::string sentence(const Effect& effect, int digits = few_digits);
 
-/// "20 kHz, 0.1 µm amplitude, 0.5 µm indentation (4 N mean normal force). The contact stays closed
-/// up to 0.3968 µm."
+/// "20 kHz, 0.1 µm amplitude, 0.5 µm indentation (4 N mean normal force)."
+std::string conditions(const Effect& effect, int digits = few_digits);
+
+/// The same, and "The contact stays closed up to 0.3968 µm."
 std::string operating_point(const Effect& effect, int digits = few_digits);
 
 /// "0.748 of the sliding value (at rest)"; empty where it is not known.

@@ -40,7 +40,7 @@ class Verdicts(Case):
         result, text = self.compared("kd", "kt", {"kt": 2, "kd": 16}, 1)
         self.assertEqual((result.returncode, text.returncode), (1, 1))
         self.assertFalse(json.loads(result.stdout)["agree"])
-        self.assertIn("ABOVE 1e-09", text.stdout)
+        self.assertIn("ABOVE THE TOLERANCE 1e-09", text.stdout)
 
 
 if __name__ == "__main__":

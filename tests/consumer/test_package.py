@@ -153,7 +153,7 @@ class Package(unittest.TestCase):
 
     def test_program_runs(self):
         program = self.prefix / "bin/vcrit"
-        self.assertIn("0.00457803364", done(program, "eval", SCENE))  # VELOCITY, by hand
+        self.assertIn("4.57803364", done(program, "eval", SCENE, "--digits", "17"))  # VELOCITY, by hand, in mm/s
         self.assertIn(self.pkg_config("--modversion", "vcrit")[0], done(program, "--version"))
         table = self.folder / "sweep.csv"
         done(program, "sweep", SCENE, "--over", "mu0=lin:0.3:0.6:2", "--quantity", "critical_velocity", "--out", table)
