@@ -29,10 +29,9 @@ void add_sweep(CLI::App& program, std::function<void(const SweepOptions&)> run) 
   command
       ->add_option("--velocity-ratio", options->velocity_ratio, "drive speed as a multiple of v*")
       ->excludes(velocity);
-  command
-      ->add_option("--out", options->out,
-                   "FILE.csv, or FILE.h5 or .nc (HDF5 by the conventions of netCDF-4)")
-      ->required();
+  command->add_option("--out", options->out,
+                      "FILE.csv, or FILE.h5 or .nc (HDF5 by the conventions of netCDF-4), in SI "
+                      "units; - for CSV on stdout, without it a table");
   command->add_flag("--resume", options->stream.resume, "continue the unfinished FILE.part");
   command
       ->add_option("--threads", options->stream.threads,

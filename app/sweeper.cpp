@@ -1,6 +1,7 @@
 // `vcrit-sweep`, which `vcrit sweep` becomes: quantities of a scene over a grid of its parameters
 // and the speed, as a table or an array, on all cores and on all processes of mpirun.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "base/constants.hpp"
+#include "base/numbers.hpp"
 #include "base/units.hpp"
 #include "problem/variants.hpp"
 #include "program.hpp"
@@ -59,7 +61,7 @@ void warn_of_axes(Sweep& sweep) {
 
 /// A folder that is not there may be a slip of the pen.
 void warn_of_folder(const SweepOptions& options, Sweep& sweep) {
-  const auto folder = std::filesystem::path(options.out).parent_path();
+  const auto folder = std::filesystem::path(options.out).parent_path();  // none without a file
   std::error_code ignored;
   if (folder.empty() || std::filesystem::exists(folder, ignored)) return;
   const std::string made = fmt::format("{}: there was no such folder, it is made", folder.string());
@@ -116,17 +118,109 @@ struct Swept {
   }
 };
 
+void warn_of_rows_outside(const maps::Streamed& rows) {
+  if (rows.outside > 0)
+    warn(fmt::format("{} of {} rows are outside the model (nan); the first: {}", rows.outside,
+                     rows.found, rows.reason));
+}
+
 void report(const SweepOptions& options, const Sweep& sweep, const maps::Streamed& streamed) {
-  if (streamed.outside > 0)
-    warn(fmt::format("{} of {} rows are outside the model (nan); the first: {}", streamed.outside,
-                     streamed.found, streamed.reason));
+  warn_of_rows_outside(streamed);
   if (options.json)
     print(record::json_of(Swept{options.out, streamed, sweep.problem->source->warnings}));
+}
+
+// On stdout a table is for eyes and pipes; a map is for a file.
+constexpr std::size_t most_printed = 100'000;
+
+void require_file(const SweepOptions& options, std::size_t rows, const maps::Ranks& ranks) {
+  const char* why = ranks.size() > 1        ? "several processes"
+                    : options.stream.resume ? "--resume"
+                    : rows > most_printed   ? "so many rows"
+                                            : nullptr;
+  if (why != nullptr)
+    throw InputError(argument("out"), fmt::format("no file with {}", why),
+                     "FILE.csv, FILE.h5 or FILE.nc");
+}
+
+std::string heading(const std::string& name, const std::string& unit) {
+  return unit.empty() || unit == "1" ? name : fmt::format("{} [{}]", name, unit);
+}
+
+/// With units for people; the header of a file has names alone.
+std::vector<std::string> headings(const Sweep& sweep, bool with_units) {
+  std::vector<std::string> names;
+  for (const Axis& axis : sweep.axes)
+    names.push_back(with_units ? heading(axis.name, si_unit(axis.dimension)) : axis.name);
+  for (const SweptQuantity& quantity : sweep.quantities)
+    names.push_back(with_units ? heading(column_name(quantity), unit(quantity))
+                               : column_name(quantity));
+  return names;
+}
+
+double value_of(const SweptTable& table, std::size_t row, std::size_t column) {
+  return table.values[row * table.columns.size() + column];
+}
+
+/// The word that a number stands for, where the column is one of words.
+std::optional<std::string> word_in(const Sweep& sweep, std::size_t column, double value) {
+  const std::size_t axes = sweep.axes.size();
+  if (column < axes || words(sweep.quantities[column - axes]).empty()) return std::nullopt;
+  return word_of(sweep.quantities[column - axes], value);
+}
+
+void print_table(const Sweep& sweep, const SweptTable& table, bool csv) {
+  std::vector<std::vector<std::string>> lines{headings(sweep, !csv)};
+  for (std::size_t row = 0; row < table.rows; ++row) {
+    lines.emplace_back();
+    for (std::size_t column = 0; column < table.columns.size(); ++column) {
+      const double value = value_of(table, row, column);
+      lines.back().push_back(word_in(sweep, column, value).value_or(to_text(value)));
+    }
+  }
+  std::vector<std::size_t> widths(table.columns.size());
+  for (const auto& line : lines)
+    for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], line[i].size());
+  for (auto& line : lines) {
+    for (std::size_t i = 0; !csv && i + 1 < line.size(); ++i) line[i].resize(widths[i], ' ');
+    fmt::print("{}\n", fmt::join(line, csv ? "," : "  "));
+  }
+}
+
+record::Json json_table(const Sweep& sweep, const SweptTable& table) {
+  const record::Fields as_files_have_it(record::Reader::file);
+  record::Json lines = record::Json::array();
+  for (std::size_t row = 0; row < table.rows; ++row) {
+    record::Json line = record::Json::array();
+    for (std::size_t column = 0; column < table.columns.size(); ++column) {
+      const double value = value_of(table, row, column);
+      const auto word = word_in(sweep, column, value);
+      line.push_back(word ? record::Json(*word) : as_files_have_it.written(value));
+    }
+    lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
+void print_sweep(const SweepOptions& options, const Sweep& sweep) {
+  const SweptTable table = swept(sweep);
+  if (table.outside == table.rows) throw ModelError(table.reason);
+  const maps::Streamed rows{table.rows, table.rows, table.outside, table.reason};
+  warn_of_rows_outside(rows);
+  if (!options.json) return print_table(sweep, table, options.out == "-");
+  record::Json object = record::json_of(Swept{options.out, rows, sweep.problem->source->warnings});
+  object["columns"] = headings(sweep, false);
+  object["table"] = json_table(sweep, table);
+  print(object);
 }
 
 void run_on(maps::Ranks& ranks, const SweepOptions& options) {
   std::optional<Sweeping> sweeping;
   ranks.together([&] { sweeping.emplace(sweep_of(options)); });
+  if (options.out.empty() || options.out == "-") {
+    require_file(options, sweeping->grid().rows(), ranks);
+    return print_sweep(options, sweeping->sweep());
+  }
   maps::StreamOptions stream = options.stream;
   const bool terminal = ::isatty(STDERR_FILENO) == 1;
   if (terminal) stream.told = [line = ProgressLine()](const auto& p) mutable { line(p); };

@@ -82,10 +82,26 @@ std::optional<std::string> unsafe_as_identifier(std::string_view name) {
   return std::nullopt;
 }
 
+namespace {
+
+/// "frequency" of "freq", where no other candidate begins so.
+std::optional<std::string> the_one_that_begins(std::string_view name,
+                                               const std::vector<std::string>& candidates) {
+  constexpr std::size_t shortest_beginning = 3;
+  const auto begins = [&](const std::string& each) { return each.starts_with(name); };
+  if (name.size() < shortest_beginning ||
+      std::count_if(candidates.begin(), candidates.end(), begins) != 1)
+    return std::nullopt;
+  return *std::find_if(candidates.begin(), candidates.end(), begins);
+}
+
+}  // namespace
+
 std::optional<std::string> nearest(std::string_view name,
                                    const std::vector<std::string>& candidates) {
   std::optional<std::string> best;
   if (name.size() > longest_name) return best;
+  if (const auto whole = the_one_that_begins(name, candidates)) return whole;
   std::size_t distance = std::max<std::size_t>(2, name.size() / 3) + 1;
   for (const std::string& candidate : candidates) {
     if (candidate.size() >= name.size() + distance) continue;
