@@ -2,6 +2,7 @@
 #include <fmt/core.h>
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -46,6 +47,14 @@ void generate(const GenerateArguments& options) {
   for (const std::filesystem::path& file : written.main) fmt::print("{}\n", file.string());
 }
 
+// Names that people use, before the full ones are checked.
+std::string full_name(std::string& language) {
+  static const std::map<std::string, std::string> names{
+      {"c", "c99"}, {"cpp", "c++"}, {"js", "javascript"}, {"py", "python"}};
+  if (const auto found = names.find(language); found != names.end()) language = found->second;
+  return {};
+}
+
 }  // namespace
 
 void add_generate(CLI::App& program) {
@@ -58,8 +67,11 @@ void add_generate(CLI::App& program) {
       ->type_name("DIR");
   command->add_option("--name", options->name, "namespace, prefix or module, and file name")
       ->capture_default_str();
-  command->add_option("--language", options->generated.language, "language of the evaluator")
+  command
+      ->add_option("--language", options->generated.language,
+                   "language of the evaluator; c, cpp, js, py stand for theirs")
       ->check(CLI::IsMember(symbolic::language_names()))
+      ->transform(CLI::Validator(full_name, ""))
       ->capture_default_str();
   command
       ->add_option("--fix", options->generated.fixed,

@@ -1,6 +1,7 @@
 #include "program.hpp"
 
 #include <fmt/core.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <csignal>
@@ -14,6 +15,7 @@
 
 #include "base/arguments.hpp"
 #include "base/errors.hpp"
+#include "base/plain_text.hpp"
 #include "record/fields.hpp"
 #include "streams.hpp"
 #include "usage.hpp"
@@ -75,7 +77,8 @@ InputError of_options(const InputError& error) {
 /// With json: one object on one line.
 int complain(Failure failure, bool json) {
   if (!json) {
-    tell_line(fmt::format("vcrit: {}", failure.message));
+    const std::string line = without_steering(fmt::format("vcrit: {}", failure.message));
+    tell("{}\n", alarming(line, STDERR_FILENO));
     return failure.status;
   }
   failure.warnings = kept_warnings();
@@ -89,20 +92,33 @@ bool asks_for_json(int argc, char** argv) {
                      [](const char* word) { return std::string_view(word) == "--json"; });
 }
 
+/// "vcrit" alone and "vcrit help COMMAND" ask for help, too.
+std::vector<std::string> words_of(int argc, char** argv) {
+  std::vector<std::string> words(argv + 1, argv + argc);
+  if (words.empty()) return {"--help"};
+  if (words.front() != "help") return words;
+  words.erase(words.begin());
+  words.resize(std::min<std::size_t>(words.size(), 1));
+  words.emplace_back("--help");
+  return words;
+}
+
 int run_command(int argc, char** argv, const AddCommands& add, bool json) {
+  const std::vector<std::string> words = words_of(argc, argv);
   CLI::App program{"Up to which sliding velocity can normal oscillation reduce friction?", "vcrit"};
   program.require_subcommand(1);
   int status = done;
   add(program, status);
   refuse_options_as_values(program);
   try {
-    program.parse(argc, argv);
+    std::vector<std::string> last_first(words.rbegin(), words.rend());
+    program.parse(last_first);
   } catch (const CLI::ParseError& error) {
-    if (json && error.get_exit_code() != 0) {
-      const InputError parts = in_parts(error);
-      return complain({input_wrong, error.what(), parts, parts.advice()}, json);
+    if (error.get_exit_code() != 0 || is_unknown_command(program, words.front())) {
+      const InputError parts = in_parts(error, program, words.front());
+      return complain({input_wrong, parts.what(), parts, parts.advice()}, json);
     }
-    status = program.exit(error) == 0 ? done : input_wrong;
+    program.exit(error);
   }
   finish_stdout();
   return status;

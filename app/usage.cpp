@@ -1,12 +1,18 @@
 #include "usage.hpp"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cctype>
 #include <cstring>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
+
+#include "base/identifiers.hpp"
+#include "base/messages.hpp"
 
 namespace vcrit::app {
 
@@ -19,6 +25,37 @@ constexpr const char* const advice = "run with --help for more";
 std::optional<std::string> after(const std::string& text, const std::string& begin) {
   if (!text.starts_with(begin)) return std::nullopt;
   return text.substr(begin.size());
+}
+
+std::vector<const CLI::App*> commands_of(const CLI::App& program) {
+  return program.get_subcommands([](const CLI::App*) { return true; });
+}
+
+std::vector<std::string> names_of(const std::vector<const CLI::App*>& commands) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : commands) names.push_back(command->get_name());
+  return names;
+}
+
+std::vector<std::string> options_of(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options())
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  return names;
+}
+
+std::string meant(const std::string& word, const std::vector<std::string>& names) {
+  const auto found = nearest(word, names);
+  return found ? fmt::format("did you mean {}?", *found) : advice;
+}
+
+InputError not_expected(const std::string& rest, const CLI::App& program,
+                        const std::string& first) {
+  std::vector<std::string> options = options_of(program);
+  for (const CLI::App* command : commands_of(program))
+    if (command->get_name() == first) options = options_of(*command);
+  const std::string word = rest.substr(0, rest.find_first_of(" ="));
+  return {{whole_line}, rest, "the arguments that --help lists", meant(word, options)};
 }
 
 }  // namespace
@@ -35,12 +72,23 @@ void refuse_options_as_values(CLI::App& program) {
       if (option->get_items_expected_max() > 0) option->check(refuse);
 }
 
-InputError in_parts(const CLI::ParseError& error) {
+bool is_unknown_command(const CLI::App& program, const std::string& first) {
+  const std::vector<std::string> commands = names_of(commands_of(program));
+  return !first.starts_with('-') && std::count(commands.begin(), commands.end(), first) == 0;
+}
+
+InputError in_parts(const CLI::ParseError& error, const CLI::App& program,
+                    const std::string& first) {
+  const std::vector<std::string> commands = names_of(commands_of(program));
+  if (is_unknown_command(program, first))
+    return {{whole_line},
+            fmt::format("\"{}\"", printable(first)),
+            fmt::format("a command: {}", fmt::join(commands, ", ")),
+            meant(first, commands)};
   const std::string text = error.what();
   for (const char* begin :
        {"The following argument was not expected: ", "The following arguments were not expected: "})
-    if (const auto rest = after(text, begin))
-      return {{whole_line}, *rest, "the arguments that --help lists", advice};
+    if (const auto rest = after(text, begin)) return not_expected(*rest, program, first);
   if (const std::size_t end = text.find(" is required"); end != std::string::npos)
     return {{whole_line},
             after(text.substr(end), " is required and ").value_or("none"),

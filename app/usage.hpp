@@ -10,7 +10,12 @@ namespace vcrit::app {
 /// Refuses an option where a value belongs: "--out --json" is no folder of that name.
 void refuse_options_as_values(CLI::App& program);
 
-/// The sentence of an error in the parts of every other message.
-InputError in_parts(const CLI::ParseError& error);
+/// Whether the first word behind the program's name should be a command and is none.
+bool is_unknown_command(const CLI::App& program, const std::string& first);
+
+/// The sentence of an error in the parts of every other message, with the command or option that
+/// was meant where one is like it. `first`: the first word behind the program's name.
+InputError in_parts(const CLI::ParseError& error, const CLI::App& program,
+                    const std::string& first);
 
 }  // namespace vcrit::app

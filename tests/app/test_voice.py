@@ -1,0 +1,139 @@
+"""What the program says to people: few digits and units, the same sentence everywhere, help where it is asked for, the command
+or option that was meant, colour on a terminal for what is wrong alone."""
+
+import os
+import pty
+import unittest
+
+from program import PROGRAM, Case, example
+
+ZENER = example("zener")
+
+
+def on_terminal(*arguments, **environment):
+    """What a terminal of this kind gets to see."""
+    child, terminal = pty.fork()
+    if child == 0:
+        kept = {name: value for name, value in os.environ.items() if name not in ("NO_COLOR", "TERM")}
+        os.execve(PROGRAM, [PROGRAM, *arguments], kept | environment)
+    seen = b""
+    try:
+        while piece := os.read(terminal, 65536):
+            seen += piece
+    except OSError:  # how Linux says that the other end is closed
+        pass
+    os.waitpid(child, 0)
+    os.close(terminal)
+    return seen.decode()
+
+
+class Numbers(Case):
+    # v* = 0.00409484150375441745, 1 - 0.1 um over 0.39677336269670169 um = 0.74796695191345 by mpmath; k0 u_z0 = 4 N.
+    def test_eval_says_what_vibration_does(self):
+        lines = self.out("eval", ZENER).splitlines()
+        self.assertEqual(lines[:4], [
+            "Zener contact under an elastic drive", "20 kHz, 0.1 µm amplitude, 0.5 µm indentation (4 N mean normal force).", "",
+            "Vibration lowers friction below 4.095 mm/s, by at most 25 %."])
+        for line in ["  lowest friction     0.748 of the sliding value (at rest)",
+                     "  contact closed      up to 0.3968 µm (now 0.1 µm)"]:
+            self.assertIn(line, lines)
+        self.assertEqual(self.answer("eval", ZENER)["sentence"], lines[3])
+
+    def test_digits(self):
+        self.assertIn("below 4.094841503754418 mm/s", self.out("eval", ZENER, "--digits", "17"))
+        self.assertIn("below 4.1 mm/s", self.out("eval", ZENER, "--digits", "2"))
+        for number in ("0", "18", "few"):
+            self.refused(2, ["eval", ZENER, "--digits", number], "--digits", number)
+
+    def test_outside_the_model_there_is_no_v_in_the_sentence(self):
+        text = self.out("eval", example("inadmissible"))
+        self.assertIn("\nNo answer: at this amplitude the contact would open. It stays closed up to 0.2236 µm (now 0.36 µm).", text)
+        self.assertIn("by the formula, which does not describe this motion", text)
+
+    # mu0 k0 u_z0 = 1.2 N; the numbers are those of --json.
+    def test_simulate_has_forces_and_a_coefficient(self):
+        ratio = self.answer("simulate", ZENER, "--velocity", "2 mm/s")["friction_ratio"]
+        text = self.out("simulate", ZENER, "--velocity", "2 mm/s")
+        for part in ["At 2 mm/s, 0.4884 times v*, friction is ", f"mean friction       {1.2 * ratio:.4g} N of 1.2 N",
+                     f"coefficient         {0.3 * ratio:.4g} (mu0 = 0.3)", "mean normal force   4 N",
+                     "stick-slip: the contact sticks for a part of every cycle", "°  the contact starts to slide"]:
+            self.assertIn(part, text)
+
+    # 10 m/s is 2442 v*: what was meant was 10 mm/s.
+    def test_a_speed_far_above_is_told(self):
+        self.assertIn("\nAt 10 m/s, 2442 times v*: no reduction there, friction is full.\n",
+                      self.out("simulate", ZENER, "--velocity", "10"))
+
+    def test_a_ratio_may_be_per_cent(self):
+        self.assertEqual(self.answer("simulate", ZENER, "--velocity-ratio", "50%"),
+                         self.answer("simulate", ZENER, "--velocity-ratio", "0.5"))
+        self.refused(2, ["simulate", ZENER, "--velocity-ratio", "half"], 'found "half"; expected a multiple of v*: 0.5 or 50%')
+
+    def test_critical_says_what_is_independent(self):
+        text = self.out("critical", ZENER)
+        self.assertTrue(text.startswith("Formula and simulation agree on v* = 4.095 mm/s.\n"), text)
+        self.assertIn("threshold of the linear sliding response, which the formula shares", text)
+        self.assertIn("(independent)", text)
+
+
+class Tables(Case):
+    SWEEP = ["sweep", ZENER, "--over", "velocity=lin:0.5 mm/s:4.5 mm/s:3", "--quantity", "regime"]
+
+    def test_without_a_file_the_table_is_printed(self):
+        rows = [line.split("  ") for line in self.out(*self.SWEEP).splitlines()]
+        self.assertEqual([[cell.strip() for cell in row if cell] for row in rows],
+                         [["velocity [m/s]", "regime"], ["0.0005", "stick-slip"], ["0.0025", "stick-slip"], ["0.0045", "sliding"]])
+        self.assertEqual(self.answer(*self.SWEEP)["table"], [[0.0005, "stick-slip"], [0.0025, "stick-slip"], [0.0045, "sliding"]])
+
+    def test_csv_on_standard_output_is_that_of_a_file(self):
+        self.out(*self.SWEEP, "--out", "table.csv")
+        self.assertEqual(self.out(*self.SWEEP, "--out", "-"), (self.folder / "table.csv").read_text())
+
+    def test_maps_need_a_file(self):
+        self.refused(2, [*self.SWEEP[:3], "velocity=lin:1:2:100001", *self.SWEEP[4:]], "no file with so many rows")
+        self.refused(2, [*self.SWEEP, "--resume"], "no file with --resume")
+
+    def test_an_axis_may_have_been_meant(self):
+        self.refused(2, ["sweep", ZENER, "--over", "freq=lin:1:2:3", "--quantity", "critical_velocity"], 'expected "frequency"')
+
+
+class Help(Case):
+    def test_alone_and_by_its_word(self):
+        self.assertEqual(self.out(), self.out("--help"))
+        self.assertEqual(self.out("help"), self.out("--help"))
+        self.assertEqual(self.out("help", "eval"), self.out("eval", "--help"))
+
+    def test_what_was_meant(self):
+        self.refused(2, ["evl", ZENER], 'found "evl"', "did you mean eval?")
+        self.refused(2, ["eval", ZENER, "--jsn"], "found --jsn", "did you mean --json?")
+        self.refused(2, ["help", "evla"], "did you mean eval?")
+
+    def test_languages_by_short_names(self):
+        for short, full in [("c", "c99"), ("cpp", "c++"), ("js", "javascript"), ("py", "python")]:
+            self.assertEqual(self.answer("generate", ZENER, "--out", short, "--language", short)["language"], full)
+
+
+class Colour(unittest.TestCase):
+    RED = "\x1b[31m"
+
+    def test_what_is_wrong_is_red(self):
+        for arguments in (["eval", "absent.toml"], ["eval", example("inadmissible")], ["evl"]):
+            self.assertIn(self.RED, on_terminal(*arguments, TERM="xterm"), arguments)
+            for environment in ({"TERM": "dumb"}, {"TERM": "xterm", "NO_COLOR": "1"}, {}):
+                self.assertNotIn("\x1b", on_terminal(*arguments, **environment), arguments)
+        self.assertIn(self.RED, on_terminal("eval", "absent.toml", TERM="xterm", NO_COLOR=""))
+
+    def test_nothing_else_is(self):
+        self.assertNotIn("\x1b", on_terminal("eval", ZENER, TERM="xterm"))
+
+
+class Pipes(Case):
+    def test_have_no_colour(self):
+        environment = os.environ | {"TERM": "xterm"}
+        for arguments in (["eval", "absent.toml"], ["eval", example("inadmissible")]):
+            ended = self.run_program(*arguments, env=environment)
+            self.assertNotIn("\x1b", ended.stdout + ended.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
