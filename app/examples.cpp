@@ -19,7 +19,7 @@ const std::vector<Example> program_examples{
     {"The critical velocity of a scene, with a bound on its error", "vcrit eval scenes/zener.toml"},
     {"The same as a formula", "vcrit derive scenes/zener.toml"},
     {"Friction at half of it", "vcrit simulate scenes/zener.toml --velocity-ratio 0.5"},
-    {"All of that compared, on a page: report/index.html",
+    {"Cross-check everything and write a page: report/index.html",
      "vcrit validate scenes/elastic.toml --out report"},
 };
 
@@ -59,7 +59,7 @@ const std::map<std::string, std::vector<Example>> command_examples{
     {"sweep",
      {{"The critical velocity over three decades of frequency",
        "vcrit sweep scenes/zener.toml --over \"frequency=log:1 kHz:1 MHz:31\" --quantity "
-       "critical_velocity --out table.csv"},
+       "critical_velocity"},
       {"Friction over the speed",
        "vcrit sweep scenes/kelvin.toml --over velocity_ratio=lin:0.1:1:10 --quantity "
        "friction_ratio --out friction.csv"},
@@ -86,7 +86,7 @@ const std::map<std::string, std::vector<Example>> command_examples{
     {"validate",
      {{"A page for each scene and an index",
        "vcrit validate scenes/elastic.toml scenes/measured_drive.toml --out report"},
-      {"The paper gone through", "vcrit validate --paper --out paper"}}},
+      {"Check the equations and figures of the paper", "vcrit validate --paper --out paper"}}},
 };
 
 std::string text_of(const std::vector<Example>& examples) {

@@ -17,8 +17,8 @@ namespace {
 constexpr double negligible_reduction = 1e-9;
 
 std::string ratio_words(const Speed& speed, int digits) {
-  if (std::isinf(speed.ratio)) return "v* is 0";
-  if (speed.ratio == 0) return "v* is infinite";
+  if (std::isinf(speed.ratio)) return "where v* is 0";
+  if (speed.ratio == 0) return "where v* is infinite";
   return fmt::format("{} times v*", rounded(speed.ratio, "", digits));
 }
 

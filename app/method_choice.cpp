@@ -38,7 +38,7 @@ std::vector<std::string> names() {
 
 void MethodChoice::add_to(CLI::App& command) {
   command_ = &command;
-  command.add_option("--method", name_, "docs/methods.md describes them")
+  command.add_option("--method", name_, "how the motion is found; exact has all digits")
       ->check(CLI::IsMember(names()))
       ->capture_default_str();
   command.add_option("--start", start_, "where the motion comes from")

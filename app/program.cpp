@@ -105,7 +105,10 @@ std::vector<std::string> words_of(int argc, char** argv) {
 
 int run_command(int argc, char** argv, const AddCommands& add, bool json) {
   const std::vector<std::string> words = words_of(argc, argv);
-  CLI::App program{"Up to which sliding velocity can normal oscillation reduce friction?", "vcrit"};
+  CLI::App program{
+      "Vibration lowers sliding friction up to a critical velocity v*: its value, its formula, and "
+      "the motion below it.",
+      "vcrit"};
   program.require_subcommand(1);
   int status = done;
   add(program, status);

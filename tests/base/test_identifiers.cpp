@@ -33,4 +33,10 @@ BOOST_AUTO_TEST_CASE(the_nearest_name_is_the_one_meant) {
   BOOST_TEST(!nearest("xyzzy", {"normal", "poisson"}).has_value());
 }
 
+BOOST_AUTO_TEST_CASE(a_beginning_is_enough_where_one_name_has_it) {
+  BOOST_TEST(nearest("freq", {"angular_frequency", "frequency", "mass"}).value() == "frequency");
+  BOOST_TEST(!nearest("vel", {"velocity", "velocity_ratio"}).has_value());
+  BOOST_TEST(!nearest("fre", {"angular_frequency", "masses"}).has_value());
+}
+
 BOOST_AUTO_TEST_SUITE_END()
