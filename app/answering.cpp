@@ -11,91 +11,94 @@ namespace vcrit::app {
 
 namespace {
 
-using rules::Answer;
-using rules::Question;
+using Refusal = std::optional<rules::Answer>;
 
-std::optional<Answer> refusal(Question question, const Problem& problem) {
-  const Answer found = rules::answer(question, problem);
+Refusal refusal_by(rules::Question question, const Problem& problem) {
+  const rules::Answer found = rules::answer(question, problem);
   return found ? std::nullopt : std::optional(found);
 }
 
-std::optional<Answer> first_of(std::optional<Answer> one,
-                               const std::function<std::optional<Answer>()>& other) {
+Refusal first_refusal(Refusal one, const std::function<Refusal()>& other) {
   return one ? one : other();
 }
 
-std::optional<Answer> motion(const Problem& problem) {
-  return refusal(problem->indenter ? Question::motion_below_indenter : Question::motion, problem);
+Refusal no_motion(const Problem& problem) {
+  return refusal_by(
+      problem->indenter ? rules::Question::motion_below_indenter : rules::Question::motion,
+      problem);
 }
 
 // v* by Eq. 24, or simulated where that does not hold.
-std::optional<Answer> onset(const Problem& problem) {
+Refusal no_onset(const Problem& problem) {
   problem.values();
-  return refusal(Question::formula, problem) ? motion(problem) : std::nullopt;
+  return refusal_by(rules::Question::formula, problem) ? no_motion(problem) : std::nullopt;
 }
 
 // A row outside the model holds no number.
-std::optional<Answer> row_of_table(const Problem& problem) {
-  return first_of(onset(problem), [&] { return refusal(Question::admissible, problem); });
+Refusal no_row_of_table(const Problem& problem) {
+  return first_refusal(no_onset(problem),
+                       [&] { return refusal_by(rules::Question::admissible, problem); });
 }
 
-std::optional<Answer> comparison(const Problem& problem) {
-  return first_of(refusal(Question::comparison, problem), [&] { return motion(problem); });
+Refusal no_comparison(const Problem& problem) {
+  return first_refusal(refusal_by(rules::Question::comparison, problem),
+                       [&] { return no_motion(problem); });
 }
 
-std::optional<Answer> friction(const Problem& problem) {
-  return first_of(motion(problem), [&] { return onset(problem); });
+Refusal no_friction(const Problem& problem) {
+  return first_refusal(no_motion(problem), [&] { return no_onset(problem); });
 }
 
 // Whatever the amplitude, which may be what is sought.
-std::optional<Answer> design(const Problem& problem) {
+Refusal no_design(const Problem& problem) {
   const Problem still = problem.with({{problem->amplitude.symbol, 0}});
-  return first_of(refusal(Question::mean_load, still),
-                  [&] { return refusal(Question::motion, still); });
+  return first_refusal(refusal_by(rules::Question::mean_load, still),
+                       [&] { return refusal_by(rules::Question::motion, still); });
 }
 
-std::optional<Answer> evaluator(const Problem& problem) {
-  return refusal(Question::evaluator, problem);
+Refusal no_evaluator(const Problem& problem) {
+  return refusal_by(rules::Question::evaluator, problem);
 }
 
 // A report shows what there is.
-std::optional<Answer> report(const Problem& problem) {
+Refusal no_report(const Problem& problem) {
   problem.values();
   return std::nullopt;
 }
 
-std::optional<Answer> always(const Problem&) { return std::nullopt; }
+Refusal no_refusal(const Problem&) { return std::nullopt; }
 
 struct CommandRow {
   const char* name;
-  std::optional<Answer> (*refusal)(const Problem&);
-  std::vector<std::pair<Question, const char*>> parts = {};  // that it goes on without
+  Refusal (*refusal)(const Problem&);
+  std::vector<std::pair<rules::Question, const char*>> parts = {};  // that it goes on without
 };
 
 const std::vector<CommandRow>& command_rows() {
-  static const std::vector<CommandRow> rows{{"derive", always},
-                                            {"eval", onset},
-                                            {"generate", evaluator},
-                                            {"simulate", motion},
-                                            {"critical", comparison},
-                                            {"plot", friction},
-                                            {"sweep", row_of_table},
-                                            {"solve", design},
-                                            {"validate",
-                                             report,
-                                             {{Question::report_simulation, "the simulation"},
-                                              {Question::report_explorer, "the explorer"},
-                                              {Question::report_stability, "the stability maps"}}}};
+  static const std::vector<CommandRow> rows{
+      {"derive", no_refusal},
+      {"eval", no_onset},
+      {"generate", no_evaluator},
+      {"simulate", no_motion},
+      {"critical", no_comparison},
+      {"plot", no_friction},
+      {"sweep", no_row_of_table},
+      {"solve", no_design},
+      {"validate",
+       no_report,
+       {{rules::Question::report_simulation, "the simulation"},
+        {rules::Question::report_explorer, "the explorer"},
+        {rules::Question::report_stability, "the stability maps"}}}};
   return rows;
 }
 
-CommandAnswer answer_of(const CommandRow& row, const Problem& problem) {
+CommandAnswer answer_by_rulebook(const CommandRow& row, const Problem& problem) {
   CommandAnswer result{row.name};
   try {
     if (const auto found = row.refusal(problem))
       return {row.name, false, found->reason, found->advice};
     for (const auto& [part, words] : row.parts)
-      if (const Answer found = rules::answer(part, problem); !found)
+      if (const rules::Answer found = rules::answer(part, problem); !found)
         result.left_out.push_back(std::string(words) + ": " + found.reason);
   } catch (const InputError& missing) {
     return {row.name, false, missing.found(), missing.expected()};
@@ -109,7 +112,7 @@ CommandAnswer answer_of(const CommandRow& row, const Problem& problem) {
 
 std::vector<CommandAnswer> answering_commands(const Problem& problem) {
   std::vector<CommandAnswer> all;
-  for (const CommandRow& row : command_rows()) all.push_back(answer_of(row, problem));
+  for (const CommandRow& row : command_rows()) all.push_back(answer_by_rulebook(row, problem));
   return all;
 }
 
