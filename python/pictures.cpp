@@ -10,8 +10,6 @@ namespace vcrit::python {
 
 namespace {
 
-using validation::Picture;
-
 std::string svg_of(const Problem& problem, const std::string& of, std::optional<double> to,
                    double velocity) {
   const OthersRun others_run;

@@ -8,6 +8,7 @@
 
 #include "base/constants.hpp"
 #include "base/errors.hpp"
+#include "base/interruption.hpp"
 #include "fit/starts.hpp"
 
 namespace vcrit::fit {
@@ -105,6 +106,7 @@ class Fitting {
     trials_.push_back({0, last->sum_of_squares, std::nullopt, 0, false});
     int length = 0;
     for (int n = 1; n - length <= look_ahead && has_room_for(n); ++n) {
+      hear_interruption();
       auto next = best(n, last);
       if (!next) {
         if (!last) break;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/constants.hpp"
+#include "base/interruption.hpp"
 
 namespace vcrit::fit {
 
@@ -26,6 +27,7 @@ class ActiveSet {
   VectorXd solve() {
     // Each step frees the steepest column; three times as many as there are columns always do.
     for (Index step = 0; step < 3 * a_.cols() + 3; ++step) {
+      hear_interruption();
       const Index steepest = steepest_bound_column();
       if (steepest < 0) break;
       free_.push_back(steepest);

@@ -67,6 +67,14 @@ class OtherThreads(unittest.TestCase):
         self.assertTrue(lets_others_run(lambda: _vcrit.friction_curve(KELVIN._handle, speeds, *room)))
         self.assertTrue(lets_others_run(lambda: _vcrit.simulate(KELVIN._handle, 0.01, "moreau", "sliding")))
 
+    def test_run_while_solving_sweeping_and_fitting(self):
+        self.assertTrue(lets_others_run(lambda: _vcrit.solve(KELVIN._handle, "velocity", 0.9, "", "", "", 50)))
+        axis = _vcrit.axis_of_array(KELVIN._handle, "velocity_ratio", np.linspace(0.1, 0.9, 50))
+        self.assertTrue(lets_others_run(lambda: _vcrit.sweep(KELVIN._handle, [axis], ["friction_ratio"], "", "")))
+        table = "frequency,storage,loss\n1,2,0.2\n4,2.2,0.2\n16,2.5,0.2\n63,2.9,0.3\n250,3.3,0.3\n1000,3.8,0.4\n"
+        self.assertTrue(lets_others_run(lambda: _vcrit.fit(table, b"data", "", False, 20, {})))
+        self.assertTrue(lets_others_run(lambda: _vcrit.svg(KELVIN._handle, "friction", None, 0.0)))
+
     def test_run_while_one_value_is_certified(self):
         self.assertTrue(lets_others_run(lambda: [_vcrit.certified(SLOW._handle) for _ in range(20)]))
 
@@ -149,6 +157,11 @@ class KeyboardInterrupts(unittest.TestCase):
 
     def test_end_a_derivation(self):
         self.assert_heard_inside("document", "derived.document('json', sensitivities=True)")
+
+    def test_end_solving_sweeping_and_fitting(self):
+        self.assert_heard_inside("solve", "slow.solve('velocity', 0.9)")
+        self.assert_heard_inside("sweep", "slow.sweep({'velocity_ratio': np.linspace(0.1, 0.9, 2000)}, 'friction_ratio')")
+        self.assert_heard_inside("fit", "vcrit.fit(many_branches)")
 
     def test_end_the_search_for_a_normal_force(self):
         self.assert_heard_inside("critical_onset", "separating.critical_onset")
@@ -235,6 +248,9 @@ kt = 1
 terminals = ["a", "b"]
 edges = {edges}
 ''')
+times = 2j * np.pi * np.geomspace(1, 1e6, 400)[:, np.newaxis] * np.geomspace(1e-6, 1, 12)
+stiffness = 1e6 + (1e5 * times / (1 + times)).sum(axis=1)
+many_branches = {"frequency": np.geomspace(1, 1e6, 400), "storage": stiffness.real, "loss": stiffness.imag}
 derived = vcrit.derive(slow)  # which asks for a document, too
 under_way, ended = threading.Event(), []
 
