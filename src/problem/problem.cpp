@@ -6,7 +6,7 @@
 #include "base/constants.hpp"
 #include "problem/variants.hpp"
 #include "scene/members.hpp"
-#include "scene/quantities.hpp"
+#include "scene/range.hpp"
 #include "scene/scene.hpp"
 
 namespace vcrit {

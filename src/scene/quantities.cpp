@@ -5,10 +5,8 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <cstdint>
 
-#include "base/constants.hpp"
 #include "base/identifiers.hpp"
 #include "scene/new_scene.hpp"
 
@@ -28,19 +26,6 @@ const std::set<std::string>& keys() {
 constexpr char other_mark = '~';
 
 }  // namespace
-
-const Range nonnegative{[](double v) { return std::isfinite(v) && v >= 0; },
-                        "a finite value of at least 0"};
-const Range positive{[](double v) { return std::isfinite(v) && v > 0; }, "a finite value above 0"};
-const Range poisson_range{[](double v) { return v > -1 && v <= 0.5; },
-                          "a Poisson's ratio above -1, up to 0.5"};
-const Range slope_range{[](double v) { return v > 0 && v < pi / 2; },
-                        "an angle between 0 and 90 deg"};
-
-double checked(double value, const Range& range, const std::string& name, const Place& place) {
-  if (range.holds(value)) return value;
-  throw InputError(place, fmt::format("{} = {}", name, value), range.expected);
-}
 
 std::optional<TypedNumber> number(const toml::node& node, Dimension dimension,
                                   const std::string& name, const Place& place) {

@@ -13,19 +13,10 @@
 #include "scene/bare_numbers.hpp"
 #include "scene/document.hpp"
 #include "scene/quantity.hpp"
+#include "scene/range.hpp"
 #include "scene/settings.hpp"
 
 namespace vcrit {
-
-/// What a quantity's value must satisfy.
-struct Range {
-  bool (*holds)(double);
-  const char* expected;
-};
-extern const Range nonnegative, positive, poisson_range, slope_range;
-
-/// The value. Throws InputError, with `name`, where it is out of range.
-double checked(double value, const Range& range, const std::string& name, const Place& place);
 
 /// In SI; nothing for a bare name. Throws InputError for anything else.
 std::optional<TypedNumber> number(const toml::node& node, Dimension dimension,

@@ -2,8 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
 
 #include "base/csv.hpp"
@@ -27,18 +25,6 @@ void refuse_receptance_order(const Receptance& receptance, const Receptance::Row
 }
 
 }  // namespace
-
-Bracket bracket(const Receptance& receptance, double omega) {
-  const auto& rows = receptance.rows;
-  const auto above =
-      std::lower_bound(rows.begin(), rows.end(), omega,
-                       [](const Receptance::Row& row, double value) { return row.omega < value; });
-  if (above != rows.end() && above->omega == omega) return {*above, *above};
-  if (above == rows.end() || above == rows.begin())
-    throw ModelError(fmt::format("omega = {} rad/s is outside the receptance in {}, {} to {} rad/s",
-                                 omega, receptance.file, rows.front().omega, rows.back().omega));
-  return {*(above - 1), *above};
-}
 
 Receptance read_receptance(const std::string& file, const Place& place) {
   if (!std::filesystem::is_regular_file(file))

@@ -46,6 +46,7 @@ ROOMS = [
     "validation/accuracy",
     "validation/extremes",
     "validation/paper",
+    "validation/live",
     "validation/report",
     "validation/pictures",
     "app",

@@ -1,0 +1,20 @@
+// What values a quantity of a scene may have.
+#pragma once
+
+#include <string>
+
+#include "base/errors.hpp"
+
+namespace vcrit {
+
+/// What a quantity's value must satisfy.
+struct Range {
+  bool (*holds)(double);
+  const char* expected;
+};
+extern const Range nonnegative, positive, poisson_range, slope_range;
+
+/// The value. Throws InputError, with `name`, where it is out of range.
+double checked(double value, const Range& range, const std::string& name, const Place& place);
+
+}  // namespace vcrit

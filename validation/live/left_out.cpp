@@ -1,0 +1,17 @@
+// What the module leaves out of the program, with what the rest asks of it.
+#include "base/errors.hpp"
+#include "scene/members.hpp"
+#include "stiffness/graph_relaxation.hpp"
+
+namespace vcrit {
+
+// Needs Arb: a page has no numbers of any length.
+Relaxation graph_relaxation(const RelaxationGraph& graph) {
+  if (graph.edges.size() == 1) return graph.edges[0];
+  throw ModelError("this page cannot simulate a network with a bridge; vcrit simulate can");
+}
+
+// The text of a scene for pages has none.
+void check_indenter(const Indenter&, const Place&) { throw Bug("an indenter in a page"); }
+
+}  // namespace vcrit
