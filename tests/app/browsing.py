@@ -14,7 +14,7 @@ ARGUMENTS = ["--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--dis
              "--window-size=1200,900", "--disable-background-networking", "--no-first-run",
              "--disable-component-update", "--disable-sync"]
 
-DRAWN = "return [...document.querySelectorAll('.chart')].every((chart) => chart.querySelector('svg'))"
+DRAWN = "return [...document.querySelectorAll('.chart')].every((chart) => chart.querySelector('svg:not(.still)'))"
 
 CHARTS = """return [...document.querySelectorAll('.chart')].map((chart) => {
     const beside = chart.nextElementSibling, explored = document.getElementById('explorer-data');
@@ -102,6 +102,8 @@ class Ruler:
 def places(style, path):
     """Where a series' path goes: (whether it begins anew, x, y)."""
     found = {"circles": r"(M)([-\d.]+) ([-\d.]+)a3\.3 ", "dots": r"(M)([-\d.]+) ([-\d.]+)a3\.1 ",
-             "crosses": r"(M)([-\d.]+) ([-\d.]+)h8"}.get(style, r"([ML])([-\d.]+) ([-\d.]+)")
-    aside = {"circles": 3.3, "dots": 3.1, "crosses": 4}.get(style, 0)
-    return [(begin == "M", float(x) + aside, float(y)) for begin, x, y in re.findall(found, path)]
+             "crosses": r"(M)([-\d.]+) ([-\d.]+)h8", "squares": r"(M)([-\d.]+) ([-\d.]+)h6v",
+             "triangles": r"(M)([-\d.]+) ([-\d.]+)l4 7", "diamonds": r"(M)([-\d.]+) ([-\d.]+)l4\.2 "}.get(style, r"([ML])([-\d.]+) ([-\d.]+)")
+    aside, below = {"circles": (3.3, 0), "dots": (3.1, 0), "crosses": (4, 0), "squares": (3, 3), "triangles": (0, 4.2),
+                    "diamonds": (0, 4.6)}.get(style, (0, 0))
+    return [(begin == "M", float(x) + aside, float(y) + below) for begin, x, y in re.findall(found, path)]

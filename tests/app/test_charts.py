@@ -16,7 +16,8 @@ from selenium.webdriver.support.ui import WebDriverWait
 from browsing import CHARTS, PATIENCE, Ruler, browser, draw_charts, load, number, places
 from program import PROGRAM, PROJECT
 
-PAGES = ["zener", "separation", "paper/index"]
+PAGES = ["zener", "separation", "zener.evidence", "paper/index"]
+MARKS = ["circles", "dots", "crosses", "squares", "triangles", "diamonds"]
 HOSTILE = "</script><img src=x onerror=window.hostile=1> & \"it's\""
 
 
@@ -106,7 +107,7 @@ class Charts(unittest.TestCase):
         return ruler
 
     def check_series(self, chart, x, y, series, path):
-        marks = series["style"] in ["circles", "dots", "crosses"]
+        marks = series["style"] in MARKS
         expected, begins = [], True
         for value_x, value_y, *_ in series["points"]:
             if value_x is None or value_y is None:
@@ -205,11 +206,11 @@ class Charts(unittest.TestCase):
     def test_gaps_and_points_beyond_the_frame(self):
         points = [[0, 0.5], [1, None], [2, 0.5], [3, 0.7], [None, 0.1], [4, 1.5], [5, 0.2], [12, 0.2]]
         record = figure(series=[line(points, style, style) for style in
-                                ["line", "dashed", "dotted", "circles", "dots", "crosses"]])
+                                ["line", "dashed", "dotted", *MARKS]])
         chart = self.plant(record)
         self.check(chart)
         self.assertEqual([path.count("M") for path in chart["series"][:3]], [3, 3, 3])
-        self.assertEqual([len(places(name, path)) for name, path in zip(chart["legend"], chart["series"])][3:], [4, 4, 4])
+        self.assertEqual([len(places(name, path)) for name, path in zip(chart["legend"], chart["series"])][3:], [4] * len(MARKS))
 
     def test_bars(self):
         chart = self.plant(figure(series=[line([[1, 0.2], [3, None], [4, 0.8]], style="bars", edges=[0, 2, 3.5, 5])]))
@@ -272,7 +273,7 @@ class Charts(unittest.TestCase):
         self.open("zener")
         for width in [700, 390, 1100]:
             self.width(width)
-            self.wait("""[...document.querySelectorAll('.chart')].every((chart) =>
+            self.wait("""[...document.querySelectorAll('.chart')].every((chart) => chart.clientWidth === 0 ||
                 Number(chart.querySelector('svg').getAttribute('width')) === chart.clientWidth)""")
             self.assertLess(self.script("return document.querySelector('.chart').clientWidth"), width)
             for chart in self.script(CHARTS):
@@ -283,7 +284,7 @@ class Charts(unittest.TestCase):
 
     def test_charts_are_drawn_when_they_come_near(self):
         self.load("zener")
-        drawn = "[...document.querySelectorAll('.chart')].map((chart) => chart.querySelector('svg') !== null)"
+        drawn = "[...document.querySelectorAll('.chart')].map((chart) => chart.querySelector('svg:not(.still)') !== null)"
         self.assertFalse(self.script(f"return {drawn}")[-1])
         self.script("document.querySelectorAll('details').forEach((part) => { part.open = true; })")
         self.script("""[...document.querySelectorAll('.chart')].pop().scrollIntoView({ behavior: 'instant' })""")

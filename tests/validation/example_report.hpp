@@ -107,8 +107,15 @@ inline SceneReport scene_report(const Scene& scene) {
   report.limits = {
       {"c -> 0", "(30)", "<math><mi>c</mi><mo>→</mo><mn>0</mn></math>", formula("Z"), {}}};
   report.values = {{{"kn", 0}, formula("kn"), 11.5e6, "N/m", "spring"}};
-  report.sentence = "Vibration lowers friction below 4.578 mm/s, by at most 40 %.";
-  report.lowest_friction = 0.6;
+  Effect& effect = report.effect.emplace();
+  effect.frequency = 20000;
+  effect.amplitude = 1e-7;
+  effect.indentation = 3e-7;
+  effect.friction_coefficient = 0.3;
+  effect.mean_normal_force = 3.45;
+  effect.largest_closed_amplitude = 3e-7;
+  effect.critical_velocity = effect.drive_velocity = effect.reduced_below = 0.0045779;
+  effect.lowest = LowestFriction{0.6, 0};
   report.normal_force = {3.45, 1.15};
   report.influences = {{"mu0", formula("M"), "coefficient of friction", false, 1},
                        {"kt", formula("T"), "spring", false, -0.5},

@@ -6,9 +6,11 @@
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "base/files.hpp"
 #include "figures/figure_json.hpp"
+#include "figures/svg.hpp"
 #include "figures/gnuplot.hpp"
 #include "run/compiler.hpp"
 
@@ -75,8 +77,9 @@ BOOST_AUTO_TEST_CASE(numbers_have_seven_digits) {
 BOOST_AUTO_TEST_CASE(series_have_their_name_style_and_colour) {
   Figure figure = everything();
   std::vector<std::string> names;
-  for (const Style style : {Style::line, Style::dashed, Style::dotted, Style::circles, Style::dots,
-                            Style::crosses, Style::bars}) {
+  for (const Style style :
+       {Style::line, Style::dashed, Style::dotted, Style::circles, Style::dots, Style::crosses,
+        Style::squares, Style::triangles, Style::diamonds, Style::bars}) {
     figure.series = {{"<a>", style, {{1, 0, ""}, {10, 1, ""}}, 3}};
     const ordered_json series = figure_json(figure)["series"][0];
     BOOST_TEST(series["name"] == "<a>");
@@ -84,9 +87,33 @@ BOOST_AUTO_TEST_CASE(series_have_their_name_style_and_colour) {
     BOOST_TEST(series.contains("edges") == (style == Style::bars));
     names.push_back(series["style"]);
   }
-  const std::vector<std::string> expected{"line", "dashed",  "dotted", "circles",
-                                          "dots", "crosses", "bars"};
+  const std::vector<std::string> expected{"line",    "dashed",  "dotted",    "circles",  "dots",
+                                          "crosses", "squares", "triangles", "diamonds", "bars"};
   BOOST_TEST(names == expected, boost::test_tools::per_element());
+}
+
+// Without colour, too: lines of any two colours, and points of any two of six numbers.
+BOOST_AUTO_TEST_CASE(series_are_told_apart_in_grey) {
+  std::set<std::string> dashes, shapes;
+  for (const int colour : {0, 1, 2, 3, 4}) dashes.insert(dashes_of(Style::line, colour));
+  for (std::size_t number = 0; number < 6; ++number) shapes.insert(name_of(shape_of(number)));
+  BOOST_TEST(dashes.size() == 5u);
+  BOOST_TEST(shapes.size() == 6u);
+  BOOST_TEST(figure_json(everything())["series"][0]["dashes"] == "none");
+}
+
+// A picture in a page has no title of its own, and says for others what it shows.
+BOOST_AUTO_TEST_CASE(a_still_is_the_figure_without_its_title) {
+  Figure figure = everything();
+  figure.map.reset();
+  figure.series.pop_back();
+  figure.title = "Friction over speed";
+  figure.caption = "By simulation.";
+  const std::string picture = still(figure);
+  BOOST_TEST(picture.starts_with("<svg class=\"still\" role=\"img\" aria-label=\"Friction over speed. By simulation.\""));
+  BOOST_TEST(picture.find(">Friction over speed</text>") == picture.npos);
+  BOOST_TEST(svg({figure}).find(">Friction over speed</text>") != picture.npos);
+  BOOST_TEST(picture.find("stroke=\"#123f6d\"") != picture.npos);
 }
 
 // Middles 10 and 100: halfway by ratio.

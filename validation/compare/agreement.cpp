@@ -216,6 +216,7 @@ SceneReport agree(Driver& driver, const symbolic::Derivation& formula, const Pro
 
   report.values = value_lines(problem);
   report.normal_force = normal_force(problem);
+  report.effect = onset ? effect_of(problem, *onset) : effect_of(problem);
   if (onset) report.influences = influences(problem, report.values);
 
   progress("deriving the formula");

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "answers/effect.hpp"
 #include "base/numbers.hpp"
 #include "problem/problem.hpp"
 #include "simulation/system/steady_state.hpp"
@@ -277,8 +278,7 @@ struct SceneReport {
   std::optional<NormalForce> normal_force;   ///< none where no load is carried
   ShownVelocity formula;
   std::vector<ShownFact> facts;
-  std::string sentence;  ///< what vibration does to this contact
-  double lowest_friction = no_friction;  ///< mu_macro/mu0 as the speed vanishes
+  std::optional<Effect> effect;  ///< what vibration does to this contact
   std::string equation;  ///< number of the formula in the paper
   std::vector<Equation> derivation;
   std::vector<LimitLine> limits;

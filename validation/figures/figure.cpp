@@ -53,7 +53,7 @@ bool is_marks(Style style) {
 
 Style shape_of(std::size_t number) {
   static constexpr std::array shapes{Style::circles, Style::squares, Style::triangles,
-                                     Style::diamonds, Style::dots};
+                                     Style::diamonds, Style::dots, Style::crosses};
   return shapes.at(number % shapes.size());
 }
 

@@ -67,7 +67,7 @@ ordered_json json(const Map& map, const Figure& figure) {
 ordered_json json(const Band& band, const Figure& figure) {
   return {{"from", drawn(band.from, figure.x)},
           {"to", drawn(band.to, figure.x)},
-          {"colour", palette(1)},
+          {"colour", palette(6)},
           {"words", band.words}};
 }
 

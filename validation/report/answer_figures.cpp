@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "base/constants.hpp"
+#include "base/rounded.hpp"
 #include "report/answer_record.hpp"
 #include "report/units.hpp"
 
@@ -22,10 +23,15 @@ using figures::Style;
 
 constexpr double drawn_beyond = 1.3;  // so that one sees that nothing is gained above v*
 
+const LowestFriction* lowest_of(const SceneReport& report) {
+  return report.effect && report.effect->lowest ? &*report.effect->lowest : nullptr;
+}
+
 /// (m/s, ratio) by increasing speed; empty where nothing was simulated.
 std::vector<Point> friction_points(const SceneReport& report) {
   std::vector<Point> points;
-  if (std::isfinite(report.lowest_friction)) points.push_back({0, report.lowest_friction, ""});
+  if (const LowestFriction* lowest = lowest_of(report); lowest != nullptr && lowest->velocity == 0)
+    points.push_back({0, lowest->ratio, "at rest"});
   for (const CurvePoint& point : report.curve)
     points.push_back({point.velocity, point.from_sliding, point.regime});
   if (!report.indented) return points;
@@ -100,7 +106,6 @@ std::optional<Figure> answer_figure(const SceneReport& report) {
   figure.x = {"sliding speed, " + scale.unit, false, std::pair{0.0, end * scale.factor}, {}};
   figure.y = {"friction / friction without vibration", false, std::pair{0.0, 1.05}, {}};
   FigureSeries series;
-  series.name = "friction";
   for (const Point& point : points)
     if (point.x <= 1.02 * end)
       series.points.push_back(
@@ -116,11 +121,15 @@ std::optional<Figure> answer_figure(const SceneReport& report) {
       {onset, fmt::format("{} = {:.4g} {}", at.drive > at.contact ? "v* + creep" : "v*", onset,
                           scale.unit),
        false});
-  if (std::isfinite(report.lowest_friction)) {
-    figure.series.push_back({"", Style::circles, {{0, report.lowest_friction, "at rest"}}, 0});
-    if (report.lowest_friction < 0.98)
+  if (const LowestFriction* lowest = lowest_of(report)) {
+    const std::string where = lowest->velocity > 0
+                                  ? fmt::format("at {}", rounded(lowest->velocity, "m/s"))
+                                  : std::string("at rest");
+    figure.series.push_back(
+        {"", Style::circles, {{lowest->velocity * scale.factor, lowest->ratio, "lowest " + where}}, 0});
+    if (lowest->ratio < 0.98)
       figure.rules.push_back(
-          {report.lowest_friction, fmt::format("{:.3g} at rest", report.lowest_friction), true});
+          {lowest->ratio, fmt::format("{} {}", rounded(lowest->ratio, "", 3), where), true});
   }
   return figure;
 }
@@ -147,7 +156,7 @@ std::optional<Figure> opening_figure(const SceneReport& report) {
               false,
               {},
               {}};
-  FigureSeries series{"normal force", Style::line, {}, 0};
+  FigureSeries series{"", Style::line, {}, 0};
   constexpr int steps = 120;
   for (int i = 0; i <= steps; ++i)
     series.points.push_back(
@@ -171,7 +180,7 @@ std::optional<Figure> frequency_figure(const SceneReport& report) {
   figure.title = "Critical speed over frequency";
   figure.caption = "All else as in the scene.";
   figure.height = 260;
-  FigureSeries own{"v*", Style::line, {}, 0}, formula{"formula, not v*", Style::dotted, {}, 2};
+  FigureSeries own{"", Style::line, {}, 0}, formula{"formula, not v*", Style::dotted, {}, 2};
   std::vector<double> shown;
   for (std::size_t i = 0; i < applies.size(); ++i) {
     const ResponsePoint& point = report.response.points[i];

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "answers/effect_words.hpp"
 #include "base/constants.hpp"
 #include "report/units.hpp"
 #include "report/verdict.hpp"
@@ -24,12 +25,6 @@ Json key_number(const std::string& label, double value, const char* unit, const 
           {"words", shown(value, unit)},
           {"exact", fmt::format("{}{}{}", value, *unit == 0 ? "" : " ", unit)},
           {"note", note}};
-}
-
-std::optional<double> mean_normal(const SceneReport& report) {
-  if (report.indented) return report.indented->normal_force;
-  if (!report.normal_force || report.problem->indenter) return std::nullopt;
-  return report.normal_force->mean;
 }
 
 const ResonanceMark* nearest_resonance(const SceneReport& report) {
@@ -54,19 +49,21 @@ Json speed_key(const SceneReport& report) {
   return key_number("Critical speed v*", onset.contact, "m/s", note);
 }
 
-/// Of the normal force in N where it is one; below an indenter it is a share.
-Json closed_key(const SceneReport& report, double largest) {
-  const double own = report.problem.value(report.problem->amplitude);
-  Json key = key_number("Stays closed up to", largest, "m", "now " + shown(own, "m"));
-  key["warn"] = own >= largest;
-  return key;
+Json closed_key(const Effect& effect) {
+  return key_number(effect.below_indenter ? "Centre stays closed up to" : "Stays closed up to",
+                    *effect.largest_closed_amplitude, "m", "now " + shown(effect.amplitude, "m"));
+}
+
+Json lowest_key(const LowestFriction& lowest) {
+  return key_number("Lowest friction", lowest.ratio, "",
+                    lowest.velocity > 0 ? "of the sliding value, at " + shown(lowest.velocity, "m/s")
+                                        : "of the sliding value, at rest");
 }
 
 void add_power(const SceneReport& report, Json& keys) {
-  const auto mean = mean_normal(report);
-  if (!report.cycle || !mean) return;
-  const double force =
-      report.cycle->friction_ratio * report.problem.value(report.problem->coefficient) * *mean;
+  if (!report.cycle || !report.effect->mean_normal_force) return;
+  const double force = report.cycle->friction_ratio * report.effect->friction_coefficient *
+                       *report.effect->mean_normal_force;
   keys.push_back(key_number("Power at v*/2", force * report.cycle->velocity, "W",
                             "lost at " + shown(report.cycle->velocity, "m/s")));
 }
@@ -75,10 +72,8 @@ Json key_numbers(const SceneReport& report) {
   Json keys = Json::array();
   const bool outside = !report.reasons.empty();
   if (!outside) keys.push_back(speed_key(report));
-  if (!outside && std::isfinite(report.lowest_friction))
-    keys.push_back(key_number("Lowest friction", report.lowest_friction, "",
-                              "of the sliding value, at rest"));
-  if (const auto largest = closed_up_to(report)) keys.push_back(closed_key(report, *largest));
+  if (!outside && report.effect->lowest) keys.push_back(lowest_key(*report.effect->lowest));
+  if (report.effect->largest_closed_amplitude) keys.push_back(closed_key(*report.effect));
   if (const ResonanceMark* mark = nearest_resonance(report))
     keys.push_back(key_number("Nearest resonance", mark->omega / two_pi, "Hz",
                               "now " + shown(frequency_of(report), "Hz")));
@@ -86,21 +81,8 @@ Json key_numbers(const SceneReport& report) {
   return keys;
 }
 
-std::string operating_words(const SceneReport& report) {
-  const Problem& problem = report.problem;
-  std::string words = fmt::format(
-      "{}, {} amplitude, {} indentation", shown(frequency_of(report), "Hz"),
-      shown(problem.value(problem->amplitude), "m"),
-      shown(problem.value(problem->indentation), "m"));
-  if (const auto mean = mean_normal(report))
-    words += fmt::format(" ({} mean normal force, {} mean friction without vibration)",
-                         shown(*mean, "N"), shown(problem.value(problem->coefficient) * *mean, "N"));
-  return words + ".";
-}
-
 std::string per_cent(double share) {
-  const double value = std::abs(10 * share);
-  return value < 0.05 ? "less than 0.1 %" : fmt::format("{:.2g} %", value);
+  return fmt::format("{:.2g} %", std::abs(10 * share));
 }
 
 std::string listed(const std::vector<std::string>& names) {
@@ -167,11 +149,7 @@ OnsetSpeeds onset_speeds(const SceneReport& report) {
 }
 
 std::optional<double> closed_up_to(const SceneReport& report) {
-  if (!report.normal_force || !(report.normal_force->amplitude > 0)) return std::nullopt;
-  const Problem& problem = report.problem;
-  const double by_force = problem.value(problem->amplitude) * report.normal_force->mean /
-                          report.normal_force->amplitude;
-  return std::min(by_force, problem.value(problem->indentation));
+  return report.effect ? report.effect->largest_closed_amplitude : std::nullopt;
 }
 
 record::Json answer_record(const SceneReport& report) {
@@ -179,9 +157,9 @@ record::Json answer_record(const SceneReport& report) {
   constexpr std::size_t most = 12;
   const std::size_t left_out = rows.size() > most ? rows.size() - most : 0;
   rows.erase(rows.begin() + static_cast<std::ptrdiff_t>(rows.size() - left_out), rows.end());
-  return {{"operating", operating_words(report)}, {"keys", key_numbers(report)},
+  return {{"operating", operating_point(*report.effect)}, {"keys", key_numbers(report)},
           {"inputs", inputs_words(report)},       {"influences", rows},
-          {"left_out", left_out}};
+          {"left_out", left_out > 0 ? Json(left_out) : Json()}};
 }
 
 }  // namespace vcrit::validation::report

@@ -1,4 +1,6 @@
 // What all reports share: comparisons, formulas, figures, the machine (records.hpp).
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -16,6 +18,12 @@ namespace figures = validation::figures;
 using validation::Comparison;
 
 namespace {
+
+/// "0.5 %"
+std::string share_words(double share) {
+  if (share > 0 && share < 1e-3) return "less than 0.1 %";
+  return fmt::format("{:.2g} %", 100 * share);
+}
 
 /// The name of an outcome as a class of the style sheet.
 std::string badge(Comparison::Outcome outcome) {
@@ -54,7 +62,7 @@ void fields(Fields& f, const Comparison& it) {
   f.page("has_numbers", numbers).page("badge", badge(result)).page("ways_agree", agrees);
   f.page("claim", claim.words).page("means", claim.means).page("shared", claim.shared);
   const bool share = numbers && it.tolerance > 0 && std::isfinite(difference(it));
-  f.page("share", share ? 100 * difference(it) / it.tolerance : 0).page("has_share", share);
+  f.page("share", share ? share_words(difference(it) / it.tolerance) : "");
 }
 
 void fields(Fields& f, const validation::Formula& it) {

@@ -217,7 +217,7 @@ const vcrit_drawing = (() => {
       const left = Math.max(0, plan.x(from)), width = short(Math.min(plan.inner, plan.x(to)) - left);
       const own = widthOf(words);
       if (!(width > 0)) continue;
-      add(into, "rect", { class: "band", x: left, y: 0, width, height: plan.height, fill: colour, opacity: 0.16 });
+      add(into, "rect", { class: "band", x: left, y: 0, width, height: plan.height, fill: colour, opacity: 0.07 });
       if (!words || own + 8 > width) continue;
       const box = { x: left + (width - own) / 2, y: 2, width: own, height: lineHeight };
       taken.push(box);

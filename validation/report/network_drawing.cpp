@@ -139,6 +139,7 @@ Drawing draw_parallel(const Parallel& parallel, const NetworkLook& look) {
                     shown = count > most_branches ? shown_branches : count;
   for (std::size_t i = 0; i < shown; ++i) branches.push_back(draw(parallel.parts[i], look));
   if (shown < count) branches.push_back(more_branches(count - shown, look));
+  if (look.standing) std::reverse(branches.begin(), branches.end());  // the first is on the left
   std::vector<double> ys;
   double inner = 0, y = 0;
   for (const Drawing& branch : branches) {
@@ -238,7 +239,7 @@ Shapes standing(const Drawing& drawing) {
 }
 
 double width_of(const Label& words) {
-  constexpr double letter = 7.6, small_letter = 6.2;  // px, of the style sheet's fonts
+  constexpr double letter = 8.4, small_letter = 6.8;  // px, of the style sheet's fonts
   double width = 0;
   for (const Word& word : words)
     for (const char c : word.text == no_width ? "" : word.text)  // not bytes that continue a letter

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "base/rounded.hpp"
 #include "report/answer_figures.hpp"
 #include "report/answer_record.hpp"
 #include "report/units.hpp"
@@ -46,8 +47,8 @@ std::string answer_words(const SceneReport& report) {
 }
 
 std::string reduction_words(const SceneReport& report) {
-  if (!report.reasons.empty() || !std::isfinite(report.lowest_friction)) return {};
-  return fmt::format("−{:.0f} %", std::floor(100 * (1 - report.lowest_friction) + 1e-9));
+  if (!report.reasons.empty() || !report.effect || !report.effect->lowest) return {};
+  return "−" + whole_percent(1 - report.effect->lowest->ratio);
 }
 
 std::string frequency_words(const SceneReport& report) {

@@ -262,6 +262,9 @@ void pictures(Fields& f, const SceneReport& scene) {
 
 }  // namespace
 
+/// More are folded, so that what comes after them is seen.
+constexpr std::size_t most_limits = 4;
+
 void fields(Fields& f, const report::SceneContents& contents) {
   const SceneReport& scene = contents.report;
   f("file", scene.problem->source->file)("title", scene.problem->source->title)("passed",
@@ -278,12 +281,12 @@ void fields(Fields& f, const report::SceneContents& contents) {
   f("formula_applies", scene.formula_applies && !outside);
   f("simulated", !scene.curve.empty() || scene.indented.has_value());
   f("system", report::draw_system(scene.problem))
-      .when(scene.failure.empty(), "answer",
-            scene.failure.empty() ? report::answer_record(scene) : Json());
+      .when(scene.effect.has_value(), "answer",
+            scene.effect ? report::answer_record(scene) : Json());
   f("sentence", report::sentence_of(scene))("checks", report::checks_words(scene));
   f("failed_names", names_of_failed(scene))("failed_words", report::failed_words(scene));
   f("speed_axis", report::speed_axis(scene))("explorer", report::explorer_record(scene));
-  f("many_limits", scene.limits.size() > report::shown_limits);
+  f("many_limits", scene.limits.size() > most_limits);
   std::vector<validation::MethodCurve> silent;
   for (const validation::MethodCurve& method : scene.methods)
     if (std::any_of(method.points.begin(), method.points.end(),

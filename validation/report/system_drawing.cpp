@@ -12,7 +12,7 @@ namespace vcrit::validation::report {
 
 namespace {
 
-constexpr double body_height = 44, foot_height = 16, foot_width = 44;  // px
+constexpr double body_height = 44, plate_height = 20, foot_height = 16, foot_width = 44;  // px
 constexpr double body_reach = 48;  // to the left of the middle, at least
 constexpr std::size_t most_with_values = 4;  // names and values of more would need too much room
 
@@ -230,7 +230,8 @@ Picture draw_system(const Problem& problem) {
     contact = draw_contact(canvas, problem, normal);
   const double left = problem->indenter ? -60 : -body_reach,
                right = std::max(contact.right, body_reach),
-               bottom = problem->indenter ? -16 : 0, top = bottom - body_height;
+               bottom = problem->indenter ? -16 : 0,
+               top = bottom - (problem->mass ? body_height : plate_height);
   canvas.put({path(fmt::format("M{:.1f} {:.1f}H{:.1f}V{:.1f}H{:.1f}z", left, top, right, bottom,
                                left),
                    problem->indenter ? "" : "solid")});
@@ -245,7 +246,7 @@ Picture draw_system(const Problem& problem) {
   draw_drive(canvas, problem, right, (top + bottom) / 2, words);
   canvas.put(arrow_to_both_sides(top - 34, 26));
   canvas.reach(-5, 5, top - 36, top);
-  canvas.write(14, top - 16, oscillation_words(problem));
+  canvas.write(0, top - 44, oscillation_words(problem), "middle");
   const auto* isotropic = std::get_if<Isotropic>(&problem->tangential);
   if (isotropic != nullptr && tangential_ratio(*isotropic) != 1)
     canvas.write(canvas.left(), contact.bottom + 28,

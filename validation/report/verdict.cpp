@@ -2,8 +2,10 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "answers/effect_words.hpp"
 #include "report/units.hpp"
 
 namespace vcrit::validation::report {
@@ -28,7 +30,7 @@ std::string state_words(const SceneReport& report) {
 
 std::string sentence_of(const SceneReport& report) {
   if (!report.failure.empty()) return "No answer: the comparisons came to no end.";
-  return report.sentence;
+  return report.effect ? sentence(*report.effect) : std::string();
 }
 
 std::string failed_words(const SceneReport& report) {
@@ -44,7 +46,7 @@ std::string checks_words(const SceneReport& report) {
   const Comparison* closest = tightest(report);
   if (!failed && closest != nullptr && closest->tolerance > 0)
     words += fmt::format(": the closest used {:.2g} % of its tolerance",
-                         100 * difference(*closest) / closest->tolerance);
+                         std::max(0.01, 100 * difference(*closest) / closest->tolerance));
   if (not_run > 0) words += fmt::format("; {} could not be run", not_run);
   return words + ".";
 }

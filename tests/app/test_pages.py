@@ -1,0 +1,178 @@
+"""The report's pages as a reader meets them: the answer on the first screen, pages that are short on a screen, a phone and
+on paper, no speed where there is none, and a failed check above everything.
+"""
+
+import base64
+import os
+import re
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+from selenium.webdriver.common.by import By
+
+from browsing import browser, draw_charts, load
+from program import PROGRAM, PROJECT
+
+SCENES = ["zener", "inadmissible", "sonotrode"]
+PHONE, DESK = 390, 1200  # pixels
+
+# A compiler that compiles nothing: what it should have compiled is a check that failed.
+BROKEN_COMPILER = "#!/bin/sh\necho broken >&2\nexit 1\n"
+
+
+class Pages(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory(prefix="vcrit-pages-")
+        cls.report = Path(cls.folder.name, "report")
+        compiler = Path(cls.folder.name, "bin/g++")
+        compiler.parent.mkdir()
+        compiler.write_text(BROKEN_COMPILER)
+        compiler.chmod(0o755)
+        cls.validate(SCENES, cls.report, "/nowhere", 0)
+        cls.validate(["elastic"], cls.report / "failed", f"{compiler.parent}:/usr/bin:/bin", 1)
+        cls.browser = browser(Path(cls.folder.name, "profile"))
+
+    @classmethod
+    def validate(cls, scenes, out, path, status):
+        result = subprocess.run([PROGRAM, "validate", *[f"scenes/{name}.toml" for name in scenes], "--out", out],
+                                cwd=PROJECT, env=os.environ | {"PATH": path}, capture_output=True, text=True)
+        if result.returncode != status:
+            raise AssertionError(f"status {result.returncode}: {result.stderr}")
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.browser.quit()
+        cls.folder.cleanup()
+
+    def script(self, text, *arguments):
+        return self.browser.execute_script(text, *arguments)
+
+    def open(self, page, width=DESK, draw=True):
+        self.browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
+            "width": width, "height": 800, "deviceScaleFactor": 1, "mobile": width < 600})
+        for kind in ["browser", "performance"]:
+            self.browser.get_log(kind)  # what was left of other pages
+        load(self.browser, (self.report / f"{page}.html").as_uri())
+        if draw:
+            draw_charts(self.browser)
+
+    def height(self):
+        return self.script("return document.documentElement.scrollHeight")
+
+    def text(self, selector):
+        return self.browser.find_element(By.CSS_SELECTOR, selector).text
+
+    # At most 4500 and 6500 pixels, and nothing scrolls sideways.
+    def test_a_page_is_short(self):
+        for page, width, most in [("zener", DESK, 4500), ("zener", PHONE, 6500), ("inadmissible", DESK, 4500),
+                                  ("sonotrode", DESK, 4500), ("index", DESK, 900)]:
+            with self.subTest(page=page, width=width):
+                self.open(page, width)
+                self.assertLessEqual(self.height(), most)
+                self.assertLessEqual(self.script("return document.documentElement.scrollWidth"), width)
+                self.assertEqual(self.browser.get_log("browser"), [])
+
+    def test_the_first_screen_has_the_answer(self):
+        self.open("zener", draw=False)
+        self.assertEqual(self.text("h1"), "Vibration lowers friction below 4.095 mm/s, by at most 25 %.")
+        for selector in ["h1", ".operating", "#friction_over_speed svg", ".system svg", ".keys", ".sure"]:
+            with self.subTest(selector=selector):
+                bottom = self.script("return document.querySelector(arguments[0]).getBoundingClientRect().bottom", selector)
+                self.assertLessEqual(bottom, 800)
+        self.assertIn("10 % in", self.text(".sure"))
+        self.assertEqual(len(self.browser.find_elements(By.CSS_SELECTOR, ".keys > div")), 5)
+
+    def test_the_answer_needs_no_script(self):
+        page = (self.report / "zener.html").read_text()
+        body = re.sub(r"<script.*?</script>", "", page, flags=re.S)
+        self.assertIn('<svg class="still"', body)
+        self.assertIn('<svg class="drawing"', body)
+        self.assertLess(len(page.encode()), 2_000_000)
+
+    # Two sheets, on which the chart and the formula are; the explorer is not.
+    def test_two_sheets_of_paper(self):
+        for page in ["zener", "inadmissible"]:
+            self.open(page)
+            pdf = base64.b64decode(self.browser.execute_cdp_cmd("Page.printToPDF", {
+                "printBackground": True, "preferCSSPageSize": True})["data"])
+            self.assertLessEqual(len(re.findall(rb"/Type\s*/Page[^s]", pdf)), 2, page)
+
+    def test_outside_the_model_there_is_no_speed_and_nothing_green(self):
+        self.open("inadmissible")
+        self.assertRegex(self.text("h1"), "^No answer")
+        large = self.script("""return [...document.querySelectorAll('body *')].filter((e) => e.children.length === 0 &&
+            parseFloat(getComputedStyle(e).fontSize) > 16 && e.checkVisibility() && /\\d.* [nµm]?m\\/s/.test(e.textContent))
+            .map((e) => e.textContent)""")
+        self.assertEqual(large, [])
+        green = self.script("""const probe = document.createElement('i');
+            probe.style.color = 'var(--good)';
+            document.body.append(probe);
+            const good = getComputedStyle(probe).color;
+            probe.remove();
+            return [...document.querySelectorAll('main *')].filter((e) => getComputedStyle(e).color === good)
+                .map((e) => e.outerHTML.slice(0, 60))""")
+        self.assertEqual(green, [])
+        self.assertEqual(len(self.browser.find_elements(By.ID, "normal_force")), 1)
+        self.assertEqual(self.browser.find_elements(By.ID, "friction_over_speed"), [])
+        self.assertIn("Stays closed up to\n0.2236 µm\nnow 0.36 µm", self.text(".keys"))
+
+    def test_a_failed_check_is_red_above_everything(self):
+        self.open("failed/index")
+        banner = self.browser.find_element(By.CSS_SELECTOR, ".failed-checks")
+        self.assertRegex(banner.text, r"^Do not use these numbers: 1 of \d+ checks failed\.")
+        self.assertIn("generated C++ code", banner.text)
+        above = "return arguments[0].getBoundingClientRect().bottom < document.querySelector('h1').getBoundingClientRect().top"
+        self.assertTrue(self.script(above, banner))
+        red, green, blue = [int(part) for part in re.findall(r"\d+", banner.value_of_css_property("color"))[:3]]
+        self.assertGreater(red, 2 * max(green, blue))
+        banner.find_element(By.TAG_NAME, "a").click()
+        self.assertIn("elastic.evidence.html", self.browser.current_url)
+        self.assertEqual(len(self.browser.find_elements(By.CSS_SELECTOR, ".claims .badge.failed")), 1)
+        self.open("zener")
+        self.assertEqual(self.browser.find_elements(By.CSS_SELECTOR, ".failed-checks"), [])
+
+    def test_the_index_says_what_came_out(self):
+        self.open("index")
+        self.assertEqual(self.text("h1"), "3 scenes. 2 answered, 1 outside the model, 0 checks failed.")
+        lines = self.browser.find_elements(By.CSS_SELECTOR, ".scenes > li")
+        for line, parts in zip(lines, [["zener.toml", "4.095 mm/s", "−25 %", "20 kHz"],
+                                       ["inadmissible.toml", "would open above"], ["sonotrode.toml", "4.65 mm/s"]]):
+            for part in parts:
+                self.assertIn(part, line.text)
+        # From 0.748 at rest up to the top, which is full friction.
+        points = re.findall(r"([\d.]+) ([\d.]+)", lines[0].find_elements(By.CSS_SELECTOR, ".spark path")[1].get_attribute("d"))
+        self.assertAlmostEqual(float(points[0][1]), 4 + 22 * (1 - 0.748), delta=0.1)
+        self.assertAlmostEqual(float(points[-1][1]), 4, delta=0.05)
+        self.assertEqual(len(lines[1].find_elements(By.CSS_SELECTOR, ".spark path")), 1)
+
+    def test_the_index_can_be_filtered(self):
+        self.open("index")
+        shown = "return [...document.querySelectorAll('.scenes > li')].filter((e) => e.checkVisibility()).length"
+        field = self.browser.find_element(By.ID, "filter")
+        for typed, left in [("ZENER", 1), ("", 3), (".toml", 3), ("nothing of that name", 0)]:
+            field.clear()
+            field.send_keys(typed)
+            self.script("document.getElementById('filter').dispatchEvent(new Event('input'))")
+            self.assertEqual(self.script(shown), left)
+        self.assertTrue(self.browser.find_element(By.ID, "none-left").is_displayed())
+
+    def test_evidence_is_one_click_away(self):
+        self.open("zener")
+        self.browser.find_element(By.CSS_SELECTOR, ".sure a").click()
+        self.assertIn("v* from the formula = v* from stick-slip simulation", self.text(".claims"))
+        self.assertIn("not independent:", self.text(".claims"))
+        self.assertIn("no digit lost in", self.text("main"))
+
+    # All pages are of one folder, whatever they show.
+    def test_links_lead_somewhere(self):
+        for page in self.report.glob("*.html"):
+            for link in re.findall(r'href="([^#"]+)"', page.read_text()):
+                self.assertTrue((self.report / link).exists(), (page.name, link))
+
+
+if __name__ == "__main__":
+    os.environ.setdefault("HOME", tempfile.gettempdir())
+    unittest.main(verbosity=2)
