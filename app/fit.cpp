@@ -85,7 +85,7 @@ std::vector<double> frequencies_of_interest(const Data& data, const std::string&
   return omegas;
 }
 
-std::vector<std::string> words_of(const Data& data, const Fit& fit) {
+std::vector<std::string> spelled_words(const Data& data, const Fit& fit) {
   std::vector<std::string> all = in_words(data, fit);
   for (std::string& words : all) words = with_options(words);
   return all;
@@ -104,7 +104,7 @@ void run_fit(const FitOptions& options) {
       data,
       fit,
       known_stiffness(data, fit, frequencies_of_interest(data, options.rest.frequency)),
-      words_of(data, fit),
+      spelled_words(data, fit),
       options.out,
       std::filesystem::path(out).replace_extension(".html").string(),
       scene_text(fit, data, options.rest)};

@@ -93,7 +93,7 @@ bool asks_for_json(int argc, char** argv) {
 }
 
 /// "vcrit" alone and "vcrit help COMMAND" ask for help, too.
-std::vector<std::string> words_of(int argc, char** argv) {
+std::vector<std::string> typed_words(int argc, char** argv) {
   std::vector<std::string> words(argv + 1, argv + argc);
   if (words.empty()) return {"--help"};
   if (words.front() != "help") return words;
@@ -104,7 +104,7 @@ std::vector<std::string> words_of(int argc, char** argv) {
 }
 
 int run_command(int argc, char** argv, const AddCommands& add, bool json) {
-  const std::vector<std::string> words = words_of(argc, argv);
+  const std::vector<std::string> words = typed_words(argc, argv);
   CLI::App program{
       "Vibration lowers sliding friction up to a critical velocity v*: its value, its formula, and "
       "the motion below it.",

@@ -31,13 +31,13 @@ std::vector<const CLI::App*> commands_of(const CLI::App& program) {
   return program.get_subcommands([](const CLI::App*) { return true; });
 }
 
-std::vector<std::string> names_of(const std::vector<const CLI::App*>& commands) {
+std::vector<std::string> command_names(const std::vector<const CLI::App*>& commands) {
   std::vector<std::string> names;
   for (const CLI::App* command : commands) names.push_back(command->get_name());
   return names;
 }
 
-std::vector<std::string> options_of(const CLI::App& command) {
+std::vector<std::string> option_names(const CLI::App& command) {
   std::vector<std::string> names;
   for (const CLI::Option* option : command.get_options())
     for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
@@ -51,9 +51,9 @@ std::string meant(const std::string& word, const std::vector<std::string>& names
 
 InputError not_expected(const std::string& rest, const CLI::App& program,
                         const std::string& first) {
-  std::vector<std::string> options = options_of(program);
+  std::vector<std::string> options = option_names(program);
   for (const CLI::App* command : commands_of(program))
-    if (command->get_name() == first) options = options_of(*command);
+    if (command->get_name() == first) options = option_names(*command);
   const std::string word = rest.substr(0, rest.find_first_of(" ="));
   return {{whole_line}, rest, "the arguments that --help lists", meant(word, options)};
 }
@@ -73,13 +73,13 @@ void refuse_options_as_values(CLI::App& program) {
 }
 
 bool is_unknown_command(const CLI::App& program, const std::string& first) {
-  const std::vector<std::string> commands = names_of(commands_of(program));
+  const std::vector<std::string> commands = command_names(commands_of(program));
   return !first.starts_with('-') && std::count(commands.begin(), commands.end(), first) == 0;
 }
 
 InputError in_parts(const CLI::ParseError& error, const CLI::App& program,
                     const std::string& first) {
-  const std::vector<std::string> commands = names_of(commands_of(program));
+  const std::vector<std::string> commands = command_names(commands_of(program));
   if (is_unknown_command(program, first))
     return {{whole_line},
             fmt::format("\"{}\"", printable(first)),

@@ -33,7 +33,7 @@ const std::vector<SectionKeys>& sections() {
   return all;
 }
 
-struct Words {
+struct OtherWord {
   const char* word;
   const char* advice;
 };
@@ -45,7 +45,7 @@ constexpr const char* speed_advice =
     "a sliding speed belongs to the command: vcrit simulate SCENE --velocity \"1 mm/s\"";
 constexpr const char* elements_advice = "springs and dampers have their values in [elements]";
 
-constexpr std::array<Words, 32> other_words{
+constexpr std::array<OtherWord, 32> other_words{
     {{"load", load_advice},
      {"force", load_advice},
      {"normal_force", load_advice},

@@ -9,8 +9,8 @@
 
 #include "base/errors.hpp"
 #include "figures/drawn.hpp"
-#include "record/html_text.hpp"
 #include "record/fields.hpp"
+#include "record/html_text.hpp"
 #include "record/template.hpp"
 
 extern "C" const char vcrit_figure_templates[], vcrit_figure_templates_end[];
@@ -24,8 +24,8 @@ using record::Json;
 // Pixels. Letters are 13 high and at most about 7 wide.
 constexpr double picture_width = 680, left_margin = 72, right_margin = 18,
                  inner_width = picture_width - left_margin - right_margin;
-constexpr double title_height = 34, untitled_height = 12, below_axis = 50, legend_row = 20, letter_width = 7,
-                 line_height = 16;
+constexpr double title_height = 34, untitled_height = 12, below_axis = 50, legend_row = 20,
+                 letter_width = 7, line_height = 16;
 
 struct Frame {
   const Figure& figure;
@@ -287,7 +287,7 @@ Json panel(const Figure& figure, bool titled, double& top) {
   return all;
 }
 
-std::string drawn(const char* name, const std::vector<Figure>& figures, bool titled) {
+std::string svg_text(const char* name, const std::vector<Figure>& figures, bool titled) {
   Json panels = Json::array();
   double height = 0;
   std::string words;
@@ -305,8 +305,10 @@ std::string drawn(const char* name, const std::vector<Figure>& figures, bool tit
 
 }  // namespace
 
-std::string svg(const std::vector<Figure>& figures) { return drawn("svg", figures, true) + "\n"; }
+std::string svg(const std::vector<Figure>& figures) {
+  return svg_text("svg", figures, true) + "\n";
+}
 
-std::string still(const Figure& figure) { return drawn("still", {figure}, false); }
+std::string still(const Figure& figure) { return svg_text("still", {figure}, false); }
 
 }  // namespace vcrit::validation::figures

@@ -42,7 +42,7 @@ std::vector<Point> friction_points(const SceneReport& report) {
 }
 
 /// The middle of those that have a place on a logarithmic axis; 1 without any.
-double middle_of(std::vector<double> values) {
+double middle_size(std::vector<double> values) {
   std::erase_if(values, [](double value) { return !(value > 0) || !std::isfinite(value); });
   if (values.empty()) return 1;
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -51,7 +51,7 @@ double middle_of(std::vector<double> values) {
 }
 
 /// An axis of frequency, two decades to both sides, with the scene's own and resonances marked.
-Figure over_frequency(const SceneReport& report, const char* name, double factor,
+Figure frequency_axis(const SceneReport& report, const char* name, double factor,
                       const std::string& unit) {
   const double own = frequency_of(report);
   const auto& points = report.response.points;
@@ -76,7 +76,7 @@ Figure over_frequency(const SceneReport& report, const char* name, double factor
 constexpr double clipped = 100;
 
 std::pair<double, double> shown_range(const std::vector<double>& values) {
-  const double middle = middle_of(values);
+  const double middle = middle_size(values);
   double low = middle, high = middle;
   for (const double value : values) {
     if (!(value > 0) || !std::isfinite(value)) continue;
@@ -117,16 +117,18 @@ std::optional<Figure> answer_figure(const SceneReport& report) {
   figure.series.push_back(series);
   const double onset = at.drive * scale.factor;
   figure.bands = {{0, onset, "stick-slip"}};
-  figure.rules.push_back(
-      {onset, fmt::format("{} = {:.4g} {}", at.drive > at.contact ? "v* + creep" : "v*", onset,
-                          scale.unit),
-       false});
+  figure.rules.push_back({onset,
+                          fmt::format("{} = {:.4g} {}", at.drive > at.contact ? "v* + creep" : "v*",
+                                      onset, scale.unit),
+                          false});
   if (const LowestFriction* lowest = lowest_of(report)) {
     const std::string where = lowest->velocity > 0
                                   ? fmt::format("at {}", rounded(lowest->velocity, "m/s"))
                                   : std::string("at rest");
-    figure.series.push_back(
-        {"", Style::circles, {{lowest->velocity * scale.factor, lowest->ratio, "lowest " + where}}, 0});
+    figure.series.push_back({"",
+                             Style::circles,
+                             {{lowest->velocity * scale.factor, lowest->ratio, "lowest " + where}},
+                             0});
     if (lowest->ratio < 0.98)
       figure.rules.push_back(
           {lowest->ratio, fmt::format("{} {}", rounded(lowest->ratio, "", 3), where), true});
@@ -151,11 +153,11 @@ std::optional<Figure> opening_figure(const SceneReport& report) {
   figure.height = 280;
   const double period = time.factor / frequency_of(report);
   figure.x = {"time, " + time.unit, false, std::pair{0.0, period}, {}};
-  figure.y = {report.problem->indenter ? "pressure at the centre / mean"
-                                       : "normal force, " + scale.unit,
-              false,
-              {},
-              {}};
+  figure.y = {
+      report.problem->indenter ? "pressure at the centre / mean" : "normal force, " + scale.unit,
+      false,
+      {},
+      {}};
   FigureSeries series{"", Style::line, {}, 0};
   constexpr int steps = 120;
   for (int i = 0; i <= steps; ++i)
@@ -175,8 +177,8 @@ std::optional<Figure> frequency_figure(const SceneReport& report) {
   for (const ResponsePoint& point : report.response.points)
     applies.push_back(point.applies ? point.velocity : std::numeric_limits<double>::quiet_NaN());
   const Scale frequency = scale_for(frequency_of(report), "Hz"),
-              velocity = scale_for(middle_of(applies), "m/s");
-  Figure figure = over_frequency(report, "critical_velocity", frequency.factor, frequency.unit);
+              velocity = scale_for(middle_size(applies), "m/s");
+  Figure figure = frequency_axis(report, "critical_velocity", frequency.factor, frequency.unit);
   figure.title = "Critical speed over frequency";
   figure.caption = "All else as in the scene.";
   figure.height = 260;
@@ -207,8 +209,8 @@ std::optional<Figure> stiffness_figure(const SceneReport& report) {
   std::vector<double> all;
   for (const ResponsePoint& point : report.response.points) all.push_back(point.normal);
   const char* unit = report.problem->indenter ? "Pa" : "N/m";
-  const Scale stiffness = scale_for(middle_of(all), unit);
-  Figure figure = over_frequency(report, "stiffness", frequency.factor, frequency.unit);
+  const Scale stiffness = scale_for(middle_size(all), unit);
+  Figure figure = frequency_axis(report, "stiffness", frequency.factor, frequency.unit);
   figure.title = "Dynamic stiffness over frequency";
   figure.caption = "Absolute values of the dynamic stiffness of each network.";
   figure.height = 240;

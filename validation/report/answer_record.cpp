@@ -18,11 +18,13 @@ using record::Json;
 
 constexpr int shown_digits = 4;
 
-std::string shown(double value, const char* unit) { return quantity(value, unit, shown_digits); }
+std::string few_digits_of(double value, const char* unit) {
+  return quantity(value, unit, shown_digits);
+}
 
 Json key_number(const std::string& label, double value, const char* unit, const std::string& note) {
   return {{"label", label},
-          {"words", shown(value, unit)},
+          {"words", few_digits_of(value, unit)},
           {"exact", fmt::format("{}{}{}", value, *unit == 0 ? "" : " ", unit)},
           {"note", note}};
 }
@@ -34,9 +36,8 @@ const ResonanceMark* nearest_resonance(const SceneReport& report) {
                           : std::numeric_limits<double>::infinity();
   };
   const auto nearest =
-      std::min_element(marks.begin(), marks.end(), [&](const auto& a, const auto& b) {
-        return distance(a) < distance(b);
-      });
+      std::min_element(marks.begin(), marks.end(),
+                       [&](const auto& a, const auto& b) { return distance(a) < distance(b); });
   return nearest == marks.end() || !nearest->resonance ? nullptr : &*nearest;
 }
 
@@ -44,20 +45,22 @@ Json speed_key(const SceneReport& report) {
   const OnsetSpeeds onset = onset_speeds(report);
   const std::string note =
       onset.drive > onset.contact
-          ? "with creep the drive runs at " + shown(onset.drive, "m/s")
+          ? "with creep the drive runs at " + few_digits_of(onset.drive, "m/s")
           : std::string(onset.simulated ? "by simulation" : "no effect above it");
   return key_number("Critical speed v*", onset.contact, "m/s", note);
 }
 
 Json closed_key(const Effect& effect) {
   return key_number(effect.below_indenter ? "Centre stays closed up to" : "Stays closed up to",
-                    *effect.largest_closed_amplitude, "m", "now " + shown(effect.amplitude, "m"));
+                    *effect.largest_closed_amplitude, "m",
+                    "now " + few_digits_of(effect.amplitude, "m"));
 }
 
 Json lowest_key(const LowestFriction& lowest) {
   return key_number("Lowest friction", lowest.ratio, "",
-                    lowest.velocity > 0 ? "of the sliding value, at " + shown(lowest.velocity, "m/s")
-                                        : "of the sliding value, at rest");
+                    lowest.velocity > 0
+                        ? "of the sliding value, at " + few_digits_of(lowest.velocity, "m/s")
+                        : "of the sliding value, at rest");
 }
 
 void add_power(const SceneReport& report, Json& keys) {
@@ -65,7 +68,7 @@ void add_power(const SceneReport& report, Json& keys) {
   const double force = report.cycle->friction_ratio * report.effect->friction_coefficient *
                        *report.effect->mean_normal_force;
   keys.push_back(key_number("Power at v*/2", force * report.cycle->velocity, "W",
-                            "lost at " + shown(report.cycle->velocity, "m/s")));
+                            "lost at " + few_digits_of(report.cycle->velocity, "m/s")));
 }
 
 Json key_numbers(const SceneReport& report) {
@@ -76,14 +79,12 @@ Json key_numbers(const SceneReport& report) {
   if (report.effect->largest_closed_amplitude) keys.push_back(closed_key(*report.effect));
   if (const ResonanceMark* mark = nearest_resonance(report))
     keys.push_back(key_number("Nearest resonance", mark->omega / two_pi, "Hz",
-                              "now " + shown(frequency_of(report), "Hz")));
+                              "now " + few_digits_of(frequency_of(report), "Hz")));
   if (!outside) add_power(report, keys);
   return keys;
 }
 
-std::string per_cent(double share) {
-  return fmt::format("{:.2g} %", std::abs(10 * share));
-}
+std::string per_cent(double share) { return fmt::format("{:.2g} %", std::abs(10 * share)); }
 
 std::string listed(const std::vector<std::string>& names) {
   constexpr std::size_t most = 6;
@@ -106,8 +107,7 @@ std::string inputs_words(const SceneReport& report) {
   }
   if (alike.empty() && others.empty()) return {};
   std::string words = "The inputs decide: ";
-  for (std::size_t i = 0; i < alike.size(); ++i)
-    words += (i == 0 ? "10 % in " : " or ") + alike[i];
+  for (std::size_t i = 0; i < alike.size(); ++i) words += (i == 0 ? "10 % in " : " or ") + alike[i];
   if (!alike.empty()) words += " is 10 % in v*";
   if (!others.empty())
     words += fmt::format("{}10 % in {}{} at most {}", alike.empty() ? "" : "; ", listed(others),
@@ -157,8 +157,10 @@ record::Json answer_record(const SceneReport& report) {
   constexpr std::size_t most = 12;
   const std::size_t left_out = rows.size() > most ? rows.size() - most : 0;
   rows.erase(rows.begin() + static_cast<std::ptrdiff_t>(rows.size() - left_out), rows.end());
-  return {{"operating", operating_point(*report.effect)}, {"keys", key_numbers(report)},
-          {"inputs", inputs_words(report)},       {"influences", rows},
+  return {{"operating", operating_point(*report.effect)},
+          {"keys", key_numbers(report)},
+          {"inputs", inputs_words(report)},
+          {"influences", rows},
           {"left_out", left_out > 0 ? Json(left_out) : Json()}};
 }
 

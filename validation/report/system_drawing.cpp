@@ -13,7 +13,7 @@ namespace vcrit::validation::report {
 namespace {
 
 constexpr double body_height = 44, plate_height = 20, foot_height = 16, foot_width = 44;  // px
-constexpr double body_reach = 48;  // to the left of the middle, at least
+constexpr double body_reach = 48;            // to the left of the middle, at least
 constexpr std::size_t most_with_values = 4;  // names and values of more would need too much room
 
 Word italic(const char* letter) { return {"letter", letter, ""}; }
@@ -51,7 +51,7 @@ class Canvas {
   double left_ = 0, right_ = 0;
 };
 
-std::string value_of(const Problem& problem, const Quantity& quantity, const char* unit) {
+std::string written_value(const Problem& problem, const Quantity& quantity, const char* unit) {
   return " = " + vcrit::validation::report::quantity(problem.value(quantity), unit, 4);
 }
 
@@ -98,19 +98,19 @@ class DrawnNetwork {
 /// A hatched edge from x to x + length; the hatching lies below it.
 Shapes ground(double x, double y, double length) {
   Shapes shapes{path(fmt::format("M{:.0f} {:.0f}h{:.0f}", x, y, length), "heavy")};
-  for (double at = 6; at <= length; at += 8)
-    shapes.push_back(line(x + at, y, x + at - 6, y + 7));
+  for (double at = 6; at <= length; at += 8) shapes.push_back(line(x + at, y, x + at - 6, y + 7));
   return shapes;
 }
 
 Shapes arrow_to_both_sides(double y, double length) {
-  return {path(fmt::format("M0 {0:.0f}v{1:.0f}m-5 -8l5 9l5 -9M-5 {2:.0f}l5 -9l5 9", y, length, y + 8),
-               "arrow")};
+  return {
+      path(fmt::format("M0 {0:.0f}v{1:.0f}m-5 -8l5 9l5 -9M-5 {2:.0f}l5 -9l5 9", y, length, y + 8),
+           "arrow")};
 }
 
 Label coefficient_words(const Problem& problem) {
   const Symbol symbol = as_called(problem, problem->coefficient.symbol);
-  const std::string value = value_of(problem, problem->coefficient, "");
+  const std::string value = written_value(problem, problem->coefficient, "");
   if (symbol == Symbol{"mu0"}) return {italic("μ"), lowered("0"), raised(value)};
   return joined({label(symbol), {plain(value)}});
 }
@@ -141,7 +141,8 @@ const char* profile(Indenter::Shape shape) {
   throw Bug("an indenter without a shape");
 }
 
-/// The material of the half-space below the indenter, with its network within. Returns how far down.
+/// The material of the half-space below the indenter, with its network within. Returns how far
+/// down.
 double draw_half_space(Canvas& canvas, const Problem& problem, const Drawing& network) {
   constexpr double depth = 14;  // of the network's upper end
   const double bottom = depth + network.width;
@@ -206,13 +207,17 @@ void draw_drive(Canvas& canvas, const Problem& problem, double x, double y, std:
                           words += ", drive network";
                         },
                         [&](const Receptance&) {
-                          add({92, 26, 26,
+                          add({92,
+                               26,
+                               26,
                                {line(0, 0, 10, 0), path("M10 -22H82V22H10z", "solid"),
                                 text(46, 5, label({"R_d"})), line(82, 0, 92, 0)}});
                           words += ", measured drive";
                         }},
              problem->drive);
-  add({58, 26, 8,
+  add({58,
+       26,
+       8,
        {line(0, 0, 12, 0), path("M12 0H50M42 -5L51 0L42 5", "arrow"),
         text(32, -11, {italic("v"), lowered("0")})}});
 }
@@ -229,17 +234,16 @@ Picture draw_system(const Problem& problem) {
   else
     contact = draw_contact(canvas, problem, normal);
   const double left = problem->indenter ? -60 : -body_reach,
-               right = std::max(contact.right, body_reach),
-               bottom = problem->indenter ? -16 : 0,
+               right = std::max(contact.right, body_reach), bottom = problem->indenter ? -16 : 0,
                top = bottom - (problem->mass ? body_height : plate_height);
-  canvas.put({path(fmt::format("M{:.1f} {:.1f}H{:.1f}V{:.1f}H{:.1f}z", left, top, right, bottom,
-                               left),
-                   problem->indenter ? "" : "solid")});
+  canvas.put(
+      {path(fmt::format("M{:.1f} {:.1f}H{:.1f}V{:.1f}H{:.1f}z", left, top, right, bottom, left),
+            problem->indenter ? "" : "solid")});
   canvas.reach(left, right, top, bottom);
   if (problem->mass) {
     canvas.write((left + right) / 2, (top + bottom) / 2 + 5,
                  joined({label(as_called(problem, problem->mass->symbol)),
-                         {plain(value_of(problem, *problem->mass, "kg"))}}),
+                         {plain(written_value(problem, *problem->mass, "kg"))}}),
                  "middle");
     words += ", body";
   }
