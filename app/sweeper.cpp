@@ -158,7 +158,7 @@ std::vector<std::string> headings(const Sweep& sweep, bool with_units) {
   return names;
 }
 
-double printed_value(const SweptTable& table, std::size_t row, std::size_t column) {
+double table_value(const SweptTable& table, std::size_t row, std::size_t column) {
   return table.values[row * table.columns.size() + column];
 }
 
@@ -174,7 +174,7 @@ void print_table(const Sweep& sweep, const SweptTable& table, bool csv) {
   for (std::size_t row = 0; row < table.rows; ++row) {
     lines.emplace_back();
     for (std::size_t column = 0; column < table.columns.size(); ++column) {
-      const double value = printed_value(table, row, column);
+      const double value = table_value(table, row, column);
       lines.back().push_back(word_in(sweep, column, value).value_or(to_text(value)));
     }
   }
@@ -193,7 +193,7 @@ record::Json json_table(const Sweep& sweep, const SweptTable& table) {
   for (std::size_t row = 0; row < table.rows; ++row) {
     record::Json line = record::Json::array();
     for (std::size_t column = 0; column < table.columns.size(); ++column) {
-      const double value = printed_value(table, row, column);
+      const double value = table_value(table, row, column);
       const auto word = word_in(sweep, column, value);
       line.push_back(word ? record::Json(*word) : as_files_have_it.written(value));
     }

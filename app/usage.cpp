@@ -37,7 +37,7 @@ std::vector<std::string> command_names(const std::vector<const CLI::App*>& comma
   return names;
 }
 
-std::vector<std::string> option_names(const CLI::App& command) {
+std::vector<std::string> long_options(const CLI::App& command) {
   std::vector<std::string> names;
   for (const CLI::Option* option : command.get_options())
     for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
@@ -51,9 +51,9 @@ std::string meant(const std::string& word, const std::vector<std::string>& names
 
 InputError not_expected(const std::string& rest, const CLI::App& program,
                         const std::string& first) {
-  std::vector<std::string> options = option_names(program);
+  std::vector<std::string> options = long_options(program);
   for (const CLI::App* command : commands_of(program))
-    if (command->get_name() == first) options = option_names(*command);
+    if (command->get_name() == first) options = long_options(*command);
   const std::string word = rest.substr(0, rest.find_first_of(" ="));
   return {{whole_line}, rest, "the arguments that --help lists", meant(word, options)};
 }

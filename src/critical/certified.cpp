@@ -136,6 +136,10 @@ class Evaluation {
 };
 
 /// The double that every number of the real ball rounds to, if there is one.
+double nearest_double(const Ball& ball) {
+  return arf_get_d(arb_midref(acb_realref(ball.get())), ARF_RND_NEAR);
+}
+
 std::optional<double> unique_double(const Ball& ball) {
   arf_t lower, upper;
   arf_init(lower);
@@ -233,15 +237,19 @@ CertifiedVelocity certified_critical_velocity(const Problem& problem) {
     if (may_be_zero(q.denominator) && evaluation.resonant()) return at_resonance(problem, q);
     const Arithmetic balls{precision};
     const Ball quotient = balls.divide(balls.modulus(q.numerator), balls.modulus(q.denominator));
-    if (const auto value = unique_double(balls.multiply(q.prefactor, quotient));
+    const Ball velocity = balls.multiply(q.prefactor, quotient);
+    if (const auto value = unique_double(velocity);
         value && !may_be_zero(q.numerator) && !may_be_zero(q.prefactor)) {
       if (std::isinf(*value)) return {infinity, infinity, "v* is above the largest double"};
       return {*value, rounding_bound(*value), {}};
     }
     if (acb_is_zero(q.prefactor.get()) != 0 || (precision == most && may_be_zero(q.numerator)))
       return {0, 0, {}};
-    ensure(precision < most,
-           "a nonzero critical velocity rounds uniquely within the precision of its operands");
+    // Half-way between two doubles, as simple numbers may be: both are as near.
+    if (precision == most) {
+      const double value = nearest_double(velocity);
+      return {value, rounding_bound(value), {}};
+    }
   }
 }
 

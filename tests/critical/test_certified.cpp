@@ -41,6 +41,21 @@ BOOST_AUTO_TEST_CASE(every_reference_row_is_correct_to_the_last_bit) {
   BOOST_TEST(no_scene == 5);  // rows whose elements are all 0 in one network
 }
 
+// 3/4 of the double 0.4, exactly half-way between 0.3 and the double above it, in whole numbers.
+BOOST_AUTO_TEST_CASE(half_way_between_two_doubles_is_one_of_them) {
+  const CertifiedVelocity velocity = certified_critical_velocity(
+      test::scene_of({.normal = "kn",
+                      .tangential = "kt",
+                      .network = "kd | cd",
+                      .mass = 2,
+                      .angular_frequency = 1,
+                      .amplitude = 0.4,
+                      .coefficient = 0.5,
+                      .elements = {{"kn", 3}, {"kt", 2}, {"kd", 1}, {"cd", 0.5}}}));
+  BOOST_TEST((velocity.value == 0.3 || velocity.value == std::nextafter(0.3, 1)));
+  BOOST_TEST(velocity.relative_error_bound <= 0x1p-53);
+}
+
 // v* of the decimals that are typed, by Eq. (24) with mpmath at 60 digits. At resonance the double
 // of 2 pi f, or of "5 g", makes another v* in the fifth digit.
 BOOST_AUTO_TEST_CASE(what_is_typed_is_carried_exactly) {
