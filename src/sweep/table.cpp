@@ -1,16 +1,62 @@
 // A sweep as one table in memory.
 #include <tbb/parallel_for.h>
 
+#include <atomic>
+#include <chrono>
+#include <functional>
+#include <future>
+
+#include "base/interruption.hpp"
 #include "sweep/sweep.hpp"
 
 namespace vcrit {
 
+namespace {
+
+// Whoever asked for a sweep may be interrupted while other threads work on it: they hear of it.
+struct SweepEnded {};
+thread_local const std::atomic<bool>* end_of_sweep = nullptr;
+
+void hear_end_of_sweep() {
+  if (*end_of_sweep) throw SweepEnded{};
+}
+
+std::vector<BlockAnswer> answers_until(const std::atomic<bool>& end, const Sweeping& sweeping) {
+  std::vector<BlockAnswer> answers(sweeping.grid().blocks());
+  tbb::parallel_for(std::size_t{0}, answers.size(), [&](std::size_t block) {
+    end_of_sweep = &end;
+    const Interruptible interruptible(&hear_end_of_sweep);
+    try {
+      hear_interruption();
+      answers[block] = sweeping.answer(block);
+    } catch (const SweepEnded&) {  // nobody reads the answers
+    }
+  });
+  return answers;
+}
+
+/// The calling thread does nothing but listen, where it can be interrupted.
+std::vector<BlockAnswer> answers_of(const Sweeping& sweeping) {
+  std::atomic<bool> end{false};
+  if (interruption == nullptr) return answers_until(end, sweeping);
+  auto found = std::async(std::launch::async, answers_until, std::cref(end), std::cref(sweeping));
+  try {
+    while (found.wait_for(std::chrono::milliseconds(20)) != std::future_status::ready)
+      hear_interruption();
+  } catch (...) {
+    end = true;
+    found.wait();
+    throw;
+  }
+  return found.get();
+}
+
+}  // namespace
+
 SweptTable swept(const Sweep& sweep) {
   const Sweeping sweeping(sweep);
   const Grid& grid = sweeping.grid();
-  std::vector<BlockAnswer> answers(grid.blocks());
-  tbb::parallel_for(std::size_t{0}, answers.size(),
-                    [&](std::size_t block) { answers[block] = sweeping.answer(block); });
+  const std::vector<BlockAnswer> answers = answers_of(sweeping);
   SweptTable table;
   table.rows = grid.rows();
   for (const Axis& axis : grid.axes()) table.columns.push_back(axis.name);
