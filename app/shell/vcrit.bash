@@ -11,7 +11,7 @@ _vcrit() {
       compgen -f -X "!${line:1}" -- "$word" | while IFS= read -r line; do [[ -d $line ]] || printf '%s\n' "$line"; done)
   done < <("${COMP_WORDS[0]}" --complete "${COMP_WORDS[@]:1:COMP_CWORD}" 2>/dev/null)
   # The value of a name follows at once.
-  [[ ${COMPREPLY[0]} != *= ]] || compopt -o nospace 2>/dev/null
+  [[ ${COMPREPLY[0]-} != *= ]] || compopt -o nospace 2>/dev/null
 }
 
 complete -F _vcrit vcrit

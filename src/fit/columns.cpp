@@ -161,8 +161,11 @@ std::optional<std::string> assumed_units(const TableColumns& columns) {
       list += fmt::format("{}{} in {}", list.empty() ? "" : ", ", usual_name(i),
                           si_unit(known()[i].dimension));
   if (list.empty()) return std::nullopt;
+  // Instruments write moduli: as stiffnesses 2500 of them would be very soft, in silence.
+  const bool may_be_modulus = columns.of[storage] && !columns.of[storage]->has_unit;
   return "the header gives no units, taken were: " + list +
-         "; other units stand behind a name, as in \"storage [N/um]\"";
+         "; other units stand behind a name, as in \"storage [N/um]\"" +
+         (may_be_modulus ? ", and those of moduli, \"storage [MPa]\"" : "");
 }
 
 }  // namespace vcrit::fit

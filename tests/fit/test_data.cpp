@@ -64,6 +64,7 @@ BOOST_AUTO_TEST_CASE(bare_numbers_are_si_and_frequencies_may_fall) {
       data.notes.front().starts_with("the header gives no units, taken were: "
                                      "angular_frequency in rad/s, storage in N/m, loss in "
                                      "N/m;"));
+  BOOST_TEST(data.notes.front().ends_with("and those of moduli, \"storage [MPa]\""));
   BOOST_TEST(parse_data("frequency [Hz],storage [N/m],loss [N/m]\n1,1,1\n2,2,2\n3,2,2\n", "d")
                  .notes.empty());
 }
