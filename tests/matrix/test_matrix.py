@@ -14,6 +14,7 @@ from pathlib import Path
 
 import mpmath as mp
 
+import check_cells
 import evaluators
 import formulas
 import plot_cells
@@ -45,12 +46,6 @@ COLUMNS = {
 # What a report compares of each kind, by docs/report.md: one that is no longer made is missed here.
 with (FOLDER / "comparisons.csv").open() as file:
     COMPARISONS = {row["kind"]: row["comparisons"].split() for row in csv.DictReader(file)}
-# The columns of commands by which `check` is tried.
-CHECKED = {"derive": "derive/shortest/text", "generate": "generate/c++", "simulate": "simulate/exact", "plot": "plot/friction",
-           "sweep": "sweep/critical_velocity", "solve": "solve/amplitude"}
-# What is refused by the numbers of a scene, which the rulebook does not know: (kind, column) and status.
-BY_NUMBERS = {("antiresonance", "solve/amplitude"): "3", ("resonance", "solve/amplitude"): "3", ("resonance", "critical"): "3",
-              ("near_resonance", "critical"): "3", ("free_harmonic", "critical"): "1"}
 OTHER_COMMANDS = {"fit", "new"}  # read no scene
 
 
@@ -347,22 +342,7 @@ class Matrix(Cells, unittest.TestCase):
         evaluators.check(self, LANGUAGES, self.folder)
 
     def test_check(self):
-        self.over(["check"], self.check)
-
-    def check(self, kind, column):
-        """Who answers by the rulebook, against who does, by refusals.csv."""
-        LOOKED_AT.add((kind, column))
-        ran = run("check", scene(kind), "--json")
-        (told,) = json.loads(ran.stdout)["scenes"]
-        self.assertEqual([problem for problem in told["problems"] if problem["kind"] == "error"], [])
-        self.assertEqual(ran.returncode, 3 if told["outside_the_model"] else 0)
-        for each in told["commands"]:
-            asked = CHECKED.get(each["command"], each["command"])
-            status, _ = refusal(kind, asked) or ("0", "")
-            if each["answers"]:
-                self.assertEqual(status, BY_NUMBERS.get((kind, asked), "0"), asked)
-            else:
-                self.assertIn(status, ("2", "3"), f"{asked} {each}")
+        self.over(["check"], lambda kind, column: check_cells.check(self, kind, column))
 
     def test_validate(self):
         """All kinds in one call; with no compiler, since generated code has columns of its own."""
