@@ -22,6 +22,7 @@ void add_critical(CLI::App& program, int& status);
 /// `argv` as the program got it: for another one, which sweeps.
 void add_sweep(CLI::App& program, char** argv);
 void add_plot(CLI::App& program);
+void add_explore(CLI::App& program);
 void add_solve(CLI::App& program);
 void add_fit(CLI::App& program);
 void add_new(CLI::App& program);

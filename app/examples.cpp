@@ -56,6 +56,8 @@ const std::map<std::string, std::vector<Example>> command_examples{
        "vcrit plot scenes/zener.toml --of frequency --out frequency.svg"},
       {"Force and velocity over one period at 2 mm/s",
        "vcrit plot scenes/zener.toml --of cycle --velocity \"2 mm/s\""}}},
+    {"explore",
+     {{"A page to move the parameters in", "vcrit explore scenes/zener.toml --out zener.html"}}},
     {"sweep",
      {{"The critical velocity over three decades of frequency",
        "vcrit sweep scenes/zener.toml --over \"frequency=log:1 kHz:1 MHz:31\" --quantity "

@@ -31,6 +31,7 @@ void add_commands(CLI::App& program, int& status, char** argv) {
   vcrit::app::add_simulate(program);
   vcrit::app::add_critical(program, status);
   vcrit::app::add_plot(program);
+  vcrit::app::add_explore(program);
   vcrit::app::add_sweep(program, argv);
   vcrit::app::add_solve(program);
   vcrit::app::add_fit(program);

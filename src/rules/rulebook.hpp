@@ -25,7 +25,7 @@ enum class Question {
   comparison,             ///< v* by Eq. 24 has a motion to be compared with
   other_methods,          ///< methods besides the exact one
   report_simulation,      ///< a report simulates
-  report_explorer,        ///< a report's page computes v* and friction in the browser
+  report_explorer,        ///< a page computes v*, and friction where there is a motion
   report_stability,       ///< a report maps the digits lost
   mean_load,              ///< the contact carries a load, as `solve` needs
   closed_range,           ///< the contact stays closed at some frequencies

@@ -18,6 +18,7 @@ CALLS = {
     "simulate": [KELVIN, "--velocity-ratio", "0.5"],
     "critical": [KELVIN],
     "plot": [KELVIN],
+    "explore": [KELVIN, "--out", "page.html"],
     "sweep": [KELVIN, "--over", "velocity_ratio=lin:0.5:1:2", "--quantity", "friction_ratio", "--out", "out.csv"],
     "solve": [KELVIN, "--for", "velocity", "--friction-ratio", "0.8"],
     "fit": [PAD, "--out", "pad.toml"],

@@ -37,6 +37,7 @@ COLUMNS = {
     "simulate": [f"simulate/{each}" for each in METHODS + STARTS],
     "critical": ["critical"],
     "plot": [f"plot/{each}" for each in PICTURES],
+    "explore": ["explore"],
     "sweep": [f"sweep/{each}" for each in QUANTITIES],
     "solve": [f"solve/{each}" for each in UNKNOWNS],
     "check": ["check"],
@@ -258,6 +259,17 @@ class Matrix(Cells, unittest.TestCase):
 
     def test_plot(self):
         self.over([f"plot/{each}" for each in PICTURES], lambda kind, column: plot_cells.plot(self, kind, column))
+
+    def test_explore(self):
+        self.over(["explore"], self.explore)
+
+    # What it answers, tests/live asks in a browser.
+    def explore(self, kind, column):
+        page = self.folder / f"{kind}.html"
+        if not self.answered(kind, column, run("explore", scene(kind), "--out", page)):
+            self.assertFalse(page.exists())
+            return
+        self.assertIn('id="explorer"', page.read_text())
 
     def test_sweep(self):
         self.over([f"sweep/{each}" for each in QUANTITIES], self.sweep)

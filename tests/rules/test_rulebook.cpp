@@ -113,8 +113,8 @@ Names operator+(Names a, const Names& b) {
 // without a memory.
 const Names contact{"motion_below_indenter"};
 const Names half_space{"motion", "other_methods", "report_explorer", "report_stability"};
-const Names may_part{"report_explorer", "report_stability"};
-const Names outside{"admissible", "report_explorer", "report_stability"};
+const Names may_part{"report_stability"};
+const Names outside{"admissible", "report_stability"};
 
 Names without_answer(SceneKind kind) {
   switch (kind) {
@@ -128,7 +128,7 @@ Names without_answer(SceneKind kind) {
     case SceneKind::lossy_spring:
       return contact + Names{"rational_form",     "all_frequencies", "motion",
                              "normal_motion",     "motion_in_time",  "comparison",
-                             "report_simulation", "report_explorer", "report_stability"};
+                             "report_simulation", "report_stability"};
     case SceneKind::indenter:
       return half_space;
     case SceneKind::no_indenter:

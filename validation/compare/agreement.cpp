@@ -8,7 +8,6 @@
 #include "base/constants.hpp"
 #include "base/free_swings.hpp"
 #include "compare/border.hpp"
-#include "compare/explorer.hpp"
 #include "compare/formulas.hpp"
 #include "compare/frequency_response.hpp"
 #include "compare/friction.hpp"
@@ -229,8 +228,6 @@ SceneReport agree(Driver& driver, const symbolic::Derivation& formula, const Pro
   compare_generated(report, driver, values);
 
   if (onset) simulate(report, driver.derivation(), *onset, witnesses, progress);
-  progress("preparing the explorer");
-  report.explorer = explorer(driver.derivation(), report.values);
   return report;
 }
 

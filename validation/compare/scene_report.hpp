@@ -183,37 +183,6 @@ struct FrequencyResponse {
   std::vector<ResonanceMark> marks;
 };
 
-/// A parameter that the page's reader may move; of an array all entries by one factor.
-struct Slider {
-  std::string name;  ///< in the page's script
-  std::string label, meaning, unit;
-  std::string mathml;  ///< its name
-  bool array = false;
-  std::vector<double> values;  ///< the scene's: one, or the array's entries; SI
-};
-
-/// Friction simulated beforehand over frequency, amplitude and speed, the scene's elements as they
-/// are.
-struct FrictionGrid {
-  std::vector<double> omegas;            ///< rad/s
-  std::vector<double> ratios;            ///< speed over the lowest speed of pure sliding
-  std::vector<double> amplitudes;        ///< of the normal force over its mean, increasing
-  std::vector<double> amplitude_ratios;  ///< the same by the scene's du_z, at each omega
-  std::vector<std::vector<double>>
-      friction;  ///< mu_macro/mu0 over ratios; a row for each amplitude
-                 ///< at the first omega, then at the second, ...
-};
-
-struct Explorer {
-  /// JavaScript, defines vcrit_scene.critical_velocity(p), its batch, and the same of vcrit_normal:
-  /// the normal network alone, so that it gives mu0 omega du_z |K_n| where p[unit] is 1.
-  std::string script;
-  std::string unit;
-  bool carries_load = true;  ///< the normal network has a static stiffness
-  std::vector<Slider> sliders;
-  std::optional<FrictionGrid> friction;
-};
-
 /// Friction over speed at another amplitude or of another shape.
 struct FrictionCurve {
   std::string name;
@@ -288,7 +257,6 @@ struct SceneReport {
   std::vector<MethodCurve> methods;  ///< beside the exact one, on the same curve
   std::optional<Cycle> cycle;
   FrequencyResponse response;
-  std::optional<Explorer> explorer;
   std::optional<ReducedModel> reduced_model;  ///< where the paper's reduced model applies
   std::optional<Separation> separation;       ///< of a contact that may open
   std::optional<Indented> indented;           ///< below an indenter, in place of curve and cycle

@@ -6,8 +6,13 @@ VCRIT_ASSET(page);
 VCRIT_ASSET(scales);
 VCRIT_ASSET(drawing);
 VCRIT_ASSET(charts);
+VCRIT_ASSET(explorer_style);
+VCRIT_ASSET(simulator_script);
+VCRIT_ASSET(explorer_words);
+VCRIT_ASSET(explorer_curves);
 VCRIT_ASSET(explorer);
 VCRIT_ASSET(index);
+VCRIT_ASSET(simulator);
 VCRIT_ASSET(page_templates);
 #undef VCRIT_ASSET
 
@@ -32,7 +37,20 @@ std::string_view style() { return between(vcrit_style, vcrit_style_end); }
 
 std::string_view templates() { return between(vcrit_page_templates, vcrit_page_templates_end); }
 
-std::string_view explorer_script() { return between(vcrit_explorer, vcrit_explorer_end); }
+const std::vector<std::string_view>& explorer_scripts() {
+  static const std::vector<std::string_view> all{
+      between(vcrit_simulator_script, vcrit_simulator_script_end),
+      between(vcrit_explorer_words, vcrit_explorer_words_end),
+      between(vcrit_explorer_curves, vcrit_explorer_curves_end),
+      between(vcrit_explorer, vcrit_explorer_end)};
+  return all;
+}
+
+std::string_view explorer_style() {
+  return between(vcrit_explorer_style, vcrit_explorer_style_end);
+}
+
+std::string_view simulator() { return between(vcrit_simulator, vcrit_simulator_end); }
 
 std::string_view index_script() { return between(vcrit_index, vcrit_index_end); }
 

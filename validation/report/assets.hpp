@@ -14,8 +14,11 @@ std::string_view style();
 /// All of templates/, packed for record::Templates.
 std::string_view templates();
 
-/// What moves the explorer; pages without one do not carry it.
-std::string_view explorer_script();
+/// What moves the explorer, in this order, and how it looks; pages without one do not carry them.
+const std::vector<std::string_view>& explorer_scripts();
+std::string_view explorer_style();
+/// The simulator as WebAssembly, by gzip.
+std::string_view simulator();
 
 /// What filters an index.
 std::string_view index_script();

@@ -36,14 +36,21 @@ bool ends_early(std::string_view script) {
   return false;
 }
 
-std::string policy(const std::vector<std::string_view>& scripts) {
+std::string policy(const std::vector<std::string_view>& scripts, bool simulates) {
   std::string allowed = "default-src 'none'; ";
   if (!scripts.empty()) {
     allowed += "script-src";
     for (const std::string_view script : scripts) allowed += " '" + script_hash(script) + "'";
+    if (simulates) allowed += " 'wasm-unsafe-eval'";
     allowed += "; img-src data: blob:; ";
   }
   return allowed + "style-src 'unsafe-inline'; base-uri 'none'; form-action 'none'";
+}
+
+std::string style_of(const Document& content) {
+  std::string all(style());
+  if (content.simulates) all += explorer_style();
+  return all;
 }
 
 // Formats that templates name.
@@ -107,8 +114,8 @@ std::string document(const char* name, record::Json record, const Document& abou
     scripts.push_back({std::string(script)});
   }
   record["page"] = {{"title", about.title},
-                    {"policy", page.written(record::Markup{policy(all)})},
-                    {"style", page.written(record::Markup{std::string(style())})},
+                    {"policy", page.written(record::Markup{policy(all, about.simulates)})},
+                    {"style", page.written(record::Markup{style_of(about)})},
                     {"scripts", page.written(scripts)}};
   return rendered(name, record) + "\n";
 }

@@ -13,6 +13,7 @@ struct Document {
   std::string title;
   bool charts = false;               ///< brings the scripts that draw them
   std::vector<std::string> scripts;  ///< further ones, which run after them
+  bool simulates = false;            ///< runs the simulator, which is WebAssembly
 };
 
 /// The whole file by the template of that name, with a content security policy that names each

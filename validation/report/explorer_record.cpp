@@ -1,138 +1,189 @@
 #include "report/explorer_record.hpp"
 
+#include <openssl/evp.h>
+
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "compare/explorer.hpp"
-#include "figures/figure_json.hpp"
-#include "problem/variants.hpp"
+#include "base/constants.hpp"
+#include "compare/values.hpp"
+#include "live/scene_text.hpp"
 #include "report/assets.hpp"
 #include "report/html.hpp"
-#include "report/scene_figures.hpp"
+#include "report/units.hpp"
+#include "rules/rulebook.hpp"
 
 namespace vcrit::validation::report {
 
 namespace {
 
-using figures::Figure;
-using figures::FigureSeries;
-using figures::Style;
 using nlohmann::ordered_json;
 
-bool has_friction(const SceneReport& report) {
-  return report.explorer->friction && !report.curve.empty();
+// Of logarithmic sliders, two decades each way.
+constexpr int steps_a_decade = 200, decades_each_way = 2;
+// Of Poisson's ratio, in hundredths.
+constexpr int least_poisson = 0, most_poisson = 50;
+
+/// A parameter; of an array all entries, by one factor.
+struct Row {
+  std::string name;  ///< as for --set
+  std::string meaning, mathml, unit;
+  int exponent = 0;                 ///< a number of that unit is 10^exponent in SI
+  std::vector<std::size_t> places;  ///< among the problem's values
+  std::vector<double> values;       ///< SI; of a frequency in Hz
+  bool array = false, poisson = false, angular = false;
+};
+
+bool has_explorer(const Problem& problem) {
+  return bool{rules::answer(rules::Question::report_explorer, problem)};
 }
 
-bool has_explorer(const SceneReport& report) {
-  return report.explorer && !report.response.points.empty();
+std::size_t place_of(const Problem& problem, const Symbol& symbol) {
+  const Values& values = problem.values();
+  return static_cast<std::size_t>(std::distance(values.begin(), values.find(symbol)));
 }
 
-/// The series named "now" is what the sliders say; explorer.js gives it new points. The scene's
-/// own, dashed and of another colour, lies on top: where both are one curve, both are seen.
-std::vector<FigureSeries> now_and_own(const FigureSeries& own) {
-  return {{"now", Style::line, own.points, 0}, {"this scene", Style::dashed, own.points, 1}};
-}
-
-ordered_json response_chart(const SceneReport& report) {
-  Figure figure = velocity_response_figure(report);
-  const FigureSeries own = figure.series.back();
-  std::erase_if(figure.series, [](const FigureSeries& s) { return s.style != Style::dotted; });
-  for (const FigureSeries& series : now_and_own(own)) figure.series.push_back(series);
-  figure.rules.resize(1);
-  figure.rules.front().words = "ω of the scene";
-  figure.height = 260;
-  return figure_json(figure);
-}
-
-ordered_json friction_chart(const SceneReport& report) {
-  Figure figure = friction_figure(report);
-  figure.series = now_and_own(figure.series.front());
-  figure.height = 260;
-  return figure_json(figure);
-}
-
-ordered_json slider_json(const Slider& slider) {
-  return {{"name", slider.name},
-          {"array", slider.array},
-          {"unit", slider.unit},
-          {"values", slider.values},
-          {"role", slider.meaning}};
-}
-
-ordered_json grid_json(const FrictionGrid& grid) {
-  ordered_json rows = ordered_json::array();
-  for (const auto& row : grid.friction) {
-    ordered_json numbers = ordered_json::array();
-    for (const double value : row)
-      numbers.push_back(std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr));
-    rows.push_back(std::move(numbers));
+/// "N/µm", not "MN/m".
+void take_unit(Row& row, const std::string& unit, double value) {
+  if (unit == "N/m" && value >= 1e4) {
+    row.unit = "N/µm";
+    row.exponent = 6;
+    return;
   }
-  return {{"ratios", grid.ratios},
-          {"amplitudes", grid.amplitudes},
-          {"amplitude_ratios", grid.amplitude_ratios},
-          {"friction", std::move(rows)}};
+  const Scale scale = scale_for(value, unit);
+  row.unit = scale.unit;
+  row.exponent = -static_cast<int>(std::lround(std::log10(scale.factor)));
 }
 
-/// All numbers of the scene by name; an array's entries are in their order.
-ordered_json values_json(const SceneReport& report) {
-  ordered_json values = ordered_json::object();
-  const Problem problem = called_otherwise(report.problem, names_in_page(report.problem));
-  for (const auto& [symbol, value] : problem.values()) {
-    const std::string name = as_called(problem, symbol).name;
-    if (symbol.entry == 0)
-      values[name] = value;
-    else
-      values[name].push_back(value);
-  }
-  return values;
+double frequency_of(const Problem& problem, double omega) {
+  const auto typed = problem->typed->find(frequency_symbol);
+  return typed != problem->typed->end() ? typed->second.value : omega / two_pi;
 }
 
-ordered_json data(const SceneReport& report) {
-  const Explorer& explorer = *report.explorer;
-  ordered_json object{{"sliders", ordered_json::array()},
-                      {"values", values_json(report)},
-                      {"unit", explorer.unit},
-                      {"carries_load", explorer.carries_load},
-                      {"may_open", report.problem->separation},
-                      {"response", response_chart(report)}};
-  for (const Slider& slider : explorer.sliders) object["sliders"].push_back(slider_json(slider));
-  ordered_json omegas = ordered_json::array();
-  for (const ResponsePoint& point : report.response.points) omegas.push_back(point.omega);
-  object["omegas"] = std::move(omegas);
-  if (has_friction(report)) {
-    object["grid"] = grid_json(*explorer.friction);
-    object["friction"] = friction_chart(report);
+std::string called(const Problem& problem, const char* key) {
+  const auto name = problem->names.find(key);
+  return name != problem->names.end() ? name->second : key;
+}
+
+Row row_of(const Problem& problem, const ValueLine& line) {
+  Row row{.name = to_text(as_called(problem, line.symbol)),
+          .meaning = line.meaning,
+          .mathml = line.name.mathml,
+          .unit = "",
+          .places = {place_of(problem, line.symbol)},
+          .values = {line.value}};
+  if (line.symbol == problem->angular_frequency.symbol) {
+    row.values = {frequency_of(problem, line.value)};
+    row.name = called(problem, frequency_symbol.name.c_str());
+    row.meaning = "frequency";
+    row.mathml = "<math><mi>f</mi></math>";
+    row.angular = true;
+    take_unit(row, "Hz", row.values.front());
+  } else if (line.symbol.entry > 0) {
+    row.name = as_called(problem, line.symbol).name;
+    row.meaning += ", all entries";
+    row.mathml = "";
+    row.unit = "×";
+    row.array = true;
+  } else {
+    take_unit(row, line.unit, line.value);
   }
+  return row;
+}
+
+void add_poisson(const Problem& problem, std::vector<Row>& rows) {
+  const auto* isotropic = std::get_if<Isotropic>(&problem->tangential);
+  if (isotropic == nullptr || isotropic->quantity.symbol.name.empty()) return;
+  const Symbol& symbol = isotropic->quantity.symbol;
+  const bool poisson = isotropic->by == Isotropic::By::poisson;
+  rows.push_back({.name = to_text(as_called(problem, symbol)),
+                  .meaning = poisson ? "Poisson's ratio" : "tangential over normal stiffness",
+                  .mathml = poisson ? "<math><mi>ν</mi></math>" : "",
+                  .unit = "",
+                  .places = {place_of(problem, symbol)},
+                  .values = {*isotropic->quantity.value},
+                  .poisson = poisson});
+}
+
+std::vector<Row> rows_of(const Problem& problem) {
+  std::vector<Row> rows;
+  for (const ValueLine& line : value_lines(problem)) {
+    Row row = row_of(problem, line);
+    if (row.array && !rows.empty() && rows.back().array && rows.back().name == row.name) {
+      rows.back().places.push_back(row.places.front());
+      rows.back().values.push_back(row.values.front());
+    } else {
+      rows.push_back(std::move(row));
+    }
+  }
+  add_poisson(problem, rows);
+  return rows;
+}
+
+ordered_json row_json(const Row& row) {
+  return {{"name", row.name},         {"meaning", row.meaning}, {"unit", row.unit},
+          {"exponent", row.exponent}, {"places", row.places},   {"values", row.values},
+          {"array", row.array},       {"linear", row.poisson},  {"angular", row.angular}};
+}
+
+record::Json shown(const Row& row) {
+  const record::Fields page(record::Reader::page);
+  const int reach = steps_a_decade * decades_each_way;
+  return {{"name", row.name},
+          {"meaning", row.meaning},
+          {"label", page.written(record::Markup{row.mathml})},
+          {"unit", row.unit},
+          {"low", row.poisson ? least_poisson : -reach},
+          {"high", row.poisson ? most_poisson : reach}};
+}
+
+std::size_t place_of_name(const std::vector<Row>& rows, const Problem& problem,
+                          const Quantity& quantity) {
+  const std::string name = name_in(problem, quantity);
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    if (rows[i].name == name) return i;
+  throw Bug("a quantity without a row");
+}
+
+ordered_json data(const Problem& problem, const std::vector<Row>& rows) {
+  ordered_json object{{"file", problem->source->file},
+                      {"steps", steps_a_decade},
+                      {"scene", live::scene_text(problem)},
+                      {"amplitude", place_of_name(rows, problem, problem->amplitude)},
+                      {"friction", place_of_name(rows, problem, problem->coefficient)},
+                      {"separation", problem->separation},
+                      {"rows", ordered_json::array()}};
+  for (const Row& row : rows) object["rows"].push_back(row_json(row));
   return object;
 }
 
-/// A slider moves over four decades around the scene's value; that of the frequency from stop to
-/// stop of the friction grid.
-ordered_json slider_row(const Slider& slider) {
-  const std::string name = slider.array ? slider.label + ", all entries" : slider.label;
-  const record::Fields page(record::Reader::page);
-  return {
-      {"label", slider.array ? page.written(name) : page.written(record::Markup{slider.mathml})},
-      {"name", name},
-      {"meaning", slider.meaning},
-      {"step", slider.meaning == "angular frequency" ? 0.2 : 0.05}};
+std::string base64(std::string_view bytes) {
+  std::string text((bytes.size() + 2) / 3 * 4 + 1, '\0');
+  const int size = EVP_EncodeBlock(reinterpret_cast<unsigned char*>(text.data()),
+                                   reinterpret_cast<const unsigned char*>(bytes.data()),
+                                   static_cast<int>(bytes.size()));
+  text.resize(static_cast<std::size_t>(size));
+  return text;
 }
 
 }  // namespace
 
-record::Json explorer_record(const SceneReport& report) {
-  if (!has_explorer(report)) return nullptr;
-  ordered_json rows = ordered_json::array();
-  for (const Slider& slider : report.explorer->sliders) rows.push_back(slider_row(slider));
-  const record::Markup content{json_for_page(data(report))};
-  return {{"sliders", std::move(rows)},
-          {"friction", has_friction(report)},
-          {"data", record::Fields(record::Reader::page).written(content)}};
+record::Json explorer_record(const Problem& problem) {
+  if (!has_explorer(problem)) return nullptr;
+  const std::vector<Row> rows = rows_of(problem);
+  record::Json all = record::Json::array();
+  for (const Row& row : rows) all.push_back(shown(row));
+  const record::Markup content{json_for_page(data(problem, rows))}, module{base64(simulator())};
+  const record::Fields page(record::Reader::page);
+  return {
+      {"rows", std::move(all)}, {"data", page.written(content)}, {"module", page.written(module)}};
 }
 
-std::vector<std::string> explorer_scripts(const SceneReport& report) {
-  if (!has_explorer(report)) return {};
-  return {report.explorer->script, std::string(explorer_script())};
+std::vector<std::string> explorer_scripts(const Problem& problem) {
+  if (!has_explorer(problem)) return {};
+  std::vector<std::string> all;
+  for (const std::string_view script : explorer_scripts()) all.emplace_back(script);
+  return all;
 }
 
 }  // namespace vcrit::validation::report

@@ -23,8 +23,10 @@ record::Json scene_record(const SceneContents& contents, const Origin& origin,
 
 std::string scene_page(const SceneContents& contents, const Origin& origin,
                        const SceneFiles& files) {
+  const auto scripts = contents.report.failure.empty() ? explorer_scripts(contents.report.problem)
+                                                       : std::vector<std::string>();
   return document("scene", scene_record(contents, origin, files),
-                  {title_of(contents.report), true, explorer_scripts(contents.report)});
+                  {title_of(contents.report), true, scripts, !scripts.empty()});
 }
 
 std::string evidence_page(const SceneContents& contents, const Origin& origin,

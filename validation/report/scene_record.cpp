@@ -285,7 +285,8 @@ void fields(Fields& f, const report::SceneContents& contents) {
             scene.effect ? report::answer_record(scene) : Json());
   f("sentence", report::sentence_of(scene))("checks", report::checks_words(scene));
   f("failed_names", names_of_failed(scene))("failed_words", report::failed_words(scene));
-  f("speed_axis", report::speed_axis(scene))("explorer", report::explorer_record(scene));
+  f("speed_axis", report::speed_axis(scene));
+  if (scene.failure.empty()) f("explorer", report::explorer_record(scene.problem));
   f("many_limits", scene.limits.size() > most_limits);
   std::vector<validation::MethodCurve> silent;
   for (const validation::MethodCurve& method : scene.methods)

@@ -1,0 +1,310 @@
+// "Try it": fields and sliders set the scene's numbers, the simulator (live/simulator.js) answers. What is set is the
+// text of each field, so that a number in the address and in the command line is the number that was seen.
+"use strict";
+
+const vcrit_explorer = (() => {
+  const data = JSON.parse(document.getElementById("explorer-data").textContent);
+  const at = (id) => document.getElementById(id);
+  const rows = data.rows.map((row, i) => ({ ...row, field: at(`field-${i}`), slider: at(`slider-${i}`), back: at(`back-${i}`) }));
+  const { number, quantity, spoken } = vcrit_words;
+  const POINTS = 60, SLOW = 100;  // of a curve; ms
+  const REGIMES = ["sliding", "stick-slip", "stick-slip with reverse slip", "sticking", "sliding, and the contact opens",
+    "stick-slip, and the contact opens", "stick-slip with reverse slip, and the contact opens"];
+  let simulator, own, speed = null, slow = false, planned = 0;
+
+  // A field's text is a decimal number: 9.1 N/um is the double next to 9.1e6, as in a scene.
+  const si = (row, text) => Number(/e/i.test(text) ? Number(text) * 10 ** row.exponent : `${text}e${row.exponent}`);
+  function text_of(row, value) {
+    for (let digits = 12; digits < 17; ++digits) {
+      const text = number(value / 10 ** row.exponent, digits);
+      if (si(row, text) === value) return text;
+    }
+    return number(value / 10 ** row.exponent, 17);
+  }
+  for (const row of rows) row.text = row.own = row.array ? "1" : text_of(row, row.values[0]);
+
+  const is_own = (row) => row.text === row.own;
+  const is_number = (text) => /^\+?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(text);
+  const value_of = (row) => (is_own(row) ? (row.array ? 1 : row.values[0]) : si(row, row.text));
+  const set_values = (row) => (row.array ? row.values.map((x) => x * value_of(row)) : [value_of(row)]);
+
+  // Where the slider of a number stands, and the number where it stands.
+  const start = (row) => (row.array ? 1 : row.values[0] / 10 ** row.exponent);
+  const place = (row, value) => (row.linear ? value * 100 : data.steps * Math.log10(value / start(row)));
+  const standing = (row, place) => (row.linear ? place / 100 : start(row) * 10 ** (place / data.steps));
+
+  // A number that is 0 in the scene has no decades around it.
+  for (const row of rows) row.slider.hidden = !row.linear && start(row) === 0;
+
+  function take(row, value, digits = 4) {
+    const low = standing(row, Number(row.slider.min)), high = standing(row, Number(row.slider.max));
+    const within = Math.min(high, Math.max(low, value));
+    row.text = number(within, digits);
+    if (!row.linear && Math.abs(place(row, within)) < 0.01) row.text = row.own;
+    show(row);
+  }
+
+  function show(row) {
+    if (row.field !== document.activeElement || is_number(row.field.value.trim())) row.field.value = row.text;
+    const value = Number(row.text);
+    row.slider.value = row.linear || (value > 0 && start(row) > 0) ? place(row, value) : 0;
+    row.slider.setAttribute("aria-valuetext", row.array ? `times ${row.text}` : `${row.text} ${spoken(row.unit)}`.trim());
+    row.back.hidden = is_own(row);
+  }
+
+  // The simulator with these numbers. At rest exactly the scene's.
+  function moved() {
+    for (const row of rows)
+      set_values(row).forEach((x, i) => {
+        const omega = is_own(row) ? own.loaded[row.places[0]] : 2 * Math.PI * x;
+        simulator.set(row.places[i], row.angular ? omega : x);
+      });
+    return simulator.move();
+  }
+
+  function curve(to) {
+    const points = [], failed = [];
+    for (let n = POINTS; n >= 1; --n) {
+      const found = simulator.friction_next(to * n / POINTS);
+      if (found.status === 0) points.push({ speed: to * n / POINTS, ratio: found.numbers[0], regime: found.numbers[2] });
+      else failed.push(found.message);
+    }
+    return { points: points.reverse(), failed };
+  }
+
+  const reach = (drive) => (drive > 0 && Number.isFinite(drive) ? 1.3 * drive : null);
+
+  // All that is known of the numbers that are set.
+  function answer() {
+    const result = { messages: [], velocity: null, drive: null, closed: null, mean: null, curve: null, to: null, outside: false };
+    const wrong = moved();
+    if (wrong.status !== 0) return { ...result, outside: true, messages: [["bad", wrong.message]] };
+    const closed = simulator.closed();
+    if (closed.status === 0) [result.closed, result.mean] = closed.numbers;
+    for (const reason of simulator.reasons().message.split("\n").filter(Boolean)) {
+      result.outside = true;
+      result.messages.push(["bad", `Outside the model: ${reason}.`]);
+    }
+    const amplitude = value_of(rows[data.amplitude]);
+    if (result.closed !== null && result.closed > 0 && amplitude >= result.closed && !data.separation)
+      result.messages.push(["unsure", `The contact opens. It stays closed up to an amplitude of ${quantity(result.closed, "m")} (now ${quantity(amplitude, "m")}).`]);
+    if (result.outside) return result;
+    const critical = simulator.critical();
+    if (critical.status === 0) [result.velocity, result.drive, result.formula] = critical.numbers;
+    else result.messages.push(["bad", `No v*: ${critical.message}.`]);
+    if (result.velocity === Infinity) result.messages.push(["unsure", "Vibration lowers friction at every speed (undamped resonance; any damping makes v* finite)."]);
+    if (result.velocity === 0) result.messages.push(["unsure", "Vibration cannot lower friction here: the contact point stands still (antiresonance)."]);
+    if (data.separation && amplitude > (result.closed ?? Infinity))
+      result.messages.push(["note", `The contact opens in every cycle${result.formula ? "" : "; v* is simulated, as the formula does not apply"}.`]);
+    result.to = reach(result.drive) ?? (result.velocity === Infinity ? reach(own?.answer?.drive ?? 0.01) : null);
+    const probe = result.to === null ? null : simulator.friction_next(result.to);
+    if (probe !== null && probe.status !== 0) result.messages.push(["note", `No friction curve: ${probe.message}.`]);
+    else if (probe !== null) result.curve = curve(result.to);
+    if (result.curve?.failed.length > 0)
+      result.messages.push(["unsure", `At ${result.curve.failed.length} of ${POINTS} speeds there is no friction: ${result.curve.failed[0]}.`]);
+    const mean = simulator.load_on_average();
+    if (mean.status === 0) result.mean = mean.numbers[0];
+    return result;
+  }
+
+  function tell(messages) {
+    at("explored-messages").replaceChildren(...messages.map(([kind, words]) => {
+      const item = document.createElement("li");
+      item.className = kind;
+      item.textContent = words;
+      return item;
+    }));
+  }
+
+  function change(now, before) {
+    const share = 100 * (now / before - 1);
+    if (!Number.isFinite(share)) return "";
+    const words = Math.abs(share) < 10 ? number(Math.abs(share), 2) : Math.abs(share).toFixed(0);
+    return ` (${share < 0 ? "−" : "+"}${words} %)`;
+  }
+
+  // Number fields that hold no number, by what stands there.
+  const unread = () => rows.filter((row) => row.field.getAttribute("aria-invalid") === "true").map((row) =>
+    ["bad", `${row.meaning}: "${row.field.value}" is no number above 0${row.field.value.includes(",") ? "; write a decimal point" : ""}. The last one stays.`]);
+
+  function show_velocity(now) {
+    const shown = at("explored-velocity"), applies = now.velocity !== null && !now.outside;
+    shown.setAttribute("aria-live", applies ? "polite" : "off");
+    shown.textContent = applies ? quantity(now.velocity, "m/s") : "no v*: outside the model";
+    if (now.velocity === null && !now.outside) shown.textContent = "unknown";
+    shown.classList.toggle("greyed", !applies);
+    at("explored-was").textContent = is_moved() && applies && own.answer.velocity !== null
+      ? `was ${quantity(own.answer.velocity, "m/s")}${change(now.velocity, own.answer.velocity)}` : "";
+  }
+
+  const is_moved = () => rows.some((row) => !is_own(row));
+  const now_speed = () => (speed !== null ? Number(`${speed}e-3`) : vcrit_explorer.answer.drive / 2);
+
+  function show_friction(now) {
+    const chart = at("explored-friction");
+    chart.hidden = now.curve === null;
+    if (now.curve === null) return;
+    const scale = vcrit_words.scale(now.to, "m/s"), line = (points) => points.map(({ speed: x, ratio }) => [x * scale.factor, ratio]);
+    // Faster than where its curve ends the scene slides.
+    const before = own.answer.curve === null ? [] : line(own.answer.curve.points);
+    if (before.length > 0 && before[before.length - 1][1] > 0.9999) before.push([now.to * scale.factor, 1]);
+    vcrit_curves.friction(chart, {
+      x: { to: now.to * scale.factor, title: `sliding speed, ${scale.unit}` }, rule: now.drive * scale.factor, now: line(now.curve.points),
+      own: is_moved() ? before : [], at: now_speed() * scale.factor,
+    });
+  }
+
+  // Friction and one cycle at the speed of the field.
+  function show_point(now) {
+    const drives = now.curve !== null && now.drive > 0;
+    at("explored-point").hidden = at("explored-cycle").hidden = !drives;
+    if (!drives) return;
+    const velocity = now_speed(), found = simulator.friction(velocity, 400);
+    if (speed === null) at("explored-speed").value = number(velocity * 1000, 3);
+    const [ratio, , regime, events] = found.numbers, friction = value_of(rows[data.friction]);
+    at("explored-ratio").textContent = found.status === 0
+      ? `${number(ratio, 4)} of the friction without vibration, ${quantity(ratio * friction * now.mean, "N")} on average; ${REGIMES[regime]}`
+      : found.message;
+    at("explored-cycle").hidden = found.status !== 0;
+    if (found.status !== 0) return;
+    const points = [], first = 4 + 2 * events;
+    for (let i = first; i + 3 < found.numbers.length; i += 4) points.push(found.numbers.slice(i, i + 4));
+    const period = 1 / value_of(rows.find((row) => row.angular));
+    vcrit_curves.cycle(points, found.numbers.slice(4, first), period, velocity);
+  }
+
+  function show_links() {
+    at("explored-moved").hidden = !is_moved();
+    const changed = rows.filter((row) => !is_own(row));
+    const words = changed.flatMap((row) => (row.array
+      ? row.values.map((x, i) => `--set ${row.name}[${i + 1}]=${x * value_of(row)}`)
+      : [`--set "${row.name}=${`${row.text} ${row.unit}`.trim().replace("µ", "u")}"`]));
+    at("explored-command").textContent = ["vcrit eval", quoted(data.file), ...words].join(" ");
+    const fragment = changed.map((row) => `${encodeURIComponent(row.name)}=${row.text}${row.array ? "" : row.unit.replace("µ", "u").replace(" ", "_")}`).join("&");
+    if (location.hash.slice(1) !== fragment && (fragment !== "" || location.hash.includes("=")))
+      history.replaceState(null, "", `#${fragment || "explorer"}`);
+  }
+  const quoted = (word) => (/^[\w./-]+$/.test(word) ? word : `'${word.replaceAll("'", "'\\''")}'`);
+
+  // What the address says; bare numbers are in SI.
+  function read_address() {
+    for (const part of location.hash.slice(1).split("&")) {
+      const [name, text] = part.split("=").map((word) => { try { return decodeURIComponent(word); } catch { return word; } });
+      const row = rows.find((each) => each.name === name);
+      const found = /^(.*?[\d.])([a-zA-Zµ].*)?$/.exec(text ?? "");
+      if (!row || !found || !is_number(found[1]) || !(Number(found[1]) > 0)) continue;
+      const unit = found[2] ?? "";
+      if (row.array || unit === row.unit.replace("µ", "u").replace(" ", "_")) row.text = found[1];
+      else if (unit === "") row.text = text_of(row, Number(found[1]));
+    }
+  }
+
+  function refresh() {
+    const begin = performance.now();
+    vcrit_explorer.answer = answer();
+    const now = vcrit_explorer.answer;
+    tell([...unread(), ...now.messages]);
+    show_velocity(now);
+    show_friction(now);
+    show_point(now);
+    show_links();
+    mark_closed(now);
+    at("explorer").classList.remove("computing");
+    slow = performance.now() - begin > SLOW;
+    ++vcrit_explorer.answered;
+  }
+
+  // The tick on the amplitude's slider: beyond it the contact opens.
+  function mark_closed(now) {
+    const row = rows[data.amplitude], low = Number(row.slider.min), high = Number(row.slider.max);
+    const share = now.closed > 0 ? (place(row, now.closed / 10 ** row.exponent) - low) / (high - low) : 1;
+    row.slider.style.setProperty("--closed", `${100 * Math.min(1, Math.max(0, share))}%`);
+  }
+
+  // Where an answer takes long, the old one is shown pale until the new one is there.
+  function update() {
+    if (!simulator || planned !== 0) return;
+    if (slow) at("explorer").classList.add("computing");
+    planned = (slow ? setTimeout : requestAnimationFrame)(() => { planned = 0; refresh(); }, slow ? 30 : undefined);
+  }
+
+  function keyed(row, event) {
+    const forward = ["ArrowRight", "ArrowUp", "PageUp"].includes(event.key);
+    const steps = { ArrowRight: 0, ArrowUp: 0, ArrowLeft: 0, ArrowDown: 0, PageUp: 10, PageDown: 10 }[event.key];
+    const value = row.linear || Number(row.text) > 0 ? Number(row.text) : start(row);
+    if (event.key === "Home" || event.key === "End") take(row, standing(row, Number(event.key === "Home" ? row.slider.min : row.slider.max)), 5);
+    else if (steps === undefined) return;
+    else if (row.linear) take(row, value + (forward ? 1 : -1) * (event.shiftKey || steps ? 0.1 : 0.005), 5);
+    else take(row, value * (steps ? 10 ** (steps / data.steps) : event.shiftKey ? 1.1 : 1.005) ** (forward ? 1 : -1), 5);
+    event.preventDefault();
+    update();
+  }
+
+  function listen(row) {
+    row.slider.addEventListener("input", () => { take(row, standing(row, Number(row.slider.value))); update(); });
+    row.slider.addEventListener("keydown", (event) => keyed(row, event));
+    row.field.addEventListener("input", () => {
+      const text = row.field.value.trim(), good = is_number(text) && (Number(text) > 0 || row.linear);
+      row.field.setAttribute("aria-invalid", String(!good));
+      if (good) row.text = text;
+      show(row);
+      update();
+    });
+    row.field.addEventListener("blur", () => { row.field.setAttribute("aria-invalid", "false"); row.field.value = row.text; update(); });
+    row.back.addEventListener("click", () => { row.text = row.own; show(row); row.field.focus(); update(); });
+  }
+
+  function reset() {
+    for (const row of rows) row.text = row.own;
+    for (const row of rows) show(row);
+    update();
+  }
+
+  async function copied(button, text) {
+    const words = button.textContent;
+    try { await navigator.clipboard.writeText(text); button.textContent = "Copied"; } catch { button.textContent = "Copying is not allowed here"; }
+    setTimeout(() => { button.textContent = words; }, 2000);
+  }
+
+  async function begin() {
+    const bytes = await vcrit_simulator.inflated(at("simulator-module").textContent.trim());
+    simulator = await vcrit_simulator.start(bytes);
+    const loaded = simulator.load(data.scene);
+    if (loaded.status !== 0) return tell([["bad", loaded.message]]);
+    own = { loaded: loaded.numbers, answer: null };
+    const texts = rows.map((row) => row.text);
+    for (const row of rows) row.text = row.own;
+    own.answer = answer();
+    rows.forEach((row, i) => { row.text = texts[i]; });
+    refresh();
+  }
+
+  function fail(error) {
+    tell([["bad", `The simulator does not run in this browser (${error.message}).`]]);
+  }
+
+  at("explored-speed").addEventListener("input", (event) => {
+    const text = event.target.value.trim();
+    if (is_number(text) && Number(text) > 0) speed = text;
+    update();
+  });
+  at("explorer-reset").addEventListener("click", reset);
+  at("explorer-link").addEventListener("click", (event) => copied(event.target, location.href));
+  at("explorer-copy").addEventListener("click", (event) => copied(event.target, at("explored-command").textContent));
+  addEventListener("hashchange", () => { read_address(); for (const row of rows) show(row); update(); });
+  read_address();
+  for (const row of rows) { show(row); listen(row); }
+  const explorer = { answer: null, answered: 0, rows, ready: null,
+    simulate: (velocity) => simulator.friction(velocity, 0),
+    set: (texts) => { rows.forEach((row) => { row.text = texts[row.name] ?? row.own; show(row); }); refresh(); } };
+  addEventListener("resize", update);
+  // Not before it is about to be seen: the page is there at once.
+  explorer.ready = new Promise((done) => {
+    new IntersectionObserver((seen, observer) => {
+      if (!seen.some((entry) => entry.isIntersecting)) return;
+      observer.disconnect();
+      begin().catch(fail).then(done);
+    }, { rootMargin: "300px" }).observe(at("explorer"));
+  });
+  return explorer;
+})();
