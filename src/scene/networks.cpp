@@ -210,7 +210,7 @@ Network Networks::read_named(const std::string& name, const toml::node& node, in
 }
 
 Network Networks::read_rational(const std::string& name, const toml::table& table) {
-  const document::Section section(&table, "networks." + name, file_, {"stiffness"});
+  const document::Section section(&table, "networks." + name, file_, {"stiffness"}, complaints_);
   Place place = section.place("stiffness");
   ++place.column;  // of the opening quote
   FosterForm form = read_stiffness(section.text("stiffness"), name, place);
