@@ -9,6 +9,7 @@
 
 #include "base/constants.hpp"
 #include "base/files.hpp"
+#include "base/rounded.hpp"
 #include "base/units.hpp"
 #include "commands.hpp"
 #include "figures/gnuplot.hpp"
@@ -37,33 +38,40 @@ struct FitOptions {
   std::string data, out, figures, punch_radius;
   fit::Options fit;
   fit::Rest rest;
+  int digits = few_digits;
   bool json = false;
 };
 
-void print_line(const char* name, const Uncertain& a, const char* unit) {
-  fmt::print("{:<4} {:<12.6g} +- {:<8.2g} {}", name, a.value, a.error, unit);
+// With an error of two digits, which is what it is known to.
+std::string uncertain_words(const Uncertain& a, const char* unit, int digits) {
+  return fmt::format("{:<12} ± {}", rounded(a.value, unit, digits), rounded(a.error, unit, 2));
 }
 
-void print_intervals(const std::vector<KnownStiffness>& known) {
-  fmt::print("95 % intervals, for any number of branches:\n{:>10}  {:>10}  {:<24}  {:>10}  {}\n",
-             "Hz", "K', N/m", "", "K'', N/m", "");
+void print_intervals(const std::vector<KnownStiffness>& known, int digits) {
+  double largest = 0;
+  for (const KnownStiffness& at : known) largest = std::max(largest, at.storage);
+  const UnitScale scale = scale_for(largest, "N/m");
+  const auto number = [&](double value) { return rounded(value * scale.factor, "", digits); };
+  const auto interval = [&](const auto& of) {
+    return fmt::format("{} to {}", number(of.low), number(of.high));
+  };
+  fmt::print("95 % intervals, for any number of branches, in {}:\n", scale.unit);
+  fmt::print("  {:<10} {:<8} {:<20} {}\n", "frequency", "K'", "", "K''");
   for (const KnownStiffness& at : known)
-    fmt::print("{:>10.4g}  {:>10.4g}  {:<24}  {:>10.4g}  {}\n", at.omega / two_pi, at.storage,
-               fmt::format("{:.4g} to {:.4g}", at.storage_interval.low, at.storage_interval.high),
-               at.loss,
-               fmt::format("{:.4g} to {:.4g}", at.loss_interval.low, at.loss_interval.high));
+    fmt::print("  {:<10} {:<8} {:<20} {:<8} {}\n", rounded(at.omega / two_pi, "Hz", digits),
+               number(at.storage), interval(at.storage_interval), number(at.loss),
+               interval(at.loss_interval));
 }
 
-void print_fit_text(const FitContents& result) {
+void print_fit_text(const FitContents& result, int digits) {
   const Fit& fit = result.fit;
   for (const std::string& words : result.words) fmt::print("{}\n", words);
-  if (fit.equilibrium) print_line("k0", *fit.equilibrium, "N/m\n");
-  if (fit.damper) print_line("c0", *fit.damper, "N s/m\n");
-  for (const auto& [k, tau] : fit.branches) {
-    print_line("k", k, "N/m   ");
-    print_line("tau", tau, "s\n");
-  }
-  print_intervals(result.known);
+  if (fit.equilibrium) fmt::print("  k0   {}\n", uncertain_words(*fit.equilibrium, "N/m", digits));
+  if (fit.damper) fmt::print("  c0   {}\n", uncertain_words(*fit.damper, "N s/m", digits));
+  for (const auto& [k, tau] : fit.branches)
+    fmt::print("  k    {:<26} tau  {}\n", uncertain_words(k, "N/m", digits),
+               uncertain_words(tau, "s", digits));
+  print_intervals(result.known, digits);
   fmt::print("{}\n{}\n", result.scene, result.page);
 }
 
@@ -116,7 +124,7 @@ void run_fit(const FitOptions& options) {
   if (options.json)
     print(record::json_of(contents));
   else
-    print_fit_text(contents);
+    print_fit_text(contents, options.digits);
 }
 
 }  // namespace
@@ -151,6 +159,7 @@ void add_fit(CLI::App& program) {
   command->add_option("--coefficient", options->rest.coefficient, "coefficient of friction");
   command->add_option("--figures", options->figures, "folder for the figures as SVG and PDF")
       ->type_name("DIR");
+  add_digits(*command, options->digits);
   command->add_flag("--json", options->json, "print one JSON object");
   command->callback([options] { run_fit(*options); });
 }

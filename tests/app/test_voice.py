@@ -5,7 +5,7 @@ import os
 import pty
 import unittest
 
-from program import PROGRAM, Case, example
+from program import PROGRAM, PROJECT, Case, example
 
 ZENER = example("zener")
 
@@ -74,6 +74,15 @@ class Numbers(Case):
         self.assertTrue(text.startswith("Formula and simulation agree on v* = 4.095 mm/s.\n"), text)
         self.assertIn("threshold of the linear sliding response, which the formula shares", text)
         self.assertIn("(independent)", text)
+
+
+class Fit(Case):
+    # k0 is 6 N/µm in the data, of which the fit finds 0.1 %.
+    def test_has_units_that_read_well(self):
+        text = self.out("fit", str(PROJECT / "scenes/measured_pad.csv"), "--out", "pad.toml")
+        self.assertRegex(text, r"\n  k0   5\.996 N/µm   ± 1\d kN/m")
+        self.assertIn("\n95 % intervals, for any number of branches, in N/µm:\n", text)
+        self.assertNotIn("e+0", text)
 
 
 class Tables(Case):
