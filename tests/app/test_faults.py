@@ -320,16 +320,16 @@ class Validate(Case):
     def test_the_files_are_written_together(self):
         self.assertEqual(self.validate().returncode, 0)
         old = self.texts(self.report)
-        self.assertEqual(set(old), {"index.html", "report.json"})
+        self.assertEqual(set(old), {"index.html", "kelvin_rigid.evidence.html", "report.json"})
         fault = {"LD_PRELOAD": FAULTS, "FAULT_IN": str(self.report)}
-        # Two writes and two renames, the index last.
-        for kind, number, status in [("full", 1, 2), ("full", 2, 2), ("kill", 2, -signal.SIGKILL),
-                                     ("kill", 3, -signal.SIGKILL), ("kill", 4, -signal.SIGKILL)]:
+        # Three writes and three renames, the index last.
+        for kind, number, status in [("full", 1, 2), ("full", 3, 2), ("kill", 3, -signal.SIGKILL),
+                                     ("kill", 4, -signal.SIGKILL), ("kill", 6, -signal.SIGKILL)]:
             result = self.validate(ELASTIC, **fault, FAULT=kind, FAULT_AT=str(number))
             self.assertEqual(result.returncode, status, result.stderr)
             now = self.texts(self.report)
             self.assertEqual(now["index.html"], old["index.html"])
-            if number < 4:
+            if number < 5:
                 self.assertEqual(now["report.json"], old["report.json"])
             if kind == "full":
                 self.assertEqual(set(now), set(old))

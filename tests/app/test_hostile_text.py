@@ -218,14 +218,16 @@ class Pages(Case):
         out = self.folder / "out"
         self.out("validate", *files, "--out", out, env=environment)
         pages = sorted(path.name for path in out.iterdir())
-        self.assertEqual(len(pages), 4)
+        self.assertEqual(len(pages), 6)
         for name in pages:
-            self.assertRegex(name, r"^[A-Za-z0-9_-]+\.(html|json)$")
+            self.assertRegex(name, r"^[A-Za-z0-9_-]+(\.evidence)?\.(html|json)$")
             if name.endswith(".html"):
                 self.nothing_happened(out / name)
         # Tag by tag the pages of both scenes are the same.
-        hostile = next(out / name for name in pages if name.startswith("a") and name.endswith(".html"))
-        self.assertEqual(Tags(hostile.read_text()).tags, Tags((out / "b.html").read_text()).tags)
+        hostile, evidence = (out / next(name for name in pages if re.fullmatch(rf"a[^.]*{end}", name))
+                             for end in [r"\.html", r"\.evidence\.html"])
+        for own, plain in [(hostile, "b.html"), (evidence, "b.evidence.html")]:
+            self.assertEqual(Tags(own.read_text()).tags, Tags((out / plain).read_text()).tags)
         self.assertIn("window.hostile", hostile.read_text())
 
     def test_a_fit(self):

@@ -10,8 +10,8 @@
 
 #include "base/files.hpp"
 #include "figures/figure_json.hpp"
-#include "figures/svg.hpp"
 #include "figures/gnuplot.hpp"
+#include "figures/svg.hpp"
 #include "run/compiler.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_figures)
@@ -110,7 +110,8 @@ BOOST_AUTO_TEST_CASE(a_still_is_the_figure_without_its_title) {
   figure.title = "Friction over speed";
   figure.caption = "By simulation.";
   const std::string picture = still(figure);
-  BOOST_TEST(picture.starts_with("<svg class=\"still\" role=\"img\" aria-label=\"Friction over speed. By simulation.\""));
+  BOOST_TEST(picture.starts_with(
+      "<svg class=\"still\" role=\"img\" aria-label=\"Friction over speed. By simulation.\""));
   BOOST_TEST(picture.find(">Friction over speed</text>") == picture.npos);
   BOOST_TEST(svg({figure}).find(">Friction over speed</text>") != picture.npos);
   BOOST_TEST(picture.find("stroke=\"#123f6d\"") != picture.npos);

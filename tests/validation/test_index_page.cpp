@@ -32,7 +32,8 @@ BOOST_AUTO_TEST_CASE(a_failed_comparison_makes_its_line_red_and_is_named) {
   BOOST_TEST(has(html, "Do not use the numbers of scenes marked red: 1 of 4 checks failed."));
   BOOST_TEST(has(html, "<li class=\"passed\"><a href=\"a.html\">"));
   BOOST_TEST(has(html, "<li class=\"failed\"><a href=\"b.html\">"));
-  BOOST_TEST(has(html, "<strong>1 of 2 comparisons failed</strong> <small>way called simulation</small>"));
+  BOOST_TEST(
+      has(html, "<strong>1 of 2 comparisons failed</strong> <small>way called simulation</small>"));
 }
 
 BOOST_AUTO_TEST_CASE(a_line_says_the_answer) {
@@ -43,8 +44,9 @@ BOOST_AUTO_TEST_CASE(a_line_says_the_answer) {
   const std::string html =
       index_page({entry(report, "a.html"), entry(outside, "b.html")}, example::origin());
   BOOST_TEST(has(html, "2 scenes. 1 answered, 1 outside the model, 0 checks failed."));
-  BOOST_TEST(has(html, "<code>pad.toml</code><span class=\"what\">4.578 mm/s</span>"
-                       "<span class=\"reduction\">−40 %</span><span class=\"frequency\">20 kHz</span>"));
+  BOOST_TEST(has(html,
+                 "<code>pad.toml</code><span class=\"what\">4.578 mm/s</span>"
+                 "<span class=\"reduction\">−40 %</span><span class=\"frequency\">20 kHz</span>"));
   BOOST_TEST(has(html, "contact would open above 33.3 nm (now 100 nm)"));
   // From 0.6 at rest, 4 + 22 x 0.4 pixels down, to full friction at the top.
   BOOST_TEST(has(html, "<path d=\"M0.0 12.8L"));

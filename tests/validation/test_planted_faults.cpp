@@ -51,7 +51,7 @@ void check_red(const SceneReport& report, const std::vector<std::string>& keys) 
   for (const Comparison& comparison : report.comparisons)
     if (outcome(comparison) == Comparison::Outcome::failed) failed.push_back(comparison.key);
   BOOST_TEST(failed == keys, boost::test_tools::per_element());
-  BOOST_TEST(has(scene_page({report, {}}, example::origin()), "<div class=\"verdict failed\">"));
+  BOOST_TEST(has(scene_page({report, {}}, example::origin()), "Do not use these numbers"));
   BOOST_TEST(has(index_page({{scene_line(report), "zener.html"}}, example::origin()),
                  "<li class=\"failed\">"));
 }
@@ -99,7 +99,7 @@ Derivation formula_off_by(int thousandths, Derivation derivation) {
 BOOST_AUTO_TEST_CASE(without_a_fault_nothing_is_red) {
   const SceneReport report = heard(own_witnesses());
   BOOST_TEST(passed(report));
-  BOOST_TEST(has(scene_page({report, {}}, example::origin()), "<div class=\"verdict passed\">"));
+  BOOST_TEST(!has(scene_page({report, {}}, example::origin()), "Do not use these numbers"));
 }
 
 BOOST_AUTO_TEST_CASE(a_flipped_sign_in_the_formula_is_red) {

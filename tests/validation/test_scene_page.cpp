@@ -149,7 +149,8 @@ BOOST_AUTO_TEST_CASE(sections_without_content_are_left_out) {
 // Without any script: the sentence, the curve, the system, the numbers.
 BOOST_AUTO_TEST_CASE(the_answer_comes_first_and_needs_no_script) {
   const std::string html = page_of(example::scene_report(example::rigid_scene));
-  const auto sentence = html.find("<h1>Vibration lowers friction below 4.578 mm/s, by at most 40 %.");
+  const auto sentence =
+      html.find("<h1>Vibration lowers friction below 4.578 mm/s, by at most 40 %.");
   const auto chart = html.find("<svg class=\"still\"");
   const auto system = html.find("<svg class=\"drawing\"");
   const auto numbers = html.find("<dd title=\"0.0045779 m/s\">4.578 mm/s</dd>");
@@ -291,7 +292,8 @@ BOOST_AUTO_TEST_CASE(only_in_a_suite_is_there_a_way_to_the_others) {
   const SceneReport report = example::scene_report(example::rigid_scene);
   const std::string link = "<a href=\"index.html\">";
   BOOST_TEST(!has(page_of(report), link));
-  BOOST_TEST(has(scene_page({report, {}}, example::origin(), {"a.html", "a.evidence.html", true}), link));
+  BOOST_TEST(
+      has(scene_page({report, {}}, example::origin(), {"a.html", "a.evidence.html", true}), link));
 }
 
 BOOST_AUTO_TEST_CASE(a_page_stays_below_two_megabytes) {

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <map>
 
+#include "base/constants.hpp"
+
 namespace vcrit::validation::accuracy {
 
 namespace {
@@ -17,6 +19,8 @@ using figures::Style;
 
 // The same for units in the last place.
 constexpr double no_ulps = 0.25;
+
+constexpr double kilo_radians = two_pi * 1000;  // a second, at 1 kHz
 
 struct Family {
   const char* name;
@@ -51,8 +55,13 @@ std::string hover_words(const Solve& solve) {
                      solve.failure.empty() ? "" : "; failed: " + solve.failure);
 }
 
+/// More is better; those of an error of 1 or more stand just above the axis.
+double digits_kept(double error) {
+  return std::clamp(-std::log10(std::max(error, no_error)), 0.05, 16.0);
+}
+
 figures::Point point(const Solve& solve) {
-  return {1e6 * solve.seconds, std::max(solve.error, no_error), hover_words(solve)};
+  return {1e6 * solve.seconds, digits_kept(solve.error), hover_words(solve)};
 }
 
 /// The points on the front, by cost.
@@ -71,7 +80,7 @@ bool answered(const Solve& solve) { return solve.answered; }
 
 template <class Item>
 FigureSeries failed(const std::vector<Item>& items) {
-  FigureSeries series{"failed", Style::crosses, {}, 4};
+  FigureSeries series{"failed", Style::crosses, {}, 5};
   for (const Item& item : items)
     if (answered(item) && !item.failure.empty()) series.points.push_back(point(item));
   return series;
@@ -81,7 +90,7 @@ void add(Figure& figure, FigureSeries series) {
   if (!series.points.empty()) figure.series.push_back(std::move(series));
 }
 
-constexpr std::array colours{0, 1, 3, 5, 6, 7, 2};
+constexpr std::array colours{0, 1, 3, 4, 6, 2};
 
 int colour_of(std::size_t i) { return colours.at(i % colours.size()); }
 
@@ -121,7 +130,7 @@ FigureSeries marks(const Layer& layer, bool asked) {
   FigureSeries series{"", asked ? Style::crosses : Style::dots, {}, asked ? 1 : 2};
   for (const Mark& mark : layer.marks)
     if (mark.words.starts_with("not asked") != asked)
-      series.points.push_back({mark.omega, mark.factor, mark.words});
+      series.points.push_back({mark.omega / kilo_radians, mark.factor, mark.words});
   return series;
 }
 
@@ -139,7 +148,7 @@ Figure evaluator_picture(const EvaluatorErrors& errors) {
   figure.y = {"worst error, units in the last place", true, {}, {}};
   add(figure, front(errors.ways));
   for (std::size_t i = 0; i < families().size(); ++i) {
-    FigureSeries series{families()[i].name, Style::circles, {}, colour_of(i)};
+    FigureSeries series{families()[i].name, figures::shape_of(i), {}, colour_of(i)};
     for (const EvaluatorError& way : errors.ways)
       if (among(way.key, families()[i].keys) && way.measured && way.failure.empty())
         series.points.push_back(point(way));
@@ -173,29 +182,31 @@ Figure simulator_picture(const SpeedSolves& speed) {
   figure.name = "simulators_" + key_of(speed.ratio);
   figure.title = fmt::format("Simulators at a speed ratio of {}", speed.ratio);
   figure.caption =
-      "Error of the friction ratio over processor time, at this part of the lowest speed of pure "
-      "sliding. Reference: " +
+      "Decimal digits kept over processor time, at this part of v*: up and left is better. "
+      "Reference: " +
       speed.reference + ".";
   if (speed.agreement) figure.caption += " The exact method stands at that difference.";
   figure.x = {"time, µs", true, {}, {}};
-  figure.y = {"error of μ macro / μ₀", true, {}, {}};
+  figure.y = {"digits kept of the friction ratio", false, std::pair{0.0, 16.5}, {}};
   add(figure, front(speed.solves));
-  std::map<std::string, int> colour;
-  for (const Solve& solve : speed.solves)
-    colour.try_emplace(solve.method, colour_of(colour.size()));
-  for (const Style style : {Style::line, Style::circles})
-    for (const auto& [method, own] : colour) {
-      FigureSeries series{method, style, {}, own};
+  std::map<std::string, std::size_t> number;
+  for (const Solve& solve : speed.solves) number.try_emplace(solve.method, number.size());
+  for (const bool marked : {false, true})
+    for (const auto& [method, own] : number) {
+      FigureSeries series{
+          method, marked ? figures::shape_of(own) : Style::line, {}, colour_of(own)};
       for (const Solve& solve : speed.solves)
         if (solve.method == method && solve.answered && solve.failure.empty())
           series.points.push_back(point(solve));
-      if (style == Style::circles || series.points.size() > 1) add(figure, std::move(series));
+      if (marked || series.points.size() > 1) add(figure, std::move(series));
     }
   add(figure, failed(speed.solves));
   return figure;
 }
 
 Figure map_picture(const StabilityMap& map, const Layer& layer) {
+  std::vector<double> kilohertz;
+  for (const double omega : map.omega) kilohertz.push_back(omega / kilo_radians);
   Figure figure;
   figure.name = "map_" + map.key + "_" + layer.key;
   figure.title = layer.name;
@@ -212,17 +223,17 @@ Figure map_picture(const StabilityMap& map, const Layer& layer) {
                           : " Crosses: not finite.";
   if (!not_asked.points.empty())
     figure.caption += " Dots: not asked, as the stuck body swings too often in one period.";
-  figure.x = figures::cells_axis("ω, rad/s", map.omega);
+  figure.x = figures::cells_axis("frequency, kHz", kilohertz);
   figure.y = figures::cells_axis("factor on " + map.name, map.factor);
   figure.map = figures::Map{
-      {"digits lost", false, std::pair{0.0, 16.0}, {}}, map.omega, map.factor, layer.lost};
+      {"digits lost", false, std::pair{0.0, 16.0}, {}}, kilohertz, map.factor, layer.lost};
   // More digits would only make the page longer.
   for (double& lost : figure.map->values) lost = std::round(100 * lost) / 100;
   int colour = 5;
   for (const Line& line : map.lines) {
     FigureSeries series{line.name, colour == 5 ? Style::dashed : Style::dotted, {}, colour};
     for (const auto& [omega, factor] : line.points)
-      series.points.push_back({omega, factor, line.name});
+      series.points.push_back({omega / kilo_radians, factor, line.name});
     add(figure, std::move(series));
     colour = 6;
   }

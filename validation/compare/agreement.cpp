@@ -141,6 +141,16 @@ std::optional<CriticalOnset> answered_onset(SceneReport& report) {
   }
 }
 
+// Nothing where v* is 0/0: the reasons say so.
+std::optional<Effect> effect_for(const Problem& problem,
+                                 const std::optional<CriticalOnset>& onset) {
+  try {
+    return onset ? effect_of(problem, *onset) : effect_of(problem);
+  } catch (const ModelError&) {
+    return std::nullopt;
+  }
+}
+
 void simulate(SceneReport& report, const symbolic::Derivation& derivation,
               const CriticalOnset& onset, const Witnesses& witnesses, const Progress& progress) {
   progress("simulating");
@@ -215,7 +225,7 @@ SceneReport agree(Driver& driver, const symbolic::Derivation& formula, const Pro
 
   report.values = value_lines(problem);
   report.normal_force = normal_force(problem);
-  report.effect = onset ? effect_of(problem, *onset) : effect_of(problem);
+  report.effect = effect_for(problem, onset);
   if (onset) report.influences = influences(problem, report.values);
 
   progress("deriving the formula");

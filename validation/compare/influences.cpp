@@ -33,8 +33,7 @@ std::vector<Influence> influences(const Problem& problem, const std::vector<Valu
         continue;
       }
       const bool array = called.entry > 0;
-      const Formula sign =
-          array ? formula_of(symbolic::symbol(Symbol{called.name, 0})) : line.name;
+      const Formula sign = array ? formula_of(symbolic::symbol(Symbol{called.name, 0})) : line.name;
       all.push_back({array ? called.name : to_text(called), sign, line.meaning, array, share});
     }
   } catch (const ModelError&) {

@@ -92,7 +92,8 @@ struct Influence {
   double share = 0;  ///< (p/v*) dv*/dp
 };
 
-/// Of the contact as if its surfaces could pull, N: where the amplitude is above the mean they open.
+/// Of the contact as if its surfaces could pull, N: where the amplitude is above the mean they
+/// open.
 struct NormalForce {
   double mean = 0, amplitude = 0;
 };
@@ -243,12 +244,12 @@ struct SceneReport {
   double condition = 0;         ///< condition number of Eq. 24 on its inputs
   double creep_velocity = 0;    ///< m/s, 0 unless a network on the path creeps
   std::vector<ValueLine> values;
-  std::vector<Influence> influences;         ///< the largest first, without those of no influence
-  std::optional<NormalForce> normal_force;   ///< none where no load is carried
+  std::vector<Influence> influences;        ///< the largest first, without those of no influence
+  std::optional<NormalForce> normal_force;  ///< none where no load is carried
   ShownVelocity formula;
   std::vector<ShownFact> facts;
   std::optional<Effect> effect;  ///< what vibration does to this contact
-  std::string equation;  ///< number of the formula in the paper
+  std::string equation;          ///< number of the formula in the paper
   std::vector<Equation> derivation;
   std::vector<LimitLine> limits;
   std::string compiler;  ///< that compiled the generated evaluator, with version; else empty

@@ -52,8 +52,8 @@ bool is_marks(Style style) {
 }
 
 Style shape_of(std::size_t number) {
-  static constexpr std::array shapes{Style::circles, Style::squares, Style::triangles,
-                                     Style::diamonds, Style::dots, Style::crosses};
+  static constexpr std::array shapes{Style::circles,  Style::squares, Style::triangles,
+                                     Style::diamonds, Style::dots,    Style::crosses};
   return shapes.at(number % shapes.size());
 }
 
@@ -64,7 +64,7 @@ const char* palette(int colour) {
 }
 
 const char* dashes_of(Style style, int colour) {
-  static constexpr std::array lines{"none", "6 3", "none", "2 3", "8 3 2 3", "4 2", "none", "1 3"};
+  static constexpr std::array lines{"none", "6 3", "4 4", "2 3", "8 3 2 3", "4 2", "10 3", "1 3"};
   if (style == Style::dashed) return "6 4";
   if (style == Style::dotted) return "2 3";
   return lines.at(static_cast<std::size_t>(colour) % lines.size());

@@ -22,7 +22,18 @@ struct Point {
   std::string words;    ///< of this point, shown under a pointer; may be empty
 };
 
-enum class Style { line, dashed, dotted, circles, dots, crosses, squares, triangles, diamonds, bars };
+enum class Style {
+  line,
+  dashed,
+  dotted,
+  circles,
+  dots,
+  crosses,
+  squares,
+  triangles,
+  diamonds,
+  bars
+};
 
 /// As written above.
 const char* name_of(Style style);

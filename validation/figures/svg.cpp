@@ -287,7 +287,7 @@ Json panel(const Figure& figure, bool titled, double& top) {
   return all;
 }
 
-std::string svg_text(const char* name, const std::vector<Figure>& figures, bool titled) {
+std::string picture_of(const char* name, const std::vector<Figure>& figures, bool titled) {
   Json panels = Json::array();
   double height = 0;
   std::string words;
@@ -306,9 +306,9 @@ std::string svg_text(const char* name, const std::vector<Figure>& figures, bool 
 }  // namespace
 
 std::string svg(const std::vector<Figure>& figures) {
-  return svg_text("svg", figures, true) + "\n";
+  return picture_of("svg", figures, true) + "\n";
 }
 
-std::string still(const Figure& figure) { return svg_text("still", {figure}, false); }
+std::string still(const Figure& figure) { return picture_of("still", {figure}, false); }
 
 }  // namespace vcrit::validation::figures

@@ -42,7 +42,7 @@ std::vector<Point> friction_points(const SceneReport& report) {
 }
 
 /// The middle of those that have a place on a logarithmic axis; 1 without any.
-double middle_size(std::vector<double> values) {
+double middle_value(std::vector<double> values) {
   std::erase_if(values, [](double value) { return !(value > 0) || !std::isfinite(value); });
   if (values.empty()) return 1;
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -51,8 +51,8 @@ double middle_size(std::vector<double> values) {
 }
 
 /// An axis of frequency, two decades to both sides, with the scene's own and resonances marked.
-Figure frequency_axis(const SceneReport& report, const char* name, double factor,
-                      const std::string& unit) {
+Figure marked_frequencies(const SceneReport& report, const char* name, double factor,
+                          const std::string& unit) {
   const double own = frequency_of(report);
   const auto& points = report.response.points;
   Figure figure;
@@ -76,7 +76,7 @@ Figure frequency_axis(const SceneReport& report, const char* name, double factor
 constexpr double clipped = 100;
 
 std::pair<double, double> shown_range(const std::vector<double>& values) {
-  const double middle = middle_size(values);
+  const double middle = middle_value(values);
   double low = middle, high = middle;
   for (const double value : values) {
     if (!(value > 0) || !std::isfinite(value)) continue;
@@ -177,8 +177,8 @@ std::optional<Figure> frequency_figure(const SceneReport& report) {
   for (const ResponsePoint& point : report.response.points)
     applies.push_back(point.applies ? point.velocity : std::numeric_limits<double>::quiet_NaN());
   const Scale frequency = scale_for(frequency_of(report), "Hz"),
-              velocity = scale_for(middle_size(applies), "m/s");
-  Figure figure = frequency_axis(report, "critical_velocity", frequency.factor, frequency.unit);
+              velocity = scale_for(middle_value(applies), "m/s");
+  Figure figure = marked_frequencies(report, "critical_velocity", frequency.factor, frequency.unit);
   figure.title = "Critical speed over frequency";
   figure.caption = "All else as in the scene.";
   figure.height = 260;
@@ -209,8 +209,8 @@ std::optional<Figure> stiffness_figure(const SceneReport& report) {
   std::vector<double> all;
   for (const ResponsePoint& point : report.response.points) all.push_back(point.normal);
   const char* unit = report.problem->indenter ? "Pa" : "N/m";
-  const Scale stiffness = scale_for(middle_size(all), unit);
-  Figure figure = frequency_axis(report, "stiffness", frequency.factor, frequency.unit);
+  const Scale stiffness = scale_for(middle_value(all), unit);
+  Figure figure = marked_frequencies(report, "stiffness", frequency.factor, frequency.unit);
   figure.title = "Dynamic stiffness over frequency";
   figure.caption = "Absolute values of the dynamic stiffness of each network.";
   figure.height = 240;

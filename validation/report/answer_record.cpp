@@ -18,13 +18,13 @@ using record::Json;
 
 constexpr int shown_digits = 4;
 
-std::string few_digits_of(double value, const char* unit) {
+std::string in_few_digits(double value, const char* unit) {
   return quantity(value, unit, shown_digits);
 }
 
 Json key_number(const std::string& label, double value, const char* unit, const std::string& note) {
   return {{"label", label},
-          {"words", few_digits_of(value, unit)},
+          {"words", in_few_digits(value, unit)},
           {"exact", fmt::format("{}{}{}", value, *unit == 0 ? "" : " ", unit)},
           {"note", note}};
 }
@@ -45,7 +45,7 @@ Json speed_key(const SceneReport& report) {
   const OnsetSpeeds onset = onset_speeds(report);
   const std::string note =
       onset.drive > onset.contact
-          ? "with creep the drive runs at " + few_digits_of(onset.drive, "m/s")
+          ? "with creep the drive runs at " + in_few_digits(onset.drive, "m/s")
           : std::string(onset.simulated ? "by simulation" : "no effect above it");
   return key_number("Critical speed v*", onset.contact, "m/s", note);
 }
@@ -53,13 +53,13 @@ Json speed_key(const SceneReport& report) {
 Json closed_key(const Effect& effect) {
   return key_number(effect.below_indenter ? "Centre stays closed up to" : "Stays closed up to",
                     *effect.largest_closed_amplitude, "m",
-                    "now " + few_digits_of(effect.amplitude, "m"));
+                    "now " + in_few_digits(effect.amplitude, "m"));
 }
 
 Json lowest_key(const LowestFriction& lowest) {
   return key_number("Lowest friction", lowest.ratio, "",
                     lowest.velocity > 0
-                        ? "of the sliding value, at " + few_digits_of(lowest.velocity, "m/s")
+                        ? "of the sliding value, at " + in_few_digits(lowest.velocity, "m/s")
                         : "of the sliding value, at rest");
 }
 
@@ -68,7 +68,7 @@ void add_power(const SceneReport& report, Json& keys) {
   const double force = report.cycle->friction_ratio * report.effect->friction_coefficient *
                        *report.effect->mean_normal_force;
   keys.push_back(key_number("Power at v*/2", force * report.cycle->velocity, "W",
-                            "lost at " + few_digits_of(report.cycle->velocity, "m/s")));
+                            "lost at " + in_few_digits(report.cycle->velocity, "m/s")));
 }
 
 Json key_numbers(const SceneReport& report) {
@@ -79,7 +79,7 @@ Json key_numbers(const SceneReport& report) {
   if (report.effect->largest_closed_amplitude) keys.push_back(closed_key(*report.effect));
   if (const ResonanceMark* mark = nearest_resonance(report))
     keys.push_back(key_number("Nearest resonance", mark->omega / two_pi, "Hz",
-                              "now " + few_digits_of(frequency_of(report), "Hz")));
+                              "now " + in_few_digits(frequency_of(report), "Hz")));
   if (!outside) add_power(report, keys);
   return keys;
 }

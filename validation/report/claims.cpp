@@ -52,15 +52,14 @@ constexpr std::array claim_rows{
     ClaimRow{"marched",
              {"sticks just below v*, slides just above it",
               "another method in time, with steps of its own", "the numbers of the system"}},
-    ClaimRow{"periodic",
-             {"sticks end at v*", "periodic motion on a grid, all networks solved as one",
-              same_model}},
+    ClaimRow{
+        "periodic",
+        {"sticks end at v*", "periodic motion on a grid, all networks solved as one", same_model}},
     ClaimRow{"starts",
              {"friction from rest = friction from sliding", "the same simulator, another start",
               same_motion}},
     ClaimRow{"closed_form",
-             {"the friction curve = its closed form", "a formula of elastic contacts",
-              same_model}},
+             {"the friction curve = its closed form", "a formula of elastic contacts", same_model}},
     ClaimRow{"energy",
              {"heat over a cycle = work of the drive", "the balance of energy", same_motion}},
     ClaimRow{"small_amplitude",
@@ -77,9 +76,9 @@ constexpr std::array claim_rows{
 }  // namespace
 
 Claim claim_of(const Comparison& comparison) {
-  const auto* const found = std::find_if(claim_rows.begin(), claim_rows.end(), [&](const ClaimRow& row) {
-    return row.key == comparison.key;
-  });
+  const auto* const found =
+      std::find_if(claim_rows.begin(), claim_rows.end(),
+                   [&](const ClaimRow& row) { return row.key == comparison.key; });
   if (found != claim_rows.end()) return found->claim;
   return {comparison.name.c_str(), comparison.reference.c_str(), ""};
 }

@@ -102,9 +102,9 @@ namespace {
 
 /// So that it can stand in the page without a script, too.
 bool is_line_drawing(const figures::Figure& figure) {
-  return !figure.map && std::none_of(figure.series.begin(), figure.series.end(), [](const auto& it) {
-    return it.style == figures::Style::bars;
-  });
+  return !figure.map &&
+         std::none_of(figure.series.begin(), figure.series.end(),
+                      [](const auto& it) { return it.style == figures::Style::bars; });
 }
 
 }  // namespace

@@ -174,11 +174,26 @@ const vcrit_drawing = (() => {
     return { class: style, fill: filled ? colour : "none", stroke: filled ? "none" : colour, ...look };
   }
 
-  function drawSeries(plan, into) {
+  // Small boxes along a curve, which words keep off.
+  function* alongCurve(plan, { style, points }) {
+    if (marks[style] || style === "bars") return;
+    let last = null;
+    for (const [valueX, valueY] of points) {
+      const x = plan.x(valueX), y = plan.y(valueY), steps = last ? Math.ceil(Math.hypot(x - last.x, y - last.y) / 8) : 1;
+      for (let n = 1; n <= Math.min(steps, 200); ++n) {
+        const part = n / steps, at = last ? { x: last.x + (x - last.x) * part, y: last.y + (y - last.y) * part } : { x, y };
+        if (inside(plan, at.x, at.y)) yield { line: true, x: at.x - 2, y: at.y - 2, width: 4, height: 4 };
+      }
+      last = Number.isNaN(x + y) ? null : { x, y };
+    }
+  }
+
+  function drawSeries(plan, into, taken) {
     into.setAttribute("stroke-linejoin", "round");
     for (const series of plan.figure.series) {
       const clip = marks[series.style] ? {} : { "clip-path": `url(#${plan.clip})` };
       add(into, "path", { ...paint(series), ...clip, "data-name": series.name, d: pathOf(plan, series) });
+      for (const box of alongCurve(plan, series)) taken.push(box);
     }
   }
 
@@ -293,7 +308,7 @@ const vcrit_drawing = (() => {
     const words = add(into, "g", { class: "words", fill: soft, ...halo });
     const taken = [];
     drawBands(plan, bands, words, taken);
-    drawSeries(plan, series);
+    drawSeries(plan, series, taken);
     drawRules(plan, rules, words, taken);
     for (const horizontal of [true, false]) drawAxis(plan, into, horizontal);
     return svg;

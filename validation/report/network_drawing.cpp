@@ -125,7 +125,9 @@ Shapes bar(double x, double top, double bottom, double outer) {
 /// In place of branches that would look like those before.
 Drawing more_branches(std::size_t count, const NetworkLook& look) {
   const Label words{{"", fmt::format("and {} more", count), ""}};
-  Drawing drawing{element_width, element_above, element_below,
+  Drawing drawing{element_width,
+                  element_above,
+                  element_below,
                   {path(fmt::format("M0 0H{:.0f}", element_width), "inertial")}};
   if (look.standing) drawing.above = beside + width_of(words) + 8;
   drawing.add({look.standing ? upright_text(element_width / 2, words)

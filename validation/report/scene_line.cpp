@@ -78,8 +78,8 @@ void members(Line& line, Visit visit) {
 }  // namespace
 
 SceneLine scene_line(const SceneReport& report) {
-  const auto points = report.reasons.empty() ? answer_points(report)
-                                             : std::vector<std::pair<double, double>>{};
+  const auto points =
+      report.reasons.empty() ? answer_points(report) : std::vector<std::pair<double, double>>{};
   const double end = points.empty() ? 1 : std::max(points.back().first, 1.0);
   return {report.problem->source->file,
           title_of(report),

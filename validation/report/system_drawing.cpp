@@ -51,7 +51,7 @@ class Canvas {
   double left_ = 0, right_ = 0;
 };
 
-std::string written_value(const Problem& problem, const Quantity& quantity, const char* unit) {
+std::string value_words(const Problem& problem, const Quantity& quantity, const char* unit) {
   return " = " + vcrit::validation::report::quantity(problem.value(quantity), unit, 4);
 }
 
@@ -110,7 +110,7 @@ Shapes arrow_to_both_sides(double y, double length) {
 
 Label coefficient_words(const Problem& problem) {
   const Symbol symbol = as_called(problem, problem->coefficient.symbol);
-  const std::string value = written_value(problem, problem->coefficient, "");
+  const std::string value = value_words(problem, problem->coefficient, "");
   if (symbol == Symbol{"mu0"}) return {italic("μ"), lowered("0"), raised(value)};
   return joined({label(symbol), {plain(value)}});
 }
@@ -172,7 +172,7 @@ Contact draw_contact(Canvas& canvas, const Problem& problem, const Drawing& norm
   const auto* own = std::get_if<ReducedNetwork>(&problem->tangential);
   const Drawing tangential =
       own == nullptr ? Drawing() : DrawnNetwork(problem, *own, false).drawing();
-  const double foot = own == nullptr ? foot_height : std::max(foot_height, tangential.below + 12);
+  const double foot = own == nullptr ? foot_height : std::max(foot_height, tangential.below + 16);
   const double gap = problem->separation ? 7 : 0;
   const double sole = normal.width + foot, surface = sole + gap;
   canvas.put(standing(normal));
@@ -182,7 +182,7 @@ Contact draw_contact(Canvas& canvas, const Problem& problem, const Drawing& norm
                    "solid")});
   double right = std::max(normal.above, body_reach);
   if (own != nullptr)
-    right = draw_tangential(canvas, tangential, normal.width + foot / 2, foot_width / 2,
+    right = draw_tangential(canvas, tangential, normal.width + 8, foot_width / 2,
                             right + tangential.width + 20) +
             8;
   const double left = std::min(-normal.below, -body_reach) - 40;
@@ -243,7 +243,7 @@ Picture draw_system(const Problem& problem) {
   if (problem->mass) {
     canvas.write((left + right) / 2, (top + bottom) / 2 + 5,
                  joined({label(as_called(problem, problem->mass->symbol)),
-                         {plain(written_value(problem, *problem->mass, "kg"))}}),
+                         {plain(value_words(problem, *problem->mass, "kg"))}}),
                  "middle");
     words += ", body";
   }

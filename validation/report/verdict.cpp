@@ -30,7 +30,9 @@ std::string state_words(const SceneReport& report) {
 
 std::string sentence_of(const SceneReport& report) {
   if (!report.failure.empty()) return "No answer: the comparisons came to no end.";
-  return report.effect ? sentence(*report.effect) : std::string();
+  if (report.effect) return sentence(*report.effect);
+  return "No answer: " + (report.reasons.empty() ? "v* is not known" : report.reasons.front()) +
+         ".";
 }
 
 std::string failed_words(const SceneReport& report) {
