@@ -25,7 +25,7 @@ SETTINGS = 200
 
 ROWS = """return vcrit_explorer.rows.map(({ name, unit, exponent, own, array, linear, values }) =>
     ({ name, unit, exponent, own, array, linear, values }))"""
-ANSWERED = "return [vcrit_explorer.answer, vcrit_explorer.answered]"
+ANSWERED = "return [vcrit_explorer.answer, vcrit_explorer.answered, vcrit_explorer.settled()]"
 
 
 def run(*arguments):
@@ -69,8 +69,12 @@ class Explorer(unittest.TestCase):
         """What the page answers then."""
         before = self.run_script(ANSWERED)[1]
         change()
-        WebDriverWait(self.browser, PATIENCE).until(lambda _: self.run_script(ANSWERED)[1] > before)
+        WebDriverWait(self.browser, PATIENCE).until(lambda _: self.settled_after(before))
         return self.answer()
+
+    def settled_after(self, before):
+        _, answered, settled = self.run_script(ANSWERED)
+        return settled and answered > before
 
     def element(self, kind, name):
         return self.browser.find_element(By.ID, f"{kind}-{self.names.index(name)}")
@@ -140,7 +144,7 @@ class Explorer(unittest.TestCase):
         curve = "return vcrit_explorer.answer.curve.points.map(({ ratio }) => ratio)"
         own = self.run_script(curve)
         for row in self.rows:
-            if row["name"] == "mu0":  # of both, friction and its bound
+            if row["name"] == "coefficient":  # of both, friction and its bound
                 continue
             self.run_script("vcrit_explorer.set({ [arguments[0]]: String(0.7 * Number(arguments[1])) })", row["name"], row["own"])
             now = self.run_script(curve)
@@ -171,8 +175,9 @@ class Explorer(unittest.TestCase):
         self.open("zener", "#" + address.split("#")[1])
         self.assertEqual(self.answer()["velocity"], moved["velocity"])
         self.assertEqual(self.run_script("return vcrit_explorer.rows.map(({ field }) => field.value)"), fields)
-        self.open("zener", "#frequency=25000&k0=9.1e6")  # bare numbers are in SI
-        self.assertEqual(self.answer()["velocity"], moved["velocity"])
+        for other in ["#frequency=25000&k0=9.1e6", "#frequency=0.025MHz&k0=9100000N/m"]:  # bare numbers are in SI
+            self.open("zener", other)
+            self.assertEqual(self.answer()["velocity"], moved["velocity"], other)
         own = self.after(lambda: self.browser.find_element(By.ID, "explorer-reset").send_keys(Keys.ENTER))
         self.assertNotIn("frequency", self.browser.current_url)
         self.open("zener", "#frequency=nonsense&k9=1&amplitude=-1um&=&%")
@@ -218,7 +223,7 @@ class Explorer(unittest.TestCase):
         self.assertEqual(velocity.text, "no v*: outside the model")
         self.assertEqual(velocity.get_attribute("aria-live"), "off")
         self.assertFalse(self.browser.find_element(By.ID, "explored-friction").is_displayed())
-        self.type("k0", "9,5")
+        self.type("k0", ",5")
         self.assertIn("write a decimal point", self.messages()[0])
         self.assertEqual(self.messages()[1:], told)
         self.assertEqual(self.element("field", "k0").get_attribute("aria-invalid"), "true")

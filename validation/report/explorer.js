@@ -13,7 +13,11 @@ const vcrit_explorer = (() => {
   let simulator, own, speed = null, slow = false, planned = 0;
 
   // A field's text is a decimal number: 9.1 N/um is the double next to 9.1e6, as in a scene.
-  const si = (row, text) => Number(/e/i.test(text) ? Number(text) * 10 ** row.exponent : `${text}e${row.exponent}`);
+  function decimal(text, power) {
+    const [digits, exponent = "0"] = text.toLowerCase().split("e");
+    return Number(`${digits}e${Number(exponent) + power}`);
+  }
+  const si = (row, text) => decimal(text, row.exponent);
   function text_of(row, value) {
     for (let digits = 12; digits < 17; ++digits) {
       const text = number(value / 10 ** row.exponent, digits);
@@ -180,22 +184,32 @@ const vcrit_explorer = (() => {
       ? row.values.map((x, i) => `--set ${row.name}[${i + 1}]=${x * value_of(row)}`)
       : [`--set "${row.name}=${`${row.text} ${row.unit}`.trim().replace("µ", "u")}"`]));
     at("explored-command").textContent = ["vcrit eval", quoted(data.file), ...words].join(" ");
-    const fragment = changed.map((row) => `${encodeURIComponent(row.name)}=${row.text}${row.array ? "" : row.unit.replace("µ", "u").replace(" ", "_")}`).join("&");
+    const fragment = changed.map((row) => `${encodeURIComponent(row.name)}=${row.text}${in_address(row)}`).join("&");
     if (location.hash.slice(1) !== fragment && (fragment !== "" || location.hash.includes("=")))
       history.replaceState(null, "", `#${fragment || "explorer"}`);
   }
   const quoted = (word) => (/^[\w./-]+$/.test(word) ? word : `'${word.replaceAll("'", "'\\''")}'`);
+
+  // Of a unit in the address: 3 of "kHz" where Hz is SI; null of one that measures something else.
+  function exponent_of(row, unit) {
+    if (unit === "") return 0;
+    const base = in_address(row).replace(/^[pnumkMG](?=[A-Za-z])/, ""), powers = { p: -12, n: -9, u: -6, m: -3, k: 3, M: 6, G: 9 };
+    if (base === "N/um" && unit === "N/m") return 0;
+    if (base === "N/um" || base === "g" || !unit.endsWith(base)) return null;
+    return unit === base ? 0 : (unit.length === base.length + 1 ? powers[unit[0]] ?? null : null);
+  }
+  const in_address = (row) => (row.array ? "" : row.unit.replace("µ", "u").replace(" ", "_"));
 
   // What the address says; bare numbers are in SI.
   function read_address() {
     for (const part of location.hash.slice(1).split("&")) {
       const [name, text] = part.split("=").map((word) => { try { return decodeURIComponent(word); } catch { return word; } });
       const row = rows.find((each) => each.name === name);
-      const found = /^(.*?[\d.])([a-zA-Zµ].*)?$/.exec(text ?? "");
-      if (!row || !found || !is_number(found[1]) || !(Number(found[1]) > 0)) continue;
-      const unit = found[2] ?? "";
-      if (row.array || unit === row.unit.replace("µ", "u").replace(" ", "_")) row.text = found[1];
-      else if (unit === "") row.text = text_of(row, Number(found[1]));
+      const found = /^((?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?)(.*)$/i.exec(text ?? "");
+      if (!row || !found || !(Number(found[1]) > 0)) continue;
+      const unit = found[2].replace("µ", "u"), power = exponent_of(row, unit);
+      if (row.array || unit === in_address(row)) row.text = found[1];
+      else if (power !== null) row.text = text_of(row, decimal(found[1], power));
     }
   }
 
@@ -294,7 +308,7 @@ const vcrit_explorer = (() => {
   addEventListener("hashchange", () => { read_address(); for (const row of rows) show(row); update(); });
   read_address();
   for (const row of rows) { show(row); listen(row); }
-  const explorer = { answer: null, answered: 0, rows, ready: null,
+  const explorer = { answer: null, answered: 0, rows, ready: null, settled: () => planned === 0,
     simulate: (velocity) => simulator.friction(velocity, 0),
     set: (texts) => { rows.forEach((row) => { row.text = texts[row.name] ?? row.own; show(row); }); refresh(); } };
   addEventListener("resize", update);

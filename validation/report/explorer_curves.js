@@ -56,7 +56,7 @@ const vcrit_curves = (() => {
 
   /// Points (speed, ratio) of now and of the scene; `rule`: v*, `at`: the speed of the field.
   function friction(place, { x, rule, now, own, at: here }) {
-    const height = 280, { svg, width } = blank(place, height, "Friction over sliding speed");
+    const height = innerWidth < 640 ? 210 : 280, { svg, width } = blank(place, height, "Friction over sliding speed");
     const high = Math.max(1.05, ...now.map(([, y]) => 1.05 * y));
     const to = plane(svg, { width, top: 30, bottom: height - 42, x: { from: 0, ...x }, y: { from: 0, to: high, title: "friction / friction without vibration" } });
     const clip = node("clipPath", { id: "explored-clip" });
@@ -103,7 +103,7 @@ const vcrit_curves = (() => {
     const share = sticking(events, points).reduce((sum, [from, until]) => sum + until - from, 0);
     if (share > 0) svg.append(node("text", { class: "words", x: width - right, y: 20, "text-anchor": "end" }, `sticks ${Math.round(100 * share)} %`));
     const bounds = points.map((p, i) => [xs[i], p[3] * forces.factor]);
-    svg.append(node("path", { class: "bound", d: path(bounds, upper) + path(bounds.map(([x, y]) => [x, Math.max(-y, least)]), upper) }));
+    svg.append(node("path", { class: "bound", d: path(bounds, upper) + (least < 0 ? path(bounds.map(([x, y]) => [x, Math.max(-y, least)]), upper) : "") }));
     svg.append(node("path", { class: "now", d: path(points.map((p, i) => [xs[i], p[2] * forces.factor]), upper) }));
     svg.append(node("path", { class: "now", d: path(points.map((p, i) => [xs[i], p[1] * speeds.factor]), lower) }));
     const cursor = node("line", { class: "cursor", y1: 28, y2: height - 42 });

@@ -2,7 +2,10 @@
 
 #include <openssl/evp.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "base/constants.hpp"
@@ -43,13 +46,23 @@ std::size_t place_of(const Problem& problem, const Symbol& symbol) {
   return static_cast<std::size_t>(std::distance(values.begin(), values.find(symbol)));
 }
 
-/// "N/µm", not "MN/m".
+/// As engineers write them: "N/µm", not "MN/m"; "0.1 µm", not "100 nm".
+struct UsualUnit {
+  const char* si;
+  double from, to;  ///< sizes of numbers in SI
+  const char* unit;
+  int exponent;
+};
+constexpr std::array usual_units{UsualUnit{"N/m", 1e4, 1e11, "N/µm", 6},
+                                 UsualUnit{"m", 1e-8, 1e-3, "µm", -6}};
+
 void take_unit(Row& row, const std::string& unit, double value) {
-  if (unit == "N/m" && value >= 1e4) {
-    row.unit = "N/µm";
-    row.exponent = 6;
-    return;
-  }
+  for (const UsualUnit& usual : usual_units)
+    if (unit == usual.si && value >= usual.from && value < usual.to) {
+      row.unit = usual.unit;
+      row.exponent = usual.exponent;
+      return;
+    }
   const Scale scale = scale_for(value, unit);
   row.unit = scale.unit;
   row.exponent = -static_cast<int>(std::lround(std::log10(scale.factor)));
@@ -60,22 +73,30 @@ double frequency_of(const Problem& problem, double omega) {
   return typed != problem->typed->end() ? typed->second.value : omega / two_pi;
 }
 
-std::string called(const Problem& problem, const char* key) {
-  const auto name = problem->names.find(key);
-  return name != problem->names.end() ? name->second : key;
+struct Called {
+  std::string name, meaning;
+};
+
+/// Quantities by their keys in the scene, which --set takes whatever the scene calls their symbols.
+Called called(const Problem& problem, const ValueLine& line) {
+  if (line.symbol == problem->angular_frequency.symbol) return {"frequency", "frequency"};
+  if (line.symbol == problem->amplitude.symbol) return {"amplitude", "amplitude"};
+  if (line.symbol == problem->indentation.symbol) return {"indentation", "indentation"};
+  if (line.symbol == problem->coefficient.symbol) return {"coefficient", line.meaning};
+  if (problem->mass && line.symbol == problem->mass->symbol) return {"mass", "mass"};
+  return {to_text(as_called(problem, line.symbol)), line.meaning};
 }
 
 Row row_of(const Problem& problem, const ValueLine& line) {
-  Row row{.name = to_text(as_called(problem, line.symbol)),
-          .meaning = line.meaning,
+  const auto [name, meaning] = called(problem, line);
+  Row row{.name = name,
+          .meaning = meaning,
           .mathml = line.name.mathml,
           .unit = "",
           .places = {place_of(problem, line.symbol)},
           .values = {line.value}};
   if (line.symbol == problem->angular_frequency.symbol) {
     row.values = {frequency_of(problem, line.value)};
-    row.name = called(problem, frequency_symbol.name.c_str());
-    row.meaning = "frequency";
     row.mathml = "<math><mi>f</mi></math>";
     row.angular = true;
     take_unit(row, "Hz", row.values.front());
@@ -96,7 +117,7 @@ void add_poisson(const Problem& problem, std::vector<Row>& rows) {
   if (isotropic == nullptr || isotropic->quantity.symbol.name.empty()) return;
   const Symbol& symbol = isotropic->quantity.symbol;
   const bool poisson = isotropic->by == Isotropic::By::poisson;
-  rows.push_back({.name = to_text(as_called(problem, symbol)),
+  rows.push_back({.name = poisson ? "poisson" : "tangential_ratio",
                   .meaning = poisson ? "Poisson's ratio" : "tangential over normal stiffness",
                   .mathml = poisson ? "<math><mi>ν</mi></math>" : "",
                   .unit = "",
@@ -109,9 +130,12 @@ std::vector<Row> rows_of(const Problem& problem) {
   std::vector<Row> rows;
   for (const ValueLine& line : value_lines(problem)) {
     Row row = row_of(problem, line);
-    if (row.array && !rows.empty() && rows.back().array && rows.back().name == row.name) {
-      rows.back().places.push_back(row.places.front());
-      rows.back().values.push_back(row.values.front());
+    const auto same = std::find_if(rows.begin(), rows.end(), [&](const Row& other) {
+      return row.array && other.array && other.name == row.name;
+    });
+    if (same != rows.end()) {
+      same->places.push_back(row.places.front());
+      same->values.push_back(row.values.front());
     } else {
       rows.push_back(std::move(row));
     }
@@ -137,9 +161,7 @@ record::Json shown(const Row& row) {
           {"high", row.poisson ? most_poisson : reach}};
 }
 
-std::size_t place_of_name(const std::vector<Row>& rows, const Problem& problem,
-                          const Quantity& quantity) {
-  const std::string name = name_in(problem, quantity);
+std::size_t row_named(const std::vector<Row>& rows, const std::string& name) {
   for (std::size_t i = 0; i < rows.size(); ++i)
     if (rows[i].name == name) return i;
   throw Bug("a quantity without a row");
@@ -149,8 +171,8 @@ ordered_json data(const Problem& problem, const std::vector<Row>& rows) {
   ordered_json object{{"file", problem->source->file},
                       {"steps", steps_a_decade},
                       {"scene", live::scene_text(problem)},
-                      {"amplitude", place_of_name(rows, problem, problem->amplitude)},
-                      {"friction", place_of_name(rows, problem, problem->coefficient)},
+                      {"amplitude", row_named(rows, "amplitude")},
+                      {"friction", row_named(rows, "coefficient")},
                       {"separation", problem->separation},
                       {"rows", ordered_json::array()}};
   for (const Row& row : rows) object["rows"].push_back(row_json(row));

@@ -5,7 +5,7 @@ const vcrit_words = (() => {
   const prefixes = ["p", "n", "µ", "m", "", "k", "M", "G"];
   const prefix_words = { p: "pico", n: "nano", "µ": "micro", m: "milli", k: "kilo", M: "mega", G: "giga" };
   const unit_words = { Hz: "hertz", m: "metres", g: "grams", s: "seconds", N: "newtons", Pa: "pascals", "m/s": "metres per second",
-    "N/m": "newtons per metre", "N s/m": "newton seconds per metre", "N.s/m": "newton seconds per metre", "N/µm": "newtons per micrometre" };
+    "N/m": "newtons per metre", "N.s/m": "newton seconds per metre", "N/µm": "newtons per micrometre" };
 
   /// So many significant digits, no zeros behind them.
   function number(value, digits) {
