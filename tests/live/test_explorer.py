@@ -57,7 +57,8 @@ class Explorer(unittest.TestCase):
         for kind in ["browser", "performance"]:
             self.browser.get_log(kind)  # what was left of other pages
         load(self.browser, "about:blank")
-        load(self.browser, self.page(name).as_uri() + fragment)
+        self.browser.get(self.page(name).as_uri() + fragment)  # the page writes its address in its own way
+        WebDriverWait(self.browser, PATIENCE).until(lambda _: self.run_script("return typeof vcrit_explorer === 'object'"))
         self.browser.execute_async_script("vcrit_explorer.ready.then(arguments[0])")
         self.rows = self.run_script(ROWS)
         self.names = [row["name"] for row in self.rows]
@@ -81,7 +82,12 @@ class Explorer(unittest.TestCase):
 
     def type(self, name, text):
         field = self.element("field", name)
-        return self.after(lambda: field.send_keys(Keys.CONTROL, "a", Keys.NULL, text))
+
+        def typed():
+            field.send_keys(Keys.CONTROL, "a", Keys.NULL, text)
+            WebDriverWait(self.browser, PATIENCE).until(lambda _: field.get_attribute("value") == text)
+
+        return self.after(typed)
 
     def messages(self):
         return [item.text for item in self.browser.find_elements(By.CSS_SELECTOR, "#explored-messages li")]

@@ -49,7 +49,7 @@ const vcrit_explorer = (() => {
   }
 
   function show(row) {
-    if (row.field !== document.activeElement || is_number(row.field.value.trim())) row.field.value = row.text;
+    if (row.field !== document.activeElement) row.field.value = row.text;  // else it is being typed
     const value = Number(row.text);
     row.slider.value = row.linear || (value > 0 && start(row) > 0) ? place(row, value) : 0;
     row.slider.setAttribute("aria-valuetext", row.array ? `times ${row.text}` : `${row.text} ${spoken(row.unit)}`.trim());
