@@ -76,43 +76,6 @@ FigureSeries asymptote(const SceneReport& report, const AsymptoteLine& line) {
   return series;
 }
 
-/// Over one period in time.
-template <class Value>
-FigureSeries over_time(const SceneReport& report, const char* name, Style style, int colour,
-                       const Scale& scale, Value value) {
-  const double omega = omega_of(report), per_second = scale_for(two_pi / omega, "s").factor;
-  FigureSeries series{name, style, {}, colour};
-  for (const CyclePoint& point : report.cycle->points)
-    series.points.push_back({point.phase / omega * per_second, value(point) * scale.factor, ""});
-  return series;
-}
-
-template <class Value>
-Scale scale_of(const SceneReport& report, const char* unit, Value value) {
-  double largest = 0;
-  for (const CyclePoint& point : report.cycle->points)
-    largest = std::max(largest, std::abs(value(point)));
-  return scale_for(largest, unit);
-}
-
-/// Time and the shades of stick and backward slip.
-Figure cycle_figure(const SceneReport& report, const char* name, int height) {
-  const double omega = omega_of(report);
-  const Scale time = scale_for(two_pi / omega, "s");
-  Figure figure;
-  figure.name = name;
-  figure.height = height;
-  figure.x = {"time, " + time.unit, false, std::pair{0.0, two_pi / omega * time.factor}, {}};
-  const double period = figure.x.range->second;
-  for (const Stretch& stretch : stretches(report.cycle->points, time.factor / omega))
-    figure.bands.push_back(
-        {stretch.from, stretch.to,
-         stretch.backward
-             ? std::string("reverse slip")
-             : fmt::format("sticks {:.0f} %", 100 * (stretch.to - stretch.from) / period)});
-  return figure;
-}
-
 }  // namespace
 
 std::vector<Figure> scene_figures(const SceneContents& contents) {
@@ -212,39 +175,6 @@ Figure velocity_response_figure(const SceneReport& report) {
   }));
   for (const ResonanceMark& mark : report.response.marks)
     figure.rules.push_back({mark.omega, mark.resonance ? "resonance" : "antiresonance", false});
-  return figure;
-}
-
-Figure force_figure(const SceneReport& report) {
-  const auto force = [](const CyclePoint& point) { return point.force; };
-  const auto bound = [](const CyclePoint& point) { return point.friction_bound; };
-  const Scale scale = scale_of(report, "N", [&](const CyclePoint& point) {
-    return std::max(std::abs(force(point)), point.friction_bound);
-  });
-  Figure figure = cycle_figure(report, "cycle_force", 220);
-  figure.title = "Tangential force over one period";
-  figure.caption = "Force on the contact point, between the bounds that friction sets.";
-  figure.y.title = "tangential force, " + scale.unit;
-  const char* const name = "friction bound ±μ₀ Fₙ";
-  figure.series = {over_time(report, name, Style::dashed, 2, scale, bound),
-                   over_time(report, name, Style::dashed, 2, scale,
-                             [&](const CyclePoint& point) { return -bound(point); }),
-                   over_time(report, "force", Style::line, 0, scale, force)};
-  return figure;
-}
-
-Figure velocity_figure(const SceneReport& report) {
-  const auto velocity = [](const CyclePoint& point) { return point.contact_velocity; };
-  const Scale scale = scale_of(report, "m/s", velocity);
-  Figure figure = cycle_figure(report, "cycle_velocity", 180);
-  figure.title = "Speed of the contact point over one period";
-  const Cycle& cycle = *report.cycle;
-  figure.caption =
-      fmt::format("At {}, {} of v*: friction ratio {:.4g}, {}.", quantity(cycle.velocity, "m/s", 4),
-                  cycle.ratio == 0.5 ? "half" : fmt::format("{:.3g}", cycle.ratio),
-                  cycle.friction_ratio, cycle.regime);
-  figure.y.title = "contact speed, " + scale.unit;
-  figure.series = {over_time(report, "", Style::line, 0, scale, velocity)};
   return figure;
 }
 
