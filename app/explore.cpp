@@ -30,7 +30,7 @@ struct Explored {
 };
 
 // "my.explore.html" for my.toml, in the folder where vcrit runs.
-std::filesystem::path file_of(const ExploreOptions& options) {
+std::filesystem::path page_file(const ExploreOptions& options) {
   if (!options.out.empty()) return options.out;
   return std::filesystem::path(options.scene.file).stem().string() + ".explore.html";
 }
@@ -38,7 +38,7 @@ std::filesystem::path file_of(const ExploreOptions& options) {
 void explore(const ExploreOptions& options) {
   const Problem problem = options.scene.read();
   const std::string page = validation::report::explore_page(problem);
-  const std::filesystem::path out = file_of(options);
+  const std::filesystem::path out = page_file(options);
   write_file(out, page);
   if (options.json) return print(record::json_of(Explored{out.string(), page.size()}));
   fmt::print("Wrote {0} ({1:.1f} MB, works offline). Open it: xdg-open {0}\n", out.string(),

@@ -1,3 +1,4 @@
+// Between which rows of a measured receptance a frequency lies.
 #include <fmt/core.h>
 
 #include <algorithm>

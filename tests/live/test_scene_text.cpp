@@ -41,10 +41,10 @@ BOOST_AUTO_TEST_CASE(scenes_of_the_repository) {
   BOOST_TEST(count > 10);
 }
 
-// Names with spaces around them, expressions, a quantity that the scene calls otherwise, a lossy spring, own networks
-// both ways, a drive with a mass.
+// Names with spaces around them, expressions, a quantity that the scene calls otherwise, a lossy
+// spring, own networks both ways, a drive with a mass.
 BOOST_AUTO_TEST_CASE(everything_that_a_scene_may_have) {
-  const char* text = R"(
+  const char* text = R"toml(
 [contact]
 normal = "lossy(k1, eta) | (spring(k2) - damper(c1)) | maxwell(k3, tau)"
 tangential = "spring(kt) | damper(ct)"
@@ -70,7 +70,7 @@ kt = "5 N/um"
 ct = "3 N.s/m"
 kd = "2 N/um"
 md = "1 g"
-)";
+)toml";
   check_same(parse_problem(text, "a scene with spaces.toml", {{"M", "5 g"}}));
 }
 

@@ -1,4 +1,4 @@
-"""Pictures of `vcrit plot`, read back by their own axes."""
+"""Pictures of `vcrit plot`, read back by their own axes, and pages of `vcrit explore`."""
 
 import math
 
@@ -37,3 +37,12 @@ def check_drawn_onset(test, kind, strokes):
         frequency = float(REFERENCES[kind]("value:omega")) / (2 * math.pi)
         drawn = value_at(strokes, frequency)
         test.near(drawn / float(value), 1, 0.05, kind)
+
+
+def explore(test, kind, column):
+    """What the page answers, tests/live asks in a browser."""
+    page = test.folder / f"{kind}.html"
+    if test.answered(kind, column, run("explore", scene(kind), "--out", page)):
+        test.assertIn('id="explorer"', page.read_text())
+    else:
+        test.assertFalse(page.exists())

@@ -261,15 +261,7 @@ class Matrix(Cells, unittest.TestCase):
         self.over([f"plot/{each}" for each in PICTURES], lambda kind, column: plot_cells.plot(self, kind, column))
 
     def test_explore(self):
-        self.over(["explore"], self.explore)
-
-    # What it answers, tests/live asks in a browser.
-    def explore(self, kind, column):
-        page = self.folder / f"{kind}.html"
-        if not self.answered(kind, column, run("explore", scene(kind), "--out", page)):
-            self.assertFalse(page.exists())
-            return
-        self.assertIn('id="explorer"', page.read_text())
+        self.over(["explore"], lambda kind, column: plot_cells.explore(self, kind, column))
 
     def test_sweep(self):
         self.over([f"sweep/{each}" for each in QUANTITIES], self.sweep)

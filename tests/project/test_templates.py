@@ -10,7 +10,7 @@ from pathlib import Path
 PROJECT = Path(sys.argv.pop(1))
 FOLDERS = ["validation/report", "validation/figures", "symbolic/document"]
 # Within a script or a style only what was made for it (record::Markup): escapes of HTML mean nothing there.
-MADE_FOR_IT = {"page.style", "drawing", "data", "."}
+MADE_FOR_IT = {"page.style", "drawing", "data", "module", "."}
 
 
 def templates(root, folder):

@@ -9,7 +9,9 @@
 #include <nlohmann/json.hpp>
 
 #include "base/constants.hpp"
+#include "compare/formulas.hpp"
 #include "compare/values.hpp"
+#include "formula/symbols.hpp"
 #include "live/scene_text.hpp"
 #include "report/assets.hpp"
 #include "report/html.hpp"
@@ -28,7 +30,7 @@ constexpr int steps_a_decade = 200, decades_each_way = 2;
 constexpr int least_poisson = 0, most_poisson = 50;
 
 /// A parameter; of an array all entries, by one factor.
-struct Row {
+struct ExploredRow {
   std::string name;  ///< as for --set
   std::string meaning, mathml, unit;
   int exponent = 0;                 ///< a number of that unit is 10^exponent in SI
@@ -41,7 +43,7 @@ bool has_explorer(const Problem& problem) {
   return bool{rules::answer(rules::Question::report_explorer, problem)};
 }
 
-std::size_t place_of(const Problem& problem, const Symbol& symbol) {
+std::size_t place_among(const Problem& problem, const Symbol& symbol) {
   const Values& values = problem.values();
   return static_cast<std::size_t>(std::distance(values.begin(), values.find(symbol)));
 }
@@ -56,7 +58,7 @@ struct UsualUnit {
 constexpr std::array usual_units{UsualUnit{"N/m", 1e4, 1e11, "N/µm", 6},
                                  UsualUnit{"m", 1e-8, 1e-3, "µm", -6}};
 
-void take_unit(Row& row, const std::string& unit, double value) {
+void take_unit(ExploredRow& row, const std::string& unit, double value) {
   for (const UsualUnit& usual : usual_units)
     if (unit == usual.si && value >= usual.from && value < usual.to) {
       row.unit = usual.unit;
@@ -87,17 +89,17 @@ Called called(const Problem& problem, const ValueLine& line) {
   return {to_text(as_called(problem, line.symbol)), line.meaning};
 }
 
-Row row_of(const Problem& problem, const ValueLine& line) {
+ExploredRow row_of(const Problem& problem, const ValueLine& line) {
   const auto [name, meaning] = called(problem, line);
-  Row row{.name = name,
-          .meaning = meaning,
-          .mathml = line.name.mathml,
-          .unit = "",
-          .places = {place_of(problem, line.symbol)},
-          .values = {line.value}};
+  ExploredRow row{.name = name,
+                  .meaning = meaning,
+                  .mathml = line.name.mathml,
+                  .unit = "",
+                  .places = {place_among(problem, line.symbol)},
+                  .values = {line.value}};
   if (line.symbol == problem->angular_frequency.symbol) {
     row.values = {frequency_of(problem, line.value)};
-    row.mathml = "<math><mi>f</mi></math>";
+    row.mathml = formula_of(symbolic::symbol(Symbol{"f"})).mathml;
     row.angular = true;
     take_unit(row, "Hz", row.values.front());
   } else if (line.symbol.entry > 0) {
@@ -112,25 +114,25 @@ Row row_of(const Problem& problem, const ValueLine& line) {
   return row;
 }
 
-void add_poisson(const Problem& problem, std::vector<Row>& rows) {
+void add_poisson(const Problem& problem, std::vector<ExploredRow>& rows) {
   const auto* isotropic = std::get_if<Isotropic>(&problem->tangential);
   if (isotropic == nullptr || isotropic->quantity.symbol.name.empty()) return;
   const Symbol& symbol = isotropic->quantity.symbol;
   const bool poisson = isotropic->by == Isotropic::By::poisson;
   rows.push_back({.name = poisson ? "poisson" : "tangential_ratio",
                   .meaning = poisson ? "Poisson's ratio" : "tangential over normal stiffness",
-                  .mathml = poisson ? "<math><mi>ν</mi></math>" : "",
+                  .mathml = formula_of(symbolic::symbol(symbol)).mathml,
                   .unit = "",
-                  .places = {place_of(problem, symbol)},
+                  .places = {place_among(problem, symbol)},
                   .values = {*isotropic->quantity.value},
                   .poisson = poisson});
 }
 
-std::vector<Row> rows_of(const Problem& problem) {
-  std::vector<Row> rows;
+std::vector<ExploredRow> rows_of(const Problem& problem) {
+  std::vector<ExploredRow> rows;
   for (const ValueLine& line : value_lines(problem)) {
-    Row row = row_of(problem, line);
-    const auto same = std::find_if(rows.begin(), rows.end(), [&](const Row& other) {
+    ExploredRow row = row_of(problem, line);
+    const auto same = std::find_if(rows.begin(), rows.end(), [&](const ExploredRow& other) {
       return row.array && other.array && other.name == row.name;
     });
     if (same != rows.end()) {
@@ -144,13 +146,13 @@ std::vector<Row> rows_of(const Problem& problem) {
   return rows;
 }
 
-ordered_json row_json(const Row& row) {
+ordered_json row_json(const ExploredRow& row) {
   return {{"name", row.name},         {"meaning", row.meaning}, {"unit", row.unit},
           {"exponent", row.exponent}, {"places", row.places},   {"values", row.values},
           {"array", row.array},       {"linear", row.poisson},  {"angular", row.angular}};
 }
 
-record::Json shown(const Row& row) {
+record::Json shown_row(const ExploredRow& row) {
   const record::Fields page(record::Reader::page);
   const int reach = steps_a_decade * decades_each_way;
   return {{"name", row.name},
@@ -161,13 +163,13 @@ record::Json shown(const Row& row) {
           {"high", row.poisson ? most_poisson : reach}};
 }
 
-std::size_t row_named(const std::vector<Row>& rows, const std::string& name) {
+std::size_t row_named(const std::vector<ExploredRow>& rows, const std::string& name) {
   for (std::size_t i = 0; i < rows.size(); ++i)
     if (rows[i].name == name) return i;
   throw Bug("a quantity without a row");
 }
 
-ordered_json data(const Problem& problem, const std::vector<Row>& rows) {
+ordered_json data(const Problem& problem, const std::vector<ExploredRow>& rows) {
   ordered_json object{{"file", problem->source->file},
                       {"steps", steps_a_decade},
                       {"scene", live::scene_text(problem)},
@@ -175,7 +177,7 @@ ordered_json data(const Problem& problem, const std::vector<Row>& rows) {
                       {"friction", row_named(rows, "coefficient")},
                       {"separation", problem->separation},
                       {"rows", ordered_json::array()}};
-  for (const Row& row : rows) object["rows"].push_back(row_json(row));
+  for (const ExploredRow& row : rows) object["rows"].push_back(row_json(row));
   return object;
 }
 
@@ -192,9 +194,9 @@ std::string base64(std::string_view bytes) {
 
 record::Json explorer_record(const Problem& problem) {
   if (!has_explorer(problem)) return nullptr;
-  const std::vector<Row> rows = rows_of(problem);
+  const std::vector<ExploredRow> rows = rows_of(problem);
   record::Json all = record::Json::array();
-  for (const Row& row : rows) all.push_back(shown(row));
+  for (const ExploredRow& row : rows) all.push_back(shown_row(row));
   const record::Markup content{json_for_page(data(problem, rows))}, module{base64(simulator())};
   const record::Fields page(record::Reader::page);
   return {
