@@ -17,13 +17,12 @@ ARGUMENTS = ["--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--dis
 DRAWN = "return [...document.querySelectorAll('.chart')].every((chart) => chart.querySelector('svg:not(.still)'))"
 
 CHARTS = """return [...document.querySelectorAll('.chart')].map((chart) => {
-    const beside = chart.nextElementSibling, explored = document.getElementById('explorer-data');
+    const beside = chart.nextElementSibling;
     const all = (selector, told) => [...chart.querySelectorAll(selector)].map(told);
     const ticks = (axis) => all(`.axis.${axis} .tick`, (tick) => ({ words: tick.textContent,
         at: tick.transform.baseVal[0].matrix[axis === 'x' ? 'e' : 'f'] }));
     return {
-        record: chart.record ?? (beside?.type === 'application/json' ? JSON.parse(beside.textContent)
-            : JSON.parse(explored.textContent)[chart.id.replace('explored-', '')]),
+        record: chart.record ?? JSON.parse(beside.textContent),
         x: ticks('x'), y: ticks('y'),
         titles: all('.axis .title', (title) => title.textContent),
         legend: all('.legend .entry', (entry) => entry.textContent),

@@ -226,7 +226,7 @@ class Explorer(unittest.TestCase):
         self.assertEqual([line.split(":")[0] for line in told[:2]], ["Outside the model"] * 2)
         self.assertIn("stays closed up to an amplitude of", told[2])
         velocity = self.browser.find_element(By.ID, "explored-velocity")
-        self.assertEqual(velocity.text, "no v*: outside the model")
+        self.assertEqual(velocity.text, "No v*: outside the model")
         self.assertEqual(velocity.get_attribute("aria-live"), "off")
         self.assertFalse(self.browser.find_element(By.ID, "explored-friction").is_displayed())
         self.type("k0", ",5")

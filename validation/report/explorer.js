@@ -89,9 +89,9 @@ const vcrit_explorer = (() => {
       result.outside = true;
       result.messages.push(["bad", `Outside the model: ${reason}.`]);
     }
-    const amplitude = value_of(rows[data.amplitude]);
+    const amplitude = value_of(rows[data.amplitude]), { exponent, unit, text } = rows[data.amplitude];
     if (result.closed !== null && result.closed > 0 && amplitude >= result.closed && !data.separation)
-      result.messages.push(["unsure", `The contact opens. It stays closed up to an amplitude of ${quantity(result.closed, "m")} (now ${quantity(amplitude, "m")}).`]);
+      result.messages.push(["unsure", `The contact opens. It stays closed up to an amplitude of ${number(result.closed / 10 ** exponent, 4)} ${unit} (now ${text} ${unit}).`]);
     if (result.outside) return result;
     const critical = simulator.critical();
     if (critical.status === 0) [result.velocity, result.drive, result.formula] = critical.numbers;
@@ -134,9 +134,10 @@ const vcrit_explorer = (() => {
   function show_velocity(now) {
     const shown = at("explored-velocity"), applies = now.velocity !== null && !now.outside;
     shown.setAttribute("aria-live", applies ? "polite" : "off");
-    shown.textContent = applies ? quantity(now.velocity, "m/s") : "no v*: outside the model";
+    shown.textContent = applies ? quantity(now.velocity, "m/s") : "No v*: outside the model";
     if (now.velocity === null && !now.outside) shown.textContent = "unknown";
     shown.classList.toggle("greyed", !applies);
+    at("explored-label").hidden = !applies;
     at("explored-was").textContent = is_moved() && applies && own.answer.velocity !== null
       ? `was ${quantity(own.answer.velocity, "m/s")}${change(now.velocity, own.answer.velocity)}` : "";
   }
@@ -232,7 +233,7 @@ const vcrit_explorer = (() => {
   function mark_closed(now) {
     const row = rows[data.amplitude], low = Number(row.slider.min), high = Number(row.slider.max);
     const share = now.closed > 0 ? (place(row, now.closed / 10 ** row.exponent) - low) / (high - low) : 1;
-    row.slider.style.setProperty("--closed", `${100 * Math.min(1, Math.max(0, share))}%`);
+    row.slider.parentElement.style.setProperty("--closed", `${100 * Math.min(1, Math.max(0, share))}%`);
   }
 
   // Where an answer takes long, the old one is shown pale until the new one is there.

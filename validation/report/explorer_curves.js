@@ -57,7 +57,7 @@ const vcrit_curves = (() => {
   /// Points (speed, ratio) of now and of the scene; `rule`: v*, `at`: the speed of the field.
   function friction(place, { x, rule, now, own, at: here }) {
     const height = innerWidth < 640 ? 210 : 280, { svg, width } = blank(place, height, "Friction over sliding speed");
-    const high = Math.max(1.05, ...now.map(([, y]) => 1.05 * y));
+    const high = Math.max(1.15, ...now.map(([, y]) => 1.1 * y));
     const to = plane(svg, { width, top: 30, bottom: height - 42, x: { from: 0, ...x }, y: { from: 0, to: high, title: "friction / friction without vibration" } });
     const clip = node("clipPath", { id: "explored-clip" });
     clip.append(node("rect", { x: left, y: 20, width: width - left - right, height: height - 62 }));
