@@ -46,7 +46,7 @@ BOOST_AUTO_TEST_CASE(scenes_of_the_repository) {
 BOOST_AUTO_TEST_CASE(everything_that_a_scene_may_have) {
   const char* text = R"toml(
 [contact]
-normal = "lossy(k1, eta) | (spring(k2) - damper(c1)) | maxwell(k3, tau)"
+normal = "lossy(k1, eta) | (spring(k2) - damper(c1)) | prony(k3, ks, taus)"
 tangential = "spring(kt) | damper(ct)"
 [drive]
 network = "spring(kd) | mass(md)"
@@ -65,7 +65,8 @@ k2 = "2*k1"
 c1 = "k1*t"
 t = "2 us"
 k3 = "1 N/um"
-tau = "7 us"
+ks = ["1 N/um", "2 N/um"]
+taus = ["7 us", "70 us"]
 kt = "5 N/um"
 ct = "3 N.s/m"
 kd = "2 N/um"
