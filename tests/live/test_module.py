@@ -48,7 +48,7 @@ class Module(unittest.TestCase):
             made = Path(folder, "simulator.wasm.gz")
             subprocess.run([LIVE / "build_module", made], check=True)
             self.assertTrue(made.read_bytes() == (LIVE / "simulator.wasm.gz").read_bytes(),
-                            "validation/live/build_module validation/live/simulator.wasm.gz makes the module anew")
+                            "./dev module compiles it anew")
 
     def test_it_asks_for_no_file_no_clock_and_no_network(self):
         module = gzip.decompress((LIVE / "simulator.wasm.gz").read_bytes())

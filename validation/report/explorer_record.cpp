@@ -70,7 +70,7 @@ void take_unit(ExploredRow& row, const std::string& unit, double value) {
   row.exponent = -static_cast<int>(std::lround(std::log10(scale.factor)));
 }
 
-double frequency_of(const Problem& problem, double omega) {
+double typed_frequency(const Problem& problem, double omega) {
   const auto typed = problem->typed->find(frequency_symbol);
   return typed != problem->typed->end() ? typed->second.value : omega / two_pi;
 }
@@ -98,7 +98,7 @@ ExploredRow row_of(const Problem& problem, const ValueLine& line) {
                   .places = {place_among(problem, line.symbol)},
                   .values = {line.value}};
   if (line.symbol == problem->angular_frequency.symbol) {
-    row.values = {frequency_of(problem, line.value)};
+    row.values = {typed_frequency(problem, line.value)};
     row.mathml = formula_of(symbolic::symbol(Symbol{"f"})).mathml;
     row.angular = true;
     take_unit(row, "Hz", row.values.front());
