@@ -1,7 +1,6 @@
 // The network of springs and dampers whose stiffness is a rational function K(s), its Foster form:
-// K(s) = k0 + c s + sum k_j s/(s + 1/tau_j). There is one exactly where K(s)/s has simple poles on
-// the negative real axis (and s = 0) alone, with positive residues [Brune's positive-real
-// functions of one kind of store; Foster 1924, Cauer 1926].
+// K(s) = k0 + c s + sum k_j s/(s + 1/tau_j). There is one exactly where all poles of K(s)/s but that
+// at s = 0 are negative, real and simple, and its residues are positive (Foster, 1924).
 #pragma once
 
 #include <string>

@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <set>
 
 #include "analysis/rational_form.hpp"
@@ -16,7 +15,27 @@
 #include "formula/symbols.hpp"
 #include "network/law.hpp"
 #include "problem/variants.hpp"
+#include "record/fields.hpp"
 #include "rules/rulebook.hpp"
+
+namespace vcrit::record {
+
+void fields(Fields& f, const symbolic::Comparison::Counterexample& it) {
+  f.group("values", [&it](Fields& values) {
+    for (const auto& [symbol, value] : it.values) values(to_text(symbol).c_str(), value);
+  });
+  f("first", it.first)("second", it.second)("relative_difference", it.difference);
+}
+
+void fields(Fields& f, const symbolic::Comparison& it) {
+  const bool all_symbols = it.scope == symbolic::Comparison::Scope::symbols;
+  const bool proved = it.evidence == symbolic::Comparison::Evidence::canonical_form;
+  f("equal", it.equal)("scope", all_symbols ? "symbols" : "values");
+  f.when(it.equal, "evidence", proved ? "canonical form" : "residues");
+  f.when(it.equal, "chance_of_error", it.chance_of_error).some("counterexample", it.counterexample);
+}
+
+}  // namespace vcrit::record
 
 namespace vcrit::symbolic {
 
@@ -240,23 +259,7 @@ std::string text_of(const Comparison& comparison) {
 }
 
 std::string json_of(const Comparison& comparison) {
-  const bool symbols = comparison.scope == Comparison::Scope::symbols;
-  nlohmann::ordered_json out{{"equal", comparison.equal},
-                             {"scope", symbols ? "symbols" : "values"}};
-  if (comparison.equal) {
-    const bool canonical = comparison.evidence == Comparison::Evidence::canonical_form;
-    out["evidence"] = canonical ? "canonical form" : "residues";
-    out["chance_of_error"] = comparison.chance_of_error;
-  } else if (comparison.counterexample) {
-    nlohmann::ordered_json values;
-    for (const auto& [symbol, value] : comparison.counterexample->values)
-      values[to_text(symbol)] = value;
-    out["counterexample"] = {{"values", values},
-                             {"first", comparison.counterexample->first},
-                             {"second", comparison.counterexample->second},
-                             {"relative_difference", comparison.counterexample->difference}};
-  }
-  return out.dump(2) + "\n";
+  return record::json_of(comparison).dump(2) + "\n";
 }
 
 }  // namespace vcrit::symbolic

@@ -1,4 +1,4 @@
-#include "analysis/parting.hpp"
+#include "analysis/separation.hpp"
 
 #include "base/errors.hpp"
 #include "derivation/factors.hpp"
@@ -26,7 +26,7 @@ bool holds(const Problem& problem) {
   try {
     return bool{rules::answer(rules::Question::formula, problem)};
   } catch (const InputError&) {
-    return true;  // while they touch there, as the line says
+    return true;  // as long as the contact is closed there, as the line says
   } catch (const ModelError&) {
     return true;
   }
@@ -34,7 +34,7 @@ bool holds(const Problem& problem) {
 
 }  // namespace
 
-std::vector<Line> parting_lines(const Derivation& derivation) {
+std::vector<Line> separation_lines(const Derivation& derivation) {
   const AlgebraLock lock;
   const Problem& problem = derivation.problem;
   if (!holds(problem)) return {};
@@ -48,17 +48,17 @@ std::vector<Line> parting_lines(const Derivation& derivation) {
   swing.cancel();
   const ex velocity = omega() * swing.modulus();
   ensure((velocity - derivation.critical_velocity).normal().is_zero(),
-         "v* of surfaces that part is that of a closed contact");
-  const Prose touching{"While they touch ", z, " is the indentation; where it grows fastest",
-                       always ? " they touch, and" : ", as long as they touch there,",
-                       " the contact is slowest, as without parting"};
-  return {
-      {{"In sliding contact force and friction balance at all times, also apart, where both are "
-        "0; so the contact point follows the normal deformation ",
-        z, " without memory"},
-       quantity("y"),
-       ratio * mu0 * z},
-      {touching, quantity("v*"), velocity}};
+         "v* of a contact that opens is that of a closed one");
+  const Prose closed{
+      "While the contact is closed, ", z, " is the indentation; where it grows fastest",
+      always ? " the contact is closed, and" : ", as long as the contact is closed there,",
+      " the contact point is slowest, as without separation"};
+  return {{{"In sliding contact force and friction balance at all times, also while the contact is "
+            "open and both are 0; so the contact point follows the normal deformation ",
+            z, " without memory"},
+           quantity("y"),
+           ratio * mu0 * z},
+          {closed, quantity("v*"), velocity}};
 }
 
 }  // namespace vcrit::symbolic

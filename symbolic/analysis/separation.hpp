@@ -1,5 +1,5 @@
-// Eq. (24) where the surfaces part. In sliding the contact carries F = mu0 F_n at all times,
-// touching and apart, so that the contact point follows the normal deformation by the ratio of both
+// Eq. (24) where the contact opens. In sliding it carries F = mu0 F_n at all times, closed and
+// open, so that the contact point follows the normal deformation by the ratio of both
 // stiffnesses. Where that ratio is a number, free of s, it follows without memory, and the closed
 // form holds on whatever the contact does in between.
 #pragma once
@@ -11,8 +11,8 @@
 
 namespace vcrit::symbolic {
 
-/// The derivation of v* for surfaces that part, or no lines where v* is not Eq. (24) then, by
+/// The derivation of v* for a contact that opens, or no lines where v* is not Eq. (24) then, by
 /// rules/rulebook.hpp.
-std::vector<Line> parting_lines(const Derivation& derivation);
+std::vector<Line> separation_lines(const Derivation& derivation);
 
 }  // namespace vcrit::symbolic

@@ -89,7 +89,9 @@ Section facts_section(const Findings& findings) {
   Section section{"What it says", "", {}};
   for (const Fact& fact : findings.facts) {
     if (fact.lines.empty()) {
-      section.note += (section.note.empty() ? "" : " ") + fact.words + ".";
+      if (!section.note.empty()) section.note += " ";
+      section.note += fact.words;
+      section.note += ".";
       continue;
     }
     section.blocks.push_back({fact.words, {}});
@@ -273,13 +275,13 @@ Section half_space_section(const Findings& findings) {
   return {"Below the indenter", "", blocks_of(findings.half_space)};
 }
 
-Section parting_section(const Findings& findings) {
-  Section section{"Surfaces that part", "", {}};
-  if (!findings.parting) return section;
-  section.blocks = blocks_of(*findings.parting);
+Section separation_section(const Findings& findings) {
+  Section section{"Loss of contact", "", {}};
+  if (!findings.separation) return section;
+  section.blocks = blocks_of(*findings.separation);
   if (!section.blocks.empty()) return section;
   const std::string why =
-      "the contact point follows the normal deformation with memory, or the surfaces are apart "
+      "the contact point follows the normal deformation with memory, or the contact is open "
       "where it grows fastest.";
   section.note = {quantity("v*"), " above holds while the contact stays closed. Where it opens ",
                   quantity("v*"), " is another one, "};
@@ -298,7 +300,7 @@ std::vector<Section> sections(const Findings& findings, FactsPlace place) {
                            form_section(findings),
                            facts,
                            half_space_section(findings),
-                           parting_section(findings),
+                           separation_section(findings),
                            limits_section(findings),
                            asymptotes_section(findings.asymptotes),
                            resonances_section(findings.resonances),

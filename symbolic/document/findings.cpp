@@ -4,8 +4,8 @@
 
 #include "analysis/expanded.hpp"
 #include "analysis/half_space.hpp"
-#include "analysis/parting.hpp"
 #include "analysis/residues.hpp"
+#include "analysis/separation.hpp"
 #include "base/errors.hpp"
 #include "document/form_lines.hpp"
 #include "rules/rulebook.hpp"
@@ -70,7 +70,7 @@ Findings findings_of(const Problem& problem, const DocumentOptions& options) {
   if (options.sensitivities)
     refuse_large(findings.derivation, lengths_of_sensitivities, "sensitivities");
   if (problem->indenter) findings.half_space = half_space_lines(derivation);
-  if (problem->separation) findings.parting = parting_lines(derivation);
+  if (problem->separation) findings.separation = separation_lines(derivation);
   if (options.limits) {
     findings.limits = limits(derivation);
     findings.asymptotes = asymptotes(derivation);

@@ -29,13 +29,13 @@ struct Findings {
   std::vector<Resonance> resonances;
   std::vector<Line> extrema;
   Sensitivities sensitivities;
-  std::optional<std::vector<Line>> parting;  ///< of surfaces that may part
-  std::string beyond_simulation;             ///< why it has no motion in time
-  std::vector<Line> half_space;              ///< below an indenter
-  std::optional<ShortestForm> shortest;      ///< in named steps: shortest, or in storage and loss
-  std::string why_complex;                   ///< why there is no shortest form
-  std::optional<ShortestForm> in_groups;     ///< dimensionless; form_lines has the groups
-  std::vector<Fact> facts;                   ///< what the formula says
+  std::optional<std::vector<Line>> separation;  ///< of a contact that may open
+  std::string beyond_simulation;                ///< why it has no motion in time
+  std::vector<Line> half_space;                 ///< below an indenter
+  std::optional<ShortestForm> shortest;   ///< in named steps: shortest, or in storage and loss
+  std::string why_complex;                ///< why there is no shortest form
+  std::optional<ShortestForm> in_groups;  ///< dimensionless; form_lines has the groups
+  std::vector<Fact> facts;                ///< what the formula says
 };
 
 /// Throws ModelError where the form or what is asked besides is too large, or the scene has none.

@@ -83,7 +83,7 @@ void fields(Fields& f, const symbolic::ShortestForm::Definition& it) {
 }
 
 void fields(Fields& f, const symbolic::Fact& it) {
-  f("key", it.key)("words", it.words)("lines", it.lines);
+  f("key", it.key)("words", it.words.text())("lines", it.lines);
 }
 
 struct DerivedSeparation {
@@ -195,7 +195,7 @@ void fields(Fields& f, const DerivedDocument& document) {
   f.some("sensitivity_definitions", it.sensitivities.shared);
   f.some("warnings", document.problem->source->warnings);
   f.some("indenter", it.half_space);
-  if (it.parting) f("separation", DerivedSeparation{*it.parting, it.beyond_simulation});
+  if (it.separation) f("separation", DerivedSeparation{*it.separation, it.beyond_simulation});
   f.some("extrema", it.extrema).some(rational ? "rational" : "dimensionless", form_equations(it));
 }
 

@@ -29,8 +29,6 @@ constexpr std::size_t most_told_elements = 200;
 constexpr std::size_t most_asked = 60;
 constexpr std::size_t most_listed = 12;
 
-std::string own(const char* name) { return printed_name(own_name(name)); }
-
 Definition equation_of(const GiNaC::ex& left, const GiNaC::ex& right) {
   return {form_of(left).form, form_of(right).form};
 }
@@ -50,14 +48,11 @@ class Facts {
     if (proportional && missing.size() == symbols.size())
       everything_cancels();
     else if (!missing.empty())
-      found_.push_back(
-          {"not_in_formula", fmt::format("{} {} not enter {}", listed(missing, problem_),
-                                         missing.size() == 1 ? "does" : "do", own("v*"))});
+      tell_not_entering(missing);
     if (proportional && missing.size() < symbols.size())
       found_.push_back({"proportional_to_frequency",
-                        fmt::format("{} is proportional to the frequency: besides its factor {} it "
-                                    "does not depend on it",
-                                    own("v*"), printed_name("omega"))});
+                        {quantity("v*"), " is proportional to the frequency: besides its factor ",
+                         omega(), " it does not depend on it"}});
     tell_resonances();
     tell_closed_amplitude();
     return std::move(found_);
@@ -88,6 +83,12 @@ class Facts {
     return result;
   }
 
+  void tell_not_entering(const std::vector<Symbol>& missing) {
+    Prose words = listed(missing, problem_);
+    words += {missing.size() == 1 ? " does not enter " : " do not enter ", quantity("v*")};
+    found_.push_back({"not_in_formula", std::move(words)});
+  }
+
   void everything_cancels() {
     const bool rigid = problem_->rigid();
     const std::string words =
@@ -103,12 +104,10 @@ class Facts {
     const bool infinite = resonance.kind == Resonance::Kind::resonance;
     const char* key = infinite ? "resonance" : "antiresonance";
     if (resonance.frequency && resonance.definitions.empty()) {
-      const std::string words =
-          infinite ? fmt::format("{} is infinite where body and drive resonate", own("v*"))
-                   : fmt::format(
-                         "{} vanishes at the antiresonance of contact point and "
-                         "body, where the oscillation does not lower friction at any speed",
-                         own("v*"));
+      const Prose words{quantity("v*"),
+                        infinite ? " is infinite where body and drive resonate"
+                                 : " vanishes at the antiresonance of contact point and body, "
+                                   "where the oscillation does not lower friction at any speed"};
       found_.push_back({key, words, {equation_of(omega(), *resonance.frequency)}});
     }
   }
@@ -124,7 +123,8 @@ class Facts {
                        : damped.contains(Resonance::Kind::resonance) ? "finite"
                                                                      : "above 0";
     found_.push_back(
-        {"damped", fmt::format("Dampers keep {} {} at every frequency", own("v*"), kept)});
+        {"damped",
+         {"Dampers keep ", quantity("v*"), std::string(" ") + kept + " at every frequency"}});
   }
 
   /// What the rulebook says of amplitudes, as far as the values for it are there.
@@ -147,19 +147,18 @@ class Facts {
       return;
     }
     const std::string place = problem_->indenter ? " at the indenter's centre" : "";
-    const std::string amplitude = printed_name("du_z");
+    const GiNaC::ex amplitude = symbol({"du_z"});
+    Prose words{"The contact stays closed" + place + " while "};
     FoundForm bound = find_closed_amplitude(problem_);
     if (!bound.form) {
-      found_.push_back({"closed_amplitude",
-                        fmt::format("The contact stays closed{} while {} |{}({} {})| < {} {}(0)",
-                                    place, amplitude, own("K_n"), own("i"), printed_name("omega"),
-                                    printed_name("u_z0"), own("K_n"))});
+      const GiNaC::ex K_n = quantity("K_n");
+      words +=
+          {amplitude * GiNaC::abs(K_n), " is below ", symbol({"u_z0"}), " times ", K_n, " at rest"};
+      found_.push_back({"closed_amplitude", std::move(words)});
       return;
     }
-    Fact fact{"closed_amplitude",
-              fmt::format("The contact stays closed{} while {} is below {}", place, amplitude,
-                          own("du_max")),
-              std::move(bound.form->definitions)};
+    words += {amplitude, " is below ", quantity("du_max")};
+    Fact fact{"closed_amplitude", std::move(words), std::move(bound.form->definitions)};
     fact.lines.push_back({form_of(quantity("du_max")).form, std::move(bound.form->velocity)});
     found_.push_back(std::move(fact));
   }
@@ -194,30 +193,32 @@ std::vector<std::string> facts_in_text(const Problem& problem) {
 }
 
 std::string text_of(const Fact& fact) {
-  std::string text = fact.words;
+  std::string text = fact.words.text();
   for (std::size_t i = 0; i < fact.lines.size(); ++i)
     text += (i == 0 ? ": " : "; ") +
             text_dialect().equation({false, fact.lines[i].name}, {false, fact.lines[i].meaning});
   return text;
 }
 
-std::string listed(const std::vector<Symbol>& symbols, const Problem& problem) {
+Prose listed(const std::vector<Symbol>& symbols, const Problem& problem) {
   std::map<std::string, std::size_t> entries, here;
   for (const auto& [symbol, value] : problem->elements) ++entries[symbol.name];
   for (const Symbol& symbol : symbols) ++here[symbol.name];
-  std::vector<std::string> names;
+  std::vector<Symbol> names;
   for (const Symbol& symbol : symbols) {
     const bool whole = symbol.entry > 0 && here[symbol.name] == entries[symbol.name];
-    const std::string name = printed_name(whole ? symbol.name : to_text(symbol));
+    const Symbol name = whole ? Symbol{symbol.name} : symbol;
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   }
   const std::size_t more = names.size() > most_listed ? names.size() - most_listed : 0;
   names.resize(names.size() - more);
-  if (more > 0) names.push_back(fmt::format("{} more", more));
-  std::string text = names.front();
-  for (std::size_t i = 1; i < names.size(); ++i)
-    text += (i + 1 == names.size() ? " and " : ", ") + names[i];
-  return text;
+  Prose words;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const bool last = more == 0 && i + 1 == names.size();
+    words += {i == 0 ? "" : last ? " and " : ", ", vcrit::symbolic::symbol(names[i])};
+  }
+  if (more > 0) words += fmt::format(" and {} more", more);
+  return words;
 }
 
 }  // namespace vcrit::symbolic

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "derivation/derivation.hpp"
+#include "formula/prose.hpp"
 #include "problem/problem.hpp"
 #include "shortest/shortest.hpp"
 
@@ -14,7 +15,7 @@ namespace vcrit::symbolic {
 
 struct Fact {
   std::string key;                                   ///< for programs: "rheology_cancels"
-  std::string words;                                 ///< a sentence, without the stop at its end
+  Prose words;                                       ///< a sentence, without the stop at its end
   std::vector<ShortestForm::Definition> lines = {};  ///< what it says as mathematics, or none
 };
 
@@ -28,6 +29,6 @@ std::vector<std::string> facts_in_text(const Problem& problem);
 std::string text_of(const Fact& fact);
 
 /// Names as people list them: "k1, k2 and c1", of an array with all of its entries its name.
-std::string listed(const std::vector<Symbol>& symbols, const Problem& problem);
+Prose listed(const std::vector<Symbol>& symbols, const Problem& problem);
 
 }  // namespace vcrit::symbolic

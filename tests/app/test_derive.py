@@ -1,6 +1,7 @@
 """`vcrit derive` as a user meets it: forms, equality, large networks."""
 
 import re
+import resource
 import unittest
 
 from program import PROJECT, Case, settings
@@ -153,6 +154,42 @@ class Derive(Case):
         self.assertGreater(float(found[1]), 0)
         example = self.answer("derive", first, "--equal", second, status=1)["counterexample"]
         self.assertEqual(f"{example['relative_difference']:.2g}", found[1])
+
+    def test_facts_are_mathematics_in_sentences(self):
+        """No name of a symbol is left among the words, of facts of all kinds, with and without a line of their own."""
+        springs = {"tangential": "kt", **SYMBOLS}
+        bridge = (["a", "b"], [["k1", "a", "1"], ["k1", "a", "2"], ["c1", "1", "2"], ["k1", "1", "b"], ["k1", "2", "b"]])
+        kinds = {"does not enter": [{}, {"bridge": bridge}, {"normal": "bridge", **springs}],
+                 "is proportional to the frequency": [{"normal": "kn", "network": "kd", **springs}],
+                 "is infinite where": [{"normal": "kn", "network": "kd", "mass": "m", **springs}],
+                 "vanishes at the antiresonance": [{"normal": "kn", "network": "kd", "mass": "m", **springs}],
+                 "Dampers keep": [{"normal": "kn", "network": "kd | cd", "mass": "m", **springs}],
+                 "times": [{"normal": "prony(k0, k, tau, 90)", **springs}],
+                 "stays closed while": [{"normal": "kn | cn", **springs}]}
+        for words, (*parts, changed) in kinds.items():
+            file = self.scene(*parts, **changed)
+            for form, mathematics in (("latex", r"\$[^$]*\$"), ("html", r"<math>.*?</math>")):
+                with self.subTest(words=words, form=form):
+                    printed = self.derive(file, "--format", form)
+                    sentence = re.search(rf"^.*{words}.*$", printed, re.M)
+                    self.assertIsNotNone(sentence, printed[:2000])
+                    plain = re.sub(mathematics, "", sentence[0])
+                    self.assertNotRegex(plain, r"v\*|[_^|]|omega|\b(du|[kcKm]\d?n?)\b")
+                    self.assertNotEqual(plain, sentence[0])
+
+    def test_every_form_of_long_series_ends_soon_or_says_its_size(self):
+        """At most 10 s of processor time and 10 MB; what is refused is so before it is made, with a count."""
+        series = "prony(q0, q, s, 100)"
+        for changed in ({"network": "kd", "mass": "m"}, {"network": "kd", "tangential": series}):
+            file = self.scene(normal="prony(k0, k, tau, 100)", **SYMBOLS | changed)
+            for form in ("shortest", "nested", "storage-loss", "rational", "dimensionless", "expanded"):
+                with self.subTest(form=form, **changed):
+                    limit = lambda: resource.setrlimit(resource.RLIMIT_CPU, (10, 10))
+                    result = self.run_program("derive", file, "--form", form, preexec_fn=limit)
+                    self.assertIn(result.returncode, (0, 3), result.stderr)
+                    self.assertLess(len(result.stdout), 10_000_000)
+                    if result.returncode == 3:
+                        self.assertRegex(result.stderr, r"[\d.e+]+ terms")
 
     def test_large_networks_derive(self):
         ladder = "k100"

@@ -21,7 +21,7 @@ Formula formula_of(const symbolic::Form& form) {
 std::vector<ShownFact> shown_facts(const symbolic::Derivation& derivation) {
   std::vector<ShownFact> shown;
   for (const symbolic::Fact& fact : symbolic::facts(derivation)) {
-    shown.push_back({fact.key, fact.words, {}});
+    shown.push_back({fact.key, fact.words.text(), {}, symbolic::to_mathml(fact.words)});
     for (const auto& [name, meaning] : fact.lines)
       shown.back().lines.push_back({{}, formula_of(name), formula_of(meaning)});
   }

@@ -65,6 +65,7 @@ struct ShownVelocity {
 struct ShownFact {
   std::string key, words;
   std::vector<Equation> lines;
+  std::string markup = {};  ///< the words with MathML
 };
 
 struct LimitLine {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/parting.hpp"
+#include "analysis/separation.hpp"
 #include "answers/ringing.hpp"
 #include "base/constants.hpp"
 #include "compare/formulas.hpp"
@@ -250,7 +250,7 @@ void examine_separation(SceneReport& report, const symbolic::Derivation& derivat
   separation.critical_velocity = onset.contact_velocity;
   separation.drive_velocity = onset.drive_velocity;
   separation.border = opening_border(problem);
-  separation.derivation = equations_of(symbolic::parting_lines(derivation));
+  separation.derivation = equations_of(symbolic::separation_lines(derivation));
   const double speed = unit_of_speed(problem);
   if (problem->indentation.value.value() > 0)
     separation.curves = curves_of(problem, separation.border);

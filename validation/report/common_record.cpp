@@ -32,19 +32,6 @@ std::string badge(Comparison::Outcome outcome) {
   return style;
 }
 
-/// Plain mathematics in a fact's sentence, as people write it.
-std::string typeset(std::string words) {
-  constexpr std::pair<const char*, const char*> signs[] = {{"K_t/K_n", "Kₜ/Kₙ"},
-                                                           {"K_n/K_t", "Kₙ/Kₜ"},
-                                                           {"nu = ", "ν = "},
-                                                           {"du_z", "Δu_z"},
-                                                           {"du_max", "Δu_max"}};
-  for (const auto& [from, to] : signs)
-    for (auto at = words.find(from); at != words.npos; at = words.find(from))
-      words.replace(at, std::string(from).size(), to);
-  return words;
-}
-
 }  // namespace
 
 void fields(Fields& f, const Comparison& it) {
@@ -80,7 +67,7 @@ void fields(Fields& f, const validation::ShownVelocity& it) {
 }
 
 void fields(Fields& f, const validation::ShownFact& it) {
-  f("key", it.key)("words", it.words)("lines", it.lines).page("shown_words", typeset(it.words));
+  f("key", it.key)("words", it.words)("lines", it.lines).page("shown_words", Markup{it.markup});
 }
 
 void fields(Fields& f, const validation::LimitLine& it) {

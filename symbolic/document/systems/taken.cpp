@@ -187,7 +187,7 @@ std::vector<std::string> notes_of(const Problem& problem, const Findings& findin
         "{} {} is put in.",
         isotropic->by == Isotropic::By::poisson ? "Poisson's ratio" : "The ratio K_t/K_n =",
         to_text(*isotropic->quantity.value)));
-  if (findings.parting && findings.parting->empty())
+  if (findings.separation && findings.separation->empty())
     notes.emplace_back(
         "It holds while the contact stays closed; where it opens v* is another one.");
   return notes;
