@@ -31,6 +31,10 @@ using symbolic::Line;
 // Terms of a part that is multiplied out for its spectrum.
 constexpr double most_terms_of_part = 100;
 
+// Of a stiffness at rest or at once: more are no formula that one reads, and those of a grid of
+// springs and dampers take minutes.
+constexpr double most_terms_of_end = 1000;
+
 /// One of the scene's networks.
 struct Material {
   std::string id, heading, name;  ///< "normal", "Normal contact", "K_n"
@@ -52,12 +56,16 @@ bool is_spring_damper(const Network& network) {
 
 record::Json shown(const ex& expression) { return record::page_of(formula_of(expression)); }
 
-/// K(s) as power of s and the leading coefficient, for omega to 0 (-1) or infinity (1).
-std::pair<int, ex> leading_term(const Network& network, int direction) {
+/// K(s) as power of s and the leading coefficient, for omega to 0 (-1) or infinity (1); nothing
+/// where it has more terms than one reads.
+std::optional<std::pair<int, ex>> leading_term(const Network& network, int direction) {
   const symbolic::Rates rates{{{"omega"}, direction}};
-  const Leading<Fraction> k = symbolic::fraction(reduce(network), rates);
+  const Reduction reduction = reduce(network);
+  const symbolic::TermCount terms = symbolic::term_count(reduction, rates).value;
+  if (std::max(terms.numerator, terms.denominator) > most_terms_of_end) return std::nullopt;
+  const Leading<Fraction> k = symbolic::fraction(reduction, rates);
   const ex coefficient = (k.value.numerator / k.value.denominator).subs(symbolic::laplace() == 1);
-  return {k.power * direction, coefficient.normal()};
+  return std::pair{k.power * direction, coefficient.normal()};
 }
 
 record::Json ends_record(const Network& network) {
@@ -65,12 +73,11 @@ record::Json ends_record(const Network& network) {
   const auto add = [&](const char* words, const ex& value) {
     ends.push_back({{"words", words}, {"formula", shown(value)}});
   };
-  const auto [low, at_rest] = leading_term(network, -1);
-  const auto [high, at_once] = leading_term(network, 1);
-  if (low == 0) add("Equilibrium stiffness K(0)", at_rest);
-  if (low == 1) add("Viscosity of steady flow", at_rest);
-  if (high == 0) add("Glassy stiffness K(∞)", at_once);
-  if (high == 1) add("Direct damper", at_once);
+  const auto low = leading_term(network, -1), high = leading_term(network, 1);
+  if (low && low->first == 0) add("Equilibrium stiffness K(0)", low->second);
+  if (low && low->first == 1) add("Viscosity of steady flow", low->second);
+  if (high && high->first == 0) add("Glassy stiffness K(∞)", high->second);
+  if (high && high->first == 1) add("Direct damper", high->second);
   return ends;
 }
 
