@@ -272,7 +272,8 @@ class Charts(unittest.TestCase):
         self.open("zener")
         for width in [700, 390, 1100]:
             self.width(width)
-            self.wait("""[...document.querySelectorAll('.chart')].every((chart) => chart.clientWidth === 0 ||
+            self.wait("""[...document.querySelectorAll(".chart")].every((chart) =>
+                chart.closest("details:not([open])") ||
                 Number(chart.querySelector('svg').getAttribute('width')) === chart.clientWidth)""")
             self.assertLess(self.script("return document.querySelector('.chart').clientWidth"), width)
             for chart in self.script(CHARTS):
