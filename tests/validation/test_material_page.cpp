@@ -130,7 +130,7 @@ BOOST_AUTO_TEST_CASE(every_scene_has_a_page) {
 BOOST_AUTO_TEST_CASE(a_grid_has_a_page_without_its_ends) {
   const std::string page =
       page_of_scene("[contact]\nnormal = \"grid\"\npoisson = 0.3\n" + grid(12));
-  BOOST_TEST(has(page, "<h3>Relaxation</h3>"));
+  BOOST_TEST(has(page, "The relaxation spectrum has no closed form"));
   BOOST_TEST(!has(page, "Equilibrium stiffness"));
 }
 
