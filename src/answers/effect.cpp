@@ -5,6 +5,7 @@
 
 #include "answers/ringing.hpp"
 #include "base/constants.hpp"
+#include "base/errors.hpp"
 #include "critical/admissibility.hpp"
 #include "indenter/friction.hpp"
 #include "record/fields.hpp"
@@ -34,8 +35,12 @@ std::optional<double> largest_closed_amplitude(const Problem& problem) {
 std::optional<double> mean_normal_force(const Problem& problem, const Effect& effect) {
   if (problem->indenter || (effect.opens && !rules::answer(Question::motion, problem)))
     return std::nullopt;
-  if (effect.opens) return simulation::mean_normal_force(simulation::system_of(problem));
-  return static_cast<double>(rules::Facts(problem).mean_force());
+  if (!effect.opens) return static_cast<double>(rules::Facts(problem).mean_force());
+  try {
+    return simulation::mean_normal_force(simulation::system_of(problem));
+  } catch (const ModelError&) {
+    return std::nullopt;  // v* may be known all the same
+  }
 }
 
 void operating_point_of(const Problem& problem, Effect& effect) {
@@ -110,6 +115,9 @@ void find_lowest(const Problem& problem, Effect& effect) {
       lowest_of_contact(problem, effect);
   } catch (const ModelError& error) {
     effect.why_no_lowest = error.what();
+  } catch (const Bug&) {
+    // At the ends of the range of doubles, where v* is known to the last bit all the same.
+    effect.why_no_lowest = "the simulator is not made for numbers this extreme";
   }
 }
 
