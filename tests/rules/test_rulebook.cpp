@@ -266,8 +266,9 @@ BOOST_AUTO_TEST_CASE(numbers_stand_in_the_words) {
   BOOST_TEST(words(Question::admissible, SceneKind::opening) ==
              "the contact opens: the normal force oscillates by du_z |K_n| = 1.13137 N about a "
              "mean of K_n(0) u_z0 = 1 N (Eq. 4)");
-  BOOST_TEST(words(Question::motion_below_indenter, SceneKind::opening_below_indenter) ==
-             "the contact opens all over: at the tip F_n oscillates by 1.13137 times its mean (Eq. 4)");
+  BOOST_TEST(
+      words(Question::motion_below_indenter, SceneKind::opening_below_indenter) ==
+      "the contact opens all over: at the tip F_n oscillates by 1.13137 times its mean (Eq. 4)");
   BOOST_TEST(words(Question::motion, SceneKind::no_friction) ==
              "with mu0 = 0 there is no friction to compare with");
   BOOST_TEST(words(Question::mean_load, SceneKind::no_indentation) ==
