@@ -149,7 +149,7 @@ class Browser(unittest.TestCase):
     def test_the_keyboard_reaches_what_can_be_used(self):
         self.open("zener")
         wanted, reached = {"skip", "field-0", "slider-0", "slider-8", "SUMMARY"}, set()
-        for _ in range(60):
+        for _ in range(120):
             self.browser.switch_to.active_element.send_keys(Keys.TAB)
             reached.add(self.run_script("""const e = document.activeElement;
                 return e.id || e.className || e.tagName"""))
