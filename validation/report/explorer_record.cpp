@@ -104,7 +104,7 @@ ExploredRow row_of(const Problem& problem, const ValueLine& line) {
     take_unit(row, "Hz", row.values.front());
   } else if (line.symbol.entry > 0) {
     row.name = as_called(problem, line.symbol).name;
-    row.meaning += ", all entries";
+    row.meaning = "all entries of " + row.name;
     row.mathml = "";
     row.unit = "×";
     row.array = true;
@@ -121,7 +121,7 @@ void add_poisson(const Problem& problem, std::vector<ExploredRow>& rows) {
   const bool poisson = isotropic->by == Isotropic::By::poisson;
   rows.push_back({.name = poisson ? "poisson" : "tangential_ratio",
                   .meaning = poisson ? "Poisson's ratio" : "tangential over normal stiffness",
-                  .mathml = formula_of(symbolic::symbol(symbol)).mathml,
+                  .mathml = poisson ? formula_of(symbolic::symbol(Symbol{"nu"})).mathml : "",
                   .unit = "",
                   .places = {place_among(problem, symbol)},
                   .values = {*isotropic->quantity.value},
