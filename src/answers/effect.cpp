@@ -115,9 +115,6 @@ void find_lowest(const Problem& problem, Effect& effect) {
       lowest_of_contact(problem, effect);
   } catch (const ModelError& error) {
     effect.why_no_lowest = error.what();
-  } catch (const Bug&) {
-    // At the ends of the range of doubles, where v* is known to the last bit all the same.
-    effect.why_no_lowest = "the simulator is not made for numbers this extreme";
   }
 }
 

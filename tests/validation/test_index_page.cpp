@@ -47,7 +47,7 @@ BOOST_AUTO_TEST_CASE(a_line_says_the_answer) {
   BOOST_TEST(has(html,
                  "<code>pad.toml</code><span class=\"what\">4.578 mm/s</span>"
                  "<span class=\"reduction\">−40 %</span><span class=\"frequency\">20 kHz</span>"));
-  BOOST_TEST(has(html, "contact would open above 33.3 nm (now 100 nm)"));
+  BOOST_TEST(has(html, "contact would open above 33.3 nm (now 0.1 µm)"));
   // From 0.6 at rest, 4 + 22 x 0.4 pixels down, to full friction at the top.
   BOOST_TEST(has(html, "<path d=\"M0.0 12.8L"));
   BOOST_TEST(has(html, " 4.0\"/><circle"));

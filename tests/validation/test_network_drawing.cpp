@@ -116,7 +116,7 @@ BOOST_AUTO_TEST_CASE(an_isotropic_contact_shows_its_ratio) {
 
 BOOST_AUTO_TEST_CASE(a_system_says_its_numbers) {
   const std::string svg = svg_of(draw_system(parse_scene(example::rigid_scene, "rigid.toml")));
-  for (const char* words : {" = 0.3", "(t) = 300 + 100 cos ωt nm", " = 11.5 MN/m", " = 9.47 MN/m"})
+  for (const char* words : {" = 0.3", "(t) = 0.3 + 0.1 cos ωt µm", " = 11.5 N/µm", " = 9.47 N/µm"})
     BOOST_TEST(svg.find(words) != std::string::npos, words);
   BOOST_TEST(svg.find("may open") == std::string::npos);
 }

@@ -160,7 +160,7 @@ BOOST_AUTO_TEST_CASE(the_answer_comes_first_and_needs_no_script) {
               sure < formula && formula != html.npos));
   BOOST_TEST(has(html, "<dd title=\"0.6\">0.6</dd>"));
   // du_z 0.1 µm, a third of the mean force: closed up to the threefold.
-  BOOST_TEST(has(html, ">300 nm</dd><dd class=\"note\">now 100 nm</dd>"));
+  BOOST_TEST(has(html, ">0.3 µm</dd><dd class=\"note\">now 0.1 µm</dd>"));
   // Half of 4.578 mm/s, against 0.9 x 0.3 x 3.45 N.
   BOOST_TEST(has(html, ">2.132 mW</dd>"));
 }
@@ -261,7 +261,7 @@ BOOST_AUTO_TEST_CASE(an_inadmissible_scene_says_why_and_shows_no_speed) {
   BOOST_TEST(has(html, "id=\"normal_force\""));
   BOOST_TEST(!has(html, "id=\"friction_over_speed\""));
   BOOST_TEST(!has(html, "Critical speed v*"));
-  BOOST_TEST(has(html, ">33.33 nm</dd><dd class=\"note\">now 100 nm</dd>"));
+  BOOST_TEST(has(html, ">33.33 nm</dd><dd class=\"note\">now 0.1 µm</dd>"));
   // The formula's number is no v*, and that ways to evaluate it agree is no good news.
   const std::string evidence = evidence_of(report);
   BOOST_TEST(!has(evidence, "badge passed"));

@@ -93,7 +93,8 @@ std::pair<double, double> shown_range(const std::vector<double>& values) {
 std::optional<Figure> answer_figure(const SceneReport& report) {
   const std::vector<Point> points = friction_points(report);
   const OnsetSpeeds at = onset_speeds(report);
-  if (points.empty() || !std::isfinite(at.drive) || !(at.drive > 0)) return std::nullopt;
+  const bool outside = !report.reasons.empty();
+  if (outside || points.empty() || !std::isfinite(at.drive) || !(at.drive > 0)) return std::nullopt;
   const double end = drawn_beyond * at.drive;
   const Scale scale = scale_for(end, "m/s");
   Figure figure;

@@ -284,7 +284,7 @@ void fields(Fields& f, const report::SceneContents& contents) {
       .when(scene.effect.has_value(), "answer",
             scene.effect ? report::answer_record(scene) : Json());
   f("sentence", report::sentence_of(scene))("checks", report::checks_words(scene));
-  f("failed_names", names_of_failed(scene))("failed_words", report::failed_words(scene));
+  f("failed_names", names_of_failed(scene))("failed_warning", report::warning_of_failed(scene));
   f("speed_axis", report::speed_axis(scene));
   if (scene.failure.empty()) f("explorer", report::explorer_record(scene.problem));
   f("many_limits", scene.limits.size() > most_limits);

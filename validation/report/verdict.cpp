@@ -35,18 +35,19 @@ std::string sentence_of(const SceneReport& report) {
          ".";
 }
 
-std::string failed_words(const SceneReport& report) {
-  return fmt::format("{} of {} checks failed", count(report, Comparison::Outcome::failed),
-                     report.comparisons.size() - count(report, Comparison::Outcome::not_run));
+std::string warning_of_failed(const SceneReport& report) {
+  return failed_checks(count(report, Comparison::Outcome::failed),
+                       report.comparisons.size() - count(report, Comparison::Outcome::not_run));
 }
 
 std::string checks_words(const SceneReport& report) {
-  const bool failed = count(report, Comparison::Outcome::failed) > 0;
-  const auto not_run = count(report, Comparison::Outcome::not_run);
-  std::string words = failed ? failed_words(report)
-                             : fmt::format("{} checks passed", report.comparisons.size() - not_run);
+  const auto failed = count(report, Comparison::Outcome::failed),
+             not_run = count(report, Comparison::Outcome::not_run),
+             made = report.comparisons.size() - not_run;
+  std::string words = failed > 0 ? fmt::format("{} of {} checks failed", failed, made)
+                                 : fmt::format("{} checks passed", made);
   const Comparison* closest = tightest(report);
-  if (!failed && closest != nullptr && closest->tolerance > 0)
+  if (failed == 0 && closest != nullptr && closest->tolerance > 0)
     words += fmt::format(": the closest used {:.2g} % of its tolerance",
                          std::max(0.01, 100 * difference(*closest) / closest->tolerance));
   if (not_run > 0) words += fmt::format("; {} could not be run", not_run);

@@ -17,8 +17,8 @@ const char* state_class(const SceneReport& report);
 std::string state_words(const SceneReport& report);
 /// What vibration does to this contact, or why there is no answer.
 std::string sentence_of(const SceneReport& report);
-/// "1 of 9 checks failed"
-std::string failed_words(const SceneReport& report);
+/// What stands above a report of which checks failed.
+std::string warning_of_failed(const SceneReport& report);
 /// "9 checks passed: the closest used 0.5 % of its tolerance."
 std::string checks_words(const SceneReport& report);
 /// "v* = 3.02 mm/s"
