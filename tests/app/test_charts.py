@@ -341,16 +341,6 @@ class Charts(unittest.TestCase):
             self.assertIsNone(self.script("return window.hostile ?? null"))
         self.assertEqual(self.browser.get_log("browser"), [])
 
-    def test_new_points(self):
-        self.plant(figure(y=axis("y"), series=[line([[0, 1], [10, 2]], "now"), line([[0, 1], [10, 1]], "before")]))
-        self.script("""const chart = document.getElementById('planted'), points = [[0, 3], [5, null], [10, 30]];
-            chart.record = structuredClone(chart.record);
-            chart.record.series[0].points = points;
-            vcrit_charts.update(chart, 'now', points);""")
-        chart = self.script(CHARTS)[0]
-        self.check(chart)
-        self.assertGreaterEqual(number(self.words(chart["y"])[-1]), 30)
-
     def saved(self, kind):
         self.browser.execute_cdp_cmd("Browser.setDownloadBehavior", {
             "behavior": "allow", "downloadPath": str(Path(self.folder.name, "saved"))})

@@ -197,15 +197,8 @@ const vcrit_charts = (() => {
     resized.observe(element);
   }
 
-  // Gives the series of that name new points.
-  function update(element, name, points) {
-    const chart = charts.get(element);
-    for (const series of chart.figure.series) if (series.name === name) series.points = points;
-    if (chart.svg) tryToDraw(element);
-  }
-
   for (const element of document.querySelectorAll(".chart:not(.explored-chart)"))
     show(element, JSON.parse(element.nextElementSibling.textContent));
 
-  return { show, update };
+  return { show };
 })();

@@ -4,11 +4,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
 
 #include "accuracy/pictures.hpp"
-#include "base/constants.hpp"
 #include "report/answer_figures.hpp"
 #include "report/cycle_figures.hpp"
 #include "report/indenter_figures.hpp"
@@ -42,37 +39,6 @@ FigureSeries by_method(const MethodCurve& method, std::size_t number, Value valu
       series.points.push_back({point.ratio, value(point),
                                fmt::format("{} at {}: {:.12f}, {:.1e} off", method.method,
                                            point.ratio, point.friction_ratio, point.difference)});
-  return series;
-}
-
-template <class Value>
-FigureSeries over_frequency(const SceneReport& report, const char* name, Style style, int colour,
-                            Value value) {
-  FigureSeries series{name, style, {}, colour};
-  for (const ResponsePoint& point : report.response.points)
-    series.points.push_back({point.omega, value(point), ""});
-  return series;
-}
-
-/// The axis of angular frequency, and the scene's own marked on it.
-Figure response_figure(const SceneReport& report, const char* name) {
-  Figure figure;
-  figure.name = name;
-  const auto& points = report.response.points;
-  figure.x = {
-      "angular frequency ω, rad/s", true, std::pair{points.front().omega, points.back().omega}, {}};
-  figure.rules.push_back({report.response.omega, "this scene", false});
-  return figure;
-}
-
-/// Drawn over the half of the picture where it holds.
-FigureSeries asymptote(const SceneReport& report, const AsymptoteLine& line) {
-  const double from = report.response.points.front().omega,
-               to = report.response.points.back().omega;
-  const double middle = std::sqrt(from) * std::sqrt(to);
-  FigureSeries series{"asymptotes", Style::dashed, {}, 2};
-  for (const double omega : line.low ? std::array{from, middle} : std::array{middle, to})
-    series.points.push_back({omega, line.coefficient * std::pow(omega, line.power), ""});
   return series;
 }
 
@@ -154,27 +120,6 @@ Figure residual_figure(const SceneReport& report) {
     figure.caption += fmt::format(" {} {},", method.method, method.setting);
   }
   figure.caption.back() = '.';
-  return figure;
-}
-
-Figure velocity_response_figure(const SceneReport& report) {
-  Figure figure = response_figure(report, "critical_velocity");
-  figure.title = "Critical velocity over angular frequency";
-  figure.caption = "The formula above with all else as in the scene.";
-  figure.y = {"critical velocity v*, m/s", true, {}, {}};
-  for (const AsymptoteLine& line : report.response.asymptotes)
-    figure.series.push_back(asymptote(report, line));
-  const auto& points = report.response.points;
-  const auto all_over = [](const ResponsePoint& p) { return p.velocity; };
-  if (!std::all_of(points.begin(), points.end(), [](const auto& p) { return p.applies; })) {
-    figure.caption += " Dotted: where the formula is not v*, as the contact does not stay closed.";
-    figure.series.push_back(over_frequency(report, "formula, not v*", Style::dotted, 2, all_over));
-  }
-  figure.series.push_back(over_frequency(report, "v*", Style::line, 0, [](const ResponsePoint& p) {
-    return p.applies ? p.velocity : std::numeric_limits<double>::quiet_NaN();
-  }));
-  for (const ResonanceMark& mark : report.response.marks)
-    figure.rules.push_back({mark.omega, mark.resonance ? "resonance" : "antiresonance", false});
   return figure;
 }
 

@@ -18,9 +18,6 @@ figures::Figure friction_figure(const SceneReport& report);
 /// How far each other method of report.methods is from the exact one, over the same speed.
 figures::Figure residual_figure(const SceneReport& report);
 
-/// v* over angular frequency, its asymptotes dashed, resonances marked: what the explorer moves.
-figures::Figure velocity_response_figure(const SceneReport& report);
-
 /// What the speed axis shows: "v0 / v*", or with creep "v0 / (v* + creep)".
 std::string speed_axis(const SceneReport& report);
 
