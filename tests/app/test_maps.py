@@ -153,7 +153,7 @@ class Array(Case):
         self.assertEqual(data.critical_velocity.attrs["units"], "m/s")
         self.assertEqual(data.sensitivity_k1.attrs["units"], "1")
         self.assertEqual(data.attrs["scene"], Path(ZENER).read_text())
-        self.assertIn("--set k0=7 N/um", data.attrs["sweep"])
+        self.assertIn("set k0=7 N/um", data.attrs["sweep"])
         self.assertIn("Zener", data.attrs["title"])
         meanings = data.regime.attrs["flag_meanings"].split()
         self.assertEqual(meanings, ["sliding", "stick-slip", "stick-slip-backslip", "stick"])

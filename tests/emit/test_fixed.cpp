@@ -234,10 +234,10 @@ BOOST_AUTO_TEST_CASE(wrong_names_are_refused) {
           "fix: found \"k[11]\", which this scene does not have; expected \"k[10]\"");
   refused(scene_of("normal = \"kn\"\npoisson = \"nu\"", "kd"), "nu",
           "fix: found \"nu\", which has no number in the scene; expected a number for it, as by "
-          "--set nu=VALUE");
+          "`set nu=VALUE`");
   refused(scene_of("normal = \"prony(k0, k, tau, 3)\"\npoisson = 0.3", "kd"), "tau",
           "fix: found \"tau\", which has no number in the scene; expected a number for it, as by "
-          "--set tau[1]=VALUE");
+          "`set tau[1]=VALUE`");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -286,7 +286,7 @@ void fields(Fields& f, const report::SceneContents& contents) {
   f("sentence", report::sentence_of(scene))("checks", report::checks_words(scene));
   f("failed_names", names_of_failed(scene))("failed_warning", report::warning_of_failed(scene));
   f("speed_axis", report::speed_axis(scene));
-  if (scene.failure.empty()) f("explorer", report::explorer_record(scene.problem));
+  f("explorer", scene.failure.empty() ? report::explorer_record(scene.problem) : Json());
   f("many_limits", scene.limits.size() > most_limits);
   std::vector<validation::MethodCurve> silent;
   for (const validation::MethodCurve& method : scene.methods)
