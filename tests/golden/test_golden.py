@@ -67,7 +67,8 @@ METHODS_OF = {"zener.toml": METHODS, "kelvin_rigid.toml": METHODS, "separation.t
 ALONE = [
     "--help",
     *(f"{command} --help" for command in
-      ("derive", "eval", "generate", "simulate", "critical", "sweep", "solve", "fit", "validate")),
+      ("derive", "eval", "generate", "simulate", "critical", "plot", "explore", "sweep", "solve", "fit", "new", "check",
+       "validate")),
     "",
     "frobnicate",
     "eval",
