@@ -11,6 +11,7 @@
 
 #include "base/identifiers.hpp"
 #include "network/expression.hpp"
+#include "scene/cursor.hpp"
 #include "scene/quantities.hpp"
 
 namespace vcrit {
@@ -27,9 +28,9 @@ constexpr int most_entries = 1'000'000;
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 
-class ArithmeticParser {
+class ArithmeticParser : Cursor {
  public:
-  ArithmeticParser(const std::string& text, Place place) : text_(text), place_(std::move(place)) {}
+  using Cursor::Cursor;
 
   AmountTreePointer whole() {
     AmountTreePointer all = sum();
@@ -118,13 +119,9 @@ class ArithmeticParser {
   }
 
   int whole_number(int most, const char* expected) {
-    peek();
-    int value = 0;
-    const char* const begin = text_.data() + position_;
-    const auto [end, error] = std::from_chars(begin, text_.data() + text_.size(), value);
-    if (error != std::errc{} || value < 1 || value > most) refuse(found(), expected);
-    position_ += static_cast<std::size_t>(end - begin);
-    return value;
+    const auto value = whole_number_up_to(most);
+    if (!value) refuse(found(), expected);
+    return *value;
   }
 
   AmountTreePointer made(AmountTree::Kind kind, AmountTreePointer first, AmountTreePointer second) {
@@ -138,24 +135,6 @@ class ArithmeticParser {
                        fmt::format("at most {}", most_operations_of_one));
   }
 
-  char peek() {
-    while (position_ < text_.size() && (text_[position_] == ' ' || text_[position_] == '\t'))
-      ++position_;
-    return position_ < text_.size() ? text_[position_] : '\0';
-  }
-  bool at_end() {
-    peek();
-    return position_ == text_.size();
-  }
-  bool accept(char c) {
-    if (peek() != c || at_end()) return false;
-    ++position_;
-    return true;
-  }
-  Place here() {
-    peek();
-    return {place_.file, place_.line, place_.column + static_cast<int>(position_)};
-  }
   std::string found() {
     return at_end() ? "the end" : fmt::format("\"{}\"", text_.substr(position_, 1));
   }
@@ -163,9 +142,7 @@ class ArithmeticParser {
     throw InputError(here(), fmt::format("{} in \"{}\"", what, text_), expected);
   }
 
-  const std::string& text_;
-  Place place_;
-  std::size_t position_ = 0, operations_ = 0;
+  std::size_t operations_ = 0;
   int depth_ = 0;
 };
 

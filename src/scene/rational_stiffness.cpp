@@ -9,6 +9,7 @@
 
 #include "network/expression.hpp"
 #include "network/rational.hpp"
+#include "scene/cursor.hpp"
 
 namespace vcrit {
 
@@ -25,9 +26,9 @@ constexpr long most_bits = 1L << 21;
 
 bool digit_or_point(char c) { return (c >= '0' && c <= '9') || c == '.'; }
 
-class StiffnessParser {
+class StiffnessParser : Cursor {
  public:
-  StiffnessParser(const std::string& text, Place place) : text_(text), place_(std::move(place)) {}
+  using Cursor::Cursor;
 
   RationalFunction whole() {
     RationalFunction all = sum();
@@ -114,14 +115,9 @@ class StiffnessParser {
   }
 
   int whole_exponent() {
-    peek();
-    int value = 0;
-    const char* const begin = text_.data() + position_;
-    const auto [end, error] = std::from_chars(begin, text_.data() + text_.size(), value);
-    if (error != std::errc{} || value < 1 || value > largest_degree)
-      refuse(found(), fmt::format("a whole power from 1 to {}", largest_degree));
-    position_ += static_cast<std::size_t>(end - begin);
-    return value;
+    const auto exponent = whole_number_up_to(largest_degree);
+    if (!exponent) refuse(found(), fmt::format("a whole power from 1 to {}", largest_degree));
+    return *exponent;
   }
 
   static ExactPolynomial one() { return ExactPolynomial("1"); }
@@ -162,24 +158,6 @@ class StiffnessParser {
     const char c = text_[i];
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
   }
-  char peek() {
-    while (position_ < text_.size() && (text_[position_] == ' ' || text_[position_] == '\t'))
-      ++position_;
-    return position_ < text_.size() ? text_[position_] : '\0';
-  }
-  bool at_end() {
-    peek();
-    return position_ == text_.size();
-  }
-  bool accept(char c) {
-    if (peek() != c || at_end()) return false;
-    ++position_;
-    return true;
-  }
-  Place here() {
-    peek();
-    return {place_.file, place_.line, place_.column + static_cast<int>(position_)};
-  }
   std::string found() {
     if (at_end()) return "the end";
     std::size_t end = position_ + 1;
@@ -191,9 +169,6 @@ class StiffnessParser {
                      "stiffness = \"(12e6*s + 8e9)/(s + 1e3)\", of numbers and s, in SI units");
   }
 
-  const std::string& text_;
-  Place place_;
-  std::size_t position_ = 0;
   int operations_ = 0, depth_ = 0;
 };
 
