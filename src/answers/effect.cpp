@@ -71,9 +71,9 @@ void velocities_of(const CriticalOnset& onset, Effect& effect) {
 }
 
 // The contact sticks all but the instant at which its normal force is least, and carries mu0 times
-// that. Friction never falls with the speed (docs/physics.md), so no speed has less.
-LowestFriction limit_at_rest(const Effect& effect) {
-  return {std::max(0.0, 1 - effect.amplitude / *effect.largest_closed_amplitude), 0};
+// that.
+double limit_at_rest(const Effect& effect) {
+  return std::max(0.0, 1 - effect.amplitude / *effect.largest_closed_amplitude);
 }
 
 // A body that sticks and swings for ever at a harmonic may carry more, however low the speed.
@@ -94,12 +94,12 @@ void lowest_below_indenter(const Problem& problem, Effect& effect) {
   const indenter::Friction found = indenter::friction(indenter::HalfSpace(problem).within(effort),
                                                       nearly_at_rest * effect.drive_velocity);
   effect.mean_normal_force = found.normal_force;
-  effect.lowest = LowestFriction{effect.opens ? 0 : found.ratio, 0};
+  effect.lowest = effect.opens ? 0 : found.ratio;
 }
 
 void lowest_of_contact(const Problem& problem, Effect& effect) {
   if (!effect.opens) require_rest(problem);
-  effect.lowest = effect.opens ? LowestFriction{} : limit_at_rest(effect);
+  effect.lowest = effect.opens ? 0 : limit_at_rest(effect);
 }
 
 // On a path that creeps it is that of the creep, which is no vibration's work.
@@ -158,10 +158,6 @@ Effect effect_of(const Problem& problem, const CriticalOnset& onset) {
 Effect effect_of(const Problem& problem) {
   if (!inadmissible_reasons(problem).empty()) return without_velocities(problem);
   return effect_of(problem, critical_onset(problem));
-}
-
-void fields(record::Fields& f, const LowestFriction& lowest) {
-  f("friction_ratio", lowest.ratio)("velocity", lowest.velocity);
 }
 
 void fields(record::Fields& f, const Effect& effect) {

@@ -16,13 +16,6 @@ class Fields;
 
 namespace vcrit {
 
-struct LowestFriction {
-  double ratio = 0;     ///< mu/mu0
-  double velocity = 0;  ///< of the drive, m/s; 0 where it is the limit at rest
-
-  friend void fields(record::Fields& f, const LowestFriction& it);
-};
-
 struct Effect {
   enum class Kind {
     lowers,      ///< below a finite speed
@@ -54,7 +47,8 @@ struct Effect {
   double relative_error = unknown;        ///< of a simulated v*, an estimate
   std::string why_infinite = {};
 
-  std::optional<LowestFriction> lowest = {};
+  /// Lowest mu/mu0: the limit at rest, as friction never falls with the speed (docs/physics.md).
+  std::optional<double> lowest = {};
   std::string why_no_lowest = {};  ///< where friction is not computed
 
   std::vector<std::string> reasons = {};  ///< why the scene is outside, as the rulebook says

@@ -34,8 +34,7 @@ std::string by_how_much(const Effect& effect, int digits) {
                        speed(effect, effect.drive_velocity - effect.critical_velocity, digits));
   if (effect.opens)
     return ". The contact opens in every cycle, so friction falls to zero as the speed does.";
-  if (effect.lowest)
-    return fmt::format(", by at most {}.", whole_percent(1 - effect.lowest->ratio));
+  if (effect.lowest) return fmt::format(", by at most {}.", whole_percent(1 - *effect.lowest));
   if (!effect.why_no_lowest.empty())
     return fmt::format(". By how much is not computed: {}.", effect.why_no_lowest);
   return ".";
@@ -109,11 +108,7 @@ std::string operating_point(const Effect& effect, int digits) {
 
 std::string lowest_friction(const Effect& effect, int digits) {
   if (!effect.lowest) return {};
-  const double velocity = effect.lowest->velocity;
-  const std::string where =
-      velocity > 0 ? fmt::format("at {}", rounded(velocity, speed_unit, digits)) : "at rest";
-  return fmt::format("{} of the sliding value ({})", rounded(effect.lowest->ratio, "", digits),
-                     where);
+  return fmt::format("{} of the sliding value (at rest)", rounded(*effect.lowest, "", digits));
 }
 
 std::string closed_range(const Effect& effect, int digits) {

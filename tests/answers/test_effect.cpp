@@ -49,8 +49,7 @@ BOOST_AUTO_TEST_CASE(a_closed_contact_has_its_least_friction_at_rest) {
   BOOST_TEST(relative(effect.critical_velocity, 0.00409484150375441745) < 1e-15);
   BOOST_TEST(relative(effect.largest_closed_amplitude.value(), 3.96773362696701688e-7) < 1e-14);
   BOOST_TEST(relative(effect.mean_normal_force.value(), 4) < 1e-14);
-  BOOST_TEST(relative(effect.lowest.value().ratio, 0.747966951913449900) < 1e-14);
-  BOOST_TEST(effect.lowest->velocity == 0);
+  BOOST_TEST(relative(effect.lowest.value(), 0.747966951913449900) < 1e-14);
   BOOST_TEST(sentence(effect) == "Vibration lowers friction below 4.095 mm/s, by at most 25 %.");
   BOOST_TEST(operating_point(effect) ==
              "20 kHz, 0.1 µm amplitude, 0.5 µm indentation (4 N mean normal force). The contact "
@@ -81,8 +80,7 @@ BOOST_AUTO_TEST_CASE(of_a_body_friction_is_lowest_at_rest) {
   body.indentation = 1;
   body.elements = {{"kn", 3}, {"kt", 3}, {"kd", 0.5}, {"cd", 0.02}};
   const Effect effect = effect_of(test::scene_of(body));
-  BOOST_TEST(relative(effect.lowest.value().ratio, 0.1) < 1e-12);
-  BOOST_TEST(effect.lowest->velocity == 0);
+  BOOST_TEST(relative(effect.lowest.value(), 0.1) < 1e-12);
 }
 
 // k_t + k_d = m (3 omega)^2 without damping: stuck, it swings for ever.
@@ -194,7 +192,7 @@ BOOST_AUTO_TEST_CASE(below_an_indenter_the_motion_says_it) {
   punch.indenter = "shape = \"flat\"\nradius = 1e-3\n";
   punch.elements = {{"E", 1e9}};
   const Effect effect = effect_of(test::scene_of(punch));
-  BOOST_TEST(std::abs(effect.lowest.value().ratio - 0.8) < 1e-8);
+  BOOST_TEST(std::abs(effect.lowest.value() - 0.8) < 1e-8);
   // 2 a E u_z0 = 2 1e-3 1e9 1e-6
   BOOST_TEST(relative(effect.mean_normal_force.value(), 2) < 1e-8);
   BOOST_TEST(
@@ -204,7 +202,7 @@ BOOST_AUTO_TEST_CASE(below_an_indenter_the_motion_says_it) {
 BOOST_AUTO_TEST_CASE(a_record_has_no_words) {
   const record::Json json = record::json_of(effect_of(scene("zener")));
   BOOST_TEST(json.at("kind") == "lowers");
-  BOOST_TEST(json.at("lowest_friction").at("velocity") == 0);
+  BOOST_TEST(json.at("lowest_friction").is_number());
   BOOST_TEST(json.at("simulated") == false);
   BOOST_TEST(!record::json_of(effect_of(scene("inadmissible"))).contains("critical_velocity"));
 }

@@ -115,7 +115,7 @@ inline SceneReport scene_report(const Scene& scene) {
   effect.mean_normal_force = 3.45;
   effect.largest_closed_amplitude = 3e-7;
   effect.critical_velocity = effect.drive_velocity = effect.reduced_below = 0.0045779;
-  effect.lowest = LowestFriction{0.6, 0};
+  effect.lowest = 0.6;
   report.normal_force = {3.45, 1.15};
   report.influences = {{"mu0", formula("M"), "coefficient of friction", false, 1},
                        {"kt", formula("T"), "spring", false, -0.5},

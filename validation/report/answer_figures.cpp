@@ -23,15 +23,14 @@ using figures::Style;
 
 constexpr double drawn_beyond = 1.3;  // so that one sees that nothing is gained above v*
 
-const LowestFriction* lowest_of(const SceneReport& report) {
-  return report.effect && report.effect->lowest ? &*report.effect->lowest : nullptr;
+std::optional<double> lowest_of(const SceneReport& report) {
+  return report.effect ? report.effect->lowest : std::nullopt;
 }
 
 /// (m/s, ratio) by increasing speed; empty where nothing was simulated.
 std::vector<Point> friction_points(const SceneReport& report) {
   std::vector<Point> points;
-  if (const LowestFriction* lowest = lowest_of(report); lowest != nullptr && lowest->velocity == 0)
-    points.push_back({0, lowest->ratio, "at rest"});
+  if (const auto lowest = lowest_of(report)) points.push_back({0, *lowest, "at rest"});
   for (const CurvePoint& point : report.curve)
     points.push_back({point.velocity, point.from_sliding, point.regime});
   if (!report.indented) return points;
@@ -122,17 +121,10 @@ std::optional<Figure> answer_figure(const SceneReport& report) {
                           fmt::format("{} = {:.4g} {}", at.drive > at.contact ? "v* + creep" : "v*",
                                       onset, scale.unit),
                           false});
-  if (const LowestFriction* lowest = lowest_of(report)) {
-    const std::string where = lowest->velocity > 0
-                                  ? fmt::format("at {}", rounded(lowest->velocity, "m/s"))
-                                  : std::string("at rest");
-    figure.series.push_back({"",
-                             Style::circles,
-                             {{lowest->velocity * scale.factor, lowest->ratio, "lowest " + where}},
-                             0});
-    if (lowest->ratio < 0.98)
-      figure.rules.push_back(
-          {lowest->ratio, fmt::format("{} {}", rounded(lowest->ratio, "", 3), where), true});
+  if (const auto lowest = lowest_of(report)) {
+    figure.series.push_back({"", Style::circles, {{0, *lowest, "lowest at rest"}}, 0});
+    if (*lowest < 0.98)
+      figure.rules.push_back({*lowest, rounded(*lowest, "", 3) + " at rest", true});
   }
   return figure;
 }

@@ -56,13 +56,6 @@ Json closed_key(const Effect& effect) {
                     "now " + in_few_digits(effect.amplitude, "m"));
 }
 
-Json lowest_key(const LowestFriction& lowest) {
-  return key_number("Lowest friction", lowest.ratio, "",
-                    lowest.velocity > 0
-                        ? "of the sliding value, at " + in_few_digits(lowest.velocity, "m/s")
-                        : "of the sliding value, at rest");
-}
-
 void add_power(const SceneReport& report, Json& keys) {
   if (!report.cycle || !report.effect->mean_normal_force) return;
   const double force = report.cycle->friction_ratio * report.effect->friction_coefficient *
@@ -75,7 +68,9 @@ Json key_numbers(const SceneReport& report) {
   Json keys = Json::array();
   const bool outside = !report.reasons.empty();
   if (!outside) keys.push_back(speed_key(report));
-  if (!outside && report.effect->lowest) keys.push_back(lowest_key(*report.effect->lowest));
+  if (!outside && report.effect->lowest)
+    keys.push_back(
+        key_number("Lowest friction", *report.effect->lowest, "", "of the sliding value, at rest"));
   if (report.effect->largest_closed_amplitude) keys.push_back(closed_key(*report.effect));
   if (const ResonanceMark* mark = nearest_resonance(report))
     keys.push_back(key_number("Nearest resonance", mark->omega / two_pi, "Hz",

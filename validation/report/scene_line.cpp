@@ -48,7 +48,7 @@ std::string answer_words(const SceneReport& report) {
 
 std::string reduction_words(const SceneReport& report) {
   if (!report.reasons.empty() || !report.effect || !report.effect->lowest) return {};
-  return "−" + whole_percent(1 - report.effect->lowest->ratio);
+  return "−" + whole_percent(1 - *report.effect->lowest);
 }
 
 std::string frequency_words(const SceneReport& report) {
