@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdint>
+#include <set>
 
 #include "base/identifiers.hpp"
 #include "scene/new_scene.hpp"
@@ -87,7 +88,7 @@ void Quantities::read_value(Quantity& quantity, const document::Section& section
   if (given && *given != key) check_symbol_name(*given, "a symbol", section.place(key));
   read_.push_back({key, symbol.name, name, section.place(key)});
   if (key != name) refuse_both(key, name);
-  for (const std::string& either : {std::string(key), name})
+  for (const std::string& either : std::set<std::string>{key, name})
     if (const auto value = settings_.take(either, dimension, symbol)) {
       quantity.value = checked(value->value, range, either, OverridingValues::place(either));
       note(symbol, key, *value, {});

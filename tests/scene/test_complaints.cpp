@@ -140,6 +140,7 @@ BOOST_AUTO_TEST_CASE(a_bare_number_of_another_size_is_warned_of) {
              "\"0.2 um\"");
   BOOST_TEST(examine_scene(with_lines({{5, "frequency = 28"}}), "s.toml").warnings.size() == 1U);
   BOOST_TEST(parse_scene(fine, "s.toml", {{"amplitude", "0.2"}}).warnings.size() == 1U);
+  BOOST_TEST(parse_scene(fine, "s.toml", {{"frequency", "28"}}).warnings.size() == 1U);
   // Of the size that they have, with their units, or 0; and a scene in units of its own.
   BOOST_TEST(warnings(with_lines({{5, "frequency = 20e3"}, {6, "amplitude = 1e-7"}})).empty());
   BOOST_TEST(warnings(with_lines({{5, "frequency = \"28 Hz\""}, {6, "amplitude = 0"}})).empty());
