@@ -88,6 +88,7 @@ void Quantities::read_value(Quantity& quantity, const document::Section& section
   if (given && *given != key) check_symbol_name(*given, "a symbol", section.place(key));
   read_.push_back({key, symbol.name, name, section.place(key)});
   if (key != name) refuse_both(key, name);
+  // Where both are one name, a setting of it is one number.
   for (const std::string& either : std::set<std::string>{key, name})
     if (const auto value = settings_.take(either, dimension, symbol)) {
       quantity.value = checked(value->value, range, either, OverridingValues::place(either));
