@@ -17,8 +17,6 @@ constexpr Cell yes{Ruling::yes};
 constexpr Cell measured_motion = refused(
     "the simulator needs a network; this drive is a measured receptance, which says nothing of "
     "motion that is not harmonic");
-constexpr Cell masses_motion =
-    refused("the simulator knows one body; this drive holds masses of its own");
 constexpr Cell lossy_motion =
     refused("lossy(k, eta) is not causal: K = k (1 + i eta) at one frequency is no law of motion");
 constexpr Cell lossy_law = refused(no_law, no_law_advice);
@@ -26,6 +24,8 @@ constexpr Cell each_place = refused(
     "below an indenter each place has a motion of its own: this asks for that of one contact");
 constexpr Cell no_cells = refused("the scene has no indenter");
 constexpr Cell no_methods = refused("knows no indenter");
+constexpr Cell one_body = refused("knows one body; this drive holds masses of its own",
+                                  "the exact method knows them, without --method");
 
 constexpr Cell measured_code =
     refused("the generator needs a network; this drive is a measured receptance");
@@ -83,8 +83,9 @@ constexpr Cell memory = left_out(
 constexpr Cell open_then = left_out("the contact is open where the indentation grows fastest");
 constexpr Cell table_alone = left_out("v* is known at the frequencies of a table alone");
 constexpr Cell one_frequency = left_out("lossy(k, eta) is known at one frequency at a time");
-constexpr Cell one_body =
-    left_out("the simulator knows one body, under a network of springs and dampers");
+constexpr Cell a_network = left_out("the simulator needs a network of springs and dampers");
+constexpr Cell methods_of_one_body =
+    left_out("the methods to compare with know one body; this drive holds masses of its own");
 constexpr Cell not_causal =
     left_out("lossy(k, eta) is not causal: K = k (1 + i eta) at one frequency is no law of motion");
 constexpr Cell closed_alone = left_out("of a closed contact alone");
@@ -133,7 +134,7 @@ constexpr std::array<Row, questions> table{{
       y, y, y, y, y, y,
       y, y, y, y, y, y}},
     {Question::motion,
-     {measured_motion, masses_motion, lossy_motion, each_place, y, y, y, y,
+     {measured_motion, y, lossy_motion, each_place, y, y, y, y,
       no_load, y, no_friction, y, y, never_closes,
       too_large, y, opens_moving, y, y, y}},
     {Question::motion_below_indenter,
@@ -145,19 +146,19 @@ constexpr std::array<Row, questions> table{{
       no_load, no_modulus, y, y, y, y,
       y, y, y, y, y, y}},
     {Question::motion_in_time,
-     {measured_motion, masses_motion, lossy_motion, y, y, y, y, y,
+     {measured_motion, y, lossy_motion, y, y, y, y, y,
       y, y, y, y, y, y,
       y, y, y, y, y, y}},
     {Question::comparison,
-     {measured_motion, masses_motion, lossy_motion, y, y, y, y, y,
+     {measured_motion, y, lossy_motion, y, y, y, y, y,
       no_load, no_modulus, no_friction, y, y, never_closes,
       y, y, y, y, no_comparison, no_comparison}},
     {Question::other_methods,
-     {y, y, y, no_methods, y, y, y, y,
+     {y, one_body, y, no_methods, y, y, y, y,
       y, y, y, y, y, y,
       y, y, y, y, y, y}},
     {Question::report_simulation,
-     {one_body, one_body, not_causal, y, y, y, y, y,
+     {a_network, methods_of_one_body, not_causal, y, y, y, y, y,
       y, y, y, y, y, y,
       y, y, y, y, y, y}},
     {Question::report_explorer,

@@ -37,6 +37,20 @@ double swing_of_body(const Model& model, const State& state) {
   return swing_of_phase(std::abs(state.x[1]) * fastest);
 }
 
+// x.losses x, a sum of squares in which nothing cancels but by rounding.
+void add_heat_of_masses(const Masses& masses, ConstView x, double swing, Heat& heat) {
+  Vector rates(x.size());
+  add_product(masses.losses, x, rates);
+  double sizes = swing;
+  for (const double each : x) sizes += std::abs(each);
+  for (Index i = 0; i < x.size(); ++i) {
+    heat.power += masses.mass * x[i] * rates[i];
+    for (Index j = 0; j < x.size(); ++j)
+      heat.rounding += 8 * epsilon * masses.mass * std::abs(masses.losses(i, j)) *
+                       (std::abs(x[i]) + std::abs(x[j])) * sizes;
+  }
+}
+
 // Contact as Kelvin units behind a free damper, each under the same force F and creeping at r_j;
 // the drive as branches beside a damper, all moving at u. A branch's damper k_j/a_j carries g_j.
 Heat heat_of_dampers(const Model& model, State state) {
@@ -50,6 +64,11 @@ Heat heat_of_dampers(const Model& model, State state) {
   for (Index j = 0; j < units; ++j)
     heat.add(state.x[first + j], 1 / contact.unit_fluidity[j], swing(body + j));
   if (!model.body) return heat;
+  if (const auto& masses = model.body->masses) {
+    add_heat_of_masses(*masses, ConstView(state.x).subspan(1, body),
+                       swing(0) + swing_of_body(model, state), heat);
+    return heat;
+  }
   const PoleSum& drive = model.body->drive;
   heat.add(state.x[1], drive.direct, swing(0) + swing_of_body(model, state));
   for (Index j = 0; j + 1 < body; ++j)
@@ -74,8 +93,8 @@ class Quadrature {
     for (const ModePair& pair : spectrum.pairs) {
       fastest = std::max(fastest, pair.decay + std::sqrt(std::max(pair.q, 0.0)));
       if (pair.q >= 0) continue;
-      swing_ = std::sqrt(-pair.q);
-      lasts_ = 40 / pair.decay;
+      swing_ = std::max(swing_, std::sqrt(-pair.q));
+      lasts_ = std::max(lasts_, 40 / pair.decay);
     }
     first_ = std::clamp(20 / fastest, shortest, 2 / std::max(1.0, swing_));
   }
