@@ -7,8 +7,9 @@ namespace vcrit::symbolic {
 
 namespace {
 
-// A Q far below T is as good as none: D and N are then made of T.
-constexpr double least_receptance = 400;
+// Of 2^-60 m/N. D and N hold T, which is no smaller than the rows are apart: whatever a smaller Q
+// loses below the doubles, or all of it, is far less than a rounding of them.
+constexpr double least_receptance = 60;
 // A difference, a product and a sum.
 constexpr int table_roundings = 3;
 

@@ -146,7 +146,7 @@ class QuantityWriter {
   /// How much of K_d cancels is not known before the code runs.
   void write_pair(const DrivePair& pair) {
     pair_ = pair;
-    result_.drive = {quotient(pair.t, pair.q), std::nullopt, false};
+    result_.drive = {quotient(pair.t, pair.q), std::nullopt, false, true};
   }
 
   /// K_d - m omega^2, times Q of a drive that is a pair.

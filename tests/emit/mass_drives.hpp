@@ -49,6 +49,12 @@ class MassDraw {
   /// Of kind 0 within four decades, of kind 1 within twenty-four.
   Scene values_for(const MassDrive& drive, int kind) { return draw_.values_for(drive.scene, kind); }
 
+  Scene without_mass(const MassDrive& drive) {
+    Scene scene = values_for(drive, 0);
+    set(scene, drive.tuned, 0);
+    return scene;
+  }
+
   /// The tuned mass at that zero or, by 10^-13 to 0.1 of itself, beside it; undamped drives and
   /// contacts have it exactly. Where no positive mass has it, the scene as it was drawn.
   Scene near(const MassDrive& drive, Vanishing what, bool at_it) {
@@ -90,7 +96,10 @@ class MassDraw {
     const auto whole = [](double x) { return Complex(Real(x), Real(0)); };
     const Complex ratio =
         (k[0] - k[1]) / (k[1] - k[2]) * whole(masses[2] - masses[1]) / whole(masses[1] - masses[0]);
-    const Complex pole = (whole(masses[2]) - ratio * whole(masses[0])) / (whole(1) - ratio);
+    // Without a pole, of a mass at the body's end, K_d is a line.
+    const Complex bend = whole(1) - ratio;
+    if (abs(Real(bend.real())) + abs(Real(bend.imag())) < Real(1e-60)) return 0;
+    const Complex pole = (whole(masses[2]) - ratio * whole(masses[0])) / bend;
     return Real(pole.real());
   }
 
@@ -112,7 +121,8 @@ inline std::vector<MassCase> mass_cases(const std::vector<MassDrive>& drives, un
   std::vector<MassCase> cases;
   for (std::size_t i = 0; i < drives.size(); ++i)
     for (int round = 0; round < rounds; ++round) {
-      std::vector<Scene> scenes{draw.values_for(drives[i], 0), draw.values_for(drives[i], 1)};
+      std::vector<Scene> scenes{draw.values_for(drives[i], 0), draw.values_for(drives[i], 1),
+                                draw.without_mass(drives[i])};
       for (const Vanishing what : {Vanishing::deflection, Vanishing::body, Vanishing::contact})
         for (const bool at_it : {false, true}) scenes.push_back(draw.near(drives[i], what, at_it));
       for (Scene& scene : scenes) cases.push_back({i, scene, critical_velocity_by_nodes(scene)});

@@ -256,7 +256,7 @@ BOOST_AUTO_TEST_CASE(the_file_tells_of_its_table) {
   for (const std::string& language : symbolic::language_names()) {
     const std::string text =
         symbolic::emit(symbolic::derive(scenes().front()), "tool", {.language = language});
-    BOOST_TEST(text.find("R_d: 41 rows from 100000 to 180074 rad/s, linear between two rows") !=
+    BOOST_TEST(text.find("R_d: 41 rows from 100000 to 180037 rad/s, linear between two rows") !=
                    std::string::npos,
                language);
     BOOST_TEST(text.find("NaN for 0/0 alone") == std::string::npos, language);

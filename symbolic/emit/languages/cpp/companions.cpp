@@ -251,7 +251,7 @@ int main() {{
 )";
 
 /// The frequencies of a sweep: around the scene's, or in the table of its drive.
-std::string swept(const Evaluator& evaluator) {
+std::string frequencies_of_sweep(const Evaluator& evaluator) {
   const std::vector<double>& table = evaluator.velocity.program.table();
   if (table.empty())
     return evaluator.parameters.named("p.THE_OMEGA * (0.25 + 0.125 * static_cast<double>(i))");
@@ -290,8 +290,8 @@ std::string cpp_test(const Evaluator& evaluator, const std::string& name) {
       fmt::arg("include", fmt::format("#include \"{}_batch.hpp\"\n", name)),
       fmt::arg("example", example(problem, parameters)), fmt::arg("known", known_value(problem)),
       fmt::arg("doubled", doubled(evaluator)), fmt::arg("euler", euler(evaluator)),
-      fmt::arg("omegas", swept(evaluator)), fmt::arg("outside", outside_of_table(evaluator)),
-      fmt::arg("sweep", fast_sweep(evaluator)));
+      fmt::arg("omegas", frequencies_of_sweep(evaluator)),
+      fmt::arg("outside", outside_of_table(evaluator)), fmt::arg("sweep", fast_sweep(evaluator)));
 }
 
 std::string emit_cmake(const std::string& name) {

@@ -160,7 +160,9 @@ class Header {
   std::string stiffness(const StiffnessResult& k, const std::string& words,
                         const std::string& name) const {
     const std::string error =
-        k.roundings ? fmt::format(" Errs by at most {} x 2^-53 |K|.", *k.roundings) : "";
+        k.roundings         ? fmt::format(" Errs by at most {} x 2^-53 |K|.", *k.roundings)
+        : k.may_be_infinite ? " NaN where the drive does not give at all: K_d is infinite there."
+                            : "";
     return function(quantities_.program, words + error, "Stiffness " + name, {k.k.re, k.k.im},
                     "{{{}, {}}}");
   }
