@@ -27,10 +27,6 @@ constexpr Cell no_methods = refused("knows no indenter");
 constexpr Cell one_body = refused("knows one body; this drive holds masses of its own",
                                   "the exact method knows them, without --method");
 
-constexpr Cell measured_code =
-    refused("the generator needs a network; this drive is a measured receptance");
-constexpr Cell masses_code =
-    refused("the generator knows one body; this drive holds masses of its own");
 constexpr Cell without_memory_code = refused(
     "where this contact opens (separation = true) v* is Eq. (24) only while it is closed where the "
     "indentation grows fastest, which an evaluator cannot tell",
@@ -122,7 +118,7 @@ constexpr std::array<Row, questions> table{{
       y, y, y, y, y, y,
       y, y, y, y, y, y}},
     {Question::evaluator,
-     {measured_code, masses_code, y, y, y, y, without_memory_code, memory_code,
+     {y, y, y, y, y, y, without_memory_code, memory_code,
       y, y, y, y, y, y,
       y, y, y, y, y, y}},
     {Question::rational_form,

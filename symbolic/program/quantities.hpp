@@ -17,7 +17,8 @@ struct StiffnessResult {
   /// The error of K is at most this many roundings (2^-53) of |K|; nothing where a mesh only knows
   /// at run time.
   std::optional<int> roundings;
-  bool exact_re = false;  ///< Re K is a number as it was given
+  bool exact_re = false;         ///< Re K is a number as it was given
+  bool may_be_infinite = false;  ///< where Q = 0: both parts are then NaN
 };
 
 /// x(t) = amplitude cos(omega t + phase) beside u_z = du_z cos(omega t)

@@ -119,12 +119,12 @@ const Names outside{"admissible", "report_stability"};
 Names without_answer(SceneKind kind) {
   switch (kind) {
     case SceneKind::measured_drive:
-      return contact +
-             Names{"evaluator",      "rational_form", "all_frequencies",   "motion",
-                   "motion_in_time", "comparison",    "report_simulation", "report_stability"};
+      return contact + Names{"rational_form",   "all_frequencies", "motion",
+                             "motion_in_time",  "comparison",      "report_simulation",
+                             "report_stability"};
     case SceneKind::masses_in_drive:
-      return contact + Names{"evaluator",         "motion",          "motion_in_time", "comparison",
-                             "report_simulation", "report_stability"};
+      return contact + Names{"motion", "motion_in_time", "comparison", "report_simulation",
+                             "report_stability"};
     case SceneKind::lossy_spring:
       return contact + Names{"rational_form",     "all_frequencies", "motion",
                              "normal_motion",     "motion_in_time",  "comparison",

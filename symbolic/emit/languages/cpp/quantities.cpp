@@ -118,6 +118,7 @@ class Header {
         "smaller of its parts may have fewer digits. Values of elements have to lie within 2^-64 "
         "to 2^64 in SI units, "
         "a damper's times omega.");
+    out += table_words(quantities_.program);
     if (problem_->mass)
       out += comment(
           fmt::format("Near |K_d - {0}| = 0 or |K_t + K_d - {0}| = 0 amplitudes and phases lose as "
@@ -159,7 +160,9 @@ class Header {
   std::string stiffness(const StiffnessResult& k, const std::string& words,
                         const std::string& name) const {
     const std::string error =
-        k.roundings ? fmt::format(" Errs by at most {} x 2^-53 |K|.", *k.roundings) : "";
+        k.roundings         ? fmt::format(" Errs by at most {} x 2^-53 |K|.", *k.roundings)
+        : k.may_be_infinite ? " NaN where the drive does not give at all: K_d is infinite there."
+                            : "";
     return function(quantities_.program, words + error, "Stiffness " + name, {k.k.re, k.k.im},
                     "{{{}, {}}}");
   }
@@ -186,10 +189,10 @@ class Header {
                          parameters_.named(fmt::format(
                              "Body (13), A = -THE_MU0 THE_DU_Z K_n/(K_d - {}).", inertia())),
                          "body_oscillation");
-    const std::string compliance =
-        problem_->mass ? fmt::format("(1/K_t + 1/(K_d - {})) (13), (19)", inertia())
-        : problem_->drive_network() != nullptr ? "(1/K_t + 1/K_d) (13), (19)"
-                                               : "1/K_t (19)";
+    const std::string compliance = problem_->mass
+                                       ? fmt::format("(1/K_t + 1/(K_d - {})) (13), (19)", inertia())
+                                   : problem_->rigid() ? "1/K_t (19)"
+                                                       : "(1/K_t + 1/K_d) (13), (19)";
     return out + oscillation(quantities_.contact_point,
                              parameters_.named(fmt::format(
                                  "Contact point while it slides, B = -THE_MU0 THE_DU_Z K_n {}; "
