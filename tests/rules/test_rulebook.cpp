@@ -123,8 +123,7 @@ Names without_answer(SceneKind kind) {
              Names{"evaluator",      "rational_form", "all_frequencies",   "motion",
                    "motion_in_time", "comparison",    "report_simulation", "report_stability"};
     case SceneKind::masses_in_drive:
-      return contact + Names{"evaluator",         "motion",          "motion_in_time", "comparison",
-                             "report_simulation", "report_stability"};
+      return contact + Names{"evaluator", "other_methods", "report_simulation", "report_stability"};
     case SceneKind::lossy_spring:
       return contact + Names{"rational_form",     "all_frequencies", "motion",
                              "normal_motion",     "motion_in_time",  "comparison",
