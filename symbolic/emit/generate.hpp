@@ -11,7 +11,7 @@
 namespace vcrit::symbolic {
 
 /// The header NAME.hpp as text; `name` is a C++ namespace. Throws InputError if it cannot be one,
-/// ModelError for a drive that generated code does not know.
+/// ModelError for a scene of which no code is generated (rules/rulebook.hpp).
 std::string emit_header(const Derivation& derivation, const std::string& name,
                         const GenerateOptions& options = {});
 

@@ -12,12 +12,15 @@ using test::scene_of;
 
 namespace {
 
-// The last body is so heavy that v* hardly depends on any element.
+// The body of 1e20 kg is so heavy that v* hardly depends on any element.
 std::vector<Scene> scenes() {
-  return {read_scene(VCRIT_SCENES "/kelvin.toml"), read_scene(VCRIT_SCENES "/bridge.toml"),
+  return {read_scene(VCRIT_SCENES "/kelvin.toml"),
+          read_scene(VCRIT_SCENES "/bridge.toml"),
           scene_of("normal = \"prony(k0, k, tau, 3)\"\npoisson = 0.38", "kd", "m"),
           scene_of("normal = \"k0 | (k1 - c1)\"\npoisson = \"nu\"", "kd | cd", "m"),
-          read_scene(VCRIT_SCENES "/zener.toml", {{"mass", "1e20"}})};
+          read_scene(VCRIT_SCENES "/zener.toml", {{"mass", "1e20"}}),
+          read_scene(VCRIT_SCENES "/sonotrode.toml"),
+          read_scene(VCRIT_SCENES "/measured_drive.toml")};
 }
 
 /// What ctest prints. In a build folder that may be there from another time.

@@ -6,8 +6,8 @@
 
 #include "base/errors.hpp"
 #include "derivation/scenes.hpp"
-#include "emit/library.hpp"
 #include "emit/languages/cpp/quantities.hpp"
+#include "emit/library.hpp"
 #include "program/quantities.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_quantities)
@@ -392,9 +392,16 @@ BOOST_AUTO_TEST_CASE(written_only_when_asked_for) {
   BOOST_TEST(std::filesystem::exists(folder.path() / "kelvin_quantities.hpp"));
 }
 
-BOOST_AUTO_TEST_CASE(other_drives_are_refused) {
-  const Scene scene = scene_of("normal = \"kn\"\ntangential = \"kt\"", "kd - (mass(m2) | k2)", "m");
-  BOOST_CHECK_THROW(symbolic::emit_quantities(derive(scene), "scene"), ModelError);
+// Values of drives with masses and of measured ones: tests/matrix.
+BOOST_AUTO_TEST_CASE(a_drive_that_may_not_give_at_all_says_so) {
+  const auto tells = [](const Scene& scene) {
+    return symbolic::emit_quantities(derive(scene), "scene")
+               .find("NaN where the drive does not give at all") != std::string::npos;
+  };
+  const std::string contact = "normal = \"kn\"\ntangential = \"kt\"";
+  BOOST_TEST(tells(scene_of(contact, "kd - (mass(m2) | k2)", "m")));
+  BOOST_TEST(tells(read_scene(VCRIT_SCENES "/measured_drive.toml")));
+  BOOST_TEST(!tells(scene_of(contact, "kd - k2", "m")));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -15,7 +15,7 @@
 namespace vcrit::symbolic {
 
 struct Evaluator {
-  /// Throws ModelError for a drive that generated code does not know.
+  /// Throws ModelError for a scene of which no code is generated (rules/rulebook.hpp).
   Evaluator(const Derivation& derivation, const GenerateOptions& options, Zeros zeros,
             Spelled spelled = nullptr);
 

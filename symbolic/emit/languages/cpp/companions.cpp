@@ -14,6 +14,7 @@
 #include "emit/languages/cpp/dialect.hpp"
 #include "emit/names.hpp"
 #include "emit/parameters.hpp"
+#include "emit/pieces.hpp"
 #include "network/law.hpp"
 
 namespace vcrit::symbolic {
@@ -250,31 +251,29 @@ int main() {{
 }}
 )";
 
-/// The frequencies of a sweep: around the scene's, or in the table of its drive.
+/// The frequencies of a sweep: around the scene's, or inside of the table of its drive, whose first
+/// row may be at rest.
 std::string frequencies_of_sweep(const Evaluator& evaluator) {
   const std::vector<double>& table = evaluator.velocity.program.table();
   if (table.empty())
     return evaluator.parameters.named("p.THE_OMEGA * (0.25 + 0.125 * static_cast<double>(i))");
-  return fmt::format("{0} + ({1} - {0}) * static_cast<double>(i) / 75.0", literal(table.front()),
-                     literal(table[table.size() - 3]));
+  return fmt::format("{0} + ({1} - {0}) * static_cast<double>(i + 1) / 76.0",
+                     literal(table.front()), literal(table[table.size() - 3]));
 }
 
-std::string outside_of_table(const Evaluator& evaluator) {
+const char* const outside_of_table =
+    R"(  other = p;
+  other.THE_OMEGA = 2.0 * THE_LAST;
+  const Certified none = critical_velocity_certified(other), fast_none = fast::critical_velocity_certified(other);
+  expect(std::isnan(none.value) && std::isinf(none.relative_error_bound), "outside of the table");
+  expect(std::isnan(fast_none.value) && std::isinf(fast_none.relative_error_bound), "fast: outside of the table");
+)";
+
+std::string check_outside(const Evaluator& evaluator) {
   if (!has_table(evaluator)) return "";
-  return evaluator.parameters.named(fmt::format(
-      "  for (const double outside : {{0.5 * {}, 2.0 * {}}}) {{\n"
-      "    other = p;\n"
-      "    other.THE_OMEGA = outside;\n"
-      "    const Certified none = critical_velocity_certified(other), no = "
-      "fast::critical_velocity_certified(other);\n"
-      "    expect(std::isnan(none.value) && std::isinf(none.relative_error_bound), \"outside of "
-      "the "
-      "table\");\n"
-      "    expect(std::isnan(no.value) && std::isinf(no.relative_error_bound), \"fast: outside of "
-      "the table\");\n"
-      "  }}\n",
-      literal(evaluator.velocity.program.table().front()),
-      literal(evaluator.velocity.program.table().rbegin()[2])));
+  const std::vector<double>& table = evaluator.velocity.program.table();
+  return evaluator.parameters.named(
+      replaced(outside_of_table, "THE_LAST", literal(table[table.size() - 3])));
 }
 
 }  // namespace
@@ -291,7 +290,7 @@ std::string cpp_test(const Evaluator& evaluator, const std::string& name) {
       fmt::arg("example", example(problem, parameters)), fmt::arg("known", known_value(problem)),
       fmt::arg("doubled", doubled(evaluator)), fmt::arg("euler", euler(evaluator)),
       fmt::arg("omegas", frequencies_of_sweep(evaluator)),
-      fmt::arg("outside", outside_of_table(evaluator)), fmt::arg("sweep", fast_sweep(evaluator)));
+      fmt::arg("outside", check_outside(evaluator)), fmt::arg("sweep", fast_sweep(evaluator)));
 }
 
 std::string emit_cmake(const std::string& name) {
