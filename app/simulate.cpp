@@ -163,6 +163,8 @@ void print_simulate_text(const SimulationAnswer& answer, const Problem& problem,
 
 SimulationAnswer answer_of(const SimulateOptions& options, const Problem& problem,
                            const simulation::System& system) {
+  if (!options.method.is_exact())
+    rules::require(rules::Question::other_methods, problem, options.method.name() + " ");
   const Speed speed = options.speed.of(problem);
   SimulationAnswer answer{speed, options.method.steady_state(system, speed.velocity),
                           options.method.name(), problem->source->warnings};
