@@ -31,8 +31,8 @@ class ClosedShare {
                          const std::vector<std::string>& varying);
 
   Modulus oscillating_;
-  std::optional<Modulus> at_rest_;  ///< of the springs alone; nothing where they carry no load
-  bool is_loaded_;                  ///< and the load is given
+  /// Of the springs alone, nothing where they carry no load; under a load of 1 N/m.
+  std::optional<Modulus> at_rest_;
 };
 
 }  // namespace vcrit

@@ -27,7 +27,8 @@ bool isotropic(const Problem& problem) {
 }
 
 // A path without mass, damper and branches: the contact velocity is v0 less the rate of the
-// friction bound over a stiffness, and the bound is steepest where the closed contact has it.
+// friction bound over a stiffness, and the bound is steepest where the closed contact has it; as
+// long as it is closed there, which no load makes sure of: its indentation may be below 0.
 bool elastic(const Problem& problem) {
   bool only_springs = !problem->mass && problem->receptance() == nullptr;
   for_each_element(
@@ -114,7 +115,8 @@ bool Facts::is(SceneKind kind) const {
     case SceneKind::separating:
       return separating;
     case SceneKind::separating_without_memory:
-      return separating && !elastic(problem_) && follows_without_memory(problem_);
+      return separating &&
+             (elastic(problem_) ? problem_->load.has_value() : follows_without_memory(problem_));
     case SceneKind::separating_with_memory:
       return separating && !elastic(problem_) && !follows_without_memory(problem_);
     case SceneKind::no_static_load:

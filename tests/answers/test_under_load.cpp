@@ -5,10 +5,11 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <numbers>
-#include <sstream>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "answers/closed_share.hpp"
 #include "answers/critical_onset.hpp"
 #include "answers/effect.hpp"
 #include "answers/friction.hpp"
@@ -246,6 +247,35 @@ BOOST_AUTO_TEST_CASE(a_contact_that_creeps_sinks) {
                       SteadyFriction(elastic).at(0.3 * v).friction_ratio) < 1e-13);
   BOOST_TEST(bool{rules::answer(rules::Question::motion, scene("opens", 1))});
   BOOST_TEST(!rules::answer(rules::Question::motion, scene("opens", 5)));
+}
+
+// Elastic, u_z0 < 0: the indentation grows fastest while the contact is open. It closes at u_z = 0,
+// with the rate omega sqrt(du_z^2 - u_z0^2), which is what v* is made of then.
+BOOST_AUTO_TEST_CASE(a_contact_that_is_open_most_of_the_time_has_another_velocity) {
+  int below = 0;
+  for (const Row& row : rows()) {
+    if (row.id != "L08" && row.id != "L09" && row.id != "L20") continue;
+    const Problem problem = row.under_load();
+    const double u = row.indentation, ratio = row.id == "L20" ? 17.0 / 14 : 1 / 0.8;
+    const CriticalOnset onset = critical_onset(problem);
+    BOOST_TEST(onset.contact_velocity == 0.3 * ratio * std::sqrt(1 - u * u),
+               boost::test_tools::tolerance(1e-9));
+    const bool simulated = onset.by == CriticalOnset::By::simulation;
+    if (u < 0) BOOST_TEST(simulated, row.id);
+    below += simulated ? 1 : 0;
+  }
+  BOOST_TEST(below >= 2);
+}
+
+// (4): du_z/W has to stay below 1/|K_n|.
+BOOST_AUTO_TEST_CASE(the_closed_share_of_a_load_is_a_compliance) {
+  const ClosedShare share(kelvin(1, 0.1, false), {"angular_frequency"});
+  const std::vector<double> omega{0.5, 1, 7};
+  std::vector<double> found(3);
+  const std::span<const double> column = omega;
+  share({&column, 1}, found);
+  for (std::size_t i = 0; i < 3; ++i)
+    BOOST_TEST(found[i] == 1 / std::hypot(1, 0.5 * omega[i]), boost::test_tools::tolerance(1e-14));
 }
 
 // Under a flat punch all cells are one contact of the stiffness 2 a E*.

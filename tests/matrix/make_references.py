@@ -73,6 +73,8 @@ def scaled(values, names, factor):
 def entries(values):
     """Every parameter by the name that a formula gives it, with what changes it by a factor."""
     for key, value in values.items():
+        if key == "u_z0" and "W" in values:
+            continue
         if not isinstance(value, list):
             yield key, lambda factor, key=key: scaled(values, {key}, factor)
         else:
@@ -120,7 +122,7 @@ def limits(name, values):
     """v* where elements vanish or grow without end, one by one, all dampers, and each with a rigid drive."""
     system = wired(name, values)
     system.name = name
-    elements = [key for key in values if key not in ("mu0", "omega", "du_z", "u_z0")]
+    elements = [key for key in values if key not in ("mu0", "omega", "du_z", "u_z0", "W")]
     cases = [({key}, target) for key in elements for target in ("0", "inf")]
     all_dampers = set(dampers(system, values))
     cases += [(set(some), "0") for count in range(2, len(all_dampers) + 1) for some in combinations(sorted(all_dampers), count)]
@@ -163,7 +165,8 @@ def stiffnesses(name, values):
             yield f"{what}_stiffness:loss", mp.im(k)
     at_rest = equilibrium(system)
     yield "normal_stiffness_at_rest", at_rest
-    yield "admissible_amplitude", values["u_z0"] * at_rest / abs(normal)
+    mean = values["W"] if "W" in values else values["u_z0"] * at_rest
+    yield "admissible_amplitude", mean / abs(normal)
     body, point = amplitudes(system, values)
     for what, amplitude in (("body", body), ("contact_point", point)):
         if abs(amplitude) < mp.inf and (what != "body" or system.drive is not None):
@@ -189,6 +192,8 @@ def equilibrium(system):
 def given(values, system):
     """The numbers of the scene, as formulas and generated code are given them."""
     for key, value in values.items():
+        if key == "u_z0" and "W" in values:
+            continue
         if isinstance(value, list):
             yield from ((f"value:{key}[{i + 1}]", x) for i, x in enumerate(value))
         else:
@@ -207,6 +212,8 @@ def linear_rows(name, values, text):
     force = values["du_z"] * abs(contact_stiffness(system, values["omega"])[0])
     yield "closed", int(force < mean and values["du_z"] < values["u_z0"])
     yield "loaded", int(equilibrium(system) > 0)
+    if "W" in values:
+        yield "indentation", values["u_z0"]
     creep = mp.mpf(0)
     networks = [system.tangential if not system.ratio else system.normal]
     if callable(system.drive):

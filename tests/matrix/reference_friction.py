@@ -6,7 +6,7 @@ import numpy as np
 
 import mpmath as mp
 from reference_indenter import cells
-from reference_kinds import wired
+from reference_kinds import pressed, wired
 from reference_motion import STEPS, Contact, Mean, extrapolated, normal_forces, steady
 from reference_networks import creep_viscosity, stiffness
 
@@ -201,10 +201,14 @@ def design_rows(name, values):
     yield "design:omega", float(values["omega"]), 0
     yield "design:friction_ratio", ratio[0], error[0]
     yield "design:slope:velocity", (ratio[1] - ratio[2]) / (0.04 * velocity), (error[1] + error[2]) / (0.04 * velocity)
-    for unknown, key in (("amplitude", "du_z"), ("frequency", "omega")):
+    unknowns = [("amplitude", "du_z"), ("frequency", "omega")] + ([("force", "W")] if "W" in values else [])
+    for unknown, key in unknowns:
         ends, errors = [], []
         for factor in ("1.02", "0.98"):
             changed = values | {key: values[key] * mp.mpf(factor)}
+            if key == "W":
+                changed["u_z0"] = pressed(changed)
+                means = np.array([float(changed["u_z0"])])
             best, worst = Motions(wired(name, changed), changed, means, False, [velocity]).ratio()
             ends.append(best[0])
             errors.append(worst[0])

@@ -92,6 +92,7 @@ KINDS = {
         parallel(spring(v["k0"] + v["kd"] / 4),
                  series(*(kelvin(k, k * tau) for k, tau in zip(v["k"], v["tau"])))),
         kelvin(v["kd"], v["r"] ** 2 * v["k0"] * 7 / 10 * v["t1"])),
+    "load_closed": lambda v: (zener(v["k0"], v["k1"], v["c1"]), mindlin("0.3"), kelvin(v["kd"], v["cd"])),
     "symbols": lambda v: (zener(v["k0"], v["k1"], v["c1"]), mindlin("0.3"), spring(v["kd"])),
 }
 for same, other in [("antiresonance", "free_harmonic"), ("near_free_harmonic", "free_harmonic"),
@@ -110,6 +111,11 @@ def exact(value):
     return [mp.mpf(x) for x in value] if isinstance(value, list) else mp.mpf(value)
 
 
+def pressed(values):
+    """u_z0 of a closed contact under the load W: W/K_n(0), of the spring k0."""
+    return values["W"] / values["k0"]
+
+
 def read(name):
     """The scene's numbers by their symbols, and what its file says beside them."""
     with (FOLDER / f"{name}.toml").open("rb") as file:
@@ -119,7 +125,12 @@ def read(name):
     if "oscillation" in text:
         oscillation = text["oscillation"]
         values |= {"mu0": exact(text["friction"]["coefficient"]), "omega": exact(oscillation["angular_frequency"]),
-                   "du_z": exact(oscillation["amplitude"]), "u_z0": exact(oscillation["indentation"])}
+                   "du_z": exact(oscillation["amplitude"])}
+        if "load" in text:
+            values["W"] = exact(text["load"]["force"])
+            values["u_z0"] = pressed(values)
+        else:
+            values["u_z0"] = exact(oscillation["indentation"])
     else:
         values = {key: exact(value) for key, value in SYMBOLS.items()}
     mass_of = text.get("body", {}).get("mass")

@@ -293,7 +293,9 @@ class Matrix(Cells, unittest.TestCase):
             outside = kind in ("not_admissible", "no_static_load")
             self.assertEqual(row[quantity], "no" if outside else "yes")
         elif quantity == "indentation":
-            self.near(row[quantity], references("value:u_z0"), 0, quantity)
+            found = "indentation" in references
+            reference = references("indentation" if found else "value:u_z0")
+            self.near(row[quantity], reference, (1e-12 if found else U) * abs(reference), quantity)
         elif quantity == "mean_normal_force":
             self.check_mean_force(kind, i, float(row[quantity]))
         elif quantity == "sensitivity:NAME":
@@ -337,7 +339,8 @@ class Matrix(Cells, unittest.TestCase):
             arguments += ["--set", f"amplitude={mp.nstr(amplitude, 17)}"]
         if unknown == "velocity" and references("formula") > 1e3:  # no upper end, or one lost in rounding
             arguments += ["--to", "0.1"]
-        truth, at_start = {"velocity": velocity, "amplitude": amplitude}.get(unknown), False
+        force = references("value:W") if "value:W" in references else None
+        truth, at_start = {"velocity": velocity, "amplitude": amplitude, "force": force}.get(unknown), False
         if unknown == "frequency" and has:
             truth = references("design:omega") / (2 * mp.pi)
             slope = references("design:slope:frequency")
