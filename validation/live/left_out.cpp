@@ -1,6 +1,7 @@
 // What the module leaves out of the program, with what the rest asks of it.
 #include "base/errors.hpp"
 #include "modes/general_modes.hpp"
+#include "normal/pressed_cells.hpp"
 #include "scene/members.hpp"
 #include "stiffness/drive_motion.hpp"
 #include "stiffness/graph_relaxation.hpp"
@@ -38,5 +39,6 @@ List<std::complex<double>> response(const Dense<long double>&, std::complex<doub
 
 // The text of a scene for pages has none.
 void check_indenter(const Indenter&, const Place&) { throw Bug("an indenter in a page"); }
+double simulation::indentation_of_cells(const Problem&) { throw Bug("an indenter in a page"); }
 
 }  // namespace vcrit
