@@ -9,7 +9,7 @@ CHECKED = {"derive": "derive/shortest/text", "generate": "generate/c++", "simula
            "sweep": "sweep/critical_velocity", "solve": "solve/amplitude"}
 # What is refused by the numbers of a scene, which the rulebook does not know: (kind, column) and status.
 BY_NUMBERS = {("antiresonance", "solve/amplitude"): "3", ("resonance", "solve/amplitude"): "3", ("resonance", "critical"): "3",
-              ("near_resonance", "critical"): "3", ("free_harmonic", "critical"): "1"}
+              ("near_resonance", "critical"): "3"}
 
 
 def check(case, kind, column):
