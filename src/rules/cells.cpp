@@ -24,8 +24,6 @@ constexpr Cell each_place = refused(
     "below an indenter each place has a motion of its own: this asks for that of one contact");
 constexpr Cell no_cells = refused("the scene has no indenter");
 constexpr Cell no_methods = refused("knows no indenter");
-constexpr Cell one_body = refused("knows one body; this drive holds masses of its own",
-                                  "the exact method knows them");
 
 constexpr Cell without_memory_code = refused(
     "where this contact opens (separation = true) v* is Eq. (24) only while it is closed where the "
@@ -89,7 +87,7 @@ constexpr Cell open_then = left_out("the contact is open where the indentation g
 constexpr Cell table_alone = left_out("v* is known at the frequencies of a table alone");
 constexpr Cell one_frequency = left_out("lossy(k, eta) is known at one frequency at a time");
 constexpr Cell a_network =
-    left_out("the simulator knows one body, under a network of springs and dampers");
+    left_out("the simulator needs a network of springs, dampers and masses");
 constexpr Cell methods_of_one_body =
     left_out("the methods to compare with know one body; this drive holds masses of its own");
 constexpr Cell not_causal =
@@ -173,12 +171,12 @@ constexpr std::array<Row, questions> table{{
       y, y, y, y, no_comparison, no_comparison,
       y, sinks_opening}},
     {Question::other_methods,
-     {y, one_body, y, no_methods, y, y, y, y,
+     {y, y, y, no_methods, y, y, y, y,
       y, y, y, y, y, y,
       y, y, y, y, y, y,
       y, y}},
     {Question::report_simulation,
-     {a_network, methods_of_one_body, not_causal, y, y, y, y, y,
+     {a_network, y, not_causal, y, y, y, y, y,
       y, y, y, y, y, y,
       y, y, y, y, y, y,
       y, y}},

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <toml++/toml.h>
+#include <array>
 #include <map>
 #include <optional>
 #include <set>
@@ -31,9 +32,12 @@ std::optional<std::string> bare_name(const toml::node& node);
 void check_symbol_name(const std::string& name, const char* what, const Place& place,
                        std::set<std::string> taken = {});
 
-/// The symbols of quantities that not every scene has, by the section that has them.
-inline const std::multimap<std::string, std::string> symbols_of_sections{{"body", "m"},
-                                                                         {"load", "W"}};
+/// The symbols of quantities that not every scene has, by the section that has them. There before
+/// anything runs, as scenes may be read before main.
+struct SymbolOfSection {
+  const char *section, *symbol;
+};
+inline constexpr std::array<SymbolOfSection, 2> symbols_of_sections{{{"body", "m"}, {"load", "W"}}};
 
 /// What a symbol is called within the program that the scene calls `name`: the same, unless a
 /// quantity is called so here, whatever the scene calls that. `others`: of symbols_of_sections

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "critical/admissibility.hpp"
+#include "derivation/loaded.hpp"
 #include "derivation/scenes.hpp"
 #include "facts/closed_amplitude.hpp"
 #include "facts/dependence.hpp"

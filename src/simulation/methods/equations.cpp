@@ -62,7 +62,6 @@ std::size_t Chain::main_branch() const {
 
 Equations::Equations(const System& system, double drive_velocity) {
   if (system.opening) throw ModelError("knows no contact that opens");
-  if (system.masses) throw ModelError("knows one body; this drive holds masses of its own");
   const bool moves = system.drive && system.mass && *system.mass > 0;
   const Relaxation path =
       system.drive && !moves ? series({system.contact, *system.drive}) : system.contact;
@@ -75,19 +74,25 @@ Equations::Equations(const System& system, double drive_velocity) {
   if (moves)
     body = DrivenBody{*system.mass * system.omega * (system.omega / stiffness_unit),
                       chain(*system.drive, system.omega, stiffness_unit)};
+  if (system.masses) masses.emplace(system.masses->structure, system.omega, stiffness_unit);
 }
 
 std::size_t Equations::size() const { return contact_begin() + contact.branches.size(); }
 
-std::size_t Equations::contact_begin() const { return body ? 1 + body->drive.branches.size() : 0; }
+std::size_t Equations::contact_begin() const {
+  if (masses) return masses->size();
+  return body ? 1 + body->drive.branches.size() : 0;
+}
 
 double Equations::slowest_rate() const {
   const double slowest = methods::slowest_rate(contact);
+  if (masses) return std::min(slowest, masses->slowest_rate());
   return body ? std::min(slowest, methods::slowest_rate(body->drive)) : slowest;
 }
 
 std::vector<double> Equations::scales() const {
   std::vector<double> result(size(), 1.0);
+  if (masses) std::ranges::copy(masses->scales(velocity), result.begin());
   if (body)
     result[0] = std::max(velocity, 1 / (body->mass + body->drive.damper + body->drive.glassy));
   return result;
@@ -95,6 +100,9 @@ std::vector<double> Equations::scales() const {
 
 std::vector<double> Equations::start(Start start) const {
   std::vector<double> y(size(), 0.0);
+  if (masses)
+    std::ranges::copy(start == Start::rest ? masses->at_rest(velocity) : masses->dragged(),
+                      y.begin());
   if (start == Start::rest) return y;
   if (body) {
     y[0] = velocity;
@@ -107,8 +115,9 @@ std::vector<double> Equations::start(Start start) const {
 
 void Equations::rates(const double* y, double drive_velocity, double w, double force,
                       double* dydt) const {
-  const double top = body ? y[0] : drive_velocity;
+  const double top = top_velocity(y, drive_velocity);
   contact.rates(contact_forces(y), top - w, dydt + contact_begin());
+  if (masses) masses->rates(y, force, dydt);
   if (!body) return;
   const Chain& drive = body->drive;
   drive.rates(y + 1, drive_velocity - top, dydt + 1);

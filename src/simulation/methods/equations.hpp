@@ -6,6 +6,7 @@
 //   u      velocity of the body; the state has it and the drive only where there is a mass
 //   f_j' = k_j e' - a_j f_j, a spring has a_j = 0; network force c e' + sum f_j
 //   m u' = F_drive - F, and F on the contact point obeys Coulomb's law with its velocity w
+// Of a drive that holds masses the state has those of driven_masses.hpp in place of u and the drive.
 #pragma once
 
 #include <cmath>
@@ -13,6 +14,7 @@
 #include <span>
 #include <vector>
 
+#include "simulation/methods/driven_masses.hpp"
 #include "simulation/system/steady_state.hpp"
 #include "simulation/system/system.hpp"
 
@@ -48,6 +50,7 @@ struct Equations {
   double phase = 0;      ///< t = omega t_physical + phase
   Chain contact;
   std::optional<DrivenBody> body;
+  std::optional<DrivenMasses> masses;  ///< in place of the body
 
   std::size_t size() const;           ///< of a state
   std::size_t contact_begin() const;  ///< index of the contact's first branch
@@ -63,11 +66,15 @@ struct Equations {
   double bound_rate(double t) const { return -amplitude * std::sin(t); }
   double bound_curvature(double t) const { return -amplitude * std::cos(t); }
 
-  double top_velocity(const double* y) const { return body ? y[0] : velocity; }
+  /// Of the upper end of the contact, under a drive velocity; the same of rates of the state.
+  double top_velocity(const double* y, double drive_velocity) const {
+    if (masses) return drive_velocity + masses->end_velocity(y);
+    return body ? y[0] : drive_velocity;
+  }
   const double* contact_forces(const double* y) const { return y + contact_begin(); }
   /// F of the contact when its point moves with w.
   double force(const double* y, double w) const {
-    return contact.damper * (top_velocity(y) - w) + contact.sum(contact_forces(y));
+    return contact.damper * (top_velocity(y, velocity) - w) + contact.sum(contact_forces(y));
   }
   /// dy/dt under a drive velocity, while the contact point moves with w and the contact's force
   /// is F: linear in all of them together.

@@ -86,10 +86,6 @@ SteadyState steady_state(Method method, const System& system, double velocity,
   require_forward(velocity);
   check(options);
   check_system(system);
-  if (system.masses)
-    throw ModelError(
-        fmt::format("{} knows one body; this drive holds masses of its own", to_text(method)),
-        "the exact method knows them");
   const GslErrorsOff errors_off;
   if (method == Method::reduced) return methods::reduced_model(system, velocity);
   try {

@@ -1,6 +1,8 @@
 #include "simulation/methods/moreau.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
+#include <optional>
 
 #include "base/constants.hpp"
 #include "simulation/methods/equations.hpp"
@@ -57,6 +59,37 @@ class SteppedChain {
   std::vector<Coefficients> branches_;
 };
 
+/// Masses over one step: x_theta = (1 - theta h A)^-1 (x_0 + theta h F push), so that the velocity
+/// of the body's end is end.x_0 - give F, in the frame of the far end.
+struct SteppedMasses {
+  SteppedMasses(const DrivenMasses& masses, double step, double implicit)
+      : theta(implicit),
+        kept((Eigen::MatrixXd::Identity(masses.matrix().rows(), masses.matrix().cols()) -
+              theta * step * masses.matrix())
+                 .inverse()),
+        pushed(theta * step * kept * masses.push()),
+        give(-masses.end_velocity(pushed.data())) {
+    for (Eigen::Index j = 0; j < kept.cols(); ++j)
+      end.push_back(masses.end_velocity(kept.col(j).data()));
+  }
+
+  double velocity(const double* x) const {
+    double sum = 0;
+    for (std::size_t j = 0; j < end.size(); ++j) sum += end[j] * x[j];
+    return sum;
+  }
+  void take(double* x, double force) const {
+    Eigen::Map<Eigen::VectorXd> state(x, kept.cols());
+    state += (kept * state + force * pushed - state).eval() / theta;
+  }
+
+  double theta;
+  Eigen::MatrixXd kept;
+  Eigen::VectorXd pushed;
+  double give;
+  std::vector<double> end;
+};
+
 class Stepper {
  public:
   /// bounds: at each step, or none for those of a contact that stays closed.
@@ -73,6 +106,7 @@ class Stepper {
     const double law = std::max(theta, 1 - 1 / (rate * h_));
     on_point_ = contact_.force(law);
     if (equations.body) inertia_ = equations.body->mass / (theta * h_);
+    if (equations.masses) masses_.emplace(*equations.masses, h_, theta);
     if (!bounds_.empty()) return;
     for (int i = 0; i < steps; ++i) bounds_.push_back(equations.bound((i + law) * h_));
   }
@@ -102,12 +136,10 @@ class Stepper {
 
   Outcome step(double* y, double bound) const {
     double* const forces = y + equations_.contact_begin();
-    const bool moves = equations_.body.has_value();
+    const bool moves = equations_.body || masses_;
     const double law = on_point_.offset(forces), load = on_body_.offset(forces);
-    const double push = moves ? inertia_ * y[0] + from_drive_.offset(y + 1) +
-                                    from_drive_.slope * equations_.velocity - load
-                              : 0;
-    const double resistance = inertia_ + from_drive_.slope;
+    const double resistance = masses_ ? 1 / masses_->give : inertia_ + from_drive_.slope;
+    const double push = moves ? unloaded(y, resistance) - load : 0;
     double top = moves ? push / (resistance + on_body_.slope) : equations_.velocity;
     double deformation = top, force = law + on_point_.slope * top;
     Motion motion = Motion::stick;
@@ -117,18 +149,26 @@ class Stepper {
       deformation = (force - law) / on_point_.slope;
       if (moves) top = (push - on_body_.slope * deformation) / resistance;
     }
+    if (masses_) masses_->take(y, load + on_body_.slope * deformation);
     contact_.step(forces, deformation);
-    if (moves) {
+    if (equations_.body) {
       drive_.step(y + 1, equations_.velocity - top);
       y[0] += (top - y[0]) / theta_;
     }
     return {force, top - deformation, motion};
   }
 
+  /// The force that would hold the body's end still, without the contact.
+  double unloaded(const double* y, double resistance) const {
+    if (masses_) return resistance * (equations_.velocity + masses_->velocity(y));
+    return inertia_ * y[0] + from_drive_.offset(y + 1) + from_drive_.slope * equations_.velocity;
+  }
+
   const Equations& equations_;
   double h_, theta_;
   SteppedChain contact_, drive_;
   Affine on_body_, from_drive_, on_point_;
+  std::optional<SteppedMasses> masses_;
   double inertia_ = 0;
   std::vector<double> bounds_;
 };

@@ -15,7 +15,7 @@ double SwitchingOde::slip_velocity(const double* y, double top, double bound,
 
 void SwitchingOde::rates(const double* y, double velocity, double bound, double bound_rate,
                          double* dydt) const {
-  const double top = equations_.body ? y[0] : velocity;
+  const double top = equations_.top_velocity(y, velocity);
   double& deficit = dydt[equations_.size()];
   if (motion == Motion::stick) {
     const double force =
@@ -50,12 +50,12 @@ void SwitchingOde::jacobian(double t, const double*, double* by_y, double* by_t)
 
 double SwitchingOde::event(double t, const double* y) const {
   if (motion == Motion::stick) return equations_.bound(t) - std::abs(equations_.force(y, 0));
-  return sign() * slip_velocity(y, equations_.top_velocity(y), equations_.bound(t),
+  return sign() * slip_velocity(y, equations_.top_velocity(y, equations_.velocity), equations_.bound(t),
                                 equations_.bound_rate(t));
 }
 
 double SwitchingOde::event_rate(double t, const double* y, const double* dydt) const {
-  const double acceleration = equations_.body ? dydt[0] : 0;
+  const double acceleration = equations_.top_velocity(dydt, 0);
   if (motion == Motion::stick) {
     const double force_rate = equations_.contact.damper * acceleration +
                               equations_.contact.sum(equations_.contact_forces(dydt));

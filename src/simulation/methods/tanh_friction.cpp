@@ -40,7 +40,7 @@ class TanhOde final : public Ode {
         damper_(equations.contact.damper > 0 ? equations.contact.damper : regularisation) {}
 
   double contact_velocity(double t, const double* y) const {
-    const double load = load_of(y, equations_.top_velocity(y));
+    const double load = load_of(y, equations_.top_velocity(y, equations_.velocity));
     return std::copysign(regularisation_, load) *
            slip_over_regularisation(std::abs(load), equations_.bound(t), damper_ * regularisation_);
   }
@@ -61,7 +61,7 @@ class TanhOde final : public Ode {
     for (std::size_t j = 0; j < n; ++j) {
       unit_[j] = 1;
       const double w =
-          load_of(unit_.data(), equations_.body ? unit_[0] : 0) / (stiffness + damper_);
+          load_of(unit_.data(), equations_.top_velocity(unit_.data(), 0)) / (stiffness + damper_);
       equations_.rates(unit_.data(), 0, w, stiffness * w, column_.data());
       column_[n - 1] = -stiffness * w;
       unit_[j] = 0;
@@ -83,6 +83,9 @@ class TanhOde final : public Ode {
     double fastest = equations_.contact.glassy / damper_;
     for (const Branch& branch : equations_.contact.branches)
       fastest = std::max(fastest, branch.rate);
+    if (equations_.masses)
+      return std::max(fastest,
+                      equations_.masses->fastest_rate(damper_, equations_.contact.glassy));
     if (!equations_.body) return fastest;
     const auto& [mass, drive] = *equations_.body;
     for (const Branch& branch : drive.branches) fastest = std::max(fastest, branch.rate);
