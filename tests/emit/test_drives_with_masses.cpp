@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "emit/language_files.hpp"
+#include "emit/languages/cpp/quantities.hpp"
 #include "emit/library.hpp"
 #include "emit/mass_drives.hpp"
 
@@ -252,6 +253,18 @@ BOOST_AUTO_TEST_CASE(other_languages) {
         BOOST_TEST(known * 8 >= calls.size() * 7);
       },
       test::LanguageFiles::Length::very_large);
+}
+
+// The values themselves: tests/matrix.
+BOOST_AUTO_TEST_CASE(a_drive_that_may_not_give_at_all_says_so) {
+  const auto tells = [](const Scene& scene) {
+    return symbolic::emit_quantities(derive(scene), "scene")
+               .find("NaN where the drive does not give at all") != std::string::npos;
+  };
+  const std::string contact = "normal = \"kn\"\ntangential = \"kt\"";
+  BOOST_TEST(tells(scene_of(contact, "kd - (mass(m2) | k2)", "m")));
+  BOOST_TEST(tells(read_scene(VCRIT_SCENES "/measured_drive.toml")));
+  BOOST_TEST(!tells(scene_of(contact, "kd - k2", "m")));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -392,16 +392,4 @@ BOOST_AUTO_TEST_CASE(written_only_when_asked_for) {
   BOOST_TEST(std::filesystem::exists(folder.path() / "kelvin_quantities.hpp"));
 }
 
-// Values of drives with masses and of measured ones: tests/matrix.
-BOOST_AUTO_TEST_CASE(a_drive_that_may_not_give_at_all_says_so) {
-  const auto tells = [](const Scene& scene) {
-    return symbolic::emit_quantities(derive(scene), "scene")
-               .find("NaN where the drive does not give at all") != std::string::npos;
-  };
-  const std::string contact = "normal = \"kn\"\ntangential = \"kt\"";
-  BOOST_TEST(tells(scene_of(contact, "kd - (mass(m2) | k2)", "m")));
-  BOOST_TEST(tells(read_scene(VCRIT_SCENES "/measured_drive.toml")));
-  BOOST_TEST(!tells(scene_of(contact, "kd - k2", "m")));
-}
-
 BOOST_AUTO_TEST_SUITE_END()

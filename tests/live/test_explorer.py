@@ -20,7 +20,7 @@ from browsing import PATIENCE, browser, load
 from program import PROGRAM, PROJECT
 
 MOVING = ["zener", "prony", "kelvin_rigid", "separation", "burgers", "elastic_drive", "kelvin", "inadmissible"]
-STILL = {"sonotrode": "holds masses of its own", "measured_drive": "measured receptance", "bridge": "a network with a bridge"}
+STILL = {"sonotrode": "a drive that holds masses", "measured_drive": "measured receptance", "bridge": "a network with a bridge"}
 SETTINGS = 200
 
 ROWS = """return vcrit_explorer.rows.map(({ name, unit, exponent, own, array, linear, values }) =>

@@ -114,6 +114,21 @@ class Cells:
         ran = run(*arguments, "--json")
         return json.loads(ran.stdout) if self.answered(kind, column, ran) else None
 
+    def near_pressed(self, kind, i, quantity, found):
+        """The mean indentation or normal force of row i. The force by steps; where nothing moves in time, K_n(0) u_z0: the
+        amplitude that opens the contact times |K_n|."""
+        references, name = REFERENCES[kind], f"mean_normal_force:{i}"
+        if quantity == "indentation":
+            under_load = "indentation" in references
+            reference = references("indentation" if under_load else "value:u_z0")
+            self.near(found, reference, (1e-12 if under_load else U) * abs(reference), quantity)
+        elif name in references:
+            # Below an indenter also the program's own quadrature, good to 1e-12.
+            self.near(found, references(name), references.error(name) + 1e-12 * found, name)
+        else:
+            stiffness = abs(mp.mpc(references("normal_stiffness:storage"), references("normal_stiffness:loss")))
+            self.near(found, references("admissible_amplitude") * stiffness, 8 * U * found, name)
+
     def near(self, found, reference, allowed, words=""):
         """Absolutely; infinite only where both are."""
         found = mp.mpmathify(found)

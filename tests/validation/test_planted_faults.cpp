@@ -130,17 +130,24 @@ BOOST_AUTO_TEST_CASE(a_reduced_stiffness_in_the_simulator_is_red) {
 
 // Whatever stands on the harmonic balance says the same: only the motion knows better.
 BOOST_AUTO_TEST_CASE(a_fault_in_formula_and_harmonic_balance_is_red) {
+  const std::vector<std::string> red{"generated",  "generated_batch",
+                                     "generated_fast", "generated_certified",
+                                     "simulation", "evaluators",
+                                     "marched"};
   for (const int thousandths : {-2, 2})
-    check_red(heard(balance_off_by(thousandths), zener, formula_off_by(thousandths, zener)),
-              {"generated", "generated_batch", "generated_fast", "generated_certified",
-               "simulation", "evaluators", "marched"});
+    check_red(heard(balance_off_by(thousandths), zener, formula_off_by(thousandths, zener)), red);
+  for (const char* file :
+       {VCRIT_SCENES "/sonotrode.toml", VCRIT_TEST_DATA "/../matrix/kinds/drive_graph_masses.toml"}) {
+    const Derivation scene = symbolic::derive(read_scene(file));
+    BOOST_TEST(passed(heard(own_witnesses(), scene)));
+    check_red(heard(balance_off_by(2), scene, formula_off_by(2, scene)), red);
+  }
 }
 
 // The same where nothing marches in time: periodic motion on a grid knows better.
 BOOST_AUTO_TEST_CASE(without_a_march_the_same_fault_is_red) {
-  for (const char* file : {VCRIT_SCENES "/sonotrode.toml", VCRIT_SCENES "/measured_drive.toml",
-                           VCRIT_TEST_DATA "/../matrix/kinds/lossy.toml",
-                           VCRIT_TEST_DATA "/../matrix/kinds/drive_graph_masses.toml"}) {
+  for (const char* file : {VCRIT_SCENES "/measured_drive.toml",
+                           VCRIT_TEST_DATA "/../matrix/kinds/lossy.toml"}) {
     const Derivation scene = symbolic::derive(read_scene(file));
     BOOST_TEST_CONTEXT(file) {
       const SceneReport right = heard(own_witnesses(), scene);

@@ -124,7 +124,7 @@ Label oscillation_words(const Problem& problem) {
                                {plain(value_words(problem, *problem->load, "N"))}});
     return joined(
         {load,
-         {plain("  "), italic("Δu"), lowered("z"),
+         {plain(", "), italic("Δu"), lowered("z"),
           raised(fmt::format("(t) = {:.4g} cos ωt {}", amplitude * scale.factor, scale.unit))}});
   }
   const double mean = problem.value(problem->indentation);

@@ -8,7 +8,6 @@
 #include "base/errors.hpp"
 #include "base/free_swings.hpp"
 #include "simulation/chains.hpp"
-#include "simulation/methods/methods.hpp"
 #include "simulation/steady/energy.hpp"
 #include "simulation/steady/exact.hpp"
 #include "simulation/steady/mass_amplitudes.hpp"
@@ -269,12 +268,6 @@ BOOST_AUTO_TEST_CASE(in_undamped_resonance) {
   const SteadyState state = steady_state(resonant, velocity);
   BOOST_TEST(std::abs(state.friction_ratio - between) < 1e-6);
   BOOST_TEST(mass_amplitudes(resonant, velocity).empty());
-}
-
-BOOST_AUTO_TEST_CASE(what_knows_one_body_says_so) {
-  const System of = system(chain(two, two_numbers(2, 0.4, 0.6, 1.3, 0.1)));
-  for (const Method method : all_methods())
-    BOOST_CHECK_THROW(steady_state(method, of, 0.1), ModelError);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
