@@ -36,11 +36,15 @@ class Verdicts(Case):
             self.assertIn("has no digit of v*", text.stderr)
 
     # A free swing at the second harmonic: steady sliding from v*/sqrt(2) on.
-    def test_is_status_1_where_the_ways_differ(self):
+    def test_a_free_swing_slides_from_below_the_critical_velocity(self):
         result, text = self.compared("kd", "kt", {"kt": 2, "kd": 16}, 1)
-        self.assertEqual((result.returncode, text.returncode), (1, 1))
-        self.assertFalse(json.loads(result.stdout)["agree"])
-        self.assertIn("ABOVE THE TOLERANCE 1e-09", text.stdout)
+        self.assertEqual((result.returncode, text.returncode), (0, 0))
+        answer = json.loads(result.stdout)
+        self.assertTrue(answer["agree"])
+        for key in ("sliding_from", "simulated"):
+            # two roundings of the formula, and one of the root
+            self.assertAlmostEqual(answer[key], answer["formula"] / 2**0.5, delta=4 * 2**-52 * answer["formula"])
+        self.assertIn("the undamped drive swings freely", text.stdout)
 
 
 if __name__ == "__main__":

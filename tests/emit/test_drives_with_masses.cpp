@@ -258,7 +258,7 @@ BOOST_AUTO_TEST_CASE(other_languages) {
 // The values themselves: tests/matrix.
 BOOST_AUTO_TEST_CASE(a_drive_that_may_not_give_at_all_says_so) {
   const auto tells = [](const Scene& scene) {
-    return symbolic::emit_quantities(derive(scene), "scene")
+    return symbolic::emit_quantities(symbolic::derive(scene), "scene")
                .find("NaN where the drive does not give at all") != std::string::npos;
   };
   const std::string contact = "normal = \"kn\"\ntangential = \"kt\"";

@@ -56,7 +56,7 @@ class Solve(unittest.TestCase):
 
     def test_names_arguments_of_python(self):
         for words, arguments, named in [
-                ('^sought: found "mass"; expected one of amplitude, frequency, velocity', ("mass", 0.5), {}),
+                ('^sought: found "mass"; expected one of amplitude, frequency, force, velocity', ("mass", 0.5), {}),
                 ("^velocity: found none; expected the velocity", ("amplitude", 0.5), {}),
                 ("^velocity: found a velocity, which is sought", ("velocity", 0.5), {"velocity": 1.0}),
                 ("^friction_ratio: found 1; expected", ("velocity", 1.0), {}),
