@@ -65,10 +65,15 @@ Comparison balanced(const SceneReport& report, const simulation::Onset& threshol
           ? fmt::format("doubles: 32 roundings of 2⁻⁵³, times the condition number {:.3g} here",
                         report.condition)
           : "doubles: leaves six digits to lose near resonance";
-  if (const std::vector<int>& free = report.free_harmonics; !free.empty())
+  const std::vector<int>& free = report.free_harmonics;
+  if (free.size() == 1)
     comparison.detail = fmt::format(
         "the drive swings freely at {} ω: friction is full from Eq. 24 times cos(π/{}) on",
         free.front(), 2 * free.front());
+  else if (!free.empty())
+    comparison.detail = fmt::format(
+        "the drive swings freely at {} harmonics: friction is full from Eq. 24 times {:.4g} on",
+        free.size(), sliding_share(free));
   return comparison;
 }
 
