@@ -88,8 +88,6 @@ constexpr Cell table_alone = left_out("v* is known at the frequencies of a table
 constexpr Cell one_frequency = left_out("lossy(k, eta) is known at one frequency at a time");
 constexpr Cell a_network =
     left_out("the simulator needs a network of springs, dampers and masses");
-constexpr Cell methods_of_one_body =
-    left_out("the methods to compare with know one body; this drive holds masses of its own");
 constexpr Cell not_causal =
     left_out("lossy(k, eta) is not causal: K = k (1 + i eta) at one frequency is no law of motion");
 constexpr Cell closed_alone = left_out("of a closed contact alone");
