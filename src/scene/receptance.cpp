@@ -39,7 +39,7 @@ Receptance parse_receptance(const std::string& text, const std::string& file) {
   lines.take_header(receptance_columns);
   while (lines.next()) {
     const auto numbers = lines.numbers(receptance_columns.size(), "three numbers: omega, Re, Im");
-    const Receptance::Row row{numbers[0], numbers[1], numbers[2]};
+    const Receptance::Row row{numbers[0], numbers[1], numbers[2], lines.place().line};
     refuse_receptance_order(receptance, row, lines.place());
     receptance.rows.push_back(row);
   }

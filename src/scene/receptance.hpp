@@ -14,7 +14,10 @@ struct Receptance {
   struct Row {
     double omega = 0;       ///< rad/s
     double re = 0, im = 0;  ///< m/N
-    friend bool operator==(const Row&, const Row&) = default;
+    int line = 0;           ///< of the file; 0 where unknown
+    friend bool operator==(const Row& a, const Row& b) {
+      return a.omega == b.omega && a.re == b.re && a.im == b.im;
+    }
   };
   std::string file;
   std::vector<Row> rows;  ///< at least two, omega increasing
