@@ -4,7 +4,9 @@
 #include <memory>
 #include <numbers>
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "commands.hpp"
 #include "friction_words.hpp"
@@ -16,6 +18,7 @@
 #include "simulate_indenter.hpp"
 #include "simulation/steady/energy.hpp"
 #include "simulation/steady/exact.hpp"
+#include "simulation/steady/mass_amplitudes.hpp"
 #include "simulation/steady/normal_force.hpp"
 #include "speed_options.hpp"
 
@@ -58,7 +61,17 @@ struct Separated {
   }
 };
 
-// Separation and energy are known for the exact method alone.
+// By the names that the scene gives the masses.
+struct Masses {
+  std::vector<std::pair<std::string, double>> amplitudes;  // m
+
+  bool empty() const { return amplitudes.empty(); }
+  friend void fields(record::Fields& f, const Masses& it) {
+    for (const auto& [name, amplitude] : it.amplitudes) f(name.c_str(), amplitude);
+  }
+};
+
+// Separation, energy and masses are known for the exact method alone.
 struct SimulationAnswer {
   Speed speed;
   SteadyState steady;
@@ -67,6 +80,7 @@ struct SimulationAnswer {
   std::optional<EnergyBalance> energy = {};
   std::optional<Separated> separation = {};
   std::optional<IndenterAnswer> indenter = {};
+  Masses masses = {};
 
   friend void fields(record::Fields& f, const SimulationAnswer& it) {
     const SteadyState& steady = it.steady;
@@ -74,7 +88,7 @@ struct SimulationAnswer {
     f("friction_ratio", steady.friction_ratio)("friction_ratio_error", steady.friction_ratio_error);
     f("regime", steady.regime)("method", it.method)("periods", steady.periods);
     f("events", steady.events).some("energy", it.energy).some("separation", it.separation);
-    f.some("indenter", it.indenter).some("warnings", it.warnings);
+    f.some("indenter", it.indenter).some("masses", it.masses).some("warnings", it.warnings);
   }
 };
 
@@ -142,6 +156,8 @@ SimulationAnswer answer_of(const SimulateOptions& options, const Problem& proble
                           options.method.name(), problem->source->warnings};
   if (!options.method.is_exact()) return answer;
   answer.energy = simulation::energy_balance(system, speed.velocity);
+  for (const auto& [symbol, amplitude] : simulation::mass_amplitudes(system, speed.velocity))
+    answer.masses.amplitudes.emplace_back(to_text(as_called(problem, symbol)), amplitude);
   if (const auto& other = answer.steady.other_start)
     answer.separation = {simulation::mean_normal_force(system), *other};
   return answer;

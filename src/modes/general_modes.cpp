@@ -127,7 +127,7 @@ class Decomposition {
     const Eigen::Index n = a_.rows();
     const WideMatrix identity = WideMatrix::Identity(n, n), shifted = a_ + decay * identity;
     WideMatrix square = shifted * shifted - q * identity;
-    square += 1e-19L * square.norm() * identity;
+    square += 1e-19L * size_ * size_ * identity;
     const Eigen::PartialPivLU<WideMatrix> solver(square);
     WideMatrix plane(n, 2);
     for (Eigen::Index i = 0; i < n; ++i) {
@@ -137,8 +137,7 @@ class Decomposition {
     for (int i = 0; i < 4; ++i) {
       plane = solver.solve(plane).eval();
       plane.col(0) /= plane.col(0).norm();
-      for (int k = 0; k < 2; ++k)
-        plane.col(1) -= plane.col(0) * plane.col(0).dot(plane.col(1));
+      for (int k = 0; k < 2; ++k) plane.col(1) -= plane.col(0) * plane.col(0).dot(plane.col(1));
       plane.col(1) /= plane.col(1).norm();
     }
     Eigen::Matrix<WideReal, 2, 2> inside = plane.transpose() * a_ * plane;
@@ -165,11 +164,12 @@ class Decomposition {
   std::vector<Plane> planes_;
 };
 
-// Each entry by another share of up to `share`, the same every time.
+// Each entry by another part of up to this share of the norm, the same every time.
 WideMatrix changed(WideMatrix a, WideReal share) {
+  const WideReal size = share * a.norm();
   for (Eigen::Index i = 0; i < a.rows(); ++i)
     for (Eigen::Index j = 0; j < a.cols(); ++j)
-      a(i, j) *= 1 + share * std::cos(static_cast<WideReal>(3 * i + 7 * j + 1));
+      a(i, j) += size * std::cos(static_cast<WideReal>(3 * i + 7 * j + 1));
   return a;
 }
 

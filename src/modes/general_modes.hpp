@@ -2,10 +2,11 @@
 // of A: those of a body on a drive with masses, in slip and in stick.
 //
 // A pair of modes s = -p +- sqrt(q) is a plane in which (A + p)^2 = q. It is spanned by any vector
-// X_a of it and X_b = (A + p) X_a, so that y = a X_a + b X_b obeys a' = -p a + q b, b' = a - p b, as
-// pair_number.hpp has it: through critical damping, q = 0, this is smooth. Two real rates near each
-// other are such a pair, too. Where more modes merge than two, their numbers grow like the inverse
-// of their distance and cancel. They are then kept apart by a change of A within some roundings.
+// X_a of it and X_b = (A + p) X_a, so that y = a X_a + b X_b obeys a' = -p a + q b, b' = a - p b,
+// as pair_number.hpp has it: through critical damping, q = 0, this is smooth. Two real rates near
+// each other are such a pair, too. Where more modes merge than two, their numbers grow like the
+// inverse of their distance and cancel. They are then kept apart by a change of A within some
+// roundings.
 #pragma once
 
 #include <complex>

@@ -25,7 +25,7 @@ constexpr Cell each_place = refused(
 constexpr Cell no_cells = refused("the scene has no indenter");
 constexpr Cell no_methods = refused("knows no indenter");
 constexpr Cell one_body = refused("knows one body; this drive holds masses of its own",
-                                  "the exact method knows them, without --method");
+                                  "the exact method knows them");
 
 constexpr Cell without_memory_code = refused(
     "where this contact opens (separation = true) v* is Eq. (24) only while it is closed where the "
@@ -79,7 +79,8 @@ constexpr Cell memory = left_out(
 constexpr Cell open_then = left_out("the contact is open where the indentation grows fastest");
 constexpr Cell table_alone = left_out("v* is known at the frequencies of a table alone");
 constexpr Cell one_frequency = left_out("lossy(k, eta) is known at one frequency at a time");
-constexpr Cell a_network = left_out("the simulator needs a network of springs and dampers");
+constexpr Cell a_network =
+    left_out("the simulator knows one body, under a network of springs and dampers");
 constexpr Cell methods_of_one_body =
     left_out("the methods to compare with know one body; this drive holds masses of its own");
 constexpr Cell not_causal =

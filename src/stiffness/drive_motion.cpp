@@ -144,8 +144,8 @@ DriveMotion drive_motion(const DriveStructure& structure) {
   rest.head(whole.together.size()) = whole.together / root;
   rest = (basis.transpose() * rest).eval();
   for (const MotionReal each : rest) result.rest.push_back(static_cast<double>(each));
-  result.rates = Dense<MotionReal>(static_cast<std::size_t>(a.rows()),
-                                   static_cast<std::size_t>(a.cols()));
+  result.rates =
+      Dense<MotionReal>(static_cast<std::size_t>(a.rows()), static_cast<std::size_t>(a.cols()));
   for (std::size_t i = 0; i < result.rates.rows(); ++i)
     for (std::size_t j = 0; j < result.rates.columns(); ++j)
       result.rates(i, j) = a(place_at(i), place_at(j));

@@ -24,18 +24,18 @@ namespace vcrit {
 
 namespace {
 
-using Real = long double;
-using DenseReal = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
-using RealColumn = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
+using StructureReal = long double;
+using DenseStructure = Eigen::Matrix<StructureReal, Eigen::Dynamic, Eigen::Dynamic>;
+using StructureColumn = Eigen::Matrix<StructureReal, Eigen::Dynamic, 1>;
 
 constexpr std::size_t body_node = 0, far_node = 1;
 
 // The share of a sum within which an eigenvalue of it is 0: of some dozen nodes, in these numbers.
-constexpr Real no_share = 1e-16L;
+constexpr StructureReal no_share = 1e-16L;
 
 // Parts that hold the body's end move it in proportion if they do so to this share: what rounding
 // leaves of doubles.
-constexpr Real same_proportion = 1e-13L;
+constexpr StructureReal same_proportion = 1e-13L;
 
 struct HeldEdge {
   std::size_t from, to;
@@ -112,11 +112,12 @@ class MassGraph {
 struct NodalForms {
   NodalForms(std::size_t kept, std::size_t all)
       : staying(kept),
-        springs(DenseReal::Zero(static_cast<Eigen::Index>(all), static_cast<Eigen::Index>(all))),
+        springs(
+            DenseStructure::Zero(static_cast<Eigen::Index>(all), static_cast<Eigen::Index>(all))),
         dampers(springs) {}
 
-  static void link(DenseReal& matrix, std::optional<std::size_t> a, std::optional<std::size_t> b,
-                   Real value) {
+  static void link(DenseStructure& matrix, std::optional<std::size_t> a,
+                   std::optional<std::size_t> b, StructureReal value) {
     const auto at = [](std::size_t i) { return static_cast<Eigen::Index>(i); };
     if (a) matrix(at(*a), at(*a)) += value;
     if (b) matrix(at(*b), at(*b)) += value;
@@ -128,12 +129,12 @@ struct NodalForms {
   void eliminate();
 
   std::size_t staying;
-  DenseReal springs, dampers;
+  DenseStructure springs, dampers;
   std::vector<DriveBranch> branches;
 };
 
 // What elimination leaves of a number that it should take off all of is rounding.
-void clean(DenseReal& matrix, const DenseReal& before) {
+void clean(DenseStructure& matrix, const DenseStructure& before) {
   for (Eigen::Index i = 0; i < matrix.rows(); ++i)
     for (Eigen::Index j = 0; j < matrix.cols(); ++j)
       if (std::abs(matrix(i, j)) <= no_share * std::sqrt(before(i, i) * before(j, j)))
@@ -142,25 +143,25 @@ void clean(DenseReal& matrix, const DenseReal& before) {
 
 void NodalForms::eliminate() {
   const auto n = static_cast<Eigen::Index>(staying), m = springs.rows() - n;
-  DenseReal k = springs.topLeftCorner(n, n), c = dampers.topLeftCorner(n, n);
+  DenseStructure k = springs.topLeftCorner(n, n), c = dampers.topLeftCorner(n, n);
   if (m > 0) {
-    const DenseReal inner = springs.bottomRightCorner(m, m);
-    const DenseReal all = inner + dampers.bottomRightCorner(m, m);
-    const Eigen::LLT<DenseReal> lower(all);
-    const DenseReal half = lower.matrixL().solve(inner);
-    const DenseReal shares = lower.matrixL().solve(half.transpose());
-    const Eigen::SelfAdjointEigenSolver<DenseReal> eigen((shares + shares.transpose()) / 2);
-    const DenseReal to = eigen.eigenvectors().transpose();
-    const DenseReal springs_to = to * lower.matrixL().solve(springs.bottomLeftCorner(m, n));
-    const DenseReal dampers_to = to * lower.matrixL().solve(dampers.bottomLeftCorner(m, n));
+    const DenseStructure inner = springs.bottomRightCorner(m, m);
+    const DenseStructure all = inner + dampers.bottomRightCorner(m, m);
+    const Eigen::LLT<DenseStructure> lower(all);
+    const DenseStructure half = lower.matrixL().solve(inner);
+    const DenseStructure shares = lower.matrixL().solve(half.transpose());
+    const Eigen::SelfAdjointEigenSolver<DenseStructure> eigen((shares + shares.transpose()) / 2);
+    const DenseStructure to = eigen.eigenvectors().transpose();
+    const DenseStructure springs_to = to * lower.matrixL().solve(springs.bottomLeftCorner(m, n));
+    const DenseStructure dampers_to = to * lower.matrixL().solve(dampers.bottomLeftCorner(m, n));
     for (Eigen::Index i = 0; i < m; ++i) {
-      const Real mu = eigen.eigenvalues()[i], nu = 1 - mu;
-      const RealColumn ki = springs_to.row(i).transpose(), ci = dampers_to.row(i).transpose();
+      const StructureReal mu = eigen.eigenvalues()[i], nu = 1 - mu;
+      const StructureColumn ki = springs_to.row(i).transpose(), ci = dampers_to.row(i).transpose();
       if (mu > no_share) k -= ki * ki.transpose() / mu;
       if (nu > no_share) c -= ci * ci.transpose() / nu;
       if (!(mu > no_share && nu > no_share)) continue;
-      const RealColumn d = ki - mu / nu * ci;
-      branches.push_back({1 / mu, nu / mu, std::vector<Real>(d.begin(), d.end())});
+      const StructureColumn d = ki - mu / nu * ci;
+      branches.push_back({1 / mu, nu / mu, std::vector<StructureReal>(d.begin(), d.end())});
     }
     clean(k, springs);
     clean(c, dampers);
@@ -171,14 +172,14 @@ void NodalForms::eliminate() {
 
 // In units in which springs and dampers are alike, any time will do; one of the network's own keeps
 // the eigenvalues apart.
-Real time_unit(const std::vector<HeldEdge>& edges) {
-  Real springs = 0, dampers = 0;
+StructureReal time_unit(const std::vector<HeldEdge>& edges) {
+  StructureReal springs = 0, dampers = 0;
   for (const HeldEdge& edge : edges) {
     springs += edge.form.equilibrium;
     dampers += edge.form.damper;
     for (const auto& [stiffness, time] : edge.form.branches) {
       springs += stiffness;
-      dampers += static_cast<Real>(stiffness) * time;
+      dampers += static_cast<StructureReal>(stiffness) * time;
     }
   }
   return springs > 0 && dampers > 0 ? dampers / springs : 1;
@@ -227,7 +228,7 @@ class StructureOf {
     for (const HeldEdge& edge : graph_.edges())
       if (!between_kept(edge)) all += edge.form.branches.size();
     NodalForms forms(kept_, all);
-    const Real unit = time_unit(graph_.edges());
+    const StructureReal unit = time_unit(graph_.edges());
     std::size_t inner = count_;
     for (const HeldEdge& edge : graph_.edges()) {
       const auto from = place_[edge.from], to = place_[edge.to];
@@ -239,7 +240,8 @@ class StructureOf {
           continue;
         }
         NodalForms::link(forms.springs, from, inner, stiffness);
-        NodalForms::link(forms.dampers, inner++, to, static_cast<Real>(stiffness) * time / unit);
+        NodalForms::link(forms.dampers, inner++, to,
+                         static_cast<StructureReal>(stiffness) * time / unit);
       }
     }
     forms.eliminate();
@@ -252,8 +254,9 @@ class StructureOf {
     return std::max(place_[edge.from].value_or(0), place_[edge.to].value_or(0)) < kept_;
   }
 
-  std::vector<Real> pull(std::optional<std::size_t> from, std::optional<std::size_t> to) const {
-    std::vector<Real> result(kept_, 0);
+  std::vector<StructureReal> pull(std::optional<std::size_t> from,
+                                  std::optional<std::size_t> to) const {
+    std::vector<StructureReal> result(kept_, 0);
     if (from) result[*from] += 1;
     if (to) result[*to] -= 1;
     return result;
@@ -264,13 +267,13 @@ class StructureOf {
   // nothing else between the others.
   void take_off_lead(NodalForms& forms, DriveStructure& result) const {
     const auto n = static_cast<Eigen::Index>(masses_);
-    Relaxation lead{static_cast<double>(forms.springs(n, n)),
-                    static_cast<double>(forms.dampers(n, n)), {}};
-    std::vector<Real>& port = result.port;
+    Relaxation lead{
+        static_cast<double>(forms.springs(n, n)), static_cast<double>(forms.dampers(n, n)), {}};
+    std::vector<StructureReal>& port = result.port;
     bool first = true;
-    const auto hear = [&](const auto& row, Real own) {
+    const auto hear = [&](const auto& row, StructureReal own) {
       for (std::size_t i = 0; i < masses_; ++i) {
-        const Real share = -row(i) / own;
+        const StructureReal share = -row(i) / own;
         if (first)
           port[i] = share;
         else if (std::abs(share - port[i]) > same_proportion)
@@ -281,7 +284,7 @@ class StructureOf {
       }
       first = false;
     };
-    const auto row_of = [n](const DenseReal& matrix) {
+    const auto row_of = [n](const DenseStructure& matrix) {
       return [&matrix, n](std::size_t i) { return matrix(n, static_cast<Eigen::Index>(i)); };
     };
     if (lead.equilibrium > 0) hear(row_of(forms.springs), forms.springs(n, n));
@@ -289,35 +292,37 @@ class StructureOf {
     std::vector<Relaxation> parts{lead};
     std::vector<DriveBranch> left;
     for (DriveBranch& branch : forms.branches) {
-      const Real own = branch.pull.back();
+      const StructureReal own = branch.pull.back();
       branch.pull.pop_back();
       if (std::abs(own) <= same_proportion * size_of(branch.pull)) {
         left.push_back(std::move(branch));
         continue;
       }
       hear([&](std::size_t i) { return branch.pull[i]; }, own);
-      parts.push_back({0, 0, {{static_cast<double>(branch.stiffness * own * own),
-                               static_cast<double>(branch.time)}}});
+      parts.push_back({0,
+                       0,
+                       {{static_cast<double>(branch.stiffness * own * own),
+                         static_cast<double>(branch.time)}}});
     }
     result.lead = parallel(parts);
-    const RealColumn p = Eigen::Map<const RealColumn>(port.data(), n);
-    const auto rest = [&](const DenseReal& matrix) {
-      return DenseReal(matrix.topLeftCorner(n, n) - matrix(n, n) * p * p.transpose());
+    const StructureColumn p = Eigen::Map<const StructureColumn>(port.data(), n);
+    const auto rest = [&](const DenseStructure& matrix) {
+      return DenseStructure(matrix.topLeftCorner(n, n) - matrix(n, n) * p * p.transpose());
     };
     forms.springs = rest(forms.springs);
     forms.dampers = rest(forms.dampers);
     forms.branches = std::move(left);
   }
 
-  static Real size_of(const std::vector<Real>& pull) {
-    Real sum = 0;
-    for (const Real each : pull) sum += std::abs(each);
+  static StructureReal size_of(const std::vector<StructureReal>& pull) {
+    StructureReal sum = 0;
+    for (const StructureReal each : pull) sum += std::abs(each);
     return sum;
   }
 
-  static Dense<Real> of(const DenseReal& matrix) {
-    Dense<Real> result(static_cast<std::size_t>(matrix.rows()),
-                       static_cast<std::size_t>(matrix.cols()));
+  static Dense<StructureReal> of(const DenseStructure& matrix) {
+    Dense<StructureReal> result(static_cast<std::size_t>(matrix.rows()),
+                                static_cast<std::size_t>(matrix.cols()));
     for (std::size_t i = 0; i < result.rows(); ++i)
       for (std::size_t j = 0; j < result.columns(); ++j)
         result(i, j) = matrix(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
@@ -348,8 +353,8 @@ DriveStructure stiffer(DriveStructure structure, double times) {
 
 std::vector<std::complex<long double>> displacements(const DriveStructure& structure,
                                                      std::complex<long double> s) {
-  using ComplexMatrix = Eigen::Matrix<std::complex<Real>, Eigen::Dynamic, Eigen::Dynamic>;
-  using ComplexColumn = Eigen::Matrix<std::complex<Real>, Eigen::Dynamic, 1>;
+  using ComplexMatrix = Eigen::Matrix<std::complex<StructureReal>, Eigen::Dynamic, Eigen::Dynamic>;
+  using ComplexColumn = Eigen::Matrix<std::complex<StructureReal>, Eigen::Dynamic, 1>;
   const std::size_t n = structure.mass.size();
   const auto at = [](std::size_t i) { return static_cast<Eigen::Index>(i); };
   ComplexMatrix dynamic(at(n), at(n));
@@ -360,9 +365,9 @@ std::vector<std::complex<long double>> displacements(const DriveStructure& struc
       dynamic(at(i), at(j)) = structure.stiffness(i, j) + s * structure.damping(i, j);
       for (const DriveBranch& branch : structure.branches)
         dynamic(at(i), at(j)) += branch.stiffness * branch.pull[i] * branch.pull[j] * branch.time *
-                                 s / (Real(1) + branch.time * s);
+                                 s / (StructureReal(1) + branch.time * s);
     }
-    dynamic(at(i), at(i)) += static_cast<Real>(structure.mass[i]) * s * s;
+    dynamic(at(i), at(i)) += static_cast<StructureReal>(structure.mass[i]) * s * s;
   }
   const ComplexColumn found = dynamic.fullPivLu().solve(port);
   return {found.begin(), found.end()};

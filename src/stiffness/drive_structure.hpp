@@ -30,7 +30,7 @@ struct NamedMass {
 };
 
 struct DriveStructure {
-  std::vector<double> mass;             ///< M, diagonal (kg), all > 0
+  std::vector<double> mass;               ///< M, diagonal (kg), all > 0
   Dense<long double> damping, stiffness;  ///< C (N s/m) and K (N/m), positive semidefinite
   std::vector<DriveBranch> branches;
   std::vector<long double> port;      ///< p

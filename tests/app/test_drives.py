@@ -70,10 +70,20 @@ class Masses(Drives):
             self.drive(network, words, elements=elements, **more)
 
     def test_what_knows_one_body_says_so(self):
-        for name, *rest in SIMULATIONS:
-            self.assertEqual(self.refused(3, [name, SONOTRODE, *rest]),
-                             "the simulator knows one body; this drive holds masses of its own")
+        for method in ("moreau", "rkf45", "reduced"):
+            told = self.refused(3, ["simulate", SONOTRODE, "--velocity", "0.001", "--method", method])
+            self.assertEqual(told, f"{method} knows one body; this drive holds masses of its own; "
+                                   "the exact method knows them")
         self.assertEqual(list(self.folder.iterdir()), [], "nothing is written")
+
+    # The body is the drive's end: together they swing by their response to the same force.
+    def test_masses_swing(self):
+        answer = self.answer("simulate", SONOTRODE, "--velocity-ratio", "0.5")
+        self.assertEqual(list(answer["masses"]), ["m", "ms"])
+        for amplitude in answer["masses"].values():
+            self.assertTrue(0 < amplitude < 1e-6)
+        one_body = self.answer("simulate", example("kelvin"), "--velocity-ratio", "0.5")
+        self.assertNotIn("masses", one_body)
 
     def test_an_evaluator_has_each_mass_as_a_member(self):
         self.out("generate", SONOTRODE, "--out", "lib", "--name", "horn")

@@ -123,8 +123,7 @@ Names without_answer(SceneKind kind) {
                              "motion_in_time",  "comparison",      "report_simulation",
                              "report_stability"};
     case SceneKind::masses_in_drive:
-      return contact + Names{"motion", "motion_in_time", "comparison", "report_simulation",
-                             "report_stability"};
+      return contact + Names{"other_methods", "report_simulation", "report_stability"};
     case SceneKind::lossy_spring:
       return contact + Names{"rational_form",     "all_frequencies", "motion",
                              "normal_motion",     "motion_in_time",  "comparison",

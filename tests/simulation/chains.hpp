@@ -27,8 +27,30 @@ inline simulation::Event event_of(const std::string& text) {
 
 inline std::vector<Chain> chains() {
   const std::string table = "two_mass_chains.csv";
-  enum { id, group, contact, k0, c0, k1, tau1, m0, m1, m2, kd1, cd3 = 15, drive, mu0, amplitude,
-         ratio, critical, velocity, friction, agreement, count, order };
+  enum {
+    id,
+    group,
+    contact,
+    k0,
+    c0,
+    k1,
+    tau1,
+    m0,
+    m1,
+    m2,
+    kd1,
+    cd3 = 15,
+    drive,
+    mu0,
+    amplitude,
+    ratio,
+    critical,
+    velocity,
+    friction,
+    agreement,
+    count,
+    order
+  };
   const std::vector<std::string> names{"k0",  "c0",  "k1",  "tau1", "m0",  "m1", "m2",
                                        "kd1", "cd1", "kd2", "cd2",  "kd3", "cd3"};
   std::vector<Chain> result;
@@ -50,8 +72,14 @@ inline std::vector<Chain> chains() {
       if (i != m0 && i != tau1 && !row.at(static_cast<std::size_t>(i)).empty())
         text.elements.emplace_back(names.at(static_cast<std::size_t>(i - k0)),
                                    std::stod(row.at(static_cast<std::size_t>(i))));
-    Chain chain{row.at(id), row.at(group), row.at(drive), test::scene_of(text), std::stod(row.at(critical)),
-                std::stod(row.at(velocity)), std::stod(row.at(friction)), {}};
+    Chain chain{row.at(id),
+                row.at(group),
+                row.at(drive),
+                test::scene_of(text),
+                std::stod(row.at(critical)),
+                std::stod(row.at(velocity)),
+                std::stod(row.at(friction)),
+                {}};
     for (const std::string& event : test::split(row.at(order), ';'))
       chain.events.push_back(event_of(event));
     result.push_back(std::move(chain));

@@ -151,7 +151,8 @@ std::optional<Comparison> separation_small_amplitude(const Problem& problem, dou
 // So slow an oscillation that every network is as at rest.
 std::optional<Comparison> separation_quasi_static(const System& system) {
   const auto& form = system.opening->network;
-  if (!(system.contact.equilibrium > 0) || system.drive) return std::nullopt;
+  if (!(system.contact.equilibrium > 0) || system.drive || system.masses)
+    return std::nullopt;
   System slow = system, elastic = system;
   const double slowest = std::max(slowest_relaxation(form), slowest_relaxation(system.contact));
   if (slowest == 0) return std::nullopt;

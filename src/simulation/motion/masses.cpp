@@ -6,7 +6,7 @@ namespace vcrit::simulation {
 
 namespace {
 
-Dense<long double> in_radians(Dense<long double> rates, double omega) {
+Dense<long double> per_radian(Dense<long double> rates, double omega) {
   for (long double& rate : rates.numbers()) rate /= omega;
   return rates;
 }
@@ -16,7 +16,7 @@ Dense<long double> in_radians(Dense<long double> rates, double omega) {
 Masses::Masses(const DriveMotion& motion, double omega, double stiffness_unit)
     : mass(motion.mass * omega * (omega / stiffness_unit)),
       fluidity(motion.fluidity * (stiffness_unit / omega)),
-      exact(in_radians(motion.rates, omega)),
+      exact(per_radian(motion.rates, omega)),
       rest(motion.rest.begin(), motion.rest.end()) {
   const Index n = rest.size();
   rates = losses = Matrix(n, n);

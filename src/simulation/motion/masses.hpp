@@ -5,8 +5,8 @@
 
 #include <complex>
 
-#include "modes/general_modes.hpp"
 #include "modes/contact_modes.hpp"
+#include "modes/general_modes.hpp"
 #include "stiffness/drive_motion.hpp"
 
 namespace vcrit::simulation {

@@ -132,8 +132,9 @@ Model::Model(const System& system) : effort(effort_of_state, system.effort) {
   check_system(system);
   effort.spend(setup_work(system));
   const bool moves = !system.masses && system.drive && system.mass && *system.mass > 0;
-  const Relaxation path =
-      system.drive && !moves && !system.masses ? series({system.contact, *system.drive}) : system.contact;
+  const Relaxation path = system.drive && !moves && !system.masses
+                              ? series({system.contact, *system.drive})
+                              : system.contact;
   const double stiffness_unit = std::abs(dynamic_stiffness(path, system.omega));
   set_bound(system);
   velocity_unit = force_unit * system.omega / stiffness_unit;
@@ -169,7 +170,8 @@ void Model::set_free_swings(const System& system) {
   const std::vector<int> harmonics = undamped_harmonics(system);
   const auto least = least_maximum(harmonics);
   if (!least)
-    throw ModelError("the masses of the drive swing freely at too many harmonics of the oscillation");
+    throw ModelError(
+        "the masses of the drive swing freely at too many harmonics of the oscillation");
   for (std::size_t i = 0; i < harmonics.size(); ++i)
     free_swings.push_back({harmonics[i], -threshold * least->swings[i]});
   threshold *= least->upper;
@@ -179,7 +181,10 @@ void Model::set_free_swings(const System& system) {
 const Modes& Model::heard(const GeneralModes& found) {
   constexpr double usual = 1e3;
   double share = found.change;
-  if (found.amplification > usual) share += epsilon * found.amplification;
+  if (found.amplification > usual) {
+    share += epsilon * found.amplification;
+    amplification = std::max(amplification, found.amplification);
+  }
   merging = std::max(merging, share);
   return found.modes;
 }
@@ -304,8 +309,8 @@ void Model::set_sliding_of_masses() {
   const Masses& masses = *body->masses;
   const List<std::complex<double>> answer = response(masses.exact, 1i);
   const double direct = masses.rates(0, 0);
-  resonance = (1 + std::abs(direct)) * std::abs(answer[0]) +
-              std::abs(1.0 - (1i - direct) * answer[0]);
+  resonance =
+      (1 + std::abs(direct)) * std::abs(answer[0]) + std::abs(1.0 - (1i - direct) * answer[0]);
   if (!(resonance < infinity) || free_harmonic == 1) {
     resonance = infinity;
     sliding_velocity = infinity;

@@ -27,8 +27,8 @@ namespace vcrit::simulation {
 
 struct Body {
   double mass = 0;
-  PoleSum drive;        ///< K_d(s)/s; nothing where the drive holds masses
-  double fluidity = 0;  ///< 1/eta of a drive that creeps, else 0
+  PoleSum drive;                      ///< K_d(s)/s; nothing where the drive holds masses
+  double fluidity = 0;                ///< 1/eta of a drive that creeps, else 0
   std::optional<Masses> masses = {};  ///< then x_b is in place of (u, g_j)
 
   /// Velocity for a force on it, s as of e^{st}.
@@ -88,8 +88,9 @@ struct Model {
   /// such swing a mean, and the free swing attains it. Masses may have several (free_swings.hpp).
   double threshold = 0;
   List<FreeSwing, 1> free_swings;
-  /// Share that modes of masses which merge may take of all answers, see general_modes.hpp.
-  double merging = 0;
+  /// Share that modes of masses which merge may take of all answers, and by how much they let
+  /// rounding errors grow, 1 where they are apart (general_modes.hpp).
+  double merging = 0, amplification = 1;
 
   /// u and g_j, or those of the masses.
   Index body_states() const {

@@ -95,7 +95,7 @@ Vector rounding_of(const Model& model, Vector unit) {
   }
   for (Index j = 0; j < model.slow_units; ++j)
     relax(unit[model.body_states() + j], model.contact.unit_rates[j]);
-  for (double& size : unit) size *= 8 * epsilon;
+  for (double& size : unit) size *= 8 * epsilon * model.amplification;
   return unit;
 }
 

@@ -43,8 +43,7 @@ double most_missing(const Model& model, double velocity, double n) {
   const double excess = velocity - std::cos(quarter) * critical;
   if (!(excess > 0)) return 1;
   const Complex s(0, n);
-  const double response =
-      std::abs(model.body->mobility(s) + contact_response(model.contact, s));
+  const double response = std::abs(model.body->mobility(s) + contact_response(model.contact, s));
   // The second part is the rounding of springs and inertia that cancel.
   const double resistance = 1 / response + 8 * epsilon * n * model.body->mass;
   const double moving = (velocity + model.creep) / (1 - model.amplitude);

@@ -88,8 +88,8 @@ std::vector<int> harmonics_of_poles(const System& system, long double within) {
 std::vector<int> undamped_harmonics(const System& system) {
   constexpr long double rounding_of_poles = 1e-17L;
   if (!system.masses) return {};
-  return harmonics_of_poles(system, system.opening ? rounding_of_poles
-                                                   : equal_in_roundings / 2 * epsilon);
+  return harmonics_of_poles(system,
+                            system.opening ? rounding_of_poles : equal_in_roundings / 2 * epsilon);
 }
 
 // Where Re K_d = m s^2 the network of the drive, springs and dampers, answers to a share of 1e-5
@@ -119,8 +119,7 @@ void hold_by(System& system, DriveStructure structure) {
   DriveMotion motion = drive_motion(structure);
   system.drive.reset();
   system.mass.reset();
-  system.masses =
-      std::make_shared<const DriveWithMasses>(std::move(structure), std::move(motion));
+  system.masses = std::make_shared<const DriveWithMasses>(std::move(structure), std::move(motion));
 }
 
 System system_of(const Problem& problem) {

@@ -32,8 +32,10 @@ struct System {
   std::complex<double>
       normal_force_amplitude;  ///< N; F_n(t) = mean + Re[amplitude e^{i omega t}] >= 0
   std::optional<NormalMotion> opening = {};  ///< in place of both forces: F_n = max(0, reaction)
-  std::shared_ptr<const DriveWithMasses> masses = {};  ///< in place of drive and mass; see hold_by()
-  SharedEffort* effort = nullptr;  ///< that all searches on it share; without one each has its own alone
+  std::shared_ptr<const DriveWithMasses> masses =
+      {};  ///< in place of drive and mass; see hold_by()
+  SharedEffort* effort =
+      nullptr;  ///< that all searches on it share; without one each has its own alone
 };
 
 /// Numbers that differ by so many of their roundings are equal, but for rounding.

@@ -102,7 +102,9 @@ test::SceneText scene_text(const RandomDrive& drive) {
     text.elements.emplace_back("cb", drive.kt_branch * drive.t_branch);
   }
   const auto name = [](int node) {
-    return node == far_end ? "\"housing\"" : node == 0 ? "\"body\"" : "\"n" + std::to_string(node) + "\"";
+    return node == far_end ? "\"housing\""
+           : node == 0     ? "\"body\""
+                           : "\"n" + std::to_string(node) + "\"";
   };
   std::string edges;
   for (std::size_t i = 0; i < drive.struts.size(); ++i) {
@@ -327,7 +329,8 @@ Repeated integrated(const RandomDrive& drive, double velocity) {
     result.ratio = ratio;
     result.events = integrator.events;
     double moved = 0;
-    for (std::size_t i = 0; i + 1 < y.size(); ++i) moved = std::max(moved, std::abs(y[i] - before[i]));
+    for (std::size_t i = 0; i + 1 < y.size(); ++i)
+      moved = std::max(moved, std::abs(y[i] - before[i]));
     if (moved < 1e-12 && result.change < 1e-12) break;
   }
   return result;
