@@ -61,7 +61,7 @@ constexpr Cell too_large = refused(
 constexpr Cell too_large_anywhere = refused(too_large.reason);
 constexpr Cell opens_closed = refused(
     "the contact opens: the normal force oscillates by {du_z} |K_n| = {oscillating:.6g} N about a "
-    "mean of K_n(0) {u_z0} = {mean:.6g} N (Eq. 4)",
+    "mean of {load} = {mean:.6g} N (Eq. 4)",
     let_it_open);
 constexpr Cell opens_moving = refused(
     "the contact opens: F_n oscillates by {oscillating:.6g} N about a mean of {mean:.6g} N (Eq. 4)",
@@ -73,6 +73,15 @@ constexpr Cell opens_all_over = refused(
 constexpr Cell opens_at_tip = refused(
     "the contact opens all over: at the tip F_n oscillates by {share:.6g} times its mean (Eq. 4)",
     let_it_open);
+
+// Of a contact that creeps as long as it is loaded.
+constexpr Cell sinks_opening = refused(
+    "the contact opens (separation = true) while its normal network creeps, K_n(0) = 0: under a "
+    "load it sinks for ever, so that no mean depth can be given",
+    "take an amplitude below {closed}, or a normal network with a spring across it");
+
+constexpr Cell sinks_as_it_opens =
+    left_out("under its load the contact sinks for ever, and opens in each cycle");
 
 constexpr Cell memory = left_out(
     "the contact point follows the normal deformation with memory, also where the contact opens");
@@ -99,85 +108,105 @@ struct Row {
 //   measured, masses, lossy | indenter, none | separating, without memory, with memory
 //   no load, below indenter, no friction, no indentation, tapping, never closing
 //   (3), deep | (4), below indenter | opening with memory, open where steepest
+//   sinking, and opening
 constexpr Cell y = yes;
 // clang-format off
 constexpr std::array<Row, questions> table{{
     {Question::admissible,
      {y, y, y, y, y, y, y, y,
       no_load, no_load, y, no_indentation, y, never_closes,
-      too_large, y, opens_closed, opens_all_over, y, y}},
+      too_large, y, opens_closed, opens_all_over, y, y,
+      y, sinks_opening}},
     {Question::formula,
      {y, y, y, y, y, y, y, y,
       y, y, y, y, y, y,
-      y, y, y, y, memory, open_then}},
+      y, y, y, y, memory, open_then,
+      y, sinks_as_it_opens}},
     {Question::closed_form,
      {y, y, y, y, y, y, y, memory,
       y, y, y, y, y, y,
-      y, y, y, y, y, y}},
+      y, y, y, y, y, y,
+      y, y}},
     {Question::formula_of_all_values,
      {y, y, y, y, y, y, no_symbols, no_symbols,
       y, y, y, y, y, y,
-      y, y, y, y, y, y}},
+      y, y, y, y, y, y,
+      y, y}},
     {Question::evaluator,
      {y, y, y, y, y, y, without_memory_code, memory_code,
       y, y, y, y, y, y,
-      y, y, y, y, y, y}},
+      y, y, y, y, y, y,
+      y, y}},
     {Question::rational_form,
      {measured_polynomial, y, lossy_law, y, y, y, y, y,
       y, y, y, y, y, y,
-      y, y, y, y, y, y}},
+      y, y, y, y, y, y,
+      y, y}},
     {Question::all_frequencies,
      {table_alone, y, one_frequency, y, y, y, y, y,
       y, y, y, y, y, y,
-      y, y, y, y, y, y}},
+      y, y, y, y, y, y,
+      y, y}},
     {Question::motion,
      {measured_motion, y, lossy_motion, each_place, y, y, y, y,
       no_load, y, no_friction, y, y, never_closes,
-      too_large, y, opens_moving, y, y, y}},
+      too_large, y, opens_moving, y, y, y,
+      y, sinks_opening}},
     {Question::motion_below_indenter,
      {y, y, lossy_law, y, no_cells, y, y, y,
       y, no_modulus, no_friction, y, y, never_closes,
-      too_large, y, y, opens_at_tip, y, y}},
+      too_large, y, y, opens_at_tip, y, y,
+      y, y}},
     {Question::normal_motion,
      {y, y, lossy_motion, y, y, y, y, y,
       no_load, no_modulus, y, y, y, y,
-      y, y, y, y, y, y}},
+      y, y, y, y, y, y,
+      y, sinks_opening}},
     {Question::motion_in_time,
      {measured_motion, y, lossy_motion, y, y, y, y, y,
       y, y, y, y, y, y,
-      y, y, y, y, y, y}},
+      y, y, y, y, y, y,
+      y, y}},
     {Question::comparison,
      {measured_motion, y, lossy_motion, y, y, y, y, y,
       no_load, no_modulus, no_friction, y, y, never_closes,
-      y, y, y, y, no_comparison, no_comparison}},
+      y, y, y, y, no_comparison, no_comparison,
+      y, sinks_opening}},
     {Question::other_methods,
      {y, one_body, y, no_methods, y, y, y, y,
       y, y, y, y, y, y,
-      y, y, y, y, y, y}},
+      y, y, y, y, y, y,
+      y, y}},
     {Question::report_simulation,
      {a_network, methods_of_one_body, not_causal, y, y, y, y, y,
       y, y, y, y, y, y,
-      y, y, y, y, y, y}},
+      y, y, y, y, y, y,
+      y, y}},
     {Question::report_explorer,
      {y, y, y, each_place, y, y, y, y,
       y, y, y, y, y, y,
-      y, y, y, y, y, y}},
+      y, y, y, y, y, y,
+      y, y}},
     {Question::report_stability,
      {networks_alone, networks_alone, not_causal, one_contact, y, closed_alone, y, y,
       inadmissible, inadmissible, y, inadmissible, y, inadmissible,
-      inadmissible, y, inadmissible, inadmissible, y, y}},
+      inadmissible, y, inadmissible, inadmissible, y, y,
+      y, inadmissible}},
     {Question::mean_load,
      {y, y, y, y, y, y, y, y,
       no_load, no_load, y, no_indentation, y, y,
-      y, y, y, y, y, y}},
+      y, y, y, y, y, y,
+      y, y}},
     {Question::closed_range,
      {y, y, y, y, y, y, y, y,
       y, y, y, y, never_closed, never_closed,
-      too_large_anywhere, too_large_anywhere, y, y, y, y}},
+      too_large_anywhere, too_large_anywhere, y, y, y, y,
+      y, y}},
     {Question::closed_amplitude,
      {y, y, y, y, y, y, y, y,
       y, y, y, y, never_closed, never_closed,
-      y, y, y, y, y, y}},
+      y, y, y, y, y, y,
+      y, y}},
 }};
 // clang-format on
 

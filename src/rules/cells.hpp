@@ -6,8 +6,9 @@
 
 namespace vcrit::rules {
 
-/// {du_z}, {u_z0}, {mu0} are names; {amplitude} and {indentation} are in m, {oscillating} and {mean}
-/// in N, {share} is one over the other, {closed} the amplitude up to which the contact stays closed.
+/// {du_z}, {u_z0}, {mu0} are names; {amplitude} and {indentation} are in m, {oscillating} and
+/// {mean} in N, {load} the formula of {mean}, {share} is one over the other, {closed} the amplitude
+/// up to which the contact stays closed.
 struct Cell {
   Ruling verdict = Ruling::unset;
   const char* reason = "";

@@ -32,11 +32,17 @@ std::string rounded_down(double length) {
 /// The amplitude (m) at which (3) or (4) would be broken.
 double closed_below(const Facts& facts) {
   const Problem& problem = facts.problem();
-  const double indentation = facts.value(problem->indentation);
+  const double indentation = facts.indentation();
   const long double oscillating = facts.oscillating_force();
   if (!(oscillating > 0)) return indentation;
   const long double amplitude = facts.value(problem->amplitude);
   return std::min(indentation, static_cast<double>(amplitude / oscillating * facts.mean_force()));
+}
+
+/// What makes the mean force of a closed contact.
+std::string load_words(const Problem& problem) {
+  const std::string name = name_in(problem, pressing(problem));
+  return problem->load && !problem->indenter ? name : "K_n(0) " + name;
 }
 
 std::string filled(const std::string& pattern, const Facts& facts) {
@@ -48,9 +54,9 @@ std::string filled(const std::string& pattern, const Facts& facts) {
                      fmt::arg("u_z0", name_in(problem, problem->indentation)),
                      fmt::arg("mu0", name_in(problem, problem->coefficient)),
                      fmt::arg("amplitude", facts.value(problem->amplitude)),
-                     fmt::arg("indentation", facts.value(problem->indentation)),
-                     fmt::arg("oscillating", oscillating), fmt::arg("mean", mean),
-                     fmt::arg("closed", rounded_down(closed_below(facts))),
+                     fmt::arg("indentation", facts.indentation()),
+                     fmt::arg("load", load_words(problem)), fmt::arg("oscillating", oscillating),
+                     fmt::arg("mean", mean), fmt::arg("closed", rounded_down(closed_below(facts))),
                      fmt::arg("share", oscillating / mean));
 }
 

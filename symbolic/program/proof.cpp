@@ -293,10 +293,15 @@ void Proof::holds(const QuantityProgram& quantities) const {
     if (quantities.body) compare(*quantities.body, scene.body, "the body's motion");
     compare(quantities.contact_point, scene.contact, "the contact point's motion");
     if (!quantities.largest_amplitude) return;
+    const GaussianResidue largest = at[*quantities.largest_amplitude];
+    if (problem_->load) {  // W/|K_n|
+      const GaussianResidue given = scene.at(to_text(problem_->load->symbol)).value;
+      return check(largest * largest * times_conjugate(normal), given * given,
+                   "the largest amplitude");
+    }
     // u_z0 K_n(0)/|K_n|
     const auto springs = springs_alone(problem_->normal.network());
     ensure(springs.has_value(), "what has a largest amplitude carries a load");
-    const GaussianResidue largest = at[*quantities.largest_amplitude];
     const GaussianResidue load = scene.at("u_z0").value * stiffness_of_springs(*springs, scene);
     check(largest * largest * times_conjugate(normal), load * load, "the largest amplitude");
   });

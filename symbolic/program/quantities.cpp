@@ -186,7 +186,11 @@ class QuantityWriter {
 
   /// (3) and (4): u_z0 K_n(0)/|K_n(i omega)|, at most u_z0; K_n(0) <= |K_n| as no part of a
   /// network of springs and dampers grows softer with the frequency.
+  /// Under a load W/|K_n|; below an indenter no formula says what u_z0 that leads to.
   std::optional<NodeId> largest_amplitude() {
+    if (problem_->load && problem_->indenter) return std::nullopt;
+    if (problem_->load)
+      return program_.divide(symbol(problem_->load->symbol), modulus(program_, result_.normal.k));
     const std::optional<Network> at_rest = springs_alone(problem_->normal.network());
     if (!at_rest) return std::nullopt;
     const Complex k = network(*at_rest).k;

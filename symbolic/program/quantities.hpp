@@ -33,7 +33,8 @@ struct QuantityProgram {
   std::optional<StiffnessResult> drive;   ///< none where it is rigid
   std::optional<OscillationResult> body;  ///< none without a mass
   OscillationResult contact_point;
-  /// The amplitude that du_z has to stay below; none where K_n(0) = 0.
+  /// The amplitude that du_z has to stay below; none where K_n(0) = 0 and no load is given, and of
+  /// an indenter under a load.
   std::optional<NodeId> largest_amplitude;
 };
 

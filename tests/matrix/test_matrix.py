@@ -292,6 +292,10 @@ class Matrix(Cells, unittest.TestCase):
         elif quantity == "admissible":
             outside = kind in ("not_admissible", "no_static_load")
             self.assertEqual(row[quantity], "no" if outside else "yes")
+        elif quantity == "indentation":
+            self.near(row[quantity], references("value:u_z0"), 0, quantity)
+        elif quantity == "mean_normal_force":
+            self.check_mean_force(kind, i, float(row[quantity]))
         elif quantity == "sensitivity:NAME":
             simulated = references.begin("simulated_sensitivity:")
             for name in references.begin("sensitivity:"):
@@ -307,6 +311,15 @@ class Matrix(Cells, unittest.TestCase):
         else:
             name = f"{quantity}:{i}"
             self.near(row[quantity], references(name), references.error(name) + float(row["friction_ratio_error"]), name)
+
+    def check_mean_force(self, kind, i, found):
+        """By steps; where nothing moves in time, K_n(0) u_z0: the amplitude that opens the contact times |K_n|."""
+        references, name = REFERENCES[kind], f"mean_normal_force:{i}"
+        if name in references:
+            # Below an indenter also the program's own quadrature, good to 1e-12.
+            return self.near(found, references(name), references.error(name) + 1e-12 * found, name)
+        stiffness = abs(mp.mpc(references("normal_stiffness:storage"), references("normal_stiffness:loss")))
+        self.near(found, references("admissible_amplitude") * stiffness, 8 * U * found, name)
 
     def test_solve(self):
         self.over([f"solve/{each}" for each in UNKNOWNS], self.solve)

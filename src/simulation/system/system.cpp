@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/constants.hpp"
+#include "normal/mean_indentation.hpp"
 #include "rules/rulebook.hpp"
 #include "simulation/system/check.hpp"
 
@@ -13,11 +14,10 @@ namespace vcrit::simulation {
 namespace {
 
 // What is left above a share of 1 is rounding.
-void let_open(System& system, bool separates, const Relaxation& normal, double amplitude,
-              double indentation) {
+void let_open(System& system, const Problem& problem, const Relaxation& normal, double amplitude) {
   const double share = std::abs(system.normal_force_amplitude) / system.mean_normal_force;
-  if (separates && share > 1 + least_separation(false))
-    system.opening = {normal, indentation, amplitude};
+  if (problem->separation && share > 1 + least_separation(false))
+    system.opening = {normal, mean_indentation(problem), amplitude};
   else if (share > 1)
     system.normal_force_amplitude /= share;
 }
@@ -126,7 +126,6 @@ System system_of(const Problem& problem) {
   rules::require(rules::Question::motion, problem);
   const Values& values = problem.values();
   const double amplitude = values.at(problem->amplitude.symbol);
-  const double indentation = values.at(problem->indentation.symbol);
   const Relaxation normal = relaxation_form(problem->normal.network(), values);
   const ScaledNetwork tangential = tangential_network(problem);
 
@@ -134,7 +133,7 @@ System system_of(const Problem& problem) {
   system.contact = scaled(relaxation_form(tangential.network.network(), values), tangential.factor);
   system.omega = values.at(problem->angular_frequency.symbol);
   system.friction = values.at(problem->coefficient.symbol);
-  system.mean_normal_force = normal.equilibrium * indentation;
+  system.mean_normal_force = closed_mean_force(problem, normal.equilibrium);
   system.normal_force_amplitude = amplitude * dynamic_stiffness(normal, system.omega);
   if (problem->has_masses()) {
     const bool body = problem->mass.has_value();
@@ -145,7 +144,7 @@ System system_of(const Problem& problem) {
     system.drive = relaxation_form(drive->network(), values);
     if (problem->mass) system.mass = values.at(problem->mass->symbol);
   }
-  let_open(system, problem->separation, normal, amplitude, indentation);
+  let_open(system, problem, normal, amplitude);
   return system;
 }
 

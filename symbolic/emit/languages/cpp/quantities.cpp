@@ -26,6 +26,7 @@ std::string unit_of(const Member& member) {
   static const std::map<std::string, std::string> units{{"angular frequency", "rad/s"},
                                                         {"amplitude", "m"},
                                                         {"mean indentation", "m"},
+                                                        {"mean normal force", "N"},
                                                         {"mass", "kg"},
                                                         {"spring", "N/m"},
                                                         {"damper", "N s/m"},
@@ -208,6 +209,17 @@ class Header {
   }
 
   std::string admissible() const {
+    if (problem_->load && problem_->indenter)
+      return "\n" + comment(
+                        "Below an indenter the load decides how deep it is pressed, of which there "
+                        "is no formula: no function tells the largest admissible amplitude.");
+    if (problem_->load)
+      return function(
+          quantities_.program,
+          fmt::format("The amplitude, in m, that {0} has to stay below for the contact "
+                      "to stay closed under the load {1}: {1}/|K_n| (4), (35).",
+                      name_in(problem_, problem_->amplitude), name_in(problem_, *problem_->load)),
+          "double admissible_amplitude", {*quantities_.largest_amplitude}, "{}");
     if (!quantities_.largest_amplitude)
       return "\n" + comment(
                         "K_n(0) = 0: the normal contact carries no mean load, and no amplitude is "
@@ -259,7 +271,7 @@ ParameterList quantity_parameters(const Problem& problem, const FixedValues& fix
   std::vector<Symbol> all = symbols(problem);
   const QuantityProgram unfixed = quantity_program(
       problem, [](Program& program, const Symbol& symbol) { return program.parameter(symbol); });
-  if (unfixed.largest_amplitude) all.insert(all.begin(), problem->indentation.symbol);
+  if (unfixed.largest_amplitude) all.insert(all.begin(), pressing(problem).symbol);
   return {problem, all, fixed};
 }
 
