@@ -12,6 +12,7 @@
 
 #include "answers/critical_onset.hpp"
 #include "answers/effect_words.hpp"
+#include "answers/under_load.hpp"
 #include "base/rounded.hpp"
 #include "commands.hpp"
 #include "critical/admissibility.hpp"
@@ -31,6 +32,7 @@ struct Evaluation {
   std::vector<std::string> facts;    // what the formula says
   std::vector<std::string> warnings;
   Effect effect;
+  std::optional<UnderLoad> load = {};
   bool simulated() const { return critical.by == CriticalOnset::By::simulation; }
 
   friend void fields(record::Fields& f, const Evaluation& it) {
@@ -52,6 +54,7 @@ struct Evaluation {
       f("opens", *it.opens)("critical_velocity_by", it.simulated() ? "simulation" : "formula");
       f.when(it.simulated(), "relative_error_estimate", critical.relative_error);
     }
+    if (it.load) fields(f, *it.load);
     f("facts", it.facts).some("warnings", it.warnings);
     f("sentence", sentence(it.effect))("effect", it.effect);
   }
@@ -64,7 +67,8 @@ Evaluation evaluated(const Problem& problem) {
                     {},
                     symbolic::facts_in_text(problem),
                     problem->source->warnings,
-                    effect_of(problem, critical)};
+                    effect_of(problem, critical),
+                    under_load(problem)};
   if (problem->separation) result.opens = opens(problem);
   return result;
 }

@@ -4,8 +4,11 @@
 #include <memory>
 #include <numbers>
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
+#include "answers/under_load.hpp"
 #include "commands.hpp"
 #include "friction_words.hpp"
 #include "method_choice.hpp"
@@ -16,6 +19,7 @@
 #include "simulate_indenter.hpp"
 #include "simulation/steady/energy.hpp"
 #include "simulation/steady/exact.hpp"
+#include "simulation/steady/mass_amplitudes.hpp"
 #include "simulation/steady/normal_force.hpp"
 #include "speed_options.hpp"
 
@@ -58,7 +62,17 @@ struct Separated {
   }
 };
 
-// Separation and energy are known for the exact method alone.
+// By the names that the scene gives the masses.
+struct Masses {
+  std::vector<std::pair<std::string, double>> amplitudes;  // m
+
+  bool empty() const { return amplitudes.empty(); }
+  friend void fields(record::Fields& f, const Masses& it) {
+    for (const auto& [name, amplitude] : it.amplitudes) f(name.c_str(), amplitude);
+  }
+};
+
+// Separation, energy and masses are known for the exact method alone.
 struct SimulationAnswer {
   Speed speed;
   SteadyState steady;
@@ -67,6 +81,8 @@ struct SimulationAnswer {
   std::optional<EnergyBalance> energy = {};
   std::optional<Separated> separation = {};
   std::optional<IndenterAnswer> indenter = {};
+  Masses masses = {};
+  std::optional<UnderLoad> load = {};
 
   friend void fields(record::Fields& f, const SimulationAnswer& it) {
     const SteadyState& steady = it.steady;
@@ -74,7 +90,8 @@ struct SimulationAnswer {
     f("friction_ratio", steady.friction_ratio)("friction_ratio_error", steady.friction_ratio_error);
     f("regime", steady.regime)("method", it.method)("periods", steady.periods);
     f("events", steady.events).some("energy", it.energy).some("separation", it.separation);
-    f.some("indenter", it.indenter).some("warnings", it.warnings);
+    if (it.load) fields(f, *it.load);
+    f.some("indenter", it.indenter).some("masses", it.masses).some("warnings", it.warnings);
   }
 };
 
@@ -123,6 +140,14 @@ void print_starts(const simulation::OtherStart& other, int digits) {
                                        regime_words(other.regime)));
 }
 
+void print_load(const std::optional<UnderLoad>& load, int digits) {
+  if (load && load->indentation)
+    print_row("mean indentation", rounded(*load->indentation, "m", digits));
+  if (load && load->sinking_velocity)
+    print_row("mean indentation", fmt::format("none: the contact sinks at {}",
+                                              rounded(*load->sinking_velocity, "m/s", digits)));
+}
+
 void print_simulate_text(const SimulationAnswer& answer, const Problem& problem,
                          const simulation::System& system, int digits) {
   const SteadyState& steady = answer.steady;
@@ -130,6 +155,7 @@ void print_simulate_text(const SimulationAnswer& answer, const Problem& problem,
                  {steady.friction_ratio, steady.friction_ratio_error,
                   simulation::mean_normal_force(system), steady.regime},
                  digits);
+  print_load(answer.load, digits);
   print_events(steady, digits);
   if (answer.energy) print_power(*answer.energy, system.omega, digits);
   if (answer.separation) print_starts(answer.separation->other_start, digits);
@@ -140,8 +166,11 @@ SimulationAnswer answer_of(const SimulateOptions& options, const Problem& proble
   const Speed speed = options.speed.of(problem);
   SimulationAnswer answer{speed, options.method.steady_state(system, speed.velocity),
                           options.method.name(), problem->source->warnings};
+  answer.load = under_load(problem);
   if (!options.method.is_exact()) return answer;
   answer.energy = simulation::energy_balance(system, speed.velocity);
+  for (const auto& [symbol, amplitude] : simulation::mass_amplitudes(system, speed.velocity))
+    answer.masses.amplitudes.emplace_back(to_text(as_called(problem, symbol)), amplitude);
   if (const auto& other = answer.steady.other_start)
     answer.separation = {simulation::mean_normal_force(system), *other};
   return answer;
@@ -156,6 +185,7 @@ SimulationAnswer answer_below_indenter(const SimulateOptions& options, const Pro
   SimulationAnswer answer{speed, indenter::steady_state_of(cells.friction), options.method.name(),
                           problem->source->warnings};
   answer.indenter = cells;
+  answer.load = under_load(problem);
   return answer;
 }
 
@@ -166,6 +196,7 @@ void simulate_below_indenter(const SimulateOptions& options, const Problem& prob
   print_friction(problem, answer.speed,
                  {friction.ratio, friction.error, friction.normal_force, friction.regime},
                  options.digits);
+  print_load(answer.load, options.digits);
   print_indenter(*answer.indenter, options.digits);
 }
 

@@ -1,4 +1,4 @@
-// vcrit solve: what amplitude, frequency or speed reaches a wanted friction ratio.
+// vcrit solve: what amplitude, frequency, load or speed reaches a wanted friction ratio.
 #include "design/solve.hpp"
 
 #include <fmt/core.h>
@@ -45,6 +45,7 @@ Sought sought_by(const std::string& name) {
 
 bool is_sought(const Symbol& symbol, Sought sought, const Problem& problem) {
   if (sought == Sought::amplitude) return symbol == problem->amplitude.symbol;
+  if (sought == Sought::force) return problem->load && symbol == problem->load->symbol;
   return sought == Sought::frequency &&
          (symbol == problem->angular_frequency.symbol || symbol == frequency_symbol);
 }
@@ -118,6 +119,9 @@ std::string solved_words(const Question& question, const Answer& answer, int dig
     case Sought::frequency:
       return fmt::format("From a frequency of {}, the friction ratio at {} is {} or less.", value,
                          speed, ratio);
+    case Sought::force:
+      return fmt::format("Up to a load of {}, the friction ratio at {} is {} or less.", value,
+                         speed, ratio);
     case Sought::velocity:
       return fmt::format("Up to {} the friction ratio is {} or less.", value, ratio);
   }
@@ -140,7 +144,7 @@ void print_solve_text(const Question& question, const Answer& answer, int digits
   fmt::print("{}\n", solved_words(question, answer, digits));
   print_row(to_text(question.sought),
             fmt::format("{}, the {} (error about {})", in_unit(answer.value, digits),
-                        question.sought == Sought::velocity ? "largest" : "smallest",
+                        is_largest(question.sought) ? "largest" : "smallest",
                         in_unit(answer.value_error, 1)));
   if (answer.at_start) print_row("", "the range begins with it: what lies before was not searched");
   print_row(
@@ -180,7 +184,8 @@ void run_solve(const SolveOptions& options) {
 void add_solve(CLI::App& program) {
   const auto options = std::make_shared<SolveOptions>();
   CLI::App* command = program.add_subcommand(
-      "solve", "Smallest amplitude or frequency, or largest velocity, for a friction ratio");
+      "solve",
+      "Smallest amplitude or frequency, or largest load or velocity, for a friction ratio");
   options->scene.add_to(*command);
   command->add_option("--for", options->sought, "what is sought")
       ->required()

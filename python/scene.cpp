@@ -33,7 +33,7 @@ std::vector<Parameter> parameters(const Problem& problem) {
       all.emplace_back(name, value, si_unit(known->second));
   };
   for (const Quantity* quantity : {&problem->coefficient, &problem->angular_frequency,
-                                   &problem->amplitude, &problem->indentation})
+                                   &problem->amplitude, &pressing(problem)})
     add(quantity->symbol, quantity->value);
   if (problem->mass) add(problem->mass->symbol, problem->mass->value);
   if (const auto* isotropic = std::get_if<Isotropic>(&problem->tangential))

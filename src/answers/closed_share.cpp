@@ -19,7 +19,7 @@ Problem rigidly_driven(const Problem& problem, const ReducedNetwork& normal) {
   return over_spring(problem, normal, unit_spring)
       .with({{problem->coefficient.symbol, 1},
              {problem->amplitude.symbol, 1},
-             {problem->indentation.symbol, 1}});
+             {pressing(problem).symbol, 1}});
 }
 
 }  // namespace
@@ -49,18 +49,18 @@ void ClosedShare::Modulus::operator()(std::span<const std::span<const double>> a
 }
 
 ClosedShare::ClosedShare(const Problem& problem, const std::vector<std::string>& varying)
-    : oscillating_(modulus(problem, problem->normal, varying)) {
-  const auto springs = springs_alone(problem->normal.network());
+    : oscillating_(modulus(problem, problem->normal, varying)), is_loaded_(problem->load) {
+  const auto springs = problem->load ? std::nullopt : springs_alone(problem->normal.network());
   if (springs) at_rest_ = modulus(problem, ReducedNetwork(*springs), varying);
 }
 
 void ClosedShare::operator()(std::span<const std::span<const double>> columns,
                              std::span<double> out) const {
-  std::fill(out.begin(), out.end(), 0.0);
-  if (!at_rest_) return;
+  std::fill(out.begin(), out.end(), is_loaded_ ? 1.0 : 0.0);
+  if (!at_rest_ && !is_loaded_) return;
   std::vector<double> oscillating(out.size());
   oscillating_(columns, oscillating);
-  (*at_rest_)(columns, out);
+  if (at_rest_) (*at_rest_)(columns, out);
   for (std::size_t i = 0; i < out.size(); ++i) out[i] /= oscillating[i];
 }
 

@@ -1,5 +1,5 @@
 // K_n(0)/|K_n(i omega)| for columns of parameters: the part of the indentation below which the
-// amplitude keeps the contact closed (4).
+// amplitude keeps the contact closed (4). Under a load 1/|K_n(i omega)|, the part of the load.
 #pragma once
 
 #include <optional>
@@ -32,6 +32,7 @@ class ClosedShare {
 
   Modulus oscillating_;
   std::optional<Modulus> at_rest_;  ///< of the springs alone; nothing where they carry no load
+  bool is_loaded_;                  ///< and the load is given
 };
 
 }  // namespace vcrit

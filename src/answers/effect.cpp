@@ -1,9 +1,12 @@
 #include "answers/effect.hpp"
 
 #include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
+#include <cstdint>
 
 #include "answers/ringing.hpp"
+#include "answers/under_load.hpp"
 #include "base/constants.hpp"
 #include "base/errors.hpp"
 #include "critical/admissibility.hpp"
@@ -18,8 +21,31 @@ namespace {
 
 using rules::Question;
 
+// Where a search for the largest amplitude begins: far below it.
+constexpr double least_share = 1e-3;
+
 Question motion_question(const Problem& problem) {
   return problem->indenter ? Question::motion_below_indenter : Question::motion;
+}
+
+// Below an indenter u_z0 falls as the amplitude grows, since a rim that opens does not pull. At the
+// border the pressure at the centre just touches zero: between 0 and the border of a u_z0 that is
+// the largest one.
+double largest_amplitude_under_load(const Problem& problem) {
+  const auto excess = [&](double amplitude) {
+    const rules::Facts facts(problem.with({{problem->amplitude.symbol, amplitude}}));
+    return static_cast<double>(facts.oscillating_force() / facts.mean_force()) - 1;
+  };
+  const rules::Facts still(problem.with({{problem->amplitude.symbol, 0.0}}));
+  const rules::Facts here(problem.with({{problem->amplitude.symbol, still.indentation()}}));
+  const auto most =
+      static_cast<double>(still.mean_force() / here.oscillating_force() * still.indentation());
+  constexpr int bits = 40;  // of the root; a u_z0 is known to some 33
+  std::uintmax_t steps = 100;
+  const auto least = least_share * most;
+  return boost::math::tools::toms748_solve(excess, least, most,
+                                           boost::math::tools::eps_tolerance<double>(bits), steps)
+      .first;
 }
 
 // The stiffness at omega is the force of an amplitude of 1 m.
@@ -27,12 +53,14 @@ std::optional<double> largest_closed_amplitude(const Problem& problem) {
   if (!rules::answer(Question::mean_load, problem) ||
       !rules::answer(Question::closed_amplitude, problem))
     return std::nullopt;
+  if (problem->load && problem->indenter) return largest_amplitude_under_load(problem);
   const rules::Facts facts(problem.with({{problem->amplitude.symbol, 1.0}}));
   const long double most = facts.mean_force() / facts.oscillating_force();
   return most > 0 ? std::optional(static_cast<double>(most)) : std::nullopt;
 }
 
 std::optional<double> mean_normal_force(const Problem& problem, const Effect& effect) {
+  if (problem->load) return problem.value(*problem->load);
   if (problem->indenter || (effect.opens && !rules::answer(Question::motion, problem)))
     return std::nullopt;
   if (!effect.opens) return static_cast<double>(rules::Facts(problem).mean_force());
@@ -46,7 +74,13 @@ std::optional<double> mean_normal_force(const Problem& problem, const Effect& ef
 void operating_point_of(const Problem& problem, Effect& effect) {
   effect.frequency = problem.value(problem->angular_frequency) / two_pi;
   effect.amplitude = problem.value(problem->amplitude);
-  effect.indentation = problem.value(problem->indentation);
+  if (const auto pressed = under_load(problem)) {
+    effect.under_load = true;
+    effect.indentation = pressed->indentation;
+    effect.sinking_velocity = pressed->sinking_velocity;
+  } else {
+    effect.indentation = problem.value(problem->indentation);
+  }
   effect.friction_coefficient = problem.value(problem->coefficient);
   effect.below_indenter = problem->indenter.has_value();
   effect.largest_closed_amplitude = largest_closed_amplitude(problem);
@@ -93,7 +127,7 @@ void lowest_below_indenter(const Problem& problem, Effect& effect) {
   SharedEffort effort(effort_of_lowest);
   const indenter::Friction found = indenter::friction(indenter::HalfSpace(problem).within(effort),
                                                       nearly_at_rest * effect.drive_velocity);
-  effect.mean_normal_force = found.normal_force;
+  if (!problem->load) effect.mean_normal_force = found.normal_force;
   effect.lowest = effect.opens ? 0 : found.ratio;
 }
 
@@ -162,7 +196,8 @@ Effect effect_of(const Problem& problem) {
 
 void fields(record::Fields& f, const Effect& effect) {
   f("kind", effect.kind)("frequency", effect.frequency)("amplitude", effect.amplitude);
-  f("indentation", effect.indentation)("friction_coefficient", effect.friction_coefficient);
+  f.some("indentation", effect.indentation).some("sinking_velocity", effect.sinking_velocity);
+  f("friction_coefficient", effect.friction_coefficient);
   f.some("mean_normal_force", effect.mean_normal_force);
   f.some("largest_closed_amplitude", effect.largest_closed_amplitude);
   f("opens", effect.opens).some("reasons", effect.reasons);

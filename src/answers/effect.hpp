@@ -25,10 +25,14 @@ struct Effect {
   };
   Kind kind = Kind::lowers;
 
-  double frequency = 0, amplitude = 0, indentation = 0;  ///< Hz, m, m
-  double friction_coefficient = 0;                       ///< mu0
-  /// N: K_n(0) u_z0; of a contact that opens, and below an indenter, of the motion. Nothing where
-  /// that is not known.
+  double frequency = 0, amplitude = 0;  ///< Hz, m
+  /// m; under a load as found, nothing where it is not known.
+  std::optional<double> indentation = {};
+  std::optional<double> sinking_velocity = {};  ///< m/s, under a load that no spring carries
+  bool under_load = false;                      ///< the scene gives the mean normal force
+  double friction_coefficient = 0;              ///< mu0
+  /// N: the load, or K_n(0) u_z0; of a contact that opens, and below an indenter, of the motion.
+  /// Nothing where that is not known.
   std::optional<double> mean_normal_force = {};
   /// m; below an indenter that of the centre. Nothing where the contact opens at every amplitude.
   std::optional<double> largest_closed_amplitude = {};

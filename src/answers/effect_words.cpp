@@ -72,6 +72,16 @@ std::string at_all_speeds(const Effect& effect, int digits) {
       resonance ? "undamped resonance; any damping makes v* finite" : effect.why_infinite);
 }
 
+std::string pressed_words(const Effect& effect, int digits) {
+  std::string text = fmt::format("{} load", rounded(*effect.mean_normal_force, "N", digits));
+  if (effect.sinking_velocity)
+    text += fmt::format(", under which the contact sinks at {}",
+                        rounded(*effect.sinking_velocity, "m/s", digits));
+  if (effect.indentation)
+    text += fmt::format(" ({} indentation)", rounded(*effect.indentation, "m", digits));
+  return text;
+}
+
 }  // namespace
 
 std::string sentence(const Effect& effect, int digits) {
@@ -89,9 +99,12 @@ std::string sentence(const Effect& effect, int digits) {
 }
 
 std::string conditions(const Effect& effect, int digits) {
-  std::string text =
-      fmt::format("{}, {} amplitude, {} indentation", rounded(effect.frequency, "Hz", digits),
-                  rounded(effect.amplitude, "m", digits), rounded(effect.indentation, "m", digits));
+  if (effect.under_load)
+    return fmt::format("{}, {} amplitude, {}.", rounded(effect.frequency, "Hz", digits),
+                       rounded(effect.amplitude, "m", digits), pressed_words(effect, digits));
+  std::string text = fmt::format(
+      "{}, {} amplitude, {} indentation", rounded(effect.frequency, "Hz", digits),
+      rounded(effect.amplitude, "m", digits), rounded(*effect.indentation, "m", digits));
   if (effect.mean_normal_force)
     text += fmt::format(" ({} mean normal force)", rounded(*effect.mean_normal_force, "N", digits));
   return text + ".";

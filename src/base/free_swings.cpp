@@ -201,7 +201,8 @@ class Program {
       if (!exchange()) break;
     }
     if (!(upper_ - lower_ <= worst_width)) return std::nullopt;
-    return LeastMaximum{static_cast<double>(lower_), static_cast<double>(upper_)};
+    return LeastMaximum{static_cast<double>(lower_), static_cast<double>(upper_),
+                        std::vector<double>(swings_.begin(), swings_.end())};
   }
 
  private:
@@ -253,13 +254,17 @@ class Program {
     }
     const Swings swings(harmonics_, amplitudes);
     const Summit summit(swings);
-    upper_ = std::min(upper_, summit.height + Summit::flat);
+    if (const Real upper = summit.height + Summit::flat; upper <= upper_) {
+      upper_ = upper;
+      swings_ = amplitudes;
+    }
     return instant(harmonics_, summit.at);
   }
 
   const std::vector<int>& harmonics_;
   std::vector<Choice> basis_;
   Real lower_ = 0, upper_ = 1;
+  Reals swings_ = Reals(harmonics_.size(), 0);  // of which the maximum is upper_
 };
 
 }  // namespace
@@ -268,8 +273,9 @@ std::optional<LeastMaximum> least_maximum(const std::vector<int>& harmonics) {
   if (harmonics.empty()) return LeastMaximum{};
   if (harmonics.size() > most_swings) return std::nullopt;
   if (harmonics.size() > 1) return Program(harmonics).run();
-  const double border = std::cos(pi / (2 * harmonics.front()));
-  return LeastMaximum{border, border};
+  const int n = harmonics.front();
+  const double quarter = pi / (2 * n), border = std::cos(quarter);
+  return LeastMaximum{border, border, {-std::sin(quarter) / n}};
 }
 
 }  // namespace vcrit

@@ -18,6 +18,8 @@ namespace vcrit {
 /// lower <= E <= upper, both proved but for rounding; upper is attained.
 struct LeastMaximum {
   double lower = 1, upper = 1;
+  std::vector<double> swings =
+      {};  ///< a_n that attain it, with no b_n, in the order of the harmonics
 };
 
 /// harmonics: different ones, each > 1. 1 for none, cos(pi/(2 n)) for one, the enclosure of a

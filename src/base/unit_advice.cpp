@@ -26,8 +26,8 @@ const Units& usual_units(Dimension dimension) {
       modulus{"MPa", "GPa", "kPa", "Pa", "N/mm^2"}, viscosity{"Pa.s", "mPa.s", "kPa.s", "MPa.s"},
       time{"s", "ms", "us", "ns", "min", "h"}, mass{"g", "kg", "mg"},
       length{"um", "nm", "mm", "cm", "m"}, angle{"deg", "rad", "mrad"},
-      velocity{"mm/s", "um/s", "cm/s", "m/s", "km/h"}, frequency{"kHz", "Hz", "MHz", "mHz", "GHz"},
-      angular{"rad/s", "krad/s", "rpm", "deg/s"};
+      velocity{"mm/s", "um/s", "cm/s", "m/s", "km/h"}, force{"N", "mN", "kN", "uN"},
+      frequency{"kHz", "Hz", "MHz", "mHz", "GHz"}, angular{"rad/s", "krad/s", "rpm", "deg/s"};
   switch (dimension) {
     case Dimension::none:
       return none;
@@ -49,6 +49,8 @@ const Units& usual_units(Dimension dimension) {
       return angle;
     case Dimension::velocity:
       return velocity;
+    case Dimension::force:
+      return force;
     case Dimension::frequency:
       return frequency;
     case Dimension::angular_frequency:

@@ -36,7 +36,7 @@ struct DimensionText {
   const char* unit;
 };
 
-constexpr std::array<DimensionText, 12> dimensions{{{"a plain number", "1"},
+constexpr std::array<DimensionText, 13> dimensions{{{"a plain number", "1"},
                                                     {"a stiffness", "N/m"},
                                                     {"a damping coefficient", "N.s/m"},
                                                     {"a modulus", "Pa"},
@@ -46,6 +46,7 @@ constexpr std::array<DimensionText, 12> dimensions{{{"a plain number", "1"},
                                                     {"a length", "m"},
                                                     {"an angle", "rad"},
                                                     {"a velocity", "m/s"},
+                                                    {"a force", "N"},
                                                     {"a frequency", "Hz"},
                                                     {"an angular frequency", "rad/s"}}};
 

@@ -20,6 +20,7 @@ enum class Dimension {
   length,            ///< m
   angle,             ///< rad
   velocity,          ///< m/s
+  force,             ///< N
   frequency,         ///< Hz, cycles a second: "20 kHz" is 20000
   angular_frequency  ///< rad/s; a frequency in Hz is refused, and the other way round
 };

@@ -14,12 +14,12 @@ bool opens(const Problem& problem) { return rules::Facts(problem).opens(); }
 double creep_velocity(const Problem& problem) {
   const Values& values = problem.values();
   const ScaledNetwork tangential = tangential_network(problem);
-  long double total = at_rest(tangential.network.reduction(), values).fluidity() / tangential.factor;
+  long double total =
+      at_rest(tangential.network.reduction(), values).fluidity() / tangential.factor;
   if (problem->drive_network() != nullptr)
     total += at_rest(problem->drive_network()->reduction(), values).fluidity();
   if (total == 0) return 0;
-  const long double mean_normal_force = at_rest(problem->normal.reduction(), values).stiffness() *
-                                        values.at(problem->indentation.symbol);
+  const long double mean_normal_force = rules::Facts(problem).mean_force();
   return static_cast<double>(values.at(problem->coefficient.symbol) * mean_normal_force * total);
 }
 

@@ -14,6 +14,10 @@ namespace vcrit::design {
 namespace {
 
 std::string needs_indentation(const Question& question, double times) {
+  if (question.problem->load)
+    return fmt::format(
+        "a load of more than {:.6g} N with the amplitude in proportion ({:.4g} times as much)",
+        *question.problem->load->value * times, times);
   return fmt::format(
       "an indentation of more than {:.6g} m with the amplitude in proportion ({:.4g} times as "
       "much)",
@@ -38,13 +42,13 @@ std::string searched(const Failure& f) {
 
 // What lies before the first place that is known to reach the ratio may reach it, too.
 std::string uncertain(const Failure& f) {
-  const bool speed = f.question.sought == Sought::velocity;
+  const bool largest = is_largest(f.question.sought);
   return fmt::format(
       "a friction ratio of {} is reached at {:.16g} {}, but whether that is the {} {} is not "
       "known: "
       "{}; give a range (`from`, `to`) without the others",
       f.question.friction_ratio, *f.reached_at, unit_of(f.question.sought),
-      speed ? "largest" : "smallest", to_text(f.question.sought), searched(f));
+      largest ? "largest" : "smallest", to_text(f.question.sought), searched(f));
 }
 
 std::string least_found(const Failure& f) {
@@ -155,6 +159,22 @@ std::string ratio_over_velocities(const Failure& f) {
   return text;
 }
 
+// v* does not depend on the load, the creep of the path is in proportion to it.
+std::string too_fast_for_forces(const Failure& f) {
+  return fmt::format(
+      "at {:.6g} m/s friction stays full at every load: at {:.6g} N it is reduced up to {:.6g} m/s "
+      "only. A larger amplitude raises that speed, another load does not",
+      f.question.velocity, f.range.to, f.range.largest_velocity);
+}
+
+std::string ratio_over_forces(const Failure& f) {
+  return fmt::format(
+      "no load reaches a friction ratio of {} at {:.6g} m/s: {}. Smaller loads than {:.6g} N open "
+      "the contact",
+      f.question.friction_ratio, f.question.velocity, least_found(f),
+      f.contact.least_force(*f.question.problem->amplitude.value, omega_of(f.question)));
+}
+
 }  // namespace
 
 std::string explanation(const Failure& failure) {
@@ -171,6 +191,8 @@ std::string explanation(const Failure& failure) {
                             "{:.6g} m/s only",
                             failure.range.from, failure.range.largest_velocity)
                       : ratio_over_velocities(failure);
+    case Sought::force:
+      return too_fast ? too_fast_for_forces(failure) : ratio_over_forces(failure);
   }
   throw Bug("a failure without an explanation");
 }

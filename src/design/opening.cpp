@@ -8,6 +8,7 @@
 
 #include "answers/critical_onset.hpp"
 #include "base/constants.hpp"
+#include "normal/mean_indentation.hpp"
 #include "rules/rulebook.hpp"
 
 namespace vcrit::design {
@@ -17,8 +18,12 @@ namespace {
 // Any value will do where none is asked for.
 Problem complete(const Problem& problem) {
   Values any;
-  for (const Quantity* quantity : {&problem->amplitude, &problem->angular_frequency})
-    if (!quantity->value) any[quantity->symbol] = 1;
+  const auto complete = [&any](const Quantity& quantity) {
+    if (!quantity.value) any[quantity.symbol] = 1;
+  };
+  complete(problem->amplitude);
+  complete(problem->angular_frequency);
+  if (problem->load) complete(*problem->load);
   return problem.with(any);
 }
 
@@ -34,19 +39,19 @@ double at_infinity(const Relaxation& form) {
 NormalContact::NormalContact(const Problem& problem) : problem_(complete(problem)) {
   const Values& values = problem_.values();
   normal_ = relaxation_form(problem->normal.network(), values);
-  indentation_ = values.at(problem->indentation.symbol);
+  mean_force_ = simulation::closed_mean_force(problem_, normal_.equilibrium);
   rules::require(rules::Question::mean_load, problem_);
 }
 
 double NormalContact::largest_amplitude(double omega) const {
-  return normal_.equilibrium * indentation_ / std::abs(dynamic_stiffness(normal_, omega));
+  return mean_force_ / std::abs(dynamic_stiffness(normal_, omega));
 }
 
 std::optional<double> NormalContact::largest_angular_frequency(double amplitude) const {
   rules::require(rules::Question::closed_range, with_amplitude(problem_, amplitude));
   // Below the amplitude, the indentation may round to it.
-  const double allowed = std::max(normal_.equilibrium * indentation_ / amplitude,
-                                  std::nextafter(normal_.equilibrium, infinity));
+  const double allowed =
+      std::max(mean_force_ / amplitude, std::nextafter(normal_.equilibrium, infinity));
   if (at_infinity(normal_) <= allowed) return std::nullopt;
   const auto above = [&](double logarithm) {
     return std::log(std::abs(dynamic_stiffness(normal_, std::exp(logarithm))) / allowed);
@@ -61,12 +66,23 @@ std::optional<double> NormalContact::largest_angular_frequency(double amplitude)
                       .first);
 }
 
+double NormalContact::least_force(double amplitude, double omega) const {
+  return amplitude * std::abs(dynamic_stiffness(normal_, omega));
+}
+
 double NormalContact::oscillating_part(double amplitude, double omega) const {
   return amplitude / largest_amplitude(omega);
 }
 
 Problem with_amplitude(const Problem& problem, double amplitude) {
   return problem.with({{problem->amplitude.symbol, amplitude}});
+}
+
+Problem with_load(const Problem& problem, double force) {
+  if (!problem->load)
+    throw InputError(argument("for force"), "a scene without [load]",
+                     "[load] with force = \"20 N\", in place of the indentation");
+  return problem.with({{problem->load->symbol, force}});
 }
 
 Problem with_angular_frequency(const Problem& problem, double omega) {

@@ -12,7 +12,7 @@ namespace vcrit::design {
 
 class NormalContact {
  public:
-  /// Amplitude and frequency of the scene need no values. Throws InputError for other missing
+  /// Amplitude, frequency and load of the scene need no values. Throws InputError for other missing
   /// values, ModelError where the normal network carries no static load.
   explicit NormalContact(const Problem& problem);
 
@@ -21,14 +21,19 @@ class NormalContact {
   /// The angular frequency (rad/s) below which it does with this amplitude (m); nothing without a
   /// bound. Throws ModelError where it opens at any.
   std::optional<double> largest_angular_frequency(double amplitude) const;
+  /// The load (N) above which it does with this amplitude (m) at omega (rad/s).
+  double least_force(double amplitude, double omega) const;
   /// Amplitude of F_n over its mean.
   double oscillating_part(double amplitude, double omega) const;
 
  private:
   Problem problem_;  // with any value of amplitude and frequency where it has none
   Relaxation normal_;
-  double indentation_ = 0;
+  double mean_force_ = 0;  // N
 };
+
+/// The scene with another load (N). Throws InputError for one without [load].
+Problem with_load(const Problem& problem, double force);
 
 /// The scene with other values of what oscillates: amplitude (m) and omega (rad/s).
 Problem with_amplitude(const Problem& problem, double amplitude);

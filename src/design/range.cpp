@@ -140,6 +140,29 @@ std::vector<double> falling_speeds(double to, double end, int samples) {
   return row;
 }
 
+// As the speed vanishes the ratio tends to 1 - least/W, below which it does not fall: a load above
+// least/(1 - ratio) does not reach it but for a body that rings, for which there is some room.
+constexpr double room_for_ringing = 2;
+
+// Downwards, as friction rises with the load.
+SearchRange forces(const Question& question, const NormalContact& contact) {
+  const Problem problem = with_load(question.problem, 1);
+  const Values& values = problem.values();
+  const double least = contact.least_force(values.at(question.problem->amplitude.symbol),
+                                           values.at(question.problem->angular_frequency.symbol));
+  SearchRange range{std::max(question.from.value_or(0), least / inside_the_bound),
+                    question.to.value_or(room_for_ringing * least / (1 - question.friction_ratio)),
+                    {},
+                    0,
+                    0};
+  refuse_empty(question, range.from, range.to);
+  range.largest_velocity = reduced_up_to(with_load(question.problem, range.to));
+  range.largest_at = range.to;
+  if (question.velocity < range.largest_velocity)
+    range.rows.push_back(even_ratios(range.to, range.from, question.samples));
+  return range;
+}
+
 // From the fastest on, which is worth most: finely where friction begins to fall, then by even
 // ratios. Above the limit it is full.
 SearchRange velocities(const Question& question) {
@@ -170,6 +193,8 @@ SearchRange range_of(const Question& question, const NormalContact& contact) {
       return frequencies(question, contact);
     case Sought::velocity:
       return velocities(question);
+    case Sought::force:
+      return forces(question, contact);
   }
   throw Bug("something sought without a range");
 }

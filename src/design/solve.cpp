@@ -66,6 +66,11 @@ class Solving {
   SearchRange range() const {
     if (question_.sought == Sought::velocity) {
       simulation::system_of(question_.problem);
+    } else if (question_.sought == Sought::force) {
+      const Problem there = with_load(question_.problem, 1);
+      const double least = contact_.least_force(there.value(there->amplitude),
+                                                there.value(there->angular_frequency));
+      simulation::system_of(with_load(there, 1 + 2 * least));
     } else {
       const double omega = question_.problem->angular_frequency.value.value_or(1);
       const Problem there = with_angular_frequency(question_.problem, omega);
@@ -82,6 +87,8 @@ class Solving {
         return with_amplitude(question.problem, value);
       case Sought::frequency:
         return with_angular_frequency(question.problem, two_pi * value);
+      case Sought::force:
+        return with_load(question.problem, value);
       case Sought::velocity:
         return question.problem;
     }
@@ -136,9 +143,11 @@ class Solving {
     result.at_start = reach.at == row_start;
     if (!result.at_start) result.value_error = error_of(reach, result.state);
     const double omega = *problem->angular_frequency.value;
-    result.largest_amplitude = contact_.largest_amplitude(omega);
+    const NormalContact contact =
+        question_.sought == Sought::force ? NormalContact(problem) : contact_;
+    result.largest_amplitude = contact.largest_amplitude(omega);
     if (!opens(problem))
-      if (const auto most = contact_.largest_angular_frequency(*problem->amplitude.value))
+      if (const auto most = contact.largest_angular_frequency(*problem->amplitude.value))
         result.largest_frequency = *most / two_pi;
     result.from = range_.from;
     result.to = range_.to;
@@ -165,6 +174,8 @@ const char* to_text(Sought sought) {
       return "amplitude";
     case Sought::frequency:
       return "frequency";
+    case Sought::force:
+      return "force";
     case Sought::velocity:
       return "velocity";
   }
@@ -177,6 +188,8 @@ const char* unit_of(Sought sought) {
       return "m";
     case Sought::frequency:
       return "Hz";
+    case Sought::force:
+      return "N";
     case Sought::velocity:
       return "m/s";
   }
@@ -189,11 +202,15 @@ Dimension dimension_of(Sought sought) {
       return Dimension::length;
     case Sought::frequency:
       return Dimension::frequency;
+    case Sought::force:
+      return Dimension::force;
     case Sought::velocity:
       return Dimension::velocity;
   }
   throw Bug("something sought without a dimension");
 }
+
+bool is_largest(Sought sought) { return sought == Sought::force || sought == Sought::velocity; }
 
 Answer solve(const Question& question) { return Solving(question).run(); }
 

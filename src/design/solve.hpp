@@ -1,5 +1,5 @@
-// Design questions: the smallest amplitude or frequency, or the largest speed, that reaches a
-// wanted friction ratio. The simulator says what the ratio is; Eq. 24 only tells where to ask:
+// Design questions: the smallest amplitude or frequency, or the largest load or speed, that reaches
+// a wanted friction ratio. The simulator says what the ratio is; Eq. 24 only tells where to ask:
 // above v* and the creep friction is full.
 #pragma once
 
@@ -15,14 +15,17 @@
 
 namespace vcrit::design {
 
-enum class Sought { amplitude, frequency, velocity };
+enum class Sought { amplitude, frequency, force, velocity };
 
 // The overload below hides none of the others.
 using vcrit::to_text;
-const char* to_text(Sought sought);  ///< "amplitude", "frequency", "velocity"
-const char* unit_of(Sought sought);  ///< "m", "Hz", "m/s"
+const char* to_text(Sought sought);  ///< "amplitude", "frequency", "force", "velocity"
+const char* unit_of(Sought sought);  ///< "m", "Hz", "N", "m/s"
 Dimension dimension_of(Sought sought);
-inline constexpr std::array all_sought{Sought::amplitude, Sought::frequency, Sought::velocity};
+/// Whether the largest value that reaches the ratio is the answer, as friction rises with it.
+bool is_largest(Sought sought);
+inline constexpr std::array all_sought{Sought::amplitude, Sought::frequency, Sought::force,
+                                       Sought::velocity};
 
 /// What is narrower than a part in 400 of the range is missed; a simulation takes some 0.1 ms.
 inline constexpr int usual_samples = 400;
@@ -39,10 +42,11 @@ struct Question {
 };
 
 struct Answer {
-  double value = 0;              ///< in unit_of(sought): reaches the wanted ratio
-  double value_error = 0;        ///< estimate: by this much less (of a speed: more) may do as well
-  bool at_start = false;         ///< the range begins with it: what lies before was not searched
-  double velocity = 0;           ///< of the drive, m/s
+  double value = 0;  ///< in unit_of(sought): reaches the wanted ratio
+  double value_error =
+      0;                  ///< estimate: by this much less (of a load or speed: more) may do as well
+  bool at_start = false;  ///< the range begins with it: what lies before was not searched
+  double velocity = 0;    ///< of the drive, m/s
   double critical_velocity = 0;  ///< v* there, m/s
   simulation::SteadyState state;
   double largest_amplitude = 0;             ///< m, at this frequency

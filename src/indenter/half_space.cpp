@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/errors.hpp"
+#include "normal/mean_indentation.hpp"
 #include "rules/rulebook.hpp"
 
 namespace vcrit::indenter {
@@ -35,7 +36,7 @@ HalfSpace::HalfSpace(const Problem& problem) : gap_(indenter_of(problem)) {
   tangential_ = scaled(normal_, tangential_ratio(isotropic));
   omega_ = values.at(problem->angular_frequency.symbol);
   friction_ = values.at(problem->coefficient.symbol);
-  indentation_ = values.at(problem->indentation.symbol);
+  indentation_ = simulation::mean_indentation(problem);
   amplitude_ = values.at(problem->amplitude.symbol);
   response_ = dynamic_stiffness(normal_, omega_);
   swing_ = amplitude_ * std::abs(response_) / normal_.equilibrium;

@@ -4,7 +4,7 @@
 // u_z0 + du_z cos(omega t) - g(x).
 #pragma once
 
-#include "indenter/gap.hpp"
+#include "normal/gap.hpp"
 #include "problem/problem.hpp"
 #include "simulation/system/system.hpp"
 

@@ -24,23 +24,41 @@ class NormalCycleSearch {
         contact_(network, indentation, effort) {}
 
   NormalCycle run() {
-    const NormalState start = contact_.start();
-    if (!(contact_.gap(start) > 0)) return closed();  // as by far not |K(i)| amplitude > K(0) mean
-    try {
-      return searched(start);
-    } catch (const ModelError&) {
-      if (beyond_closed() > hardly * closed_mean()) throw;
-      return closed();
-    }
+    auto found = run([](const Period&) {});
+    return found ? *std::move(found) : closed();
+  }
+
+  PressedCycle run_with_slope() {
+    double slope = network_.branch_stiffness[0];
+    auto found = run([&](const Period& now) { slope = std::clamp(slope_at(now), 0.0, slope); });
+    return {found ? *std::move(found) : closed(), slope};
   }
 
  private:
-  NormalCycle searched(const NormalState& start) {
+  struct Period;
+
+  // Nothing where the contact stays closed; use(period) of the one that is found.
+  template <class Use>
+  std::optional<NormalCycle> run(const Use& use) {
+    const NormalState start = contact_.start();
+    // As by far not |K(i)| amplitude > K(0) mean.
+    if (!(contact_.gap(start) > 0)) return std::nullopt;
+    try {
+      const Period found = searched(start);
+      use(found);
+      return finished(found);
+    } catch (const ModelError&) {
+      if (beyond_closed() > hardly * closed_mean()) throw;
+      return std::nullopt;
+    }
+  }
+
+  Period searched(const NormalState& start) {
     auto from = settled(start, 1);
     std::optional<Period> now = mapped(from);
     for (int plain = 1; now && plain < most_periods; plain *= 2) {
       now = newton(*std::move(now));
-      if (now->size <= nearly) return finished(*now);
+      if (now->size <= nearly) return *std::move(now);
       from = settled(now->start, plain);
       now = mapped(from);
     }
@@ -121,12 +139,13 @@ class NormalCycleSearch {
   // One period; nothing unless it begins and ends separated. What a strain changes by in it is
   // psi_j times the impulse less beta_j times its integral: with a slow unit a small part of the
   // strain.
-  std::optional<Period> mapped(const std::optional<NormalState>& start) const {
+  std::optional<Period> mapped(const std::optional<NormalState>& start, bool deeper = false) const {
     if (!start || !(contact_.gap(*start) > 0)) return std::nullopt;
-    const Index n = contact_.units();
-    Period result{*start, {}, NormalIntegrals(n, n + 1), {}, {}, 0};
+    const Index n = contact_.units(), columns = n + (deeper ? 2 : 1);
+    Period result{*start, {}, NormalIntegrals(n, columns), {}, {}, 0};
     NormalState state = *start;
-    state.strains = Matrix(n, n + 1);
+    state.strains = Matrix(n, columns);
+    if (deeper) state.deeper = n + 1;
     for (Index j = 0; j < n; ++j) {
       state.strains(j, 0) = start->strains(j, 0);
       state.strains(j, j + 1) = 1;
@@ -191,6 +210,23 @@ class NormalCycleSearch {
     return size;
   }
 
+  // One more period, which tells what the impulse and the strains at its end change by; the steady
+  // strains then change so that they close again.
+  double slope_at(const Period& steady) const {
+    const auto now = mapped(steady.start, true);
+    ensure(now.has_value(), "a steady period begins and ends separated");
+    const Index n = contact_.units();
+    double change = now->sums.impulse[n + 1];
+    if (n == 0) return change / two_pi;
+    Vector opened;
+    for (Index j = 0; j < n; ++j)
+      opened.push_back(network_.unit_fluidity[j] * now->sums.impulse[n + 1] -
+                       network_.unit_rates[j] * now->sums.strains(j, n + 1));
+    const Vector strains = solver(steady).solve(opened);
+    for (Index j = 0; j < n; ++j) change += steady.sums.impulse[j + 1] * strains[j];
+    return change / two_pi;
+  }
+
   // One more step, and rounding as the steady state amplifies it.
   NormalCycle finished(const Period& now) const {
     NormalCycle result{
@@ -226,18 +262,31 @@ class NormalCycleSearch {
   NormalStays contact_;
 };
 
+constexpr const char* beyond_effort =
+    "the steady normal force is not found within the bound on the work for it: the normal network "
+    "has too many branches, or the contact closes and opens too often";
+
+bool never_closes(const ContactModes& network, const Indentation& indentation) {
+  ensure(!network.branch_rates.empty() && network.branch_rates[0] == 0,
+         "a spring of the normal network carries the static load");
+  ensure(indentation.amplitude > 0, "the indentation oscillates");
+  return indentation.mean + indentation.amplitude <= 0;
+}
+
 }  // namespace
 
 NormalCycle normal_cycle(const ContactModes& network, const Indentation& indentation,
                          SharedEffort* whole) {
-  ensure(!network.branch_rates.empty() && network.branch_rates[0] == 0,
-         "a spring of the normal network carries the static load");
-  ensure(indentation.amplitude > 0, "the indentation oscillates");
-  if (indentation.mean + indentation.amplitude <= 0) return {};
-  Effort effort(effort_of_normal_force, whole,
-                "the steady normal force is not found within the bound on the work for it: the "
-                "normal network has too many branches, or the contact closes and opens too often");
+  if (never_closes(network, indentation)) return {};
+  Effort effort(effort_of_normal_force, whole, beyond_effort);
   return NormalCycleSearch(network, indentation, effort).run();
+}
+
+PressedCycle pressed_cycle(const ContactModes& network, const Indentation& indentation,
+                           SharedEffort* whole) {
+  if (never_closes(network, indentation)) return {};
+  Effort effort(effort_of_normal_force, whole, beyond_effort);
+  return NormalCycleSearch(network, indentation, effort).run_with_slope();
 }
 
 }  // namespace vcrit::simulation

@@ -33,6 +33,15 @@ struct NormalCycle {
 NormalCycle normal_cycle(const ContactModes& network, const Indentation& indentation,
                          SharedEffort* whole = nullptr);
 
+/// The same, and what the mean force changes by with the mean indentation, from 0 (where the
+/// contact never closes) to the spring's stiffness (where it never opens).
+struct PressedCycle {
+  NormalCycle cycle;
+  double slope = 0;
+};
+PressedCycle pressed_cycle(const ContactModes& network, const Indentation& indentation,
+                           SharedEffort* whole = nullptr);
+
 /// A few seconds: enough for some hundred branches.
 inline constexpr std::size_t effort_of_normal_force = 200'000'000;
 

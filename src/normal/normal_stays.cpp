@@ -114,11 +114,17 @@ ComplexDouble NormalStays::branch_swing(Index i) const {
   return network_.branch_stiffness[i] * indentation_.amplitude * 1i / (branches_.rates[i] + 1i);
 }
 
+// By how much the substrate comes nearer to the surface, or the surface further from it.
+double NormalStays::raised(const NormalState& now, Index column) {
+  const double strains = sum(now.strains.column(column));
+  return column == now.deeper ? strains - 1 : strains;
+}
+
 // A contact that closes a little earlier or later: a direct damper, whose force jumps up there,
 // makes an impulse of the difference.
 void NormalStays::strike(NormalState& now, NormalIntegrals& sums) const {
   for (Index k = 1; k < now.strains.columns() && network_.damper > 0; ++k) {
-    const double impulse = -network_.damper * sum(now.strains.column(k));
+    const double impulse = -network_.damper * raised(now, k);
     sums.impulse[k] += impulse;
     add(network_.unit_fluidity, impulse, now.strains.column(k));
   }
@@ -126,7 +132,7 @@ void NormalStays::strike(NormalState& now, NormalIntegrals& sums) const {
 
 // Forces of the branches where the contact closes, k_i sum_j beta_j eps_j/(beta_j - a_i), less
 // their swing: the spring's is that of the mean indentation. With changed strains at the same
-// place F = -sum_j eps_j/J_g begins elsewhere, too.
+// place F = -sum_j eps_j/J_g begins elsewhere, too; with the same strains deeper down as well.
 Matrix NormalStays::decays_at(const NormalState& now) const {
   const ComplexDouble turn = std::polar(1.0, now.time);
   const Index columns = now.strains.columns();
@@ -135,11 +141,13 @@ Matrix NormalStays::decays_at(const NormalState& now) const {
   for (Index k = 0; k < columns; ++k) {
     const View decays = result.column(k);
     add_product(network_.to_branches, now.strains.column(k), decays);
-    if (k > 0) add(network_.branch_stiffness, -sum(now.strains.column(k)), decays);
+    if (k > 0) add(network_.branch_stiffness, -raised(now, k), decays);
     for (Index i = 0; i < decays.size(); ++i) {
       if (k == 0) decays[i] -= (branch_swing(i) * turn).real();
       if (branches_.rates[i] == 0)
-        decays[i] = k == 0 ? network_.branch_stiffness[i] * indentation_.mean : 0;
+        decays[i] = k == 0            ? network_.branch_stiffness[i] * indentation_.mean
+                    : k == now.deeper ? network_.branch_stiffness[i]
+                                      : 0;
     }
   }
   return result;

@@ -21,6 +21,8 @@ struct NormalState {
   double time = 0;
   Matrix strains;
   bool released = false;  ///< the contact opens at this very instant
+  /// The column of a change of the mean indentation by 1, and not of the strains to begin with.
+  std::optional<Index> deeper = {};
 };
 
 /// What is integrated on the way: force and strains, by the same columns, and the sum of the sizes
@@ -60,6 +62,7 @@ class NormalStays {
  private:
   double depth(double time) const;
   std::complex<double> branch_swing(Index i) const;
+  static double raised(const NormalState& now, Index column);
   void strike(NormalState& now, NormalIntegrals& sums) const;
   Matrix decays_at(const NormalState& now) const;
   bool has_fast_unit() const;

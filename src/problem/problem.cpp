@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <mutex>
+
 #include "base/constants.hpp"
 #include "problem/variants.hpp"
 #include "scene/members.hpp"
@@ -19,8 +21,8 @@ std::vector<Result*> quantities_of(AnyParts& parts) {
   auto* isotropic = std::get_if<Isotropic>(&parts.tangential);
   if (isotropic != nullptr && !isotropic->quantity.symbol.name.empty())
     all.push_back(&isotropic->quantity);
-  all.insert(all.end(),
-             {&parts.coefficient, &parts.angular_frequency, &parts.amplitude, &parts.indentation});
+  all.insert(all.end(), {&parts.coefficient, &parts.angular_frequency, &parts.amplitude,
+                         parts.load ? &*parts.load : &parts.indentation});
   if (parts.mass) all.push_back(&*parts.mass);
   if (parts.indenter)
     for (Result& size : parts.indenter->sizes) all.push_back(&size);
@@ -41,8 +43,10 @@ std::string missing_name(const Resolved& parts, const Symbol& symbol) {
 }
 
 const Range& range_of(const Resolved& parts, const Quantity& quantity) {
-  if (&quantity == &parts.angular_frequency || (parts.mass && &quantity == &*parts.mass))
-    return positive;
+  const auto is = [&quantity](const std::optional<Quantity>& part) {
+    return part && &quantity == &*part;
+  };
+  if (&quantity == &parts.angular_frequency || is(parts.mass) || is(parts.load)) return positive;
   const auto* isotropic = std::get_if<Isotropic>(&parts.tangential);
   if (isotropic != nullptr && &quantity == &isotropic->quantity)
     return isotropic->by == Isotropic::By::poisson ? poisson_range : positive;
@@ -114,6 +118,8 @@ struct Problem::Checked {
   const Resolved parts;
   Values values;
   std::vector<std::string> missing;
+  mutable std::mutex finding;
+  mutable std::optional<double> indentation;  // of a load
 };
 
 Problem::Problem(Resolved resolved)
@@ -136,6 +142,12 @@ const Values& Problem::values() const& {
                      fmt::format("no value for {}", fmt::join(checked_->missing, ", ")),
                      "a number for each, in the scene or by `set NAME=VALUE`");
   return checked_->values;
+}
+
+double Problem::found_indentation(const std::function<double()>& find) const {
+  const std::lock_guard lock(checked_->finding);
+  if (!checked_->indentation) checked_->indentation = find();
+  return *checked_->indentation;
 }
 
 Problem Problem::with(const Values& values) const {
@@ -169,6 +181,10 @@ Problem read_problem(const std::string& file, const Settings& settings) {
 
 Problem parse_problem(const std::string& text, const std::string& file, const Settings& settings) {
   return parse_scene(text, file, settings);
+}
+
+const Quantity& pressing(const Problem& problem) {
+  return problem->load ? *problem->load : problem->indentation;
 }
 
 std::vector<Quantity> quantities(const Problem& problem) {

@@ -64,6 +64,10 @@ class Problem {
   const Values& known_values() const&;
   Values known_values() && { return std::as_const(*this).known_values(); }
 
+  /// What `find` tells of its mean indentation, which is asked once for all copies. Who wants to
+  /// know asks mean_indentation() (normal/).
+  double found_indentation(const std::function<double()>& find) const;
+
   /// Another problem, with these values (SI) in place of its own; that of frequency_symbol is f,
   /// and omega 2 pi f. Throws InputError for one that no scene may have, Bug for a symbol that the
   /// problem does not have.
@@ -84,6 +88,10 @@ Problem resolve(const Scene& scene);
 Problem read_problem(const std::string& file, const Settings& settings = {});
 Problem parse_problem(const std::string& text, const std::string& file,
                       const Settings& settings = {});
+
+/// What presses the contact: the mean normal force W of a scene with a load, else the mean
+/// indentation u_z0 (m). What the other one is then is a question of the contact (normal/).
+const Quantity& pressing(const Problem& problem);
 
 /// The quantities that have names of their own; those of isotropic contact, body and indenter among
 /// them.

@@ -5,6 +5,7 @@
 #include "base/constants.hpp"
 #include "network/law.hpp"
 #include "network/masses.hpp"
+#include "normal/mean_indentation.hpp"
 #include "normal/normal_force.hpp"
 #include "rules/rulebook.hpp"
 #include "stiffness/at_rest.hpp"
@@ -89,6 +90,10 @@ const char* name_of(SceneKind kind) {
       return "opening_with_memory";
     case SceneKind::open_where_steepest:
       return "open_where_steepest";
+    case SceneKind::sinking:
+      return "sinking";
+    case SceneKind::sinking_opening:
+      return "sinking_opening";
   }
   throw Bug("a kind of scene without a name");
 }
@@ -113,7 +118,7 @@ bool Facts::is(SceneKind kind) const {
     case SceneKind::separating_with_memory:
       return separating && !elastic(problem_) && !follows_without_memory(problem_);
     case SceneKind::no_static_load:
-      return !problem_->indenter && static_stiffness() == 0;
+      return !problem_->indenter && !problem_->load && static_stiffness() == 0;
     case SceneKind::no_static_load_below_indenter:
       return problem_->indenter && static_stiffness() == 0;
     case SceneKind::no_friction:
@@ -121,13 +126,13 @@ bool Facts::is(SceneKind kind) const {
     case SceneKind::no_indentation:
       return !separating && static_stiffness() > 0 && !(mean_force() > 0);
     case SceneKind::tapping:
-      return separating && !(value(problem_->indentation) > 0) && value(problem_->amplitude) > 0;
+      return separating && !(indentation() > 0) && value(problem_->amplitude) > 0;
     case SceneKind::never_closing:
-      return !(value(problem_->indentation) + value(problem_->amplitude) > 0);
+      return !(indentation() + value(problem_->amplitude) > 0);
     case SceneKind::amplitude_too_large:
-      return !separating && !(value(problem_->amplitude) < value(problem_->indentation));
+      return !separating && !(value(problem_->amplitude) < indentation());
     case SceneKind::deep_amplitude:
-      return separating && !(value(problem_->amplitude) < value(problem_->indentation));
+      return separating && !(value(problem_->amplitude) < indentation());
     case SceneKind::opening:
       return !separating && !problem_->indenter && mean_force() > 0 &&
              !(oscillating_force() < mean_force());
@@ -138,9 +143,17 @@ bool Facts::is(SceneKind kind) const {
       return is(SceneKind::separating_with_memory) && opens() && !is(SceneKind::no_friction);
     case SceneKind::open_where_steepest:
       return is(SceneKind::separating_without_memory) && opens() && !is(SceneKind::no_friction) &&
-             open_where_steepest();
+             !sinks() && open_where_steepest();
+    case SceneKind::sinking:
+      return sinks();
+    case SceneKind::sinking_opening:
+      return sinks() && separating && opens();
   }
   throw Bug("a kind of scene without a rule");
+}
+
+bool Facts::sinks() const {
+  return problem_->load && !problem_->indenter && static_stiffness() == 0;
 }
 
 bool Facts::open_where_steepest() const {
@@ -149,8 +162,8 @@ bool Facts::open_where_steepest() const {
       (1 + simulation::least_separation(problem_->indenter.has_value())) * mean_force())
     return false;
   const simulation::NormalMotion motion{
-      relaxation_form(problem_->normal.network(), problem_.values()), value(problem_->indentation),
-      value(problem_->amplitude)};
+      relaxation_form(problem_->normal.network(), problem_.values()),
+      simulation::mean_indentation(problem_), value(problem_->amplitude)};
   return !simulation::touches_at(motion, value(problem_->angular_frequency), steepest_phase);
 }
 
@@ -160,7 +173,17 @@ long double Facts::static_stiffness() const {
   return *static_stiffness_;
 }
 
-long double Facts::mean_force() const { return static_stiffness() * value(problem_->indentation); }
+long double Facts::mean_force() const {
+  if (problem_->load && !problem_->indenter) return value(*problem_->load);
+  return static_stiffness() * indentation();
+}
+
+double Facts::indentation() const {
+  if (!problem_->load) return value(problem_->indentation);
+  if (problem_->indenter)
+    return static_stiffness() > 0 ? simulation::mean_indentation(problem_) : 0;
+  return static_cast<double>(value(*problem_->load) / static_stiffness());
+}
 
 long double Facts::oscillating_force() const {
   if (!oscillating_)

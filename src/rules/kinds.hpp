@@ -1,5 +1,5 @@
 // Of what kinds a scene is, as far as that decides which questions have an answer; it may be of
-// several at once. All but the last six are seen without any value.
+// several at once. All but the last eight are seen without any value.
 #pragma once
 
 #include <optional>
@@ -30,8 +30,10 @@ enum class SceneKind {
   opening_below_indenter,         ///< (4) at the centre, likewise
   opening_with_memory,            ///< a contact that opens, so that v* is another one
   open_where_steepest,            ///< likewise, since it is open where u_z rises fastest
+  sinking,                        ///< K_n(0) = 0 under a load: sinks, as deep as time goes on
+  sinking_opening,                ///< the same of a contact that opens
 };
-inline constexpr std::size_t kinds = static_cast<std::size_t>(SceneKind::open_where_steepest) + 1;
+inline constexpr std::size_t kinds = static_cast<std::size_t>(SceneKind::sinking_opening) + 1;
 
 /// "measured_drive": a name that stays the same, for programs.
 const char* name_of(SceneKind kind);
@@ -46,9 +48,12 @@ class Facts {
   bool is(SceneKind kind) const;
 
   const Problem& problem() const { return problem_; }
-  /// Of the contact as if closed, N: mean and amplitude of the normal force.
+  /// Of the contact as if closed, N: mean and amplitude of the normal force. Below an indenter
+  /// they are pressures at its centre, Pa m.
   long double mean_force() const;
   long double oscillating_force() const;
+  /// u_z0 of the contact as if closed, of an indenter as it is, m; infinite where it sinks.
+  double indentation() const;
   double value(const Quantity& quantity) const { return problem_.value(quantity); }
   /// Whether the normal force would pull for a part of the period; below an indenter the pressure
   /// at its centre.
@@ -56,6 +61,7 @@ class Facts {
 
  private:
   long double static_stiffness() const;
+  bool sinks() const;
   bool open_where_steepest() const;
 
   Problem problem_;

@@ -1,6 +1,6 @@
 // The rulebook: which scenes which question has an answer for, and what to say and do where it has
 // none. Everyone asks here, so that one question has one answer; a row a question, a column a kind
-// of scene (rulebook.cpp).
+// of scene (cells.cpp).
 #pragma once
 
 #include <string>

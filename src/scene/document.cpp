@@ -24,7 +24,7 @@ const toml::table* as_table(const toml::node* node, const std::string& name,
   if (node == nullptr) return nullptr;
   if (!node->is_table())
     throw InputError(place_of(*node, file), fmt::format("{} = {}", name, describe_node(*node)),
-                     fmt::format("a table [{}]", name));
+                     fmt::format("a table [{}]", name), advice_on_key(name, name));
   return node->as_table();
 }
 

@@ -107,7 +107,10 @@ void ElementValues::read_other_keys(const Uses& uses) {
 }
 
 Symbol ElementValues::own(const Symbol& element) const {
-  return {own_name_of(element.name, scene_.names.contains("m")), element.entry};
+  std::set<std::string> others;
+  for (const auto& [section, symbol] : symbols_of_sections)
+    if (scene_.names.contains(symbol)) others.insert(symbol);
+  return {own_name_of(element.name, others), element.entry};
 }
 
 void ElementValues::rename_elements() {

@@ -17,9 +17,10 @@ namespace {
 
 // Keys of the scene file that commands take as names, and what --over varies beside them.
 const std::set<std::string>& keys() {
-  static const std::set<std::string> all{
-      "amplitude", "angular_frequency", "coefficient",      "frequency", "indentation",
-      "mass",      "poisson",           "tangential_ratio", "velocity",  "velocity_ratio"};
+  static const std::set<std::string> all{"amplitude", "angular_frequency", "coefficient",
+                                         "force",     "frequency",         "indentation",
+                                         "mass",      "poisson",           "tangential_ratio",
+                                         "velocity",  "velocity_ratio"};
   return all;
 }
 
@@ -66,10 +67,9 @@ void check_symbol_name(const std::string& name, const char* what, const Place& p
         fmt::format("another name: it is a quantity of the scene ({})", fmt::join(taken, ", ")));
 }
 
-std::string own_name_of(const std::string& name, bool has_body) {
+std::string own_name_of(const std::string& name, const std::set<std::string>& others) {
   static const std::set<std::string> quantities{"mu0", "omega", "du_z", "u_z0"};
-  const bool is_taken = quantities.contains(name) || (has_body && name == "m");
-  return is_taken ? name + other_mark : name;
+  return quantities.contains(name) || others.contains(name) ? name + other_mark : name;
 }
 
 Quantity Quantities::read(const document::Section& section, const char* key,

@@ -31,9 +31,14 @@ std::optional<std::string> bare_name(const toml::node& node);
 void check_symbol_name(const std::string& name, const char* what, const Place& place,
                        std::set<std::string> taken = {});
 
+/// The symbols of quantities that not every scene has, by the section that has them.
+inline const std::multimap<std::string, std::string> symbols_of_sections{{"body", "m"},
+                                                                         {"load", "W"}};
+
 /// What a symbol is called within the program that the scene calls `name`: the same, unless a
-/// quantity is called so here, whatever the scene calls that.
-std::string own_name_of(const std::string& name, bool has_body);
+/// quantity is called so here, whatever the scene calls that. `others`: of symbols_of_sections
+/// those of this scene.
+std::string own_name_of(const std::string& name, const std::set<std::string>& others);
 
 /// The quantities of one scene file, with what --set gives in their place.
 class Quantities {

@@ -73,7 +73,9 @@ struct Givens {
   std::optional<FittedRange> fitted_range;  ///< of the contact's networks
   bool separation = false;                  ///< the surfaces may part: F_n = max(0, reaction)
   std::optional<Indenter> indenter;  ///< only under a rigid drive, of an isotropic half-space
-  Quantity coefficient, angular_frequency, amplitude, indentation;  ///< mu0, omega, du_z, u_z0
+  Quantity coefficient, angular_frequency, amplitude;  ///< mu0, omega, du_z
+  Quantity indentation;          ///< u_z0, m; without a value where there is a load
+  std::optional<Quantity> load;  ///< W (N), the mean normal force, in place of the indentation
   std::vector<std::pair<Symbol, std::optional<double>>>
       elements;  ///< of the networks, in order of writing
   /// The names that a scene gives its symbols, by the names that they have here: "M" of "m" where

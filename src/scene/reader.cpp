@@ -61,6 +61,7 @@ class Reader {
     networks_.read_unused();
     read_part([&] { read_body(); });
     read_part([&] { read_oscillation(); });
+    read_part([&] { read_load(); });
     read_part([&] { read_friction(); });
     read_part([&] { quantities_.refuse_equal_names(); });
     scene_.names = quantities_.names();
@@ -151,10 +152,12 @@ class Reader {
   // own.
   std::string ratio_symbol(const Section& section, const char* key) const {
     const auto name = bare_name(*section.find(key));
-    return name ? own_name_of(*name, has_body()) : key;
+    if (!name) return key;
+    std::set<std::string> others;
+    for (const auto& [part, symbol] : symbols_of_sections)
+      if (document_.contains(part)) others.insert(symbol);
+    return own_name_of(*name, others);
   }
-
-  bool has_body() const { return document_.contains("body"); }
 
   void warn_beyond_the_data() {
     const std::optional<double>& omega = scene_.angular_frequency.value;
@@ -236,8 +239,26 @@ class Reader {
     scene_.angular_frequency = omega;
     scene_.amplitude =
         quantities_.read(oscillation, "amplitude", "du_z", Dimension::length, nonnegative);
-    scene_.indentation =
-        quantities_.read(oscillation, "indentation", "u_z0", Dimension::length, nonnegative);
+    scene_.indentation = {{"u_z0"}, {}};
+    if (!document_.contains("load"))
+      scene_.indentation =
+          quantities_.read(oscillation, "indentation", "u_z0", Dimension::length, nonnegative);
+  }
+
+  void read_load() {
+    const Section load = section("load");
+    if (!load.exists()) return;
+    if (load.find("force") == nullptr)
+      throw InputError(load.place(""), "[load] without force",
+                       "force = \"20 N\", or no section [load]");
+    const Section oscillation = section("oscillation");
+    if (oscillation.find("indentation") != nullptr)
+      throw InputError(
+          load.place("force"),
+          fmt::format("force in [load] as well as indentation in [oscillation], line {}",
+                      oscillation.place("indentation").line),
+          "one of the two: the force decides the indentation");
+    scene_.load = quantities_.read(load, "force", "W", Dimension::force, positive);
   }
 
   void read_friction() {

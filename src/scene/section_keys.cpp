@@ -21,14 +21,15 @@ struct SectionKeys {
 const std::vector<SectionKeys>& sections() {
   static const std::vector<SectionKeys> all{
       {"",
-       {"title", "contact", "indenter", "drive", "body", "oscillation", "friction", "elements",
-        "networks"}},
+       {"title", "contact", "indenter", "drive", "body", "oscillation", "load", "friction",
+        "elements", "networks"}},
       {"contact",
        {"normal", "poisson", "tangential_ratio", "tangential", "separation", "fitted_range"}},
       {"indenter", {"shape", "radius", "angle", "prefactor", "exponent"}},
       {"drive", {"network", "receptance"}},
       {"body", {"mass"}},
       {"oscillation", {"frequency", "angular_frequency", "amplitude", "indentation"}},
+      {"load", {"force"}},
       {"friction", {"coefficient"}}};
   return all;
 }
@@ -39,8 +40,7 @@ struct OtherWord {
 };
 
 constexpr const char* load_advice =
-    "give the indentation in place of the load: load = K_n(0) u_z0, so that 50 N on 0.5 N/um are "
-    "\"100 um\"";
+    "a mean normal force is force in [load], in place of the indentation: force = \"50 N\"";
 constexpr const char* speed_advice =
     "a sliding speed belongs to the command: vcrit simulate SCENE --velocity \"1 mm/s\"";
 constexpr const char* elements_advice = "springs and dampers have their values in [elements]";

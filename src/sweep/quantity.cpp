@@ -49,6 +49,8 @@ const std::vector<QuantityRow>& quantity_rows() {
        separating, 1},
       {Kind::admissible, "admissible", "1", "whether Eq. 24 applies: closed contact", false,
        answers, answers},
+      {Kind::indentation, "indentation", "m", "mean indentation", false},
+      {Kind::mean_normal_force, "mean_normal_force", "N", "mean normal force", false},
       {Kind::sensitivity, sensitivity_prefix + "NAME", "1",
        "relative change of v* per relative change of {}", false}};
   return all;

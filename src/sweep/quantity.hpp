@@ -15,6 +15,8 @@ struct SweptQuantity {
     friction_ratio_error,  ///< estimate of its absolute error
     regime,                ///< of the simulated motion, as its flag
     admissible,            ///< whether Eq. 24 applies, as its flag
+    indentation,           ///< u_z0, m: of a load as found
+    mean_normal_force,     ///< <F_n>, N
     sensitivity            ///< (p/v*) dv*/dp
   };
   Kind kind = Kind::critical_velocity;
@@ -24,8 +26,8 @@ struct SweptQuantity {
   friend bool operator==(const SweptQuantity&, const SweptQuantity&) = default;
 };
 
-/// "critical_velocity", "friction_ratio", "friction_ratio_error", "regime", "admissible", or
-/// "sensitivity:NAME", NAME as for --set. Throws InputError.
+/// "critical_velocity", "friction_ratio", "friction_ratio_error", "regime", "admissible",
+/// "indentation", "mean_normal_force", or "sensitivity:NAME", NAME as for --set. Throws InputError.
 SweptQuantity parse_swept_quantity(const std::string& text, const Problem& problem);
 
 /// The names, for help; the last one with NAME.
@@ -33,7 +35,7 @@ const std::vector<std::string>& swept_quantity_names();
 
 /// The name of a column or variable: "critical_velocity", "sensitivity_k0".
 std::string column_name(const SweptQuantity& quantity);
-/// "m/s" or "1".
+/// "m/s", "m", "N" or "1".
 std::string unit(const SweptQuantity& quantity);
 /// In words.
 std::string description(const SweptQuantity& quantity);

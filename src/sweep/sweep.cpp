@@ -8,7 +8,9 @@
 
 #include "answers/critical_onset.hpp"
 #include "answers/friction.hpp"
+#include "answers/under_load.hpp"
 #include "critical/admissibility.hpp"
+#include "normal/mean_indentation.hpp"
 #include "problem/variation.hpp"
 #include "rules/rulebook.hpp"
 
@@ -67,6 +69,12 @@ bool leaves_out(const Sweep& sweep) {
   });
 }
 
+// Whether a contact that opens has to be asked for its spring: none under an indenter is seen by
+// its force alone, either.
+bool may_sink(const Problem& problem) {
+  return problem->load && (problem->separation || problem->indenter);
+}
+
 std::vector<std::string> names_of(const Grid& grid, const std::vector<std::size_t>& axes) {
   std::vector<std::string> names;
   for (const std::size_t a : axes) names.push_back(grid.axes()[a].name);
@@ -107,6 +115,12 @@ void refuse_repetition(const Sweep& sweep) {
         throw InputError(argument("over " + name), "an axis named like the quantity " + name,
                          "another name of this element in the scene");
   }
+}
+
+double found_indentation(const Problem& problem) {
+  const double indentation = simulation::mean_indentation(problem);
+  if (std::isfinite(indentation)) return indentation;
+  throw ModelError("under its load the contact sinks for ever: it has no mean indentation");
 }
 
 // Wrong values are found before the first block, however late their rows come.
@@ -184,7 +198,7 @@ class Sweeping::Rows {
     // Far above the rounding errors of the share.
     constexpr double close = 1e-9;
     const double amplitude = sweeping_.amplitude_.of(grid_, block_.first + row);
-    const double part = amplitude / sweeping_.indentation_.of(grid_, block_.first + row);
+    const double part = amplitude / sweeping_.pressing_.of(grid_, block_.first + row);
     const bool usual = std::isfinite(share) && share > 0 && amplitude > 0;
     if (usual && sweeping_.sweep_.problem->separation) return true;
     if (usual && std::abs(part - share) > close * share) return part < share;
@@ -259,7 +273,7 @@ class Sweeping::Rows {
     const Problem problem = problem_at(row);
     for (std::size_t q = 0; q < answer_.values.size(); ++q) {
       const SweptQuantity& quantity = sweeping_.sweep_.quantities[q];
-      if (quantity.kind != Kind::sensitivity && quantity.kind != Kind::admissible) continue;
+      if (quantity.kind == Kind::critical_velocity || needs_motion(quantity)) continue;
       const double value = of_scene(quantity, problem, row);
       for (std::size_t i = 0; i < speeds; ++i) {
         answer_.values[q][row + i * stride] = value;
@@ -280,6 +294,8 @@ class Sweeping::Rows {
     if (quantity.kind == Kind::admissible) return admissible_[row] ? 1 : 0;
     if (!admissible_[row]) return nothing;
     try {
+      if (quantity.kind == Kind::indentation) return found_indentation(problem);
+      if (quantity.kind == Kind::mean_normal_force) return mean_normal_force_of(problem);
       return onset_log_derivative(problem, quantity.parameter);
     } catch (const ModelError& error) {
       note(row, error.what());
@@ -335,12 +351,13 @@ Sweeping::Sweeping(const Sweep& sweep)
       parameters_(parameters_of(grid_)),
       critical_(sweep_.problem, names_of(grid_, parameters_), grade_of(grid_)),
       amplitude_(sweep_.problem, grid_, parameters_, sweep_.problem->amplitude),
-      indentation_(sweep_.problem, grid_, parameters_, sweep_.problem->indentation) {
+      pressing_(sweep_.problem, grid_, parameters_, pressing(sweep_.problem)) {
   refuse_settings(sweep_);
   refuse_repetition(sweep_);
   refuse_speeds(sweep_, grid_);
   refuse_axis_values(sweep_, grid_);
-  if (!leaves_out(sweep_)) closed_.emplace(sweep_.problem, names_of(grid_, parameters_));
+  if (!leaves_out(sweep_) && !may_sink(sweep_.problem))
+    closed_.emplace(sweep_.problem, names_of(grid_, parameters_));
 }
 
 Sweeping::Varying::Varying(const Problem& problem, const Grid& grid,

@@ -60,7 +60,7 @@ class Sweeping {
   Grid grid_;
   std::vector<std::size_t> parameters_;  // the axes that are not of speeds
   CriticalOnsets critical_;
-  Varying amplitude_, indentation_;
+  Varying amplitude_, pressing_;
   std::optional<ClosedShare> closed_;  // unless elements of the normal network vanish on the way
 };
 

@@ -113,9 +113,10 @@ std::set<Symbol> compared_symbols(const Problem& problem, bool with_elements) {
   return result;
 }
 
-/// With numbers for what is compared, as far as it has that. v* does not depend on the indentation.
+/// With numbers for what is compared, as far as it has that. v* does not depend on the indentation
+/// or the load.
 Problem with_numbers(const Problem& problem, const Values& values) {
-  Values own{{problem->indentation.symbol, 1}};
+  Values own{{pressing(problem).symbol, 1}};
   const auto add = [&](const Symbol& symbol) {
     if (const auto found = values.find(symbol); found != values.end()) own.insert(*found);
   };

@@ -10,6 +10,7 @@
 
 #include "base/errors.hpp"
 #include "derivation/factors.hpp"
+#include "derivation/loaded.hpp"
 #include "derivation/model.hpp"
 #include "formula/algebra_lock.hpp"
 #include "formula/names.hpp"
@@ -143,6 +144,7 @@ Derivation derive(const Problem& problem) {
     result.lines.push_back(
         {"Angular frequency", omega(), 2 * positive_quantity("pi") * symbol(frequency_symbol)});
   write_networks(model, result.lines);
+  if (const auto line = indentation_line(problem)) result.lines.push_back(*line);
   if (result.lines.back().left.is_equal(quantity("v*"))) result.lines.pop_back();
   result.lines.push_back({"Result", quantity("v*"), {}});
   write_result(*formula, result);

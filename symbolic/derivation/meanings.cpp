@@ -18,6 +18,7 @@ std::map<Symbol, Meaning> meanings_of(const Problem& problem) {
   all[{"omega"}] = {"angular frequency", Dimension::angular_frequency};
   all[{"du_z"}] = {"amplitude", Dimension::length};
   all[{"u_z0"}] = {"mean indentation", Dimension::length};
+  if (problem->load) all[problem->load->symbol] = {"mean normal force", Dimension::force};
   if (problem->mass) all[{"m"}] = {"mass", Dimension::mass};
   if (const auto* isotropic = std::get_if<Isotropic>(&problem->tangential)) {
     const bool poisson = isotropic->by == Isotropic::By::poisson;

@@ -50,6 +50,7 @@ class Nomenclature {
     row(omega(), "angular frequency of the oscillation", Dimension::angular_frequency);
     row(symbol({"du_z"}), "amplitude of the normal oscillation", Dimension::length);
     row(symbol({"u_z0"}), "mean indentation", Dimension::length);
+    if (problem_->load) row(symbol(problem_->load->symbol), "mean normal force", Dimension::force);
   }
 
   void contact() {

@@ -41,4 +41,9 @@ struct Findings {
 /// Throws ModelError where the form or what is asked besides is too large, or the scene has none.
 Findings findings_of(const Problem& problem, const DocumentOptions& options);
 
+/// The document of what was found; many formats of one search. `system` is of Format::system,
+/// `standalone` of LaTeX and HTML, as in DocumentOptions.
+std::string print_findings(const Problem& problem, const Findings& findings, Format format,
+                           const std::string& system = {}, bool standalone = false);
+
 }  // namespace vcrit::symbolic

@@ -39,13 +39,20 @@ std::string print(const Problem& problem, const DocumentOptions& options) {
   check_standalone(options);
   const AlgebraLock lock;
   const NamesOfScene names(problem);
-  const Findings findings = findings_of(problem, options);
-  if (options.format == Format::system) return system_document(options.system, problem, findings);
-  if (options.format == Format::json) return json_document(problem, findings);
-  const bool terminal = options.format == Format::text;
-  return markup_document(options.format, title_of(problem),
-                         terminal ? sections(findings, FactsPlace::first) : appendix(findings),
-                         options.standalone);
+  return print_findings(problem, findings_of(problem, options), options.format, options.system,
+                        options.standalone);
+}
+
+std::string print_findings(const Problem& problem, const Findings& findings, Format format,
+                           const std::string& system, bool standalone) {
+  const AlgebraLock lock;
+  const NamesOfScene names(problem);
+  if (format == Format::system) return system_document(system, problem, findings);
+  if (format == Format::json) return json_document(problem, findings);
+  return markup_document(format, title_of(problem),
+                         format == Format::text ? sections(findings, FactsPlace::first)
+                                                : appendix(findings),
+                         standalone);
 }
 
 }  // namespace vcrit::symbolic

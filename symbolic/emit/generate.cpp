@@ -35,6 +35,7 @@ std::string opening_comment(const std::string& name, const Language& language,
   const std::string lines =
       banner(derivation, command_line(derivation.problem, name, evaluator.options),
              evaluator.fixed) +
+      table_words(evaluator.velocity.program) +
       comment(fmt::format("{} operations.", evaluator.operations)) + comment(accuracy) +
       comment(language.zeros == Zeros::out_of_range ? unlimited : limited);
   const std::string sign(language.comment);

@@ -70,7 +70,7 @@ class Fixable {
     const Symbol& symbol = named->second;
     return symbol == frequency_symbol || symbol == problem_->coefficient.symbol ||
            symbol == problem_->angular_frequency.symbol || symbol == problem_->amplitude.symbol ||
-           symbol == problem_->indentation.symbol;
+           symbol == pressing(problem_).symbol;
   }
 
   [[noreturn]] void refuse(const std::string& name) const {

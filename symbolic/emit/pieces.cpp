@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "analysis/residues.hpp"
+#include "base/numbers.hpp"
 #include "emit/words.hpp"
 #include "formula/names.hpp"
 #include "formula/symbols.hpp"
@@ -31,6 +32,15 @@ std::string banner(const Derivation& derivation, const std::string& command,
   if (!fixed.empty()) out += comment(fixed_text(problem, fixed));
   return out +
          comment(fmt::format("Formula {}; again: {}", fingerprint(*derivation.model), command));
+}
+
+std::string table_words(const Program& program) {
+  const std::vector<double>& table = program.table();
+  if (table.empty()) return "";
+  return comment(fmt::format(
+      "R_d: {} rows from {} to {} rad/s, linear between two rows. Outside of them v* is "
+      "NaN, with an infinite bound.",
+      table.size() / 3, to_text(table.front()), to_text(table[table.size() - 3])));
 }
 
 std::string guard_of(const std::string& name) { return "VCRIT_GENERATED_" + name + "_HPP"; }

@@ -16,6 +16,9 @@ namespace vcrit::symbolic {
 std::string banner(const Derivation& derivation, const std::string& command,
                    const FixedValues& fixed);
 
+/// What a file says of the table of a measured drive, as // comments; nothing without one.
+std::string table_words(const Program& program);
+
 /// The macro around a generated C++ header. Not #pragma once, which compilers complain about when
 /// they are given the header itself.
 std::string guard_of(const std::string& name);

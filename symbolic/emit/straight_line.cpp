@@ -20,10 +20,14 @@ bool is_of_gaps(const Node& node) {
          node.operation == Operation::tied;
 }
 
+bool is_of_table(const Node& node) {
+  return node.operation == Node::Operation::place || node.operation == Node::Operation::entry;
+}
+
 /// What is computed of exact numbers, beside signs.
 bool is_computed(const Node& node) {
   return node.kind != NodeKind::exact || node.operation == Node::Operation::unit ||
-         is_of_gaps(node);
+         is_of_gaps(node) || is_of_table(node);
 }
 
 /// A sign before a name needs no name of its own, nor does what a dialect leaves out.

@@ -4,8 +4,7 @@
 
 #include "analysis/residues.hpp"
 #include "base/errors.hpp"
-#include "derivation/factors.hpp"
-#include "derivation/stiffness_forms.hpp"
+#include "derivation/loaded.hpp"
 #include "formula/algebra_lock.hpp"
 #include "formula/rational.hpp"
 #include "network/law.hpp"
@@ -22,12 +21,14 @@ using namespace shortest;
 // A bound stands beside v*, so that a tenth of its search has to do.
 constexpr SearchEffort bound_effort{20, 500'000};
 
-// Operations of some ten lines, terms of one, and elements of a page.
+// Operations of some ten lines.
 constexpr int readable_operations = 60;
-constexpr double readable_terms = 24;
-constexpr std::size_t readable_elements = 48;
 
-const Rates at_rest_rates{{{"omega"}, -1}};
+/// The mean normal force: the load, or u_z0 times K_n(0).
+struct Pressed {
+  Symbol by;
+  GiNaC::ex stiffness;
+};
 
 class ClosedAmplitude {
  public:
@@ -41,9 +42,9 @@ class ClosedAmplitude {
   }
 
   /// Throws TooLarge.
-  FoundForm form(const GiNaC::ex& at_rest) {
+  FoundForm form(const Pressed& pressed) {
     all_.allow(bound_effort.work);
-    const Ex load = all_.multiply(alphabet_.quantity(problem_->indentation.symbol), of(at_rest));
+    const Ex load = all_.multiply(alphabet_.quantity(pressed.by), of(pressed.stiffness));
     std::vector<Ex> starts;
     for (const ComplexQuotient& way : presentations_.of(problem_->normal.network()))
       starts.push_back(all_.divide(load, complex_.modulus(way)));
@@ -79,21 +80,13 @@ class ClosedAmplitude {
   Presentations presentations_;
 };
 
-/// With what carries a load at rest in place of elements that have no law in s.
-Reduction as_at_rest(Reduction reduction) {
-  for (Step& step : reduction.steps)
-    if (step.kind == Step::Kind::element && !is_rational(step.element))
-      step.element = vcrit::at_rest(step.element).value();
-  return reduction;
-}
-
-/// u_z0^2 K(0)^2/|K(i omega)|^2 at a point.
-GaussianResidue square_of_bound(const Problem& problem, const GiNaC::ex& at_rest,
+/// W^2/|K(i omega)|^2 or u_z0^2 K(0)^2/|K(i omega)|^2 at a point.
+GaussianResidue square_of_bound(const Problem& problem, const Pressed& pressed,
                                 const Point& point) {
   NumberAlgebra<GaussianResidue> algebra;
   algebra.point = [&point](const std::string& name) { return GaussianResidue(point(name)); };
   const GaussianResidue load =
-      algebra.point(to_text(problem->indentation.symbol)) * evaluate_rational(at_rest, algebra);
+      algebra.point(to_text(pressed.by)) * evaluate_rational(pressed.stiffness, algebra);
   algebra.s = GaussianResidue({}, Residue(1)) * algebra.point("omega");
   const GaussianResidue k = evaluate(problem->normal.reduction(), algebra);
   return load * load * inverse(k * conjugate(k));
@@ -101,25 +94,18 @@ GaussianResidue square_of_bound(const Problem& problem, const GiNaC::ex& at_rest
 
 }  // namespace
 
-bool carries_load(const Problem& problem) {
-  return term_count(problem->normal.reduction(), at_rest_rates).power == 0;
-}
-
 FoundForm find_closed_amplitude(const Problem& problem) {
   const AlgebraLock lock;
-  const Reduction normal = as_at_rest(problem->normal.reduction());
-  if (!carries_load(problem)) return {{}, "the contact carries no load at rest"};
-  const TermCount terms = term_count(normal, at_rest_rates).value;
-  if (std::max(terms.numerator, terms.denominator) > readable_terms ||
-      symbols_of(problem->normal.network()).size() > 2 * readable_elements)
-    return {{}, "its formula fits no page"};
-  const Fraction k = fraction(normal, at_rest_rates).value;
-  const GiNaC::ex at_rest = factored(k.numerator / k.denominator);
+  const bool by_load = problem->load && !problem->indenter;
+  if (!by_load && !carries_load(problem)) return {{}, "the contact carries no load at rest"};
+  const auto at_rest = by_load ? std::optional<GiNaC::ex>(1) : stiffness_at_rest(problem);
+  if (!at_rest) return {{}, "its formula fits no page"};
+  const Pressed pressed{by_load ? problem->load->symbol : problem->indentation.symbol, *at_rest};
   FoundForm found = first_that_fits(
-      [&](const Thrift& thrift) { return ClosedAmplitude(problem, thrift).form(at_rest); });
+      [&](const Thrift& thrift) { return ClosedAmplitude(problem, thrift).form(pressed); });
   if (found.form)
     prove_at_points(*found.form,
-                    [&](const Point& point) { return square_of_bound(problem, at_rest, point); });
+                    [&](const Point& point) { return square_of_bound(problem, pressed, point); });
   return found;
 }
 

@@ -8,6 +8,7 @@
 
 #include "analysis/resonance.hpp"
 #include "base/errors.hpp"
+#include "derivation/loaded.hpp"
 #include "derivation/model.hpp"
 #include "facts/closed_amplitude.hpp"
 #include "facts/dependence.hpp"
@@ -54,6 +55,7 @@ class Facts {
                         {quantity("v*"), " is proportional to the frequency: besides its factor ",
                          omega(), " it does not depend on it"}});
     tell_resonances();
+    tell_sinking();
     tell_closed_amplitude();
     return std::move(found_);
   }
@@ -129,7 +131,7 @@ class Facts {
 
   /// What the rulebook says of amplitudes, as far as the values for it are there.
   std::string never_closed() const {
-    if (!carries_load(problem_)) {
+    if (!carries_load(problem_) && (!problem_->load || problem_->indenter)) {
       const auto kind = problem_->indenter ? rules::SceneKind::no_static_load_below_indenter
                                            : rules::SceneKind::no_static_load;
       return rules::cell(rules::Question::mean_load, kind).reason;
@@ -139,6 +141,14 @@ class Facts {
     } catch (const InputError&) {
       return "";
     }
+  }
+
+  void tell_sinking() {
+    if (!problem_->load || problem_->indenter || carries_load(problem_)) return;
+    const GiNaC::ex load = symbol(problem_->load->symbol);
+    found_.push_back({"sinks",
+                      {"The contact carries no load at rest: under ", load,
+                       " it sinks at a steady speed, and its force oscillates about ", load}});
   }
 
   void tell_closed_amplitude() {
@@ -152,8 +162,15 @@ class Facts {
     FoundForm bound = find_closed_amplitude(problem_);
     if (!bound.form) {
       const GiNaC::ex K_n = quantity("K_n");
-      words +=
-          {amplitude * GiNaC::abs(K_n), " is below ", symbol({"u_z0"}), " times ", K_n, " at rest"};
+      if (problem_->load && !problem_->indenter)
+        words += {amplitude * GiNaC::abs(K_n), " is below ", symbol(problem_->load->symbol)};
+      else
+        words += {amplitude * GiNaC::abs(K_n),
+                  " is below ",
+                  symbol({"u_z0"}),
+                  " times ",
+                  K_n,
+                  " at rest"};
       found_.push_back({"closed_amplitude", std::move(words)});
       return;
     }

@@ -46,7 +46,9 @@ class Backward {
     switch (node.operation) {
       case Operation::parameter:
       case Operation::constant:
-      case Operation::unit:  // T and Q together: v* does not depend on it
+      case Operation::unit:   // T and Q together: v* does not depend on it
+      case Operation::place:  // a table's numbers stay from one row to the next
+      case Operation::entry:
         return;
       case Operation::negate:
         return add(a, program_.negate(g));

@@ -42,6 +42,7 @@ std::size_t arity(Node::Operation operation) {
     case Operation::magnitude:
     case Operation::size:
     case Operation::unless_moderate:
+    case Operation::place:
       return 1;
     case Operation::multiply_add:
     case Operation::less_inertia:
@@ -94,7 +95,8 @@ NodeId Program::apply(Operation operation, std::array<NodeId, 3> arguments) {
     if (nodes_[arguments[i]].kind == NodeKind::bound) kind = NodeKind::bound;
   if (operation == Operation::size || operation == Operation::unless_moderate)
     kind = NodeKind::bound;
-  if (operation == Operation::unit || operation == Operation::gap || operation == Operation::tie)
+  if (operation == Operation::unit || operation == Operation::gap || operation == Operation::tie ||
+      operation == Operation::place || operation == Operation::entry)
     kind = NodeKind::exact;
   if (operation == Operation::negate || operation == Operation::magnitude ||
       operation == Operation::tied)
@@ -200,6 +202,16 @@ NodeId Program::tied(NodeId a, NodeId tie, int otherwise) {
   const auto [first, second, none] = node.arguments;
   const NodeId left = tied(first, tie, otherwise);
   return multiply(left, tied(second, tie, 1));
+}
+
+NodeId Program::place(NodeId a, std::vector<double> table) {
+  ensure(table_.empty() || table_ == table, "a program has one table");
+  table_ = std::move(table);
+  return apply(Operation::place, {a});
+}
+
+NodeId Program::entry(NodeId place, int number) {
+  return apply(Operation::entry, {place, constant(number)});
 }
 
 NodeId Program::size(NodeId a) {

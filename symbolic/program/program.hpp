@@ -47,7 +47,9 @@ struct Node {
     tied,          ///< a; or b c where b, a tie, is not -1
     magnitude,     ///< |a|
     size,          ///< |a| as a bound
-    unless_moderate  ///< 0 for 2^-200 < a < 2^200, else infinite; a bound
+    unless_moderate,  ///< 0 for 2^-200 < a < 2^200, else infinite; a bound
+    place,  ///< of the table's row at or below a with one after it; -1 outside of the table
+    entry   ///< of the table from row a on, number b; NaN for a = -1
   };
   Operation operation = Operation::constant;
   NodeKind kind = NodeKind::exact;
@@ -88,6 +90,12 @@ class Program {
   /// a, or 0 or `otherwise` where the tie is 0 or 1.
   NodeId tied(NodeId a, NodeId tie, int otherwise);
 
+  /// The program's one table: rows of three numbers, the first one increasing.
+  NodeId place(NodeId a, std::vector<double> table);
+  /// 0 to 2: of the row at this place; 3 to 5: of the next one.
+  NodeId entry(NodeId place, int number);
+  const std::vector<double>& table() const { return table_; }
+
   /// |a| as a bound.
   NodeId size(NodeId a);
   NodeId unless_moderate(NodeId a);
@@ -120,6 +128,7 @@ class Program {
   std::map<Symbol, NodeId> parameters_;
   std::map<GiNaC::numeric, NodeId, std::less<>> constants_;
   std::vector<std::string> wirings_;
+  std::vector<double> table_;
 };
 
 }  // namespace vcrit::symbolic

@@ -33,6 +33,7 @@ class SceneAt {
       : fixed_(fixed), point_(named_point(2 * number)), direction_(named_point(2 * number + 1)) {
     algebra_.point = [this](const std::string& name) { return at(name); };
     algebra_.s = DualResidue(imaginary_unit) * at("omega");
+    algebra_.known[own_name("R_d")] = receptance();
     for (const Part& part : model.networks())
       algebra_.known[own_name(part.name)] = evaluate(part.network.reduction(), algebra_);
     for (const Line& identity : model.identities())
@@ -52,12 +53,23 @@ class SceneAt {
   DualResidue stiffness(const char* name) const { return algebra_.known.at(own_name(name)); }
   /// A positive factor of a program's, such as a power of two; it cancels.
   GaussianResidue factor(NodeId id) const { return point_(fmt::format("factor {}", id)); }
+  /// Of the table of a measured drive, at the omega of this point.
+  GaussianResidue entry(int number) const { return point_(fmt::format("entry {}", number)); }
   Residue direction(const Symbol& symbol) const { return at(to_text(symbol)).change.re; }
   const NumberAlgebra<DualResidue>& algebra() const { return algebra_; }
 
   DualResidue body, contact;  ///< amplitudes
 
  private:
+  /// Linear in omega between two rows of the table.
+  DualResidue receptance() const {
+    const DualResidue omega = at("omega"), below = entry(0), above = entry(3);
+    const auto row = [this](int first) {
+      return DualResidue(entry(first + 1) + imaginary_unit * entry(first + 2));
+    };
+    return (row(0) * (above + -omega) + row(3) * (omega + -below)) * inverse(above + -below);
+  }
+
   const FixedNumbers& fixed_;
   Point point_, direction_;
   NumberAlgebra<DualResidue> algebra_;
@@ -144,7 +156,10 @@ class ProgramAt {
         return argument(0);
       case Operation::gap:
       case Operation::tie:  // no element is 0 here
+      case Operation::place:
         return {};
+      case Operation::entry:
+        return scene_.entry(program_[node.arguments[1]].constant.to_int());
       case Operation::size:
       case Operation::unless_moderate:
         break;
@@ -278,10 +293,15 @@ void Proof::holds(const QuantityProgram& quantities) const {
     if (quantities.body) compare(*quantities.body, scene.body, "the body's motion");
     compare(quantities.contact_point, scene.contact, "the contact point's motion");
     if (!quantities.largest_amplitude) return;
+    const GaussianResidue largest = at[*quantities.largest_amplitude];
+    if (problem_->load) {  // W/|K_n|
+      const GaussianResidue given = scene.at(to_text(problem_->load->symbol)).value;
+      return check(largest * largest * times_conjugate(normal), given * given,
+                   "the largest amplitude");
+    }
     // u_z0 K_n(0)/|K_n|
     const auto springs = springs_alone(problem_->normal.network());
     ensure(springs.has_value(), "what has a largest amplitude carries a load");
-    const GaussianResidue largest = at[*quantities.largest_amplitude];
     const GaussianResidue load = scene.at("u_z0").value * stiffness_of_springs(*springs, scene);
     check(largest * largest * times_conjugate(normal), load * load, "the largest amplitude");
   });

@@ -5,6 +5,8 @@
 #include "critical/eq24.hpp"
 #include "formula/symbols.hpp"
 #include "network/graph.hpp"
+#include "program/drive_tree.hpp"
+#include "program/measured_drive.hpp"
 #include "rules/rulebook.hpp"
 
 namespace vcrit::symbolic {
@@ -51,10 +53,9 @@ class QuantityWriter {
   QuantityProgram write() {
     result_.normal = network(problem_->normal.network());
     write_tangential();
-    const ReducedNetwork* drive = problem_->drive_network();
-    if (drive != nullptr) result_.drive = network(drive->network());
+    std::visit([this](const auto& drive) { write_drive(drive); }, problem_->drive);
     friction_ = program_.multiply(symbol({"mu0"}), symbol({"du_z"}));
-    if (drive != nullptr) dynamic_ = dynamic_stiffness();
+    if (result_.drive) dynamic_ = dynamic_stiffness();
     if (problem_->mass) result_.body = body();
     result_.contact_point = contact_point();
     result_.largest_amplitude = largest_amplitude();
@@ -76,11 +77,10 @@ class QuantityWriter {
         z.amplitude, program_.divide(modulus(program_, above), modulus(program_, below)));
     z.direction = times(program_, z.direction, times(program_, above, conjugate(program_, below)));
   }
-  void times_drive(PointResponse& z, const Complex& tangential, const ReducedNetwork&) {
-    times_quotient(z, complex_sum(program_, tangential, *dynamic_), *dynamic_);
-  }
-  static void times_drive(PointResponse&, const Complex&, const Receptance&) {
-    throw Bug("a measured drive has no program");
+  /// (K_t + D)/D, and with D/Q in the place of D where that may be infinite.
+  void times_drive(PointResponse& z, const Complex& tangential, const auto& /*drive*/) {
+    const Complex contact = pair_ ? times(program_, tangential, pair_->q) : tangential;
+    times_quotient(z, complex_sum(program_, contact, *dynamic_), *dynamic_);
   }
 
  private:
@@ -92,17 +92,17 @@ class QuantityWriter {
       return range.low > -largest_part && range.high < largest_part;
     };
     if (!fits(k.t_range) || !fits(k.q_range)) k = stiffness_.normalised(k);
-    StiffnessResult result{quotient(k), std::nullopt, k.exact_re};
+    StiffnessResult result{quotient(k.t, k.q), std::nullopt, k.exact_re};
     // Besides T and Q: the two products of T conj(Q), 2 sqrt(2), their sum |Q|^2, 2, the quotient.
     const double known = 1.4143 * k.path + (is_one(program_, k.q) ? 0 : 6);
     if (!k.roundings) result.roundings = static_cast<int>(std::ceil(1.01 * known));
     return result;
   }
 
-  Complex quotient(const Stiffness& k) {
-    if (is_one(program_, k.q)) return k.t;
-    const Complex above = times(program_, k.t, conjugate(program_, k.q));
-    const NodeId below = square(program_, k.q);
+  Complex quotient(const Complex& t, const Complex& q) {
+    if (is_one(program_, q)) return t;
+    const Complex above = times(program_, t, conjugate(program_, q));
+    const NodeId below = square(program_, q);
     return {program_.divide(above.re, below), program_.divide(above.im, below)};
   }
 
@@ -129,8 +129,29 @@ class QuantityWriter {
     return program_.divide(program_.multiply(two, one_less), program_.subtract(two, number));
   }
 
-  /// K_d - m omega^2
+  static void write_drive(const Rigid&) {}
+  void write_drive(const ReducedNetwork& drive) {
+    if (!drive.has_masses()) {
+      result_.drive = network(drive.network());
+      return;
+    }
+    PairWriter writer(program_, omega_, stiffness_, Zeros::out_of_range);
+    const DrivePair pair = drive_pair(program_, writer, drive.network());
+    const auto fits = [](const ExponentRange& range) {
+      return range.low > -largest_part && range.high < largest_part;
+    };
+    write_pair(fits(pair.t_range) && fits(pair.q_range) ? pair : writer.normalised(pair));
+  }
+  void write_drive(const Receptance& drive) { write_pair(measured_pair(program_, omega_, drive)); }
+  /// How much of K_d cancels is not known before the code runs.
+  void write_pair(const DrivePair& pair) {
+    pair_ = pair;
+    result_.drive = {quotient(pair.t, pair.q), std::nullopt, false, true};
+  }
+
+  /// K_d - m omega^2, times Q of a drive that is a pair.
   Complex dynamic_stiffness() {
+    if (pair_) return dynamic_pair();
     const Complex k = result_.drive->k;
     if (!problem_->mass) return k;
     const NodeId m = symbol(problem_->mass->symbol);
@@ -139,8 +160,17 @@ class QuantityWriter {
     return {program_.subtract(k.re, inertia), k.im};
   }
 
+  Complex dynamic_pair() {
+    if (!problem_->mass) return pair_->t;
+    const NodeId m = symbol(problem_->mass->symbol);
+    const NodeId inertia = program_.multiply(program_.multiply(m, omega_), omega_);
+    const Complex less = real(program_, program_.negate(inertia));
+    const Complex one = real(program_, program_.constant(1));
+    return sum_of_products(program_, {{pair_->t, one}, {pair_->q, less}}).value;
+  }
+
   OscillationResult body() {
-    const Complex k = result_.normal.k;
+    const Complex k = pair_ ? times(program_, result_.normal.k, pair_->q) : result_.normal.k;
     const NodeId ratio = program_.divide(modulus(program_, k), modulus(program_, *dynamic_));
     return {program_.multiply(friction_, ratio),
             against(times(program_, k, conjugate(program_, *dynamic_)))};
@@ -156,7 +186,11 @@ class QuantityWriter {
 
   /// (3) and (4): u_z0 K_n(0)/|K_n(i omega)|, at most u_z0; K_n(0) <= |K_n| as no part of a
   /// network of springs and dampers grows softer with the frequency.
+  /// Under a load W/|K_n|; below an indenter no formula says what u_z0 that leads to.
   std::optional<NodeId> largest_amplitude() {
+    if (problem_->load && problem_->indenter) return std::nullopt;
+    if (problem_->load)
+      return program_.divide(symbol(problem_->load->symbol), modulus(program_, result_.normal.k));
     const std::optional<Network> at_rest = springs_alone(problem_->normal.network());
     if (!at_rest) return std::nullopt;
     const Complex k = network(*at_rest).k;
@@ -172,6 +206,7 @@ class QuantityWriter {
   NodeId friction_ = 0;
   std::optional<NodeId> ratio_;
   std::optional<Complex> dynamic_;
+  std::optional<DrivePair> pair_;  ///< of a drive with masses, or measured
   QuantityProgram result_;
 };
 

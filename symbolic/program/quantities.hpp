@@ -17,7 +17,8 @@ struct StiffnessResult {
   /// The error of K is at most this many roundings (2^-53) of |K|; nothing where a mesh only knows
   /// at run time.
   std::optional<int> roundings;
-  bool exact_re = false;  ///< Re K is a number as it was given
+  bool exact_re = false;         ///< Re K is a number as it was given
+  bool may_be_infinite = false;  ///< where Q = 0: both parts are then NaN
 };
 
 /// x(t) = amplitude cos(omega t + phase) beside u_z = du_z cos(omega t)
@@ -32,7 +33,8 @@ struct QuantityProgram {
   std::optional<StiffnessResult> drive;   ///< none where it is rigid
   std::optional<OscillationResult> body;  ///< none without a mass
   OscillationResult contact_point;
-  /// The amplitude that du_z has to stay below; none where K_n(0) = 0.
+  /// The amplitude that du_z has to stay below; none where K_n(0) = 0 and no load is given, and of
+  /// an indenter under a load.
   std::optional<NodeId> largest_amplitude;
 };
 

@@ -151,6 +151,10 @@ struct Terms {
 
 }  // namespace
 
+ElementNumber StiffnessWriter::number(const Element& e) {
+  return law(e, Terms{program_, value_, guard_}).k;
+}
+
 Stiffness StiffnessWriter::polynomial_element(const Element& e) {
   const NodeId zero = program_.constant(0), one = program_.constant(1);
   const Term term = law(e, Terms{program_, value_, guard_});
@@ -174,7 +178,7 @@ Stiffness StiffnessWriter::element(const Element& e) {
   if (polynomials_) return polynomial_element(e);
   const NodeId zero = program_.constant(0), one = program_.constant(1);
   const Term term = law(e, Terms{program_, value_, guard_});
-  ensure(term.degree < 2, "the program knows one body");
+  ensure(term.degree < 2, "masses are not in the first quadrant: drive_pair.hpp");
   const auto [k, size, before] = term.k;
   if (term.tau) return relaxing_element(term.k, *term.tau);
   Stiffness whole;

@@ -71,6 +71,8 @@ class StiffnessWriter {
   StiffnessWriter& operator=(const StiffnessWriter&) = delete;
 
   Stiffness write(const Network& network);
+  /// The coefficient of an element, a mass for instance.
+  ElementNumber number(const Element& element);
   /// With polynomials in i omega for T and Q, whose coefficients do not depend on omega. They are
   /// positive and the roots are real and negative, so that the terms' absolute values add up to at
   /// most 2^(n/2) times the polynomial's. Guards are of the parameters as they are, ranges those of

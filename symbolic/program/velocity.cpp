@@ -3,6 +3,8 @@
 #include <cmath>
 
 #include "critical/eq24.hpp"
+#include "program/drive_tree.hpp"
+#include "program/measured_drive.hpp"
 #include "rules/rulebook.hpp"
 
 namespace vcrit::symbolic {
@@ -96,6 +98,7 @@ class VelocityWriter {
 
   /// |K_t + D|/|D| = |N|/(|Q_t| |D|), D and N as in velocity.hpp.
   void times_drive(Velocity& v, const Tangential& tangential, const ReducedNetwork& drive) {
+    if (drive.has_masses()) return times_pair(v, tangential, with_masses(drive.network()));
     const Stiffness& t = tangential.k;
     const Stiffness d = network(drive.network());
     Difference body{d.t, d.t_range, 0};
@@ -112,12 +115,30 @@ class VelocityWriter {
     v.below.push_back({body.value, body.range});
     v.drive_errors = with_drive_errors(t, d, body, whole);
   }
-  static void times_drive(Velocity&, const Tangential&, const Receptance&) {
-    throw Bug("a measured drive has no program");
+  void times_drive(Velocity& v, const Tangential& tangential, const Receptance& drive) {
+    times_pair(v, tangential, measured_pair(program_, omega_, drive));
   }
 
  private:
   NodeId symbol(const Symbol& s) { return value_(program_, s); }
+
+  DrivePair with_masses(const Network& drive) {
+    PairWriter writer(program_, omega_, stiffness_, zeros_);
+    const DrivePair pair = drive_pair(program_, writer, drive);
+    return form_ == Form::normalised ? writer.normalised(pair) : pair;
+  }
+
+  void times_pair(Velocity& v, const Tangential& tangential, const DrivePair& drive) {
+    std::optional<NodeId> mass;
+    if (problem_->mass) mass = symbol(problem_->mass->symbol);
+    const PairBalance balance =
+        balance_of(program_, stiffness_, drive, tangential.k, mass, omega_, zeros_);
+    result_.fits = result_.fits && balance.fits;
+    v.above.back() = {balance.n, balance.n_range};  // in the place of Q_t
+    if (tangential.more_of_q) v.below.push_back(*tangential.more_of_q);
+    v.below.push_back({balance.d, balance.d_range});
+    v.drive_errors = balance.errors;
+  }
 
   Stiffness network(const Network& network) {
     const Stiffness k = stiffness_.write(network);

@@ -4,6 +4,7 @@
 // with its error bound. With K_n = T_n/Q_n, K_t = T_t/Q_t and K_d = T_d/Q_d,
 //   D = T_d - m omega^2 Q_d,  N = T_t Q_d + Q_t D,
 //   |K_n| |K_t + K_d - m omega^2|/(|K_t| |K_d - m omega^2|) = |T_n| |N|/(|Q_n| |T_t| |D|).
+// A drive with masses and a measured one have T_d and Q_d that may vanish (drive_pair.hpp).
 #pragma once
 
 #include <optional>

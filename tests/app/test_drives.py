@@ -70,12 +70,25 @@ class Masses(Drives):
             self.drive(network, words, elements=elements, **more)
 
     def test_what_knows_one_body_says_so(self):
-        for name, *rest in SIMULATIONS:
-            self.assertEqual(self.refused(3, [name, SONOTRODE, *rest]),
-                             "the simulator knows one body; this drive holds masses of its own")
-        self.assertEqual(self.refused(3, ["generate", SONOTRODE, "--out", "lib"]),
-                         "the generator knows one body; this drive holds masses of its own")
+        for method in ("moreau", "rkf45", "reduced"):
+            told = self.refused(3, ["simulate", SONOTRODE, "--velocity", "0.001", "--method", method])
+            self.assertEqual(told, f"{method} knows one body; this drive holds masses of its own; "
+                                   "the exact method knows them")
         self.assertEqual(list(self.folder.iterdir()), [], "nothing is written")
+
+    # The body is the drive's end: together they swing by their response to the same force.
+    def test_masses_swing(self):
+        answer = self.answer("simulate", SONOTRODE, "--velocity-ratio", "0.5")
+        self.assertEqual(list(answer["masses"]), ["m", "ms"])
+        for amplitude in answer["masses"].values():
+            self.assertTrue(0 < amplitude < 1e-6)
+        one_body = self.answer("simulate", example("kelvin"), "--velocity-ratio", "0.5")
+        self.assertNotIn("masses", one_body)
+
+    def test_an_evaluator_has_each_mass_as_a_member(self):
+        self.out("generate", SONOTRODE, "--out", "lib", "--name", "horn")
+        self.assertIn(" double mu0, omega, du_z, m, k0, k1, c1, kf, ms, km, cm; ",
+                      (self.folder / "lib/horn.hpp").read_text())
 
     def test_a_mass_is_set_and_swept_like_any_value(self):
         rows = self.table(SONOTRODE, "--over", "ms=lin:10 g:50 g:3", "--quantity", "critical_velocity")
@@ -119,9 +132,15 @@ class Measured(Drives):
     def test_what_needs_a_network_says_so(self):
         for name, *rest in SIMULATIONS:
             self.refused(3, [name, MEASURED, *rest], "the simulator needs a network; this drive is a measured receptance")
-        self.assertEqual(self.refused(3, ["generate", MEASURED, "--out", "lib"]),
-                         "the generator needs a network; this drive is a measured receptance")
         self.assertEqual(list(self.folder.iterdir()), [], "nothing is written")
+
+    def test_an_evaluator_holds_the_table(self):
+        self.out("generate", MEASURED, "--out", "lib", "--name", "tool")
+        text = (self.folder / "lib/tool.hpp").read_text()
+        self.assertIn("// R_d: 49 rows from 94247.8 to 169646 rad/s", text)
+        numbers = text.split("rows[] = {")[1].split("};")[0].split(",")
+        rows = Path(MEASURED).with_suffix(".csv").read_text().split()[1:]
+        self.assertEqual([float(x) for x in numbers], [float(x) for row in rows for x in row.split(",")])
 
     # The table is found beside the scene, wherever the program runs, and each row is evaluated on its own.
     def test_a_sweep_over_the_frequency(self):

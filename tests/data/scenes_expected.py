@@ -26,7 +26,7 @@ SCENES = Path(__file__).resolve().parents[2] / "scenes"
 UNITS = {
     "N/um": "1e6", "N/mm": "1e3", "kN/m": "1e3", "N/m": "1",
     "N.s/m": "1", "kg/s": "1", "N s/mm": "1e3", "mN.s/um": "1e3", "kN us/mm": "1",
-    "kg": "1", "g": "1e-3", "mg": "1e-6", "MHz": "1e6", "kHz": "1e3", "Hz": "1", "rad/s": "1", "rad/ms": "1e3",
+    "N": "1", "kN": "1e3", "mN": "1e-3", "kg": "1", "g": "1e-3", "mg": "1e-6", "MHz": "1e6", "kHz": "1e3", "Hz": "1", "rad/s": "1", "rad/ms": "1e3",
     "mm": "1e-3", "um": "1e-6", "nm": "1e-9", "m": "1", "s": "1", "ms": "1e-3", "us": "1e-6", "ns": "1e-9",
     "GPa": "1e9", "MPa": "1e6", "N/mm2": "1e6", "Pa": "1", "kPa.s": "1e3", "Pa s": "1", "MPa.ms": "1e3",
 }
@@ -232,12 +232,18 @@ def evaluate(scene, folder=SCENES):
     contact, oscillation = scene["contact"], scene["oscillation"]
     omega = angular_frequency(oscillation)
     s = mpc(0, omega)
-    du, u0 = quantity(oscillation["amplitude"]), quantity(oscillation["indentation"])
+    du = quantity(oscillation["amplitude"])
     mu = quantity(scene["friction"]["coefficient"])
 
     normal = reader.network(contact["normal"])
     kn = normal.stiffness(s)
     kn0 = static_stiffness(normal)
+    if "load" in scene:
+        mean = quantity(scene["load"]["force"])
+        u0 = mean / kn0
+    else:
+        u0 = quantity(oscillation["indentation"])
+        mean = kn0 * u0
     if "tangential" in contact:
         tangential, factor = reader.network(contact["tangential"]), mpf(1)
     elif "poisson" in contact:
@@ -263,8 +269,8 @@ def evaluate(scene, folder=SCENES):
         creep += 1 / (factor * viscosity(tangential))
     if drive is not None and static_stiffness(drive) == 0:
         creep += 1 / viscosity(drive)
-    creep *= mu * kn0 * u0
-    closed = du < u0 and du * abs(kn) < kn0 * u0
+    creep *= mu * mean
+    closed = du < u0 and du * abs(kn) < mean
     return velocity, closed or contact.get("separation", False), creep
 
 

@@ -6,6 +6,7 @@
 #include "analysis/rational_form.hpp"
 #include "derivation/derivation.hpp"
 #include "derivation/scenes.hpp"
+#include "document/findings.hpp"
 #include "document/print.hpp"
 #include "emit/generate.hpp"
 #include "formula/text.hpp"
@@ -15,16 +16,18 @@ namespace {
 void print_derivation(const vcrit::Scene& scene) {
   using namespace vcrit;
   using symbolic::Format;
+  const symbolic::Findings all = symbolic::findings_of(scene, {Format::json, true, true});
   for (const Format format :
        {Format::text, Format::latex, Format::markdown, Format::html, Format::json})
-    std::cout << symbolic::print(scene, {format, true, true});
+    std::cout << symbolic::print_findings(scene, all, format);
   for (const auto form : {symbolic::ResultForm::nested, symbolic::ResultForm::dimensionless})
     std::cout << symbolic::print(scene, {Format::text, false, false, form});
   if (!scene.receptance)
     std::cout << symbolic::print(scene,
                                  {Format::text, false, false, symbolic::ResultForm::storage_loss});
+  const symbolic::Findings result = symbolic::findings_of(scene, {});
   for (const std::string& system : symbolic::system_names())
-    std::cout << symbolic::print(scene, {.format = Format::system, .system = system});
+    std::cout << symbolic::print_findings(scene, result, Format::system, system);
   if (!scene.receptance && symbolic::terms_before_squaring(symbolic::Model(scene)) < 300)
     std::cout << symbolic::print(scene,
                                  {Format::json, false, false, symbolic::ResultForm::rational});

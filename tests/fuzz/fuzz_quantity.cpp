@@ -32,9 +32,9 @@ void check_multiple(const std::string& text, const TypedNumber& typed, Dimension
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   constexpr std::array dimensions{
-      Dimension::none,     Dimension::stiffness, Dimension::damping,
-      Dimension::time,     Dimension::mass,      Dimension::length,
-      Dimension::velocity, Dimension::frequency, Dimension::angular_frequency};
+      Dimension::none,      Dimension::stiffness,        Dimension::damping,  Dimension::time,
+      Dimension::mass,      Dimension::length,           Dimension::velocity, Dimension::force,
+      Dimension::frequency, Dimension::angular_frequency};
   const std::string text = fuzz::text_of(data, size);
   std::size_t accepted = 0;
   for (const Dimension dimension : dimensions)

@@ -1,6 +1,6 @@
 // The one-dimensional profile of every shape by its definition, integrated another way, and its
 // inverse.
-#include "indenter/gap.hpp"
+#include "normal/gap.hpp"
 
 #include <boost/math/quadrature/tanh_sinh.hpp>
 #include <boost/test/unit_test.hpp>

@@ -142,3 +142,9 @@ def onset(kind):
         return references("critical_velocity"), references.error("critical_velocity")
     value = references("formula")
     return value, 3 * U * float(value) if value != mp.inf else 0
+
+
+def free_share(kind):
+    """From which share of v* on sliding is steady: the body swings freely at 2 omega, or with its drive at 2 and 3
+    omega: cos(pi/4) and, by Fejer, 1/(2 cos(pi/5))."""
+    return {"free_harmonic": mp.cos(mp.pi / 4), "drive_free_harmonics": 1 / (2 * mp.cos(mp.pi / 5))}.get(kind)

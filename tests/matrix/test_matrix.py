@@ -19,8 +19,8 @@ import evaluators
 import formulas
 import plot_cells
 import python_cells
-from cells import (FOLDER, KINDS, LOOKED_AT, REFERENCES, REFUSALS, U, Cells, choices, commands, onset, refusal, run,
-                   scene)
+from cells import (FOLDER, KINDS, LOOKED_AT, REFERENCES, REFUSALS, U, Cells, choices, commands, free_share, onset,
+                   refusal, run, scene)
 
 # Formats of the derivation; those of systems have v* alone, tests/document tries every form of it.
 DOCUMENTS, FORMS = ("text", "latex", "markdown", "html", "json"), choices("derive", "form")
@@ -96,8 +96,7 @@ class Matrix(Cells, unittest.TestCase):
             if drive in references:
                 allowed = references.error(drive) or 4 * U * float(min(references(drive), mp.mpf(10)**300))
                 self.near(answer["drive_velocity"], references(drive), allowed, drive)
-        # The body swings freely at 2 omega, or with its drive at 2 and 3 omega: cos(pi/4) and, by Fejer, 1/(2 cos(pi/5)).
-        share = {"free_harmonic": mp.cos(mp.pi / 4), "drive_free_harmonics": 1 / (2 * mp.cos(mp.pi / 5))}.get(kind)
+        share = free_share(kind)
         self.assertEqual(answer.get("free_harmonic"), 2 if share else None)
         if share:
             self.near(answer["sliding_from"], value * share, (4 * U + 2e-12) * float(value))
@@ -247,12 +246,11 @@ class Matrix(Cells, unittest.TestCase):
         answer = json.loads(ran.stdout)
         self.near_formula(answer["formula"], kind)
         value, error = onset(kind)
-        # Steady sliding of a body that swings freely at the second harmonic: v*/sqrt(2), by physics.md.
-        free = kind == "free_harmonic"
+        share = free_share(kind)
         self.assertEqual(answer["agree"], ran.returncode == 0)
-        self.near(answer["simulated"], value / mp.sqrt(2) if free else value, error + 1e-9 * value, "simulated")
+        self.near(answer["simulated"], value * (share or 1), error + 1e-9 * value, "simulated")
         if answer["stick_onset"] is None:
-            self.assertIn(kind, ("free_harmonic", "near_free_harmonic", "antiresonance"))
+            self.assertIn(kind, ("free_harmonic", "drive_free_harmonics", "near_free_harmonic", "antiresonance"))
         else:
             self.near(answer["stick_onset"], value, error + 1e-9 * value, "stick_onset")
 
@@ -294,6 +292,10 @@ class Matrix(Cells, unittest.TestCase):
         elif quantity == "admissible":
             outside = kind in ("not_admissible", "no_static_load")
             self.assertEqual(row[quantity], "no" if outside else "yes")
+        elif quantity == "indentation":
+            self.near(row[quantity], references("value:u_z0"), 0, quantity)
+        elif quantity == "mean_normal_force":
+            self.check_mean_force(kind, i, float(row[quantity]))
         elif quantity == "sensitivity:NAME":
             simulated = references.begin("simulated_sensitivity:")
             for name in references.begin("sensitivity:"):
@@ -309,6 +311,15 @@ class Matrix(Cells, unittest.TestCase):
         else:
             name = f"{quantity}:{i}"
             self.near(row[quantity], references(name), references.error(name) + float(row["friction_ratio_error"]), name)
+
+    def check_mean_force(self, kind, i, found):
+        """By steps; where nothing moves in time, K_n(0) u_z0: the amplitude that opens the contact times |K_n|."""
+        references, name = REFERENCES[kind], f"mean_normal_force:{i}"
+        if name in references:
+            # Below an indenter also the program's own quadrature, good to 1e-12.
+            return self.near(found, references(name), references.error(name) + 1e-12 * found, name)
+        stiffness = abs(mp.mpc(references("normal_stiffness:storage"), references("normal_stiffness:loss")))
+        self.near(found, references("admissible_amplitude") * stiffness, 8 * U * found, name)
 
     def test_solve(self):
         self.over([f"solve/{each}" for each in UNKNOWNS], self.solve)

@@ -25,6 +25,7 @@ struct Parts {
   std::string contact = "normal = \"k\"\npoisson = 0.3";
   double amplitude = 0.5, indentation = 1, coefficient = 0.5;
   std::string rest = {};
+  double force = 0;  // in place of the indentation, where it is above 0
 };
 
 Scene scene_of(const Parts& parts) {
@@ -32,7 +33,8 @@ Scene scene_of(const Parts& parts) {
   std::string text =
       "[contact]\n" + parts.contact +
       "\n[oscillation]\nangular_frequency = 1.0\namplitude = " + number(parts.amplitude) +
-      "\nindentation = " + number(parts.indentation) +
+      (parts.force > 0 ? "\n[load]\nforce = " + number(parts.force)
+                       : "\nindentation = " + number(parts.indentation)) +
       "\n[friction]\ncoefficient = " + number(parts.coefficient) + "\n" + parts.rest +
       "[elements]\n";
   for (const char* name : {"k", "c", "kd", "m1", "l", "slow"})
@@ -98,6 +100,12 @@ Scene scene_of(SceneKind kind) {
     case SceneKind::open_where_steepest:
       return scene_of({.contact = "normal = \"k | damper(slow)\"\npoisson = 0.3" + separating,
                        .amplitude = 0.9});
+    case SceneKind::sinking:
+      return scene_of({.contact = "normal = \"k - c\"\npoisson = 0.3", .force = 1});
+    case SceneKind::sinking_opening:
+      return scene_of({.contact = "normal = \"k - c\"\npoisson = 0.3" + separating,
+                       .amplitude = 2,
+                       .force = 1});
   }
   throw Bug("a kind without a scene");
 }
@@ -119,12 +127,11 @@ const Names outside{"admissible", "report_stability"};
 Names without_answer(SceneKind kind) {
   switch (kind) {
     case SceneKind::measured_drive:
-      return contact +
-             Names{"evaluator",      "rational_form", "all_frequencies",   "motion",
-                   "motion_in_time", "comparison",    "report_simulation", "report_stability"};
+      return contact + Names{"rational_form",   "all_frequencies", "motion",
+                             "motion_in_time",  "comparison",      "report_simulation",
+                             "report_stability"};
     case SceneKind::masses_in_drive:
-      return contact + Names{"evaluator",         "motion",          "motion_in_time", "comparison",
-                             "report_simulation", "report_stability"};
+      return contact + Names{"other_methods", "report_simulation", "report_stability"};
     case SceneKind::lossy_spring:
       return contact + Names{"rational_form",     "all_frequencies", "motion",
                              "normal_motion",     "motion_in_time",  "comparison",
@@ -166,6 +173,11 @@ Names without_answer(SceneKind kind) {
              Names{"formula", "comparison", "closed_range"};
     case SceneKind::open_where_steepest:
       return without_answer(SceneKind::separating_without_memory) + Names{"formula", "comparison"};
+    case SceneKind::sinking:
+      return contact;
+    case SceneKind::sinking_opening:
+      return without_answer(SceneKind::separating_without_memory) +
+             Names{"admissible", "formula", "motion", "normal_motion", "comparison"};
   }
   throw Bug("a kind without its questions");
 }
@@ -275,6 +287,19 @@ BOOST_AUTO_TEST_CASE(numbers_stand_in_the_words) {
              "without an indentation u_z0 the contact carries no load");
   BOOST_TEST(words(Question::closed_amplitude, SceneKind::tapping) ==
              "without an indentation u_z0 the contact opens at every amplitude");
+}
+
+// |K_n(i)| = |1 + i|, and (3) is W/K_n(0): nothing else is asked of an indentation.
+BOOST_AUTO_TEST_CASE(a_load_takes_the_place_of_the_indentation) {
+  const Scene scene = scene_of({.contact = kelvin, .amplitude = 0.8, .force = 1});
+  BOOST_TEST(answer(Question::admissible, scene).reason ==
+             "the contact opens: the normal force oscillates by du_z |K_n| = 1.13137 N about a "
+             "mean of W = 1 N (Eq. 4)");
+  BOOST_TEST(answer(Question::admissible, scene).advice ==
+             "take an amplitude below 0.7071 m, or let the contact open: separation = true in "
+             "[contact]");
+  BOOST_TEST(bool{
+      answer(Question::admissible, scene_of({.contact = kelvin, .amplitude = 0.7, .force = 1}))});
 }
 
 // v* is then 0 with a memory as without, and needs no motion.

@@ -118,8 +118,16 @@ BOOST_AUTO_TEST_CASE(a_network_that_two_parts_use_is_complained_of_once) {
 BOOST_AUTO_TEST_CASE(words_of_the_trade_meet_the_key_that_is_meant) {
   const auto said = [](const std::string& line) { return first(with_lines({{7, line}})); };
   for (const char* word : {"load", "force", "normal_force", "preload"})
-    BOOST_TEST(has(said(std::string(word) + " = \"50 N\""), "load = K_n(0) u_z0"), word);
-  BOOST_TEST(has(first("[load]\nforce = 3\n"), "load = K_n(0) u_z0"));
+    BOOST_TEST(has(said(std::string(word) + " = \"50 N\""), "[load]"), word);
+  BOOST_TEST(has(first("load = \"50 N\"\n" + with_lines({})), "force in [load]"));
+  const auto without_indentation = [](const std::string& more) {
+    return first(with_lines({{7, ""}}) + "\n" + more);
+  };
+  BOOST_TEST(has(without_indentation("[load]\nweight = 3\n"), "force in [load]"));
+  BOOST_TEST(has(without_indentation("[load]\n"), "[load] without force"));
+  BOOST_TEST(has(without_indentation("[load]\nforce = 0\n"), "a finite value above 0"));
+  const std::string both = first(with_lines({}) + "\n[load]\nforce = \"3 N\"\n");
+  BOOST_TEST(has(both, "force in [load] as well as indentation in [oscillation], line 7"), both);
   BOOST_TEST(has(said("velocity = 3"), "vcrit simulate SCENE --velocity"));
   BOOST_TEST(has(said("mass = \"5 g\""), "mass belongs in [body]"));
   BOOST_TEST(has(said("du_z = 3"), "half of peak to peak"));

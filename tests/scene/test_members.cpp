@@ -8,8 +8,8 @@
 
 #include "answers/critical_onset.hpp"
 #include "answers/friction.hpp"
-#include "indenter/gap.hpp"
 #include "indenter/half_space.hpp"
+#include "normal/gap.hpp"
 #include "problem/problem.hpp"
 #include "stiffness/dynamic_stiffness.hpp"
 #include "stiffness/relaxation.hpp"

@@ -147,8 +147,6 @@ BOOST_AUTO_TEST_CASE(without_closed_form) {
 // Where `vcrit eval` refuses to say v* the page says none, and nothing on it is green.
 BOOST_AUTO_TEST_CASE(where_the_program_answers_no_velocity_the_page_has_none) {
   const std::pair<std::string, const char*> refused[] = {
-      {"drive_masses", "holds masses of its own"},
-      {"drive_graph_masses", "holds masses of its own"},
       {"measured_drive", "a measured receptance"},
       {"lossy", "is not causal"}};
   for (const auto& [kind, reason] : refused)

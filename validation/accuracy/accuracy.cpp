@@ -18,12 +18,7 @@ constexpr std::uint64_t draw_seed = 20261121;  // any: the same inputs in every 
 constexpr std::size_t drawn_sets = 4096;       // errors as rare as one in a thousand show
 
 /// Null where it cannot be compiled.
-const Driver* compiled(const Problem& problem, Driver& driver, Accuracy& result) {
-  if (problem->receptance() != nullptr) {
-    result.left_out.emplace_back(
-        "No compiled evaluators: the formula needs the table of the measured drive.");
-    return nullptr;
-  }
+const Driver* compiled(Driver& driver, Accuracy& result) {
   const auto compiler = find_compiler();
   if (!compiler) {
     result.left_out.emplace_back("No compiled evaluators: no C++ compiler was found.");
@@ -62,7 +57,7 @@ Accuracy measure(Driver& own, const Progress& progress) {
   Accuracy result;
   result.command = fmt::format("vcrit validate {} --out DIR", problem->source->file);
   progress("compiling all evaluators");
-  const Driver* const driver = compiled(problem, own, result);
+  const Driver* const driver = compiled(own, result);
   progress("evaluators: error against run time");
   result.evaluators =
       evaluator_errors(problem, driver, draw_inputs(problem, own.symbols(), drawn_sets, draw_seed));

@@ -59,8 +59,11 @@ double closed_amplitude(const Problem& problem, const Values& values) {
   const Reduction& normal = problem->normal.reduction();
   const double amplitude = values.at(problem->amplitude.symbol);
   const auto stiffness_at_rest = static_cast<double>(at_rest(normal, values).stiffness());
-  if (stiffness_at_rest == 0) return amplitude;
   const double omega = values.at(problem->angular_frequency.symbol);
+  if (problem->load)
+    return std::min(amplitude, largest_oscillation * values.at(problem->load->symbol) /
+                                   std::abs(dynamic_stiffness(normal, values, omega)));
+  if (stiffness_at_rest == 0) return amplitude;
   const double stiffening = stiffness_at_rest / std::abs(dynamic_stiffness(normal, values, omega));
   return std::min(amplitude,
                   largest_oscillation * stiffening * values.at(problem->indentation.symbol));

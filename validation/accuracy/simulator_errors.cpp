@@ -80,7 +80,7 @@ bool elastic(const Relaxation& form) {
 
 /// The elastic contact's closed form, where the scene is one.
 std::optional<double> closed_form(const Problem& problem, const System& system, double ratio) {
-  if (system.opening || system.drive || !elastic(system.contact) ||
+  if (system.opening || system.drive || system.masses || !elastic(system.contact) ||
       !elastic(relaxation_form(problem->normal.network(), problem.values())))
     return std::nullopt;
   return elastic_friction(std::abs(system.normal_force_amplitude) / system.mean_normal_force,

@@ -87,7 +87,7 @@ std::vector<Setting> all_settings(const System& system) {
     add_adaptive(all, Method::msbdf, share, {1e-4, 1e-6, 1e-8});
     add_tanh(all, share);
   }
-  if (!system.drive && system.contact.branches.empty()) {
+  if (!system.drive && !system.masses && system.contact.branches.empty()) {
     all.push_back(with(Method::reduced, "", wrong_by_any_measure, {}));
     all.back().idealised = true;
   }

@@ -50,7 +50,7 @@ bool has_closed_form(const SceneReport& report, const simulation::System& system
     return form.damper == 0 && form.branches.empty() && form.equilibrium > 0;
   };
   const Values& values = report.problem.values();
-  return !system.opening && !system.drive && elastic(system.contact) &&
+  return !system.opening && !system.drive && !system.masses && elastic(system.contact) &&
          elastic(relaxation_form(report.problem->normal.network(), values));
 }
 

@@ -8,7 +8,6 @@
 #include "critical/critical_velocity.hpp"
 #include "network/masses.hpp"
 #include "rules/rulebook.hpp"
-#include "stiffness/at_rest.hpp"
 #include "stiffness/dynamic_stiffness.hpp"
 #include "stiffness/relaxation.hpp"
 
@@ -27,8 +26,8 @@ class Response {
         values_(problem_.values()),
         tangential_(tangential_network(problem)),
         amplitude_(values_.at(problem->amplitude.symbol)),
-        indentation_(values_.at(problem->indentation.symbol)),
-        at_rest_(at_rest(problem->normal.reduction(), values_).stiffness()) {}
+        indentation_(rules::Facts(problem).indentation()),
+        mean_force_(rules::Facts(problem).mean_force()) {}
 
   ResponsePoint at(double omega) const {
     ResponsePoint point;
@@ -53,7 +52,7 @@ class Response {
  private:
   /// (3) and (4)
   bool stays_closed(double stiffness) const {
-    return amplitude_ < indentation_ && amplitude_ * stiffness < at_rest_ * indentation_;
+    return amplitude_ < indentation_ && amplitude_ * stiffness < mean_force_;
   }
 
   /// Whether Eq. 24 is v* of a contact that may open.
@@ -69,7 +68,7 @@ class Response {
   Problem problem_;
   const Values& values_;  // its
   ScaledNetwork tangential_;
-  long double amplitude_, indentation_, at_rest_;
+  long double amplitude_, indentation_, mean_force_;
 };
 
 struct FrequencyRange {

@@ -15,6 +15,7 @@
 #include "critical/conditioning.hpp"
 #include "critical/critical_velocity.hpp"
 #include "indenter/friction.hpp"
+#include "normal/mean_indentation.hpp"
 #include "problem/variants.hpp"
 
 namespace vcrit::validation {
@@ -50,13 +51,13 @@ FrictionCurve indenter_curve(const Problem& problem, std::string name, bool own)
 }
 
 Problem at_share(const Problem& problem, double share) {
-  const double indentation = problem.value(problem->indentation);
+  const double indentation = simulation::mean_indentation(problem);
   return problem.with({{problem->amplitude.symbol, share * indentation}});
 }
 
 // Beyond the whole indentation the indenter jumps, which the scene must allow.
 std::vector<FrictionCurve> amplitudes_of(const Problem& problem) {
-  const double indentation = problem->indentation.value.value();
+  const double indentation = simulation::mean_indentation(problem);
   const double own = problem->amplitude.value.value() / indentation;
   std::vector<double> shares{0.05, 0.2, 0.5, 0.9};
   if (problem->separation) shares.insert(shares.end(), {1.5, 4});

@@ -13,6 +13,7 @@
 #include "critical/admissibility.hpp"
 #include "critical/critical_velocity.hpp"
 #include "problem/variants.hpp"
+#include "rules/rulebook.hpp"
 #include "simulation/steady/curve.hpp"
 #include "simulation/steady/energy.hpp"
 #include "simulation/steady/exact.hpp"
@@ -71,7 +72,7 @@ FrictionCurve separation_curve(const Problem& problem) {
 constexpr double same_amplitude = 0.05;
 
 std::vector<FrictionCurve> curves_of(const Problem& problem, double border) {
-  const double indentation = problem->indentation.value.value();
+  const double indentation = rules::Facts(problem).indentation();
   const double own = problem->amplitude.value.value() / (border * indentation);
   std::vector<double> shares(std::begin(border_shares), std::end(border_shares));
   std::erase_if(shares, [&](double share) { return std::abs(share / own - 1) < same_amplitude; });
@@ -128,7 +129,7 @@ std::optional<Comparison> separation_static_limit(const System& system, double s
 std::optional<Comparison> separation_small_amplitude(const Problem& problem, double border) {
   const auto shortfall = [&](double share) -> std::optional<simulation::SteadyState> {
     const Problem there =
-        at_amplitude(problem, share * border * problem->indentation.value.value());
+        at_amplitude(problem, share * border * rules::Facts(problem).indentation());
     auto state = simulation::steady_state(simulation::system_of(there),
                                           0.5 * unit_of_speed(there) + creep_velocity(there));
     if (state.regime != simulation::Regime::stick_slip) return std::nullopt;
@@ -151,7 +152,8 @@ std::optional<Comparison> separation_small_amplitude(const Problem& problem, dou
 // So slow an oscillation that every network is as at rest.
 std::optional<Comparison> separation_quasi_static(const System& system) {
   const auto& form = system.opening->network;
-  if (!(system.contact.equilibrium > 0) || system.drive) return std::nullopt;
+  if (!(system.contact.equilibrium > 0) || system.drive || system.masses)
+    return std::nullopt;
   System slow = system, elastic = system;
   const double slowest = std::max(slowest_relaxation(form), slowest_relaxation(system.contact));
   if (slowest == 0) return std::nullopt;
@@ -191,7 +193,7 @@ void compare_separation(SceneReport& report, const System& system, double speed)
     if (comparison) report.comparisons.push_back(std::move(*comparison));
   };
   add(energy(system, 0.5 * speed));
-  if (report.separation->border > 0 && report.problem->indentation.value.value() > 0)
+  if (report.separation->border > 0 && rules::Facts(report.problem).indentation() > 0)
     add(separation_small_amplitude(report.problem, report.separation->border));
   if (!system.opening) return;
   add(separation_static_limit(system, speed));
@@ -252,7 +254,7 @@ void examine_separation(SceneReport& report, const symbolic::Derivation& derivat
   separation.border = opening_border(problem);
   separation.derivation = equations_of(symbolic::separation_lines(derivation));
   const double speed = unit_of_speed(problem);
-  if (problem->indentation.value.value() > 0)
+  if (separation.border > 0 && rules::Facts(problem).indentation() > 0)
     separation.curves = curves_of(problem, separation.border);
   separation.map = separation_map(system, speed);
   compare_separation(report, system, speed);

@@ -52,7 +52,10 @@ std::vector<ValueLine> value_lines(const Problem& problem) {
   };
   add(problem->angular_frequency.symbol, {"rad/s", "angular frequency"});
   add(problem->amplitude.symbol, {"m", "amplitude of the normal oscillation"});
-  add(problem->indentation.symbol, {"m", "mean indentation"});
+  if (problem->load)
+    add(problem->load->symbol, {"N", "mean normal force"});
+  else
+    add(problem->indentation.symbol, {"m", "mean indentation"});
   add(problem->coefficient.symbol, {"", "coefficient of friction"});
   if (problem->mass) add(problem->mass->symbol, {"kg", "mass of the body"});
   if (problem->indenter)

@@ -59,7 +59,7 @@ std::vector<Claimed> by_driver(const Driver& driver, const Cells& cells) {
 std::string inputs_of(const Problem& problem, const Values& values) {
   std::string text = fmt::format("omega = {:a}", values.at(problem->angular_frequency.symbol));
   for (const auto& [symbol, value] : values)
-    if (symbol != problem->angular_frequency.symbol && symbol != problem->indentation.symbol)
+    if (symbol != problem->angular_frequency.symbol && symbol != pressing(problem).symbol)
       text += fmt::format(", {} = {:a}", to_text(symbol), value);
   return text;
 }

@@ -162,7 +162,7 @@ VCRIT_EXPORT(closed) int closed() {
     const double amplitude = explored->now.value(explored->now->amplitude);
     const auto mean = static_cast<double>(facts.mean_force()),
                oscillating = static_cast<double>(facts.oscillating_force());
-    const double indentation = explored->now.value(explored->now->indentation);
+    const double indentation = facts.indentation();
     numbers = {std::min(indentation, amplitude * (mean / oscillating)), mean};
   });
 }

@@ -206,6 +206,7 @@ void transfer(Archive& a, Scene& x) {
   transfer(a, x.mass);
   for (Quantity* each : {&x.coefficient, &x.angular_frequency, &x.amplitude, &x.indentation})
     transfer(a, *each);
+  transfer(a, x.load);
   transfer(a, x.elements);
   transfer(a, x.normal);
   transfer(a, x.tangential);

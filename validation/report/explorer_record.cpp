@@ -84,6 +84,7 @@ Called called(const Problem& problem, const ValueLine& line) {
   if (line.symbol == problem->angular_frequency.symbol) return {"frequency", "frequency"};
   if (line.symbol == problem->amplitude.symbol) return {"amplitude", "amplitude"};
   if (line.symbol == problem->indentation.symbol) return {"indentation", "indentation"};
+  if (problem->load && line.symbol == problem->load->symbol) return {"force", "mean normal force"};
   if (line.symbol == problem->coefficient.symbol) return {"coefficient", line.meaning};
   if (problem->mass && line.symbol == problem->mass->symbol) return {"mass", "mass"};
   return {to_text(as_called(problem, line.symbol)), line.meaning};

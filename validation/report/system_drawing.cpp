@@ -115,10 +115,19 @@ Label coefficient_words(const Problem& problem) {
   return joined({label(symbol), {plain(value)}});
 }
 
-/// "u_z(t) = 0.5 + 0.1 cos ωt µm"
+/// "u_z(t) = 0.5 + 0.1 cos ωt µm"; under a load "W = 20 N, Δu_z(t) = 0.1 cos ωt µm"
 Label oscillation_words(const Problem& problem) {
-  const double mean = problem.value(problem->indentation),
-               amplitude = problem.value(problem->amplitude);
+  const double amplitude = problem.value(problem->amplitude);
+  if (problem->load) {
+    const Scale scale = scale_for(amplitude, "m");
+    const Label load = joined({label(as_called(problem, problem->load->symbol)),
+                               {plain(value_words(problem, *problem->load, "N"))}});
+    return joined(
+        {load,
+         {plain("  "), italic("Δu"), lowered("z"),
+          raised(fmt::format("(t) = {:.4g} cos ωt {}", amplitude * scale.factor, scale.unit))}});
+  }
+  const double mean = problem.value(problem->indentation);
   const Scale scale = scale_for(std::max(mean, amplitude), "m");
   return {italic("u"), lowered("z"),
           raised(fmt::format("(t) = {:.4g} + {:.4g} cos ωt {}", mean * scale.factor,

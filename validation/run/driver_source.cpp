@@ -189,7 +189,7 @@ std::string driver_source(const symbolic::Derivation& formula, bool has_generate
   text += has_generated ? "#include \"scene_batch.hpp\"\nusing scene::Parameters;\n"
                           "static scene::Columns columns;\n"
                         : own_struct(parameters);
-  text += pasted_preamble() +
+  text += pasted_preamble(formula.problem) +
           pasted_function("in_complex_numbers", symbolic::nested_form(formula), parameters);
   if (formula.definitions.empty()) text += pasted_function("derived_formula", formula, parameters);
   text += "static bool read(std::FILE* in, Parameters& p) {\n  return true" +

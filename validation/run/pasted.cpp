@@ -60,6 +60,20 @@ class Pasted : public symbolic::Dialect {
   std::map<std::string, std::string> references_;
 };
 
+/// R_d, on a line from each row of the table to the next one.
+std::string receptance_function(const Receptance& receptance) {
+  std::string rows;
+  for (const Receptance::Row& row : receptance.rows)
+    rows += fmt::format("    {{{:a}, {{{:a}, {:a}}}}},\n", row.omega, row.re, row.im);
+  return "struct Row {\n  double omega;\n  Complex r;\n};\n"
+         "static Complex receptance(double omega) {\n  static const Row rows[] = {\n" +
+         rows +
+         "  };\n  const Row* row = rows;\n"
+         "  while (row + 2 < rows + sizeof rows / sizeof *rows && row[1].omega <= omega) ++row;\n"
+         "  const double share = (omega - row[0].omega) / (row[1].omega - row[0].omega);\n"
+         "  return (1.0 - share) * row[0].r + share * row[1].r;\n}\n";
+}
+
 }  // namespace
 
 std::string pasted_function(const std::string& name, const symbolic::Derivation& derivation,
@@ -76,15 +90,21 @@ std::string pasted_function(const std::string& name, const symbolic::Derivation&
   if (!derivation.definitions.empty())
     text += fmt::format("  const Complex {}(0.0, {});\n", print(symbolic::laplace()),
                         parameters.reference({"omega"}));
+  if (derivation.problem->receptance() != nullptr)
+    text += fmt::format("  const Complex {} = receptance({});\n", print(symbolic::quantity("R_d")),
+                        parameters.reference({"omega"}));
   for (const symbolic::Line& line : derivation.definitions)
     text += fmt::format("  const Complex {} = {};\n", print(line.left), print(line.right));
   return text + fmt::format("  return {};\n}}\n", print(derivation.critical_velocity));
 }
 
-std::string pasted_preamble() {
+std::string pasted_preamble(const Problem& problem) {
+  const std::string table =
+      problem->receptance() != nullptr ? receptance_function(*problem->receptance()) : "";
   return "using Complex = std::complex<double>;\n"
          "template <class T> static T power(T x, int n) {\n"
-         "  T result = x;\n  while (--n > 0) result *= x;\n  return result;\n}\n";
+         "  T result = x;\n  while (--n > 0) result *= x;\n  return result;\n}\n" +
+         table;
 }
 
 }  // namespace vcrit::validation

@@ -13,6 +13,7 @@ namespace vcrit::validation {
 std::string pasted_function(const std::string& name, const symbolic::Derivation& derivation,
                             const symbolic::ParameterList& parameters);
 
-std::string pasted_preamble();
+/// With the table of a measured drive.
+std::string pasted_preamble(const Problem& problem);
 
 }  // namespace vcrit::validation

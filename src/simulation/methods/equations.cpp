@@ -62,6 +62,7 @@ std::size_t Chain::main_branch() const {
 
 Equations::Equations(const System& system, double drive_velocity) {
   if (system.opening) throw ModelError("knows no contact that opens");
+  if (system.masses) throw ModelError("knows one body; this drive holds masses of its own");
   const bool moves = system.drive && system.mass && *system.mass > 0;
   const Relaxation path =
       system.drive && !moves ? series({system.contact, *system.drive}) : system.contact;

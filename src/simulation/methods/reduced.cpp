@@ -63,6 +63,7 @@ void require_kelvin_contact(const System& system) {
         what));
   };
   if (system.opening) refuse("a contact that opens");
+  if (system.masses) refuse("a drive with masses");
   if (system.drive)
     refuse(system.mass ? "a drive that is not rigid, and a mass" : "a drive that is not rigid");
   if (!system.contact.branches.empty()) refuse("a tangential contact with Maxwell branches");

@@ -5,6 +5,7 @@
 
 #include "base/constants.hpp"
 #include "base/errors.hpp"
+#include "base/free_swings.hpp"
 #include "modes/body_modes.hpp"
 #include "modes/driven_modes.hpp"
 #include "simulation/system/check.hpp"
@@ -106,6 +107,7 @@ Matrix levels(const Vector& force_rate, const Matrix& body) {
 std::size_t setup_work(const System& system) {
   std::size_t branches = system.contact.branches.size();
   if (system.drive) branches += system.drive->branches.size();
+  if (system.masses) branches += system.masses->motion.poles.size();
   if (system.opening) branches += system.opening->network.branches.size();
   return 10 * branches * branches;
 }
@@ -118,12 +120,21 @@ Index slow(const Rates& rates) {
 
 }  // namespace
 
+std::complex<double> Body::mobility(std::complex<double> s) const {
+  if (masses) return simulation::mobility(*masses, s);
+  std::complex<double> impedance = s * mass + drive.direct;
+  for (Index j = 0; j < drive.rates.size(); ++j)
+    impedance += drive.weights[j] / (drive.rates[j] + s);
+  return 1.0 / impedance;
+}
+
 Model::Model(const System& system) : effort(effort_of_state, system.effort) {
   check_system(system);
   effort.spend(setup_work(system));
-  const bool moves = system.drive && system.mass && *system.mass > 0;
-  const Relaxation path =
-      system.drive && !moves ? series({system.contact, *system.drive}) : system.contact;
+  const bool moves = !system.masses && system.drive && system.mass && *system.mass > 0;
+  const Relaxation path = system.drive && !moves && !system.masses
+                              ? series({system.contact, *system.drive})
+                              : system.contact;
   const double stiffness_unit = std::abs(dynamic_stiffness(path, system.omega));
   set_bound(system);
   velocity_unit = force_unit * system.omega / stiffness_unit;
@@ -135,17 +146,47 @@ Model::Model(const System& system) : effort(effort_of_state, system.effort) {
                 dual(drive).at_rest};
     free_harmonic = simulation::free_harmonic(system);
   }
+  if (system.masses) {
+    Masses masses(system.masses->motion, system.omega, stiffness_unit);
+    body = Body{masses.mass, {}, masses.fluidity, std::move(masses)};
+    free_harmonic = simulation::free_harmonic(system);
+  }
   slow_units = slow(contact.unit_rates);
   if (body) slow_branches = slow(body->drive.rates);
   set_stick();
   set_slip();
   set_sliding();
+  set_free_swings(system);
+}
+
+void Model::set_free_swings(const System& system) {
   threshold = std::abs(sliding_velocity);
-  if (free_harmonic > 1) {
+  if (free_harmonic > 1 && !system.masses) {
     const double quarter = pi / (2 * free_harmonic);
-    free_swing = threshold * std::sin(quarter) / free_harmonic;
+    free_swings.push_back({free_harmonic, threshold * std::sin(quarter) / free_harmonic});
     threshold *= std::cos(quarter);
   }
+  if (!system.masses || free_harmonic <= 1) return;
+  const std::vector<int> harmonics = undamped_harmonics(system);
+  const auto least = least_maximum(harmonics);
+  if (!least)
+    throw ModelError(
+        "the masses of the drive swing freely at too many harmonics of the oscillation");
+  for (std::size_t i = 0; i < harmonics.size(); ++i)
+    free_swings.push_back({harmonics[i], -threshold * least->swings[i]});
+  threshold *= least->upper;
+}
+
+// What merging modes take of its digits.
+const Modes& Model::heard(const GeneralModes& found) {
+  constexpr double usual = 1e3;
+  double share = found.change;
+  if (found.amplification > usual) {
+    share += epsilon * found.amplification;
+    amplification = std::max(amplification, found.amplification);
+  }
+  merging = std::max(merging, share);
+  return found.modes;
 }
 
 void Model::set_bound(const System& system) {
@@ -174,7 +215,10 @@ void Model::set_bound(const System& system) {
 // slip under F = b (or -b, with the parts taken negative), whose rate pushes the body and the
 // units.
 void Model::set_stick() {
-  stick.modes = body ? stuck_modes(*body, contact) : uncoupled(contact.branch_rates);
+  if (body && body->masses)
+    stick.modes = heard(stick_modes(*body->masses, contact));
+  else
+    stick.modes = body ? stuck_modes(*body, contact) : uncoupled(contact.branch_rates);
   const Index first = stick.modes.to_modes.columns(), states = body_states();
   if (opening) stick.modes = beside(stick.modes, uncoupled(opening->rates));
   const Matrix& from = stick.modes.from_modes;
@@ -194,7 +238,10 @@ void Model::set_stick() {
 
 void Model::set_slip() {
   const Modes creeping = uncoupled(contact.unit_rates);
-  slip.modes = body ? beside(body_modes(body->mass, body->drive), creeping) : creeping;
+  if (body && body->masses)
+    slip.modes = beside(heard(slip_modes(*body->masses)), creeping);
+  else
+    slip.modes = body ? beside(body_modes(body->mass, body->drive), creeping) : creeping;
   const Index first = slip.modes.to_modes.columns(), states = body_states();
   double flexible = contact.fluidity;
   if (opening) {
@@ -233,6 +280,7 @@ void Model::set_sliding() {
     sliding_velocity -= rate;
   }
   if (!body) return;
+  if (body->masses) return set_sliding_of_masses();
   const PoleSum& drive = body->drive;
   std::complex<double> impedance = 1i * body->mass + drive.direct;
   double size = body->mass + drive.direct;
@@ -254,9 +302,30 @@ void Model::set_sliding() {
   creep += body->fluidity;
 }
 
+// The impedance of u is that of the mass, of what the drive adds to it, and of their sum, 1/m times
+// the inverse of the mobility.
+void Model::set_sliding_of_masses() {
+  using namespace std::complex_literals;
+  const Masses& masses = *body->masses;
+  const List<std::complex<double>> answer = response(masses.exact, 1i);
+  const double direct = masses.rates(0, 0);
+  resonance =
+      (1 + std::abs(direct)) * std::abs(answer[0]) + std::abs(1.0 - (1i - direct) * answer[0]);
+  if (!(resonance < infinity) || free_harmonic == 1) {
+    resonance = infinity;
+    sliding_velocity = infinity;
+    return;
+  }
+  sliding_velocity -= amplitude / masses.mass * answer[0];
+  for (Index i = 0; i < masses.states(); ++i)
+    sliding_rates[i] = -1i * amplitude / masses.mass * answer[i];
+  creep += body->fluidity;
+}
+
 void Model::add_steady(double times, View x) const {
   x[0] += times;
   if (!body) return;
+  if (body->masses) return add(body->masses->steady, times, x.subspan(1, body_states()));
   x[1] -= times * body->fluidity;
   for (Index j = 0; j < body->drive.rates.size(); ++j) {
     const double rate = body->drive.rates[j];
@@ -268,6 +337,11 @@ void Model::rates(ConstView x, bool stuck, View y) const {
   const Index states = body_states(), own = stuck ? branches() : units();
   for (Index j = 0; j < own; ++j) y[states + j] = x[1 + states + j];
   if (!body) return;
+  if (body->masses) {
+    const View top = y.first(states);
+    std::fill(top.begin(), top.end(), 0.0);
+    return add_rates(*body->masses, x.subspan(1, states), x[0], top);
+  }
   const PoleSum& drive = body->drive;
   double force = -x[0] - drive.direct * x[1];
   for (Index j = 0; j < drive.rates.size(); ++j) {

@@ -19,6 +19,7 @@
 #include <optional>
 
 #include "modes/contact_modes.hpp"
+#include "simulation/motion/masses.hpp"
 #include "simulation/motion/opening.hpp"
 #include "simulation/system/system.hpp"
 
@@ -26,8 +27,18 @@ namespace vcrit::simulation {
 
 struct Body {
   double mass = 0;
-  PoleSum drive;        ///< K_d(s)/s
-  double fluidity = 0;  ///< 1/eta of a drive that creeps, else 0
+  PoleSum drive;                      ///< K_d(s)/s; nothing where the drive holds masses
+  double fluidity = 0;                ///< 1/eta of a drive that creeps, else 0
+  std::optional<Masses> masses = {};  ///< then x_b is in place of (u, g_j)
+
+  /// Velocity for a force on it, s as of e^{st}.
+  std::complex<double> mobility(std::complex<double> s) const;
+};
+
+/// `amplitude` cos(n t), t from the slowest instant of sliding.
+struct FreeSwing {
+  int harmonic = 0;
+  double amplitude = 0;
 };
 
 /// One kind of motion: its modes, and what they do, by modal coordinates.
@@ -74,10 +85,18 @@ struct Model {
   /// Of a contact that never opens, the least velocity of steady sliding: the amplitude of the
   /// contact velocity. A body that swings freely at the n-th harmonic, n > 1, may take off that
   /// swing's part of it, down to cos(pi/(2 n)): a measure on the two instants +-pi/(2 n) gives no
-  /// such swing a mean, and `free_swing` cos(n t), t from the slowest instant, attains it.
-  double threshold = 0, free_swing = 0;
+  /// such swing a mean, and the free swing attains it. Masses may have several (free_swings.hpp).
+  double threshold = 0;
+  List<FreeSwing, 1> free_swings;
+  /// Share that modes of masses which merge may take of all answers, and by how much they let
+  /// rounding errors grow, 1 where they are apart (general_modes.hpp).
+  double merging = 0, amplification = 1;
 
-  Index body_states() const { return body ? 1 + body->drive.rates.size() : 0; }  ///< u, g_j
+  /// u and g_j, or those of the masses.
+  Index body_states() const {
+    if (!body) return 0;
+    return body->masses ? body->masses->states() : 1 + body->drive.rates.size();
+  }
   Index branches() const { return contact.branch_stiffness.size(); }
   Index units() const { return contact.unit_fluidity.size(); }
   Index level_states() const { return 1 + body_states(); }
@@ -136,6 +155,9 @@ struct Model {
   double closed_error_ = 0;  ///< what a contact taken for closed leaves out by not opening
 
   void set_bound(const System& system);
+  void set_free_swings(const System& system);
+  void set_sliding_of_masses();
+  const Modes& heard(const GeneralModes& found);
   void set_stick();
   void set_slip();
   void set_sliding();

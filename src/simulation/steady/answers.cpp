@@ -31,8 +31,9 @@ class Answer {
     for (int i = 0; i < samples_; ++i) {
       const double t = phase_of(i) + model_.phase;
       const double slowest = t + std::arg(model_.sliding_velocity) + pi;
-      const double velocity = velocity_ + (model_.sliding_velocity * std::exp(1i * t)).real() +
-                              model_.free_swing * std::cos(model_.free_harmonic * slowest);
+      double velocity = velocity_ + (model_.sliding_velocity * std::exp(1i * t)).real();
+      for (const auto& [harmonic, amplitude] : model_.free_swings)
+        velocity += amplitude * std::cos(harmonic * slowest);
       state_.cycle.push_back(point(phase_of(i), velocity, model_.bound(t), model_.bound(t)));
     }
   }

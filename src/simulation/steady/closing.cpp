@@ -51,6 +51,11 @@ void close_slow_states(const Model& model, const Passage& period, Closing& closi
 // The velocity that friction and drive may give the body in a period.
 double shove(const Model& model, const State& start) {
   double force = model.force_size();
+  if (const auto& masses = model.body->masses) {
+    for (Index j = 0; j < masses->states(); ++j)
+      force += masses->mass * std::abs(masses->rates(0, j) * start.x[1 + j]);
+    return two_pi * force / masses->mass;
+  }
   for (Index j = 0; j + 1 < model.body_states(); ++j) force += std::abs(start.x[2 + j]);
   return two_pi * force / model.body->mass;
 }
@@ -65,6 +70,10 @@ Vector size_beside(const Model& model, double contact_speed, const State& start)
   if (body > 0) size[0] += std::min(contact_speed, shove(model, start));
   // A branch's force follows the body's swing, and creeps with the whole drive.
   for (Index j = 0; j + 1 < body; ++j) {
+    if (model.body->masses) {  // velocities like u
+      size[1 + j] += size[0];
+      continue;
+    }
     const double rate = model.body->drive.rates[j], weight = model.body->drive.weights[j];
     const double creep = force * model.body->fluidity;
     size[1 + j] += rate == 0 ? force : weight * (size[0] / (1 + rate) + creep / rate);
@@ -86,7 +95,7 @@ Vector rounding_of(const Model& model, Vector unit) {
   }
   for (Index j = 0; j < model.slow_units; ++j)
     relax(unit[model.body_states() + j], model.contact.unit_rates[j]);
-  for (double& size : unit) size *= 8 * epsilon;
+  for (double& size : unit) size *= 8 * epsilon * model.amplification;
   return unit;
 }
 
@@ -106,8 +115,8 @@ Closing closing(const Model& model, const State& start, const Passage& period) {
 }
 
 double close_heavy_body(const Model& model, const Passage& period, Closing& closing) {
-  if (!model.body || model.body->fluidity == 0) return 0;
-  const auto& [mass, drive, fluidity] = *model.body;
+  if (!model.body || model.body->fluidity == 0 || model.body->masses) return 0;
+  const auto& [mass, drive, fluidity, none] = *model.body;
   if (two_pi > mass * fluidity) return 0;
   // The impulse on the body is the sum of weights times integrals, and of fast branches, whose
   // integrals are not kept, of what these change by.
@@ -152,7 +161,8 @@ Vector rounding(const Model& model, double velocity, const State& start) {
 }
 
 void check_settles(const Model& model) {
-  if (!model.body || model.body->fluidity == 0 || model.slow_branches > 0) return;
+  if (!model.body || model.body->fluidity == 0 || model.slow_branches > 0 || model.body->masses)
+    return;
   const PoleSum& drive = model.body->drive;
   double hold = drive.direct;
   for (Index j = 0; j < drive.rates.size(); ++j) hold += drive.weights[j] / drive.rates[j];
@@ -174,6 +184,7 @@ Vector slip_rounding(const Model& model, const State& start) {
 // A quarter of a free swing later; beside a damper at most what the force moves that by, however
 // light the body.
 double swing(const Model& model, ConstView body) {
+  if (model.body->masses) return sum_of_sizes(body.subspan(1));
   const PoleSum& drive = model.body->drive;
   double sum = 0;
   for (Index j = 0; j + 1 < body.size(); ++j)

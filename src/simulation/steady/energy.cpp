@@ -1,13 +1,12 @@
 #include "simulation/steady/energy.hpp"
 
 #include <algorithm>
-#include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 
 #include "base/constants.hpp"
 #include "base/errors.hpp"
-#include "base/interruption.hpp"
 #include "simulation/steady/near_resonance.hpp"
+#include "simulation/steady/quadrature.hpp"
 #include "simulation/steady/steady_cycle.hpp"
 
 namespace vcrit::simulation {
@@ -37,6 +36,20 @@ double swing_of_body(const Model& model, const State& state) {
   return swing_of_phase(std::abs(state.x[1]) * fastest);
 }
 
+// x.losses x, a sum of squares in which nothing cancels but by rounding.
+void add_heat_of_masses(const Masses& masses, ConstView x, double swing, Heat& heat) {
+  Vector rates(x.size());
+  add_product(masses.losses, x, rates);
+  double sizes = swing;
+  for (const double each : x) sizes += std::abs(each);
+  for (Index i = 0; i < x.size(); ++i) {
+    heat.power += masses.mass * x[i] * rates[i];
+    for (Index j = 0; j < x.size(); ++j)
+      heat.rounding += 8 * epsilon * masses.mass * std::abs(masses.losses(i, j)) *
+                       (std::abs(x[i]) + std::abs(x[j])) * sizes;
+  }
+}
+
 // Contact as Kelvin units behind a free damper, each under the same force F and creeping at r_j;
 // the drive as branches beside a damper, all moving at u. A branch's damper k_j/a_j carries g_j.
 Heat heat_of_dampers(const Model& model, State state) {
@@ -50,67 +63,17 @@ Heat heat_of_dampers(const Model& model, State state) {
   for (Index j = 0; j < units; ++j)
     heat.add(state.x[first + j], 1 / contact.unit_fluidity[j], swing(body + j));
   if (!model.body) return heat;
+  if (const auto& masses = model.body->masses) {
+    add_heat_of_masses(*masses, ConstView(state.x).subspan(1, body),
+                       swing(0) + swing_of_body(model, state), heat);
+    return heat;
+  }
   const PoleSum& drive = model.body->drive;
   heat.add(state.x[1], drive.direct, swing(0) + swing_of_body(model, state));
   for (Index j = 0; j + 1 < body; ++j)
     heat.add(state.x[2 + j], drive.rates[j] / drive.weights[j], swing(1 + j));
   return heat;
 }
-
-// Longer ones are seconds of computing.
-constexpr double most_panels = 50'000;
-
-// Integrates over pieces by Gauss's rule on panels that grow by 2 from the piece's start, where
-// fast modes decay, up to the radian or two that 30 nodes follow a product of two swings over: that
-// of the oscillation, which is 1, and while it lasts the one of the body. A product of two modes
-// e^{-rate t} with 2 rate * panel <= 40 is integrated to 1e-20 (the rule is exact to degree 59), so
-// that the first panel reaches 20/rate of the fastest; beyond it that one is gone.
-class Quadrature {
- public:
-  explicit Quadrature(const Spectrum& spectrum) {
-    double fastest = 0;
-    for (Index i = 0; i < spectrum.rates.size(); ++i)
-      fastest = std::max(fastest, spectrum.rates[i]);
-    for (const ModePair& pair : spectrum.pairs) {
-      fastest = std::max(fastest, pair.decay + std::sqrt(std::max(pair.q, 0.0)));
-      if (pair.q >= 0) continue;
-      swing_ = std::sqrt(-pair.q);
-      lasts_ = 40 / pair.decay;
-    }
-    first_ = std::clamp(20 / fastest, shortest, 2 / std::max(1.0, swing_));
-  }
-
-  bool can_follow(double duration) const {
-    return std::min(duration, lasts_) * swing_ < 2 * most_panels;
-  }
-
-  template <class Rate>
-  void over(double duration, const Rate& rate) const {
-    double begin = 0;
-    while (begin < duration) {
-      hear_interruption();
-      const double longest = begin < lasts_ ? 2 / std::max(1.0, swing_) : 2;
-      const double panel = begin == 0 ? first_ : std::min(begin, longest);
-      const double end = std::min(begin + panel, duration);
-      rule(0.5 * (begin + end), 0.5 * (end - begin), rate);
-      begin = end;
-    }
-  }
-
- private:
-  using Gauss = boost::math::quadrature::gauss<double, 30>;
-  // Of the first panel, within which nothing decays; the next ones double.
-  static constexpr double shortest = 1e-14;
-
-  template <class Rate>
-  static void rule(double middle, double half, const Rate& rate) {
-    for (std::size_t i = 0; i < Gauss::abscissa().size(); ++i)
-      for (const double side : {-1.0, 1.0})
-        rate(middle + side * half * Gauss::abscissa()[i], half * Gauss::weights()[i]);
-  }
-
-  double swing_ = 0, lasts_ = 0, first_ = shortest;
-};
 
 // A path that creeps and never slips: the drive works against a steady force.
 EnergyBalance energy_of_creep(const Model& model, double velocity) {

@@ -17,6 +17,7 @@
 // at most the work of the drive, (1 - amplitude) <|w|> <= <b |w|> <= (v + creep) <F> <= v + creep.
 #include "simulation/steady/full_friction.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/constants.hpp"
@@ -27,14 +28,6 @@ namespace {
 
 using Complex = std::complex<double>;
 
-// Velocity of the body for a force on it.
-Complex body_response(const Body& body, Complex s) {
-  Complex impedance = s * body.mass + body.drive.direct;
-  for (Index j = 0; j < body.drive.rates.size(); ++j)
-    impedance += body.drive.weights[j] / (body.drive.rates[j] + s);
-  return 1.0 / impedance;
-}
-
 // Velocity of the contact point over the body for a force on it.
 Complex contact_response(const ContactModes& contact, Complex s) {
   Complex response = s * contact.glassy + contact.fluidity;
@@ -43,30 +36,30 @@ Complex contact_response(const ContactModes& contact, Complex s) {
   return response;
 }
 
-// The harmonic at which the body swings on its drive.
-double harmonic_of(const Model& model) {
-  for (const ModePair& pair : model.slip.modes.spectrum.pairs)
-    if (pair.q < 0) return std::round(std::sqrt(-pair.q));
-  return 0;
+// With the harmonic at which the body swings on its drive, or near which.
+double most_missing(const Model& model, double velocity, double n) {
+  if (n < 2) return 1;
+  const double quarter = pi / (2 * n), critical = std::abs(model.sliding_velocity);
+  const double excess = velocity - std::cos(quarter) * critical;
+  if (!(excess > 0)) return 1;
+  const Complex s(0, n);
+  const double response = std::abs(model.body->mobility(s) + contact_response(model.contact, s));
+  // The second part is the rounding of springs and inertia that cancel.
+  const double resistance = 1 / response + 8 * epsilon * n * model.body->mass;
+  const double moving = (velocity + model.creep) / (1 - model.amplitude);
+  const double missing = critical * std::sin(quarter) / n * moving * resistance / excess;
+  return missing < 1 ? missing + 8 * epsilon : 1;
 }
 
 }  // namespace
 
 double most_missing_friction(const Model& model, double velocity) {
-  if (model.opening || !model.body || !(model.amplitude < 1)) return 1;
-  const double n = harmonic_of(model);
-  if (n < 2) return 1;
-  const double quarter = pi / (2 * n), critical = std::abs(model.sliding_velocity);
-  const double above = velocity - std::cos(quarter) * critical;
-  if (!(above > 0)) return 1;
-  const Complex s(0, n);
-  const double response =
-      std::abs(body_response(*model.body, s) + contact_response(model.contact, s));
-  // The second part is the rounding of springs and inertia that cancel.
-  const double resistance = 1 / response + 8 * epsilon * n * model.body->mass;
-  const double moving = (velocity + model.creep) / (1 - model.amplitude);
-  const double missing = critical * std::sin(quarter) / n * moving * resistance / above;
-  return missing < 1 ? missing + 8 * epsilon : 1;
+  double least = 1;
+  if (model.opening || !model.body || !(model.amplitude < 1)) return least;
+  for (const ModePair& pair : model.slip.modes.spectrum.pairs)
+    if (pair.q < 0)
+      least = std::min(least, most_missing(model, velocity, std::round(std::sqrt(-pair.q))));
+  return least;
 }
 
 }  // namespace vcrit::simulation

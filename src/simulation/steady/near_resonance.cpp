@@ -64,7 +64,9 @@ void too_fast_for_neighbours() {
 // amplitude/(e m). An interpolation's error is step^4, and rounding errors grow like the inverse of
 // the distance from the resonance: at this step both are about the same.
 Neighbours neighbours(const System& system, const Model& model, double velocity) {
-  const double scale = std::min(1.0, model.amplitude / (std::abs(velocity) * model.body->mass));
+  const auto& masses = model.body->masses;
+  const double mass = masses ? resonant_mass(*masses) : model.body->mass;
+  const double scale = std::min(1.0, model.amplitude / (std::abs(velocity) * mass));
   Neighbours result;
   result.step = std::pow(epsilon / scale, 0.2);
   const double off = result.step * scale;
@@ -72,7 +74,13 @@ Neighbours neighbours(const System& system, const Model& model, double velocity)
   const std::array<double, 4> shares{1 - off, 1 + off, 1 - 2 * off, 1 + 2 * off};
   for (std::size_t i = 0; i < 4; ++i) {
     result.systems[i] = system;
-    result.systems[i].drive = scaled(*system.drive, shares[i]);
+    if (!masses) {
+      result.systems[i].drive = scaled(*system.drive, shares[i]);
+      continue;
+    }
+    DriveStructure structure = stiffer(system.masses->structure, shares[i]);
+    structure.lead.reset();  // in series with the contact already
+    hold_by(result.systems[i], std::move(structure));
   }
   return result;
 }

@@ -6,10 +6,22 @@
 
 namespace vcrit::simulation {
 
+namespace {
+
+// Of all that moves with the body, where the drive has masses.
+void add_body_velocity(const Model& model, double velocity, View x) {
+  if (const auto& masses = model.body->masses)
+    add(masses->rest, velocity, x.subspan(1, masses->states()));
+  else
+    x[1] += velocity;
+}
+
+}  // namespace
+
 State separated_start(const Model& model, double velocity, bool at_rest) {
   const Opening::Middle middle = model.opening->middle();
   State state{Motion::separated, middle.time, Vector(model.slip_states()), 0, middle.next};
-  if (model.body && at_rest) state.x[1] = -velocity;
+  if (model.body && at_rest) add_body_velocity(model, -velocity, state.x);
   if (!at_rest) model.add_steady(1, state.x);
   state.x[0] = 0;
   return state;
@@ -40,7 +52,7 @@ State rest_start(const Model& model, double velocity) {
   State stick{Motion::stick, 0, Vector(model.stick_states()), 0};
   const double force = model.contact.damper * top;
   stick.x[0] = force;
-  if (model.body) stick.x[1] = -drive;
+  if (model.body) add_body_velocity(model, -drive, stick.x);
   model.add_steady(-model.load, stick.x);
   for (Index i = 0; i < branches; ++i)
     stick.x[levels + i] = model.contact.branch_stiffness[i] * top;

@@ -288,8 +288,8 @@ class SteadyCycleSearch {
     // The contact's velocity is the small difference of the drive's and the creep.
     const double creeping =
         model_.opening ? 0 : 2 * epsilon * model_.creep / model_.threshold * model_.amplitude;
-    const double sum =
-        epsilon + creeping + change + rounding + more + now.trace.unlawful + model_.bound_error();
+    const double sum = epsilon + creeping + change + rounding + more + now.trace.unlawful +
+                       model_.bound_error() + model_.merging;
     const double missing = most_missing_friction(model_, velocity_);
     const double most = std::min(model_.opening ? 1 : model_.amplitude,
                                  std::max(std::abs(1 - ratio), std::abs(ratio - 1 + missing)));

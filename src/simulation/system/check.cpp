@@ -53,6 +53,26 @@ void check_opening(const NormalMotion& opening) {
 
 }  // namespace
 
+void check_structure(const DriveStructure& structure) {
+  const std::size_t n = structure.mass.size();
+  const auto fits = [n](const Dense<long double>& matrix) {
+    return matrix.rows() == n && matrix.columns() == n;
+  };
+  bool sizes = n > 0 && fits(structure.damping) && fits(structure.stiffness) &&
+               structure.port.size() == n && structure.together.size() == n;
+  for (const DriveBranch& branch : structure.branches) {
+    sizes = sizes && branch.pull.size() == n;
+    check_number(branch.stiffness > 0, "drive.branches: stiffness",
+                 static_cast<double>(branch.stiffness), above);
+    check_number(branch.time > 0, "drive.branches: time", static_cast<double>(branch.time), above);
+  }
+  if (!sizes)
+    throw InputError(argument("drive"), "masses, matrices and vectors of different sizes",
+                     "as many rows and columns as masses, one at least");
+  for (const double mass : structure.mass) check_number(mass > 0, "drive.mass", mass, above);
+  if (structure.lead) check_form(*structure.lead, "drive.lead");
+}
+
 void check_system(const System& system) {
   check_form(system.contact, "contact");
   if (system.drive) check_form(*system.drive, "drive");

@@ -1,20 +1,23 @@
 #include "simulation/system/system.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/constants.hpp"
+#include "normal/mean_indentation.hpp"
 #include "rules/rulebook.hpp"
+#include "simulation/system/check.hpp"
 
 namespace vcrit::simulation {
 
 namespace {
 
 // What is left above a share of 1 is rounding.
-void let_open(System& system, bool separates, const Relaxation& normal, double amplitude,
-              double indentation) {
+void let_open(System& system, const Problem& problem, const Relaxation& normal, double amplitude) {
   const double share = std::abs(system.normal_force_amplitude) / system.mean_normal_force;
-  if (separates && share > 1 + least_separation(false))
-    system.opening = {normal, indentation, amplitude};
+  if (problem->separation && share > 1 + least_separation(false))
+    system.opening = {normal, mean_indentation(problem), amplitude};
   else if (share > 1)
     system.normal_force_amplitude /= share;
 }
@@ -51,9 +54,42 @@ int free_harmonic(const Relaxation& drive, double mass, double omega, double wit
 }
 
 int free_harmonic(const System& system) {
+  if (system.masses) {
+    const std::vector<int> harmonics = undamped_harmonics(system);
+    return harmonics.empty() ? 0 : harmonics.front();
+  }
   if (!system.drive || !system.mass) return 0;
   const double within = system.opening ? 1e-30 : equal_in_roundings * epsilon;
   return free_harmonic(*system.drive, *system.mass, system.omega, within);
+}
+
+namespace {
+
+/// Those within a share of which there is a pole.
+std::vector<int> harmonics_of_poles(const System& system, long double within) {
+  std::vector<int> result;
+  for (const std::complex<long double>& pole : system.masses->motion.poles) {
+    const std::complex<long double> s = pole / static_cast<long double>(system.omega);
+    const long double n = std::round(s.imag());
+    if (!(n >= 1 && n <= 1e6L)) continue;
+    if (std::abs(s - std::complex<long double>(0, n)) <= within * n)
+      result.push_back(static_cast<int>(n));
+  }
+  std::ranges::sort(result);
+  result.erase(std::ranges::unique(result).begin(), result.end());
+  return result;
+}
+
+}  // namespace
+
+// The share is of a stiffness, which is as the square of the frequency. The force of a contact that
+// opens drives every harmonic: only what is one but for the rounding of the poles is in resonance
+// then.
+std::vector<int> undamped_harmonics(const System& system) {
+  constexpr long double rounding_of_poles = 1e-17L;
+  if (!system.masses) return {};
+  return harmonics_of_poles(system,
+                            system.opening ? rounding_of_poles : equal_in_roundings / 2 * epsilon);
 }
 
 // Where Re K_d = m s^2 the network of the drive, springs and dampers, answers to a share of 1e-5
@@ -62,6 +98,11 @@ int free_harmonic(const System& system) {
 int nearly_free_harmonic(const System& system) {
   constexpr double near_harmonic = 1e-5;
   constexpr int most_steps = 50;
+  if (system.masses) {
+    // Of the stiffness, which is as the square of the frequency.
+    const std::vector<int> harmonics = harmonics_of_poles(system, near_harmonic / 2);
+    return harmonics.empty() ? 0 : harmonics.front();
+  }
   if (!system.drive || !system.mass || !(*system.mass > 0)) return 0;
   const auto stiffness = [&](double s) { return dynamic_stiffness(*system.drive, s); };
   double swing = std::sqrt(glassy_stiffness(*system.drive) / *system.mass);
@@ -72,11 +113,19 @@ int nearly_free_harmonic(const System& system) {
   return std::abs(stiffness(s) - inertia) <= near_harmonic * inertia ? static_cast<int>(n) : 0;
 }
 
+void hold_by(System& system, DriveStructure structure) {
+  check_structure(structure);
+  if (structure.lead) system.contact = series({system.contact, *structure.lead});
+  DriveMotion motion = drive_motion(structure);
+  system.drive.reset();
+  system.mass.reset();
+  system.masses = std::make_shared<const DriveWithMasses>(std::move(structure), std::move(motion));
+}
+
 System system_of(const Problem& problem) {
   rules::require(rules::Question::motion, problem);
   const Values& values = problem.values();
   const double amplitude = values.at(problem->amplitude.symbol);
-  const double indentation = values.at(problem->indentation.symbol);
   const Relaxation normal = relaxation_form(problem->normal.network(), values);
   const ScaledNetwork tangential = tangential_network(problem);
 
@@ -84,13 +133,18 @@ System system_of(const Problem& problem) {
   system.contact = scaled(relaxation_form(tangential.network.network(), values), tangential.factor);
   system.omega = values.at(problem->angular_frequency.symbol);
   system.friction = values.at(problem->coefficient.symbol);
-  system.mean_normal_force = normal.equilibrium * indentation;
+  system.mean_normal_force = closed_mean_force(problem, normal.equilibrium);
   system.normal_force_amplitude = amplitude * dynamic_stiffness(normal, system.omega);
-  if (const ReducedNetwork* drive = problem->drive_network()) {
+  if (problem->has_masses()) {
+    const bool body = problem->mass.has_value();
+    hold_by(system, drive_structure(problem->drive_network()->network(), values,
+                                    body ? values.at(problem->mass->symbol) : 0,
+                                    body ? problem->mass->symbol : Symbol{}));
+  } else if (const ReducedNetwork* drive = problem->drive_network()) {
     system.drive = relaxation_form(drive->network(), values);
     if (problem->mass) system.mass = values.at(problem->mass->symbol);
   }
-  let_open(system, problem->separation, normal, amplitude, indentation);
+  let_open(system, problem, normal, amplitude);
   return system;
 }
 

@@ -2,19 +2,29 @@
 #pragma once
 
 #include <complex>
+#include <memory>
 #include <optional>
+#include <vector>
 
 #include "normal/normal_motion.hpp"
 #include "problem/problem.hpp"
 #include "simulation/system/effort.hpp"
+#include "stiffness/drive_motion.hpp"
+#include "stiffness/drive_structure.hpp"
 #include "stiffness/relaxation.hpp"
 
 namespace vcrit::simulation {
 
+/// A drive that holds masses, with the body: as it is built, and what the body sees of it.
+struct DriveWithMasses {
+  DriveStructure structure;
+  DriveMotion motion;
+};
+
 /// A body drawn through the drive with its contact below; what the scene lacks is absent.
 struct System {
   Relaxation contact;               ///< tangential network between body and contact point
-  std::optional<Relaxation> drive;  ///< rigid without
+  std::optional<Relaxation> drive;  ///< rigid without, unless it holds masses
   std::optional<double> mass;       ///< kg, only with a drive
   double omega = 0;                 ///< rad/s
   double friction = 0;              ///< mu0
@@ -22,7 +32,10 @@ struct System {
   std::complex<double>
       normal_force_amplitude;  ///< N; F_n(t) = mean + Re[amplitude e^{i omega t}] >= 0
   std::optional<NormalMotion> opening = {};  ///< in place of both forces: F_n = max(0, reaction)
-  SharedEffort* effort = nullptr;  ///< that all searches on it share; without one each has its own alone
+  std::shared_ptr<const DriveWithMasses> masses =
+      {};  ///< in place of drive and mass; see hold_by()
+  SharedEffort* effort =
+      nullptr;  ///< that all searches on it share; without one each has its own alone
 };
 
 /// Numbers that differ by so many of their roundings are equal, but for rounding.
@@ -42,6 +55,16 @@ int free_harmonic(const System& system);
 /// to within d of itself: below 1e-5, rounding and a search's own error of some 1e-12 take it for a
 /// steady one.
 int nearly_free_harmonic(const System& system);
+
+/// Harmonics at which a system with masses in its drive swings freely, n >= 1: undamped poles of
+/// what the body sees of the drive at n omega, but for rounding.
+std::vector<int> undamped_harmonics(const System& system);
+
+/// Lets a drive with masses, the body among them, hold the contact in place of drive and mass of
+/// the system. Its lead, if it has one, is in series with the contact from then on. Throws
+/// InputError for a structure that is none, ModelError where nothing but masses leads to the far
+/// end.
+void hold_by(System& system, DriveStructure structure);
 
 /// Throws InputError for missing values, ModelError unless the normal network carries the mean load
 /// and the normal force stays positive or the contact may open.

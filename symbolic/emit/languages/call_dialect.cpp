@@ -92,7 +92,18 @@ Operand CallDialect::with_zeros(const Node& node, const Arguments& arguments) co
   }
 }
 
+// Of doubles in every grade.
+Operand CallDialect::of_table(const Node& node, const Arguments& arguments) const {
+  const std::string& a = arguments[0].text;
+  if (node.operation == Operation::place)
+    return {fmt::format("{}place({})", spelling_.prefix, a), node.kind, true};
+  return {fmt::format("{}entry({}, {})", spelling_.prefix, a, index(arguments[1])), node.kind,
+          true};
+}
+
 Operand CallDialect::apply(const Node& node, const std::vector<Operand>& arguments) const {
+  if (node.operation == Operation::place || node.operation == Operation::entry)
+    return of_table(node, arguments);
   if (is_for_zeros(node.operation)) return with_zeros(node, arguments);
   const bool bound = node.kind == NodeKind::bound && grade_ != CallGrade::wide;
   const bool exact = node.kind == NodeKind::exact;

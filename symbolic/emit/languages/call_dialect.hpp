@@ -39,6 +39,7 @@ class CallDialect : public CodeDialect {
   using Operation = Node::Operation;
   using Arguments = std::vector<Operand>;
   Operand with_zeros(const Node& node, const Arguments& arguments) const;
+  Operand of_table(const Node& node, const Arguments& arguments) const;
   Operand in_doubles(const Node& node, const Arguments& arguments) const;
   Operand in_calls(const Node& node, const Arguments& arguments) const;
   Operand negated(const Operand& a) const;

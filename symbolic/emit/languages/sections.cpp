@@ -1,11 +1,28 @@
 #include "emit/languages/sections.hpp"
 
+#include <fmt/core.h>
+
 #include <utility>
+#include <vector>
 
 #include "base/errors.hpp"
 #include "emit/pieces.hpp"
+#include "emit/straight_line.hpp"
 
 namespace vcrit::symbolic {
+
+namespace {
+
+/// Three numbers a line.
+std::string rows_of_table(const std::vector<double>& table) {
+  std::string out;
+  for (std::size_t i = 0; i < table.size(); i += 3)
+    out += fmt::format("{}\n    {}, {}, {}", i == 0 ? "" : ",", literal(table[i]),
+                       literal(table[i + 1]), literal(table[i + 2]));
+  return out;
+}
+
+}  // namespace
 
 Sections::Sections(std::string_view text) {
   std::string* section = nullptr;
@@ -34,9 +51,12 @@ std::string Sections::rare_operations(const Program& program) const {
                                         {Operation::nonzero, "nonzero"},
                                         {Operation::gap, "ties"},
                                         {Operation::magnitude, "magnitude"},
-                                        {Operation::unless_moderate, "unless_moderate"}})
+                                        {Operation::unless_moderate, "unless_moderate"},
+                                        {Operation::place, "table"}})
     if (program.has(operation)) out += (*this)[name];
-  return replaced(out, "THE_MOST_EDGES", std::to_string(Program::most_edges));
+  out = replaced(out, "THE_MOST_EDGES", std::to_string(Program::most_edges));
+  return program.has(Operation::place) ? replaced(out, "THE_ROWS", rows_of_table(program.table()))
+                                       : out;
 }
 
 }  // namespace vcrit::symbolic

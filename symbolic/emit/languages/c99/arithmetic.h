@@ -141,6 +141,22 @@ static inline THE_dd THE_dd_magnitude(THE_dd a) { return a.hi < 0.0 ? THE_dd_neg
 //: unless_moderate
 static inline double THE_unless_moderate(double x) { return THE_within(0x1p200, x) ? 0.0 : HUGE_VAL; }
 static inline THE_wide THE_wide_unless_moderate(THE_wide x) { (void)x; return THE_wide_of(0.0); }
+//: alone
+#define THE_ROWS 1.0
+//: table
+/* The drive's receptance as it was measured: angular frequency, real and imaginary part. Linear between two rows. */
+static const double THE_rows[] = {THE_ROWS};
+/* of the row at or below omega, but for the last one; -1 outside of the table */
+static inline double THE_place(double omega) {
+  int low = 0, high = (int)(sizeof THE_rows / sizeof THE_rows[0]) / 3 - 1;
+  if (!(omega >= THE_rows[0] && omega <= THE_rows[3 * high])) return -1.0;
+  while (low + 1 < high) {
+    const int middle = (low + high) / 2;
+    if (THE_rows[3 * middle] <= omega) low = middle; else high = middle;
+  }
+  return low;
+}
+static inline double THE_entry(double at, int number) { return at < 0.0 ? NAN : THE_rows[3 * (int)at + number]; }
 //: finished
 /* Whether sums and products keep what they round off, of numbers that compilers do not know. Not every compiler says
    that it is told to regroup sums, as by -fassociative-math; and there are libraries whose fma is a product and a sum. */

@@ -135,6 +135,18 @@ template <class T> T magnitude(T x) {
 inline double unless_moderate(double x) { return within(0x1p200, x) ? 0.0 : HUGE_VAL; }
 inline Wide unless_moderate(Wide) { return 0.0; }
 using std::sqrt;
+//: alone
+constexpr double THE_ROWS = 1.0;
+//: table
+// The drive's receptance as it was measured: angular frequency, real and imaginary part. Linear between two rows.
+inline constexpr double rows[] = {THE_ROWS};
+inline double place(double omega) {  // of the row at or below omega, but for the last one; -1 outside of the table
+  int low = 0, high = static_cast<int>(std::size(rows)) / 3 - 1;
+  if (!(omega >= rows[0] && omega <= rows[3 * high])) return -1.0;
+  while (low + 1 < high) (rows[3 * ((low + high) / 2)] <= omega ? low : high) = (low + high) / 2;
+  return low;
+}
+inline double entry(double at, int number) { return at < 0 ? NAN : rows[3 * static_cast<int>(at) + number]; }
 //: steps
 inline unsigned long long steps(double x, double least) {  // 2^(52 + n) or more: beyond 2^(2^n) least, or no number
   return std::bit_cast<unsigned long long>(x) - std::bit_cast<unsigned long long>(least);

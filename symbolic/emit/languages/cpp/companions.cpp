@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <vector>
 
 #include "base/numbers.hpp"
@@ -32,6 +33,15 @@ bool has_all_values(const Problem& problem) {
          problem->amplitude.value && (!problem->mass || problem->mass->value);
 }
 
+/// A frequency that the table of a measured drive has, where the scene's is none.
+std::optional<double> inside_table(const Problem& problem) {
+  if (problem->receptance() == nullptr) return std::nullopt;
+  const double first = problem->receptance()->rows.front().omega,
+               last = problem->receptance()->rows.back().omega,
+               own = problem->angular_frequency.value.value_or(0);
+  return own >= first && own <= last ? std::nullopt : std::optional(0.5 * (first + last));
+}
+
 /// The scene's values, and values of the size of real devices for symbols without one.
 std::map<Symbol, double> example_values(const Problem& problem) {
   std::map<Symbol, double> values;
@@ -41,6 +51,8 @@ std::map<Symbol, double> example_values(const Problem& problem) {
   put(problem->coefficient, 0.25);
   put(problem->angular_frequency, 125000.0);
   put(problem->amplitude, 1e-7);
+  if (const auto within = inside_table(problem))
+    values[problem->angular_frequency.symbol] = *within;
   if (problem->mass) put(*problem->mass, 0.00025);
   const auto* isotropic = std::get_if<Isotropic>(&problem->tangential);
   if (isotropic != nullptr) put(isotropic->quantity, 0.25);
@@ -86,10 +98,15 @@ std::vector<Symbol> scaled_symbols(const Problem& problem) {
   return symbols;
 }
 
-bool scales_fixed_values(const Problem& problem, const FixedValues& fixed) {
-  const std::vector<Symbol> symbols = scaled_symbols(problem);
-  return std::any_of(symbols.begin(), symbols.end(),
-                     [&](const Symbol& symbol) { return fixed.contains(symbol); });
+bool has_table(const Evaluator& evaluator) { return evaluator.has(Node::Operation::place); }
+
+/// Whether no call can scale all elements: one of them is a number of the code, or the drive a
+/// table.
+bool keeps_some_elements(const Evaluator& evaluator) {
+  const std::vector<Symbol> symbols = scaled_symbols(evaluator.derivation.problem);
+  return has_table(evaluator) ||
+         std::any_of(symbols.begin(), symbols.end(),
+                     [&](const Symbol& symbol) { return evaluator.fixed.contains(symbol); });
 }
 
 /// Those of them that are parameters, as "p.k0", each once.
@@ -105,15 +122,17 @@ std::vector<std::string> element_members(const Problem& problem, const Parameter
 }
 
 /// Multiplies them by 2. Nothing where one of them is a number of the code.
-std::string doubled(const Problem& problem, const ParameterList& parameters,
-                    const FixedValues& fixed) {
-  if (scales_fixed_values(problem, fixed)) return "";
+std::string doubled(const Evaluator& evaluator) {
+  if (keeps_some_elements(evaluator)) return "";
+  const Problem& problem = evaluator.derivation.problem;
   std::string out = fmt::format(
       "  // A power of two changes no rounding, and a common factor of all stiffnesses, dampers{}\n"
       "  // does not change v*.\n"
       "  Parameters doubled = p;\n",
-      problem->mass ? " and the mass" : "");
-  for (const std::string& member : element_members(problem, parameters))
+      problem->has_masses() ? " and masses"
+      : problem->mass       ? " and the mass"
+                            : "");
+  for (const std::string& member : element_members(problem, evaluator.parameters))
     out += "  doubled" + member.substr(1) + " *= 2.0;\n";
   return out +
          "  expect(critical_velocity(doubled) == v.value, \"a common factor of all elements "
@@ -123,11 +142,11 @@ std::string doubled(const Problem& problem, const ParameterList& parameters,
 }
 
 /// Each times its partial derivative; nothing where one of them is a number of the code.
-std::string euler(const Problem& problem, const ParameterList& parameters,
-                  const FixedValues& fixed) {
-  if (scales_fixed_values(problem, fixed)) return "0.0";
+std::string euler(const Evaluator& evaluator) {
+  if (keeps_some_elements(evaluator)) return "0.0";
   std::vector<std::string> terms{"0.0"};
-  for (const std::string& member : element_members(problem, parameters))
+  for (const std::string& member :
+       element_members(evaluator.derivation.problem, evaluator.parameters))
     terms.push_back(member + " * d" + member.substr(1));
   return fmt::format("{}", fmt::join(terms, ", "));
 }
@@ -145,7 +164,7 @@ std::string fast_sweep(const Evaluator& evaluator) {
 
 // v* correctly rounded errs by at most 2^-53, the function by its own bound.
 std::string known_value(const Problem& problem) {
-  if (!has_all_values(problem)) return "";
+  if (!has_all_values(problem) || inside_table(problem)) return "";
   const CertifiedVelocity v = certified_critical_velocity(problem);
   if (!v.reason.empty()) return "";
   return fmt::format(
@@ -211,7 +230,7 @@ int main() {{
 
   std::vector<double> omega(75), out(75), fast_out(75), bounds(75);
   for (std::size_t i = 0; i < omega.size(); ++i)
-    omega[i] = p.{omega} * (0.25 + 0.125 * static_cast<double>(i));
+    omega[i] = {omegas};
   critical_velocity(p, omega, out);
   fast::critical_velocity(p, omega, fast_out);
   std::vector<double> columns = omega, fast_columns = omega;
@@ -227,26 +246,52 @@ int main() {{
     expect(fast_columns[i] == fast_one.value, "fast batch equals scalar");
 {sweep}
   }}
-  return failures == 0 ? 0 : 1;
+{outside}  return failures == 0 ? 0 : 1;
 }}
 )";
+
+/// The frequencies of a sweep: around the scene's, or in the table of its drive.
+std::string frequencies_of_sweep(const Evaluator& evaluator) {
+  const std::vector<double>& table = evaluator.velocity.program.table();
+  if (table.empty())
+    return evaluator.parameters.named("p.THE_OMEGA * (0.25 + 0.125 * static_cast<double>(i))");
+  return fmt::format("{0} + ({1} - {0}) * static_cast<double>(i) / 75.0", literal(table.front()),
+                     literal(table[table.size() - 3]));
+}
+
+std::string outside_of_table(const Evaluator& evaluator) {
+  if (!has_table(evaluator)) return "";
+  return evaluator.parameters.named(fmt::format(
+      "  for (const double outside : {{0.5 * {}, 2.0 * {}}}) {{\n"
+      "    other = p;\n"
+      "    other.THE_OMEGA = outside;\n"
+      "    const Certified none = critical_velocity_certified(other), no = "
+      "fast::critical_velocity_certified(other);\n"
+      "    expect(std::isnan(none.value) && std::isinf(none.relative_error_bound), \"outside of "
+      "the "
+      "table\");\n"
+      "    expect(std::isnan(no.value) && std::isinf(no.relative_error_bound), \"fast: outside of "
+      "the table\");\n"
+      "  }}\n",
+      literal(evaluator.velocity.program.table().front()),
+      literal(evaluator.velocity.program.table().rbegin()[2])));
+}
 
 }  // namespace
 
 std::string cpp_test(const Evaluator& evaluator, const std::string& name) {
   const Problem& problem = evaluator.derivation.problem;
-  const FixedValues& fixed = evaluator.fixed;
   const ParameterList& parameters = evaluator.parameters;
-  return fmt::format(fmt::runtime(frame), fmt::arg("name", name),
-                     fmt::arg("mu0", name_in(problem, problem->coefficient)),
-                     fmt::arg("omega", name_in(problem, problem->angular_frequency)),
-                     fmt::arg("du_z", name_in(problem, problem->amplitude)),
-                     fmt::arg("include", fmt::format("#include \"{}_batch.hpp\"\n", name)),
-                     fmt::arg("example", example(problem, parameters)),
-                     fmt::arg("known", known_value(problem)),
-                     fmt::arg("doubled", doubled(problem, parameters, fixed)),
-                     fmt::arg("euler", euler(problem, parameters, fixed)),
-                     fmt::arg("sweep", fast_sweep(evaluator)));
+  return fmt::format(
+      fmt::runtime(frame), fmt::arg("name", name),
+      fmt::arg("mu0", name_in(problem, problem->coefficient)),
+      fmt::arg("omega", name_in(problem, problem->angular_frequency)),
+      fmt::arg("du_z", name_in(problem, problem->amplitude)),
+      fmt::arg("include", fmt::format("#include \"{}_batch.hpp\"\n", name)),
+      fmt::arg("example", example(problem, parameters)), fmt::arg("known", known_value(problem)),
+      fmt::arg("doubled", doubled(evaluator)), fmt::arg("euler", euler(evaluator)),
+      fmt::arg("omegas", frequencies_of_sweep(evaluator)),
+      fmt::arg("outside", outside_of_table(evaluator)), fmt::arg("sweep", fast_sweep(evaluator)));
 }
 
 std::string emit_cmake(const std::string& name) {

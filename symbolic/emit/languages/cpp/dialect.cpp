@@ -65,6 +65,10 @@ Operand CppDialect::apply(const Node& node, const std::vector<Operand>& argument
               true};
     case Operation::tied:
       return call("tied<T>");
+    case Operation::place:
+      return call("place");
+    case Operation::entry:
+      return {fmt::format("entry({}, {})", a().text, index(b())), node.kind, true};
     case Operation::magnitude:
       return given ? Operand{fmt::format("T(std::fabs({}))", a().text), node.kind, true}
                    : call("magnitude");

@@ -34,6 +34,11 @@ Operand DoubleDialect::apply(const Node& node, const std::vector<Operand>& argum
       return {"0.0", node.kind, true};
     case Operation::tie:
       return {"-1.0", node.kind, true};
+    case Operation::place:
+      return call("detail::place");
+    case Operation::entry:
+      return {fmt::format("detail::entry({}, {})", arguments[0].text, index(arguments[1])),
+              node.kind, true};
     case Operation::magnitude:
       return call("std::fabs");
     default:

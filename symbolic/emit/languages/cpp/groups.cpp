@@ -6,6 +6,7 @@
 #include "analysis/dimensionless.hpp"
 #include "base/errors.hpp"
 #include "formula/names.hpp"
+#include "formula/symbols.hpp"
 #include "formula/text.hpp"
 
 namespace vcrit::symbolic {
@@ -63,7 +64,9 @@ class GroupWriter {
   }
 
   std::vector<Group> write() {
-    for (const Line& line : dimensionless(derivation_).groups) add(line);
+    // The receptance of a measured drive is a complex number of its own at each frequency.
+    for (const Line& line : dimensionless(derivation_).groups)
+      if (!line.right.has(quantity("R_d"))) add(line);
     return std::move(groups_);
   }
 

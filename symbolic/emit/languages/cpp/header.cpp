@@ -210,7 +210,8 @@ std::string cpp_header(const Evaluator& evaluator, const std::string& name) {
       evaluator;
   const bool is_long = operations > short_program;
 
-  std::string out = banner(derivation, command_line(problem, name, options), fixed);
+  std::string out = banner(derivation, command_line(problem, name, options), fixed) +
+                    table_words(velocity.program);
   out += comment(fmt::format(
       "Accuracy: one ulp wherever the bound is below 2^-52. {} operations; vectorised by "
       "-O3 -march=native -fno-math-errno.",
@@ -238,6 +239,9 @@ std::string cpp_header(const Evaluator& evaluator, const std::string& name) {
     fast =
         replaced(fast, "  detail::sweep<double>(p, omega, out);\n", sections["polynomial_sweep"]);
   out += "namespace fast {  // in plain double\n" + fast + "}  // namespace fast\n";
+  // Outside of a table there is none either.
+  if (velocity.program.has(Node::Operation::place))
+    out = replaced(out, "NaN for 0/0 alone", "NaN for 0/0");
   return out + fmt::format("}}  // namespace {}\n#endif  // {}\n", name, guard);
 }
 

@@ -26,6 +26,7 @@ std::string unit_of(const Member& member) {
   static const std::map<std::string, std::string> units{{"angular frequency", "rad/s"},
                                                         {"amplitude", "m"},
                                                         {"mean indentation", "m"},
+                                                        {"mean normal force", "N"},
                                                         {"mass", "kg"},
                                                         {"spring", "N/m"},
                                                         {"damper", "N s/m"},
@@ -118,6 +119,7 @@ class Header {
         "smaller of its parts may have fewer digits. Values of elements have to lie within 2^-64 "
         "to 2^64 in SI units, "
         "a damper's times omega.");
+    out += table_words(quantities_.program);
     if (problem_->mass)
       out += comment(
           fmt::format("Near |K_d - {0}| = 0 or |K_t + K_d - {0}| = 0 amplitudes and phases lose as "
@@ -159,7 +161,9 @@ class Header {
   std::string stiffness(const StiffnessResult& k, const std::string& words,
                         const std::string& name) const {
     const std::string error =
-        k.roundings ? fmt::format(" Errs by at most {} x 2^-53 |K|.", *k.roundings) : "";
+        k.roundings         ? fmt::format(" Errs by at most {} x 2^-53 |K|.", *k.roundings)
+        : k.may_be_infinite ? " NaN where the drive does not give at all: K_d is infinite there."
+                            : "";
     return function(quantities_.program, words + error, "Stiffness " + name, {k.k.re, k.k.im},
                     "{{{}, {}}}");
   }
@@ -186,10 +190,10 @@ class Header {
                          parameters_.named(fmt::format(
                              "Body (13), A = -THE_MU0 THE_DU_Z K_n/(K_d - {}).", inertia())),
                          "body_oscillation");
-    const std::string compliance =
-        problem_->mass ? fmt::format("(1/K_t + 1/(K_d - {})) (13), (19)", inertia())
-        : problem_->drive_network() != nullptr ? "(1/K_t + 1/K_d) (13), (19)"
-                                               : "1/K_t (19)";
+    const std::string compliance = problem_->mass
+                                       ? fmt::format("(1/K_t + 1/(K_d - {})) (13), (19)", inertia())
+                                   : problem_->rigid() ? "1/K_t (19)"
+                                                       : "(1/K_t + 1/K_d) (13), (19)";
     return out + oscillation(quantities_.contact_point,
                              parameters_.named(fmt::format(
                                  "Contact point while it slides, B = -THE_MU0 THE_DU_Z K_n {}; "
@@ -205,6 +209,17 @@ class Header {
   }
 
   std::string admissible() const {
+    if (problem_->load && problem_->indenter)
+      return "\n" + comment(
+                        "Below an indenter the load decides how deep it is pressed, of which there "
+                        "is no formula: no function tells the largest admissible amplitude.");
+    if (problem_->load)
+      return function(
+          quantities_.program,
+          fmt::format("The amplitude, in m, that {0} has to stay below for the contact "
+                      "to stay closed under the load {1}: {1}/|K_n| (4), (35).",
+                      name_in(problem_, problem_->amplitude), name_in(problem_, *problem_->load)),
+          "double admissible_amplitude", {*quantities_.largest_amplitude}, "{}");
     if (!quantities_.largest_amplitude)
       return "\n" + comment(
                         "K_n(0) = 0: the normal contact carries no mean load, and no amplitude is "
@@ -256,7 +271,7 @@ ParameterList quantity_parameters(const Problem& problem, const FixedValues& fix
   std::vector<Symbol> all = symbols(problem);
   const QuantityProgram unfixed = quantity_program(
       problem, [](Program& program, const Symbol& symbol) { return program.parameter(symbol); });
-  if (unfixed.largest_amplitude) all.insert(all.begin(), problem->indentation.symbol);
+  if (unfixed.largest_amplitude) all.insert(all.begin(), pressing(problem).symbol);
   return {problem, all, fixed};
 }
 

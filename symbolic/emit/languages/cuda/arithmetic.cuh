@@ -147,6 +147,25 @@ template <class T> THE_CALL T magnitude(T x) { return head(x) < 0 ? -x : x; }
 THE_CALL double unless_moderate(double x) { return within(0x1p200, x) ? 0.0 : HUGE_VAL; }
 THE_CALL Wide unless_moderate(Wide) { return 0.0; }
 //: alone
+constexpr double THE_ROWS = 1.0;
+//: table
+// The drive's receptance as it was measured: angular frequency, real and imaginary part. Linear between two rows. Number
+// `i` of all; the number of rows for -1.
+THE_CALL double row_number(int i) {
+  const double rows[] = {THE_ROWS};
+  return i < 0 ? static_cast<double>(sizeof rows / sizeof rows[0] / 3) : rows[i];
+}
+THE_CALL double place(double omega) {  // of the row at or below omega, but for the last one; -1 outside of the table
+  int low = 0, high = static_cast<int>(row_number(-1)) - 1;
+  if (!(omega >= row_number(0) && omega <= row_number(3 * high))) return -1.0;
+  while (low + 1 < high) {
+    const int middle = (low + high) / 2;
+    if (row_number(3 * middle) <= omega) low = middle; else high = middle;
+  }
+  return low;
+}
+THE_CALL double entry(double at, int number) { return at < 0 ? NAN : row_number(3 * static_cast<int>(at) + number); }
+//: alone
 THE_CALL bool in_range(const Parameters& p) { return p.mu0 > 0; }
 THE_CALL bool allowed(const Parameters& p) { return p.mu0 > 0; }
 THE_CALL double THE_SQUARE_ROOT(double x) { return ::sqrt(x); }

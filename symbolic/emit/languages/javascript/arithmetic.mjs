@@ -98,6 +98,22 @@ const dd_magnitude = (a) => (a.hi < 0 ? dd_negated(a) : a);
 //: unless_moderate
 const unless_moderate = (x) => (within(2 ** 200, x) ? 0 : Infinity);
 //: alone
+const THE_ROWS = 1;
+//: table
+// The drive's receptance as it was measured: angular frequency, real and imaginary part. Linear between two rows.
+const rows = [THE_ROWS];
+const place = (omega) => {  // of the row at or below omega, but for the last one; -1 outside of the table
+  let low = 0, high = rows.length / 3 - 1;
+  if (!(omega >= rows[0] && omega <= rows[3 * high])) return -1;
+  while (low + 1 < high) {
+    const middle = Math.floor((low + high) / 2);
+    if (rows[3 * middle] <= omega) low = middle;
+    else high = middle;
+  }
+  return low;
+};
+const entry = (at, number) => (at < 0 ? NaN : rows[3 * at + number]);
+//: alone
 const in_range = (p) => within(2 ** 200, p.mu0);
 const THE_SQUARE_ROOT = Math.sqrt;
 const THE_ROOT = dd_root;

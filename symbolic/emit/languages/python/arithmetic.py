@@ -221,6 +221,22 @@ def _dd_magnitude(a):
 def _unless_moderate(x):
     return np.where(_within(2.0**200, x), 0.0, np.inf)
 #: alone
+THE_ROWS = 0.0, 0.0, 0.0
+#: table
+
+
+# The drive's receptance as it was measured: angular frequency, real and imaginary part. Linear between two rows.
+_ROWS = np.array([THE_ROWS])
+
+
+def _place(omega):  # of the row at or below omega, but for the last one; -1 outside of the table
+    at = np.minimum(np.searchsorted(_ROWS[::3], omega, side="right") - 1, len(_ROWS) // 3 - 2)
+    return np.where((omega >= _ROWS[0]) & (omega <= _ROWS[-3]), at, -1)
+
+
+def _entry(at, number):
+    return np.where(at < 0, np.nan, _ROWS[3 * np.maximum(at, 0) + number])
+#: alone
 THE_SQUARE_ROOT = np.sqrt
 THE_ROOT = _dd_root
 #: finished

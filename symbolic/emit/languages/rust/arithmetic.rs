@@ -186,6 +186,24 @@ fn dd_magnitude(a: Dd) -> Dd { if a.hi < 0.0 { dd_negated(a) } else { a } }
 fn unless_moderate(x: f64) -> f64 { if within(power(200), x) { 0.0 } else { f64::INFINITY } }
 fn wide_unless_moderate(_: Wide) -> Wide { wide_of(0.0) }
 //: alone
+const THE_ROWS: f64 = 1.0;
+//: table
+/// The drive's receptance as it was measured: angular frequency, real and imaginary part. Linear between two rows.
+static ROWS: &[f64] = &[THE_ROWS];
+/// of the row at or below omega, but for the last one; -1 outside of the table
+fn place(omega: f64) -> f64 {
+    let (mut low, mut high) = (0, ROWS.len() / 3 - 1);
+    if !(omega >= ROWS[0] && omega <= ROWS[3 * high]) {
+        return -1.0;
+    }
+    while low + 1 < high {
+        let middle = (low + high) / 2;
+        if ROWS[3 * middle] <= omega { low = middle } else { high = middle }
+    }
+    low as f64
+}
+fn entry(at: f64, number: usize) -> f64 { if at < 0.0 { f64::NAN } else { ROWS[3 * at as usize + number] } }
+//: alone
 fn in_range(p: &Parameters) -> bool { p.mu0 > 0.0 }
 fn allowed(p: &Parameters) -> bool { p.mu0 > 0.0 }
 fn THE_SQUARE_ROOT(x: f64) -> f64 { x.sqrt() }

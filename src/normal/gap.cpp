@@ -1,4 +1,4 @@
-#include "indenter/gap.hpp"
+#include "normal/gap.hpp"
 
 #include <fmt/core.h>
 

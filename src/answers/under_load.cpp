@@ -1,0 +1,46 @@
+#include "answers/under_load.hpp"
+
+#include "normal/mean_indentation.hpp"
+#include "normal/pressed_cells.hpp"
+#include "record/fields.hpp"
+#include "rules/rulebook.hpp"
+#include "simulation/steady/normal_force.hpp"
+#include "stiffness/at_rest.hpp"
+
+namespace vcrit {
+
+void fields(record::Fields& f, const UnderLoad& it) {
+  f.some("indentation", it.indentation)("mean_normal_force", it.mean_normal_force);
+  f.some("sinking_velocity", it.sinking_velocity);
+}
+
+// W/eta_n: the damper through which all of the load goes.
+std::optional<UnderLoad> under_load(const Problem& problem) {
+  if (!problem->load) return std::nullopt;
+  UnderLoad found;
+  found.mean_normal_force = problem.value(*problem->load);
+  const AtRest normal = at_rest(problem->normal.reduction(), problem.values());
+  if (normal.fluidity() > 0) {
+    found.sinking_velocity = static_cast<double>(found.mean_normal_force * normal.fluidity());
+    return found;
+  }
+  try {
+    found.indentation = simulation::mean_indentation(problem);
+  } catch (const ModelError&) {
+    // The motion is not known, of which the rulebook or the simulator says why.
+  }
+  return found;
+}
+
+double mean_normal_force_of(const Problem& problem) {
+  if (problem->load) return problem.value(*problem->load);
+  if (problem->indenter) {
+    rules::require(rules::Question::motion_below_indenter, problem);
+    return simulation::mean_force_of_cells(problem);
+  }
+  const rules::Facts facts(problem);
+  if (!problem->separation || !facts.opens()) return static_cast<double>(facts.mean_force());
+  return simulation::mean_normal_force(simulation::system_of(problem));
+}
+
+}  // namespace vcrit

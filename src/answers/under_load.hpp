@@ -1,0 +1,32 @@
+// How a load presses the contact: what a scene with [load] does not say and its answers do.
+#pragma once
+
+#include <optional>
+
+#include "problem/problem.hpp"
+
+namespace vcrit::record {
+class Fields;
+}
+
+namespace vcrit {
+
+struct UnderLoad {
+  /// u_z0, m, below 0 where the contact is open for most of the time. Nothing where it sinks, and
+  /// where it is not found.
+  std::optional<double> indentation = {};
+  double mean_normal_force = 0;                 ///< N
+  std::optional<double> sinking_velocity = {};  ///< m/s, of a normal network that creeps
+
+  /// Its keys stand among those of an answer.
+  friend void fields(record::Fields& f, const UnderLoad& it);
+};
+
+/// Nothing of a scene whose indentation is given. Throws InputError for missing values.
+std::optional<UnderLoad> under_load(const Problem& problem);
+
+/// <F_n>, N, of any scene: what `vcrit sweep` asks for. Throws ModelError where it is not found,
+/// InputError for missing values.
+double mean_normal_force_of(const Problem& problem);
+
+}  // namespace vcrit

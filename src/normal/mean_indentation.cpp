@@ -1,0 +1,83 @@
+#include "normal/mean_indentation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+
+#include "base/constants.hpp"
+#include "normal/normal_force.hpp"
+#include "normal/pressed_cells.hpp"
+#include "stiffness/at_rest.hpp"
+#include "stiffness/dynamic_stiffness.hpp"
+
+namespace vcrit::simulation {
+
+namespace {
+
+constexpr int most_root_steps = 200;  // with bisection alone some sixty would do
+
+// As if closed: the force that would open the contact is a question of its own.
+double closed_indentation(const Problem& problem) {
+  const long double stiffness = at_rest(problem->normal.reduction(), problem.values()).stiffness();
+  return static_cast<double>(problem.value(*problem->load) / stiffness);
+}
+
+bool opens_under_load(const Problem& problem) {
+  const Values& values = problem.values();
+  const long double swing =
+      std::abs(wide_dynamic_stiffness(problem->normal.reduction(), values,
+                                      values.at(problem->angular_frequency.symbol))) *
+      values.at(problem->amplitude.symbol);
+  return problem->separation &&
+         swing > (1 + least_separation(false)) * problem.value(*problem->load);
+}
+
+double indentation_of_contact(const Problem& problem) {
+  const double closed = closed_indentation(problem);
+  if (std::isinf(closed) || !opens_under_load(problem)) return closed;
+  const NormalMotion motion{relaxation_form(problem->normal.network(), problem.values()), closed,
+                            problem.value(problem->amplitude)};
+  const ContactModes modes = modes_of(motion, problem.value(problem->angular_frequency));
+  SharedEffort effort(effort_of_pressing);
+  const auto force = [&](double mean) {
+    const PressedCycle found = pressed_cycle(modes, {mean, motion.amplitude}, &effort);
+    return PressedForce{found.cycle.mean, found.slope};
+  };
+  return pressed_by(force, problem.value(*problem->load), -motion.amplitude, closed);
+}
+
+}  // namespace
+
+// In the force to the power of 2/3, in which a contact that hardly touches grows evenly.
+double pressed_by(const std::function<PressedForce(double)>& force, double load, double low,
+                  double high) {
+  const double size = std::max(std::abs(low), std::abs(high));
+  double u = high;
+  for (int i = 0; i < most_root_steps; ++i) {
+    const PressedForce found = force(u);
+    (found.force > load ? high : low) = u;
+    const double share = found.force / load;
+    const double step =
+        1.5 * (std::cbrt(share * share) - 1) * std::cbrt(share) * load / found.slope;
+    const double next = u - step;
+    if (std::abs(step) <= last_step * std::min(size, std::abs(u) + std::abs(low)))
+      return std::clamp(next, low, std::max(high, next));
+    if (!(high - low > epsilon * size)) return u;
+    u = next > low && next < high ? next : low + 0.5 * (high - low);
+  }
+  throw ModelError("no mean indentation is found at which the contact carries the load");
+}
+
+double mean_indentation(const Problem& problem) {
+  if (!problem->load) return problem.value(problem->indentation);
+  return problem.found_indentation([&] {
+    return problem->indenter ? indentation_of_cells(problem) : indentation_of_contact(problem);
+  });
+}
+
+double closed_mean_force(const Problem& problem, double static_stiffness) {
+  if (problem->load) return problem.value(*problem->load);
+  return static_stiffness * problem.value(problem->indentation);
+}
+
+}  // namespace vcrit::simulation

@@ -1,0 +1,230 @@
+#include "rules/cells.hpp"
+
+#include <array>
+
+#include "network/law.hpp"
+
+namespace vcrit::rules {
+
+namespace {
+
+constexpr Cell refused(const char* reason, const char* advice = "") {
+  return {Ruling::refused, reason, advice};
+}
+constexpr Cell left_out(const char* reason) { return {Ruling::left_out, reason}; }
+constexpr Cell yes{Ruling::yes};
+
+constexpr Cell measured_motion = refused(
+    "the simulator needs a network; this drive is a measured receptance, which says nothing of "
+    "motion that is not harmonic");
+constexpr Cell lossy_motion =
+    refused("lossy(k, eta) is not causal: K = k (1 + i eta) at one frequency is no law of motion");
+constexpr Cell lossy_law = refused(no_law, no_law_advice);
+constexpr Cell each_place = refused(
+    "below an indenter each place has a motion of its own: this asks for that of one contact");
+constexpr Cell no_cells = refused("the scene has no indenter");
+constexpr Cell no_methods = refused("knows no indenter");
+constexpr Cell one_body = refused("knows one body; this drive holds masses of its own",
+                                  "the exact method knows them");
+
+constexpr Cell without_memory_code = refused(
+    "where this contact opens (separation = true) v* is Eq. (24) only while it is closed where the "
+    "indentation grows fastest, which an evaluator cannot tell",
+    "vcrit eval can, and of the closed contact there is an evaluator, without separation");
+constexpr Cell memory_code =
+    refused("no closed form of v* where this contact opens (separation = true)",
+            "of the closed contact there is one, without it");
+constexpr Cell measured_polynomial =
+    refused("a measured receptance is no polynomial: v* has no rational form");
+constexpr Cell no_symbols = refused(
+    "where the contact opens (separation = true) v* is no formula of all symbols to compare");
+constexpr Cell no_comparison =
+    refused("no closed form of v* where this contact opens: nothing to compare",
+            "vcrit eval gives the simulated one, and vcrit validate holds it against the motion");
+
+constexpr Cell no_load = refused("the normal network carries no static load: K_n(0) = 0");
+constexpr Cell no_modulus = refused("the half-space carries no static load: E(0) = 0");
+constexpr Cell no_friction = refused("with {mu0} = 0 there is no friction to compare with");
+constexpr Cell no_indentation =
+    refused("without an indentation {u_z0} the contact carries no load");
+constexpr Cell never_closes = refused("the contact never closes");
+constexpr Cell never_closed =
+    refused("without an indentation {u_z0} the contact opens at every amplitude");
+// What keeps a contact closed that must not open, and what lets it.
+constexpr const char* let_it_open =
+    "take an amplitude below {closed}, or let the contact open: separation = true in [contact]";
+constexpr Cell too_large = refused(
+    "the amplitude {du_z} = {amplitude} m is not below the indentation {u_z0} = {indentation} m "
+    "(Eq. 3)",
+    let_it_open);
+// The same of a contact that may open, asked where it stays closed.
+constexpr Cell too_large_anywhere = refused(too_large.reason);
+constexpr Cell opens_closed = refused(
+    "the contact opens: the normal force oscillates by {du_z} |K_n| = {oscillating:.6g} N about a "
+    "mean of {load} = {mean:.6g} N (Eq. 4)",
+    let_it_open);
+constexpr Cell opens_moving = refused(
+    "the contact opens: F_n oscillates by {oscillating:.6g} N about a mean of {mean:.6g} N (Eq. 4)",
+    let_it_open);
+constexpr Cell opens_all_over = refused(
+    "the contact opens all over: at its centre, too, the pressure would oscillate beyond its mean "
+    "(Eq. 4)",
+    let_it_open);
+constexpr Cell opens_at_tip = refused(
+    "the contact opens all over: at the tip F_n oscillates by {share:.6g} times its mean (Eq. 4)",
+    let_it_open);
+
+// Of a contact that creeps as long as it is loaded.
+constexpr Cell sinks_opening = refused(
+    "the contact opens (separation = true) while its normal network creeps, K_n(0) = 0: under a "
+    "load it sinks for ever, so that no mean depth can be given",
+    "take an amplitude below {closed}, or a normal network with a spring across it");
+
+constexpr Cell sinks_as_it_opens =
+    left_out("under its load the contact sinks for ever, and opens in each cycle");
+
+constexpr Cell memory = left_out(
+    "the contact point follows the normal deformation with memory, also where the contact opens");
+constexpr Cell open_then = left_out("the contact is open where the indentation grows fastest");
+constexpr Cell table_alone = left_out("v* is known at the frequencies of a table alone");
+constexpr Cell one_frequency = left_out("lossy(k, eta) is known at one frequency at a time");
+constexpr Cell a_network =
+    left_out("the simulator knows one body, under a network of springs and dampers");
+constexpr Cell methods_of_one_body =
+    left_out("the methods to compare with know one body; this drive holds masses of its own");
+constexpr Cell not_causal =
+    left_out("lossy(k, eta) is not causal: K = k (1 + i eta) at one frequency is no law of motion");
+constexpr Cell closed_alone = left_out("of a closed contact alone");
+constexpr Cell one_contact = left_out("of one contact alone");
+constexpr Cell networks_alone = left_out("of networks of springs and dampers alone");
+constexpr Cell inadmissible = left_out("of an admissible scene alone");
+
+struct Row {
+  Question question;
+  std::array<Cell, kinds> cells;
+};
+
+// In the order of Kind:
+//   measured, masses, lossy | indenter, none | separating, without memory, with memory
+//   no load, below indenter, no friction, no indentation, tapping, never closing
+//   (3), deep | (4), below indenter | opening with memory, open where steepest
+//   sinking, and opening
+constexpr Cell y = yes;
+// clang-format off
+constexpr std::array<Row, questions> table{{
+    {Question::admissible,
+     {y, y, y, y, y, y, y, y,
+      no_load, no_load, y, no_indentation, y, never_closes,
+      too_large, y, opens_closed, opens_all_over, y, y,
+      y, sinks_opening}},
+    {Question::formula,
+     {y, y, y, y, y, y, y, y,
+      y, y, y, y, y, y,
+      y, y, y, y, memory, open_then,
+      y, sinks_as_it_opens}},
+    {Question::closed_form,
+     {y, y, y, y, y, y, y, memory,
+      y, y, y, y, y, y,
+      y, y, y, y, y, y,
+      y, y}},
+    {Question::formula_of_all_values,
+     {y, y, y, y, y, y, no_symbols, no_symbols,
+      y, y, y, y, y, y,
+      y, y, y, y, y, y,
+      y, y}},
+    {Question::evaluator,
+     {y, y, y, y, y, y, without_memory_code, memory_code,
+      y, y, y, y, y, y,
+      y, y, y, y, y, y,
+      y, y}},
+    {Question::rational_form,
+     {measured_polynomial, y, lossy_law, y, y, y, y, y,
+      y, y, y, y, y, y,
+      y, y, y, y, y, y,
+      y, y}},
+    {Question::all_frequencies,
+     {table_alone, y, one_frequency, y, y, y, y, y,
+      y, y, y, y, y, y,
+      y, y, y, y, y, y,
+      y, y}},
+    {Question::motion,
+     {measured_motion, y, lossy_motion, each_place, y, y, y, y,
+      no_load, y, no_friction, y, y, never_closes,
+      too_large, y, opens_moving, y, y, y,
+      y, sinks_opening}},
+    {Question::motion_below_indenter,
+     {y, y, lossy_law, y, no_cells, y, y, y,
+      y, no_modulus, no_friction, y, y, never_closes,
+      too_large, y, y, opens_at_tip, y, y,
+      y, y}},
+    {Question::normal_motion,
+     {y, y, lossy_motion, y, y, y, y, y,
+      no_load, no_modulus, y, y, y, y,
+      y, y, y, y, y, y,
+      y, sinks_opening}},
+    {Question::motion_in_time,
+     {measured_motion, y, lossy_motion, y, y, y, y, y,
+      y, y, y, y, y, y,
+      y, y, y, y, y, y,
+      y, y}},
+    {Question::comparison,
+     {measured_motion, y, lossy_motion, y, y, y, y, y,
+      no_load, no_modulus, no_friction, y, y, never_closes,
+      y, y, y, y, no_comparison, no_comparison,
+      y, sinks_opening}},
+    {Question::other_methods,
+     {y, one_body, y, no_methods, y, y, y, y,
+      y, y, y, y, y, y,
+      y, y, y, y, y, y,
+      y, y}},
+    {Question::report_simulation,
+     {a_network, methods_of_one_body, not_causal, y, y, y, y, y,
+      y, y, y, y, y, y,
+      y, y, y, y, y, y,
+      y, y}},
+    {Question::report_explorer,
+     {y, y, y, each_place, y, y, y, y,
+      y, y, y, y, y, y,
+      y, y, y, y, y, y,
+      y, y}},
+    {Question::report_stability,
+     {networks_alone, networks_alone, not_causal, one_contact, y, closed_alone, y, y,
+      inadmissible, inadmissible, y, inadmissible, y, inadmissible,
+      inadmissible, y, inadmissible, inadmissible, y, y,
+      y, inadmissible}},
+    {Question::mean_load,
+     {y, y, y, y, y, y, y, y,
+      no_load, no_load, y, no_indentation, y, y,
+      y, y, y, y, y, y,
+      y, y}},
+    {Question::closed_range,
+     {y, y, y, y, y, y, y, y,
+      y, y, y, y, never_closed, never_closed,
+      too_large_anywhere, too_large_anywhere, y, y, y, y,
+      y, y}},
+    {Question::closed_amplitude,
+     {y, y, y, y, y, y, y, y,
+      y, y, y, y, never_closed, never_closed,
+      y, y, y, y, y, y,
+      y, y}},
+}};
+// clang-format on
+
+// A question or a kind without its cell is no program.
+constexpr bool complete() {
+  for (std::size_t row = 0; row < questions; ++row) {
+    if (table[row].question != static_cast<Question>(row)) return false;
+    for (const Cell& each : table[row].cells)
+      if (each.verdict == Ruling::unset) return false;
+  }
+  return true;
+}
+static_assert(complete());
+
+}  // namespace
+
+const Cell& table_entry(Question question, SceneKind kind) {
+  return table[static_cast<std::size_t>(question)].cells[static_cast<std::size_t>(kind)];
+}
+
+}  // namespace vcrit::rules

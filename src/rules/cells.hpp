@@ -1,0 +1,20 @@
+// What the rulebook says of each question to each kind of scene: its table, and the words in it.
+#pragma once
+
+#include "rules/kinds.hpp"
+#include "rules/rulebook.hpp"
+
+namespace vcrit::rules {
+
+/// {du_z}, {u_z0}, {mu0} are names; {amplitude} and {indentation} are in m, {oscillating} and
+/// {mean} in N, {load} the formula of {mean}, {share} is one over the other, {closed} the amplitude
+/// up to which the contact stays closed.
+struct Cell {
+  Ruling verdict = Ruling::unset;
+  const char* reason = "";
+  const char* advice = "";
+};
+
+const Cell& table_entry(Question question, SceneKind kind);
+
+}  // namespace vcrit::rules

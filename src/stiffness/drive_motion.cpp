@@ -1,0 +1,157 @@
+#include "stiffness/drive_motion.hpp"
+
+#include <Eigen/Dense>
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "base/constants.hpp"
+#include "base/errors.hpp"
+
+namespace vcrit {
+
+namespace {
+
+using MotionReal = long double;
+using MotionMatrix = Eigen::Matrix<MotionReal, Eigen::Dynamic, Eigen::Dynamic>;
+using MotionColumn = Eigen::Matrix<MotionReal, Eigen::Dynamic, 1>;
+
+// Stiffnesses below this share of the largest are none: rounding of the sums that make them.
+constexpr MotionReal no_stiffness = 1e-17L;
+
+// What of A^k F is new by less than this share is rounding of the drive's numbers, which are
+// doubles: the body sees the square of it. And of sums in these numbers by less than the second.
+constexpr MotionReal no_part = 64 * epsilon, no_share_of_all = 1e-18L;
+
+Eigen::Index place_at(std::size_t i) { return static_cast<Eigen::Index>(i); }
+
+// All of the drive in units of energy.
+struct WholeDrive {
+  explicit WholeDrive(const DriveStructure& structure) {
+    const Eigen::Index n = place_at(structure.mass.size());
+    root.resize(n);
+    port.resize(n);
+    together.resize(n);
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const auto node = static_cast<std::size_t>(i);
+      root[i] = std::sqrt(static_cast<MotionReal>(structure.mass[node]));
+      port[i] = structure.port[node] / root[i];
+      together[i] = structure.together[node] * root[i];
+    }
+    damping.resize(n, n);
+    MotionMatrix stiffness(n, n);
+    for (Eigen::Index i = 0; i < n; ++i)
+      for (Eigen::Index j = 0; j < n; ++j) {
+        const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j);
+        damping(i, j) = structure.damping(a, b) / (root[i] * root[j]);
+        stiffness(i, j) = structure.stiffness(a, b) / (root[i] * root[j]);
+      }
+    split(stiffness);
+    for (const DriveBranch& branch : structure.branches) {
+      MotionColumn pull(n);
+      for (Eigen::Index i = 0; i < n; ++i)
+        pull[i] = std::sqrt(branch.stiffness) * branch.pull[static_cast<std::size_t>(i)] / root[i];
+      add_elongation(pull, 1 / branch.time);
+    }
+  }
+
+  // Springs by their eigenvectors: those along which there are none move freely.
+  void split(const MotionMatrix& stiffness) {
+    const Eigen::SelfAdjointEigenSolver<MotionMatrix> eigen(stiffness);
+    const MotionReal largest = eigen.eigenvalues().maxCoeff();
+    const Eigen::Index n = stiffness.rows();
+    free.resize(n, 0);
+    elongations.resize(n, 0);
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const MotionReal value = eigen.eigenvalues()[i];
+      if (value > no_stiffness * static_cast<MotionReal>(n) * largest) {
+        add_elongation(std::sqrt(value) * eigen.eigenvectors().col(i), 0);
+      } else {
+        free.conservativeResize(n, free.cols() + 1);
+        free.col(free.cols() - 1) = eigen.eigenvectors().col(i);
+      }
+    }
+  }
+
+  void add_elongation(const MotionColumn& pull, MotionReal rate) {
+    elongations.conservativeResize(pull.size(), elongations.cols() + 1);
+    elongations.col(elongations.cols() - 1) = pull;
+    rates.push_back(rate);
+  }
+
+  MotionMatrix matrix() const {
+    const Eigen::Index n = damping.rows(), m = elongations.cols();
+    MotionMatrix a = MotionMatrix::Zero(n + m, n + m);
+    a.topLeftCorner(n, n) = -damping;
+    a.topRightCorner(n, m) = -elongations;
+    a.bottomLeftCorner(m, n) = elongations.transpose();
+    for (Eigen::Index j = 0; j < m; ++j) a(n + j, n + j) = -rates[static_cast<std::size_t>(j)];
+    return a;
+  }
+
+  // A constant force moves it along its free directions alone, against what flows there.
+  MotionReal fluidity() const {
+    if (free.cols() == 0) return 0;
+    const MotionColumn force = free.transpose() * port;
+    MotionMatrix flowing = damping;
+    for (Eigen::Index j = 0; j < elongations.cols(); ++j)
+      if (const MotionReal rate = rates[static_cast<std::size_t>(j)]; rate > 0)
+        flowing += elongations.col(j) * elongations.col(j).transpose() / rate;
+    const MotionMatrix held = free.transpose() * flowing * free;
+    const Eigen::SelfAdjointEigenSolver<MotionMatrix> eigen(held);
+    if (!(eigen.eigenvalues().minCoeff() > 0))
+      throw ModelError(
+          "nothing but masses leads from the body to the far end of the drive: it pulls nothing",
+          "a spring or damper to the far end");
+    if (force.norm() <= no_part * port.norm()) return 0;
+    return force.dot(held.llt().solve(force));
+  }
+
+  MotionColumn root, port, together;
+  MotionMatrix damping, elongations, free;
+  std::vector<MotionReal> rates;
+};
+
+// An orthonormal basis of what a force on the body's end can reach, that end first.
+MotionMatrix reachable(const MotionMatrix& a, const MotionColumn& port) {
+  const Eigen::Index n = a.rows();
+  MotionMatrix basis = MotionMatrix::Zero(n, 1);
+  basis.col(0).head(port.size()) = port / port.norm();
+  const MotionReal whole = a.norm();
+  while (basis.cols() < n) {
+    MotionColumn next = a * basis.rightCols(1);
+    const MotionReal size = next.norm();
+    for (int i = 0; i < 3; ++i) next -= basis * (basis.transpose() * next);
+    const MotionReal left = next.norm();
+    if (!(left > no_part * size && left > no_share_of_all * whole)) break;
+    basis.conservativeResize(n, basis.cols() + 1);
+    basis.col(basis.cols() - 1) = next / left;
+  }
+  return basis;
+}
+
+}  // namespace
+
+DriveMotion drive_motion(const DriveStructure& structure) {
+  const WholeDrive whole(structure);
+  const MotionMatrix all = whole.matrix(), basis = reachable(all, whole.port);
+  const MotionMatrix a = basis.transpose() * all * basis;
+  const MotionReal root = 1 / whole.port.norm();
+  DriveMotion result;
+  result.mass = static_cast<double>(root * root);
+  result.fluidity = static_cast<double>(whole.fluidity());
+  MotionColumn rest = MotionColumn::Zero(all.rows());
+  rest.head(whole.together.size()) = whole.together / root;
+  rest = (basis.transpose() * rest).eval();
+  for (const MotionReal each : rest) result.rest.push_back(static_cast<double>(each));
+  result.rates =
+      Dense<MotionReal>(static_cast<std::size_t>(a.rows()), static_cast<std::size_t>(a.cols()));
+  for (std::size_t i = 0; i < result.rates.rows(); ++i)
+    for (std::size_t j = 0; j < result.rates.columns(); ++j)
+      result.rates(i, j) = a(place_at(i), place_at(j));
+  const Eigen::EigenSolver<MotionMatrix> eigen(a, false);
+  result.poles.assign(eigen.eigenvalues().begin(), eigen.eigenvalues().end());
+  return result;
+}
+
+}  // namespace vcrit

@@ -1,0 +1,132 @@
+// Modes of any number of pairs: to the modes, along them and back is what e^{At} does, by Eigen's
+// scaling and squaring of the whole matrix, which knows no modes.
+#include "modes/general_modes.hpp"
+
+#include <Eigen/Dense>
+#include <unsupported/Eigen/MatrixFunctions>
+
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <random>
+
+BOOST_AUTO_TEST_SUITE(test_general_modes)
+
+namespace {
+
+using namespace vcrit;
+using namespace vcrit::simulation;
+using Wide = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
+
+Dense<long double> dense(const Wide& a) {
+  Dense<long double> result(static_cast<std::size_t>(a.rows()), static_cast<std::size_t>(a.cols()));
+  for (std::size_t i = 0; i < result.rows(); ++i)
+    for (std::size_t j = 0; j < result.columns(); ++j)
+      result(i, j) = a(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+  return result;
+}
+
+// The largest difference of an entry of from_modes e^{modes t} to_modes from one of e^{At}.
+double worst_difference(const Wide& a, const GeneralModes& found, double t) {
+  const Modes& modes = found.modes;
+  const Wide exact = (a * t).exp();
+  const Factors factors(modes.spectrum, t);
+  double worst = 0;
+  const auto n = static_cast<std::size_t>(a.rows());
+  for (std::size_t j = 0; j < n; ++j) {
+    Vector moved(n);
+    factors.apply(modes.to_modes.column(j), [&](Index mode, const Integrals<double>& after) {
+      add(modes.from_modes.column(mode), after[0], moved);
+    });
+    for (std::size_t i = 0; i < n; ++i)
+      worst = std::max(
+          worst, std::abs(moved[i] - static_cast<double>(exact(static_cast<Eigen::Index>(i),
+                                                               static_cast<Eigen::Index>(j)))));
+  }
+  return worst;
+}
+
+// Masses on springs and dampers in units of energy: | -C -G; G^T -T |.
+Wide passive(std::mt19937& random, int masses, int elongations, double damping) {
+  const auto uniform = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  Wide g(masses, elongations), c(masses, masses);
+  for (Eigen::Index i = 0; i < g.size(); ++i) g.data()[i] = uniform(-2, 2);
+  for (Eigen::Index i = 0; i < c.size(); ++i) c.data()[i] = uniform(-1, 1);
+  Wide a = Wide::Zero(masses + elongations, masses + elongations);
+  a.topLeftCorner(masses, masses) = -damping * c * c.transpose();
+  a.topRightCorner(masses, elongations) = -g;
+  a.bottomLeftCorner(elongations, masses) = g.transpose();
+  for (int i = masses; i < elongations; ++i) a(masses + i, masses + i) = -uniform(0.1, 3);
+  return a;
+}
+
+}  // namespace
+
+// Two roundings of each of some 10 terms that the modes amplify.
+BOOST_AUTO_TEST_CASE(random_passive_systems) {
+  std::mt19937 random(7);
+  for (int i = 0; i < 60; ++i) {
+    const Wide a = passive(random, 1 + i % 5, 1 + i % 5 + i % 3, i % 4 == 0 ? 0 : 0.3);
+    const GeneralModes found = general_modes(dense(a));
+    BOOST_TEST_CONTEXT("system " << i) {
+      for (const double t : {0.01, 0.7, 5.0})
+        BOOST_TEST(worst_difference(a, found, t) <= 2e-15 * (1 + t) * found.amplification);
+      Index oscillating = 0;
+      for (const ModePair& pair : found.modes.spectrum.pairs) {
+        BOOST_TEST(pair.decay >= 0);
+        if (pair.q < 0) ++oscillating;
+      }
+      BOOST_TEST(oscillating <= static_cast<Index>(1 + i % 5));  // no more than masses
+    }
+  }
+}
+
+// v' = -2 z v - h, h' = v: both rates meet at z = 1, where a pair keeps all digits.
+BOOST_AUTO_TEST_CASE(through_critical_damping) {
+  for (const double off : {-1e-3, -1e-9, -1e-15, 0.0, 1e-15, 1e-9, 1e-3}) {
+    Wide a(2, 2);
+    a << -2 * (1 + off), -1, 1, 0;
+    const GeneralModes found = general_modes(dense(a));
+    BOOST_TEST(found.modes.spectrum.pairs.size() == 1u);
+    BOOST_TEST(found.amplification < 10);
+    for (const double t : {0.1, 3.0}) BOOST_TEST(worst_difference(a, found, t) < 1e-15);
+  }
+}
+
+// Two equal pairs, one pushing the other by `link`: they are no planes of their own at 0 distance.
+// The modes are kept apart by the change that they tell.
+BOOST_AUTO_TEST_CASE(merging_pairs_tell_what_they_lose) {
+  for (const double apart : {1e-2, 1e-4, 1e-6, 1e-8, 0.0}) {
+    Wide a = Wide::Zero(4, 4);
+    a << -0.1, -1, 0, 0, 1, -0.1, 0, 0, 1, 0, -0.1, -1 - apart, 0, 0, 1 + apart, -0.1;
+    const GeneralModes found = general_modes(dense(a));
+    const double lost = found.change + 2.2e-16 * found.amplification;
+    BOOST_TEST(lost < 1e-9);
+    for (const double t : {0.3, 4.0}) BOOST_TEST(worst_difference(a, found, t) <= 20 * lost);
+  }
+}
+
+// A force that a spring holds relaxes at no rate.
+BOOST_AUTO_TEST_CASE(a_rate_of_zero_is_zero) {
+  Wide a = Wide::Zero(3, 3);
+  a << -0.3, -1, -2, 1, 0, 0, 2, 0, 0;
+  const GeneralModes found = general_modes(dense(a));
+  BOOST_REQUIRE(found.modes.spectrum.singles() == 1u);
+  BOOST_TEST(found.modes.spectrum.rates[0] == 0);
+}
+
+// 1/(s + 1/2) of one decay, and of a spring and a mass (s, -1; 1, s)/(s^2 + 1).
+BOOST_AUTO_TEST_CASE(responses) {
+  const std::complex<double> s(0.3, 2);
+  Wide decay(1, 1);
+  decay << -0.5L;
+  BOOST_TEST(std::abs(response(dense(decay), s)[0] - 1.0 / (s + 0.5)) < 1e-15);
+  Wide swing(2, 2);
+  swing << 0, -1, 1, 0;
+  const auto found = response(dense(swing), s);
+  BOOST_TEST(std::abs(found[0] - s / (s * s + 1.0)) < 1e-15);
+  BOOST_TEST(std::abs(found[1] - 1.0 / (s * s + 1.0)) < 1e-15);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
