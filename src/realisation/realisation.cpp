@@ -45,15 +45,15 @@ double noise_of(const CausalFit& fit, const std::vector<Stretch>& faults) {
 
 }  // namespace
 
-Realisation::Realisation(const Receptance& table, const RealisationOptions& options)
+Realisation::Realisation(const Receptance& table, Body body)
     : rows_(rows_of(table)), first_(table.rows.front().omega), last_(table.rows.back().omega) {
   judge_rows(table);
-  const Search found = search(rows_, noise_, options.order);
+  const Search found = search(rows_, noise_, table.order, body == Body::heavy ? Damping::coupled : Damping::full);
   uncertainty_.emplace(rows_, found, noise_);
   structure_ = structure_of(found.best.shape, found.best.parameters);
   judge_fit(table);
   structure_ = in_units(structure_, rows_.frequency_unit, rows_.value_unit);
-  if (options.static_compliance) add_static_compliance(table, *options.static_compliance);
+  if (table.static_compliance) add_static_compliance(table, *table.static_compliance);
 }
 
 namespace {
@@ -143,10 +143,10 @@ double Realisation::error(double omega) const {
 }
 
 std::shared_ptr<const Realisation> realised(const Receptance& table,
-                                            const RealisationOptions& options) {
+                                            Body body) {
   struct Known {
     Receptance table;
-    RealisationOptions options;
+    Body body;
     std::shared_ptr<const Realisation> result;
   };
   static std::mutex lock;
@@ -154,9 +154,10 @@ std::shared_ptr<const Realisation> realised(const Receptance& table,
   constexpr std::size_t most_known = 8;
   const std::lock_guard guard(lock);
   for (const Known& each : known)
-    if (each.table.file == table.file && each.table.rows == table.rows && each.options == options)
+    if (each.table.file == table.file && each.table.rows == table.rows && each.body == body &&
+        each.table.static_compliance == table.static_compliance && each.table.order == table.order)
       return each.result;
-  known.push_front({table, options, std::make_shared<const Realisation>(table, options)});
+  known.push_front({table, body, std::make_shared<const Realisation>(table, body)});
   if (known.size() > most_known) known.pop_back();
   return known.front().result;
 }

@@ -14,18 +14,15 @@
 
 namespace vcrit::realisation {
 
-struct RealisationOptions {
-  std::optional<double> static_compliance = {};  ///< m/N
-  std::optional<int> order = {};                 ///< modes, >= 0
-
-  friend bool operator==(const RealisationOptions&, const RealisationOptions&) = default;
-};
+/// Whether the body, whose mass hangs on the structure, is there: without one no damper may couple
+/// the end to the masses (Damping::coupled), as its displacement would be a state of its own.
+enum class Body { heavy, none };
 
 class Realisation {
  public:
   /// Throws InputError for a table most of whose rows give energy, for a static compliance less than
   /// that of the structure, and for an order that the rows cannot hold.
-  Realisation(const Receptance& table, const RealisationOptions& options);
+  explicit Realisation(const Receptance& table, Body body = Body::heavy);
 
   const Structure& structure() const { return structure_; }  ///< SI: y in m, K_yy = 1 N/m
   int pairs() const { return static_cast<int>(structure_.modes()); }
@@ -54,6 +51,6 @@ class Realisation {
 
 /// The same table is fitted once.
 std::shared_ptr<const Realisation> realised(const Receptance& table,
-                                            const RealisationOptions& options = {});
+                                            Body body = Body::heavy);
 
 }  // namespace vcrit::realisation

@@ -40,8 +40,9 @@ Minimum minimised(const Rows& rows, const Shape& shape, const VectorXd& start, i
 /// The search in one order after the other, over rows that are few enough for many starts.
 class Orders {
  public:
-  Orders(const Rows& rows, double noise)
+  Orders(const Rows& rows, double noise, Damping most_general)
       : rows_(rows),
+        most_general_(most_general),
         few_(thinned(rows, most_rows)),
         enough_(2 * static_cast<double>(few_.size()) * std::max(noise, least_misfit) *
                 std::max(noise, least_misfit)) {}
@@ -61,7 +62,7 @@ class Orders {
       found.insert(found.end(), starts.begin(), starts.end());
       found = full(modes, found);
     }
-    coupled(modes, found.front());
+    if (most_general_ == Damping::coupled) coupled(modes, found.front());
   }
 
   const std::vector<Candidate>& all() const { return all_; }
@@ -161,6 +162,7 @@ class Orders {
   }
 
   const Rows& rows_;
+  Damping most_general_;
   const Rows few_;
   double enough_;
   Deviates deviates_;
@@ -191,8 +193,8 @@ Candidate refined(const Rows& rows, const Shape& shape, const VectorXd& paramete
   return {shape, minimum.parameters, minimum.sum, criterion_of(shape, rows, minimum.sum)};
 }
 
-Search search(const Rows& rows, double noise, std::optional<Index> order) {
-  Orders orders(rows, noise);
+Search search(const Rows& rows, double noise, std::optional<Index> order, Damping most_general) {
+  Orders orders(rows, noise, most_general);
   if (order && (!orders.holds(*order) || *order > most_order))
     throw InputError({}, fmt::format("order = {} for {} rows", *order, rows.size()),
                      fmt::format("an order of at most {}, with fewer parameters than the table has "

@@ -25,15 +25,15 @@ struct Search {
 };
 
 /// `noise`: of real and imaginary part each, relative, below which no misfit says anything; `order`:
-/// the modes that the structure is to have, where it is given. Throws InputError for an order that
-/// the rows cannot hold.
-Search search(const Rows& rows, double noise, std::optional<Eigen::Index> order);
+/// the modes that the structure is to have, where it is given; `most_general`: what its damping may
+/// be. Throws InputError for an order that the rows cannot hold.
+Search search(const Rows& rows, double noise, std::optional<Eigen::Index> order,
+              Damping most_general);
 
 /// From these parameters on, over these rows.
 Candidate refined(const Rows& rows, const Shape& shape, const Eigen::VectorXd& parameters,
                   int steps);
 
 constexpr Eigen::Index most_fitted_modes = 8;   ///< where the order is not given
-constexpr Eigen::Index most_order = 12;  ///< that may be given
 
 }  // namespace vcrit::realisation

@@ -14,9 +14,13 @@ constexpr Cell refused(const char* reason, const char* advice = "") {
 constexpr Cell left_out(const char* reason) { return {Ruling::left_out, reason}; }
 constexpr Cell yes{Ruling::yes};
 
-constexpr Cell measured_motion = refused(
-    "the simulator needs a network; this drive is a measured receptance, which says nothing of "
-    "motion that is not harmonic");
+constexpr Cell measured_opening = refused(
+    "below a measured drive no contact that opens (separation = true) is simulated: its force has all "
+    "harmonics, and beyond the table the response is an extrapolation",
+    "leave out separation = true, or give the drive as a network");
+constexpr Cell measured_comparison = refused(
+    "this drive is a measured receptance: a simulated v* would rest on the structure fitted to it",
+    "vcrit eval has v* by the table, and vcrit simulate friction with the fit's error");
 constexpr Cell lossy_motion =
     refused("lossy(k, eta) is not causal: K = k (1 + i eta) at one frequency is no law of motion");
 constexpr Cell lossy_law = refused(no_law, no_law_advice);
@@ -24,6 +28,8 @@ constexpr Cell each_place = refused(
     "below an indenter each place has a motion of its own: this asks for that of one contact");
 constexpr Cell no_cells = refused("the scene has no indenter");
 constexpr Cell no_methods = refused("knows no indenter");
+constexpr Cell measured_methods = refused("knows one body; this drive is a measured receptance",
+                                          "the exact method knows the structure fitted to it");
 constexpr Cell one_body = refused("knows one body; this drive holds masses of its own",
                                   "the exact method knows them");
 
@@ -108,7 +114,7 @@ struct Row {
 //   measured, masses, lossy | indenter, none | separating, without memory, with memory
 //   no load, below indenter, no friction, no indentation, tapping, never closing
 //   (3), deep | (4), below indenter | opening with memory, open where steepest
-//   sinking, and opening
+//   sinking, and opening | measured and separating
 constexpr Cell y = yes;
 // clang-format off
 constexpr std::array<Row, questions> table{{
@@ -116,97 +122,97 @@ constexpr std::array<Row, questions> table{{
      {y, y, y, y, y, y, y, y,
       no_load, no_load, y, no_indentation, y, never_closes,
       too_large, y, opens_closed, opens_all_over, y, y,
-      y, sinks_opening}},
+      y, sinks_opening, y}},
     {Question::formula,
      {y, y, y, y, y, y, y, y,
       y, y, y, y, y, y,
       y, y, y, y, memory, open_then,
-      y, sinks_as_it_opens}},
+      y, sinks_as_it_opens, y}},
     {Question::closed_form,
      {y, y, y, y, y, y, y, memory,
       y, y, y, y, y, y,
       y, y, y, y, y, y,
-      y, y}},
+      y, y, y}},
     {Question::formula_of_all_values,
      {y, y, y, y, y, y, no_symbols, no_symbols,
       y, y, y, y, y, y,
       y, y, y, y, y, y,
-      y, y}},
+      y, y, y}},
     {Question::evaluator,
      {y, y, y, y, y, y, without_memory_code, memory_code,
       y, y, y, y, y, y,
       y, y, y, y, y, y,
-      y, y}},
+      y, y, y}},
     {Question::rational_form,
      {measured_polynomial, y, lossy_law, y, y, y, y, y,
       y, y, y, y, y, y,
       y, y, y, y, y, y,
-      y, y}},
+      y, y, y}},
     {Question::all_frequencies,
      {table_alone, y, one_frequency, y, y, y, y, y,
       y, y, y, y, y, y,
       y, y, y, y, y, y,
-      y, y}},
+      y, y, y}},
     {Question::motion,
-     {measured_motion, y, lossy_motion, each_place, y, y, y, y,
+     {y, y, lossy_motion, each_place, y, y, y, y,
       no_load, y, no_friction, y, y, never_closes,
       too_large, y, opens_moving, y, y, y,
-      y, sinks_opening}},
+      y, sinks_opening, measured_opening}},
     {Question::motion_below_indenter,
      {y, y, lossy_law, y, no_cells, y, y, y,
       y, no_modulus, no_friction, y, y, never_closes,
       too_large, y, y, opens_at_tip, y, y,
-      y, y}},
+      y, y, y}},
     {Question::normal_motion,
      {y, y, lossy_motion, y, y, y, y, y,
       no_load, no_modulus, y, y, y, y,
       y, y, y, y, y, y,
-      y, sinks_opening}},
+      y, sinks_opening, y}},
     {Question::motion_in_time,
-     {measured_motion, y, lossy_motion, y, y, y, y, y,
+     {y, y, lossy_motion, y, y, y, y, y,
       y, y, y, y, y, y,
       y, y, y, y, y, y,
-      y, y}},
+      y, y, measured_opening}},
     {Question::comparison,
-     {measured_motion, y, lossy_motion, y, y, y, y, y,
+     {measured_comparison, y, lossy_motion, y, y, y, y, y,
       no_load, no_modulus, no_friction, y, y, never_closes,
       y, y, y, y, no_comparison, no_comparison,
-      y, sinks_opening}},
+      y, sinks_opening, y}},
     {Question::other_methods,
-     {y, one_body, y, no_methods, y, y, y, y,
+     {measured_methods, one_body, y, no_methods, y, y, y, y,
       y, y, y, y, y, y,
       y, y, y, y, y, y,
-      y, y}},
+      y, y, y}},
     {Question::report_simulation,
      {a_network, methods_of_one_body, not_causal, y, y, y, y, y,
       y, y, y, y, y, y,
       y, y, y, y, y, y,
-      y, y}},
+      y, y, y}},
     {Question::report_explorer,
      {y, y, y, each_place, y, y, y, y,
       y, y, y, y, y, y,
       y, y, y, y, y, y,
-      y, y}},
+      y, y, y}},
     {Question::report_stability,
      {networks_alone, networks_alone, not_causal, one_contact, y, closed_alone, y, y,
       inadmissible, inadmissible, y, inadmissible, y, inadmissible,
       inadmissible, y, inadmissible, inadmissible, y, y,
-      y, inadmissible}},
+      y, inadmissible, y}},
     {Question::mean_load,
      {y, y, y, y, y, y, y, y,
       no_load, no_load, y, no_indentation, y, y,
       y, y, y, y, y, y,
-      y, y}},
+      y, y, y}},
     {Question::closed_range,
      {y, y, y, y, y, y, y, y,
       y, y, y, y, never_closed, never_closed,
       too_large_anywhere, too_large_anywhere, y, y, y, y,
-      y, y}},
+      y, y, y}},
     {Question::closed_amplitude,
      {y, y, y, y, y, y, y, y,
       y, y, y, y, never_closed, never_closed,
       y, y, y, y, y, y,
-      y, y}},
+      y, y, y}},
 }};
 // clang-format on
 

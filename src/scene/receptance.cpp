@@ -34,7 +34,7 @@ Receptance read_receptance(const std::string& file, const Place& place) {
 }
 
 Receptance parse_receptance(const std::string& text, const std::string& file) {
-  Receptance receptance{file, {}};
+  Receptance receptance{.file = file, .rows = {}};
   CsvLines lines(text, file);
   lines.take_header(receptance_columns);
   while (lines.next()) {

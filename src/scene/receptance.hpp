@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,7 +22,13 @@ struct Receptance {
   };
   std::string file;
   std::vector<Row> rows;  ///< at least two, omega increasing
+  // Of what moves in time like it (realisation/realisation.hpp), where they are given:
+  std::optional<double> static_compliance = {};  ///< at rest, m/N
+  std::optional<int> order = {};                 ///< pairs of oscillating motions
 };
+
+/// The greatest order; more pairs than that no table tells apart.
+constexpr int most_order = 12;
 
 /// Where an angular frequency lies: between `below` and `above`, which may be equal.
 struct Bracket {

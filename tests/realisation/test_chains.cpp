@@ -29,7 +29,7 @@ std::vector<Chain> picked(std::size_t usual) {
 // Tuned absorbers have R(i omega) = 0: what is stated is absolute, so that does no harm.
 void check_chain(const Chain& chain, double last, double noise) {
   BOOST_TEST_CONTEXT(chain.id << " to " << last << " omega, noise " << noise) {
-    const Realisation found(table_of(chain, last, noise), {});
+    const Realisation found(table_of(chain, last, noise));
     for (const int n : {1, 2, 3}) {
       const double off = std::abs(found.response(n) - chain.receptance(n));
       BOOST_TEST(off <= found.error(n), n << " omega: off by " << off << ", stated "
@@ -61,7 +61,7 @@ BOOST_AUTO_TEST_CASE(five_digits_give_five_digits_back) {
   // the fit is off by less than the rows are.
   for (const char* id : {"C-two-01", "C-two-14", "C-three-04", "C-three-12", "C-absorber-02"}) {
     const Chain drive = vcrit::test::chain(id);
-    const Realisation found(table_of(drive, 8, 0), {});
+    const Realisation found(table_of(drive, 8, 0));
     BOOST_TEST(found.misfit() < 1.5e-4, id << ": misfit " << found.misfit());
     for (const int n : {1, 2, 3})
       BOOST_TEST(std::abs(found.response(n) / drive.receptance(n) - 1.0) < 7.1e-5);

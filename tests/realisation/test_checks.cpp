@@ -23,7 +23,7 @@ Receptance clean(double noise = 0) { return table_of(chain("C-two-01"), 8, noise
 
 std::string warnings_of(const Receptance& table) {
   std::string all;
-  const Realisation found(table, {});
+  const Realisation found(table);
   for (const std::string& each : found.warnings()) all += each + "\n";
   return all;
 }
@@ -38,8 +38,8 @@ BOOST_AUTO_TEST_CASE(a_good_table_has_no_fault) {
 BOOST_AUTO_TEST_CASE(the_other_sign_convention_is_refused) {
   Receptance table = clean();
   for (auto& row : table.rows) row.im = -row.im;
-  BOOST_TEST(refused([&] { Realisation(table, {}); }, "rows where it is not 0"));
-  BOOST_TEST(refused([&] { Realisation(table, {}); }, "change the sign of the column Im"));
+  BOOST_TEST(refused([&] { Realisation{table}; }, "rows where it is not 0"));
+  BOOST_TEST(refused([&] { Realisation{table}; }, "change the sign of the column Im"));
 }
 
 BOOST_AUTO_TEST_CASE(a_row_that_gives_energy_is_named) {
@@ -63,7 +63,7 @@ BOOST_AUTO_TEST_CASE(rows_that_no_causal_response_has_are_named) {
 BOOST_AUTO_TEST_CASE(rows_at_fault_do_not_spoil_the_fit) {
   Receptance table = clean();
   table.rows[60].re *= 1.1;
-  const Realisation found(table, {});
+  const Realisation found(table);
   for (const int n : {1, 2, 3})
     // Five digits: 7e-5 of |R| at most.
     BOOST_TEST(std::abs(found.response(n) / chain("C-two-01").receptance(n) - 1.0) < 7.1e-5);
