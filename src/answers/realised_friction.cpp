@@ -16,22 +16,22 @@ namespace vcrit {
 
 namespace {
 
-using Complex = std::complex<double>;
+using realisation::Complex;
 using realisation::Realisation;
 using realisation::Structure;
 
 constexpr int harmonics = 8;
 // Modes that change R_d by so much at the harmonic that they are at: second derivatives are as much
 // of what comes out, and the simulator's own error of some 1e-13 a billionth.
-constexpr double small_change = 1e-4;
-constexpr double width = 0.05;
+constexpr double mode_change = 1e-4;
+constexpr double added_damping = 0.05;
 
 /// A mode more: at n omega, where it changes the phase of R_d by a quarter, and above it.
 struct AddedMode {
   double frequency;
 
   Complex response(double omega) const {
-    return 1.0 / Complex(frequency * frequency - omega * omega, 2 * width * frequency * omega);
+    return 1.0 / Complex(frequency * frequency - omega * omega, 2 * added_damping * frequency * omega);
   }
 };
 
@@ -46,7 +46,7 @@ Structure with_added(const Structure& structure, const AddedMode& mode, double s
   more.lean[modes] = 0;
   more.factor = Eigen::MatrixXd::Zero(modes + 1, modes + 1);
   more.factor.topLeftCorner(modes, modes) = structure.factor;
-  more.factor(modes, modes) = std::sqrt(2 * width * mode.frequency);
+  more.factor(modes, modes) = std::sqrt(2 * added_damping * mode.frequency);
   return more;
 }
 
@@ -60,8 +60,8 @@ class Sensitivity {
     Eigen::VectorXd moved(2 * harmonics);
     for (int row = 0; row < 2 * harmonics; ++row) {
       const int n = row / 2 + 1;
-      const AddedMode mode{n * omega * (row % 2 == 0 ? 1 : 1 + 2 * width)};
-      const double share = small_change * std::abs(realised.response(n * omega)) /
+      const AddedMode mode{n * omega * (row % 2 == 0 ? 1 : 1 + 2 * added_damping)};
+      const double share = mode_change * std::abs(realised.response(n * omega)) /
                            std::abs(mode.response(n * omega));
       for (int m = 1; m <= harmonics; ++m) {
         const Complex change = share * mode.response(m * omega);

@@ -10,7 +10,6 @@ namespace vcrit::realisation {
 
 namespace {
 
-using Complex = std::complex<double>;
 using Eigen::Index;
 using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
@@ -47,7 +46,7 @@ MatrixXd real_rows(const MatrixXcd& columns, const VectorXd& weight) {
   return both;
 }
 
-VectorXd solved(MatrixXd matrix, const VectorXd& right) {
+VectorXd scaled_solution(MatrixXd matrix, const VectorXd& right) {
   const VectorXd size = matrix.colwise().norm().transpose().cwiseMax(
       std::numeric_limits<double>::min());
   matrix = matrix * size.cwiseInverse().asDiagonal();
@@ -120,7 +119,7 @@ Poles relocated(const Rows& rows, const Poles& poles) {
   matrix(2 * rows.size(), 2 * count + 1) = 1;
   VectorXd right = VectorXd::Zero(matrix.rows());
   right[2 * rows.size()] = 1;
-  const VectorXd solution = solved(matrix, right);
+  const VectorXd solution = scaled_solution(matrix, right);
   double constant = solution[2 * count + 1];
   // Below that sigma's zeros are far away or rounding (Gustavsen 2006).
   if (std::abs(constant) < 1e-8) constant = std::copysign(1e-8, constant);
@@ -135,7 +134,7 @@ CausalFit with_residues(const Rows& rows, const Poles& poles, VectorXd* residues
   columns << fractions, VectorXcd::Ones(rows.size());
   VectorXd right(2 * rows.size());
   right << rows.weight.cwiseProduct(rows.value.real()), rows.weight.cwiseProduct(rows.value.imag());
-  const VectorXd found = solved(real_rows(columns, rows.weight), right);
+  const VectorXd found = scaled_solution(real_rows(columns, rows.weight), right);
   CausalFit fit{poles, {}, 0};
   // Rows of weight 0 are left out of the fit, and still have what is left of them.
   fit.left = (rows.value - columns * found).cwiseQuotient(

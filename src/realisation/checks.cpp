@@ -9,7 +9,6 @@ namespace vcrit::realisation {
 
 namespace {
 
-using Complex = std::complex<double>;
 using Eigen::Index;
 
 // What a table of four digits rounds away is no fault of a row.

@@ -3,10 +3,14 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <complex>
+#include <vector>
 
 #include "scene/receptance.hpp"
 
 namespace vcrit::realisation {
+
+using Complex = std::complex<double>;
 
 struct Rows {
   double frequency_unit = 1;  ///< rad/s

@@ -12,7 +12,6 @@ namespace vcrit::realisation {
 
 namespace {
 
-using Complex = std::complex<double>;
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXcd;

@@ -7,7 +7,6 @@ namespace vcrit::realisation {
 
 namespace {
 
-using Complex = std::complex<double>;
 using Eigen::Index;
 using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
