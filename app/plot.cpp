@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 
+#include "answers/realised_friction.hpp"
 #include "base/files.hpp"
 #include "base/units.hpp"
 #include "commands.hpp"
@@ -18,6 +19,7 @@
 #include "report/plots.hpp"
 #include "report/records.hpp"
 #include "speed_options.hpp"
+#include "streams.hpp"
 
 namespace vcrit::app {
 
@@ -77,6 +79,8 @@ void plot(const PlotOptions& options) {
   const Problem problem =
       options.scene.read(options.shown == Shown::frequency ? SceneOptions::Frequency::varied
                                                            : SceneOptions::Frequency::of_the_scene);
+  if (options.shown != Shown::frequency)
+    for (const std::string& warning : unstated_error(problem)) warn(warning);
   const std::vector<Figure> figures = figures_of(options, problem);
   if (!out.empty())
     write_file(out, out.extension() == ".pdf" ? validation::report::pdf_of(figures)

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "answers/under_load.hpp"
+#include "answers/realised_friction.hpp"
 #include "commands.hpp"
 #include "friction_words.hpp"
 #include "method_choice.hpp"
@@ -22,6 +23,7 @@
 #include "simulation/steady/mass_amplitudes.hpp"
 #include "simulation/steady/normal_force.hpp"
 #include "speed_options.hpp"
+#include "streams.hpp"
 
 namespace vcrit::record {
 
@@ -32,6 +34,11 @@ void fields(Fields& f, const simulation::EnergyBalance& it) {
 void fields(Fields& f, const simulation::OtherStart& it) {
   f("friction_ratio", it.friction_ratio)("friction_ratio_error", it.friction_ratio_error);
   f("regime", it.regime);
+}
+
+void fields(Fields& f, const RealisedFriction& it) {
+  f("pairs", it.pairs)("misfit", it.misfit)("misfit_at_omega", it.misfit_at_omega);
+  f("critical_velocity", it.critical_velocity)("outside", it.outside)("error", it.error);
 }
 
 }  // namespace vcrit::record
@@ -83,6 +90,7 @@ struct SimulationAnswer {
   std::optional<IndenterAnswer> indenter = {};
   Masses masses = {};
   std::optional<UnderLoad> load = {};
+  std::optional<RealisedFriction> realisation = {};
 
   friend void fields(record::Fields& f, const SimulationAnswer& it) {
     const SteadyState& steady = it.steady;
@@ -91,7 +99,8 @@ struct SimulationAnswer {
     f("regime", steady.regime)("method", it.method)("periods", steady.periods);
     f("events", steady.events).some("energy", it.energy).some("separation", it.separation);
     if (it.load) fields(f, *it.load);
-    f.some("indenter", it.indenter).some("masses", it.masses).some("warnings", it.warnings);
+    f.some("indenter", it.indenter).some("masses", it.masses);
+    f.some("realisation", it.realisation).some("warnings", it.warnings);
   }
 };
 
@@ -157,8 +166,25 @@ void print_simulate_text(const SimulationAnswer& answer, const Problem& problem,
                  digits);
   print_load(answer.load, digits);
   print_events(steady, digits);
+  if (answer.realisation) print_realisation(*answer.realisation, digits);
   if (answer.energy) print_power(*answer.energy, system.omega, digits);
   if (answer.separation) print_starts(answer.separation->other_start, digits);
+}
+
+void add_realisation(const Problem& problem, double velocity, SimulationAnswer& answer) {
+  answer.realisation = realised_friction(problem, velocity, answer.steady);
+  answer.steady.friction_ratio_error += answer.realisation->error;
+  for (const std::string& each : answer.realisation->warnings) {
+    warn(each);
+    answer.warnings.push_back(each);
+  }
+}
+
+void print_realisation(const RealisedFriction& found, int digits) {
+  print_row("drive", fmt::format("{} pairs fitted to the table, misfit {:.2g} %", found.pairs,
+                                 100 * found.misfit));
+  print_row("", fmt::format("v* of the fit {}, its part of the error {:.1g}",
+                            rounded(found.critical_velocity, "m/s", digits), found.error));
 }
 
 SimulationAnswer answer_of(const SimulateOptions& options, const Problem& problem,
@@ -170,6 +196,7 @@ SimulationAnswer answer_of(const SimulateOptions& options, const Problem& proble
                           options.method.name(), problem->source->warnings};
   answer.load = under_load(problem);
   if (!options.method.is_exact()) return answer;
+  if (problem->receptance() != nullptr) add_realisation(problem, speed.velocity, answer);
   answer.energy = simulation::energy_balance(system, speed.velocity);
   for (const auto& [symbol, amplitude] : simulation::mass_amplitudes(system, speed.velocity))
     answer.masses.amplitudes.emplace_back(to_text(as_called(problem, symbol)), amplitude);

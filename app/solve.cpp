@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 
+#include "answers/realised_friction.hpp"
 #include "base/constants.hpp"
 #include "base/rounded.hpp"
 #include "base/units.hpp"
@@ -161,18 +162,22 @@ void print_solve_text(const Question& question, const Answer& answer, int digits
                                     question.samples));
 }
 
+void warn_of_answer(Question& question, const std::string& warning) {
+  warn(warning);
+  std::vector<std::string> warnings = question.problem->source->warnings;
+  warnings.push_back(warning);
+  question.problem = warning_of(question.problem, std::move(warnings));
+}
+
 void run_solve(const SolveOptions& options) {
   Question question = question_of(options);
   const Answer answer = design::solve(question);
+  for (const std::string& warning : unstated_error(question.problem)) warn_of_answer(question, warning);
   // The smallest frequency is one because all below it were asked.
   if (question.sought == Sought::frequency)
     if (const auto beyond =
-            beyond_fitted_range(question.problem, two_pi * answer.from, two_pi * answer.value)) {
-      warn(*beyond);
-      std::vector<std::string> warnings = question.problem->source->warnings;
-      warnings.push_back(*beyond);
-      question.problem = warning_of(question.problem, std::move(warnings));
-    }
+            beyond_fitted_range(question.problem, two_pi * answer.from, two_pi * answer.value))
+      warn_of_answer(question, *beyond);
   if (options.json)
     print(record::json_of(Solution{question, answer}));
   else

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "answers/realised_friction.hpp"
 #include "base/constants.hpp"
 #include "base/numbers.hpp"
 #include "base/units.hpp"
@@ -80,6 +81,8 @@ Sweep sweep_of(const SweepOptions& options) {
   warn_of_folder(options, sweep);
   for (const std::string& name : options.quantities)
     sweep.quantities.push_back(parse_swept_quantity(name, sweep.problem));
+  if (std::ranges::any_of(sweep.quantities, needs_motion))
+    for (const std::string& warning : unstated_error(sweep.problem)) warn_of(sweep, warning);
   if (!options.velocity.empty())
     sweep.velocity = parse_quantity(options.velocity, Dimension::velocity, {"--velocity"});
   sweep.velocity_ratio = options.velocity_ratio;

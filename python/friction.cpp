@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "answers/friction.hpp"
+#include "answers/realised_friction.hpp"
 #include "arrays.hpp"
 #include "base/units.hpp"
 #include "bindings.hpp"
@@ -54,7 +55,12 @@ SteadyState steady_state(const Problem& problem, double velocity, const std::str
     throw InputError(argument("start"), '"' + start + '"', "sliding or rest");
   simulation::MethodOptions options;
   if (start == "rest") options.start = simulation::Start::rest;
-  if (method == "exact") return SteadyFriction(problem).at(velocity, options.start);
+  if (method == "exact") {
+    SteadyState state = SteadyFriction(problem).at(velocity, options.start);
+    if (problem->receptance() != nullptr)
+      state.friction_ratio_error += realised_friction(problem, velocity, state).error;
+    return state;
+  }
   rules::require(rules::Question::other_methods, problem, method + " ");
   if (const auto other = simulation::method_named(method))
     return simulation::steady_state(*other, simulation::system_of(problem), velocity, options);

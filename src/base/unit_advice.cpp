@@ -27,7 +27,7 @@ const Units& usual_units(Dimension dimension) {
       time{"s", "ms", "us", "ns", "min", "h"}, mass{"g", "kg", "mg"},
       length{"um", "nm", "mm", "cm", "m"}, angle{"deg", "rad", "mrad"},
       velocity{"mm/s", "um/s", "cm/s", "m/s", "km/h"}, force{"N", "mN", "kN", "uN"},
-      frequency{"kHz", "Hz", "MHz", "mHz", "GHz"}, angular{"rad/s", "krad/s", "rpm", "deg/s"};
+      compliance{"um/N", "mm/N", "nm/N", "m/N"}, frequency{"kHz", "Hz", "MHz", "mHz", "GHz"}, angular{"rad/s", "krad/s", "rpm", "deg/s"};
   switch (dimension) {
     case Dimension::none:
       return none;
@@ -55,6 +55,8 @@ const Units& usual_units(Dimension dimension) {
       return frequency;
     case Dimension::angular_frequency:
       return angular;
+    case Dimension::compliance:
+      return compliance;
   }
   return none;
 }

@@ -36,7 +36,7 @@ struct DimensionText {
   const char* unit;
 };
 
-constexpr std::array<DimensionText, 13> dimensions{{{"a plain number", "1"},
+constexpr std::array<DimensionText, 14> dimensions{{{"a plain number", "1"},
                                                     {"a stiffness", "N/m"},
                                                     {"a damping coefficient", "N.s/m"},
                                                     {"a modulus", "Pa"},
@@ -48,7 +48,8 @@ constexpr std::array<DimensionText, 13> dimensions{{{"a plain number", "1"},
                                                     {"a velocity", "m/s"},
                                                     {"a force", "N"},
                                                     {"a frequency", "Hz"},
-                                                    {"an angular frequency", "rad/s"}}};
+                                                    {"an angular frequency", "rad/s"},
+                                                      {"a compliance", "m/N"}}};
 
 const DimensionText& text_of(Dimension dimension) {
   return dimensions.at(static_cast<std::size_t>(dimension));

@@ -22,7 +22,8 @@ enum class Dimension {
   velocity,          ///< m/s
   force,             ///< N
   frequency,         ///< Hz, cycles a second: "20 kHz" is 20000
-  angular_frequency  ///< rad/s; a frequency in Hz is refused, and the other way round
+  angular_frequency,  ///< rad/s; a frequency in Hz is refused, and the other way round
+  compliance          ///< m/N
 };
 
 /// "a stiffness in N/m", for messages.

@@ -95,6 +95,8 @@ const char* name_of(SceneKind kind) {
       return "sinking";
     case SceneKind::sinking_opening:
       return "sinking_opening";
+    case SceneKind::measured_and_separating:
+      return "measured_and_separating";
   }
   throw Bug("a kind of scene without a name");
 }
@@ -150,6 +152,8 @@ bool Facts::is(SceneKind kind) const {
       return sinks();
     case SceneKind::sinking_opening:
       return sinks() && separating && opens();
+    case SceneKind::measured_and_separating:
+      return separating && problem_->receptance() != nullptr;
   }
   throw Bug("a kind of scene without a rule");
 }

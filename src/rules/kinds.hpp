@@ -32,8 +32,9 @@ enum class SceneKind {
   open_where_steepest,            ///< likewise, since it is open where u_z rises fastest
   sinking,                        ///< K_n(0) = 0 under a load: sinks, as deep as time goes on
   sinking_opening,                ///< the same of a contact that opens
+  measured_and_separating,        ///< below a measured drive, a contact that may open
 };
-inline constexpr std::size_t kinds = static_cast<std::size_t>(SceneKind::sinking_opening) + 1;
+inline constexpr std::size_t kinds = static_cast<std::size_t>(SceneKind::measured_and_separating) + 1;
 
 /// "measured_drive": a name that stays the same, for programs.
 const char* name_of(SceneKind kind);

@@ -34,12 +34,12 @@ Receptance read_receptance(const std::string& file, const Place& place) {
 }
 
 Receptance parse_receptance(const std::string& text, const std::string& file) {
-  Receptance receptance{file, {}};
+  Receptance receptance{.file = file, .rows = {}};
   CsvLines lines(text, file);
   lines.take_header(receptance_columns);
   while (lines.next()) {
     const auto numbers = lines.numbers(receptance_columns.size(), "three numbers: omega, Re, Im");
-    const Receptance::Row row{numbers[0], numbers[1], numbers[2]};
+    const Receptance::Row row{numbers[0], numbers[1], numbers[2], lines.place().line};
     refuse_receptance_order(receptance, row, lines.place());
     receptance.rows.push_back(row);
   }

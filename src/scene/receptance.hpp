@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,11 +15,20 @@ struct Receptance {
   struct Row {
     double omega = 0;       ///< rad/s
     double re = 0, im = 0;  ///< m/N
-    friend bool operator==(const Row&, const Row&) = default;
+    int line = 0;           ///< of the file; 0 where unknown
+    friend bool operator==(const Row& a, const Row& b) {
+      return a.omega == b.omega && a.re == b.re && a.im == b.im;
+    }
   };
   std::string file;
   std::vector<Row> rows;  ///< at least two, omega increasing
+  // Of what moves in time like it (realisation/realisation.hpp), where they are given:
+  std::optional<double> static_compliance = {};  ///< at rest, m/N
+  std::optional<int> order = {};                 ///< pairs of oscillating motions
 };
+
+/// The greatest order; more pairs than that no table tells apart.
+constexpr int most_order = 12;
 
 /// Where an angular frequency lies: between `below` and `above`, which may be equal.
 struct Bracket {

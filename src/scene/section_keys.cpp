@@ -26,7 +26,7 @@ const std::vector<SectionKeys>& sections() {
       {"contact",
        {"normal", "poisson", "tangential_ratio", "tangential", "separation", "fitted_range"}},
       {"indenter", {"shape", "radius", "angle", "prefactor", "exponent"}},
-      {"drive", {"network", "receptance"}},
+      {"drive", {"network", "receptance", "static_compliance", "order"}},
       {"body", {"mass"}},
       {"oscillation", {"frequency", "angular_frequency", "amplitude", "indentation"}},
       {"load", {"force"}},

@@ -57,6 +57,11 @@ Scene scene_of(SceneKind kind) {
   switch (kind) {
     case SceneKind::measured_drive:
       return measured();
+    case SceneKind::measured_and_separating: {
+      Scene scene = measured();
+      scene.separation = true;
+      return scene;
+    }
     case SceneKind::masses_in_drive:
       return scene_of({.rest = "[drive]\nnetwork = \"kd - (mass(m1) | k)\"\n"});
     case SceneKind::lossy_spring:
@@ -127,9 +132,10 @@ const Names outside{"admissible", "report_stability"};
 Names without_answer(SceneKind kind) {
   switch (kind) {
     case SceneKind::measured_drive:
-      return contact + Names{"rational_form",   "all_frequencies", "motion",
-                             "motion_in_time",  "comparison",      "report_simulation",
-                             "report_stability"};
+      return contact + Names{"rational_form", "all_frequencies",   "comparison",
+                             "other_methods", "report_simulation", "report_stability"};
+    case SceneKind::measured_and_separating:
+      return without_answer(SceneKind::measured_drive) + may_part + Names{"motion", "motion_in_time"};
     case SceneKind::masses_in_drive:
       return contact + Names{"report_stability"};
     case SceneKind::lossy_spring:

@@ -8,6 +8,7 @@
 #include "normal/mean_indentation.hpp"
 #include "rules/rulebook.hpp"
 #include "simulation/system/check.hpp"
+#include "simulation/system/measured_drive.hpp"
 
 namespace vcrit::simulation {
 
@@ -144,6 +145,9 @@ System system_of(const Problem& problem) {
     system.drive = relaxation_form(drive->network(), values);
     if (problem->mass) system.mass = values.at(problem->mass->symbol);
   }
+  if (const Receptance* table = problem->receptance())
+    hold_by_table(system, *table,
+                  problem->mass ? std::optional(values.at(problem->mass->symbol)) : std::nullopt);
   let_open(system, problem, normal, amplitude);
   return system;
 }

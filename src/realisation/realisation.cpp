@@ -1,0 +1,165 @@
+#include "realisation/realisation.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <mutex>
+
+#include "base/errors.hpp"
+#include "realisation/checks.hpp"
+
+namespace vcrit::realisation {
+
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+Structure in_units(const Structure& scaled, double frequency, double value) {
+  Structure structure = scaled;
+  structure.alpha *= std::sqrt(value);
+  structure.tau /= frequency;
+  structure.phi *= std::sqrt(value) * frequency;
+  structure.frequency *= frequency;
+  structure.factor *= std::sqrt(frequency);
+  return structure;
+}
+
+Index rows_in(const std::vector<Stretch>& stretches) {
+  Index count = 0;
+  for (const Stretch& each : stretches) count += each.last - each.first + 1;
+  return count;
+}
+
+/// The standard deviation of the causal fit's misfit, but for rows at fault.
+double noise_of(const CausalFit& fit, const std::vector<Stretch>& faults) {
+  double sum = fit.left.squaredNorm();
+  for (const Stretch& each : faults)
+    sum -= fit.left.segment(each.first, each.last - each.first + 1).squaredNorm();
+  const auto numbers = 2 * static_cast<double>(fit.left.size() - rows_in(faults));
+  const auto used = 4 * static_cast<double>(fit.poles.size());
+  return std::sqrt(std::max(sum, 0.0) / std::max(numbers - used, numbers / 4));
+}
+
+}  // namespace
+
+Realisation::Realisation(const Receptance& table, Body body)
+    : rows_(rows_of(table)), first_(table.rows.front().omega), last_(table.rows.back().omega) {
+  judge_rows(table);
+  const Search found = search(rows_, noise_, table.order, body == Body::heavy ? Damping::coupled : Damping::full);
+  uncertainty_.emplace(rows_, found, noise_);
+  structure_ = structure_of(found.best.shape, found.best.parameters);
+  judge_fit(table);
+  structure_ = in_units(structure_, rows_.frequency_unit, rows_.value_unit);
+  if (table.static_compliance) add_static_compliance(table, *table.static_compliance);
+}
+
+namespace {
+
+// Noise alone has no sign: where losses are below it, half of the rows give energy.
+void refuse_other_sign(const Receptance& table, const Rows& rows) {
+  const auto giving = giving_energy(rows, 0);
+  const Index count = rows_in(giving), telling = count + rows_in(taking_energy(rows, 0));
+  if (4 * count <= 3 * telling) return;
+  throw InputError({table.file, table.rows[static_cast<std::size_t>(giving[0].first)].line},
+                   fmt::format("Im R > 0 in {} of {} rows where it is not 0", count, telling),
+                   "Im R <= 0, as losses make it with exp(+i omega t)",
+                   "change the sign of the column Im if the table uses exp(-i omega t)");
+}
+
+}  // namespace
+
+void Realisation::judge_rows(const Receptance& table) {
+  refuse_other_sign(table, rows_);
+  const CausalFit causal = best_causal_fit(rows_);
+  const double robust = robust_noise(causal.left);
+  const auto faults = not_causal(causal, robust);
+  noise_ = std::max(robust, noise_of(causal, faults));
+  const auto sources = giving_energy(rows_, noise_);
+  for (const Stretch& each : sources) warnings_.push_back(energy_words(table, each));
+  for (const Stretch& each : faults) warnings_.push_back(causality_words(table, each, noise_));
+  // Few rows at fault only spoil the fit; many are what the table says.
+  if (10 * rows_in(faults) > rows_.size()) return;
+  for (const Stretch& each : faults)
+    rows_.weight.segment(each.first, each.last - each.first + 1).setZero();
+}
+
+void Realisation::judge_fit(const Receptance& table) {
+  double sum = 0;
+  Index worst = 0, counted = 0;
+  for (Index i = 0; i < rows_.size(); ++i) {
+    if (std::abs(rows_.value[i]) == 0) continue;
+    const double miss = std::abs(structure_.response(rows_.omega[i]) - rows_.value[i]) /
+                        std::abs(rows_.value[i]);
+    if (miss > misfit_) misfit_ = miss, worst = i;
+    if (rows_.weight[i] > 0) sum += miss * miss, ++counted;
+  }
+  const double size = std::sqrt(sum / (2 * static_cast<double>(std::max<Index>(counted, 1))));
+  explained_ = size <= 2 * noise_ || size < 1e-6;
+  for (const Unresolved& each : unresolved(rows_, structure_, noise_))
+    warnings_.push_back(resolution_words(table, each.omega * rows_.frequency_unit, each.rows));
+  constexpr double large_misfit = 0.1;
+  if (!explained_ && misfit_ > large_misfit)
+    warnings_.push_back(fmt::format(
+        "{}: the structure that fits best misses R by {:.2g} % at {:.4g} rad/s, noise {:.2g} %: "
+        "friction below v* rests on a poor fit of the drive",
+        to_text(Place{table.file, table.rows[static_cast<std::size_t>(worst)].line}),
+        100 * misfit_, rows_.omega[worst] * rows_.frequency_unit, 100 * noise_));
+}
+
+// A mode so far below the rows that the noise hides it there; damped, so that it comes to rest.
+void Realisation::add_static_compliance(const Receptance& table, double compliance) {
+  const double fitted = structure_.static_compliance(), missing = compliance - fitted;
+  if (missing <= 0) {
+    // The structure at rest is an extrapolation as well: a little less is as good as the same.
+    constexpr double little = 0.02;
+    if (-missing <= little * fitted) return;
+    throw InputError({table.file, 0},
+                     fmt::format("static_compliance = {:.4g} m/N, less than the {:.4g} m/N of its "
+                                 "realisation at rest",
+                                 compliance, fitted),
+                     "a static compliance that is at least that of the modes within the table");
+  }
+  const double first = rows_.first() * rows_.frequency_unit;
+  const double share = std::abs(response(first)) * std::max(noise_, 1e-6) / 10;
+  const double w = first * std::min(0.1, std::sqrt(share / std::max(missing, 1e-300)));
+  const Index modes = structure_.modes();
+  structure_.phi.conservativeResize(modes + 1);
+  structure_.phi[modes] = w * std::sqrt(missing);
+  structure_.frequency.conservativeResize(modes + 1);
+  structure_.frequency[modes] = w;
+  structure_.lean.conservativeResize(modes + 1);
+  structure_.lean[modes] = 0;
+  Eigen::MatrixXd factor = Eigen::MatrixXd::Zero(modes + 1, modes + 1);
+  factor.topLeftCorner(modes, modes) = structure_.factor;
+  factor(modes, modes) = std::sqrt(w);
+  structure_.factor = factor;
+}
+
+double Realisation::error(double omega) const {
+  return rows_.value_unit * uncertainty_->error(omega / rows_.frequency_unit, explained_);
+}
+
+std::shared_ptr<const Realisation> realised(const Receptance& table,
+                                            Body body) {
+  struct Known {
+    Receptance table;
+    Body body;
+    std::shared_ptr<const Realisation> result;
+  };
+  static std::mutex lock;
+  static std::deque<Known> known;
+  constexpr std::size_t most_known = 8;
+  const std::lock_guard guard(lock);
+  for (const Known& each : known)
+    if (each.table.file == table.file && each.table.rows == table.rows && each.body == body &&
+        each.table.static_compliance == table.static_compliance && each.table.order == table.order)
+      return each.result;
+  known.push_front({table, body, std::make_shared<const Realisation>(table, body)});
+  if (known.size() > most_known) known.pop_back();
+  return known.front().result;
+}
+
+}  // namespace vcrit::realisation

@@ -1,0 +1,42 @@
+// How far the realised response may be from the drive's, at any frequency.
+#pragma once
+
+#include <complex>
+#include <vector>
+
+#include "realisation/search.hpp"
+
+namespace vcrit::realisation {
+
+/// In the units of Rows, each a distance in R.
+struct Deviation {
+  double rivals = 0;  ///< greatest, to other structures that fit as well
+  double noise = 0;   ///< standard deviation of refits to rows with other noise of the same size
+  double hidden = 0;  ///< by a mode there that the misfit would not show
+  double misfit = 0;  ///< of the rows on both sides, or their noise
+};
+
+class Uncertainty {
+ public:
+  Uncertainty(const Rows& rows, const Search& found, double noise);
+
+  Deviation at(double omega) const;
+  /// What R may be off there, those together: with caution where the rows end or, not `explained`,
+  /// where they are no such structure's.
+  double error(double omega, bool explained) const;
+
+ private:
+  double hidden_mode(double omega) const;
+  double misfit_beside(double omega) const;
+
+  const Rows rows_;
+  Shape shape_;
+  Eigen::VectorXd parameters_;
+  Structure structure_;
+  std::vector<Structure> rivals_, refits_;
+  double spread_ = 0;  ///< of one number's misfit
+  Eigen::MatrixXd slope_;
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> others_;
+};
+
+}  // namespace vcrit::realisation

@@ -1,0 +1,83 @@
+// Friction of chains of masses by tables of their receptance, against the chains' own friction in
+// tests/data/two_mass_chains.csv: within the stated error, which the fit's is a part of.
+// VCRIT_CHAINS=82 runs all of them, each as four tables.
+#include "answers/realised_friction.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <cstdlib>
+
+#include "realisation/chains.hpp"
+#include "scene/scene.hpp"
+#include "simulation/chains.hpp"
+#include "simulation/steady/exact.hpp"
+
+BOOST_AUTO_TEST_SUITE(test_realised_friction)
+
+namespace {
+
+using namespace vcrit;
+
+struct Measured {
+  double off, stated, of_fit;
+};
+
+Measured by_table(const reference::Chain& chain, const test::Chain& drive, double last,
+                  double noise) {
+  Scene scene = chain.scene;
+  scene.drive.reset();
+  scene.receptance = test::table_of(drive, last, noise);
+  const Problem problem(scene);
+  const auto state = simulation::steady_state(simulation::system_of(problem), chain.velocity);
+  const RealisedFriction found = realised_friction(problem, chain.velocity, state);
+  return {std::abs(state.friction_ratio - chain.friction_ratio),
+          state.friction_ratio_error + found.error, found.error};
+}
+
+void check_tables(double last, double noise, std::size_t usual) {
+  const char* asked = std::getenv("VCRIT_CHAINS");
+  const std::size_t count = asked ? std::stoul(asked) : usual;
+  const auto scenes = reference::chains();
+  const auto drives = test::chains();
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t row = i * scenes.size() / count;
+    const Measured found = by_table(scenes[row], drives[row], last, noise);
+    BOOST_TEST(found.off <= found.stated, scenes[row].id << " to " << last << " omega, noise "
+                                                         << noise << ": off by " << found.off
+                                                         << ", stated " << found.stated);
+    BOOST_TEST_MESSAGE(scenes[row].id << ": off by " << found.off << ", stated " << found.stated);
+  }
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(five_digits_far_beyond_the_oscillation) { check_tables(8, 0, 10); }
+
+BOOST_AUTO_TEST_CASE(five_digits_to_one_and_a_half_times_its_frequency) { check_tables(1.5, 0, 6); }
+
+BOOST_AUTO_TEST_CASE(noise_of_a_hundredth) { check_tables(8, 0.01, 6); }
+
+BOOST_AUTO_TEST_CASE(noise_of_a_hundredth_to_one_and_a_half_times_its_frequency) {
+  check_tables(1.5, 0.01, 6);
+}
+
+BOOST_AUTO_TEST_CASE(the_critical_velocity_of_the_fit_is_that_of_the_drive) {
+  const auto scenes = reference::chains();
+  const auto drives = test::chains();
+  Scene scene = scenes[0].scene;
+  scene.drive.reset();
+  scene.receptance = test::table_of(drives[0], 8, 0);
+  const Problem problem(scene);
+  const auto state = simulation::steady_state(simulation::system_of(problem), scenes[0].velocity);
+  const RealisedFriction found = realised_friction(problem, scenes[0].velocity, state);
+  // Five digits of R_d, of which v* is a smooth function here: it takes up at most ten times that.
+  BOOST_TEST(std::abs(found.critical_velocity / scenes[0].critical_velocity - 1) < 7.1e-4);
+  BOOST_TEST(found.pairs == 1);
+  BOOST_TEST(found.outside.empty());
+  scene.receptance = test::table_of(drives[0], 1.5, 0);
+  const auto cut = realised_friction(Problem(scene), scenes[0].velocity, state);
+  BOOST_TEST(cut.outside == (std::vector<int>{2, 3, 4, 5, 6, 7, 8}), boost::test_tools::per_element());
+  BOOST_TEST(cut.warnings.back().find("2 omega = 2 rad/s lies outside the table (to 1.5)") !=
+             std::string::npos);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
