@@ -69,6 +69,7 @@ struct SimulationAnswer {
   std::optional<Separated> separation = {};
   std::optional<IndenterAnswer> indenter = {};
   std::optional<UnderLoad> load = {};
+  std::optional<BelowMount> mount = {};
 
   friend void fields(record::Fields& f, const SimulationAnswer& it) {
     const SteadyState& steady = it.steady;
@@ -77,6 +78,7 @@ struct SimulationAnswer {
     f("regime", steady.regime)("method", it.method)("periods", steady.periods);
     f("events", steady.events).some("energy", it.energy).some("separation", it.separation);
     if (it.load) fields(f, *it.load);
+    if (it.mount) fields(f, *it.mount);
     f.some("indenter", it.indenter).some("warnings", it.warnings);
   }
 };
@@ -153,6 +155,7 @@ SimulationAnswer answer_of(const SimulateOptions& options, const Problem& proble
   SimulationAnswer answer{speed, options.method.steady_state(system, speed.velocity),
                           options.method.name(), problem->source->warnings};
   answer.load = under_load(problem);
+  answer.mount = below_mount(problem);
   if (!options.method.is_exact()) return answer;
   answer.energy = simulation::energy_balance(system, speed.velocity);
   if (const auto& other = answer.steady.other_start)

@@ -32,8 +32,8 @@ void check_symbol_name(const std::string& name, const char* what, const Place& p
                        std::set<std::string> taken = {});
 
 /// The symbols of quantities that not every scene has, by the section that has them.
-inline const std::multimap<std::string, std::string> symbols_of_sections{{"body", "m"},
-                                                                         {"load", "W"}};
+inline const std::multimap<std::string, std::string> symbols_of_sections{
+    {"body", "m"}, {"load", "W"}, {"mount", "m_n"}};
 
 /// What a symbol is called within the program that the scene calls `name`: the same, unless a
 /// quantity is called so here, whatever the scene calls that. `others`: of symbols_of_sections
@@ -51,6 +51,14 @@ class Quantities {
   /// `symbol`, unless a bare name stands for the value. Complains of what is no such value.
   Quantity read(const document::Section& section, const char* key, const std::string& symbol,
                 Dimension dimension, const Range& range);
+
+  /// What a quantity is called where it is not called as is usual.
+  struct Called {
+    std::string setting = {};  ///< by --set, in place of the key
+    std::string name = {};     ///< in place of the symbol, while no bare name stands for the value
+  };
+  Quantity read(const document::Section& section, const char* key, const std::string& symbol,
+                Dimension dimension, const Range& range, const Called& called);
   /// Throws InputError where two of the quantities read would have one name.
   void refuse_equal_names() const;
   /// Those that are not called by their symbol, by it.
@@ -71,7 +79,7 @@ class Quantities {
   };
 
   void read_value(Quantity& quantity, const document::Section& section, const char* key,
-                  Dimension dimension, const Range& range);
+                  Dimension dimension, const Range& range, const Called& called);
   void note(const Symbol& symbol, const char* key, const TypedNumber& number, const Place& place);
 
   OverridingValues settings_;

@@ -55,6 +55,7 @@ class QuantityWriter {
     if (drive != nullptr) result_.drive = network(drive->network());
     friction_ = program_.multiply(symbol({"mu0"}), symbol({"du_z"}));
     if (drive != nullptr) dynamic_ = dynamic_stiffness();
+    if (problem_->mount) write_mount();
     if (problem_->mass) result_.body = body();
     result_.contact_point = contact_point();
     result_.largest_amplitude = largest_amplitude();
@@ -63,6 +64,9 @@ class QuantityWriter {
   }
 
   PointResponse outer() { return {program_.constant(1), real(program_, program_.constant(1))}; }
+  void times_mount(PointResponse& z, const Complex&, const ReducedNetwork&) {
+    times_quotient(z, result_.mount->k, *mounted_);
+  }
   NodeId ratio(const Isotropic&) const { return *ratio_; }
   const Complex& normal() const { return result_.normal.k; }
   const Complex& tangential(const ReducedNetwork&) const { return result_.tangential.k; }
@@ -131,19 +135,33 @@ class QuantityWriter {
 
   /// K_d - m omega^2
   Complex dynamic_stiffness() {
-    const Complex k = result_.drive->k;
-    if (!problem_->mass) return k;
-    const NodeId m = symbol(problem_->mass->symbol);
-    if (result_.drive->exact_re) return {program_.less_inertia(k.re, m, omega_), k.im};
+    return less_inertia(result_.drive->k, problem_->mass, result_.drive->exact_re);
+  }
+
+  Complex less_inertia(const Complex& k, const std::optional<Quantity>& mass, bool exact_re) {
+    if (!mass) return k;
+    const NodeId m = symbol(mass->symbol);
+    if (exact_re) return {program_.less_inertia(k.re, m, omega_), k.im};
     const NodeId inertia = program_.multiply(program_.multiply(m, omega_), omega_);
     return {program_.subtract(k.re, inertia), k.im};
+  }
+
+  /// K_m, K_m + K_n - m_n omega^2, and the contact's height over the vibrator's.
+  void write_mount() {
+    result_.mount = network(problem_->mount->network());
+    const Complex sum = complex_sum(program_, result_.mount->k, result_.normal.k);
+    mounted_ = less_inertia(sum, problem_->mount_mass, false);
+    PointResponse z = outer();
+    times_quotient(z, result_.mount->k, *mounted_);
+    result_.height = {program_.multiply(symbol({"du_z"}), z.amplitude), z.direction};
   }
 
   OscillationResult body() {
     const Complex k = result_.normal.k;
     const NodeId ratio = program_.divide(modulus(program_, k), modulus(program_, *dynamic_));
-    return {program_.multiply(friction_, ratio),
-            against(times(program_, k, conjugate(program_, *dynamic_)))};
+    PointResponse z{ratio, times(program_, k, conjugate(program_, *dynamic_))};
+    if (problem_->mount) times_quotient(z, result_.mount->k, *mounted_);
+    return {program_.multiply(friction_, z.amplitude), against(z.direction)};
   }
 
   OscillationResult contact_point() {
@@ -160,12 +178,20 @@ class QuantityWriter {
   std::optional<NodeId> largest_amplitude() {
     if (problem_->load && problem_->indenter) return std::nullopt;
     if (problem_->load)
-      return program_.divide(symbol(problem_->load->symbol), modulus(program_, result_.normal.k));
+      return of_vibrator(
+          program_.divide(symbol(problem_->load->symbol), modulus(program_, result_.normal.k)));
     const std::optional<Network> at_rest = springs_alone(problem_->normal.network());
     if (!at_rest) return std::nullopt;
     const Complex k = network(*at_rest).k;
     const NodeId share = program_.divide(k.re, modulus(program_, result_.normal.k));
-    return program_.multiply(symbol({"u_z0"}), share);
+    return of_vibrator(program_.multiply(symbol({"u_z0"}), share));
+  }
+
+  /// The amplitude of the vibrator that is so large at the contact.
+  NodeId of_vibrator(NodeId amplitude) {
+    if (!problem_->mount) return amplitude;
+    return program_.multiply(amplitude, program_.divide(modulus(program_, *mounted_),
+                                                        modulus(program_, result_.mount->k)));
   }
 
   Problem problem_;
@@ -175,7 +201,7 @@ class QuantityWriter {
   StiffnessWriter stiffness_;
   NodeId friction_ = 0;
   std::optional<NodeId> ratio_;
-  std::optional<Complex> dynamic_;
+  std::optional<Complex> dynamic_, mounted_;
   QuantityProgram result_;
 };
 

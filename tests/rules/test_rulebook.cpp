@@ -44,6 +44,7 @@ Scene scene_of(const Parts& parts) {
 
 const std::string separating = "\nseparation = true";
 const std::string kelvin = "normal = \"k | c\"\npoisson = 0.3";
+const std::string mounting = "[mount]\nnetwork = \"kd\"\n";
 const std::string cone = "[indenter]\nshape = \"cone\"\nangle = 0.1\n";
 
 Scene measured() {
@@ -106,6 +107,13 @@ Scene scene_of(SceneKind kind) {
       return scene_of({.contact = "normal = \"k - c\"\npoisson = 0.3" + separating,
                        .amplitude = 2,
                        .force = 1});
+    case SceneKind::mount:
+      return scene_of({.rest = mounting});
+    case SceneKind::separating_mount:
+      return scene_of({.contact = "normal = \"k\"\npoisson = 0.3" + separating, .rest = mounting});
+    case SceneKind::separating_with_mass:
+      return scene_of({.contact = "normal = \"k\"\npoisson = 0.3" + separating,
+                       .rest = mounting + "mass = 0.1\n"});
   }
   throw Bug("a kind without a scene");
 }
@@ -179,6 +187,15 @@ Names without_answer(SceneKind kind) {
     case SceneKind::sinking_opening:
       return without_answer(SceneKind::separating_without_memory) +
              Names{"admissible", "formula", "motion", "normal_motion", "comparison"};
+    case SceneKind::mount:
+      return contact + Names{"closed_range"};
+    case SceneKind::separating_mount:
+    case SceneKind::separating_with_mass:
+      return without_answer(SceneKind::mount) + may_part + outside +
+             Names{"formula",        "closed_form", "formula_of_all_values",
+                   "evaluator",      "motion",      "normal_motion",
+                   "motion_in_time", "comparison",  "report_simulation",
+                   "report_explorer"};
   }
   throw Bug("a kind without its questions");
 }

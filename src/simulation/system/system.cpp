@@ -4,6 +4,7 @@
 
 #include "base/constants.hpp"
 #include "normal/mean_indentation.hpp"
+#include "normal/mount.hpp"
 #include "rules/rulebook.hpp"
 
 namespace vcrit::simulation {
@@ -75,7 +76,7 @@ int nearly_free_harmonic(const System& system) {
 System system_of(const Problem& problem) {
   rules::require(rules::Question::motion, problem);
   const Values& values = problem.values();
-  const double amplitude = values.at(problem->amplitude.symbol);
+  const double amplitude = contact_amplitude(problem);
   const Relaxation normal = relaxation_form(problem->normal.network(), values);
   const ScaledNetwork tangential = tangential_network(problem);
 
