@@ -13,6 +13,7 @@
 #include "answers/critical_onset.hpp"
 #include "answers/effect_words.hpp"
 #include "answers/under_load.hpp"
+#include "base/constants.hpp"
 #include "base/rounded.hpp"
 #include "commands.hpp"
 #include "critical/admissibility.hpp"
@@ -33,6 +34,7 @@ struct Evaluation {
   std::vector<std::string> warnings;
   Effect effect;
   std::optional<UnderLoad> load = {};
+  std::optional<BelowMount> mount = {};
   bool simulated() const { return critical.by == CriticalOnset::By::simulation; }
 
   friend void fields(record::Fields& f, const Evaluation& it) {
@@ -55,6 +57,7 @@ struct Evaluation {
       f.when(it.simulated(), "relative_error_estimate", critical.relative_error);
     }
     if (it.load) fields(f, *it.load);
+    if (it.mount) fields(f, *it.mount);
     f("facts", it.facts).some("warnings", it.warnings);
     f("sentence", sentence(it.effect))("effect", it.effect);
   }
@@ -68,7 +71,8 @@ Evaluation evaluated(const Problem& problem) {
                     symbolic::facts_in_text(problem),
                     problem->source->warnings,
                     effect_of(problem, critical),
-                    under_load(problem)};
+                    under_load(problem),
+                    below_mount(problem)};
   if (problem->separation) result.opens = opens(problem);
   return result;
 }
@@ -116,6 +120,11 @@ void print_eval_text(const Problem& problem, const Evaluation& result, int digit
              outside ? alarming(told, STDOUT_FILENO) : told);
   print_row("critical velocity", velocity_words(result, digits));
   print_row("lowest friction", lowest_friction(effect, digits));
+  if (result.mount)
+    print_row("contact's amplitude",
+              fmt::format("{}, {}° from the vibrator's phase",
+                          rounded(result.mount->amplitude, "m", digits),
+                          rounded(result.mount->mount_phase * 180 / pi, "", digits)));
   print_row("full friction", full_friction_words(result.critical, digits));
   print_row("contact closed", closed_range(effect, digits));
   print_row("rounding error", error_words(effect, digits));

@@ -91,6 +91,7 @@ struct SimulationAnswer {
   Masses masses = {};
   std::optional<UnderLoad> load = {};
   std::optional<RealisedFriction> realisation = {};
+  std::optional<BelowMount> mount = {};
 
   friend void fields(record::Fields& f, const SimulationAnswer& it) {
     const SteadyState& steady = it.steady;
@@ -99,6 +100,7 @@ struct SimulationAnswer {
     f("regime", steady.regime)("method", it.method)("periods", steady.periods);
     f("events", steady.events).some("energy", it.energy).some("separation", it.separation);
     if (it.load) fields(f, *it.load);
+    if (it.mount) fields(f, *it.mount);
     f.some("indenter", it.indenter).some("masses", it.masses);
     f.some("realisation", it.realisation).some("warnings", it.warnings);
   }
@@ -195,6 +197,7 @@ SimulationAnswer answer_of(const SimulateOptions& options, const Problem& proble
   SimulationAnswer answer{speed, options.method.steady_state(system, speed.velocity),
                           options.method.name(), problem->source->warnings};
   answer.load = under_load(problem);
+  answer.mount = below_mount(problem);
   if (!options.method.is_exact()) return answer;
   if (problem->receptance() != nullptr) add_realisation(problem, speed.velocity, answer);
   answer.energy = simulation::energy_balance(system, speed.velocity);

@@ -11,6 +11,7 @@
 #include "base/errors.hpp"
 #include "critical/admissibility.hpp"
 #include "indenter/friction.hpp"
+#include "normal/mount.hpp"
 #include "record/fields.hpp"
 #include "rules/rulebook.hpp"
 #include "simulation/steady/normal_force.hpp"
@@ -74,7 +75,9 @@ std::optional<double> mean_normal_force(const Problem& problem, const Effect& ef
 void operating_point_of(const Problem& problem, Effect& effect) {
   effect.frequency = problem.value(problem->angular_frequency) / two_pi;
   effect.amplitude = problem.value(problem->amplitude);
-  if (const auto pressed = under_load(problem)) {
+  if (problem->mount) effect.contact_amplitude = contact_amplitude(problem);
+  if (problem->load) {
+    const auto pressed = under_load(problem);
     effect.under_load = true;
     effect.indentation = pressed->indentation;
     effect.sinking_velocity = pressed->sinking_velocity;
@@ -196,6 +199,7 @@ Effect effect_of(const Problem& problem) {
 
 void fields(record::Fields& f, const Effect& effect) {
   f("kind", effect.kind)("frequency", effect.frequency)("amplitude", effect.amplitude);
+  f.some("contact_amplitude", effect.contact_amplitude);
   f.some("indentation", effect.indentation).some("sinking_velocity", effect.sinking_velocity);
   f("friction_coefficient", effect.friction_coefficient);
   f.some("mean_normal_force", effect.mean_normal_force);

@@ -72,6 +72,13 @@ std::string at_all_speeds(const Effect& effect, int digits) {
       resonance ? "undamped resonance; any damping makes v* finite" : effect.why_infinite);
 }
 
+std::string amplitude_words(const Effect& effect, int digits) {
+  const std::string given = rounded(effect.amplitude, "m", digits) + " amplitude";
+  if (!effect.contact_amplitude) return given;
+  return fmt::format("{} of the vibrator ({} at the contact)", given,
+                     rounded(*effect.contact_amplitude, "m", digits));
+}
+
 std::string pressed_words(const Effect& effect, int digits) {
   std::string text = fmt::format("{} load", rounded(*effect.mean_normal_force, "N", digits));
   if (effect.sinking_velocity)
@@ -100,11 +107,11 @@ std::string sentence(const Effect& effect, int digits) {
 
 std::string conditions(const Effect& effect, int digits) {
   if (effect.under_load)
-    return fmt::format("{}, {} amplitude, {}.", rounded(effect.frequency, "Hz", digits),
-                       rounded(effect.amplitude, "m", digits), pressed_words(effect, digits));
-  std::string text = fmt::format(
-      "{}, {} amplitude, {} indentation", rounded(effect.frequency, "Hz", digits),
-      rounded(effect.amplitude, "m", digits), rounded(*effect.indentation, "m", digits));
+    return fmt::format("{}, {}, {}.", rounded(effect.frequency, "Hz", digits),
+                       amplitude_words(effect, digits), pressed_words(effect, digits));
+  std::string text =
+      fmt::format("{}, {}, {} indentation", rounded(effect.frequency, "Hz", digits),
+                  amplitude_words(effect, digits), rounded(*effect.indentation, "m", digits));
   if (effect.mean_normal_force)
     text += fmt::format(" ({} mean normal force)", rounded(*effect.mean_normal_force, "N", digits));
   return text + ".";

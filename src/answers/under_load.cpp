@@ -1,6 +1,7 @@
 #include "answers/under_load.hpp"
 
 #include "normal/mean_indentation.hpp"
+#include "normal/mount.hpp"
 #include "normal/pressed_cells.hpp"
 #include "record/fields.hpp"
 #include "rules/rulebook.hpp"
@@ -14,10 +15,24 @@ void fields(record::Fields& f, const UnderLoad& it) {
   f.some("sinking_velocity", it.sinking_velocity);
 }
 
+void fields(record::Fields& f, const BelowMount& it) {
+  f("amplitude", it.amplitude)("mount_phase", it.mount_phase);
+}
+
+std::optional<BelowMount> below_mount(const Problem& problem) {
+  if (!problem->mount) return std::nullopt;
+  return BelowMount{contact_amplitude(problem), mount_phase(problem)};
+}
+
 // W/eta_n: the damper through which all of the load goes.
 std::optional<UnderLoad> under_load(const Problem& problem) {
-  if (!problem->load) return std::nullopt;
+  if (!problem->load && !problem->mount) return std::nullopt;
   UnderLoad found;
+  if (!problem->load) {
+    found.indentation = problem.value(problem->indentation);
+    found.mean_normal_force = static_cast<double>(rules::Facts(problem).mean_force());
+    return found;
+  }
   found.mean_normal_force = problem.value(*problem->load);
   const AtRest normal = at_rest(problem->normal.reduction(), problem.values());
   if (normal.fluidity() > 0) {

@@ -1,4 +1,5 @@
-// How a load presses the contact: what a scene with [load] does not say and its answers do.
+// How a load presses the contact, and how a mount moves it: what a scene does not say and its
+// answers do.
 #pragma once
 
 #include <optional>
@@ -22,8 +23,22 @@ struct UnderLoad {
   friend void fields(record::Fields& f, const UnderLoad& it);
 };
 
-/// Nothing of a scene whose indentation is given. Throws InputError for missing values.
+/// Nothing of a scene whose indentation is given, but for one with a mount. Throws InputError for
+/// missing values.
 std::optional<UnderLoad> under_load(const Problem& problem);
+
+/// How the contact oscillates below a mount.
+struct BelowMount {
+  double amplitude = 0;  ///< du_z, m
+  double mount_phase =
+      0;  ///< rad, of the contact's height against the vibrator's, below 0 behind it
+
+  /// Its keys stand among those of an answer.
+  friend void fields(record::Fields& f, const BelowMount& it);
+};
+
+/// Nothing of a scene without a mount. Throws InputError for missing values.
+std::optional<BelowMount> below_mount(const Problem& problem);
 
 /// <F_n>, N, of any scene: what `vcrit sweep` asks for. Throws ModelError where it is not found,
 /// InputError for missing values.

@@ -30,8 +30,8 @@ class CriticalVelocities {
   /// several threads at once. Relative error in doubles: at most 1280 u an element of the scene's
   /// networks (u = 2^-53), a few u in practice. Where cancellation would cost more, or numbers
   /// leave 1e-20 to 1e20 in SI, the answer is the correctly rounded one, at its price of
-  /// microseconds, as it is for measured drives and drives that hold masses. Throws InputError for
-  /// values that the scene may not have and for columns of other lengths.
+  /// microseconds, as it is for measured drives, drives that hold masses, and mounts. Throws
+  /// InputError for values that the scene may not have and for columns of other lengths.
   void operator()(std::span<const std::span<const double>> columns, std::span<double> out) const;
 
  private:

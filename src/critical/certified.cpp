@@ -52,8 +52,10 @@ class Evaluation {
   // of integers after scaling; every operation on doubles adds at most their whole range.
   slong most_precision() const {
     const auto* tangential = std::get_if<ReducedNetwork>(&problem_->tangential);
-    const std::size_t contact = problem_->normal.reduction().steps.size() +
-                                (tangential != nullptr ? tangential->reduction().steps.size() : 0);
+    const std::size_t contact =
+        problem_->normal.reduction().steps.size() +
+        (tangential != nullptr ? tangential->reduction().steps.size() : 0) +
+        (problem_->mount ? problem_->mount->reduction().steps.size() + 2 : 0);
     return precision_for(contact + operations_ + (drive_ ? drive_->steps() : 0));
   }
 
@@ -84,6 +86,13 @@ class Evaluation {
     Ball tangential(const ReducedNetwork& own) const { return evaluate(own.reduction(), balls); }
     Ball scaled(const Ball& ratio, const Ball& normal) const {
       return balls.multiply(ratio, normal);
+    }
+    void times_mount(Quotient& q, const Ball& normal, const ReducedNetwork& network) const {
+      const Ball mount = evaluate(network.reduction(), balls);
+      Ball whole = balls.add(mount, normal);
+      if (of.problem_->mount_mass)
+        whole = balls.subtract(whole, balls.inertia(of.problem_->mount_mass->symbol));
+      q.prefactor = balls.multiply(q.prefactor, balls.modulus(balls.divide(mount, whole)));
     }
     void divide(Quotient& q, const Ball& ratio) const {
       q.prefactor = balls.divide(q.prefactor, ratio);
@@ -234,6 +243,11 @@ CertifiedVelocity certified_critical_velocity(const Problem& problem) {
   const slong most = evaluation.most_precision();
   for (slong precision = 128;; precision = std::min(2 * precision, most)) {
     const Quotient q = evaluation.at(precision);
+    if (acb_is_finite(q.prefactor.get()) == 0) {
+      if (precision < most) continue;
+      return {infinity, 0,
+              "resonance: K_m + K_n = m_n omega^2, so that the contact's amplitude is infinite"};
+    }
     if (may_be_zero(q.denominator) && evaluation.resonant()) return at_resonance(problem, q);
     const Arithmetic balls{precision};
     const Ball quotient = balls.divide(balls.modulus(q.numerator), balls.modulus(q.denominator));

@@ -28,6 +28,13 @@ struct InConditions {
   ComplexDouble normal() const { return stiffness(problem->normal); }
   ComplexDouble tangential(const ReducedNetwork& own) const { return stiffness(own); }
   static ComplexDouble scaled(double ratio, ComplexDouble normal) { return ratio * normal; }
+  void times_mount(double& condition, ComplexDouble normal, const ReducedNetwork& network) const {
+    const ComplexDouble mount = stiffness(network);
+    const double inertia =
+        problem->mount_mass ? values.at(problem->mount_mass->symbol) * omega * omega : 0;
+    condition += root + (root * (std::abs(normal) + std::abs(mount)) + 3 * inertia) /
+                            std::abs(normal + mount - inertia);
+  }
   // No more than two networks, of which it is the quotient.
   static void divide(double& condition, double) { condition += 2 * root; }
   static void times_quotient(double& condition, ComplexDouble, ComplexDouble) {

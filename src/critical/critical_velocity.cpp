@@ -41,6 +41,12 @@ struct InDoubles {
     return dynamic_stiffness(own.reduction(), values, omega);
   }
   static ComplexDouble scaled(double ratio, ComplexDouble normal) { return ratio * normal; }
+  void times_mount(double& v, ComplexDouble normal, const ReducedNetwork& network) const {
+    const ComplexDouble mount = dynamic_stiffness(network.reduction(), values, omega);
+    const double mass = problem->mount_mass ? values.at(problem->mount_mass->symbol) : 0;
+    const double whole = minus_inertia(mount.real(), normal.real(), mass, omega);
+    v *= std::abs(mount) / std::hypot(whole, mount.imag() + normal.imag());
+  }
   static void divide(double& v, double ratio) { v /= ratio; }
   static void times_quotient(double& v, ComplexDouble normal, ComplexDouble tangential) {
     v *= std::abs(normal) / std::abs(tangential);

@@ -97,6 +97,12 @@ struct LogChanges {
   Dual normal() const { return evaluate(problem->normal.reduction(), duals); }
   Dual tangential(const ReducedNetwork& own) const { return evaluate(own.reduction(), duals); }
   static Dual scaled(const Dual& ratio, const Dual& normal) { return ratio * normal; }
+  void times_mount(double& change, const Dual& normal, const ReducedNetwork& network) const {
+    const Dual mount = evaluate(network.reduction(), duals);
+    Dual whole = mount + normal;
+    if (problem->mount_mass) whole = whole + duals.inertia(problem->mount_mass->symbol);
+    change += mount.log_change() - whole.log_change();
+  }
   static void divide(double& change, const Dual& ratio) { change -= ratio.log_change(); }
   static void times_quotient(double& change, const Dual& normal, const Dual& tangential) {
     change += normal.log_change() - tangential.log_change();

@@ -98,6 +98,9 @@ struct InColumns {
   Pair scaled(Column ratio, Pair normal) const {
     return {recorder.multiply(normal.storage, ratio), recorder.multiply(normal.loss, ratio)};
   }
+  static void times_mount(Column&, const Pair&, const ReducedNetwork&) {
+    throw Bug("a mount has no columns");
+  }
   void divide(Column& v, Column ratio) const {
     v = recorder.single(Operation::Kind::divide, {v, ratio});
   }
@@ -120,7 +123,8 @@ struct InColumns {
 }  // namespace
 
 std::optional<Operations> operations_of(const Problem& problem) {
-  if (problem->receptance() != nullptr || problem->has_masses() || !problem->expressions.empty())
+  if (problem->receptance() != nullptr || problem->has_masses() || problem->mount ||
+      !problem->expressions.empty())
     return std::nullopt;
   Recorder recorder(problem->angular_frequency.symbol);
   recorder.written().result = eq24(problem, InColumns{problem, recorder});

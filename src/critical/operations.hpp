@@ -44,7 +44,8 @@ struct Operations {
   bool exact_contact = false, exact_drive = false;  ///< K_t, K_d are single springs
 };
 
-/// Nothing for a measured drive and one that holds masses: no kernel is accurate enough there.
+/// Nothing for a measured drive and one that holds masses: no kernel is accurate enough there. Nor
+/// for a mount.
 std::optional<Operations> operations_of(const Problem& problem);
 
 }  // namespace vcrit

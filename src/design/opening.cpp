@@ -9,6 +9,7 @@
 #include "answers/critical_onset.hpp"
 #include "base/constants.hpp"
 #include "normal/mean_indentation.hpp"
+#include "normal/mount.hpp"
 #include "rules/rulebook.hpp"
 
 namespace vcrit::design {
@@ -44,7 +45,8 @@ NormalContact::NormalContact(const Problem& problem) : problem_(complete(problem
 }
 
 double NormalContact::largest_amplitude(double omega) const {
-  return mean_force_ / std::abs(dynamic_stiffness(normal_, omega));
+  return mean_force_ /
+         (std::abs(dynamic_stiffness(normal_, omega)) * mount_factor(problem_, omega));
 }
 
 std::optional<double> NormalContact::largest_angular_frequency(double amplitude) const {
@@ -67,7 +69,7 @@ std::optional<double> NormalContact::largest_angular_frequency(double amplitude)
 }
 
 double NormalContact::least_force(double amplitude, double omega) const {
-  return amplitude * std::abs(dynamic_stiffness(normal_, omega));
+  return amplitude * std::abs(dynamic_stiffness(normal_, omega)) * mount_factor(problem_, omega);
 }
 
 double NormalContact::oscillating_part(double amplitude, double omega) const {

@@ -8,6 +8,7 @@
 #include "answers/critical_onset.hpp"
 #include "base/constants.hpp"
 #include "critical/admissibility.hpp"
+#include "normal/mount.hpp"
 #include "problem/variants.hpp"
 #include "stiffness/dynamic_stiffness.hpp"
 
@@ -123,8 +124,8 @@ double usual_speed(const Problem& problem) {
   const double mass = problem->mass ? values.at(problem->mass->symbol) : 0;
   if (const ReducedNetwork* drive = problem->drive_network())
     compliance += 1 / (size(*drive) + mass * omega * omega);
-  const double force = values.at(problem->coefficient.symbol) *
-                       values.at(problem->amplitude.symbol) * size(problem->normal);
+  const double force =
+      values.at(problem->coefficient.symbol) * contact_amplitude(problem) * size(problem->normal);
   return force * omega * compliance;
 }
 

@@ -146,7 +146,7 @@ class Solving {
     const NormalContact contact =
         question_.sought == Sought::force ? NormalContact(problem) : contact_;
     result.largest_amplitude = contact.largest_amplitude(omega);
-    if (!opens(problem))
+    if (!opens(problem) && rules::answer(rules::Question::closed_range, problem))
       if (const auto most = contact.largest_angular_frequency(*problem->amplitude.value))
         result.largest_frequency = *most / two_pi;
     result.from = range_.from;

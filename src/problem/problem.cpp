@@ -15,6 +15,11 @@ namespace vcrit {
 
 namespace {
 
+// What moves with the contact along the normal may be the body, which also moves along the surface.
+bool shares_mass(const Givens& parts) {
+  return parts.mass && parts.mount_mass && parts.mass->symbol == parts.mount_mass->symbol;
+}
+
 template <class Result, class AnyParts>
 std::vector<Result*> quantities_of(AnyParts& parts) {
   std::vector<Result*> all;
@@ -24,6 +29,7 @@ std::vector<Result*> quantities_of(AnyParts& parts) {
   all.insert(all.end(), {&parts.coefficient, &parts.angular_frequency, &parts.amplitude,
                          parts.load ? &*parts.load : &parts.indentation});
   if (parts.mass) all.push_back(&*parts.mass);
+  if (parts.mount_mass && !shares_mass(parts)) all.push_back(&*parts.mount_mass);
   if (parts.indenter)
     for (Result& size : parts.indenter->sizes) all.push_back(&size);
   return all;
@@ -46,7 +52,9 @@ const Range& range_of(const Resolved& parts, const Quantity& quantity) {
   const auto is = [&quantity](const std::optional<Quantity>& part) {
     return part && &quantity == &*part;
   };
-  if (&quantity == &parts.angular_frequency || is(parts.mass) || is(parts.load)) return positive;
+  if (&quantity == &parts.angular_frequency || is(parts.mass) || is(parts.mount_mass) ||
+      is(parts.load))
+    return positive;
   const auto* isotropic = std::get_if<Isotropic>(&parts.tangential);
   if (isotropic != nullptr && &quantity == &isotropic->quantity)
     return isotropic->by == Isotropic::By::poisson ? poisson_range : positive;
@@ -73,6 +81,7 @@ std::vector<Amount> expressions_of(const Scene& scene) {
   for_each_element(scene.normal, add);
   if (const auto* own = std::get_if<Network>(&scene.tangential)) for_each_element(*own, add);
   if (scene.drive) for_each_element(*scene.drive, add);
+  if (scene.mount) for_each_element(*scene.mount, add);
   return all;
 }
 
@@ -83,7 +92,8 @@ Resolved parts_of(const Scene& scene) {
           drive_of(scene),
           std::make_shared<const std::map<Symbol, TypedNumber>>(scene.typed),
           std::make_shared<const Source>(scene),
-          expressions_of(scene)};
+          expressions_of(scene),
+          scene.mount ? std::optional(ReducedNetwork(*scene.mount)) : std::nullopt};
 }
 
 }  // namespace
@@ -162,6 +172,7 @@ Problem Problem::with(const Values& values) const {
   for (auto& [symbol, value] : changed.elements) put(symbol, value);
   for (Quantity* quantity : quantities_of<Quantity>(changed))
     put(quantity->symbol, quantity->value);
+  if (shares_mass(changed)) changed.mount_mass->value = changed.mass->value;
   if (const auto frequency = values.find(frequency_symbol); frequency != values.end()) {
     changed.angular_frequency.value = two_pi * frequency->second;
     auto typed = std::make_shared<std::map<Symbol, TypedNumber>>(*changed.typed);
@@ -198,6 +209,7 @@ void for_each_element(const Problem& problem, const std::function<void(const Ele
   if (const auto* tangential = std::get_if<ReducedNetwork>(&problem->tangential))
     for_each_element(tangential->network(), visit);
   if (const auto* drive = problem->drive_network()) for_each_element(drive->network(), visit);
+  if (problem->mount) for_each_element(problem->mount->network(), visit);
 }
 
 std::optional<std::string> beyond_fitted_range(const Problem& problem, double from, double to) {
@@ -268,6 +280,8 @@ Problem over_spring(const Problem& problem, ReducedNetwork normal, const Symbol&
   variant.parts.drive = Rigid{};
   variant.parts.mass.reset();
   variant.parts.indenter.reset();
+  variant.parts.mount.reset();
+  variant.parts.mount_mass.reset();
   variant.parts.separation = false;
   return variant.made();
 }

@@ -34,6 +34,8 @@ struct Resolved : Givens {
   std::shared_ptr<const std::map<Symbol, TypedNumber>> typed;  ///< as of a scene
   std::shared_ptr<const Source> source;
   std::vector<Amount> expressions = {};  ///< numbers of elements that are made of others
+  /// K_m between vibrator and body along the normal; without it the vibrator is the body.
+  std::optional<ReducedNetwork> mount = {};
 
   bool rigid() const { return std::holds_alternative<Rigid>(drive); }
   bool has_masses() const { return drive_network() != nullptr && drive_network()->has_masses(); }
@@ -97,8 +99,8 @@ const Quantity& pressing(const Problem& problem);
 /// them.
 std::vector<Quantity> quantities(const Problem& problem);
 
-/// Calls `visit` for every element of its networks: normal, tangential, drive, in the order of
-/// writing.
+/// Calls `visit` for every element of its networks: normal, tangential, drive, mount, in the order
+/// of writing.
 void for_each_element(const Problem& problem, const std::function<void(const Element&)>& visit);
 
 /// What to warn of where a problem is evaluated at angular frequencies `from` to `to` (rad/s):

@@ -82,6 +82,22 @@ constexpr Cell sinks_opening = refused(
     "load it sinks for ever, so that no mean depth can be given",
     "take an amplitude below {closed}, or a normal network with a spring across it");
 
+// Height and force of a contact that opens below a mount.
+constexpr Cell mounted = refused(
+    "a contact that may open (separation = true) below a mount: it would be that of mount and "
+    "contact in series, which this program does not have",
+    "without separation the contact stays closed");
+constexpr Cell reacting = refused(
+    "a contact that may open (separation = true) below a mount with mass: height and force react "
+    "on "
+    "each other, so that the steady motion need not be one",
+    "without separation the contact stays closed");
+constexpr Cell mounted_then =
+    left_out("the contact may open below a mount, and v* of that motion is not known");
+constexpr Cell mounted_frequency = refused(
+    "below a mount the contact's amplitude depends on the frequency: there is no largest frequency "
+    "up to which it stays closed");
+
 constexpr Cell sinks_as_it_opens =
     left_out("under its load the contact sinks for ever, and opens in each cycle");
 
@@ -108,7 +124,7 @@ struct Row {
 //   measured, masses, lossy | indenter, none | separating, without memory, with memory
 //   no load, below indenter, no friction, no indentation, tapping, never closing
 //   (3), deep | (4), below indenter | opening with memory, open where steepest
-//   sinking, and opening | measured and separating
+//   sinking, and opening, measured and separating | mount, separating, with mass
 constexpr Cell y = yes;
 // clang-format off
 constexpr std::array<Row, questions> table{{
@@ -116,96 +132,115 @@ constexpr std::array<Row, questions> table{{
      {y, y, y, y, y, y, y, y,
       no_load, no_load, y, no_indentation, y, never_closes,
       too_large, y, opens_closed, opens_all_over, y, y,
-      y, sinks_opening, y}},
+      y, sinks_opening, y,
+      y, mounted, reacting}},
     {Question::formula,
      {y, y, y, y, y, y, y, y,
       y, y, y, y, y, y,
       y, y, y, y, memory, open_then,
-      y, sinks_as_it_opens, y}},
+      y, sinks_as_it_opens, y,
+      y, mounted_then, mounted_then}},
     {Question::closed_form,
      {y, y, y, y, y, y, y, memory,
       y, y, y, y, y, y,
       y, y, y, y, y, y,
-      y, y, y}},
+      y, y, y,
+      y, mounted_then, mounted_then}},
     {Question::formula_of_all_values,
      {y, y, y, y, y, y, no_symbols, no_symbols,
       y, y, y, y, y, y,
       y, y, y, y, y, y,
-      y, y, y}},
+      y, y, y,
+      y, no_symbols, no_symbols}},
     {Question::evaluator,
      {y, y, y, y, y, y, without_memory_code, memory_code,
       y, y, y, y, y, y,
       y, y, y, y, y, y,
-      y, y, y}},
+      y, y, y,
+      y, mounted, reacting}},
     {Question::rational_form,
      {measured_polynomial, y, lossy_law, y, y, y, y, y,
       y, y, y, y, y, y,
       y, y, y, y, y, y,
+      y, y, y,
       y, y, y}},
     {Question::all_frequencies,
      {table_alone, y, one_frequency, y, y, y, y, y,
       y, y, y, y, y, y,
       y, y, y, y, y, y,
+      y, y, y,
       y, y, y}},
     {Question::motion,
      {y, y, lossy_motion, each_place, y, y, y, y,
       no_load, y, no_friction, y, y, never_closes,
       too_large, y, opens_moving, y, y, y,
-      y, sinks_opening, measured_opening}},
+      y, sinks_opening, measured_opening,
+      y, mounted, reacting}},
     {Question::motion_below_indenter,
      {y, y, lossy_law, y, no_cells, y, y, y,
       y, no_modulus, no_friction, y, y, never_closes,
       too_large, y, y, opens_at_tip, y, y,
+      y, y, y,
       y, y, y}},
     {Question::normal_motion,
      {y, y, lossy_motion, y, y, y, y, y,
       no_load, no_modulus, y, y, y, y,
       y, y, y, y, y, y,
-      y, sinks_opening, y}},
+      y, sinks_opening, y,
+      y, mounted, reacting}},
     {Question::motion_in_time,
      {y, y, lossy_motion, y, y, y, y, y,
       y, y, y, y, y, y,
       y, y, y, y, y, y,
-      y, y, measured_opening}},
+      y, y, measured_opening,
+      y, mounted, reacting}},
     {Question::comparison,
      {measured_comparison, y, lossy_motion, y, y, y, y, y,
       no_load, no_modulus, no_friction, y, y, never_closes,
       y, y, y, y, no_comparison, no_comparison,
-      y, sinks_opening, y}},
+      y, sinks_opening, y,
+      y, mounted, reacting}},
     {Question::other_methods,
      {y, y, y, no_methods, y, y, y, y,
       y, y, y, y, y, y,
       y, y, y, y, y, y,
+      y, y, y,
       y, y, y}},
     {Question::report_simulation,
      {a_network, y, not_causal, y, y, y, y, y,
       y, y, y, y, y, y,
       y, y, y, y, y, y,
-      y, y, y}},
+      y, y, y,
+      y, closed_alone, closed_alone}},
     {Question::report_explorer,
      {y, y, y, each_place, y, y, y, y,
       y, y, y, y, y, y,
       y, y, y, y, y, y,
-      y, y, y}},
+      y, y, y,
+      y, closed_alone, closed_alone}},
     {Question::report_stability,
      {networks_alone, networks_alone, not_causal, one_contact, y, closed_alone, y, y,
       inadmissible, inadmissible, y, inadmissible, y, inadmissible,
       inadmissible, y, inadmissible, inadmissible, y, y,
-      y, inadmissible, y}},
+      y, inadmissible, y,
+      y, inadmissible, inadmissible}},
     {Question::mean_load,
      {y, y, y, y, y, y, y, y,
       no_load, no_load, y, no_indentation, y, y,
       y, y, y, y, y, y,
+      y, y, y,
       y, y, y}},
     {Question::closed_range,
      {y, y, y, y, y, y, y, y,
       y, y, y, y, never_closed, never_closed,
       too_large_anywhere, too_large_anywhere, y, y, y, y,
-      y, y, y}},
+      y, y, y,
+      mounted_frequency, y, y}},
     {Question::closed_amplitude,
      {y, y, y, y, y, y, y, y,
       y, y, y, y, never_closed, never_closed,
       y, y, y, y, y, y,
+      y, y, y,
       y, y, y}},
 }};
 // clang-format on

@@ -6,6 +6,7 @@
 #include "network/law.hpp"
 #include "network/masses.hpp"
 #include "normal/mean_indentation.hpp"
+#include "normal/mount.hpp"
 #include "normal/normal_force.hpp"
 #include "rules/rulebook.hpp"
 #include "stiffness/at_rest.hpp"
@@ -97,6 +98,12 @@ const char* name_of(SceneKind kind) {
       return "sinking_opening";
     case SceneKind::measured_and_separating:
       return "measured_and_separating";
+    case SceneKind::mount:
+      return "mount";
+    case SceneKind::separating_mount:
+      return "separating_mount";
+    case SceneKind::separating_with_mass:
+      return "separating_with_mass";
   }
   throw Bug("a kind of scene without a name");
 }
@@ -117,10 +124,11 @@ bool Facts::is(SceneKind kind) const {
     case SceneKind::separating:
       return separating;
     case SceneKind::separating_without_memory:
-      return separating &&
+      return separating && !problem_->mount &&
              (elastic(problem_) ? problem_->load.has_value() : follows_without_memory(problem_));
     case SceneKind::separating_with_memory:
-      return separating && !elastic(problem_) && !follows_without_memory(problem_);
+      return separating && !problem_->mount && !elastic(problem_) &&
+             !follows_without_memory(problem_);
     case SceneKind::no_static_load:
       return !problem_->indenter && !problem_->load && static_stiffness() == 0;
     case SceneKind::no_static_load_below_indenter:
@@ -130,13 +138,13 @@ bool Facts::is(SceneKind kind) const {
     case SceneKind::no_indentation:
       return !separating && static_stiffness() > 0 && !(mean_force() > 0);
     case SceneKind::tapping:
-      return separating && !(indentation() > 0) && value(problem_->amplitude) > 0;
+      return separating && !(indentation() > 0) && contact_amplitude(problem_) > 0;
     case SceneKind::never_closing:
-      return !(indentation() + value(problem_->amplitude) > 0);
+      return !(indentation() + contact_amplitude(problem_) > 0);
     case SceneKind::amplitude_too_large:
-      return !separating && !(value(problem_->amplitude) < indentation());
+      return !separating && !(contact_amplitude(problem_) < indentation());
     case SceneKind::deep_amplitude:
-      return separating && !(value(problem_->amplitude) < indentation());
+      return separating && !(contact_amplitude(problem_) < indentation());
     case SceneKind::opening:
       return !separating && !problem_->indenter && mean_force() > 0 &&
              !(oscillating_force() < mean_force());
@@ -154,6 +162,12 @@ bool Facts::is(SceneKind kind) const {
       return sinks() && separating && opens();
     case SceneKind::measured_and_separating:
       return separating && problem_->receptance() != nullptr;
+    case SceneKind::mount:
+      return problem_->mount.has_value();
+    case SceneKind::separating_mount:
+      return separating && problem_->mount && !problem_->mount_mass;
+    case SceneKind::separating_with_mass:
+      return separating && problem_->mount && problem_->mount_mass;
   }
   throw Bug("a kind of scene without a rule");
 }
@@ -169,7 +183,7 @@ bool Facts::open_where_steepest() const {
     return false;
   const simulation::NormalMotion motion{
       relaxation_form(problem_->normal.network(), problem_.values()),
-      simulation::mean_indentation(problem_), value(problem_->amplitude)};
+      simulation::mean_indentation(problem_), contact_amplitude(problem_)};
   return !simulation::touches_at(motion, value(problem_->angular_frequency), steepest_phase);
 }
 
@@ -195,7 +209,7 @@ long double Facts::oscillating_force() const {
   if (!oscillating_)
     oscillating_ = std::abs(wide_dynamic_stiffness(problem_->normal.reduction(), problem_.values(),
                                                    value(problem_->angular_frequency))) *
-                   value(problem_->amplitude);
+                   contact_amplitude(problem_);
   return *oscillating_;
 }
 

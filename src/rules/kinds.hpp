@@ -1,5 +1,5 @@
 // Of what kinds a scene is, as far as that decides which questions have an answer; it may be of
-// several at once. All but the last eight are seen without any value.
+// several at once. Those from no_static_load to sinking_opening are seen by their values.
 #pragma once
 
 #include <optional>
@@ -33,8 +33,11 @@ enum class SceneKind {
   sinking,                        ///< K_n(0) = 0 under a load: sinks, as deep as time goes on
   sinking_opening,                ///< the same of a contact that opens
   measured_and_separating,        ///< below a measured drive, a contact that may open
+  mount,                          ///< the vibrator presses through a network that gives
+  separating_mount,               ///< the contact may open, below a mount without mass
+  separating_with_mass,           ///< the same, and a mass moves with the contact
 };
-inline constexpr std::size_t kinds = static_cast<std::size_t>(SceneKind::measured_and_separating) + 1;
+inline constexpr std::size_t kinds = static_cast<std::size_t>(SceneKind::separating_with_mass) + 1;
 
 /// "measured_drive": a name that stays the same, for programs.
 const char* name_of(SceneKind kind);

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/errors.hpp"
+#include "normal/mount.hpp"
 #include "rules/cells.hpp"
 
 namespace vcrit::rules {
@@ -36,7 +37,9 @@ double closed_below(const Facts& facts) {
   const long double oscillating = facts.oscillating_force();
   if (!(oscillating > 0)) return indentation;
   const long double amplitude = facts.value(problem->amplitude);
-  return std::min(indentation, static_cast<double>(amplitude / oscillating * facts.mean_force()));
+  const auto by_force = static_cast<double>(amplitude / oscillating * facts.mean_force());
+  if (problem->mount) return by_force;  // |K_n| is nowhere below K_n(0)
+  return std::min(indentation, by_force);
 }
 
 /// What makes the mean force of a closed contact.
@@ -50,14 +53,15 @@ std::string filled(const std::string& pattern, const Facts& facts) {
   const Problem& problem = facts.problem();
   const auto oscillating = static_cast<double>(facts.oscillating_force()),
              mean = static_cast<double>(facts.mean_force());
-  return fmt::format(fmt::runtime(pattern), fmt::arg("du_z", name_in(problem, problem->amplitude)),
-                     fmt::arg("u_z0", name_in(problem, problem->indentation)),
-                     fmt::arg("mu0", name_in(problem, problem->coefficient)),
-                     fmt::arg("amplitude", facts.value(problem->amplitude)),
-                     fmt::arg("indentation", facts.indentation()),
-                     fmt::arg("load", load_words(problem)), fmt::arg("oscillating", oscillating),
-                     fmt::arg("mean", mean), fmt::arg("closed", rounded_down(closed_below(facts))),
-                     fmt::arg("share", oscillating / mean));
+  return fmt::format(
+      fmt::runtime(pattern),
+      fmt::arg("du_z", problem->mount ? "du_z" : name_in(problem, problem->amplitude)),
+      fmt::arg("u_z0", name_in(problem, problem->indentation)),
+      fmt::arg("mu0", name_in(problem, problem->coefficient)),
+      fmt::arg("amplitude", contact_amplitude(problem)),
+      fmt::arg("indentation", facts.indentation()), fmt::arg("load", load_words(problem)),
+      fmt::arg("oscillating", oscillating), fmt::arg("mean", mean),
+      fmt::arg("closed", rounded_down(closed_below(facts))), fmt::arg("share", oscillating / mean));
 }
 
 // Each that is not yes, by the order of kinds.

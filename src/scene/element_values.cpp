@@ -121,6 +121,7 @@ void ElementValues::rename_elements() {
   rename(scene_.normal, name);
   if (auto* tangential = std::get_if<Network>(&scene_.tangential)) rename(*tangential, name);
   if (scene_.drive) rename(*scene_.drive, name);
+  if (scene_.mount) rename(*scene_.mount, name);
   expressions_->refuse_divisions([this](const Symbol& part) { return is_zero(own(part)); });
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include "network/graph.hpp"
 #include "network/law.hpp"
 #include "network/masses.hpp"
 #include "network/wiring.hpp"
@@ -19,6 +20,7 @@ class Members {
     check_contact_network(scene_.normal, "normal");
     if (const auto* tangential = std::get_if<Network>(&scene_.tangential))
       check_contact_network(*tangential, "tangential");
+    if (scene_.mount) check_mount();
     check_drive();
     if (scene_.indenter) check_indenter();
   }
@@ -45,6 +47,13 @@ class Members {
     if (has_masses(network))
       refuse(fmt::format("a mass in the {} network", role),
              "springs and dampers: only a drive may hold masses");
+  }
+
+  void check_mount() const {
+    check_contact_network(*scene_.mount, "mount");
+    if (!springs_alone(*scene_.mount))
+      refuse("a mount without springs through it", "K_m(0) above 0, for the mean normal force");
+    if (scene_.indenter) refuse("a mount above an indenter", "one of the two");
   }
 
   void check_drive() const {

@@ -74,22 +74,29 @@ std::string own_name_of(const std::string& name, const std::set<std::string>& ot
 
 Quantity Quantities::read(const document::Section& section, const char* key,
                           const std::string& symbol, Dimension dimension, const Range& range) {
+  return read(section, key, symbol, dimension, range, {});
+}
+
+Quantity Quantities::read(const document::Section& section, const char* key,
+                          const std::string& symbol, Dimension dimension, const Range& range,
+                          const Called& called) {
   Quantity quantity{{symbol}, std::nullopt};
-  complaints_.attempt([&] { read_value(quantity, section, key, dimension, range); });
+  complaints_.attempt([&] { read_value(quantity, section, key, dimension, range, called); });
   return quantity;
 }
 
 void Quantities::read_value(Quantity& quantity, const document::Section& section, const char* key,
-                            Dimension dimension, const Range& range) {
+                            Dimension dimension, const Range& range, const Called& called) {
   const Symbol& symbol = quantity.symbol;
   const toml::node* node = section.find(key);
   const auto given = node == nullptr ? std::nullopt : bare_name(*node);
-  const std::string name = given.value_or(symbol.name);
+  const std::string name = given.value_or(called.name.empty() ? symbol.name : called.name);
+  const std::string setting = called.setting.empty() ? key : called.setting;
   if (given && *given != key) check_symbol_name(*given, "a symbol", section.place(key));
-  read_.push_back({key, symbol.name, name, section.place(key)});
-  if (key != name) refuse_both(key, name);
+  read_.push_back({setting, symbol.name, name, section.place(key)});
+  if (setting != name) refuse_both(setting, name);
   // Where both are one name, a setting of it is one number.
-  for (const std::string& either : std::set<std::string>{key, name})
+  for (const std::string& either : std::set<std::string>{setting, name})
     if (const auto value = settings_.take(either, dimension, symbol)) {
       quantity.value = checked(value->value, range, either, OverridingValues::place(either));
       note(symbol, key, *value, {});

@@ -37,7 +37,8 @@ void check_symbol_name(const std::string& name, const char* what, const Place& p
 struct SymbolOfSection {
   const char *section, *symbol;
 };
-inline constexpr std::array<SymbolOfSection, 2> symbols_of_sections{{{"body", "m"}, {"load", "W"}}};
+inline constexpr std::array<SymbolOfSection, 3> symbols_of_sections{
+    {{"body", "m"}, {"load", "W"}, {"mount", "m_n"}}};
 
 /// What a symbol is called within the program that the scene calls `name`: the same, unless a
 /// quantity is called so here, whatever the scene calls that. `others`: of symbols_of_sections
@@ -55,6 +56,14 @@ class Quantities {
   /// `symbol`, unless a bare name stands for the value. Complains of what is no such value.
   Quantity read(const document::Section& section, const char* key, const std::string& symbol,
                 Dimension dimension, const Range& range);
+
+  /// What a quantity is called where it is not called as is usual.
+  struct Called {
+    std::string setting = {};  ///< by --set, in place of the key
+    std::string name = {};     ///< in place of the symbol, while no bare name stands for the value
+  };
+  Quantity read(const document::Section& section, const char* key, const std::string& symbol,
+                Dimension dimension, const Range& range, const Called& called);
   /// Throws InputError where two of the quantities read would have one name.
   void refuse_equal_names() const;
   /// Those that are not called by their symbol, by it.
@@ -75,7 +84,7 @@ class Quantities {
   };
 
   void read_value(Quantity& quantity, const document::Section& section, const char* key,
-                  Dimension dimension, const Range& range);
+                  Dimension dimension, const Range& range, const Called& called);
   void note(const Symbol& symbol, const char* key, const TypedNumber& number, const Place& place);
 
   OverridingValues settings_;

@@ -76,6 +76,9 @@ struct Givens {
   Quantity coefficient, angular_frequency, amplitude;  ///< mu0, omega, du_z
   Quantity indentation;          ///< u_z0, m; without a value where there is a load
   std::optional<Quantity> load;  ///< W (N), the mean normal force, in place of the indentation
+  /// m_n (kg), what moves with the contact along the normal; may be the body's own symbol. Only
+  /// with a mount.
+  std::optional<Quantity> mount_mass;
   std::vector<std::pair<Symbol, std::optional<double>>>
       elements;  ///< of the networks, in order of writing
   /// The names that a scene gives its symbols, by the names that they have here: "M" of "m" where

@@ -15,6 +15,7 @@
 #include "base/constants.hpp"
 #include "base/files.hpp"
 #include "base/units.hpp"
+#include "network/graph.hpp"
 #include "network/masses.hpp"
 #include "scene/document.hpp"
 #include "scene/element_values.hpp"
@@ -57,9 +58,11 @@ class Reader {
     });
     read_part([&] { read_contact(); });
     read_part([&] { read_drive(); });
+    read_part([&] { read_mount(); });
     read_part([&] { read_indenter(); });
     networks_.read_unused();
     read_part([&] { read_body(); });
+    read_part([&] { read_mount_mass(); });
     read_part([&] { read_oscillation(); });
     read_part([&] { read_load(); });
     read_part([&] { read_friction(); });
@@ -206,6 +209,38 @@ class Reader {
     }
   }
 
+  // Its far end, the vibrator, moves: what is ground to a mass in a drive is none here.
+  void read_mount() {
+    const Section mount = section("mount");
+    if (!mount.exists()) return;
+    Network read = network(mount, "network");
+    if (has_masses(read))
+      throw InputError(mount.place("network"), "a mass in the mount",
+                       "springs and dampers: a mass inside acts against ground, and the vibrator "
+                       "at the mount's far end is none",
+                       "what moves with the contact is mass = ... in [mount]");
+    if (!springs_alone(read))
+      throw InputError(mount.place("network"), "a mount that carries no load at rest: K_m(0) = 0",
+                       "a path of springs through it, for the mean normal force");
+    scene_.mount = std::move(read);
+  }
+
+  // By the body's name it is the body's mass, also under a rigid drive.
+  void read_mount_mass() {
+    const Section mount = section("mount");
+    if (!scene_.mount || mount.find("mass") == nullptr) return;
+    const Section body = section("body");
+    const auto given = bare_name(*mount.find("mass"));
+    if (given && body.find("mass") != nullptr &&
+        *given == bare_name(*body.find("mass")).value_or("m")) {
+      scene_.mount_mass = body_mass_;
+    } else {
+      const Quantity mass = quantities_.read(mount, "mass", "m_n", Dimension::mass, nonnegative,
+                                             {.setting = "mount.mass"});
+      if (mass.value != 0.0) scene_.mount_mass = mass;
+    }
+  }
+
   void read_indenter() {
     const Section indenter = section("indenter");
     if (!indenter.exists()) return;
@@ -223,6 +258,10 @@ class Reader {
       throw InputError(indenter.place(""), "[indenter] with [drive]",
                        "a rigid drive: one that gives would let the parts of the contact move one "
                        "another");
+    if (document_.contains("mount"))
+      throw InputError(indenter.place(""), "[indenter] with [mount]",
+                       "one of the two: the force below an indenter is not harmonic, so that what "
+                       "a mount leaves of the vibration is no amplitude");
     const auto* isotropic = std::get_if<Isotropic>(&scene_.tangential);
     if (isotropic == nullptr || isotropic->by != Isotropic::By::poisson)
       throw InputError(indenter.place(""), "[indenter] without poisson",
@@ -238,9 +277,13 @@ class Reader {
                        "mass = \"5 g\", or no section [body]");
     const Quantity mass = quantities_.read(body, "mass", "m", Dimension::mass, nonnegative);
     if (mass.value == 0.0) return;
+    body_mass_ = mass;
+    const Section mount = section("mount");
+    const auto shared =
+        mount.find("mass") == nullptr ? std::nullopt : bare_name(*mount.find("mass"));
     if (gives())
       scene_.mass = mass;
-    else
+    else if (!shared || *shared != bare_name(*body.find("mass")).value_or("m"))
       warnings_.push_back(
           {body.place("mass"), "under a rigid drive the mass has no effect and is left out"});
   }
@@ -260,8 +303,10 @@ class Reader {
     if (frequency.value && (!omega.value || settings().has("frequency")))
       omega.value = two_pi * *frequency.value;
     scene_.angular_frequency = omega;
+    // That of the vibrator, which is the contact's where nothing gives between them.
     scene_.amplitude =
-        quantities_.read(oscillation, "amplitude", "du_z", Dimension::length, nonnegative);
+        quantities_.read(oscillation, "amplitude", "du_z", Dimension::length, nonnegative,
+                         {.name = document_.contains("mount") ? "U" : ""});
     scene_.indentation = {{"u_z0"}, {}};
     if (!document_.contains("load"))
       scene_.indentation =
@@ -304,6 +349,10 @@ class Reader {
         scene_.tangential = Isotropic{Isotropic::By::ratio, {{"tangential_ratio"}, 1.0}};
     }
     if (scene_.drive) scene_.drive = without_zeros(*scene_.drive, zero, "drive", file_);
+    if (scene_.mount) scene_.mount = without_zeros(*scene_.mount, zero, "mount", file_);
+    if (scene_.mount && !springs_alone(*scene_.mount))
+      throw InputError({file_}, "a mount that carries no load at rest: K_m(0) = 0",
+                       "springs above 0 through it, for the mean normal force");
   }
 
   void collect_elements() {
@@ -317,6 +366,7 @@ class Reader {
     add(scene_.normal);
     if (const auto* tangential = std::get_if<Network>(&scene_.tangential)) add(*tangential);
     if (scene_.drive) add(*scene_.drive);
+    if (scene_.mount) add(*scene_.mount);
   }
 
   OverridingValues& settings() { return quantities_.settings(); }
@@ -330,6 +380,7 @@ class Reader {
   Quantities quantities_;
   ElementValues elements_;
   std::vector<Warning> warnings_;
+  std::optional<Quantity> body_mass_;  // above 0
 };
 
 /// Those of the scene's own file first, by line.

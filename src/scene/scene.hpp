@@ -21,6 +21,7 @@ struct Scene : Source, Givens {
   std::variant<Isotropic, Network>
       tangential;                ///< K_t; equal networks have become Isotropic, ratio 1
   std::optional<Network> drive;  ///< K_d, may hold masses; rigid without this and a receptance
+  std::optional<Network> mount;  ///< K_m, springs and dampers; the vibrator is the body without
   std::optional<Receptance> receptance;  ///< R_d = 1/K_d, measured; never beside a drive network
   /// As numbers were typed, by symbol; "frequency" where that was, in place of omega, with or
   /// without a unit. Read by those who carry them and 2 pi f exactly, where the value beside it is

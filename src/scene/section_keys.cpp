@@ -21,13 +21,14 @@ struct SectionKeys {
 const std::vector<SectionKeys>& sections() {
   static const std::vector<SectionKeys> all{
       {"",
-       {"title", "contact", "indenter", "drive", "body", "oscillation", "load", "friction",
+       {"title", "contact", "indenter", "drive", "body", "mount", "oscillation", "load", "friction",
         "elements", "networks"}},
       {"contact",
        {"normal", "poisson", "tangential_ratio", "tangential", "separation", "fitted_range"}},
       {"indenter", {"shape", "radius", "angle", "prefactor", "exponent"}},
       {"drive", {"network", "receptance", "static_compliance", "order"}},
       {"body", {"mass"}},
+      {"mount", {"network", "mass"}},
       {"oscillation", {"frequency", "angular_frequency", "amplitude", "indentation"}},
       {"load", {"force"}},
       {"friction", {"coefficient"}}};

@@ -51,6 +51,7 @@ const std::vector<QuantityRow>& quantity_rows() {
        answers, answers},
       {Kind::indentation, "indentation", "m", "mean indentation", false},
       {Kind::mean_normal_force, "mean_normal_force", "N", "mean normal force", false},
+      {Kind::contact_amplitude, "contact_amplitude", "m", "amplitude at the contact", false},
       {Kind::sensitivity, sensitivity_prefix + "NAME", "1",
        "relative change of v* per relative change of {}", false}};
   return all;

@@ -17,6 +17,7 @@ struct SweptQuantity {
     admissible,            ///< whether Eq. 24 applies, as its flag
     indentation,           ///< u_z0, m: of a load as found
     mean_normal_force,     ///< <F_n>, N
+    contact_amplitude,     ///< du_z, m: below a mount as found
     sensitivity            ///< (p/v*) dv*/dp
   };
   Kind kind = Kind::critical_velocity;
@@ -27,7 +28,8 @@ struct SweptQuantity {
 };
 
 /// "critical_velocity", "friction_ratio", "friction_ratio_error", "regime", "admissible",
-/// "indentation", "mean_normal_force", or "sensitivity:NAME", NAME as for --set. Throws InputError.
+/// "indentation", "mean_normal_force", "contact_amplitude", or
+/// "sensitivity:NAME", NAME as for --set. Throws InputError.
 SweptQuantity parse_swept_quantity(const std::string& text, const Problem& problem);
 
 /// The names, for help; the last one with NAME.

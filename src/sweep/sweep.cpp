@@ -11,6 +11,7 @@
 #include "answers/under_load.hpp"
 #include "critical/admissibility.hpp"
 #include "normal/mean_indentation.hpp"
+#include "normal/mount.hpp"
 #include "problem/variation.hpp"
 #include "rules/rulebook.hpp"
 
@@ -69,10 +70,10 @@ bool leaves_out(const Sweep& sweep) {
   });
 }
 
-// Whether a contact that opens has to be asked for its spring: none under an indenter is seen by
-// its force alone, either.
-bool may_sink(const Problem& problem) {
-  return problem->load && (problem->separation || problem->indenter);
+// Whether closed contacts are not known by the amplitude over the indentation or the load: below an
+// indenter, of a contact that may sink as it opens, and below a mount.
+bool asked_one_by_one(const Problem& problem) {
+  return problem->mount || (problem->load && (problem->separation || problem->indenter));
 }
 
 std::vector<std::string> names_of(const Grid& grid, const std::vector<std::size_t>& axes) {
@@ -295,6 +296,7 @@ class Sweeping::Rows {
     if (!admissible_[row]) return nothing;
     try {
       if (quantity.kind == Kind::indentation) return found_indentation(problem);
+      if (quantity.kind == Kind::contact_amplitude) return contact_amplitude(problem);
       if (quantity.kind == Kind::mean_normal_force) return mean_normal_force_of(problem);
       return onset_log_derivative(problem, quantity.parameter);
     } catch (const ModelError& error) {
@@ -356,7 +358,7 @@ Sweeping::Sweeping(const Sweep& sweep)
   refuse_repetition(sweep_);
   refuse_speeds(sweep_, grid_);
   refuse_axis_values(sweep_, grid_);
-  if (!leaves_out(sweep_) && !may_sink(sweep_.problem))
+  if (!leaves_out(sweep_) && !asked_one_by_one(sweep_.problem))
     closed_.emplace(sweep_.problem, names_of(grid_, parameters_));
 }
 

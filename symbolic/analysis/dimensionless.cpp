@@ -31,6 +31,7 @@ std::vector<const Network*> networks_of(const Problem& problem) {
   if (const auto* tangential = std::get_if<ReducedNetwork>(&problem->tangential))
     result.push_back(&tangential->network());
   if (const auto* drive = problem->drive_network()) result.push_back(&drive->network());
+  if (problem->mount) result.push_back(&problem->mount->network());
   return result;
 }
 
@@ -44,6 +45,9 @@ class Groups : public DimensionlessGroups {
       add_mass({"m"}, problem->drive_network() != nullptr
                           ? first_of(problem->drive_network()->network(), NumberRole::stiffness)
                           : reference_);
+    if (problem->mount_mass && !scale.contains(symbol(problem->mount_mass->symbol)))
+      add_mass(problem->mount_mass->symbol,
+               first_of(problem->mount->network(), NumberRole::stiffness));
     if (problem->receptance() != nullptr) add_receptance();
   }
 

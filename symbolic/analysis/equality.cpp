@@ -58,9 +58,11 @@ std::optional<Decimals> decimals(const Problem& problem) {
   if (const auto* isotropic = std::get_if<Isotropic>(&problem->tangential);
       isotropic != nullptr && !isotropic->quantity.value)
     return std::nullopt;
-  if (!problem->mass) return result;
-  if (!problem->mass->value) return std::nullopt;
-  result["m"] = exact_decimal(*problem->mass->value);
+  for (const auto& mass : {problem->mass, problem->mount_mass}) {
+    if (!mass) continue;
+    if (!mass->value) return std::nullopt;
+    result[to_text(mass->symbol)] = exact_decimal(*mass->value);
+  }
   return result;
 }
 
@@ -108,6 +110,7 @@ std::set<Symbol> compared_symbols(const Problem& problem, bool with_elements) {
   if (!with_elements) return result;
   for (const auto& [symbol, value] : problem->elements) result.insert(symbol);
   if (problem->mass) result.insert(problem->mass->symbol);
+  if (problem->mount_mass) result.insert(problem->mount_mass->symbol);
   if (const auto* isotropic = std::get_if<Isotropic>(&problem->tangential))
     if (!isotropic->quantity.value) result.insert(isotropic->quantity.symbol);
   return result;

@@ -94,7 +94,9 @@ std::vector<Resonance> resonances(const Derivation& derivation) {
   for (const auto kind : {Resonance::Kind::resonance, Resonance::Kind::antiresonance})
     for (const auto& [factor, exponent] : amplitude.parts()) {
       const bool vanishes = exponent > 0;
-      if (factor.has(symbol({"m"})) && vanishes == (kind == Resonance::Kind::antiresonance))
+      // Of the body and its drive; a mount resonates along the normal.
+      if (factor.has(symbol({"m"})) && !factor.has(quantity("K_m")) &&
+          vanishes == (kind == Resonance::Kind::antiresonance))
         found.push_back(resonance(factor, kind, model));
     }
   return found;

@@ -15,12 +15,15 @@ using GiNaC::ex;
 
 ex at_i_omega(const ex& expression) { return expression.subs(laplace() == GiNaC::I * omega()); }
 
-/// Names of the derivation. x: body, y: contact point (oscillating parts), f_n: normal force.
+/// Names of the derivation. x: body, y: contact point (oscillating parts), f_n: normal force; along
+/// the normal u_v: vibrator, z: contact.
 struct Names {
   ex t = quantity("t"), s = laplace(), A = quantity("A"), B = quantity("B");
   ex K_n = quantity("K_n"), K_t = quantity("K_t"), K_d = quantity("K_d");
   ex m = symbol({"m"}), mu0 = symbol({"mu0"}), du_z = symbol({"du_z"});
   ex x = quantity("x"), y = quantity("y"), acceleration = quantity("x''"), f_n = quantity("f_n");
+  ex K_m = quantity("K_m"), m_n = symbol({"m_n"}), Z = quantity("Z"), u_v = quantity("u_v");
+  ex z = quantity("z"), z_acceleration = quantity("z''");
   ex wave = GiNaC::exp(s * t);
 };
 
@@ -44,27 +47,60 @@ Equations equations(const Surrounding& there, const ex& x, const ex& acceleratio
   return {body, contact_force - n.mu0 * f_n};
 }
 
+/// Forces along the normal on what moves with the contact, 0 in sum.
+ex normal_equation(const Surrounding& there, const ex& vibrator, const ex& z,
+                   const ex& acceleration) {
+  const Names& n = names();
+  ex sum = n.K_n * z - n.K_m * (vibrator - z);
+  if (there.normal_mass != Surrounding::NormalMass::none)
+    sum += (there.normal_mass == Surrounding::NormalMass::body ? n.m : n.m_n) * acceleration;
+  return sum;
+}
+
 class BalanceWriter {
  public:
-  explicit BalanceWriter(const Surrounding& there) : there_(there) {}
+  explicit BalanceWriter(const Surrounding& there)
+      : there_(there), height_(there.mount ? n_.Z : n_.du_z) {}
 
   Balance solve() {
+    const ex normal = there_.mount ? normal_amplitude() : n_.du_z;
     write_motion();
     write_ansatz();
     const ex x = there_.drive ? ex(n_.A * n_.wave) : ex(0);
     const ex y = n_.B * n_.wave;
-    const Equations wave = equations(there_, x, x.diff(time(), 2), y, n_.du_z * n_.K_n * n_.wave);
+    const Equations wave = equations(there_, x, x.diff(time(), 2), y, height_ * n_.K_n * n_.wave);
     const Equations amplitude{(wave.body / n_.wave).expand(), (wave.contact / n_.wave).expand()};
     write_amplitudes(amplitude);
     const auto [A, B] = amplitudes(amplitude);
     const ex general = general_amplitude(B);
-    return {std::move(lines_), A, B, general};
+    if (!there_.mount) return {std::move(lines_), A, B, general, normal};
+    const auto whole = [&](const ex& part) { return factored(part.subs(n_.Z == normal)); };
+    write("With the contact's amplitude", n_.B, whole(B));
+    return {std::move(lines_), whole(A), whole(B), whole(general), normal};
   }
 
  private:
   static const GiNaC::symbol& time() { return GiNaC::ex_to<GiNaC::symbol>(names().t); }
   void write(const Prose& words, const ex& left, const ex& right) {
     lines_.push_back({words, at_i_omega(left), at_i_omega(right)});
+  }
+
+  /// One more balance, one more unknown: nothing along the surface acts on the height.
+  ex normal_amplitude() {
+    write({"Along the normal, oscillating parts (", n_.u_v, ": vibrator, ", n_.z,
+           ": contact): mount, contact and what moves between them balance"},
+          normal_equation(there_, n_.u_v, n_.z, n_.z_acceleration), 0);
+    write({"The vibrator oscillates by ", n_.du_z, ", the contact by the complex amplitude ", n_.Z},
+          n_.u_v, n_.du_z * n_.wave);
+    write("", n_.z, n_.Z * n_.wave);
+    const ex z = n_.Z * n_.wave;
+    const ex balance = (normal_equation(there_, n_.du_z * n_.wave, z, z.diff(time(), 2)) / n_.wave)
+                           .expand()
+                           .collect(n_.Z);
+    write("Balance along the normal", balance, 0);
+    const ex solution = factored(GiNaC::lsolve(balance == 0, n_.Z));
+    write("Solved for the amplitude at the contact", n_.Z, solution);
+    return solution;
   }
 
   void write_motion() {
@@ -89,7 +125,7 @@ class BalanceWriter {
     const char* alone = "Harmonic motion of the contact point, and the normal force (9)";
     if (there_.drive) write(both, n_.x, n_.A * n_.wave);
     write(there_.drive ? "" : alone, n_.y, n_.B * n_.wave);
-    write("", n_.f_n, n_.du_z * n_.K_n * n_.wave);
+    write("", n_.f_n, height_ * n_.K_n * n_.wave);
   }
 
   void write_amplitudes(const Equations& amplitude) {
@@ -118,7 +154,7 @@ class BalanceWriter {
   /// the sliding. What does not vanish with the contact's compliance 1/K_t is the body's part.
   ex receptance(const ex& B) {
     const ex compliance = quantity("C_t"), contact = n_.K_t;
-    const ex whole = (-B / (n_.mu0 * n_.du_z * n_.K_n)).subs(contact == 1 / compliance).normal();
+    const ex whole = (-B / (n_.mu0 * height_ * n_.K_n)).subs(contact == 1 / compliance).normal();
     const ex of_body = whole.subs(compliance == 0);
     const ex of_contact = (whole - of_body).normal().subs(compliance == 1 / contact);
     return factored(of_contact) + factored(of_body);
@@ -137,18 +173,18 @@ class BalanceWriter {
 
   const Names& n_ = names();
   Surrounding there_;
+  ex height_;  // what the contact oscillates by
   std::vector<Line> lines_;
 };
 
 }  // namespace
 
 const Balance& solve_balance(const Surrounding& surrounding) {
-  static std::map<std::pair<bool, bool>, Balance> solved;
-  const std::pair key{surrounding.drive, surrounding.mass};
-  const auto found = solved.find(key);
+  static std::map<Surrounding, Balance> solved;
+  const auto found = solved.find(surrounding);
   return found != solved.end()
              ? found->second
-             : solved.emplace(key, BalanceWriter(surrounding).solve()).first->second;
+             : solved.emplace(surrounding, BalanceWriter(surrounding).solve()).first->second;
 }
 
 }  // namespace vcrit::symbolic

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cctype>
 #include <map>
@@ -81,7 +82,7 @@ void write_condition(const Model& model, std::vector<Line>& lines) {
 /// before the network that they are of.
 void write_networks(const Model& model, std::vector<Line>& lines) {
   const std::map<std::string, std::string> words{
-      {"K_n", "normal contact"}, {"K_t", "tangential contact"}, {"K_d", "drive"}};
+      {"K_n", "normal contact"}, {"K_t", "tangential contact"}, {"K_d", "drive"}, {"K_m", "mount"}};
   const ex amplitude = model.amplitude({});
   std::vector<Line> inner;
   std::vector<std::string> written;
@@ -102,6 +103,9 @@ void write_networks(const Model& model, std::vector<Line>& lines) {
 std::vector<Symbol> parameters(const Problem& problem, const Formula& formula) {
   std::vector<Symbol> candidates{{"mu0"}, {"omega"}, {"du_z"}};
   if (problem->mass) candidates.push_back(problem->mass->symbol);
+  if (problem->mount_mass) candidates.push_back(problem->mount_mass->symbol);
+  std::sort(candidates.begin() + 3, candidates.end());
+  candidates.erase(std::unique(candidates.begin() + 3, candidates.end()), candidates.end());
   const auto* isotropic = std::get_if<Isotropic>(&problem->tangential);
   if (isotropic != nullptr && !isotropic->quantity.value)
     candidates.push_back(isotropic->quantity.symbol);

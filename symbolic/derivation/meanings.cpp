@@ -19,6 +19,9 @@ std::map<Symbol, Meaning> meanings_of(const Problem& problem) {
   all[{"du_z"}] = {"amplitude", Dimension::length};
   all[{"u_z0"}] = {"mean indentation", Dimension::length};
   if (problem->load) all[problem->load->symbol] = {"mean normal force", Dimension::force};
+  if (problem->mount) all[{"du_z"}] = {"amplitude of the vibrator", Dimension::length};
+  if (problem->mount_mass)
+    all[problem->mount_mass->symbol] = {"mass that moves along the normal", Dimension::mass};
   if (problem->mass) all[{"m"}] = {"mass", Dimension::mass};
   if (const auto* isotropic = std::get_if<Isotropic>(&problem->tangential)) {
     const bool poisson = isotropic->by == Isotropic::By::poisson;

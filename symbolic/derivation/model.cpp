@@ -27,7 +27,7 @@ Leading<ex> leading_part(const ex& polynomial, const std::map<std::string, int>&
   const auto power_of = [&](const ex& term) {
     int power = 0;
     for (const auto& [name, rate] : powers)
-      power += rate * term.degree(name == "m" ? symbol({name}) : quantity(name));
+      power += rate * term.degree(name == "m" || name == "m_n" ? symbol({name}) : quantity(name));
     return power;
   };
   if (!GiNaC::is_a<GiNaC::add>(expanded)) return {power_of(expanded), expanded};
@@ -59,6 +59,15 @@ bool is_constant(const Fraction& k) {
 bool is_kelvin(const Fraction& k) {
   return !k.numerator.has(omega()) && !k.denominator.has(laplace()) &&
          k.numerator.degree(laplace()) == 1 && k.numerator.ldegree(laplace()) == 0;
+}
+
+Surrounding surrounding_of(const Problem& problem) {
+  using NormalMass = Surrounding::NormalMass;
+  const bool mass = problem->mass.has_value();
+  const NormalMass normal = !problem->mount_mass                      ? NormalMass::none
+                            : problem->mount_mass->symbol.name == "m" ? NormalMass::body
+                                                                      : NormalMass::own;
+  return {!problem->rigid(), mass, problem->mount.has_value(), normal};
 }
 
 }  // namespace
@@ -93,8 +102,7 @@ std::vector<Line> used_in(const ex& formula, std::vector<Line> definitions) {
 }
 
 Model::Model(const Problem& problem)
-    : surrounding_{!problem->rigid(), problem->mass.has_value()},
-      balance_(solve_balance(surrounding_)) {
+    : surrounding_(surrounding_of(problem)), balance_(solve_balance(surrounding_)) {
   networks_.push_back({"K_n", problem->normal});
   loaded_ = is_loaded({});
   if (const auto* isotropic = std::get_if<Isotropic>(&problem->tangential)) {
@@ -120,6 +128,7 @@ Model::Model(const Problem& problem)
                                1 / quantity("R_d")});
                         }},
              problem->drive);
+  if (problem->mount) networks_.push_back({"K_m", *problem->mount});
 }
 
 /// The same network as another is no third one.
@@ -157,9 +166,10 @@ bool Model::is_small(const ex& amplitude, const Change& change) const {
     sum = sum * count.denominator + product * count.numerator;
     product *= count.denominator;
   }
-  const bool joint = surrounding_.drive && !change.rigid;
-  return std::max(largest, joint ? sum + (surrounding_.mass ? product : 0) : 0) <=
-         readable_formula_terms;
+  const bool joint = (surrounding_.drive && !change.rigid) || surrounding_.mount;
+  const bool inertia =
+      surrounding_.mass || surrounding_.normal_mass != Surrounding::NormalMass::none;
+  return std::max(largest, joint ? sum + (inertia ? product : 0) : 0) <= readable_formula_terms;
 }
 
 const std::vector<Leading<TermCount>>& Model::counts(const Rates& rates) const {
@@ -220,7 +230,8 @@ Leading<Factors> Model::new_leading_amplitude(const std::map<std::string, int>& 
 
 std::optional<Formula> Model::formula(const Change& change) const {
   std::map<std::string, int> powers = this->powers(change);
-  if (powers["K_n"] != 0 || powers["K_t"] < 0 || powers["K_d"] < 0) return std::nullopt;
+  if (powers["K_n"] != 0 || powers["K_t"] < 0 || powers["K_d"] < 0 || powers["K_m"] < 0)
+    return std::nullopt;
   if (unloads_contact(change)) return std::nullopt;
   const Leading<Factors> leading = leading_amplitude(powers, change);
   if (leading.power != 0) return std::nullopt;
@@ -302,7 +313,7 @@ std::string Model::equation(const std::map<std::string, Fraction>& networks,
     const auto found = powers.find(name);
     return found != powers.end() && found->second > 0;
   };
-  if (grows("K_t")) return "";
+  if (grows("K_t") || surrounding_.mount) return "";
   const bool isotropic = ratio_ || change.ratio;
   // A network too large to be multiplied out is none of the special cases.
   const auto holds_for = [&](const char* name, bool (*holds)(const Fraction&)) {

@@ -40,7 +40,7 @@ struct Asymptotic {
   std::vector<Line> definitions;  ///< of its stiffnesses' leading terms, as in Formula
 };
 
-/// One of the networks, "K_n", "K_t" or "K_d".
+/// One of the networks, "K_n", "K_t", "K_d" or "K_m".
 struct Part {
   std::string name;
   ReducedNetwork network;
@@ -60,7 +60,7 @@ class Model {
   std::optional<Formula> formula(const Change& change) const;
   /// The amplitude B as polynomials in s, if it is then short enough to be read.
   std::optional<Factors> multiplied_out_amplitude() const;
-  /// The formula in terms of K_n, K_t and K_d, however small it is.
+  /// The formula in terms of K_n, K_t, K_d and K_m, however small it is.
   Formula nested_formula() const;
   /// What the amplitude tends to as omega goes to infinity (`direction` 1) or to zero (-1).
   Asymptotic asymptotic(int direction) const;
@@ -69,9 +69,11 @@ class Model {
   /// K_t/K_n of an isotropic contact.
   const std::optional<GiNaC::ex>& isotropic_ratio() const { return ratio_; }
   bool has_drive() const { return surrounding_.drive; }
-  /// K_n, K_t and K_d, in this order, as far as they have a network of their own.
+  bool has_mount() const { return surrounding_.mount; }
+  /// K_n, K_t, K_d and K_m, in this order, as far as they have a network of their own.
   const std::vector<Part>& networks() const { return networks_; }
-  /// K_n, K_t and K_d of `expression` as ratios of polynomials in s, if it then stays readable.
+  /// K_n, K_t, K_d and K_m of `expression` as ratios of polynomials in s, if it then stays
+  /// readable.
   std::optional<GiNaC::exmap> multiplied_out(const GiNaC::ex& expression) const;
 
  private:

@@ -48,13 +48,21 @@ class Nomenclature {
     row(quantity("v0"), "velocity of the drive", Dimension::velocity);
     row(symbol({"mu0"}), "coefficient of friction", Dimension::none);
     row(omega(), "angular frequency of the oscillation", Dimension::angular_frequency);
-    row(symbol({"du_z"}), "amplitude of the normal oscillation", Dimension::length);
+    row(symbol({"du_z"}),
+        problem_->mount ? "amplitude of the vibrator" : "amplitude of the normal oscillation",
+        Dimension::length);
     row(symbol({"u_z0"}), "mean indentation", Dimension::length);
     if (problem_->load) row(symbol(problem_->load->symbol), "mean normal force", Dimension::force);
   }
 
   void contact() {
     if (problem_->mass) row(symbol({"m"}), "mass of the body", Dimension::mass);
+    if (problem_->mount_mass &&
+        !(problem_->mass && problem_->mass->symbol == problem_->mount_mass->symbol))
+      row(symbol(problem_->mount_mass->symbol), "mass that moves with the contact",
+          Dimension::mass);
+    if (problem_->mount)
+      row(quantity("K_m"), "dynamic stiffness of the mount", Dimension::stiffness);
     row(quantity("K_n"), "dynamic stiffness of the normal contact", Dimension::stiffness);
     row(quantity("K_t"), "dynamic stiffness of the tangential contact", Dimension::stiffness);
     const auto* isotropic = std::get_if<Isotropic>(&problem_->tangential);
@@ -150,8 +158,9 @@ Section assumptions(const Findings& findings) {
   const Statement u{
       {false, {Form::Kind::sum, "", {}, {}, {form_of(symbol({"u_z0"})), form_of(wave)}, 1}}};
   section.items = {
-      {"The height of the body is prescribed: the indentation is ", u,
-       ", whatever the normal force."},
+      problem->mount ? Prose("The motion of the vibrator is prescribed, whatever the force on it.")
+                     : Prose{"The height of the body is prescribed: the indentation is ", u,
+                             ", whatever the normal force."},
       {"The contact point has no mass. There Coulomb's law holds with the constant coefficient ",
        symbol({"mu0"}), "."},
       "All networks are linear, and the motion is the steady one."};

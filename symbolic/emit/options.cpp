@@ -27,6 +27,7 @@ class Fixable {
     if (const auto* isotropic = std::get_if<Isotropic>(&problem->tangential))
       add(isotropic->quantity);
     if (problem->mass) add(*problem->mass);
+    if (problem->mount_mass) add(*problem->mount_mass);
   }
 
   FixedValues all() const {

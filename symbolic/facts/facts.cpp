@@ -65,6 +65,10 @@ class Facts {
   std::vector<Symbol> of_scene() const {
     std::vector<Symbol> symbols;
     if (problem_->mass) symbols.push_back(problem_->mass->symbol);
+    if (problem_->mount_mass && !problem_->mass) symbols.push_back(problem_->mount_mass->symbol);
+    if (problem_->mount_mass && problem_->mass &&
+        problem_->mount_mass->symbol != problem_->mass->symbol)
+      symbols.push_back(problem_->mount_mass->symbol);
     for (const auto& [symbol, value] : problem_->elements) symbols.push_back(symbol);
     return symbols;
   }
@@ -157,6 +161,7 @@ class Facts {
       return;
     }
     const std::string place = problem_->indenter ? " at the indenter's centre" : "";
+    if (problem_->mount) return tell_closed_below_mount();
     const GiNaC::ex amplitude = symbol({"du_z"});
     Prose words{"The contact stays closed" + place + " while "};
     FoundForm bound = find_closed_amplitude(problem_);
@@ -178,6 +183,18 @@ class Facts {
     Fact fact{"closed_amplitude", std::move(words), std::move(bound.form->definitions)};
     fact.lines.push_back({form_of(quantity("du_max")).form, std::move(bound.form->velocity)});
     found_.push_back(std::move(fact));
+  }
+
+  /// In stiffnesses: with the mount's it fills no line of words.
+  void tell_closed_below_mount() {
+    const GiNaC::ex K_n = quantity("K_n"), Z = model_.balance().normal_amplitude;
+    const GiNaC::ex force = GiNaC::abs((Z * K_n).subs(laplace() == GiNaC::I * omega()));
+    Prose words{"The contact stays closed while ", force, " is below "};
+    if (problem_->load)
+      words += {symbol(problem_->load->symbol)};
+    else
+      words += {symbol({"u_z0"}), " times ", K_n, " at rest"};
+    found_.push_back({"closed_amplitude", std::move(words)});
   }
 
   const Derivation& derivation_;

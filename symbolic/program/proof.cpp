@@ -39,6 +39,7 @@ class SceneAt {
     for (const Line& identity : model.identities())
       algebra_.known[GiNaC::ex_to<GiNaC::symbol>(identity.left).get_name()] =
           evaluate_rational(identity.right, algebra_);
+    height = evaluate_rational(model.balance().normal_amplitude, algebra_);
     body = evaluate_rational(model.balance().body_amplitude, algebra_);
     contact = evaluate_rational(model.balance().contact_amplitude, algebra_);
   }
@@ -58,7 +59,7 @@ class SceneAt {
   Residue direction(const Symbol& symbol) const { return at(to_text(symbol)).change.re; }
   const NumberAlgebra<DualResidue>& algebra() const { return algebra_; }
 
-  DualResidue body, contact;  ///< amplitudes
+  DualResidue height, body, contact;  ///< amplitudes
 
  private:
   /// Linear in omega between two rows of the table.
@@ -275,6 +276,8 @@ void Proof::holds(const QuantityProgram& quantities) const {
   add(quantities.normal.k);
   add(quantities.tangential.k);
   if (quantities.drive) add(quantities.drive->k);
+  if (quantities.mount) add(quantities.mount->k);
+  if (quantities.height) add_oscillation(*quantities.height);
   if (quantities.body) add_oscillation(*quantities.body);
   add_oscillation(quantities.contact_point);
   if (quantities.largest_amplitude) results.push_back(*quantities.largest_amplitude);
@@ -290,20 +293,27 @@ void Proof::holds(const QuantityProgram& quantities) const {
       check(at[of.amplitude] * at[of.amplitude], times_conjugate(amplitude.value), what);
       check_direction(at[of.direction], amplitude.value, what);
     };
+    if (quantities.mount) check(at[quantities.mount->k], scene.stiffness("K_m").value, "K_m");
+    if (quantities.height) compare(*quantities.height, scene.height, "the contact's height");
     if (quantities.body) compare(*quantities.body, scene.body, "the body's motion");
     compare(quantities.contact_point, scene.contact, "the contact point's motion");
     if (!quantities.largest_amplitude) return;
+    // Of a vibrator, times what is left of it at the contact.
+    const GaussianResidue unit = scene.at("du_z").value;
+    const GaussianResidue left = scene.height.value * inverse(unit);
     const GaussianResidue largest = at[*quantities.largest_amplitude];
+    const auto squared = [&](GaussianResidue amplitude) {
+      return amplitude * amplitude * times_conjugate(normal) * times_conjugate(left);
+    };
     if (problem_->load) {  // W/|K_n|
       const GaussianResidue given = scene.at(to_text(problem_->load->symbol)).value;
-      return check(largest * largest * times_conjugate(normal), given * given,
-                   "the largest amplitude");
+      return check(squared(largest), given * given, "the largest amplitude");
     }
     // u_z0 K_n(0)/|K_n|
     const auto springs = springs_alone(problem_->normal.network());
     ensure(springs.has_value(), "what has a largest amplitude carries a load");
     const GaussianResidue load = scene.at("u_z0").value * stiffness_of_springs(*springs, scene);
-    check(largest * largest * times_conjugate(normal), load * load, "the largest amplitude");
+    check(squared(largest), load * load, "the largest amplitude");
   });
 }
 

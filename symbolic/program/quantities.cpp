@@ -56,6 +56,7 @@ class QuantityWriter {
     std::visit([this](const auto& drive) { write_drive(drive); }, problem_->drive);
     friction_ = program_.multiply(symbol({"mu0"}), symbol({"du_z"}));
     if (result_.drive) dynamic_ = dynamic_stiffness();
+    if (problem_->mount) write_mount();
     if (problem_->mass) result_.body = body();
     result_.contact_point = contact_point();
     result_.largest_amplitude = largest_amplitude();
@@ -64,6 +65,9 @@ class QuantityWriter {
   }
 
   PointResponse outer() { return {program_.constant(1), real(program_, program_.constant(1))}; }
+  void times_mount(PointResponse& z, const Complex&, const ReducedNetwork&) {
+    times_quotient(z, result_.mount->k, *mounted_);
+  }
   NodeId ratio(const Isotropic&) const { return *ratio_; }
   const Complex& normal() const { return result_.normal.k; }
   const Complex& tangential(const ReducedNetwork&) const { return result_.tangential.k; }
@@ -152,10 +156,13 @@ class QuantityWriter {
   /// K_d - m omega^2, times Q of a drive that is a pair.
   Complex dynamic_stiffness() {
     if (pair_) return dynamic_pair();
-    const Complex k = result_.drive->k;
-    if (!problem_->mass) return k;
-    const NodeId m = symbol(problem_->mass->symbol);
-    if (result_.drive->exact_re) return {program_.less_inertia(k.re, m, omega_), k.im};
+    return less_inertia(result_.drive->k, problem_->mass, result_.drive->exact_re);
+  }
+
+  Complex less_inertia(const Complex& k, const std::optional<Quantity>& mass, bool exact_re) {
+    if (!mass) return k;
+    const NodeId m = symbol(mass->symbol);
+    if (exact_re) return {program_.less_inertia(k.re, m, omega_), k.im};
     const NodeId inertia = program_.multiply(program_.multiply(m, omega_), omega_);
     return {program_.subtract(k.re, inertia), k.im};
   }
@@ -169,11 +176,22 @@ class QuantityWriter {
     return sum_of_products(program_, {{pair_->t, one}, {pair_->q, less}}).value;
   }
 
+  /// K_m, K_m + K_n - m_n omega^2, and the contact's height over the vibrator's.
+  void write_mount() {
+    result_.mount = network(problem_->mount->network());
+    const Complex sum = complex_sum(program_, result_.mount->k, result_.normal.k);
+    mounted_ = less_inertia(sum, problem_->mount_mass, false);
+    PointResponse z = outer();
+    times_quotient(z, result_.mount->k, *mounted_);
+    result_.height = {program_.multiply(symbol({"du_z"}), z.amplitude), z.direction};
+  }
+
   OscillationResult body() {
     const Complex k = pair_ ? times(program_, result_.normal.k, pair_->q) : result_.normal.k;
     const NodeId ratio = program_.divide(modulus(program_, k), modulus(program_, *dynamic_));
-    return {program_.multiply(friction_, ratio),
-            against(times(program_, k, conjugate(program_, *dynamic_)))};
+    PointResponse z{ratio, times(program_, k, conjugate(program_, *dynamic_))};
+    if (problem_->mount) times_quotient(z, result_.mount->k, *mounted_);
+    return {program_.multiply(friction_, z.amplitude), against(z.direction)};
   }
 
   OscillationResult contact_point() {
@@ -190,12 +208,20 @@ class QuantityWriter {
   std::optional<NodeId> largest_amplitude() {
     if (problem_->load && problem_->indenter) return std::nullopt;
     if (problem_->load)
-      return program_.divide(symbol(problem_->load->symbol), modulus(program_, result_.normal.k));
+      return of_vibrator(
+          program_.divide(symbol(problem_->load->symbol), modulus(program_, result_.normal.k)));
     const std::optional<Network> at_rest = springs_alone(problem_->normal.network());
     if (!at_rest) return std::nullopt;
     const Complex k = network(*at_rest).k;
     const NodeId share = program_.divide(k.re, modulus(program_, result_.normal.k));
-    return program_.multiply(symbol({"u_z0"}), share);
+    return of_vibrator(program_.multiply(symbol({"u_z0"}), share));
+  }
+
+  /// The amplitude of the vibrator that is so large at the contact.
+  NodeId of_vibrator(NodeId amplitude) {
+    if (!problem_->mount) return amplitude;
+    return program_.multiply(amplitude, program_.divide(modulus(program_, *mounted_),
+                                                        modulus(program_, result_.mount->k)));
   }
 
   Problem problem_;
@@ -205,7 +231,7 @@ class QuantityWriter {
   StiffnessWriter stiffness_;
   NodeId friction_ = 0;
   std::optional<NodeId> ratio_;
-  std::optional<Complex> dynamic_;
+  std::optional<Complex> dynamic_, mounted_;
   std::optional<DrivePair> pair_;  ///< of a drive with masses, or measured
   QuantityProgram result_;
 };

@@ -73,9 +73,17 @@ class SweepWriter {
     return {t, n};
   }
 
+  void times_mount(Velocity& v, const Stiffness& n, const ReducedNetwork& mount) {
+    const Stiffness m = network(mount.network());
+    const Factor body = loaded(m, problem_->mount_mass);
+    v.above.push_back(passive(m.t, m.t_range));
+    v.above.push_back(passive(n.q, n.q_range));
+    v.below.push_back(sum(n, m, body, problem_->mount_mass));
+  }
+
   /// The ratio's Q is in N. Without one nothing but mu0 omega du_z depends on omega.
   void divide(Velocity& v, const Ratio& ratio) {
-    result_.fits = result_.fits && problem_->drive_network() != nullptr;
+    result_.fits = result_.fits && (problem_->drive_network() != nullptr || problem_->mount);
     v.below.push_back(passive(polynomial({ratio.t}), ratio.t_range));
   }
 
@@ -90,8 +98,8 @@ class SweepWriter {
   void times_drive(Velocity& v, const Tangential& t, const ReducedNetwork& drive) {
     if (drive.has_masses()) return leave_out();
     const Stiffness d = network(drive.network());
-    const Factor body = loaded(d);
-    v.above.push_back(sum(t.k, d, body));
+    const Factor body = loaded(d, problem_->mass);
+    v.above.push_back(sum(t.k, d, body, problem_->mass));
     if (t.normal) v.below.push_back(passive(t.normal->q, t.normal->q_range));
     v.below.push_back(body);
     v.of_q_t.reset();
@@ -146,9 +154,9 @@ class SweepWriter {
   }
 
   /// D
-  Factor loaded(const Stiffness& d) {
-    if (!problem_->mass) return passive(d.t, d.t_range);
-    const NodeId m = symbol(problem_->mass->symbol);
+  Factor loaded(const Stiffness& d, const std::optional<Quantity>& mass) {
+    if (!mass) return passive(d.t, d.t_range);
+    const NodeId m = symbol(mass->symbol);
     const ExponentRange inertia = stiffness_.guarded(program_.size(m));
     Factor result;
     result.is_passive = false;
@@ -177,13 +185,14 @@ class SweepWriter {
   }
 
   /// N
-  Factor sum(const Stiffness& t, const Stiffness& d, const Factor& body) {
+  Factor sum(const Stiffness& t, const Stiffness& d, const Factor& body,
+             const std::optional<Quantity>& mass) {
     const ExponentRange first = t.t_range + d.q_range, second = t.q_range + body.range;
     check(first);
     check(second);
     Factor result;
-    result.is_passive = !problem_->mass;
-    result.range = {std::max(first.low, second.low) - (problem_->mass ? cancellation : 1),
+    result.is_passive = !mass;
+    result.range = {std::max(first.low, second.low) - (mass ? cancellation : 1),
                     std::max(first.high, second.high) + 1};
     if (!body.polynomial.coefficients.empty()) {
       const Complex whole = sum_of_products(program_, {{t.t, d.q}, {t.q, body.polynomial}}).value;

@@ -25,7 +25,7 @@ struct Velocity {
   std::vector<Factor> above, below;
   int ratio_path = 0;
   std::vector<Stiffness> quotient;  ///< K_n and K_t
-  std::optional<NodeId> drive_errors;
+  std::optional<NodeId> drive_errors, mount_errors;
 };
 
 /// K_t = T/Q. Where v is divided by |K_t|, Q stands above; but of r K_n only the ratio's part.
@@ -84,6 +84,29 @@ class VelocityWriter {
     return {k, Factor{normal.q, normal.q_range}};
   }
 
+  /// |K_m|/|K_m + K_n - m_n omega^2| = |T_m| |Q_n|/|N|, with D and N as of a drive K_m under a
+  /// mass.
+  void times_mount(Velocity& v, const Stiffness& normal, const ReducedNetwork& mount) {
+    const Stiffness m = contact(mount.network());
+    const std::optional<Quantity>& mass = problem_->mount_mass;
+    Difference body{m.t, m.t_range, 0};
+    if (mass) body = difference(m, mass->symbol);
+    const ComplexSum whole = sum_of_products(program_, {{normal.t, m.q}, {normal.q, body.value}});
+    ExponentRange range =
+        sum_range(normal.t_range + m.q_range, normal.q_range + body.range, Zeros::out_of_range);
+    range.low -= mass ? cancellation : 1;
+    check(normal.t_range + m.q_range);
+    check(normal.q_range + body.range);
+    v.above.insert(v.above.end(), {{m.t, m.t_range}, {normal.q, normal.q_range}});
+    v.below.push_back({whole.value, range});
+    const int local = static_cast<int>(std::ceil(1.4143 * whole.roundings));
+    const NodeId sum =
+        mass ? one_and_a_half(error_of_sum(normal, m, body.error, size_bound(program_, body.value),
+                                           whole, local))
+             : error_of_passive_sum(normal, m, local);
+    v.mount_errors = program_.add(sum, roundings(program_, m));
+  }
+
   void divide(Velocity& v, const Ratio& ratio) {
     v.above.push_back({real(program_, ratio.q), ratio.q_range});
     v.below.push_back({real(program_, ratio.t), ratio.t_range});
@@ -102,7 +125,7 @@ class VelocityWriter {
     const Stiffness& t = tangential.k;
     const Stiffness d = network(drive.network());
     Difference body{d.t, d.t_range, 0};
-    if (problem_->mass) body = difference(d);
+    if (problem_->mass) body = difference(d, problem_->mass->symbol);
     const ComplexSum whole = sum_of_products(program_, {{t.t, d.q}, {t.q, body.value}});
     // K_t = 0 is a pole, which no range has to hold.
     ExponentRange range =
@@ -165,8 +188,8 @@ class VelocityWriter {
     NodeId error = 0;
   };
 
-  Difference difference(const Stiffness& d) {
-    const NodeId m = symbol(problem_->mass->symbol);
+  Difference difference(const Stiffness& d, const Symbol& mass) {
+    const NodeId m = symbol(mass);
     const NodeId inertia_size = program_.multiply(
         program_.multiply(program_.size(m), program_.size(omega_)), program_.size(omega_));
     const ExponentRange inertia = stiffness_.guarded(inertia_size);
@@ -203,22 +226,31 @@ class VelocityWriter {
                            const ComplexSum& whole) {
     const int local = static_cast<int>(std::ceil(1.4143 * whole.roundings));
     if (!problem_->mass) {
-      // K_t + K_d, both in the first quadrant.
-      const NodeId sum =
-          program_.add(one_and_a_half(program_.add(roundings(program_, t), roundings(program_, d))),
-                       number(2 * local));
+      const NodeId sum = error_of_passive_sum(t, d, local);
       return program_.add(sum, roundings(program_, d));
     }
     const NodeId d_size = size_bound(program_, body.value);
     const NodeId d_error = program_.divide(body.error, d_size);
+    return one_and_a_half(
+        program_.add(d_error, error_of_sum(t, d, body.error, d_size, whole, local)));
+  }
+
+  // K_t + K_d, both in the first quadrant.
+  NodeId error_of_passive_sum(const Stiffness& t, const Stiffness& d, int local) {
+    return program_.add(
+        one_and_a_half(program_.add(roundings(program_, t), roundings(program_, d))),
+        number(2 * local));
+  }
+
+  // Relative, of N, by sizes.
+  NodeId error_of_sum(const Stiffness& t, const Stiffness& d, NodeId body_error, NodeId d_size,
+                      const ComplexSum& whole, int local) {
     const NodeId t_part =
         program_.multiply(program_.add(roundings(program_, t), number(local)),
                           program_.multiply(size_bound(program_, t.t), size_bound(program_, d.q)));
-    const NodeId d_part = program_.multiply(program_.add(body.error, times(local, d_size)),
+    const NodeId d_part = program_.multiply(program_.add(body_error, times(local, d_size)),
                                             size_bound(program_, t.q));
-    const NodeId n_error =
-        program_.divide(program_.add(t_part, d_part), size_bound(program_, whole.value));
-    return one_and_a_half(program_.add(d_error, n_error));
+    return program_.divide(program_.add(t_part, d_part), size_bound(program_, whole.value));
   }
 
   NodeId errors_of(const Velocity& v) {
@@ -226,7 +258,8 @@ class VelocityWriter {
                                ? number(v.ratio_path)
                                : program_.add(roundings(program_, v.quotient.front()),
                                               roundings(program_, v.quotient.back()));
-    return v.drive_errors ? program_.add(*v.drive_errors, contact) : contact;
+    const NodeId joined = v.drive_errors ? program_.add(*v.drive_errors, contact) : contact;
+    return v.mount_errors ? program_.add(*v.mount_errors, joined) : joined;
   }
 
   void check(ExponentRange range) { result_.fits = result_.fits && fits(range); }

@@ -19,9 +19,11 @@ Alphabet::Alphabet(const Problem& problem, const DimensionlessGroups* groups)
   if (const auto* own = std::get_if<ReducedNetwork>(&problem_->tangential))
     parts_.tangential = &own->network();
   if (const auto* drive = problem_->drive_network()) parts_.drive = &drive->network();
-  for (const Network* network : {parts_.normal, parts_.tangential, parts_.drive})
+  if (problem_->mount) parts_.mount = &problem_->mount->network();
+  for (const Network* network : {parts_.normal, parts_.tangential, parts_.drive, parts_.mount})
     if (network != nullptr) add(*network);
   if (problem_->mass) parts_.mass = symbol(problem_->mass->symbol, {1, 2});
+  if (problem_->mount_mass) parts_.mount_mass = symbol(problem_->mount_mass->symbol, {1, 2});
   if (isotropic() != nullptr) parts_.ratio = ratio(*isotropic());
 }
 

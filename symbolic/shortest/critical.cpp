@@ -23,6 +23,7 @@ class CriticalVelocity {
       : all_(all), complex_(all), presentations_(presentations), parts_(parts) {}
 
   std::vector<Ex> all() {
+    if (parts_.mount != nullptr) write_mounts();
     if (parts_.tangential == nullptr)
       isotropic();
     else
@@ -35,7 +36,25 @@ class CriticalVelocity {
 
   void offer(const Ex& factor) {
     const Ex whole = all_.multiply(parts_.prefactor, factor);
+    if (parts_.mount == nullptr) return offer_whole(whole);
+    for (const Ex& mount : mounts_) offer_whole(all_.multiply(whole, mount));
+  }
+
+  void offer_whole(const Ex& whole) {
     if (std::find(found_.begin(), found_.end(), whole) == found_.end()) found_.push_back(whole);
+  }
+
+  /// |M|/|M' + K_n|, M' = K_m - m_n omega^2: each network in its first way, and with the whole
+  /// below one bar or two.
+  void write_mounts() {
+    const ComplexQuotient m = presentations_.of(*parts_.mount)[0];
+    const ComplexQuotient n = presentations_.of(*parts_.normal)[0];
+    std::vector<ComplexQuotient> sum{m, n};
+    if (parts_.mount_mass)
+      sum.push_back({from_real(Expressions::negative(presentations_.inertia(*parts_.mount_mass)))});
+    for (const bool one_denominator : {false, true})
+      mounts_.push_back(all_.divide(complex_.modulus(m),
+                                    complex_.modulus(presentations_.sum(sum, one_denominator))));
   }
 
   /// D = K_d - m omega^2. Where the drive is a network of the contact, written as that is here.
@@ -123,7 +142,7 @@ class CriticalVelocity {
   ComplexAlgebra complex_;
   Presentations& presentations_;
   const Parts& parts_;
-  std::vector<Ex> found_;
+  std::vector<Ex> found_, mounts_;
 };
 
 }  // namespace

@@ -60,6 +60,21 @@ class WrittenOut {
   const Parts& parts() const { return alphabet_.parts(); }
 
   std::vector<Ex> velocities() {
+    std::vector<Ex> found = velocities_of_contact();
+    if (parts().mount == nullptr) return found;
+    const ComplexEx m = written_out("K_m", *parts().mount);
+    const auto known = known_network(*parts().normal);
+    const ComplexEx n = known ? *known : written_out("K_n", *parts().normal);
+    ComplexEx whole = complex_.add(m, n);
+    if (parts().mount_mass)
+      whole.re =
+          all_.subtract(whole.re, all_.multiply(*parts().mount_mass, all_.power(parts().omega, 2)));
+    for (Ex& each : found)
+      each = all_.product({{each, 1}, {complex_.modulus(m), 1}, {complex_.modulus(whole), -1}});
+    return found;
+  }
+
+  std::vector<Ex> velocities_of_contact() {
     if (parts().tangential != nullptr) return {all_.multiply(parts().prefactor, own_tangential())};
     if (parts().drive == nullptr) return {all_.multiply(parts().prefactor, parts().ratio)};
     const ComplexEx k = written_out("K_n", *parts().normal), d = drive();

@@ -237,6 +237,11 @@ def evaluate(scene, folder=SCENES):
 
     normal = reader.network(contact["normal"])
     kn = normal.stiffness(s)
+    if "mount" in scene:  # du is the vibrator's: what the mount leaves of it at the contact
+        mount = reader.network(scene["mount"]["network"]).stiffness(s)
+        moving = quantity(scene["mount"].get("mass", 0)) * omega**2
+        assert abs(mount + kn - moving) > 0.05 * moving, "too near the mount's resonance"
+        du *= abs(mount / (mount + kn - moving))
     kn0 = static_stiffness(normal)
     if "load" in scene:
         mean = quantity(scene["load"]["force"])

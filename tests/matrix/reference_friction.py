@@ -182,6 +182,8 @@ def design_values(name, values, linear):
     """The scene with an amplitude that leaves the contact closed, and beside an antiresonance."""
     if not linear["closed"]:
         values = values | {"du_z": min(values["du_z"], linear["admissible_amplitude"] * mp.mpf("0.6"))}
+    if "W" in values:
+        values = values | {"u_z0": pressed(name, values)}
     if name == "antiresonance":
         values = values | {"omega": values["omega"] * mp.mpf("0.7")}
     return values
@@ -207,7 +209,7 @@ def design_rows(name, values):
         for factor in ("1.02", "0.98"):
             changed = values | {key: values[key] * mp.mpf(factor)}
             if key == "W":
-                changed["u_z0"] = pressed(changed)
+                changed["u_z0"] = pressed(name, changed)
                 means = np.array([float(changed["u_z0"])])
             best, worst = Motions(wired(name, changed), changed, means, False, [velocity]).ratio()
             ends.append(best[0])

@@ -93,6 +93,7 @@ KINDS = {
                  series(*(kelvin(k, k * tau) for k, tau in zip(v["k"], v["tau"])))),
         kelvin(v["kd"], v["r"] ** 2 * v["k0"] * 7 / 10 * v["t1"])),
     "load_closed": lambda v: (zener(v["k0"], v["k1"], v["c1"]), mindlin("0.3"), kelvin(v["kd"], v["cd"])),
+    "separation_load": lambda v: (spring(v["kn"]), spring(v["kt"]), None),
     "symbols": lambda v: (zener(v["k0"], v["k1"], v["c1"]), mindlin("0.3"), spring(v["kd"])),
 }
 for same, other in [("antiresonance", "free_harmonic"), ("near_free_harmonic", "free_harmonic"),
@@ -111,9 +112,14 @@ def exact(value):
     return [mp.mpf(x) for x in value] if isinstance(value, list) else mp.mpf(value)
 
 
-def pressed(values):
-    """u_z0 of a closed contact under the load W: W/K_n(0), of the spring k0."""
-    return values["W"] / values["k0"]
+def pressed(name, values):
+    """u_z0 under the load W: W/K_n(0), or where an elastic contact opens the root of its mean force in closed form."""
+    spring_at_rest = values["kn"] if "kn" in values else values["k0"]
+    still, force, d = values["W"] / spring_at_rest, values["W"], values["du_z"]
+    if name != "separation_load" or still > d:
+        return still
+    mean = lambda u: spring_at_rest / mp.pi * (mp.sqrt(d**2 - u**2) + u * mp.acos(-u / d))
+    return d * mp.findroot(lambda x: mean(x * d) / force - 1, (mp.mpf(-99) / 100, still / d), solver="anderson")
 
 
 def read(name):
@@ -128,7 +134,7 @@ def read(name):
                    "du_z": exact(oscillation["amplitude"])}
         if "load" in text:
             values["W"] = exact(text["load"]["force"])
-            values["u_z0"] = pressed(values)
+            values["u_z0"] = pressed(name, values)
         else:
             values["u_z0"] = exact(oscillation["indentation"])
     else:

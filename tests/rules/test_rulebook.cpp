@@ -44,6 +44,7 @@ Scene scene_of(const Parts& parts) {
 
 const std::string separating = "\nseparation = true";
 const std::string kelvin = "normal = \"k | c\"\npoisson = 0.3";
+const std::string mounting = "[mount]\nnetwork = \"kd\"\n";
 const std::string cone = "[indenter]\nshape = \"cone\"\nangle = 0.1\n";
 
 Scene measured() {
@@ -111,6 +112,13 @@ Scene scene_of(SceneKind kind) {
       return scene_of({.contact = "normal = \"k - c\"\npoisson = 0.3" + separating,
                        .amplitude = 2,
                        .force = 1});
+    case SceneKind::mount:
+      return scene_of({.rest = mounting});
+    case SceneKind::separating_mount:
+      return scene_of({.contact = "normal = \"k\"\npoisson = 0.3" + separating, .rest = mounting});
+    case SceneKind::separating_with_mass:
+      return scene_of({.contact = "normal = \"k\"\npoisson = 0.3" + separating,
+                       .rest = mounting + "mass = 0.1\n"});
   }
   throw Bug("a kind without a scene");
 }
@@ -133,7 +141,7 @@ Names without_answer(SceneKind kind) {
   switch (kind) {
     case SceneKind::measured_drive:
       return contact + Names{"rational_form", "all_frequencies",   "comparison",
-                             "other_methods", "report_simulation", "report_stability"};
+                             "report_simulation", "report_stability"};
     case SceneKind::measured_and_separating:
       return without_answer(SceneKind::measured_drive) + may_part + Names{"motion", "motion_in_time"};
     case SceneKind::masses_in_drive:
@@ -184,6 +192,15 @@ Names without_answer(SceneKind kind) {
     case SceneKind::sinking_opening:
       return without_answer(SceneKind::separating_without_memory) +
              Names{"admissible", "formula", "motion", "normal_motion", "comparison"};
+    case SceneKind::mount:
+      return contact + Names{"closed_range"};
+    case SceneKind::separating_mount:
+    case SceneKind::separating_with_mass:
+      return without_answer(SceneKind::mount) + may_part + outside +
+             Names{"formula",        "closed_form", "formula_of_all_values",
+                   "evaluator",      "motion",      "normal_motion",
+                   "motion_in_time", "comparison",  "report_simulation",
+                   "report_explorer"};
   }
   throw Bug("a kind without its questions");
 }

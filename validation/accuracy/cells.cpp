@@ -7,6 +7,7 @@
 
 #include "accuracy/resonance.hpp"
 #include "critical/certified.hpp"
+#include "normal/mount.hpp"
 #include "stiffness/at_rest.hpp"
 #include "stiffness/dynamic_stiffness.hpp"
 
@@ -61,10 +62,16 @@ double closed_amplitude(const Problem& problem, const Values& values) {
   const auto stiffness_at_rest = static_cast<double>(at_rest(normal, values).stiffness());
   const double omega = values.at(problem->angular_frequency.symbol);
   if (problem->load)
-    return std::min(amplitude, largest_oscillation * values.at(problem->load->symbol) /
-                                   std::abs(dynamic_stiffness(normal, values, omega)));
+    return std::min(amplitude,
+                    largest_oscillation * values.at(problem->load->symbol) /
+                        std::abs(dynamic_stiffness(normal, values, omega)) /
+                        (problem->mount ? mount_factor(problem.with(values), omega) : 1));
   if (stiffness_at_rest == 0) return amplitude;
   const double stiffening = stiffness_at_rest / std::abs(dynamic_stiffness(normal, values, omega));
+  if (problem->mount)
+    return std::min(amplitude, largest_oscillation * stiffening *
+                                   values.at(problem->indentation.symbol) /
+                                   mount_factor(problem.with(values), omega));
   return std::min(amplitude,
                   largest_oscillation * stiffening * values.at(problem->indentation.symbol));
 }

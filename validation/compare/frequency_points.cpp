@@ -7,6 +7,7 @@
 
 #include "critical/critical_velocity.hpp"
 #include "network/masses.hpp"
+#include "normal/mount.hpp"
 #include "rules/rulebook.hpp"
 #include "stiffness/dynamic_stiffness.hpp"
 #include "stiffness/relaxation.hpp"
@@ -39,7 +40,7 @@ class Response {
       point.drive = std::abs(dynamic_stiffness(drive->reduction(), values_, omega));
     point.velocity = critical_velocity(problem_, omega);
     point.applies =
-        problem_->separation ? holds_with_separation(omega) : stays_closed(point.normal);
+        problem_->separation ? holds_with_separation(omega) : stays_closed(omega, point.normal);
     return point;
   }
 
@@ -51,8 +52,9 @@ class Response {
 
  private:
   /// (3) and (4)
-  bool stays_closed(double stiffness) const {
-    return amplitude_ < indentation_ && amplitude_ * stiffness < mean_force_;
+  bool stays_closed(double omega, double stiffness) const {
+    const long double amplitude = amplitude_ * mount_factor(problem_, omega);
+    return amplitude < indentation_ && amplitude * stiffness < mean_force_;
   }
 
   /// Whether Eq. 24 is v* of a contact that may open.

@@ -10,6 +10,7 @@
 #include "base/constants.hpp"
 #include "base/errors.hpp"
 #include "compare/velocity_comparisons.hpp"
+#include "normal/mount.hpp"
 
 namespace vcrit::validation {
 
@@ -54,9 +55,9 @@ PeriodicMotion::PeriodicMotion(const Problem& problem) : push_(points), kernel_(
   const Values& values = problem.values();
   const double omega = values.at(problem->angular_frequency.symbol);
   const auto own = static_cast<double>(omega * std::abs(response.contact_alone(omega)));
-  amplitude_ = static_cast<double>(values.at(problem->coefficient.symbol) *
-                                   values.at(problem->amplitude.symbol) *
-                                   std::abs(response.normal_stiffness(omega)));
+  amplitude_ =
+      static_cast<double>(values.at(problem->coefficient.symbol) * contact_amplitude(problem) *
+                          std::abs(response.normal_stiffness(omega)));
   unit_ = amplitude_ * own;
   std::vector<Complex> answers{1e-3};
   for (std::size_t n = 1; n <= points / 2; ++n) {

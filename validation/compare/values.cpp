@@ -51,13 +51,17 @@ std::vector<ValueLine> value_lines(const Problem& problem) {
     lines.push_back({symbol, name, values.at(symbol), kind.unit, kind.meaning});
   };
   add(problem->angular_frequency.symbol, {"rad/s", "angular frequency"});
-  add(problem->amplitude.symbol, {"m", "amplitude of the normal oscillation"});
+  add(problem->amplitude.symbol,
+      {"m", problem->mount ? "amplitude of the vibrator" : "amplitude of the normal oscillation"});
   if (problem->load)
     add(problem->load->symbol, {"N", "mean normal force"});
   else
     add(problem->indentation.symbol, {"m", "mean indentation"});
   add(problem->coefficient.symbol, {"", "coefficient of friction"});
   if (problem->mass) add(problem->mass->symbol, {"kg", "mass of the body"});
+  if (problem->mount_mass &&
+      (!problem->mass || problem->mass->symbol != problem->mount_mass->symbol))
+    add(problem->mount_mass->symbol, {"kg", "mass that moves with the contact"});
   if (problem->indenter)
     for (const Quantity& size : problem->indenter->sizes)
       add(size.symbol,

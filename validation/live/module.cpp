@@ -163,7 +163,8 @@ VCRIT_EXPORT(closed) int closed() {
     const auto mean = static_cast<double>(facts.mean_force()),
                oscillating = static_cast<double>(facts.oscillating_force());
     const double indentation = facts.indentation();
-    numbers = {std::min(indentation, amplitude * (mean / oscillating)), mean};
+    const double by_force = amplitude * (mean / oscillating);
+    numbers = {explored->now->mount ? by_force : std::min(indentation, by_force), mean};
   });
 }
 

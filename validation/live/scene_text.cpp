@@ -207,10 +207,12 @@ void transfer(Archive& a, Scene& x) {
   for (Quantity* each : {&x.coefficient, &x.angular_frequency, &x.amplitude, &x.indentation})
     transfer(a, *each);
   transfer(a, x.load);
+  transfer(a, x.mount_mass);
   transfer(a, x.elements);
   transfer(a, x.normal);
   transfer(a, x.tangential);
   transfer(a, x.drive);
+  transfer(a, x.mount);
   transfer(a, x.receptance);
 }
 
@@ -228,6 +230,7 @@ std::string scene_text(const Problem& problem) {
   scene.normal = problem->normal.network();
   scene.tangential = tangential_of(problem);
   if (const ReducedNetwork* drive = problem->drive_network()) scene.drive = drive->network();
+  if (problem->mount) scene.mount = problem->mount->network();
   if (const Receptance* measured = problem->receptance()) scene.receptance = *measured;
   Writer writer;
   transfer(writer, scene);

@@ -86,6 +86,8 @@ Called called(const Problem& problem, const ValueLine& line) {
   if (line.symbol == problem->indentation.symbol) return {"indentation", "indentation"};
   if (problem->load && line.symbol == problem->load->symbol) return {"force", "mean normal force"};
   if (line.symbol == problem->coefficient.symbol) return {"coefficient", line.meaning};
+  if (problem->mount_mass && line.symbol == problem->mount_mass->symbol && !problem->mass)
+    return {to_text(as_called(problem, line.symbol)), "moving mass"};
   if (problem->mass && line.symbol == problem->mass->symbol) return {"mass", "mass"};
   return {to_text(as_called(problem, line.symbol)), line.meaning};
 }

@@ -122,10 +122,17 @@ Label oscillation_words(const Problem& problem) {
     const Scale scale = scale_for(amplitude, "m");
     const Label load = joined({label(as_called(problem, problem->load->symbol)),
                                {plain(value_words(problem, *problem->load, "N"))}});
+    if (problem->mount)
+      return joined(
+          {load, {plain(fmt::format("  U = {:.4g} {}", amplitude * scale.factor, scale.unit))}});
     return joined(
         {load,
          {plain(", "), italic("Δu"), lowered("z"),
           raised(fmt::format("(t) = {:.4g} cos ωt {}", amplitude * scale.factor, scale.unit))}});
+  }
+  if (problem->mount) {
+    const Scale scale = scale_for(amplitude, "m");
+    return {italic("U"), plain(fmt::format(" = {:.4g} {}", amplitude * scale.factor, scale.unit))};
   }
   const double mean = problem.value(problem->indentation);
   const Scale scale = scale_for(std::max(mean, amplitude), "m");
@@ -231,6 +238,29 @@ void draw_drive(Canvas& canvas, const Problem& problem, double x, double y, std:
         text(32, -11, {italic("v"), lowered("0")})}});
 }
 
+/// Above the body: the mount and, at its upper end, the vibrator. Returns where that ends.
+double draw_mount(Canvas& canvas, const Problem& problem, double top, std::string& words) {
+  constexpr double half_width = 44, height = 22;
+  const Drawing mount = DrawnNetwork(problem, *problem->mount, true).drawing();
+  const double lower = top - mount.width, upper = lower - height;
+  canvas.put(moved(0, lower, standing(mount)));
+  canvas.reach(-mount.below, mount.above, lower, top);
+  canvas.put({path(fmt::format("M{:.1f} {:.1f}H{:.1f}V{:.1f}H{:.1f}z", -half_width, upper,
+                               half_width, lower, -half_width),
+                   "solid")});
+  canvas.reach(-half_width, half_width, upper, lower);
+  canvas.write(0, (upper + lower) / 2 + 5, {plain("vibrator")}, "middle");
+  if (problem->mount_mass &&
+      !(problem->mass && problem->mass->symbol == problem->mount_mass->symbol))
+    canvas.write(
+        -half_width - 8, top - 6,
+        joined({label(as_called(problem, problem->mount_mass->symbol)),
+                {plain(value_words(problem, *problem->mount_mass, "kg") + " along the normal")}}),
+        "end");
+  words += ", mount, vibrator";
+  return upper;
+}
+
 }  // namespace
 
 Picture draw_system(const Problem& problem) {
@@ -257,9 +287,10 @@ Picture draw_system(const Problem& problem) {
     words += ", body";
   }
   draw_drive(canvas, problem, right, (top + bottom) / 2, words);
-  canvas.put(arrow_to_both_sides(top - 34, 26));
-  canvas.reach(-5, 5, top - 36, top);
-  canvas.write(0, top - 44, oscillation_words(problem), "middle");
+  const double moving = problem->mount ? draw_mount(canvas, problem, top, words) : top;
+  canvas.put(arrow_to_both_sides(moving - 34, 26));
+  canvas.reach(-5, 5, moving - 36, moving);
+  canvas.write(0, moving - 44, oscillation_words(problem), "middle");
   const auto* isotropic = std::get_if<Isotropic>(&problem->tangential);
   if (isotropic != nullptr && tangential_ratio(*isotropic) != 1)
     canvas.write(canvas.left(), contact.bottom + 28,

@@ -6,6 +6,7 @@
 
 #include "base/constants.hpp"
 #include "normal/mean_indentation.hpp"
+#include "normal/mount.hpp"
 #include "rules/rulebook.hpp"
 #include "simulation/system/check.hpp"
 #include "simulation/system/measured_drive.hpp"
@@ -126,7 +127,7 @@ void hold_by(System& system, DriveStructure structure) {
 System system_of(const Problem& problem) {
   rules::require(rules::Question::motion, problem);
   const Values& values = problem.values();
-  const double amplitude = values.at(problem->amplitude.symbol);
+  const double amplitude = contact_amplitude(problem);
   const Relaxation normal = relaxation_form(problem->normal.network(), values);
   const ScaledNetwork tangential = tangential_network(problem);
 

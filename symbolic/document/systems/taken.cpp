@@ -159,7 +159,7 @@ std::vector<TakenParameter> parameters_of(const Problem& problem, std::set<std::
   const std::string poisson = isotropic != nullptr && isotropic->by == Isotropic::By::poisson
                                   ? to_text(isotropic->quantity.symbol)
                                   : "";
-  std::vector<Symbol> order{{"mu0"}, {"omega"}, {"du_z"}, {"m"}};
+  std::vector<Symbol> order{{"mu0"}, {"omega"}, {"du_z"}, {"m"}, {"m_n"}};
   if (isotropic != nullptr) order.push_back(isotropic->quantity.symbol);
   for (const auto& [symbol, value] : problem->elements) order.push_back(symbol);
   const std::map<Symbol, Meaning> meanings = meanings_of(problem);

@@ -31,7 +31,8 @@ bool has_all_values(const Problem& problem) {
   const auto* isotropic = std::get_if<Isotropic>(&problem->tangential);
   if (isotropic != nullptr && !isotropic->quantity.value) return false;
   return problem->coefficient.value && problem->angular_frequency.value &&
-         problem->amplitude.value && (!problem->mass || problem->mass->value);
+         problem->amplitude.value && (!problem->mass || problem->mass->value) &&
+         (!problem->mount_mass || problem->mount_mass->value);
 }
 
 /// A frequency that the table of a measured drive has, where the scene's is none.
@@ -55,6 +56,7 @@ std::map<Symbol, double> example_values(const Problem& problem) {
   if (const auto within = inside_table(problem))
     values[problem->angular_frequency.symbol] = *within;
   if (problem->mass) put(*problem->mass, 0.00025);
+  if (problem->mount_mass) put(*problem->mount_mass, 0.00025);
   const auto* isotropic = std::get_if<Isotropic>(&problem->tangential);
   if (isotropic != nullptr) put(isotropic->quantity, 0.25);
   int count = 0;
@@ -90,6 +92,9 @@ std::string example(const Problem& problem, const ParameterList& parameters) {
 std::vector<Symbol> scaled_symbols(const Problem& problem) {
   std::vector<Symbol> symbols;
   if (problem->mass) symbols.push_back(problem->mass->symbol);
+  if (problem->mount_mass &&
+      (!problem->mass || problem->mass->symbol != problem->mount_mass->symbol))
+    symbols.push_back(problem->mount_mass->symbol);
   const auto element = [&](const Element& e) {
     for_each_number(e, [&](const Symbol& symbol, NumberRole role) {
       if (has_force(role)) symbols.push_back(symbol);
@@ -130,9 +135,9 @@ std::string doubled(const Evaluator& evaluator) {
       "  // A power of two changes no rounding, and a common factor of all stiffnesses, dampers{}\n"
       "  // does not change v*.\n"
       "  Parameters doubled = p;\n",
-      problem->has_masses() ? " and masses"
-      : problem->mass       ? " and the mass"
-                            : "");
+      problem->has_masses()                ? " and masses"
+      : problem->mass || problem->mount_mass ? " and the mass"
+                                           : "");
   for (const std::string& member : element_members(problem, evaluator.parameters))
     out += "  doubled" + member.substr(1) + " *= 2.0;\n";
   return out +

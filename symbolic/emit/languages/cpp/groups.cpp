@@ -60,6 +60,8 @@ class GroupWriter {
     const Problem& problem = derivation.problem;
     symbols_["omega"] = {"omega"};
     if (problem->mass) symbols_["m"] = problem->mass->symbol;
+    if (problem->mount_mass)
+      symbols_[to_text(problem->mount_mass->symbol)] = problem->mount_mass->symbol;
     for (const auto& [symbol, number] : problem->elements) symbols_[to_text(symbol)] = symbol;
   }
 

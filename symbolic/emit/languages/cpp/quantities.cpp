@@ -40,6 +40,9 @@ std::vector<Symbol> symbols(const Problem& problem) {
   if (problem->mass) all.push_back(problem->mass->symbol);
   const auto* isotropic = std::get_if<Isotropic>(&problem->tangential);
   if (isotropic != nullptr && !isotropic->quantity.value) all.push_back(isotropic->quantity.symbol);
+  if (problem->mount_mass &&
+      std::find(all.begin(), all.end(), problem->mount_mass->symbol) == all.end())
+    all.push_back(problem->mount_mass->symbol);
   for (const auto& [symbol, value] : problem->elements) all.push_back(symbol);
   return all;
 }
@@ -173,6 +176,7 @@ class Header {
         stiffness(quantities_.normal, "Normal contact, K_n.", "normal_stiffness") +
         stiffness(quantities_.tangential, "Tangential contact, K_t.", "tangential_stiffness");
     if (quantities_.drive) out += stiffness(*quantities_.drive, "Drive, K_d.", "drive_stiffness");
+    if (quantities_.mount) out += stiffness(*quantities_.mount, "Mount, K_m.", "mount_stiffness");
     return out;
   }
 
@@ -185,21 +189,38 @@ class Header {
 
   std::string oscillations() const {
     std::string out;
+    const std::string left = left_by_mount();
+    if (quantities_.height)
+      out +=
+          oscillation(*quantities_.height,
+                      parameters_.named("Contact along the normal beside the vibrator's THE_DU_Z "
+                                        "cos(THE_OMEGA t): THE_DU_Z" +
+                                        left + "."),
+                      "normal_oscillation");
     if (quantities_.body)
-      out += oscillation(*quantities_.body,
-                         parameters_.named(fmt::format(
-                             "Body (13), A = -THE_MU0 THE_DU_Z K_n/(K_d - {}).", inertia())),
-                         "body_oscillation");
+      out +=
+          oscillation(*quantities_.body,
+                      parameters_.named(fmt::format(
+                          "Body (13), A = -THE_MU0 THE_DU_Z{} K_n/(K_d - {}).", left, inertia())),
+                      "body_oscillation");
     const std::string compliance = problem_->mass
                                        ? fmt::format("(1/K_t + 1/(K_d - {})) (13), (19)", inertia())
                                    : problem_->rigid() ? "1/K_t (19)"
                                                        : "(1/K_t + 1/K_d) (13), (19)";
     return out + oscillation(quantities_.contact_point,
                              parameters_.named(fmt::format(
-                                 "Contact point while it slides, B = -THE_MU0 THE_DU_Z K_n {}; "
+                                 "Contact point while it slides, B = -THE_MU0 THE_DU_Z{} K_n {}; "
                                  "THE_OMEGA times its amplitude is v* (24).",
-                                 compliance)),
+                                 left, compliance)),
                              "contact_point_oscillation");
+  }
+
+  /// " K_m/(K_m + K_n - m_n omega^2)", or nothing
+  std::string left_by_mount() const {
+    if (!problem_->mount) return "";
+    if (!problem_->mount_mass) return " K_m/(K_m + K_n)";
+    return fmt::format(" K_m/(K_m + K_n - {} {}^2)", name_in(problem_, *problem_->mount_mass),
+                       name_in(problem_, problem_->angular_frequency));
   }
 
   /// "m omega^2"
@@ -208,29 +229,36 @@ class Header {
                        name_in(problem_, problem_->angular_frequency));
   }
 
+  std::string over_the_mount() const {
+    return problem_->mount ? ", over what the mount leaves of it" : "";
+  }
+
   std::string admissible() const {
     if (problem_->load && problem_->indenter)
       return "\n" + comment(
                         "Below an indenter the load decides how deep it is pressed, of which there "
                         "is no formula: no function tells the largest admissible amplitude.");
     if (problem_->load)
-      return function(
-          quantities_.program,
-          fmt::format("The amplitude, in m, that {0} has to stay below for the contact "
-                      "to stay closed under the load {1}: {1}/|K_n| (4), (35).",
-                      name_in(problem_, problem_->amplitude), name_in(problem_, *problem_->load)),
-          "double admissible_amplitude", {*quantities_.largest_amplitude}, "{}");
+      return function(quantities_.program,
+                      fmt::format("The amplitude, in m, that {0} has to stay below for the contact "
+                                  "to stay closed under the load {1}: {1}/|K_n| (4), (35){2}.",
+                                  name_in(problem_, problem_->amplitude),
+                                  name_in(problem_, *problem_->load), over_the_mount()),
+                      "double admissible_amplitude", {*quantities_.largest_amplitude}, "{}");
     if (!quantities_.largest_amplitude)
       return "\n" + comment(
                         "K_n(0) = 0: the normal contact carries no mean load, and no amplitude is "
                         "admissible (35).");
-    return function(quantities_.program,
-                    fmt::format("The amplitude, in m, that {0} has to stay below for the contact "
-                                "to stay closed: {1} K_n(0)/|K_n| (4), (35), which is at most {1} "
-                                "(3).",
-                                name_in(problem_, problem_->amplitude),
-                                name_in(problem_, problem_->indentation)),
-                    "double admissible_amplitude", {*quantities_.largest_amplitude}, "{}");
+    return function(
+        quantities_.program,
+        fmt::format("The amplitude, in m, that {0} has to stay below for the contact "
+                    "to stay closed: {1} K_n(0)/|K_n| (4), (35){2}",
+                    name_in(problem_, problem_->amplitude),
+                    name_in(problem_, problem_->indentation),
+                    problem_->mount ? over_the_mount() + "."
+                                    : fmt::format(", which is at most {} (3).",
+                                                  name_in(problem_, problem_->indentation))),
+        "double admissible_amplitude", {*quantities_.largest_amplitude}, "{}");
   }
 
   std::string groups() {
