@@ -159,6 +159,13 @@ void print_load(const std::optional<UnderLoad>& load, int digits) {
                                               rounded(*load->sinking_velocity, "m/s", digits)));
 }
 
+void print_realisation(const RealisedFriction& found, int digits) {
+  print_row("drive", fmt::format("{} pairs fitted to the table, misfit {:.2g} %", found.pairs,
+                                 100 * found.misfit));
+  print_row("", fmt::format("v* of the fit {}, its part of the error {:.1g}",
+                            rounded(found.critical_velocity, "m/s", digits), found.error));
+}
+
 void print_simulate_text(const SimulationAnswer& answer, const Problem& problem,
                          const simulation::System& system, int digits) {
   const SteadyState& steady = answer.steady;
@@ -180,13 +187,6 @@ void add_realisation(const Problem& problem, double velocity, SimulationAnswer& 
     warn(each);
     answer.warnings.push_back(each);
   }
-}
-
-void print_realisation(const RealisedFriction& found, int digits) {
-  print_row("drive", fmt::format("{} pairs fitted to the table, misfit {:.2g} %", found.pairs,
-                                 100 * found.misfit));
-  print_row("", fmt::format("v* of the fit {}, its part of the error {:.1g}",
-                            rounded(found.critical_velocity, "m/s", digits), found.error));
 }
 
 SimulationAnswer answer_of(const SimulateOptions& options, const Problem& problem,

@@ -9,6 +9,7 @@ namespace vcrit::bench {
 
 /// `status` is the program's exit status, where a command has more than one.
 void add_simulators(CLI::App& program, int& status);
+void add_masses(CLI::App& program, int& status);
 void add_derivation(CLI::App& program, int& status);
 void add_bounds(CLI::App& program, int& status);
 void add_evaluators(CLI::App& program, int& status);

@@ -13,7 +13,8 @@ namespace {
 void check_rows(const std::vector<Receptance::Row>& rows) {
   std::string text = "omega,Re,Im\n";
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    const auto& [omega, re, im] = rows[i];
+    const auto& [omega, re, im, line] = rows[i];
+    fuzz::check(line > (i == 0 ? 0 : rows[i - 1].line), "rows come line by line");
     fuzz::check(std::isfinite(re) && std::isfinite(im), "a receptance is finite");
     fuzz::check(omega >= (i == 0 ? 0 : std::nextafter(rows[i - 1].omega, INFINITY)),
                 "omega rises from 0 or more");

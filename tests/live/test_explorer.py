@@ -19,8 +19,9 @@ from selenium.webdriver.support.ui import WebDriverWait
 from browsing import PATIENCE, browser, load
 from program import PROGRAM, PROJECT
 
-MOVING = ["zener", "prony", "kelvin_rigid", "separation", "burgers", "elastic_drive", "kelvin", "inadmissible"]
-STILL = {"sonotrode": "a drive that holds masses", "measured_drive": "measured receptance", "bridge": "a network with a bridge"}
+MOVING = ["zener", "prony", "kelvin_rigid", "separation", "burgers", "elastic_drive", "kelvin", "inadmissible",
+          "sonotrode", "tribometer", "mount"]
+STILL = {"measured_drive": "measured receptance", "bridge": "a network with a bridge"}
 SETTINGS = 200
 
 ROWS = """return vcrit_explorer.rows.map(({ name, unit, exponent, own, array, linear, values }) =>

@@ -9,7 +9,6 @@ namespace vcrit::simulation {
 
 namespace {
 
-using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using realisation::Structure;
@@ -17,8 +16,8 @@ using realisation::Structure;
 Dense<long double> dense(const MatrixXd& matrix) {
   const auto size = static_cast<std::size_t>(matrix.rows());
   Dense<long double> result(size, size);
-  for (Index i = 0; i < matrix.rows(); ++i)
-    for (Index j = 0; j < matrix.cols(); ++j)
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i)
+    for (Eigen::Index j = 0; j < matrix.cols(); ++j)
       result(static_cast<std::size_t>(i), static_cast<std::size_t>(j)) = matrix(i, j);
   return result;
 }
@@ -65,7 +64,7 @@ Relaxation end_of(const Structure& structure) {
 }
 
 DriveStructure without_body(const Structure& structure) {
-  const Index modes = structure.modes();
+  const Eigen::Index modes = structure.modes();
   DriveStructure drive;
   drive.mass.assign(static_cast<std::size_t>(modes), 1);
   drive.damping = dense(structure.damping_matrix().bottomRightCorner(modes, modes));
