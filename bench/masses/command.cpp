@@ -3,17 +3,18 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <cmath>
+#include <complex>
 #include <memory>
 #include <vector>
 
 #include "harness/commands.hpp"
 #include "harness/text_table.hpp"
 #include "harness/timing.hpp"
+#include "simulation/steady/curve.hpp"
 #include "simulation/steady/exact.hpp"
 #include "simulation/system/system.hpp"
-#include "stiffness/dynamic_stiffness.hpp"
+#include "stiffness/drive_structure.hpp"
 
 namespace vcrit::bench {
 
@@ -22,7 +23,7 @@ namespace {
 // Units: the oscillation has omega = 1, the contact a stiffness of 1, the mean normal force is 1.
 constexpr double damping_ratio = 0.02;  // of each spring, at the fastest frequency
 constexpr double mu0 = 0.3, force_amplitude = 0.7;
-constexpr double shares_of_v_star[] = {0.1, 0.3, 0.5, 0.7, 0.9};
+constexpr int speeds = 50;
 
 struct Chain {
   simulation::System system;
@@ -64,7 +65,7 @@ Chain with(int masses, double fastest) {
   system.mean_normal_force = 1;
   system.normal_force_amplitude = force_amplitude;
   const DriveStructure structure = chain_of(masses, mass, spring, damper);
-  std::complex<long double> receptance = displacements(structure, {0, 1}).front();
+  const std::complex<long double> receptance = displacements(structure, {0, 1}).front();
   if (masses == 1) {
     system.drive = Relaxation{spring, damper, {}};
     system.mass = mass;
@@ -75,33 +76,44 @@ Chain with(int masses, double fastest) {
   return chain;
 }
 
-double seconds_of(const Chain& chain, double repeat) {
+double seconds_of_curve(const Chain& chain, double repeat) {
+  std::vector<double> velocities;
+  for (int i = 1; i <= speeds; ++i) velocities.push_back(chain.v_star * i / (speeds + 1));
   return settled_time(
-      [&] {
-        for (const double share : shares_of_v_star)
-          simulation::steady_state(chain.system, share * chain.v_star);
-      },
-      repeat);
+             [&] { simulation::friction_curve(chain.system, velocities, [](auto...) {}); },
+             repeat) /
+         speeds;
+}
+
+double seconds_of_state(const Chain& chain, double repeat) {
+  return settled_time([&] { simulation::steady_state(chain.system, 0.5 * chain.v_star); }, repeat);
+}
+
+template <class Seconds>
+void print_table(const char* title, const Seconds& seconds_of) {
+  const std::vector<int> numbers{1, 2, 3, 5, 8};
+  std::vector<TextRow> rows{{"fastest motion"}};
+  for (const int masses : numbers) rows[0].push_back(fmt::format("N = {}", masses));
+  for (const int masses : numbers)
+    if (masses > 1) rows[0].push_back(fmt::format("{} : 1", masses));
+  for (const double fastest : {2.5, 5.5, 20.5, 80.5}) {
+    std::vector<double> seconds;
+    for (const int masses : numbers) seconds.push_back(seconds_of(with(masses, fastest)));
+    TextRow row{fmt::format("{} omega", fastest)};
+    for (const double each : seconds) row.push_back(fmt::format("{:.3g} us", 1e6 * each));
+    for (std::size_t i = 1; i < seconds.size(); ++i)
+      row.push_back(fmt::format("{:.1f}", seconds[i] / seconds[0]));
+    rows.push_back(row);
+  }
+  fmt::print("{}\n\n{}\n", title, text_table(rows, Style::text));
 }
 
 void run_masses(double repeat) {
-  const std::vector<int> numbers{1, 2, 3, 5, 8};
-  std::vector<TextRow> rows{{"fastest frequency"}};
-  for (const int masses : numbers) rows[0].push_back(fmt::format("N = {}", masses));
-  for (const int masses : numbers)
-    if (masses > 1) rows[0].push_back(fmt::format("{} / 1", masses));
-  for (const double fastest : {2.5, 5.5, 20.5, 80.5}) {
-    std::vector<double> seconds;
-    for (const int masses : numbers) seconds.push_back(seconds_of(with(masses, fastest), repeat));
-    TextRow row{fmt::format("{} omega", fastest)};
-    for (const double each : seconds)
-      row.push_back(fmt::format("{:.3g} us", 1e6 * each / std::size(shares_of_v_star)));
-    for (std::size_t i = 1; i < seconds.size(); ++i)
-      row.push_back(fmt::format("{:.2f}", seconds[i] / seconds[0]));
-    rows.push_back(row);
-  }
-  fmt::print("Exact method, a body on a chain of N masses with it, mean of v0 = 0.1, 0.3 ... 0.9 v*\n\n{}",
-             text_table(rows, Style::text));
+  fmt::print("The exact method, a body and a chain of N masses with it\n\n");
+  print_table("A curve over 50 speeds up to v*, per speed",
+              [&](const Chain& chain) { return seconds_of_curve(chain, repeat); });
+  print_table("One steady state alone, v0 = 0.5 v*",
+              [&](const Chain& chain) { return seconds_of_state(chain, repeat); });
 }
 
 }  // namespace

@@ -17,8 +17,8 @@ PROGRAM, TABLE = sys.argv.pop(1), Path(sys.argv.pop(1))
 TIME = r"[0-9.]+ (us|ms|s)"
 
 
-def run(*arguments):
-    return subprocess.run([PROGRAM, "simulators", *arguments], capture_output=True, text=True, timeout=300)
+def run(*arguments, command="simulators"):
+    return subprocess.run([PROGRAM, command, *arguments], capture_output=True, text=True, timeout=300)
 
 
 def measured(beginnings, budget):
@@ -92,11 +92,27 @@ class AMethodWithoutEnd(unittest.TestCase):
         self.assertRegex(result.stdout, r"GSL rk8pd, Newton +1e-06 +- +- +0/1 +out +not finished 1")
 
 
+class Masses(unittest.TestCase):
+    def test_each_number_of_masses_has_its_time_and_its_ratio_to_one(self):
+        result = run("--repeat", "0.001", command="masses")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        rows = re.findall(r"^[0-9.]+ omega (.*)$", result.stdout, re.MULTILINE)
+        self.assertEqual(len(rows), 8, "a curve and a state at four frequencies")
+        for row in rows:
+            times = [float(word) for word in re.findall(r"([0-9.e+]+) us", row)]
+            ratios = [float(word) for word in row.split("us")[-1].split()]
+            self.assertEqual((len(times), len(ratios)), (5, 4))
+            # Times have three digits, ratios one behind the point.
+            for time, ratio in zip(times[1:], ratios):
+                self.assertAlmostEqual(ratio, time / times[0], delta=0.05 + 0.011 * ratio)
+
+
 class WrongInput(unittest.TestCase):
     def test_is_refused(self):
         self.assertEqual(run("--problem", "P4").returncode, 2)
         self.assertEqual(run("--table", "/nowhere.csv").returncode, 2)
         self.assertEqual(run("--budget", "0").returncode, 2)
+        self.assertEqual(run("--repeat", "0", command="masses").returncode, 2)
 
 
 if __name__ == "__main__":
