@@ -21,7 +21,7 @@ from program import PROGRAM, PROJECT
 
 MOVING = ["zener", "prony", "kelvin_rigid", "separation", "burgers", "elastic_drive", "kelvin", "inadmissible",
           "sonotrode", "tribometer", "mount"]
-STILL = {"measured_drive": "measured receptance", "bridge": "a network with a bridge"}
+STILL = {"measured_drive": "cannot simulate a measured drive", "bridge": "a network with a bridge"}
 SETTINGS = 200
 
 ROWS = """return vcrit_explorer.rows.map(({ name, unit, exponent, own, array, linear, values }) =>
