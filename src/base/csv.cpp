@@ -29,11 +29,11 @@ bool CsvLines::next() {
   return false;
 }
 
-void CsvLines::take_header(const std::vector<std::string>& columns) {
+void CsvLines::take_header(const char* header) {
   const bool any = next();
-  if (!any || cells() != columns)
+  if (!any || fmt::format("{}", fmt::join(cells(), ",")) != header)
     throw InputError(place_, any ? fmt::format("\"{}\"", line_) : "an empty table",
-                     fmt::format("the header {}", fmt::join(columns, ",")));
+                     fmt::format("the header {}", header));
 }
 
 std::vector<std::string> CsvLines::cells() const {

@@ -14,7 +14,6 @@ namespace vcrit {
 namespace {
 
 constexpr const char* profile_header = "r,f";
-const std::vector<std::string> profile_columns{"r", "f"};
 
 // Seconds for one speed; the profile takes the square of it.
 constexpr std::size_t most_profile_rows = 2000;
@@ -55,9 +54,9 @@ Profile read_profile(const std::string& file, const Place& place) {
 Profile parse_profile(const std::string& text, const std::string& file) {
   Profile profile{file, {}};
   CsvLines lines(text, file);
-  lines.take_header(profile_columns);
+  lines.take_header(profile_header);
   while (lines.next()) {
-    const auto numbers = lines.numbers(profile_columns.size(), "two numbers: r, f");
+    const auto numbers = lines.numbers(2, "two numbers: r, f");
     const Profile::Row row{numbers[0], numbers[1]};
     refuse_profile_order(profile.rows.empty() ? nullptr : &profile.rows.back(), row, lines.place());
     if (profile.rows.size() == most_profile_rows)

@@ -12,7 +12,6 @@ namespace vcrit {
 namespace {
 
 constexpr const char* receptance_header = "omega,Re,Im";
-const std::vector<std::string> receptance_columns{"omega", "Re", "Im"};
 
 void refuse_receptance_order(const Receptance& receptance, const Receptance::Row& row,
                              const Place& place) {
@@ -36,9 +35,9 @@ Receptance read_receptance(const std::string& file, const Place& place) {
 Receptance parse_receptance(const std::string& text, const std::string& file) {
   Receptance receptance{.file = file, .rows = {}};
   CsvLines lines(text, file);
-  lines.take_header(receptance_columns);
+  lines.take_header(receptance_header);
   while (lines.next()) {
-    const auto numbers = lines.numbers(receptance_columns.size(), "three numbers: omega, Re, Im");
+    const auto numbers = lines.numbers(3, "three numbers: omega, Re, Im");
     const Receptance::Row row{numbers[0], numbers[1], numbers[2], lines.place().line};
     refuse_receptance_order(receptance, row, lines.place());
     receptance.rows.push_back(row);

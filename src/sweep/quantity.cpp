@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <string_view>
+
 #include "base/identifiers.hpp"
 #include "problem/variation.hpp"
 #include "scene/settings.hpp"
@@ -16,7 +18,7 @@ using Kind = SweptQuantity::Kind;
 using simulation::Regime;
 using Words = std::vector<std::string>;
 
-const std::string sensitivity_prefix = "sensitivity:";
+constexpr std::string_view sensitivity_prefix = "sensitivity:";
 
 /// What is said of a quantity, and how its words are numbered.
 struct QuantityRow {
@@ -52,7 +54,7 @@ const std::vector<QuantityRow>& quantity_rows() {
       {Kind::indentation, "indentation", "m", "mean indentation", false},
       {Kind::mean_normal_force, "mean_normal_force", "N", "mean normal force", false},
       {Kind::contact_amplitude, "contact_amplitude", "m", "amplitude at the contact", false},
-      {Kind::sensitivity, sensitivity_prefix + "NAME", "1",
+      {Kind::sensitivity, std::string(sensitivity_prefix) + "NAME", "1",
        "relative change of v* per relative change of {}", false}};
   return all;
 }

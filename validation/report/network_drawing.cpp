@@ -22,7 +22,7 @@ constexpr double bus = 14;            // between the bars of parallel branches a
 constexpr double branch_gap = 2;      // between stacked branches
 constexpr double connection = 10;     // between elements in series
 constexpr double beside = 13;         // from a standing element to its names
-const std::string no_width = "\u200b";
+constexpr const char* no_width = "\u200b";
 constexpr std::size_t most_branches = 6, shown_branches = 5;
 
 const char* const spring_path = "M0 0H18l4 -8l8 16l8 -16l8 16l8 -16l8 16l4 -8H84";
