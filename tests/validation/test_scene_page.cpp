@@ -171,10 +171,14 @@ BOOST_AUTO_TEST_CASE(the_answer_comes_first_and_needs_no_script) {
 
 BOOST_AUTO_TEST_CASE(the_inputs_decide) {
   const std::string html = page_of(example::scene_report(example::rigid_scene));
-  BOOST_TEST(has(html, "10 % in mu0 is 10 % in v*; 10 % in kt and kn together at most 7.5 %."));
+  // As mathematics, and no number parted from its sign.
+  BOOST_TEST(has(html,
+                 "10\u00a0% in <math><mi>M</mi></math> is 10\u00a0% in "
+                 "<math><msup><mi>v</mi><mo>*</mo></msup></math>; 10\u00a0% in "
+                 "<math><mi>T</mi></math> and <math><mi>N</mi></math> together at most 7.5\u00a0%."));
   BOOST_TEST(has(html, "2 checks passed: the closest used 0.1 % of its tolerance."));
   BOOST_TEST(has(html, "<span class=\"down\" style=\"margin-left: 25.0%; width: 25.0%\">"));
-  BOOST_TEST(has(html, ">−5 %</td>"));
+  BOOST_TEST(has(html, ">−5\u00a0%</td>"));
 }
 
 BOOST_AUTO_TEST_CASE(evidence_has_a_page_of_its_own) {

@@ -79,7 +79,7 @@ Json key_numbers(const SceneReport& report) {
   return keys;
 }
 
-std::string per_cent(double share) { return fmt::format("{:.2g} %", std::abs(10 * share)); }
+std::string per_cent(double share) { return fmt::format("{:.2g}\u00a0%", std::abs(10 * share)); }
 
 std::string listed(const std::vector<std::string>& names) {
   constexpr std::size_t most = 6;
@@ -90,22 +90,24 @@ std::string listed(const std::vector<std::string>& names) {
   return words;
 }
 
-/// "10 % in mu0 or du_z is 10 % in v*; 10 % in m, k0 and k1 together 1.6 %."
-std::string inputs_words(const SceneReport& report) {
+/// "10 % in mu0 or du_z is 10 % in v*; 10 % in m, k0 and k1 together at most 1.6 %.", as markup.
+std::string inputs_markup(const SceneReport& report) {
+  constexpr const char* tenth = "10\u00a0% in ";
+  constexpr const char* velocity = "<math><msup><mi>v</mi><mo>*</mo></msup></math>";
   std::vector<std::string> alike, others;
   double sum = 0;
   for (const Influence& it : report.influences) {
     if (it.meaning == "angular frequency") continue;
     const bool one = std::abs(it.share - 1) < 1e-6;
-    (one ? alike : others).push_back(it.name);
+    (one ? alike : others).push_back(it.sign.mathml);
     if (!one) sum += std::abs(it.share);
   }
   if (alike.empty() && others.empty()) return {};
   std::string words = "The inputs decide: ";
-  for (std::size_t i = 0; i < alike.size(); ++i) words += (i == 0 ? "10 % in " : " or ") + alike[i];
-  if (!alike.empty()) words += " is 10 % in v*";
+  for (std::size_t i = 0; i < alike.size(); ++i) words += (i == 0 ? tenth : " or ") + alike[i];
+  if (!alike.empty()) words += fmt::format(" is {}{}", tenth, velocity);
   if (!others.empty())
-    words += fmt::format("{}10 % in {}{} at most {}", alike.empty() ? "" : "; ", listed(others),
+    words += fmt::format("{}{}{}{} at most {}", alike.empty() ? "" : "; ", tenth, listed(others),
                          others.size() > 1 ? " together" : "", per_cent(sum));
   return words + ".";
 }
@@ -115,10 +117,9 @@ Json influence_rows(const SceneReport& report) {
   Json rows = Json::array();
   double largest = 0;
   for (const Influence& it : report.influences) largest = std::max(largest, std::abs(it.share));
-  const record::Fields page(record::Reader::page);
   for (const Influence& it : report.influences) {
     const double half = 50 * std::abs(it.share) / largest;
-    rows.push_back({{"sign", page.written(record::Markup{it.sign.mathml})},
+    rows.push_back({{"sign", record::page_of(record::Markup{it.sign.mathml})},
                     {"meaning", it.array ? "all entries" : it.meaning},
                     {"left", it.share < 0 ? 50 - half : 50},
                     {"length", half},
@@ -154,7 +155,7 @@ record::Json answer_record(const SceneReport& report) {
   rows.erase(rows.begin() + static_cast<std::ptrdiff_t>(rows.size() - left_out), rows.end());
   return {{"operating", operating_point(*report.effect)},
           {"keys", key_numbers(report)},
-          {"inputs", inputs_words(report)},
+          {"inputs", record::page_of(record::Markup{inputs_markup(report)})},
           {"influences", rows},
           {"left_out", left_out > 0 ? Json(left_out) : Json()}};
 }
