@@ -34,6 +34,12 @@ BOOST_AUTO_TEST_CASE(beyond_the_prefixes_the_number_gives_way) {
   BOOST_TEST(quantity(std::numeric_limits<double>::infinity(), "m/s") == "∞");
 }
 
+BOOST_AUTO_TEST_CASE(no_line_ends_between_a_number_and_its_unit) {
+  BOOST_TEST(unbroken("below 4.1 mm/s, by 40 % at 0.1 \u00b5m, k1 at most") ==
+             "below 4.1\u00a0mm/s, by 40\u00a0% at 0.1\u00a0\u00b5m, k1\u00a0at most");
+  BOOST_TEST(unbroken(" 4") == " 4");
+}
+
 BOOST_AUTO_TEST_CASE(differences_show_their_power_of_ten) {
   BOOST_TEST(magnitude(3.21e-16) == "3.2 × 10⁻¹⁶");
   BOOST_TEST(magnitude(0.5) == "5.0 × 10⁻¹");

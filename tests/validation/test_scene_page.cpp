@@ -154,19 +154,19 @@ BOOST_AUTO_TEST_CASE(sections_without_content_are_left_out) {
 BOOST_AUTO_TEST_CASE(the_answer_comes_first_and_needs_no_script) {
   const std::string html = page_of(example::scene_report(example::rigid_scene));
   const auto sentence =
-      html.find("<h1>Vibration lowers friction below 4.578 mm/s, by at most 40 %.");
+      html.find("<h1>Vibration lowers friction below 4.578\u00a0mm/s, by at most 40\u00a0%.");
   const auto chart = html.find("<svg class=\"still\"");
   const auto system = html.find("<svg class=\"drawing\"");
-  const auto numbers = html.find("<dd title=\"0.0045779 m/s\">4.578 mm/s</dd>");
+  const auto numbers = html.find("<dd title=\"0.0045779 m/s\">4.578\u00a0mm/s</dd>");
   const auto sure = html.find("How sure");
   const auto formula = html.find("id=\"formula\"");
   BOOST_TEST((sentence < chart && chart < system && system < numbers && numbers < sure &&
               sure < formula && formula != html.npos));
   BOOST_TEST(has(html, "<dd title=\"0.6\">0.6</dd>"));
   // du_z 0.1 µm, a third of the mean force: closed up to the threefold.
-  BOOST_TEST(has(html, ">0.3 µm</dd><dd class=\"note\">now 0.1 µm</dd>"));
+  BOOST_TEST(has(html, ">0.3\u00a0µm</dd><dd class=\"note\">now 0.1\u00a0µm</dd>"));
   // Half of 4.578 mm/s, against 0.9 x 0.3 x 3.45 N.
-  BOOST_TEST(has(html, ">2.132 mW</dd>"));
+  BOOST_TEST(has(html, ">2.132\u00a0mW</dd>"));
 }
 
 BOOST_AUTO_TEST_CASE(the_inputs_decide) {
@@ -269,7 +269,7 @@ BOOST_AUTO_TEST_CASE(an_inadmissible_scene_says_why_and_shows_no_speed) {
   BOOST_TEST(has(html, "id=\"normal_force\""));
   BOOST_TEST(!has(html, "id=\"friction_over_speed\""));
   BOOST_TEST(!has(html, "Critical speed v*"));
-  BOOST_TEST(has(html, ">33.33 nm</dd><dd class=\"note\">now 0.1 µm</dd>"));
+  BOOST_TEST(has(html, ">33.33\u00a0nm</dd><dd class=\"note\">now 0.1\u00a0µm</dd>"));
   // The formula's number is no v*, and that ways to evaluate it agree is no good news.
   const std::string evidence = evidence_of(report);
   BOOST_TEST(!has(evidence, "badge passed"));

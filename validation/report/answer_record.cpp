@@ -24,9 +24,9 @@ std::string in_few_digits(double value, const char* unit) {
 
 Json key_number(const std::string& label, double value, const char* unit, const std::string& note) {
   return {{"label", label},
-          {"words", in_few_digits(value, unit)},
+          {"words", unbroken(in_few_digits(value, unit))},
           {"exact", fmt::format("{}{}{}", value, *unit == 0 ? "" : " ", unit)},
-          {"note", note}};
+          {"note", unbroken(note)}};
 }
 
 const ResonanceMark* nearest_resonance(const SceneReport& report) {
@@ -153,7 +153,7 @@ record::Json answer_record(const SceneReport& report) {
   constexpr std::size_t most = 12;
   const std::size_t left_out = rows.size() > most ? rows.size() - most : 0;
   rows.erase(rows.begin() + static_cast<std::ptrdiff_t>(rows.size() - left_out), rows.end());
-  return {{"operating", operating_point(*report.effect)},
+  return {{"operating", unbroken(operating_point(*report.effect))},
           {"keys", key_numbers(report)},
           {"inputs", record::page_of(record::Markup{inputs_markup(report)})},
           {"influences", rows},

@@ -14,6 +14,7 @@
 #include "report/scene_figures.hpp"
 #include "report/separation_figures.hpp"
 #include "report/system_drawing.hpp"
+#include "report/units.hpp"
 #include "report/verdict.hpp"
 
 namespace vcrit::record {
@@ -283,7 +284,7 @@ void fields(Fields& f, const report::SceneContents& contents) {
   f("system", report::draw_system(scene.problem))
       .when(scene.effect.has_value(), "answer",
             scene.effect ? report::answer_record(scene) : Json());
-  f("sentence", report::sentence_of(scene))("checks", report::checks_words(scene));
+  f("sentence", report::unbroken(report::sentence_of(scene)))("checks", report::checks_words(scene));
   f("failed_names", names_of_failed(scene))("failed_warning", report::warning_of_failed(scene));
   f("speed_axis", report::speed_axis(scene));
   f("explorer", scene.failure.empty() ? report::explorer_record(scene.problem) : Json());

@@ -2,12 +2,27 @@
 
 #include <fmt/core.h>
 
+#include <cctype>
 #include <cmath>
 
 namespace vcrit::validation::report {
 
 std::string quantity(double value, const std::string& unit, int digits) {
   return rounded(value, unit, digits);
+}
+
+// The next word after a number is its unit, or what is counted: it may as well stay.
+std::string unbroken(const std::string& words) {
+  std::string result;
+  for (const char c : words) {
+    const bool after_digit =
+        !result.empty() && std::isdigit(static_cast<unsigned char>(result.back())) != 0;
+    if (c == ' ' && after_digit)
+      result += "\u00a0";
+    else
+      result += c;
+  }
+  return result;
 }
 
 std::string magnitude(double value) {
