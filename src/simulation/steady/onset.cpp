@@ -1,7 +1,5 @@
 #include "simulation/steady/onset.hpp"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -123,11 +121,8 @@ Onset stick_onset(const System& given) {
   SharedEffort effort(effort_of_answer, given.effort);
   system.effort = &effort;
   const Model model(system);
-  if (const int n = nearly_free_harmonic(system); !model.opening && n > 1)
-    throw ModelError(
-        fmt::format("the body swings freely at harmonic {} of the oscillation{} and loses its "
-                    "sticks ever more slowly: no steady state tells where the last one ends",
-                    n, model.free_harmonic > 1 ? "" : ", within a part in 1e5,"));
+  if (const std::string why = why_sticks_linger(system); !model.opening && !why.empty())
+    throw ModelError(why);
   double low = 1, high = 2;
   while (!sticks(model, low) && low > lowest_speed) high = std::exchange(low, low / 2);
   while (sticks(model, high)) {

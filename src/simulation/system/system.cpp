@@ -1,5 +1,7 @@
 #include "simulation/system/system.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -113,6 +115,15 @@ int nearly_free_harmonic(const System& system) {
   if (!(n >= 1 && n <= 1e6)) return 0;
   const double s = n * system.omega, inertia = *system.mass * s * s;
   return std::abs(stiffness(s) - inertia) <= near_harmonic * inertia ? static_cast<int>(n) : 0;
+}
+
+std::string why_sticks_linger(const System& system) {
+  const int n = system.opening ? 0 : nearly_free_harmonic(system);
+  if (n <= 1) return {};
+  return fmt::format(
+      "the body swings freely at harmonic {} of the oscillation{} and loses its sticks ever more "
+      "slowly: no steady state tells where the last one ends",
+      n, free_harmonic(system) > 1 ? "" : ", within a part in 1e5,");
 }
 
 void hold_by(System& system, DriveStructure structure) {

@@ -4,6 +4,7 @@
 #include <complex>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "normal/normal_motion.hpp"
@@ -55,6 +56,10 @@ int free_harmonic(const System& system);
 /// to within d of itself: below 1e-5, rounding and a search's own error of some 1e-12 take it for a
 /// steady one.
 int nearly_free_harmonic(const System& system);
+
+/// Why the sticks of a closed contact never end but become ever shorter, "the body swings freely at
+/// harmonic 2 ...": for such a system, or within a part in 1e5 of one. Empty elsewhere.
+std::string why_sticks_linger(const System& system);
 
 /// Harmonics at which a system with masses in its drive swings freely, n >= 1: undamped poles of
 /// what the body sees of the drive at n omega, but for rounding.
