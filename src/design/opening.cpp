@@ -41,7 +41,9 @@ NormalContact::NormalContact(const Problem& problem) : problem_(complete(problem
   const Values& values = problem_.values();
   normal_ = relaxation_form(problem->normal.network(), values);
   mean_force_ = simulation::closed_mean_force(problem_, normal_.equilibrium);
-  rules::require(rules::Question::mean_load, problem_);
+  // Whatever the amplitude: below an indenter it changes what is found of a load, and may be none
+  // yet.
+  rules::require(rules::Question::mean_load, with_amplitude(problem_, 0));
 }
 
 double NormalContact::largest_amplitude(double omega) const {

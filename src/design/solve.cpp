@@ -74,7 +74,7 @@ class Solving {
     } else {
       const double omega = question_.problem->angular_frequency.value.value_or(1);
       const Problem there = with_angular_frequency(question_.problem, omega);
-      rules::require(rules::Question::closed_amplitude, with_amplitude(there, 1));
+      rules::require(rules::Question::closed_amplitude, with_amplitude(there, 0));
       simulation::system_of(with_amplitude(there, contact_.largest_amplitude(omega) / 2));
     }
     return range_of(question_, contact_);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "base/constants.hpp"
 #include "stiffness/dynamic_stiffness.hpp"
 
 namespace vcrit {
@@ -29,8 +30,9 @@ double contact_amplitude(const Problem& problem) {
 }
 
 double mount_phase(const Problem& problem) {
-  return static_cast<double>(
-      std::arg(mount_response(problem, problem.value(problem->angular_frequency))));
+  const auto response = mount_response(problem, problem.value(problem->angular_frequency));
+  if (!std::isfinite(std::abs(response))) return -pi / 2;
+  return static_cast<double>(std::arg(response));
 }
 
 }  // namespace vcrit

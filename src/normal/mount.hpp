@@ -16,7 +16,8 @@ std::complex<long double> mount_response(const Problem& problem, double omega);
 /// du_z, m: of the contact, at the scene's frequency.
 double contact_amplitude(const Problem& problem);
 
-/// arg A_z, rad, below 0 where the contact is behind the vibrator.
+/// arg A_z, rad, below 0 where the contact is behind the vibrator. In an undamped resonance that of
+/// vanishing damping, -pi/2.
 double mount_phase(const Problem& problem);
 
 /// |A_z/U|, as a double.

@@ -118,6 +118,12 @@ struct Problem::Checked {
       missing.push_back(missing_name(parts, symbol));
   }
 
+  /// Neither by an indentation, of which the scene does not even give the name, nor by a load.
+  bool not_pressed() const {
+    return !parts.load && !parts.indentation.value &&
+           called(parts.names, parts.indentation.symbol) == parts.indentation.symbol;
+  }
+
   std::string text_of(const Amount& amount) const {
     const std::string text = to_text(
         amount, [this](const Symbol& symbol) { return to_text(called(parts.names, symbol)); });
@@ -150,7 +156,10 @@ const Values& Problem::values() const& {
   if (!checked_->missing.empty())
     throw InputError({checked_->parts.source->file},
                      fmt::format("no value for {}", fmt::join(checked_->missing, ", ")),
-                     "a number for each, in the scene or by `set NAME=VALUE`");
+                     "a number for each, in the scene or by `set NAME=VALUE`",
+                     checked_->not_pressed()
+                         ? "what presses the contact is indentation in [oscillation] or force in [load]"
+                         : "");
   return checked_->values;
 }
 

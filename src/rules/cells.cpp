@@ -84,14 +84,14 @@ constexpr Cell sinks_opening = refused(
 
 // Height and force of a contact that opens below a mount.
 constexpr Cell mounted = refused(
-    "a contact that may open (separation = true) below a mount: it would be that of mount and "
-    "contact in series, which this program does not have",
-    "without separation the contact stays closed");
+    "below a mount no contact that may open (separation = true) is simulated: for lack of code, not "
+    "of physics",
+    "leave out separation = true, or give mount and contact in series as the normal network, with a "
+    "tangential network of its own and [load]");
 constexpr Cell reacting = refused(
-    "a contact that may open (separation = true) below a mount with mass: height and force react "
-    "on "
-    "each other, so that the steady motion need not be one",
-    "without separation the contact stays closed");
+    "a contact that may open (separation = true) below a mount with mass: height and force react on "
+    "each other, so that the steady motion need not be the only one",
+    "leave out separation = true");
 constexpr Cell mounted_then =
     left_out("the contact may open below a mount, and v* of that motion is not known");
 constexpr Cell mounted_frequency = refused(

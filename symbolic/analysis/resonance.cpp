@@ -19,16 +19,17 @@ constexpr std::size_t readable_part_terms = 40;
 
 /// The factor that vanishes, as (stiffness) + m s^2.
 struct MassBalance {
-  ex stiffness;  ///< of K_n, K_t, K_d
+  ex mass;
+  ex stiffness;  ///< of K_n, K_t, K_d, or of K_m and K_n
   ex whole;
 };
 
-MassBalance per_mass(const ex& factor, const Model& model) {
-  const ex m = symbol({"m"}), unit = factor.coeff(m, 1).coeff(laplace(), 2);
+MassBalance per_mass(const ex& factor, const ex& m, const Model& model) {
+  const ex unit = factor.coeff(m, 1).coeff(laplace(), 2);
   ex stiffness = 0;
   for (const auto& [name, network] : model.networks())
     stiffness += factored(factor.coeff(quantity(name), 1) / unit) * quantity(name);
-  return {stiffness, stiffness + m * GiNaC::pow(laplace(), 2)};
+  return {m, stiffness, stiffness + m * GiNaC::pow(laplace(), 2)};
 }
 
 bool is_readable_part(const ex& polynomial) {
@@ -48,8 +49,8 @@ Resonance::Parts real_and_imaginary(const ex& rational) {
 }
 
 // A sum under the root: GiNaC would take the number of a product out of it.
-ex root_of(const ex& stiffness) {
-  const ex square = factored(stiffness / symbol({"m"}));
+ex root_of(const ex& stiffness, const ex& m) {
+  const ex square = factored(stiffness / m);
   return GiNaC::sqrt(square.integer_content().is_equal(1) ? square : square.expand());
 }
 
@@ -63,8 +64,8 @@ std::set<NumberRole> roles(const MassBalance& balance, const Model& model) {
   return found;
 }
 
-Resonance resonance(const ex& factor, Resonance::Kind kind, const Model& model) {
-  const MassBalance balance = per_mass(factor, model);
+Resonance resonance(const ex& factor, Resonance::Kind kind, const ex& m, const Model& model) {
+  const MassBalance balance = per_mass(factor, m, model);
   Resonance found{kind, balance.whole.subs(laplace() == GiNaC::I * omega()), {}, {}, {}, {}, {}};
   const std::set<NumberRole> inside = roles(balance, model);
   found.damped = std::any_of(inside.begin(), inside.end(), [](NumberRole role) {
@@ -74,7 +75,7 @@ Resonance resonance(const ex& factor, Resonance::Kind kind, const Model& model) 
   const std::optional<GiNaC::exmap> known = model.multiplied_out(factor);
   if (!known) found.definitions = used_in(factor, model.nested_formula().definitions);
   if (inside == std::set{NumberRole::stiffness})
-    found.frequency = root_of(known ? balance.stiffness.subs(*known) : balance.stiffness);
+    found.frequency = root_of(known ? balance.stiffness.subs(*known) : balance.stiffness, m);
   if (found.damped && known) {
     const Resonance::Parts parts = real_and_imaginary(balance.whole.subs(*known));
     if (is_readable_part(parts.real) && is_readable_part(parts.imaginary)) found.parts = parts;
@@ -82,23 +83,33 @@ Resonance resonance(const ex& factor, Resonance::Kind kind, const Model& model) 
   return found;
 }
 
+/// The mass whose balance along the surface or, with K_m, along the normal may vanish.
+std::optional<ex> mass_in(const Problem& problem, Resonance::Kind kind) {
+  if (kind == Resonance::Kind::mount_resonance)
+    return problem->mount_mass ? std::optional(symbol(problem->mount_mass->symbol)) : std::nullopt;
+  if (!problem->mass || problem->receptance() != nullptr) return std::nullopt;
+  return symbol(problem->mass->symbol);
+}
+
 }  // namespace
 
 std::vector<Resonance> resonances(const Derivation& derivation) {
+  using Kind = Resonance::Kind;
   const AlgebraLock lock;
-  if (!derivation.problem->mass || derivation.problem->receptance() != nullptr) return {};
   const Model& model = *derivation.model;
-  Factors amplitude;
-  amplitude.multiply_rational(model.amplitude({}));
+  std::optional<Factors> amplitude;
   std::vector<Resonance> found;
-  for (const auto kind : {Resonance::Kind::resonance, Resonance::Kind::antiresonance})
-    for (const auto& [factor, exponent] : amplitude.parts()) {
-      const bool vanishes = exponent > 0;
-      // Of the body and its drive; a mount resonates along the normal.
-      if (factor.has(symbol({"m"})) && !factor.has(quantity("K_m")) &&
-          vanishes == (kind == Resonance::Kind::antiresonance))
-        found.push_back(resonance(factor, kind, model));
+  for (const Kind kind : {Kind::resonance, Kind::antiresonance, Kind::mount_resonance}) {
+    const std::optional<ex> mass = mass_in(derivation.problem, kind);
+    if (!mass) continue;
+    if (!amplitude) amplitude = model.factors({});
+    for (const auto& [factor, exponent] : amplitude->parts()) {
+      const bool along_normal = factor.has(quantity("K_m")), vanishes = exponent > 0;
+      if (factor.has(*mass) && along_normal == (kind == Kind::mount_resonance) &&
+          vanishes == (kind == Kind::antiresonance))
+        found.push_back(resonance(factor, kind, *mass, model));
     }
+  }
   return found;
 }
 

@@ -1,4 +1,4 @@
-// Resonance and antiresonance of a scene with a mass, as equations in its symbols.
+// Resonance and antiresonance of a scene with a mass, and the resonance of a mount, as equations in its symbols.
 #pragma once
 
 #include <ginac/ginac.h>
@@ -13,8 +13,9 @@ namespace vcrit::symbolic {
 
 /// Where one factor of v*, condition = 0, makes it infinite or zero.
 struct Resonance {
-  /// resonance: v* infinite. antiresonance: v* = 0.
-  enum class Kind { resonance, antiresonance } kind = Kind::resonance;
+  /// resonance: v* infinite. antiresonance: v* = 0. mount_resonance: along the normal, where the
+  /// contact's amplitude is infinite, and v* with it.
+  enum class Kind { resonance, antiresonance, mount_resonance } kind = Kind::resonance;
   Expression condition;  ///< K_d - m omega^2, say
   /// Dampers keep |condition| above 0 at every frequency, unless
   bool damped = false;
@@ -29,7 +30,7 @@ struct Resonance {
   std::vector<Line> definitions;  ///< of what condition and frequency name, as in Derivation
 };
 
-/// Resonance, then antiresonance; nothing for a scene without a mass.
+/// In the order of Kind; nothing for a scene without a mass.
 std::vector<Resonance> resonances(const Derivation& derivation);
 
 }  // namespace vcrit::symbolic

@@ -67,7 +67,7 @@ ex shorter_of(const ex& expression) {
 class Chain {
  public:
   explicit Chain(const Model& model) : stiffnesses_(model.nested_formula().definitions) {
-    amplitude_.multiply_rational(model.amplitude({}));
+    amplitude_ = model.factors({});
     for (const Line& line : stiffnesses_) symbols_.push_back(free_symbols(line.right));
   }
 
@@ -165,8 +165,7 @@ class Chain {
 class Backwards {
  public:
   explicit Backwards(const Model& model) {
-    Factors amplitude;
-    amplitude.multiply_rational(model.amplitude({}));
+    const Factors amplitude = model.factors({});
     for (const auto& [factor, exponent] : amplitude.parts()) pass_on(exponent / factor, factor);
     const std::vector<Line> definitions = model.nested_formula().definitions;
     for (auto line = definitions.rbegin(); line != definitions.rend(); ++line) {

@@ -22,7 +22,7 @@ struct Names {
   ex K_n = quantity("K_n"), K_t = quantity("K_t"), K_d = quantity("K_d");
   ex m = symbol({"m"}), mu0 = symbol({"mu0"}), du_z = symbol({"du_z"});
   ex x = quantity("x"), y = quantity("y"), acceleration = quantity("x''"), f_n = quantity("f_n");
-  ex K_m = quantity("K_m"), m_n = symbol({"m_n"}), Z = quantity("Z"), u_v = quantity("u_v");
+  ex K_m = quantity("K_m"), m_n = symbol({"m_n"}), A_z = quantity("A_z"), u_v = quantity("u_v");
   ex z = quantity("z"), z_acceleration = quantity("z''");
   ex wave = GiNaC::exp(s * t);
 };
@@ -60,7 +60,7 @@ ex normal_equation(const Surrounding& there, const ex& vibrator, const ex& z,
 class BalanceWriter {
  public:
   explicit BalanceWriter(const Surrounding& there)
-      : there_(there), height_(there.mount ? n_.Z : n_.du_z) {}
+      : there_(there), height_(there.mount ? n_.A_z : n_.du_z) {}
 
   Balance solve() {
     const ex normal = there_.mount ? normal_amplitude() : n_.du_z;
@@ -74,7 +74,9 @@ class BalanceWriter {
     const auto [A, B] = amplitudes(amplitude);
     const ex general = general_amplitude(B);
     if (!there_.mount) return {std::move(lines_), A, B, general, normal};
-    const auto whole = [&](const ex& part) { return factored(part.subs(n_.Z == normal)); };
+    // Linear in A_z, and a product of both: what resonates along the surface and along the normal
+    // stays apart.
+    const auto whole = [&](const ex& part) { return ex(factored(part / n_.A_z) * normal); };
     write("With the contact's amplitude", n_.B, whole(B));
     return {std::move(lines_), whole(A), whole(B), whole(general), normal};
   }
@@ -90,16 +92,16 @@ class BalanceWriter {
     write({"Along the normal, oscillating parts (", n_.u_v, ": vibrator, ", n_.z,
            ": contact): mount, contact and what moves between them balance"},
           normal_equation(there_, n_.u_v, n_.z, n_.z_acceleration), 0);
-    write({"The vibrator oscillates by ", n_.du_z, ", the contact by the complex amplitude ", n_.Z},
+    write({"The vibrator oscillates by ", n_.du_z, ", the contact by the complex amplitude ", n_.A_z},
           n_.u_v, n_.du_z * n_.wave);
-    write("", n_.z, n_.Z * n_.wave);
-    const ex z = n_.Z * n_.wave;
+    write("", n_.z, n_.A_z * n_.wave);
+    const ex z = n_.A_z * n_.wave;
     const ex balance = (normal_equation(there_, n_.du_z * n_.wave, z, z.diff(time(), 2)) / n_.wave)
                            .expand()
-                           .collect(n_.Z);
+                           .collect(n_.A_z);
     write("Balance along the normal", balance, 0);
-    const ex solution = factored(GiNaC::lsolve(balance == 0, n_.Z));
-    write("Solved for the amplitude at the contact", n_.Z, solution);
+    const ex solution = factored(GiNaC::lsolve(balance == 0, n_.A_z));
+    write("Solved for the amplitude at the contact", n_.A_z, solution);
     return solution;
   }
 

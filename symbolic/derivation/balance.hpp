@@ -15,7 +15,7 @@ namespace vcrit::symbolic {
 struct Surrounding {
   bool drive = false;
   bool mass = false;  ///< only with a drive
-  /// The vibrator presses through K_m. Then U stands in the place of du_z, which is |Z|.
+  /// The vibrator presses through K_m. Then U stands in the place of du_z, which is |A_z|.
   bool mount = false;
   /// What moves with the contact along the normal: nothing, m_n, or the body's own m.
   enum class NormalMass { none, own, body } normal_mass = NormalMass::none;
@@ -28,7 +28,7 @@ struct Balance {
   GiNaC::ex body_amplitude;     ///< A, likewise; 0 under a rigid drive
   GiNaC::ex contact_amplitude;  ///< B, a rational function of K_n, K_t, K_d, s and the symbols
   GiNaC::ex general_amplitude;  ///< B for any receptance H of the contact point (m/N)
-  GiNaC::ex normal_amplitude;   ///< Z of the contact along the normal; du_z without a mount
+  GiNaC::ex normal_amplitude;   ///< A_z of the contact along the normal; du_z without a mount
 };
 
 /// Solved once for each kind of scene.

@@ -36,7 +36,7 @@ std::shared_ptr<const Model> model_of(const Problem& problem) {
 
 ex velocity(const ex& amplitude) {
   Factors factors;
-  factors.multiply_rational(amplitude);
+  factors.multiply_product(amplitude);
   factors.cancel();
   return omega() * factors.modulus();
 }

@@ -155,6 +155,11 @@ void Factors::multiply_rational(const ex& function) {
   multiply(fraction.op(1), -1);
 }
 
+void Factors::multiply_product(const ex& product) {
+  if (!GiNaC::is_a<GiNaC::mul>(product)) return multiply_rational(product);
+  for (const ex& factor : product) multiply_rational(factor);
+}
+
 void Factors::cancel() {
   const std::vector<ex> over = std::move(over_);
   std::vector<ex> under = std::move(under_);

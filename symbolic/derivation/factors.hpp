@@ -20,6 +20,8 @@ class Factors {
   void multiply(const GiNaC::ex& polynomial, int exponent);
   /// Multiplies by the numerator and divides by the denominator of a rational function.
   void multiply_rational(const GiNaC::ex& function);
+  /// The same, each factor of a product by itself: what is a product below the bar stays one.
+  void multiply_product(const GiNaC::ex& product);
   /// Removes common factors of the polynomials above and below the bar.
   void cancel();
 

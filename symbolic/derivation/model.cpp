@@ -61,6 +61,13 @@ bool is_kelvin(const Fraction& k) {
          k.numerator.degree(laplace()) == 1 && k.numerator.ldegree(laplace()) == 0;
 }
 
+// Of K(0) in what the rates change: 0 of what carries a load, below 0 of what does no longer.
+int power_at_rest(const ReducedNetwork& network, Rates rates) {
+  for (auto& [symbol, rate] : rates) rate *= much_faster;
+  rates[{"omega"}] = -1;
+  return term_count(network.reduction(), rates).power;
+}
+
 Surrounding surrounding_of(const Problem& problem) {
   using NormalMass = Surrounding::NormalMass;
   const bool mass = problem->mass.has_value();
@@ -104,7 +111,7 @@ std::vector<Line> used_in(const ex& formula, std::vector<Line> definitions) {
 Model::Model(const Problem& problem)
     : surrounding_(surrounding_of(problem)), balance_(solve_balance(surrounding_)) {
   networks_.push_back({"K_n", problem->normal});
-  loaded_ = is_loaded({});
+  loaded_ = power_at_rest(problem->normal, {}) == 0;
   if (const auto* isotropic = std::get_if<Isotropic>(&problem->tangential)) {
     ratio_ = symbolic::isotropic_ratio(*isotropic);
     const Quantity& ratio = isotropic->quantity;
@@ -142,15 +149,25 @@ void Model::put_drive(const ReducedNetwork& drive) {
   networks_.push_back({"K_d", drive});
 }
 
-ex Model::amplitude(const Change& change) const {
+Factors Model::factors(const Change& change) const {
   ex amplitude = balance_.contact_amplitude;
   if (change.ratio) amplitude = amplitude.subs(quantity("K_t") == *change.ratio * quantity("K_n"));
   // A drive that grows is no longer the contact's network.
   for (const Line& identity : identities_)
     if (!change.rigid || !identity.left.is_equal(quantity("K_d")))
       amplitude = amplitude.subs(identity.left == identity.right);
-  return factored(amplitude.subs(change.scale));
+  amplitude = amplitude.subs(change.scale);
+  Factors result;
+  if (!has_mount()) {
+    result.multiply_rational(factored(amplitude));
+    return result;
+  }
+  result.multiply_product(amplitude);
+  result.cancel();
+  return result;
 }
+
+ex Model::amplitude(const Change& change) const { return factors(change).value(); }
 
 ex Model::per_friction() const {
   return (amplitude({}) / symbol({"mu0"}) / symbol({"du_z"})).normal();
@@ -192,16 +209,11 @@ std::map<std::string, int> Model::powers(const Change& change) const {
   return powers;
 }
 
-// The normal force has a mean, which a network with K_n(0) = 0 cannot carry. A scene without such a
-// network loses nothing.
+// The normal force has a mean, which a network with K_n(0) = 0 cannot carry, nor a mount. A scene
+// without such a network loses nothing.
 bool Model::unloads_contact(const Change& change) const {
-  return loaded_ && !is_loaded(change.rates);
-}
-
-bool Model::is_loaded(Rates rates) const {
-  for (auto& [symbol, rate] : rates) rate *= much_faster;
-  rates[{"omega"}] = -1;
-  return term_count(networks_.front().network.reduction(), rates).power == 0;
+  if (has_mount() && power_at_rest(networks_.back().network, change.rates) < 0) return true;
+  return loaded_ && power_at_rest(networks_.front().network, change.rates) != 0;
 }
 
 Leading<Factors> Model::leading_amplitude(const std::map<std::string, int>& powers,
@@ -214,8 +226,7 @@ Leading<Factors> Model::leading_amplitude(const std::map<std::string, int>& powe
 
 Leading<Factors> Model::new_leading_amplitude(const std::map<std::string, int>& powers,
                                               const Change& change) const {
-  Factors whole;
-  whole.multiply_rational(amplitude(change));
+  const Factors whole = factors(change);
   Leading<Factors> leading;
   leading.value.multiply_rational(whole.coefficient());
   for (const auto& [factor, exponent] : whole.parts()) {

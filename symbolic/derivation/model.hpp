@@ -53,6 +53,8 @@ class Model {
   const Balance& balance() const { return balance_; }
   /// The amplitude B after isotropy and equal networks have been put in.
   GiNaC::ex amplitude(const Change& change) const;
+  /// The same; with a mount, what resonates along the normal is a factor of its own.
+  Factors factors(const Change& change) const;
   /// B/(mu0 du_z) without a limit.
   GiNaC::ex per_friction() const;
   /// Nothing where the limit cuts a network in two, makes the normal network rigid or unable to
@@ -81,7 +83,6 @@ class Model {
   bool is_small(const GiNaC::ex& amplitude, const Change& change) const;
   std::map<std::string, int> powers(const Change& change) const;
   bool unloads_contact(const Change& change) const;
-  bool is_loaded(Rates rates) const;
   /// Of each network; powers and sizes of one change are asked for one after the other.
   const std::vector<Leading<TermCount>>& counts(const Rates& rates) const;
   Leading<Factors> leading_amplitude(const std::map<std::string, int>& powers,

@@ -141,11 +141,15 @@ std::vector<Line> resonance_lines(const Resonance& resonance) {
 }
 
 Prose resonance_words(const Resonance& resonance) {
-  const bool infinite = resonance.kind == Resonance::Kind::resonance;
+  const bool infinite = resonance.kind != Resonance::Kind::antiresonance;
+  const std::string name = resonance.kind == Resonance::Kind::mount_resonance
+                               ? "Resonance of mount and contact along the normal, "
+                           : infinite ? "Resonance, "
+                                      : "Antiresonance, ";
   const ex v = quantity("v*");
   if (!resonance.damped)
-    return infinite ? Prose{"Resonance, ", v, " infinite"} : Prose{"Antiresonance, ", stated(v, 0)};
-  return {infinite ? "Resonance, damped: " : "Antiresonance, damped: ", v,
+    return infinite ? Prose{name, v, " infinite"} : Prose{name, stated(v, 0)};
+  return {name + "damped: ", v,
           infinite ? " stays finite, as this " : " stays above 0, as this ",
           resonance.absorbing ? "holds only where masses keep all dampers still" : "never holds"};
 }

@@ -55,9 +55,11 @@ void fields(Fields& f, const symbolic::Asymptote& it) {
 }
 
 void fields(Fields& f, const symbolic::Resonance& it) {
-  const bool infinite = it.kind == symbolic::Resonance::Kind::resonance;
-  f("name", infinite ? "resonance" : "antiresonance")("condition",
-                                                      DerivedEquation{it.condition, 0});
+  using Kind = symbolic::Resonance::Kind;
+  const char* name = it.kind == Kind::resonance       ? "resonance"
+                     : it.kind == Kind::antiresonance ? "antiresonance"
+                                                      : "mount_resonance";
+  f("name", name)("condition", DerivedEquation{it.condition, 0});
   f("damped", it.damped);
   if (it.frequency)
     f("frequency", DerivedFormula{*it.frequency});

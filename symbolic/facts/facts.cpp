@@ -107,27 +107,33 @@ class Facts {
   }
 
   void tell(const Resonance& resonance) {
-    const bool infinite = resonance.kind == Resonance::Kind::resonance;
-    const char* key = infinite ? "resonance" : "antiresonance";
-    if (resonance.frequency && resonance.definitions.empty()) {
-      const Prose words{quantity("v*"),
-                        infinite ? " is infinite where body and drive resonate"
-                                 : " vanishes at the antiresonance of contact point and body, "
-                                   "where the oscillation does not lower friction at any speed"};
-      found_.push_back({key, words, {equation_of(omega(), *resonance.frequency)}});
-    }
+    using Kind = Resonance::Kind;
+    if (!resonance.frequency || !resonance.definitions.empty()) return;
+    const auto [key, words] =
+        resonance.kind == Kind::resonance
+            ? std::pair("resonance", " is infinite where body and drive resonate")
+        : resonance.kind == Kind::antiresonance
+            ? std::pair("antiresonance",
+                        " vanishes at the antiresonance of contact point and body, "
+                        "where the oscillation does not lower friction at any speed")
+            : std::pair("mount_resonance",
+                        " is infinite where mount and contact resonate along the normal");
+    found_.push_back(
+        {key, {quantity("v*"), words}, {equation_of(omega(), *resonance.frequency)}});
   }
 
   void tell_resonances() {
-    std::set<Resonance::Kind> damped;
+    bool zeros = false, poles = false, no_zero = true, no_pole = true;
     for (const Resonance& resonance : resonances(derivation_)) {
       tell(resonance);
-      if (resonance.damped && !resonance.absorbing) damped.insert(resonance.kind);
+      const bool vanishes = resonance.kind == Resonance::Kind::antiresonance;
+      const bool kept_off = resonance.damped && !resonance.absorbing;
+      (vanishes ? zeros : poles) = true;
+      if (!kept_off) (vanishes ? no_zero : no_pole) = false;
     }
-    if (damped.empty()) return;
-    const char* kept = damped.size() == 2                            ? "finite and above 0"
-                       : damped.contains(Resonance::Kind::resonance) ? "finite"
-                                                                     : "above 0";
+    const bool finite = poles && no_pole, above = zeros && no_zero;
+    if (!finite && !above) return;
+    const char* kept = finite && above ? "finite and above 0" : finite ? "finite" : "above 0";
     found_.push_back(
         {"damped",
          {"Dampers keep ", quantity("v*"), std::string(" ") + kept + " at every frequency"}});
@@ -187,8 +193,8 @@ class Facts {
 
   /// In stiffnesses: with the mount's it fills no line of words.
   void tell_closed_below_mount() {
-    const GiNaC::ex K_n = quantity("K_n"), Z = model_.balance().normal_amplitude;
-    const GiNaC::ex force = GiNaC::abs((Z * K_n).subs(laplace() == GiNaC::I * omega()));
+    const GiNaC::ex K_n = quantity("K_n"), A_z = model_.balance().normal_amplitude;
+    const GiNaC::ex force = GiNaC::abs((A_z * K_n).subs(laplace() == GiNaC::I * omega()));
     Prose words{"The contact stays closed while ", force, " is below "};
     if (problem_->load)
       words += {symbol(problem_->load->symbol)};

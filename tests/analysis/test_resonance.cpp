@@ -142,6 +142,28 @@ BOOST_AUTO_TEST_CASE(large_damped_conditions_are_not_multiplied_out) {
   BOOST_TEST(!all[1].parts.has_value());
 }
 
+// Along the normal, beside those along the surface, with the body's mass or one of its own.
+BOOST_AUTO_TEST_CASE(a_mount_resonates_with_the_contact) {
+  using Kind = Resonance::Kind;
+  const std::string elastic = "normal = \"kn\"\ntangential = \"kt\"",
+                    shared = "[mount]\nnetwork = \"km\"\nmass = \"m\"\n";
+  const auto all = resonances(derive(scene_of(elastic, "kd", "m", shared)));
+  BOOST_REQUIRE(all.size() == 3U);
+  BOOST_TEST((all[0].kind == Kind::resonance && all[1].kind == Kind::antiresonance));
+  BOOST_TEST((all[2].kind == Kind::mount_resonance));
+  BOOST_TEST(to_text(all[0].condition) == "K_d - m*omega^2");
+  BOOST_TEST(to_text(all[2].condition) == "K_m + K_n - m*omega^2");
+  BOOST_TEST(to_text(*all[2].frequency) == "sqrt((km + kn)/m)");
+  const auto damped = resonances(derive(
+      scene_of(test::kelvin_contact, "", "", "[mount]\nnetwork = \"km\"\nmass = \"m_n\"\n")));
+  BOOST_REQUIRE(damped.size() == 1U);
+  BOOST_TEST(damped[0].damped);
+  BOOST_TEST(to_text(damped[0].parts->real) == "km + kn - m_n*omega^2");
+  BOOST_TEST(to_text(damped[0].parts->imaginary) == "cn*omega");
+  BOOST_TEST(
+      resonances(derive(scene_of(elastic, "kd", "", "[mount]\nnetwork = \"km\"\n"))).empty());
+}
+
 BOOST_AUTO_TEST_CASE(without_a_mass_nothing_resonates) {
   BOOST_TEST(resonances(derive(scene_of("normal = \"kn\"\ntangential = \"kt\"", "kd"))).empty());
   BOOST_TEST(resonances(derive(scene_of(test::kelvin_contact))).empty());

@@ -30,6 +30,10 @@ class Draw {
       if (!isotropic->quantity.value)
         isotropic->quantity.value = std::uniform_real_distribution(0.0, 0.5)(random_);
     if (scene.mass) give(scene.mass->value, decades);
+    if (scene.mount_mass && scene.mass && scene.mount_mass->symbol == scene.mass->symbol)
+      scene.mount_mass->value = scene.mass->value;
+    else if (scene.mount_mass)
+      give(scene.mount_mass->value, decades);
     if (scene.mass && kind == 2) near_resonance(scene);
     return scene;
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <boost/test/unit_test.hpp>
+#include <optional>
 #include <sstream>
 
 #include "emit/draw.hpp"
@@ -123,7 +124,10 @@ inline Real derivative(const Scene& scene, const Real& exact, const Symbol& symb
     for (Quantity* quantity :
          {&changed.coefficient, &changed.angular_frequency, &changed.amplitude})
       if (quantity->symbol == symbol) quantity->value = x;
-    if (changed.mass && changed.mass->symbol == symbol) changed.mass->value = x;
+    if (auto* isotropic = std::get_if<Isotropic>(&changed.tangential))
+      if (isotropic->quantity.symbol == symbol) isotropic->quantity.value = x;
+    for (std::optional<Quantity>* mass : {&changed.mass, &changed.mount_mass})
+      if (*mass && (*mass)->symbol == symbol) (*mass)->value = x;
     return critical_velocity_by_nodes(changed);
   };
   constexpr double tiny = 1e-100;

@@ -47,7 +47,9 @@ struct Call {
 /// The scene's values in the order of the members of Parameters; entries of arrays that the scene
 /// leaves out are 0.
 inline std::vector<double> members(const Scene& scene, const symbolic::ParameterList& parameters) {
-  const Values values = test::numbers_of(scene);
+  Values values;  // by the names that evaluators have
+  for (const auto& [symbol, value] : test::numbers_of(scene))
+    values[as_called(scene, symbol)] = value;
   std::vector<double> result;
   for (const symbolic::Member& member : parameters.members())
     for (int entry = member.length == 0 ? 0 : 1; entry <= member.length; ++entry) {

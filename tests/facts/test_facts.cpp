@@ -92,6 +92,11 @@ BOOST_AUTO_TEST_CASE(resonances_are_told_with_their_frequency) {
   BOOST_TEST(told(elastic, ": omega = sqrt((kd + kt)/m)"));
   const Texts damped = texts_of(scene_of(zener + nu, "kd | cd", "m"));
   BOOST_TEST(told(damped, "Dampers keep v* finite and above 0 at every frequency"));
+  // The mount has none.
+  const Texts mounted = texts_of(scene_of("normal = \"kn\"\ntangential = \"kt | ct\"", "kd | cd", "m",
+                                          "[mount]\nnetwork = \"km\"\nmass = \"m\"\n"));
+  BOOST_TEST(told(mounted, "resonate along the normal: omega = sqrt((km + kn)/m)"));
+  BOOST_TEST(told(mounted, "Dampers keep v* above 0 at every frequency"));
 }
 
 // By hand: K(0) = k0, |K|^2 = (k0^2 + T^2 (k0 + k1)^2)/(1 + T^2), T = omega c1/k1: 13 operations.

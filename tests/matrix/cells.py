@@ -115,8 +115,8 @@ class Cells:
         return json.loads(ran.stdout) if self.answered(kind, column, ran) else None
 
     def near_pressed(self, kind, i, quantity, found):
-        """The mean indentation or normal force of row i. The force by steps; where nothing moves in time, K_n(0) u_z0: the
-        amplitude that opens the contact times |K_n|."""
+        """The mean indentation or normal force of row i. The force by steps; where nothing moves in time, that given, or
+        K_n(0) u_z0: the amplitude that opens the contact times |K_n|."""
         references, name = REFERENCES[kind], f"mean_normal_force:{i}"
         if quantity == "indentation":
             under_load = "indentation" in references
@@ -125,9 +125,11 @@ class Cells:
         elif name in references:
             # Below an indenter also the program's own quadrature, good to 1e-12.
             self.near(found, references(name), references.error(name) + 1e-12 * found, name)
+        elif "value:W" in references:
+            self.near(found, references("value:W"), 0, name)
         else:
             stiffness = abs(mp.mpc(references("normal_stiffness:storage"), references("normal_stiffness:loss")))
-            self.near(found, references("admissible_amplitude") * stiffness, 8 * U * found, name)
+            self.near(found, references("admissible_amplitude") * contact_amplitude(kind)[1] * stiffness, 8 * U * found, name)
 
     def near(self, found, reference, allowed, words=""):
         """Absolutely; infinite only where both are."""
@@ -148,6 +150,15 @@ class Cells:
     def near_formula(self, found, kind, roundings=3, words=""):
         reference = REFERENCES[kind]("formula")
         self.near(found, reference, abs(reference) * roundings * U if reference != mp.inf else 0, words or kind)
+
+
+def contact_amplitude(kind):
+    """du_z, and its share of the amplitude given."""
+    references = REFERENCES[kind]
+    if "normal_oscillation:amplitude" not in references:
+        return references("value:du_z"), 1
+    found = references("normal_oscillation:amplitude")
+    return found, found / references("value:U")
 
 
 def onset(kind):

@@ -11,7 +11,8 @@ from cells import KINDS, REFERENCES, U, run, scene
 sys.path.insert(0, str(Path(__file__).parents[1] / "languages"))
 from drivers import PLAIN_ANSWERS, answers, members, ran
 QUANTITIES = {"normal_stiffness": ("storage", "loss"), "tangential_stiffness": ("storage", "loss"),
-              "drive_stiffness": ("storage", "loss"), "body_oscillation": ("amplitude", "phase"),
+              "drive_stiffness": ("storage", "loss"), "mount_stiffness": ("storage", "loss"),
+              "normal_oscillation": ("amplitude", "phase"), "body_oscillation": ("amplitude", "phase"),
               "contact_point_oscillation": ("amplitude", "phase"), "admissible_amplitude": ()}
 
 
@@ -88,7 +89,7 @@ def check_more(test, folder):
                 layout = members((folder / f"f_{kind}.hpp").read_text())
                 # Parameters of every call; of a scene without numbers there is nothing to fold in.
                 if kind != "symbols":
-                    test.assertEqual([name for name, _ in layout], ["mu0", "omega", "du_z"])
+                    test.assertEqual([name for name, _ in layout], ["mu0", "omega", "U" if "value:U" in REFERENCES[kind] else "du_z"])
                 includes.append(f"f_{kind}.hpp")
                 numbers = ", ".join(flat(kind, layout))
                 lines.append(f'std::printf("%a\\n", f_{kind}::critical_velocity({{{numbers}}}));')

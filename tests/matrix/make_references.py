@@ -16,7 +16,7 @@ from pathlib import Path
 import mpmath as mp
 
 from reference_friction import friction_rows
-from reference_kinds import KINDS, read, receptance, wired
+from reference_kinds import KINDS, height, read, receptance, wired
 from reference_networks import creep_viscosity, stiffness
 
 TABLE = Path(__file__).parent / "references.csv"
@@ -50,7 +50,7 @@ def contact_stiffness(system, omega):
 
 def amplitudes(system, values):
     """Of the body and of the contact point, in m: both infinite in resonance."""
-    omega, friction = values["omega"], values["mu0"] * values["du_z"]
+    omega, friction = values["omega"], values["mu0"] * height(system, values)
     normal, tangential = contact_stiffness(system, omega)
     drive = drive_stiffness(system, omega)
     if drive == 0:
@@ -70,10 +70,15 @@ def scaled(values, names, factor):
             for key, value in values.items()}
 
 
+def is_found(key, values):
+    """What a scene does not give: the depth under a load, the contact's amplitude below a mount."""
+    return (key == "u_z0" and "W" in values) or (key == "du_z" and "U" in values)
+
+
 def entries(values):
     """Every parameter by the name that a formula gives it, with what changes it by a factor."""
     for key, value in values.items():
-        if key == "u_z0" and "W" in values:
+        if is_found(key, values):
             continue
         if not isinstance(value, list):
             yield key, lambda factor, key=key: scaled(values, {key}, factor)
@@ -114,7 +119,7 @@ def wired_marked(name, values, key):
 
 
 def edges_of(system):
-    networks = [system.normal, None if system.ratio else system.tangential, system.drive]
+    networks = [system.normal, None if system.ratio else system.tangential, system.drive, system.mount]
     return [edge for network in networks if callable(network) for edge in network("a", "b")]
 
 
@@ -122,7 +127,7 @@ def limits(name, values):
     """v* where elements vanish or grow without end, one by one, all dampers, and each with a rigid drive."""
     system = wired(name, values)
     system.name = name
-    elements = [key for key in values if key not in ("mu0", "omega", "du_z", "u_z0", "W")]
+    elements = [key for key in values if key not in ("mu0", "omega", "du_z", "u_z0", "W", "U")]
     cases = [({key}, target) for key in elements for target in ("0", "inf")]
     all_dampers = set(dampers(system, values))
     cases += [(set(some), "0") for count in range(2, len(all_dampers) + 1) for some in combinations(sorted(all_dampers), count)]
@@ -165,14 +170,27 @@ def stiffnesses(name, values):
             yield f"{what}_stiffness:loss", mp.im(k)
     at_rest = equilibrium(system)
     yield "normal_stiffness_at_rest", at_rest
-    mean = values["W"] if "W" in values else values["u_z0"] * at_rest
-    yield "admissible_amplitude", mean / abs(normal)
+    left = mp.mpf(1)
+    if system.mount is not None:
+        mount = stiffness(system.mount, 1j * omega)
+        yield "mount_stiffness:storage", mp.re(mount)
+        yield "mount_stiffness:loss", mp.im(mount)
+        response = mount / (mount + normal - system.moving * omega**2)
+        yield "normal_oscillation:amplitude", values["U"] * abs(response)
+        yield "normal_oscillation:phase", mp.arg(response)
+        left = abs(response)
+    yield "admissible_amplitude", mean_force(system, values) / abs(normal) / left
     body, point = amplitudes(system, values)
     for what, amplitude in (("body", body), ("contact_point", point)):
         if abs(amplitude) < mp.inf and (what != "body" or system.drive is not None):
             yield f"{what}_oscillation:amplitude", abs(amplitude)
             if amplitude:
                 yield f"{what}_oscillation:phase", mp.arg(amplitude)
+
+
+def mean_force(system, values):
+    """K_n(0) u_z0, which is the load; below an indenter, of modulus E0, a load is that of all cells."""
+    return values["W"] if "W" in values and "E0" not in values else values["u_z0"] * equilibrium(system)
 
 
 class SimpleDrive:
@@ -192,7 +210,7 @@ def equilibrium(system):
 def given(values, system):
     """The numbers of the scene, as formulas and generated code are given them."""
     for key, value in values.items():
-        if key == "u_z0" and "W" in values:
+        if is_found(key, values):
             continue
         if isinstance(value, list):
             yield from ((f"value:{key}[{i + 1}]", x) for i, x in enumerate(value))
@@ -208,18 +226,20 @@ def linear_rows(name, values, text):
     yield from given(values, system)
     v = formula(name, values)
     yield "formula", v
-    mean = equilibrium(system) * values["u_z0"]
+    mean = mean_force(system, values)
     force = values["du_z"] * abs(contact_stiffness(system, values["omega"])[0])
-    yield "closed", int(force < mean and values["du_z"] < values["u_z0"])
-    yield "loaded", int(equilibrium(system) > 0)
-    if "W" in values:
+    yield "closed", int(force < mean and ("u_z0" not in values or values["du_z"] < values["u_z0"]))
+    yield "loaded", int(mean > 0)
+    if "W" in values and "u_z0" in values:
         yield "indentation", values["u_z0"]
+    if "W" in values and "u_z0" not in values:  # all of it through one damper
+        yield "sinking_velocity", values["W"] / creep_viscosity(system.normal)
     creep = mp.mpf(0)
     networks = [system.tangential if not system.ratio else system.normal]
     if callable(system.drive):
         networks.append(system.drive)
-    for network in networks:
-        creep += 1 / creep_viscosity(network)
+    for network, factor in zip(networks, (system.ratio or 1, 1)):
+        creep += 1 / creep_viscosity(network) / factor
     yield "creep_over_mean_force", values["mu0"] * creep
     if text.get("contact", {}).get("separation") is None and "indenter" not in text:
         yield "closed_drive_velocity", v + values["mu0"] * mean * creep

@@ -6,7 +6,7 @@ import numpy as np
 
 import mpmath as mp
 from reference_indenter import cells
-from reference_kinds import pressed, wired
+from reference_kinds import found_depth, height, wired
 from reference_motion import STEPS, Contact, Mean, extrapolated, normal_forces, steady
 from reference_networks import creep_viscosity, stiffness
 
@@ -33,15 +33,26 @@ def tangential_path(system):
 
 def bounds_of(system, values, steps, means, opening):
     """mu0 F_n at the end of each step of a period, a column for each mean indentation."""
-    omega, amplitude, mu = (float(values[key]) for key in ("omega", "du_z", "mu0"))
+    omega, amplitude, mu = float(values["omega"]), float(height(system, values)), float(values["mu0"])
     if opening:
         edges = [edge for edge in system.normal("surface", "far") if edge[1] != 0]
         return mu * normal_forces(edges, omega, means, amplitude, steps)
     k = complex(stiffness(system.normal, 1j * values["omega"]))
-    rest = float(mp.re(stiffness(system.normal, mp.mpf(10) ** -60)))
     phases = 2 * np.pi * np.arange(1, steps + 1) / steps
     force = amplitude * (k * np.exp(1j * phases)).real
-    return mu * (rest * means[None, :] + force[:, None])
+    return mu * (mean_forces(system, values, means)[None, :] + force[:, None])
+
+
+def mean_forces(system, values, means):
+    """Of a closed contact; a load is its own."""
+    if "W" in values:
+        return np.full(len(means), float(values["W"]))
+    return float(mp.re(stiffness(system.normal, mp.mpf(10) ** -60))) * means
+
+
+def means_of(values):
+    """The mean depth as an array; where a load sinks, its place alone."""
+    return np.array([float(values.get("u_z0", 0))])
 
 
 class Motions:
@@ -103,7 +114,7 @@ def simulated_sensitivities(name, values, means, opening, at):
             found = []
             for factor in (1 + mp.mpf(width), 1 - mp.mpf(width)):
                 changed = values | {key: value * factor}
-                new_means = np.array([float(changed["u_z0"])])
+                new_means = means_of(changed)
                 found.append(simulated_onset(wired(name, changed), changed, new_means, opening, DIFFERENCE_STEPS))
             (one, one_error), (two, two_error) = found
             distance = np.log((1 + float(width)) / (1 - float(width)))
@@ -118,17 +129,19 @@ def friction_rows(name, values, text, linear):
     if "indenter" in text:
         yield from cells(name, values, text, linear)
         return
+    if "mount" in text and text["contact"].get("separation"):
+        return
     system = wired(name, values)
     if not linear["loaded"] or not text.get("oscillation") or not is_simulated(system):
         return
     opening = bool(text["contact"].get("separation")) and not linear["closed"]
-    if values["u_z0"] > 0:
+    if "u_z0" not in values or values["u_z0"] > 0:
         yield from design_rows(name, design_values(name, values, linear))
     else:
         yield from tapping_design_rows(system, values)
     if not linear["closed"] and not opening:
         return
-    means = np.array([float(values["u_z0"])])
+    means = means_of(values)
     onset, creep = float(linear["formula"]), float(linear["creep_over_mean_force"])
     if opening:
         if name in ("separation_free_harmonic", "separation_jump"):
@@ -153,8 +166,7 @@ def speed_unit(onset, creep, system, values):
         return 1e-3
     if onset == float("inf") or onset > 1e3:
         return 0.01
-    mean = float(mp.re(stiffness(system.normal, mp.mpf(10) ** -60)) * values["u_z0"])
-    return onset + creep * mean
+    return onset + creep * mean_forces(system, values, means_of(values))[0]
 
 
 def friction_at(system, values, means, opening, speed):
@@ -183,7 +195,7 @@ def design_values(name, values, linear):
     if not linear["closed"]:
         values = values | {"du_z": min(values["du_z"], linear["admissible_amplitude"] * mp.mpf("0.6"))}
     if "W" in values:
-        values = values | {"u_z0": pressed(name, values)}
+        values = values | found_depth(name, values)
     if name == "antiresonance":
         values = values | {"omega": values["omega"] * mp.mpf("0.7")}
     return values
@@ -192,25 +204,26 @@ def design_values(name, values, linear):
 def design_rows(name, values):
     """The friction ratio at a speed, and how it changes with each unknown."""
     system = wired(name, values)
-    means = np.array([float(values["u_z0"])])
+    means = means_of(values)
     onset = formula_of(system, values)
-    mean = float(mp.re(stiffness(system.normal, mp.mpf(10) ** -60)) * values["u_z0"])
+    mean = mean_forces(system, values, means)[0]
     velocity = 0.005 if onset > 1e3 else onset / 2 + creep_of(system, values) * mean
     motions = Motions(system, values, np.repeat(means, 3), False, velocity * np.array([1, 1.02, 0.98]))
     ratio, error = motions.ratio()
     yield "design:velocity", velocity, 0
-    yield "design:amplitude", float(values["du_z"]), 0
+    given = "U" if "U" in values else "du_z"
+    yield "design:amplitude", float(values[given]), 0
     yield "design:omega", float(values["omega"]), 0
     yield "design:friction_ratio", ratio[0], error[0]
     yield "design:slope:velocity", (ratio[1] - ratio[2]) / (0.04 * velocity), (error[1] + error[2]) / (0.04 * velocity)
-    unknowns = [("amplitude", "du_z"), ("frequency", "omega")] + ([("force", "W")] if "W" in values else [])
+    unknowns = [("amplitude", given), ("frequency", "omega")] + ([("force", "W")] if "W" in values else [])
     for unknown, key in unknowns:
         ends, errors = [], []
         for factor in ("1.02", "0.98"):
             changed = values | {key: values[key] * mp.mpf(factor)}
             if key == "W":
-                changed["u_z0"] = pressed(name, changed)
-                means = np.array([float(changed["u_z0"])])
+                changed |= found_depth(name, changed)
+                means = means_of(changed)
             best, worst = Motions(wired(name, changed), changed, means, False, [velocity]).ratio()
             ends.append(best[0])
             errors.append(worst[0])
@@ -247,7 +260,7 @@ def swings_freely(system, values):
 
 def is_simulated(system):
     """Networks of springs, dampers and masses."""
-    networks = [system.normal, None if system.ratio else system.tangential, system.drive]
+    networks = [system.normal, None if system.ratio else system.tangential, system.drive, system.mount]
     if any(isinstance(network, str) for network in networks):
         return False
     return all(edge[0] in "kcm" for network in networks if network for edge in network("a", "b"))
@@ -265,9 +278,9 @@ def formula_of(system, values):
         if drive == 0:
             return float("inf")
         compliance += 1 / drive
-    return float(values["mu0"] * omega * values["du_z"] * abs(normal * compliance))
+    return float(values["mu0"] * omega * height(system, values) * abs(normal * compliance))
 
 
 def creep_of(system, values):
-    networks = [system.normal if system.ratio else system.tangential, *([system.drive] if system.drive else [])]
-    return float(values["mu0"] * sum(1 / creep_viscosity(network) for network in networks))
+    contact = 1 / creep_viscosity(system.normal if system.ratio else system.tangential) / (system.ratio or 1)
+    return float(values["mu0"] * (contact + (1 / creep_viscosity(system.drive) if system.drive else 0)))

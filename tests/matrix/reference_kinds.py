@@ -10,7 +10,7 @@ from types import SimpleNamespace
 
 import mpmath as mp
 
-from reference_networks import damper, graph, lossy, mass, maxwell, parallel, series, spring
+from reference_networks import damper, graph, lossy, mass, maxwell, parallel, series, spring, stiffness
 
 FOLDER = Path(__file__).parent / "kinds"
 
@@ -41,7 +41,7 @@ def frame(v):
                  (spring(v["k3"]), "a", "b"))
 
 
-# normal, tangential (a network, or K_t/K_n as a number), drive or None.
+# normal, tangential (a network, or K_t/K_n as a number), drive or None, and with a mount that.
 KINDS = {
     "closed": lambda v: (kelvin(v["kn"], v["cn"]), mindlin("0.3"), None),
     "closed_body": lambda v: (zener(v["k0"], v["k1"], v["c1"]), kelvin(v["kt"], v["ct"]), kelvin(v["kd"], v["cd"])),
@@ -94,6 +94,11 @@ KINDS = {
         kelvin(v["kd"], v["r"] ** 2 * v["k0"] * 7 / 10 * v["t1"])),
     "load_closed": lambda v: (zener(v["k0"], v["k1"], v["c1"]), mindlin("0.3"), kelvin(v["kd"], v["cd"])),
     "separation_load": lambda v: (spring(v["kn"]), spring(v["kt"]), None),
+    "load_creeping": lambda v: (maxwell(v["k1"], v["c1"]), kelvin(v["kt"], v["ct"]), None),
+    "mount": lambda v: (kelvin(v["kn"], v["cn"]), mindlin("0.3"), None, kelvin(v["km"], v["cm"])),
+    "mount_mass": lambda v: (zener(v["k0"], v["k1"], v["c1"]), kelvin(v["kt"], v["ct"]), kelvin(v["kd"], v["cd"]),
+                             zener(v["km"], v["k2"], v["c2"])),
+    "creeping_mount": lambda v: (maxwell(v["k1"], v["c1"]), mindlin("0.3"), kelvin(v["kd"], v["cd"]), spring(v["km"])),
     "symbols": lambda v: (zener(v["k0"], v["k1"], v["c1"]), mindlin("0.3"), spring(v["kd"])),
 }
 for same, other in [("antiresonance", "free_harmonic"), ("near_free_harmonic", "free_harmonic"),
@@ -101,7 +106,9 @@ for same, other in [("antiresonance", "free_harmonic"), ("near_free_harmonic", "
                     ("separation_undamped", "free_harmonic"), ("separation_free_harmonic", "free_harmonic"),
                     ("separation_tapping", "separation_elastic"), ("separation_closed", "separation_memory"), ("separation_no_load", "no_static_load"),
                     ("indenter_separation", "indenter_viscoelastic"), ("indenter_flat", "indenter_viscoelastic"),
-                    ("indenter_table", "indenter_elastic"), ("near_resonance", "resonance")]:
+                    ("indenter_table", "indenter_elastic"), ("near_resonance", "resonance"),
+                    ("indenter_load", "indenter_elastic"), ("separating_mount", "mount"),
+                    ("separating_with_mass", "mount_mass")]:
     KINDS[same] = KINDS[other]
 
 # Commands have values for these alone by --set.
@@ -112,14 +119,41 @@ def exact(value):
     return [mp.mpf(x) for x in value] if isinstance(value, list) else mp.mpf(value)
 
 
+def touching(u, d):
+    """Mean over a period of what a spring of unit stiffness is pressed by, at a mean depth u and an amplitude d."""
+    if abs(u) >= d:
+        return max(u, mp.mpf(0))
+    return (mp.sqrt(d**2 - u**2) + u * mp.acos(-u / d)) / mp.pi
+
+
 def pressed(name, values):
-    """u_z0 under the load W: W/K_n(0), or where an elastic contact opens the root of its mean force in closed form."""
-    spring_at_rest = values["kn"] if "kn" in values else values["k0"]
-    still, force, d = values["W"] / spring_at_rest, values["W"], values["du_z"]
-    if name != "separation_load" or still > d:
-        return still
-    mean = lambda u: spring_at_rest / mp.pi * (mp.sqrt(d**2 - u**2) + u * mp.acos(-u / d))
-    return d * mp.findroot(lambda x: mean(x * d) / force - 1, (mp.mpf(-99) / 100, still / d), solver="anderson")
+    """u_z0 under the load W: W/K_n(0), or where elastic contacts open the root of their mean force in closed form.
+
+    Nothing where no spring carries it.
+    """
+    force, d = values["W"], values["du_z"]
+    if name == "indenter_load":  # a sphere: cells of depth u - x^2/R, by which the rim is open for a part of each period
+        modulus, radius = values["E0"] / (1 - mp.mpf("0.4") ** 2), mp.mpf(5e-3)
+        static = (force / modulus / mp.sqrt(radius) * 3 / 4) ** (mp.mpf(2) / 3)
+
+        def share(x):
+            u = x * static
+            edges = [mp.sqrt(radius * max(each, 0)) for each in (0, u - d, u, u + d)]
+            return 2 * modulus * mp.quad(lambda y: touching(u - y**2 / radius, d), edges) / force - 1
+        with mp.workdps(30):
+            return static * mp.findroot(share, (mp.mpf("0.9"), 1), solver="anderson")
+    at_rest = values.get("kn", values.get("k0"))
+    if at_rest is None:
+        return None
+    if name != "separation_load" or force / at_rest > d:
+        return force / at_rest
+    return d * mp.findroot(lambda x: at_rest * touching(x * d, d) / force - 1,
+                           (mp.mpf(-99) / 100, force / at_rest / d), solver="anderson")
+
+
+def found_depth(name, values):
+    found = pressed(name, values)
+    return {} if found is None else {"u_z0": found}
 
 
 def read(name):
@@ -134,23 +168,41 @@ def read(name):
                    "du_z": exact(oscillation["amplitude"])}
         if "load" in text:
             values["W"] = exact(text["load"]["force"])
-            values["u_z0"] = pressed(name, values)
+            values |= found_depth(name, values)
         else:
             values["u_z0"] = exact(oscillation["indentation"])
     else:
         values = {key: exact(value) for key, value in SYMBOLS.items()}
-    mass_of = text.get("body", {}).get("mass")
-    if mass_of is not None and mass_of != "m":
-        values["m"] = exact(mass_of)
+    for key, section in (("m", "body"), ("m_n", "mount")):
+        given = text.get(section, {}).get("mass")
+        if given is not None and given != "m":
+            values[key] = exact(given)
+    if "mount" in text:
+        values["U"] = values.pop("du_z")
+        values["du_z"] = height(wired(name, values), values)
     return values, text
 
 
+def height(system, values):
+    """|A_z| of the contact: the amplitude given, or what the mount leaves of the vibrator's U."""
+    if system.mount is None:
+        return values["du_z"]
+    s = 1j * values["omega"]
+    mount = stiffness(system.mount, s)
+    whole = mount + stiffness(system.normal, s) + system.moving * s**2
+    return mp.inf if whole == 0 else values["U"] * abs(mount / whole)
+
+
 def wired(name, values):
-    normal, tangential, drive = KINDS[name](values)
+    normal, tangential, drive, *mount = KINDS[name](values)
     ratio = None if callable(tangential) else tangential
+    moving = values.get("m_n", mp.mpf(0))
+    if mount and "m_n" not in values:  # the body's own, if any
+        moving = values.get("m", mp.mpf(0))
     if drive is None:
         values = {key: value for key, value in values.items() if key != "m"}
-    return SimpleNamespace(normal=normal, ratio=ratio, tangential=tangential, drive=drive, mass=values.get("m", mp.mpf(0)))
+    return SimpleNamespace(normal=normal, ratio=ratio, tangential=tangential, drive=drive, mass=values.get("m", mp.mpf(0)),
+                           mount=mount[0] if mount else None, moving=moving)
 
 
 def receptance(omega):

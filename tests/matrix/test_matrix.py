@@ -19,8 +19,8 @@ import evaluators
 import formulas
 import plot_cells
 import python_cells
-from cells import (FOLDER, KINDS, LOOKED_AT, REFERENCES, REFUSALS, U, Cells, choices, commands, free_share, onset,
-                   refusal, run, scene)
+from cells import (FOLDER, KINDS, LOOKED_AT, REFERENCES, REFUSALS, U, Cells, choices, commands, contact_amplitude,
+                   free_share, onset, refusal, run, scene)
 
 # Formats of the derivation; those of systems have v* alone, tests/document tries every form of it.
 DOCUMENTS, FORMS = ("text", "latex", "markdown", "html", "json"), choices("derive", "form")
@@ -96,10 +96,26 @@ class Matrix(Cells, unittest.TestCase):
             if drive in references:
                 allowed = references.error(drive) or 4 * U * float(min(references(drive), mp.mpf(10)**300))
                 self.near(answer["drive_velocity"], references(drive), allowed, drive)
+        self.check_normal(kind, answer)
         share = free_share(kind)
         self.assertEqual(answer.get("free_harmonic"), 2 if share else None)
         if share:
             self.near(answer["sliding_from"], value * share, (4 * U + 2e-12) * float(value))
+
+    def check_normal(self, kind, answer):
+        """What a load presses, and what a mount leaves of the vibration; keys that others do not have."""
+        references = REFERENCES[kind]
+        for key, name, allowed in (("amplitude", "normal_oscillation:amplitude", 8 * U), ("mount_phase", "normal_oscillation:phase", 8 * U),
+                                   ("sinking_velocity", "sinking_velocity", 2 * U)):
+            self.assertEqual(key in answer, name in references, key)
+            if name in references:
+                self.near(answer[key], references(name), allowed * abs(float(references(name))), key)
+        pressed = "value:W" in references or "value:U" in references
+        self.assertEqual("mean_normal_force" in answer, pressed)
+        self.assertEqual("indentation" in answer, pressed and "sinking_velocity" not in references)
+        for key in ("indentation", "mean_normal_force"):
+            if key in answer:
+                self.near_pressed(kind, None, key, answer[key])
 
     def test_derive(self):
         self.over([column for column in COLUMNS["derive"] if column.count("/") == 2], self.derive)
@@ -195,6 +211,8 @@ class Matrix(Cells, unittest.TestCase):
             document = json.loads(run("derive", scene(each), "--json").stdout)
             line = dict(document["critical_velocity"], definitions=document["definitions"])
             values = REFERENCES[each].parameters() | {name: mp.mpf(x) for name, x in found["values"].items()}
+            if "U" in found["values"]:  # both have the amplitude of [oscillation] for one symbol, by its name in the first
+                values["du_z"] = values["U"]
             if "R_d" in values:
                 values["R_d"] = receptance(values["omega"])
             value = abs(formulas.line_value(line, values))
@@ -294,6 +312,8 @@ class Matrix(Cells, unittest.TestCase):
             self.assertEqual(row[quantity], "no" if outside else "yes")
         elif quantity in ("indentation", "mean_normal_force"):
             self.near_pressed(kind, i, quantity, float(row[quantity]))
+        elif quantity == "contact_amplitude":
+            self.near(row[quantity], contact_amplitude(kind)[0], 8 * U * float(row[quantity]), quantity)
         elif quantity == "sensitivity:NAME":
             simulated = references.begin("simulated_sensitivity:")
             for name in references.begin("sensitivity:"):
@@ -335,6 +355,10 @@ class Matrix(Cells, unittest.TestCase):
             truth = truth * mp.mpf("0.98") if at_start else truth
         answer = self.answer(kind, column, *arguments)
         if not answer:
+            return
+        if unknown == "force" and references("design:slope:force") < 0:
+            # The path creeps, and carries ever less of the friction of a larger load: the largest is that searched up to.
+            self.assertEqual((answer["at_start"], answer["value"]), (True, answer["searched"]["to"]))
             return
         slope = abs(references(f"design:slope:{unknown}")) * (2 * mp.pi if unknown == "frequency" else 1)
         allowed = 2 * references.error("design:friction_ratio") / slope + answer["value_error"] + 4 * U * abs(truth)

@@ -142,6 +142,13 @@ Real critical_velocity_by_nodes(const Scene& scene) {
   }
   Real result = Real(values.at(scene.coefficient.symbol)) * omega *
                 Real(values.at(scene.amplitude.symbol)) * Real(abs(normal)) / Real(abs(tangential));
+  if (scene.mount) {
+    const Complex mount = nodal.stiffness(*scene.mount);
+    Complex whole = mount + normal;
+    if (scene.mount_mass)
+      whole -= Complex(Real(values.at(scene.mount_mass->symbol)) * omega * omega, Real(0));
+    result *= Real(abs(mount)) / Real(abs(whole));
+  }
   if (!scene.drive) return result;
   Complex dynamic = nodal.stiffness(*scene.drive);
   if (scene.mass) dynamic -= Complex(Real(values.at(scene.mass->symbol)) * omega * omega, Real(0));

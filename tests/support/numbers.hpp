@@ -19,6 +19,7 @@ inline Values numbers_of(const Scene& scene) {
        {scene.coefficient, scene.angular_frequency, scene.amplitude, scene.indentation})
     add(quantity);
   if (scene.mass) add(*scene.mass);
+  if (scene.mount_mass) add(*scene.mount_mass);
   if (scene.indenter)
     for (const Quantity& size : scene.indenter->sizes) add(size);
   return numbers;

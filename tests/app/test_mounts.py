@@ -1,0 +1,122 @@
+"""Scenes with a mount, as a user meets them: what eval, simulate, sweep and solve say, and one clear message with its
+exit status for each thing that is wrong or not known."""
+
+import cmath
+import math
+import unittest
+from pathlib import Path
+
+from program import Case, example
+
+MOUNT = example("mount")
+SCENE = """[contact]
+normal = "kn | cn"
+poisson = 0.3
+{contact}
+[mount]
+{mount}
+[oscillation]
+angular_frequency = 1e5
+amplitude = 1e-7
+{indentation}
+[friction]
+coefficient = 0.3
+{more}
+[elements]
+kn = 1e7
+cn = 30.0
+km = 5e6
+"""
+
+
+class Mounts(Case):
+    def mounted(self, mount='network = "km"', contact="", indentation="indentation = 5e-7", more="", elements=""):
+        text = SCENE.format(mount=mount, contact=contact, indentation=indentation, more=more) + elements
+        Path(self.folder, "s.toml").write_text(text)
+        return "s.toml"
+
+    def test_eval_and_simulate_say_what_arrives_at_the_contact(self):
+        scene = self.mounted('network = "km"\nmass = 2e-4')
+        stiffness = complex(1e7, 3e6)
+        height = 1e-7 * 5e6 / (5e6 + stiffness - 2e-4 * 1e10)
+        velocity = 0.3 * 1e5 * abs(height) * (2 - 0.3) / (2 * (1 - 0.3))
+        found = self.answer("eval", scene)
+        for answer in (found, self.answer("simulate", scene, "--velocity-ratio", "0.5")):
+            self.assertAlmostEqual(answer["amplitude"] / abs(height), 1, delta=1e-14)
+            self.assertAlmostEqual(answer["mount_phase"], cmath.phase(height), delta=1e-14)
+            self.assertEqual(answer["indentation"], 5e-7)
+            self.assertAlmostEqual(answer["mean_normal_force"], 5, delta=1e-14)
+        self.assertAlmostEqual(found["critical_velocity"] / velocity, 1, delta=1e-14)
+        # Of the vibrator: K_n(0) u_z0 over |K_n|, over what the mount leaves.
+        largest = 5 / abs(stiffness) / abs(height / 1e-7)
+        self.assertAlmostEqual(found["effect"]["largest_closed_amplitude"] / largest, 1, delta=1e-14)
+        for amplitude, admissible in ((largest * (1 - 1e-12), True), (largest * (1 + 1e-12), False)):
+            self.assertEqual(self.answer("eval", scene, "--set", f"amplitude={amplitude!r}")["admissible"], admissible)
+
+    def test_without_a_mount_there_are_no_such_keys(self):
+        found = self.answer("eval", example("tribometer"))
+        self.assertEqual({"amplitude", "mount_phase"} & set(found), set())
+        self.assertNotIn("contact_amplitude", found["effect"])
+
+    def test_sweeps_vary_the_moving_mass_the_mount_and_the_frequency(self):
+        def swept(axis, quantity):
+            ran = self.run_program("sweep", MOUNT, "--over", axis, "--quantity", quantity, "--out", "t.csv")
+            self.assertEqual(ran.returncode, 0, ran.stderr)
+            rows = [line.split(",") for line in Path(self.folder, "t.csv").read_text().split()[1:]]
+            return [(float(x), float(y)) for x, y in rows]
+
+        for axis, name in (("mount.mass=lin:1e-3:3e-3:5", "mount.mass"), ("km=log:1e7:3e7:4", "km"),
+                           ("frequency=lin:1e4:3e4:4", "frequency")):
+            for x, found in swept(axis, "contact_amplitude"):
+                alone = self.answer("eval", MOUNT, "--set", f"{name}={x!r}")
+                self.assertAlmostEqual(found / alone["amplitude"], 1, delta=1e-15)
+        for x, found in swept("mount.mass=lin:1e-3:3e-3:5", "critical_velocity"):
+            alone = self.answer("eval", MOUNT, "--set", f"mount.mass={x!r}")
+            # One that opens has no v* in a table.
+            self.assertTrue(found == alone["critical_velocity"] if alone["admissible"] else math.isnan(found))
+
+    # The amplitude, the speed and the load, which simulate then meets. Frequencies are refused.
+    def test_solve_answers_for_all_but_the_frequency(self):
+        for sought, velocity in (("amplitude", ["--velocity", "2 mm/s"]), ("force", ["--velocity", "2 mm/s"]), ("velocity", [])):
+            result = self.answer("solve", MOUNT, "--for", sought, "--friction-ratio", "0.9", *velocity)
+            changed = [] if sought == "velocity" else ["--set", f"{sought}={result['value']!r}"]
+            ran = self.answer("simulate", MOUNT, "--velocity", repr(result["velocity"]), *changed)
+            self.assertAlmostEqual(ran["friction_ratio"], 0.9, delta=1e-12)
+        self.refused(3, ["solve", MOUNT, "--for", "frequency", "--friction-ratio", "0.9", "--velocity", "2 mm/s"],
+                     "below a mount the contact's amplitude depends on the frequency")
+
+    def test_an_undamped_resonance_has_no_number_that_is_none(self):
+        # In doubles, too: 2^-10 kg times 1e10 (rad/s)^2 is 9765625 N/m.
+        text = Path(self.folder, self.mounted('network = "km"\nmass = 9.765625e-4')).read_text()
+        Path(self.folder, "s.toml").write_text(text.replace("kn | cn", "kn").replace("cn = 30.0\n", "").replace("1e7", "4765625"))
+        found = self.answer("eval", "s.toml")
+        self.assertFalse(found["admissible"])
+        self.assertEqual(found["amplitude"], "inf")
+        self.assertEqual(found["mount_phase"], -math.pi / 2)
+        self.assertEqual(found["critical_velocity"], "inf")
+        self.assertNotIn("largest_closed_amplitude", found["effect"])
+        self.refused(3, ["simulate", "s.toml", "--velocity", "1e-3"], "(Eq. ")
+
+    def test_what_is_no_mount_is_wrong_input(self):
+        def said(*words, **scene):
+            return self.refused(2, ["eval", self.mounted(**scene)], *words)
+
+        said("s.toml:6:11: found a mass in the mount; expected springs and dampers", mount='network = "km | mass(mm)"',
+             elements="mm = 1e-3\n")
+        said("found a mount that carries no load at rest: K_m(0) = 0", mount='network = "km - cm"', elements="cm = 3.0\n")
+        said('no "network" in [mount]', mount="mass = 1e-3")
+        said('"weight" in [mount]', mount='network = "km"\nweight = 2')
+        said("[indenter] with [mount]", more='[indenter]\nshape = "cone"\nangle = 0.1\n')
+        said("found no value for u_z0", "indentation in [oscillation] or force in [load]", indentation="")
+
+    def test_a_contact_that_may_open_is_outside_the_model(self):
+        for mount, words in (('network = "km"', "for lack of code, not of physics"),
+                             ('network = "km"\nmass = 1e-4', "height and force react on each other")):
+            scene = self.mounted(mount, contact="separation = true")
+            for command in (["eval"], ["simulate", "--velocity", "1e-3"], ["critical"], ["generate", "--out", "out"]):
+                with self.subTest(mount=mount, command=command):
+                    self.refused(3, [command[0], scene, *command[1:]], words)
+
+
+if __name__ == "__main__":
+    unittest.main()
