@@ -274,6 +274,13 @@ Problem staying_closed(const Problem& problem) {
   return variant.made();
 }
 
+Problem at_depth(const Problem& problem, double indentation) {
+  Variant variant(problem);
+  variant.parts.load.reset();
+  variant.parts.indentation.value = indentation;
+  return variant.made();
+}
+
 Problem with_rigid_drive(const Problem& problem) {
   Variant variant(problem);
   variant.parts.drive = Rigid{};

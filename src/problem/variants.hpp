@@ -25,6 +25,9 @@ Problem over_spring(const Problem& problem, ReducedNetwork normal, const Symbol&
 /// Without body, under a rigid drive.
 Problem with_rigid_drive(const Problem& problem);
 
+/// Pressed to a mean indentation (m), also where a load is given.
+Problem at_depth(const Problem& problem, double indentation);
+
 /// With an indenter of another shape.
 Problem with_indenter(const Problem& problem, const Indenter& indenter);
 

@@ -15,13 +15,13 @@
 #include "base/constants.hpp"
 #include "base/files.hpp"
 #include "base/units.hpp"
-#include "network/graph.hpp"
 #include "network/masses.hpp"
 #include "scene/document.hpp"
 #include "scene/element_values.hpp"
 #include "scene/findings.hpp"
 #include "scene/fitted_range.hpp"
 #include "scene/indenter.hpp"
+#include "scene/mount_section.hpp"
 #include "scene/networks.hpp"
 #include "scene/part_networks.hpp"
 #include "scene/quantities.hpp"
@@ -209,30 +209,17 @@ class Reader {
     }
   }
 
-  // Its far end, the vibrator, moves: what is ground to a mass in a drive is none here.
   void read_mount() {
     const Section mount = section("mount");
     if (!mount.exists()) return;
-    Network read = network(mount, "network");
-    if (has_masses(read))
-      throw InputError(mount.place("network"), "a mass in the mount",
-                       "springs and dampers: a mass inside acts against ground, and the vibrator "
-                       "at the mount's far end is none",
-                       "what moves with the contact is mass = ... in [mount]");
-    if (!springs_alone(read))
-      throw InputError(mount.place("network"), "a mount that carries no load at rest: K_m(0) = 0",
-                       "a path of springs through it, for the mean normal force");
-    scene_.mount = std::move(read);
+    scene_.mount = checked_mount(network(mount, "network"), mount);
   }
 
   // By the body's name it is the body's mass, also under a rigid drive.
   void read_mount_mass() {
     const Section mount = section("mount");
     if (!scene_.mount || mount.find("mass") == nullptr) return;
-    const Section body = section("body");
-    const auto given = bare_name(*mount.find("mass"));
-    if (given && body.find("mass") != nullptr &&
-        *given == bare_name(*body.find("mass")).value_or("m")) {
+    if (moves_the_body(mount, section("body"))) {
       scene_.mount_mass = body_mass_;
     } else {
       const Quantity mass = quantities_.read(mount, "mass", "m_n", Dimension::mass, nonnegative,
@@ -278,12 +265,9 @@ class Reader {
     const Quantity mass = quantities_.read(body, "mass", "m", Dimension::mass, nonnegative);
     if (mass.value == 0.0) return;
     body_mass_ = mass;
-    const Section mount = section("mount");
-    const auto shared =
-        mount.find("mass") == nullptr ? std::nullopt : bare_name(*mount.find("mass"));
     if (gives())
       scene_.mass = mass;
-    else if (!shared || *shared != bare_name(*body.find("mass")).value_or("m"))
+    else if (!moves_the_body(section("mount"), body))
       warnings_.push_back(
           {body.place("mass"), "under a rigid drive the mass has no effect and is left out"});
   }
@@ -350,9 +334,7 @@ class Reader {
     }
     if (scene_.drive) scene_.drive = without_zeros(*scene_.drive, zero, "drive", file_);
     if (scene_.mount) scene_.mount = without_zeros(*scene_.mount, zero, "mount", file_);
-    if (scene_.mount && !springs_alone(*scene_.mount))
-      throw InputError({file_}, "a mount that carries no load at rest: K_m(0) = 0",
-                       "springs above 0 through it, for the mean normal force");
+    if (scene_.mount) check_mount_without_zeros(*scene_.mount, file_);
   }
 
   void collect_elements() {

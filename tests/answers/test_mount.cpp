@@ -187,6 +187,43 @@ BOOST_AUTO_TEST_CASE(a_mount_without_mass_is_in_series) {
   BOOST_TEST(*effect.largest_closed_amplitude == 2.5, boost::test_tools::tolerance(1e-15));
 }
 
+// The rheology, which cancels without a mount: (K_n/K_t) |K_m/(K_m + K_n)| of a viscoelastic contact.
+BOOST_AUTO_TEST_CASE(the_rheology_is_back_in_an_isotropic_contact) {
+  const auto velocity = [](double c) {
+    return critical_onset(test::scene_of({.normal = "kn | cn",
+                                          .tangential_ratio = 0.8,
+                                          .angular_frequency = 2,
+                                          .amplitude = 0.1,
+                                          .indentation = 1,
+                                          .coefficient = 0.3,
+                                          .elements = {{"kn", 3}, {"cn", c}, {"km", 2}},
+                                          .more = "[mount]\nnetwork = \"km\"\n"}))
+        .contact_velocity;
+  };
+  for (const double c : {0.1, 1.0, 4.0})
+    BOOST_TEST(velocity(c) == 0.3 * 2 * 0.1 / 0.8 * 2 / std::hypot(5, 2 * c),
+               boost::test_tools::tolerance(1e-15));
+}
+
+// Nothing along the surface acts on the height: whatever holds the body, masses in the drive among
+// it, v* is that without a mount times |A_z/U|.
+BOOST_AUTO_TEST_CASE(a_mount_is_a_factor_of_any_drive) {
+  Machine machine;
+  for (const std::string drive : {"kd | cd", "kd - (mass(ms) | ks | cd)", "mass(ms) | kd | cd"}) {
+    test::SceneText with = machine.text();
+    with.network = drive;
+    if (drive.find("ms") != std::string::npos) with.elements.push_back({"ms", 0.7});
+    if (drive.find("ks") != std::string::npos) with.elements.push_back({"ks", 0.9});
+    test::SceneText without = with;
+    without.more = "[load]\nforce = 1.0\n";
+    without.elements.erase(without.elements.begin(), without.elements.begin() + 2);
+    const auto left = static_cast<double>(std::abs(machine.height())) / machine.amplitude;
+    BOOST_TEST(critical_onset(test::scene_of(with)).contact_velocity ==
+                   left * critical_onset(test::scene_of(without)).contact_velocity,
+               boost::test_tools::tolerance(1e-14));
+  }
+}
+
 // k_m + k_n = m_n omega^2: the contact's amplitude has no bound.
 BOOST_AUTO_TEST_CASE(an_undamped_mount_resonates) {
   const auto scene = [](double mass) -> Problem {

@@ -161,6 +161,13 @@ def contact_amplitude(kind):
     return found, found / references("value:U")
 
 
+def receptance(omega):
+    """Of the measured drive, at a row of its table."""
+    with (FOLDER / "kinds/receptance.csv").open() as file:
+        rows = {float(row["omega"]): mp.mpc(row["Re"], row["Im"]) for row in csv.DictReader(file)}
+    return rows[float(omega)]
+
+
 def onset(kind):
     """v* and its error: of a contact that is open for a while by time steps, else Eq. (24)."""
     references = REFERENCES[kind]

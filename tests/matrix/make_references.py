@@ -16,7 +16,7 @@ from pathlib import Path
 import mpmath as mp
 
 from reference_friction import friction_rows
-from reference_kinds import KINDS, height, read, receptance, wired
+from reference_kinds import KINDS, complex_height, read, receptance, wired
 from reference_networks import creep_viscosity, stiffness
 
 TABLE = Path(__file__).parent / "references.csv"
@@ -50,7 +50,7 @@ def contact_stiffness(system, omega):
 
 def amplitudes(system, values):
     """Of the body and of the contact point, in m: both infinite in resonance."""
-    omega, friction = values["omega"], values["mu0"] * height(system, values)
+    omega, friction = values["omega"], values["mu0"] * complex_height(system, values)
     normal, tangential = contact_stiffness(system, omega)
     drive = drive_stiffness(system, omega)
     if drive == 0:

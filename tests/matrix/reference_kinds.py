@@ -183,14 +183,18 @@ def read(name):
     return values, text
 
 
-def height(system, values):
-    """|A_z| of the contact: the amplitude given, or what the mount leaves of the vibrator's U."""
+def complex_height(system, values):
+    """A_z of the contact: the amplitude given, or what the mount leaves of the vibrator's U cos(omega t)."""
     if system.mount is None:
         return values["du_z"]
     s = 1j * values["omega"]
     mount = stiffness(system.mount, s)
-    whole = mount + stiffness(system.normal, s) + system.moving * s**2
-    return mp.inf if whole == 0 else values["U"] * abs(mount / whole)
+    return values["U"] * mount / (mount + stiffness(system.normal, s) + system.moving * s**2)
+
+
+def height(system, values):
+    """|A_z|"""
+    return abs(complex_height(system, values))
 
 
 def wired(name, values):

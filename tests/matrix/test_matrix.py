@@ -20,7 +20,7 @@ import formulas
 import plot_cells
 import python_cells
 from cells import (FOLDER, KINDS, LOOKED_AT, REFERENCES, REFUSALS, U, Cells, choices, commands, contact_amplitude,
-                   free_share, onset, refusal, run, scene)
+                   free_share, onset, receptance, refusal, run, scene)
 
 # Formats of the derivation; those of systems have v* alone, tests/document tries every form of it.
 DOCUMENTS, FORMS = ("text", "latex", "markdown", "html", "json"), choices("derive", "form")
@@ -47,13 +47,6 @@ COLUMNS = {
 with (FOLDER / "comparisons.csv").open() as file:
     COMPARISONS = {row["kind"]: row["comparisons"].split() for row in csv.DictReader(file)}
 OTHER_COMMANDS = {"fit", "new"}  # read no scene
-
-
-def receptance(omega):
-    """Of the measured drive, at a row of its table."""
-    with (FOLDER / "kinds/receptance.csv").open() as file:
-        rows = {float(row["omega"]): mp.mpc(row["Re"], row["Im"]) for row in csv.DictReader(file)}
-    return rows[float(omega)]
 
 
 class Matrix(Cells, unittest.TestCase):
@@ -96,26 +89,11 @@ class Matrix(Cells, unittest.TestCase):
             if drive in references:
                 allowed = references.error(drive) or 4 * U * float(min(references(drive), mp.mpf(10)**300))
                 self.near(answer["drive_velocity"], references(drive), allowed, drive)
-        self.check_normal(kind, answer)
+        check_cells.normal(self, kind, answer)
         share = free_share(kind)
         self.assertEqual(answer.get("free_harmonic"), 2 if share else None)
         if share:
             self.near(answer["sliding_from"], value * share, (4 * U + 2e-12) * float(value))
-
-    def check_normal(self, kind, answer):
-        """What a load presses, and what a mount leaves of the vibration; keys that others do not have."""
-        references = REFERENCES[kind]
-        for key, name, allowed in (("amplitude", "normal_oscillation:amplitude", 8 * U), ("mount_phase", "normal_oscillation:phase", 8 * U),
-                                   ("sinking_velocity", "sinking_velocity", 2 * U)):
-            self.assertEqual(key in answer, name in references, key)
-            if name in references:
-                self.near(answer[key], references(name), allowed * abs(float(references(name))), key)
-        pressed = "value:W" in references or "value:U" in references
-        self.assertEqual("mean_normal_force" in answer, pressed)
-        self.assertEqual("indentation" in answer, pressed and "sinking_velocity" not in references)
-        for key in ("indentation", "mean_normal_force"):
-            if key in answer:
-                self.near_pressed(kind, None, key, answer[key])
 
     def test_derive(self):
         self.over([column for column in COLUMNS["derive"] if column.count("/") == 2], self.derive)
@@ -211,8 +189,7 @@ class Matrix(Cells, unittest.TestCase):
             document = json.loads(run("derive", scene(each), "--json").stdout)
             line = dict(document["critical_velocity"], definitions=document["definitions"])
             values = REFERENCES[each].parameters() | {name: mp.mpf(x) for name, x in found["values"].items()}
-            if "U" in found["values"]:  # both have the amplitude of [oscillation] for one symbol, by its name in the first
-                values["du_z"] = values["U"]
+            values |= {"du_z": values["U"]} if "U" in found["values"] else {}  # one symbol, by its name in the first
             if "R_d" in values:
                 values["R_d"] = receptance(values["omega"])
             value = abs(formulas.line_value(line, values))
@@ -358,8 +335,7 @@ class Matrix(Cells, unittest.TestCase):
             return
         if unknown == "force" and references("design:slope:force") < 0:
             # The path creeps, and carries ever less of the friction of a larger load: the largest is that searched up to.
-            self.assertEqual((answer["at_start"], answer["value"]), (True, answer["searched"]["to"]))
-            return
+            return self.assertEqual((answer["at_start"], answer["value"]), (True, answer["searched"]["to"]))
         slope = abs(references(f"design:slope:{unknown}")) * (2 * mp.pi if unknown == "frequency" else 1)
         allowed = 2 * references.error("design:friction_ratio") / slope + answer["value_error"] + 4 * U * abs(truth)
         self.assertEqual(answer["at_start"], at_start)

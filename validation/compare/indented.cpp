@@ -51,8 +51,10 @@ FrictionCurve indenter_curve(const Problem& problem, std::string name, bool own)
 }
 
 Problem at_share(const Problem& problem, double share) {
+  // Under a load the indentation would change with the amplitude.
   const double indentation = simulation::mean_indentation(problem);
-  return problem.with({{problem->amplitude.symbol, share * indentation}});
+  const Problem there = problem->load ? at_depth(problem, indentation) : problem;
+  return there.with({{problem->amplitude.symbol, share * indentation}});
 }
 
 // Beyond the whole indentation the indenter jumps, which the scene must allow.
@@ -88,8 +90,10 @@ std::vector<FrictionCurve> shapes_of(const Problem& problem) {
       {"r⁴", power(4)},
       {"flat", Indenter{Shape::flat, {{{"radius"}, 1.0}}, {}}}};
   std::vector<FrictionCurve> curves;
+  const Problem here =
+      problem->load ? at_depth(problem, simulation::mean_indentation(problem)) : problem;
   for (const auto& [name, shape] : shapes) {
-    curves.push_back(indenter_curve(with_indenter(problem, shape), name, false));
+    curves.push_back(indenter_curve(with_indenter(here, shape), name, false));
   }
   curves.push_back(indenter_curve(problem, "this scene", true));
   return curves;

@@ -82,7 +82,8 @@ struct Called {
 /// Quantities by their keys in the scene, which --set takes whatever the scene calls their symbols.
 Called called(const Problem& problem, const ValueLine& line) {
   if (line.symbol == problem->angular_frequency.symbol) return {"frequency", "frequency"};
-  if (line.symbol == problem->amplitude.symbol) return {"amplitude", "amplitude"};
+  if (line.symbol == problem->amplitude.symbol)
+    return {"amplitude", problem->mount ? "amplitude of the vibrator" : "amplitude"};
   if (line.symbol == problem->indentation.symbol) return {"indentation", "indentation"};
   if (problem->load && line.symbol == problem->load->symbol) return {"force", "mean normal force"};
   if (line.symbol == problem->coefficient.symbol) return {"coefficient", line.meaning};
@@ -94,9 +95,11 @@ Called called(const Problem& problem, const ValueLine& line) {
 
 ExploredRow row_of(const Problem& problem, const ValueLine& line) {
   const auto [name, meaning] = called(problem, line);
+  const Symbol shown = as_called(problem, line.symbol);
   ExploredRow row{.name = name,
                   .meaning = meaning,
-                  .mathml = line.name.mathml,
+                  .mathml = shown == line.symbol ? line.name.mathml
+                                                 : formula_of(symbolic::symbol(shown)).mathml,
                   .unit = "",
                   .places = {place_among(problem, line.symbol)},
                   .values = {line.value}};

@@ -124,7 +124,9 @@ Label oscillation_words(const Problem& problem) {
                                {plain(value_words(problem, *problem->load, "N"))}});
     if (problem->mount)
       return joined(
-          {load, {plain(fmt::format("  U = {:.4g} {}", amplitude * scale.factor, scale.unit))}});
+          {load,
+           {plain(", "), italic("U"),
+            plain(fmt::format(" = {:.4g} {}", amplitude * scale.factor, scale.unit))}});
     return joined(
         {load,
          {plain(", "), italic("Δu"), lowered("z"),
@@ -253,7 +255,7 @@ double draw_mount(Canvas& canvas, const Problem& problem, double top, std::strin
   if (problem->mount_mass &&
       !(problem->mass && problem->mass->symbol == problem->mount_mass->symbol))
     canvas.write(
-        -half_width - 8, top - 6,
+        -half_width - 12, top + (problem->mass ? 20 : 6),  // beside the body or its plate
         joined({label(as_called(problem, problem->mount_mass->symbol)),
                 {plain(value_words(problem, *problem->mount_mass, "kg") + " along the normal")}}),
         "end");
