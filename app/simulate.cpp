@@ -181,7 +181,7 @@ void print_simulate_text(const SimulationAnswer& answer, const Problem& problem,
 }
 
 void add_realisation(const Problem& problem, double velocity, SimulationAnswer& answer) {
-  answer.realisation = realised_friction(problem, velocity, answer.steady);
+  answer.realisation = realised_friction(problem, velocity);
   answer.steady.friction_ratio_error += answer.realisation->error;
   for (const std::string& each : answer.realisation->warnings) {
     warn(each);
@@ -198,8 +198,8 @@ SimulationAnswer answer_of(const SimulateOptions& options, const Problem& proble
                           options.method.name(), problem->source->warnings};
   answer.load = under_load(problem);
   answer.mount = below_mount(problem);
-  if (!options.method.is_exact()) return answer;
   if (problem->receptance() != nullptr) add_realisation(problem, speed.velocity, answer);
+  if (!options.method.is_exact()) return answer;
   answer.energy = simulation::energy_balance(system, speed.velocity);
   for (const auto& [symbol, amplitude] : simulation::mass_amplitudes(system, speed.velocity))
     answer.masses.amplitudes.emplace_back(to_text(as_called(problem, symbol)), amplitude);

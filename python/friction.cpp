@@ -49,18 +49,9 @@ double parse_ratio(const std::string& text, const std::string& name) {
   return parse_quantity(text, Dimension::none, argument(name));
 }
 
-SteadyState steady_state(const Problem& problem, double velocity, const std::string& method,
-                         const std::string& start) {
-  if (start != "sliding" && start != "rest")
-    throw InputError(argument("start"), '"' + start + '"', "sliding or rest");
-  simulation::MethodOptions options;
-  if (start == "rest") options.start = simulation::Start::rest;
-  if (method == "exact") {
-    SteadyState state = SteadyFriction(problem).at(velocity, options.start);
-    if (problem->receptance() != nullptr)
-      state.friction_ratio_error += realised_friction(problem, velocity, state).error;
-    return state;
-  }
+SteadyState found_by(const Problem& problem, double velocity, const std::string& method,
+                     const simulation::MethodOptions& options) {
+  if (method == "exact") return SteadyFriction(problem).at(velocity, options.start);
   rules::require(rules::Question::other_methods, problem, method + " ");
   if (const auto other = simulation::method_named(method))
     return simulation::steady_state(*other, simulation::system_of(problem), velocity, options);
@@ -68,6 +59,18 @@ SteadyState steady_state(const Problem& problem, double velocity, const std::str
   for (const simulation::Method each : simulation::all_methods())
     known += std::string(", ") + to_text(each);
   throw InputError(argument("method"), '"' + method + '"', "one of " + known);
+}
+
+SteadyState steady_state(const Problem& problem, double velocity, const std::string& method,
+                         const std::string& start) {
+  if (start != "sliding" && start != "rest")
+    throw InputError(argument("start"), '"' + start + '"', "sliding or rest");
+  simulation::MethodOptions options;
+  if (start == "rest") options.start = simulation::Start::rest;
+  SteadyState state = found_by(problem, velocity, method, options);
+  if (problem->receptance() != nullptr)
+    state.friction_ratio_error += realised_friction(problem, velocity).error;
+  return state;
 }
 
 SteadyState simulated(const Problem& problem, double velocity, const std::string& method,

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "problem/problem.hpp"
-#include "simulation/system/steady_state.hpp"
 
 namespace vcrit {
 
@@ -20,12 +19,19 @@ struct RealisedFriction {
   std::vector<std::string> warnings;
 };
 
-/// Of a problem with a measured drive, at a velocity of the drive (m/s) with that steady state. To
-/// first order the error of R_d at n omega moves the ratio by its own sensitivity, found from
-/// structures with one small mode more each; the ratio is never off by more than it can be. Throws
-/// ModelError where such a structure has no steady state.
-RealisedFriction realised_friction(const Problem& problem, double velocity,
-                                   const simulation::SteadyState& state);
+/// Of a problem with a measured drive, at a velocity of the drive (m/s). The error is how far the
+/// ratio moves with other structures that the table allows as well: refits to other noise, other
+/// orders, and a mode that the rows do not show at a harmonic; the ratio is never off by more than it
+/// can be. Throws ModelError where the structure has no steady state.
+RealisedFriction realised_friction(const Problem& problem, double velocity);
+
+/// Of a problem with a measured drive: Eq. (24) with the structure's R_d.
+struct RealisedVelocity {
+  double value = 0;       ///< m/s
+  double difference = 0;  ///< by which that of the table may differ: by the error of the fit at omega,
+                          ///< and by what a straight line between two rows leaves out
+};
+RealisedVelocity realised_velocity(const Problem& problem);
 
 /// What to say of friction of a measured drive where its error is not stated; empty for others.
 std::vector<std::string> unstated_error(const Problem& problem);

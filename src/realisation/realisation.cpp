@@ -17,16 +17,6 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-Structure in_units(const Structure& scaled, double frequency, double value) {
-  Structure structure = scaled;
-  structure.alpha *= std::sqrt(value);
-  structure.tau /= frequency;
-  structure.phi *= std::sqrt(value) * frequency;
-  structure.frequency *= frequency;
-  structure.factor *= std::sqrt(frequency);
-  return structure;
-}
-
 Index rows_in(const std::vector<Stretch>& stretches) {
   Index count = 0;
   for (const Stretch& each : stretches) count += each.last - each.first + 1;
@@ -48,11 +38,12 @@ double noise_of(const CausalFit& fit, const std::vector<Stretch>& faults) {
 Realisation::Realisation(const Receptance& table, Body body)
     : rows_(rows_of(table)), first_(table.rows.front().omega), last_(table.rows.back().omega) {
   judge_rows(table);
-  const Search found = search(rows_, noise_, table.order, body == Body::heavy ? Damping::coupled : Damping::full);
+  const Search found = search(rows_, noise_, table.order,
+                              body == Body::heavy ? Damping::coupled : Damping::full);
   uncertainty_.emplace(rows_, found, noise_);
   structure_ = structure_of(found.best.shape, found.best.parameters);
   judge_fit(table);
-  structure_ = in_units(structure_, rows_.frequency_unit, rows_.value_unit);
+  structure_ = in_si(structure_);
   if (table.static_compliance) add_static_compliance(table, *table.static_compliance);
 }
 
@@ -125,25 +116,54 @@ void Realisation::add_static_compliance(const Receptance& table, double complian
   const double first = rows_.first() * rows_.frequency_unit;
   const double share = std::abs(response(first)) * std::max(noise_, 1e-6) / 10;
   const double w = first * std::min(0.1, std::sqrt(share / std::max(missing, 1e-300)));
-  const Index modes = structure_.modes();
-  structure_.phi.conservativeResize(modes + 1);
-  structure_.phi[modes] = w * std::sqrt(missing);
-  structure_.frequency.conservativeResize(modes + 1);
-  structure_.frequency[modes] = w;
-  structure_.lean.conservativeResize(modes + 1);
-  structure_.lean[modes] = 0;
-  Eigen::MatrixXd factor = Eigen::MatrixXd::Zero(modes + 1, modes + 1);
-  factor.topLeftCorner(modes, modes) = structure_.factor;
-  factor(modes, modes) = std::sqrt(w);
-  structure_.factor = factor;
+  // Half of critical damping.
+  resting_ = Mode{w, 0.5, w * w * missing};
+  structure_ = plus_mode(structure_, *resting_);
+}
+
+double Realisation::caution() const {
+  // Found on the 82 chains of tests/data/two_mass_chains.csv, as the factors of Uncertainty::error.
+  constexpr double unexplained = 8;
+  return explained_ ? 1 : unexplained;
+}
+
+Deviation Realisation::deviation(double omega) const {
+  Deviation found = uncertainty_->at(omega / rows_.frequency_unit);
+  for (double* each : {&found.rivals, &found.noise, &found.hidden, &found.misfit})
+    *each *= rows_.value_unit;
+  return found;
 }
 
 double Realisation::error(double omega) const {
-  return rows_.value_unit * uncertainty_->error(omega / rows_.frequency_unit, explained_);
+  return caution() * rows_.value_unit * uncertainty_->error(omega / rows_.frequency_unit);
 }
 
-std::shared_ptr<const Realisation> realised(const Receptance& table,
-                                            Body body) {
+Structure Realisation::in_si(const Structure& scaled) const {
+  const double frequency = rows_.frequency_unit, value = rows_.value_unit;
+  Structure structure = scaled;
+  structure.alpha *= std::sqrt(value);
+  structure.tau /= frequency;
+  structure.phi *= std::sqrt(value) * frequency;
+  structure.frequency *= frequency;
+  structure.factor *= std::sqrt(frequency);
+  return resting_ ? plus_mode(structure, *resting_) : structure;
+}
+
+std::vector<Structure> Realisation::all_in_si(const std::vector<Structure>& scaled) const {
+  std::vector<Structure> all;
+  for (const Structure& each : scaled) all.push_back(in_si(each));
+  return all;
+}
+
+std::vector<Structure> Realisation::refits() const { return all_in_si(uncertainty_->refits()); }
+std::vector<Structure> Realisation::rivals() const { return all_in_si(uncertainty_->rivals()); }
+
+std::optional<Structure> Realisation::with_hidden_mode(double omega) const {
+  const auto found = uncertainty_->with_hidden_mode(omega / rows_.frequency_unit);
+  return found ? std::optional(in_si(*found)) : std::nullopt;
+}
+
+std::shared_ptr<const Realisation> realised(const Receptance& table, Body body) {
   struct Known {
     Receptance table;
     Body body;

@@ -34,9 +34,22 @@ class Realisation {
   /// At an angular frequency, rad/s: R_d, m/N, and how far the drive's own may be from it.
   std::complex<double> response(double omega) const { return structure_.response(omega); }
   double error(double omega) const;
+  /// What that is made of, m/N.
+  Deviation deviation(double omega) const;
+  /// By how much that is to be multiplied: the rows are no such structure's, but for noise.
+  double caution() const;
   bool outside(double omega) const { return omega < first_ || omega > last_; }
 
+  // Other structures (SI) that the rows allow as well.
+  std::vector<Structure> refits() const;  ///< fitted to rows with other noise of the same size
+  std::vector<Structure> rivals() const;  ///< of one mode more or less, or of other damping
+  /// With a mode at omega (rad/s) in it that the rows do not show, as large as can be; none where
+  /// no such fit is found.
+  std::optional<Structure> with_hidden_mode(double omega) const;
+
  private:
+  Structure in_si(const Structure& scaled) const;
+  std::vector<Structure> all_in_si(const std::vector<Structure>& scaled) const;
   void judge_rows(const Receptance& table);
   void judge_fit(const Receptance& table);
   void add_static_compliance(const Receptance& table, double compliance);
@@ -44,13 +57,13 @@ class Realisation {
   Rows rows_;
   Structure structure_;
   std::optional<Uncertainty> uncertainty_;
+  std::optional<Mode> resting_;  ///< for the static compliance
   std::vector<std::string> warnings_;
   double misfit_ = 0, noise_ = 0, first_ = 0, last_ = 0;
   bool explained_ = true;
 };
 
 /// The same table is fitted once.
-std::shared_ptr<const Realisation> realised(const Receptance& table,
-                                            Body body = Body::heavy);
+std::shared_ptr<const Realisation> realised(const Receptance& table, Body body = Body::heavy);
 
 }  // namespace vcrit::realisation

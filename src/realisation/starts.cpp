@@ -22,8 +22,7 @@ struct Resonance {
 };
 
 Complex response_of(const Resonance& mode, double omega) {
-  const double w = mode.frequency;
-  return 1.0 / Complex(w * w - omega * omega, 2 * mode.damping * w * omega);
+  return Mode{mode.frequency, mode.damping, 1}.response(omega);
 }
 
 VectorXd weighted(const Rows& rows, const VectorXcd& values) {
@@ -209,23 +208,12 @@ std::vector<Structure> absorber_starts(const Rows& rows, Index modes) {
 
 Structure with_mode(const Rows& rows, const Structure& structure, double frequency,
                     double damping) {
-  const Index modes = structure.modes();
-  Structure more = structure;
   const VectorXd column =
       column_of(rows, [&](double omega) { return response_of({frequency, damping}, omega); });
   const double size = column.squaredNorm();
   const double share = size > 0 ? column.dot(misfit_of(rows, structure)) / size : 0;
   const double least = size > 0 ? 1e-4 / std::sqrt(size) : 1e-6;
-  more.phi.conservativeResize(modes + 1);
-  more.phi[modes] = std::sqrt(std::max(share, least));
-  more.frequency.conservativeResize(modes + 1);
-  more.frequency[modes] = frequency;
-  more.lean.conservativeResize(modes + 1);
-  more.lean[modes] = 0;
-  more.factor = MatrixXd::Zero(modes + 1, modes + 1);
-  more.factor.topLeftCorner(modes, modes) = structure.factor;
-  more.factor(modes, modes) = std::sqrt(2 * damping * frequency);
-  return more;
+  return plus_mode(structure, {frequency, damping, std::max(share, least)});
 }
 
 std::vector<Structure> first_starts(const Rows& rows, Index modes, const Structure* less) {

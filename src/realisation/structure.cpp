@@ -155,6 +155,24 @@ double Structure::static_compliance() const {
   return (reach().transpose() * stiffness_matrix().ldlt().solve(reach())).value();
 }
 
+Complex Mode::response(double omega) const {
+  return share / Complex(frequency * frequency - omega * omega, 2 * damping * frequency * omega);
+}
+
+Structure plus_mode(const Structure& structure, const Mode& mode) {
+  const Index modes = structure.modes();
+  Structure more = structure;
+  for (VectorXd* each : {&more.phi, &more.frequency, &more.lean})
+    each->conservativeResize(modes + 1);
+  more.phi[modes] = std::sqrt(mode.share);
+  more.frequency[modes] = mode.frequency;
+  more.lean[modes] = 0;
+  more.factor = MatrixXd::Zero(modes + 1, modes + 1);
+  more.factor.topLeftCorner(modes, modes) = structure.factor;
+  more.factor(modes, modes) = std::sqrt(2 * mode.damping * mode.frequency);
+  return more;
+}
+
 Structure structure_of(const Shape& shape, const VectorXd& parameters) {
   Structure structure;
   structure.alpha = parameters[0];
@@ -191,8 +209,15 @@ void keep_in_reach(const Shape& shape, const Rows& rows, VectorXd& parameters) {
   // A mode a hundred times beyond the rows is a compliance or a mass to them. Without damping tau is
   // 0: what a billionth of the shortest period leaves of it is less than any digit of a table.
   constexpr double far = 4.6, farther = 20.7;
+  // Decay a hundred thousand times as fast as the last row is a damper without mass to it, and a
+  // spring that relaxes as much more slowly than the first a damper; more than that would only lose
+  // digits when it moves.
+  constexpr double fast = 1e5, slow = 11.5;
   const double low = std::log(rows.first()), high = std::log(rows.last());
-  parameters[1] = std::clamp(parameters[1], -high - farther, -low + farther);
+  parameters[1] = std::clamp(parameters[1], -high - farther, -low + slow);
+  const double most = std::sqrt(fast * rows.last());
+  auto factors = parameters.segment(factor_place(shape), shape.damping_parameters());
+  factors = factors.cwiseMin(most).cwiseMax(-most).eval();
   for (Index k = 0; k < shape.modes; ++k) {
     double& w = parameters[frequency_place(shape) + k];
     w = std::clamp(w, low - far, high + far);

@@ -50,6 +50,16 @@ struct Structure {
   double static_compliance() const;
 };
 
+/// One mode alone, R = share/(s^2 + 2 damping w s + w^2).
+struct Mode {
+  double frequency = 0, damping = 0, share = 0;  ///< w, part of critical, phi^2
+
+  std::complex<double> response(double omega) const;
+};
+
+/// The sum of both, in the same units.
+Structure plus_mode(const Structure& structure, const Mode& mode);
+
 /// alpha, log tau, phi, log w, L by columns, z: as the fit moves them.
 Structure structure_of(const Shape& shape, const Eigen::VectorXd& parameters);
 Eigen::VectorXd parameters_of(const Shape& shape, const Structure& structure);

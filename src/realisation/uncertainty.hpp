@@ -2,6 +2,7 @@
 #pragma once
 
 #include <complex>
+#include <optional>
 #include <vector>
 
 #include "realisation/search.hpp"
@@ -21,12 +22,26 @@ class Uncertainty {
   Uncertainty(const Rows& rows, const Search& found, double noise);
 
   Deviation at(double omega) const;
-  /// What R may be off there, those together: with caution where the rows end or, not `explained`,
-  /// where they are no such structure's.
-  double error(double omega, bool explained) const;
+  /// What R may be off there, those together: with caution where the rows end.
+  double error(double omega) const;
+
+  /// Refits to rows with other noise of the same size.
+  const std::vector<Structure>& refits() const { return refits_; }
+  /// Others that fit as well.
+  const std::vector<Structure>& rivals() const { return rivals_; }
+  /// Fitted anew with a mode at omega in it, as large as three standard deviations let it be; none
+  /// where no such fit is found.
+  std::optional<Structure> with_hidden_mode(double omega) const;
 
  private:
-  double hidden_mode(double omega) const;
+  double largest_compliance_above() const;
+  /// What one that nobody saw may be, and what the others take of one with phi^2 = 1.
+  struct Hidden {
+    Mode mode;
+    Eigen::VectorXd taken;
+  };
+  Hidden hidden_at(double omega) const;
+  double hidden_change(double omega) const;
   double misfit_beside(double omega) const;
 
   const Rows rows_;
@@ -35,6 +50,7 @@ class Uncertainty {
   Structure structure_;
   std::vector<Structure> rivals_, refits_;
   double spread_ = 0;  ///< of one number's misfit
+  double sum_ = 0;     ///< of squares of those
   Eigen::MatrixXd slope_;
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> others_;
 };

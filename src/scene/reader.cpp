@@ -25,6 +25,7 @@
 #include "scene/networks.hpp"
 #include "scene/part_networks.hpp"
 #include "scene/quantities.hpp"
+#include "scene/realisation_keys.hpp"
 #include "scene/scene.hpp"
 #include "scene/section_keys.hpp"
 
@@ -173,10 +174,7 @@ class Reader {
     const Section drive = section("drive");
     if (!drive.exists()) return;
     if (drive.find("receptance") != nullptr) return read_measured(drive);
-    for (const char* key : {"static_compliance", "order"})
-      if (drive.find(key) != nullptr)
-        throw InputError(drive.place(key), fmt::format("{} without receptance", key),
-                         "receptance = \"TABLE.csv\", which it is of; a network has its own");
+    refuse_realisation_keys(drive);
     scene_.drive = network(drive, "network");
     refuse_misplaced_masses(*scene_.drive, drive.place("network"));
   }
@@ -188,25 +186,7 @@ class Reader {
     const std::filesystem::path folder = std::filesystem::path(file_).parent_path();
     scene_.receptance =
         read_receptance(folder / drive.text("receptance"), drive.place("receptance"));
-    read_realisation(drive, *scene_.receptance);
-  }
-
-  // What is asked of the structure that moves in time like the table.
-  static void read_realisation(const Section& drive, Receptance& receptance) {
-    if (const toml::node* node = drive.find("static_compliance")) {
-      const Place place = drive.place("static_compliance");
-      const auto given = number(*node, Dimension::compliance, "static_compliance", place);
-      if (!given)
-        throw InputError(place, document::describe_node(*node), "a compliance: \"0.08 um/N\"");
-      receptance.static_compliance = checked(given->value, positive, "static_compliance", place);
-    }
-    if (const toml::node* node = drive.find("order")) {
-      const auto given = node->value_exact<std::int64_t>();
-      if (!given || *given < 0 || *given > most_order)
-        throw InputError(drive.place("order"), "order = " + document::describe_node(*node),
-                         fmt::format("a whole number from 0 to {}", most_order));
-      receptance.order = static_cast<int>(*given);
-    }
+    read_realisation_keys(drive, *scene_.receptance);
   }
 
   void read_mount() {

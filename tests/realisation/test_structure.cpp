@@ -84,6 +84,22 @@ BOOST_AUTO_TEST_CASE(whatever_the_parameters_it_stores_and_loses_energy_only) {
     }
 }
 
+// Parameters that no row could tell from others would lose the digits of what moves.
+BOOST_AUTO_TEST_CASE(no_parameter_leaves_what_rows_can_tell) {
+  const Rows rows = some_rows();
+  for (const Shape& shape : shapes) {
+    VectorXd parameters = 1e9 * drawn_parameters(shape, 4);
+    keep_in_reach(shape, rows, parameters);
+    const Structure structure = structure_of(shape, parameters);
+    // Each entry of L L^T is a sum of at most three products of two entries of L.
+    if (shape.modes > 0)
+      BOOST_TEST(structure.damping_matrix().bottomRightCorner(shape.modes, shape.modes).maxCoeff() <=
+                 3.001e5 * rows.last());
+    BOOST_TEST(structure.tau <= 1e5 / rows.first());
+    for (const double w : structure.frequency) BOOST_TEST((w > 1e-4 && w < 1e4));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(a_spring_in_series_with_two_masses) {
   // R = 1/(4 + 0.2 s) + 1/(2 s^2 + 0.3 s + 5), phi^2 = 1/2, w^2 = 5/2, c = 0.15.
   Structure structure;

@@ -31,7 +31,8 @@ std::vector<long double> numbers_of(const VectorXd& vector) {
 double least_alpha(const Structure& structure) {
   const double compliance =
       structure.phi.cwiseQuotient(structure.frequency).squaredNorm();
-  return std::max(structure.alpha, 1e-6 * std::sqrt(compliance));
+  return std::copysign(std::max(std::abs(structure.alpha), 1e-6 * std::sqrt(compliance)),
+                       structure.alpha);
 }
 
 // y = (x - phi.q)/alpha: rows of (y, q) by (x, q).
