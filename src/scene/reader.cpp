@@ -194,12 +194,8 @@ class Reader {
   // Whether the drive is a network or measured, and not rigid.
   bool gives() const { return scene_.drive.has_value() || scene_.receptance.has_value(); }
 
-  // Cells of the contact that would move one another, or are of no half-space.
+  // Cells of the contact that are of no half-space.
   void refuse_beside_indenter(const Section& indenter) const {
-    if (gives())
-      throw InputError(indenter.place(""), "[indenter] with [drive]",
-                       "a rigid drive: one that gives would let the parts of the contact move one "
-                       "another");
     const auto* isotropic = std::get_if<Isotropic>(&scene_.tangential);
     if (isotropic == nullptr || isotropic->by != Isotropic::By::poisson)
       throw InputError(indenter.place(""), "[indenter] without poisson",
