@@ -91,6 +91,8 @@ struct SimulationAnswer {
     f("regime", steady.regime)("method", it.method)("periods", steady.periods);
     f("events", steady.events).some("energy", it.energy).some("separation", it.separation);
     if (it.load) fields(f, *it.load);
+    if (it.indenter && it.indenter->on_drive)
+      f("cells", it.indenter->friction.cells)("cells_error", it.indenter->friction.error);
     f.some("indenter", it.indenter).some("masses", it.masses).some("warnings", it.warnings);
   }
 };

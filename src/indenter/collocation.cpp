@@ -7,6 +7,7 @@
 
 #include "base/constants.hpp"
 #include "base/errors.hpp"
+#include "simulation/system/effort.hpp"
 
 namespace vcrit::indenter {
 
@@ -83,22 +84,24 @@ constexpr int most_iterations = 12;
 
 }  // namespace
 
-State Step::at(double t) const {
+State TimeStep::at(double t) const {
   const double share = (t - begin_) / length_;
   State sum = powers_.col(powers_.cols() - 1);
   for (Eigen::Index i = powers_.cols() - 2; i >= 0; --i) sum = sum * share + powers_.col(i);
   return from_ + share * sum;
 }
 
-double Step::at(double t, Eigen::Index i) const {
+double TimeStep::at(double t, Eigen::Index i) const {
   const double share = (t - begin_) / length_;
   double sum = 0;
   for (Eigen::Index j = powers_.cols() - 1; j >= 0; --j) sum = sum * share + powers_(i, j);
   return from_(i) + share * sum;
 }
 
-Collocation::Collocation(Rates rates, double tolerance)
-    : rates_(std::move(rates)), tolerance_(tolerance) {}
+Collocation::Collocation(Rates rates, double tolerance, SharedEffort* whole)
+    : rates_(std::move(rates)),
+      effort_(simulation::effort_of_state, whole),
+      tolerance_(tolerance) {}
 
 void Collocation::slopes(double t, const State& x) {
   constexpr double nudge = 1e-7;  // about the root of a rounding, of numbers of about 1
@@ -121,6 +124,8 @@ void Collocation::slopes(double t, const State& x) {
 bool Collocation::solve(double t, const State& x, double length) {
   const Scheme& radau = scheme();
   const Eigen::Index n = x.size();
+  const auto unknowns = static_cast<std::size_t>(n * nodes_of_step);
+  effort_.spend(Effort::of_products(unknowns * unknowns * unknowns));
   Eigen::MatrixXd system(n * nodes_of_step, n * nodes_of_step);
   for (int i = 0; i < nodes_of_step; ++i)
     for (int j = 0; j < nodes_of_step; ++j)
@@ -156,17 +161,18 @@ double Collocation::fault(double length) const {
                       .lpNorm<Eigen::Infinity>();
 }
 
-Step Collocation::step(double t, const State& x, double length) {
+TimeStep Collocation::step(double t, const State& x, double length) {
   slopes(t, x);
   while (true) {
     if (!(length > shortest_step))
-      throw ModelError("the motion below the indenter cannot be followed: its steps become too short");
+      throw ModelError(
+          "the motion below the indenter cannot be followed: its steps become too short");
     if (!solve(t, x, length)) {
       length *= 0.25;
       continue;
     }
-    const double grown =
-        std::clamp(0.9 * std::pow(tolerance_ / (fault(length) + 1e-300), 1.0 / nodes_of_step), 0.1, 4.0);
+    const double grown = std::clamp(
+        0.9 * std::pow(tolerance_ / (fault(length) + 1e-300), 1.0 / nodes_of_step), 0.1, 4.0);
     if (fault(length) > tolerance_) {
       length *= std::min(grown, 0.7);
       continue;
@@ -174,7 +180,7 @@ Step Collocation::step(double t, const State& x, double length) {
     next_length_ = grown * length;
     break;
   }
-  Step step;
+  TimeStep step;
   step.begin_ = t;
   step.length_ = length;
   step.end_ = t + length;

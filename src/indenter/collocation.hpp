@@ -6,13 +6,15 @@
 #include <Eigen/Dense>
 #include <functional>
 
+#include "base/effort.hpp"
+
 namespace vcrit::indenter {
 
 using State = Eigen::VectorXd;
 using Rates = std::function<void(double t, const State& x, State& rates)>;
 
 /// One step, from t = begin to begin + length.
-class Step {
+class TimeStep {
  public:
   double begin() const { return begin_; }
   double end() const { return end_; }
@@ -31,12 +33,14 @@ class Step {
 
 class Collocation {
  public:
-  /// tolerance: on a step, absolute, of numbers that are about 1.
-  Collocation(Rates rates, double tolerance);
+  /// tolerance: on a step, absolute, of numbers that are about 1. whole: of which its effort is a
+  /// part, none without.
+  Collocation(Rates rates, double tolerance, SharedEffort* whole);
 
   /// From x at t over `length` > 0, or less if the tolerance wants it. `next_length` is what the
-  /// step after it may have. Throws ModelError where steps become too short.
-  Step step(double t, const State& x, double length);
+  /// step after it may have. Throws ModelError where steps become too short, or too many
+  /// (effort_of_state).
+  TimeStep step(double t, const State& x, double length);
   double next_length() const { return next_length_; }
 
  private:
@@ -45,6 +49,7 @@ class Collocation {
   double fault(double length) const;
 
   Rates rates_;
+  Effort effort_;
   double tolerance_, next_length_ = 0;
   Eigen::MatrixXd jacobian_, stages_, residual_;  ///< stages_: rates at the nodes, one a column
   State value_, rate_, moved_;

@@ -16,6 +16,9 @@ namespace vcrit::indenter {
 struct Holder {
   Relaxation drive;
   double mass = 0;  ///< kg, of the body
+
+  /// Whether it swings without end while the cells stick.
+  bool rings() const { return mass > 0 && drive.damper == 0 && drive.branches.empty(); }
 };
 
 class HalfSpace {
@@ -66,9 +69,9 @@ class HalfSpace {
   double indentation() const { return indentation_; }  ///< u_z0, m
   double amplitude() const { return amplitude_; }      ///< du_z, m
 
-  double omega() const { return omega_; }              ///< rad/s
-  double friction() const { return friction_; }        ///< mu0
-  double shear_ratio() const { return ratio_; }        ///< K_t/K_n of each cell
+  double omega() const { return omega_; }        ///< rad/s
+  double friction() const { return friction_; }  ///< mu0
+  double shear_ratio() const { return ratio_; }  ///< K_t/K_n of each cell
 
   /// E*(0), Pa.
   double static_modulus() const { return normal_.equilibrium; }

@@ -15,10 +15,10 @@ namespace vcrit::indenter {
 namespace {
 
 // On a step: the coarse one tells the error of the fine one.
-static const double coarse = getenv("VC")? atof(getenv("VC")):1e-9, fine = getenv("VF")? atof(getenv("VF")):1e-12, finest = 1e-14;
+constexpr double coarse = 1e-9, fine = 1e-12, finest = 1e-14;
 
 // Of forces that are about 1, of some hundred steps.
-constexpr double rounding = 1e-14;
+constexpr double force_rounding_error = 1e-14;
 
 constexpr int most_newton_steps = 30, most_periods = 400;
 
@@ -26,12 +26,12 @@ constexpr const char* rings =
     "body and drive are in undamped resonance with a harmonic of the normal force, which grows and "
     "shrinks with the contact area: the swing in slip grows without bound";
 
-/// A body sliding for ever, and the numbers that its motion has at phase 0.
+/// A body sliding for ever below a drive at rest, and the numbers that its motion has at phase 0.
 class Sliding {
  public:
-  Sliding(const ScaledContact& contact, const ScaledHolder& holder, double velocity,
-          double tolerance)
-      : motion_(contact, holder, velocity, tolerance, true), contact_(contact), holder_(holder) {
+  Sliding(const ScaledContact& contact, const ScaledHolder& holder, double tolerance,
+          SharedEffort* whole)
+      : motion_(contact, holder, 0, tolerance, whole, true), contact_(contact) {
     find();
   }
 
@@ -43,7 +43,7 @@ class Sliding {
   /// The largest rate of u less velocity of the body while touching.
   double largest() const {
     double most = -infinity;
-    for (const Step& step : motion_.kept()) most = std::max(most, largest_in(step));
+    for (const TimeStep& step : motion_.kept()) most = std::max(most, largest_in(step));
     return most;
   }
 
@@ -78,13 +78,12 @@ class Sliding {
     after(body_);
   }
 
-  double rise(double t, const Step& step) const {
+  double rise(double t, const TimeStep& step) const {
     return contact_.depth_rate(t) - motion_.speed(t, step.at(t));
   }
 
-  // By parabolas through three samples, then golden sections would do; here thirds, to where the
-  // maximum is flat.
-  double largest_in(const Step& step) const {
+  // The largest of samples, then by thirds, to where the maximum is flat.
+  double largest_in(const TimeStep& step) const {
     const double length = step.end() - step.begin();
     if (contact_.depth(step.begin() + 0.5 * length) < 0) return -infinity;
     constexpr int samples = 16;
@@ -108,7 +107,6 @@ class Sliding {
 
   RimMotion motion_;
   const ScaledContact& contact_;
-  const ScaledHolder& holder_;
   State body_;
   bool resonant_ = false;
 };
@@ -119,9 +117,10 @@ class Sliding {
 /// each period, the centre last, and then all do; or all are off the surface.
 class Cycle {
  public:
-  Cycle(const ScaledContact& contact, const ScaledHolder& holder, double velocity, double tolerance)
-      : periods_(contact, holder, velocity, tolerance),
-        trial_(contact, holder, velocity, tolerance),
+  Cycle(const ScaledContact& contact, const ScaledHolder& holder, double velocity, double tolerance,
+        SharedEffort* whole)
+      : periods_(contact, holder, velocity, tolerance, whole),
+        trial_(contact, holder, velocity, tolerance, whole),
         first_(trial_.first_given() ? 1 : 0),
         tolerance_(tolerance) {}
 
@@ -238,11 +237,12 @@ class Cycle {
 /// Both, of one half-space.
 class Held {
  public:
-  explicit Held(const HalfSpace& half_space) : contact_(half_space), holder_(half_space, contact_) {}
+  explicit Held(const HalfSpace& half_space)
+      : contact_(half_space), holder_(half_space, contact_), effort_(half_space.effort()) {}
 
   const ScaledContact& contact() const { return contact_; }
   std::unique_ptr<Sliding> sliding(double tolerance) const {
-    return std::make_unique<Sliding>(contact_, holder_, 0, tolerance);
+    return std::make_unique<Sliding>(contact_, holder_, tolerance, effort_);
   }
 
   /// Of the body below a drive that moves.
@@ -251,7 +251,7 @@ class Held {
     Shown shown;
   };
   Found cycle(const Sliding& sliding, double velocity, double tolerance) const {
-    Cycle result(contact_, holder_, velocity, tolerance);
+    Cycle result(contact_, holder_, velocity, tolerance, effort_);
     result.find(sliding.body());
     return {result.impulse(), result.open(), result.shown()};
   }
@@ -259,11 +259,24 @@ class Held {
  private:
   ScaledContact contact_;
   ScaledHolder holder_;
+  SharedEffort* effort_;
 };
+
+/// Without an oscillation.
+Friction without_oscillation(const HalfSpace& half_space) {
+  const double edge = half_space.edge();
+  Friction result;
+  result.ratio = 1;
+  result.normal_force = 2 * half_space.static_modulus() *
+                        (half_space.indentation() * edge - half_space.gap().area(edge));
+  result.normal_force_error = force_rounding_error * result.normal_force;
+  return result;
+}
 
 }  // namespace
 
 Friction rim_friction(const HalfSpace& half_space, double velocity) {
+  if (!(half_space.amplitude() > 0)) return without_oscillation(half_space);
   const Held held(half_space);
   const double speed = velocity / held.contact().speed_unit();
   const auto sliding = held.sliding(fine);
@@ -271,9 +284,9 @@ Friction rim_friction(const HalfSpace& half_space, double velocity) {
   Friction result;
   Motions motions{true, false, false};
   result.normal_force = sliding->mean_force() * held.contact().force_unit();
-  result.normal_force_error = rounding * result.normal_force;
+  result.normal_force_error = force_rounding_error * result.normal_force;
   result.ratio = 1;
-  result.error = rounding;
+  result.error = force_rounding_error;
   if (speed < sliding->largest()) {
     const double all = two_pi * sliding->mean_force();
     const double share = std::min(1.0, 1e3 * speed);
@@ -288,13 +301,28 @@ Friction rim_friction(const HalfSpace& half_space, double velocity) {
   return result;
 }
 
+Pressed rim_pressed(const HalfSpace& half_space) {
+  if (const double force = without_oscillation(half_space).normal_force;
+      !(half_space.amplitude() > 0))
+    return {force, force};
+  const Held held(half_space);
+  const double unit = held.contact().force_unit();
+  return {held.sliding(fine)->mean_force() * unit, held.contact().force(pi) * unit};
+}
+
 simulation::Onset rim_threshold(const HalfSpace& half_space) {
+  if (!(half_space.amplitude() > 0)) return {};
   const Held held(half_space);
   const double unit = held.contact().speed_unit();
   const auto rough = held.sliding(coarse), sliding = held.sliding(finest);
   if (sliding->resonant()) return {infinity, infinity, rings};
-  const double drive = sliding->largest(), contact = drive + sliding->mean_speed();
-  return {contact * unit, drive * unit, {}, (std::abs(rough->largest() - drive) + rounding) * unit};
+  const double drive = sliding->largest();
+  const bool creeps = !(half_space.holder()->drive.equilibrium > 0);
+  const double contact = creeps ? drive + sliding->mean_speed() : drive;
+  return {contact * unit,
+          drive * unit,
+          {},
+          (std::abs(rough->largest() - drive) + force_rounding_error) * unit};
 }
 
 }  // namespace vcrit::indenter

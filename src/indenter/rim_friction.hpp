@@ -1,5 +1,5 @@
-// Friction of an elastic indenter on a drive that gives, in steady motion, and the speed above which
-// all its cells slide.
+// Friction of an elastic indenter on a drive that gives, in steady motion, and the speed above
+// which all its cells slide.
 #pragma once
 
 #include "indenter/friction.hpp"
@@ -12,8 +12,11 @@ namespace vcrit::indenter {
 /// steady motion is found.
 Friction rim_friction(const HalfSpace& half_space, double velocity);
 
-/// v* = mu0 max over the touching phase of d/dt [u_z/kappa + R_b * F_n], kappa = G*/E*. Infinite where
-/// the body swings freely at a harmonic of the normal force.
+/// Of the normal force over a period.
+Pressed rim_pressed(const HalfSpace& half_space);
+
+/// v* = mu0 max over the touching phase of d/dt [u_z/kappa + R_b * F_n], kappa = G*/E*. Infinite
+/// where the body swings freely at a harmonic of the normal force.
 simulation::Onset rim_threshold(const HalfSpace& half_space);
 
 }  // namespace vcrit::indenter

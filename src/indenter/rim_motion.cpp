@@ -27,12 +27,12 @@ constexpr int most_at_once = 50;
 }  // namespace
 
 RimMotion::RimMotion(const ScaledContact& contact, const ScaledHolder& holder, double velocity,
-                     double tolerance, bool always_slides)
+                     double tolerance, SharedEffort* whole, bool always_slides)
     : contact_(contact),
       holder_(holder),
       velocity_(velocity),
       always_slides_(always_slides),
-      steps_([this](double t, const State& x, State& out) { rates(t, x, out); }, tolerance) {
+      steps_([this](double t, const State& x, State& out) { rates(t, x, out); }, tolerance, whole) {
   spring_ = holder.mass > 0 ? 1 : 0;
   branches_ = spring_ + (holder.spring > 0 ? 1 : 0);
   body_ = branches_ + static_cast<Eigen::Index>(holder.branches.size());
@@ -53,7 +53,7 @@ double RimMotion::level(double t, double place, int d) const {
 // l_d of what a layer remembers at a depth: l_- = l_+ + 2 g.
 double RimMotion::level_of(const Layer& layer, double depth, double touched, int d) const {
   if (layer.frozen != 0) return layer.level + (layer.frozen - d) * depth;
-  for (const Step& step : history_)
+  for (const TimeStep& step : history_)
     if (touched <= step.end() || &step == &history_.back())
       return level(touched, step.at(touched, place_), d);
   return 0;
@@ -181,7 +181,7 @@ double RimMotion::least_margin(double t, const State& state) const {
 }
 
 /// The first event within a step, if there is one.
-bool RimMotion::ends_in(const Step& step, double& at) const {
+bool RimMotion::ends_in(const TimeStep& step, double& at) const {
   double before = step.begin();
   for (int i = 1; i <= asked_of_step; ++i) {
     double t = step.begin() + (step.end() - step.begin()) * i / asked_of_step;
@@ -279,7 +279,7 @@ double RimMotion::next_kink() const {
   return turns + two_pi + contact_.kinks()[1];
 }
 
-void RimMotion::take(Step step, bool ends) {
+void RimMotion::take(TimeStep step, bool ends) {
   at_once_ = step.end() > step.begin() + no_time ? 0 : at_once_ + 1;
   if (at_once_ > most_at_once)
     throw ModelError("below the indenter, stick and slip alternate without end at one instant");
@@ -301,7 +301,7 @@ void RimMotion::run(double until) {
       continue;
     }
     const double wanted = std::min({length, longest_step, whole});
-    Step step = steps_.step(t_, state_, wanted);
+    TimeStep step = steps_.step(t_, state_, wanted);
     double event = 0;
     const bool ends = ends_in(step, event), arrives = step.end() >= to - 1e-14 * to;
     if (ends)

@@ -21,10 +21,11 @@ struct Shown {
 
 class RimMotion {
  public:
-  /// velocity: of the drive, in units of the contact. Both are kept by reference. Whatever
+  /// velocity: of the drive, in units of the contact. Both are kept by reference. whole: of which
+  /// its effort is a part, none without. Whatever
   /// happens, all cells slide forward while `always_slides`.
   RimMotion(const ScaledContact& contact, const ScaledHolder& holder, double velocity,
-            double tolerance, bool always_slides = false);
+            double tolerance, SharedEffort* whole, bool always_slides = false);
 
   /// Numbers of the body alone: by how much it is slower than the drive, if it has a mass, and the
   /// forces of springs, one by one.
@@ -40,15 +41,17 @@ class RimMotion {
   State body() const { return state_.head(body_); }
   double impulse() const { return state_(impulse_); }  ///< the integral of friction since start()
   double lack() const { return state_(lack_); }  ///< of friction, less than that of sliding cells
-  double travel() const { return state_(place_); }     ///< of the body since then
-  bool clear() const { return layers_.empty() && mode_ != RimMode::stick && mode_ != RimMode::backward; }
+  double travel() const { return state_(place_); }  ///< of the body since then
+  bool clear() const {
+    return layers_.empty() && mode_ != RimMode::stick && mode_ != RimMode::backward;
+  }
   const Shown& shown() const { return shown_; }
   void show_anew() { shown_ = {}; }
 
   /// Of the body, at a time and state of a step.
   double speed(double t, const State& state) const { return velocity_ - behind(t, state); }
   /// Those of a motion that always slides, from start() on.
-  const std::vector<Step>& kept() const { return kept_; }
+  const std::vector<TimeStep>& kept() const { return kept_; }
 
  private:
   // Cells from one depth to another, by what they remember: the level at which all of them stuck,
@@ -73,8 +76,8 @@ class RimMotion {
 
   std::vector<double> margins(double t, const State& state) const;
   double least_margin(double t, const State& state) const;
-  bool ends_in(const Step& step, double& at) const;
-  void take(Step step, bool ends);
+  bool ends_in(const TimeStep& step, double& at) const;
+  void take(TimeStep step, bool ends);
   void change();
   void cut_layer(int d);
   void go_on(RimMode mode);
@@ -92,9 +95,9 @@ class RimMotion {
   double t_ = 0;
   State state_;
   RimMode mode_ = RimMode::forward;
-  std::vector<Layer> layers_;  ///< from the centre outwards
-  std::vector<Step> history_;  ///< of times at which cells touched and stuck
-  std::vector<Step> kept_;
+  std::vector<Layer> layers_;      ///< from the centre outwards
+  std::vector<TimeStep> history_;  ///< of times at which cells touched and stuck
+  std::vector<TimeStep> kept_;
   double clear_since_ = 0;
   Shown shown_;
   int at_once_ = 0;  ///< events since time last went on

@@ -1,5 +1,5 @@
 // Of what kinds a scene is, as far as that decides which questions have an answer; it may be of
-// several at once. All but the last eight are seen without any value.
+// several at once. The last two and all but the eight before them are seen without any value.
 #pragma once
 
 #include <optional>
@@ -32,8 +32,11 @@ enum class SceneKind {
   open_where_steepest,            ///< likewise, since it is open where u_z rises fastest
   sinking,                        ///< K_n(0) = 0 under a load: sinks, as deep as time goes on
   sinking_opening,                ///< the same of a contact that opens
+  indenter_on_drive,  ///< on a drive that gives, through which its cells move one another
+  viscoelastic_indenter_on_drive,  ///< the same, whose cells are not alike and have a memory
 };
-inline constexpr std::size_t kinds = static_cast<std::size_t>(SceneKind::sinking_opening) + 1;
+inline constexpr std::size_t kinds =
+    static_cast<std::size_t>(SceneKind::viscoelastic_indenter_on_drive) + 1;
 
 /// "measured_drive": a name that stays the same, for programs.
 const char* name_of(SceneKind kind);

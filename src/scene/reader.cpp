@@ -170,6 +170,7 @@ class Reader {
     const Section drive = section("drive");
     if (!drive.exists()) return;
     if (drive.find("receptance") != nullptr) return read_measured(drive);
+    networks_.read_drive_now();
     scene_.drive = network(drive, "network");
     refuse_misplaced_masses(*scene_.drive, drive.place("network"));
   }

@@ -16,6 +16,7 @@
 #include "formula/names.hpp"
 #include "formula/prose.hpp"
 #include "formula/symbols.hpp"
+#include "rules/rulebook.hpp"
 
 namespace vcrit::symbolic {
 
@@ -131,6 +132,7 @@ void write_result(const Formula& formula, Derivation& derivation) {
 }  // namespace
 
 Derivation derive(const Problem& problem) {
+  rules::require(rules::Question::derivation, problem);
   const AlgebraLock lock;
   const NamesOfScene names(problem);
   ++made;
