@@ -323,7 +323,7 @@ class Matrix(Cells, unittest.TestCase):
         if unknown != "velocity":
             arguments += ["--velocity", mp.nstr(velocity, 17)]
         arguments += ["--set", f"amplitude={mp.nstr(amplitude, 17)}"] if unknown != "amplitude" and has else []
-        if unknown == "velocity" and references("formula") > 1e3:  # no upper end, or one lost in rounding
+        if unknown == "velocity" and "formula" in references and references("formula") > 1e3:  # no upper end, or one lost in rounding
             arguments += ["--to", "0.1"]
         force = references("value:W") if "value:W" in references else None
         truth, at_start = {"velocity": velocity, "amplitude": amplitude, "force": force}.get(unknown), False
