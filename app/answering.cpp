@@ -66,7 +66,9 @@ Refusal no_report(const Problem& problem) {
   return std::nullopt;
 }
 
-Refusal no_refusal(const Problem&) { return std::nullopt; }
+Refusal no_derivation(const Problem& problem) {
+  return refusal_by(rules::Question::derivation, problem);
+}
 
 struct CommandRow {
   const char* name;
@@ -76,7 +78,7 @@ struct CommandRow {
 
 const std::vector<CommandRow>& command_rows() {
   static const std::vector<CommandRow> rows{
-      {"derive", no_refusal},
+      {"derive", no_derivation},
       {"eval", no_onset},
       {"generate", no_evaluator},
       {"simulate", no_motion},
@@ -86,7 +88,8 @@ const std::vector<CommandRow>& command_rows() {
       {"solve", no_design},
       {"validate",
        no_report,
-       {{rules::Question::report_simulation, "the simulation"},
+       {{rules::Question::derivation, "the formula"},
+        {rules::Question::report_simulation, "the simulation"},
         {rules::Question::report_explorer, "the explorer"},
         {rules::Question::report_stability, "the stability maps"}}}};
   return rows;

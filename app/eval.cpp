@@ -35,7 +35,8 @@ struct Evaluation {
   Effect effect;
   std::optional<UnderLoad> load = {};
   std::optional<BelowMount> mount = {};
-  bool simulated() const { return critical.by == CriticalOnset::By::simulation; }
+  bool simulated() const { return critical.by != CriticalOnset::By::formula; }
+  bool by_phase() const { return critical.by == CriticalOnset::By::maximum_over_the_phase; }
 
   friend void fields(record::Fields& f, const Evaluation& it) {
     const CriticalOnset& critical = it.critical;
@@ -52,8 +53,9 @@ struct Evaluation {
       f("sliding_from", known(critical.sliding_from))("free_harmonic", free.front());
       f.when(free.size() > 1, "free_harmonics", free);
     }
-    if (it.opens) {
-      f("opens", *it.opens)("critical_velocity_by", it.simulated() ? "simulation" : "formula");
+    f.some("opens", it.opens);
+    if (it.opens || it.by_phase()) {
+      f("critical_velocity_by", to_text(critical.by));
       f.when(it.simulated(), "relative_error_estimate", critical.relative_error);
     }
     if (it.load) fields(f, *it.load);
@@ -89,7 +91,8 @@ std::string velocity_words(const Evaluation& result, int digits) {
   if (!result.reasons.empty())
     return fmt::format("v* = {} by the formula, which does not describe this motion",
                        rounded(critical, "m/s", digits));
-  const char* what = result.simulated()       ? " (simulated)"
+  const char* what = result.by_phase()        ? " (maximum over the phase)"
+                     : result.simulated()     ? " (simulated)"
                      : result.effect.creeps() ? " of the contact point"
                                               : "";
   return fmt::format("v* = {}{}", critical_velocity_in_words(result.effect, digits), what);

@@ -101,6 +101,8 @@ struct SimulationAnswer {
     f("events", steady.events).some("energy", it.energy).some("separation", it.separation);
     if (it.load) fields(f, *it.load);
     if (it.mount) fields(f, *it.mount);
+    if (it.indenter && it.indenter->on_drive)
+      f("cells", it.indenter->friction.cells)("cells_error", it.indenter->friction.error);
     f.some("indenter", it.indenter).some("masses", it.masses);
     f.some("realisation", it.realisation).some("warnings", it.warnings);
   }

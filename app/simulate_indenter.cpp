@@ -20,6 +20,7 @@ void fields(Fields& f, const app::IndenterAnswer& answer) {
   f("mean_normal_force", friction.normal_force);
   f("mean_normal_force_error", friction.normal_force_error);
   f("contact_radius", answer.radius)("largest_contact_radius", answer.edge);
+  if (answer.on_drive) return;
   f("cells_evaluated", friction.cells)("start_disagreement", friction.disagreement);
   f("cells", answer.cells);
 }
@@ -43,6 +44,9 @@ constexpr int cell_digits = 9;
 
 IndenterAnswer simulate_indenter(const Problem& problem, double velocity) {
   const indenter::HalfSpace half_space(problem);
+  if (half_space.holder())
+    return {
+        indenter::friction(half_space, velocity), {}, half_space.radius(), half_space.edge(), true};
   return {indenter::friction(half_space, velocity),
           indenter::cells(half_space, velocity, half_space.uniform() ? 1 : shown_cells, 0),
           half_space.radius(), half_space.edge()};
@@ -53,6 +57,10 @@ void print_indenter(const IndenterAnswer& answer, int digits) {
   const auto length = [&](double x) { return rounded(x, "m", digits); };
   print_row("contact radius",
             fmt::format("{}, at most {}", length(answer.radius), length(answer.edge)));
+  if (answer.on_drive) {
+    if (friction.cells == 0) print_row("cells", "infinitely many, which move one another");
+    return;
+  }
   print_row("starts",
             friction.disagreement <= starts_tolerance
                 ? "from rest and from sliding, all cells become the same"

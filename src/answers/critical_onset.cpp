@@ -96,12 +96,14 @@ simulation::Onset sliding_threshold(const Problem& problem) {
 
 CriticalOnset by_simulation(const Problem& problem) {
   const simulation::Onset onset = sliding_threshold(problem);
-  CriticalOnset result{CriticalOnset::By::simulation,
-                       onset.contact_velocity,
-                       onset.drive_velocity,
-                       std::numeric_limits<double>::quiet_NaN(),
-                       onset.why_infinite,
-                       onset.contact_velocity};
+  const bool by_phase = problem->indenter && !problem->rigid();
+  CriticalOnset result{
+      by_phase ? CriticalOnset::By::maximum_over_the_phase : CriticalOnset::By::simulation,
+      onset.contact_velocity,
+      onset.drive_velocity,
+      std::numeric_limits<double>::quiet_NaN(),
+      onset.why_infinite,
+      onset.contact_velocity};
   if (std::isfinite(onset.contact_velocity))
     result.relative_error = onset.uncertainty / onset.contact_velocity;
   return result;
@@ -139,8 +141,8 @@ double simulated_log_derivative(const Problem& problem, const Symbol& symbol) {
       fmt::format("another value of {}", name));
 }
 
-// By the ratio of stiffnesses, which is not bounded as Poisson's ratio is. Under a rigid drive, as
-// below every indenter, an isotropic contact point follows in inverse proportion to it.
+// By the ratio of stiffnesses, which is not bounded as Poisson's ratio is. Under a rigid drive an
+// isotropic contact point follows in inverse proportion to it.
 double poisson_log_derivative(const Problem& problem, const Isotropic& isotropic) {
   const double nu = *isotropic.quantity.value, by_ratio = -nu / ((1 - nu) * (2 - nu));
   if (problem->rigid()) return -by_ratio;
@@ -150,6 +152,18 @@ double poisson_log_derivative(const Problem& problem, const Isotropic& isotropic
 }
 
 }  // namespace
+
+const char* to_text(CriticalOnset::By by) {
+  switch (by) {
+    case CriticalOnset::By::formula:
+      return "formula";
+    case CriticalOnset::By::maximum_over_the_phase:
+      return "maximum over the phase";
+    case CriticalOnset::By::simulation:
+      return "simulation";
+  }
+  throw Bug("a way to v* without a name");
+}
 
 std::vector<int> free_harmonics(const Problem& problem) {
   const ReducedNetwork* drive = problem->drive_network();
@@ -186,7 +200,8 @@ double quick_onset(const Problem& problem, double omega) {
 double onset_log_derivative(const Problem& problem, const Symbol& symbol) {
   if (holds_formula(problem)) return log_derivative(problem, symbol);
   const auto* isotropic = std::get_if<Isotropic>(&problem->tangential);
-  if (isotropic != nullptr && isotropic->by == Isotropic::By::poisson &&
+  const bool held = problem->indenter && !problem->rigid();  // a half-space has no other ratio
+  if (isotropic != nullptr && isotropic->by == Isotropic::By::poisson && !held &&
       isotropic->quantity.symbol == symbol)
     return poisson_log_derivative(problem, *isotropic);
   return simulated_log_derivative(problem, symbol);

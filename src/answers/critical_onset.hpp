@@ -11,7 +11,8 @@
 namespace vcrit {
 
 struct CriticalOnset {
-  enum class By { formula, simulation };
+  /// The maximum over the phase of what sliding takes: below an indenter on a drive that gives.
+  enum class By { formula, maximum_over_the_phase, simulation };
   By by = By::formula;
   double contact_velocity = 0;      ///< v*, m/s
   double drive_velocity = 0;        ///< m/s; larger only where a network on the path creeps
@@ -22,8 +23,11 @@ struct CriticalOnset {
   /// is not known; else v*.
   double sliding_from = 0;
   std::vector<int> free_harmonics = {};  ///< these n, increasing
-  double relative_error = 0;             ///< of a simulated v*, an estimate of what rounding takes
+  double relative_error = 0;  ///< of a v* that is not Eq. (24): an estimate of what rounding takes
 };
+
+/// "formula", "maximum over the phase", "simulation": names that stay the same, for programs.
+const char* to_text(CriticalOnset::By by);
 
 /// Those n of a scene whose contact stays closed, K_d and m (n omega)^2 being equal but for
 /// rounding. Throws InputError for missing values.

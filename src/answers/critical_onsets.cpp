@@ -105,7 +105,8 @@ CriticalOnsets::CriticalOnsets(const Problem& problem, std::vector<std::string> 
     : problem_(problem), names_(varying), formula_(problem, std::move(varying), grade) {}
 
 void CriticalOnsets::operator()(Columns columns, std::span<double> out) const {
-  if (!problem_->separation) return formula_(columns, out);
+  if (!problem_->separation && rules::answer(rules::Question::derivation, problem_))
+    return formula_(columns, out);
   Lanes lanes(*this, columns);
   std::vector<std::span<const double>> part(columns.begin(), columns.end());
   std::array<double, lanes_at_once> room{};

@@ -99,7 +99,8 @@ void velocities_of(const CriticalOnset& onset, Effect& effect) {
   effect.reduced_below = effect.kind == Effect::Kind::lowers && !onset.free_harmonics.empty()
                              ? onset.sliding_from + (onset.drive_velocity - onset.contact_velocity)
                              : onset.drive_velocity;
-  effect.simulated = onset.by == CriticalOnset::By::simulation;
+  effect.simulated = onset.by != CriticalOnset::By::formula;
+  effect.by_phase = onset.by == CriticalOnset::By::maximum_over_the_phase;
   if (effect.simulated)
     effect.relative_error = onset.relative_error;
   else
@@ -126,7 +127,20 @@ constexpr double nearly_at_rest = 1e-9;
 // Part of a second: whoever asks for v* gets it soon, if need be without the lowest friction.
 constexpr std::size_t effort_of_lowest = 40'000'000;
 
+// On a drive that gives all cells stick at rest, too, but where the normal force is least. A body
+// that rings while they do may carry more, for ever without a damper.
+void lowest_on_drive(const Problem& problem, Effect& effect) {
+  const indenter::HalfSpace half_space(problem);
+  if (half_space.holder()->rings())
+    throw ModelError(
+        "the body swings undamped while all cells stick, so friction at rest has no known limit");
+  const indenter::Pressed pressed = indenter::pressed(half_space);
+  if (!problem->load) effect.mean_normal_force = pressed.mean;
+  effect.lowest = pressed.least / pressed.mean;
+}
+
 void lowest_below_indenter(const Problem& problem, Effect& effect) {
+  if (!problem->rigid()) return lowest_on_drive(problem, effect);
   SharedEffort effort(effort_of_lowest);
   const indenter::Friction found = indenter::friction(indenter::HalfSpace(problem).within(effort),
                                                       nearly_at_rest * effect.drive_velocity);

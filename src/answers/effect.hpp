@@ -47,7 +47,8 @@ struct Effect {
   /// m/s, of the drive: friction is full from here on. Less than drive_velocity of an undamped body
   /// that swings freely at a harmonic, NaN where that is not known.
   double reduced_below = unknown;
-  bool simulated = false;                 ///< v* is; else it is Eq. (24)
+  bool simulated = false;                 ///< v* is, or a maximum over the phase; else Eq. (24)
+  bool by_phase = false;                  ///< as a maximum over the phase
   double relative_error_bound = unknown;  ///< of Eq. (24): rounding
   double relative_error = unknown;        ///< of a simulated v*, an estimate
   std::string why_infinite = {};

@@ -41,8 +41,9 @@ std::string by_how_much(const Effect& effect, int digits) {
 }
 
 std::string lowering(const Effect& effect, int digits) {
-  const char* by =
-      effect.simulated ? " (by simulation: the formula does not apply once the contact opens)" : "";
+  const char* by = effect.simulated && !effect.by_phase
+                       ? " (by simulation: the formula does not apply once the contact opens)"
+                       : "";
   return fmt::format("Vibration lowers friction {}{}{}", up_to_where(effect, digits), by,
                      by_how_much(effect, digits));
 }

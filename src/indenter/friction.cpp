@@ -12,6 +12,8 @@
 #include "base/errors.hpp"
 #include "indenter/changes.hpp"
 #include "indenter/panels.hpp"
+#include "indenter/rim_friction.hpp"
+#include "simulation/steady/answers.hpp"
 #include "simulation/steady/exact.hpp"
 #include "simulation/steady/normal_force.hpp"
 
@@ -23,6 +25,24 @@ constexpr std::size_t scanned = 64;
 
 // Of the cells that are asked for their last stick.
 constexpr double least_answered = 0.75;
+
+// Under a flat punch on a drive that gives.
+Friction of_whole(const HalfSpace& half_space, double velocity) {
+  const simulation::System system = half_space.whole();
+  simulation::Answers answers(system);
+  const simulation::SteadyState& state = answers.alone(velocity, simulation::Start::sliding, 0);
+  Friction result;
+  result.ratio = state.friction_ratio;
+  result.regime = state.regime;
+  result.cells = 1;
+  result.error = state.friction_ratio_error;
+  result.normal_force = simulation::mean_normal_force(system);
+  result.normal_force_error = 16 * epsilon * result.normal_force;
+  const simulation::SteadyState& other = answers.alone(velocity, simulation::Start::rest, 0);
+  result.disagreement = std::abs(other.friction_ratio - result.ratio);
+  result.error = std::max(result.error, other.friction_ratio_error);
+  return result;
+}
 
 Friction of_one_cell(const HalfSpace& half_space, double velocity) {
   const CellFriction cell = cell_friction(half_space, 0, velocity);
@@ -100,10 +120,20 @@ Friction friction(const HalfSpace& given, double velocity, double tolerance) {
   simulation::require_forward(velocity);
   if (!(tolerance > 0))
     throw InputError({"tolerance"}, fmt::format("{}", tolerance), "a relative error above 0");
+  if (given.holder())
+    return given.uniform() ? of_whole(given, velocity) : rim_friction(given, velocity);
   if (given.uniform()) return of_one_cell(given, velocity);
   return within_effort(given, [&](const HalfSpace& half_space) {
     return of_all_cells(half_space, velocity, tolerance);
   });
+}
+
+// A punch that is closed carries least where the indentation is least, or opens.
+Pressed pressed(const HalfSpace& half_space) {
+  if (!half_space.uniform()) return rim_pressed(half_space);
+  const simulation::System whole = half_space.whole();
+  const double mean = simulation::mean_normal_force(whole);
+  return {mean, whole.opening ? 0 : std::max(0.0, mean - std::abs(whole.normal_force_amplitude))};
 }
 
 simulation::SteadyState steady_state_of(const Friction& friction) {
@@ -143,6 +173,7 @@ std::vector<Cell> cells(const HalfSpace& half_space, double velocity, int count,
 }
 
 simulation::Onset sliding_threshold(const HalfSpace& given, const OnsetOfCell& onset) {
+  if (given.holder()) return given.uniform() ? onset(given.whole()) : rim_threshold(given);
   return within_effort(given, [&](const HalfSpace& half_space) {
     const bool centre = half_space.elastic() || half_space.uniform();
     return centre ? onset(half_space.cell(0)) : highest(half_space, onset).onset;

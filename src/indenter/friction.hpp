@@ -20,15 +20,15 @@ struct Friction {
   double normal_force = 0;                                  ///< mean, N
   double normal_force_error = 0;                            ///< estimate of its absolute error, N
   simulation::Regime regime = simulation::Regime::sliding;  ///< all motions of all cells
-  int cells = 0;                                            ///< that the integrals took
+  int cells = 0;  ///< that the integrals took; 0 of a continuum, on a drive that gives
   double disagreement =
       0;  ///< largest difference of a cell's ratio, started in sliding and at rest
 };
 
 /// velocity: of the indenter, m/s, > 0; tolerance: on ratio and relative normal force, > 0, below
-/// some 1e-14 of no use. Cells are shared among the threads; the result is the same for any number
-/// of them. Throws ModelError where no steady state of a cell is found, or all together take too
-/// much work (effort_of_cells).
+/// some 1e-14 of no use, and not used on a drive that gives, where the error is what it is. Cells
+/// are shared among the threads; the result is the same for any number of them. Throws ModelError
+/// where no steady state of a cell is found, or all together take too much work (effort_of_cells).
 Friction friction(const HalfSpace& half_space, double velocity, double tolerance = 1e-9);
 
 /// As that of one contact: of the whole, without events.
@@ -38,6 +38,14 @@ struct CurvePoint {
   std::optional<Friction> friction;
   std::string reason;  ///< why there is none
 };
+
+/// What presses the indenter, N.
+struct Pressed {
+  double mean = 0, least = 0;
+};
+
+/// Of an indenter on a drive that gives; elastic, or a flat punch.
+Pressed pressed(const HalfSpace& half_space);
 
 /// One point for each velocity, in their order.
 std::vector<CurvePoint> friction_curve(const HalfSpace& half_space,
@@ -58,8 +66,8 @@ using OnsetOfCell = std::function<simulation::Onset(const simulation::System&)>;
 
 /// The lowest velocity at which all cells slide forward whenever they are closed. That of the
 /// centre where the half-space is elastic; else the highest of 64 cells, refined to about 1e-12
-/// where the threshold is a smooth function of x. Throws ModelError where no steady sliding is
-/// found.
+/// where the threshold is a smooth function of x. On a drive that gives, where all touching cells
+/// slide with one velocity: that of the whole. Throws ModelError where no steady sliding is found.
 simulation::Onset sliding_threshold(const HalfSpace& half_space,
                                     const OnsetOfCell& onset = simulation::sliding_threshold);
 

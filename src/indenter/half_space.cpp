@@ -33,7 +33,11 @@ HalfSpace::HalfSpace(const Problem& problem) : gap_(indenter_of(problem)) {
   const double poisson = *isotropic.quantity.value;
   normal_ = scaled(relaxation_form(problem->normal.network(), values),
                    1 / ((1 - poisson) * (1 + poisson)));
-  tangential_ = scaled(normal_, tangential_ratio(isotropic));
+  ratio_ = vcrit::tangential_ratio(isotropic);
+  tangential_ = scaled(normal_, ratio_);
+  if (const ReducedNetwork* drive = problem->drive_network())
+    holder_ = {relaxation_form(drive->network(), values),
+               problem->mass ? values.at(problem->mass->symbol) : 0};
   omega_ = values.at(problem->angular_frequency.symbol);
   friction_ = values.at(problem->coefficient.symbol);
   indentation_ = simulation::mean_indentation(problem);
@@ -54,6 +58,19 @@ bool HalfSpace::never_opens(double depth) const {
 
 double HalfSpace::neglected(double depth) const {
   return never_opens(depth) ? std::max(0.0, swing_ / depth - 1) : 0;
+}
+
+simulation::System HalfSpace::whole() const {
+  const double width = 2 * edge();
+  simulation::System system = cell_under(indentation_);
+  system.contact = scaled(system.contact, width);
+  system.mean_normal_force *= width;
+  system.normal_force_amplitude *= width;
+  if (system.opening) system.opening->network = scaled(system.opening->network, width);
+  if (!holder_) return system;
+  system.drive = holder_->drive;
+  if (holder_->mass > 0) system.mass = holder_->mass;
+  return system;
 }
 
 simulation::System HalfSpace::cell_under(double depth) const {

@@ -4,11 +4,22 @@
 // u_z0 + du_z cos(omega t) - g(x).
 #pragma once
 
+#include <optional>
+
 #include "normal/gap.hpp"
 #include "problem/problem.hpp"
 #include "simulation/system/system.hpp"
 
 namespace vcrit::indenter {
+
+/// What holds an indenter on a drive that gives.
+struct Holder {
+  Relaxation drive;
+  double mass = 0;  ///< kg, of the body
+
+  /// Whether it swings without end while the cells stick.
+  bool rings() const { return mass > 0 && drive.damper == 0 && drive.branches.empty(); }
+};
 
 class HalfSpace {
  public:
@@ -48,9 +59,19 @@ class HalfSpace {
   /// Whether all cells are the same: under a flat punch.
   bool uniform() const { return gap_.flat(); }
 
+  /// Nothing under a rigid drive.
+  const std::optional<Holder>& holder() const { return holder_; }
+
+  /// All cells as one contact on its drive, where they are the same; forces in N.
+  simulation::System whole() const;
+
   const Gap& gap() const { return gap_; }
   double indentation() const { return indentation_; }  ///< u_z0, m
   double amplitude() const { return amplitude_; }      ///< du_z, m
+
+  double omega() const { return omega_; }        ///< rad/s
+  double friction() const { return friction_; }  ///< mu0
+  double shear_ratio() const { return ratio_; }  ///< K_t/K_n of each cell
 
   /// E*(0), Pa.
   double static_modulus() const { return normal_.equilibrium; }
@@ -63,6 +84,8 @@ class HalfSpace {
 
   Gap gap_;
   Relaxation normal_, tangential_;  ///< E* and ratio E*
+  std::optional<Holder> holder_;
+  double ratio_ = 1;
   double omega_ = 0, friction_ = 0;
   double indentation_ = 0, amplitude_ = 0;
   std::complex<double> response_;  ///< E*(i omega)

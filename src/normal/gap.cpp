@@ -121,6 +121,18 @@ double Gap::at(double x) const {
   return parts.rise - parts.fall;
 }
 
+// int_r^x t arccos(r/t) dt = (x^2 arccos(r/x) - r sqrt(x^2 - r^2))/2
+double Gap::area(double x) const {
+  if (radii_.empty())
+    return factor_ == 0 ? 0 : factor_ * std::pow(x, exponent_ + 1) / (exponent_ + 1);
+  double sum = 0;
+  for (std::size_t i = 0; i < radii_.size() && radii_[i] < x; ++i) {
+    const double r = radii_[i];
+    sum += 0.5 * changes_[i] * (x * x * angle(r, x) - r * std::sqrt((x - r) * (x + r)));
+  }
+  return sum;
+}
+
 double Gap::half_width(double depth) const {
   if (depth < 0) return 0;
   if (flat()) return end_;

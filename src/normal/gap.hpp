@@ -19,6 +19,9 @@ class Gap {
   /// g(x) in m; infinite beyond a punch or the last row of a table.
   double at(double x) const;
 
+  /// The integral of g from 0 to x (m^2), which is not beyond the end.
+  double area(double x) const;
+
   /// The largest x (m) with g(x) <= depth (m), at most the end of the indenter; 0 below the tip.
   double half_width(double depth) const;
 

@@ -106,14 +106,31 @@ constexpr Cell memory = left_out(
 constexpr Cell open_then = left_out("the contact is open where the indentation grows fastest");
 constexpr Cell table_alone = left_out("v* is known at the frequencies of a table alone");
 constexpr Cell one_frequency = left_out("lossy(k, eta) is known at one frequency at a time");
-constexpr Cell a_network =
-    left_out("the simulator needs a network of springs, dampers and masses");
+constexpr Cell a_network = left_out("the simulator needs a network of springs, dampers and masses");
 constexpr Cell not_causal =
     left_out("lossy(k, eta) is not causal: K = k (1 + i eta) at one frequency is no law of motion");
 constexpr Cell closed_alone = left_out("of a closed contact alone");
 constexpr Cell one_contact = left_out("of one contact alone");
 constexpr Cell networks_alone = left_out("of networks of springs and dampers alone");
 constexpr Cell inadmissible = left_out("of an admissible scene alone");
+
+// Of an indenter on a drive that gives.
+constexpr Cell by_phase = left_out(
+    "below an indenter on a drive that gives v* is the largest value of a speed over the phase");
+constexpr Cell no_formula = refused(
+    "below an indenter on a drive that gives v* is no formula: it is the largest value of a speed "
+    "over the phase",
+    "vcrit eval gives it, and vcrit simulate friction below it");
+constexpr Cell many_memories = refused(
+    "below an indenter on a drive that gives, the motion of an elastic half-space is known alone: "
+    "cells with a memory each move the others",
+    "take springs alone for the half-space, or leave out [drive]");
+constexpr Cell measured_holder =
+    refused("below an indenter the drive must be a network: this one is a measured receptance",
+            "give [drive] network = \"...\", or leave out [drive]");
+constexpr Cell masses_hold =
+    refused("below an indenter the drive must be of springs and dampers: this one holds masses",
+            "leave them out, or give the body's own mass by [body]");
 
 struct Row {
   Question question;
@@ -125,6 +142,7 @@ struct Row {
 //   no load, below indenter, no friction, no indentation, tapping, never closing
 //   (3), deep | (4), below indenter | opening with memory, open where steepest
 //   sinking, and opening, measured and separating | mount, separating, with mass
+//   indenter on a drive that gives, viscoelastic
 constexpr Cell y = yes;
 // clang-format off
 constexpr std::array<Row, questions> table{{
@@ -133,115 +151,141 @@ constexpr std::array<Row, questions> table{{
       no_load, no_load, y, no_indentation, y, never_closes,
       too_large, y, opens_closed, opens_all_over, y, y,
       y, sinks_opening, y,
-      y, mounted, reacting}},
+      y, mounted, reacting,
+      y, y}},
     {Question::formula,
      {y, y, y, y, y, y, y, y,
       y, y, y, y, y, y,
       y, y, y, y, memory, open_then,
       y, sinks_as_it_opens, y,
-      y, mounted_then, mounted_then}},
+      y, mounted_then, mounted_then,
+      by_phase, by_phase}},
     {Question::closed_form,
      {y, y, y, y, y, y, y, memory,
       y, y, y, y, y, y,
       y, y, y, y, y, y,
       y, y, y,
-      y, mounted_then, mounted_then}},
+      y, mounted_then, mounted_then,
+      by_phase, by_phase}},
     {Question::formula_of_all_values,
      {y, y, y, y, y, y, no_symbols, no_symbols,
       y, y, y, y, y, y,
       y, y, y, y, y, y,
       y, y, y,
-      y, no_symbols, no_symbols}},
+      y, no_symbols, no_symbols,
+      no_formula, no_formula}},
     {Question::evaluator,
      {y, y, y, y, y, y, without_memory_code, memory_code,
       y, y, y, y, y, y,
       y, y, y, y, y, y,
       y, y, y,
-      y, mounted, reacting}},
+      y, mounted, reacting,
+      no_formula, no_formula}},
     {Question::rational_form,
      {measured_polynomial, y, lossy_law, y, y, y, y, y,
       y, y, y, y, y, y,
       y, y, y, y, y, y,
       y, y, y,
-      y, y, y}},
+      y, y, y,
+      no_formula, no_formula}},
     {Question::all_frequencies,
      {table_alone, y, one_frequency, y, y, y, y, y,
       y, y, y, y, y, y,
       y, y, y, y, y, y,
       y, y, y,
-      y, y, y}},
+      y, y, y,
+      y, y}},
     {Question::motion,
      {y, y, lossy_motion, each_place, y, y, y, y,
       no_load, y, no_friction, y, y, never_closes,
       too_large, y, opens_moving, y, y, y,
       y, sinks_opening, measured_opening,
-      y, mounted, reacting}},
+      y, mounted, reacting,
+      y, y}},
     {Question::motion_below_indenter,
-     {y, y, lossy_law, y, no_cells, y, y, y,
+     {measured_holder, masses_hold, lossy_law, y, no_cells, y, y, y,
       y, no_modulus, no_friction, y, y, never_closes,
       too_large, y, y, opens_at_tip, y, y,
       y, y, y,
-      y, y, y}},
+      y, y, y,
+      y, many_memories}},
     {Question::normal_motion,
      {y, y, lossy_motion, y, y, y, y, y,
       no_load, no_modulus, y, y, y, y,
       y, y, y, y, y, y,
       y, sinks_opening, y,
-      y, mounted, reacting}},
+      y, mounted, reacting,
+      y, y}},
     {Question::motion_in_time,
      {y, y, lossy_motion, y, y, y, y, y,
       y, y, y, y, y, y,
       y, y, y, y, y, y,
       y, y, measured_opening,
-      y, mounted, reacting}},
+      y, mounted, reacting,
+      y, y}},
     {Question::comparison,
      {measured_comparison, y, lossy_motion, y, y, y, y, y,
       no_load, no_modulus, no_friction, y, y, never_closes,
       y, y, y, y, no_comparison, no_comparison,
       y, sinks_opening, y,
-      y, mounted, reacting}},
+      y, mounted, reacting,
+      no_formula, no_formula}},
     {Question::other_methods,
      {y, y, y, no_methods, y, y, y, y,
       y, y, y, y, y, y,
       y, y, y, y, y, y,
       y, y, y,
-      y, y, y}},
+      y, y, y,
+      y, y}},
     {Question::report_simulation,
      {a_network, y, not_causal, y, y, y, y, y,
       y, y, y, y, y, y,
       y, y, y, y, y, y,
       y, y, y,
-      y, closed_alone, closed_alone}},
+      y, closed_alone, closed_alone,
+      y, y}},
     {Question::report_explorer,
      {y, y, y, each_place, y, y, y, y,
       y, y, y, y, y, y,
       y, y, y, y, y, y,
       y, y, y,
-      y, closed_alone, closed_alone}},
+      y, closed_alone, closed_alone,
+      y, y}},
     {Question::report_stability,
      {networks_alone, networks_alone, not_causal, one_contact, y, closed_alone, y, y,
       inadmissible, inadmissible, y, inadmissible, y, inadmissible,
       inadmissible, y, inadmissible, inadmissible, y, y,
       y, inadmissible, y,
-      y, inadmissible, inadmissible}},
+      y, inadmissible, inadmissible,
+      y, y}},
     {Question::mean_load,
      {y, y, y, y, y, y, y, y,
       no_load, no_load, y, no_indentation, y, y,
       y, y, y, y, y, y,
       y, y, y,
-      y, y, y}},
+      y, y, y,
+      y, y}},
     {Question::closed_range,
      {y, y, y, y, y, y, y, y,
       y, y, y, y, never_closed, never_closed,
       too_large_anywhere, too_large_anywhere, y, y, y, y,
       y, y, y,
-      mounted_frequency, y, y}},
+      mounted_frequency, y, y,
+      y, y}},
     {Question::closed_amplitude,
      {y, y, y, y, y, y, y, y,
       y, y, y, y, never_closed, never_closed,
       y, y, y, y, y, y,
       y, y, y,
-      y, y, y}},
+      y, y, y,
+      y, y}},
+    {Question::derivation,
+     {y, y, y, y, y, y, y, y,
+      y, y, y, y, y, y,
+      y, y, y, y, y, y,
+      y, y, y,
+      y, y, y,
+      no_formula, no_formula}},
 }};
 // clang-format on
 

@@ -45,6 +45,16 @@ bool follows_without_memory(const Problem& problem) {
   return problem->indenter || (isotropic(problem) && problem->rigid());
 }
 
+bool indenter_on_drive(const Problem& problem) { return problem->indenter && !problem->rigid(); }
+
+bool all_springs(const ReducedNetwork& network) {
+  bool only_springs = true;
+  for_each_element(network.network(), [&](const Element& element) {
+    only_springs = only_springs && is_elastic(element);
+  });
+  return only_springs;
+}
+
 // u_z = u_z0 + du_z cos(omega t) rises fastest there.
 constexpr double steepest_phase = 1.5 * pi;
 
@@ -104,6 +114,10 @@ const char* name_of(SceneKind kind) {
       return "separating_mount";
     case SceneKind::separating_with_mass:
       return "separating_with_mass";
+    case SceneKind::indenter_on_drive:
+      return "indenter_on_drive";
+    case SceneKind::viscoelastic_indenter_on_drive:
+      return "viscoelastic_indenter_on_drive";
   }
   throw Bug("a kind of scene without a name");
 }
@@ -124,10 +138,10 @@ bool Facts::is(SceneKind kind) const {
     case SceneKind::separating:
       return separating;
     case SceneKind::separating_without_memory:
-      return separating && !problem_->mount &&
+      return separating && !problem_->mount && !indenter_on_drive(problem_) &&
              (elastic(problem_) ? problem_->load.has_value() : follows_without_memory(problem_));
     case SceneKind::separating_with_memory:
-      return separating && !problem_->mount && !elastic(problem_) &&
+      return separating && !problem_->mount && !indenter_on_drive(problem_) && !elastic(problem_) &&
              !follows_without_memory(problem_);
     case SceneKind::no_static_load:
       return !problem_->indenter && !problem_->load && static_stiffness() == 0;
@@ -168,6 +182,11 @@ bool Facts::is(SceneKind kind) const {
       return separating && problem_->mount && !problem_->mount_mass;
     case SceneKind::separating_with_mass:
       return separating && problem_->mount && problem_->mount_mass;
+    case SceneKind::indenter_on_drive:
+      return indenter_on_drive(problem_);
+    case SceneKind::viscoelastic_indenter_on_drive:
+      return indenter_on_drive(problem_) && problem_->indenter->shape != Indenter::Shape::flat &&
+             !all_springs(problem_->normal);
   }
   throw Bug("a kind of scene without a rule");
 }

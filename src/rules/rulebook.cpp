@@ -147,6 +147,8 @@ const char* name_of(Question question) {
       return "closed_range";
     case Question::closed_amplitude:
       return "closed_amplitude";
+    case Question::derivation:
+      return "derivation";
   }
   throw Bug("a question without a name");
 }

@@ -30,8 +30,9 @@ enum class Question {
   mean_load,              ///< the contact carries a load, as `solve` needs
   closed_range,           ///< the contact stays closed at some frequencies
   closed_amplitude,       ///< and at some amplitudes
+  derivation,             ///< a formula is derived, whether or not v* is that one
 };
-inline constexpr std::size_t questions = static_cast<std::size_t>(Question::closed_amplitude) + 1;
+inline constexpr std::size_t questions = static_cast<std::size_t>(Question::derivation) + 1;
 
 /// Refused: the command cannot go on. Left out: it goes on without, or by another way.
 enum class Ruling { unset, yes, refused, left_out };

@@ -70,7 +70,6 @@ class Members {
   }
 
   void check_indenter() const {
-    if (scene_.drive || scene_.receptance) refuse("indenter with a drive", "a rigid drive");
     const auto* isotropic = std::get_if<Isotropic>(&scene_.tangential);
     if (isotropic == nullptr || isotropic->by != Isotropic::By::poisson)
       refuse("indenter with a tangential contact by other means than poisson",

@@ -35,6 +35,8 @@ class Networks {
   /// What [elements] calls them.
   ElementNames& names() { return names_; }
   const std::vector<Warning>& warnings() const { return warnings_; }
+  /// What is read from now on is of the drive: springs and dampers, also below an indenter.
+  void read_drive_now() { of_half_space_ = false; }
 
  private:
   /// The nodes of a graph that is being read, and the place of each among them.

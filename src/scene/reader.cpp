@@ -175,6 +175,7 @@ class Reader {
     if (!drive.exists()) return;
     if (drive.find("receptance") != nullptr) return read_measured(drive);
     refuse_realisation_keys(drive);
+    networks_.read_drive_now();
     scene_.drive = network(drive, "network");
     refuse_misplaced_masses(*scene_.drive, drive.place("network"));
   }
@@ -219,12 +220,8 @@ class Reader {
   // Whether the drive is a network or measured, and not rigid.
   bool gives() const { return scene_.drive.has_value() || scene_.receptance.has_value(); }
 
-  // Cells of the contact that would move one another, or are of no half-space.
+  // Cells of the contact that are of no half-space.
   void refuse_beside_indenter(const Section& indenter) const {
-    if (gives())
-      throw InputError(indenter.place(""), "[indenter] with [drive]",
-                       "a rigid drive: one that gives would let the parts of the contact move one "
-                       "another");
     if (document_.contains("mount"))
       throw InputError(indenter.place(""), "[indenter] with [mount]",
                        "one of the two: the force below an indenter is not harmonic, so that what "

@@ -17,6 +17,7 @@
 #include "formula/names.hpp"
 #include "formula/prose.hpp"
 #include "formula/symbols.hpp"
+#include "rules/rulebook.hpp"
 
 namespace vcrit::symbolic {
 
@@ -135,6 +136,7 @@ void write_result(const Formula& formula, Derivation& derivation) {
 }  // namespace
 
 Derivation derive(const Problem& problem) {
+  rules::require(rules::Question::derivation, problem);
   const AlgebraLock lock;
   const NamesOfScene names(problem);
   ++made;

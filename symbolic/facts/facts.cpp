@@ -227,7 +227,7 @@ std::vector<std::string> facts_in_text(const Problem& problem) {
   const AlgebraLock lock;
   const NamesOfScene names(problem);
   std::vector<std::string> texts;
-  if (is_too_large(problem)) return texts;
+  if (is_too_large(problem) || !rules::answer(rules::Question::derivation, problem)) return texts;
   for (const Fact& fact : facts(derive(problem))) texts.push_back(text_of(fact));
   return texts;
 }

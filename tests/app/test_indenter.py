@@ -57,6 +57,21 @@ class Indenters(Case):
         self.refused(3, ["simulate", separating, "--velocity", 0.1, "--method", "moreau"])
         self.refused(3, ["solve", separating, "--for", "amplitude", "--friction-ratio", 0.5, "--velocity", 0.1])
 
+    # All cells move one body; v* by 20 digits of a maximum over the phase (tests/matrix/reference_held.py).
+    def test_a_leaf_spring(self):
+        scene = self.scene({"E": "2 GPa", "kd": "400 N/mm"}, normal="spring(E)", shape="parabola", radius="5 mm",
+                           poisson=0.4, network="kd", angular_frequency=1e5, amplitude="0.2 um", indentation="1 um",
+                           coefficient=0.3)
+        found = self.answer("eval", scene)
+        self.assertAlmostEqual(found["critical_velocity"] / 0.013060480672226070, 1, delta=1e-13)
+        self.assertEqual(found["critical_velocity_by"], "maximum over the phase")
+        motion = self.answer("simulate", scene, "--velocity-ratio", 0.3)
+        self.assertAlmostEqual(motion["friction_ratio"], 0.87806, delta=2e-6)
+        self.assertEqual(motion["cells"], 0)
+        self.assertLess(motion["cells_error"], 1e-10)
+        for command in (["derive"], ["generate", "--language", "c99"], ["critical"]):
+            self.refused(3, [command[0], scene, *command[1:]])
+
     def test_a_map(self):
         rows = self.table(self.indenter(), "--over", "amplitude=lin:0.1e-6:0.9e-6:3", "--over",
                           "velocity_ratio=lin:0.25:1.25:3", "--quantity", "friction_ratio", "--quantity", "regime")

@@ -16,6 +16,7 @@ from pathlib import Path
 import mpmath as mp
 
 from reference_friction import friction_rows
+from reference_held import held_rows
 from reference_kinds import KINDS, complex_height, read, receptance, wired
 from reference_networks import creep_viscosity, stiffness
 
@@ -250,6 +251,8 @@ def linear_rows(name, values, text):
 def rows_of(name, before, friction):
     """All rows, with those of friction made again or taken from before."""
     values, text = read(name)
+    if "indenter" in text and "drive" in text:
+        return held_table(name, held_rows(values, text))
     linear = dict(linear_rows(name, values, text))
     # A double has 55 digits at most, of the size of these values.
     rows = [[name, quantity, mp.nstr(value, 60 if quantity.startswith("value:") else 25), 0] for quantity, value in linear.items() if quantity not in INNER]
@@ -259,6 +262,12 @@ def rows_of(name, before, friction):
         value = value if isinstance(value, str) else repr(float(value))
         rows.append([name, quantity, value, f"{float(error):.1e}" if error else 0])
     return rows
+
+
+def held_table(name, rows):
+    """Of an indenter on a drive that gives, which has no linear quantities."""
+    return [[name, quantity, value if isinstance(value, str) else mp.nstr(mp.mpf(value), 60 if quantity.startswith("value:") else 25),
+             f"{float(error):.1e}" if error else 0] for quantity, value, error in rows]
 
 
 def main():

@@ -119,6 +119,10 @@ Scene scene_of(SceneKind kind) {
     case SceneKind::separating_with_mass:
       return scene_of({.contact = "normal = \"k\"\npoisson = 0.3" + separating,
                        .rest = mounting + "mass = 0.1\n"});
+    case SceneKind::indenter_on_drive:
+      return scene_of({.rest = cone + "[drive]\nnetwork = \"kd | c\"\n"});
+    case SceneKind::viscoelastic_indenter_on_drive:
+      return scene_of({.contact = kelvin, .rest = cone + "[drive]\nnetwork = \"kd\"\n"});
   }
   throw Bug("a kind without a scene");
 }
@@ -202,6 +206,12 @@ Names without_answer(SceneKind kind) {
                    "evaluator",      "motion",      "normal_motion",
                    "motion_in_time", "comparison",  "report_simulation",
                    "report_explorer"};
+    case SceneKind::indenter_on_drive:
+      return half_space + Names{"formula",   "closed_form",   "formula_of_all_values",
+                                "evaluator", "rational_form", "comparison",
+                                "derivation"};
+    case SceneKind::viscoelastic_indenter_on_drive:
+      return without_answer(SceneKind::indenter_on_drive) + Names{"motion_below_indenter"};
   }
   throw Bug("a kind without its questions");
 }
@@ -334,6 +344,28 @@ BOOST_AUTO_TEST_CASE(without_friction_the_formula_holds_where_the_contact_opens)
     scene.coefficient.value = 0;
     BOOST_TEST(bool{answer(Question::formula, scene)}, name_of(kind));
   }
+}
+
+// Cells on one body: a network of springs and dampers, and no other, and no memory of their own.
+BOOST_AUTO_TEST_CASE(an_indenter_on_a_drive_says_what_it_needs) {
+  const auto why = [](const std::string& contact, const std::string& drive, bool separation) {
+    return answer(Question::motion_below_indenter,
+                  scene_of({.contact = contact + (separation ? separating : ""),
+                            .rest = cone + "[drive]\nnetwork = \"" + drive + "\"\n"}))
+        .reason;
+  };
+  const std::string spring = "normal = \"k\"\npoisson = 0.3";
+  for (const bool separation : {false, true}) {
+    BOOST_TEST(why(spring, "kd | c", separation).empty());
+    BOOST_TEST(why(spring, "kd - (mass(m1) | k)", separation).find("this one holds masses") !=
+               std::string::npos);
+    BOOST_TEST(why(kelvin, "kd", separation).find("cells with a memory each move the others") !=
+               std::string::npos);
+  }
+  const Scene punch =
+      scene_of({.contact = kelvin,
+                .rest = "[indenter]\nshape = \"flat\"\nradius = 0.1\n[drive]\nnetwork = \"kd\"\n"});
+  BOOST_TEST(bool{answer(Question::motion_below_indenter, punch)});
 }
 
 BOOST_AUTO_TEST_CASE(kinds_seen_without_values_need_none) {

@@ -90,8 +90,6 @@ BOOST_AUTO_TEST_CASE(masses_belong_to_the_far_end_of_a_drive) {
 BOOST_AUTO_TEST_CASE(parts_that_do_not_fit_together) {
   check_refused(with_drive(), "drive and receptance",
                 [](Scene& s) { s.receptance = Receptance{}; });
-  check_refused(with_indenter(), "indenter with a drive",
-                [](Scene& s) { s.drive = spring({"E"}); });
   check_refused(with_indenter(), "indenter with a tangential contact by other means than poisson",
                 [](Scene& s) {
                   s.tangential = Isotropic{Isotropic::By::ratio, {{"tangential_ratio"}, 0.8}};

@@ -141,6 +141,8 @@ OnsetSpeeds onset_speeds(const SceneReport& report) {
     return {report.indented->critical_velocity, report.indented->critical_velocity, true};
   if (report.separation && !report.separation->closed_form)
     return {report.separation->critical_velocity, report.separation->drive_velocity, true};
+  if (report.effect && report.effect->by_phase)
+    return {report.effect->critical_velocity, report.effect->drive_velocity, false};
   return {report.critical_velocity, report.critical_velocity + report.creep_velocity, false};
 }
 

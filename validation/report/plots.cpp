@@ -66,9 +66,11 @@ std::string onset_words(const CriticalOnset& onset) {
 std::vector<figures::Point> onsets(const Problem& problem, const FrequencyResponse& response) {
   std::vector<figures::Point> points;
   std::optional<ModelError> first;
+  const bool has_formula{rules::answer(rules::Question::derivation, problem)};
   for (const ResponsePoint& at : response.points) {
-    points.push_back({at.omega / two_pi, at.applies ? at.velocity : std::nan(""), ""});
-    if (at.applies || !problem->separation) continue;
+    const bool known = has_formula && at.applies;
+    points.push_back({at.omega / two_pi, known ? at.velocity : std::nan(""), ""});
+    if (known || !(problem->separation || at.applies)) continue;
     try {
       points.back().y = quick_onset(problem, at.omega);
     } catch (const ModelError& error) {

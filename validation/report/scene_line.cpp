@@ -35,7 +35,7 @@ std::string path_of(const std::vector<std::pair<double, double>>& points, double
 }
 
 std::string answer_words(const SceneReport& report) {
-  if (!report.failure.empty()) return "no answer";
+  if (!report.failure.empty() && !report.effect) return "no answer";
   if (report.reasons.empty()) {
     const OnsetSpeeds onset = onset_speeds(report);
     return quantity(onset.contact, "m/s", 4) + (onset.simulated ? ", by simulation" : "");

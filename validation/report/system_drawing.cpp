@@ -58,14 +58,15 @@ std::string value_words(const Problem& problem, const Quantity& quantity, const 
 /// Elements by the names that the scene gives them, with values unless they are many.
 class DrawnNetwork {
  public:
-  DrawnNetwork(const Problem& problem, const ReducedNetwork& given, bool standing)
+  DrawnNetwork(const Problem& problem, const ReducedNetwork& given, bool standing,
+               bool of_half_space = false)
       : look_{standing, {}} {
     Network network = given.network();
     std::map<Symbol, std::string> words;
-    for_each_element(problem, [&](const Element& element) {
+    for_each_element(given.network(), [&](const Element& element) {
       for_each_number(element, [&](const Symbol& symbol, NumberRole role) {
         const NumberRow& row = number_row(role);
-        const Dimension dimension = problem->indenter ? row.in_half_space : row.dimension;
+        const Dimension dimension = of_half_space ? row.in_half_space : row.dimension;
         const char* unit = dimension == Dimension::none ? "" : si_unit(dimension);
         const auto known = problem.values().find(symbol);
         if (known != problem.values().end())
@@ -267,7 +268,8 @@ double draw_mount(Canvas& canvas, const Problem& problem, double top, std::strin
 
 Picture draw_system(const Problem& problem) {
   Canvas canvas;
-  const Drawing normal = DrawnNetwork(problem, problem->normal, true).drawing();
+  const Drawing normal =
+      DrawnNetwork(problem, problem->normal, true, problem->indenter.has_value()).drawing();
   std::string words = "Substrate, contact, its network along the normal";
   Contact contact;
   if (problem->indenter)

@@ -6,6 +6,7 @@
 #include "accuracy/accuracy.hpp"
 #include "compare/agreement.hpp"
 #include "compare/velocity_comparisons.hpp"
+#include "compare/without_formula.hpp"
 #include "figures/gnuplot.hpp"
 #include "paper/paper.hpp"
 #include "report/figure_files.hpp"
@@ -14,6 +15,7 @@
 #include "report/report_json.hpp"
 #include "report/scene_figures.hpp"
 #include "report/scene_page.hpp"
+#include "rules/rulebook.hpp"
 
 namespace vcrit::validation::report {
 
@@ -116,6 +118,8 @@ std::vector<ordered_json> work_on(const std::vector<Problem>& problems, const Re
 }  // namespace
 
 SceneContents compare(const Problem& problem, const Progress& step) {
+  if (const rules::Answer derived = rules::answer(rules::Question::derivation, problem); !derived)
+    return {report_without_formula(problem, derived.reason), {}};
   Driver driver(symbolic::derive(problem));
   SceneReport report = agree(driver, driver.derivation(), step);
   return {std::move(report), accuracy::measure(driver, step)};

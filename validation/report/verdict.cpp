@@ -29,8 +29,8 @@ std::string state_words(const SceneReport& report) {
 }
 
 std::string sentence_of(const SceneReport& report) {
-  if (!report.failure.empty()) return "No answer: the comparisons came to no end.";
   if (report.effect) return sentence(*report.effect);
+  if (!report.failure.empty()) return "No answer: the comparisons came to no end.";
   return "No answer: " + (report.reasons.empty() ? "v* is not known" : report.reasons.front()) +
          ".";
 }
@@ -55,8 +55,10 @@ std::string checks_words(const SceneReport& report) {
 }
 
 std::string velocity_words(const SceneReport& report) {
-  if (!report.failure.empty()) return "no v*";
   if (!report.reasons.empty()) return {};
+  if (report.effect && report.effect->by_phase && std::isfinite(report.effect->critical_velocity))
+    return "v* = " + quantity(report.effect->critical_velocity, "m/s", 5);
+  if (!report.failure.empty()) return "no v*";
   if (report.indented && !report.indented->closed_form)
     return "v* = " + quantity(report.indented->critical_velocity, "m/s", 5) + ", simulated";
   if (report.separation && !report.separation->closed_form)

@@ -1,0 +1,192 @@
+#include "indenter/collocation.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "base/constants.hpp"
+#include "base/errors.hpp"
+#include "simulation/system/effort.hpp"
+
+namespace vcrit::indenter {
+
+namespace {
+
+constexpr int nodes_of_step = 7;
+using Square = Eigen::Matrix<double, nodes_of_step, nodes_of_step>;
+
+// Legendre's polynomial of degree n at 2 c - 1.
+long double shifted_legendre(int n, long double c) {
+  const long double x = 2 * c - 1;
+  long double before = 1, here = x;
+  if (n == 0) return 1;
+  for (int k = 1; k < n; ++k)
+    before = std::exchange(here, ((2 * k + 1) * x * here - k * before) / (k + 1));
+  return here;
+}
+
+struct Scheme {
+  std::array<long double, nodes_of_step> nodes{};
+  Square to_stages;    ///< rates at the nodes to x at the nodes, in units of the length
+  Square to_powers;    ///< rates to the coefficients of x
+  Square to_legendre;  ///< rates to their coefficients in Legendre's polynomials
+
+  Scheme() {
+    find_nodes();
+    using Wide = Eigen::Matrix<long double, nodes_of_step, nodes_of_step>;
+    Wide powers, integrals, legendre;
+    for (int i = 0; i < nodes_of_step; ++i)
+      for (int j = 0; j < nodes_of_step; ++j) {
+        const long double c = nodes[static_cast<std::size_t>(i)];
+        powers(i, j) = std::pow(c, j);
+        integrals(i, j) = std::pow(c, j + 1) / (j + 1);
+        legendre(i, j) = shifted_legendre(j, c);
+      }
+    const Wide inverse = powers.inverse();
+    to_stages = (integrals * inverse).cast<double>();
+    to_legendre = Wide(legendre.inverse()).cast<double>();
+    Wide scaled = inverse;
+    for (int j = 0; j < nodes_of_step; ++j) scaled.row(j) /= j + 1;
+    to_powers = scaled.cast<double>();
+  }
+
+  // Zeros of P_s - P_{s-1}, which lie in (0, 1], the last one at 1.
+  void find_nodes() {
+    constexpr int parts = 1000;  // far closer than any two of the nodes
+    const auto radau = [](long double c) {
+      return shifted_legendre(nodes_of_step, c) - shifted_legendre(nodes_of_step - 1, c);
+    };
+    std::size_t found = 0;
+    for (int i = 0; i + 1 < parts; ++i) {
+      long double low = static_cast<long double>(i) / parts, high = low + 1.0L / parts;
+      const bool positive = radau(low) > 0;
+      if (positive == (radau(high) > 0)) continue;
+      for (long double middle = (low + high) / 2; middle > low && middle < high;
+           middle = (low + high) / 2)
+        ((radau(middle) > 0) == positive ? low : high) = middle;
+      nodes[found++] = high;
+    }
+    nodes[found] = 1;
+  }
+};
+
+const Scheme& scheme() {
+  static const Scheme once;
+  return once;
+}
+
+// Of a period of 2 pi: below this nothing of a motion is left but rounding.
+constexpr double shortest_step = 1e-13;
+
+// Simplified Newton steps, which gain three digits each where the Jacobian is that of the step.
+constexpr int most_iterations = 12;
+
+}  // namespace
+
+State TimeStep::at(double t) const {
+  const double share = (t - begin_) / length_;
+  State sum = powers_.col(powers_.cols() - 1);
+  for (Eigen::Index i = powers_.cols() - 2; i >= 0; --i) sum = sum * share + powers_.col(i);
+  return from_ + share * sum;
+}
+
+double TimeStep::at(double t, Eigen::Index i) const {
+  const double share = (t - begin_) / length_;
+  double sum = 0;
+  for (Eigen::Index j = powers_.cols() - 1; j >= 0; --j) sum = sum * share + powers_(i, j);
+  return from_(i) + share * sum;
+}
+
+Collocation::Collocation(Rates rates, double tolerance, SharedEffort* whole)
+    : rates_(std::move(rates)),
+      effort_(simulation::effort_of_state, whole),
+      tolerance_(tolerance) {}
+
+void Collocation::slopes(double t, const State& x) {
+  constexpr double nudge = 1e-7;  // about the root of a rounding, of numbers of about 1
+  const Eigen::Index n = x.size();
+  rate_.resize(n);
+  moved_.resize(n);
+  jacobian_.resize(n, n);
+  rates_(t, x, rate_);
+  value_ = x;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const double by = nudge * std::max(1.0, std::abs(x(i)));
+    value_(i) = x(i) + by;
+    rates_(t, value_, moved_);
+    jacobian_.col(i) = (moved_ - rate_) / by;
+    value_(i) = x(i);
+  }
+}
+
+// The rates at the nodes, from one of the begin.
+bool Collocation::solve(double t, const State& x, double length) {
+  const Scheme& radau = scheme();
+  const Eigen::Index n = x.size();
+  const auto unknowns = static_cast<std::size_t>(n * nodes_of_step);
+  effort_.spend(Effort::of_products(unknowns * unknowns * unknowns));
+  Eigen::MatrixXd system(n * nodes_of_step, n * nodes_of_step);
+  for (int i = 0; i < nodes_of_step; ++i)
+    for (int j = 0; j < nodes_of_step; ++j)
+      system.block(i * n, j * n, n, n) = -length * radau.to_stages(i, j) * jacobian_;
+  system.diagonal().array() += 1;
+  const Eigen::PartialPivLU<Eigen::MatrixXd> factors(system);
+  stages_.resize(n, nodes_of_step);
+  stages_.colwise() = rate_;
+  residual_.resize(n, nodes_of_step);
+  double before = infinity;
+  for (int k = 0; k < most_iterations; ++k) {
+    for (int i = 0; i < nodes_of_step; ++i) {
+      value_ = x + length * (stages_ * radau.to_stages.row(i).transpose());
+      rates_(t + length * static_cast<double>(radau.nodes[static_cast<std::size_t>(i)]), value_,
+             moved_);
+      residual_.col(i) = moved_ - stages_.col(i);
+    }
+    const Eigen::VectorXd change = factors.solve(residual_.reshaped());
+    stages_ += change.reshaped(n, nodes_of_step);
+    const double size = length * change.lpNorm<Eigen::Infinity>();
+    if (!std::isfinite(size)) return false;
+    if (size <= 0.01 * tolerance_) return true;
+    // Rounding of f: nothing below is to be had.
+    if (k > 2 && size > 0.3 * before) return before <= tolerance_;
+    before = size;
+  }
+  return before <= tolerance_;
+}
+
+// The last of Legendre's polynomials in the rates: more than what is left out.
+double Collocation::fault(double length) const {
+  return length * (stages_ * scheme().to_legendre.row(nodes_of_step - 1).transpose())
+                      .lpNorm<Eigen::Infinity>();
+}
+
+TimeStep Collocation::step(double t, const State& x, double length) {
+  slopes(t, x);
+  while (true) {
+    if (!(length > shortest_step))
+      throw ModelError(
+          "the motion below the indenter cannot be followed: its steps become too short");
+    if (!solve(t, x, length)) {
+      length *= 0.25;
+      continue;
+    }
+    const double grown = std::clamp(
+        0.9 * std::pow(tolerance_ / (fault(length) + 1e-300), 1.0 / nodes_of_step), 0.1, 4.0);
+    if (fault(length) > tolerance_) {
+      length *= std::min(grown, 0.7);
+      continue;
+    }
+    next_length_ = grown * length;
+    break;
+  }
+  TimeStep step;
+  step.begin_ = t;
+  step.length_ = length;
+  step.end_ = t + length;
+  step.from_ = x;
+  step.powers_ = length * stages_ * scheme().to_powers.transpose();
+  return step;
+}
+
+}  // namespace vcrit::indenter

@@ -1,0 +1,58 @@
+// Ordinary differential equations x' = f(t, x), stiff ones too, by Radau IIA collocation of seven
+// stages (order 13; Hairer and Wanner, Solving Ordinary Differential Equations II, IV.5). A step is
+// a polynomial in time: it can be asked everywhere, for events and for what was before.
+#pragma once
+
+#include <Eigen/Dense>
+#include <functional>
+
+#include "base/effort.hpp"
+
+namespace vcrit::indenter {
+
+using State = Eigen::VectorXd;
+using Rates = std::function<void(double t, const State& x, State& rates)>;
+
+/// One step, from t = begin to begin + length.
+class TimeStep {
+ public:
+  double begin() const { return begin_; }
+  double end() const { return end_; }
+  /// From there on the motion is another one.
+  void end_at(double t) { end_ = t; }
+
+  State at(double t) const;
+  double at(double t, Eigen::Index i) const;
+
+ private:
+  friend class Collocation;
+  double begin_ = 0, length_ = 0, end_ = 0;
+  State from_;
+  Eigen::MatrixXd powers_;  ///< column i: of (t - begin)/length to the power of i + 1
+};
+
+class Collocation {
+ public:
+  /// tolerance: on a step, absolute, of numbers that are about 1. whole: of which its effort is a
+  /// part, none without.
+  Collocation(Rates rates, double tolerance, SharedEffort* whole);
+
+  /// From x at t over `length` > 0, or less if the tolerance wants it. `next_length` is what the
+  /// step after it may have. Throws ModelError where steps become too short, or too many
+  /// (effort_of_state).
+  TimeStep step(double t, const State& x, double length);
+  double next_length() const { return next_length_; }
+
+ private:
+  bool solve(double t, const State& x, double length);
+  void slopes(double t, const State& x);
+  double fault(double length) const;
+
+  Rates rates_;
+  Effort effort_;
+  double tolerance_, next_length_ = 0;
+  Eigen::MatrixXd jacobian_, stages_, residual_;  ///< stages_: rates at the nodes, one a column
+  State value_, rate_, moved_;
+};
+
+}  // namespace vcrit::indenter

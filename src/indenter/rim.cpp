@@ -1,0 +1,69 @@
+#include "indenter/rim.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/constants.hpp"
+#include "base/errors.hpp"
+
+namespace vcrit::indenter {
+
+ScaledContact::ScaledContact(const HalfSpace& half_space)
+    : gap_(half_space.gap()),
+      amplitude_(half_space.amplitude()),
+      modulus_(half_space.static_modulus()),
+      mean_(half_space.indentation() / half_space.amplitude()) {
+  if (gap_.at(gap_.end()) < half_space.indentation() + amplitude_)
+    throw ModelError(
+        "the contact reaches the last row of the profile's table: below an indenter with an edge, "
+        "on a drive that gives, no motion is known",
+        "a table up to a larger radius");
+  const double ratio = half_space.shear_ratio();
+  force_unit_ = physical_force(amplitude_ * (1 + mean_));
+  speed_unit_ = half_space.friction() / ratio * amplitude_ * half_space.omega();
+  stiffness_unit_ = ratio * force_unit_ / amplitude_;
+  kinks_ = {0, pi, two_pi};
+  std::vector<double> depths{0};
+  for (const double x : gap_.edges()) depths.push_back(gap_.at(x) / amplitude_);
+  for (const double each : depths)
+    if (const double cosine = each - mean_; std::abs(cosine) < 1)
+      kinks_.insert(kinks_.end(), {std::acos(cosine), two_pi - std::acos(cosine)});
+  std::sort(kinks_.begin(), kinks_.end());
+}
+
+double ScaledContact::depth(double t) const { return mean_ + std::cos(t); }
+
+double ScaledContact::depth_rate(double t) const { return -std::sin(t); }
+
+double ScaledContact::stiffness(double depth) const {
+  if (!(depth >= 0)) return 0;
+  return 2 * modulus_ * amplitude_ / force_unit_ * gap_.half_width(depth * amplitude_);
+}
+
+double ScaledContact::physical_force(double depth) const {
+  if (!(depth > 0)) return 0;
+  const double edge = gap_.half_width(depth);
+  return 2 * modulus_ * (depth * edge - gap_.area(edge));
+}
+
+double ScaledContact::force(double t) const {
+  return physical_force(depth(t) * amplitude_) / force_unit_;
+}
+
+ScaledHolder::ScaledHolder(const HalfSpace& half_space, const ScaledContact& contact) {
+  const double omega = half_space.omega(), unit = contact.stiffness_unit();
+  const Holder& holder = *half_space.holder();
+  spring = holder.drive.equilibrium / unit;
+  damper = holder.drive.damper * omega / unit;
+  mass = holder.mass * omega * omega / unit;
+  for (const MaxwellBranch& branch : holder.drive.branches)
+    branches.push_back({branch.stiffness / unit, branch.time * omega});
+}
+
+double ScaledHolder::glassy() const {
+  double sum = spring;
+  for (const MaxwellBranch& branch : branches) sum += branch.stiffness;
+  return sum;
+}
+
+}  // namespace vcrit::indenter

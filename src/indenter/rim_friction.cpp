@@ -1,0 +1,328 @@
+#include "indenter/rim_friction.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+
+#include "base/constants.hpp"
+#include "base/errors.hpp"
+#include "indenter/cell.hpp"
+#include "indenter/rim_motion.hpp"
+
+namespace vcrit::indenter {
+
+namespace {
+
+// On a step: the coarse one tells the error of the fine one.
+constexpr double coarse = 1e-9, fine = 1e-12, finest = 1e-14;
+
+// Of forces that are about 1, of some hundred steps.
+constexpr double force_rounding_error = 1e-14;
+
+constexpr int most_newton_steps = 30, most_periods = 400;
+
+constexpr const char* rings =
+    "body and drive are in undamped resonance with a harmonic of the normal force, which grows and "
+    "shrinks with the contact area: the swing in slip grows without bound";
+
+/// A body sliding for ever below a drive at rest, and the numbers that its motion has at phase 0.
+class Sliding {
+ public:
+  Sliding(const ScaledContact& contact, const ScaledHolder& holder, double tolerance,
+          SharedEffort* whole)
+      : motion_(contact, holder, 0, tolerance, whole, true), contact_(contact) {
+    find();
+  }
+
+  bool resonant() const { return resonant_; }
+  const State& body() const { return body_; }
+  double mean_force() const { return motion_.impulse() / two_pi; }
+  double mean_speed() const { return motion_.travel() / two_pi; }
+
+  /// The largest rate of u less velocity of the body while touching.
+  double largest() const {
+    double most = -infinity;
+    for (const TimeStep& step : motion_.kept()) most = std::max(most, largest_in(step));
+    return most;
+  }
+
+ private:
+  State after(const State& body) {
+    motion_.start(0, body);
+    motion_.run(two_pi);
+    return motion_.body();
+  }
+
+  // What the period does is linear in the body's numbers. Where its first spring takes what is left
+  // of the friction, that number is none.
+  void find() {
+    const Eigen::Index n = motion_.size();
+    const State zero = State::Zero(n), base = after(zero);
+    Eigen::MatrixXd map(n, n);
+    for (Eigen::Index i = 0; i < n; ++i) {
+      State unit = zero;
+      unit(i) = 1;
+      map.col(i) = unit - (after(unit) - base);
+    }
+    if (motion_.first_given()) {
+      map.row(0).setZero();
+      map.col(0).setZero();
+      map(0, 0) = 1;
+    }
+    const Eigen::JacobiSVD<Eigen::MatrixXd> values(map);
+    constexpr double no_return = 1e-11;  // of 1 - e^{2 pi i (w_b/omega - n)}: n to 2e-12
+    resonant_ = n > 0 && values.singularValues().minCoeff() < no_return;
+    if (resonant_) return;
+    body_ = map.partialPivLu().solve(base);
+    after(body_);
+  }
+
+  double rise(double t, const TimeStep& step) const {
+    return contact_.depth_rate(t) - motion_.speed(t, step.at(t));
+  }
+
+  // The largest of samples, then by thirds, to where the maximum is flat.
+  double largest_in(const TimeStep& step) const {
+    const double length = step.end() - step.begin();
+    if (contact_.depth(step.begin() + 0.5 * length) < 0) return -infinity;
+    constexpr int samples = 16;
+    int best = 0;
+    double most = -infinity;
+    for (int i = 0; i <= samples; ++i)
+      if (const double found = rise(step.begin() + length * i / samples, step); found > most) {
+        most = found;
+        best = i;
+      }
+    double low = step.begin() + length * std::max(0, best - 1) / samples;
+    double high = step.begin() + length * std::min(samples, best + 1) / samples;
+    for (int i = 0; i < 60; ++i) {
+      const double a = low + (high - low) / 3, b = high - (high - low) / 3;
+      const double at_a = rise(a, step), at_b = rise(b, step);
+      most = std::max({most, at_a, at_b});
+      (at_a < at_b ? low : high) = at_a < at_b ? a : b;
+    }
+    return most;
+  }
+
+  RimMotion motion_;
+  const ScaledContact& contact_;
+  State body_;
+  bool resonant_ = false;
+};
+
+/// The steady motion at one velocity. Periods go by until they repeat. From time to time, Newton's
+/// method looks for where they lead: for the numbers of the body, at a phase at which no cell
+/// remembers anything, that a period leads back to. There is such a phase, as each cell slides in
+/// each period, the centre last, and then all do; or all are off the surface.
+class Cycle {
+ public:
+  Cycle(const ScaledContact& contact, const ScaledHolder& holder, double velocity, double tolerance,
+        SharedEffort* whole)
+      : periods_(contact, holder, velocity, tolerance, whole),
+        trial_(contact, holder, velocity, tolerance, whole),
+        first_(trial_.first_given() ? 1 : 0),
+        tolerance_(tolerance) {}
+
+  /// From a body at phase 0.
+  void find(const State& body) {
+    periods_.start(0, body);
+    Period before{body, 0, 0};
+    double impulse = 0;
+    for (int i = 1, alike = 0, next_search = first_search; i <= most_periods; ++i) {
+      periods_.show_anew();
+      periods_.run(two_pi * i);
+      const Period here{periods_.body(), periods_.lack(), periods_.impulse() - impulse};
+      impulse = periods_.impulse();
+      open_ = here.difference(before);
+      alike = open_ <= tolerance_ ? alike + 1 : 0;
+      before = here;
+      if (alike == enough_alike) {
+        impulse_ = here.impulse;
+        shown_ = periods_.shown();
+        return;
+      }
+      if (i < next_search) continue;
+      next_search *= 2;
+      if (go_to_clear(two_pi * i) && search()) return;
+    }
+    throw ModelError("below the indenter no steady motion is found: its body rings");
+  }
+
+  double impulse() const { return impulse_; }
+  /// What the body's numbers lack at most.
+  double open() const { return open_; }
+  const Shown& shown() const { return shown_; }
+
+ private:
+  struct Period {
+    State body;
+    double lack, impulse;
+
+    double difference(const Period& other) const {
+      return std::max({(body - other.body).lpNorm<Eigen::Infinity>(), std::abs(lack - other.lack),
+                       std::abs(impulse - other.impulse)});
+    }
+  };
+
+  /// Nothing where a cell remembers something in the end.
+  std::optional<State> after(const State& body) {
+    trial_.start(phase_, body);
+    trial_.run(phase_ + two_pi);
+    return trial_.clear() ? std::optional(trial_.body()) : std::nullopt;
+  }
+
+  bool go_to_clear(double t) {
+    if (!(periods_.shown().clear > 0)) return false;
+    const double at = periods_.shown().clear_at;
+    periods_.run(at + two_pi * std::ceil((t - at) / two_pi));
+    if (!periods_.clear()) return false;
+    phase_ = at - two_pi * std::floor(at / two_pi);
+    body_ = periods_.body();
+    return true;
+  }
+
+  bool search() {
+    double least = infinity;
+    for (int i = 0, no_better = 0; i < most_newton_steps && no_better < 3; ++i) {
+      const std::optional<State> next = after(body_);
+      if (!next) return false;
+      const State defect = *next - body_;
+      const double size = defect.lpNorm<Eigen::Infinity>();
+      no_better = size < 0.5 * least ? 0 : no_better + 1;
+      if (size < least) {
+        least = size;
+        impulse_ = trial_.impulse();
+        shown_ = trial_.shown();
+        open_ = lever_ * size;
+      }
+      if (size <= tolerance_) return true;
+      const std::optional<State> step =
+          no_better < 2 ? newton_step(defect, *next) : std::optional(defect);
+      if (!step) return false;
+      body_ += *step;
+    }
+    return least <= far_enough * tolerance_;
+  }
+
+  std::optional<State> newton_step(const State& defect, const State& next) {
+    const Eigen::Index n = defect.size() - first_;
+    State step = State::Zero(defect.size());
+    if (n <= 0) return step;
+    Eigen::MatrixXd map(n, n);
+    for (Eigen::Index i = 0; i < n; ++i) {
+      constexpr double nudge = 1e-6;  // the root of what a period is right to
+      State moved = body_;
+      moved(first_ + i) += nudge;
+      const std::optional<State> found = after(moved);
+      if (!found) return std::nullopt;
+      map.col(i) = -(*found - next).tail(n) / nudge;
+      map(i, i) += 1;
+    }
+    step.tail(n) = map.partialPivLu().solve(defect.tail(n));
+    lever_ = std::max(1.0, step.lpNorm<Eigen::Infinity>() / defect.lpNorm<Eigen::Infinity>());
+    return step;
+  }
+
+  static constexpr int first_search = 3, enough_alike = 3;
+  static constexpr double far_enough = 1e3;
+  RimMotion periods_, trial_;
+  Eigen::Index first_;
+  double tolerance_;
+  double phase_ = 0, impulse_ = 0, open_ = 0, lever_ = 1;
+  State body_;
+  Shown shown_;
+};
+
+/// Both, of one half-space.
+class Held {
+ public:
+  explicit Held(const HalfSpace& half_space)
+      : contact_(half_space), holder_(half_space, contact_), effort_(half_space.effort()) {}
+
+  const ScaledContact& contact() const { return contact_; }
+  std::unique_ptr<Sliding> sliding(double tolerance) const {
+    return std::make_unique<Sliding>(contact_, holder_, tolerance, effort_);
+  }
+
+  /// Of the body below a drive that moves.
+  struct Found {
+    double impulse, open;
+    Shown shown;
+  };
+  Found cycle(const Sliding& sliding, double velocity, double tolerance) const {
+    Cycle result(contact_, holder_, velocity, tolerance, effort_);
+    result.find(sliding.body());
+    return {result.impulse(), result.open(), result.shown()};
+  }
+
+ private:
+  ScaledContact contact_;
+  ScaledHolder holder_;
+  SharedEffort* effort_;
+};
+
+/// Without an oscillation.
+Friction without_oscillation(const HalfSpace& half_space) {
+  const double edge = half_space.edge();
+  Friction result;
+  result.ratio = 1;
+  result.normal_force = 2 * half_space.static_modulus() *
+                        (half_space.indentation() * edge - half_space.gap().area(edge));
+  result.normal_force_error = force_rounding_error * result.normal_force;
+  return result;
+}
+
+}  // namespace
+
+Friction rim_friction(const HalfSpace& half_space, double velocity) {
+  if (!(half_space.amplitude() > 0)) return without_oscillation(half_space);
+  const Held held(half_space);
+  const double speed = velocity / held.contact().speed_unit();
+  const auto sliding = held.sliding(fine);
+  if (sliding->resonant()) throw ModelError(rings);
+  Friction result;
+  Motions motions{true, false, false};
+  result.normal_force = sliding->mean_force() * held.contact().force_unit();
+  result.normal_force_error = force_rounding_error * result.normal_force;
+  result.ratio = 1;
+  result.error = force_rounding_error;
+  if (speed < sliding->largest()) {
+    const double all = two_pi * sliding->mean_force();
+    const double share = std::min(1.0, 1e3 * speed);
+    const Held::Found rough = held.cycle(*sliding, speed, share * coarse),
+                      found = held.cycle(*sliding, speed, share * fine);
+    result.ratio = found.impulse / all;
+    result.error += std::abs(rough.impulse / all - result.ratio) + found.open / all;
+    motions.stick = found.shown.stick;
+    motions.backslip = found.shown.backslip;
+  }
+  result.regime = motions.regime();
+  return result;
+}
+
+Pressed rim_pressed(const HalfSpace& half_space) {
+  if (const double force = without_oscillation(half_space).normal_force;
+      !(half_space.amplitude() > 0))
+    return {force, force};
+  const Held held(half_space);
+  const double unit = held.contact().force_unit();
+  return {held.sliding(fine)->mean_force() * unit, held.contact().force(pi) * unit};
+}
+
+simulation::Onset rim_threshold(const HalfSpace& half_space) {
+  if (!(half_space.amplitude() > 0)) return {};
+  const Held held(half_space);
+  const double unit = held.contact().speed_unit();
+  const auto rough = held.sliding(coarse), sliding = held.sliding(finest);
+  if (sliding->resonant()) return {infinity, infinity, rings};
+  const double drive = sliding->largest();
+  const bool creeps = !(half_space.holder()->drive.equilibrium > 0);
+  const double contact = creeps ? drive + sliding->mean_speed() : drive;
+  return {contact * unit,
+          drive * unit,
+          {},
+          (std::abs(rough->largest() - drive) + force_rounding_error) * unit};
+}
+
+}  // namespace vcrit::indenter

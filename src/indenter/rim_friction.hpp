@@ -1,0 +1,22 @@
+// Friction of an elastic indenter on a drive that gives, in steady motion, and the speed above
+// which all its cells slide.
+#pragma once
+
+#include "indenter/friction.hpp"
+#include "indenter/half_space.hpp"
+
+namespace vcrit::indenter {
+
+/// As friction() has it, without cells: of their continuum. Its error is the difference to the same
+/// with a hundredfold tolerance, and what the period does not close by. Throws ModelError where no
+/// steady motion is found.
+Friction rim_friction(const HalfSpace& half_space, double velocity);
+
+/// Of the normal force over a period.
+Pressed rim_pressed(const HalfSpace& half_space);
+
+/// v* = mu0 max over the touching phase of d/dt [u_z/kappa + R_b * F_n], kappa = G*/E*. Infinite
+/// where the body swings freely at a harmonic of the normal force.
+simulation::Onset rim_threshold(const HalfSpace& half_space);
+
+}  // namespace vcrit::indenter

@@ -1,0 +1,321 @@
+#include "indenter/rim_motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/constants.hpp"
+#include "base/errors.hpp"
+#include "base/interruption.hpp"
+
+namespace vcrit::indenter {
+
+namespace {
+
+// At most of a period in one step; the first one after an event.
+constexpr double longest_step = 0.4, first_step = 0.05;
+
+// A step is asked so often for an event. What comes and goes between two of these is a dip of
+// the margin by some 1e-3 of its changes at most; a longer one is seen.
+constexpr int asked_of_step = 16;
+
+// Of a phase: rounding.
+constexpr double no_time = 1e-12;
+
+// So many events without time going on are none of a motion.
+constexpr int most_at_once = 50;
+
+}  // namespace
+
+RimMotion::RimMotion(const ScaledContact& contact, const ScaledHolder& holder, double velocity,
+                     double tolerance, SharedEffort* whole, bool always_slides)
+    : contact_(contact),
+      holder_(holder),
+      velocity_(velocity),
+      always_slides_(always_slides),
+      steps_([this](double t, const State& x, State& out) { rates(t, x, out); }, tolerance, whole) {
+  spring_ = holder.mass > 0 ? 1 : 0;
+  branches_ = spring_ + (holder.spring > 0 ? 1 : 0);
+  body_ = branches_ + static_cast<Eigen::Index>(holder.branches.size());
+  place_ = body_;
+  lack_ = body_ + 1;
+  impulse_ = body_ + 2;
+}
+
+int RimMotion::direction() const {
+  if (mode_ == RimMode::forward) return 1;
+  return mode_ == RimMode::backward ? -1 : 0;
+}
+
+double RimMotion::level(double t, double place, int d) const {
+  return place - d * contact_.depth(t);
+}
+
+// l_d of what a layer remembers at a depth: l_- = l_+ + 2 g.
+double RimMotion::level_of(const Layer& layer, double depth, double touched, int d) const {
+  if (layer.frozen != 0) return layer.level + (layer.frozen - d) * depth;
+  for (const TimeStep& step : history_)
+    if (touched <= step.end() || &step == &history_.back())
+      return level(touched, step.at(touched, place_), d);
+  return 0;
+}
+
+double RimMotion::inner_level(const Layer& layer, int d) const {
+  return level_of(layer, layer.from, layer.touched, d);
+}
+
+// Where the level of touched cells is `wanted`: outwards, d l_d falls.
+double RimMotion::touched_when(const Layer& layer, double wanted, int d) const {
+  double low = layer.touched, high = layer.touched_end;
+  const auto above = [&](double t) { return d * (level_of(layer, 0, t, d) - wanted); };
+  double at_low = above(low), at_high = above(high);
+  if (at_low <= 0) return low;
+  if (at_high >= 0) return high;
+  // Regula falsi with a guard (Illinois).
+  for (int i = 0; i < 100 && high - low > 4 * epsilon * high; ++i) {
+    double middle = low + (high - low) * at_low / (at_low - at_high);
+    if (!(middle > low && middle < high)) middle = 0.5 * (low + high);
+    const double found = above(middle);
+    if (std::abs(found) <= 2 * epsilon * std::max(1.0, std::abs(wanted))) return middle;
+    if (found > 0) {
+      at_high *= i % 3 == 2 ? 0.25 : 0.5;
+      low = middle;
+      at_low = found;
+    } else {
+      at_low *= i % 3 == 2 ? 0.25 : 0.5;
+      high = middle;
+      at_high = found;
+    }
+  }
+  return 0.5 * (low + high);
+}
+
+/// The depth up to which cells stick; below 0 if none does.
+double RimMotion::stuck_to(double t, double place) const {
+  if (mode_ == RimMode::stick) return contact_.depth(t);
+  if (layers_.empty()) return -1;
+  const int d = direction();
+  const Layer& top = layers_.back();
+  const double here = level(t, place, d);
+  if (top.frozen == 0) return contact_.depth(touched_when(top, here, d));
+  if (top.frozen == d) return top.to;
+  return std::clamp((here - top.level) / (top.frozen - d), top.from, top.to);
+}
+
+/// The stiffness of the cells that stick.
+double RimMotion::sticking(double t, const State& state) const {
+  if (mode_ == RimMode::apart) return 0;
+  return contact_.stiffness(std::min(stuck_to(t, state(place_)), contact_.depth(t)));
+}
+
+/// Of the springs.
+double RimMotion::holding_force(const State& state) const {
+  return state.segment(spring_, body_ - spring_).sum();
+}
+
+/// By how much the body is slower than the drive: small, where the drive is stiff.
+double RimMotion::behind(double t, const State& state) const {
+  if (holder_.mass > 0) return state(0);
+  const double friction = contact_.force(t) - state(lack_);
+  if (holder_.damper > 0) return (friction - holding_force(state)) / holder_.damper;
+  double relaxing = 0;
+  for (std::size_t j = 0; j < holder_.branches.size(); ++j)
+    relaxing += state(branches_ + static_cast<Eigen::Index>(j)) / holder_.branches[j].time;
+  const double stuck = sticking(t, state);
+  const double slides =
+      direction() * (contact_.stiffness(contact_.depth(t)) - stuck) * contact_.depth_rate(t);
+  return (stuck * velocity_ + slides + relaxing) / (holder_.glassy() + stuck);
+}
+
+void RimMotion::rates(double t, const State& state, State& out) const {
+  out.resize(state.size());
+  const double pulled = behind(t, state), v = velocity_ - pulled;
+  const double friction = contact_.force(t) - state(lack_);
+  if (holder_.mass > 0)
+    out(0) = (friction - holding_force(state) - holder_.damper * pulled) / holder_.mass;
+  if (holder_.spring > 0) out(spring_) = holder_.spring * pulled;
+  for (std::size_t j = 0; j < holder_.branches.size(); ++j) {
+    const Eigen::Index i = branches_ + static_cast<Eigen::Index>(j);
+    const auto& [stiffness, time] = holder_.branches[j];
+    out(i) = stiffness * pulled - state(i) / time;
+  }
+  if (first_given()) out(spring_) = 0;
+  const double all = contact_.stiffness(contact_.depth(t)), rate = contact_.depth_rate(t);
+  const double stuck = sticking(t, state);
+  out(place_) = v;
+  // Of F_n and F; 0 where all slide forward, but for rounding.
+  out(lack_) = mode_ == RimMode::forward
+                   ? stuck * (rate - v)
+                   : all * rate - (stuck * v + direction() * (all - stuck) * rate);
+  out(impulse_) = friction;
+}
+
+void RimMotion::start(double t, const State& body) {
+  t_ = clear_since_ = t;
+  state_ = State::Zero(body_ + 3);
+  state_.head(body_) = body;
+  mode_ = always_slides_ || contact_.depth(t) > 0 ? RimMode::forward : RimMode::apart;
+  layers_.clear();
+  history_.clear();
+  kept_.clear();
+  shown_ = {};
+}
+
+/// What is above 0 as long as a mode goes on: the velocity at which a rim slides; how far the
+/// level is from where the layer that slides next is used up; and while the indentation falls, the
+/// rim that is left.
+std::vector<double> RimMotion::margins(double t, const State& state) const {
+  const double v = speed(t, state), rate = contact_.depth_rate(t);
+  if (mode_ == RimMode::apart || always_slides_) return {};
+  if (mode_ == RimMode::stick) return {rate - v, rate + v};
+  const int d = direction();
+  const double slides = d * v - rate;
+  if (layers_.empty()) return {slides};
+  const double left = d * (inner_level(layers_.back(), d) - level(t, state(place_), d));
+  if (rate >= 0) return {slides, left};
+  return {slides, left, contact_.depth(t) - stuck_to(t, state(place_))};
+}
+
+double RimMotion::least_margin(double t, const State& state) const {
+  const std::vector<double> all = margins(t, state);
+  return all.empty() ? 1 : *std::min_element(all.begin(), all.end());
+}
+
+/// The first event within a step, if there is one.
+bool RimMotion::ends_in(const TimeStep& step, double& at) const {
+  double before = step.begin();
+  for (int i = 1; i <= asked_of_step; ++i) {
+    double t = step.begin() + (step.end() - step.begin()) * i / asked_of_step;
+    if (least_margin(t, step.at(t)) >= 0) {
+      before = t;
+      continue;
+    }
+    for (double middle = 0.5 * (before + t); middle > before && middle < t;
+         middle = 0.5 * (before + t))
+      (least_margin(middle, step.at(middle)) < 0 ? t : before) = middle;
+    at = t;
+    return true;
+  }
+  return false;
+}
+
+void RimMotion::now_clear() {
+  clear_since_ = t_;
+  history_.clear();
+  state_(lack_) = 0;
+}
+
+void RimMotion::clear_no_longer() {
+  const double length = t_ - clear_since_;
+  if (length <= shown_.clear) return;
+  shown_.clear = length;
+  shown_.clear_at = clear_since_ + 0.5 * length;
+}
+
+/// What has slid in a direction remembers nothing of before.
+void RimMotion::cut_layer(int d) {
+  if (layers_.empty()) return;
+  Layer& top = layers_.back();
+  top.to = stuck_to(t_, state_(place_));
+  if (top.frozen == 0) top.touched_end = touched_when(top, level(t_, state_(place_), d), d);
+}
+
+void RimMotion::go_on(RimMode mode) {
+  mode_ = mode;
+  if (mode == RimMode::backward) shown_.backslip = true;
+  if (mode != RimMode::stick) return;
+  shown_.stick = true;
+  const double rim = contact_.depth(t_);
+  layers_.push_back({0, 0, rim, rim, t_, t_});
+}
+
+/// After an event: while the indentation grows, the rim sticks between both directions of sliding;
+/// while it falls the rim slides in one or the other.
+void RimMotion::change() {
+  const std::vector<double> margin = margins(t_, state_);
+  const double v = speed(t_, state_), rate = contact_.depth_rate(t_);
+  if (mode_ == RimMode::stick) {
+    layers_.back().to = contact_.depth(t_);
+    layers_.back().touched_end = t_;
+    return go_on(margin[0] < margin[1] ? RimMode::forward : RimMode::backward);
+  }
+  const int d = direction();
+  const RimMode other = d > 0 ? RimMode::backward : RimMode::forward;
+  const auto least = std::min_element(margin.begin(), margin.end()) - margin.begin();
+  if (least == 1) {
+    layers_.pop_back();
+    if (clear()) now_clear();
+    return;
+  }
+  if (clear()) clear_no_longer();
+  cut_layer(d);
+  if (least == 2) return go_on(other);
+  const double from = layers_.empty() ? 0 : layers_.back().to;
+  layers_.push_back({d, level(t_, state_(place_), d), from, contact_.depth(t_), 0, 0});
+  go_on(rate > 0 && d * v > -rate ? RimMode::stick : other);
+}
+
+/// Where the indenter leaves the surface, or touches it again.
+void RimMotion::pass_kink() {
+  constexpr double after = 1e-7;
+  const bool touches = contact_.depth(t_ + after) > 0;
+  if (always_slides_ || touches == (mode_ != RimMode::apart)) return;
+  if (!touches) {
+    const bool was_clear = clear();
+    layers_.clear();
+    mode_ = RimMode::apart;
+    if (was_clear) return;
+    return now_clear();
+  }
+  const double v = speed(t_, state_), rate = contact_.depth_rate(t_);
+  if (v >= rate) return go_on(RimMode::forward);
+  clear_no_longer();
+  go_on(v > -rate ? RimMode::stick : RimMode::backward);
+}
+
+double RimMotion::next_kink() const {
+  const double turns = std::floor(t_ / two_pi) * two_pi;
+  for (const double kink : contact_.kinks())
+    if (turns + kink > t_ * (1 + epsilon)) return turns + kink;
+  return turns + two_pi + contact_.kinks()[1];
+}
+
+void RimMotion::take(TimeStep step, bool ends) {
+  at_once_ = step.end() > step.begin() + no_time ? 0 : at_once_ + 1;
+  if (at_once_ > most_at_once)
+    throw ModelError("below the indenter, stick and slip alternate without end at one instant");
+  t_ = step.end();
+  state_ = step.at(t_);
+  if (mode_ == RimMode::stick) history_.push_back(step);
+  if (always_slides_) kept_.push_back(std::move(step));
+  if (ends) change();
+}
+
+void RimMotion::run(double until) {
+  double length = first_step;
+  while (t_ < until) {
+    hear_interruption();
+    const double kink = next_kink(), to = std::min(kink, until), whole = to - t_;
+    if (whole <= no_time * std::max(1.0, to)) {
+      t_ = to;
+      if (to == kink) pass_kink();
+      continue;
+    }
+    const double wanted = std::min({length, longest_step, whole});
+    TimeStep step = steps_.step(t_, state_, wanted);
+    double event = 0;
+    const bool ends = ends_in(step, event), arrives = step.end() >= to - 1e-14 * to;
+    if (ends)
+      step.end_at(event);
+    else if (arrives)
+      step.end_at(to);
+    take(std::move(step), ends);
+    length = ends ? first_step : steps_.next_length();
+    if (!ends && arrives && to == kink) {
+      pass_kink();
+      length = first_step;
+    }
+  }
+  if (clear()) clear_no_longer();
+}
+
+}  // namespace vcrit::indenter

@@ -1,0 +1,296 @@
+// An indenter on a drive that gives: independent tables, limits, and plain cells in small steps.
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "indenter/rim_friction.hpp"
+#include "simulation/steady/exact.hpp"
+#include "simulation/steady/onset.hpp"
+#include "support/refusal.hpp"
+#include "support/scene_text.hpp"
+#include "support/table.hpp"
+
+BOOST_AUTO_TEST_SUITE(test_indenter_on_drive)
+
+namespace {
+
+using namespace vcrit;
+using namespace vcrit::indenter;
+
+constexpr double pi = std::numbers::pi;
+constexpr double modulus = 0.91 / (1 - 0.3 * 0.3), shear_ratio = 2 * (1 - 0.3) / (2 - 0.3);
+
+struct Case {
+  double amplitude, spring, damper = 0, mass = 0;
+  double coefficient = 0.3;
+  std::string indenter = "shape = \"parabola\"\nradius = 1\n";
+  double indentation = 1;
+  std::string network = {}, elements = {};
+};
+
+HalfSpace held(const Case& c) {
+  test::SceneText text{.normal = "spring(E0)", .poisson = 0.3, .separation = true};
+  text.indenter = c.indenter;
+  text.network = !c.network.empty() ? c.network : c.damper > 0 ? "kd | cd" : "kd";
+  if (c.mass > 0) text.mass = c.mass;
+  text.angular_frequency = 1;
+  text.amplitude = c.amplitude;
+  text.indentation = c.indentation;
+  text.coefficient = c.coefficient;
+  text.elements = {{"E0", 0.91}};
+  if (c.network.empty() || c.network.find("kd") != std::string::npos)
+    text.elements.push_back({"kd", c.spring});
+  if (c.damper > 0) text.elements.push_back({"cd", c.damper});
+  text.more = c.elements;
+  return HalfSpace(test::scene_of(text));
+}
+
+struct Row {
+  std::string id;
+  Case scene;
+  double critical, velocity, ratio, error, below;
+};
+
+std::vector<Row> table() {
+  std::vector<Row> rows;
+  for (const auto& cells : test::rows_of("coupled_indenter.csv", 8)) {
+    const auto number = [&](std::size_t i) { return std::stod(cells[i]); };
+    rows.push_back({cells[0],
+                    {number(6), number(7), number(8), number(9)},
+                    number(10),
+                    number(12),
+                    number(16),
+                    number(17),
+                    number(20)});
+  }
+  return rows;
+}
+
+// v* of an elastic parabola on a massless spring, by its formula on a fine grid: flat at its
+// maximum, so that 1e-5 of the period tell it to 1e-9 of its curvature.
+double massless_threshold(const Case& c) {
+  double most = 0;
+  for (int i = 0; i < 200'000; ++i) {
+    const double t = 2 * pi * i / 200'000, depth = c.indentation + c.amplitude * std::cos(t);
+    if (depth <= 0) continue;
+    const double shear = shear_ratio * modulus;
+    most = std::max(most, -std::sin(t) * (1 + 2 * shear * std::sqrt(depth) / c.spring));
+  }
+  return c.coefficient / shear_ratio * c.amplitude * most;
+}
+
+struct Witness {
+  double ratio = 0;
+  bool backward = false;
+};
+
+// So many cells of equal width, each an elastic spring that slides, and a body by Verlet's method.
+Witness by_cells(const Case& c, double velocity, int count, int steps, int periods) {
+  const double edge = std::sqrt(c.indentation + c.amplitude), width = edge / count;
+  const double shear = shear_ratio * modulus, h = 2 * pi / steps;
+  std::vector<double> forces(static_cast<std::size_t>(count));
+  double normal = 0;
+  const auto friction = [&](double t, double moved) {
+    double sum = 0;
+    normal = 0;
+    for (std::size_t i = 0; i < forces.size(); ++i) {
+      const double x = (static_cast<double>(i) + 0.5) * width;
+      const double bound = c.coefficient * modulus *
+                           std::max(0.0, c.indentation + c.amplitude * std::cos(t) - x * x);
+      forces[i] = std::clamp(forces[i] + shear * moved, -bound, bound);
+      sum += 2 * width * forces[i];
+      normal += 2 * width * bound;
+    }
+    return sum;
+  };
+  double place = 0, speed = 0, force = friction(0, 0), all = 0, most = 0;
+  for (int i = 0; i < steps * periods; ++i) {
+    const double half = speed + 0.5 * h * (-c.spring * place - c.damper * speed - force) / c.mass;
+    place += h * half;
+    force = friction(h * (i + 1), h * (velocity + half));
+    speed =
+        (half + 0.5 * h * (-c.spring * place - force) / c.mass) / (1 + 0.5 * h * c.damper / c.mass);
+    if (i < steps * (periods - 1)) continue;
+    all += force;
+    most += normal;
+  }
+  return {all / most};
+}
+
+}  // namespace
+
+// v* of the table was the largest value on a grid of phases.
+BOOST_AUTO_TEST_CASE(critical_velocities_of_the_table) {
+  for (const Row& row : table())
+    BOOST_TEST(rim_threshold(held(row.scene)).drive_velocity == row.critical,
+               boost::test_tools::tolerance(2e-12));
+}
+
+// To the error that the table states, and 12 printed digits.
+BOOST_AUTO_TEST_CASE(friction_of_the_table) {
+  for (const Row& row : table()) {
+    const Friction found = friction(held(row.scene), row.velocity);
+    BOOST_TEST(std::abs(found.ratio - row.ratio) <= row.error + found.error + 5e-13, row.id);
+    BOOST_TEST(found.error < 1e-9, row.id);
+    BOOST_TEST(found.cells == 0);
+    // The table's by cells, off by up to 6e-7.
+    const Friction below = friction(held(row.scene), 0.98 * row.critical);
+    BOOST_TEST(std::abs(below.ratio - row.below) < 7e-7, row.id);
+    BOOST_TEST(below.ratio < 1);
+    BOOST_TEST(friction(held(row.scene), 1.002 * row.critical).ratio == 1);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(critical_velocity_on_a_massless_spring) {
+  for (const Case& c : {Case{0.5, 0.5}, Case{0.9, 40}, Case{1.4, 3}, Case{0.01, 1}})
+    BOOST_TEST(rim_threshold(held(c)).drive_velocity == massless_threshold(c),
+               boost::test_tools::tolerance(1e-8));
+}
+
+// 400 cells and 8000 steps err by some 1e-5 in ratios of 0.1 to 0.4, by halving both; bodies that
+// swing far slide back, too.
+BOOST_AUTO_TEST_CASE(plain_cells_agree) {
+  for (const auto& [c, share] :
+       {std::pair{Case{0.7, 1.2, 0.3, 0.5}, 0.2}, std::pair{Case{0.7, 1.2, 0.05, 0.5}, 0.1},
+        std::pair{Case{0.7, 1.2, 0.05, 0.5}, 0.03}, std::pair{Case{1.3, 2, 0.1, 0.3}, 0.05},
+        std::pair{Case{0.5, 9, 0.02, 1}, 0.03}}) {
+    const HalfSpace half_space = held(c);
+    const double velocity = share * rim_threshold(half_space).drive_velocity;
+    const Friction found = friction(half_space, velocity);
+    const Witness cells = by_cells(c, velocity, 200, 4000, 60);
+    BOOST_TEST_CONTEXT(c.amplitude << " " << c.spring << " " << share)
+    BOOST_TEST(std::abs(found.ratio - cells.ratio) < 3e-5);
+  }
+}
+
+// Its rim slides back, since a body that swings far comes back faster than the rim opens.
+BOOST_AUTO_TEST_CASE(a_rim_slides_back) {
+  const HalfSpace half_space = held({0.7, 1.2, 0.05, 0.5});
+  const double critical = rim_threshold(half_space).drive_velocity;
+  BOOST_TEST(int(friction(half_space, 0.03 * critical).regime) ==
+             int(simulation::Regime::stick_slip_backslip_separated));
+}
+
+// A stiffer drive leads to the cells under a rigid one, in proportion to 1/k_d. The reference has
+// 17 digits, from closed forms of the cells.
+BOOST_AUTO_TEST_CASE(a_stiff_drive_is_rigid) {
+  constexpr double rigid = 0.78905772572136493, velocity = 0.16392859842857191;
+  const double soft = friction(held({0.9, 1e5}), velocity).ratio - rigid,
+               stiff = friction(held({0.9, 1e7}), velocity).ratio - rigid;
+  BOOST_TEST(soft / stiff == 100, boost::test_tools::tolerance(0.01));
+  BOOST_TEST(std::abs(stiff) < 1e-7);
+  BOOST_TEST(friction(held({0.9, 1e12}), velocity).ratio == rigid,
+             boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(rim_threshold(held({0.9, 1e12})).drive_velocity == 0.3 / shear_ratio * 0.9,
+             boost::test_tools::tolerance(1e-11));
+}
+
+// All cells are alike: one contact of stiffness 2 a E*.
+BOOST_AUTO_TEST_CASE(a_flat_punch_is_one_contact) {
+  const HalfSpace punch = held({0.6, 1.5, 0.4, 0.9, 0.3, "shape = \"flat\"\nradius = 0.5\n"});
+  test::SceneText text{.normal = "kn",
+                       .tangential_ratio = shear_ratio,
+                       .network = "kd | cd",
+                       .mass = 0.9,
+                       .angular_frequency = 1,
+                       .amplitude = 0.6,
+                       .indentation = 1,
+                       .coefficient = 0.3,
+                       .elements = {{"kn", 2 * 0.5 * modulus}, {"kd", 1.5}, {"cd", 0.4}}};
+  const simulation::System one = simulation::system_of(test::scene_of(text));
+  const double critical = simulation::sliding_threshold(one).drive_velocity;
+  BOOST_TEST(sliding_threshold(punch).drive_velocity == critical,
+             boost::test_tools::tolerance(1e-14));
+  for (const double share : {0.1, 0.5, 0.9, 1.1})
+    BOOST_TEST(friction(punch, share * critical).ratio ==
+                   simulation::steady_state(one, share * critical).friction_ratio,
+               boost::test_tools::tolerance(1e-12));
+}
+
+// mu0 scales tangential forces and velocities: rounding is left.
+BOOST_AUTO_TEST_CASE(friction_does_not_depend_on_its_coefficient) {
+  Case c{0.7, 1.2, 0.3, 0.5};
+  const double usual = friction(held(c), 0.1).ratio;
+  c.coefficient = 0.6;
+  BOOST_TEST(friction(held(c), 0.2).ratio == usual, boost::test_tools::tolerance(1e-11));
+}
+
+// Energy of the difference of two motions, docs/physics.md; towards rest min F_n/<F_n>, which a
+// damped body reaches as the speed does, and a small oscillation lowers nothing.
+BOOST_AUTO_TEST_CASE(friction_never_falls_with_the_speed) {
+  for (const Case& c : {Case{0.9, 1.647}, Case{1.3, 2, 0.5, 0.3}, Case{0.6, 1.5, 0.4, 0.9}}) {
+    const HalfSpace half_space = held(c);
+    const double critical = rim_threshold(half_space).drive_velocity;
+    const Pressed pressed = rim_pressed(half_space);
+    double before = pressed.least / pressed.mean;
+    for (const double share : {0.005, 0.02, 0.07, 0.2, 0.5, 0.8, 0.95, 1.1}) {
+      const Friction found = friction(half_space, share * critical);
+      BOOST_TEST(found.ratio >= before - found.error);
+      before = found.ratio;
+    }
+    BOOST_TEST(before == 1);
+  }
+  const HalfSpace slow = held({0.5, 0.5});
+  const Pressed pressed = rim_pressed(slow);
+  BOOST_TEST(friction(slow, 1e-6).ratio == pressed.least / pressed.mean,
+             boost::test_tools::tolerance(1e-3));
+  const HalfSpace small = held({1e-4, 0.5});
+  BOOST_TEST(friction(small, 0.5 * rim_threshold(small).drive_velocity).ratio > 1 - 3e-4);
+}
+
+// 4/3 E* sqrt(R) d^(3/2) over a period, by the trapezoidal rule, which is exact to rounding there.
+BOOST_AUTO_TEST_CASE(normal_forces) {
+  const HalfSpace half_space = held({0.9, 1.647});
+  double mean = 0;
+  for (int i = 0; i < 1000; ++i) mean += std::pow(1 + 0.9 * std::cos(2 * pi * i / 1000), 1.5);
+  mean *= 4.0 / 3 * modulus / 1000;
+  const Pressed pressed = rim_pressed(half_space);
+  BOOST_TEST(pressed.mean == mean, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(pressed.least == 4.0 / 3 * modulus * std::pow(0.1, 1.5),
+             boost::test_tools::tolerance(1e-13));
+}
+
+// A Maxwell unit beside the spring, a body on it or none: v* by Fourier's series of the force.
+BOOST_AUTO_TEST_CASE(drives_of_several_elements) {
+  const auto network = std::string("kd | maxwell(k1, c1)");
+  const auto more = std::string("k1 = 0.7\nc1 = 1.3\n");
+  for (const double mass : {0.0, 0.4}) {
+    const HalfSpace half_space =
+        held({0.8, 0.6, 0, mass, 0.3, "shape = \"parabola\"\nradius = 1\n", 1, network, more});
+    constexpr int samples = 512, harmonics = 100;  // of a force analytic on the circle
+    std::vector<std::complex<double>> swing(harmonics);
+    for (int n = 1; n < harmonics; ++n) {
+      std::complex<double> force = 0;
+      for (int i = 0; i < samples; ++i) {
+        const double t = 2 * pi * i / samples;
+        force += std::pow(1 + 0.8 * std::cos(t), 1.5) * std::polar(1.0, -n * t);
+      }
+      force *= 4.0 / 3 * modulus * 2.0 / samples;
+      const std::complex<double> s(0, n), drive = 0.6 + 0.7 * s / (s + 0.7 / 1.3) + mass * s * s;
+      swing[static_cast<std::size_t>(n)] = s * force / drive;
+    }
+    double most = 0;
+    for (int i = 0; i < 20'000; ++i) {
+      const double t = 2 * pi * i / 20'000;
+      double rate = -0.8 * std::sin(t) / shear_ratio;
+      for (int n = 1; n < harmonics; ++n)
+        rate += (swing[static_cast<std::size_t>(n)] * std::polar(1.0, n * t)).real();
+      most = std::max(most, 0.3 * rate);
+    }
+    // 20,000 phases: flat to 1e-8.
+    BOOST_TEST(rim_threshold(half_space).drive_velocity == most,
+               boost::test_tools::tolerance(3e-8));
+    BOOST_TEST(friction(half_space, 0.3 * most).ratio < 1);
+  }
+}
+
+// A body of k_d = m (2 omega)^2 swings freely at 2 omega, which a rim makes the force drive.
+BOOST_AUTO_TEST_CASE(a_body_in_resonance_with_a_harmonic) {
+  const HalfSpace half_space = held({0.5, 4, 0, 1});
+  const simulation::Onset onset = rim_threshold(half_space);
+  BOOST_TEST(std::isinf(onset.drive_velocity));
+  BOOST_TEST(!onset.why_infinite.empty());
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,125 @@
+"""v* and friction of an elastic parabola on a drive k | c with a body, for make_references.py.
+
+v* in 40 digits: all touching cells slide with one velocity, v0 + dq/dt - (mu0 E*/G*) du_z/dt with q the body's swing under
+mu0 F_n, by Fourier's series of F_n = 4/3 E* sqrt(R) u_z^(3/2). Friction by cells of equal width in small steps of time.
+"""
+
+import mpmath as mp
+import numpy as np
+
+from reference_kinds import mindlin
+
+RATIOS = (0.3, 0.8)
+HARMONICS, SAMPLES = 60, 256  # of a force that is analytic: its coefficients fall by a constant each
+
+
+def plain_modulus(values, nu):
+    return values["E0"] / (1 - mp.mpf(nu) ** 2)
+
+
+def sliding_velocity(values, radius, nu):
+    """v*: the largest over the phase."""
+    depth, amplitude, omega = values["u_z0"], values["du_z"], values["omega"]
+    modulus = plain_modulus(values, nu)
+    force = [mp.mpf(4) / 3 * modulus * mp.sqrt(radius) * (depth + amplitude * mp.cos(2 * mp.pi * i / SAMPLES)) ** mp.mpf(1.5)
+             for i in range(SAMPLES)]
+    swings = []
+    for n in range(1, HARMONICS):
+        harmonic = 2 * mp.fsum(f * mp.cos(2 * mp.pi * n * i / SAMPLES) for i, f in enumerate(force)) / SAMPLES
+        s = 1j * n * omega
+        swings.append(s * harmonic / (values["kd"] + values.get("cd", 0) * s + values.get("m", 0) * s * s))
+
+    def rate(t):
+        swing = mp.fsum(mp.re(a * mp.expjpi((n + 1) * t / mp.pi)) for n, a in enumerate(swings))
+        return values["mu0"] * (-amplitude * omega * mp.sin(t) / mindlin(nu) + swing)
+    coarse = [2 * mp.pi * i / 400 for i in range(400)]
+    best = max(coarse, key=rate)
+    return rate(mp.findroot(lambda t: mp.diff(rate, t), best))
+
+
+class Cells:
+    """Of equal width, on a body in small steps of time: Verlet's method, or balance without a mass."""
+
+    def __init__(self, values, radius, nu, count):
+        v = {key: float(value) for key, value in values.items()}
+        self.v, self.radius = v, float(radius)
+        self.normal = float(plain_modulus(values, nu))
+        self.shear = float(mindlin(nu)) * self.normal
+        width = np.sqrt(self.radius * (v["u_z0"] + v["du_z"])) / count
+        x = (np.arange(count) + 0.5) * width
+        self.gap, self.width = x**2 / self.radius, 2 * width
+
+    def bounds(self, t):
+        depth = self.v["u_z0"] + self.v["du_z"] * np.cos(self.v["omega"] * t)
+        return self.v["mu0"] * self.normal * np.maximum(0, depth - self.gap)
+
+    def ratio(self, velocity, steps, periods):
+        v, h = self.v, 2 * np.pi / self.v["omega"] / steps
+        step = self.with_mass if "m" in v else self.without_mass
+        state = {"forces": np.zeros_like(self.gap), "place": 0.0, "speed": 0.0, "force": 0.0}
+        friction = bound = 0.0
+        self.regimes = set()
+        for i in range(steps * periods):
+            limits = self.bounds(h * (i + 1))
+            step(state, velocity, h, limits)
+            if i >= steps * (periods - 1):
+                friction += state["force"]
+                bound += self.width * limits.sum()
+                if np.any(np.abs(state["forces"]) < limits * (1 - 1e-9)):
+                    self.regimes.add("stick")
+        return friction / bound, bound / v["mu0"] / steps
+
+    def moved(self, state, by, limits):
+        forces = np.clip(state["forces"] + self.shear * by, -limits, limits)
+        return forces, self.width * forces.sum()
+
+    def with_mass(self, state, velocity, h, limits):
+        v = self.v
+        half = state["speed"] + h / 2 * (-v["kd"] * state["place"] - v["cd"] * state["speed"] - state["force"]) / v["m"]
+        state["place"] += h * half
+        state["forces"], state["force"] = self.moved(state, h * (velocity + half), limits)
+        state["speed"] = ((half + h / 2 * (-v["kd"] * state["place"] - state["force"]) / v["m"])
+                          / (1 + h / 2 * v["cd"] / v["m"]))
+
+    def without_mass(self, state, velocity, h, limits):
+        """The place at which the spring balances the cells, by Newton's method on straight pieces."""
+        v, place = self.v, state["place"]
+        for _ in range(60):
+            forces, force = self.moved(state, velocity * h + place - state["place"], limits)
+            sticking = np.abs(state["forces"] + self.shear * (velocity * h + place - state["place"])) < limits
+            slope = v["kd"] + self.width * self.shear * sticking.sum()
+            change = -(v["kd"] * place + force) / slope
+            place += change
+            if abs(change) < 1e-14 * (abs(place) + v["du_z"]):
+                break
+        state["forces"], state["force"] = self.moved(state, velocity * h + place - state["place"], limits)
+        state["place"] = place
+
+
+def held_rows(values, text):
+    """v* with its sensitivities, and friction at two speeds."""
+    mp.mp.dps = 40
+    radius, nu = mp.mpf(text["indenter"]["radius"]), str(text["contact"]["poisson"])
+    values = {key: value for key, value in values.items()}
+    for key, value in values.items():
+        yield f"value:{key}", value, 0
+    yield "loaded", 1, 0
+    critical = sliding_velocity(values, radius, nu)
+    yield "critical_velocity", critical, mp.mpf(10) ** -13 * critical
+    small = mp.mpf(10) ** -10  # of central differences: 1e-20 of the third derivative
+    for key in values:
+        one, two = (sliding_velocity(values | {key: values[key] * factor}, radius, nu) for factor in (1 + small, 1 - small))
+        yield f"sensitivity:{key}", mp.log(one / two) / (2 * small), 0
+    mean = mp.quad(lambda t: (values["u_z0"] + values["du_z"] * mp.cos(t)) ** mp.mpf(1.5), [0, mp.pi]) / mp.pi
+    mean *= mp.mpf(4) / 3 * plain_modulus(values, nu) * mp.sqrt(radius)
+    for i, share in enumerate(RATIOS):
+        velocity = float(share * critical)
+        found = []
+        for count, steps in ((150, 2000), (300, 4000), (600, 8000)):
+            cells = Cells(values, radius, nu, count)
+            found.append(cells.ratio(velocity, steps, 25)[0])
+        yield f"velocity:{i}", velocity, 0
+        # What halving both changes: the rest is at most as much.
+        yield f"friction_ratio:{i}", found[2], 2 * (abs(found[2] - found[1]) + abs(found[1] - found[0]) / 4)
+        yield f"mean_normal_force:{i}", mean, mp.mpf(10) ** -12 * mean
+        yield f"regime:{i}", "stick-slip-apart" if "stick" in cells.regimes else "sliding-apart", 0

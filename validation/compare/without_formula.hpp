@@ -1,0 +1,12 @@
+// What a report shows of a scene whose v* is no formula: below an indenter on a drive that gives.
+#pragma once
+
+#include "compare/scene_report.hpp"
+
+namespace vcrit::validation {
+
+/// Its v*, its friction from rest to sliding, and why nothing is compared with a formula: `why`,
+/// which is the report's `failure`, too. Throws InputError for missing values.
+SceneReport report_without_formula(const Problem& problem, const std::string& why);
+
+}  // namespace vcrit::validation
