@@ -8,7 +8,8 @@
 
 namespace vcrit {
 
-/// The mount. Throws InputError for masses inside, and where no spring carries the mean normal force.
+/// The mount. Throws InputError for masses inside, and where no spring carries the mean normal
+/// force.
 Network checked_mount(Network mount, const document::Section& section);
 
 /// The same of one that elements of value 0 are left out of. `file`: the scene's.

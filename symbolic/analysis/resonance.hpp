@@ -1,4 +1,5 @@
-// Resonance and antiresonance of a scene with a mass, and the resonance of a mount, as equations in its symbols.
+// Resonance and antiresonance of a scene with a mass, and the resonance of a mount, as equations in
+// its symbols.
 #pragma once
 
 #include <ginac/ginac.h>

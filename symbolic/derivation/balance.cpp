@@ -92,8 +92,9 @@ class BalanceWriter {
     write({"Along the normal, oscillating parts (", n_.u_v, ": vibrator, ", n_.z,
            ": contact): mount, contact and what moves between them balance"},
           normal_equation(there_, n_.u_v, n_.z, n_.z_acceleration), 0);
-    write({"The vibrator oscillates by ", n_.du_z, ", the contact by the complex amplitude ", n_.A_z},
-          n_.u_v, n_.du_z * n_.wave);
+    write(
+        {"The vibrator oscillates by ", n_.du_z, ", the contact by the complex amplitude ", n_.A_z},
+        n_.u_v, n_.du_z * n_.wave);
     write("", n_.z, n_.A_z * n_.wave);
     const ex z = n_.A_z * n_.wave;
     const ex balance = (normal_equation(there_, n_.du_z * n_.wave, z, z.diff(time(), 2)) / n_.wave)

@@ -147,10 +147,8 @@ Prose resonance_words(const Resonance& resonance) {
                            : infinite ? "Resonance, "
                                       : "Antiresonance, ";
   const ex v = quantity("v*");
-  if (!resonance.damped)
-    return infinite ? Prose{name, v, " infinite"} : Prose{name, stated(v, 0)};
-  return {name + "damped: ", v,
-          infinite ? " stays finite, as this " : " stays above 0, as this ",
+  if (!resonance.damped) return infinite ? Prose{name, v, " infinite"} : Prose{name, stated(v, 0)};
+  return {name + "damped: ", v, infinite ? " stays finite, as this " : " stays above 0, as this ",
           resonance.absorbing ? "holds only where masses keep all dampers still" : "never holds"};
 }
 

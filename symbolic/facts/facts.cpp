@@ -118,8 +118,7 @@ class Facts {
                         "where the oscillation does not lower friction at any speed")
             : std::pair("mount_resonance",
                         " is infinite where mount and contact resonate along the normal");
-    found_.push_back(
-        {key, {quantity("v*"), words}, {equation_of(omega(), *resonance.frequency)}});
+    found_.push_back({key, {quantity("v*"), words}, {equation_of(omega(), *resonance.frequency)}});
   }
 
   void tell_resonances() {

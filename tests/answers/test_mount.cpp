@@ -187,7 +187,8 @@ BOOST_AUTO_TEST_CASE(a_mount_without_mass_is_in_series) {
   BOOST_TEST(*effect.largest_closed_amplitude == 2.5, boost::test_tools::tolerance(1e-15));
 }
 
-// The rheology, which cancels without a mount: (K_n/K_t) |K_m/(K_m + K_n)| of a viscoelastic contact.
+// The rheology, which cancels without a mount: (K_n/K_t) |K_m/(K_m + K_n)| of a viscoelastic
+// contact.
 BOOST_AUTO_TEST_CASE(the_rheology_is_back_in_an_isotropic_contact) {
   const auto velocity = [](double c) {
     return critical_onset(test::scene_of({.normal = "kn | cn",

@@ -63,8 +63,8 @@ struct Case {
   test::Real exact;
 };
 
-/// In turn within four decades, within twenty-four, and off Re(K_m + K_n) = m_n omega^2 by 10^-13 to
-/// 0.1 or by the rounding of the mass alone.
+/// In turn within four decades, within twenty-four, and off Re(K_m + K_n) = m_n omega^2 by 10^-13
+/// to 0.1 or by the rounding of the mass alone.
 std::vector<Case> cases(unsigned from, int rounds) {
   test::Draw draw(from);
   std::mt19937 random(from);
@@ -152,8 +152,7 @@ BOOST_AUTO_TEST_CASE(gradients_are_those_of_nodal_elimination) {
     const std::vector<double> x = libraries.members_of(call);
     for (std::size_t j = 0; j < x.size(); ++j)
       BOOST_TEST_CONTEXT("mount " << call.library << ", parameter " << j) {
-        const auto slope = static_cast<double>(
-            test::derivative(
+        const auto slope = static_cast<double>(test::derivative(
             call.scene, exact, symbol_of(call.scene, parameters.members()[j].name)));
         const double scale = std::abs(slope) + std::abs(call.value / x[j]);
         BOOST_TEST(std::abs(call.partials[j] - slope) <= 1e-13 * scale);
@@ -163,8 +162,8 @@ BOOST_AUTO_TEST_CASE(gradients_are_those_of_nodal_elimination) {
   }
 }
 
-// Numbers of which each step is exact in doubles: km + kn = m_n omega^2 is infinite, and one unit in
-// the last place beside it all digits are there.
+// Numbers of which each step is exact in doubles: km + kn = m_n omega^2 is infinite, and one unit
+// in the last place beside it all digits are there.
 BOOST_AUTO_TEST_CASE(exactly_at_the_resonance) {
   const Scene scene = mounts()[2];
   const auto at = [&](double mass) {

@@ -93,8 +93,8 @@ BOOST_AUTO_TEST_CASE(resonances_are_told_with_their_frequency) {
   const Texts damped = texts_of(scene_of(zener + nu, "kd | cd", "m"));
   BOOST_TEST(told(damped, "Dampers keep v* finite and above 0 at every frequency"));
   // The mount has none.
-  const Texts mounted = texts_of(scene_of("normal = \"kn\"\ntangential = \"kt | ct\"", "kd | cd", "m",
-                                          "[mount]\nnetwork = \"km\"\nmass = \"m\"\n"));
+  const Texts mounted = texts_of(scene_of("normal = \"kn\"\ntangential = \"kt | ct\"", "kd | cd",
+                                          "m", "[mount]\nnetwork = \"km\"\nmass = \"m\"\n"));
   BOOST_TEST(told(mounted, "resonate along the normal: omega = sqrt((km + kn)/m)"));
   BOOST_TEST(told(mounted, "Dampers keep v* above 0 at every frequency"));
 }

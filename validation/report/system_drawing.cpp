@@ -124,10 +124,9 @@ Label oscillation_words(const Problem& problem) {
     const Label load = joined({label(as_called(problem, problem->load->symbol)),
                                {plain(value_words(problem, *problem->load, "N"))}});
     if (problem->mount)
-      return joined(
-          {load,
-           {plain(", "), italic("U"),
-            plain(fmt::format(" = {:.4g} {}", amplitude * scale.factor, scale.unit))}});
+      return joined({load,
+                     {plain(", "), italic("U"),
+                      plain(fmt::format(" = {:.4g} {}", amplitude * scale.factor, scale.unit))}});
     return joined(
         {load,
          {plain(", "), italic("Δu"), lowered("z"),
