@@ -13,10 +13,11 @@ Relaxation graph_relaxation(const RelaxationGraph& graph) {
   throw ModelError("this page cannot simulate a network with a bridge; vcrit simulate can");
 }
 
-// The text of a scene for pages has none.
+// Needs the fit of a structure to the table.
 void simulation::hold_by_table(System&, const Receptance&, std::optional<double>) {
-  throw Bug("a measured drive in a page");
+  throw ModelError("this page cannot simulate a measured receptance; vcrit simulate can");
 }
+// The text of a scene for pages has none.
 void check_indenter(const Indenter&, const Place&) { throw Bug("an indenter in a page"); }
 double simulation::indentation_of_cells(const Problem&) { throw Bug("an indenter in a page"); }
 
