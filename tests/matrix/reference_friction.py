@@ -6,7 +6,7 @@ import numpy as np
 
 import mpmath as mp
 from reference_indenter import cells
-from reference_kinds import pressed, wired
+from reference_kinds import moving, pressed, wired
 from reference_motion import STEPS, Contact, Mean, extrapolated, normal_forces, steady
 from reference_networks import creep_viscosity, stiffness
 
@@ -118,7 +118,7 @@ def friction_rows(name, values, text, linear):
     if "indenter" in text:
         yield from cells(name, values, text, linear)
         return
-    system = wired(name, values)
+    system = moving(name, values)
     if not linear["loaded"] or not text.get("oscillation") or not is_simulated(system):
         return
     opening = bool(text["contact"].get("separation")) and not linear["closed"]
@@ -161,6 +161,7 @@ def friction_at(system, values, means, opening, speed):
     velocities = [ratio * speed for ratio in RATIOS]
     motions = Motions(system, values, np.repeat(means, len(RATIOS)), opening, velocities)
     ratio, error = motions.ratio()
+    error = error + system.fit_error
     period = 2 * np.pi / float(values["omega"])
     force, force_error = motions.extrapolated(lambda mean: mean.force / mean.steps)
     normal, normal_error = motions.extrapolated(lambda mean: mean.bound / mean.steps / float(values["mu0"]))
@@ -174,8 +175,10 @@ def friction_at(system, values, means, opening, speed):
             regime = "sliding" if swings_freely(system, values) else "stick-slip"
         yield f"regime:{i}", regime, 0
         yield f"mean_normal_force:{i}", normal[i], normal_error[i]
-        yield f"energy_drive:{i}", force[i] * velocity * period, force_error[i] * velocity * period
-        yield f"energy_friction:{i}", heat[i], heat_error[i]
+        # Relative to what friction would be without vibration, as the ratio.
+        fit_error = system.fit_error * float(values["mu0"]) * normal[i] * velocity * period
+        yield f"energy_drive:{i}", force[i] * velocity * period, force_error[i] * velocity * period + fit_error
+        yield f"energy_friction:{i}", heat[i], heat_error[i] + fit_error
 
 
 def design_values(name, values, linear):
@@ -191,7 +194,7 @@ def design_values(name, values, linear):
 
 def design_rows(name, values):
     """The friction ratio at a speed, and how it changes with each unknown."""
-    system = wired(name, values)
+    system = moving(name, values)
     means = np.array([float(values["u_z0"])])
     onset = formula_of(system, values)
     mean = float(mp.re(stiffness(system.normal, mp.mpf(10) ** -60)) * values["u_z0"])
@@ -201,7 +204,7 @@ def design_rows(name, values):
     yield "design:velocity", velocity, 0
     yield "design:amplitude", float(values["du_z"]), 0
     yield "design:omega", float(values["omega"]), 0
-    yield "design:friction_ratio", ratio[0], error[0]
+    yield "design:friction_ratio", ratio[0], error[0] + system.fit_error
     yield "design:slope:velocity", (ratio[1] - ratio[2]) / (0.04 * velocity), (error[1] + error[2]) / (0.04 * velocity)
     unknowns = [("amplitude", "du_z"), ("frequency", "omega")] + ([("force", "W")] if "W" in values else [])
     for unknown, key in unknowns:
@@ -211,7 +214,7 @@ def design_rows(name, values):
             if key == "W":
                 changed["u_z0"] = pressed(name, changed)
                 means = np.array([float(changed["u_z0"])])
-            best, worst = Motions(wired(name, changed), changed, means, False, [velocity]).ratio()
+            best, worst = Motions(moving(name, changed), changed, means, False, [velocity]).ratio()
             ends.append(best[0])
             errors.append(worst[0])
         width = 0.04 * float(values[key])

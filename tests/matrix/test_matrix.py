@@ -49,9 +49,9 @@ with (FOLDER / "comparisons.csv").open() as file:
 OTHER_COMMANDS = {"fit", "new"}  # read no scene
 
 
-def receptance(omega):
-    """Of the measured drive, at a row of its table."""
-    with (FOLDER / "kinds/receptance.csv").open() as file:
+def receptance(kind, omega):
+    """Of a measured drive, at a row of its table."""
+    with (FOLDER / "kinds" / ("chain.csv" if kind == "measured_drive" else "receptance.csv")).open() as file:
         rows = {float(row["omega"]): mp.mpc(row["Re"], row["Im"]) for row in csv.DictReader(file)}
     return rows[float(omega)]
 
@@ -196,7 +196,7 @@ class Matrix(Cells, unittest.TestCase):
             line = dict(document["critical_velocity"], definitions=document["definitions"])
             values = REFERENCES[each].parameters() | {name: mp.mpf(x) for name, x in found["values"].items()}
             if "R_d" in values:
-                values["R_d"] = receptance(values["omega"])
+                values["R_d"] = receptance(each, values["omega"])
             value = abs(formulas.line_value(line, values))
             self.near(found[place], value, 1e-12 * value, place)
 
