@@ -181,10 +181,10 @@ def receptance(table, omega):
 
 
 def write_chain():
-    """200 rows of five digits from 0.2 to 8.16 times the frequency of the oscillation, which is one of them."""
+    """200 rows of five digits from 0.22 to 8.18 times the frequency of the oscillation, which lies between two of them."""
     with (FOLDER / "chain.csv").open("w") as file:
         file.write("omega,Re,Im\n")
         for i in range(200):
-            omega = 20000 + 4000 * i
+            omega = 22000 + 4000 * i
             r = 1 / stiffness(CHAIN, 1j * omega)
             file.write(f"{omega},{float(mp.re(r)):.4e},{float(mp.im(r)):.4e}\n")
