@@ -106,7 +106,8 @@ constexpr Cell memory = left_out(
 constexpr Cell open_then = left_out("the contact is open where the indentation grows fastest");
 constexpr Cell table_alone = left_out("v* is known at the frequencies of a table alone");
 constexpr Cell one_frequency = left_out("lossy(k, eta) is known at one frequency at a time");
-constexpr Cell a_network = left_out("the simulator needs a network of springs, dampers and masses");
+constexpr Cell opens_measured =
+    left_out("below a measured drive no contact that opens is simulated");
 constexpr Cell not_causal =
     left_out("lossy(k, eta) is not causal: K = k (1 + i eta) at one frequency is no law of motion");
 constexpr Cell closed_alone = left_out("of a closed contact alone");
@@ -238,10 +239,10 @@ constexpr std::array<Row, questions> table{{
       y, y, y,
       y, y}},
     {Question::report_simulation,
-     {a_network, y, not_causal, y, y, y, y, y,
+     {y, y, not_causal, y, y, y, y, y,
       y, y, y, y, y, y,
       y, y, y, y, y, y,
-      y, y, y,
+      y, y, opens_measured,
       y, closed_alone, closed_alone,
       y, y}},
     {Question::report_explorer,

@@ -1,6 +1,7 @@
 """Drives with masses of their own and measured drives, as a user meets them: values, sweeps, and one clear
 message with its exit status for each thing that is wrong or not known."""
 
+import json
 import math
 import unittest
 from pathlib import Path
@@ -8,9 +9,6 @@ from pathlib import Path
 from program import Case, example
 
 SONOTRODE, MEASURED = example("sonotrode"), example("measured_drive")
-# What needs one body with one network.
-SIMULATIONS = [["simulate", "--velocity", "0.001"], ["critical"],
-               ["sweep", "--over", "velocity_ratio=lin:0.5:1:3", "--quantity", "friction_ratio", "--out", "t.csv"]]
 TO_BE_SET = dict.fromkeys(["angular_frequency", "amplitude", "indentation", "coefficient"])
 
 
@@ -126,10 +124,54 @@ class Measured(Drives):
                          r"omega = 62831.8530717958\d* rad/s is outside the receptance in .*measured_drive.csv, 94247.8 to "
                          r"169646 rad/s")
 
-    def test_what_needs_a_network_says_so(self):
-        for name, *rest in SIMULATIONS:
-            self.refused(3, [name, MEASURED, *rest], "the simulator needs a network; this drive is a measured receptance")
-        self.assertEqual(list(self.folder.iterdir()), [], "nothing is written")
+    def test_what_would_rest_on_the_fit_alone_says_so(self):
+        self.refused(3, ["critical", MEASURED],
+                     "this drive is a measured receptance: a simulated v* would rest on the structure fitted to it; vcrit eval "
+                     "has v* by the table")
+        text = Path(MEASURED).read_text().replace("measured_drive.csv", str(Path(MEASURED).with_suffix(".csv")))
+        self.write(text.replace("[contact]", "[contact]\nseparation = true"))
+        self.refused(3, ["simulate", "s.toml", "--velocity", "0.001"],
+                     "below a measured drive no contact that opens (separation = true) is simulated")
+        self.assertEqual([file.name for file in self.folder.iterdir()], ["s.toml"], "nothing is written")
+
+    def simulated(self, *arguments):
+        return json.loads(self.run_program("simulate", *arguments, "--velocity-ratio", "0.5", "--json").stdout)
+
+    def test_friction_rests_on_a_fit_and_has_its_error(self):
+        answer = self.simulated(MEASURED)
+        fit = answer["realisation"]
+        # Two modes and a compliance, five digits: real and imaginary part are off by 5e-5 of |R| at most, 7.1e-5 together.
+        self.assertEqual(fit["pairs"], 2)
+        self.assertLess(fit["misfit"], 7.1e-5)
+        self.assertEqual(fit["outside"], [2, 3, 4, 5, 6, 7, 8])
+        self.assertGreaterEqual(answer["friction_ratio_error"], fit["error"])
+        self.assertLess(fit["error"], 1e-4)
+        self.assertIn("2 omega = 2.526e+05 rad/s lies outside the table (to 1.696e+05): friction below v* rests on an "
+                      "extrapolation", answer["warnings"][-1])
+        # Between two rows of 250 Hz a resonance of 72 Hz half-width, 2 kHz away, bends by (250/2000)^2/4 of itself.
+        self.assertLess(abs(fit["critical_velocity"] / self.value(MEASURED) - 1), 4e-3)
+
+    def test_other_methods_have_the_error_of_the_fit_as_well(self):
+        exact = self.simulated(MEASURED)
+        for method in ("rk8pd", "moreau"):
+            other = self.simulated(MEASURED, "--method", method)
+            self.assertEqual(other["realisation"], exact["realisation"])
+            self.assertGreaterEqual(other["friction_ratio_error"], other["realisation"]["error"])
+            self.assertLessEqual(abs(other["friction_ratio"] - exact["friction_ratio"]), other["friction_ratio_error"])
+
+    def test_the_static_compliance_does_not_matter(self):
+        text = Path(MEASURED).read_text().replace("measured_drive.csv", str(Path(MEASURED).with_suffix(".csv")))
+        self.write(text.replace("[body]", 'static_compliance = "8 um/N"\n[body]'))
+        here, there = self.simulated("s.toml"), self.simulated(MEASURED)
+        self.assertLessEqual(abs(here["friction_ratio"] - there["friction_ratio"]), there["realisation"]["error"])
+        self.write(text.replace("[body]", 'static_compliance = "1 nm/N"\n[body]'))
+        self.refused(2, ["simulate", "s.toml", "--velocity-ratio", "0.5"], "static_compliance = 1e-09 m/N, less than the")
+
+    def test_tables_of_friction_say_what_their_error_lacks(self):
+        ran = self.run_program("sweep", MEASURED, "--over", "velocity_ratio=lin:0.5:1:3", "--quantity", "friction_ratio",
+                               "--out", "t.csv")
+        self.assertEqual(ran.returncode, 0, ran.stderr)
+        self.assertIn("its error does not hold that of the fit", ran.stderr)
 
     def test_an_evaluator_holds_the_table(self):
         self.out("generate", MEASURED, "--out", "lib", "--name", "tool")

@@ -17,7 +17,7 @@ import mpmath as mp
 
 from reference_friction import friction_rows
 from reference_held import held_rows
-from reference_kinds import KINDS, complex_height, read, receptance, wired
+from reference_kinds import KINDS, complex_height, read, receptance, wired, write_chain
 from reference_networks import creep_viscosity, stiffness
 
 TABLE = Path(__file__).parent / "references.csv"
@@ -36,7 +36,7 @@ def drive_stiffness(system, omega):
     if system.drive is None:
         return mp.inf
     if isinstance(system.drive, str):
-        r = receptance(omega)
+        r = receptance(system.drive, omega)
         return (mp.inf if r == 0 else 1 / r) - system.mass * omega**2
     try:
         return stiffness(system.drive, 1j * omega) - system.mass * omega**2
@@ -218,8 +218,8 @@ def given(values, system):
         else:
             yield f"value:{key}", value
     if isinstance(system.drive, str):
-        yield "value:R_d real", mp.re(receptance(values["omega"]))
-        yield "value:R_d imaginary", mp.im(receptance(values["omega"]))
+        yield "value:R_d real", mp.re(receptance(system.drive, values["omega"]))
+        yield "value:R_d imaginary", mp.im(receptance(system.drive, values["omega"]))
 
 
 def linear_rows(name, values, text):
@@ -278,6 +278,8 @@ def main():
                 kept.setdefault(row[0], []).append(row)
     friction = "--linear" not in sys.argv
     wanted = [name for name in sys.argv[1:] if name != "--linear"] or sorted(KINDS)
+    if "measured_drive" in wanted:
+        write_chain()
     for name in wanted:
         kept[name] = rows_of(name, kept.get(name, []), friction)
         print(name, len(kept[name]), flush=True)

@@ -6,7 +6,7 @@ import numpy as np
 
 import mpmath as mp
 from reference_indenter import cells
-from reference_kinds import found_depth, height, wired
+from reference_kinds import found_depth, height, moving, wired
 from reference_motion import STEPS, Contact, Mean, extrapolated, normal_forces, steady
 from reference_networks import creep_viscosity, stiffness
 
@@ -131,7 +131,7 @@ def friction_rows(name, values, text, linear):
         return
     if "mount" in text and text["contact"].get("separation"):
         return
-    system = wired(name, values)
+    system = moving(name, values)
     if not linear["loaded"] or not text.get("oscillation") or not is_simulated(system):
         return
     opening = bool(text["contact"].get("separation")) and not linear["closed"]
@@ -173,6 +173,7 @@ def friction_at(system, values, means, opening, speed):
     velocities = [ratio * speed for ratio in RATIOS]
     motions = Motions(system, values, np.repeat(means, len(RATIOS)), opening, velocities)
     ratio, error = motions.ratio()
+    error = error + system.fit_error
     period = 2 * np.pi / float(values["omega"])
     force, force_error = motions.extrapolated(lambda mean: mean.force / mean.steps)
     normal, normal_error = motions.extrapolated(lambda mean: mean.bound / mean.steps / float(values["mu0"]))
@@ -186,8 +187,10 @@ def friction_at(system, values, means, opening, speed):
             regime = "sliding" if swings_freely(system, values) else "stick-slip"
         yield f"regime:{i}", regime, 0
         yield f"mean_normal_force:{i}", normal[i], normal_error[i]
-        yield f"energy_drive:{i}", force[i] * velocity * period, force_error[i] * velocity * period
-        yield f"energy_friction:{i}", heat[i], heat_error[i]
+        # Relative to what friction would be without vibration, as the ratio.
+        fit_error = system.fit_error * float(values["mu0"]) * normal[i] * velocity * period
+        yield f"energy_drive:{i}", force[i] * velocity * period, force_error[i] * velocity * period + fit_error
+        yield f"energy_friction:{i}", heat[i], heat_error[i] + fit_error
 
 
 def design_values(name, values, linear):
@@ -203,7 +206,7 @@ def design_values(name, values, linear):
 
 def design_rows(name, values):
     """The friction ratio at a speed, and how it changes with each unknown."""
-    system = wired(name, values)
+    system = moving(name, values)
     means = means_of(values)
     onset = formula_of(system, values)
     mean = mean_forces(system, values, means)[0]
@@ -214,7 +217,7 @@ def design_rows(name, values):
     given = "U" if "U" in values else "du_z"
     yield "design:amplitude", float(values[given]), 0
     yield "design:omega", float(values["omega"]), 0
-    yield "design:friction_ratio", ratio[0], error[0]
+    yield "design:friction_ratio", ratio[0], error[0] + system.fit_error
     yield "design:slope:velocity", (ratio[1] - ratio[2]) / (0.04 * velocity), (error[1] + error[2]) / (0.04 * velocity)
     unknowns = [("amplitude", given), ("frequency", "omega")] + ([("force", "W")] if "W" in values else [])
     for unknown, key in unknowns:
@@ -224,7 +227,7 @@ def design_rows(name, values):
             if key == "W":
                 changed |= found_depth(name, changed)
                 means = means_of(changed)
-            best, worst = Motions(wired(name, changed), changed, means, False, [velocity]).ratio()
+            best, worst = Motions(moving(name, changed), changed, means, False, [velocity]).ratio()
             ends.append(best[0])
             errors.append(worst[0])
         width = 0.04 * float(values[key])

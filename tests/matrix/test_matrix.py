@@ -191,7 +191,7 @@ class Matrix(Cells, unittest.TestCase):
             values = REFERENCES[each].parameters() | {name: mp.mpf(x) for name, x in found["values"].items()}
             values |= {"du_z": values["U"]} if "U" in found["values"] else {}  # one symbol, by its name in the first
             if "R_d" in values:
-                values["R_d"] = receptance(values["omega"])
+                values["R_d"] = receptance(each, values["omega"])
             value = abs(formulas.line_value(line, values))
             self.near(found[place], value, 1e-12 * value, place)
 

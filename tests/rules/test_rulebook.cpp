@@ -144,11 +144,11 @@ const Names outside{"admissible", "report_stability"};
 Names without_answer(SceneKind kind) {
   switch (kind) {
     case SceneKind::measured_drive:
-      return contact + Names{"rational_form", "all_frequencies",   "comparison",
-                             "report_simulation", "report_stability"};
+      return contact + Names{"rational_form", "all_frequencies", "comparison", "report_stability"};
     case SceneKind::measured_and_separating:
       return without_answer(SceneKind::measured_drive) +
-             without_answer(SceneKind::separating_with_memory) + Names{"motion", "motion_in_time"};
+             without_answer(SceneKind::separating_with_memory) +
+             Names{"motion", "motion_in_time", "report_simulation"};
     case SceneKind::masses_in_drive:
       return contact + Names{"report_stability"};
     case SceneKind::lossy_spring:

@@ -147,7 +147,7 @@ BOOST_AUTO_TEST_CASE(without_closed_form) {
 // Where `vcrit eval` refuses to say v* the page says none, and nothing on it is green.
 BOOST_AUTO_TEST_CASE(where_the_program_answers_no_velocity_the_page_has_none) {
   const std::pair<std::string, const char*> refused[] = {
-      {"measured_drive", "a measured receptance"},
+      {"measured_drive", "below a measured drive"},
       {"lossy", "is not causal"}};
   for (const auto& [kind, reason] : refused)
     for (const bool isotropic : {false, true}) BOOST_TEST_CONTEXT(kind << isotropic) {

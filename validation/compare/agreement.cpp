@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "answers/critical_onset.hpp"
+#include "answers/realised_friction.hpp"
 #include "base/constants.hpp"
 #include "base/free_swings.hpp"
 #include "compare/border.hpp"
@@ -77,15 +78,40 @@ Comparison balanced(const SceneReport& report, const simulation::Onset& threshol
   return comparison;
 }
 
+// The balance of the structure that moves in place of a table, with v* by the table itself.
+Comparison realised(const SceneReport& report, const simulation::Onset& threshold) {
+  Comparison comparison = velocity_comparison(
+      report, "balance", "harmonic balance of the structure fitted to the drive's table");
+  const RealisedVelocity fit = realised_velocity(report.problem);
+  comparison.found = threshold.contact_velocity;
+  comparison.tolerance = fit.difference / fit.value + motion_tolerance(report.condition);
+  comparison.reason = "the error of the fit, and what a straight line between two rows leaves out";
+  const auto friction = realised_friction(report.problem, 0.5 * fit.value);
+  if (!friction.outside.empty()) comparison.detail = friction.warnings.back();
+  return comparison;
+}
+
+bool is_measured(const SceneReport& report) { return report.problem->receptance() != nullptr; }
+
 bool by_formula(const SceneReport& report) {
   return !report.separation || report.separation->closed_form;
 }
 
 Border border_of(const SceneReport& report, const CriticalOnset& onset) {
-  if (by_formula(report))
-    return {report.velocity_of_doubles, report.velocity_of_doubles + report.creep_velocity,
-            report.condition, formula_reference};
-  return simulated_border(onset);
+  if (!by_formula(report)) return simulated_border(onset);
+  Border border{report.velocity_of_doubles, report.velocity_of_doubles + report.creep_velocity,
+                report.condition, formula_reference};
+  if (!is_measured(report)) return border;
+  border.uncertainty = realised_velocity(report.problem).difference;
+  border.why = "by which the structure fitted to the table may be off";
+  return border;
+}
+
+// Speeds just below and above v* are told apart by the v* of what marches.
+Border border_of_march(const SceneReport& report, const Border& border) {
+  if (!is_measured(report)) return border;
+  const double fitted = realised_velocity(report.problem).value;
+  return {fitted, fitted, report.condition, "Eq. 24 with the structure fitted to the table"};
 }
 
 /// evaluated: v* by formula and evaluators.
@@ -105,11 +131,13 @@ void compare_border(SceneReport& report, const CriticalOnset& onset,
     const simulation::Onset last_stick = simulation::stick_onset(system);
     add(compare_last_stick(border, last_stick));
     add(compare_creep(border, last_stick));
-    if (by_formula(report)) add(compare_evaluators(evaluated, last_stick, border.condition));
+    // Those hold the table itself.
+    if (by_formula(report) && !is_measured(report))
+      add(compare_evaluators(evaluated, last_stick, border.condition));
   } catch (const ModelError& error) {
     add(not_run(compare_last_stick(border, {}), error.what()));
   }
-  add(witnesses.march(border, system));
+  add(witnesses.march(border_of_march(report, border), system));
 }
 
 void trace_curve(SceneReport& report, const simulation::System& system, double threshold) {
@@ -175,10 +203,14 @@ void simulate(SceneReport& report, const symbolic::Derivation& derivation,
       progress("letting the contact open");
       examine_separation(report, derivation, system, onset);
     }
-    if (by_formula(report))
-      report.comparisons.push_back(balanced(report, witnesses.balance(system)));
+    if (by_formula(report)) {
+      const simulation::Onset threshold = witnesses.balance(system);
+      report.comparisons.push_back(is_measured(report) ? realised(report, threshold)
+                                                       : balanced(report, threshold));
+    }
     progress("looking for the last stick");
     compare_border(report, onset, system, evaluated, witnesses);
+    if (is_measured(report)) report.comparisons.push_back(compare_periodic_motion(report));
     const double finite = by_formula(report) ? report.critical_velocity + report.creep_velocity
                                              : onset.drive_velocity;
     const double drive_velocity =

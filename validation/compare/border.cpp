@@ -56,10 +56,7 @@ Comparison of_velocity(const Border& border, double uncertainty, const char* key
                 border.condition)
           : "motion in closed form, in doubles: leaves six digits to lose near resonance";
   if (open > 0)
-    comparison.reason += fmt::format(
-        "; and ±{:.2g} m/s, between which rounding leaves open whether it "
-        "sticks",
-        open);
+    comparison.reason += fmt::format("; and ±{:.2g} m/s, {}", open, border.why);
   return comparison;
 }
 

@@ -24,6 +24,7 @@ struct Border {
   double condition = 0;         ///< condition number of Eq. 24 there
   std::string reference;        ///< who says so
   double uncertainty = 0;       ///< of v* to either side, m/s
+  const char* why = "between which rounding leaves open whether it sticks";  ///< it is uncertain
 };
 
 /// Of a v* that is simulated: the condition of Eq. 24 says nothing of it.
