@@ -273,6 +273,8 @@ void fields(Fields& f, const report::SceneContents& contents) {
   f("failed", failing(scene))("warnings", scene.problem->source->warnings);
   f("comparisons", scene.comparisons);
   if (scene.failure.empty()) results(f, contents);
+  if (!scene.failure.empty() && scene.effect)
+    f("effect", *scene.effect).some("friction_curve", scene.curve);
   f("text", scene.problem->source->text).page("failure", scene.failure);
   if (!f.for_page()) return;
   const bool outside = !scene.reasons.empty();
