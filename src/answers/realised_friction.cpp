@@ -123,8 +123,7 @@ double change_by_hidden_mode(const Ratios& ratios, const Realisation& realised, 
   return greatest;
 }
 
-// Found on the 82 chains of tests/data/two_mass_chains.csv and 60 random ones, each as four tables
-// (docs/simulation.md).
+// Found on the 82 chains of tests/data/two_mass_chains.csv, each as four tables (docs/simulation.md).
 double error_of_ratio(const Ratios& ratios, const Realisation& realised, double omega,
                       double ratio) {
   constexpr double of_rivals = 2, of_noise = 4, of_misfit = 0.125;
