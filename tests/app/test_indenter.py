@@ -69,7 +69,7 @@ class Indenters(Case):
         self.assertAlmostEqual(motion["friction_ratio"], 0.87806, delta=2e-6)
         self.assertEqual(motion["cells"], 0)
         self.assertLess(motion["cells_error"], 1e-10)
-        for command in (["derive"], ["generate", "--language", "c99"], ["critical"]):
+        for command in (["derive"], ["generate", "--out", self.folder], ["critical"]):
             self.refused(3, [command[0], scene, *command[1:]])
 
     def test_a_map(self):
