@@ -90,7 +90,7 @@ double seconds_of_state(const Chain& chain, double repeat) {
 }
 
 template <class Seconds>
-void print_table(const char* title, const Seconds& seconds_of) {
+void print_times(const char* title, const Seconds& seconds_of) {
   const std::vector<int> numbers{1, 2, 3, 5, 8};
   std::vector<TextRow> rows{{"fastest motion"}};
   for (const int masses : numbers) rows[0].push_back(fmt::format("N = {}", masses));
@@ -110,9 +110,9 @@ void print_table(const char* title, const Seconds& seconds_of) {
 
 void run_masses(double repeat) {
   fmt::print("The exact method, a body and a chain of N masses with it\n\n");
-  print_table("A curve over 50 speeds up to v*, per speed",
+  print_times("A curve over 50 speeds up to v*, per speed",
               [&](const Chain& chain) { return seconds_of_curve(chain, repeat); });
-  print_table("One steady state alone, v0 = 0.5 v*",
+  print_times("One steady state alone, v0 = 0.5 v*",
               [&](const Chain& chain) { return seconds_of_state(chain, repeat); });
 }
 

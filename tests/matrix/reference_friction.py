@@ -107,13 +107,16 @@ def simulated_onset(system, values, means, opening, all_steps=STEPS[True]):
 def simulated_sensitivities(name, values, means, opening, at):
     """(p/v*) dv*/dp by central differences of 4 %; what those of 8 % differ by tells how far v* bends."""
     for key, value in values.items():
-        if isinstance(value, list):
+        # Under a load the depth is found.
+        if isinstance(value, list) or (key == "u_z0" and "W" in values):
             continue
         slopes, errors = [], []
         for width in ("0.04", "0.08"):
             found = []
             for factor in (1 + mp.mpf(width), 1 - mp.mpf(width)):
                 changed = values | {key: value * factor}
+                if "W" in values:
+                    changed |= found_depth(name, changed)
                 new_means = means_of(changed)
                 found.append(simulated_onset(wired(name, changed), changed, new_means, opening, DIFFERENCE_STEPS))
             (one, one_error), (two, two_error) = found
@@ -135,7 +138,8 @@ def friction_rows(name, values, text, linear):
     if not linear["loaded"] or not text.get("oscillation") or not is_simulated(system):
         return
     opening = bool(text["contact"].get("separation")) and not linear["closed"]
-    if "u_z0" not in values or values["u_z0"] > 0:
+    # Under a load an amplitude that is small enough leaves every contact closed.
+    if "W" in values or "u_z0" not in values or values["u_z0"] > 0:
         yield from design_rows(name, design_values(name, values, linear))
     else:
         yield from tapping_design_rows(system, values)

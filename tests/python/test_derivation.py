@@ -17,7 +17,7 @@ def derive(file):
 
 class Derivation(unittest.TestCase):
     def test_is_what_the_program_prints(self):
-        for row in rows("scenes_expected.csv", 14):
+        for row in rows("scenes_expected.csv", 15):
             file = f"scenes/{row['scene']}"
             with self.subTest(scene=file):
                 derivation = derive(file)
@@ -107,7 +107,7 @@ class Notebook(unittest.TestCase):
         self.assertEqual([each.text.split(" = ")[0] for each in derivation.definitions], ["K_n", "K_d"])
 
     def test_is_given_balanced_latex(self):
-        for row in rows("scenes_expected.csv", 14):
+        for row in rows("scenes_expected.csv", 15):
             text = derive(f"scenes/{row['scene']}")._repr_latex_()
             self.assertEqual(text.count("{"), text.count("}"))
             self.assertEqual(text.count(r"\left"), text.count(r"\right"))
