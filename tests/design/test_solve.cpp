@@ -217,9 +217,9 @@ BOOST_AUTO_TEST_CASE(wrong_questions_are_refused) {
   Question few = question("elastic.toml", Sought::velocity, 0.9);
   few.samples = 2;
   BOOST_CHECK_THROW(design::solve(few), InputError);
-  for (const Sought sought : {Sought::amplitude, Sought::frequency, Sought::velocity})
-    BOOST_TEST(
-        has(refusal(question("measured_drive.toml", sought, 0.9, 0.001)), "measured receptance"));
+  // From the lowest frequency on, which the table does not have.
+  BOOST_TEST(has(refusal(question("measured_drive.toml", Sought::frequency, 0.9, 0.001)),
+                 "is outside the receptance in"));
   BOOST_TEST(has(refusal(question("inadmissible.toml", Sought::velocity, 0.9)), "(Eq. 4)"));
 }
 

@@ -119,7 +119,7 @@ class Trial:
         normal = reader.network(self.scene["contact"]["normal"])
         no_load = scenes_expected.static_stiffness(normal) == 0
         is_measured = "receptance" in self.scene.get("drive", {})
-        return "no static load" in told and no_load or "measured receptance" in told and is_measured
+        return "no static load" in told and no_load or "below a measured drive no contact that opens" in told and is_measured
 
     def compare(self, answer, formula):
         closed = {**self.scene, "contact": {**self.scene["contact"], "separation": False}}
@@ -185,15 +185,22 @@ class Trial:
             if motion["regime"].startswith("sliding"):
                 require(abs(motion["friction_ratio"] - 1) <= slack, "sliding at", motion["friction_ratio"])
             elif answer["drive_velocity"] == answer["critical_velocity"]:  # else 1.05 v* is not above v* and creep
-                require(False, "no sliding above v*:", motion["regime"], motion["friction_ratio"])
+                require(motion["velocity"] <= self.border_of(motion, answer), "no sliding above v*:", motion["regime"], motion["friction_ratio"])
             self.found[f"above v*: {motion['regime']}"] += 1
         if slow.returncode == 0:
             motion = json.loads(slow.stdout)
             slack = 1e-9 + motion["friction_ratio_error"]
             require(0 <= motion["friction_ratio"] + slack and motion["friction_ratio"] <= 1 + slack, "friction", motion)
-            require(not motion["regime"].startswith("sliding"), "it slides at v*/2")
+            slides = motion["regime"].startswith("sliding")
+            require(not slides or motion["velocity"] >= self.border_of(motion, answer), "it slides at v*/2")
             self.found[f"at v*/2: {motion['regime']}"] += 1
             self.check_separation(motion)
+
+    @staticmethod
+    def border_of(motion, answer):
+        """Of sliding, where the drive is the structure that was fitted to a random table: by that."""
+        fitted = motion.get("realisation")
+        return fitted["critical_velocity"] if fitted else answer["critical_velocity"]
 
     def check_separation(self, motion):
         """Both starts, and time steps, which share nothing with the exact motion but the scene."""

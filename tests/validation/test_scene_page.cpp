@@ -231,7 +231,7 @@ BOOST_AUTO_TEST_CASE(creep_is_named_where_there_is_some) {
   SceneReport report = example::scene_report(example::driven_scene);
   report.creep_velocity = 2e-3;
   BOOST_TEST(has(evidence_of(report), "v₀ / (v* + creep)"));
-  BOOST_TEST(has(page_of(report), "with creep the drive runs at 6.578 mm/s"));
+  BOOST_TEST(has(page_of(report), "with creep the drive runs at 6.578\u00a0mm/s"));
 }
 
 BOOST_AUTO_TEST_CASE(a_failed_comparison_is_red_above_everything) {

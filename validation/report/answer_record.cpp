@@ -81,35 +81,39 @@ Json key_numbers(const SceneReport& report) {
 
 std::string per_cent(double share) { return fmt::format("{:.2g}\u00a0%", std::abs(10 * share)); }
 
-std::string listed(const std::vector<std::string>& names) {
-  constexpr std::size_t most = 6;
-  if (names.size() > most) return fmt::format("all {} other numbers", names.size());
-  std::string words;
-  for (std::size_t i = 0; i < names.size(); ++i)
-    words += (i == 0 ? "" : i + 1 < names.size() ? ", " : " and ") + names[i];
-  return words;
+/// Signs with the words before each: "10 % in mu0 or du_z", "k0, k1 and m".
+Json signs_of(const std::vector<const Influence*>& numbers, const std::string& begin,
+              const std::string& between, const std::string& last) {
+  Json signs = Json::array();
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    signs.push_back({{"before", i == 0 ? begin : i + 1 < numbers.size() ? between : last},
+                     {"sign", record::page_of(record::Markup{numbers[i]->sign.mathml})}});
+  return signs;
 }
 
-/// "10 % in mu0 or du_z is 10 % in v*; 10 % in m, k0 and k1 together at most 1.6 %.", as markup.
-std::string inputs_markup(const SceneReport& report) {
-  constexpr const char* tenth = "10\u00a0% in ";
-  constexpr const char* velocity = "<math><msup><mi>v</mi><mo>*</mo></msup></math>";
-  std::vector<std::string> alike, others;
+/// "10 % in mu0 or du_z is 10 % in v*; 10 % in m, k0 and k1 together at most 1.6 %."
+Json inputs_record(const SceneReport& report) {
+  constexpr std::size_t most = 6;
+  const std::string tenth = "10\u00a0% in ";
+  std::vector<const Influence*> alike, others;
   double sum = 0;
   for (const Influence& it : report.influences) {
     if (it.meaning == "angular frequency") continue;
     const bool one = std::abs(it.share - 1) < 1e-6;
-    (one ? alike : others).push_back(it.sign.mathml);
+    (one ? alike : others).push_back(&it);
     if (!one) sum += std::abs(it.share);
   }
   if (alike.empty() && others.empty()) return {};
-  std::string words = "The inputs decide: ";
-  for (std::size_t i = 0; i < alike.size(); ++i) words += (i == 0 ? tenth : " or ") + alike[i];
-  if (!alike.empty()) words += fmt::format(" is {}{}", tenth, velocity);
+  std::string at_most, begin = (alike.empty() ? "" : "; ") + tenth;
   if (!others.empty())
-    words += fmt::format("{}{}{}{} at most {}", alike.empty() ? "" : "; ", tenth, listed(others),
-                         others.size() > 1 ? " together" : "", per_cent(sum));
-  return words + ".";
+    at_most = fmt::format("{} at most {}", others.size() > 1 ? " together" : "", per_cent(sum));
+  if (others.size() > most) {
+    at_most = fmt::format("{}all {} other numbers{}", begin, others.size(), at_most);
+    others.clear();
+  }
+  return {{"alike", signs_of(alike, tenth, " or ", " or ")},
+          {"others", signs_of(others, begin, ", ", " and ")},
+          {"at_most", at_most}};
 }
 
 /// Bars from the middle, the longest to the edge.
@@ -157,7 +161,7 @@ record::Json answer_record(const SceneReport& report) {
   rows.erase(rows.begin() + static_cast<std::ptrdiff_t>(rows.size() - left_out), rows.end());
   return {{"operating", unbroken(operating_point(*report.effect))},
           {"keys", key_numbers(report)},
-          {"inputs", record::page_of(record::Markup{inputs_markup(report)})},
+          {"inputs", inputs_record(report)},
           {"influences", rows},
           {"left_out", left_out > 0 ? Json(left_out) : Json()}};
 }
