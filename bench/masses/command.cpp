@@ -8,6 +8,7 @@
 #include <memory>
 #include <vector>
 
+#include "base/constants.hpp"
 #include "harness/commands.hpp"
 #include "harness/text_table.hpp"
 #include "harness/timing.hpp"
@@ -51,10 +52,10 @@ DriveStructure chain_of(int masses, double mass, double spring, double damper) {
   return chain;
 }
 
-/// The fastest of a row of equal masses, held at one end, swings at 2 sqrt(k/m) cos(pi/(4 N + 2)).
+/// The fastest of a row of equal masses, held at one end, swings at 2 sqrt(k/m) cos(pi/(2 N + 1)).
 Chain with(int masses, double fastest) {
   const double mass = 1.0 / masses;
-  const double share = 2 * std::cos(std::acos(-1.0) / (4 * masses + 2));
+  const double share = 2 * std::cos(pi / (2 * masses + 1));
   const double spring = mass * std::pow(fastest / share, 2);
   const double damper = 2 * damping_ratio * spring / fastest;
   Chain chain;
