@@ -61,10 +61,15 @@ void print_table(const std::string& title, const std::vector<Peer>& peers,
 }
 
 void print_whole() {
-  fmt::print("\nv* derived, K named (seconds)\n\n");
+  fmt::print("\nv* derived, K named (seconds)\n\n{:<12} {:>10} {:>10} {:>14}\n", "", "v*", "limits",
+             "sensitivities");
+  const auto row = [](const Case& each) {
+    fmt::print("{:<12} {:>10.1e} {:>10.1e} {:>14.1e}\n", each.name, whole_derivation(each),
+               all_limits(each), all_sensitivities(each));
+  };
   for (const Family& family : families())
-    for (const Case& each : family.cases)
-      fmt::print("{:<12} {:.1e}\n", each.name, whole_derivation(each));
+    for (const Case& each : family.cases) row(each);
+  row(grid(12));
 }
 
 // Twice the elements, twice the time.

@@ -1,6 +1,8 @@
 // vcrit's own ways.
 #include <set>
 
+#include "analysis/limits.hpp"
+#include "analysis/sensitivities.hpp"
 #include "derivation/derivation.hpp"
 #include "derivation/stiffness_forms.hpp"
 #include "formula/names.hpp"
@@ -30,7 +32,10 @@ std::optional<double> multiplied_out(const Case& each) {
   });
 }
 
-double whole_derivation(const Case& each) {
+namespace {
+
+/// The network as the contact, on a body that a spring drives.
+Scene on_a_body(const Case& each) {
   Scene scene;
   scene.normal = each.network;
   scene.tangential = Isotropic{Isotropic::By::ratio, {{"tangential_ratio"}, 0.8}};
@@ -38,7 +43,23 @@ double whole_derivation(const Case& each) {
   scene.mass = Quantity{{"m"}, {}};
   for (const Symbol& symbol : symbols_of(each.network))
     scene.elements.emplace_back(symbol, std::nullopt);
-  return seconds_of([&] { symbolic::derive(scene); });
+  return scene;
+}
+
+}  // namespace
+
+double whole_derivation(const Case& each) {
+  return seconds_of([&, scene = on_a_body(each)] { symbolic::derive(scene); });
+}
+
+double all_limits(const Case& each) {
+  return seconds_of(
+      [derivation = symbolic::derive(on_a_body(each))] { symbolic::limits(derivation); });
+}
+
+double all_sensitivities(const Case& each) {
+  return seconds_of(
+      [derivation = symbolic::derive(on_a_body(each))] { symbolic::sensitivities(derivation); });
 }
 
 }  // namespace vcrit::scaling

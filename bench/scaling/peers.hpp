@@ -23,6 +23,9 @@ std::vector<Peer> expanded_peers();
 
 /// Seconds of v* derived from a scene with the case as its contact, K named as above.
 double whole_derivation(const Case& each);
+/// Seconds of all limits, and all sensitivities, of that derivation.
+double all_limits(const Case& each);
+double all_sensitivities(const Case& each);
 
 /// Of a run when it is repeated for a tenth of a second, or of the only one.
 double seconds_of(const std::function<void()>& run);

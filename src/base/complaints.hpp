@@ -14,7 +14,6 @@ namespace vcrit {
 struct Warning {
   Place place;
   std::string text;
-  friend bool operator==(const Warning&, const Warning&) = default;
 };
 
 /// "file:12:5: text"

@@ -32,7 +32,8 @@ BOOST_AUTO_TEST_CASE(every_way_answers) {
         const bool asked = !is_for_trees(peer) || each.name != "bridge";
         BOOST_TEST(peer.seconds(each).has_value() == asked, peer.name << ", " << each.name);
       }
-  BOOST_TEST(whole_derivation(bridge()) > 0);
+  for (const auto seconds : {whole_derivation, all_limits, all_sensitivities})
+    BOOST_TEST(seconds(bridge()) > 0);
 }
 
 // k1 | (k2 - c1), and the mesh of a graph: what scripts in Python are told.

@@ -245,7 +245,7 @@ def evaluate(scene, folder=SCENES):
     kn0 = static_stiffness(normal)
     if "load" in scene:
         mean = quantity(scene["load"]["force"])
-        u0 = mean / kn0
+        u0 = mean / kn0 if kn0 else mp.inf  # it sinks for good
     else:
         u0 = quantity(oscillation["indentation"])
         mean = kn0 * u0

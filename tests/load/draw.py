@@ -13,6 +13,7 @@ UNITS = {
     "time": {"s": 1, "ms": 1e-3, "us": 1e-6, "ns": 1e-9},
     "mass": {"kg": 1, "g": 1e-3, "mg": 1e-6},
     "length": {"m": 1, "mm": 1e-3, "um": 1e-6, "nm": 1e-9},
+    "force": {"N": 1, "kN": 1e3, "mN": 1e-3},
     "frequency": {"Hz": 1, "kHz": 1e3, "MHz": 1e6},
     "angular frequency": {"rad/s": 1, "rad/ms": 1e3},
 }
@@ -32,6 +33,10 @@ class Draw:
         self.odd_names = self.random.sample(ODD_NAMES, len(ODD_NAMES)) if self.chance(0.1) else []
         self.share_of_units = self.random.choice([0, 0.5, 1])
         self.separates, self.has_indenter = self.chance(0.25), self.chance(0.04)
+        self.has_mount = not self.has_indenter and self.chance(0.15)
+        # A drive below an indenter gives v* as a maximum over the phase, no formula.
+        self.has_drive = self.chance(0.3 if self.has_indenter else 0.7)
+        self.in_half_space = self.has_indenter  # moduli and viscosities
 
     def chance(self, share):
         return self.random.random() < share
@@ -62,7 +67,7 @@ class Draw:
         name = self.odd_names.pop() if self.odd_names else f"{letter}{len(self.elements)}"
         kinds, middles = {"k": (("stiffness", "modulus"), (1e6, 1e9)), "c": (("damping", "viscosity"), (10, 1e4)),
                           "m": (("mass",), (1e-4,))}[letter]
-        self.elements[name] = self.number(self.value(middles[self.has_indenter]), kinds[self.has_indenter])
+        self.elements[name] = self.number(self.value(middles[self.in_half_space]), kinds[self.in_half_space])
         return name
 
     def alone(self, letter):
@@ -89,7 +94,7 @@ class Draw:
     def prony(self):
         n = self.random.randint(1, 12)
         number = len(self.elements)
-        kind, middle = ("modulus", 1e9) if self.has_indenter else ("stiffness", 1e6)
+        kind, middle = ("modulus", 1e9) if self.in_half_space else ("stiffness", 1e6)
         for name, values in ((f"kp{number}", [self.number(self.value(middle), kind) for _ in range(n)]),
                              (f"tau{number}", [self.number(self.value(1e-5), "time") for _ in range(n)])):
             self.elements[name] = f"[{', '.join(values)}]"
@@ -147,13 +152,20 @@ class Draw:
             f'shape = "parabola"\nradius = {self.number(1e-3, "length")}',
             'shape = "cone"\nangle = "0.7 deg"', 'shape = "power"\nprefactor = 4000\nexponent = 3'])]
 
+    def mount(self):
+        """Of the vibrator: it carries the load."""
+        lines = ["[mount]", f'network = "{self.alone("k")} | {self.network(1)}"']
+        return lines + ([f"mass = {self.number(self.value(1e-4), 'mass')}"] if self.chance(0.5) else [])
+
     def oscillation(self):
         indentation = 10 ** self.random.uniform(-7, -5)
         amplitude = indentation * self.random.uniform(0.01, 3 if self.separates else 0.9)
         given = (f"frequency = {self.number(self.frequency, 'frequency')}" if self.chance(0.7) else
                  f"angular_frequency = {self.number(self.omega, 'angular frequency')}")
-        return ["[oscillation]", given, f"amplitude = {self.number(amplitude, 'length')}",
-                f"indentation = {self.number(indentation, 'length')}"]
+        lines = ["[oscillation]", given, f"amplitude = {self.number(amplitude, 'length')}"]
+        if self.has_indenter or self.chance(0.8):  # below one the load is an integral over the profile
+            return lines + [f"indentation = {self.number(indentation, 'length')}"]
+        return lines + ["[load]", f"force = {self.number(self.value(1e6) * indentation, 'force')}"]
 
     def toml(self):
         self.frequency = self.value(2e4)
@@ -168,7 +180,10 @@ class Draw:
             lines += ['fitted_range = ["1 kHz", 2e4]']
         if self.has_indenter:
             lines += self.indenter()
-        elif self.chance(0.7):
+        self.in_half_space, self.half_space = False, list(self.elements)
+        if self.has_mount:
+            lines += self.mount()
+        if self.has_drive:
             lines += ["[drive]", self.drive()]
             if self.chance(0.6):
                 lines += ["[body]", f"mass = {self.number(self.value(1e-4), 'mass')}"]
