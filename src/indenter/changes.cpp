@@ -10,7 +10,7 @@ namespace vcrit::indenter {
 
 namespace {
 
-constexpr double width = 1e-12;  // of the edge
+constexpr double edge_width = 1e-12;  // of the edge
 constexpr int most_changes = 8;  // between two samples
 
 struct Sample {
@@ -22,7 +22,7 @@ struct Sample {
 class Search {
  public:
   Search(const HalfSpace& half_space, double velocity)
-      : half_space_(half_space), velocity_(velocity), narrow_(width * half_space.edge()) {}
+      : half_space_(half_space), velocity_(velocity), narrow_(edge_width * half_space.edge()) {}
 
   Sample sample(double x) const { return {x, course(half_space_, x, velocity_)}; }
 
@@ -71,7 +71,7 @@ std::vector<double> increasing(std::vector<double> points, double edge) {
   std::sort(points.begin(), points.end());
   std::vector<double> result{0};
   for (const double x : points)
-    if (x > result.back() + width * edge && x < edge * (1 - width)) result.push_back(x);
+    if (x > result.back() + edge_width * edge && x < edge * (1 - edge_width)) result.push_back(x);
   result.push_back(edge);
   return result;
 }
