@@ -39,6 +39,7 @@ class Sliding {
   const State& body() const { return body_; }
   double mean_force() const { return motion_.impulse() / two_pi; }
   double mean_speed() const { return motion_.travel() / two_pi; }
+  double steps() const { return static_cast<double>(motion_.kept().size()); }
 
   /// The largest rate of u less velocity of the body while touching.
   double largest() const {
@@ -319,10 +320,13 @@ simulation::Onset rim_threshold(const HalfSpace& half_space) {
   const double drive = sliding->largest();
   const bool creeps = !(half_space.holder()->drive.equilibrium > 0);
   const double contact = creeps ? drive + sliding->mean_speed() : drive;
+  // Where steps are as long as they may be, a hundred thousand times the tolerance changes none;
+  // each is good to its own, and they add up.
+  const double summed = finest * sliding->steps();
   return {contact * unit,
           drive * unit,
           {},
-          (std::abs(rough->largest() - drive) + force_rounding_error) * unit};
+          (std::abs(rough->largest() - drive) + force_rounding_error + summed) * unit};
 }
 
 }  // namespace vcrit::indenter

@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <optional>
 #include <set>
 #include <utility>
@@ -31,11 +30,21 @@ constexpr std::size_t most_operations_of_all = 1'000'000;
 // Of its networks, which are carried out wherever an element is used.
 constexpr std::size_t most_operations_used = 4'000'000;
 
-constexpr std::array parameter_roles{NumberRole::stiffness, NumberRole::damping, NumberRole::time,
-                                     NumberRole::mass, NumberRole::factor};
+bool per_length(const ElementUse& use) {
+  const NumberRow& row = number_row(use.role);
+  return use.dimension != row.dimension;
+}
 
-Dimension measured_by(NumberRole role, bool of_half_space) {
-  return of_half_space ? number_row(role).in_half_space : number_row(role).dimension;
+/// By what its networks use: relaxation times alone tell nothing.
+MeasuredParts parts_used_by(const ElementNames::Uses& uses) {
+  bool half_space = false, networks = false;
+  for (const auto& [name, use] : uses) {
+    const NumberRow& row = number_row(use.role);
+    if (row.dimension == row.in_half_space) continue;
+    (per_length(use) ? half_space : networks) = true;
+  }
+  if (half_space) return networks ? MeasuredParts::both : MeasuredParts::half_space;
+  return MeasuredParts::networks;
 }
 
 // Behind a number.
@@ -46,17 +55,16 @@ bool has_unit(const std::string& text) {
 
 /// What the unit of a parameter says that it is; nothing for a number without one. Throws
 /// InputError for a unit of something else.
-std::optional<NumberRole> role_by_unit(const std::string& name, const toml::node& value,
-                                       const Place& place, bool of_half_space) {
+std::optional<NumberMeasure> measure_by_unit(const std::string& name, const toml::node& value,
+                                             const Place& place, MeasuredParts parts) {
   if (!value.is_string() || !has_unit(value.ref<std::string>())) return std::nullopt;
   std::vector<std::string> expected;
-  for (const NumberRole role : parameter_roles) {
-    const Dimension dimension = measured_by(role, of_half_space);
+  for (const NumberMeasure& measure : measures_in(parts)) {
     try {
-      parse_typed(value.ref<std::string>(), dimension, place);
-      return role;
+      parse_typed(value.ref<std::string>(), measure.dimension, place);
+      return measure;
     } catch (const InputError&) {
-      expected.push_back(describe(dimension));
+      expected.push_back(describe(measure.dimension));
     }
   }
   throw InputError(place, fmt::format("{} = {}", name, document::describe_node(value)),
@@ -66,8 +74,8 @@ std::optional<NumberRole> role_by_unit(const std::string& name, const toml::node
 }  // namespace
 
 ElementExpressions::ElementExpressions(const toml::table* elements, std::string file,
-                                       ElementNames& names, const Uses& uses, bool of_half_space)
-    : elements_(elements), file_(std::move(file)), names_(names), of_half_space_(of_half_space) {
+                                       ElementNames& names, const Uses& uses)
+    : elements_(elements), file_(std::move(file)), names_(names) {
   if (elements == nullptr || std::none_of(elements->begin(), elements->end(), [](const auto& each) {
         return holds_expression(each.second);
       }))
@@ -105,7 +113,7 @@ void ElementExpressions::read(const Symbol& element, const ElementUse& use) {
     throw InputError(written->place,
                      fmt::format("expressions of more than {} operations", most_operations_of_all),
                      "fewer or shorter ones");
-  expressions_[element] = {amount, *written, use.role, operations};
+  expressions_[element] = {amount, *written, {use.role, use.dimension}, operations};
 }
 
 AmountTreePointer ElementExpressions::resolved(const Symbol& element) {
@@ -181,28 +189,28 @@ int ElementExpressions::length_of(const Symbol& leaf, const Uses& uses) const {
 }
 
 void ElementExpressions::find_roles(const Uses& uses) {
-  std::map<std::string, NumberRole> roles;
+  const MeasuredParts parts = parts_used_by(uses);
+  std::map<std::string, NumberMeasure> measures;
   for (const auto& [leaf, place] : leaves_) {
     length_of(leaf, uses);
     if (const auto use = uses.find(leaf.name); use != uses.end())
-      roles.emplace(leaf.name, use->second.role);
+      measures.emplace(leaf.name, NumberMeasure{use->second.role, use->second.dimension});
     else if (const toml::node* node = node_of(leaf))
-      if (const auto role =
-              role_by_unit(to_text(leaf), *node, document::place_of(*node, file_), of_half_space_))
-        roles.emplace(leaf.name, *role);
+      if (const auto measure =
+              measure_by_unit(to_text(leaf), *node, document::place_of(*node, file_), parts))
+        measures.emplace(leaf.name, *measure);
   }
   std::vector<MeasuredExpression> all;
   for (const auto& [element, written] : expressions_)
     all.push_back({to_text(element), written.written.text, written.written.place,
-                   written.amount.expression(), written.role});
-  roles = roles_of_names(all, std::move(roles), of_half_space_);
+                   written.amount.expression(), written.measure});
+  measures = measures_of_names(all, std::move(measures), parts);
   for (auto& [element, written] : expressions_)
-    written.amount = Amount(element, with_roles(written.amount.expression(), roles));
+    written.amount = Amount(element, with_roles(written.amount.expression(), measures));
   for (const auto& [leaf, place] : leaves_) {
-    if (uses.contains(leaf.name) || !roles.contains(leaf.name)) continue;
-    const NumberRole role = roles.at(leaf.name);
-    parameters_.try_emplace(leaf.name, ElementUse{role, measured_by(role, of_half_space_),
-                                                  length_of(leaf, uses), place});
+    if (uses.contains(leaf.name) || !measures.contains(leaf.name)) continue;
+    const auto& [role, dimension] = measures.at(leaf.name);
+    parameters_.try_emplace(leaf.name, ElementUse{role, dimension, length_of(leaf, uses), place});
   }
 }
 
@@ -233,12 +241,13 @@ void ElementExpressions::refuse_divisions(const std::function<bool(const Symbol&
 }
 
 AmountTreePointer ElementExpressions::with_roles(
-    const AmountTreePointer& expression, const std::map<std::string, NumberRole>& roles) const {
+    const AmountTreePointer& expression,
+    const std::map<std::string, NumberMeasure>& measures) const {
   if (expression->kind == AmountTree::Kind::number) return expression;
   if (expression->kind == AmountTree::Kind::symbol)
-    return make_expression(expression->symbol, roles.at(expression->symbol.name));
-  return make_expression(expression->kind, with_roles(expression->first, roles),
-                         with_roles(expression->second, roles));
+    return make_expression(expression->symbol, measures.at(expression->symbol.name).role);
+  return make_expression(expression->kind, with_roles(expression->first, measures),
+                         with_roles(expression->second, measures));
 }
 
 }  // namespace vcrit

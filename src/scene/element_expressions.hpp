@@ -14,9 +14,9 @@
 #include <vector>
 
 #include "base/errors.hpp"
-#include "base/units.hpp"
 #include "network/amount.hpp"
 #include "scene/element_names.hpp"
+#include "scene/expression_roles.hpp"
 
 namespace vcrit {
 
@@ -28,7 +28,7 @@ class ElementExpressions {
   /// of the elements. Throws InputError for an expression that contains itself, and for one that
   /// does not measure what its element is.
   ElementExpressions(const toml::table* elements, std::string file, ElementNames& names,
-                     const Uses& uses, bool of_half_space);
+                     const Uses& uses);
 
   bool has(const Symbol& element) const { return expressions_.contains(element); }
   /// What the networks have for an element: the symbol that `own` makes of it, or its expression of
@@ -52,7 +52,7 @@ class ElementExpressions {
   struct Written {
     Amount amount;
     Text written;
-    NumberRole role = NumberRole::stiffness;
+    NumberMeasure measure;
     std::size_t operations = 0;
   };
 
@@ -62,7 +62,7 @@ class ElementExpressions {
   AmountTreePointer put_in(const Symbol& name, const Text& written);
   void find_roles(const Uses& uses);
   AmountTreePointer with_roles(const AmountTreePointer& expression,
-                               const std::map<std::string, NumberRole>& roles) const;
+                               const std::map<std::string, NumberMeasure>& measures) const;
   [[noreturn]] void refuse_circle(const Symbol& element) const;
   int length_of(const Symbol& leaf, const Uses& uses) const;
   const toml::node* node_of(const Symbol& element) const;
@@ -71,7 +71,6 @@ class ElementExpressions {
   const toml::table* elements_;
   std::string file_;
   ElementNames& names_;
-  bool of_half_space_;
   std::map<Symbol, Written> expressions_;
   std::map<Symbol, AmountTreePointer> resolved_;
   std::map<Symbol, Amount> made_;    // for the networks

@@ -28,6 +28,15 @@ const char* kind_name(const ElementUse& use) {
   return use.length > 0 ? number_row(use.role).several : number_row(use.role).one;
 }
 
+void refuse_other_unit(const ElementUse& use, const ElementUse& first, const std::string& what) {
+  if (use.dimension == first.dimension) return;
+  throw InputError(
+      use.place, fmt::format("{} as {}", what, describe(use.dimension)),
+      fmt::format("{}, as at {}, or another name", describe(first.dimension), to_text(first.place)),
+      "elements of the half-space are in Pa and Pa s, those of the drive in N/m and N "
+      "s/m: they need names of their own");
+}
+
 ElementNames::ElementNames(const toml::table* elements, std::string file)
     : elements_(elements), file_(std::move(file)) {
   if (elements_ != nullptr)
@@ -80,6 +89,8 @@ void ElementNames::note(const Symbol& key, const ElementUse& use, Uses& uses) {
         fmt::format("\"{}\", which [elements] calls {}, as {}", to_text(key), element.name,
                     kind_name({use.role, use.dimension, element.entry, {}})),
         fmt::format("{}, as at {}, or another name", kind_name(first), to_text(first.place)));
+  refuse_other_unit(use, first,
+                    fmt::format("\"{}\", which [elements] calls {},", to_text(key), element.name));
   first.length = std::max(first.length, element.entry);
 }
 

@@ -27,6 +27,10 @@ struct ElementUse {
 /// "a spring", "an array of dampers", "relaxation times", ...
 const char* kind_name(const ElementUse& use);
 
+/// Throws InputError for a name that the half-space and the drive below an indenter share: `what`
+/// is it, in the place of its second use.
+void refuse_other_unit(const ElementUse& use, const ElementUse& first, const std::string& what);
+
 class ElementNames {
  public:
   using Uses = std::map<std::string, ElementUse>;

@@ -24,7 +24,7 @@ void ElementValues::read() {
   std::set<std::string> taken;
   for (const auto& [name, dimension] : settings().known()) taken.insert(name);
   uses_ = networks_.names().resolve(networks_.uses());
-  expressions_.emplace(elements_, file_, networks_.names(), uses_, document_.contains("indenter"));
+  expressions_.emplace(elements_, file_, networks_.names(), uses_);
   uses_.insert(expressions_->parameters().begin(), expressions_->parameters().end());
   for (const auto& [element, text] : expressions_->all())
     scene_.expressions[to_text(element)] = text;
@@ -58,10 +58,12 @@ std::vector<Warning> ElementValues::warnings() const {
   return all;
 }
 
-// Where a network could not be read nobody knows what its elements are, but by their letters.
+// Where a network could not be read nobody knows what its elements are, but by their letters; and
+// below an indenter on a drive not whether they are the half-space's.
 void ElementValues::read_unused() {
   if (elements_ == nullptr) return;
   const bool of_half_space = document_.contains("indenter");
+  if (of_half_space && document_.contains("drive")) return;
   for (const auto& [key, value] : *elements_) {
     const std::string name(key.str());
     const bool is_spring = name.starts_with('k'), is_damper = name.starts_with('c');

@@ -13,36 +13,44 @@ namespace vcrit {
 
 namespace {
 
-/// kg^mass s^time, times powers of what unknown names measure. A stiffness of a half-space has 1/m
-/// with each kg, and so needs no third exponent.
+/// kg^mass m^length s^time, times powers of what unknown names measure.
 struct Powers {
-  int mass = 0, time = 0;
+  int mass = 0, length = 0, time = 0;
   std::map<std::string, int> unknown = {};
 
   friend bool operator==(const Powers&, const Powers&) = default;
 };
 
 Powers product_of(const Powers& a, const Powers& b, int exponent) {
-  Powers all{a.mass + exponent * b.mass, a.time + exponent * b.time, a.unknown};
+  Powers all{a.mass + exponent * b.mass, a.length + exponent * b.length, a.time + exponent * b.time,
+             a.unknown};
   for (const auto& [name, power] : b.unknown)
     if ((all.unknown[name] += exponent * power) == 0) all.unknown.erase(name);
   return all;
 }
 
-const std::array<std::pair<NumberRole, Powers>, 5>& rows_of_roles() {
-  static const std::array<std::pair<NumberRole, Powers>, 5> rows{{{NumberRole::stiffness, {1, -2}},
-                                                                  {NumberRole::damping, {1, -1}},
-                                                                  {NumberRole::time, {0, 1}},
-                                                                  {NumberRole::mass, {1, 0}},
-                                                                  {NumberRole::factor, {0, 0}}}};
-  return rows;
+/// Of what a number in an expression may measure; of others, a loss factor, none.
+Powers powers_of(Dimension dimension) {
+  switch (dimension) {
+    case Dimension::stiffness:
+      return {1, 0, -2};
+    case Dimension::damping:
+      return {1, 0, -1};
+    case Dimension::modulus:
+      return {1, -1, -2};
+    case Dimension::viscosity:
+      return {1, -1, -1};
+    case Dimension::time:
+      return {0, 0, 1};
+    case Dimension::mass:
+      return {1, 0, 0};
+    default:
+      return {};
+  }
 }
 
-Powers powers_of(NumberRole role) {
-  for (const auto& [each, powers] : rows_of_roles())
-    if (each == role) return powers;
-  return {};  // a loss factor
-}
+constexpr std::array roles_of_numbers{NumberRole::stiffness, NumberRole::damping, NumberRole::time,
+                                      NumberRole::mass, NumberRole::factor};
 
 /// Two that have to be one.
 struct Equation {
@@ -55,9 +63,9 @@ struct Equation {
 
 class Roles {
  public:
-  Roles(const std::vector<MeasuredExpression>& expressions, std::map<std::string, NumberRole> known,
-        bool of_half_space)
-      : known_(std::move(known)), of_half_space_(of_half_space) {
+  Roles(const std::vector<MeasuredExpression>& expressions,
+        std::map<std::string, NumberMeasure> known, MeasuredParts parts)
+      : known_(std::move(known)), parts_(parts), rows_(measures_in(parts)) {
     find_all(expressions);
     // As in networks, what is left goes by its first letter.
     take_unknown(expressions, "k", NumberRole::stiffness);
@@ -69,14 +77,14 @@ class Roles {
     for (const Equation& equation : equations_) check(equation);
   }
 
-  std::map<std::string, NumberRole> result() && { return std::move(known_); }
+  std::map<std::string, NumberMeasure> result() && { return std::move(known_); }
 
  private:
   void write_equations(const std::vector<MeasuredExpression>& expressions) {
     equations_.clear();
     for (const MeasuredExpression& each : expressions) {
       Powers first = powers(*each.expression, each);
-      equations_.push_back({std::move(first), powers_of(each.role), &each, false});
+      equations_.push_back({std::move(first), powers_of(each.measure.dimension), &each, false});
     }
   }
 
@@ -87,10 +95,22 @@ class Roles {
 
   void take_unknown(const std::vector<MeasuredExpression>& expressions, const char* beginning,
                     NumberRole role) {
-    for (const MeasuredExpression& each : expressions)
-      for_each_symbol(Amount({}, each.expression), role, [&](const Symbol& symbol, NumberRole) {
-        if (symbol.name.starts_with(beginning)) known_.emplace(symbol.name, role);
+    for (const MeasuredExpression& each : expressions) {
+      const bool by_moduli = of_half_space(each);
+      const NumberRow& row = number_row(role);
+      for_each_symbol(Amount({}, each.expression), role, [&](const Symbol& symbol, NumberRole as) {
+        if (symbol.name.starts_with(beginning))
+          known_.emplace(symbol.name,
+                         NumberMeasure{as, by_moduli ? row.in_half_space : row.dimension});
       });
+    }
+  }
+
+  // A time is the same in both, and its expression may be of either.
+  bool of_half_space(const MeasuredExpression& of) const {
+    const Dimension dimension = of.measure.dimension;
+    return parts_ == MeasuredParts::half_space || dimension == Dimension::modulus ||
+           dimension == Dimension::viscosity;
   }
 
   // Sums on the way become equations.
@@ -99,8 +119,9 @@ class Roles {
       case AmountTree::Kind::number:
         return {};
       case AmountTree::Kind::symbol: {
-        const auto role = known_.find(e.symbol.name);
-        return role == known_.end() ? Powers{0, 0, {{e.symbol.name, 1}}} : powers_of(role->second);
+        const auto known = known_.find(e.symbol.name);
+        return known == known_.end() ? Powers{0, 0, 0, {{e.symbol.name, 1}}}
+                                     : powers_of(known->second.dimension);
       }
       case AmountTree::Kind::product:
         return product_of(powers(*e.first, of), powers(*e.second, of), 1);
@@ -121,18 +142,18 @@ class Roles {
       const Powers all = equation.quotient();
       if (all.unknown.size() != 1) continue;
       const auto& [name, power] = *all.unknown.begin();
-      for (const auto& [role, powers] : rows_of_roles())
-        if (power * powers.mass == -all.mass && power * powers.time == -all.time)
-          found = known_.emplace(name, role).second || found;
+      for (const NumberMeasure& measure : rows_)
+        if (product_of(all, powers_of(measure.dimension), power) == Powers{0, 0, 0, all.unknown})
+          found = known_.emplace(name, measure).second || found;
     }
     return found;
   }
 
   void refuse_masses(const MeasuredExpression& of) const {
-    if (of.role == NumberRole::mass) return;
+    if (of.measure.role == NumberRole::mass) return;
     for_each_symbol(
         Amount({}, of.expression), NumberRole::factor, [&](const Symbol& symbol, NumberRole) {
-          if (known_.at(symbol.name) == NumberRole::mass)
+          if (known_.at(symbol.name).role == NumberRole::mass)
             throw InputError(
                 of.place,
                 fmt::format("{} = \"{}\", of the mass {}", of.name, of.text, to_text(symbol)),
@@ -149,34 +170,52 @@ class Roles {
                        fmt::format("{}, which adds {} and {}", what, described(equation.first),
                                    described(equation.second)),
                        "terms of one unit");
-    throw InputError(
-        of.place, fmt::format("{}, {}", what, described(equation.first)),
-        described(equation.second),
-        "numbers without a unit whose expressions leave it open are stiffnesses (k...), "
-        "dampers (c...) or plain numbers: give them a unit");
+    throw InputError(of.place, fmt::format("{}, {}", what, described(equation.first)),
+                     described(equation.second), advice(equation));
+  }
+
+  static const char* advice(const Equation& equation) {
+    Powers apart = equation.quotient();
+    apart.length = 0;
+    if (apart == Powers{})
+      return "elements of the half-space are per length, in Pa and Pa s, and those of the drive, "
+             "which holds all of the contact, in N/m and N s/m";
+    return "numbers without a unit whose expressions leave it open are stiffnesses (k...), "
+           "dampers (c...) or plain numbers: give them a unit";
   }
 
   std::string described(const Powers& powers) const {
-    for (const auto& [role, each] : rows_of_roles())
-      if (each == powers) {
-        const NumberRow& row = number_row(role);
-        return describe(of_half_space_ ? row.in_half_space : row.dimension);
-      }
+    for (const NumberMeasure& measure : rows_)
+      if (powers_of(measure.dimension) == powers) return describe(measure.dimension);
     return fmt::format("something in kg^{}{} s^{}", powers.mass,
-                       of_half_space_ ? fmt::format(" m^{}", -powers.mass) : "", powers.time);
+                       powers.length == 0 ? "" : fmt::format(" m^{}", powers.length), powers.time);
   }
 
-  std::map<std::string, NumberRole> known_;
-  bool of_half_space_;
+  std::map<std::string, NumberMeasure> known_;
+  MeasuredParts parts_;
+  std::vector<NumberMeasure> rows_;
   std::vector<Equation> equations_;
 };
 
 }  // namespace
 
-std::map<std::string, NumberRole> roles_of_names(const std::vector<MeasuredExpression>& expressions,
-                                                 std::map<std::string, NumberRole> known,
-                                                 bool of_half_space) {
-  return Roles(expressions, std::move(known), of_half_space).result();
+std::vector<NumberMeasure> measures_in(MeasuredParts parts) {
+  std::vector<NumberMeasure> all;
+  for (const NumberRole role : roles_of_numbers) {
+    const NumberRow& row = number_row(role);
+    all.push_back({role, parts == MeasuredParts::half_space ? row.in_half_space : row.dimension});
+  }
+  if (parts == MeasuredParts::both)
+    for (const NumberRole role : roles_of_numbers)
+      if (const NumberRow& row = number_row(role); row.in_half_space != row.dimension)
+        all.push_back({role, row.in_half_space});
+  return all;
+}
+
+std::map<std::string, NumberMeasure> measures_of_names(
+    const std::vector<MeasuredExpression>& expressions, std::map<std::string, NumberMeasure> known,
+    MeasuredParts parts) {
+  return Roles(expressions, std::move(known), parts).result();
 }
 
 }  // namespace vcrit

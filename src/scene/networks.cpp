@@ -349,6 +349,7 @@ void Networks::note_use(const Symbol& symbol, NumberRole role, const Place& plac
   if (first.role != role || (first.length > 0) != (symbol.entry > 0))
     throw InputError(place, fmt::format("\"{}\" as {}", symbol.name, kind_name(use)),
                      fmt::format("{}, as at {}", kind_name(first), to_text(first.place)));
+  refuse_other_unit(use, first, fmt::format("\"{}\"", symbol.name));
   first.length = std::max(first.length, symbol.entry);
 }
 

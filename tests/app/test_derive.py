@@ -4,7 +4,8 @@ import re
 import resource
 import unittest
 
-from program import PROJECT, Case, settings
+from example_scenes import with_formula
+from program import PROGRAM, PROJECT, Case, settings
 
 SYMBOLS = dict.fromkeys(["angular_frequency", "amplitude", "indentation", "coefficient"])
 DIFFERENT = "k0 | (k1 - c1)", "k1 | (k0 - c1)"
@@ -81,7 +82,7 @@ class Derive(Case):
         self.assertNotIn("k[5]", text)
 
     def test_lines_of_a_terminal_fit(self):
-        for scene in sorted((PROJECT / "scenes").glob("*.toml")):
+        for scene in with_formula(PROGRAM):
             for line in self.derive(scene, "--limits", "--sensitivities").splitlines():
                 self.assertLessEqual(len(line), 100, f"{scene.name}: {line}")
 

@@ -15,6 +15,9 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 PROJECT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(PROJECT / "tests/support"))
+from example_scenes import with_formula  # noqa: E402
+
 ALL = ["--limits", "--sensitivities"]
 FORMS = ["nested", "storage-loss", "rational", "dimensionless", "expanded"]
 # A table has no polynomials and no network; ten branches have too many terms.
@@ -25,9 +28,9 @@ FAULTS = re.compile(r"^(?:Overfull .*|! .*|.*Warning: .*)$", re.MULTILINE)
 LATEX = ["pdflatex", "-interaction=nonstopmode", "-halt-on-error"]
 
 
-def documents(folder):
+def documents(program, folder):
     """(name, scene, words)"""
-    for scene in sorted((PROJECT / "scenes").glob("*.toml")):
+    for scene in with_formula(program):
         yield scene.stem, scene, ALL
         yield from ((f"{scene.stem}-{form}", scene, ["--form", form]) for form in FORMS
                     if (scene.stem, form) not in REFUSED)
@@ -66,7 +69,7 @@ def main():
     with tempfile.TemporaryDirectory(prefix="vcrit-appendix-") as private, ThreadPoolExecutor(chosen.jobs) as pool:
         folder = (chosen.keep or Path(private)).resolve()
         folder.mkdir(parents=True, exist_ok=True)
-        asked = [each for each in documents(folder) if chosen.only in each[0]]
+        asked = [each for each in documents(chosen.program.resolve(), folder) if chosen.only in each[0]]
         results = pool.map(lambda each: (each[0], faults(chosen.program.resolve(), folder, *each)), asked)
         failed = 0
         for name, fault in results:

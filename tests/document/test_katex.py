@@ -14,7 +14,8 @@ import subprocess
 import unittest
 from pathlib import Path
 
-from program import PROJECT, Case, run
+from example_scenes import with_formula
+from program import PROGRAM, PROJECT, Case, run
 
 KATEX = "/usr/share/javascript/katex/katex.js"
 HERE = Path(__file__).resolve().parent
@@ -69,7 +70,7 @@ class Katex(Case):
             raise RuntimeError(f"{KATEX} is missing: apt-get install libjs-katex")
 
     def test_it_takes_all_that_is_derived(self):
-        scenes = [*sorted((PROJECT / "scenes").glob("*.toml")), self.scene(**HARD)]
+        scenes = [*with_formula(PROGRAM), self.scene(**HARD)]
         runs = [(scene, words) for scene in scenes for words in ASKED
                 if (scene.stem, words[3] if "--form" in words else "") not in REFUSED]
         with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:

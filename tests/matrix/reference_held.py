@@ -17,12 +17,27 @@ def plain_modulus(values, nu):
     return values["E0"] / (1 - mp.mpf(nu) ** 2)
 
 
+def normal_forces(values, radius, nu, depth):
+    """F_n at so many phases, as long as the centre stays closed."""
+    return [mp.mpf(4) / 3 * plain_modulus(values, nu) * mp.sqrt(radius)
+            * (depth + values["du_z"] * mp.cos(2 * mp.pi * i / SAMPLES)) ** mp.mpf(1.5) for i in range(SAMPLES)]
+
+
+def depth_under_load(values, radius, nu):
+    """u_z0 at which the mean of F_n is the load W: somewhat less than that of W at rest, as F_n is convex."""
+    at_rest = (mp.mpf(3) / 4 * values["W"] / plain_modulus(values, nu) / mp.sqrt(radius)) ** (mp.mpf(2) / 3)
+
+    def share(x):
+        return mp.fsum(normal_forces(values, radius, nu, x * at_rest)) / SAMPLES / values["W"] - 1
+    return at_rest * mp.findroot(share, (mp.mpf("0.99"), 1))
+
+
 def sliding_velocity(values, radius, nu):
     """v*: the largest over the phase."""
-    depth, amplitude, omega = values["u_z0"], values["du_z"], values["omega"]
-    modulus = plain_modulus(values, nu)
-    force = [mp.mpf(4) / 3 * modulus * mp.sqrt(radius) * (depth + amplitude * mp.cos(2 * mp.pi * i / SAMPLES)) ** mp.mpf(1.5)
-             for i in range(SAMPLES)]
+    if "u_z0" not in values:
+        values = values | {"u_z0": depth_under_load(values, radius, nu)}
+    amplitude, omega = values["du_z"], values["omega"]
+    force = normal_forces(values, radius, nu, values["u_z0"])
     swings = []
     for n in range(1, HARMONICS):
         harmonic = 2 * mp.fsum(f * mp.cos(2 * mp.pi * n * i / SAMPLES) for i, f in enumerate(force)) / SAMPLES
@@ -100,15 +115,17 @@ def held_rows(values, text):
     """v* with its sensitivities, and friction at two speeds."""
     mp.mp.dps = 40
     radius, nu = mp.mpf(text["indenter"]["radius"]), str(text["contact"]["poisson"])
-    values = {key: value for key, value in values.items()}
-    for key, value in values.items():
+    given = {key: value for key, value in values.items() if key != "u_z0" or "W" not in values}
+    for key, value in given.items():
         yield f"value:{key}", value, 0
     yield "loaded", 1, 0
-    critical = sliding_velocity(values, radius, nu)
+    if "W" in values:
+        yield "indentation", values["u_z0"], 0
+    critical = sliding_velocity(given, radius, nu)
     yield "critical_velocity", critical, mp.mpf(10) ** -13 * critical
     small = mp.mpf(10) ** -10  # of central differences: 1e-20 of the third derivative
-    for key in values:
-        one, two = (sliding_velocity(values | {key: values[key] * factor}, radius, nu) for factor in (1 + small, 1 - small))
+    for key in given:
+        one, two = (sliding_velocity(given | {key: given[key] * factor}, radius, nu) for factor in (1 + small, 1 - small))
         yield f"sensitivity:{key}", mp.log(one / two) / (2 * small), 0
     mean = mp.quad(lambda t: (values["u_z0"] + values["du_z"] * mp.cos(t)) ** mp.mpf(1.5), [0, mp.pi]) / mp.pi
     mean *= mp.mpf(4) / 3 * plain_modulus(values, nu) * mp.sqrt(radius)

@@ -109,7 +109,7 @@ for same, other in [("antiresonance", "free_harmonic"), ("near_free_harmonic", "
                     ("separation_tapping", "separation_elastic"), ("separation_closed", "separation_memory"), ("separation_no_load", "no_static_load"),
                     ("indenter_separation", "indenter_viscoelastic"), ("indenter_flat", "indenter_viscoelastic"),
                     ("indenter_table", "indenter_elastic"), ("near_resonance", "resonance"),
-                    ("indenter_load", "indenter_elastic"), ("separating_mount", "mount"),
+                    ("indenter_load", "indenter_elastic"), ("indenter_drive_load", "indenter_drive_mass"), ("separating_mount", "mount"),
                     ("separating_with_mass", "mount_mass")]:
     KINDS[same] = KINDS[other]
 
@@ -151,6 +151,10 @@ def pressed(name, values):
             return 2 * modulus * mp.quad(lambda y: touching(u - y**2 / radius, d), edges) / force - 1
         with mp.workdps(30):
             return static * mp.findroot(share, (mp.mpf("0.9"), 1), solver="anderson")
+    if name == "indenter_drive_load":
+        from reference_held import depth_under_load
+        with mp.workdps(40):
+            return depth_under_load(values, mp.mpf(5e-3), "0.4")
     at_rest = values.get("kn", values.get("k0"))
     if at_rest is None:
         return None

@@ -5,6 +5,7 @@ import subprocess
 import sys
 from fractions import Fraction
 
+from example_scenes import has_formula
 from program import PROGRAM, PROJECT, rows, scene  # noqa: F401
 from program import run as program  # noqa: F401
 
@@ -16,6 +17,22 @@ RESONANT = scene({"k": 1, "kd": 4}, normal="k", tangential_ratio=0.5, network="k
 
 # A unit in the last place, relative.
 U = 2.0**-53
+
+
+# Where v* is a maximum over the phase: steps are good to 1e-14 each, and some ten of them reach a phase.
+OF_MAXIMUM = 1e-13
+
+
+def scene_rows():
+    """Of all scenes in scenes/: their values in many digits."""
+    return rows("scenes_expected.csv", 16)
+
+
+def formula_rows(with_one=True):
+    """Of those with a formula of v*, or of those without."""
+    found = [row for row in scene_rows() if has_formula(PROGRAM, PROJECT / "scenes" / row["scene"]) == with_one]
+    assert found
+    return found
 
 
 def relative_difference(value, reference):

@@ -7,7 +7,7 @@ from fractions import Fraction
 
 import numpy as np
 import vcrit
-from support import PROJECT, U, in_python, relative_difference, rows, scene
+from support import PROJECT, U, in_python, relative_difference, scene, scene_rows
 
 ZENER = vcrit.Scene("scenes/zener.toml")
 ELASTIC = vcrit.Scene("scenes/elastic.toml")
@@ -27,7 +27,7 @@ def one_by_one(scene, **arrays):
 
 class Values(unittest.TestCase):
     def test_are_those_of_the_reference(self):
-        for row in rows("scenes_expected.csv", 15):
+        for row in scene_rows():
             scene = vcrit.Scene(f"scenes/{row['scene']}")
             # The scene's own number, three times; a unit's factor rounds before, as in test_scene.py.
             found = scene.critical_velocity(mu0=np.full(3, scene.parameters["mu0"].value))

@@ -6,7 +6,7 @@ import unittest
 
 import vcrit
 from IPython.core.formatters import DisplayFormatter
-from support import program, relative_difference, rows
+from support import formula_rows, program, relative_difference
 
 ELASTIC, KELVIN, PRONY = "scenes/elastic.toml", "scenes/kelvin.toml", "scenes/prony.toml"
 
@@ -17,13 +17,18 @@ def derive(file):
 
 class Derivation(unittest.TestCase):
     def test_is_what_the_program_prints(self):
-        for row in rows("scenes_expected.csv", 15):
+        for row in formula_rows():
             file = f"scenes/{row['scene']}"
             with self.subTest(scene=file):
                 derivation = derive(file)
                 self.assertEqual(derivation.text, program("derive", file).stdout)
                 for format in ["latex", "markdown", "html", "json"]:
                     self.assertEqual(derivation.document(format), program("derive", file, "--format", format).stdout)
+
+    def test_is_refused_where_v_is_no_formula(self):
+        for row in formula_rows(False):
+            with self.assertRaisesRegex(vcrit.ModelError, r"v\* is no formula"):
+                derive(f"scenes/{row['scene']}")
 
     def test_has_the_programs_options(self):
         self.assertEqual(derive(KELVIN).document("latex", standalone=True),
@@ -107,7 +112,7 @@ class Notebook(unittest.TestCase):
         self.assertEqual([each.text.split(" = ")[0] for each in derivation.definitions], ["K_n", "K_d"])
 
     def test_is_given_balanced_latex(self):
-        for row in rows("scenes_expected.csv", 15):
+        for row in formula_rows():
             text = derive(f"scenes/{row['scene']}")._repr_latex_()
             self.assertEqual(text.count("{"), text.count("}"))
             self.assertEqual(text.count(r"\left"), text.count(r"\right"))

@@ -357,7 +357,7 @@ BOOST_AUTO_TEST_CASE(an_indenter_on_a_drive_says_what_it_needs) {
   const std::string spring = "normal = \"k\"\npoisson = 0.3";
   for (const bool separation : {false, true}) {
     BOOST_TEST(why(spring, "kd | c", separation).empty());
-    BOOST_TEST(why(spring, "kd - (mass(m1) | k)", separation).find("this one holds masses") !=
+    BOOST_TEST(why(spring, "kd - (mass(m1) | kd)", separation).find("this one holds masses") !=
                std::string::npos);
     BOOST_TEST(why(kelvin, "kd", separation).find("cells with a memory each move the others") !=
                std::string::npos);

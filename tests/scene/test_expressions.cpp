@@ -117,6 +117,64 @@ BOOST_AUTO_TEST_CASE(parameters_measure_what_fits) {
   BOOST_CHECK(modulus->source->settable.at("y") == Dimension::modulus);
 }
 
+// Below an indenter elements of the drive are in N/m and N s/m, those of the half-space in Pa and
+// Pa s; each expression has the unit of its own element.
+BOOST_AUTO_TEST_CASE(on_a_drive_an_indenter_has_both_kinds_of_units) {
+  const auto made = [](const std::string& elements) {
+    return parse_problem(
+        "[contact]\nnormal = \"kelvin(E0, c0)\"\npoisson = 0.3\n[indenter]\nshape = \"flat\"\n"
+        "radius = 1e-3\n[drive]\nnetwork = \"kd | cd\"\n[elements]\n" +
+            elements,
+        "s.toml");
+  };
+  const auto dimension = [&](const std::string& elements) {
+    return made(elements)->source->settable.at("x");
+  };
+  BOOST_CHECK(dimension("kd = \"2*x\"\n") == Dimension::stiffness);
+  BOOST_CHECK(dimension("kd = \"2*x\"\nx = \"3 N/mm\"\n") == Dimension::stiffness);
+  BOOST_CHECK(dimension("E0 = \"2*x\"\nx = \"3 GPa\"\n") == Dimension::modulus);
+  BOOST_CHECK(dimension("E0 = \"2*x\"\n") == Dimension::modulus);
+  BOOST_CHECK(dimension("cd = \"x/3\"\n") == Dimension::damping);
+  BOOST_CHECK(dimension("c0 = \"x/3\"\n") == Dimension::viscosity);
+  BOOST_CHECK(dimension("cd = \"kd*x\"\nc0 = \"E0*x\"\n") == Dimension::time);
+  // Moduli cancel.
+  BOOST_CHECK(dimension("kd = \"x*c0/(E0*t)\"\nt = \"1 s\"\n") == Dimension::stiffness);
+  // By its letter, of the part in which the expression is.
+  const auto first = [&](const std::string& elements) { return made(elements)->source->settable; };
+  BOOST_CHECK(first("kd = \"k5*r\"\n").at("k5") == Dimension::stiffness);
+  BOOST_CHECK(first("E0 = \"k5*r\"\n").at("k5") == Dimension::modulus);
+  const std::string moved =
+      "[oscillation]\nangular_frequency = 1\namplitude = 1e-7\nindentation = 5e-7\n[friction]\n"
+      "coefficient = 0.3\n";
+  const Values values =
+      made("kd = \"2*k0\"\nk0 = \"3 N/mm\"\ncd = 1\nE0 = 1\nc0 = 1\n" + moved).values();
+  BOOST_TEST(values.at({"k0"}) == 3000);
+
+  const auto refused = [&](const std::string& elements) {
+    return test::refusal([&] { made(elements); });
+  };
+  BOOST_TEST(has(refused("kd = \"2*E0\"\n"),
+                 "s.toml:10:6: found kd = \"2*E0\", a modulus in Pa; expected a stiffness in N/m"));
+  BOOST_TEST(has(refused("kd = \"2*E0\"\n"), "elements of the half-space are per length"));
+  BOOST_TEST(has(refused("c0 = \"2*cd\"\n"), "expected a viscosity in Pa.s"));
+  BOOST_TEST(has(refused("kd = \"2*x\"\nx = \"3 GPa\"\n"), "expected a stiffness in N/m"));
+  BOOST_TEST(has(refused("E0 = \"2*x\"\nx = \"3 N/mm\"\n"), "expected a modulus in Pa"));
+  BOOST_TEST(has(refused("kd = \"2*x\"\nx = \"3 km\"\n"), "a modulus in Pa"));
+  BOOST_TEST(has(refused("kd = \"E0\"\n"), "they need names of their own"));
+  BOOST_TEST(has(refused("kd = \"kd*kd\"\n"), "circle"));
+}
+
+// Nor may one name be an element of both.
+BOOST_AUTO_TEST_CASE(half_space_and_drive_share_no_element) {
+  BOOST_TEST(has(test::refusal([] {
+                   parse_problem(
+                       "[contact]\nnormal = \"k\"\npoisson = 0.3\n[indenter]\nshape = "
+                       "\"flat\"\nradius = 1e-3\n[drive]\nnetwork = \"k\"\n",
+                       "s.toml");
+                 }),
+                 "found \"k\" as a stiffness in N/m; expected a modulus in Pa, as at s.toml:2:"));
+}
+
 BOOST_AUTO_TEST_CASE(what_does_not_fit_is_refused) {
   BOOST_TEST(has(message("k1", "k1 = \"2*k0 + 3\"\nk0 = \"1 N/m\"\n"),
                  "s.toml:11:6: found k1 = \"2*k0 + 3\", which adds a stiffness in N/m and a plain "

@@ -9,6 +9,7 @@
 
 #include "base/files.hpp"
 #include "compare/agreement.hpp"
+#include "compare/without_formula.hpp"
 #include "critical/critical_velocity.hpp"
 #include "derivation/derivation.hpp"
 #include "formula/symbols.hpp"
@@ -130,14 +131,13 @@ BOOST_AUTO_TEST_CASE(a_reduced_stiffness_in_the_simulator_is_red) {
 
 // Whatever stands on the harmonic balance says the same: only the motion knows better.
 BOOST_AUTO_TEST_CASE(a_fault_in_formula_and_harmonic_balance_is_red) {
-  const std::vector<std::string> red{"generated",  "generated_batch",
-                                     "generated_fast", "generated_certified",
-                                     "simulation", "evaluators",
-                                     "marched"};
+  const std::vector<std::string> red{
+      "generated",  "generated_batch", "generated_fast", "generated_certified",
+      "simulation", "evaluators",      "marched"};
   for (const int thousandths : {-2, 2})
     check_red(heard(balance_off_by(thousandths), zener, formula_off_by(thousandths, zener)), red);
-  for (const char* file :
-       {VCRIT_SCENES "/sonotrode.toml", VCRIT_TEST_DATA "/../matrix/kinds/drive_graph_masses.toml"}) {
+  for (const char* file : {VCRIT_SCENES "/sonotrode.toml",
+                           VCRIT_TEST_DATA "/../matrix/kinds/drive_graph_masses.toml"}) {
     const Derivation scene = symbolic::derive(read_scene(file));
     BOOST_TEST(passed(heard(own_witnesses(), scene)));
     check_red(heard(balance_off_by(2), scene, formula_off_by(2, scene)), red);
@@ -147,8 +147,8 @@ BOOST_AUTO_TEST_CASE(a_fault_in_formula_and_harmonic_balance_is_red) {
 // The same where nothing marches in time: periodic motion on a grid knows better. Below a measured
 // drive the last stick of the structure knows better, too.
 BOOST_AUTO_TEST_CASE(without_a_march_the_same_fault_is_red) {
-  for (const char* file : {VCRIT_SCENES "/measured_drive.toml",
-                           VCRIT_TEST_DATA "/../matrix/kinds/lossy.toml"}) {
+  for (const char* file :
+       {VCRIT_SCENES "/measured_drive.toml", VCRIT_TEST_DATA "/../matrix/kinds/lossy.toml"}) {
     const Derivation scene = symbolic::derive(read_scene(file));
     BOOST_TEST_CONTEXT(file) {
       const SceneReport right = heard(own_witnesses(), scene);
@@ -193,6 +193,32 @@ BOOST_AUTO_TEST_CASE(a_fault_in_the_half_space_is_red) {
     BOOST_TEST((outcome(*std::ranges::find(report.comparisons, key, &Comparison::key)) ==
                 Comparison::Outcome::failed),
                key);
+}
+
+// On a drive that gives there is no formula, and plain cells that march know better: with less
+// friction in them v* is less, and at one speed friction another.
+BOOST_AUTO_TEST_CASE(a_fault_below_an_indenter_on_a_drive_is_red) {
+  const auto outcome_of = [](const SceneReport& report, const char* key) {
+    return outcome(*std::ranges::find(report.comparisons, key, &Comparison::key));
+  };
+  for (const bool fault : {false, true}) {
+    const Problem scene =
+        read_problem(fault ? VCRIT_TEST_DATA "/../matrix/kinds/indenter_drive.toml"
+                           : VCRIT_SCENES "/leaf_spring.toml");
+    Witnesses witnesses = own_witnesses();
+    if (fault)
+      witnesses.half_space = [](const Problem& of) {
+        const Symbol& friction = of->coefficient.symbol;
+        return indenter::HalfSpace(of.with({{friction, 0.998 * of.values().at(friction)}}));
+      };
+    const SceneReport report = report_without_formula(scene, "no formula", witnesses);
+    BOOST_TEST(report.failure == "No formula.");
+    const auto expected = fault ? Comparison::Outcome::failed : Comparison::Outcome::passed;
+    for (const char* key : {"marched", "cells"})
+      BOOST_TEST((outcome_of(report, key) == expected), key << " " << fault);
+    // Friction's own, which the fault does not touch.
+    BOOST_TEST((outcome_of(report, "rise") == Comparison::Outcome::passed));
+  }
 }
 
 BOOST_AUTO_TEST_CASE(a_speed_of_zero_or_infinity_that_is_none_is_red) {

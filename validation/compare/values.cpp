@@ -1,7 +1,5 @@
 #include "compare/values.hpp"
 
-#include <set>
-
 #include "base/errors.hpp"
 #include "compare/formulas.hpp"
 #include "formula/symbols.hpp"
@@ -31,18 +29,21 @@ const char* place_of(const Element& element) {
   throw Bug("an element without a place");
 }
 
-// Below an indenter the elements of the drive alone are springs and dampers.
+// Below an indenter that of the half-space's elements is another than that of the drive's.
+Dimension dimension_of(const Problem& problem, const Symbol& symbol, NumberRole role) {
+  const NumberRow& row = number_row(role);
+  if (!problem->indenter) return row.dimension;
+  const auto& settable = problem->source->settable;
+  const auto known = settable.find(to_text(as_called(problem, symbol)));
+  return known == settable.end() ? row.in_half_space : known->second;
+}
+
 std::map<Symbol, ValueKind> kinds_of_elements(const Problem& problem) {
   std::map<Symbol, ValueKind> kinds;
-  std::set<Symbol> of_drive;
-  if (const ReducedNetwork* drive = problem->drive_network())
-    for (const Symbol& symbol : symbols_of(drive->network())) of_drive.insert(symbol);
   for_each_element(problem, [&](const Element& element) {
     for_each_number(element, [&](const Symbol& symbol, NumberRole role) {
-      const Dimension dimension = problem->indenter && !of_drive.contains(symbol)
-                                      ? number_row(role).in_half_space
-                                      : number_row(role).dimension;
-      kinds[symbol] = {si_unit(dimension), std::string(number_row(role).words) + place_of(element)};
+      kinds[symbol] = {si_unit(dimension_of(problem, symbol, role)),
+                       std::string(number_row(role).words) + place_of(element)};
     });
   });
   return kinds;

@@ -2,11 +2,14 @@
 #pragma once
 
 #include "compare/scene_report.hpp"
+#include "compare/witnesses.hpp"
 
 namespace vcrit::validation {
 
-/// Its v*, its friction from rest to sliding, and why nothing is compared with a formula: `why`,
-/// which is the report's `failure`, too. Throws InputError for missing values.
-SceneReport report_without_formula(const Problem& problem, const std::string& why);
+/// Its v* and its friction from rest to sliding, both held against plain cells that march in the
+/// witnesses' half-space, and why nothing is compared with a formula: `why`, which is the report's
+/// `failure`, too. Throws InputError for missing values.
+SceneReport report_without_formula(const Problem& problem, const std::string& why,
+                                   const Witnesses& witnesses = own_witnesses());
 
 }  // namespace vcrit::validation

@@ -45,7 +45,7 @@ std::string checks_words(const SceneReport& report) {
              not_run = count(report, Comparison::Outcome::not_run),
              made = report.comparisons.size() - not_run;
   std::string words = failed > 0 ? fmt::format("{} of {} checks failed", failed, made)
-                                 : fmt::format("{} checks passed", made);
+                                 : fmt::format("{} check{} passed", made, made == 1 ? "" : "s");
   const Comparison* closest = tightest(report);
   if (failed == 0 && closest != nullptr && closest->tolerance > 0)
     words += fmt::format(": the closest used {:.2g} % of its tolerance",
@@ -69,8 +69,9 @@ std::string velocity_words(const SceneReport& report) {
 }
 
 std::string count_words(std::size_t made, std::size_t failed, std::size_t not_run) {
-  std::string words = failed > 0 ? fmt::format("{} of {} comparisons failed", failed, made)
-                                 : fmt::format("{} comparisons passed", made);
+  std::string words = failed > 0
+                          ? fmt::format("{} of {} comparisons failed", failed, made)
+                          : fmt::format("{} comparison{} passed", made, made == 1 ? "" : "s");
   if (not_run > 0) words += fmt::format(", {} not run", not_run);
   return words;
 }

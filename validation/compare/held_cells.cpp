@@ -1,0 +1,193 @@
+#include "compare/held_cells.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "base/constants.hpp"
+#include "base/errors.hpp"
+
+namespace vcrit::validation {
+
+namespace {
+
+using indenter::HalfSpace;
+
+/// Place and speed of the body behind the moving drive, then a force for each relaxing spring.
+using HeldBody = Eigen::VectorXd;
+
+/// Balance of a step, by which the body moves by d: drive and inertia take `slope` d + `rest`, and
+/// what is left, `share` of it, are the cells.
+class HeldSteps {
+ public:
+  HeldSteps(const HalfSpace& half_space, double velocity, int cells, int steps)
+      : half_space_(half_space),
+        holder_(half_space.holder().value()),
+        steps_(steps),
+        step_(two_pi / half_space.omega() / steps),
+        driven_(velocity * step_),
+        // A body or a damper is balanced over the step; springs alone, which have no rate, at its
+        // end.
+        share_(holder_.mass > 0 || holder_.drive.damper > 0 ? 0.5 : 1),
+        forces_(static_cast<std::size_t>(cells)) {
+    const double width = half_space.edge() / cells;
+    for (int i = 0; i < cells; ++i) gaps_.push_back(half_space.gap().at((i + 0.5) * width));
+    stiffness_ = 2 * width * half_space.static_modulus();
+    slope_ = 2 * holder_.mass / (step_ * step_) + holder_.drive.damper / step_ +
+             share_ * holder_.drive.equilibrium;
+    for (const MaxwellBranch& branch : holder_.drive.branches) {
+      left_.push_back(std::exp(-step_ / branch.time));
+      gained_.push_back(branch.stiffness * branch.time / step_ * (1 - left_.back()));
+      slope_ += share_ * gained_.back();
+    }
+  }
+
+  Eigen::Index size() const { return 2 + static_cast<Eigen::Index>(left_.size()); }
+
+  /// Below the mean friction of a body that slides.
+  HeldBody first() const {
+    HeldBody body = HeldBody::Zero(size());
+    double mean = 0;
+    for (const double gap : gaps_)
+      mean += half_space_.friction() * stiffness_ * std::max(0.0, half_space_.indentation() - gap);
+    body(0) = -mean / holder_.drive.equilibrium;
+    return body;
+  }
+
+  /// A period on from phase 0; the cells go on from where they are.
+  HeldBody period(HeldBody body) {
+    friction_ = bound_ = 0;
+    sticks_ = false;
+    for (int i = 1; i <= steps_; ++i) {
+      const double t = two_pi * i / steps_;
+      depth_ = half_space_.indentation() + half_space_.amplitude() * std::cos(t);
+      move(body);
+    }
+    return body;
+  }
+
+  HeldMarch result() const { return {friction_ / bound_, sticks_}; }
+
+ private:
+  struct Pull {
+    double force = 0, slope = 0;
+  };
+
+  double bound(std::size_t i) const {
+    return half_space_.friction() * stiffness_ * std::max(0.0, depth_ - gaps_[i]);
+  }
+
+  /// Of all cells, after the body has moved by d.
+  Pull pull(double d) const {
+    const double spring = half_space_.shear_ratio() * stiffness_, moved = spring * (d + driven_);
+    Pull all;
+    for (std::size_t i = 0; i < gaps_.size(); ++i) {
+      const double most = bound(i), force = forces_[i] + moved;
+      all.force += std::clamp(force, -most, most);
+      if (std::abs(force) < most) all.slope += spring;
+    }
+    return all;
+  }
+
+  // Newton's method: all is made of straight pieces and rises.
+  void move(HeldBody& body) {
+    double rest = -2 * holder_.mass / step_ * body(1) + holder_.drive.equilibrium * body(0) +
+                  (1 - share_) * force_;
+    for (std::size_t j = 0; j < left_.size(); ++j)
+      rest += (1 - share_ + share_ * left_[j]) * body(2 + static_cast<Eigen::Index>(j));
+    constexpr int most_corrections = 60;
+    double d = 0, piece = -1;
+    for (int i = 0; i < most_corrections; ++i) {
+      const Pull cells = pull(d);
+      d -= (slope_ * d + rest + share_ * cells.force) / (slope_ + share_ * cells.slope);
+      if (cells.slope == piece) break;  // the same straight piece as before, and so its root
+      piece = cells.slope;
+    }
+    body(0) += d;
+    // Without a mass nothing rests on it.
+    body(1) = holder_.mass > 0 ? 2 * d / step_ - body(1) : d / step_;
+    for (std::size_t j = 0; j < left_.size(); ++j) {
+      double& force = body(2 + static_cast<Eigen::Index>(j));
+      force = left_[j] * force + gained_[j] * d;
+    }
+    note(d);
+  }
+
+  void note(double d) {
+    const double moved = half_space_.shear_ratio() * stiffness_ * (d + driven_);
+    force_ = 0;
+    for (std::size_t i = 0; i < gaps_.size(); ++i) {
+      const double most = bound(i);
+      forces_[i] = std::clamp(forces_[i] + moved, -most, most);
+      force_ += forces_[i];
+      bound_ += most;
+      sticks_ = sticks_ || std::abs(forces_[i]) < most * (1 - at_bound);
+    }
+    friction_ += force_;
+  }
+
+  static constexpr double at_bound = 1e-9;  // relative: of sums in doubles
+
+  const HalfSpace& half_space_;
+  const indenter::Holder& holder_;
+  int steps_;
+  double step_, driven_, share_;
+  std::vector<double> gaps_, forces_, left_, gained_;
+  double stiffness_ = 0, slope_ = 0, depth_ = 0, force_ = 0;
+  double friction_ = 0, bound_ = 0;
+  bool sticks_ = false;
+};
+
+// Relative, of a period's way: below what steps and cells err by.
+constexpr double repeats = 1e-9;
+constexpr int most_periods_of_cells = 40;
+
+/// Numbers of a body in the lengths and forces that they have, to be told apart from rounding.
+double held_size(const HalfSpace& half_space, const HeldBody& change) {
+  const indenter::Holder& holder = half_space.holder().value();
+  double size = std::max(std::abs(change(0)), std::abs(change(1)) / half_space.omega());
+  for (Eigen::Index j = 2; j < change.size(); ++j)
+    size = std::max(size, std::abs(change(j)) /
+                              holder.drive.branches[static_cast<std::size_t>(j - 2)].stiffness);
+  return size;
+}
+
+}  // namespace
+
+// Periods, and between them Newton's method for the body's numbers that one leads back to: a body
+// that is hardly damped rings for thousands of periods. What the cells remember is gone after one,
+// since each slides in it.
+HeldMarch march_held_cells(const HalfSpace& half_space, double velocity, int cells, int steps) {
+  HeldSteps motion(half_space, velocity, cells, steps);
+  HeldBody body = motion.first();
+  body = motion.period(body);
+  const double way = half_space.amplitude() + velocity / half_space.omega();
+  Eigen::MatrixXd map;
+  for (int i = 0; i < most_periods_of_cells; ++i) {
+    const HeldBody next = motion.period(body), lack = next - body;
+    if (held_size(half_space, lack) <= repeats * way) return motion.result();
+    if (i % 4 == 0) {  // anew from time to time, as it changes with where cells stick
+      const HeldSteps before = motion;
+      map = Eigen::MatrixXd::Identity(lack.size(), lack.size());
+      for (Eigen::Index j = 0; j < lack.size(); ++j) {
+        HeldBody unit = HeldBody::Zero(lack.size());
+        const double nudge = 1e-5 * way;  // far above rounding, far below a stick
+        unit(j) =
+            nudge *
+            (j == 0 ? 1
+             : j == 1
+                 ? half_space.omega()
+                 : half_space.holder()->drive.branches[static_cast<std::size_t>(j - 2)].stiffness);
+        HeldSteps tried = before;
+        const HeldBody base = tried.period(next);
+        HeldSteps moved = before;
+        map.col(j) -= (moved.period(next + unit) - base) / unit(j);
+      }
+    }
+    body = next + map.fullPivLu().solve(motion.period(next) - next);
+  }
+  throw ModelError("the march of plain cells finds no motion that repeats");
+}
+
+}  // namespace vcrit::validation
