@@ -116,16 +116,15 @@ std::optional<Figure> answer_figure(const SceneReport& report) {
   Figure figure;
   figure.name = "friction_over_speed";
   figure.title = "Friction over sliding speed";
-  figure.caption =
-      "Mean friction with vibration over that without, by simulation. Above v* vibration changes "
-      "nothing.";
+  const double full_friction = full_friction_of(report);
+  figure.caption = fmt::format(
+      "Mean friction with vibration over that without{}, by simulation. Above v* "
+      "vibration changes nothing.",
+      std::isfinite(full_friction) ? ", " + rounded(full_friction, "N") : "");
   figure.height = 280;
   figure.x = {"sliding speed, " + scale.unit, false, std::pair{0.0, end * scale.factor}, {}};
   figure.y = {"friction / friction without vibration", false, std::pair{0.0, 1.05}, {}};
   FigureSeries series;
-  const double full_friction = full_friction_of(report);
-  if (std::isfinite(full_friction))
-    figure.caption += fmt::format(" Without it friction is {}.", rounded(full_friction, "N"));
   for (const Point& point : points)
     if (point.x <= 1.02 * end)
       series.points.push_back(
