@@ -6,7 +6,11 @@
 
 #include "streams.hpp"
 
+#include "base/errors.hpp"
+#include "base/messages.hpp"
+#include "base/numbers.hpp"
 #include "base/rounded.hpp"
+#include "base/trimmed.hpp"
 #include "problem/variants.hpp"
 #include "scene/settings.hpp"
 
@@ -40,6 +44,17 @@ Problem SceneOptions::read(const std::function<Frequency(const Problem&)>& frequ
     if (const auto own = beyond_fitted_range(problem, *omega, *omega)) std::erase(warnings, *own);
   for (const std::string& warning : warnings) warn(warning);
   return warning_of(problem, std::move(warnings));
+}
+
+double ratio_of(const std::string& text, const char* option, const char* expected) {
+  const bool percent = text.ends_with('%');
+  const auto number = to_double(trimmed(text.substr(0, text.size() - (percent ? 1 : 0)), " "));
+  if (!number) throw InputError({option}, fmt::format("\"{}\"", printable(text)), expected);
+  return percent ? *number / 100 : *number;
+}
+
+double speed_ratio_of(const std::string& text) {
+  return ratio_of(text, "--velocity-ratio", "a multiple of v*: 0.5 or 50%");
 }
 
 void add_digits(CLI::App& command, int& digits) {

@@ -45,6 +45,12 @@ void add_choice(CLI::App& command, const std::string& option, T& target, const C
       ->default_str(names.front());
 }
 
+/// "0.5" or "50%", of that option. Throws InputError, which says what was `expected`.
+double ratio_of(const std::string& text, const char* option, const char* expected);
+
+/// The same of --velocity-ratio.
+double speed_ratio_of(const std::string& text);
+
 /// --digits of the numbers in what people read.
 void add_digits(CLI::App& command, int& digits);
 

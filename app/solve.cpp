@@ -26,8 +26,7 @@ using design::Sought;
 
 struct SolveOptions {
   SceneOptions scene;
-  std::string sought, velocity, from, to;
-  double friction_ratio = 0;
+  std::string sought, friction_ratio, velocity, from, to;
   int samples = design::usual_samples, digits = few_digits;
   bool json = false;
 };
@@ -77,7 +76,7 @@ Question question_of(const SolveOptions& options) {
       options.scene.read(sought == Sought::frequency ? SceneOptions::Frequency::varied
                                                      : SceneOptions::Frequency::of_the_scene),
       sought,
-      options.friction_ratio,
+      ratio_of(options.friction_ratio, "--friction-ratio", "a ratio below 1: 0.8 or 80%"),
       velocity,
       from,
       to,
@@ -172,7 +171,8 @@ void warn_of_answer(Question& question, const std::string& warning) {
 void run_solve(const SolveOptions& options) {
   Question question = question_of(options);
   const Answer answer = design::solve(question);
-  for (const std::string& warning : unstated_error(question.problem)) warn_of_answer(question, warning);
+  for (const std::string& warning : unstated_error(question.problem))
+    warn_of_answer(question, warning);
   // The smallest frequency is one because all below it were asked.
   if (question.sought == Sought::frequency)
     if (const auto beyond =
@@ -195,7 +195,10 @@ void add_solve(CLI::App& program) {
   command->add_option("--for", options->sought, "what is sought")
       ->required()
       ->check(CLI::IsMember(names_of_sought()));
-  command->add_option("--friction-ratio", options->friction_ratio, "mu_macro/mu0 to reach, below 1")
+  command
+      ->add_option("--friction-ratio", options->friction_ratio,
+                   "friction to reach, over that without vibration: 0.8 or 80%")
+      ->type_name("RATIO")
       ->required();
   command->add_option("--velocity", options->velocity,
                       "mean velocity of the drive: 0.02 or \"20 mm/s\"; not with --for velocity");

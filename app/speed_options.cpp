@@ -6,10 +6,8 @@
 
 #include "answers/critical_onset.hpp"
 #include "base/errors.hpp"
-#include "base/messages.hpp"
-#include "base/numbers.hpp"
-#include "base/trimmed.hpp"
 #include "base/units.hpp"
+#include "options.hpp"
 
 namespace vcrit::app {
 
@@ -28,22 +26,13 @@ void SpeedOptions::add_to(CLI::App& command, std::optional<double> usual_ratio) 
   }
 }
 
-double ratio_of(const std::string& text) {
-  const bool percent = text.ends_with('%');
-  const auto number = to_double(trimmed(text.substr(0, text.size() - (percent ? 1 : 0)), " "));
-  if (!number)
-    throw InputError({"--velocity-ratio"}, fmt::format("\"{}\"", printable(text)),
-                     "a multiple of v*: 0.5 or 50%");
-  return percent ? *number / 100 : *number;
-}
-
 Speed SpeedOptions::of(const Problem& problem) const {
   const CriticalOnset onset = critical_onset(problem);
   const double critical = onset.contact_velocity;
   const bool by_ratio = velocity_.empty();
   if (by_ratio && std::isinf(critical))
     throw ModelError(onset.reason + ": --velocity-ratio has no meaning, give --velocity");
-  const double velocity = by_ratio ? ratio_of(ratio_) * critical
+  const double velocity = by_ratio ? speed_ratio_of(ratio_) * critical
                                    : parse_quantity(velocity_, Dimension::velocity, {"--velocity"});
   if (!(velocity > 0 && std::isfinite(velocity)))
     throw InputError({by_ratio ? "--velocity-ratio" : "--velocity"},

@@ -14,9 +14,6 @@ struct Speed {
   double ratio = 0;     ///< the same in units of v*
 };
 
-/// "0.5" or "50%". Throws InputError.
-double ratio_of(const std::string& text);
-
 class SpeedOptions {
  public:
   /// One of the two has to be given, unless there is a usual ratio.

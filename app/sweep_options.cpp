@@ -27,7 +27,8 @@ void add_sweep(CLI::App& program, std::function<void(const SweepOptions&)> run) 
   CLI::Option* velocity = command->add_option("--velocity", options->velocity,
                                               "one velocity of the drive for all rows");
   command
-      ->add_option("--velocity-ratio", options->velocity_ratio, "drive speed as a multiple of v*")
+      ->add_option("--velocity-ratio", options->velocity_ratio, "drive speed as a multiple of v*: 0.5 or 50%")
+      ->type_name("RATIO")
       ->excludes(velocity);
   command->add_option("--out", options->out,
                       "FILE.csv, or FILE.h5 or .nc (HDF5 by the conventions of netCDF-4), in SI "

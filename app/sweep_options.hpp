@@ -4,7 +4,6 @@
 
 #include <CLI/CLI.hpp>
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,8 +16,7 @@ struct SweepOptions {
   SceneOptions scene;
   std::vector<std::string> over;
   std::vector<std::string> quantities;
-  std::string velocity, out;
-  std::optional<double> velocity_ratio;
+  std::string velocity, velocity_ratio, out;
   maps::StreamOptions stream;
   bool json = false;
 };

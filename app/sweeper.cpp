@@ -85,7 +85,8 @@ Sweep sweep_of(const SweepOptions& options) {
     for (const std::string& warning : unstated_error(sweep.problem)) warn_of(sweep, warning);
   if (!options.velocity.empty())
     sweep.velocity = parse_quantity(options.velocity, Dimension::velocity, {"--velocity"});
-  sweep.velocity_ratio = options.velocity_ratio;
+  if (!options.velocity_ratio.empty())
+    sweep.velocity_ratio = speed_ratio_of(options.velocity_ratio);
   return sweep;
 }
 

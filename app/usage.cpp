@@ -49,13 +49,95 @@ std::string meant(const std::string& word, const std::vector<std::string>& names
   return found ? fmt::format("did you mean {}?", *found) : advice;
 }
 
-InputError not_expected(const std::string& rest, const CLI::App& program,
-                        const std::string& first) {
-  std::vector<std::string> options = long_options(program);
+/// The command that the line begins with, or the program itself.
+const CLI::App& asked_of(const CLI::App& program, const std::string& first) {
   for (const CLI::App* command : commands_of(program))
-    if (command->get_name() == first) options = long_options(*command);
-  const std::string word = rest.substr(0, rest.find_first_of(" ="));
-  return {{whole_line}, rest, "the arguments that --help lists", meant(word, options)};
+    if (command->get_name() == first) return *command;
+  return program;
+}
+
+std::string word_of_option(const std::string& word) { return word.substr(0, word.find('=')); }
+
+bool names_option(const std::string& word) { return word.starts_with('-') && word != "-"; }
+
+/// The first option that the line has too many, or else its first word.
+std::string too_many(const std::vector<std::string>& rest) {
+  const auto option = std::find_if(rest.begin(), rest.end(), names_option);
+  return option == rest.end() ? rest.front() : *option;
+}
+
+/// "one SCENE", where a command has room for one.
+std::string room_for(const CLI::App& command) {
+  const auto positional = command.get_options([](const CLI::Option* option) {
+    return option->get_positional() && option->get_items_expected_max() == 1;
+  });
+  return positional.size() == 1 ? "one " + positional.front()->get_name(true)
+                                : "the arguments that --help lists";
+}
+
+InputError not_expected(const CLI::App& program, const std::string& first) {
+  const CLI::App& command = asked_of(program, first);
+  const std::string word = too_many(program.remaining(true));
+  if (!names_option(word)) return {{whole_line}, word, room_for(command), advice};
+  return {{whole_line},
+          word,
+          "the arguments that --help lists",
+          meant(word_of_option(word), long_options(command))};
+}
+
+/// An option before any command: one of the program, or one that belongs behind its command.
+InputError option_first(const CLI::App& program, const std::string& first) {
+  const std::string word = word_of_option(first);
+  const auto own = nearest(word, long_options(program));
+  if (own) return {{whole_line}, first, "a command", fmt::format("did you mean {}?", *own)};
+  return {{whole_line}, first, "a command before its options", "vcrit COMMAND --help lists them"};
+}
+
+/// "SCENE", or "--for {amplitude,frequency}".
+std::string as_typed(const CLI::Option& option) {
+  if (option.get_positional()) return option.get_name(true);
+  const std::string type = option.get_type_name();
+  return option.get_name() + " " + after(type, "TEXT:").value_or(type);
+}
+
+/// All that a command still needs, at once: `first_of_them`, unless the command says more.
+InputError what_is_missing(const CLI::App& command, const std::string& first_of_them) {
+  std::vector<std::string> names, line;
+  for (const CLI::Option* option : command.get_options()) {
+    if (!option->get_required()) continue;
+    line.push_back(as_typed(*option));
+    if (option->count() == 0)
+      names.push_back(option->get_positional() ? option->get_name(true) : option->get_name());
+  }
+  if (names.empty()) names = line = {first_of_them};
+  return {{whole_line},
+          fmt::format("no {}", fmt::join(names, ", no ")),
+          fmt::format("vcrit {} {}", command.get_name(), fmt::join(line, " ")),
+          advice};
+}
+
+/// "Exactly 1 option from [--velocity,--velocity-ratio] is required and 2 were given".
+std::optional<InputError> choice_between(const std::string& text) {
+  const std::size_t open = text.find("from ["), close = text.find("] is required");
+  if (open == std::string::npos || close == std::string::npos) return std::nullopt;
+  std::string options = text.substr(open + 6, close - open - 6);
+  if (const std::size_t comma = options.rfind(','); comma != std::string::npos)
+    options.replace(comma, 1, " and ");
+  const bool none = text.find(" were given") == std::string::npos;
+  return InputError({whole_line}, none ? "none of " + options : options, "one of the two", advice);
+}
+
+/// "{amplitude,force}": the words in it.
+std::vector<std::string> words_of_set(const std::string& set) {
+  std::vector<std::string> words;
+  const std::size_t open = set.find('{'), close = set.find('}');
+  if (open == std::string::npos || close == std::string::npos) return words;
+  for (std::size_t begin = open + 1; begin < close;) {
+    const std::size_t end = std::min(set.find(',', begin), close);
+    words.push_back(set.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return words;
 }
 
 }  // namespace
@@ -86,14 +168,12 @@ InputError in_parts(const CLI::ParseError& error, const CLI::App& program,
             fmt::format("a command: {}", fmt::join(commands, ", ")),
             meant(first, commands)};
   const std::string text = error.what();
-  for (const char* begin :
-       {"The following argument was not expected: ", "The following arguments were not expected: "})
-    if (const auto rest = after(text, begin)) return not_expected(*rest, program, first);
-  if (const std::size_t end = text.find(" is required"); end != std::string::npos)
-    return {{whole_line},
-            after(text.substr(end), " is required and ").value_or("none"),
-            text.substr(0, end),
-            advice};
+  const bool lacks = text.ends_with(" is required"), too_much = !program.remaining(true).empty();
+  if (first.starts_with('-') && (lacks || too_much)) return option_first(program, first);
+  if (too_much) return not_expected(program, first);
+  if (const auto chosen = choice_between(text)) return *chosen;
+  if (lacks)
+    return what_is_missing(asked_of(program, first), text.substr(0, text.find(" is required")));
   if (const auto rest = after(text, "Could not convert: "))
     if (const std::size_t sign = rest->find(" = "); sign != std::string::npos)
       return {{rest->substr(0, sign)}, rest->substr(sign + 3), "a number", advice};
@@ -110,7 +190,7 @@ InputError in_parts(const CLI::ParseError& error, const CLI::App& program,
     }
   for (const char* word : {"Value ", "found "})
     if (const auto value = after(found, word)) found = *value;
-  return {{text.substr(0, colon)}, found, expected, advice};
+  return {{text.substr(0, colon)}, found, expected, meant(found, words_of_set(expected))};
 }
 
 }  // namespace vcrit::app

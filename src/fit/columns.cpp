@@ -23,8 +23,10 @@ const std::array<Known, measured_quantities>& known() {
   static const std::array<Known, measured_quantities> all{
       {{{"frequency", "freq", "f"}, Dimension::frequency},
        {{"angular_frequency", "omega"}, Dimension::angular_frequency},
-       {{"storage", "storage_modulus", "storage_stiffness", "e'", "k'"}, Dimension::stiffness},
-       {{"loss", "loss_modulus", "loss_stiffness", "e''", "e\"", "k''", "k\""},
+       {{"storage", "storage_modulus", "storage_stiffness", "e'", "k'", "e_prime", "k_prime"},
+        Dimension::stiffness},
+       {{"loss", "loss_modulus", "loss_stiffness", "e''", "e\"", "k''", "k\"", "e_double_prime",
+         "k_double_prime"},
         Dimension::stiffness},
        {{"tan_delta", "tan_d", "loss_factor"}, Dimension::none},
        {{"storage_error"}, Dimension::stiffness},
@@ -56,6 +58,26 @@ Heading heading(std::string cell, const Place& place) {
   for (char& c : name)
     c = c == ' ' ? '_' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return result;
+}
+
+/// Spreadsheets of some countries write semicolons, instruments tabs.
+void refuse_other_separators(const std::string& cell, const Place& place) {
+  const bool tabs = cell.find('\t') != std::string::npos;
+  if (tabs || cell.find(';') != std::string::npos)
+    throw InputError(place,
+                     tabs ? "columns separated by tabs" : fmt::format("a column \"{}\"", cell),
+                     "columns separated by commas, and decimal points: 2.5, not 2,5");
+}
+
+/// "freq_hz": a column that is known, with its unit where a name ends.
+std::string with_unit_in_brackets(const std::string& name) {
+  const std::size_t bar = name.find_last_of('_');
+  if (bar == std::string::npos) return "";
+  const std::string begin = name.substr(0, bar);
+  for (const Known& each : known())
+    if (std::find(each.names.begin(), each.names.end(), begin) != each.names.end())
+      return fmt::format("a unit stands in brackets: \"{} [{}]\"", begin, si_unit(each.dimension));
+  return "";
 }
 
 std::optional<double> modulus_in(const std::string& unit, const Place& place) {
@@ -92,7 +114,8 @@ void refuse_sets(const TableColumns& columns, const Place& place) {
   if (columns[frequency] && columns[angular_frequency])
     throw InputError(place, "frequency and angular_frequency", "one of the two");
   if (columns[loss] && columns[tan_delta])
-    throw InputError(place, "loss and tan_delta", "one of the two");
+    throw InputError(place, "loss and tan_delta", "one of the two",
+                     "tan_delta is loss over storage: leave its column out");
   if (columns[storage_error].has_value() != columns[loss_error].has_value())
     throw InputError(place, "one of storage_error and loss_error", "both or none");
   if (columns[loss_error] && columns[tan_delta])
@@ -124,16 +147,14 @@ TableColumns columns_of(const CsvLines& header, const std::optional<Punch>& punc
   std::vector<bool> modulus(measured_quantities, false);
   const std::vector<std::string> cells = header.cells();
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    if (cells[i].find(';') != std::string::npos)
-      throw InputError(header.place(), fmt::format("a column \"{}\"", cells[i]),
-                       "columns separated by commas, and decimal points: 2.5, not 2,5");
+    refuse_other_separators(cells[i], header.place());
     const Heading found = heading(cells[i], header.place());
     const auto match = std::find_if(known().begin(), known().end(), [&](const Known& each) {
       return std::find(each.names.begin(), each.names.end(), found.name) != each.names.end();
     });
     if (match == known().end())
-      throw InputError(header.place(), fmt::format("a column \"{}\"", cells[i]),
-                       expected_columns());
+      throw InputError(header.place(), fmt::format("a column \"{}\"", cells[i]), expected_columns(),
+                       with_unit_in_brackets(found.name));
     const auto quantity = static_cast<std::size_t>(match - known().begin());
     auto& column = columns.of[quantity];
     if (column)

@@ -20,6 +20,36 @@ constexpr int most_branches = 100000;
 // Stands for one of unknown kind where the rest is read on, for its errors.
 constexpr const char* unknown_element = "k_unknown";
 
+bool is_of_name(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+}
+
+/// An element by the letter that textbooks give it: E and G are moduli, eta is a viscosity. Empty
+/// for any other.
+std::string by_its_letter(const std::string& name) {
+  if (name.starts_with('k') || name.starts_with('c')) return name;
+  if (name.starts_with('E') || name.starts_with('G')) return "spring(" + name + ")";
+  if (name.starts_with("eta")) return "damper(" + name + ")";
+  return "";
+}
+
+/// The network with the kinds of its elements, where their letters tell all of them; else empty.
+std::string with_kinds(std::string_view text) {
+  std::string written;
+  for (std::size_t begin = 0, end = 0; begin < text.size(); begin = end) {
+    end = begin + 1;
+    if (!is_of_name(text[begin])) {
+      written += text[begin];
+      continue;
+    }
+    while (end < text.size() && is_of_name(text[end])) ++end;
+    const std::string name = by_its_letter(std::string(text.substr(begin, end - begin)));
+    if (name.empty() || (end < text.size() && text[end] == '(')) return "";
+    written += name;
+  }
+  return fmt::format("write \"{}\"", written);
+}
+
 class Parser {
  public:
   Parser(std::string_view text, Place place, const Surroundings& around)
@@ -106,7 +136,8 @@ class Parser {
         at, fmt::format("element \"{}\" of unknown kind", name),
         fmt::format("a name that begins with k (spring) or c (damper), spring({0}) or damper({0}), "
                     "or a network of that name",
-                    name));
+                    name),
+        around_.arguments.empty() ? with_kinds(text_) : "");
     if (!around_.complain) throw unknown;
     around_.complain(unknown);
     return spring({unknown_element});
@@ -224,10 +255,7 @@ class Parser {
     peek();
     const Place at = here();
     std::size_t end = position_;
-    const auto word = [](char c) {
-      return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
-    };
-    while (end < text_.size() && word(text_[end])) ++end;
+    while (end < text_.size() && is_of_name(text_[end])) ++end;
     if (end == position_) refuse(found(), expected);
     std::string name(text_.substr(position_, end - position_));
     if (const auto why = unsafe_as_identifier(name))

@@ -144,6 +144,8 @@ std::string other_sections() {
   return "[oscillation]\n" + to_fill("frequency", {"20 kHz"}, "data sheet of the transducer") +
          to_fill("amplitude", {"0.1 um"}, "half of peak to peak: vibrometer, or the data sheet") +
          to_fill("indentation", {"0.5 um"}, "mean: static force over static stiffness") +
+         "\n# Where the static force is known, leave the indentation out and take the marks off:\n"
+         "# [load]\n# force = \"50 N\"\n"
          "\n[friction]\n" +
          to_fill("coefficient", {"0.3"},
                  "friction over normal force without vibration: tribometer");

@@ -44,6 +44,21 @@ Dimension dimension_of(const std::string& name, const Problem& problem, const Pl
   return known_dimension(name, known, place, problem->source->named);
 }
 
+/// "lin", "log", or what else begins like one of them: "linear", "logspace".
+std::string spacing_of(const std::string& word) {
+  for (const char* spacing : {"lin", "log"})
+    if (word.starts_with(spacing)) return spacing;
+  return "";
+}
+
+/// An axis that lacks its lin or log, or writes it out.
+std::string meant_axis(const std::string& name, std::vector<std::string> parts) {
+  if (parts.size() == 3 && spacing_of(parts[0]).empty()) parts.insert(parts.begin(), "lin");
+  if (parts.size() != 4 || spacing_of(parts[0]).empty()) return "";
+  return fmt::format("did you mean \"{}={}:{}:{}:{}\"?", name, spacing_of(parts[0]), parts[1],
+                     parts[2], parts[3]);
+}
+
 std::size_t count(const std::string& text, const Place& place) {
   std::size_t n = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), n);
@@ -101,7 +116,7 @@ Axis parse_axis(const std::string& text, const Problem& problem) {
   }
   const auto parts = split(range, ':');
   if (parts.size() != 4 || (parts[0] != "lin" && parts[0] != "log"))
-    throw InputError(whole, fmt::format("\"{}\"", text), axis_form);
+    throw InputError(whole, fmt::format("\"{}\"", text), axis_form, meant_axis(name, parts));
   const Dimension dimension = dimension_of(name, problem, place);
   const double from = parse_quantity(parts[1], dimension, place);
   const double to = parse_quantity(parts[2], dimension, place);

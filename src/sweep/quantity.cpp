@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "base/identifiers.hpp"
+#include "base/trimmed.hpp"
 #include "problem/variation.hpp"
 #include "scene/settings.hpp"
 #include "simulation/system/steady_state.hpp"
@@ -78,6 +79,10 @@ const std::vector<std::string>& swept_quantity_names() {
 
 SweptQuantity parse_swept_quantity(const std::string& text, const Problem& problem) {
   const Place place = argument("quantity");
+  if (const std::size_t comma = text.find(','); comma != std::string::npos)
+    throw InputError(place, fmt::format("\"{}\"", text), "one name a word",
+                     fmt::format("several stand apart, without commas: {} {}",
+                                 text.substr(0, comma), trimmed(text.substr(comma + 1), " ")));
   const bool separates = problem->separation || problem->indenter;
   if (text.starts_with(sensitivity_prefix)) {
     const std::string name = text.substr(sensitivity_prefix.size());

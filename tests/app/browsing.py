@@ -33,6 +33,14 @@ CHARTS = """return [...document.querySelectorAll('.chart')].map((chart) => {
 })"""
 
 
+def lightness(colour):
+    """CIE L* of "#rrggbb"."""
+    linear = [c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4
+              for c in (int(colour[i:i + 2], 16) / 255 for i in (1, 3, 5))]
+    y = sum(w * c for w, c in zip([0.2126, 0.7152, 0.0722], linear))
+    return 116 * y ** (1 / 3) - 16
+
+
 def browser(profile):
     options = webdriver.ChromeOptions()
     options.binary_location = "/usr/bin/chromium"

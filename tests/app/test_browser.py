@@ -18,7 +18,7 @@ from program import PROGRAM, PROJECT
 
 SCENES = ["zener", "prony", "kelvin_rigid"]
 OUTSIDE = ["inadmissible"]
-MORE = ["sphere", "bridge"]
+MORE = ["sphere", "bridge", "tribometer"]
 
 class Browser(unittest.TestCase):
     @classmethod
@@ -108,10 +108,13 @@ class Browser(unittest.TestCase):
 
     def test_a_phone_shows_all_without_scrolling_sideways(self):
         self.width(390)
-        for name in [*SCENES, "index", "zener.evidence", "paper/index"]:
+        for name in [*SCENES, *MORE, "index", "zener.evidence", "paper/index"]:
             with self.subTest(page=name):
                 self.open(name)
                 self.assertLessEqual(self.run_script("return document.documentElement.scrollWidth"), 390)
+                lefts = self.run_script("return [...document.querySelectorAll('.explorer-parameters input[type=text]')].map("
+                                        "(field) => Math.round(field.getBoundingClientRect().left))")
+                self.assertLessEqual(len(set(lefts)), 1, "the fields stand in one column")
 
     def brightness(self, selector, style):
         rgb = self.run_script("return getComputedStyle(document.querySelector(arguments[0]))[arguments[1]]",

@@ -13,7 +13,7 @@ from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
 from selenium.webdriver.support.ui import WebDriverWait
 
-from browsing import CHARTS, PATIENCE, Ruler, browser, draw_charts, load, number, places
+from browsing import CHARTS, PATIENCE, Ruler, browser, draw_charts, lightness, load, number, places
 from program import PROGRAM, PROJECT
 
 PAGES = ["zener", "separation", "zener.evidence", "paper/index"]
@@ -152,10 +152,9 @@ class Charts(unittest.TestCase):
         if "colours" in record:
             self.assertEqual(by_value, {at: colour for (at, _), colour in
                                         zip(record["value"]["ticks"], record["colours"]) if at in by_value})
-        else:  # from dark to light
-            light = [sum(w * int(part) for w, part in zip([.2126, .7152, .0722], re.findall(r"\d+", by_value[value])))
-                     for value in sorted(by_value)]
-            self.assertEqual(light, sorted(light))
+        else:  # from light to dark
+            light = [lightness(by_value[value]) for value in sorted(by_value)]
+            self.assertEqual(light, sorted(light, reverse=True))
 
     def check(self, chart):
         record = chart["record"]
@@ -222,15 +221,45 @@ class Charts(unittest.TestCase):
             for part, own in zip(bar, right):
                 self.assertAlmostEqual(part, own, delta=Ruler.EXACT)
 
-    # The ends of viridis, from its publication: (0.267004, 0.004874, 0.329415) and (0.993248, 0.906157, 0.143936).
+    # From 0 each step is twice the one before, so that the first lost digit is seen; others are even. Lightness from 95 to 20
+    # in six steps is 15 a step, and 2 of CIE L* are the least that eyes tell apart.
     def test_a_map(self):
-        for value, values in [(axis("v", range=[0, 16]), [0, 16, None, 8]), (axis("v", True), [1e-3, 1e3, None, 1])]:
-            chart = self.plant(figure(map={"value": value, "x": [0, 5, 10], "y": [0, 0.5, 1], "values": values}))
+        digits = [0, 0.4, 0.6, 1.5, 3, 7, 9, 16, None]
+        for value, values, steps, bounds in [
+                (axis("v", range=[0, 16]), digits, [0, 0, 1, 2, 3, 4, 5, 5], ["0", "0.5", "1", "2", "4", "8", "16"]),
+                (axis("v", True), [1e-3, 5e-3, 2e-2, 0.5, 5, 50, 500, 1e3, None], [0, 0, 1, 2, 3, 4, 5, 5],
+                 ["0.001", "0.01", "0.1", "1", "10", "100", "1000"])]:
+            edges = [0, 3, 6, 10]
+            chart = self.plant(figure(map={"value": value, "x": edges, "y": [y / 10 for y in edges], "values": values}))
             self.check(chart)
-            colours = {colour for colour, _ in chart["map"]}
-            self.assertEqual(len(colours), 3)
-            self.assertLessEqual({"rgb(68,1,84)", "rgb(253,231,37)"}, colours)
-            self.assertEqual(self.script("return document.querySelector('#planted .colours text').textContent"), "v")
+            legend = self.script("return [...document.querySelectorAll('#planted .colours rect')].map((box) => box.getAttribute('fill'))")
+            self.assertEqual(self.script("return [...document.querySelectorAll('#planted .colours text')].map((text) => text.textContent)"),
+                             ["v", *bounds])
+            self.assertEqual(len(legend), 6)
+            for n, colour in enumerate(legend):
+                self.assertAlmostEqual(lightness(colour), 95 - 15 * n, delta=2)
+            found = {colour: path.count("M") for colour, path in chart["map"]}
+            self.assertEqual(found, {colour: steps.count(n) for n, colour in enumerate(legend)})
+
+    def ends(self, *lines):
+        """[name, where its foot is] of those at ends of lines."""
+        chart = self.plant(figure(series=list(lines)))
+        found = self.script("return [...document.querySelectorAll('#planted .ends .entry')].map((entry) => "
+                            "[entry.textContent, entry.transform.baseVal[0].matrix.f])")
+        self.assertEqual(chart["legend"], [each["name"] for each in lines])
+        return found
+
+    # The words' foot is 4 pixels below the end of the line; they are 15 high, and the frame is 200.
+    def test_names_at_the_ends_of_lines(self):
+        low, high = line([[0, 0], [10, 0.2]], name="low"), line([[0, 0], [10, 0.7]], name="high")
+        self.assertEqual(self.ends(low, high), [["low", 164], ["high", 64]])
+        near = line([[0, 1], [10, 0.21]], name="near")
+        self.assertEqual(self.ends(low, near), [["low", 177], ["near", 162]])  # 13 further than its line's end
+        self.assertEqual(self.ends(low, near, line([[0, 1], [10, 0.22]], name="third")), [])
+        for other in (line([[0, 1], [10, 0.5]], name="low"), line([[0, 1], [10, 0.3]], style="circles", name="marks"),
+                      line([[0, 1], [5, 0.3]], name="ends early"), line([[0, 1], [10, 0.3]], name="a name " * 40)):
+            self.plant(figure(series=[low, other]))
+            self.assertEqual(self.script("return document.querySelectorAll('#planted .ends .entry').length"), 0, other["name"])
 
     def overlaps(self):
         return self.script("""

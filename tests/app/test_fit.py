@@ -74,6 +74,16 @@ class Fit(Case):
         self.refused(2, ["fit", "data.csv", "--out", "a.toml", "--punch-radius", "1 mm", "--poisson", "0.6"],
                      "expected a number above -1, at most 0.5")
 
+    def test_headers_of_other_programs(self):
+        for header, words in [("freq_hz,storage,loss", 'a unit stands in brackets: "freq [Hz]"'),
+                              ("frequency [Hz]\tstorage [MPa]\tloss [MPa]", "found columns separated by tabs"),
+                              ("Frequency (Hz),Storage Modulus (MPa),Loss Modulus (MPa),Tan Delta", "leave its column out")]:
+            self.write(header + "\n1,2,3\n", "data.csv")
+            self.refused(2, ["fit", "data.csv", "--out", "a.toml", "--punch-radius", "1 mm", "--poisson", "0.3"], words)
+        usual, primed = (f"frequency [Hz],{names}\n1,2,.2\n10,3,.3\n100,4,.4\n" for names in
+                         ("storage [N/um],loss [N/um]", "E_prime [N/um],E_double_prime [N/um]"))
+        self.assertEqual(self.fit(usual)["branches"], self.fit(primed)["branches"])
+
     def test_noise_is_measured_and_the_numbers_are_within_their_errors(self):
         result = self.fit(table(stiffness, 0.01))
         self.assertEqual(len(result["branches"]), 3)

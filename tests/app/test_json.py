@@ -87,7 +87,7 @@ class Json(Case):
             self.assertEqual(told["place"], {"file": "command line"})
         for words, place, found, expected in (
                 (["eval", KELVIN, "--frobnicate"], "command line", "--frobnicate", "--help"),
-                (["eval"], "command line", "none", "SCENE"),
+                (["eval"], "command line", "no SCENE", "SCENE"),
                 (["generate", KELVIN, "--out", "g", "--language", "ada"], "--language", "ada", "one of {c++,"),
                 (["derive", KELVIN, "--budget", "few"], "--budget", "few", "a number of terms above 0"),
                 (["solve", KELVIN, "--for", "velocity", "--friction-ratio", "half"], "--friction-ratio", "half",

@@ -5,9 +5,27 @@ import os
 import pty
 import unittest
 
+import mpmath
+
 from program import PROGRAM, PROJECT, Case, example
 
 ZENER = example("zener")
+
+
+def shares():
+    """(p/v*) dv*/dp of the Zener scene, by derivatives of the modulus in 30 digits."""
+    mpmath.mp.dps = 30
+    at = {"omega": 2 * mpmath.pi * 20000, "mu0": mpmath.mpf("0.3"), "du_z": mpmath.mpf("1e-7"), "poisson": mpmath.mpf("0.3"),
+          "m": mpmath.mpf("5e-3"), "k0": mpmath.mpf("8e6"), "k1": mpmath.mpf("4e6"), "c1": mpmath.mpf(30), "kd": mpmath.mpf("2e6")}
+
+    def velocity(p):
+        damper = mpmath.mpc(0, p["omega"] * p["c1"])
+        normal = p["k0"] + p["k1"] * damper / (p["k1"] + damper)
+        tangential = normal * 2 * (1 - p["poisson"]) / (2 - p["poisson"])
+        receptance = 1 / tangential + 1 / (p["kd"] - p["m"] * p["omega"] ** 2)
+        return p["omega"] * p["mu0"] * p["du_z"] * abs(normal) * abs(receptance)
+
+    return {name: mpmath.diff(lambda x, name=name: velocity(at | {name: x}), value) * value / velocity(at) for name, value in at.items()}
 
 
 def on_terminal(*arguments, **environment):
@@ -69,6 +87,22 @@ class Numbers(Case):
                          self.answer("simulate", ZENER, "--velocity-ratio", "0.5"))
         self.refused(2, ["simulate", ZENER, "--velocity-ratio", "half"], 'found "half"; expected a multiple of v*: 0.5 or 50%')
 
+    def test_other_ratios_likewise(self):
+        solve = ["solve", ZENER, "--for", "velocity", "--friction-ratio"]
+        self.assertEqual(self.answer(*solve, "90%"), self.answer(*solve, "0.9"))
+        self.refused(2, [*solve, "half"], '--friction-ratio: found "half"; expected a ratio below 1: 0.8 or 80%')
+        sweep = ["sweep", ZENER, "--over", "k0=lin:7 N/um:8 N/um:2", "--quantity", "friction_ratio", "--velocity-ratio"]
+        self.assertEqual(self.out(*sweep, "50%"), self.out(*sweep, "0.5"))
+
+    # By mpmath: (k0/v*) dv*/dk0 and the like of |B| = mu0 du_z |K_n| |1/K_t + 1/(K_d - m omega^2)|.
+    def test_sensitivities_are_numbers_too(self):
+        rows = self.out("derive", ZENER, "--sensitivities").split("Sensitivities of this scene")[1].splitlines()[1:]
+        found = {name: float(value) for name, value in (row.split() for row in rows)}
+        self.assertEqual(list(found), sorted(found, key=lambda name: -abs(found[name])))
+        for name, share in shares().items():
+            self.assertAlmostEqual(found[name], share, delta=abs(share) * 5e-4)  # four digits
+        self.assertNotIn("of this scene", self.out("derive", ZENER, "--limits"))
+
     def test_critical_says_what_is_independent(self):
         text = self.out("critical", ZENER)
         self.assertTrue(text.startswith("Formula and simulation agree on v* = 4.095 mm/s.\n"), text)
@@ -102,6 +136,14 @@ class Tables(Case):
         self.refused(2, [*self.SWEEP[:3], "velocity=lin:1:2:100001", *self.SWEEP[4:]], "no file with so many rows")
         self.refused(2, [*self.SWEEP, "--resume"], "no file with --resume")
 
+    def test_an_axis_may_lack_its_spacing(self):
+        for range_ in ("1 mm/s:5 mm/s:5", "linear:1 mm/s:5 mm/s:5", "linspace:1 mm/s:5 mm/s:5"):
+            self.refused(2, [*self.SWEEP[:3], f"velocity={range_}", *self.SWEEP[4:]], 'did you mean "velocity=lin:1 mm/s:5 mm/s:5"?')
+
+    def test_quantities_stand_apart(self):
+        self.refused(2, [*self.SWEEP[:5], "regime,friction_ratio"], 'found "regime,friction_ratio"',
+                     "several stand apart, without commas: regime friction_ratio")
+
     def test_an_axis_may_have_been_meant(self):
         self.refused(2, ["sweep", ZENER, "--over", "freq=lin:1:2:3", "--quantity", "critical_velocity"], 'expected "frequency"')
 
@@ -116,10 +158,40 @@ class Help(Case):
         self.refused(2, ["evl", ZENER], 'found "evl"', "did you mean eval?")
         self.refused(2, ["eval", ZENER, "--jsn"], "found --jsn", "did you mean --json?")
         self.refused(2, ["help", "evla"], "did you mean eval?")
+        for arguments, meant in [
+                (["--vesion"], "--version"), (["--completion", "bsh"], "bash"), (["new", "a.toml", "--rheology", "zner"], "zener"),
+                (["derive", ZENER, "--format", "latx"], "latex"), (["solve", ZENER, "--for", "amplitud"], "amplitude"),
+                (["simulate", ZENER, "--method", "rk45", "--velocity", "1"], "rkf45"), (["eval", ZENER, "--digts=3"], "--digits")]:
+            self.refused(2, arguments, f"did you mean {meant}?")
+
+    def test_all_that_is_missing(self):
+        self.refused(2, ["eval"], "found no SCENE; expected vcrit eval SCENE;")
+        self.refused(2, ["fit", "data.csv"], "found no --out; expected vcrit fit DATA --out ")
+        self.refused(2, ["solve", ZENER], "found no --for, no --friction-ratio; expected vcrit solve SCENE --for {amplitude,",
+                     "--friction-ratio RATIO")
+        self.refused(2, ["derive"], "found no SCENE; expected vcrit derive SCENE")
+
+    def test_one_of_two(self):
+        both = "--velocity and --velocity-ratio"
+        self.refused(2, ["simulate", ZENER], f"found none of {both}; expected one of the two")
+        self.refused(2, ["simulate", ZENER, "--velocity", "1", "--velocity-ratio", "2"], f"found {both}; expected one of the two")
+
+    def test_too_much(self):
+        self.refused(2, ["eval", ZENER, "other.toml"], "found other.toml; expected one SCENE")
+        self.refused(2, ["plot", ZENER, "--over", "frequency"], "found --over; expected the arguments that --help lists")
+        self.refused(2, ["--digits", "3", "eval", ZENER], "found --digits; expected a command before its options")
 
     def test_languages_by_short_names(self):
         for short, full in [("c", "c99"), ("cpp", "c++"), ("js", "javascript"), ("py", "python")]:
             self.assertEqual(self.answer("generate", ZENER, "--out", short, "--language", short)["language"], full)
+
+
+class Networks(Case):
+    def test_letters_of_textbooks(self):
+        for network, written in [("E0 | (E1 - eta1)", "spring(E0) | (spring(E1) - damper(eta1))"), ("k0 | G1", "k0 | spring(G1)")]:
+            self.refused(2, ["eval", self.scene(normal=network)], f'write "{written}"')
+        message = self.refused(2, ["eval", self.scene(normal="E0 | pad")], 'element "E0" of unknown kind')
+        self.assertNotIn("write", message)
 
 
 class Colour(unittest.TestCase):

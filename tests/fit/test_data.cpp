@@ -138,7 +138,13 @@ BOOST_AUTO_TEST_CASE(wrong_headers) {
              "d.csv:1: found a column \"frequency [Hz];storage [N/um];loss [N/um]\"; expected "
              "columns separated by commas, and decimal points: 2.5, not 2,5");
   BOOST_TEST(message("frequency,storage,loss,tan_delta\n") ==
-             "d.csv:1: found loss and tan_delta; expected one of the two");
+             "d.csv:1: found loss and tan_delta; expected one of the two; tan_delta is loss over "
+             "storage: leave its column out");
+  BOOST_TEST(
+      message("freq_hz,storage,loss\n").ends_with("; a unit stands in brackets: \"freq [Hz]\""));
+  BOOST_TEST(message("frequency [Hz]\tstorage [N/um]\tloss [N/um]\n") ==
+             "d.csv:1: found columns separated by tabs; expected columns separated by commas, and "
+             "decimal points: 2.5, not 2,5");
   BOOST_TEST(message("frequency,storage,tan_delta,storage_error,loss_error\n") ==
              "d.csv:1: found loss_error beside tan_delta; expected the errors of storage and loss");
   BOOST_TEST(message("frequency,storage [N/m,loss\n") ==

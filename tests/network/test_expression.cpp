@@ -112,6 +112,9 @@ BOOST_AUTO_TEST_CASE(mistakes_are_named_with_their_column) {
   BOOST_TEST(has(message("k0 \u2212 k1"), "series is written with the \"-\" of the keyboard"));
   BOOST_TEST(!has(message("k0 | k1)"), "written"));
   BOOST_TEST(has(message("k0 | x1"), "s.toml:1:6: found element \"x1\" of unknown kind"));
+  BOOST_TEST(
+      has(message("E0 | (E1 - eta1)"), "write \"spring(E0) | (spring(E1) - damper(eta1))\""));
+  BOOST_TEST(!has(message("E0 | x1"), "write"));
   BOOST_TEST(has(message("zenner(k0, k1, c1)"), "expected \"zener\""));
   BOOST_TEST(has(message("zener(k0, k1)"), "zener(k0, k1, c1)"));
   BOOST_TEST(has(message("sls(k0, k1)"), "found sls with 2 names; expected sls(k0, k1, c1)"));

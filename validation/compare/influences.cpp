@@ -1,48 +1,27 @@
 #include "compare/influences.hpp"
 
-#include <algorithm>
-#include <cmath>
+#include <map>
 
-#include "answers/critical_onset.hpp"
-#include "base/errors.hpp"
+#include "answers/shares.hpp"
 #include "compare/formulas.hpp"
 #include "formula/symbols.hpp"
 #include "rules/kinds.hpp"
 
 namespace vcrit::validation {
 
-namespace {
-
-/// Less than anyone reads, and more than differences of a simulated v* leave.
-constexpr double least_share = 1e-7;
-
-bool belongs_to(const Influence& influence, const Symbol& symbol) {
-  return influence.array && symbol.entry > 0 && influence.name == symbol.name;
-}
-
-}  // namespace
-
 std::vector<Influence> influences(const Problem& problem, const std::vector<ValueLine>& lines) {
-  std::vector<Influence> all;
-  try {
-    for (const ValueLine& line : lines) {
-      const double share = onset_log_derivative(problem, line.symbol);
-      const Symbol called = as_called(problem, line.symbol);
-      if (!all.empty() && belongs_to(all.back(), called)) {
-        all.back().share += share;
-        continue;
-      }
-      const bool array = called.entry > 0;
-      const Formula sign = array ? formula_of(symbolic::symbol(Symbol{called.name, 0})) : line.name;
-      all.push_back({array ? called.name : to_text(called), sign, line.meaning, array, share});
-    }
-  } catch (const ModelError&) {
-    return {};
+  std::vector<Symbol> symbols;
+  std::map<Symbol, const ValueLine*> line_of;
+  for (const ValueLine& line : lines) {
+    symbols.push_back(line.symbol);
+    line_of[line.symbol] = &line;
   }
-  std::erase_if(all, [](const Influence& it) { return !(std::abs(it.share) > least_share); });
-  std::stable_sort(all.begin(), all.end(), [](const Influence& a, const Influence& b) {
-    return std::abs(a.share) > std::abs(b.share);
-  });
+  std::vector<Influence> all;
+  for (const Share& share : shares_of(problem, symbols)) {
+    const ValueLine& line = *line_of.at(share.of);
+    const Formula sign = share.is_array ? formula_of(symbolic::symbol(share.called)) : line.name;
+    all.push_back({to_text(share.called), sign, line.meaning, share.is_array, share.share});
+  }
   return all;
 }
 

@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
 #include <limits>
 
 #include "base/constants.hpp"
 #include "base/rounded.hpp"
 #include "report/answer_record.hpp"
 #include "report/units.hpp"
+#include "stiffness/dynamic_stiffness.hpp"
 
 namespace vcrit::validation::report {
 
@@ -87,6 +89,21 @@ std::pair<double, double> shown_range(const std::vector<double>& values) {
   return {low / 1.2, std::max(high, low * 2) * 1.2};
 }
 
+/// N without vibration, of a contact that stays closed; NaN where that is not known.
+double full_friction_of(const SceneReport& report) {
+  const bool known = report.effect && report.effect->mean_normal_force && !report.effect->opens;
+  return known ? report.effect->friction_coefficient * *report.effect->mean_normal_force
+               : std::numeric_limits<double>::quiet_NaN();
+}
+
+/// What is said of a point: "0.951 at 2 mm/s, 1.14 N, stick-slip".
+std::string words_of_friction(const Point& point, const Scale& speed, double full_friction) {
+  std::string words =
+      fmt::format("{:.4g} at {:.4g} {}", point.y, point.x * speed.factor, speed.unit);
+  if (std::isfinite(full_friction)) words += ", " + rounded(point.y * full_friction, "N");
+  return point.words.empty() ? words : words + ", " + point.words;
+}
+
 }  // namespace
 
 std::optional<Figure> answer_figure(const SceneReport& report) {
@@ -99,9 +116,11 @@ std::optional<Figure> answer_figure(const SceneReport& report) {
   Figure figure;
   figure.name = "friction_over_speed";
   figure.title = "Friction over sliding speed";
-  figure.caption =
-      "Mean friction with vibration over that without, by simulation. Above v* vibration changes "
-      "nothing.";
+  const double full_friction = full_friction_of(report);
+  figure.caption = fmt::format(
+      "Mean friction with vibration over that without{}, by simulation. Above v* "
+      "vibration changes nothing.",
+      std::isfinite(full_friction) ? ", " + rounded(full_friction, "N") : "");
   figure.height = 280;
   figure.x = {"sliding speed, " + scale.unit, false, std::pair{0.0, end * scale.factor}, {}};
   figure.y = {"friction / friction without vibration", false, std::pair{0.0, 1.05}, {}};
@@ -109,9 +128,7 @@ std::optional<Figure> answer_figure(const SceneReport& report) {
   for (const Point& point : points)
     if (point.x <= 1.02 * end)
       series.points.push_back(
-          {point.x * scale.factor, point.y,
-           fmt::format("{:.4g} at {:.4g} {}{}{}", point.y, point.x * scale.factor, scale.unit,
-                       point.words.empty() ? "" : ", ", point.words)});
+          {point.x * scale.factor, point.y, words_of_friction(point, scale, full_friction)});
   if (series.points.back().x < figure.x.range->second && series.points.back().y > 0.999)
     series.points.push_back({figure.x.range->second, 1, ""});
   figure.series.push_back(series);
@@ -198,29 +215,42 @@ std::optional<Figure> frequency_figure(const SceneReport& report) {
 
 std::optional<Figure> stiffness_figure(const SceneReport& report) {
   if (report.response.points.empty()) return std::nullopt;
+  const Problem& problem = report.problem;
   const Scale frequency = scale_for(frequency_of(report), "Hz");
   std::vector<double> all;
   for (const ResponsePoint& point : report.response.points) all.push_back(point.normal);
-  const char* unit = report.problem->indenter ? "Pa" : "N/m";
+  const char* unit = problem->indenter ? "Pa" : "N/m";
   const Scale stiffness = scale_for(middle_value(all), unit);
   Figure figure = marked_frequencies(report, "stiffness", frequency.factor, frequency.unit);
   figure.title = "Dynamic stiffness over frequency";
-  figure.caption = "Absolute values of the dynamic stiffness of each network.";
+  figure.caption =
+      "Storage stiffness, the real part, and loss stiffness, the imaginary part, of each network.";
   figure.height = 240;
   figure.y = {"dynamic stiffness, " + stiffness.unit, true, {}, {}};
-  const auto add = [&](const char* name, int colour, auto value) {
-    FigureSeries series{name, Style::line, {}, colour};
+  // A loss of 0 has no place on a logarithmic axis, nor has the storage of a drive above its own
+  // resonance.
+  const auto add = [&](const std::string& name, int colour, const ReducedNetwork& network,
+                       double times) {
+    FigureSeries storage{name + " storage", Style::line, {}, colour};
+    FigureSeries loss{name + " loss", Style::dotted, {}, colour};
     for (const ResponsePoint& point : report.response.points) {
       const double x = point.omega / two_pi * frequency.factor;
-      if (x >= figure.x.range->first / 1.05 && x <= figure.x.range->second * 1.05)
-        series.points.push_back({x, value(point) * stiffness.factor, ""});
+      if (x < figure.x.range->first / 1.05 || x > figure.x.range->second * 1.05) continue;
+      const std::complex<double> k =
+          times * stiffness.factor *
+          dynamic_stiffness(network.reduction(), problem.values(), point.omega);
+      storage.points.push_back({x, k.real(), ""});
+      loss.points.push_back({x, k.imag(), ""});
     }
-    figure.series.push_back(std::move(series));
+    for (FigureSeries* series : {&storage, &loss})
+      if (std::any_of(series->points.begin(), series->points.end(),
+                      [](const Point& p) { return p.y > 0; }))
+        figure.series.push_back(std::move(*series));
   };
-  add("normal contact", 0, [](const ResponsePoint& p) { return p.normal; });
-  add("tangential contact", 1, [](const ResponsePoint& p) { return p.tangential; });
-  if (report.response.points.front().drive)
-    add("drive", 3, [](const ResponsePoint& p) { return p.drive.value_or(0); });
+  add("normal", 0, problem->normal, 1);
+  const ScaledNetwork tangential = tangential_network(problem);
+  add("tangential", 1, tangential.network, tangential.factor);
+  if (const ReducedNetwork* drive = problem->drive_network()) add("drive", 3, *drive, 1);
   return figure;
 }
 

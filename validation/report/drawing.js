@@ -20,8 +20,8 @@ const vcrit_drawing = (() => {
     diamonds: { "stroke-width": 1.6 },
     bars: { filled: true, opacity: 0.6 },
   };
-  const viridis = ["#440154", "#472d7b", "#3b528b", "#2c728e", "#21918c", "#28ae80", "#5ec962", "#addc30", "#fde725"]
-    .map((colour) => [1, 3, 5].map((i) => parseInt(colour.slice(i, i + 2), 16)));
+  // Of maps: one hue from light to dark, even steps of lightness (CIE L* 95 to 20), so that it reads in grey and to all eyes.
+  const hues = ["#ecf1f8", "#b1c9e5", "#74a2d1", "#357bb0", "#1d5684", "#123458"];
 
   const ruler = document.createElement("canvas").getContext("2d");
   ruler.font = `${fontSize}px ${family}`;
@@ -36,13 +36,14 @@ const vcrit_drawing = (() => {
 
   const short = (length) => Math.round(100 * length) / 100;
 
-  // Of 256 colours from dark to light that of a part of the scale.
-  function colourAt(part) {
-    const at = Math.round(255 * Math.min(1, Math.max(0, part))) / 255 * (viridis.length - 1);
-    const i = Math.min(viridis.length - 2, Math.floor(at));
-    const mixed = viridis[i].map((from, k) => Math.round(from + (viridis[i + 1][k] - from) * (at - i)));
-    return `rgb(${mixed.join(",")})`;
+  // Where the steps of a map begin and end, as parts of its scale: from 0 on each is twice the one before (digits lost: 0,
+  // 0.5, 1, 2, 4, 8, 16), as what is small matters; otherwise all are alike.
+  function stepsOf({ logarithmic }, [low]) {
+    const doubling = !logarithmic && low === 0;
+    return [0, ...hues.slice(1).map((_, i) => (doubling ? 2 ** (i + 1 - hues.length) : (i + 1) / hues.length)), 1];
   }
+
+  const colourAt = (part, steps) => hues[Math.max(0, steps.findLastIndex((step, i) => i < hues.length && part >= step))];
 
   // What an axis has to show, if it has no range of its own.
   function* shownOn(figure, horizontal) {
@@ -74,16 +75,37 @@ const vcrit_drawing = (() => {
     return { entries, height: entries.length > 0 ? y + row + 6 : 0 };
   }
 
+  // Names of lines stand at their ends, in place of a legend, where all end at the right and there is room: names apart,
+  // none far from its line, and a quarter of the width at most.
+  function endsOf(figure, width, y) {
+    const { height, series } = figure, named = series.filter(({ name }) => name), x = scaleOf(figure.x, shownOn(figure, true), 5);
+    const all = named.map(({ name, colour, style, edges, points }) => {
+      const last = points.findLast((point) => x.at(point[0]) <= 1 + 1e-9 && y.at(point[1]) >= 0 && y.at(point[1]) <= 1);
+      const line = !(style in marks) && !edges && last && x.at(last[0]) > 0.9;
+      return { name, colour, line, place: line ? height * (1 - y.at(last[1])) : 0 };
+    });
+    const apart = new Set(all.map(({ name }) => name)).size === all.length;
+    if (figure.map || !apart || !all.every(({ line }) => line)) return [];
+    let free = -Infinity;
+    for (const end of [...all].sort((a, b) => a.place - b.place)) {
+      end.y = Math.max(end.place, free);
+      free = end.y + lineHeight;
+      if (end.y - end.place > lineHeight) return [];
+    }
+    return all.every(({ name }) => widthOf(name) < width / 4 - 8) ? all : [];
+  }
+
   // Where everything lies. Lengths are from the upper left corner of the frame, in which the data are.
   function planOf(figure, width) {
     const { height } = figure, y = scaleOf(figure.y, shownOn(figure, false), height / 45);
     const left = short(22 + Math.max(40, 10 + Math.max(...y.ticks.map(({ words }) => widthOf(words)))));
-    const inner = Math.max(60, width - left - 16), x = scaleOf(figure.x, shownOn(figure, true), inner / 80);
+    const ends = endsOf(figure, width, y), right = Math.max(16, ...ends.map(({ name }) => 12 + widthOf(name)));
+    const inner = Math.max(60, short(width - left - right)), x = scaleOf(figure.x, shownOn(figure, true), inner / 80);
     const aside = width < 560 ? 0 : left;  // on a phone legends need the whole width
     const colours = figure.map && !figure.map.colours ? 52 : 0;
-    const { entries, height: legend } = entriesOf(figure, width - aside - 30);
+    const { entries, height: legend } = ends.length > 0 ? { entries: [], height: 0 } : entriesOf(figure, width - aside - 30);
     const top = colours + legend + 8;
-    return { figure, width, left, aside, top, inner, height, colours, entries, total: top + height + 46,
+    return { figure, width, left, aside, top, inner, height, colours, entries, ends, total: top + height + 46,
              xTicks: x.ticks, yTicks: y.ticks,
              x: (value) => short(inner * x.at(value)), y: (value) => short(height * (1 - y.at(value))) };
   }
@@ -126,10 +148,10 @@ const vcrit_drawing = (() => {
   // Cells of one colour make one path.
   function drawMap(plan, into) {
     const { value, x, y, values, colours } = plan.figure.map, columns = x.length - 1, cells = new Map();
-    const scale = scaleOf(value, values, 5), classes = value.ticks?.map(([at]) => at);
+    const scale = scaleOf(value, values, 5), steps = stepsOf(value, scale.domain), classes = value.ticks?.map(([at]) => at);
     values.forEach((v, n) => {
       if (v === null) return;
-      const colour = colours ? colours[classes.indexOf(v)] : colourAt(scale.at(v));
+      const colour = colours ? colours[classes.indexOf(v)] : colourAt(scale.at(v), steps);
       const i = n % columns, j = (n - i) / columns;
       const [left, right, low, high] = [plan.x(x[i]), plan.x(x[i + 1]), plan.y(y[j]), plan.y(y[j + 1])];
       cells.set(colour, `${cells.get(colour) ?? ""}M${left} ${low}H${right}V${high}H${left}Z`);
@@ -273,19 +295,29 @@ const vcrit_drawing = (() => {
     }
   }
 
-  // The colours of a map, from its least to its largest value.
+  function drawEnds({ ends, left, inner, top }, into) {
+    const all = add(into, "g", { class: "legend ends", transform: `translate(${left + inner + 6},${top})` });
+    for (const { name, colour, y } of ends)
+      add(add(all, "g", { class: "entry", transform: `translate(0,${short(y + 4)})`, fill: colour }), "text", {}, name);
+  }
+
+  // The colours of a map, from its least to its largest value: one box a step, its bounds below.
   function drawColours(plan, into) {
-    const { value, values } = plan.figure.map, length = Math.min(260, plan.width - 60), steps = 64;
+    const { value, values } = plan.figure.map, width = Math.min(260, plan.width - 60) / hues.length;
     const look = { transform: `translate(${plan.aside},0)`, "shape-rendering": "crispEdges" };
-    const all = add(into, "g", { class: "colours", ...look }), scale = scaleOf(value, values, length / 60);
+    const all = add(into, "g", { class: "colours", ...look }), scale = scaleOf(value, values, 5);
     add(all, "text", { x: 0, y: 13 }, value.title);
-    for (let n = 0; n < steps; ++n)
-      add(all, "rect", { x: short(n * length / steps), y: 19, width: short(length / steps + 0.5), height: 11,
-                         fill: colourAt(n / (steps - 1)) });
-    for (const { at, words } of scale.ticks) {
-      const x = Math.max(widthOf(words) / 2, length * scale.at(at));
+    hues.forEach((fill, i) => add(all, "rect", { x: short(i * width), y: 19, width: short(width), height: 11, fill, stroke: frame,
+                                                 "stroke-width": 0.5 }));
+    const measure = value.logarithmic ? Math.log10 : Number, [low, high] = scale.domain.map(measure);
+    let free = -Infinity;
+    stepsOf(value, scale.domain).forEach((part, i) => {
+      const at = low + part * (high - low), words = numberWords(value.logarithmic ? 10 ** at : at, 2);
+      const half = widthOf(words) / 2, x = Math.max(half - plan.aside, i * width);
+      if (x - half < free) return;
+      free = x + half + 6;
       add(all, "text", { x: short(x), y: 44, "text-anchor": "middle" }, words);
-    }
+    });
   }
 
   let drawings = 0;
@@ -300,6 +332,7 @@ const vcrit_drawing = (() => {
     add(add(svg, "clipPath", { id: plan.clip }), "rect", { x: 0, y: -1, width: inner, height: height + 2 });
     if (plan.colours) drawColours(plan, svg);
     drawLegend(plan, svg);
+    drawEnds(plan, svg);
     const into = add(svg, "g", { class: "frame", transform: `translate(${left},${top})` });
     if (figure.map) drawMap(plan, into);
     else drawGrid(plan, into);

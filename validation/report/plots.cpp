@@ -6,9 +6,11 @@
 #include <cmath>
 
 #include "answers/critical_onset.hpp"
+#include "answers/effect.hpp"
 #include "answers/friction.hpp"
 #include "base/constants.hpp"
 #include "base/errors.hpp"
+#include "base/rounded.hpp"
 #include "compare/frequency_points.hpp"
 #include "compare/steady_cycle.hpp"
 #include "report/cycle_figures.hpp"
@@ -133,11 +135,8 @@ std::vector<Figure> friction_plot(const Problem& problem, std::optional<double> 
   figure.series.push_back(std::move(series));
   if (onset.drive_velocity <= end)
     figure.rules.push_back({onset.drive_velocity * scale.factor, onset_words(onset), false});
-  const auto known = [](double ratio) { return std::isfinite(ratio) ? ratio : 2; };
-  const double lowest = *std::min_element(ratios.begin(), ratios.end(),
-                                          [&](double a, double b) { return known(a) < known(b); });
-  if (std::isfinite(lowest) && lowest < 1)
-    figure.rules.push_back({lowest, fmt::format("lowest {:.3g}", lowest), true});
+  if (const auto lowest = effect_of(problem, onset).lowest; lowest && *lowest < 1)
+    figure.rules.push_back({*lowest, rounded(*lowest, "", 3) + " at rest", true});
   return {figure};
 }
 
