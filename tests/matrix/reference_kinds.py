@@ -101,6 +101,8 @@ KINDS = {
     "mount_mass": lambda v: (zener(v["k0"], v["k1"], v["c1"]), kelvin(v["kt"], v["ct"]), kelvin(v["kd"], v["cd"]),
                              zener(v["km"], v["k2"], v["c2"])),
     "creeping_mount": lambda v: (maxwell(v["k1"], v["c1"]), mindlin("0.3"), kelvin(v["kd"], v["cd"]), spring(v["km"])),
+    "rational": lambda v: (prony({"k0": v["k0_pad"], "k": v["k_pad"], "tau": v["tau_pad"]}), mindlin("0.3"),
+                           spring(v["kd"])),
     "symbols": lambda v: (zener(v["k0"], v["k1"], v["c1"]), mindlin("0.3"), spring(v["kd"])),
 }
 for same, other in [("antiresonance", "free_harmonic"), ("near_free_harmonic", "free_harmonic"),
@@ -175,6 +177,9 @@ def read(name):
         text = tomllib.load(file)
     # Expressions are those of KINDS.
     values = {key: exact(value) for key, value in text.get("elements", {}).items() if not isinstance(value, str)}
+    # (12e6 s + 8e11)/(s + 1e5) = 8e6 + 4e6 s/(s + 1e5)
+    if name == "rational":
+        values |= {"k0_pad": mp.mpf("8e6"), "k_pad": [mp.mpf("4e6")], "tau_pad": [mp.mpf("1e-5")]}
     if "oscillation" in text:
         oscillation = text["oscillation"]
         values |= {"mu0": exact(text["friction"]["coefficient"]), "omega": exact(oscillation["angular_frequency"]),
