@@ -90,8 +90,8 @@ class Json(Case):
                 (["eval"], "command line", "no SCENE", "SCENE"),
                 (["generate", KELVIN, "--out", "g", "--language", "ada"], "--language", "ada", "one of {c++,"),
                 (["derive", KELVIN, "--budget", "few"], "--budget", "few", "a number of terms above 0"),
-                (["solve", KELVIN, "--for", "velocity", "--friction-ratio", "half"], "--friction-ratio", "half",
-                 "a number"),
+                (["solve", KELVIN, "--for", "velocity", "--friction-ratio", "half"], "--friction-ratio", '"half"',
+                 "a ratio below 1: 0.8 or 80%"),
                 (["generate", KELVIN, "--out", "--quantities"], "--out", "--quantities", "a value (./--quantities")):
             told = self.failure(*words)
             self.assertEqual((told["place"], told["found"]), ({"file": place}, found))
