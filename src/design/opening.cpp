@@ -51,6 +51,13 @@ double NormalContact::largest_amplitude(double omega) const {
          (std::abs(dynamic_stiffness(normal_, omega)) * mount_factor(problem_, omega));
 }
 
+// At no amplitude, so that none is too large: what is left to say is of the scene's structure.
+bool NormalContact::closes_up_to_a_frequency() const {
+  const rules::Answer found =
+      rules::answer(rules::Question::closed_range, with_amplitude(problem_, 0));
+  return found.verdict != rules::Ruling::left_out;
+}
+
 std::optional<double> NormalContact::largest_angular_frequency(double amplitude) const {
   rules::require(rules::Question::closed_range, with_amplitude(problem_, amplitude));
   // Below the amplitude, the indentation may round to it.

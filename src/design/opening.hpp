@@ -1,6 +1,6 @@
 // How far a scene may oscillate before its contact opens, as bounds on amplitude and frequency:
 // (3), (4) and (35) of the paper solved for them. |K_n| never falls with the frequency, so both are
-// single bounds.
+// single bounds, but below a mount: there the amplitude at the contact depends on the frequency.
 #pragma once
 
 #include <optional>
@@ -18,12 +18,14 @@ class NormalContact {
 
   /// The amplitude (m) below which the contact stays closed at omega (rad/s).
   double largest_amplitude(double omega) const;
+  /// Whether there is one largest frequency to ask for, whatever the amplitude.
+  bool closes_up_to_a_frequency() const;
   /// The angular frequency (rad/s) below which it does with this amplitude (m); nothing without a
   /// bound. Throws ModelError where it opens at any.
   std::optional<double> largest_angular_frequency(double amplitude) const;
   /// The load (N) above which it does with this amplitude (m) at omega (rad/s).
   double least_force(double amplitude, double omega) const;
-  /// Amplitude of F_n over its mean.
+  /// Amplitude of F_n over its mean, at omega (rad/s).
   double oscillating_part(double amplitude, double omega) const;
 
  private:

@@ -79,7 +79,9 @@ SearchRange frequencies(const Question& question, const NormalContact& contact) 
   if (!omega && !(question.from && question.to))
     throw InputError(argument("for frequency"), "a scene without a frequency",
                      "`from` and `to`, the range to search");
-  const auto most = contact.largest_angular_frequency(*question.problem->amplitude.value);
+  const double amplitude = *question.problem->amplitude.value;
+  const bool bounded = contact.closes_up_to_a_frequency();
+  const auto most = bounded ? contact.largest_angular_frequency(amplitude) : std::nullopt;
   SearchRange range{question.from ? *question.from : *omega / two_pi / 100,
                     question.to ? *question.to : *omega / two_pi * 100,
                     {},
@@ -92,9 +94,18 @@ SearchRange frequencies(const Question& question, const NormalContact& contact) 
         *most / two_pi, range.from));
   if (most) range.to = std::min(range.to, inside_the_bound * *most / two_pi);
   refuse_empty(question, range.from, range.to);
+  OpeningShare share;
+  if (!bounded)
+    share = [&contact, amplitude](double at) {
+      return contact.oscillating_part(amplitude, at) / inside_the_bound;
+    };
   const Stretches found =
       reducing_stretches(with_angular_frequency(question.problem, two_pi * range.from),
-                         two_pi * range.from, two_pi * range.to, question.velocity);
+                         two_pi * range.from, two_pi * range.to, question.velocity, share);
+  if (!found.closed)
+    throw ModelError(fmt::format("the contact opens at all frequencies from {:.6g} Hz to {:.6g} Hz",
+                                 range.from, range.to),
+                     "take a smaller amplitude, or another range: `from`, `to`");
   range.largest_velocity = found.largest_velocity;
   range.largest_at = found.largest_at / two_pi;
   for (const Stretch& part : found.parts) {

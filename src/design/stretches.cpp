@@ -18,13 +18,18 @@ namespace {
 constexpr int intervals = 4000;
 
 struct Sample {
-  double x, excess;  // log(omega), log((v* + creep)/v0)
+  double x, excess;  // log(omega), log((v* + creep)/v0) or, if less, log(1/share)
+  double limit;      // v* + creep, m/s
+  bool closed;
 };
+
+// A root finder wants finite numbers, at resonance too; the simulator speaks for itself there.
+double finite(double logarithm) { return std::clamp(logarithm, -700.0, 700.0); }
 
 class Looking {
  public:
-  Looking(const Problem& problem, double velocity)
-      : problem_(problem), velocity_(velocity), creep_(creep_velocity(problem)) {}
+  Looking(const Problem& problem, double velocity, const OpeningShare& share)
+      : problem_(problem), velocity_(velocity), creep_(creep_velocity(problem)), share_(share) {}
 
   Stretches between(double from, double to) {
     std::vector<Sample> samples;
@@ -34,21 +39,22 @@ class Looking {
       samples.push_back(sample(std::log(omega)));
     }
     samples = with_peaks(samples);
+    found_.closed = std::ranges::any_of(samples, &Sample::closed);
     for (const Sample& each : samples)
-      if (velocity_ * std::exp(each.excess) > found_.largest_velocity)
-        found_.largest_velocity = velocity_ * std::exp(each.excess),
-        found_.largest_at = std::exp(each.x);
+      if (each.closed && each.limit > found_.largest_velocity)
+        found_.largest_velocity = each.limit, found_.largest_at = std::exp(each.x);
     collect(samples, {from, to});
     return found_;
   }
 
  private:
-  double excess(double x) const {
-    // A root finder wants finite numbers, at resonance too; the simulator speaks for itself there.
-    const double limit = std::log((quick_onset(problem_, std::exp(x)) + creep_) / velocity_);
-    return std::clamp(limit, -700.0, 700.0);
+  Sample sample(double x) const {
+    const double omega = std::exp(x);
+    const double reduces = finite(std::log((quick_onset(problem_, omega) + creep_) / velocity_));
+    const double closes = share_ ? finite(-std::log(share_(omega))) : reduces;
+    return {x, std::min(reduces, closes), velocity_ * std::exp(reduces), !share_ || closes > 0};
   }
-  Sample sample(double x) const { return {x, excess(x)}; }
+  double excess(double x) const { return sample(x).excess; }
 
   std::vector<Sample> with_peaks(const std::vector<Sample>& samples) const {
     std::vector<Sample> result;
@@ -58,12 +64,14 @@ class Looking {
           samples[i].excess < samples[i + 1].excess)
         continue;
       std::uintmax_t steps = 100;
-      const auto [x, lowest] = boost::math::tools::brent_find_minima(
-          [&](double at) { return -excess(at); }, samples[i - 1].x, samples[i + 1].x, 40, steps);
+      const double x = boost::math::tools::brent_find_minima(
+                           [&](double at) { return -excess(at); }, samples[i - 1].x,
+                           samples[i + 1].x, 40, steps)
+                           .first;
       if (x < samples[i].x)
-        result.insert(result.end() - 1, {x, -lowest});
+        result.insert(result.end() - 1, sample(x));
       else if (x > samples[i].x)
-        result.push_back({x, -lowest});
+        result.push_back(sample(x));
     }
     return result;
   }
@@ -94,13 +102,15 @@ class Looking {
 
   Problem problem_;
   double velocity_, creep_;
+  OpeningShare share_;
   Stretches found_;
 };
 
 }  // namespace
 
-Stretches reducing_stretches(const Problem& problem, double from, double to, double velocity) {
-  return Looking(problem, velocity).between(from, to);
+Stretches reducing_stretches(const Problem& problem, double from, double to, double velocity,
+                             const OpeningShare& share) {
+  return Looking(problem, velocity, share).between(from, to);
 }
 
 }  // namespace vcrit::design

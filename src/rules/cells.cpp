@@ -94,7 +94,7 @@ constexpr Cell reacting = refused(
     "leave out separation = true");
 constexpr Cell mounted_then =
     left_out("the contact may open below a mount, and v* of that motion is not known");
-constexpr Cell mounted_frequency = refused(
+constexpr Cell mounted_frequency = left_out(
     "below a mount the contact's amplitude depends on the frequency: there is no largest frequency "
     "up to which it stays closed");
 
