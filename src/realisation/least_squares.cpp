@@ -43,9 +43,9 @@ class Descent {
   // Three steps in a row that gain less are at the end of a valley.
   static constexpr double little_gain = 1e-4;
   // A parameter that enters by its square has no derivative at 0: a step by its own scale would be
-  // without bound, and rejected until no other one is left to move. A thousandth of the largest is
-  // below the scale of what rows of some digits tell.
-  static constexpr double least_scale = 1e-3;
+  // without bound, and rejected until no other one is left to move. A millionth of the largest
+  // leaves room for the logarithm of a time of which the rows tell six digits less.
+  static constexpr double least_scale = 1e-6;
 
   /// One step that lessens the sum, with as much damping as that takes; false where none does.
   bool descend() {
