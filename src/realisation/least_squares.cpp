@@ -42,13 +42,16 @@ class Descent {
 
   // Three steps in a row that gain less are at the end of a valley.
   static constexpr double little_gain = 1e-4;
+  // A parameter that enters by its square has no derivative at 0: a step by its own scale would be
+  // without bound, and rejected until no other one is left to move. A millionth of the largest
+  // leaves room for the logarithm of a time of which the rows tell six digits less.
+  static constexpr double least_scale = 1e-6;
 
   /// One step that lessens the sum, with as much damping as that takes; false where none does.
   bool descend() {
     if (!slope_.allFinite()) return false;
     scale_ = scale_.cwiseMax(slope_.colwise().norm().transpose());
-    const VectorXd scale =
-        scale_.cwiseMax(std::numeric_limits<double>::epsilon() * scale_.maxCoeff());
+    const VectorXd scale = scale_.cwiseMax(least_scale * scale_.maxCoeff());
     if (!(scale.maxCoeff() > 0)) return false;
     const Eigen::HouseholderQR<MatrixXd> qr(slope_);
     const Index count = at_.size(), rank = std::min(count, slope_.rows());

@@ -18,12 +18,14 @@ using Eigen::VectorXd;
 
 // Numbers of rounding's size are all the same misfit.
 constexpr double least_misfit = 1e-13;
+// What the least tau leaves of a spring that does not relax (keep_in_reach), which no mode is to mend.
+constexpr double least_telling = 1e-9;
 
 // Twice Schwarz's price of a parameter: misfits of rounded numbers are no normal deviates (their size
 // steps tenfold with the decade), and a mode too many costs more than one too few that noise hides.
 double criterion_of(const Shape& shape, const Rows& rows, double sum) {
   const auto numbers = static_cast<double>(2 * rows.size());
-  return numbers * std::log(std::max(sum / numbers, least_misfit * least_misfit)) +
+  return numbers * std::log(std::max(sum / numbers, least_telling * least_telling)) +
          2 * static_cast<double>(shape.parameters()) * std::log(numbers);
 }
 

@@ -49,6 +49,31 @@ Uncertainty::Uncertainty(const Rows& rows, const Search& found, double noise)
   residuals(shape_, rows_, parameters_, residual, &slope_);
   sum_ = residual.squaredNorm();
   others_.compute(slope_);
+  drift();
+}
+
+// 3 standard deviations, and a little since the steps have not come to their end.
+double Uncertainty::allowed_sum() const { return 1.02 * sum_ + 10 * spread_ * spread_; }
+
+// Where the rows end early the misfit is a valley: along some directions of the parameters it hardly
+// rises, and what is far along one is another drive beyond the rows. To both sides, as far as three
+// standard deviations would be if R were linear, and down to the floor again.
+void Uncertainty::drift() {
+  constexpr Index directions = 8;
+  constexpr int steps = 8;
+  // Most parameters are logarithms, or of size 1 in the units of rows.
+  constexpr double farthest = 0.5;
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> axes(slope_.transpose() * slope_);
+  if (axes.info() != Eigen::Success) return;
+  for (Index k = 0; k < std::min(directions, parameters_.size()); ++k) {
+    const double rise = std::sqrt(std::max(axes.eigenvalues()[k], 0.0));
+    const double far = 3 * spread_ < farthest * rise ? 3 * spread_ / rise : farthest;
+    for (const double way : {far, -far}) {
+      const Candidate found =
+          refined(rows_, shape_, parameters_ + way * axes.eigenvectors().col(k), steps);
+      if (found.sum <= allowed_sum()) rivals_.push_back(structure_of(shape_, found.parameters));
+    }
+  }
 }
 
 // Of the rows on both sides the misfit or the noise, whichever is greater: three rows, since next to
@@ -112,8 +137,7 @@ double Uncertainty::hidden_change(double omega) const {
 
 std::optional<Structure> Uncertainty::with_hidden_mode(double omega) const {
   constexpr int attempts = 6, steps = 6;
-  // 3 standard deviations, and a little since the steps have not come to their end.
-  const double most = 1.02 * sum_ + 10 * spread_ * spread_;
+  const double most = allowed_sum();
   Hidden hidden = hidden_at(omega);
   for (int attempt = 0; attempt < attempts; ++attempt) {
     Rows rest = rows_;

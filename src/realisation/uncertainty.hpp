@@ -27,13 +27,16 @@ class Uncertainty {
 
   /// Refits to rows with other noise of the same size.
   const std::vector<Structure>& refits() const { return refits_; }
-  /// Others that fit as well.
+  /// Others that fit as well: of another order or damping, and of parameters along which the rows tell
+  /// hardly anything.
   const std::vector<Structure>& rivals() const { return rivals_; }
   /// Fitted anew with a mode at omega in it, as large as three standard deviations let it be; none
   /// where no such fit is found.
   std::optional<Structure> with_hidden_mode(double omega) const;
 
  private:
+  void drift();
+  double allowed_sum() const;
   double largest_compliance_above() const;
   /// What one that nobody saw may be, and what the others take of one with phi^2 = 1.
   struct Hidden {

@@ -53,9 +53,10 @@ inline Chain chain(const std::string& id) {
 }
 
 /// 200 rows from 0.2 to `last`, five digits each, with noise of that share of |R| in real and
-/// imaginary part.
-inline Receptance table_of(const Chain& chain, double last, double noise) {
-  std::mt19937_64 engine(7);
+/// imaginary part. A drive has an id and a receptance(omega).
+template <class Drive>
+Receptance table_of(const Drive& chain, double last, double noise, unsigned seed = 7) {
+  std::mt19937_64 engine(seed);
   const auto uniform = [&] { return (static_cast<double>(engine() >> 11) + 0.5) * 0x1p-53; };
   const auto normal = [&] {
     const double size = std::sqrt(-2 * std::log(uniform()));

@@ -43,6 +43,21 @@ BOOST_AUTO_TEST_CASE(columns_that_depend_on_one_another_do_no_harm) {
   BOOST_TEST(std::abs(found.sum - 6) < 1e-8);
 }
 
+// One that enters by its square has no slope at 0, and by its own scale a step without bound.
+BOOST_AUTO_TEST_CASE(a_parameter_without_a_slope_does_not_hold_up_the_other) {
+  const LeastSquares square{[](const VectorXd& x, VectorXd& residual, MatrixXd* slope) {
+                              residual = Eigen::Vector2d(std::exp(x[0]) - 5, 1e3 * x[1] * x[1] - 0.01);
+                              if (slope) {
+                                slope->resize(2, 2);
+                                *slope << std::exp(x[0]), 0, 0, 2e3 * x[1];
+                              }
+                            },
+                            anywhere};
+  const Minimum found = minimise(square, Eigen::Vector2d(0, 1e-20), 12);
+  // Twelve steps, damped at first, are most of the way; rejected ones leave all of it, 1.6.
+  BOOST_TEST(std::abs(found.parameters[0] - std::log(5)) < 0.8);
+}
+
 BOOST_AUTO_TEST_CASE(what_has_no_value_ends_at_once) {
   const LeastSquares nowhere{[](const VectorXd&, VectorXd& residual, MatrixXd* slope) {
                                residual = VectorXd::Constant(1, std::nan(""));
