@@ -7,8 +7,6 @@
 #include <vector>
 
 #include "analysis/equality.hpp"
-#include "answers/shares.hpp"
-#include "base/rounded.hpp"
 #include "commands.hpp"
 #include "document/print.hpp"
 #include "options.hpp"
@@ -50,30 +48,6 @@ int print_comparison(const Problem& problem, const Problem& other, const FormatC
   fmt::print("{}", chosen.format == Format::json ? symbolic::json_of(comparison)
                                                  : symbolic::text_of(comparison));
   return comparison.equal ? 0 : 1;
-}
-
-/// The numbers that v* may depend on.
-std::vector<Symbol> numbers_of(const Problem& problem) {
-  std::vector<Symbol> symbols;
-  for (const Quantity& quantity : quantities(problem))
-    if (quantity.value) symbols.push_back(quantity.symbol);
-  for (const auto& [symbol, value] : problem->elements) symbols.push_back(symbol);
-  return symbols;
-}
-
-/// The sensitivities as numbers, for a scene that has all of its own.
-void print_shares(const Problem& problem) {
-  std::vector<Share> shares;
-  try {
-    problem.values();
-    shares = shares_of(problem, numbers_of(problem));
-  } catch (const InputError&) {
-    return;  // letters have formulas alone
-  }
-  if (shares.empty()) return;
-  fmt::print("\nSensitivities of this scene, per cent in v* for one per cent in the parameter:\n");
-  for (const Share& share : shares)
-    fmt::print("    {:<7} {}\n", to_text(share.called), rounded(share.share, "", few_digits));
 }
 
 /// A flag that takes the place of the derivation: no other option goes with it but `these`.
@@ -150,10 +124,7 @@ void add_derive(CLI::App& program, int& status, const DerivePages* pages) {
     }
     options->document.format = options->format.format;
     options->document.system = options->format.system;
-    const Problem problem = options->scene.read();
-    fmt::print("{}", symbolic::print(problem, options->document));
-    if (options->document.sensitivities && options->document.format == Format::text)
-      print_shares(problem);
+    fmt::print("{}", symbolic::print(options->scene.read(), options->document));
   });
 }
 

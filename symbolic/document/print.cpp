@@ -7,6 +7,7 @@
 #include "document/content.hpp"
 #include "document/json.hpp"
 #include "document/markup.hpp"
+#include "document/shares_text.hpp"
 #include "document/systems/system.hpp"
 #include "formula/algebra_lock.hpp"
 #include "formula/names.hpp"
@@ -37,10 +38,14 @@ void check_standalone(const DocumentOptions& options) {
 std::string print(const Problem& problem, const DocumentOptions& options) {
   if (options.format == Format::system) check_system(options);
   check_standalone(options);
-  const AlgebraLock lock;
-  const NamesOfScene names(problem);
-  return print_findings(problem, findings_of(problem, options), options.format, options.system,
-                        options.standalone);
+  const std::string document = [&] {
+    const AlgebraLock lock;
+    const NamesOfScene names(problem);
+    return print_findings(problem, findings_of(problem, options), options.format, options.system,
+                          options.standalone);
+  }();
+  const bool in_numbers = options.sensitivities && options.format == Format::text;
+  return in_numbers ? document + shares_text(problem) : document;
 }
 
 std::string print_findings(const Problem& problem, const Findings& findings, Format format,
@@ -49,10 +54,10 @@ std::string print_findings(const Problem& problem, const Findings& findings, For
   const NamesOfScene names(problem);
   if (format == Format::system) return system_document(system, problem, findings);
   if (format == Format::json) return json_document(problem, findings);
-  return markup_document(format, title_of(problem),
-                         format == Format::text ? sections(findings, FactsPlace::first)
-                                                : appendix(findings),
-                         standalone);
+  return markup_document(
+      format, title_of(problem),
+      format == Format::text ? sections(findings, FactsPlace::first) : appendix(findings),
+      standalone);
 }
 
 }  // namespace vcrit::symbolic

@@ -130,6 +130,7 @@ class Trial:
             ("below a measured drive no contact that opens", is_measured), ("below a mount", "mount" in self.scene),
             ("several parts hold it", has_masses and "body" not in self.scene),
             ("cells with a memory", self.by_phases and has_dampers),
+            ("opens all over", self.by_phases and not self.draw.separates),
             ("below an indenter", self.by_phases and (has_masses or is_measured))))
 
     def compare(self, answer, formula):
