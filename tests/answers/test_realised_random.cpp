@@ -47,8 +47,8 @@ BOOST_AUTO_TEST_CASE(chains_at_random_within_the_stated_error) {
   struct Kind {
     double last, noise;
   };
-  // An estimate, not a bound: of 305 tables three were outside, by up to three times
-  // (docs/simulation.md). None of the first four chains is.
+  // An estimate, not a bound: of 320 tables two were outside, by up to 1.5 times (docs/simulation.md).
+  // None of the first four chains is.
   int outside = 0;
   for (int number = from; number < from + count; ++number) {
     const test::RandomChain chain = test::random_chain(number);
