@@ -79,7 +79,8 @@ std::string quantity(double value, const std::string& unit) { return rounded(val
 
 // Of files beside the scene's own.
 bool reads_tables(const Problem& problem) {
-  return problem->receptance() != nullptr || (problem->indenter && problem->indenter->profile);
+  return problem->receptance() != nullptr || !problem->measured.empty() ||
+         (problem->indenter && problem->indenter->profile);
 }
 
 std::string read(const std::string& file) { return read_file(file); }

@@ -24,6 +24,7 @@ struct Recorder {
       case ElementKind::maxwell:
         return recorded({"maxwell", name, to_text(e.second)});
       case ElementKind::lossy:
+      case ElementKind::measured:
       case ElementKind::mass:
         break;
     }

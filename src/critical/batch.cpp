@@ -62,9 +62,10 @@ CriticalVelocities::Formula::Formula(const Problem& problem, std::vector<std::st
     varying_.push_back({target.symbol, target.factor});
     all_there = all_there && !target.is_left_out;
   }
-  // A number that every quantity may have, Poisson's ratio as well.
-  values_ = changing.at(std::vector<double>(names_.size(), 0.25)).values();
   if (all_there && grade == Grade::doubles) operations_ = operations_of(problem_);
+  // A number that every quantity may have, Poisson's ratio as well; no omega of a table.
+  if (operations_ || problem_->measured.empty())
+    values_ = changing.at(std::vector<double>(names_.size(), 0.25)).values();
 }
 
 /// Columns of `lanes` doubles that begin at lines of the cache.

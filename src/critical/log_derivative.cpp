@@ -39,9 +39,12 @@ struct Duals {
   using Value = Dual;
   const Values& values;
   Symbol omega_symbol, by;
+  Values following = {};  ///< omega times the slopes of what follows a table
 
   Dual of(const Symbol& symbol) const {
     const double value = values.at(symbol);
+    if (const auto slope = following.find(symbol); slope != following.end() && by == omega_symbol)
+      return {value, slope->second};
     return {value, symbol == by ? value : 0};
   }
   static Dual constant(const TypedNumber& number) { return {number.value}; }
@@ -123,6 +126,30 @@ struct LogChanges {
   }
 };
 
+Values slopes_of_tables(const Problem& problem, double omega) {
+  Values slopes;
+  for (const MeasuredStiffness& measured : problem->measured) {
+    const auto numbers = numbers_at(measured, omega);
+    if (!numbers || !numbers->slopes)
+      throw ModelError(
+          "at a row of a measured contact's table v* has a slope on each side of omega");
+    slopes[measured.storage] = omega * numbers->slopes->first;
+    slopes[measured.loss_factor] = omega * numbers->slopes->second;
+  }
+  return slopes;
+}
+
+// Balls let omega vary below numbers that stand still: the chain rule adds what these do.
+double certified_change(const Problem& problem, const Symbol& symbol) {
+  const Values& values = problem.values();
+  double change = certified_log_derivative(problem, symbol);
+  if (symbol != problem->angular_frequency.symbol) return change;
+  for (const auto& [following, slope] : slopes_of_tables(problem, values.at(symbol)))
+    if (slope != 0)
+      change += certified_log_derivative(problem, following) * slope / values.at(following);
+  return change;
+}
+
 // In doubles.
 double direct(const Problem& problem, const Symbol& symbol) {
   Values values = problem.values();
@@ -130,7 +157,9 @@ double direct(const Problem& problem, const Symbol& symbol) {
     if (isotropic->quantity.symbol.name.empty()) throw Bug("an isotropic contact without a ratio");
     values.emplace(isotropic->quantity.symbol, tangential_ratio(*isotropic));
   }
-  const Duals duals{values, problem->angular_frequency.symbol, symbol};
+  const Symbol& omega = problem->angular_frequency.symbol;
+  Duals duals{values, omega, symbol};
+  if (symbol == omega) duals.following = slopes_of_tables(problem, values.at(omega));
   return eq24(problem, LogChanges{problem, duals});
 }
 
@@ -138,9 +167,10 @@ double direct(const Problem& problem, const Symbol& symbol) {
 
 // A drive with masses need not give at all at some frequency, and next to that doubles cancel.
 double log_derivative(const Problem& problem, const Symbol& symbol) {
-  if (problem->has_masses()) return certified_log_derivative(problem, symbol);
+  if (problem->has_masses()) return certified_change(problem, symbol);
   const double change = direct(problem, symbol);
-  if (problem->receptance() != nullptr && !std::isfinite(change))
+  const bool by_table = problem->receptance() != nullptr || !problem->measured.empty();
+  if (by_table && !std::isfinite(change))
     throw ModelError("v* is 0 or infinite, so that it has no relative sensitivity");
   return std::isfinite(change) ? change : certified_log_derivative(problem, symbol);
 }

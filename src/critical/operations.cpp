@@ -124,7 +124,7 @@ struct InColumns {
 
 std::optional<Operations> operations_of(const Problem& problem) {
   if (problem->receptance() != nullptr || problem->has_masses() || problem->mount ||
-      !problem->expressions.empty())
+      !problem->expressions.empty() || !problem->measured.empty())
     return std::nullopt;
   Recorder recorder(problem->angular_frequency.symbol);
   recorder.written().result = eq24(problem, InColumns{problem, recorder});

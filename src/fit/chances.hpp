@@ -2,7 +2,7 @@
 // it moves what is fitted to few rows.
 #pragma once
 
-#include "fit/data.hpp"
+#include "scene/stiffness_data.hpp"
 
 namespace vcrit::fit {
 

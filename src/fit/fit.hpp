@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "fit/chances.hpp"
-#include "fit/data.hpp"
+#include "scene/stiffness_data.hpp"
 #include "stiffness/relaxation.hpp"
 
 namespace vcrit::fit {

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "fit/data.hpp"
+#include "scene/stiffness_data.hpp"
 #include "stiffness/relaxation.hpp"
 
 namespace vcrit::fit {

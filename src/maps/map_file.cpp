@@ -11,6 +11,7 @@
 #ifdef VCRIT_WITH_NETCDF
 #include "maps/netcdf_map.hpp"
 #endif
+#include "scene/stiffness_data.hpp"
 
 namespace vcrit::maps {
 
@@ -52,6 +53,12 @@ std::string signature(const Sweep& sweep) {
     for (const Receptance::Row& row : measured->rows)
       numbers.insert(numbers.end(), {row.omega, row.re, row.im});
     text += fmt::format("receptance, fingerprint {:016x}\n", fingerprint(numbers));
+  }
+  for (const MeasuredStiffness& measured : sweep.problem->measured) {
+    std::vector<double> numbers;
+    for (const fit::StiffnessRow& row : measured.table->rows)
+      numbers.insert(numbers.end(), {row.omega, row.storage, row.loss});
+    text += fmt::format("dynamic stiffness, fingerprint {:016x}\n", fingerprint(numbers));
   }
   if (sweep.problem->indenter && sweep.problem->indenter->profile) {
     std::vector<double> numbers;

@@ -21,6 +21,13 @@ inline constexpr const char* no_law_advice =
     "eval, derive and generate need that frequency alone; a Zener body or a Prony series fitted "
     "around it has a motion";
 
+/// The same of a measured stiffness.
+inline constexpr const char* measured_law =
+    "the contact's stiffness is measured, and a table at some frequencies is no law in time, nor a "
+    "rational function of s";
+inline constexpr const char* measured_law_advice =
+    "vcrit fit makes a network of the same table, which has a motion";
+
 template <class Algebra>
 typename Algebra::Value in_algebra(const AmountTree& e, Algebra& algebra) {
   switch (e.kind) {
@@ -52,7 +59,7 @@ typename Algebra::Value in_algebra(const Amount& amount, Algebra& algebra) {
 ///   Value times_s(const Value& k)           k s
 ///   Value relaxing(const Value& k, const Value& tau)   k tau s/(1 + tau s), for numbers k and tau
 ///   Value lossy(const Value& k, const Value& eta)      k (1 + i eta), likewise; where it knows i
-///   omega alone
+///   omega alone, also for what is measured
 /// Each algebra has its own best way to these. Throws ModelError for what it has no law of.
 template <class Algebra>
 typename std::remove_reference_t<Algebra>::Value law(const Element& e, Algebra&& algebra) {
@@ -70,6 +77,10 @@ typename std::remove_reference_t<Algebra>::Value law(const Element& e, Algebra&&
       if constexpr (requires { algebra.lossy(coefficient, coefficient); })
         return algebra.lossy(coefficient, in_algebra(e.second, algebra));
       throw ModelError(no_law, no_law_advice);
+    case ElementKind::measured:
+      if constexpr (requires { algebra.lossy(coefficient, coefficient); })
+        return algebra.lossy(coefficient, in_algebra(e.second, algebra));
+      throw ModelError(measured_law, measured_law_advice);
   }
   throw Bug("an element of no kind");
 }
@@ -114,6 +125,11 @@ void for_each_amount(const Element& e, const Visit& visit) {
     case ElementKind::lossy:
       visit(e.coefficient, NumberRole::stiffness);
       return visit(e.second, NumberRole::loss_factor);
+    case ElementKind::measured:
+      visit(e.coefficient, NumberRole::stiffness);
+      visit(e.second, NumberRole::loss_factor);
+      if (e.rest.exists()) visit(e.rest, NumberRole::stiffness);
+      return;
   }
 }
 
@@ -129,7 +145,9 @@ void for_each_number(const Element& e, const Visit& visit) {
 }
 
 /// Whether each of its numbers is that of one symbol.
-inline bool is_plain(const Element& e) { return e.coefficient.is_symbol() && e.second.is_symbol(); }
+inline bool is_plain(const Element& e) {
+  return e.coefficient.is_symbol() && e.second.is_symbol() && e.rest.is_symbol();
+}
 
 inline bool is_plain(const Network& network) {
   bool all = true;
@@ -146,6 +164,7 @@ inline bool is_rational(const Element& e) {
     case ElementKind::maxwell:
       return true;
     case ElementKind::lossy:
+    case ElementKind::measured:
       return false;
   }
   throw Bug("an element of no kind");
@@ -159,9 +178,12 @@ inline bool is_rational(const Network& network) {
 
 /// Whether it stores energy and loses none, at rest as at any speed: a spring.
 inline bool is_elastic(const Element& e) { return e.kind == ElementKind::spring; }
+/// Whether its numbers are those of a table.
+inline bool follows_table(const Element& e) { return e.kind == ElementKind::measured; }
 /// What of it carries a load at rest.
 inline std::optional<Element> at_rest(const Element& e) {
-  if (e.kind == ElementKind::lossy) return Element{ElementKind::spring, e.coefficient, {}};
+  if (follows_table(e) && e.rest.exists()) return Element{ElementKind::spring, e.rest, {}};
+  if (!is_rational(e)) return Element{ElementKind::spring, e.coefficient, {}};
   return is_elastic(e) ? std::optional(e) : std::nullopt;
 }
 inline bool is_mass(const Element& e) { return e.kind == ElementKind::mass; }
@@ -176,7 +198,7 @@ std::optional<Element> without_zeros(const Element& e, const Zero& zero) {
   left.coefficient = *coefficient;
   if (!e.second.exists()) return left;
   const auto second = without_zeros(e.second, zero);
-  if (!second) return e.kind == ElementKind::lossy ? at_rest(left) : std::nullopt;
+  if (!second) return is_rational(e) ? std::nullopt : at_rest(left);
   left.second = *second;
   return left;
 }

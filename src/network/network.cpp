@@ -75,6 +75,7 @@ void rename(Network& network, const std::function<Amount(const Symbol&)>& name) 
   if (auto* e = std::get_if<Element>(&network.form)) {
     e->coefficient = with_symbols(e->coefficient, name);
     if (e->second.exists()) e->second = with_symbols(e->second, name);
+    if (e->rest.exists()) e->rest = with_symbols(e->rest, name);
   }
   if (auto* s = std::get_if<Series>(&network.form)) rename_parts(s->parts);
   if (auto* p = std::get_if<Parallel>(&network.form)) rename_parts(p->parts);
@@ -88,7 +89,7 @@ std::vector<Symbol> symbols_of(const Network& network) {
     if (seen.insert(symbol).second) symbols.push_back(symbol);
   };
   for_each_element(network, [&](const Element& element) {
-    for (const Amount* amount : {&element.coefficient, &element.second})
+    for (const Amount* amount : {&element.coefficient, &element.second, &element.rest})
       if (amount->exists()) for_each_symbol(*amount, NumberRole::factor, add);
   });
   return symbols;

@@ -17,12 +17,15 @@ namespace vcrit {
 /// ground; to an oscillation the uniformly moving far end of a drive is that ground, see
 /// masses.hpp.  lossy: K = k (1 + i eta), a spring with the same loss factor at all frequencies,
 /// which no causal element has: it stands for a material at the frequency of the oscillation.
-enum class ElementKind { spring, damper, maxwell, mass, lossy };
+/// measured: the same at the frequency of the oscillation alone, k and eta being those of a table;
+/// what it carries at rest is a number of its own.
+enum class ElementKind { spring, damper, maxwell, mass, lossy, measured };
 
 struct Element {
   ElementKind kind = ElementKind::spring;
   Amount coefficient;  ///< k (N/m) of a spring or Maxwell branch, c (N s/m), m (kg) of a mass
   Amount second;       ///< tau (s) of a Maxwell branch, eta of a lossy spring; others have none
+  Amount rest = {};    ///< k (N/m) at rest of what is measured; others have none
   friend bool operator==(const Element&, const Element&) = default;
 };
 

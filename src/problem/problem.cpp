@@ -75,7 +75,7 @@ std::variant<Isotropic, ReducedNetwork> tangential_of(const Scene& scene) {
 std::vector<Amount> expressions_of(const Scene& scene) {
   std::vector<Amount> all;
   const auto add = [&all](const Element& element) {
-    for (const Amount* amount : {&element.coefficient, &element.second})
+    for (const Amount* amount : {&element.coefficient, &element.second, &element.rest})
       if (!amount->is_symbol()) all.push_back(*amount);
   };
   for_each_element(scene.normal, add);
@@ -83,6 +83,21 @@ std::vector<Amount> expressions_of(const Scene& scene) {
   if (scene.drive) for_each_element(*scene.drive, add);
   if (scene.mount) for_each_element(*scene.mount, add);
   return all;
+}
+
+// What follows omega by a table has its numbers there; outside the table it has none.
+Resolved looked_up(Resolved parts) {
+  const std::optional<double>& omega = parts.angular_frequency.value;
+  for (const MeasuredStiffness& measured : parts.measured) {
+    const auto numbers = omega ? numbers_at(measured, *omega) : std::nullopt;
+    for (auto& [symbol, value] : parts.elements) {
+      if (symbol == measured.storage)
+        value = numbers ? std::optional(numbers->storage) : std::nullopt;
+      if (symbol == measured.loss_factor)
+        value = numbers ? std::optional(numbers->loss_factor) : std::nullopt;
+    }
+  }
+  return parts;
 }
 
 Resolved parts_of(const Scene& scene) {
@@ -102,7 +117,12 @@ Resolved parts_of(const Scene& scene) {
 struct Problem::Checked {
   explicit Checked(Resolved resolved) : parts(std::move(resolved)) {
     // Reading leaves elements of value 0 out of the networks.
-    for (const auto& [symbol, value] : parts.elements) add(symbol, value, positive);
+    for (const auto& [symbol, value] : parts.elements)
+      if (parts.of_table(symbol)) {
+        if (value) values[symbol] = *value;  // a loss factor may be 0
+      } else {
+        add(symbol, value, positive);
+      }
     for (const Quantity* quantity : quantities_of<const Quantity>(parts))
       add(quantity->symbol, quantity->value, range_of(parts, *quantity));
     for (const Amount& amount : parts.expressions)
@@ -124,6 +144,16 @@ struct Problem::Checked {
            called(parts.names, parts.indentation.symbol) == parts.indentation.symbol;
   }
 
+  /// What gives the numbers that are missing, where that is no element or key of their name.
+  std::string advice() const {
+    if (not_pressed())
+      return "what presses the contact is indentation in [oscillation] or force in [load]";
+    for (const MeasuredStiffness& measured : parts.measured)
+      if (!measured.rest.name.empty() && !values.contains(measured.rest))
+        return fmt::format("{} is static_stiffness in [contact]", measured.rest.name);
+    return "";
+  }
+
   std::string text_of(const Amount& amount) const {
     const std::string text = to_text(
         amount, [this](const Symbol& symbol) { return to_text(called(parts.names, symbol)); });
@@ -139,11 +169,11 @@ struct Problem::Checked {
 };
 
 Problem::Problem(Resolved resolved)
-    : checked_(std::make_shared<const Checked>(std::move(resolved))) {}
+    : checked_(std::make_shared<const Checked>(looked_up(std::move(resolved)))) {}
 
 Problem::Problem(const Scene& scene) : Problem(parts_of(scene)) {
   Values elements;
-  for (const auto& [symbol, value] : scene.elements)
+  for (const auto& [symbol, value] : (*this)->elements)
     if (value) elements[symbol] = *value;
   if (elements.size() == scene.elements.size()) check_members(scene, elements);
 }
@@ -156,10 +186,10 @@ const Values& Problem::values() const& {
   if (!checked_->missing.empty())
     throw InputError({checked_->parts.source->file},
                      fmt::format("no value for {}", fmt::join(checked_->missing, ", ")),
-                     "a number for each, in the scene or by `set NAME=VALUE`",
-                     checked_->not_pressed()
-                         ? "what presses the contact is indentation in [oscillation] or force in [load]"
-                         : "");
+                     "a number for each, in the scene or by `set NAME=VALUE`", checked_->advice());
+  for (const MeasuredStiffness& measured : checked_->parts.measured)
+    if (!checked_->values.contains(measured.storage))
+      throw ModelError(outside_words(measured, *checked_->parts.angular_frequency.value));
   return checked_->values;
 }
 

@@ -37,6 +37,12 @@ struct Resolved : Givens {
   /// K_m between vibrator and body along the normal; without it the vibrator is the body.
   std::optional<ReducedNetwork> mount = {};
 
+  /// Whether the number of an element is that of a table, at omega.
+  bool of_table(const Symbol& symbol) const {
+    for (const MeasuredStiffness& each : measured)
+      if (symbol == each.storage || symbol == each.loss_factor) return true;
+    return false;
+  }
   bool rigid() const { return std::holds_alternative<Rigid>(drive); }
   bool has_masses() const { return drive_network() != nullptr && drive_network()->has_masses(); }
   /// The drive where it is a network, and where it is measured; else null.
@@ -58,7 +64,7 @@ class Problem {
   const Resolved& operator*() const { return resolved(); }
 
   /// All values (elements and quantities) by symbol, SI. Throws InputError naming every missing one
-  /// at once.
+  /// at once, ModelError where omega is outside the table of a measured contact.
   const Values& values() const&;
   Values values() && { return std::as_const(*this).values(); }
   double value(const Quantity& quantity) const { return values().at(quantity.symbol); }
@@ -71,8 +77,8 @@ class Problem {
   double found_indentation(const std::function<double()>& find) const;
 
   /// Another problem, with these values (SI) in place of its own; that of frequency_symbol is f,
-  /// and omega 2 pi f. Throws InputError for one that no scene may have, Bug for a symbol that the
-  /// problem does not have.
+  /// and omega 2 pi f; what a measured contact is follows omega. Throws InputError for one that no
+  /// scene may have, Bug for a symbol that the problem does not have.
   Problem with(const Values& values) const;
 
  private:

@@ -18,8 +18,9 @@ namespace {
 
 bool has_lossy_spring(const Problem& problem) {
   bool found = false;
-  for_each_element(problem,
-                   [&](const Element& element) { found = found || !is_rational(element); });
+  for_each_element(problem, [&](const Element& element) {
+    found = found || (!is_rational(element) && !follows_table(element));
+  });
   return found;
 }
 
@@ -118,6 +119,8 @@ const char* name_of(SceneKind kind) {
       return "indenter_on_drive";
     case SceneKind::viscoelastic_indenter_on_drive:
       return "viscoelastic_indenter_on_drive";
+    case SceneKind::measured_contact:
+      return "measured_contact";
   }
   throw Bug("a kind of scene without a name");
 }
@@ -187,6 +190,8 @@ bool Facts::is(SceneKind kind) const {
     case SceneKind::viscoelastic_indenter_on_drive:
       return indenter_on_drive(problem_) && problem_->indenter->shape != Indenter::Shape::flat &&
              !all_springs(problem_->normal);
+    case SceneKind::measured_contact:
+      return !problem_->measured.empty();
   }
   throw Bug("a kind of scene without a rule");
 }

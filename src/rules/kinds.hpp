@@ -38,9 +38,9 @@ enum class SceneKind {
   separating_with_mass,           ///< the same, and a mass moves with the contact
   indenter_on_drive,  ///< on a drive that gives, through which its cells move one another
   viscoelastic_indenter_on_drive,  ///< the same, whose cells are not alike and have a memory
+  measured_contact,                ///< known at the frequencies of its table
 };
-inline constexpr std::size_t kinds =
-    static_cast<std::size_t>(SceneKind::viscoelastic_indenter_on_drive) + 1;
+inline constexpr std::size_t kinds = static_cast<std::size_t>(SceneKind::measured_contact) + 1;
 
 /// "measured_drive": a name that stays the same, for programs.
 const char* name_of(SceneKind kind);

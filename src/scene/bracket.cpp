@@ -1,7 +1,7 @@
 // Between which rows of a measured receptance a frequency lies.
-#include <fmt/core.h>
+#include "scene/bracket.hpp"
 
-#include <algorithm>
+#include <fmt/core.h>
 
 #include "scene/receptance.hpp"
 
@@ -9,14 +9,11 @@ namespace vcrit {
 
 Bracket bracket(const Receptance& receptance, double omega) {
   const auto& rows = receptance.rows;
-  const auto above =
-      std::lower_bound(rows.begin(), rows.end(), omega,
-                       [](const Receptance::Row& row, double value) { return row.omega < value; });
-  if (above != rows.end() && above->omega == omega) return {*above, *above};
-  if (above == rows.end() || above == rows.begin())
+  const auto [below, above] = rows_around(rows, omega);
+  if (below == nullptr)
     throw ModelError(fmt::format("omega = {} rad/s is outside the receptance in {}, {} to {} rad/s",
                                  omega, receptance.file, rows.front().omega, rows.back().omega));
-  return {*(above - 1), *above};
+  return {*below, *above};
 }
 
 }  // namespace vcrit

@@ -39,6 +39,7 @@ void ElementValues::read(const std::string& name, const ElementUse& use,
   refuse_clash(name, use, taken);
   if (const std::string own_name = own({name}).name; own_name != name)
     scene_.names[own_name] = name;
+  if (networks_.is_tabulated(name)) return refuse_to_set(name, {name});
   const toml::node* node = elements_ == nullptr ? nullptr : elements_->get(name);
   if (use.length > 0)
     read_array(name, use, node);

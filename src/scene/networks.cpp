@@ -226,6 +226,27 @@ Network Networks::read_rational(const std::string& name, const toml::table& tabl
   return std::move(form.network);
 }
 
+Network Networks::given(Network network, const std::map<Symbol, TypedNumber>& numbers,
+                        const std::set<std::string>& tabulated, const Place& place) {
+  for (const Symbol& symbol : symbols_of(network)) {
+    if (elements_ != nullptr && elements_->contains(symbol.name))
+      throw InputError(place_of(*elements_->get(symbol.name), file_),
+                       fmt::format("\"{}\", a number of the measured contact", symbol.name),
+                       "another name of the element");
+    if (uses_.contains(symbol.name)) refuse_reserved(symbol.name, uses_.at(symbol.name).place);
+  }
+  note_uses(network, place);
+  for (const Symbol& symbol : symbols_of(network)) reserved_.insert(symbol.name);
+  numbers_.insert(numbers.begin(), numbers.end());
+  tabulated_.insert(tabulated.begin(), tabulated.end());
+  return network;
+}
+
+void Networks::refuse_reserved(const std::string& name, const Place& place) {
+  throw InputError(place, fmt::format("\"{}\", a number of the measured contact", name),
+                   "another name of the element");
+}
+
 const TypedNumber* Networks::number_of(const Symbol& symbol) const {
   const auto found = numbers_.find(symbol);
   return found == numbers_.end() ? nullptr : &found->second;
@@ -342,6 +363,7 @@ void Networks::note_uses(const Network& network, const Place& place) {
 }
 
 void Networks::note_use(const Symbol& symbol, NumberRole role, const Place& place) {
+  if (reserved_.contains(symbol.name)) refuse_reserved(symbol.name, place);
   const ElementUse use{role, dimension_of(role), symbol.entry, place};
   const auto [known, is_new] = uses_.try_emplace(symbol.name, use);
   ElementUse& first = known->second;

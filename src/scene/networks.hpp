@@ -28,6 +28,13 @@ class Networks {
   /// Reads the named networks that nothing has used yet, for their errors.
   void read_unused();
 
+  /// A network of elements whose numbers are given with it, or follow a table: `tabulated`. Throws
+  /// InputError where [elements] or another network has one of their names.
+  Network given(Network network, const std::map<Symbol, TypedNumber>& numbers,
+                const std::set<std::string>& tabulated, const Place& place);
+  /// Whether the number of that element follows a table.
+  bool is_tabulated(const std::string& name) const { return tabulated_.contains(name); }
+
   /// By the names in the networks.
   const std::map<std::string, ElementUse>& uses() const { return uses_; }
   /// Numbers of elements that stand for a stiffness typed in, by the names in the networks.
@@ -66,6 +73,7 @@ class Networks {
   Dimension dimension_of(NumberRole role) const;
   void note_uses(const Network& network, const Place& place);
   void note_use(const Symbol& symbol, NumberRole role, const Place& place);
+  [[noreturn]] static void refuse_reserved(const std::string& name, const Place& place);
   void check_size(const Network& network, const Place& place);
 
   std::string file_;
@@ -75,6 +83,7 @@ class Networks {
   ElementNames names_;
   std::map<std::string, Network> known_;
   std::map<Symbol, TypedNumber> numbers_;
+  std::set<std::string> tabulated_, reserved_;
   std::set<std::string> being_read_;
   std::set<std::string> called_;                  // with arguments
   std::map<std::string, std::string> arguments_;  // of the network that is being read

@@ -10,6 +10,7 @@
 
 #include "base/units.hpp"
 #include "network/network.hpp"
+#include "scene/measured_stiffness.hpp"
 #include "scene/profile.hpp"
 
 namespace vcrit {
@@ -64,6 +65,7 @@ struct Source {
   std::map<std::string, Dimension> settable;  ///< what --set may name, and what it measures
   std::map<std::string, Symbol> named;        ///< what each of these is; may be frequency_symbol
   std::map<std::string, std::string> expressions;  ///< of elements, as they are written
+  std::map<std::string, std::string> tabulated;    ///< files of elements that follow a table
   std::vector<std::string> warnings;
 };
 
@@ -72,7 +74,7 @@ struct Givens {
   std::optional<Quantity> mass;             ///< m (kg) of the body; only under a drive that gives
   std::optional<FittedRange> fitted_range;  ///< of the contact's networks
   bool separation = false;                  ///< the surfaces may part: F_n = max(0, reaction)
-  std::optional<Indenter> indenter;  ///< of an isotropic half-space
+  std::optional<Indenter> indenter;         ///< of an isotropic half-space
   Quantity coefficient, angular_frequency, amplitude;  ///< mu0, omega, du_z
   Quantity indentation;          ///< u_z0, m; without a value where there is a load
   std::optional<Quantity> load;  ///< W (N), the mean normal force, in place of the indentation
@@ -80,7 +82,8 @@ struct Givens {
   /// with a mount.
   std::optional<Quantity> mount_mass;
   std::vector<std::pair<Symbol, std::optional<double>>>
-      elements;  ///< of the networks, in order of writing
+      elements;                                  ///< of the networks, in order of writing
+  std::vector<MeasuredStiffness> measured = {};  ///< of the contact, normal and tangential
   /// The names that a scene gives its symbols, by the names that they have here: "M" of "m" where
   /// mass = "M". All that is not among them is written as it is called here.
   std::map<std::string, std::string> names;

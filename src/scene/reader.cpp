@@ -21,6 +21,7 @@
 #include "scene/findings.hpp"
 #include "scene/fitted_range.hpp"
 #include "scene/indenter.hpp"
+#include "scene/measured_contact.hpp"
 #include "scene/mount_section.hpp"
 #include "scene/networks.hpp"
 #include "scene/part_networks.hpp"
@@ -116,10 +117,17 @@ class Reader {
     return read;
   }
 
+  Network normal_network(const Section& contact) {
+    if (has_measured(contact, MeasuredSide::normal))
+      return read_measured_contact(contact, MeasuredSide::normal, scene_, networks_, warnings_);
+    refuse_static_stiffness(contact);
+    return contact_network(contact, "normal");
+  }
+
   void read_contact() {
     const Section contact = section("contact");
     if (!contact.exists()) throw InputError({file_}, "no [contact]", "a section [contact]");
-    read_part([&] { scene_.normal = contact_network(contact, "normal"); });
+    read_part([&] { scene_.normal = normal_network(contact); });
     read_part([&] { scene_.separation = flag(contact, "separation"); });
     read_part([&] { scene_.fitted_range = read_fitted_range(contact); });
     read_tangential(contact);
@@ -131,6 +139,11 @@ class Reader {
     if (given != 1)
       throw InputError(contact.place(""), fmt::format("{} of {}", given, fmt::join(ways_, ", ")),
                        "exactly one of them in [contact]");
+    if (has_measured(contact, MeasuredSide::tangential)) {
+      scene_.tangential =
+          read_measured_contact(contact, MeasuredSide::tangential, scene_, networks_, warnings_);
+      return;
+    }
     if (contact.find("tangential") != nullptr) {
       scene_.tangential = contact_network(contact, "tangential");
       return;
@@ -226,6 +239,9 @@ class Reader {
       throw InputError(indenter.place(""), "[indenter] with [mount]",
                        "one of the two: the force below an indenter is not harmonic, so that what "
                        "a mount leaves of the vibration is no amplitude");
+    if (!scene_.measured.empty())
+      throw InputError(indenter.place(""), "[indenter] with a measured stiffness",
+                       "a network of the half-space's modulus in [contact]");
     const auto* isotropic = std::get_if<Isotropic>(&scene_.tangential);
     if (isotropic == nullptr || isotropic->by != Isotropic::By::poisson)
       throw InputError(indenter.place(""), "[indenter] without poisson",
@@ -330,7 +346,8 @@ class Reader {
 
   OverridingValues& settings() { return quantities_.settings(); }
 
-  static constexpr std::array<const char*, 3> ways_{"poisson", "tangential_ratio", "tangential"};
+  static constexpr std::array<const char*, 4> ways_{"poisson", "tangential_ratio", "tangential",
+                                                    "tangential_dynamic_stiffness"};
   Complaints& complaints_;
   toml::table document_;
   std::string file_;

@@ -24,7 +24,8 @@ const std::vector<SectionKeys>& sections() {
        {"title", "contact", "indenter", "drive", "body", "mount", "oscillation", "load", "friction",
         "elements", "networks"}},
       {"contact",
-       {"normal", "poisson", "tangential_ratio", "tangential", "separation", "fitted_range"}},
+       {"normal", "dynamic_stiffness", "static_stiffness", "poisson", "tangential_ratio",
+        "tangential", "tangential_dynamic_stiffness", "separation", "fitted_range"}},
       {"indenter", {"shape", "radius", "angle", "prefactor", "exponent"}},
       {"drive", {"network", "receptance", "static_compliance", "order"}},
       {"body", {"mass"}},
@@ -46,7 +47,7 @@ constexpr const char* speed_advice =
     "a sliding speed belongs to the command: vcrit simulate SCENE --velocity \"1 mm/s\"";
 constexpr const char* elements_advice = "springs and dampers have their values in [elements]";
 
-constexpr std::array<OtherWord, 32> other_words{
+constexpr std::array<OtherWord, 33> other_words{
     {{"load", load_advice},
      {"force", load_advice},
      {"normal_force", load_advice},
@@ -80,6 +81,8 @@ constexpr std::array<OtherWord, 32> other_words{
      {"modulus",
       "below an [indenter] Young's modulus is normal = \"spring(E)\", with E in [elements]"},
      {"E", "below an [indenter] Young's modulus is normal = \"spring(E)\", with E in [elements]"},
+     {"punch_radius",
+      "vcrit fit --punch-radius makes a contact of a table of moduli, below a flat punch"},
      {"density", "vcrit takes the mass itself: mass = \"5 g\" in [body]"}}};
 
 }  // namespace

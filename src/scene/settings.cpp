@@ -33,6 +33,9 @@ Dimension known_dimension(const std::string& name, const std::map<std::string, D
 }
 
 void refuse_expression(const Source& source, const std::string& name, const Place& place) {
+  if (const auto table = source.tabulated.find(name); table != source.tabulated.end())
+    throw InputError(place, fmt::format("{}, which is in the table {}", name, table->second),
+                     "another table, or normal = \"...\", a network of elements to set");
   const auto found = source.expressions.find(name);
   if (found == source.expressions.end()) return;
   throw InputError(place, fmt::format("{}, which is \"{}\" in this scene", name, found->second),

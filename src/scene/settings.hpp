@@ -16,7 +16,8 @@ namespace vcrit {
 Dimension known_dimension(const std::string& name, const std::map<std::string, Dimension>& known,
                           const Place& place, const std::map<std::string, Symbol>& named = {});
 
-/// Throws InputError at `place` where the scene has an expression in the place of this number.
+/// Throws InputError at `place` where the scene has an expression in the place of this number, or
+/// takes it from a table.
 void refuse_expression(const Source& source, const std::string& name, const Place& place);
 
 /// "NAME=VALUE" of --set. Throws InputError if it has another form.

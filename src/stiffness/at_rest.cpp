@@ -1,5 +1,6 @@
 #include "stiffness/at_rest.hpp"
 
+#include "network/law.hpp"
 #include "network/reduction.hpp"
 #include "network/wiring.hpp"
 
@@ -28,7 +29,10 @@ struct LeadingTerms {
   static AtRest relaxing(const AtRest& k, const AtRest& tau) {
     return {1, k.coefficient * tau.coefficient};
   }
-  static AtRest lossy(const AtRest& k, const AtRest&) { return k; }
+  AtRest element(const Element& e) {
+    const auto rest = is_rational(e) ? std::nullopt : vcrit::at_rest(e);
+    return law(rest ? *rest : e, *this);
+  }
   static AtRest parallel(const AtRest& a, const AtRest& b) {
     if (a.order != b.order) return a.order < b.order ? a : b;
     return {a.order, a.coefficient + b.coefficient};

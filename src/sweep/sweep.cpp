@@ -186,11 +186,23 @@ class Sweeping::Rows {
     if (sweeping_.closed_) (*sweeping_.closed_)(columns, shares_);
     for (std::size_t i = 0; i < rows; ++i) {
       const std::size_t row = begin + i;
-      admissible_[row] = sweeping_.closed_ ? is_admissible(row, shares_[i])
-                                           : inadmissible_reasons(problem_at(row)).empty();
+      const std::string reason = why_inadmissible(row, shares_[i]);
       if (admissible_[row]) continue;
       critical_[row] = nothing;
-      note(row, answer_.reason.empty() ? inadmissible_reasons(problem_at(row)).front() : "");
+      note(row, reason);
+    }
+  }
+
+  // Nothing where the row is, or where another one's reason is known.
+  std::string why_inadmissible(std::size_t row, double share) {
+    try {
+      admissible_[row] = sweeping_.closed_ ? is_admissible(row, share)
+                                           : inadmissible_reasons(problem_at(row)).empty();
+      if (admissible_[row] || !answer_.reason.empty()) return {};
+      return inadmissible_reasons(problem_at(row)).front();
+    } catch (const ModelError& error) {  // outside the table of a measured contact
+      admissible_[row] = false;
+      return error.what();
     }
   }
 

@@ -240,8 +240,9 @@ Sensitivities sensitivities(const Derivation& derivation) {
   const bool is_nested = !derivation.definitions.empty() || problem->receptance() != nullptr;
   Sensitivities result;
   for (const Symbol& parameter : derivation.parameters) {
-    // How a measured receptance changes with omega is in its table, not in symbols.
-    if (problem->receptance() != nullptr && parameter == problem->angular_frequency.symbol)
+    // How a measured receptance or contact changes with omega is in its table, not in symbols.
+    if ((problem->receptance() != nullptr || !problem->measured.empty()) &&
+        parameter == problem->angular_frequency.symbol)
       continue;
     const ex p = variable(problem, parameter);
     std::optional<ex> fraction;

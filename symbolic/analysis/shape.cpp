@@ -47,6 +47,7 @@ class Pairing {
 
   bool match_forms(const Element& a, const Element& b) {
     if (a.kind != b.kind || !is_plain(a) || !is_plain(b)) return false;
+    if (follows_table(a)) return false;  // whether one is a multiple of the other is in the tables
     std::vector<Symbol> others;
     for_each_number(b, [&](const Symbol& symbol, NumberRole) { others.push_back(symbol); });
     auto other = others.begin();

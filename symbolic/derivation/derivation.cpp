@@ -81,7 +81,7 @@ void write_condition(const Model& model, std::vector<Line>& lines) {
 
 /// "Normal contact, drive, with s = i omega" before the first of the lines. Names of parts come
 /// before the network that they are of.
-void write_networks(const Model& model, std::vector<Line>& lines) {
+void write_networks(const Model& model, bool measured, std::vector<Line>& lines) {
   const std::map<std::string, std::string> words{
       {"K_n", "normal contact"}, {"K_t", "tangential contact"}, {"K_d", "drive"}, {"K_m", "mount"}};
   const ex amplitude = model.amplitude({});
@@ -97,6 +97,10 @@ void write_networks(const Model& model, std::vector<Line>& lines) {
   written.front().front() = static_cast<char>(std::toupper(written.front().front()));
   inner.front().words = {fmt::format("{}, with ", fmt::join(written, ", ")),
                          stated(laplace(), GiNaC::I * omega())};
+  if (measured)
+    inner.front().words +=
+        {"; storage stiffness and loss factor of the contact are measured, in a table over ",
+         omega()};
   lines.insert(lines.end(), inner.begin(), inner.end());
 }
 
@@ -149,7 +153,7 @@ Derivation derive(const Problem& problem) {
   if (problem->names.contains(frequency_symbol.name))
     result.lines.push_back(
         {"Angular frequency", omega(), 2 * positive_quantity("pi") * symbol(frequency_symbol)});
-  write_networks(model, result.lines);
+  write_networks(model, !problem->measured.empty(), result.lines);
   if (const auto line = indentation_line(problem)) result.lines.push_back(*line);
   if (result.lines.back().left.is_equal(quantity("v*"))) result.lines.pop_back();
   result.lines.push_back({"Result", quantity("v*"), {}});

@@ -10,6 +10,7 @@
 #include "formula/series.hpp"
 #include "formula/symbols.hpp"
 #include "network/law.hpp"
+#include "network/number_words.hpp"
 
 namespace vcrit::symbolic {
 
@@ -114,7 +115,10 @@ class Nomenclature {
           known = elements_.insert(
               known,
               {symbol.name,
-               {is.words, unit_text(problem_->indenter ? is.in_half_space : is.dimension), {}, 0}});
+               {number_words(element, symbol, role),
+                unit_text(problem_->indenter ? is.in_half_space : is.dimension),
+                {},
+                0}});
         Found& found = known->second;
         found.entries = std::max(found.entries, symbol.entry);
         if (std::find(found.places.begin(), found.places.end(), where) == found.places.end())

@@ -69,8 +69,15 @@ class Facts {
     if (problem_->mount_mass && problem_->mass &&
         problem_->mount_mass->symbol != problem_->mass->symbol)
       symbols.push_back(problem_->mount_mass->symbol);
-    for (const auto& [symbol, value] : problem_->elements) symbols.push_back(symbol);
+    for (const auto& [symbol, value] : problem_->elements)
+      if (!is_rest(symbol)) symbols.push_back(symbol);
     return symbols;
+  }
+
+  /// What a measured contact carries at rest enters no v*, by what it is.
+  bool is_rest(const Symbol& symbol) const {
+    return std::any_of(problem_->measured.begin(), problem_->measured.end(),
+                       [&](const MeasuredStiffness& each) { return each.rest == symbol; });
   }
 
   std::vector<Symbol> not_entering(const std::vector<Symbol>& symbols) const {

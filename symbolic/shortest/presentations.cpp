@@ -108,6 +108,7 @@ std::vector<ComplexQuotient> Presentations::of(const Element& e) {
     case ElementKind::mass:
       return {{from_real(Expressions::negative(inertia(k)))}};
     case ElementKind::lossy:
+    case ElementKind::measured:
       return {{{k, all_.multiply(k, number(e.second))}}};
     case ElementKind::maxwell:
       break;

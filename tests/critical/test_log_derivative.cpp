@@ -3,11 +3,14 @@
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <fstream>
 
+#include "base/errors.hpp"
 #include "critical/certified.hpp"
 #include "critical/critical_velocity.hpp"
 #include "problem/problem.hpp"
 #include "support/nodal.hpp"
+#include "support/program.hpp"
 #include "support/random_scene.hpp"
 #include "support/scene_text.hpp"
 
@@ -82,6 +85,30 @@ BOOST_AUTO_TEST_CASE(drives_with_masses_against_nodes) {
     }
   }
   BOOST_TEST(masses > 50);
+}
+
+// A measured contact follows omega: by differences of v* over parts of 1e-6 of omega. Rounding of
+// v*, some 1e2 units, over twice that, and the change's square leave less than 1e-7. Drives with and
+// without masses go two ways.
+BOOST_AUTO_TEST_CASE(a_measured_contact_follows_omega) {
+  const test::PrivateFolder folder;
+  std::ofstream(folder.path() / "pad.csv") << "omega,storage,loss\n1,8,1\n3,16,2\n5,16,4\n";
+  for (const char* drive : {"kd | cd", "kd | ka - mass(ma)"}) {
+    const Problem problem = parse_problem(
+        "[contact]\ndynamic_stiffness = \"pad.csv\"\nstatic_stiffness = 6\npoisson = 0.3\n"
+        "[drive]\nnetwork = \"" +
+            std::string(drive) +
+            "\"\n[oscillation]\nangular_frequency = 2\namplitude = 1e-6\nindentation = 9e-6\n"
+            "[friction]\ncoefficient = 0.3\n[elements]\nkd = 5\ncd = 1\nka = 3\nma = 0.1\n",
+        folder.path() / "s.toml", {});
+    constexpr double part = 1e-6;
+    const auto at = [&](double factor) {
+      return critical_velocity(problem.with({{{"omega"}, 2 * factor}}));
+    };
+    const double slope = std::log(at(1 + part) / at(1 - part)) / (2 * part);
+    BOOST_TEST(std::abs(log_derivative(problem, {"omega"}) - slope) <= 1e-7);
+    BOOST_CHECK_THROW(log_derivative(problem.with({{{"omega"}, 3}}), {"omega"}), ModelError);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(no_sensitivity_of_what_is_0_or_infinite) {

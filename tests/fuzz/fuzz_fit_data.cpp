@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "base/numbers.hpp"
-#include "fit/data.hpp"
 #include "fuzz.hpp"
+#include "scene/stiffness_data.hpp"
 
 using namespace vcrit;
 

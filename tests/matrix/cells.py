@@ -152,6 +152,11 @@ class Cells:
         self.near(found, reference, abs(reference) * roundings * U if reference != mp.inf else 0, words or kind)
 
 
+def settable(names):
+    """But what follows omega by a table, which nobody sets."""
+    return [name for name in names if name not in ("k_n", "eta_n", "k_t", "eta_t")]
+
+
 def contact_amplitude(kind):
     """du_z, and its share of the amplitude given."""
     references = REFERENCES[kind]

@@ -203,6 +203,8 @@ class SimpleDrive:
 
 def equilibrium(system):
     """K_n(0): 0 where it falls with s."""
+    if system.at_rest is not None:  # beside a table
+        return system.at_rest
     slow = mp.mpf(10) ** -60
     at = mp.re(stiffness(system.normal, slow))
     return at if stiffness(system.normal, 2 * slow) / at < mp.mpf(3) / 2 else mp.mpf(0)

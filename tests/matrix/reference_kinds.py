@@ -41,6 +41,41 @@ def frame(v):
                  (spring(v["k3"]), "a", "b"))
 
 
+def rows_of_table(table, *columns):
+    with (FOLDER / table).open() as file:
+        return [[mp.mpf(row[key]) for key in columns] for row in csv.DictReader(file)]
+
+
+def between_rows(table, omega, *columns):
+    """Complex numbers, linear between two rows of a table."""
+    rows = rows_of_table(table, *columns)
+    for (left, *low), (right, *high) in zip(rows, rows[1:]):
+        if left <= omega <= right:
+            part = (omega - left) / (right - left)
+            return mp.mpc(*(a + part * (b - a) for a, b in zip(low, high)))
+    raise ValueError(omega)
+
+
+# Tables of a contact by the end of the names of their numbers, K' and K''/K'.
+PADS = {"n": "pad.csv", "t": "pad_tangential.csv"}
+
+
+def measured_numbers(omega):
+    """k_n, eta_n, k_t and eta_t."""
+    found = {}
+    for end, table in PADS.items():
+        k = between_rows(table, omega, "angular_frequency [rad/s]", "storage [N/m]", "loss [N/m]")
+        found |= {f"k_{end}": mp.re(k), f"eta_{end}": mp.im(k) / mp.re(k)}
+    return found
+
+
+def measured(v, end):
+    """A number changes by its factor, and with omega as its table does."""
+    here, there = measured_numbers(mp.mpf(10) ** 5), measured_numbers(v["omega"])
+    k, eta = (v[name] * there[name] / here[name] for name in (f"k_{end}", f"eta_{end}"))
+    return lossy(k, eta)
+
+
 # normal, tangential (a network, or K_t/K_n as a number), drive or None, and with a mount that.
 KINDS = {
     "closed": lambda v: (kelvin(v["kn"], v["cn"]), mindlin("0.3"), None),
@@ -101,6 +136,7 @@ KINDS = {
     "mount_mass": lambda v: (zener(v["k0"], v["k1"], v["c1"]), kelvin(v["kt"], v["ct"]), kelvin(v["kd"], v["cd"]),
                              zener(v["km"], v["k2"], v["c2"])),
     "creeping_mount": lambda v: (maxwell(v["k1"], v["c1"]), mindlin("0.3"), kelvin(v["kd"], v["cd"]), spring(v["km"])),
+    "measured_contact": lambda v: (measured(v, "n"), measured(v, "t"), kelvin(v["kd"], v["cd"])),
     "rational": lambda v: (prony({"k0": v["k0_pad"], "k": v["k_pad"], "tau": v["tau_pad"]}), mindlin("0.3"),
                            spring(v["kd"])),
     "symbols": lambda v: (zener(v["k0"], v["k1"], v["c1"]), mindlin("0.3"), spring(v["kd"])),
@@ -180,6 +216,8 @@ def read(name):
     # (12e6 s + 8e11)/(s + 1e5) = 8e6 + 4e6 s/(s + 1e5)
     if name == "rational":
         values |= {"k0_pad": mp.mpf("8e6"), "k_pad": [mp.mpf("4e6")], "tau_pad": [mp.mpf("1e-5")]}
+    if name == "measured_contact":
+        values |= {"k_n0": exact(text["contact"]["static_stiffness"])} | measured_numbers(mp.mpf(10) ** 5)
     if "oscillation" in text:
         oscillation = text["oscillation"]
         values |= {"mu0": exact(text["friction"]["coefficient"]), "omega": exact(oscillation["angular_frequency"]),
@@ -224,7 +262,7 @@ def wired(name, values):
     if drive is None:
         values = {key: value for key, value in values.items() if key != "m"}
     return SimpleNamespace(normal=normal, ratio=ratio, tangential=tangential, drive=drive, mass=values.get("m", mp.mpf(0)),
-                           mount=mount[0] if mount else None, moving=moving, fit_error=0)
+                           mount=mount[0] if mount else None, moving=moving, fit_error=0, at_rest=values.get("k_n0"))
 
 
 def moving(name, values):
@@ -237,13 +275,7 @@ def moving(name, values):
 
 def receptance(table, omega):
     """R_d of a measured drive, linear between two rows of its table."""
-    with (FOLDER / table).open() as file:
-        rows = [[mp.mpf(row[key]) for key in ("omega", "Re", "Im")] for row in csv.DictReader(file)]
-    for (left, *low), (right, *high) in zip(rows, rows[1:]):
-        if left <= omega <= right:
-            part = (omega - left) / (right - left)
-            return mp.mpc(*(a + part * (b - a) for a, b in zip(low, high)))
-    raise ValueError(omega)
+    return between_rows(table, omega, "omega", "Re", "Im")
 
 
 def write_chain():

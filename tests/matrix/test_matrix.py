@@ -20,7 +20,7 @@ import formulas
 import plot_cells
 import python_cells
 from cells import (FOLDER, KINDS, LOOKED_AT, REFERENCES, REFUSALS, U, Cells, choices, commands, contact_amplitude,
-                   free_share, onset, receptance, refusal, run, scene)
+                   free_share, onset, receptance, refusal, run, scene, settable)
 
 # Formats of the derivation; those of systems have v* alone, tests/document tries every form of it.
 DOCUMENTS, FORMS = ("text", "latex", "markdown", "html", "json"), choices("derive", "form")
@@ -264,7 +264,7 @@ class Matrix(Cells, unittest.TestCase):
         velocities = [references.text(f"velocity:{i}") if f"velocity:{i}" in references else f"1e-{3 + i}" for i in (0, 1)]
         axis = self.folder / "axis"
         axis.write_text("\n".join(velocities) + "\n")
-        parameters = references.begin("sensitivity:") or references.begin("value:")
+        parameters = settable(references.begin("sensitivity:") or references.begin("value:"))
         asked = [f"sensitivity:{name}" for name in parameters] if quantity == "sensitivity:NAME" else [quantity]
         if quantity == "friction_ratio":
             asked.append("friction_ratio_error")
@@ -293,7 +293,7 @@ class Matrix(Cells, unittest.TestCase):
             self.near(row[quantity], contact_amplitude(kind)[0], 8 * U * float(row[quantity]), quantity)
         elif quantity == "sensitivity:NAME":
             simulated = references.begin("simulated_sensitivity:")
-            for name in references.begin("sensitivity:"):
+            for name in settable(references.begin("sensitivity:")):
                 start = "simulated_sensitivity" if name in simulated else "sensitivity"
                 reference = references(f"{start}:{name}")
                 # Differentiated in doubles, or by differences good to 1e-9.

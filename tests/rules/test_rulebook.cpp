@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <functional>
+#include <memory>
 #include <set>
 #include <string>
 
 #include "base/errors.hpp"
 #include "indenter/half_space.hpp"
 #include "scene/scene.hpp"
+#include "scene/stiffness_data.hpp"
 #include "simulation/system/system.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_rulebook)
@@ -50,6 +52,18 @@ const std::string cone = "[indenter]\nshape = \"cone\"\nangle = 0.1\n";
 Scene measured() {
   Scene scene = scene_of({});
   scene.receptance = parse_receptance("omega,Re,Im\n0.5,1,0\n2,1,0\n", "drive.csv");
+  return scene;
+}
+
+// K = (1 + 0.1 i) N/m at all frequencies of its table.
+Scene measured_pad() {
+  const Symbol storage{"k"}, loss_factor{"l"}, rest{"kd"};
+  Scene scene = scene_of({});
+  scene.normal = Network{Element{ElementKind::measured, storage, loss_factor, rest}};
+  scene.elements = {{storage, {}}, {loss_factor, {}}, {rest, 1}};
+  scene.measured = {{storage, loss_factor, rest,
+                     std::make_shared<fit::Data>(fit::parse_data(
+                         "omega,storage,loss\n0.5,1,0.1\n1,1,0.1\n2,1,0.1\n", "pad.csv"))}};
   return scene;
 }
 
@@ -123,6 +137,8 @@ Scene scene_of(SceneKind kind) {
       return scene_of({.rest = cone + "[drive]\nnetwork = \"kd | c\"\n"});
     case SceneKind::viscoelastic_indenter_on_drive:
       return scene_of({.contact = kelvin, .rest = cone + "[drive]\nnetwork = \"kd\"\n"});
+    case SceneKind::measured_contact:
+      return measured_pad();
   }
   throw Bug("a kind without a scene");
 }
@@ -212,6 +228,9 @@ Names without_answer(SceneKind kind) {
                                 "derivation"};
     case SceneKind::viscoelastic_indenter_on_drive:
       return without_answer(SceneKind::indenter_on_drive) + Names{"motion_below_indenter"};
+    case SceneKind::measured_contact:
+      return without_answer(SceneKind::lossy_spring) +
+             Names{"formula_of_all_values", "evaluator", "report_explorer", "closed_range"};
   }
   throw Bug("a kind without its questions");
 }

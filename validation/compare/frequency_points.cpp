@@ -162,7 +162,10 @@ void add_points_around_marks(const Response& response, FrequencyResponse& result
 }  // namespace
 
 FrequencyResponse frequency_points(const Problem& problem) {
-  if (problem->receptance() == nullptr && !rules::answer(rules::Question::all_frequencies, problem))
+  // A measured contact is held at its numbers here, also where the drive's table goes further.
+  if (!problem->measured.empty() ||
+      (problem->receptance() == nullptr &&
+       !rules::answer(rules::Question::all_frequencies, problem)))
     return {};
   const Values& values = problem.values();
   const Response response(problem);

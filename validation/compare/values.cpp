@@ -4,6 +4,7 @@
 #include "compare/formulas.hpp"
 #include "formula/symbols.hpp"
 #include "network/law.hpp"
+#include "network/number_words.hpp"
 
 namespace vcrit::validation {
 
@@ -21,6 +22,8 @@ const char* place_of(const Element& element) {
       return " in the drive";
     case ElementKind::maxwell:
       return " of a Maxwell branch";
+    case ElementKind::measured:
+      return " of the measured contact";
     case ElementKind::spring:
     case ElementKind::damper:
     case ElementKind::lossy:
@@ -43,7 +46,7 @@ std::map<Symbol, ValueKind> kinds_of_elements(const Problem& problem) {
   for_each_element(problem, [&](const Element& element) {
     for_each_number(element, [&](const Symbol& symbol, NumberRole role) {
       kinds[symbol] = {si_unit(dimension_of(problem, symbol, role)),
-                       std::string(number_row(role).words) + place_of(element)};
+                       std::string(number_words(element, symbol, role)) + place_of(element)};
     });
   });
   return kinds;

@@ -50,6 +50,11 @@ Shapes mass_box() {
   return {line(0, 0, 22, 0), path("M62 0H84", "inertial"), path("M22 -12H62V12H22z", "solid")};
 }
 
+/// Of whatever is in it no more is known than its table.
+Shapes measured_box() {
+  return {line(0, 0, 22, 0), path("M22 -12H62V12H22z", "solid"), line(62, 0, 84, 0)};
+}
+
 /// Without its names. A Maxwell branch is two symbols in series.
 Drawing symbol_of(const Element& element) {
   const auto drawn = [](Shapes shapes, int symbols = 1) {
@@ -64,6 +69,8 @@ Drawing symbol_of(const Element& element) {
       return drawn({damper});
     case ElementKind::mass:
       return drawn(mass_box());
+    case ElementKind::measured:
+      return drawn(measured_box());
     case ElementKind::maxwell:
       return drawn(joined({{spring}, moved(element_width, 0, {damper})}), 2);
   }

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/csv.hpp"
-#include "fit/data.hpp"
+#include "scene/stiffness_data.hpp"
 
 namespace vcrit::fit {
 

@@ -1,4 +1,4 @@
-#include "fit/columns.hpp"
+#include "scene/stiffness_columns.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

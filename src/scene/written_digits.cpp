@@ -1,4 +1,4 @@
-#include "fit/rounding.hpp"
+#include "scene/written_digits.hpp"
 
 #include <algorithm>
 #include <cctype>

@@ -1,4 +1,4 @@
-#include "fit/data.hpp"
+#include "scene/stiffness_data.hpp"
 
 #include <fmt/format.h>
 
@@ -8,8 +8,8 @@
 #include "base/constants.hpp"
 #include "base/csv.hpp"
 #include "base/files.hpp"
-#include "fit/columns.hpp"
-#include "fit/rounding.hpp"
+#include "scene/stiffness_columns.hpp"
+#include "scene/written_digits.hpp"
 
 namespace vcrit::fit {
 

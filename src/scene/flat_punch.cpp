@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/units.hpp"
-#include "fit/data.hpp"
+#include "scene/stiffness_data.hpp"
 
 namespace vcrit::fit {
 

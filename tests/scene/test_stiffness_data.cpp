@@ -1,15 +1,15 @@
 // Tables of measured stiffness: headers with units, and one clear message for what is wrong.
-#include "fit/data.hpp"
+#include "scene/stiffness_data.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <numbers>
 
 #include "base/errors.hpp"
-#include "fit/rounding.hpp"
+#include "scene/written_digits.hpp"
 #include "support/refusal.hpp"
 
-BOOST_AUTO_TEST_SUITE(test_data)
+BOOST_AUTO_TEST_SUITE(test_stiffness_data)
 
 using namespace vcrit;
 using fit::Data;
