@@ -23,7 +23,7 @@ FAULTS = [
     ("src/network/reduction.cpp", "is_new) known->second = combine(Step::Kind::parallel", "parallel", "series",
      "network/test_reduction"),
     ("src/network/masses.cpp", "!from_is_far && !to_is_far", "!from", "from", "network/test_mass_networks"),
-    ("src/scene/bracket.cpp", "return {*(above - 1), *above};", "1", "2", "scene/test_receptance"),
+    ("src/scene/bracket.hpp", "return {&*(above - 1), &*above};", "1", "2", "scene/test_receptance"),
     ("src/stiffness/graph_relaxation.cpp", "form_.damper -= mode.squared_coupling / nu;", "-=", "+=",
      "stiffness/test_graph_relaxation"),
     ("src/stiffness/secular.cpp", "((value > 0) == rising ? high : low) = d;", ">", "<", "stiffness/test_secular"),
