@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/complaints.hpp"
 #include "base/errors.hpp"
 #include "scene/measured_stiffness.hpp"
 
