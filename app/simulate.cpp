@@ -122,7 +122,7 @@ const char* event_words(simulation::Motion to) {
   throw Bug("an event without words");
 }
 
-void print_events(const SteadyState& steady, int digits) {
+void print_events(const SteadyState& steady, const char* first, int digits) {
   const char* heading = "one cycle";
   if (steady.periods.value_or(1) > 1) {
     print_row(heading, fmt::format("repeats after {} periods of vibration", *steady.periods));
@@ -133,7 +133,7 @@ void print_events(const SteadyState& steady, int digits) {
         std::exchange(heading, ""),
         fmt::format("at {:>7}°  {}", rounded(event.phase * 180 / std::numbers::pi, "", digits),
                     event_words(event.to)));
-  if (!steady.events.empty()) print_row("", "(0° is the deepest indentation)");
+  if (!steady.events.empty()) print_row("", fmt::format("(0° is the {})", first));
 }
 
 // omega: rad/s
@@ -176,7 +176,9 @@ void print_simulate_text(const SimulationAnswer& answer, const Problem& problem,
                   simulation::mean_normal_force(system), steady.regime},
                  digits);
   print_load(answer.load, digits);
-  print_events(steady, digits);
+  print_events(steady,
+               system.opening && problem->mount ? "vibrator's deepest place" : "deepest indentation",
+               digits);
   if (answer.realisation) print_realisation(*answer.realisation, digits);
   if (answer.energy) print_power(*answer.energy, system.omega, digits);
   if (answer.separation) print_starts(answer.separation->other_start, digits);

@@ -11,7 +11,6 @@
 #include "base/errors.hpp"
 #include "critical/admissibility.hpp"
 #include "indenter/friction.hpp"
-#include "normal/mount.hpp"
 #include "record/fields.hpp"
 #include "rules/rulebook.hpp"
 #include "simulation/steady/normal_force.hpp"
@@ -75,7 +74,8 @@ std::optional<double> mean_normal_force(const Problem& problem, const Effect& ef
 void operating_point_of(const Problem& problem, Effect& effect) {
   effect.frequency = problem.value(problem->angular_frequency) / two_pi;
   effect.amplitude = problem.value(problem->amplitude);
-  if (problem->mount) effect.contact_amplitude = contact_amplitude(problem);
+  effect.of_vibrator = problem->mount.has_value();
+  if (const auto mount = below_mount(problem)) effect.contact_amplitude = mount->amplitude;
   if (problem->load) {
     const auto pressed = under_load(problem);
     effect.under_load = true;

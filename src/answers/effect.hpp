@@ -26,7 +26,8 @@ struct Effect {
   Kind kind = Kind::lowers;
 
   double frequency = 0, amplitude = 0;           ///< Hz, m: of the vibrator
-  std::optional<double> contact_amplitude = {};  ///< m, below a mount
+  bool of_vibrator = false;                      ///< whose amplitude that is, above a mount
+  std::optional<double> contact_amplitude = {};  ///< m, below a mount, where it is harmonic
   /// m; under a load as found, nothing where it is not known.
   std::optional<double> indentation = {};
   std::optional<double> sinking_velocity = {};  ///< m/s, under a load that no spring carries

@@ -75,7 +75,8 @@ std::string at_all_speeds(const Effect& effect, int digits) {
 
 std::string amplitude_words(const Effect& effect, int digits) {
   const std::string given = rounded(effect.amplitude, "m", digits) + " amplitude";
-  if (!effect.contact_amplitude) return given;
+  if (!effect.of_vibrator) return given;
+  if (!effect.contact_amplitude) return given + " of the vibrator";
   return fmt::format("{} of the vibrator ({} at the contact)", given,
                      rounded(*effect.contact_amplitude, "m", digits));
 }

@@ -19,9 +19,24 @@ void fields(record::Fields& f, const BelowMount& it) {
   f("amplitude", it.amplitude)("mount_phase", it.mount_phase);
 }
 
+namespace {
+
+// The force of a contact that opens has harmonics, and so has the height below a mount that gives.
+bool swings_with_harmonics(const Problem& problem) {
+  return problem->mount && problem->separation && rules::Facts(problem).opens();
+}
+
+}  // namespace
+
 std::optional<BelowMount> below_mount(const Problem& problem) {
-  if (!problem->mount) return std::nullopt;
+  if (!problem->mount || swings_with_harmonics(problem)) return std::nullopt;
   return BelowMount{contact_amplitude(problem), mount_phase(problem)};
+}
+
+double amplitude_at_contact(const Problem& problem) {
+  if (swings_with_harmonics(problem))
+    throw ModelError("below its mount the contact opens: its height has harmonics, and no amplitude");
+  return contact_amplitude(problem);
 }
 
 // W/eta_n: the damper through which all of the load goes.

@@ -37,8 +37,13 @@ struct BelowMount {
   friend void fields(record::Fields& f, const BelowMount& it);
 };
 
-/// Nothing of a scene without a mount. Throws InputError for missing values.
+/// Nothing of a scene without a mount, and of a contact that opens below one. Throws InputError for
+/// missing values.
 std::optional<BelowMount> below_mount(const Problem& problem);
+
+/// du_z, m, with and without a mount. Throws ModelError where the contact opens below one, InputError
+/// for missing values.
+double amplitude_at_contact(const Problem& problem);
 
 /// <F_n>, N, of any scene: what `vcrit sweep` asks for. Throws ModelError where it is not found,
 /// InputError for missing values.

@@ -5,10 +5,12 @@
 #include <complex>
 
 #include "base/constants.hpp"
+#include "normal/mount.hpp"
 #include "normal/normal_force.hpp"
 #include "normal/pressed_cells.hpp"
 #include "stiffness/at_rest.hpp"
 #include "stiffness/dynamic_stiffness.hpp"
+#include "stiffness/relaxation.hpp"
 
 namespace vcrit::simulation {
 
@@ -16,9 +18,10 @@ namespace {
 
 constexpr int most_root_steps = 200;  // with bisection alone some sixty would do
 
-// As if closed: the force that would open the contact is a question of its own.
-double closed_indentation(const Problem& problem) {
-  const long double stiffness = at_rest(problem->normal.reduction(), problem.values()).stiffness();
+// What the mean force compresses a network by, m. Of a contact as if closed: the force that would
+// open it is a question of its own.
+double compressed(const Problem& problem, const ReducedNetwork& network) {
+  const long double stiffness = at_rest(network.reduction(), problem.values()).stiffness();
   return static_cast<double>(problem.value(*problem->load) / stiffness);
 }
 
@@ -27,23 +30,40 @@ bool opens_under_load(const Problem& problem) {
   const long double swing =
       std::abs(wide_dynamic_stiffness(problem->normal.reduction(), values,
                                       values.at(problem->angular_frequency.symbol))) *
-      values.at(problem->amplitude.symbol);
+      contact_amplitude(problem);
   return problem->separation &&
          swing > (1 + least_separation(false)) * problem.value(*problem->load);
 }
 
-double indentation_of_contact(const Problem& problem) {
-  const double closed = closed_indentation(problem);
+// Without a mass no force but theirs is on the body: mount and contact together are pressed by what
+// the vibrator does.
+NormalMotion unpressed_motion(const Problem& problem) {
+  const Relaxation contact = relaxation_form(problem->normal.network(), problem.values());
+  if (!problem->mount) return {contact, 0, problem.value(problem->amplitude)};
+  const Relaxation mount = relaxation_form(problem->mount->network(), problem.values());
+  return {series({mount, contact}), 0, problem.value(problem->amplitude)};
+}
+
+double pressed_mean(const Problem& problem) {
+  const double closed = compressed(problem, problem->normal);
   if (std::isinf(closed) || !opens_under_load(problem)) return closed;
-  const NormalMotion motion{relaxation_form(problem->normal.network(), problem.values()), closed,
-                            problem.value(problem->amplitude)};
+  const NormalMotion motion = unpressed_motion(problem);
+  const double deepest = problem->mount ? closed + compressed(problem, *problem->mount) : closed;
   const ContactModes modes = modes_of(motion, problem.value(problem->angular_frequency));
   SharedEffort effort(effort_of_pressing);
   const auto force = [&](double mean) {
     const PressedCycle found = pressed_cycle(modes, {mean, motion.amplitude}, &effort);
     return PressedForce{found.cycle.mean, found.slope};
   };
-  return pressed_by(force, problem.value(*problem->load), -motion.amplitude, closed);
+  return pressed_by(force, problem.value(*problem->load), -motion.amplitude, deepest);
+}
+
+// Of what is prescribed: with the mount's deformation where the contact opens below one.
+double prescribed_mean(const Problem& problem) {
+  if (!problem->load) return problem.value(problem->indentation);
+  return problem.found_indentation([&] {
+    return problem->indenter ? indentation_of_cells(problem) : pressed_mean(problem);
+  });
 }
 
 }  // namespace
@@ -69,10 +89,15 @@ double pressed_by(const std::function<PressedForce(double)>& force, double load,
 }
 
 double mean_indentation(const Problem& problem) {
-  if (!problem->load) return problem.value(problem->indentation);
-  return problem.found_indentation([&] {
-    return problem->indenter ? indentation_of_cells(problem) : indentation_of_contact(problem);
-  });
+  const double mean = prescribed_mean(problem);
+  if (!problem->mount || !problem->load || !opens_under_load(problem)) return mean;
+  return mean - compressed(problem, *problem->mount);
+}
+
+NormalMotion opening_motion(const Problem& problem) {
+  NormalMotion motion = unpressed_motion(problem);
+  motion.mean = prescribed_mean(problem);
+  return motion;
 }
 
 double closed_mean_force(const Problem& problem, double static_stiffness) {

@@ -86,10 +86,9 @@ constexpr Cell sinks_opening = refused(
 
 // Height and force of a contact that opens below a mount.
 constexpr Cell mounted = refused(
-    "below a mount no contact that may open (separation = true) is simulated: for lack of code, not "
-    "of physics",
-    "leave out separation = true, or give mount and contact in series as the normal network, with a "
-    "tangential network of its own and [load]");
+    "below a mount the mean force of a contact that may open (separation = true) is that of a load, "
+    "and none is given",
+    "give [load] force in place of the indentation, or leave out separation = true");
 constexpr Cell reacting = refused(
     "a contact that may open (separation = true) below a mount with mass: height and force react on "
     "each other, so that the steady motion need not be the only one",

@@ -28,6 +28,8 @@ bool isotropic(const Problem& problem) {
   return std::holds_alternative<Isotropic>(problem->tangential);
 }
 
+bool indenter_on_drive(const Problem& problem) { return problem->indenter && !problem->rigid(); }
+
 // A path without mass, damper and branches: the contact velocity is v0 less the rate of the
 // friction bound over a stiffness, and the bound is steepest where the closed contact has it; as
 // long as it is closed there, which no load makes sure of: its indentation may be below 0.
@@ -41,12 +43,17 @@ bool elastic(const Problem& problem) {
 // Eq. 24 holds on for an isotropic contact under a rigid drive: in sliding the tangential
 // deformations are mu0 K_n/K_t times the normal ones, while closed and while open, so that the
 // contact velocity is v0 - mu0 (K_n/K_t) du_z/dt whatever the network; as long as the contact
-// is closed where u_z rises fastest, which a surface that creeps back too slowly does not.
+// is closed where u_z rises fastest, which a surface that creeps back too slowly does not. Below a
+// mount what gives along the normal is another network than along the friction.
 bool follows_without_memory(const Problem& problem) {
-  return problem->indenter || (isotropic(problem) && problem->rigid());
+  return problem->indenter || (isotropic(problem) && problem->rigid() && !problem->mount);
 }
 
-bool indenter_on_drive(const Problem& problem) { return problem->indenter && !problem->rigid(); }
+// As far as that decides what v* is: the motion of the others is not known at all.
+bool parts_with_a_motion(const Problem& problem) {
+  return problem->separation && !(problem->mount && (problem->mount_mass || !problem->load)) &&
+         !indenter_on_drive(problem);
+}
 
 bool all_springs(const ReducedNetwork& network) {
   bool only_springs = true;
@@ -141,10 +148,10 @@ bool Facts::is(SceneKind kind) const {
     case SceneKind::separating:
       return separating;
     case SceneKind::separating_without_memory:
-      return separating && !problem_->mount && !indenter_on_drive(problem_) &&
+      return parts_with_a_motion(problem_) &&
              (elastic(problem_) ? problem_->load.has_value() : follows_without_memory(problem_));
     case SceneKind::separating_with_memory:
-      return separating && !problem_->mount && !indenter_on_drive(problem_) && !elastic(problem_) &&
+      return parts_with_a_motion(problem_) && !elastic(problem_) &&
              !follows_without_memory(problem_);
     case SceneKind::no_static_load:
       return !problem_->indenter && !problem_->load && static_stiffness() == 0;
@@ -182,7 +189,7 @@ bool Facts::is(SceneKind kind) const {
     case SceneKind::mount:
       return problem_->mount.has_value();
     case SceneKind::separating_mount:
-      return separating && problem_->mount && !problem_->mount_mass;
+      return separating && problem_->mount && !problem_->mount_mass && !problem_->load;
     case SceneKind::separating_with_mass:
       return separating && problem_->mount && problem_->mount_mass;
     case SceneKind::indenter_on_drive:
@@ -205,10 +212,8 @@ bool Facts::open_where_steepest() const {
   if (oscillating_force() <=
       (1 + simulation::least_separation(problem_->indenter.has_value())) * mean_force())
     return false;
-  const simulation::NormalMotion motion{
-      relaxation_form(problem_->normal.network(), problem_.values()),
-      simulation::mean_indentation(problem_), contact_amplitude(problem_)};
-  return !simulation::touches_at(motion, value(problem_->angular_frequency), steepest_phase);
+  return !simulation::touches_at(simulation::opening_motion(problem_),
+                                 value(problem_->angular_frequency), steepest_phase);
 }
 
 long double Facts::static_stiffness() const {

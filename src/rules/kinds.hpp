@@ -34,8 +34,8 @@ enum class SceneKind {
   sinking_opening,                ///< the same of a contact that opens
   measured_and_separating,        ///< below a measured drive, a contact that may open
   mount,                          ///< the vibrator presses through a network that gives
-  separating_mount,               ///< the contact may open, below a mount without mass
-  separating_with_mass,           ///< the same, and a mass moves with the contact
+  separating_mount,               ///< the contact may open, below a mount; no load says how deep
+  separating_with_mass,           ///< the same under any load, and a mass moves with the contact
   indenter_on_drive,  ///< on a drive that gives, through which its cells move one another
   viscoelastic_indenter_on_drive,  ///< the same, whose cells are not alike and have a memory
   measured_contact,                ///< known at the frequencies of its table

@@ -11,7 +11,6 @@
 #include "answers/under_load.hpp"
 #include "critical/admissibility.hpp"
 #include "normal/mean_indentation.hpp"
-#include "normal/mount.hpp"
 #include "problem/variation.hpp"
 #include "rules/rulebook.hpp"
 
@@ -308,7 +307,7 @@ class Sweeping::Rows {
     if (!admissible_[row]) return nothing;
     try {
       if (quantity.kind == Kind::indentation) return found_indentation(problem);
-      if (quantity.kind == Kind::contact_amplitude) return contact_amplitude(problem);
+      if (quantity.kind == Kind::contact_amplitude) return amplitude_at_contact(problem);
       if (quantity.kind == Kind::mean_normal_force) return mean_normal_force_of(problem);
       return onset_log_derivative(problem, quantity.parameter);
     } catch (const ModelError& error) {

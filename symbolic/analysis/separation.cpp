@@ -49,13 +49,15 @@ std::vector<Line> separation_lines(const Derivation& derivation) {
   const ex velocity = omega() * swing.modulus();
   ensure((velocity - derivation.critical_velocity).normal().is_zero(),
          "v* of a contact that opens is that of a closed one");
+  const bool mounted = problem->mount.has_value();  // without mass: in series with the contact
   const Prose closed{
-      "While the contact is closed, ", z, " is the indentation; where it grows fastest",
+      "While the contact is closed, ", z,
+      mounted ? " is what the vibrator prescribes" : " is the indentation", "; where it grows fastest",
       always ? " the contact is closed, and" : ", as long as the contact is closed there,",
       " the contact point is slowest, as without separation"};
   return {{{"In sliding contact force and friction balance at all times, also while the contact is "
             "open and both are 0; so the contact point follows the normal deformation ",
-            z, " without memory"},
+            z, mounted ? " of mount and contact together" : "", " without memory"},
            quantity("y"),
            ratio * mu0 * z},
           {closed, quantity("v*"), velocity}};

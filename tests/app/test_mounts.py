@@ -108,13 +108,38 @@ class Mounts(Case):
         said("[indenter] with [mount]", more='[indenter]\nshape = "cone"\nangle = 0.1\n')
         said("found no value for u_z0", "indentation in [oscillation] or force in [load]", indentation="")
 
-    def test_a_contact_that_may_open_is_outside_the_model(self):
-        for mount, words in (('network = "km"', "for lack of code, not of physics"),
+    def test_a_contact_that_may_open_needs_a_load_and_no_mass(self):
+        for mount, words in (('network = "km"', "that of a load, and none is given"),
                              ('network = "km"\nmass = 1e-4', "height and force react on each other")):
             scene = self.mounted(mount, contact="separation = true")
             for command in (["eval"], ["simulate", "--velocity", "1e-3"], ["critical"], ["generate", "--out", "out"]):
                 with self.subTest(mount=mount, command=command):
                     self.refused(3, [command[0], scene, *command[1:]], words)
+
+    # Of springs: the vibrator's place u has <F_n> = k [sqrt(U^2 - u^2) + u acos(-u/U)]/pi.
+    def test_a_contact_that_opens_under_a_load(self):
+        k, amplitude, place = 1e7 * 5e6 / 1.5e7, 1e-7, 3e-8
+        force = k * (math.sqrt(amplitude**2 - place**2) + place * math.acos(-place / amplitude)) / math.pi
+        scene = self.mounted(contact="separation = true", indentation="", more=f"[load]\nforce = {force!r}\n")
+        text = Path(self.folder, scene).read_text()
+        Path(self.folder, scene).write_text(text.replace("kn | cn", "kn").replace("cn = 30.0\n", ""))
+        found = self.answer("eval", scene)
+        self.assertAlmostEqual(found["indentation"] / (place - force / 5e6), 1, delta=1e-9)
+        self.assertTrue(found["opens"])
+        self.assertNotIn("amplitude", found)
+        self.assertNotIn("contact_amplitude", found["effect"])
+        self.assertIn("0.1 µm amplitude of the vibrator,", self.run_program("eval", scene).stdout)
+        velocity = 0.3 * 1e5 * amplitude * k / 1e7 * (2 - 0.3) / (2 * (1 - 0.3))
+        self.assertAlmostEqual(found["critical_velocity"] / velocity, 1, delta=1e-14)
+        ran = self.answer("simulate", scene, "--velocity-ratio", "0.5")
+        self.assertEqual({"amplitude", "mount_phase"} & set(ran), set())
+        self.assertIn("vibrator's deepest place", self.run_program("simulate", scene, "--velocity-ratio", "0.5").stdout)
+        ran = self.run_program("sweep", scene, "--over", "amplitude=lin:1e-8:1e-7:2", "--quantity", "contact_amplitude",
+                               "--out", "t.csv")
+        rows = [line.split(",") for line in Path(self.folder, "t.csv").read_text().split()[1:]]
+        self.assertAlmostEqual(float(rows[0][1]) / (1e-8 * 5e6 / 1.5e7), 1, delta=1e-14)
+        self.assertEqual(rows[1][1], "nan")
+        self.assertIn("its height has harmonics", ran.stderr)
 
 
 if __name__ == "__main__":

@@ -33,8 +33,8 @@ def normal(case, kind, answer):
     references = REFERENCES[kind]
     for key, name, allowed in (("amplitude", "normal_oscillation:amplitude", 8 * U), ("mount_phase", "normal_oscillation:phase", 8 * U),
                                ("sinking_velocity", "sinking_velocity", 2 * U)):
-        case.assertEqual(key in answer, name in references, key)
-        if name in references:
+        case.assertEqual(key in answer, name in references and not answer.get("opens"), key)
+        if key in answer:
             case.near(answer[key], references(name), allowed * abs(float(references(name))), key)
     pressed = "value:W" in references or "value:U" in references
     case.assertEqual("mean_normal_force" in answer, pressed)

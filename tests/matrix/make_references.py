@@ -17,7 +17,7 @@ import mpmath as mp
 
 from reference_friction import friction_rows
 from reference_held import held_rows
-from reference_kinds import KINDS, complex_height, read, receptance, wired, write_chain
+from reference_kinds import KINDS, complex_height, is_found, read, receptance, wired, write_chain
 from reference_networks import creep_viscosity, stiffness
 
 TABLE = Path(__file__).parent / "references.csv"
@@ -69,11 +69,6 @@ def formula(name, values, **changes):
 def scaled(values, names, factor):
     return {key: ([x * factor for x in value] if isinstance(value, list) else value * factor) if key in names else value
             for key, value in values.items()}
-
-
-def is_found(key, values):
-    """What a scene does not give: the depth under a load, the contact's amplitude below a mount."""
-    return (key == "u_z0" and "W" in values) or (key == "du_z" and "U" in values)
 
 
 def entries(values):
@@ -235,7 +230,7 @@ def linear_rows(name, values, text):
     yield "loaded", int(mean > 0)
     if "W" in values and "u_z0" in values:
         yield "indentation", values["u_z0"]
-    if "W" in values and "u_z0" not in values:  # all of it through one damper
+    if "W" in values and not equilibrium(system):  # all of it through one damper
         yield "sinking_velocity", values["W"] / creep_viscosity(system.normal)
     creep = mp.mpf(0)
     networks = [system.tangential if not system.ratio else system.normal]

@@ -6,7 +6,7 @@ import numpy as np
 
 import mpmath as mp
 from reference_indenter import cells
-from reference_kinds import found_depth, height, moving, wired
+from reference_kinds import found_depth, height, is_found, moving, wired
 from reference_motion import STEPS, Contact, Mean, extrapolated, normal_forces, steady
 from reference_networks import creep_viscosity, stiffness
 
@@ -34,6 +34,8 @@ def tangential_path(system):
 def bounds_of(system, values, steps, means, opening):
     """mu0 F_n at the end of each step of a period, a column for each mean indentation."""
     omega, amplitude, mu = float(values["omega"]), float(height(system, values)), float(values["mu0"])
+    if opening and system.mount:
+        return mu * below_mount(system, values, omega, steps)[1].repeat(len(means), axis=1)
     if opening:
         edges = [edge for edge in system.normal("surface", "far") if edge[1] != 0]
         return mu * normal_forces(edges, omega, means, amplitude, steps)
@@ -41,6 +43,23 @@ def bounds_of(system, values, steps, means, opening):
     phases = 2 * np.pi * np.arange(1, steps + 1) / steps
     force = amplitude * (k * np.exp(1j * phases)).real
     return mu * (mean_forces(system, values, means)[None, :] + force[:, None])
+
+
+def below_mount(system, values, omega, steps):
+    """Without mass: the vibrator presses mount and contact, one after the other. Its mean place, as deep as the load has it."""
+    edges = [edge for edge in (*system.mount("surface", "body"), *system.normal("body", "far")) if edge[1] != 0]
+    amplitude, load = float(values["U"]), float(values["W"])
+
+    def forces(means):
+        return normal_forces(edges, omega, np.asarray(means), amplitude, steps)
+    # The mean force grows with the place, first over all of it and then close by.
+    low, high = -amplitude, load * sum(1 / float(mp.re(stiffness(each, mp.mpf(10) ** -60))) for each in (system.mount, system.normal))
+    for _ in range(3):
+        means = np.linspace(low, high, 9)
+        mean = np.interp(load, forces(means).mean(axis=0), means)
+        width = (high - low) / 100
+        low, high = mean - width, mean + width
+    return mean, forces([mean])
 
 
 def mean_forces(system, values, means):
@@ -107,8 +126,7 @@ def simulated_onset(system, values, means, opening, all_steps=STEPS[True]):
 def simulated_sensitivities(name, values, means, opening, at):
     """(p/v*) dv*/dp by central differences of 4 %; what those of 8 % differ by tells how far v* bends."""
     for key, value in values.items():
-        # Under a load the depth is found.
-        if isinstance(value, list) or (key == "u_z0" and "W" in values):
+        if isinstance(value, list) or is_found(key, values):
             continue
         slopes, errors = [], []
         for width in ("0.04", "0.08"):
@@ -132,7 +150,7 @@ def friction_rows(name, values, text, linear):
     if "indenter" in text:
         yield from cells(name, values, text, linear)
         return
-    if "mount" in text and text["contact"].get("separation"):
+    if name in ("separating_mount", "separating_with_mass"):
         return
     system = moving(name, values)
     if not linear["loaded"] or not text.get("oscillation") or not is_simulated(system):
@@ -159,6 +177,10 @@ def friction_rows(name, values, text, linear):
             slip = creep / float(values["mu0"])
             yield "drive_velocity", onset + slip * best[1][0], error[0][0] + slip * error[1][0]
             yield from simulated_sensitivities(name, values, means, opening, onset)
+        if system.mount:
+            at_rest = float(mp.re(stiffness(system.mount, mp.mpf(10) ** -60)))
+            depth, error = extrapolated([[below_mount(system, values, float(values["omega"]), steps)[0]] for steps in STEPS[True]], True)
+            yield "indentation", depth[0] - float(values["W"]) / at_rest, error[0]
     speed = speed_unit(onset, creep, system, values)
     if opening and name not in ("separation_free_harmonic", "separation_jump"):
         speed = onset + slip * best[1][0]
@@ -200,7 +222,8 @@ def friction_at(system, values, means, opening, speed):
 def design_values(name, values, linear):
     """The scene with an amplitude that leaves the contact closed, and beside an antiresonance."""
     if not linear["closed"]:
-        values = values | {"du_z": min(values["du_z"], linear["admissible_amplitude"] * mp.mpf("0.6"))}
+        given = "U" if "U" in values else "du_z"
+        values = values | {given: min(values[given], linear["admissible_amplitude"] * mp.mpf("0.6"))}
     if "W" in values:
         values = values | found_depth(name, values)
     if name == "antiresonance":

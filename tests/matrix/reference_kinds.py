@@ -135,6 +135,8 @@ KINDS = {
     "mount": lambda v: (kelvin(v["kn"], v["cn"]), mindlin("0.3"), None, kelvin(v["km"], v["cm"])),
     "mount_mass": lambda v: (zener(v["k0"], v["k1"], v["c1"]), kelvin(v["kt"], v["ct"]), kelvin(v["kd"], v["cd"]),
                              zener(v["km"], v["k2"], v["c2"])),
+    "separation_mount": lambda v: (kelvin(v["kn"], v["cn"]), mindlin("0.3"), kelvin(v["kd"], v["cd"]),
+                                   zener(v["km"], v["k2"], v["c2"])),
     "creeping_mount": lambda v: (maxwell(v["k1"], v["c1"]), mindlin("0.3"), kelvin(v["kd"], v["cd"]), spring(v["km"])),
     "measured_contact": lambda v: (measured(v, "n"), measured(v, "t"), kelvin(v["kd"], v["cd"])),
     "rational": lambda v: (prony({"k0": v["k0_pad"], "k": v["k_pad"], "tau": v["tau_pad"]}), mindlin("0.3"),
@@ -176,7 +178,7 @@ def touching(u, d):
 def pressed(name, values):
     """u_z0 under the load W: W/K_n(0), or where elastic contacts open the root of their mean force in closed form.
 
-    Nothing where no spring carries it.
+    Nothing where no spring carries it, and where steps find it.
     """
     force, d = values["W"], values["du_z"]
     if name == "indenter_load":  # a sphere: cells of depth u - x^2/R, by which the rim is open for a part of each period
@@ -194,7 +196,7 @@ def pressed(name, values):
         with mp.workdps(40):
             return depth_under_load(values, mp.mpf(5e-3), "0.4")
     at_rest = values.get("kn", values.get("k0"))
-    if at_rest is None:
+    if at_rest is None or name == "separation_mount":
         return None
     if name != "separation_load" or force / at_rest > d:
         return force / at_rest
@@ -205,6 +207,11 @@ def pressed(name, values):
 def found_depth(name, values):
     found = pressed(name, values)
     return {} if found is None else {"u_z0": found}
+
+
+def is_found(key, values):
+    """What a scene does not give: the depth under a load, the contact's amplitude below a mount."""
+    return (key == "u_z0" and "W" in values) or (key == "du_z" and "U" in values)
 
 
 def read(name):

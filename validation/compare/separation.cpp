@@ -12,6 +12,7 @@
 #include "compare/velocity_comparisons.hpp"
 #include "critical/admissibility.hpp"
 #include "critical/critical_velocity.hpp"
+#include "normal/mount.hpp"
 #include "problem/variants.hpp"
 #include "rules/rulebook.hpp"
 #include "simulation/steady/curve.hpp"
@@ -225,8 +226,9 @@ double unit_of_speed(const Problem& problem) {
 
 double opening_border(const Problem& problem) {
   const Relaxation normal = relaxation_form(problem->normal.network(), problem.values());
+  const double omega = problem->angular_frequency.value.value();
   return normal.equilibrium /
-         std::abs(dynamic_stiffness(normal, problem->angular_frequency.value.value()));
+         (std::abs(dynamic_stiffness(normal, omega)) * mount_factor(problem, omega));
 }
 
 std::vector<std::optional<Motion>> motions_in(const simulation::SteadyState& state,

@@ -18,10 +18,10 @@ namespace vcrit::simulation {
 namespace {
 
 // What is left above a share of 1 is rounding.
-void let_open(System& system, const Problem& problem, const Relaxation& normal, double amplitude) {
+void let_open(System& system, const Problem& problem) {
   const double share = std::abs(system.normal_force_amplitude) / system.mean_normal_force;
   if (problem->separation && share > 1 + least_separation(false))
-    system.opening = {normal, mean_indentation(problem), amplitude};
+    system.opening = opening_motion(problem);
   else if (share > 1)
     system.normal_force_amplitude /= share;
 }
@@ -138,7 +138,6 @@ void hold_by(System& system, DriveStructure structure) {
 System system_of(const Problem& problem) {
   rules::require(rules::Question::motion, problem);
   const Values& values = problem.values();
-  const double amplitude = contact_amplitude(problem);
   const Relaxation normal = relaxation_form(problem->normal.network(), values);
   const ScaledNetwork tangential = tangential_network(problem);
 
@@ -147,7 +146,8 @@ System system_of(const Problem& problem) {
   system.omega = values.at(problem->angular_frequency.symbol);
   system.friction = values.at(problem->coefficient.symbol);
   system.mean_normal_force = closed_mean_force(problem, normal.equilibrium);
-  system.normal_force_amplitude = amplitude * dynamic_stiffness(normal, system.omega);
+  system.normal_force_amplitude =
+      contact_amplitude(problem) * dynamic_stiffness(normal, system.omega);
   if (problem->has_masses()) {
     const bool body = problem->mass.has_value();
     hold_by(system, drive_structure(problem->drive_network()->network(), values,
@@ -160,7 +160,7 @@ System system_of(const Problem& problem) {
   if (const Receptance* table = problem->receptance())
     hold_by_table(system, *table,
                   problem->mass ? std::optional(values.at(problem->mass->symbol)) : std::nullopt);
-  let_open(system, problem, normal, amplitude);
+  let_open(system, problem);
   return system;
 }
 
