@@ -29,7 +29,7 @@ Figure state_figure(const Separation& separation) {
   figure.name = "contact_state";
   figure.title = "What the contact does over one period, by speed";
   figure.caption =
-      "The indentation is largest at phase 0 and least at half a period. One row for each speed.";
+      "The vibration presses most at phase 0 and least at half a period. One row for each speed.";
   figure.x = {"phase ωt / 2π", false, std::pair{0.0, 1.0}, {}};
   figure.y = {speed_title, false, std::pair{0.0, 1.2}, {}};
   figure.map = contact_map(separation.map);
