@@ -61,6 +61,18 @@ Motions motions_of(Regime regime) {
   return {};
 }
 
+namespace {
+
+// A contact that sticks carries less than friction allows: a stick that friction falls short of by no
+// more than its error is one of rounding, as cells have it that hardly touch.
+Motions motions_beyond_error(const simulation::SteadyState& state) {
+  Motions motions = motions_of(state.regime);
+  motions.stick = motions.stick && 1 - state.friction_ratio > state.friction_ratio_error;
+  return motions;
+}
+
+}  // namespace
+
 CellFriction cell_friction(const HalfSpace& half_space, double x, double velocity) {
   const double depth = half_space.depth(x);
   if (empty(half_space, depth)) return {};
@@ -68,12 +80,12 @@ CellFriction cell_friction(const HalfSpace& half_space, double x, double velocit
   simulation::Answers answers(system);
   const simulation::SteadyState& state = answers.alone(velocity, Start::sliding, 0);
   CellFriction result{simulation::mean_normal_force(system), state.friction_ratio,
-                      state.friction_ratio_error, 0, motions_of(state.regime)};
+                      state.friction_ratio_error, 0, motions_beyond_error(state)};
   answers.alone(velocity, Start::rest, 0);  // in the memory of the other
   result.disagreement = std::abs(state.friction_ratio - result.ratio);
   result.error =
       std::max(result.error, state.friction_ratio_error) + neglect * half_space.neglected(depth);
-  result.motions.add(motions_of(state.regime));
+  result.motions.add(motions_beyond_error(state));
   return result;
 }
 

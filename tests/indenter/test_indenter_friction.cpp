@@ -11,6 +11,7 @@
 #include "indenter/friction.hpp"
 #include "indenter/half_spaces.hpp"
 #include "simulation/reference_tables.hpp"
+#include "support/scene_text.hpp"
 #include "support/table.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_indenter_friction)
@@ -365,6 +366,26 @@ BOOST_AUTO_TEST_CASE(dips_into_a_strongly_damped_surface) {
 }
 
 // Nothing oscillates, so nothing ever sticks.
+// As good as elastic: cells at the rim, which hardly touch, find sticks of some roundings at speeds
+// at which all of them slide.
+BOOST_AUTO_TEST_CASE(sticks_of_rounding_are_none) {
+  const HalfSpace half_space(test::scene_of({.normal = "k0 | kelvin(k1, c2)",
+                                             .poisson = 0.21916462755777888,
+                                             .separation = true,
+                                             .indenter = "shape = \"cone\"\nangle = \"0.7 deg\"\n",
+                                             .angular_frequency = 15.6,
+                                             .amplitude = 5.7e-7,
+                                             .indentation = 7.3e-7,
+                                             .coefficient = 0.12,
+                                             .elements = {{"k0", 4.4e15}, {"k1", 3e10}, {"c2", 4.3}}}));
+  // mu0 omega du_z K_n/K_t
+  const double border =
+      0.12 * 15.6 * 5.7e-7 * (2 - 0.21916462755777888) / (2 * (1 - 0.21916462755777888));
+  for (const double part : {1.01, 1.02, 1.03, 1.04, 1.05, 1.1})
+    BOOST_TEST((friction(half_space, part * border).regime == Regime::sliding_separated), part);
+  BOOST_TEST((friction(half_space, 0.99 * border).regime == Regime::stick_slip_separated));
+}
+
 BOOST_AUTO_TEST_CASE(without_oscillation) {
   const Friction found = friction(elastic(0), 1e-3);
   BOOST_TEST((found.regime == Regime::sliding));

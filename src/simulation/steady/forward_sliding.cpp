@@ -33,6 +33,10 @@ constexpr int most_steps = 8;
 // A cycle is closed where so many rounding errors are left of the residual.
 constexpr double closed = 100;
 
+constexpr const char* met_too_softly =
+    "the contact's surface comes back so fast that the force with which it closes, and the speed "
+    "of the contact point then, are lost in rounding";
+
 // The drive's speed with fewer digits than this is none, nor is v*, which is that less the creep.
 constexpr double worst_error = 1e-6, worst_error_without_creep = 1e-2;
 
@@ -100,6 +104,21 @@ bool drives_the_body(const Model& model) {
   return false;
 }
 
+// What rounding the bound does to the contact velocity. A surface that comes back far faster than the
+// oscillation goes closes with a force far below its amplitude, and as fast a contact point follows
+// that.
+double rounding_of_the_bound(const Model& model) {
+  const Opening& opening = *model.opening;
+  double fluidity = model.contact.fluidity, force = 1 + opening.amplitude, rate = opening.amplitude;
+  for (const double each : model.contact.unit_fluidity) fluidity += each;
+  for (const Opening::Touch& touch : opening.touches)
+    for (Index i = 0; i < opening.rates.size(); ++i) {
+      force += std::abs(touch.decaying[i]);
+      rate += opening.rates[i] * std::abs(touch.decaying[i]);
+    }
+  return 4 * epsilon * (fluidity * force + model.contact.glassy * rate);
+}
+
 // The velocity of the drive that is just enough for a piece of slip.
 double least_velocity(const Model& model, const Trace::Part& part) {
   State start = part.piece.start();
@@ -127,8 +146,11 @@ ForwardSliding forward_sliding(const Model& model) {
   if (!(cycle.error <= worst_error * std::abs(least) &&
         cycle.error <= worst_error_without_creep * std::abs(least - model.creep)))
     throw ModelError(lost_in_rounding);
+  const double bound = rounding_of_the_bound(model);
+  if (!(bound <= worst_error_without_creep * std::abs(least - model.creep)))
+    throw ModelError(met_too_softly);
   // The contact's velocity is rounded once more where it is least.
-  return {Ends::at_a_speed, least, cycle.error + 4 * epsilon * std::abs(least)};
+  return {Ends::at_a_speed, least, cycle.error + bound + 4 * epsilon * std::abs(least)};
 }
 
 }  // namespace vcrit::simulation

@@ -9,6 +9,7 @@
 #include "simulation/reference_tables.hpp"
 #include "simulation/steady/exact.hpp"
 #include "simulation/steady/onset.hpp"
+#include "support/refusal.hpp"
 #include "support/table.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_forward_sliding)
@@ -142,6 +143,27 @@ BOOST_AUTO_TEST_CASE(lost_in_rounding) {
       }
   BOOST_TEST_MESSAGE(refused << " refused");
   BOOST_TEST(refused > 0);
+}
+
+// The surface is back within some c of a radian. It closes with the force c u', to which the contact
+// point answers by c u'/(c/2): v* = 2 u' where it closes, u = 0. Its rounding error grows as that
+// force becomes small beside the others, and has to be said; where nothing is left, that.
+BOOST_AUTO_TEST_CASE(a_surface_that_comes_back_at_once_meets_softly) {
+  const auto velocity = [](double c) {
+    System system;
+    system.contact = {1, c / 2, {}};
+    system.omega = system.friction = 1;
+    system.opening = {{1, c, {}}, 0.3, 1};
+    return sliding_threshold(system);
+  };
+  const double exact = 2 * std::sqrt(1 - 0.09);
+  for (const double c : {1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12}) {
+    const Onset found = velocity(c);
+    // Less by what is left of the deformation when the contact closes: none after 1/c radians.
+    BOOST_TEST(std::abs(found.contact_velocity - exact) <= found.uncertainty, c);
+    BOOST_TEST(found.uncertainty <= 1e-14 / c + 1e-14, c);  // ten to twenty roundings of a force of 1
+  }
+  BOOST_TEST(test::refused<ModelError>([&] { velocity(1e-15); }, "lost in rounding"));
 }
 
 BOOST_AUTO_TEST_SUITE_END()
