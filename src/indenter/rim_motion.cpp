@@ -53,10 +53,11 @@ double RimMotion::level(double t, double place, int d) const {
 // l_d of what a layer remembers at a depth: l_- = l_+ + 2 g.
 double RimMotion::level_of(const Layer& layer, double depth, double touched, int d) const {
   if (layer.frozen != 0) return layer.level + (layer.frozen - d) * depth;
-  for (const TimeStep& step : history_)
-    if (touched <= step.end() || &step == &history_.back())
-      return level(touched, step.at(touched, place_), d);
-  return 0;
+  if (history_.empty()) return 0;
+  const auto step =
+      std::partition_point(history_.begin(), history_.end() - 1,
+                           [touched](const TimeStep& each) { return each.end() < touched; });
+  return level(touched, step->at(touched, place_), d);
 }
 
 double RimMotion::inner_level(const Layer& layer, int d) const {
@@ -96,7 +97,11 @@ double RimMotion::stuck_to(double t, double place) const {
   const int d = direction();
   const Layer& top = layers_.back();
   const double here = level(t, place, d);
-  if (top.frozen == 0) return contact_.depth(touched_when(top, here, d));
+  if (top.frozen == 0) {
+    if (touched_.t != t || touched_.place != place)
+      touched_ = {t, place, contact_.depth(touched_when(top, here, d))};
+    return touched_.depth;
+  }
   if (top.frozen == d) return top.to;
   return std::clamp((here - top.level) / (top.frozen - d), top.from, top.to);
 }
@@ -294,6 +299,7 @@ void RimMotion::run(double until) {
   double length = first_step;
   while (t_ < until) {
     hear_interruption();
+    touched_ = {};  // the step before may have changed the layers
     const double kink = next_kink(), to = std::min(kink, until), whole = to - t_;
     if (whole <= no_time * std::max(1.0, to)) {
       t_ = to;

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "base/constants.hpp"
 #include "indenter/collocation.hpp"
 #include "indenter/rim.hpp"
 
@@ -98,6 +99,11 @@ class RimMotion {
   std::vector<Layer> layers_;      ///< from the centre outwards
   std::vector<TimeStep> history_;  ///< of times at which cells touched and stuck
   std::vector<TimeStep> kept_;
+  /// Of stuck_to(), the last one while layers stay as they are: rates and margins ask again.
+  struct Answer {
+    double t = -infinity, place = 0, depth = 0;
+  };
+  mutable Answer touched_;
   double clear_since_ = 0;
   Shown shown_;
   int at_once_ = 0;  ///< events since time last went on
