@@ -169,8 +169,9 @@ Factors Model::factors(const Change& change) const {
 
 ex Model::amplitude(const Change& change) const { return factors(change).value(); }
 
-ex Model::per_friction() const {
-  return (amplitude({}) / symbol({"mu0"}) / symbol({"du_z"})).normal();
+const ex& Model::per_friction() const {
+  if (!per_friction_) per_friction_ = (amplitude({}) / symbol({"mu0"}) / symbol({"du_z"})).normal();
+  return *per_friction_;
 }
 
 bool Model::is_small(const ex& amplitude, const Change& change) const {

@@ -56,7 +56,7 @@ class Model {
   /// The same; with a mount, what resonates along the normal is a factor of its own.
   Factors factors(const Change& change) const;
   /// B/(mu0 du_z) without a limit.
-  GiNaC::ex per_friction() const;
+  const GiNaC::ex& per_friction() const;
   /// Nothing where the limit cuts a network in two, makes the normal network rigid or unable to
   /// carry the mean load, or leaves no motion.
   std::optional<Formula> formula(const Change& change) const;
@@ -105,6 +105,7 @@ class Model {
   std::optional<GiNaC::ex> ratio_;
   bool loaded_ = false;
   mutable std::pair<Rates, std::vector<Leading<TermCount>>> counted_;
+  mutable std::optional<GiNaC::ex> per_friction_;  ///< asked for at each point of a proof
   /// By powers, and whether the drive is rigid, where nothing else changes: hundreds of limits of a
   /// large network share one.
   mutable std::map<std::pair<std::map<std::string, int>, bool>, Leading<Factors>> leading_;
