@@ -27,6 +27,7 @@ std::size_t node_hash(const NodeData& data) {
 bool by_node(const Item& a, const Item& b) { return a.node < b.node; }
 
 SmallFraction power(SmallFraction base, int exponent) {
+  if (base.is_one()) return base;  // nearly always
   if (exponent < 0) return power(reciprocal(base), -exponent);
   SmallFraction result;
   for (int i = 0; i < exponent; ++i) result = result * base;

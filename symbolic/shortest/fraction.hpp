@@ -35,6 +35,7 @@ inline SmallFraction reduced(std::int64_t over, std::int64_t under) {
 
 inline SmallFraction operator-(SmallFraction a) { return {-a.over, a.under}; }
 inline SmallFraction operator*(SmallFraction a, SmallFraction b) {
+  if (a.under == 1 && b.under == 1) return {times_checked(a.over, b.over), 1};  // nearly always
   const SmallFraction first = reduced(a.over, b.under), second = reduced(b.over, a.under);
   return {times_checked(first.over, second.over), times_checked(first.under, second.under)};
 }

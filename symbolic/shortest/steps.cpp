@@ -16,21 +16,42 @@ void remember_parts(FormulaStep& step) {
   for (const StepPart& part : step.parts) step.mask |= bit(part.step);
 }
 
-/// What two steps of a kind have in common, as it stands in `a`: in `b` it has the same signs or
-/// all others. The larger of both.
-std::vector<StepPart> common_parts(const FormulaStep& a, const FormulaStep& b) {
-  std::vector<StepPart> same, opposite;
+/// How many parts two steps of a kind have in common: with equal signs, and with opposite ones.
+struct Common {
+  std::size_t same = 0, opposite = 0;
+  std::size_t larger() const { return std::max(same, opposite); }
+};
+
+/// Calls `visit` with each part of `a` that `b` has, and whether its sign is the same there.
+template <class Visit>
+void for_each_common(const FormulaStep& a, const FormulaStep& b, const Visit& visit) {
   for (auto i = a.parts.begin(), j = b.parts.begin(); i != a.parts.end() && j != b.parts.end();) {
     if (i->step < j->step)
       ++i;
     else if (j->step < i->step)
       ++j;
     else {
-      (i->sign == j->sign ? same : opposite).push_back(*i);
+      visit(*i, i->sign == j->sign);
       ++i, ++j;
     }
   }
-  return opposite.size() > same.size() ? opposite : same;
+}
+
+Common count_common(const FormulaStep& a, const FormulaStep& b) {
+  Common count;
+  for_each_common(
+      a, b, [&](const StepPart&, bool same) { ++(same ? count.same : count.opposite); });
+  return count;
+}
+
+/// What two steps of a kind have in common, as it stands in `a`: the larger of both.
+std::vector<StepPart> common_parts(const FormulaStep& a, const FormulaStep& b,
+                                   const Common& count) {
+  std::vector<StepPart> parts;
+  for_each_common(a, b, [&](const StepPart& part, bool same) {
+    if (same == (count.opposite <= count.same)) parts.push_back(part);
+  });
+  return parts;
 }
 
 /// The sign with which `step` holds all of `parts`, if it does.
@@ -204,8 +225,8 @@ bool Steps::share_best(const std::vector<std::uint32_t>& sets) {
       const std::uint64_t mask = a.mask & b.mask;
       // One bit may stand for several steps where there are more than 64.
       if (mask == 0 || (std::has_single_bit(mask) && steps_.size() <= 64)) continue;
-      std::vector<StepPart> common = common_parts(a, b);
-      if (common.size() >= 2 && common.size() > best.size()) best = std::move(common);
+      const Common common = count_common(a, b);
+      if (common.larger() >= 2 && common.larger() > best.size()) best = common_parts(a, b, common);
     }
   if (best.empty()) return false;
   // Where it is all of a step, that step is it.
