@@ -52,6 +52,14 @@ class Suites(unittest.TestCase):
         self.assertEqual([name for name, file in self.files.items()
                           if commands[name] and commands[name][1:] != [f"--run_test={file.stem}"]], [])
 
+    def test_that_begin_first_are_there(self):
+        *lines, end = (TESTS / "costs.txt").read_text().splitlines()
+        self.assertEqual(end, "---")
+        names = [name for name, runs, seconds in map(str.split, lines) if int(runs) == 1 and float(seconds) > 0]
+        self.assertEqual(len(names), len(lines))
+        with_python = {name for name in names if name.startswith(("python/", "matrix/"))}  # where the module is built
+        self.assertEqual(sorted(set(names) - set(entries()) - with_python), [])
+
     # tests/support/table.hpp
     def test_count_the_rows_of_tables(self):
         self.assertTrue(reads_without_counting('std::ifstream file(VCRIT_TEST_DATA "/a.csv");'))

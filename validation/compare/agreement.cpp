@@ -221,7 +221,7 @@ void simulate(SceneReport& report, const symbolic::Derivation& derivation,
     report.cycle = steady_cycle(system, 0.5 * drive_velocity);
     report.cycle->ratio = 0.5;
     progress("simulating by other methods");
-    report.methods = method_curves(system, drive_velocity);
+    report.methods = witnesses.curves(system, drive_velocity);
     report.reduced_model = reduced_model(report.problem);
   } catch (const ModelError& error) {
     report.comparisons.push_back((out_of_reach ? not_run : broken)(pending, error.what()));
@@ -236,7 +236,7 @@ Witnesses own_witnesses() {
           [](const Problem& problem) { return simulation::system_of(problem); },
           [](const Problem& problem) { return indenter::HalfSpace(problem); },
           [](const simulation::System& system) { return simulation::sliding_threshold(system); },
-          compare_march};
+          compare_march, method_curves};
 }
 
 SceneReport agree(Driver& driver, const symbolic::Derivation& formula, const Progress& progress,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <vector>
 
 #include "compare/border.hpp"
 #include "compare/scene_report.hpp"
@@ -22,6 +23,8 @@ struct Witnesses {
   std::function<simulation::Onset(const simulation::System&)> balance;
   /// Another method marched just below and above v*.
   std::function<Comparison(const Border&, const simulation::System&)> march;
+  /// Friction over speed by other methods, for the page alone: no comparison is made of it.
+  std::function<std::vector<MethodCurve>(const simulation::System&, double)> curves;
 };
 Witnesses own_witnesses();
 
