@@ -57,9 +57,12 @@ def formulas(text, form):
 
 
 def faults_of(items):
-    """One process for all of them."""
-    done = subprocess.run(["node", HERE / "katex.mjs", KATEX], input=json.dumps(items), capture_output=True, text=True,
-                          check=True, timeout=120)
+    """One process for all of them. Many formulas are in many documents: each is typeset once, for the first of these."""
+    different = {}
+    for where, *formula in items:
+        different.setdefault(tuple(formula), where)
+    asked = json.dumps([[where, *formula] for formula, where in different.items()])
+    done = subprocess.run(["node", HERE / "katex.mjs", KATEX], input=asked, capture_output=True, text=True, check=True, timeout=120)
     return json.loads(done.stdout)
 
 
