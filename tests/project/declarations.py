@@ -10,6 +10,7 @@ IDENTIFIER = re.compile(r"[A-Za-z_]\w*\Z")
 TYPES = {"struct", "class", "enum", "union"}
 SPECIFIERS = {"template", "extern", "static", "inline", "constexpr", "consteval", "constinit", "typedef"}
 CLOSING = {"(": ")", "[": "]", "{": "}"}
+DEPTH = {bracket: 1 for bracket in CLOSING} | {bracket: -1 for bracket in CLOSING.values()}
 NOT_A_NAME = {"noexcept", "const", "requires", "decltype", "alignas", "__attribute__", "static_assert", "defined"}
 
 
@@ -22,17 +23,19 @@ class Declaration:
 
 
 def tokens(text):
+    line, counted = 1, 0
     for match in TOKEN.finditer(text):
         word = match.group()
+        line, counted = line + text.count("\n", counted, match.start()), match.start()
         if not word.lstrip().startswith(("//", "/*", "#")):
-            yield ('""' if word[-1] in "\"'" and len(word) > 1 else word), text.count("\n", 0, match.start()) + 1
+            yield ('""' if word[-1] in "\"'" and len(word) > 1 else word), line
 
 
 def past(words, at):
     """The place behind the bracket that opens at `at`."""
     depth = 0
     while at < len(words):
-        depth += (words[at][0] in CLOSING) - (words[at][0] in CLOSING.values())
+        depth += DEPTH.get(words[at][0], 0)
         at += 1
         if depth == 0:
             break

@@ -9,6 +9,7 @@
 Run with the project's folder. With --list [FOLDER...], prints what breaks a rule instead.
 """
 
+import functools
 import itertools
 import pathlib
 import sys
@@ -77,6 +78,7 @@ def visible(header, file):
     return header == file or header in ("src", "symbolic", "validation")
 
 
+@functools.cache
 def sources():
     files = sorted(file for library in LIBRARIES for file in (ROOT / library).rglob("*.[ch]pp"))
     return {str(file.relative_to(ROOT)): declarations(file.read_text()) for file in files}
