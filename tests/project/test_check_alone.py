@@ -1,0 +1,93 @@
+"""`./dev check` (cmake/check_alone.py) finds what a file lacks, although it puts precompiled headers before files: on a
+project of a few small files.
+
+Run with the project's folder.
+"""
+
+import json
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+ROOT = pathlib.Path(sys.argv.pop(1))
+
+# What is right, and beside it files that each break one rule. Five include <string> in any case, so that it is compiled once.
+FILES = {
+    "text.hpp": """#pragma once
+#include <string>
+std::string text_of(int number);
+""",
+    "text.cpp": """#include "text.hpp"
+#include <vector>
+std::string text_of(int number) { return std::to_string(std::vector<int>{number}.front()); }
+""",
+    "lacks_include.cpp": """#include "text.hpp"
+std::vector<std::string> texts;
+""",
+    "includes_if.cpp": """#ifdef NEVER
+#include <string>
+#endif
+std::string name;
+""",
+    "lacks_header.cpp": """#include <string>
+std::string text() { return text_of(1); }
+""",
+    "warns.cpp": """#include "text.hpp"
+void warns() { int unused; }
+""",
+    # What its source file includes after it, or another before it, must not help a header.
+    "header_lacks_include.hpp": """#pragma once
+void print(const std::string& text);
+""",
+    "header_lacks_include.cpp": """#include "header_lacks_include.hpp"
+#include <string>
+void print(const std::string&) {}
+""",
+    "unbegun.hpp": """#pragma once
+inline int first_of(const std::vector<int>& numbers) { return numbers.front(); }
+""",
+    "main.cpp": """#include <vector>
+#include "text.hpp"
+#include "unbegun.hpp"
+int main() { return static_cast<int>(text_of(first_of({1, 2})).size()); }
+""",
+}
+ERRORS = {"lacks_include.cpp:2", "includes_if.cpp:4", "lacks_header.cpp:2", "warns.cpp:2", "header_lacks_include.hpp:2",
+          "unbegun.hpp:2"}
+
+
+def checked(files):
+    """Exit status of the check of a project of those files in src, and what it says."""
+    with tempfile.TemporaryDirectory() as folder:
+        project = pathlib.Path(folder).resolve()
+        for name in ("cmake", "src", "build"):
+            (project / name).mkdir()
+        shutil.copy(ROOT / "cmake/check_alone.py", project / "cmake")
+        for name, text in files.items():
+            (project / "src" / name).write_text(text)
+        commands = [{"file": str(file), "directory": str(project / "build"),
+                     "command": f"g++ -std=c++20 -g -Wall -Werror -DVCRIT_NAME=1 -I{project}/src -o {file.stem}.o -c {file}"}
+                    for file in sorted((project / "src").glob("*.cpp"))]
+        (project / "build/compile_commands.json").write_text(json.dumps(commands))
+        done = subprocess.run([sys.executable, "-B", project / "cmake/check_alone.py", project / "build"],
+                              capture_output=True, text=True)
+        return done.returncode, done.stdout + done.stderr
+
+
+class CheckAlone(unittest.TestCase):
+    def test_each_fault_and_no_other(self):
+        status, text = checked(FILES)
+        self.assertNotEqual(status, 0)
+        self.assertEqual(set(re.findall(r"/src/(\S+:\d+):\d+: error: ", text)), ERRORS, text)
+        self.assertIn(f"{len(ERRORS)} of 8 files do not compile on their own", text)
+
+    def test_without_faults(self):
+        status, text = checked({name: FILES[name] for name in ("text.hpp", "text.cpp")})
+        self.assertEqual((status, text), (0, "[1/1] src/text.cpp\n"))
+
+
+unittest.main()
