@@ -45,20 +45,20 @@ NormalMotion unpressed_motion(const Problem& problem) {
 }
 
 double pressed_mean(const Problem& problem) {
-  const double closed = compressed(problem, problem->normal);
+  double closed = compressed(problem, problem->normal);
+  if (problem->mount) closed += compressed(problem, *problem->mount);
   if (std::isinf(closed) || !opens_under_load(problem)) return closed;
   const NormalMotion motion = unpressed_motion(problem);
-  const double deepest = problem->mount ? closed + compressed(problem, *problem->mount) : closed;
   const ContactModes modes = modes_of(motion, problem.value(problem->angular_frequency));
   SharedEffort effort(effort_of_pressing);
   const auto force = [&](double mean) {
     const PressedCycle found = pressed_cycle(modes, {mean, motion.amplitude}, &effort);
     return PressedForce{found.cycle.mean, found.slope};
   };
-  return pressed_by(force, problem.value(*problem->load), -motion.amplitude, deepest);
+  return pressed_by(force, problem.value(*problem->load), -motion.amplitude, closed);
 }
 
-// Of what is prescribed: with the mount's deformation where the contact opens below one.
+// Of what is prescribed: with the mount's deformation under a load.
 double prescribed_mean(const Problem& problem) {
   if (!problem->load) return problem.value(problem->indentation);
   return problem.found_indentation([&] {
@@ -89,9 +89,9 @@ double pressed_by(const std::function<PressedForce(double)>& force, double load,
 }
 
 double mean_indentation(const Problem& problem) {
-  const double mean = prescribed_mean(problem);
-  if (!problem->mount || !problem->load || !opens_under_load(problem)) return mean;
-  return mean - compressed(problem, *problem->mount);
+  if (!problem->mount || !problem->load) return prescribed_mean(problem);
+  if (!opens_under_load(problem)) return compressed(problem, problem->normal);
+  return prescribed_mean(problem) - compressed(problem, *problem->mount);
 }
 
 NormalMotion opening_motion(const Problem& problem) {
