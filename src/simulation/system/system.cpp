@@ -80,7 +80,7 @@ std::vector<int> harmonics_of_poles(const System& system, long double within) {
       result.push_back(static_cast<int>(n));
   }
   std::ranges::sort(result);
-  result.erase(std::ranges::unique(result).begin(), result.end());
+  result.erase(std::unique(result.begin(), result.end()), result.end());
   return result;
 }
 
@@ -132,7 +132,8 @@ void hold_by(System& system, DriveStructure structure) {
   DriveMotion motion = drive_motion(structure);
   system.drive.reset();
   system.mass.reset();
-  system.masses = std::make_shared<const DriveWithMasses>(std::move(structure), std::move(motion));
+  system.masses = std::make_shared<DriveWithMasses>(
+      DriveWithMasses{std::move(structure), std::move(motion)});
 }
 
 System system_of(const Problem& problem) {
