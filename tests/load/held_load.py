@@ -131,6 +131,8 @@ class Trial:
             ("several parts hold it", has_masses and "body" not in self.scene),
             ("cells with a memory", self.by_phases and has_dampers),
             ("opens all over", self.by_phases and not self.draw.separates),
+            # docs/limits.md: a light body on the drive rings on while the rim of the indenter opens.
+            ("within the bound on the work", self.by_phases and self.draw.separates and "body" in self.scene),
             ("below an indenter", self.by_phases and (has_masses or is_measured))))
 
     def compare(self, answer, formula):

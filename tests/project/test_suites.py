@@ -67,6 +67,15 @@ class Suites(unittest.TestCase):
         self.assertEqual([str(file) for ending in ["*.cpp", "*.hpp"] for file in TESTS.rglob(ending)
                           if reads_without_counting(file.read_text())], [])
 
+    # What libFuzzer reads: comments, or [name=]"text" with no other escapes. Of a dictionary with a fault it reads nothing.
+    def test_dictionaries_of_fuzz_targets_are_read(self):
+        line = re.compile(r'(#.*|\w*=?"([^"\\]|\\["\\]|\\x[0-9A-Fa-f]{2})+")?')
+        self.assertIsNone(line.fullmatch(r'"a\nb"'))
+        files = list((TESTS / "fuzz" / "dictionaries").glob("*.dict"))
+        self.assertGreater(len(files), 4)
+        self.assertEqual([f"{file.name}:{i}" for file in files for i, text in enumerate(file.read_text().splitlines(), 1)
+                          if not line.fullmatch(text)], [])
+
     def test_a_fault_would_be_seen(self):
         whole = "BOOST_AUTO_TEST_SUITE(test_a)\nBOOST_AUTO_TEST_CASE(x) {}\nBOOST_AUTO_TEST_SUITE_END()\n"
         self.assertIsNone(fault("test_a", whole))
